@@ -1,0 +1,200 @@
+"""Compiles the parts of a submission one by one and links them with the runner, in a box."""
+
+import hashlib
+import os
+import re
+from collections.abc import Iterable
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+
+from bounce_grader import processes
+from bounce_grader.box import Box
+from bounce_grader.errors import KitError
+from bounce_grader.manifest import Part
+from bounce_grader.paths import CACHE, CONTRACT, RUNNER
+from bounce_grader.submission import Submission
+
+COMPILE = processes.Limits(cpu_seconds=15, wall_seconds=120, memory=2 << 30, file_size=64 << 20)
+LINK = processes.Limits(cpu_seconds=10, wall_seconds=60, memory=2 << 30, file_size=64 << 20)
+
+
+@dataclass(frozen=True)
+class Built:
+    """An object file or a runner; or one sentence that says why there is none."""
+
+    path: Path | None
+    problem: str = ""
+
+
+@dataclass(frozen=True)
+class Objects:
+    parts: dict[int, Built]
+    helpers: dict[str, Built]
+
+
+def compile_all(submission: Submission, folder: Path, box: Box, jobs: int) -> Objects:
+    """Every part and helper by itself. `folder` holds the submission's files and nothing else."""
+    with ThreadPoolExecutor(jobs) as pool:
+        parts = {
+            number: pool.submit(_compile, file, submission, folder, box)
+            for number, file in submission.parts.items()
+        }
+        helpers = {
+            file: pool.submit(_compile, file, submission, folder, box)
+            for file in submission.helpers
+        }
+        return Objects(
+            {n: built.result() for n, built in parts.items()},
+            {f: built.result() for f, built in helpers.items()},
+        )
+
+
+def _compile(file: str, submission: Submission, folder: Path, box: Box) -> Built:
+    """Clang with the kit's precompiled header; what it refuses gets a second chance with g++."""
+    cached = _cached(_digest(file, submission))
+    if cached.exists():
+        return Built(cached)
+    includes = [f"-I{name}" for name in submission.include_folders]
+    source = [*includes, "-Dmain=submitted_main", "-x", "c++", "-c", file, "-o", "-"]
+    prelude = ["-include-pch", str(RUNNER / "prelude.pch")]
+    clang = [compiler(), f"@{RUNNER / 'clang_flags.txt'}", *prelude, *source]
+    gcc = ["/usr/bin/g++", f"@{RUNNER / 'gcc_flags.txt'}", *source]
+    box_prefix = box.to_build(folder, [CONTRACT, RUNNER])
+
+    first = processes.run(box_prefix + clang, COMPILE, cwd=folder)
+    result = first if first.ok else processes.run(box_prefix + gcc, COMPILE, cwd=folder)
+    if result.ok and result.out:
+        return Built(_store(result.out, cached))
+    return Built(None, compile_problem(first, file))
+
+
+def _digest(file: str, submission: Submission) -> str:
+    """Names an object: the source, what it may include, and what it is built with."""
+    digest = hashlib.sha256(_toolchain_digest())
+    for name in sorted(submission.files):
+        is_source = name in submission.helpers or name in submission.parts.values()
+        if name == file or not is_source:
+            digest.update(f"{name}\0".encode() + submission.files[name] + b"\0")
+    return digest.hexdigest()
+
+
+@cache
+def _toolchain_digest() -> bytes:
+    digest = hashlib.sha256(str(RUNNER).encode())
+    for name in ("clang_flags.txt", "gcc_flags.txt", "compiler.txt", "prelude.pch"):
+        path = RUNNER / name
+        if not path.exists():
+            raise KitError(f"the kit isn't built ({path} is missing): run ./kit build")
+        if path.suffix == ".pch":
+            digest.update(str(path.stat().st_mtime_ns).encode())
+        else:
+            digest.update(path.read_bytes())
+    return digest.digest()
+
+
+@cache
+def compiler() -> str:
+    return (RUNNER / "compiler.txt").read_text().strip()
+
+
+def _cached(digest: str) -> Path:
+    return CACHE / digest[:2] / digest[2:]
+
+
+def _store(data: bytes, path: Path) -> Path:
+    """Written whole or not at all, so that gradings side by side can share it."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    temporary = path.with_suffix(f".{os.getpid()}.{id(data)}")
+    temporary.write_bytes(data)
+    temporary.replace(path)
+    return path
+
+
+def link_together(objects: Objects, box: Box) -> Built:
+    """One runner with all of the submission's own parts."""
+    return _link([b.path for b in _all(objects)], [], box)
+
+
+def link_alone(part: Part, objects: Objects, box: Box) -> Built:
+    """A runner with one part; what earlier parts it calls is asked of the judge.
+
+    Helpers that another part's file defines are found in a second try, in which the given parts
+    still come first.
+    """
+    own = [objects.parts[part.number].path, *(b.path for b in objects.helpers.values())]
+    given = _given(part)
+    alone = _link(own, given, box)
+    others = [b.path for number, b in objects.parts.items() if number != part.number and b.path]
+    if alone.path or not others:
+        return alone
+    second = _link(own, [*given, *map(str, others)], box, ["-Wl,--allow-multiple-definition"])
+    return second if second.path else alone
+
+
+def _given(part: Part) -> list[str]:
+    if not part.has_earlier_parts:
+        return []
+    return [str(RUNNER / f"given_part{n}.o") for n in range(1, part.number)]
+
+
+def _all(objects: Objects) -> Iterable[Built]:
+    return [*objects.parts.values(), *objects.helpers.values()]
+
+
+def _link(own: Iterable[Path | None], more: list[str], box: Box, flags: list[str] = []) -> Built:
+    files = [str(path) for path in own if path]
+    digest = hashlib.sha256(_toolchain_digest())
+    for word in [*files, *more, *flags]:
+        digest.update(word.encode() + b"\0")
+    cached = _cached(digest.hexdigest())
+    if cached.exists():
+        return Built(cached)
+    kit = [str(RUNNER / f"{name}.o") for name in ("runner", "channel", "solve_lcp", "render")]
+    command = [compiler(), *link_flags(), *flags, *kit, *files, *more, "-o", "-"]
+    visible = [RUNNER, *(Path(file) for file in files + more if not file.startswith(str(RUNNER)))]
+    folder = RUNNER
+    result = processes.run(box.to_build(folder, visible) + command, LINK, cwd=folder)
+    if result.ok and result.out:
+        path = _store(result.out, cached)
+        path.chmod(0o755)
+        return Built(path)
+    return Built(None, link_problem(result))
+
+
+@cache
+def link_flags() -> list[str]:
+    return (RUNNER / "link_flags.txt").read_text().split()
+
+
+def compile_problem(result: processes.Result, file: str) -> str:
+    """The compiler's first error, in one line, with the submission's own file and line."""
+    if result.too_long or result.code in (-9, -24, 128 + 9, 128 + 24):
+        return f"{file} took more than {COMPILE.cpu_seconds} s to compile"
+    errors = re.findall(r"^(\S+?:\d+:\d+): (?:fatal )?error: (.*)$", result.err, re.MULTILINE)
+    if not errors:
+        last = result.err.strip().splitlines()
+        return f"{file}: {last[-1] if last else 'the compiler ended without a word'}"
+    where, what = errors[0]
+    if where.startswith("/"):
+        instantiated = re.search(rf"^({re.escape(file)}:\d+):\d+: note: ", result.err, re.MULTILINE)
+        asked = f", asked for at {instantiated.group(1)}" if instantiated else f" in {file}"
+        return f"{what}{asked} ({Path(where).name})"
+    return f"{where}: {what}"
+
+
+def link_problem(result: processes.Result) -> str:
+    """What the linker misses, or has twice, in one line."""
+    missing = re.search(r"undefined symbol: (.*)\n>>> referenced by (\S+?):(\d+)", result.err)
+    if missing:
+        name, file, line = missing.groups()
+        return f"{file}:{line} uses {name}, which no file that compiles defines"
+    missing = re.search(r"undefined symbol: (.*)", result.err)
+    if missing:
+        return f"{missing.group(1)} is used, but no file that compiles defines it"
+    twice = re.search(r"duplicate symbol: (.*)", result.err)
+    if twice:
+        return f"{twice.group(1)} is defined in two files"
+    lines = result.err.strip().splitlines()
+    return lines[0] if lines else "the parts could not be linked"

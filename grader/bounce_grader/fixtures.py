@@ -1,0 +1,61 @@
+"""Fixtures: the public ones are committed; the hidden ones are made from the course secret."""
+
+import hashlib
+import os
+import tempfile
+from pathlib import Path
+
+from bounce_grader import processes
+from bounce_grader.errors import KitError
+from bounce_grader.paths import BUILD, FIXTURES, SECRET
+
+PUBLIC = FIXTURES / "public"
+HIDDEN = FIXTURES / "hidden"
+WRITER = BUILD / "write_fixtures"
+DEFAULT_SECRET = "the secret of a course that has set none"
+LIMITS = processes.Limits(cpu_seconds=120, wall_seconds=600, memory=4 << 30, file_size=64 << 20)
+
+
+def secret() -> str:
+    """The course's, from the environment or from the file course-secret; else the default."""
+    if "BOUNCE_COURSE_SECRET" in os.environ:
+        return os.environ["BOUNCE_COURSE_SECRET"].strip()
+    if SECRET.exists():
+        return SECRET.read_text().strip()
+    return DEFAULT_SECRET
+
+
+def write(kind: str, folder: Path) -> None:
+    """Writes a set, "public" or "hidden"."""
+    result = processes.run([str(WRITER), kind, str(folder)], LIMITS, stdin=secret().encode())
+    if not result.ok:
+        raise KitError(f"the {kind} fixtures can't be written: {result.err.strip()}")
+
+
+def hidden_folder() -> Path:
+    """The hidden fixtures of this course's secret, written anew where the secret, or the program
+    that writes them, has changed."""
+    stamp = hashlib.sha256(secret().encode() + WRITER.read_bytes()).hexdigest()
+    noted = HIDDEN / "made-from"
+    if not noted.exists() or noted.read_text() != stamp:
+        write("hidden", HIDDEN)
+        noted.write_text(stamp)
+    return HIDDEN
+
+
+def write_all() -> None:
+    write("public", PUBLIC)
+    hidden_folder()
+
+
+def differing() -> list[str]:
+    """The committed files that differ by a byte from what the solution writes."""
+    with tempfile.TemporaryDirectory() as name:
+        fresh = Path(name)
+        write("public", fresh)
+        names = {f.name for folder in (fresh, PUBLIC) for f in folder.glob("*")}
+        return sorted(n for n in names if _bytes(fresh / n) != _bytes(PUBLIC / n))
+
+
+def _bytes(file: Path) -> bytes | None:
+    return file.read_bytes() if file.exists() else None

@@ -1,0 +1,14 @@
+"""Where things are."""
+
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+BUILD = ROOT / "build" / "kit"
+RUNNER = BUILD / "runner"
+JUDGE = BUILD / "judge"
+STOPWATCH = BUILD / "stopwatch"
+REFERENCE_RUNNER = BUILD / "reference_runner"
+CACHE = BUILD / "cache"
+CONTRACT = ROOT / "student" / "include"
+FIXTURES = ROOT / "fixtures"
+SECRET = ROOT / "course-secret"

@@ -1,0 +1,122 @@
+"""The one place that starts processes. Output is capped while it streams."""
+
+import os
+import selectors
+import signal
+import subprocess
+import time
+from dataclasses import dataclass
+from pathlib import Path
+
+from bounce_grader.errors import KitError
+
+DIAGNOSTICS = 64 * 1024
+
+
+@dataclass(frozen=True)
+class Limits:
+    """What a process may use; the wall clock is a lax backstop to CPU seconds."""
+
+    cpu_seconds: int
+    wall_seconds: float
+    memory: int
+    file_size: int
+
+    def prefix(self) -> list[str]:
+        return [
+            "/usr/bin/prlimit",
+            f"--cpu={self.cpu_seconds}:{self.cpu_seconds + 1}",
+            f"--as={self.memory}",
+            f"--fsize={self.file_size}",
+            "--core=0",
+            "--",
+        ]
+
+
+@dataclass(frozen=True)
+class Result:
+    code: int  # the exit status; -n for signal n
+    out: bytes
+    err: str
+    too_long: bool  # ended because the wall clock ran out
+    flooded: bool  # ended because standard output passed its cap
+
+    @property
+    def ok(self) -> bool:
+        return self.code == 0 and not self.too_long and not self.flooded
+
+
+def run(
+    command: list[str],
+    limits: Limits | None = None,
+    *,
+    stdin: bytes = b"",
+    cwd: Path | None = None,
+    out_cap: int = 64 * 1024 * 1024,
+    err_cap: int = DIAGNOSTICS,
+) -> Result:
+    """Runs a command to its end, with nothing but `stdin` to read."""
+    try:
+        process = subprocess.Popen(
+            (limits.prefix() if limits else []) + command,
+            stdin=subprocess.PIPE if stdin else subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            cwd=cwd,
+            start_new_session=True,
+        )
+    except OSError as error:
+        raise KitError(f"{command[0]} could not be started: {error.strerror}") from error
+    if process.stdin:
+        try:
+            process.stdin.write(stdin)
+            process.stdin.close()
+        except BrokenPipeError:
+            pass
+    deadline = time.monotonic() + limits.wall_seconds if limits else None
+    try:
+        return _collect(process, deadline, out_cap, err_cap)
+    finally:
+        _end(process)
+
+
+def _collect(
+    process: subprocess.Popen[bytes], deadline: float | None, out_cap: int, err_cap: int
+) -> Result:
+    assert process.stdout and process.stderr
+    kept = {process.stdout: bytearray(), process.stderr: bytearray()}
+    caps = {process.stdout: out_cap, process.stderr: err_cap}
+    too_long = flooded = False
+    with selectors.DefaultSelector() as selector:
+        for stream in kept:
+            selector.register(stream, selectors.EVENT_READ)
+        while selector.get_map() and not (too_long or flooded):
+            left = None if deadline is None else max(0.0, deadline - time.monotonic())
+            for key, _ in selector.select(left):
+                chunk = os.read(key.fd, 65536)
+                if not chunk:
+                    selector.unregister(key.fileobj)
+                    continue
+                stream = key.fileobj
+                room = caps[stream] - len(kept[stream])  # type: ignore[index]
+                kept[stream] += chunk[: max(0, room)]  # type: ignore[index]
+                flooded = flooded or (stream is process.stdout and len(chunk) > room)
+            too_long = deadline is not None and time.monotonic() >= deadline
+    if too_long or flooded:
+        _end(process)
+    return Result(
+        code=process.wait(),
+        out=bytes(kept[process.stdout]),
+        err=kept[process.stderr].decode("utf-8", "replace"),
+        too_long=too_long,
+        flooded=flooded,
+    )
+
+
+def _end(process: subprocess.Popen[bytes]) -> None:
+    if process.poll() is None:
+        os.killpg(process.pid, signal.SIGKILL)
+        process.wait()
+    for stream in (process.stdout, process.stderr):
+        if stream:
+            stream.close()

@@ -1,0 +1,106 @@
+"""The score record: one JSON object that every report is made from. Pure functions."""
+
+import hashlib
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from bounce_grader import __version__
+from bounce_grader.judging import Judged
+from bounce_grader.manifest import Check, Part, parts
+from bounce_grader.submission import Submission
+
+Record = dict[str, Any]
+
+
+def part_record(part: Part, judged: Judged) -> Record:
+    score = judged.score(part)
+    return {
+        **_heading(part),
+        "score": score,
+        "max_score": part.points,
+        "status": judged.status,
+        "message": _part_message(part, judged),
+        "graded_with": judged.graded_with,
+        "checks": [
+            _check_record(
+                check, judged.verdicts[check.id].passed, judged.verdicts[check.id].message
+            )
+            for check in part.checks
+        ],
+    }
+
+
+def failed_part(part: Part, status: str, message: str) -> Record:
+    """A part of which no line could be run."""
+    return {
+        **_heading(part),
+        "score": 0,
+        "max_score": part.points,
+        "status": status,
+        "message": message,
+        "graded_with": "own",
+        "checks": [_check_record(check, False, "") for check in part.checks],
+    }
+
+
+def _heading(part: Part) -> Record:
+    return {"part": part.number, "stem": part.stem, "title": part.title}
+
+
+def _check_record(check: Check, passed: bool, message: str) -> Record:
+    return {
+        "id": check.id,
+        "title": check.title,
+        "score": check.points if passed else 0,
+        "max_score": check.points,
+        "passed": passed,
+        "message": message,
+        "mistake": None,
+    }
+
+
+def _part_message(part: Part, judged: Judged) -> str:
+    lost = [c for c in part.checks if not judged.verdicts[c.id].passed]
+    if not lost:
+        return "everything right"
+    ended = [v for v in judged.verdicts.values() if v.status != "graded"]
+    if ended:
+        return _last_line(ended[0].message)
+    nothing = len(lost) == len(part.checks)
+    return "no check passed yet" if nothing else f"{len(lost)} of {len(part.checks)} checks failed"
+
+
+def _last_line(message: str) -> str:
+    """How a runner ended stands in the last line of a check's message."""
+    return message.splitlines()[-1].strip().removeprefix("got").strip()
+
+
+def whole(
+    submission: Submission,
+    part_records: list[Record],
+    box: str,
+    seconds: Mapping[str, float],
+    fixtures_sha256: str,
+    speed: Record | None,
+) -> Record:
+    record: Record = {
+        "score": sum(p["score"] for p in part_records),
+        "max_score": sum(part.points for part in parts()),
+        "parts": part_records,
+        "box": box,
+        "seconds": {name: round(value, 3) for name, value in seconds.items()},
+        "kit": __version__,
+        "fixtures_sha256": fixtures_sha256,
+        "submission_sha256": submission.sha256,
+        "ignored": list(submission.ignored),
+    }
+    return {**record, "speed": speed} if speed else record
+
+
+def digest_of(folders: list[Path]) -> str:
+    digest = hashlib.sha256()
+    for folder in folders:
+        for file in sorted(folder.glob("*.json")):
+            digest.update(f"{folder.name}/{file.name}\0".encode() + file.read_bytes())
+    return digest.hexdigest()

@@ -1,0 +1,89 @@
+"""The score record as text for a terminal."""
+
+import sys
+from typing import TextIO
+
+from bounce_grader.record import Record
+
+STATUS_WORDS = {
+    "not_submitted": "not submitted",
+    "does_not_compile": "does not compile",
+    "crashed": "crashed",
+    "timed_out": "ran out of time",
+    "out_of_memory": "ran out of memory",
+    "no_answer": "gave no answer",
+}
+
+
+def show(record: Record, stream: TextIO = sys.stdout) -> None:
+    """Prints the report; in colour where the stream is a terminal."""
+    from rich.console import Console
+    from rich.text import Text
+
+    console = Console(file=stream, highlight=False, soft_wrap=True)
+    for style, line in lines(record):
+        console.print(Text(line, style=style))
+
+
+def lines(record: Record) -> list[tuple[str, str]]:
+    """(style, text) for each line. Whatever comes from a submission is stripped of controls."""
+    out = [("bold", f"Score {number(record['score'])} / {number(record['max_score'])}"), ("", "")]
+    for part in record["parts"]:
+        out += _part(part)
+    if record.get("speed"):
+        out += _speed(record["speed"])
+    if record["ignored"]:
+        out.append(("dim", f"Not used: {_some(record['ignored'])}"))
+    if record["box"] == "none":
+        out.append(("yellow", "Graded without a box: this code could do whatever you can."))
+    return out
+
+
+def _part(part: Record) -> list[tuple[str, str]]:
+    score = f"{number(part['score'])} / {number(part['max_score'])}"
+    heading = f"Part {part['part']}  {part['title']}"
+    out = [("bold", f"{heading:<68}{score:>8}")]
+    if part["status"] != "graded":
+        out.append(("red", f"  {STATUS_WORDS[part['status']]}: {clean(part['message'])}"))
+    if any(check["passed"] or check["message"] for check in part["checks"]):
+        for check in part["checks"]:
+            out += _check(check)
+    if part["graded_with"] == "given" and part["score"] < part["max_score"]:
+        out.append(
+            ("dim", "  judged with the earlier parts given: a mistake there costs nothing here")
+        )
+    return [*out, ("", "")]
+
+
+def _check(check: Record) -> list[tuple[str, str]]:
+    mark, style = ("✓", "green") if check["passed"] else ("✗", "red")
+    score = f"{number(check['score'])} / {number(check['max_score'])}"
+    out = [(style, f"  {mark} {check['title']:<64}{score:>8}")]
+    return out + [("", f"      {clean(line)}") for line in check["message"].splitlines()]
+
+
+def _speed(speed: Record) -> list[tuple[str, str]]:
+    error = speed["largest_error"]
+    accuracy = "largest error " + ("not finite" if error is None else f"{error:.1e}")
+    if "ratio" not in speed:
+        return [("", f"Speed: not measured (the parts don't run together); {accuracy}"), ("", "")]
+    time = (
+        f"{speed['submission_ns']:.0f} ns a step, the solution {speed['solution_ns']:.0f} ns: "
+        f"{speed['ratio']:.2f} times its time"
+    )
+    return [("", f"Speed: {time}; {accuracy}"), ("", "")]
+
+
+def _some(names: list[str], most: int = 5) -> str:
+    rest = len(names) - most
+    shown = ", ".join(map(clean, names[:most]))
+    return f"{shown} and {rest} more" if rest > 0 else shown
+
+
+def number(x: float) -> str:
+    return f"{x:g}"
+
+
+def clean(text: str) -> str:
+    """No control characters: a submission's words must not move a terminal's cursor."""
+    return "".join(c if c.isprintable() else "\N{REPLACEMENT CHARACTER}" for c in text)

@@ -1,0 +1,97 @@
+"""./kit test: everything that must hold of the kit, in one run."""
+
+import os
+import subprocess
+import sys
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from bounce_grader.fixtures import differing
+from bounce_grader.paths import BUILD, ROOT
+
+CPP = ("student", "solution", "grader", "tests/*.cpp", "tests/*.hpp", "tests/linked")
+PYTHON = ("grader/bounce_grader", "tests")
+
+
+@dataclass(frozen=True)
+class Step:
+    name: str
+    run: Callable[[], int]
+    quick: bool = True
+
+
+def run(quick: bool) -> int:
+    failed = []
+    for step in _steps(quick):
+        if quick and not step.quick:
+            continue
+        start = time.monotonic()
+        print(f"== {step.name}", flush=True)
+        if step.run() != 0:
+            failed.append(step.name)
+        print(f"   {time.monotonic() - start:.1f} s", flush=True)
+    if failed:
+        print(f"failed: {', '.join(failed)}")
+    return int(bool(failed))
+
+
+def _steps(quick: bool) -> list[Step]:
+    return [
+        Step("formatting: clang-format", _clang_format),
+        Step("formatting: black", lambda: _command("black", "-q", "--check", "-l", "100", *PYTHON)),
+        Step("types: mypy", _mypy),
+        Step("lint: clang-tidy", _clang_tidy, quick=False),
+        Step("fixtures are what the solution writes", _fixtures),
+        Step("C++ tests", _ctest),
+        Step("Python tests, the gallery among them", lambda: _pytest(quick)),
+    ]
+
+
+def _command(*words: str) -> int:
+    environment = {**os.environ, "PYTHONPATH": str(ROOT / "grader")}
+    return subprocess.run(words, cwd=ROOT, env=environment, check=False).returncode
+
+
+def _tracked(*patterns: str) -> list[str]:
+    """The project's files, also where it isn't a git checkout."""
+    found: set[str] = set()
+    for pattern in patterns:
+        path = ROOT / pattern
+        if path.is_dir():
+            found |= {str(f) for suffix in ("cpp", "hpp") for f in path.rglob(f"*.{suffix}")}
+        else:
+            found |= {str(f) for f in ROOT.glob(pattern)}
+    return sorted(found)
+
+
+def _clang_format() -> int:
+    return _command("clang-format", "--dry-run", "-Werror", *_tracked(*CPP))
+
+
+def _mypy() -> int:
+    return _command("mypy", "--strict", "--ignore-missing-imports", "--no-error-summary", *PYTHON)
+
+
+def _clang_tidy() -> int:
+    sources = [f for f in _tracked("solution", "grader") if f.endswith(".cpp")]
+    jobs = str(os.cpu_count() or 1)
+    return _command("run-clang-tidy", "-quiet", "-p", str(BUILD), "-j", jobs, *sources)
+
+
+def _fixtures() -> int:
+    names = differing()
+    for name in names:
+        print(f"fixtures/public/{name} isn't what the solution writes: run ./kit fixtures")
+    return int(bool(names))
+
+
+def _ctest() -> int:
+    return _command("ctest", "--test-dir", str(BUILD), "--output-on-failure", "-j", "2")
+
+
+def _pytest(quick: bool) -> int:
+    chosen = ["-m", "not slow"] if quick else []
+    return _command(
+        sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", "tests", *chosen
+    )

@@ -1,0 +1,65 @@
+#include "ending.hpp"
+
+#include <sys/wait.h>
+
+#include <csignal>
+#include <map>
+#include <regex>
+
+namespace bounce::judge {
+namespace {
+
+const std::map<int, std::string> kSignals = {
+    {SIGSEGV,
+     "crashed with a segmentation fault: it read or wrote memory that isn't its own "
+     "(a null pointer, an index out of range, or a recursion without end)"},
+    {SIGABRT, "aborted"},
+    {SIGFPE, "crashed with an arithmetic error, such as an integer division by zero"},
+    {SIGILL, "crashed with an illegal instruction (a function that returns no value, perhaps)"},
+    {SIGBUS, "crashed with a bus error: it touched memory that isn't there"},
+    {SIGTRAP, "stopped itself with a trap"},
+    {SIGSYS, "made a system call that isn't allowed"},
+    {SIGXFSZ, "tried to write a file"},
+    {SIGKILL, "was killed"},
+    {SIGTERM, "ended itself with SIGTERM"},
+};
+
+// Eigen's and libstdc++'s assertions: "file:line: function: Assertion `...' failed."
+std::string assertion_in(const std::string& print) {
+  static const std::regex kAssertion(R"(([\w.+-]+:\d+): .*Assertion [`'](.*)' failed)");
+  std::smatch found;
+  if (!std::regex_search(print, found, kAssertion)) return "";
+  const std::string what = found[2].str().substr(0, 120);
+  return "an assertion failed (" + found[1].str() + "): " + what +
+         (what.find("index") != std::string::npos || what.find("rows()") != std::string::npos ||
+                  what.find("__n <") != std::string::npos
+              ? "; an index or a size is out of range"
+              : "");
+}
+
+Ending of_signal(int signal, int cpu_seconds, const std::string& last_print) {
+  if (signal == SIGXCPU) {
+    return {"timed_out", "the program used more than " + std::to_string(cpu_seconds) +
+                             " s of CPU time: a loop without end, perhaps"};
+  }
+  const auto words = kSignals.find(signal);
+  std::string sentence =
+      "the program " +
+      (words == kSignals.end() ? "was ended by signal " + std::to_string(signal) : words->second);
+  if (const std::string assertion = assertion_in(last_print); !assertion.empty()) {
+    sentence += ": " + assertion;
+  }
+  return {"crashed", sentence};
+}
+
+}  // namespace
+
+Ending ending_of(int wait_status, int cpu_seconds, const std::string& last_print) {
+  if (WIFSIGNALED(wait_status)) return of_signal(WTERMSIG(wait_status), cpu_seconds, last_print);
+  const int code = WEXITSTATUS(wait_status);
+  if (code > 128 && code < 128 + 65) return of_signal(code - 128, cpu_seconds, last_print);
+  return {"no_answer", "the program ended by itself (exit status " + std::to_string(code) +
+                           ") in place of an answer"};
+}
+
+}  // namespace bounce::judge

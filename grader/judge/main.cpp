@@ -1,0 +1,116 @@
+// judge --part N [--given] --fixtures FOLDER... -- COMMAND...
+//
+// Runs the tests of part N against the runner that COMMAND starts, and prints one JSON object:
+//   {"checks": [{"id", "passed", "status", "message"}], "largest_error": number or null}
+// Exit status 0 when every check has a verdict; 3, with a sentence on standard error, when the
+// kit itself failed: that is no verdict about the submission.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <csignal>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "../../tests/cases.hpp"
+#include "session.hpp"
+
+namespace bounce {
+
+static std::vector<std::filesystem::path> fixtures;
+std::vector<std::filesystem::path> tests::fixture_folders() { return fixtures; }
+
+namespace judge {
+namespace {
+
+using nlohmann::json;
+
+struct Options {
+  std::uint32_t part = 0;
+  bool given = false;
+  std::vector<std::string> command;
+};
+
+Options read_options(const std::vector<std::string>& arguments) {
+  Options options;
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    if (arguments[i] == "--part") {
+      options.part = static_cast<std::uint32_t>(std::stoul(arguments.at(++i)));
+    } else if (arguments[i] == "--given") {
+      options.given = true;
+    } else if (arguments[i] == "--fixtures") {
+      fixtures.emplace_back(arguments.at(++i));
+    } else if (arguments[i] == "--") {
+      options.command.assign(arguments.begin() + static_cast<std::ptrdiff_t>(i) + 1,
+                             arguments.end());
+      break;
+    } else {
+      throw std::runtime_error("unknown option " + arguments[i]);
+    }
+  }
+  if (options.part == 0 || options.command.empty() || fixtures.empty()) {
+    throw std::runtime_error("usage: judge --part N [--given] --fixtures FOLDER... -- COMMAND...");
+  }
+  return options;
+}
+
+// Collects a verdict a check. A test that fails in any other way than through a case's report
+// is a fault of the kit.
+class Verdicts : public testing::EmptyTestEventListener {
+ public:
+  json checks = json::array();
+  std::string kit_failure;
+
+ private:
+  void OnTestEnd(const testing::TestInfo& test) override {
+    std::string message;
+    for (int i = 0; i < test.result()->total_part_count(); ++i) {
+      message += test.result()->GetTestPartResult(i).message();
+    }
+    const std::string prefix = "Failed\n";
+    if (message.rfind(prefix, 0) == 0) {
+      message.erase(0, prefix.size());
+    } else if (!message.empty()) {
+      kit_failure = message;
+    }
+    const bool passed = test.result()->Passed();
+    checks.push_back({{"id", std::string(test.test_suite_name()) + "." + test.name()},
+                      {"passed", passed},
+                      {"status", session->take_status().value_or("graded")},
+                      {"message", message}});
+  }
+};
+
+int run(const Options& options) {
+  Session asked(options.command, Limits(), options.part, options.given);
+  session = &asked;
+  testing::GTEST_FLAG(filter) = "part" + std::to_string(options.part) + ".*";
+  auto& listeners = testing::UnitTest::GetInstance()->listeners();
+  delete listeners.Release(listeners.default_result_printer());
+  auto* verdicts = new Verdicts;
+  listeners.Append(verdicts);
+  if (RUN_ALL_TESTS() != 0 && verdicts->checks.empty()) {
+    throw std::runtime_error("no test ran");
+  }
+  if (!verdicts->kit_failure.empty()) throw std::runtime_error(verdicts->kit_failure);
+
+  const double error = tests::largest_error();
+  const json result = {{"checks", verdicts->checks},
+                       {"largest_error", std::isfinite(error) ? json(error) : json(nullptr)}};
+  // A message may hold what a submission's exception said: not always valid UTF-8.
+  std::cout << result.dump(-1, ' ', false, json::error_handler_t::replace) << std::endl;
+  return std::cout ? 0 : 3;
+}
+
+}  // namespace
+}  // namespace judge
+}  // namespace bounce
+
+int main(int argc, char** argv) try {
+  std::signal(SIGPIPE, SIG_IGN);  // a runner that has ended shows when it is read
+  int one = 1;
+  testing::InitGoogleTest(&one, argv);
+  return bounce::judge::run(bounce::judge::read_options({argv + 1, argv + argc}));
+} catch (const std::exception& e) {
+  std::cerr << "judge: " << e.what() << std::endl;
+  return 3;
+}

@@ -1,0 +1,94 @@
+#include "session.hpp"
+
+#include <utility>
+
+#include "../../tests/cases.hpp"
+#include "../../tests/submission.hpp"
+#include "given.hpp"
+
+
+namespace bounce::judge {
+
+using frames::Frame;
+using frames::Kind;
+
+namespace {
+
+constexpr int kHangs = 2;
+
+// More than any program needs, so that a plea in an endless loop is told from work.
+std::int64_t most_pleas(const Frame& question) { return 1000 + 20 * question.T; }
+
+// A text of the submission's: one line of printable characters.
+std::string printable(std::string text) {
+  for (char& c : text) {
+    if (static_cast<unsigned char>(c) < 32 || c == 127) c = ' ';
+  }
+  return text;
+}
+
+}  // namespace
+
+Session* session = nullptr;
+
+Session::Session(std::vector<std::string> command, Limits limits, std::uint32_t part, bool given)
+    : command_(std::move(command)), limits_(limits), part_(part), given_(given) {}
+
+std::optional<std::string> Session::take_status() { return std::exchange(status_, std::nullopt); }
+
+Frame Session::ask(Frame question, Trajectory* columns) {
+  if (hangs_ >= kHangs) {
+    status_ = "timed_out";
+    throw tests::Ended("nothing was asked here: the part has used up its time before");
+  }
+  if (!runner_) runner_ = std::make_unique<RunnerProcess>(command_, limits_);
+  question.number = ++number_;
+  try {
+    const Frame answer = answer_of(question, columns);
+    if (answer.kind == Kind::threw) {
+      throw std::runtime_error("the program threw " + printable(frames::text(answer)));
+    }
+    return answer;
+  } catch (const RunnerEnded& ended) {
+    runner_.reset();
+    status_ = ended.status;
+    if (ended.status == "timed_out") {
+      const bool waits = std::string(ended.what()).rfind("no answer came", 0) == 0;
+      hangs_ += waits ? kHangs : 1;
+    }
+    throw tests::Ended(ended.what());
+  }
+}
+
+Frame Session::answer_of(const Frame& question, Trajectory* columns) {
+  runner_->start_the_clock();
+  runner_->send(question);
+  Frame answer = runner_->receive();
+  for (std::int64_t pleas = 0; answer.kind == Kind::plea; ++pleas) {
+    if (!given_ || answer.part >= part_ || pleas > most_pleas(question)) {
+      throw RunnerEnded("no_answer", "the program asked for what isn't given to it");
+    }
+    runner_->send(reply_to(answer));
+    answer = runner_->receive();
+  }
+  if (answer.kind == Kind::out_of_memory) {
+    throw RunnerEnded("out_of_memory", "the program ran out of memory (" +
+                                           std::to_string(limits_.memory >> 20) + " MB)");
+  }
+  const bool known = answer.kind == Kind::answer || answer.kind == Kind::threw;
+  if (!known || answer.number != question.number || answer.part != question.part) {
+    throw RunnerEnded("no_answer", "the program sent something else than the answer asked for");
+  }
+  if (columns && answer.kind == Kind::answer) read_columns(question, answer, *columns);
+  return answer;
+}
+
+void Session::read_columns(const Frame& question, const Frame& answer, Trajectory& into) {
+  const int T = static_cast<int>(question.T);
+  submission::require_columns(answer.q_columns, answer.v_columns, T);
+  into = {Eigen::Matrix3Xd(3, T), Eigen::Matrix3Xd(3, T)};
+  runner_->receive(into.q);
+  runner_->receive(into.v);
+}
+
+}  // namespace bounce::judge

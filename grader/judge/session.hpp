@@ -1,0 +1,44 @@
+// The questions of one part's checks to one submission. A runner that ended is started anew for
+// the next check, so that a crash costs one check; a part that hangs twice, or that waits for
+// ever, is asked no more.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "runner_process.hpp"
+
+namespace bounce::judge {
+
+class Session {
+ public:
+  // given: pleas for parts before `part` are answered from the solution; else none is.
+  Session(std::vector<std::string> command, Limits limits, std::uint32_t part, bool given);
+
+  // The answer to a question, and the columns of one of part 4. Throws tests::Ended when the
+  // check can't go on, std::runtime_error when this question has no answer.
+  frames::Frame ask(frames::Frame question, Trajectory* columns = nullptr);
+
+  // How the last check ended, if its runner did; asked once a check.
+  std::optional<std::string> take_status();
+
+ private:
+  frames::Frame answer_of(const frames::Frame& question, Trajectory* columns);
+  void read_columns(const frames::Frame& question, const frames::Frame& answer, Trajectory& into);
+
+  std::vector<std::string> command_;
+  Limits limits_;
+  std::uint32_t part_;
+  bool given_;
+  std::unique_ptr<RunnerProcess> runner_;
+  std::uint64_t number_ = 0;
+  int hangs_ = 0;
+  std::optional<std::string> status_;
+};
+
+// The session that submission_remote.cpp asks; the judge's main sets it.
+extern Session* session;
+
+}  // namespace bounce::judge

@@ -1,0 +1,76 @@
+// What the judge and a runner say to each other: frames of one fixed size, on two descriptors of
+// their own. What a submission prints goes elsewhere and is never taken for an answer.
+//
+//   judge -> runner  a question: part, params, arguments
+//   runner -> judge  an answer, or a plea: "what would an earlier part say?" (given parts)
+//   judge -> runner  the reply to a plea
+//
+// Nothing in a frame that comes from a runner is trusted: the judge checks kind, part, number and
+// the counts before it uses them.
+#pragma once
+
+#include <bounce/types.hpp>
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <type_traits>
+
+namespace bounce::frames {
+
+inline constexpr int kQuestions = 3;  // the runner reads questions and replies here
+inline constexpr int kAnswers = 4;    // and writes answers and pleas here
+inline constexpr std::uint32_t kMagic = 0x31424E42;
+
+enum class Kind : std::uint32_t { question = 1, answer, plea, threw, out_of_memory, absent };
+
+struct Frame {
+  std::uint32_t magic = kMagic;
+  Kind kind = Kind::question;
+  std::uint32_t part = 0;  // 1 to 4
+  std::uint32_t silent = 0;    // in a question of part 4: answer the shapes, not the columns
+  std::uint64_t number = 0;                   // an answer carries the number of its question
+  std::int64_t q_columns = 0, v_columns = 0;  // part 4; both T: the columns follow, q then v
+  double scene[9] = {};                       // l, m, mu, epsilon, g, dt, delta
+  std::int64_t T = 0;
+  double values[20] = {};  // arguments or results, column by column
+  char text[160] = {};     // what(), where the submission threw
+};
+static_assert(std::is_trivially_copyable_v<Frame>);
+
+inline void put(const Parameters& p, Frame& frame) {
+  const double scene[9] = {p.l, p.m, p.mu, p.epsilon, p.g(0), p.g(1), p.g(2), p.dt, p.delta};
+  std::memcpy(frame.scene, scene, sizeof scene);
+  frame.T = p.T;
+}
+
+inline Parameters parameters(const Frame& frame) {
+  const double* s = frame.scene;
+  return {s[0], s[1], s[2], s[3], {s[4], s[5], s[6]}, s[7], s[8], static_cast<int>(frame.T)};
+}
+
+// Matrices one after the other: put(frame, J, v) and then take(frame, J, v).
+template <class... Matrices>
+void put(Frame& frame, const Matrices&... matrices) {
+  double* to = frame.values;
+  ((std::memcpy(to, matrices.data(), sizeof(double) * static_cast<std::size_t>(matrices.size())),
+    to += matrices.size()),
+   ...);
+}
+
+template <class... Matrices>
+void take(const Frame& frame, Matrices&... matrices) {
+  const double* from = frame.values;
+  ((std::memcpy(matrices.data(), from, sizeof(double) * static_cast<std::size_t>(matrices.size())),
+    from += matrices.size()),
+   ...);
+}
+
+inline void put_text(Frame& frame, const char* text) {
+  std::strncpy(frame.text, text, sizeof frame.text - 1);
+}
+
+inline std::string text(const Frame& frame) {
+  return std::string(frame.text, ::strnlen(frame.text, sizeof frame.text));
+}
+
+}  // namespace bounce::frames

@@ -1,0 +1,95 @@
+#include "animation_page.hpp"
+
+#include <bounce/render.hpp>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+namespace fs = std::filesystem;
+
+namespace bounce {
+namespace {
+
+// The shortest digits that read back as the same number, whatever the locale.
+std::string digits(double value) {
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, value).ptr};
+}
+
+void require(bool fine, const std::string& sentence) {
+  if (!fine) throw std::invalid_argument("cannot draw: " + sentence);
+}
+
+void require_parameters(const Parameters& params) {
+  const auto positive = [](double value) { return std::isfinite(value) && value > 0; };
+  require(positive(params.l), "l must be positive and finite, and it is " + digits(params.l));
+  require(positive(params.dt), "dt must be positive and finite, and it is " + digits(params.dt));
+  require(std::isfinite(params.delta), "delta must be finite, and it is " + digits(params.delta));
+}
+
+void require_finite(const Eigen::Matrix3Xd& q) {
+  require(q.cols() > 0, "q has no column");
+  for (Eigen::Index t = 0; t < q.cols(); ++t) {
+    require(q.col(t).allFinite(), "column " + std::to_string(t) +
+                                      " of q must be finite, and it is (" + digits(q(0, t)) + ", " +
+                                      digits(q(1, t)) + ", " + digits(q(2, t)) + ")");
+  }
+}
+
+std::string json(const Eigen::Matrix3Xd& q) {
+  std::string rows;
+  for (const auto& row : q.rowwise()) {
+    std::string numbers;
+    for (const double value : row) numbers += (numbers.empty() ? "" : ",") + digits(value);
+    rows += (rows.empty() ? "[" : ",[") + numbers + "]";
+  }
+  return "[" + rows + "]";
+}
+
+std::string html(const Eigen::Matrix3Xd& q, const Parameters& params) {
+  const std::string data = R"({"l":)" + digits(params.l) + R"(,"dt":)" + digits(params.dt) +
+                           R"(,"delta":)" + digits(params.delta) + R"(,"q":)" + json(q) + "}";
+  std::string text(page_head);
+  text.append(page_style).append(page_body);
+  text.append("<script>\nconst animation = ").append(data).append(";\n");
+  text.append(page_script).append("</script>\n</body>\n</html>\n");
+  return text;
+}
+
+[[noreturn]] void fail_to_write(const fs::path& page, const std::string& reason) {
+  throw std::runtime_error("cannot write " + page.string() + ": " + reason);
+}
+
+// A file changes its name in one go, so a reader sees the old page or the new one, never a half.
+void replace(const fs::path& page, std::string_view text) {
+  if (fs::exists(page) && !fs::is_regular_file(page))
+    fail_to_write(page, "it is there already and is not a file");
+  fs::path part = page;
+  part += ".part";
+
+  std::ofstream out(part, std::ios::binary);
+  if (!out) fail_to_write(page, "its folder is missing or may not be written to");
+  out.write(text.data(), static_cast<std::streamsize>(text.size()));
+  out.close();
+
+  std::error_code renamed;
+  if (out) fs::rename(part, page, renamed);
+  if (out && !renamed) return;
+  std::error_code ignored;
+  fs::remove(part, ignored);
+  fail_to_write(page, out ? renamed.message() : "the disk may be full");
+}
+
+}  // namespace
+
+void render(const Eigen::Matrix3Xd& q, const Parameters& params, const fs::path& page) {
+  require_parameters(params);
+  require_finite(q);
+  replace(page, html(q, params));
+}
+
+}  // namespace bounce

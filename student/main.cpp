@@ -1,0 +1,66 @@
+// Simulates a square with your four parts and writes an animation of it.
+//
+//   bounce [PAGE]    PAGE is the file to write; animation.html in this folder if left out
+#include <bounce/part4_simulate.hpp>
+#include <bounce/render.hpp>
+#include <exception>
+#include <filesystem>
+#include <iostream>
+#include <numbers>
+#include <string>
+
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+
+// The scene. Change it as you like and run again.
+const bounce::Vector3 q_0(0.0, 1.5, 30 * degree);  // x in m, y in m, theta in rad
+const bounce::Vector3 v_0(0.0, -0.2, 0.0);         // v_x in m/s, v_y in m/s, omega in rad/s
+
+bounce::Parameters scene_parameters() {
+  bounce::Parameters params;  // any number of it may be changed here: params.mu = 0.6, for example
+  return params;
+}
+
+// What keeps q from being shown, as a sentence; empty when nothing does.
+std::string missing(const Eigen::Matrix3Xd& q, const bounce::Parameters& params) {
+  if (q.cols() != params.T) {
+    return "There is nothing to show yet: simulate returned " + std::to_string(q.cols()) +
+           " columns and " + std::to_string(params.T) +
+           " are due, so please fill in src/part4_simulate.cpp.";
+  }
+  for (Eigen::Index t = 0; t < q.cols(); ++t) {
+    if (q.col(t).allFinite()) continue;
+    return "There is nothing to show yet: column " + std::to_string(t) +
+           " of q holds NaN or infinity, so please look at what step makes of the column before.";
+  }
+  if (q.cols() > 1 && q.rightCols(q.cols() - 1).isZero(0)) {
+    return "There is nothing to show yet: step returned only zeros, "
+           "so please fill in src/part3_step.cpp.";
+  }
+  return "";
+}
+
+int animate(const std::filesystem::path& page) {
+  const bounce::Parameters params = scene_parameters();
+  const Eigen::Matrix3Xd q = bounce::simulate(q_0, v_0, params).q;
+  if (const std::string sentence = missing(q, params); !sentence.empty()) {
+    std::cerr << sentence << '\n';
+    return 1;
+  }
+  bounce::render(q, params, page);
+  std::cout << "The animation is in " << std::filesystem::absolute(page).string()
+            << "; open it in a browser.\n";
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return animate(argc > 1 ? argv[1] : "animation.html");
+  } catch (const std::exception& error) {
+    std::cerr << "No animation was written: " << error.what() << ".\n";
+    return 1;
+  }
+}

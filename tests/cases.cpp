@@ -1,0 +1,228 @@
+#include "cases.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iomanip>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <stdexcept>
+
+#include "submission.hpp"
+
+namespace bounce::tests {
+namespace {
+
+using nlohmann::json;
+
+double largest_error_so_far = 0;
+
+// --- reading ---
+
+template <class Matrix>
+Matrix matrix(const json& rows) {
+  Matrix m;
+  for (Eigen::Index i = 0; i < m.rows(); ++i) {
+    for (Eigen::Index j = 0; j < m.cols(); ++j) {
+      const auto& row = rows.at(static_cast<std::size_t>(i));
+      m(i, j) = (m.cols() == 1 ? row : row.at(static_cast<std::size_t>(j))).template get<double>();
+    }
+  }
+  return m;
+}
+
+Eigen::Matrix3Xd columns(const json& list) {
+  Eigen::Matrix3Xd m(3, static_cast<Eigen::Index>(list.size()));
+  for (Eigen::Index j = 0; j < m.cols(); ++j) {
+    m.col(j) = matrix<Vector3>(list.at(static_cast<std::size_t>(j)));
+  }
+  return m;
+}
+
+Parameters read_parameters(const json& p) {
+  return {p.at("l"),  p.at("m"),     p.at("mu"), p.at("epsilon"), matrix<Vector3>(p.at("g")),
+          p.at("dt"), p.at("delta"), p.at("T")};
+}
+
+void read_expected(const json& expected, Case& c) {
+  if (expected.contains("phi")) c.contact = {matrix<Jacobian>(expected["J"]), expected["phi"]};
+  if (expected.contains("V")) {
+    c.lcp = {matrix<Eigen::Matrix4d>(expected["V"]), matrix<Eigen::Vector4d>(expected["p"])};
+  }
+  if (expected.contains("columns")) {
+    c.columns = expected["columns"].get<std::vector<int>>();
+    c.trajectory = {columns(expected["q"]), columns(expected["v"])};
+  } else if (expected.contains("v")) {
+    c.state = {matrix<Vector3>(expected["q"]), matrix<Vector3>(expected["v"])};
+  }
+}
+
+// --- words ---
+
+std::string number(double x) {
+  std::ostringstream out;
+  out << std::setprecision(12) << x;
+  return out.str();
+}
+
+// A scalar, (a, b, c), or the rows of a matrix one below the other.
+std::string words(const Eigen::MatrixXd& m, const std::string& indent) {
+  if (m.size() == 1) return number(m(0));
+  const bool vector = m.cols() == 1 || m.rows() == 1;
+  std::string text;
+  for (Eigen::Index i = 0; i < (vector ? 1 : m.rows()); ++i) {
+    text += i == 0 ? "(" : "\n" + indent + "(";
+    const Eigen::VectorXd row = vector ? Eigen::VectorXd(m.reshaped()) : Eigen::VectorXd(m.row(i));
+    for (Eigen::Index j = 0; j < row.size(); ++j) text += (j ? ", " : "") + number(row(j));
+    text += ")";
+  }
+  return text;
+}
+
+std::string unit_of(const std::string& input) {
+  if (input == "q" || input == "q_0") return "  m, m, rad";
+  if (input == "v" || input == "v_0") return "  m/s, m/s, rad/s";
+  return "  1, 1, m";
+}
+
+// The parameters that aren't the assignment's: those that a reader needs beside the question.
+std::string other_parameters(const Parameters& p) {
+  const Parameters usual;
+  std::string text;
+  const auto add = [&](const char* name, double x, double default_x, const char* unit) {
+    if (x != default_x) {
+      text += (text.empty() ? "" : ", ") + std::string(name) + " = " + number(x) + unit;
+    }
+  };
+  add("l", p.l, usual.l, " m");
+  add("m", p.m, usual.m, " kg");
+  add("mu", p.mu, usual.mu, "");
+  add("epsilon", p.epsilon, usual.epsilon, "");
+  if (p.g != usual.g) {
+    text += (text.empty() ? "g = " : ", g = ") + words(p.g, "") + " m/s^2";
+  }
+  add("dt", p.dt, usual.dt, " s");
+  add("delta", p.delta, usual.delta, " m");
+  add("T", p.T, usual.T, " columns");
+  return text.empty() ? "the assignment's" : text;
+}
+
+std::string describe(const json& input, const Parameters& params) {
+  const std::string indent(11, ' ');
+  std::string text = "  input    ";
+  for (const auto& [key, value] : input.items()) {
+    const std::string label = key + " = ";
+    const Eigen::MatrixXd m = key == "J" ? Eigen::MatrixXd(matrix<Jacobian>(value))
+                                         : Eigen::MatrixXd(matrix<Vector3>(value));
+    text +=
+        label + words(m, indent + std::string(label.size(), ' ')) + unit_of(key) + "\n" + indent;
+  }
+  return text + "parameters: " + other_parameters(params);
+}
+
+Case read_case(const json& from, bool hidden) {
+  Case c;
+  c.name = from.at("name");
+  c.hidden = hidden;
+  c.tolerance = from.at("tolerance");
+  c.params = read_parameters(from.at("params"));
+  const json& input = from.at("input");
+  c.input = describe(input, c.params);
+  for (const char* key : {"q", "q_0"}) {
+    if (input.contains(key)) c.q = matrix<Vector3>(input[key]);
+  }
+  for (const char* key : {"v", "v_0"}) {
+    if (input.contains(key)) c.v = matrix<Vector3>(input[key]);
+  }
+  if (input.contains("J")) c.J = matrix<Jacobian>(input["J"]);
+  read_expected(from.at("expected"), c);
+  return c;
+}
+
+// "part3.FallsFreely" is in the file whose stem begins with "part3".
+std::vector<Case> cases_of(const std::string& check) {
+  std::vector<Case> cases;
+  for (const auto& folder : fixture_folders()) {
+    for (const auto& file : std::filesystem::directory_iterator(folder)) {
+      if (file.path().filename().string().rfind(check.substr(0, check.find('.')), 0) != 0) continue;
+      std::ifstream in(file.path());
+      const json checks = json::parse(in).at("checks");
+      for (const json& c : checks.value(check, json::array())) {
+        cases.push_back(read_case(c, folder.filename() == "hidden"));
+      }
+    }
+  }
+  if (cases.empty()) throw std::logic_error("the fixtures hold no case of " + check);
+  return cases;
+}
+
+std::string running_check() {
+  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+  return std::string(test->test_suite_name()) + "." + test->name();
+}
+
+}  // namespace
+
+void for_each_case(const std::function<std::string(const Case&)>& ask) {
+  const std::vector<Case> cases = cases_of(running_check());
+  std::string first;
+  std::size_t wrong = 0;
+  for (const Case& c : cases) {
+    bool ended = false;
+    std::string problem;
+    try {
+      problem = ask(c);
+    } catch (const Ended& end) {
+      problem = "  got      " + std::string(end.what());
+      ended = true;
+    } catch (const std::exception& thrown) {
+      problem = "  got      " + std::string(thrown.what());
+    }
+    if (!problem.empty() && wrong++ == 0) {
+      first = c.name + (c.hidden ? " (a hidden case)" : "") + "\n" + c.input + "\n" + problem;
+    }
+    if (ended) break;
+  }
+  if (wrong > 0) {
+    ADD_FAILURE() << wrong << " of " << cases.size() << " cases wrong; the first: " << first;
+  }
+}
+
+std::string compare(const Case& c, const std::string& name, const std::string& unit,
+                    const Eigen::MatrixXd& expected, const Eigen::MatrixXd& got) {
+  const Eigen::ArrayXXd error = (got - expected).array().abs() / expected.array().abs().max(1.0);
+  const double worst = got.allFinite() ? error.maxCoeff() : INFINITY;
+  largest_error_so_far = std::max(largest_error_so_far, worst);
+  if (worst <= c.tolerance) return "";
+
+  const std::string indent(11 + name.size() + 3, ' ');
+  const std::string right = c.hidden ? "is not shown, this case is hidden"
+                                     : name + " = " + words(expected, indent) + "  " + unit;
+  return "  expected " + right + "\n  got      " + name + " = " + words(got, indent) + "  " + unit;
+}
+
+std::string compare(const Case& c, const std::string& name, const std::string& unit,
+                    double expected, double got) {
+  return compare(c, name, unit, Eigen::MatrixXd::Constant(1, 1, expected),
+                 Eigen::MatrixXd::Constant(1, 1, got));
+}
+
+std::string both(const std::string& a, const std::string& b) {
+  return a.empty() || b.empty() ? a + b : a + "\n" + b;
+}
+
+double largest_error() { return largest_error_so_far; }
+
+}  // namespace bounce::tests
+
+namespace bounce::submission {
+
+void require_columns(Eigen::Index q_columns, Eigen::Index v_columns, int T) {
+  if (q_columns == T && v_columns == T) return;
+  throw std::runtime_error("q is 3x" + std::to_string(q_columns) + " and v is 3x" +
+                           std::to_string(v_columns) + "; both should be 3x" + std::to_string(T) +
+                           ", as T = " + std::to_string(T));
+}
+
+}  // namespace bounce::submission

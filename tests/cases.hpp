@@ -1,0 +1,56 @@
+// What the per-part tests share: the cases of a check, read from the fixtures, and a comparison
+// that says what was asked, what was expected where that is public, and what came.
+#pragma once
+
+#include <bounce/types.hpp>
+#include <filesystem>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace bounce::tests {
+
+// One question and its right answer. Only the members of the case's own part are filled in.
+struct Case {
+  std::string name;
+  bool hidden = false;   // the expected answer is not shown
+  double tolerance = 0;  // on each entry, absolute or relative, whichever is wider
+  Parameters params;
+  std::string input;                                          // the question in words, with units
+  Vector3 q = Vector3::Zero(), v = Vector3::Zero();           // parts 1 to 3; q_0 and v_0 in part 4
+  Jacobian J = Jacobian::Zero();                              // part 2
+  Contact contact{Jacobian::Zero(), 0};                       // expected, part 1
+  Lcp lcp{Eigen::Matrix4d::Zero(), Eigen::Vector4d::Zero()};  // expected, part 2
+  State state{Vector3::Zero(), Vector3::Zero()};              // expected, part 3
+  std::vector<int> columns;                                   // part 4: which columns are known
+  Trajectory trajectory;                                      // expected, part 4, these columns
+};
+
+// Where fixtures are read from; the program that runs the tests defines it. A folder named
+// "hidden" holds hidden cases.
+std::vector<std::filesystem::path> fixture_folders();
+
+// Asks every case of the running check, public ones first. `ask` returns what is wrong, or an
+// empty string; the first wrong case is reported, with the number of those that are wrong.
+// An exception is a wrong answer too; after one that ended the program, the check is over.
+void for_each_case(const std::function<std::string(const Case&)>& ask);
+
+// Thrown by a submission that can answer no more questions of this check.
+struct Ended : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// Empty when got agrees with expected in every entry, else both in words. NaN never agrees.
+std::string compare(const Case& c, const std::string& name, const std::string& unit,
+                    const Eigen::MatrixXd& expected, const Eigen::MatrixXd& got);
+std::string compare(const Case& c, const std::string& name, const std::string& unit,
+                    double expected, double got);
+
+// Appends b to a with a line break between them, where both have something to say.
+std::string both(const std::string& a, const std::string& b);
+
+// The largest error that compare has met so far, in units of max(1, |expected|).
+double largest_error();
+
+}  // namespace bounce::tests

@@ -1,0 +1,47 @@
+"""What the Python tests share: the grader on the path, and submissions made from the solution."""
+
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[1]
+sys.path.insert(0, str(ROOT / "grader"))
+
+SOLUTION = ROOT / "solution" / "src"
+Grade = Callable[..., dict[str, Any]]
+
+
+def solution_files() -> dict[str, bytes]:
+    return {file.name: file.read_bytes() for file in SOLUTION.glob("*.cpp")}
+
+
+def write(folder: Path, files: dict[str, bytes]) -> Path:
+    for name, text in files.items():
+        path = folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(text)
+    return folder
+
+
+@pytest.fixture
+def grade(tmp_path: Path) -> Grade:
+    """Grades the solution with some files replaced, added, or (None) taken away."""
+    from bounce_grader.grade import grade as grade_path
+
+    def graded(changes: dict[str, bytes | None]) -> dict[str, Any]:
+        files = {**solution_files(), **changes}
+        present = {name: text for name, text in files.items() if text is not None}
+        return grade_path(write(tmp_path / "submission", present))
+
+    return graded
+
+
+def points(record: dict[str, Any]) -> list[float]:
+    return [part["score"] for part in record["parts"]]
+
+
+def lost(record: dict[str, Any]) -> list[str]:
+    return sorted(c["id"] for part in record["parts"] for c in part["checks"] if not c["passed"])

@@ -1,0 +1,49 @@
+// Part 3: step. Each test is a fact about one time step, eqs. (11) to (14).
+#include <gtest/gtest.h>
+
+#include "cases.hpp"
+#include "submission.hpp"
+
+namespace bounce::tests {
+namespace {
+
+constexpr const char* kVelocity = "m/s, m/s, rad/s";
+constexpr const char* kConfiguration = "m, m, rad";
+
+std::string compare_velocity(const Case& c) {
+  const State got = submission::step(c.q, c.v, c.params);
+  return compare(c, "v after the step", kVelocity, c.state.v, got.v);
+}
+
+TEST(part3, FallsFreely) { for_each_case(compare_velocity); }
+
+TEST(part3, BouncesAndSticks) { for_each_case(compare_velocity); }
+
+TEST(part3, BouncesAndSlides) { for_each_case(compare_velocity); }
+
+TEST(part3, LetsACornerGo) { for_each_case(compare_velocity); }
+
+TEST(part3, TouchesBelowDelta) { for_each_case(compare_velocity); }
+
+// Judged beside the velocity that was returned, so that a wrong velocity isn't paid for again:
+// expected is what the right q owes to anything but the new velocity, 0 or (0, delta, 0).
+TEST(part3, MovesWithTheNewVelocity) {
+  for_each_case([](const Case& c) {
+    const bool contact = (c.state.q - c.q - c.params.dt * c.state.v).y() > c.params.delta / 2;
+    const Vector3 lift(0, contact ? c.params.delta : 0, 0);
+    const State got = submission::step(c.q, c.v, c.params);
+    return compare(c, "q after - q before - dt v after", kConfiguration, lift,
+                   got.q - c.q - c.params.dt * got.v);
+  });
+}
+
+TEST(part3, TakesEveryNumberFromTheParameters) {
+  for_each_case([](const Case& c) {
+    const State got = submission::step(c.q, c.v, c.params);
+    return both(compare(c, "v after the step", kVelocity, c.state.v, got.v),
+                compare(c, "q after the step", kConfiguration, c.state.q, got.q));
+  });
+}
+
+}  // namespace
+}  // namespace bounce::tests

@@ -1,0 +1,62 @@
+// Part 4: simulate. Each test is a fact about a whole trajectory, eq. (15).
+#include <gtest/gtest.h>
+
+#include "cases.hpp"
+#include "submission.hpp"
+
+namespace bounce::tests {
+namespace {
+
+// One wrong step makes everything after it wrong, so the first wrong column is the one to name.
+std::string compare_columns(const Case& c) {
+  const Trajectory got = submission::simulate(c.q, c.v, c.params);
+  for (std::size_t i = 0; i < c.columns.size(); ++i) {
+    const auto known = static_cast<Eigen::Index>(i);
+    const std::string column = "column " + std::to_string(c.columns[i]);
+    const std::string wrong = both(compare(c, "q in " + column, "m, m, rad",
+                                           c.trajectory.q.col(known), got.q.col(c.columns[i])),
+                                   compare(c, "v in " + column, "m/s, m/s, rad/s",
+                                           c.trajectory.v.col(known), got.v.col(c.columns[i])));
+    if (!wrong.empty()) return both("  got      " + column + " is the first wrong one", wrong);
+  }
+  return "";
+}
+
+TEST(part4, HasTColumns) {
+  for_each_case([](const Case& c) {
+    submission::simulate(c.q, c.v, c.params);  // throws unless both are 3xT
+    return std::string();
+  });
+}
+
+TEST(part4, StartsAtTheInitialState) {
+  for_each_case([](const Case& c) {
+    const Trajectory got = submission::simulate(c.q, c.v, c.params);
+    return both(compare(c, "q in column 0", "m, m, rad", c.q, got.q.col(0)),
+                compare(c, "v in column 0", "m/s, m/s, rad/s", c.v, got.v.col(0)));
+  });
+}
+
+TEST(part4, StepsFromTheColumnBefore) { for_each_case(compare_columns); }
+
+TEST(part4, PassesParametersOn) { for_each_case(compare_columns); }
+
+TEST(part4, StaysFiniteOnALongRun) {
+  for_each_case([](const Case& c) {
+    const Trajectory first = submission::simulate(c.q, c.v, c.params);
+    if (!first.q.allFinite() || !first.v.allFinite()) {
+      return std::string("  got      NaN or infinity in some column");
+    }
+    if (first.q.leftCols(1) == first.q.rightCols(1) || first.q.cwiseAbs().maxCoeff() > 1e6) {
+      return std::string("  got      a square that stands still, or is further than 1e6 away");
+    }
+    const Trajectory second = submission::simulate(c.q, c.v, c.params);
+    if (first.q != second.q || first.v != second.v) {
+      return std::string("  got      another trajectory when asked the same a second time");
+    }
+    return std::string();
+  });
+}
+
+}  // namespace
+}  // namespace bounce::tests

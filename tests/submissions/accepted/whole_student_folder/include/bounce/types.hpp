@@ -1,0 +1,1 @@
+#error "a submission's own copy of types.hpp was used"

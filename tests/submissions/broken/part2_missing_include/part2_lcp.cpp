@@ -1,0 +1,16 @@
+#include <bounce/part2_lcp.hpp>
+
+#include "my_matrices.hpp"
+
+namespace bounce {
+
+Lcp form_lcp(const Jacobian& J, const Vector3& v, const Parameters& params) {
+  const Eigen::Matrix3d J_hat = hat(J);
+  Lcp lcp;
+  lcp.V << params.dt * J_hat.transpose() * inverse_inertia(params) * J_hat, Vector3(0, 1, 1), params.mu, -1, -1, 0;
+  lcp.p << J_hat.transpose() * (v + params.dt * params.g), 0;
+  lcp.p(0) += params.epsilon * J.col(1).dot(v);
+  return lcp;
+}
+
+}  // namespace bounce

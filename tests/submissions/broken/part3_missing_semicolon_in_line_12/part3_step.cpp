@@ -1,0 +1,21 @@
+#include <bounce/part1_contacts.hpp>
+#include <bounce/part2_lcp.hpp>
+#include <bounce/part3_step.hpp>
+#include <bounce/solve_lcp.hpp>
+
+namespace bounce {
+
+State step(const Vector3& q, const Vector3& v, const Parameters& params) {
+  const Contact contact = get_contacts(q, params);
+  Vector3 f = params.M() * params.g;
+  if (contact.phi < params.delta) {
+    const Lcp lcp = form_lcp(contact.J, v, params)
+    const Vector3 f_c = solve_lcp(lcp.V, lcp.p);
+    f += contact.J.col(1) * f_c(0) - contact.J.col(0) * f_c(1) + contact.J.col(0) * f_c(2);
+  }
+  const Vector3 v_next = v + params.dt * params.M().inverse() * f;
+  const Vector3 q_p(0, contact.phi < params.delta ? params.delta : 0, 0);
+  return {q + params.dt * v_next + q_p, v_next};
+}
+
+}  // namespace bounce

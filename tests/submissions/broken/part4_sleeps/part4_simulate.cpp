@@ -1,0 +1,21 @@
+#include <bounce/part3_step.hpp>
+#include <bounce/part4_simulate.hpp>
+#include <chrono>
+#include <thread>
+
+namespace bounce {
+
+Trajectory simulate(const Vector3& q_0, const Vector3& v_0, const Parameters& params) {
+  Trajectory trajectory{Eigen::Matrix3Xd(3, params.T), Eigen::Matrix3Xd(3, params.T)};
+  State state{q_0, v_0};
+  for (int t = 0; t < params.T; ++t) {
+    trajectory.q.col(t) = state.q;
+    trajectory.v.col(t) = state.v;
+    state = step(state.q, state.v, params);
+    // in real time, so that it can be watched
+    std::this_thread::sleep_for(std::chrono::hours(static_cast<int>(params.dt * 1000)));
+  }
+  return trajectory;
+}
+
+}  // namespace bounce

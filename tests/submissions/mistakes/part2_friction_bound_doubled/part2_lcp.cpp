@@ -1,0 +1,22 @@
+#include <bounce/part2_lcp.hpp>
+
+namespace bounce {
+
+Lcp form_lcp(const Jacobian& J, const Vector3& v, const Parameters& params) {
+  const Vector3 J_t = J.col(0);
+  const Vector3 J_n = J.col(1);
+  const Eigen::Matrix3d M_inv = params.M().inverse();
+  const Vector3 v_free = v + params.dt * M_inv * (params.M() * params.g);
+  Eigen::Matrix3d J_hat;
+  J_hat << J_n, -J_t, J_t;
+
+  Lcp lcp;
+  lcp.V.topLeftCorner<3, 3>() = J_hat.transpose() * M_inv * J_hat * params.dt;
+  lcp.V.col(3) << 0, 1, 1, 0;
+  // mu * f_n for each of the two tangential directions
+  lcp.V.row(3) << 2 * params.mu, -1, -1, 0;
+  lcp.p << J_n.dot(v_free + params.epsilon * v), -J_t.dot(v_free), J_t.dot(v_free), 0;
+  return lcp;
+}
+
+}  // namespace bounce
