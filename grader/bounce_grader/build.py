@@ -58,9 +58,10 @@ def _compile(file: str, submission: Submission, folder: Path, box: Box) -> Built
         return Built(cached)
     includes = [f"-I{name}" for name in submission.include_folders]
     source = [*includes, "-Dmain=submitted_main", "-x", "c++", "-c", file, "-o", "-"]
-    prelude = ["-include-pch", str(RUNNER / "prelude.pch")]
-    clang = [compiler(), f"@{RUNNER / 'clang_flags.txt'}", *prelude, *source]
-    gcc = ["/usr/bin/g++", f"@{RUNNER / 'gcc_flags.txt'}", *source]
+    clang = [compiler(), f"@{RUNNER / 'clang_flags.txt'}"]
+    clang += ["-include-pch", str(RUNNER / "prelude.pch"), *source]
+    gcc = ["/usr/bin/g++", f"@{RUNNER / 'gcc_flags.txt'}"]
+    gcc += ["-include", str(RUNNER / "prelude.hpp"), *source]
     box_prefix = box.to_build(folder, [CONTRACT, RUNNER])
 
     first = processes.run(box_prefix + clang, COMPILE, cwd=folder)

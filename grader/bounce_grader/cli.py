@@ -2,6 +2,7 @@
 
 import argparse
 import json
+import os
 import sys
 from pathlib import Path
 
@@ -22,6 +23,9 @@ def main(arguments: list[str]) -> int:
     except KeyboardInterrupt:
         print("kit: stopped", file=sys.stderr)
         return 130
+    except BrokenPipeError:  # whoever read the report has seen enough, as with `| head`
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 141
     except OSError as error:
         print(f"kit: the kit itself failed: {error}", file=sys.stderr)
         return 3

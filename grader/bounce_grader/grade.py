@@ -13,6 +13,7 @@ from bounce_grader.box import Box
 from bounce_grader.errors import KitError
 from bounce_grader.judging import Judged
 from bounce_grader.manifest import Part, parts
+from bounce_grader.paths import STUBS
 from bounce_grader.record import Record
 from bounce_grader.submission import Submission
 
@@ -37,11 +38,12 @@ def grade(path: Path, options: Options = Options()) -> Record:
         objects = build.compile_all(taken, folder, box, jobs)
     together = _link_together(taken, objects, box)
     compiled = time.monotonic()
+    grading = _Grading(taken, objects, together, hidden, box)
     with ThreadPoolExecutor(jobs) as pool:
-        grading = _Grading(taken, objects, together, hidden, box)
+        grading.own = dict(zip(grading.linked, pool.map(grading.judge_own, grading.linked)))
         records = list(pool.map(grading.part, parts()))
-    if not any(r["score"] for r in records) and boxes.choose(options.trust) != box:
-        raise KitError("the box stopped working while it was in use")
+    if not any(r["score"] for r in records):
+        _require_working_kit(box)
     speed = _speed(grading, box) if options.speed else None
     end = time.monotonic()
     return record.whole(
@@ -62,7 +64,8 @@ def _link_together(taken: Submission, objects: build.Objects, box: Box) -> build
 
 
 class _Grading:
-    """Judges the parts: with the submission's own earlier parts, and with given ones."""
+    """Judges the parts: all with the submission's own earlier parts, and where that isn't the best
+    that a part could get, alone, with given ones."""
 
     def __init__(
         self,
@@ -74,52 +77,80 @@ class _Grading:
     ) -> None:
         self.taken, self.objects, self.together = taken, objects, together
         self.hidden, self.box = hidden, box
-        self.judged: dict[int, Judged] = {}
+        self.linked = parts() if together.path else ()
+        self.own: dict[Part, Judged] = {}
+        self.best: dict[Part, Judged] = {}
+
+    def judge_own(self, part: Part) -> Judged:
+        assert self.together.path
+        return judging.judge(part, self.together.path, False, self.hidden, self.box)
 
     def part(self, part: Part) -> Record:
         problem = self._problem(part)
         if problem:
             return record.failed_part(part, *problem)
-        tries: list[Judged] = []
-        if self.together.path:
-            tries.append(self._judge(part, self.together.path, given=False))
+        tries = [self.own[part]] if part in self.own else []
         if not tries or self._could_be_better(part, tries[0]):
             alone = build.link_alone(part, self.objects, self.box)
             if alone.path:
-                tries.append(self._judge(part, alone.path, given=part.has_earlier_parts))
+                given = part.has_earlier_parts
+                tries.append(judging.judge(part, alone.path, given, self.hidden, self.box))
             elif not tries:
-                return record.failed_part(part, "does_not_compile", self._why(part, alone))
+                return record.failed_part(part, "does_not_compile", self._why(alone))
         # The later one, with the earlier parts given, where both score the same.
         best = max(reversed(tries), key=lambda judged: judged.score(part))
-        self.judged[part.number] = best
+        self.best[part] = best
         return record.part_record(part, best)
+
+    def _could_be_better(self, part: Part, own: Judged) -> bool:
+        """Alone, a part is free of earlier parts, and of what other files do before main. Where
+        other parts could answer, that didn't make this one hang."""
+        if own.score(part) == part.points:
+            return False
+        hangs_by_itself = own.status == "timed_out" and any(
+            other.status == "graded" for other in self.own.values()
+        )
+        return part.has_earlier_parts or not hangs_by_itself
 
     def _problem(self, part: Part) -> tuple[str, str] | None:
         if part.number in self.taken.refused:
             return "does_not_compile", self.taken.refused[part.number]
         if part.number not in self.objects.parts:
             return "not_submitted", f"{part.file} isn't among the files submitted"
+        if self.taken.files[self.taken.parts[part.number]].split() == _stub(part):
+            return "graded", f"nothing is filled in yet: start at the TODO in {part.file}"
         built = self.objects.parts[part.number]
         return None if built.path else ("does_not_compile", built.problem)
 
-    def _could_be_better(self, part: Part, own: Judged) -> bool:
-        """Alone, a part is free of what the other files do before main, and of earlier parts."""
-        if own.score(part) == part.points:
-            return False
-        return part.has_earlier_parts or own.status != "graded"
-
-    def _why(self, part: Part, alone: build.Built) -> str:
+    def _why(self, alone: build.Built) -> str:
         """A helper that doesn't compile is the reason behind what is missing."""
         broken = [built.problem for built in self.objects.helpers.values() if not built.path]
         return "; ".join([alone.problem, *broken])
 
-    def _judge(self, part: Part, runner: Path, given: bool) -> Judged:
-        return judging.judge(part, runner, given, self.hidden, self.box)
+
+def _stub(part: Part) -> list[bytes]:
+    """The words of a part as it is handed out."""
+    return (STUBS / part.file).read_bytes().split()
+
+
+def _require_working_kit(box: Box) -> None:
+    """No point at all: make sure that it isn't the kit that fails. A stub compiles and answers."""
+    taken = submission.read(STUBS)
+    with tempfile.TemporaryDirectory(prefix="bounce-") as name:
+        folder = Path(name)
+        taken.write_to(folder)
+        objects = build.compile_all(taken, folder, box, 1)
+    stub = objects.parts[1]
+    linked = build.link_alone(parts()[0], objects, box) if stub.path else stub
+    if not linked.path:
+        raise KitError(f"a stub can't be built: {linked.problem}")
+    if boxes.choose(box.kind == "none") != box:
+        raise KitError("the box stopped working while it was in use")
 
 
 def _speed(grading: _Grading, box: Box) -> Record:
     """What a step costs beside the solution, and the largest error over all checks."""
-    errors = [judged.largest_error for judged in grading.judged.values()]
+    errors = [judged.largest_error for judged in grading.best.values()]
     runner = grading.together.path
     times = judging.speed(runner, box) if runner else None
     known = [error for error in errors if error is not None]

@@ -3,6 +3,8 @@
 import sys
 from typing import TextIO
 
+from bounce_grader.hints import headings
+from bounce_grader.paths import HANDOUT
 from bounce_grader.record import Record
 
 STATUS_WORDS = {
@@ -32,8 +34,9 @@ def lines(record: Record) -> list[tuple[str, str]]:
         out += _part(part)
     if record.get("speed"):
         out += _speed(record["speed"])
-    if record["ignored"]:
-        out.append(("dim", f"Not used: {_some(record['ignored'])}"))
+    unusual = [name for name in record["ignored"] if not (HANDOUT / name).exists()]
+    if unusual:
+        out.append(("dim", f"Not used: {_some(unusual)}"))
     if record["box"] == "none":
         out.append(("yellow", "Graded without a box: this code could do whatever you can."))
     return out
@@ -45,6 +48,8 @@ def _part(part: Record) -> list[tuple[str, str]]:
     out = [("bold", f"{heading:<68}{score:>8}")]
     if part["status"] != "graded":
         out.append(("red", f"  {STATUS_WORDS[part['status']]}: {clean(part['message'])}"))
+    elif part["score"] < part["max_score"]:
+        out.append(("", f"  {clean(part['message'])}"))
     if any(check["passed"] or check["message"] for check in part["checks"]):
         for check in part["checks"]:
             out += _check(check)
@@ -59,7 +64,10 @@ def _check(check: Record) -> list[tuple[str, str]]:
     mark, style = ("✓", "green") if check["passed"] else ("✗", "red")
     score = f"{number(check['score'])} / {number(check['max_score'])}"
     out = [(style, f"  {mark} {check['title']:<64}{score:>8}")]
-    return out + [("", f"      {clean(line)}") for line in check["message"].splitlines()]
+    out += [("", f"      {clean(line)}") for line in check["message"].splitlines()]
+    if check["message"]:
+        out.append(("dim", f"      hint {headings()[check['id']]}"))
+    return out
 
 
 def _speed(speed: Record) -> list[tuple[str, str]]:

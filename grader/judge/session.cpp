@@ -6,7 +6,6 @@
 #include "../../tests/submission.hpp"
 #include "given.hpp"
 
-
 namespace bounce::judge {
 
 using frames::Frame;
@@ -14,7 +13,8 @@ using frames::Kind;
 
 namespace {
 
-constexpr int kHangs = 2;
+constexpr const char* kFunctions[] = {"bounce::get_contacts", "bounce::form_lcp", "bounce::step",
+                                      "bounce::simulate"};
 
 // More than any program needs, so that a plea in an endless loop is told from work.
 std::int64_t most_pleas(const Frame& question) { return 1000 + 20 * question.T; }
@@ -32,12 +32,16 @@ std::string printable(std::string text) {
 Session* session = nullptr;
 
 Session::Session(std::vector<std::string> command, Limits limits, std::uint32_t part, bool given)
-    : command_(std::move(command)), limits_(limits), part_(part), given_(given) {}
+    : command_(std::move(command)),
+      limits_(limits),
+      part_(part),
+      given_(given),
+      hangs_left_(given ? 1 : 2) {}
 
 std::optional<std::string> Session::take_status() { return std::exchange(status_, std::nullopt); }
 
 Frame Session::ask(Frame question, Trajectory* columns) {
-  if (hangs_ >= kHangs) {
+  if (hangs_left_ <= 0) {
     status_ = "timed_out";
     throw tests::Ended("nothing was asked here: the part has used up its time before");
   }
@@ -54,7 +58,7 @@ Frame Session::ask(Frame question, Trajectory* columns) {
     status_ = ended.status;
     if (ended.status == "timed_out") {
       const bool waits = std::string(ended.what()).rfind("no answer came", 0) == 0;
-      hangs_ += waits ? kHangs : 1;
+      hangs_left_ = waits ? 0 : hangs_left_ - 1;
     }
     throw tests::Ended(ended.what());
   }
@@ -65,11 +69,20 @@ Frame Session::answer_of(const Frame& question, Trajectory* columns) {
   runner_->send(question);
   Frame answer = runner_->receive();
   for (std::int64_t pleas = 0; answer.kind == Kind::plea; ++pleas) {
-    if (!given_ || answer.part >= part_ || pleas > most_pleas(question)) {
+    if (!given_ || answer.part >= part_) {
       throw RunnerEnded("no_answer", "the program asked for what isn't given to it");
+    }
+    if (pleas > most_pleas(question)) {
+      throw RunnerEnded("timed_out", "the program called earlier parts " + std::to_string(pleas) +
+                                         " times for one answer: a loop without end, perhaps");
     }
     runner_->send(reply_to(answer));
     answer = runner_->receive();
+  }
+  if (answer.kind == Kind::absent) {
+    throw RunnerEnded("does_not_compile",
+                      "the file defines no " + std::string(kFunctions[part_ - 1]) +
+                          " with the arguments, and in the namespace, that its header declares");
   }
   if (answer.kind == Kind::out_of_memory) {
     throw RunnerEnded("out_of_memory", "the program ran out of memory (" +

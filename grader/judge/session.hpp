@@ -1,6 +1,6 @@
 // The questions of one part's checks to one submission. A runner that ended is started anew for
-// the next check, so that a crash costs one check; a part that hangs twice, or that waits for
-// ever, is asked no more.
+// the next check, so that a crash costs one check. A part that hangs twice is asked no more; nor is
+// one that waits for ever, or that hangs once with the earlier parts given, its second chance.
 #pragma once
 
 #include <memory>
@@ -34,7 +34,7 @@ class Session {
   bool given_;
   std::unique_ptr<RunnerProcess> runner_;
   std::uint64_t number_ = 0;
-  int hangs_ = 0;
+  int hangs_left_;
   std::optional<std::string> status_;
 };
 

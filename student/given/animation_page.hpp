@@ -45,7 +45,7 @@ figure { display: flex; flex-direction: column; flex: 1 0 auto; gap: 8px; }
   flex: 1 0 0px; width: 100%; min-height: 240px; cursor: pointer;
   background: var(--card); border: 1px solid var(--edge); border-radius: 12px;
 }
-dl { display: grid; grid-template-columns: repeat(auto-fit, minmax(calc(var(--longest, 6) * 1ch + 30px), 1fr)); gap: 6px 12px; font-size: 19px; }
+dl { --unit: 48px; display: grid; grid-template-columns: repeat(auto-fit, minmax(calc(var(--longest, 6) * 1ch + var(--unit)), 1fr)); gap: 6px 12px; font-size: 19px; }
 dt, dd { white-space: nowrap; }
 dd, output { font-variant-numeric: tabular-nums; }
 #controls { display: flex; flex-wrap: wrap; align-items: center; gap: 8px 16px; }
@@ -63,7 +63,7 @@ select {
 :focus-visible { outline: 3px solid var(--corner); outline-offset: 2px; }
 @media (pointer: coarse), (max-width: 640px) { #hint { display: none; } }
 @media (min-width: 641px) { #slider { min-width: 0; } }
-@media (max-width: 640px) { body { padding: 14px; } dl { font-size: 16px; } #controls { justify-content: space-between; } output { text-align: left; } }
+@media (max-width: 640px) { body { padding: 14px; } dl { --unit: 30px; font-size: 16px; } #controls { justify-content: space-between; } output { text-align: left; } }
 @media (max-height: 520px) { body { padding: 12px; gap: 8px; } header, figcaption, #hint { display: none; } #stage { min-height: 160px; } }
 </style>
 </head>

@@ -20,10 +20,9 @@
 // the inverse of the basis, and no basis comes twice. z_0 wins its ties, as that is the end.
 //
 // Why it ends well. For z >= 0, z^T V z = f^T (J_hat^T M^-1 J_hat dt) f + mu lambda f_n >= 0, so V
-// is copositive, and a ray needs a u >= 0, not 0, with V u >= 0, u^T V u = 0 and p^T u < 0. The
-// second makes J_hat f = 0: f_n = 0 and f_t1 = f_t2. The last row of V u >= 0 makes these 0 too.
-// Only lambda is left in u, and p_4 = 0, so p^T u = 0: there is no ray. With another V there may
-// be.
+// is copositive, and a ray needs a u >= 0, not 0, with V u >= 0, u^T V u = 0 and p^T u < 0. Then
+// u^T V u = 0 makes J_hat f = 0, so f_n = 0 and f_t1 = f_t2; the last row of V u >= 0 makes these 0
+// too. Only lambda is left in u, and p_4 = 0, so p^T u = 0: no ray. Another V may have one.
 //   Cottle, Pang & Stone, The Linear Complementarity Problem (1992), chapter 4: the method, its
 //   rays when the matrix is copositive, degeneracy. Stewart & Trinkle (1996) and Anitescu & Potra
 //   (1997) use it for contact with friction, and prove that it ends with a solution there.
