@@ -1,6 +1,5 @@
 """What the Python tests share: the grader on the path, and submissions made from the solution."""
 
-import sys
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -8,8 +7,6 @@ from typing import Any
 import pytest
 
 ROOT = Path(__file__).resolve().parents[1]
-sys.path.insert(0, str(ROOT / "grader"))
-
 SOLUTION = ROOT / "solution" / "src"
 Grade = Callable[..., dict[str, Any]]
 
@@ -32,7 +29,7 @@ def grade(tmp_path: Path) -> Grade:
     from bounce_grader.grade import grade as grade_path
 
     def graded(changes: dict[str, bytes | None]) -> dict[str, Any]:
-        files = {**solution_files(), **changes}
+        files: dict[str, bytes | None] = {**solution_files(), **changes}
         present = {name: text for name, text in files.items() if text is not None}
         return grade_path(write(tmp_path / "submission", present))
 

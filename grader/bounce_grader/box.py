@@ -32,8 +32,8 @@ class Box:
         if self.kind == "none":
             return []
         command = _bubblewrap()
-        for path in TOOLCHAIN:
-            command += ["--ro-bind-try", path, path]
+        for place in TOOLCHAIN:
+            command += ["--ro-bind-try", place, place]
         for link in ("bin", "lib", "lib64"):
             command += ["--symlink", f"usr/{link}", f"/{link}"]
         command += [*_bounded(), "--tmpfs", "/tmp", "--dev-bind", "/dev/null", "/dev/null"]

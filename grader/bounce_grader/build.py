@@ -18,6 +18,12 @@ from bounce_grader.submission import Submission
 
 COMPILE = processes.Limits(cpu_seconds=15, wall_seconds=120, memory=2 << 30, file_size=64 << 20)
 LINK = processes.Limits(cpu_seconds=10, wall_seconds=60, memory=2 << 30, file_size=64 << 20)
+# For a compiler whose assembler can't write there by itself.
+TO_STANDARD_OUTPUT = [
+    *("/bin/sh", "-c"),
+    'file=$(mktemp) && "$@" -o "$file" && cat "$file"; status=$?; rm -f "$file"; exit $status',
+    "sh",
+]
 
 
 @dataclass(frozen=True)
@@ -57,10 +63,10 @@ def _compile(file: str, submission: Submission, folder: Path, box: Box) -> Built
     if cached.exists():
         return Built(cached)
     includes = [f"-I{name}" for name in submission.include_folders]
-    source = [*includes, "-Dmain=submitted_main", "-x", "c++", "-c", file, "-o", "-"]
+    source = [*includes, "-Dmain=submitted_main", "-x", "c++", "-c", file]
     clang = [compiler(), f"@{RUNNER / 'clang_flags.txt'}"]
-    clang += ["-include-pch", str(RUNNER / "prelude.pch"), *source]
-    gcc = ["/usr/bin/g++", f"@{RUNNER / 'gcc_flags.txt'}"]
+    clang += ["-include-pch", str(RUNNER / "prelude.pch"), *source, "-o", "-"]
+    gcc = [*TO_STANDARD_OUTPUT, "/usr/bin/g++", f"@{RUNNER / 'gcc_flags.txt'}"]
     gcc += ["-include", str(RUNNER / "prelude.hpp"), *source]
     box_prefix = box.to_build(folder, [CONTRACT, RUNNER])
 

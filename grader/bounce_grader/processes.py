@@ -84,30 +84,30 @@ def _collect(
     process: subprocess.Popen[bytes], deadline: float | None, out_cap: int, err_cap: int
 ) -> Result:
     assert process.stdout and process.stderr
-    kept = {process.stdout: bytearray(), process.stderr: bytearray()}
-    caps = {process.stdout: out_cap, process.stderr: err_cap}
+    out, err = process.stdout.fileno(), process.stderr.fileno()
+    kept = {out: bytearray(), err: bytearray()}
+    caps = {out: out_cap, err: err_cap}
     too_long = flooded = False
     with selectors.DefaultSelector() as selector:
-        for stream in kept:
-            selector.register(stream, selectors.EVENT_READ)
+        for fd in kept:
+            selector.register(fd, selectors.EVENT_READ)
         while selector.get_map() and not (too_long or flooded):
             left = None if deadline is None else max(0.0, deadline - time.monotonic())
             for key, _ in selector.select(left):
                 chunk = os.read(key.fd, 65536)
                 if not chunk:
-                    selector.unregister(key.fileobj)
+                    selector.unregister(key.fd)
                     continue
-                stream = key.fileobj
-                room = caps[stream] - len(kept[stream])  # type: ignore[index]
-                kept[stream] += chunk[: max(0, room)]  # type: ignore[index]
-                flooded = flooded or (stream is process.stdout and len(chunk) > room)
+                room = caps[key.fd] - len(kept[key.fd])
+                kept[key.fd] += chunk[: max(0, room)]
+                flooded = flooded or (key.fd == out and len(chunk) > room)
             too_long = deadline is not None and time.monotonic() >= deadline
     if too_long or flooded:
         _end(process)
     return Result(
         code=process.wait(),
-        out=bytes(kept[process.stdout]),
-        err=kept[process.stderr].decode("utf-8", "replace"),
+        out=bytes(kept[out]),
+        err=kept[err].decode("utf-8", "replace"),
         too_long=too_long,
         flooded=flooded,
     )

@@ -107,6 +107,7 @@ int run(const Options& options) {
 
 int main(int argc, char** argv) try {
   std::signal(SIGPIPE, SIG_IGN);  // a runner that has ended shows when it is read
+  bounce::judge::stay_on_this_cpu();
   int one = 1;
   testing::InitGoogleTest(&one, argv);
   return bounce::judge::run(bounce::judge::read_options({argv + 1, argv + argc}));

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sched.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -61,6 +62,13 @@ void limit(int resource, rlim_t soft, rlim_t hard) {
 }
 
 }  // namespace
+
+void stay_on_this_cpu() {
+  cpu_set_t cpus;
+  CPU_ZERO(&cpus);
+  CPU_SET(static_cast<std::size_t>(std::max(0, ::sched_getcpu())), &cpus);
+  ::sched_setaffinity(0, sizeof cpus, &cpus);
+}
 
 RunnerProcess::RunnerProcess(const std::vector<std::string>& command, const Limits& limits)
     : limits_(limits) {

@@ -80,6 +80,7 @@ int run(const std::vector<std::string>& arguments) {
 
 int main(int argc, char** argv) try {
   std::signal(SIGPIPE, SIG_IGN);
+  bounce::judge::stay_on_this_cpu();
   return bounce::judge::run({argv + 1, argv + argc});
 } catch (const std::exception& e) {
   std::cerr << "stopwatch: " << e.what() << std::endl;

@@ -90,9 +90,9 @@ inline void instances(Eigen::Matrix2d& A2, Eigen::Vector2d& a2, Eigen::Matrix3d&
   J << a3, a3;
   corners << s, s, s, s, s, s, s, s;
   corners = A2 * corners;
-  Eigen::Index lowest = 0;
-  a2 = corners.col(lowest);
-  corners.row(1).minCoeff(&lowest);
+  Eigen::Index at = 0;
+  a2 = corners.col(at);
+  corners.row(1).minCoeff(&at);
   corners.col(0) = A2 * a2;
 
   A2 = Eigen::Rotation2Dd(s).toRotationMatrix();

@@ -42,9 +42,10 @@ using Eigen::Matrix4d;
 using Eigen::Vector4d;
 
 constexpr double kTolerance = 1e-12;  // of the problem's scale, see residual()
-// What a few pivots may add by rounding to an entry of size 1. Much more would call different
-// ratios equal and cost residual (4e-14 at worst), much less would take noise for a difference.
-constexpr double kRounding = 64.0 * std::numeric_limits<double>::epsilon();
+// What a few pivots may add by rounding to an entry of size 1. With 0, ten contacts in a million end
+// on a false ray. The more, the more numbers count as equal that are not: contacts then leave
+// residuals of up to 1e-13.
+constexpr double kRounding = 16.0 * std::numeric_limits<double>::epsilon();
 constexpr int kMaxPivots = 50;  // only 32 bases hold z_0, and most contacts take 3 or 4 pivots
 
 // The scaling, with the way in for w and p, and for z.
