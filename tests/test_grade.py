@@ -100,6 +100,19 @@ def test_a_compile_error_names_file_line_and_column(grade: Grade) -> None:
     assert record["parts"][1]["message"] == "part2_lcp.cpp:3:9: expected expression"
 
 
+def test_a_crash_names_the_line(grade: Grade) -> None:
+    lines = source(3, "\n\n\n*(volatile int*)nullptr = 1; return {q, v};")
+    message = grade({"part3_step.cpp": lines})["parts"][2]["message"]
+    assert message.endswith("at part3_step.cpp:7"), message
+
+
+def test_an_assertion_of_eigen_names_the_line_that_broke_it(grade: Grade) -> None:
+    lines = source(1, "Eigen::VectorXd h(4); int k = 4;\nreturn {Jacobian::Zero(), h(k)};")
+    message = grade({"part1_contacts.cpp": lines})["parts"][0]["message"]
+    assert "an index or a size is out of range" in message, message
+    assert message.endswith("at part1_contacts.cpp:5"), message
+
+
 def test_an_exception_is_told_by_what_it_says(grade: Grade) -> None:
     thrown = "#include <stdexcept>\n".encode() + source(1, 'throw std::runtime_error("not yet");')
     record = grade({"part1_contacts.cpp": thrown})

@@ -18,6 +18,8 @@ from bounce_grader.submission import Submission
 
 COMPILE = processes.Limits(cpu_seconds=15, wall_seconds=120, memory=2 << 30, file_size=64 << 20)
 LINK = processes.Limits(cpu_seconds=10, wall_seconds=60, memory=2 << 30, file_size=64 << 20)
+KIT_OBJECTS = ("runner", "channel", "crash", "solve_lcp", "render")
+
 # For a compiler whose assembler can't write there by itself.
 TO_STANDARD_OUTPUT = [
     *("/bin/sh", "-c"),
@@ -158,7 +160,7 @@ def _link(own: Iterable[Path | None], more: list[str], box: Box, flags: list[str
     cached = _cached(digest.hexdigest())
     if cached.exists():
         return Built(cached)
-    kit = [str(RUNNER / f"{name}.o") for name in ("runner", "channel", "solve_lcp", "render")]
+    kit = [str(RUNNER / f"{name}.o") for name in KIT_OBJECTS]
     command = [compiler(), *link_flags(), *flags, *kit, *files, *more, "-o", "-"]
     visible = [RUNNER, *(Path(file) for file in files + more if not file.startswith(str(RUNNER)))]
     folder = RUNNER

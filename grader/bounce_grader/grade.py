@@ -13,7 +13,7 @@ from bounce_grader.box import Box
 from bounce_grader.errors import KitError
 from bounce_grader.judging import Judged
 from bounce_grader.manifest import Part, parts
-from bounce_grader.paths import STUBS
+from bounce_grader.paths import STUBS, WORK_FOLDER
 from bounce_grader.record import Record
 from bounce_grader.submission import Submission
 
@@ -32,7 +32,7 @@ def grade(path: Path, options: Options = Options()) -> Record:
     box = boxes.choose(options.trust)
     hidden = fixtures.hidden_folder()
     jobs = options.jobs or os.cpu_count() or 1
-    with tempfile.TemporaryDirectory(prefix="bounce-") as name:
+    with tempfile.TemporaryDirectory(prefix=WORK_FOLDER) as name:
         folder = Path(name)
         taken.write_to(folder)
         objects = build.compile_all(taken, folder, box, jobs)
@@ -136,7 +136,7 @@ def _stub(part: Part) -> list[bytes]:
 def _require_working_kit(box: Box) -> None:
     """No point at all: make sure that it isn't the kit that fails. A stub compiles and answers."""
     taken = submission.read(STUBS)
-    with tempfile.TemporaryDirectory(prefix="bounce-") as name:
+    with tempfile.TemporaryDirectory(prefix=WORK_FOLDER) as name:
         folder = Path(name)
         taken.write_to(folder)
         objects = build.compile_all(taken, folder, box, 1)

@@ -12,5 +12,6 @@ CACHE = BUILD / "cache"
 CONTRACT = ROOT / "student" / "include"
 HANDOUT = ROOT / "student"
 STUBS = HANDOUT / "src"
+WORK_FOLDER = "bounce-submission-"  # the prefix of a temporary one
 FIXTURES = ROOT / "fixtures"
 SECRET = ROOT / "course-secret"

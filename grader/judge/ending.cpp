@@ -6,6 +6,8 @@
 #include <map>
 #include <regex>
 
+#include "../runner/crash.hpp"
+
 namespace bounce::judge {
 namespace {
 
@@ -37,10 +39,21 @@ std::string assertion_in(const std::string& print) {
               : "");
 }
 
+// The last line of its kind: a submission may print what it likes, but only before it crashes.
+std::string stack_in(const std::string& print) {
+  const std::size_t at = print.rfind(runner::kStack);
+  if (at == std::string::npos) return "";
+  const std::size_t from = at + sizeof runner::kStack - 1;
+  const std::string line = print.substr(from, print.find('\n', from) - from);
+  return line.find_first_not_of(" 0123456789abcdefx") == std::string::npos ? line : "";
+}
+
 Ending of_signal(int signal, int cpu_seconds, const std::string& last_print) {
   if (signal == SIGXCPU) {
-    return {"timed_out", "the program used more than " + std::to_string(cpu_seconds) +
-                             " s of CPU time: a loop without end, perhaps"};
+    return {"timed_out",
+            "the program used more than " + std::to_string(cpu_seconds) +
+                " s of CPU time: a loop without end, perhaps",
+            ""};
   }
   const auto words = kSignals.find(signal);
   std::string sentence =
@@ -49,7 +62,7 @@ Ending of_signal(int signal, int cpu_seconds, const std::string& last_print) {
   if (const std::string assertion = assertion_in(last_print); !assertion.empty()) {
     sentence += ": " + assertion;
   }
-  return {"crashed", sentence};
+  return {"crashed", sentence, stack_in(last_print)};
 }
 
 }  // namespace
@@ -58,8 +71,10 @@ Ending ending_of(int wait_status, int cpu_seconds, const std::string& last_print
   if (WIFSIGNALED(wait_status)) return of_signal(WTERMSIG(wait_status), cpu_seconds, last_print);
   const int code = WEXITSTATUS(wait_status);
   if (code > 128 && code < 128 + 65) return of_signal(code - 128, cpu_seconds, last_print);
-  return {"no_answer", "the program ended by itself (exit status " + std::to_string(code) +
-                           ") in place of an answer"};
+  return {"no_answer",
+          "the program ended by itself (exit status " + std::to_string(code) +
+              ") in place of an answer",
+          ""};
 }
 
 }  // namespace bounce::judge

@@ -8,6 +8,7 @@ namespace bounce::judge {
 struct Ending {
   std::string status;  // of the score record: crashed, timed_out, no_answer
   std::string sentence;
+  std::string stack;  // of a crash: addresses in hexadecimal, with a space before each
 };
 
 // From a wait status, the limit on CPU time and the end of what the program printed.

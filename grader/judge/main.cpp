@@ -1,7 +1,7 @@
 // judge --part N [--given] --fixtures FOLDER... -- COMMAND...
 //
 // Runs the tests of part N against the runner that COMMAND starts, and prints one JSON object:
-//   {"checks": [{"id", "passed", "status", "message"}], "largest_error": number or null}
+//   {"checks": [{"id", "passed", "status", "stack", "message"}], "largest_error": number or null}
 // Exit status 0 when every check has a verdict; 3, with a sentence on standard error, when the
 // kit itself failed: that is no verdict about the submission.
 #include <gtest/gtest.h>
@@ -73,9 +73,11 @@ class Verdicts : public testing::EmptyTestEventListener {
       kit_failure = message;
     }
     const bool passed = test.result()->Passed();
+    const auto end = session->take_end().value_or(Session::End{"graded", ""});
     checks.push_back({{"id", std::string(test.test_suite_name()) + "." + test.name()},
                       {"passed", passed},
-                      {"status", session->take_status().value_or("graded")},
+                      {"status", end.status},
+                      {"stack", end.stack},
                       {"message", message}});
   }
 };

@@ -161,12 +161,13 @@ void RunnerProcess::end_after_close() {
   if (status < 0) end("no_answer", "the program closed the pipe for its answers");
   drain_prints();
   const Ending ending = ending_of(status, limits_.cpu_seconds, last_print_);
-  end(ending.status, ending.sentence);
+  end(ending.status, ending.sentence, ending.stack);
 }
 
-void RunnerProcess::end(const std::string& status, const std::string& sentence) {
+void RunnerProcess::end(const std::string& status, const std::string& sentence,
+                        const std::string& stack) {
   kill();
-  throw RunnerEnded(status, sentence);
+  throw RunnerEnded(status, sentence, stack);
 }
 
 // The wait status, or -1 when it still runs after a while.

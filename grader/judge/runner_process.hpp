@@ -16,9 +16,10 @@ namespace bounce::judge {
 
 // How a part that can't go on ended: a status of the score record, and one plain sentence.
 struct RunnerEnded : std::runtime_error {
-  RunnerEnded(std::string status_, const std::string& sentence)
-      : std::runtime_error(sentence), status(std::move(status_)) {}
+  RunnerEnded(std::string status_, const std::string& sentence, std::string stack_ = "")
+      : std::runtime_error(sentence), status(std::move(status_)), stack(std::move(stack_)) {}
   std::string status;
+  std::string stack;  // of a crash: addresses in hexadecimal
 };
 
 struct Limits {
@@ -56,7 +57,8 @@ class RunnerProcess {
   bool wait_until_readable();
   void drain_prints();
   [[noreturn]] void end_after_close();
-  [[noreturn]] void end(const std::string& status, const std::string& sentence);
+  [[noreturn]] void end(const std::string& status, const std::string& sentence,
+                        const std::string& stack = "");
   int wait_for_exit();
   void kill();
 

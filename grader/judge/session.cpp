@@ -38,11 +38,11 @@ Session::Session(std::vector<std::string> command, Limits limits, std::uint32_t 
       given_(given),
       hangs_left_(given ? 1 : 2) {}
 
-std::optional<std::string> Session::take_status() { return std::exchange(status_, std::nullopt); }
+std::optional<Session::End> Session::take_end() { return std::exchange(end_, std::nullopt); }
 
 Frame Session::ask(Frame question, Trajectory* columns) {
   if (hangs_left_ <= 0) {
-    status_ = "timed_out";
+    end_ = {"timed_out", ""};
     throw tests::Ended("nothing was asked here: the part has used up its time before");
   }
   if (!runner_) runner_ = std::make_unique<RunnerProcess>(command_, limits_);
@@ -55,7 +55,7 @@ Frame Session::ask(Frame question, Trajectory* columns) {
     return answer;
   } catch (const RunnerEnded& ended) {
     runner_.reset();
-    status_ = ended.status;
+    end_ = {ended.status, ended.stack};
     if (ended.status == "timed_out") {
       const bool waits = std::string(ended.what()).rfind("no answer came", 0) == 0;
       hangs_left_ = waits ? 0 : hangs_left_ - 1;

@@ -21,8 +21,11 @@ class Session {
   // check can't go on, std::runtime_error when this question has no answer.
   frames::Frame ask(frames::Frame question, Trajectory* columns = nullptr);
 
-  // How the last check ended, if its runner did; asked once a check.
-  std::optional<std::string> take_status();
+  // How the last check's runner ended, if it did: a status, and a crash's stack. Once a check.
+  struct End {
+    std::string status, stack;
+  };
+  std::optional<End> take_end();
 
  private:
   frames::Frame answer_of(const frames::Frame& question, Trajectory* columns);
@@ -35,7 +38,7 @@ class Session {
   std::unique_ptr<RunnerProcess> runner_;
   std::uint64_t number_ = 0;
   int hangs_left_;
-  std::optional<std::string> status_;
+  std::optional<End> end_;
 };
 
 // The session that submission_remote.cpp asks; the judge's main sets it.

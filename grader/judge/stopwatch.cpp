@@ -66,8 +66,8 @@ int run(const std::vector<std::string>& arguments) {
   Limits limits;
   limits.cpu_seconds = 5;
   std::vector<std::unique_ptr<RunnerProcess>> runners;
-  runners.push_back(std::make_unique<RunnerProcess>(
-      std::vector<std::string>(arguments.begin(), split), limits));
+  runners.push_back(
+      std::make_unique<RunnerProcess>(std::vector<std::string>(arguments.begin(), split), limits));
   runners.push_back(std::make_unique<RunnerProcess>(
       std::vector<std::string>(split + 1, arguments.end()), limits));
   const std::vector<double> ns = compare(runners);
