@@ -72,9 +72,9 @@ void stay_on_this_cpu() {
 
 RunnerProcess::RunnerProcess(const std::vector<std::string>& command, const Limits& limits)
     : limits_(limits) {
-  std::vector<char*> argv;
-  for (const std::string& word : command) argv.push_back(const_cast<char*>(word.c_str()));
-  argv.push_back(nullptr);
+  std::vector<char*> argv(command.size() + 1, nullptr);
+  std::transform(command.begin(), command.end(), argv.begin(),
+                 [](const std::string& word) { return const_cast<char*>(word.c_str()); });
 
   const Pipe questions = make_pipe(), answers = make_pipe(), prints = make_pipe();
   pid_ = ::fork();

@@ -53,8 +53,8 @@ std::vector<double> compare(std::vector<std::unique_ptr<RunnerProcess>>& runners
       ns[i].push_back(std::max(whole - empty, 1e-9) / kSteps * 1e9);
     }
   }
-  std::vector<double> medians;
-  for (const auto& values : ns) medians.push_back(median(values));
+  std::vector<double> medians(ns.size());
+  std::transform(ns.begin(), ns.end(), medians.begin(), median);
   return medians;
 }
 
