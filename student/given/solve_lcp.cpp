@@ -42,9 +42,9 @@ using Eigen::Matrix4d;
 using Eigen::Vector4d;
 
 constexpr double kTolerance = 1e-12;  // of the problem's scale, see residual()
-// What a few pivots may add by rounding to an entry of size 1. With 0, ten contacts in a million end
-// on a false ray. The more, the more numbers count as equal that are not: contacts then leave
-// residuals of up to 1e-13.
+// What a few pivots may add by rounding to an entry of size 1. With 0, some ten contacts in a
+// million end on a false ray. The larger, the more numbers that differ count as equal, and the
+// larger the residual: 1e-13 at most for contacts now.
 constexpr double kRounding = 16.0 * std::numeric_limits<double>::epsilon();
 constexpr int kMaxPivots = 50;  // only 32 bases hold z_0, and most contacts take 3 or 4 pivots
 
