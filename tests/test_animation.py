@@ -383,7 +383,7 @@ def bounces(T: int, x_0: float = 0, v: float = 0.6, y: float = 1.5) -> list[list
     return [[x_0 + v * t / 100 for t in steps], heights, [t / 25 for t in steps]]
 
 
-TRAJECTORIES = {
+TRAJECTORIES: dict[str, dict[str, Any]] = {
     "one column": {"q": bounces(1)},
     "two columns": {"q": bounces(2)},
     "20000 columns": {"q": bounces(20000)},

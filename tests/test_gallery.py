@@ -50,7 +50,11 @@ def shown(record: dict[str, Any]) -> str:
     return stream.getvalue()
 
 
-@pytest.mark.parametrize("folder", ALL, ids=name_of)
+# One in twelve, and the rest in the whole run.
+SOME = [pytest.param(f, marks=[pytest.mark.slow] if i % 12 else []) for i, f in enumerate(ALL)]
+
+
+@pytest.mark.parametrize("folder", SOME, ids=name_of)
 def test_gets_what_it_should(folder: Path, tmp_path: Path) -> None:
     expected = expected_of(folder)
     record = grade(submission_of(folder, tmp_path / "submission"))

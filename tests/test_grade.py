@@ -76,6 +76,7 @@ def test_stubs_with_a_comment_are_run_and_get_none(tmp_path: Path) -> None:
     assert all(check["message"] for part in record["parts"] for check in part["checks"])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("part", [1, 2, 3, 4])
 @pytest.mark.parametrize("fault", FAULTS)
 def test_a_fault_costs_its_own_part_alone(grade: Grade, part: int, fault: str) -> None:
@@ -133,6 +134,16 @@ def test_a_part_that_clang_refuses_and_gcc_takes_counts(grade: Grade) -> None:
 
 def _solution(stem: str) -> bytes:
     return (SOLUTION / f"{stem}.cpp").read_bytes()
+
+
+def test_nothing_is_written_where_it_was_graded(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    write(tmp_path / "submission", solution_files())
+    before = {file: file.stat().st_mtime_ns for file in tmp_path.rglob("*")}
+    monkeypatch.chdir(tmp_path)
+    assert grade_path(Path("submission"))["score"] == 100
+    assert {file: file.stat().st_mtime_ns for file in tmp_path.rglob("*")} == before
 
 
 # --- the record ---
@@ -198,9 +209,12 @@ def test_a_judge_that_leaves_a_check_out_is_no_verdict(
         grade_path(SOLUTION)
 
 
-def test_a_compiler_that_fails_is_no_verdict(monkeypatch: pytest.MonkeyPatch, grade: Grade) -> None:
+def test_a_compiler_that_fails_is_no_verdict(
+    monkeypatch: pytest.MonkeyPatch, grade: Grade, tmp_path: Path
+) -> None:
     monkeypatch.setattr(build, "compiler", lambda: "/bin/false")
-    monkeypatch.setattr(build, "_cached", lambda digest: Path("/nonexistent"))
+    monkeypatch.setattr(build, "TO_STANDARD_OUTPUT", ["/bin/false"])
+    monkeypatch.setattr(build, "_cached", lambda digest: tmp_path / "nothing-kept")
     broken: dict[str, bytes | None] = {part.file: b"\n" for part in parts()}
     with pytest.raises(KitError, match="a stub can't be built"):
         grade(broken)

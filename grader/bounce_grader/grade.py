@@ -5,6 +5,7 @@ import tempfile
 import time
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 from bounce_grader import box as boxes
@@ -40,7 +41,7 @@ def grade(path: Path, options: Options = Options()) -> Record:
     compiled = time.monotonic()
     grading = _Grading(taken, objects, together, hidden, box)
     with ThreadPoolExecutor(jobs) as pool:
-        grading.own = dict(zip(grading.linked, pool.map(grading.judge_own, grading.linked)))
+        grading.judge_together(pool)
         records = list(pool.map(grading.part, parts()))
     if not any(r["score"] for r in records):
         _require_working_kit(box)
@@ -77,13 +78,23 @@ class _Grading:
     ) -> None:
         self.taken, self.objects, self.together = taken, objects, together
         self.hidden, self.box = hidden, box
-        self.linked = parts() if together.path else ()
         self.own: dict[Part, Judged] = {}
         self.best: dict[Part, Judged] = {}
 
-    def judge_own(self, part: Part) -> Judged:
-        assert self.together.path
-        return judging.judge(part, self.together.path, False, self.hidden, self.box)
+    def judge_together(self, pool: ThreadPoolExecutor) -> None:
+        """The parts that call no other first: where one of them hangs, so would those that call
+        it, and they are better off with given parts."""
+        runner = self.together.path
+        if not runner:
+            return
+        for calling in (False, True):
+            if any(judged.status == "timed_out" for judged in self.own.values()):
+                return
+            now = [part for part in parts() if part.has_earlier_parts == calling]
+            judge = partial(
+                judging.judge, runner=runner, given=False, hidden=self.hidden, box=self.box
+            )
+            self.own.update(zip(now, pool.map(judge, now)))
 
     def part(self, part: Part) -> Record:
         problem = self._problem(part)

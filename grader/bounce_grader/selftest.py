@@ -7,7 +7,7 @@ import time
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from bounce_grader.fixtures import differing
+from bounce_grader.fixtures import differing, hidden_folder
 from bounce_grader.paths import BUILD, ROOT
 
 CPP = ("student", "solution", "grader", "tests/*.cpp", "tests/*.hpp", "tests/linked")
@@ -53,6 +53,14 @@ def _command(*words: str) -> int:
     return subprocess.run(words, cwd=ROOT, env=environment, check=False).returncode
 
 
+def _quietly(*words: str) -> int:
+    """Says something only where something is wrong."""
+    done = subprocess.run(words, cwd=ROOT, capture_output=True, text=True, check=False)
+    if done.returncode != 0:
+        print(done.stdout, done.stderr, sep="\n", flush=True)
+    return done.returncode
+
+
 def _tracked(*patterns: str) -> list[str]:
     """The project's files, also where it isn't a git checkout."""
     found: set[str] = set()
@@ -77,10 +85,12 @@ def _clang_tidy() -> int:
     sources = [f for f in _tracked("solution", "grader/judge") if f.endswith(".cpp")]
     jobs = str(os.cpu_count() or 1)
     unknown = "-extra-arg=-Wno-unknown-warning-option"  # g++'s own, in the build's flags
-    return _command("run-clang-tidy", "-quiet", "-p", str(BUILD), "-j", jobs, unknown, *sources)
+    tidy = [sys.executable, "/usr/bin/run-clang-tidy", "-quiet", "-p", str(BUILD)]
+    return _quietly(*tidy, "-j", jobs, unknown, *sources)
 
 
 def _fixtures() -> int:
+    hidden_folder()  # so that the oracle finds the hidden ones too
     names = differing()
     for name in names:
         print(f"fixtures/public/{name} isn't what the solution writes: run ./kit fixtures")
@@ -88,7 +98,7 @@ def _fixtures() -> int:
 
 
 def _ctest() -> int:
-    return _command("ctest", "--test-dir", str(BUILD), "--output-on-failure", "-j", "2")
+    return _quietly("ctest", "--test-dir", str(BUILD), "--output-on-failure", "-j", "2")
 
 
 def _pytest(quick: bool) -> int:

@@ -14,11 +14,13 @@
 #include <cstring>
 
 #include "ending.hpp"
+#include "idle.hpp"
 
 namespace bounce::judge {
 namespace {
 
 constexpr std::size_t kKeptPrints = 4096;
+constexpr int kGlance = 100;  // ms between two looks at whether a silent runner still works
 
 struct Pipe {
   int read = -1, write = -1;
@@ -94,7 +96,8 @@ RunnerProcess::~RunnerProcess() {
 }
 
 void RunnerProcess::start_the_clock() {
-  deadline_ = Clock::now() + std::chrono::seconds(limits_.wall_seconds);
+  last_change_ = Clock::now();
+  deadline_ = last_change_ + std::chrono::seconds(limits_.wall_seconds);
 }
 
 void RunnerProcess::send(const frames::Frame& frame) {
@@ -130,16 +133,20 @@ void RunnerProcess::read_exactly(void* data, std::size_t size) {
 
 // Waits for answers or prints; prints are drained here, so that a runner never blocks on them.
 bool RunnerProcess::wait_until_readable() {
-  const auto left =
-      std::chrono::duration_cast<std::chrono::milliseconds>(deadline_ - Clock::now()).count();
-  if (left <= 0) {
-    end("timed_out", "no answer came within " + std::to_string(limits_.wall_seconds) +
-                         " s: the program waits for something, perhaps for input");
-  }
   pollfd both[2] = {{answers_, POLLIN, 0}, {prints_, POLLIN, 0}};
-  ::poll(both, printed_ < limits_.prints ? 2 : 1, static_cast<int>(left));
+  if (::poll(both, 2, kGlance) == 0) end_if_it_waits();
   if (both[1].revents & POLLIN) drain_prints();
   return (both[0].revents & (POLLIN | POLLHUP)) != 0;
+}
+
+void RunnerProcess::end_if_it_waits() {
+  const auto now = Clock::now();
+  const std::optional<long> ticks = ticks_if_all_wait(pid_);
+  if (!ticks || ticks != ticks_) last_change_ = now;
+  ticks_ = ticks;
+  if (now - last_change_ >= std::chrono::seconds(limits_.idle_seconds) || now > deadline_) {
+    end("timed_out", "no answer came: the program waits for something, perhaps for input");
+  }
 }
 
 void RunnerProcess::drain_prints() {

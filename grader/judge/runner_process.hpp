@@ -5,7 +5,7 @@
 #include <sys/types.h>
 
 #include <chrono>
-#include <functional>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -24,7 +24,8 @@ struct RunnerEnded : std::runtime_error {
 
 struct Limits {
   int cpu_seconds = 1;    // of a runner's life
-  int wall_seconds = 10;  // of one question: lax, for what doesn't use the CPU
+  int idle_seconds = 1;   // of waiting, without a wish to run
+  int wall_seconds = 60;  // of one question: lax, for a machine that is very busy
   std::size_t memory = std::size_t{1} << 30;
   std::size_t prints = std::size_t{8} << 20;  // bytes, over a runner's life
 };
@@ -56,6 +57,7 @@ class RunnerProcess {
   void read_exactly(void* data, std::size_t size);
   bool wait_until_readable();
   void drain_prints();
+  void end_if_it_waits();
   [[noreturn]] void end_after_close();
   [[noreturn]] void end(const std::string& status, const std::string& sentence,
                         const std::string& stack = "");
@@ -68,6 +70,8 @@ class RunnerProcess {
   std::size_t printed_ = 0;
   std::string last_print_;  // the end of what was printed: an assertion's text is there
   Clock::time_point deadline_;
+  Clock::time_point last_change_;  // when the runner was last seen to run, or to be ready to
+  std::optional<long> ticks_;
 };
 
 }  // namespace bounce::judge
