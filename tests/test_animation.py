@@ -109,7 +109,7 @@ class Page:
         Select(self.find("speed")).select_by_value(speed)
 
     def pixels(self, colour: str) -> int:
-        return self.driver.execute_script(COUNT_PIXELS, colour)
+        return int(self.driver.execute_script(COUNT_PIXELS, colour))
 
     def media(self, **features: str) -> None:
         named = [{"name": k.replace("_", "-"), "value": v} for k, v in features.items()]
@@ -152,7 +152,8 @@ def file(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="module")
 def scene(file: Path) -> dict[str, Any]:
-    return json.loads(DATA.findall(file.read_text("utf-8"))[0])
+    data: dict[str, Any] = json.loads(DATA.findall(file.read_text("utf-8"))[0])
+    return data
 
 
 @pytest.fixture
@@ -182,7 +183,7 @@ def lowest_corner(scene: dict[str, Any], t: int) -> float:
     """phi of column t, eqs. (3) and (4)."""
     theta = scene["q"][2][t]
     arms = (math.sin(theta + math.pi / 4 + k * math.pi / 2) for k in range(4))
-    return scene["q"][1][t] + scene["l"] / math.sqrt(2) * min(arms)
+    return float(scene["q"][1][t] + scene["l"] / math.sqrt(2) * min(arms))
 
 
 # ---- the program ----
@@ -359,7 +360,7 @@ def test_fits_the_screen_in_full_sharpness(open_page: Open, size: tuple[int, int
     page = open_page()
     page.screen(*size)
     run = page.driver.execute_script
-    page.wait_until(lambda: run(IS_SHARP, *size))
+    page.wait_until(lambda: bool(run(IS_SHARP, *size)))
     run("document.getElementById('contact').hidden = false")
     content, room = run("const e = document.documentElement; return [e.scrollWidth, e.clientWidth]")
     assert content <= room

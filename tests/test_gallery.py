@@ -16,7 +16,7 @@ from bounce_grader.manifest import parts
 from conftest import ROOT, SOLUTION, lost, points
 
 GALLERY = ROOT / "tests" / "submissions"
-KINDS = ("accepted", "mistakes", "broken")
+KINDS = ("accepted", "mistakes", "broken", "hostile")
 
 
 def folders(kind: str) -> list[Path]:
@@ -81,7 +81,9 @@ def test_is_written_down_rightly(folder: Path) -> None:
     ]
 
 
-@pytest.mark.parametrize("kind, least", [("accepted", 12), ("mistakes", 25), ("broken", 16)])
+@pytest.mark.parametrize(
+    "kind, least", [("accepted", 12), ("mistakes", 25), ("broken", 16), ("hostile", 15)]
+)
 def test_the_gallery_is_large_enough(kind: str, least: int) -> None:
     assert len(folders(kind)) >= least
 

@@ -8,7 +8,7 @@ from shutil import which
 
 from bounce_grader import processes
 from bounce_grader.errors import KitError
-from bounce_grader.paths import REFERENCE_RUNNER
+from bounce_grader.paths import FILTER, REFERENCE_RUNNER
 
 NOBODY = "65534"
 TOOLCHAIN = ("/usr/bin", "/usr/lib", "/usr/lib64", "/usr/include", "/usr/libexec")
@@ -22,10 +22,13 @@ class Box:
     kind: str
 
     def to_run(self, program: Path) -> list[str]:
-        """The command that runs a statically linked program; it sees itself alone."""
+        """The command that runs a statically linked program: it sees itself alone, read-only,
+        and may make the system calls of the filter alone."""
         if self.kind == "none":
             return [str(program)]
-        return [*_bubblewrap(), "--ro-bind", str(program), "/runner", "--", "/runner"]
+        opened = ["/bin/sh", "-c", 'exec "$@" 5<"$0"', str(FILTER)]
+        command = [*_bubblewrap(), "--seccomp", "5", "--ro-bind", str(program), "/runner"]
+        return [*opened, *command, "--remount-ro", "/", "--", "/runner"]
 
     def to_build(self, folder: Path, visible: list[Path]) -> list[str]:
         """A prefix for the toolchain in `folder`, which it can read; it can write to /tmp alone."""

@@ -186,6 +186,9 @@ def compile_problem(result: processes.Result, file: str) -> str:
         last = result.err.strip().splitlines()
         return f"{file}: {last[-1] if last else 'the compiler ended without a word'}"
     where, what = errors[0]
+    said_by_eigen = re.search(r'"([A-Z_0-9]{8,})"$', what)
+    if said_by_eigen:
+        what = said_by_eigen.group(1).replace("_", " ").lower()
     if where.startswith("/"):
         instantiated = re.search(rf"^({re.escape(file)}:\d+):\d+: note: ", result.err, re.MULTILINE)
         asked = f", asked for at {instantiated.group(1)}" if instantiated else f" in {file}"

@@ -20,7 +20,7 @@ const std::map<int, std::string> kSignals = {
     {SIGILL, "crashed with an illegal instruction (a function that returns no value, perhaps)"},
     {SIGBUS, "crashed with a bus error: it touched memory that isn't there"},
     {SIGTRAP, "stopped itself with a trap"},
-    {SIGSYS, "made a system call that isn't allowed"},
+    {SIGSYS, "asked the system for what it isn't given: a process, a thread, a connection"},
     {SIGXFSZ, "tried to write a file"},
     {SIGKILL, "was killed"},
     {SIGTERM, "ended itself with SIGTERM"},

@@ -20,7 +20,8 @@ namespace bounce::judge {
 namespace {
 
 constexpr std::size_t kKeptPrints = 4096;
-constexpr int kGlance = 100;  // ms between two looks at whether a silent runner still works
+constexpr long kTicksOfWork = 3;  // what waking up now and then may take, in 1/100 s
+constexpr int kGlance = 100;      // ms between two looks at whether a silent runner still works
 
 struct Pipe {
   int read = -1, write = -1;
@@ -92,7 +93,9 @@ RunnerProcess::RunnerProcess(const std::vector<std::string>& command, const Limi
 
 RunnerProcess::~RunnerProcess() {
   kill();
-  for (const int fd : {questions_, answers_, prints_}) ::close(fd);
+  for (const int fd : {questions_, answers_, prints_}) {
+    if (fd >= 0) ::close(fd);
+  }
 }
 
 void RunnerProcess::start_the_clock() {
@@ -134,25 +137,36 @@ void RunnerProcess::read_exactly(void* data, std::size_t size) {
 // Waits for answers or prints; prints are drained here, so that a runner never blocks on them.
 bool RunnerProcess::wait_until_readable() {
   pollfd both[2] = {{answers_, POLLIN, 0}, {prints_, POLLIN, 0}};
-  if (::poll(both, 2, kGlance) == 0) end_if_it_waits();
-  if (both[1].revents & POLLIN) drain_prints();
-  return (both[0].revents & (POLLIN | POLLHUP)) != 0;
+  ::poll(both, 2, kGlance);
+  if (both[1].revents != 0) drain_prints();
+  if (both[0].revents != 0) return true;
+  end_if_it_waits();
+  return false;
 }
 
 void RunnerProcess::end_if_it_waits() {
   const auto now = Clock::now();
+  if (now - last_look_ < std::chrono::milliseconds(kGlance)) return;
+  last_look_ = now;
   const std::optional<long> ticks = ticks_if_all_wait(pid_);
-  if (!ticks || ticks != ticks_) last_change_ = now;
-  ticks_ = ticks;
+  if (!ticks || !ticks_ || *ticks - *ticks_ > kTicksOfWork) {
+    last_change_ = now;
+    ticks_ = ticks;
+  }
   if (now - last_change_ >= std::chrono::seconds(limits_.idle_seconds) || now > deadline_) {
-    end("timed_out", "no answer came: the program waits for something, perhaps for input");
+    kill();
+    throw RunnerEnded("timed_out",
+                      "no answer came: the program waits for something, perhaps for input", true);
   }
 }
 
 void RunnerProcess::drain_prints() {
   char chunk[65536];
   const ssize_t n = ::read(prints_, chunk, sizeof chunk);
-  if (n <= 0) return;
+  if (n <= 0) {
+    if (n == 0) close_prints();  // a closed pipe would be readable for ever
+    return;
+  }
   printed_ += static_cast<std::size_t>(n);
   last_print_.append(chunk, static_cast<std::size_t>(n));
   if (last_print_.size() > kKeptPrints) last_print_.erase(0, last_print_.size() - kKeptPrints);
@@ -162,19 +176,26 @@ void RunnerProcess::drain_prints() {
   }
 }
 
+void RunnerProcess::close_prints() {
+  ::close(prints_);
+  prints_ = -1;  // poll passes over it
+}
+
 // The answers were closed: by the program's end, or by the program itself.
 void RunnerProcess::end_after_close() {
   const int status = wait_for_exit();
-  if (status < 0) end("no_answer", "the program closed the pipe for its answers");
-  drain_prints();
+  if (status < 0) {
+    kill();
+    throw RunnerEnded("no_answer", "the program closed the pipe for its answers", true);
+  }
+  if (prints_ >= 0) drain_prints();
   const Ending ending = ending_of(status, limits_.cpu_seconds, last_print_);
-  end(ending.status, ending.sentence, ending.stack);
+  throw RunnerEnded(ending.status, ending.sentence, false, ending.stack);
 }
 
-void RunnerProcess::end(const std::string& status, const std::string& sentence,
-                        const std::string& stack) {
+void RunnerProcess::end(const std::string& status, const std::string& sentence) {
   kill();
-  throw RunnerEnded(status, sentence, stack);
+  throw RunnerEnded(status, sentence);
 }
 
 // The wait status, or -1 when it still runs after a while.

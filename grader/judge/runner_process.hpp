@@ -16,9 +16,14 @@ namespace bounce::judge {
 
 // How a part that can't go on ended: a status of the score record, and one plain sentence.
 struct RunnerEnded : std::runtime_error {
-  RunnerEnded(std::string status_, const std::string& sentence, std::string stack_ = "")
-      : std::runtime_error(sentence), status(std::move(status_)), stack(std::move(stack_)) {}
+  RunnerEnded(std::string status_, const std::string& sentence, bool waits_ = false,
+              std::string stack_ = "")
+      : std::runtime_error(sentence),
+        status(std::move(status_)),
+        waits(waits_),
+        stack(std::move(stack_)) {}
   std::string status;
+  bool waits;         // it would do so the next time, too: no more is asked of this part
   std::string stack;  // of a crash: addresses in hexadecimal
 };
 
@@ -59,8 +64,8 @@ class RunnerProcess {
   void drain_prints();
   void end_if_it_waits();
   [[noreturn]] void end_after_close();
-  [[noreturn]] void end(const std::string& status, const std::string& sentence,
-                        const std::string& stack = "");
+  [[noreturn]] void end(const std::string& status, const std::string& sentence);
+  void close_prints();
   int wait_for_exit();
   void kill();
 
@@ -70,6 +75,7 @@ class RunnerProcess {
   std::size_t printed_ = 0;
   std::string last_print_;  // the end of what was printed: an assertion's text is there
   Clock::time_point deadline_;
+  Clock::time_point last_look_;
   Clock::time_point last_change_;  // when the runner was last seen to run, or to be ready to
   std::optional<long> ticks_;
 };

@@ -42,8 +42,8 @@ std::optional<Session::End> Session::take_end() { return std::exchange(end_, std
 
 Frame Session::ask(Frame question, Trajectory* columns) {
   if (hangs_left_ <= 0) {
-    end_ = {"timed_out", ""};
-    throw tests::Ended("nothing was asked here: the part has used up its time before");
+    end_ = {"no_answer", ""};
+    throw tests::Ended("nothing was asked here: the part hung before, and its time is used up");
   }
   if (!runner_) runner_ = std::make_unique<RunnerProcess>(command_, limits_);
   question.number = ++number_;
@@ -56,10 +56,8 @@ Frame Session::ask(Frame question, Trajectory* columns) {
   } catch (const RunnerEnded& ended) {
     runner_.reset();
     end_ = {ended.status, ended.stack};
-    if (ended.status == "timed_out") {
-      const bool waits = std::string(ended.what()).rfind("no answer came", 0) == 0;
-      hangs_left_ = waits ? 0 : hangs_left_ - 1;
-    }
+    if (ended.status == "timed_out") --hangs_left_;
+    if (ended.waits) hangs_left_ = 0;
     throw tests::Ended(ended.what());
   }
 }

@@ -20,23 +20,27 @@ std::string digits(double value) {
   return {text, std::to_chars(text, text + sizeof text, value).ptr};
 }
 
-void require(bool fine, const std::string& sentence) {
-  if (!fine) throw std::invalid_argument("cannot draw: " + sentence);
+[[noreturn]] void refuse(const std::string& sentence) {
+  throw std::invalid_argument("cannot draw: " + sentence);
 }
 
 void require_parameters(const Parameters& params) {
-  const auto positive = [](double value) { return std::isfinite(value) && value > 0; };
-  require(positive(params.l), "l must be positive and finite, and it is " + digits(params.l));
-  require(positive(params.dt), "dt must be positive and finite, and it is " + digits(params.dt));
-  require(std::isfinite(params.delta), "delta must be finite, and it is " + digits(params.delta));
+  const auto require_positive = [](const std::string& name, double value) {
+    if (std::isfinite(value) && value > 0) return;
+    refuse(name + " must be positive and finite, and it is " + digits(value));
+  };
+  require_positive("l", params.l);
+  require_positive("dt", params.dt);
+  if (!std::isfinite(params.delta))
+    refuse("delta must be finite, and it is " + digits(params.delta));
 }
 
 void require_finite(const Eigen::Matrix3Xd& q) {
-  require(q.cols() > 0, "q has no column");
+  if (q.cols() == 0) refuse("q has no column");
   for (Eigen::Index t = 0; t < q.cols(); ++t) {
-    require(q.col(t).allFinite(), "column " + std::to_string(t) +
-                                      " of q must be finite, and it is (" + digits(q(0, t)) + ", " +
-                                      digits(q(1, t)) + ", " + digits(q(2, t)) + ")");
+    if (q.col(t).allFinite()) continue;
+    refuse("column " + std::to_string(t) + " of q must be finite, and it is (" + digits(q(0, t)) +
+           ", " + digits(q(1, t)) + ", " + digits(q(2, t)) + ")");
   }
 }
 

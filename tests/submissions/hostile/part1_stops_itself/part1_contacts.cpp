@@ -1,0 +1,9 @@
+#include <bounce/part1_contacts.hpp>
+#include <csignal>
+
+namespace bounce {
+Contact get_contacts(const Vector3&, const Parameters&) {
+  raise(SIGSTOP);
+  return {Jacobian::Zero(), 0.0};
+}
+}  // namespace bounce
