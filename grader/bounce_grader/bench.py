@@ -9,9 +9,12 @@ import tempfile
 import time
 from pathlib import Path
 
+from bounce_grader import build
+from bounce_grader.box import Box
 from bounce_grader.errors import KitError
 from bounce_grader.manifest import parts
 from bounce_grader.paths import BUILD, CONTRACT, REFERENCE_RUNNER, ROOT
+from bounce_grader.submission import read
 
 ROUNDS = 5
 SOLUTION = ROOT / "solution" / "src"
@@ -26,7 +29,7 @@ def run() -> int:
             submission = _variant(folder / str(number), number)
             fresh.append(_seconds(_grading(submission)))
             again.append(_seconds(_grading(submission)))
-        memory = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / 1024
+        memory = _memory_of_compiling(_variant(folder / "memory", ROUNDS))
         plain = [_plain(submission, folder)]
     print()
     _line("a new submission, ./kit grade", fresh)
@@ -78,6 +81,12 @@ def _plain(submission: Path, folder: Path) -> float:
         *("-lgtest", "-lpthread", "-o", str(program)),
     ]
     return _seconds(command) + _seconds([str(program)])
+
+
+def _memory_of_compiling(submission: Path) -> float:
+    """MB of the compiler, the largest process of a grading. Without a box, which hides it."""
+    build.compile_all(read(submission), submission, Box("none"), jobs=1)
+    return resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / 1024
 
 
 def _line(name: str, seconds: list[float]) -> None:
