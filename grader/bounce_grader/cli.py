@@ -56,7 +56,9 @@ def _parser() -> argparse.ArgumentParser:
     bench.set_defaults(command=_bench)
 
     test = commands.add_parser("test", help="run every test of the kit")
-    test.add_argument("--quick", action="store_true", help="what can be said in a minute")
+    extent = test.add_mutually_exclusive_group()
+    extent.add_argument("--quick", action="store_true", help="what can be said in a minute")
+    extent.add_argument("--long", action="store_true", help="with sanitizers, too")
     test.set_defaults(command=_test)
     return parser
 
@@ -107,4 +109,4 @@ def _bench(options: argparse.Namespace) -> int:
 def _test(options: argparse.Namespace) -> int:
     from bounce_grader import selftest
 
-    return selftest.run(options.quick)
+    return selftest.run("quick" if options.quick else "long" if options.long else "usual")

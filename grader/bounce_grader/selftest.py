@@ -14,17 +14,20 @@ CPP = ("student", "solution", "grader", "tests/*.cpp", "tests/*.hpp", "tests/lin
 PYTHON = ("grader/bounce_grader", "tests")
 
 
+EXTENTS = ("quick", "usual", "long")
+
+
 @dataclass(frozen=True)
 class Step:
     name: str
     run: Callable[[], int]
-    quick: bool = True
+    least: str = "quick"  # the least extent that it belongs to
 
 
-def run(quick: bool) -> int:
+def run(extent: str) -> int:
     failed = []
-    for step in _steps(quick):
-        if quick and not step.quick:
+    for step in _steps(extent):
+        if EXTENTS.index(step.least) > EXTENTS.index(extent):
             continue
         start = time.monotonic()
         print(f"== {step.name}", flush=True)
@@ -36,15 +39,16 @@ def run(quick: bool) -> int:
     return int(bool(failed))
 
 
-def _steps(quick: bool) -> list[Step]:
+def _steps(extent: str) -> list[Step]:
     return [
         Step("formatting: clang-format", _clang_format),
         Step("formatting: black", lambda: _command("black", "-q", "--check", *PYTHON)),
         Step("types: mypy", _mypy),
-        Step("lint: clang-tidy", _clang_tidy, quick=False),
+        Step("lint: clang-tidy", _clang_tidy, "usual"),
         Step("fixtures are what the solution writes", _fixtures),
         Step("C++ tests", _ctest),
-        Step("Python tests, the gallery among them", lambda: _pytest(quick)),
+        Step("C++ tests with sanitizers", _sanitized, "long"),
+        Step("Python tests, the gallery among them", lambda: _pytest(extent)),
     ]
 
 
@@ -101,6 +105,16 @@ def _ctest() -> int:
     return _quietly("ctest", "--test-dir", str(BUILD), "--output-on-failure", "-j", "2")
 
 
-def _pytest(quick: bool) -> int:
-    chosen = ["-m", "not slow"] if quick else []
+def _sanitized() -> int:
+    """The C++ tests once more, with address and undefined behaviour checked as they run."""
+    folder = str(ROOT / "build" / "sanitize")
+    return (
+        _quietly("cmake", "--preset", "sanitize")
+        or _quietly("ninja", "-C", folder, "solution_test", "kit_test")
+        or _quietly("ctest", "--test-dir", folder, "--output-on-failure", "-j", "2")
+    )
+
+
+def _pytest(extent: str) -> int:
+    chosen = ["-m", "not slow"] if extent == "quick" else []
     return _command(sys.executable, "-m", "pytest", "-q", "-n", str(os.cpu_count() or 1), *chosen)
