@@ -26,10 +26,15 @@ def secret() -> str:
 
 
 def write(kind: str, folder: Path) -> None:
-    """Writes a set, "public" or "hidden"."""
-    result = processes.run([str(WRITER), kind, str(folder)], LIMITS, stdin=secret().encode())
-    if not result.ok:
-        raise KitError(f"the {kind} fixtures can't be written: {result.err.strip()}")
+    """Writes a set, "public" or "hidden"; each file whole or not at all, so that a grading beside
+    this one never reads half of it."""
+    folder.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory(dir=folder) as name:
+        result = processes.run([str(WRITER), kind, name], LIMITS, stdin=secret().encode())
+        if not result.ok:
+            raise KitError(f"the {kind} fixtures can't be written: {result.err.strip()}")
+        for file in Path(name).iterdir():
+            file.replace(folder / file.name)
 
 
 def hidden_folder() -> Path:

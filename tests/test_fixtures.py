@@ -1,0 +1,75 @@
+"""The fixtures: the same secret gives the same bytes, another one other hidden cases."""
+
+import json
+from pathlib import Path
+
+import pytest
+from bounce_grader import fixtures
+from bounce_grader.manifest import parts
+
+Cases = dict[str, list[dict[str, object]]]
+
+
+def written(kind: str, folder: Path) -> dict[str, bytes]:
+    fixtures.write(kind, folder)
+    return {file.name: file.read_bytes() for file in folder.iterdir()}
+
+
+def with_secret(monkeypatch: pytest.MonkeyPatch, secret: str) -> None:
+    monkeypatch.setenv("BOUNCE_COURSE_SECRET", secret)
+
+
+def test_the_committed_ones_are_what_the_solution_writes() -> None:
+    assert fixtures.differing() == []
+
+
+def test_a_byte_of_difference_is_noticed(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    fixtures.write("public", tmp_path)
+    file = tmp_path / "part2_lcp.json"
+    file.write_bytes(file.read_bytes().replace(b"0", b"1", 1))
+    (tmp_path / "part5.json").write_text("{}")
+    monkeypatch.setattr(fixtures, "PUBLIC", tmp_path)
+    assert fixtures.differing() == ["part2_lcp.json", "part5.json"]
+
+
+def test_the_same_secret_gives_the_same_bytes(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    with_secret(monkeypatch, "ours")
+    assert written("hidden", tmp_path / "a") == written("hidden", tmp_path / "b")
+
+
+def test_another_secret_gives_other_hidden_cases_and_the_same_public_ones(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    with_secret(monkeypatch, "ours")
+    hidden, public = written("hidden", tmp_path / "a"), written("public", tmp_path / "b")
+    with_secret(monkeypatch, "theirs")
+    other = written("hidden", tmp_path / "c")
+    assert written("public", tmp_path / "d") == public
+    assert all(hidden[name] != other[name] for name in hidden)
+
+
+@pytest.mark.parametrize("secret", ["a", "b", "correct horse", "ü" * 200, ""])
+def test_every_secret_gives_every_check_its_cases(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, secret: str
+) -> None:
+    with_secret(monkeypatch, secret)
+    fixtures.write("hidden", tmp_path)
+    for part in parts():
+        checks: Cases = json.loads((tmp_path / f"{part.stem}.json").read_text())["checks"]
+        assert list(checks) == [check.id for check in part.checks]
+        assert all(cases for cases in checks.values())
+
+
+def test_no_hidden_input_is_a_public_one(tmp_path: Path) -> None:
+    def inputs(folder: Path) -> set[str]:
+        return {
+            json.dumps(case["input"])
+            for part in parts()
+            for cases in json.loads((folder / f"{part.stem}.json").read_text())["checks"].values()
+            for case in cases
+        }
+
+    fixtures.write("hidden", tmp_path)
+    assert not inputs(tmp_path) & inputs(fixtures.PUBLIC)
