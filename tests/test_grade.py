@@ -146,6 +146,31 @@ def test_nothing_is_written_where_it_was_graded(
     assert {file: file.stat().st_mtime_ns for file in tmp_path.rglob("*")} == before
 
 
+def test_a_changed_helper_is_compiled_anew_also_where_it_is_included_as_a_source(
+    grade: Grade,
+) -> None:
+    """What is kept of an earlier grading must never answer for other code."""
+    including = b'#include "helper.cpp"\n' + _solution("part4_simulate")
+    assert points(grade({"part4_simulate.cpp": including, "helper.cpp": b"\n"})) == FULL
+    broken = grade({"part4_simulate.cpp": including, "helper.cpp": b"#error changed\n"})
+    assert points(broken) == [30, 30, 30, 0]
+
+
+def test_a_changed_object_of_the_kit_makes_other_runners(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    def digest() -> bytes:
+        return build._toolchain_digest.__wrapped__()
+
+    for name in ("prelude.pch", "solve_lcp.o"):
+        (tmp_path / name).write_bytes(b"")
+    monkeypatch.setattr(build, "RUNNER", tmp_path)
+    before = digest()
+    assert digest() == before
+    os.utime(tmp_path / "solve_lcp.o", ns=(1, 1))
+    assert digest() != before
+
+
 # --- the record ---
 
 

@@ -83,23 +83,27 @@ def _digest(file: str, submission: Submission) -> str:
     """Names an object: the source, what it may include, and what it is built with."""
     digest = hashlib.sha256(_toolchain_digest())
     for name in sorted(submission.files):
-        is_source = name in submission.helpers or name in submission.parts.values()
-        if name == file or not is_source:
+        if name == file or _could_be_included(name, submission):
             digest.update(f"{name}\0".encode() + submission.files[name] + b"\0")
     return digest.hexdigest()
 
 
+def _could_be_included(name: str, submission: Submission) -> bool:
+    """A header; or a source that some file names, as in #include "helper.cpp"."""
+    if name not in submission.helpers and name not in submission.parts.values():
+        return True
+    base = Path(name).name.encode()
+    return any(base in text for text in submission.files.values())
+
+
 @cache
 def _toolchain_digest() -> bytes:
+    """The flags, the precompiled headers and the kit's own objects, which runners are linked with."""
+    if not (RUNNER / "prelude.pch").exists():
+        raise KitError("the kit isn't built: run it as ./kit, which builds what is missing")
     digest = hashlib.sha256(str(RUNNER).encode())
-    for name in ("clang_flags.txt", "gcc_flags.txt", "compiler.txt", "prelude.pch"):
-        path = RUNNER / name
-        if not path.exists():
-            raise KitError(f"the kit isn't built ({path} is missing): run ./kit build")
-        if path.suffix == ".pch":
-            digest.update(str(path.stat().st_mtime_ns).encode())
-        else:
-            digest.update(path.read_bytes())
+    for path in sorted(RUNNER.iterdir()):
+        digest.update(f"{path.name} {path.stat().st_mtime_ns}\0".encode())
     return digest.digest()
 
 
@@ -138,7 +142,7 @@ def link_alone(part: Part, objects: Objects, box: Box) -> Built:
     others = [b.path for number, b in objects.parts.items() if number != part.number and b.path]
     if alone.path or not others:
         return alone
-    second = _link(own, [*given, *map(str, others)], box, ["-Wl,--allow-multiple-definition"])
+    second = _link(own, [*given, *map(str, others)], box, ("-Wl,--allow-multiple-definition",))
     return second if second.path else alone
 
 
@@ -152,7 +156,9 @@ def _all(objects: Objects) -> Iterable[Built]:
     return [*objects.parts.values(), *objects.helpers.values()]
 
 
-def _link(own: Iterable[Path | None], more: list[str], box: Box, flags: list[str] = []) -> Built:
+def _link(
+    own: Iterable[Path | None], more: list[str], box: Box, flags: tuple[str, ...] = ()
+) -> Built:
     files = [str(path) for path in own if path]
     digest = hashlib.sha256(_toolchain_digest())
     for word in [*files, *more, *flags]:

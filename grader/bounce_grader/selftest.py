@@ -65,8 +65,8 @@ def _quietly(*words: str) -> int:
     return done.returncode
 
 
-def _tracked(*patterns: str) -> list[str]:
-    """The project's files, also where it isn't a git checkout."""
+def _sources(*patterns: str) -> list[str]:
+    """The C++ files in these folders, or of these names."""
     found: set[str] = set()
     for pattern in patterns:
         path = ROOT / pattern
@@ -78,7 +78,7 @@ def _tracked(*patterns: str) -> list[str]:
 
 
 def _clang_format() -> int:
-    return _command("clang-format", "--dry-run", "-Werror", *_tracked(*CPP))
+    return _command("clang-format", "--dry-run", "-Werror", *_sources(*CPP))
 
 
 def _mypy() -> int:
@@ -86,7 +86,7 @@ def _mypy() -> int:
 
 
 def _clang_tidy() -> int:
-    sources = [f for f in _tracked("solution", "grader/judge") if f.endswith(".cpp")]
+    sources = [f for f in _sources("solution", "grader/judge") if f.endswith(".cpp")]
     jobs = str(os.cpu_count() or 1)
     unknown = "-extra-arg=-Wno-unknown-warning-option"  # g++'s own, in the build's flags
     tidy = [sys.executable, "/usr/bin/run-clang-tidy", "-quiet", "-p", str(BUILD)]
