@@ -246,11 +246,21 @@ def test_a_compiler_that_fails_is_no_verdict(
 
 
 def test_without_a_box_only_trusted_code_is_run(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("bounce_grader.box.which", lambda name: None)
+    monkeypatch.setattr("bounce_grader.box.ENTER", Path("/bin/false"))
     with pytest.raises(KitError, match="--trust-submission"):
         grade_path(SOLUTION)
-    record = grade_path(SOLUTION, Options(trust=True))
+    record = grade_path(SOLUTION, Options(boxes=("full", "reduced", "none")))
     assert record["score"] == 100 and record["box"] == "none"
+
+
+def test_without_bubblewrap_the_reduced_box_is_used_and_said(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr("bounce_grader.box.which", lambda name: None)
+    record = grade_path(SOLUTION)
+    assert record["score"] == 100 and record["box"] == "reduced"
+    with pytest.raises(KitError, match="full: bubblewrap isn't installed"):
+        grade_path(SOLUTION, Options(boxes=("full",)))
 
 
 def test_what_the_compiler_can_see_holds_no_line_of_the_solution() -> None:

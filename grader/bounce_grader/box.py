@@ -1,6 +1,14 @@
-"""The box that untrusted programs are compiled and run in: bubblewrap, with nothing to see but
-what is named here, no network, its own process space, and nobody's user id."""
+"""The boxes that untrusted programs are compiled and run in.
 
+The full box is bubblewrap's: nothing to see but what is named here, no network, and a process space
+of its own, with which everything in it ends. The reduced box is for places where namespaces can't
+be had, such as a container: Landlock hides the files, and what is left behind is killed. In both,
+`enter` (grader/box/) takes the last step: privileges, limits, and the filter of system calls.
+"""
+
+import os
+import stat
+from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -8,16 +16,21 @@ from shutil import which
 
 from bounce_grader import processes
 from bounce_grader.errors import KitError
-from bounce_grader.paths import FILTER, REFERENCE_RUNNER
+from bounce_grader.paths import ENTER, REFERENCE_RUNNER
 
+FULL_OR_REDUCED = ("full", "reduced")
 NOBODY = "65534"
-TOOLCHAIN = ("/usr/bin", "/usr/lib", "/usr/lib64", "/usr/include", "/usr/libexec")
+# Users that no system hands out. Where processes of several boxes see each other, boxes of gradings
+# side by side belong to different ones.
+FIRST_USER, USERS = 60578, 600
+LIBRARIES = ("/usr/include", "/usr/lib/gcc", "/usr/lib64", "/usr/libexec/gcc")
+PROGRAMS = ("g++", "as", "sh", "cat", "mktemp", "rm", "addr2line")
 TEMPORARY = 256 * 1024 * 1024
 
 
 @dataclass(frozen=True)
 class Box:
-    """kind is "full", or "none" when the instructor trusts the submission."""
+    """kind is "full" or "reduced"; or "none", when the instructor trusts the submission."""
 
     kind: str
 
@@ -26,62 +39,119 @@ class Box:
         and may make the system calls of the filter alone."""
         if self.kind == "none":
             return [str(program)]
-        opened = ["/bin/sh", "-c", 'exec "$@" 5<"$0"', str(FILTER)]
-        command = [*_bubblewrap(), "--seccomp", "5", "--ro-bind", str(program), "/runner"]
-        return [*opened, *command, "--remount-ro", "/", "--", "/runner"]
+        if self.kind == "reduced":
+            return [*_enter(ENTER, "run"), "--reduced", "--see", str(program), "--", str(program)]
+        command = [*_bubblewrap(), "--ro-bind", str(program), "/runner", "--remount-ro", "/"]
+        return [*command, "--", *_enter(Path("/enter"), "run"), "--", "/runner"]
 
-    def to_build(self, folder: Path, visible: list[Path]) -> list[str]:
-        """A prefix for the toolchain in `folder`, which it can read; it can write to /tmp alone."""
+    def to_build(self, folder: Path, visible: Iterable[Path]) -> list[str]:
+        """A prefix for the toolchain in `folder`, which it can read; it can write to a temporary
+        folder alone."""
         if self.kind == "none":
             return []
-        command = _bubblewrap()
-        for place in TOOLCHAIN:
-            command += ["--ro-bind-try", place, place]
-        for link in ("bin", "lib", "lib64"):
-            command += ["--symlink", f"usr/{link}", f"/{link}"]
-        command += [*_bounded(), "--tmpfs", "/tmp", "--dev-bind", "/dev/null", "/dev/null"]
-        for path in [folder, *visible]:
-            command += ["--ro-bind", str(path), str(path)]
-        return [*command, "--setenv", "PATH", "/usr/bin", "--chdir", str(folder), "--"]
+        seen = [*toolchain(), str(folder), *map(str, visible)]
+        if self.kind == "reduced":
+            places = [word for path in seen for word in ("--see", path)]
+            return [*_enter(ENTER, "build"), "--reduced", "--in", str(folder), *places, "--"]
+        command = [*_bubblewrap(), *_temporary(), *_open_to_all(["/dev/null", *seen])]
+        command += ["--dev-bind", "/dev/null", "/dev/null"]
+        for name in ("bin", "lib", "lib64"):
+            command += ["--symlink", f"usr/{name}", f"/{name}"]
+        for path in seen:
+            command += ["--ro-bind", path, path]
+        command += ["--setenv", "PATH", "/usr/bin", "--remount-ro", "/"]
+        return [*command, "--", *_enter(Path("/enter"), "build"), "--in", str(folder), "--"]
+
+    def give(self, folder: Path) -> None:
+        """A folder of root's, and what is in it, so that whoever root becomes in here can read it
+        and nobody else can."""
+        if self.kind != "none" and os.geteuid() == 0:
+            for path in [folder, *folder.rglob("*")]:
+                os.chown(path, _user(), _user(), follow_symlinks=False)
 
 
-def choose(trust: bool) -> Box:
-    """The full box; none, where it can't be had and the submission is trusted."""
-    full = Box("full")
-    problem = _problem(full)
-    if problem is None:
-        return full
-    if trust:
-        return Box("none")
+def choose(kinds: Iterable[str] = FULL_OR_REDUCED) -> Box:
+    """The first of these kinds that holds a program known to be good."""
+    problems = []
+    for kind in kinds:
+        problem = problem_of(Box(kind))
+        if problem is None:
+            return Box(kind)
+        problems.append(f"{kind}: {problem}")
     raise KitError(
-        f"no box can be had here ({problem}); install bubblewrap where user namespaces are "
-        "allowed, or pass --trust-submission for code that you would run yourself"
+        f"no box can be had here ({'; '.join(problems)}); install bubblewrap where user namespaces "
+        "are allowed, or pass --trust-submission for code that you would run yourself"
     )
 
 
-def _problem(box: Box) -> str | None:
+def problem_of(box: Box) -> str | None:
     """Why the box doesn't hold a program that is known to be good; None when it does."""
-    if which("bwrap") is None:
+    if box.kind == "none":
+        return None
+    if box.kind == "full" and which("bwrap") is None:
         return "bubblewrap isn't installed"
+    hidden = _hidden_from_others(REFERENCE_RUNNER)
+    if box.kind == "reduced" and os.geteuid() == 0 and hidden:
+        return f"other users can't enter {hidden}, where the kit is; move it, or chmod o+x {hidden}"
     limits = processes.Limits(cpu_seconds=5, wall_seconds=20, memory=1 << 30, file_size=0)
     tried = processes.run(box.to_run(REFERENCE_RUNNER), limits)
-    return None if tried.ok else tried.err.strip().splitlines()[-1] if tried.err else "it ended"
+    if tried.ok:
+        return None
+    return tried.err.strip().splitlines()[-1] if tried.err.strip() else "it ended"
+
+
+def _hidden_from_others(path: Path) -> Path | None:
+    """The folder above a path that only its owner can enter."""
+    closed = [p for p in path.resolve().parents if not p.stat().st_mode & stat.S_IXOTH]
+    return closed[0] if closed else None
 
 
 @cache
-def _options() -> str:
+def toolchain() -> list[str]:
+    """What the compilers and the linker are made of."""
+    libraries = [path for path in LIBRARIES if Path(path).exists()]
+    libraries += sorted(str(p) for p in Path("/usr/lib").glob("*-linux-gnu"))
+    libraries += sorted(str(p) for p in Path("/usr/lib").glob("llvm-*"))
+    return libraries + [f"/usr/bin/{name}" for name in PROGRAMS]
+
+
+def _enter(program: Path, kind: str) -> list[str]:
+    return [str(program), kind, "--user", str(_user())]
+
+
+def _user() -> int:
+    return FIRST_USER + os.getpid() % USERS
+
+
+@cache
+def _help() -> str:
     return processes.run(["/usr/bin/bwrap", "--help"]).out.decode()
 
 
-def _bounded() -> list[str]:
-    return ["--size", str(TEMPORARY)] if "--size" in _options() else []
+def _temporary() -> list[str]:
+    bounded = ["--size", str(TEMPORARY)] if "--size" in _help() else []
+    return ["--perms", "1777", *bounded, "--tmpfs", "/tmp"]
 
 
 def _bubblewrap() -> list[str]:
-    command = [
-        "/usr/bin/bwrap",
-        *("--unshare-user", "--unshare-pid", "--unshare-net", "--unshare-ipc", "--unshare-uts"),
+    return [
+        *("/usr/bin/bwrap", "--unshare-pid", "--unshare-net", "--unshare-ipc", "--unshare-uts"),
         *("--die-with-parent", "--new-session", "--clearenv", "--hostname", "box"),
-        *("--uid", NOBODY, "--gid", NOBODY, "--cap-drop", "ALL"),
+        *_privileges(),
+        *("--ro-bind", str(ENTER), "/enter"),
     ]
-    return command + (["--disable-userns"] if "--disable-userns" in _options() else [])
+
+
+def _open_to_all(paths: Iterable[str]) -> list[str]:
+    """The folders above these paths, which bubblewrap would make for its own user alone."""
+    above = sorted({str(p) for path in paths for p in Path(path).parents if str(p) != "/"})
+    return [word for path in above for word in ("--perms", "0755", "--dir", path)]
+
+
+def _privileges() -> list[str]:
+    """Root needs no user namespace, and in one that bubblewrap makes for it, it would stay root
+    to the limits on processes: it keeps what it takes to become somebody else instead."""
+    if os.geteuid() == 0:
+        return ["--cap-drop", "ALL", "--cap-add", "CAP_SETUID", "--cap-add", "CAP_SETGID"]
+    no_more = ["--disable-userns"] if "--disable-userns" in _help() else []
+    return ["--unshare-user", *no_more, "--uid", NOBODY, "--gid", NOBODY, "--cap-drop", "ALL"]

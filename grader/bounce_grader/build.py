@@ -121,6 +121,7 @@ def _store(data: bytes, path: Path) -> Path:
     path.parent.mkdir(parents=True, exist_ok=True)
     temporary = path.with_suffix(f".{os.getpid()}.{id(data)}")
     temporary.write_bytes(data)
+    temporary.chmod(0o755)  # whatever the umask: a box reads it as somebody else
     temporary.replace(path)
     return path
 
@@ -172,9 +173,7 @@ def _link(
     folder = RUNNER
     result = processes.run(box.to_build(folder, visible) + command, LINK, cwd=folder)
     if result.ok and result.out:
-        path = _store(result.out, cached)
-        path.chmod(0o755)
-        return Built(path)
+        return Built(_store(result.out, cached))
     return Built(None, link_problem(result))
 
 

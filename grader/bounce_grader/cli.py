@@ -43,7 +43,11 @@ def _parser() -> argparse.ArgumentParser:
     )
     grade.add_argument("--min-score", type=float, metavar="S", help="exit with 1 below this score")
     grade.add_argument("--speed", action="store_true", help="time a step beside the solution's")
-    grade.add_argument(
+    boxes = grade.add_mutually_exclusive_group()
+    boxes.add_argument(
+        "--require-box", choices=["full"], help="refuse to grade where this box can't be had"
+    )
+    boxes.add_argument(
         "--trust-submission", action="store_true", help="grade without a box where none can be had"
     )
     grade.set_defaults(command=_grade)
@@ -51,6 +55,9 @@ def _parser() -> argparse.ArgumentParser:
     fixtures = commands.add_parser("fixtures", help="write the fixtures from the solution")
     fixtures.add_argument("--check", action="store_true", help="only compare the committed ones")
     fixtures.set_defaults(command=_fixtures)
+
+    doctor = commands.add_parser("doctor", help="try out whether the boxes hold here")
+    doctor.set_defaults(command=_doctor)
 
     bench = commands.add_parser("bench", help="measure the grader's speed")
     bench.set_defaults(command=_bench)
@@ -67,7 +74,7 @@ def _grade(options: argparse.Namespace) -> int:
     from bounce_grader import report
     from bounce_grader.grade import Options, grade
 
-    record = grade(options.submission, Options(options.trust_submission, options.speed))
+    record = grade(options.submission, Options(_boxes(options), options.speed))
     text = json.dumps(record, indent=1, ensure_ascii=False)
     if options.json == "-":
         print(text)
@@ -76,6 +83,12 @@ def _grade(options: argparse.Namespace) -> int:
     if options.json not in (None, "-"):
         _write(Path(options.json), text + "\n")
     return int(options.min_score is not None and record["score"] < options.min_score)
+
+
+def _boxes(options: argparse.Namespace) -> tuple[str, ...]:
+    if options.require_box:
+        return (options.require_box,)
+    return ("full", "reduced", "none") if options.trust_submission else ("full", "reduced")
 
 
 def _write(path: Path, text: str) -> None:
@@ -98,6 +111,12 @@ def _fixtures(options: argparse.Namespace) -> int:
     for name in differing:
         print(f"fixtures/public/{name} isn't what the solution writes: run ./kit fixtures")
     return int(bool(differing))
+
+
+def _doctor(options: argparse.Namespace) -> int:
+    from bounce_grader import doctor
+
+    return doctor.run()
 
 
 def _bench(options: argparse.Namespace) -> int:

@@ -21,7 +21,7 @@ from bounce_grader.submission import Submission
 
 @dataclass(frozen=True)
 class Options:
-    trust: bool = False  # grade without a box where none can be had
+    boxes: tuple[str, ...] = boxes.FULL_OR_REDUCED  # the kinds that will do, the best first
     speed: bool = False
     jobs: int = 0  # 0: one a core
 
@@ -30,12 +30,13 @@ def grade(path: Path, options: Options = Options()) -> Record:
     """Raises UsageError where the submission can't be read, KitError where the kit fails."""
     start = time.monotonic()
     taken = submission.read(path)
-    box = boxes.choose(options.trust)
+    box = boxes.choose(options.boxes)
     hidden = fixtures.hidden_folder()
     jobs = options.jobs or os.cpu_count() or 1
     with tempfile.TemporaryDirectory(prefix=WORK_FOLDER) as name:
         folder = Path(name)
         taken.write_to(folder)
+        box.give(folder)
         objects = build.compile_all(taken, folder, box, jobs)
     together = _link_together(taken, objects, box)
     compiled = time.monotonic()
@@ -150,13 +151,15 @@ def _require_working_kit(box: Box) -> None:
     with tempfile.TemporaryDirectory(prefix=WORK_FOLDER) as name:
         folder = Path(name)
         taken.write_to(folder)
+        box.give(folder)
         objects = build.compile_all(taken, folder, box, 1)
     stub = objects.parts[1]
     linked = build.link_alone(parts()[0], objects, box) if stub.path else stub
     if not linked.path:
         raise KitError(f"a stub can't be built: {linked.problem}")
-    if boxes.choose(box.kind == "none") != box:
-        raise KitError("the box stopped working while it was in use")
+    problem = boxes.problem_of(box)
+    if problem:
+        raise KitError(f"the box stopped working while it was in use: {problem}")
 
 
 def _speed(grading: _Grading, box: Box) -> Record:

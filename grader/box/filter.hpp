@@ -1,0 +1,14 @@
+// Which system calls may be made in a box.
+#pragma once
+
+namespace bounce::box {
+
+// For a submission: what a numerical program needs. A file isn't there, and what concerns other
+// programs, connections or devices ends it with SIGSYS, which names the call.
+void allow_only_what_numbers_need();
+
+// For the toolchain, which has to read, write and start its own programs: all but what concerns
+// connections, other programs and the system.
+void refuse_what_no_compiler_needs();
+
+}  // namespace bounce::box

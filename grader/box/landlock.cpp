@@ -1,0 +1,74 @@
+#include "landlock.hpp"
+
+#include <fcntl.h>
+#include <linux/landlock.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <cstdint>
+
+#include "require.hpp"
+
+namespace bounce::box {
+namespace {
+
+// As of Landlock's version 6; a distribution's header may know the first field only.
+struct Rules {
+  std::uint64_t files = 0, connections = 0, scopes = 0;
+};
+
+struct Version {
+  int number;
+  std::uint64_t files;  // how many kinds of access to files it knows, from bit 0
+  std::size_t size;     // how much of Rules it takes
+};
+
+constexpr Version kVersions[] = {{1, 13, 8},  {2, 14, 8},  {3, 15, 8},
+                                 {4, 15, 16}, {5, 16, 16}, {6, 16, 24}};
+constexpr std::uint64_t kConnections = 3;  // to bind to a port and to connect to one
+constexpr std::uint64_t kScopes = 3;       // abstract sockets and signals
+constexpr std::uint64_t kRead = LANDLOCK_ACCESS_FS_READ_FILE | LANDLOCK_ACCESS_FS_READ_DIR;
+constexpr std::uint64_t kSee = kRead | LANDLOCK_ACCESS_FS_EXECUTE;
+constexpr std::uint64_t kTruncate = 1 << 14;
+constexpr std::uint64_t kOfOneFile = LANDLOCK_ACCESS_FS_EXECUTE | LANDLOCK_ACCESS_FS_WRITE_FILE |
+                                     LANDLOCK_ACCESS_FS_READ_FILE | kTruncate;
+
+Version version() {
+  const long found = ::syscall(SYS_landlock_create_ruleset, nullptr, 0, 1U);
+  Version known = kVersions[0];
+  for (const Version& each : kVersions) {
+    if (each.number <= require(found, "Landlock")) known = each;
+  }
+  return known;
+}
+
+void add(int ruleset, const std::string& path, std::uint64_t access) {
+  const int fd = ::open(path.c_str(), O_PATH | O_CLOEXEC);
+  if (fd < 0) return;  // what isn't there needs no rule
+  struct stat about = {};
+  ::fstat(fd, &about);
+  landlock_path_beneath_attr rule = {};
+  rule.allowed_access = S_ISDIR(about.st_mode) ? access : access & kOfOneFile;
+  rule.parent_fd = fd;
+  require(::syscall(SYS_landlock_add_rule, ruleset, LANDLOCK_RULE_PATH_BENEATH, &rule, 0U),
+          "a rule for " + path);
+  ::close(fd);
+}
+
+}  // namespace
+
+void see_only(const std::vector<std::string>& visible, const std::vector<std::string>& writable) {
+  const Version known = version();
+  const std::uint64_t all = (std::uint64_t{1} << known.files) - 1;
+  const Rules rules{all, kConnections, kScopes};
+  const auto ruleset = static_cast<int>(
+      require(::syscall(SYS_landlock_create_ruleset, &rules, known.size, 0U), "Landlock's rules"));
+  for (const std::string& path : visible) add(ruleset, path, kSee);
+  for (const std::string& path : writable) add(ruleset, path, all);
+  add(ruleset, "/dev/null", (kRead | LANDLOCK_ACCESS_FS_WRITE_FILE | kTruncate) & all);
+  require(::syscall(SYS_landlock_restrict_self, ruleset, 0U), "Landlock");
+  ::close(ruleset);
+}
+
+}  // namespace bounce::box

@@ -1,0 +1,190 @@
+// probe ATTEMPT [ARGUMENT...]: tries, in a box, what a box must not allow.
+//
+// Exit status 0 and "could: ..." when the attempt succeeded, 3 and "could not: ..." when it was
+// refused. Where there is a pipe for answers, success is an answer there, too.
+#include <arpa/inet.h>
+#include <fcntl.h>
+#include <linux/capability.h>
+#include <sched.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/ptrace.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <iostream>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "../runner/frame.hpp"
+
+namespace bounce::box {
+namespace {
+
+using Arguments = std::vector<std::string>;
+using Attempt = bool (*)(const Arguments&);
+
+bool nothing(const Arguments&) { return true; }
+
+bool read_file(const Arguments& words) {
+  const int fd = ::open(words.at(0).c_str(), O_RDONLY);
+  char byte = 0;
+  return fd >= 0 && ::read(fd, &byte, 1) >= 0;
+}
+
+bool write_file(const Arguments& words) {
+  const int fd = ::open(words.at(0).c_str(), O_WRONLY | O_CREAT, 0644);
+  return fd >= 0 && ::write(fd, "x", 1) == 1;
+}
+
+// More than N MB, to one file in the folder for temporary ones.
+bool fill(const Arguments& words) {
+  ::signal(SIGXFSZ, SIG_IGN);
+  const char* folder = std::getenv("TMPDIR");
+  const std::string name = std::string(folder ? folder : "/tmp") + "/fill";
+  const int fd = ::open(name.c_str(), O_WRONLY | O_CREAT, 0644);
+  const std::string megabyte(1 << 20, 'x');
+  for (int left = std::stoi(words.at(0)) + 1; left > 0; --left) {
+    if (::write(fd, megabyte.data(), megabyte.size()) != ssize_t{1 << 20}) return false;
+  }
+  return fd >= 0;
+}
+
+bool connect_to(const Arguments& words) {
+  const int fd = ::socket(AF_INET, SOCK_STREAM, 0);
+  sockaddr_in address = {};
+  address.sin_family = AF_INET;
+  address.sin_port = htons(static_cast<std::uint16_t>(std::stoi(words.at(0))));
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  return fd >= 0 && ::connect(fd, reinterpret_cast<sockaddr*>(&address), sizeof address) == 0;
+}
+
+// N processes at once.
+bool start_processes(const Arguments& words) {
+  const pid_t self = ::getpid();
+  for (int left = std::stoi(words.at(0)); left > 0; --left) {
+    const pid_t child = ::fork();
+    if (child < 0) return false;
+    if (child == 0) {
+      ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+      if (::getppid() == self) ::pause();
+      ::_exit(0);
+    }
+  }
+  return true;
+}
+
+// N MB that are really used.
+bool allocate(const Arguments& words) {
+  const std::size_t size = std::stoul(words.at(0)) << 20;
+  void* memory = ::mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (memory == MAP_FAILED) return false;
+  for (std::size_t at = 0; at < size; at += 4096) static_cast<volatile char*>(memory)[at] = 1;
+  return true;
+}
+
+// N seconds of CPU time.
+bool spin(const Arguments& words) {
+  const auto enough = static_cast<clock_t>(std::stol(words.at(0)) * CLOCKS_PER_SEC);
+  while (::clock() < enough) {
+  }
+  return true;
+}
+
+// N MB of prints.
+bool flood(const Arguments& words) {
+  const std::string line(1 << 20, 'x');
+  for (int left = std::stoi(words.at(0)); left > 0; --left) {
+    if (::write(STDOUT_FILENO, line.data(), line.size()) <= 0) return false;
+  }
+  return true;
+}
+
+// Leaves a process behind that nobody waits for, in a session of its own. Whether it outlives the
+// box is seen from outside.
+bool leave_a_daemon(const Arguments&) {
+  const pid_t child = ::fork();
+  if (child < 0) return false;
+  if (child > 0) return ::waitpid(child, nullptr, 0) == child;
+  ::setsid();
+  if (::fork() == 0) {
+    for (int fd = 0; fd < 64; ++fd) ::close(fd);
+    ::sleep(60);
+  }
+  ::_exit(0);
+}
+
+bool see_environment(const Arguments& words) { return std::getenv(words.at(0).c_str()); }
+
+// Any from N on.
+bool use_inherited_descriptors(const Arguments& words) {
+  struct stat about = {};
+  for (int fd = std::stoi(words.at(0)); fd < 1024; ++fd) {
+    if (::fstat(fd, &about) == 0) return true;
+  }
+  return false;
+}
+
+bool signal_to(const Arguments& words) { return ::kill(std::stoi(words.at(0)), 0) == 0; }
+
+bool trace(const Arguments& words) {
+  return ::ptrace(PTRACE_SEIZE, std::stoi(words.at(0)), nullptr, nullptr) == 0;
+}
+
+bool have_privileges(const Arguments&) {
+  __user_cap_header_struct header = {_LINUX_CAPABILITY_VERSION_3, 0};
+  __user_cap_data_struct held[2] = {};
+  const bool any = ::syscall(SYS_capget, &header, held) == 0 &&
+                   (held[0].effective | held[0].permitted | held[1].effective) != 0;
+  return any || ::syscall(SYS_geteuid) == 0 || ::setuid(0) == 0;
+}
+
+bool make_a_namespace(const Arguments&) { return ::unshare(CLONE_NEWUSER) == 0; }
+
+const std::map<std::string, Attempt> kAttempts = {
+    {"nothing", nothing},
+    {"read", read_file},
+    {"write", write_file},
+    {"fill", fill},
+    {"connect", connect_to},
+    {"processes", start_processes},
+    {"allocate", allocate},
+    {"spin", spin},
+    {"flood", flood},
+    {"daemon", leave_a_daemon},
+    {"environment", see_environment},
+    {"descriptors", use_inherited_descriptors},
+    {"signal", signal_to},
+    {"trace", trace},
+    {"privileges", have_privileges},
+    {"namespace", make_a_namespace},
+};
+
+int attempt(const std::string& name, const Arguments& arguments) {
+  if (!kAttempts.at(name)(arguments)) {
+    std::cout << "could not: " << std::strerror(errno) << "\n";
+    return 3;
+  }
+  std::cout << "could: " << name << "\n" << std::flush;
+  frames::Frame answer;
+  [[maybe_unused]] const auto written = ::write(frames::kAnswers, &answer, sizeof answer);
+  return 0;
+}
+
+}  // namespace
+}  // namespace bounce::box
+
+int main(int argc, char** argv) try {
+  const std::vector<std::string> words(argv + 1, argv + argc);
+  return bounce::box::attempt(words.at(0), {words.begin() + 1, words.end()});
+} catch (const std::exception& e) {
+  std::cerr << "probe: " << e.what() << "\n";
+  return 125;
+}

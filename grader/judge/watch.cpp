@@ -1,0 +1,20 @@
+// watch COMMAND...: starts a runner under the judge's limits, and says in one line how the wait
+// for its answer ended. For trying a box out; it has nothing to ask.
+#include <iostream>
+#include <string>
+
+#include "runner_process.hpp"
+
+int main(int argc, char** argv) try {
+  bounce::judge::RunnerProcess runner({argv + 1, argv + argc}, bounce::judge::Limits{});
+  try {
+    static_cast<void>(runner.receive());
+    std::cout << "answered\n";
+  } catch (const bounce::judge::RunnerEnded& ended) {
+    std::cout << ended.status << ": " << ended.what() << "\n";
+  }
+  return 0;
+} catch (const std::exception& e) {
+  std::cerr << "watch: " << e.what() << "\n";
+  return 1;
+}

@@ -1,0 +1,63 @@
+"""The boxes hold what they promise; and the probe that says so can do, outside, what it tries."""
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from bounce_grader import doctor
+from bounce_grader.box import Box
+from conftest import ROOT
+
+# What the probe tries, and how it looks where nothing holds it: without a box.
+ATTEMPTS = [
+    ["read", "/etc/passwd"],
+    ["read", f"/proc/{os.getpid()}/environ"],
+    ["write", "/dev/null"],
+    ["environment", "PATH"],
+    ["descriptors", "0"],
+    ["signal", str(os.getpid())],
+    ["processes", "100"],
+    ["allocate", "100"],
+    ["daemon", "a-word"],
+    ["flood", "1"],
+]
+
+
+@pytest.mark.parametrize("words", ATTEMPTS, ids=lambda words: words[0])
+def test_without_a_box_the_probe_can_do_it(words: list[str], tmp_path: Path) -> None:
+    """Else a doctor who finds that it couldn't would have said nothing."""
+    could, said = doctor.attempt(Box("none"), "compile", tmp_path, words)
+    assert could and words[0] in said or words[0] == "flood", said
+
+
+def test_the_doctor_finds_that_everything_holds() -> None:
+    found = doctor.findings()
+    assert len(found) >= 60
+    assert not [f for f in found if not f.held]
+
+
+def test_it_holds_for_an_ordinary_user_too() -> None:
+    if os.geteuid() != 0:
+        pytest.skip("only root can become somebody else; the other test is an ordinary user's")
+    if any(not folder.stat().st_mode & 0o001 for folder in ROOT.parents):
+        pytest.skip("the kit lies where others can't go")
+    program = ["/usr/bin/setpriv", "--reuid=65534", "--regid=65534", "--clear-groups"]
+    done = subprocess.run(
+        [*program, sys.executable, "-m", "bounce_grader", "doctor"],
+        env={"PATH": "/usr/bin", "HOME": "/nonexistent", "PYTHONPATH": str(ROOT / "grader")},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 0 and "NO" not in done.stdout, done.stdout + done.stderr
+
+
+def test_a_protection_that_fails_is_said(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    failing = doctor.Protection("says nothing", [["flood", "0"]], ("compile",))
+    monkeypatch.setattr(doctor, "_protections", lambda *bait: [failing])
+    assert doctor.run() == 1
+    assert "full compile: says nothing: NO: could: flood" in capsys.readouterr().out
