@@ -18,7 +18,7 @@ from bounce_grader.submission import Submission
 
 COMPILE = processes.Limits(cpu_seconds=15, wall_seconds=120, memory=2 << 30, file_size=64 << 20)
 LINK = processes.Limits(cpu_seconds=10, wall_seconds=60, memory=2 << 30, file_size=64 << 20)
-KIT_OBJECTS = ("runner", "channel", "crash", "solve_lcp", "render")
+KIT_OBJECTS = ("runner", "channel", "crash", "solve_lcp", "render", "prelude")
 
 # For a compiler whose assembler can't write there by itself.
 TO_STANDARD_OUTPUT = [
@@ -42,15 +42,18 @@ class Objects:
     helpers: dict[str, Built]
 
 
-def compile_all(submission: Submission, folder: Path, box: Box, jobs: int) -> Objects:
-    """Every part and helper by itself. `folder` holds the submission's files and nothing else."""
+def compile_all(
+    submission: Submission, folder: Path, box: Box, jobs: int, timed: bool = False
+) -> Objects:
+    """Every part and helper by itself. `folder` holds the submission's files and nothing else.
+    What is `timed` is built as a program is that somebody uses, without checks."""
     with ThreadPoolExecutor(jobs) as pool:
         parts = {
-            number: pool.submit(_compile, file, submission, folder, box)
+            number: pool.submit(_compile, file, submission, folder, box, timed)
             for number, file in submission.parts.items()
         }
         helpers = {
-            file: pool.submit(_compile, file, submission, folder, box)
+            file: pool.submit(_compile, file, submission, folder, box, timed)
             for file in submission.helpers
         }
         return Objects(
@@ -59,15 +62,16 @@ def compile_all(submission: Submission, folder: Path, box: Box, jobs: int) -> Ob
         )
 
 
-def _compile(file: str, submission: Submission, folder: Path, box: Box) -> Built:
+def _compile(file: str, submission: Submission, folder: Path, box: Box, timed: bool) -> Built:
     """Clang with the kit's precompiled header; what it refuses gets a second chance with g++."""
-    cached = _cached(_digest(file, submission))
+    cached = _cached(_digest(file, submission, timed))
     if cached.exists():
         return Built(cached)
     includes = [f"-I{name}" for name in submission.include_folders]
     source = [*includes, "-Dmain=submitted_main", "-x", "c++", "-c", file]
-    clang = [compiler(), f"@{RUNNER / 'clang_flags.txt'}"]
-    clang += ["-include-pch", str(RUNNER / "prelude.pch"), *source, "-o", "-"]
+    flags, prelude = ("speed_flags", "speed") if timed else ("clang_flags", "prelude")
+    clang = [compiler(), f"@{RUNNER / flags}.txt"]
+    clang += ["-include-pch", str(RUNNER / f"{prelude}.pch"), *source, "-o", "-"]
     gcc = [*TO_STANDARD_OUTPUT, "/usr/bin/g++", f"@{RUNNER / 'gcc_flags.txt'}"]
     gcc += ["-include", str(RUNNER / "prelude.hpp"), *source]
     box_prefix = box.to_build(folder, [CONTRACT, RUNNER])
@@ -79,9 +83,9 @@ def _compile(file: str, submission: Submission, folder: Path, box: Box) -> Built
     return Built(None, compile_problem(first, file))
 
 
-def _digest(file: str, submission: Submission) -> str:
+def _digest(file: str, submission: Submission, timed: bool) -> str:
     """Names an object: the source, what it may include, and what it is built with."""
-    digest = hashlib.sha256(_toolchain_digest())
+    digest = hashlib.sha256(_toolchain_digest() + bytes([timed]))
     for name in sorted(submission.files):
         if name == file or _could_be_included(name, submission):
             digest.update(f"{name}\0".encode() + submission.files[name] + b"\0")

@@ -38,6 +38,7 @@ def grade(path: Path, options: Options = Options()) -> Record:
         taken.write_to(folder)
         box.give(folder)
         objects = build.compile_all(taken, folder, box, jobs)
+        timed = build.compile_all(taken, folder, box, jobs, True) if options.speed else None
     together = _link_together(taken, objects, box)
     compiled = time.monotonic()
     grading = _Grading(taken, objects, together, hidden, box)
@@ -46,7 +47,7 @@ def grade(path: Path, options: Options = Options()) -> Record:
         records = list(pool.map(grading.part, parts()))
     if not any(r["score"] for r in records):
         _require_working_kit(box)
-    speed = _speed(grading, box) if options.speed else None
+    speed = _speed(grading.best, _link_together(taken, timed, box), box) if timed else None
     end = time.monotonic()
     return record.whole(
         taken,
@@ -162,11 +163,10 @@ def _require_working_kit(box: Box) -> None:
         raise KitError(f"the box stopped working while it was in use: {problem}")
 
 
-def _speed(grading: _Grading, box: Box) -> Record:
+def _speed(best: dict[Part, Judged], timed: build.Built, box: Box) -> Record:
     """What a step costs beside the solution, and the largest error over all checks."""
-    errors = [judged.largest_error for judged in grading.best.values()]
-    runner = grading.together.path
-    times = judging.speed(runner, box) if runner else None
+    errors = [judged.largest_error for judged in best.values()]
+    times = judging.speed(timed.path, box) if timed.path else None
     known = [error for error in errors if error is not None]
     complete = len(known) == len(parts())
     return {**(times or {}), "largest_error": max(known) if complete else None}

@@ -143,5 +143,73 @@ inline void instances(Eigen::Matrix2d& A2, Eigen::Vector2d& a2, Eigen::Matrix3d&
   points.push_back(a2);
 }
 
+// What is given to a part is const, and the instances for it are others. The names mean nothing.
+inline Vector3 instances(const Vector3& a, const Vector3& b, const Vector3& c, const Jacobian& J,
+                         const Parameters& params, const Eigen::Matrix<double, 2, 4>& S,
+                         const Eigen::Matrix2d& R, const Eigen::Matrix3d& A,
+                         const Eigen::Matrix3d& B, const Eigen::Matrix3d& C,
+                         const Eigen::Vector4d& h) {
+  const double s = h(3);
+  Eigen::Index at = 0;
+  Eigen::Matrix<double, 2, 4> T = R * S;
+  T = R * S * s;
+  T = s * (R * S);
+  T = S * s;
+  S.row(1).minCoeff(&at);
+  const Eigen::Vector2d u = S.col(at);
+  const Eigen::Vector2d w = a.head<2>() + R * u;
+  const Vector3 d = J.col(0);
+  Eigen::Matrix3d D;
+  D << a, -b, b;
+  D << J.col(1), -J.col(0), J.col(0);
+  D.col(0) = a;
+  D.col(1) = -a;
+  D.col(0) = J.col(1);
+  D.col(1) = -J.col(1);
+  Jacobian K;
+  K << a, b;
+  D = A.transpose() * B * A;
+  D = A.transpose() * B * A * s;
+  D = A.transpose() * (B * A);
+  D = A * B;
+  D = A * s;
+  const Eigen::Matrix3d E = params.M(), F = A.inverse();
+  Vector3 f = A * a + J.col(1) * h(0) - J.col(0) * h(1) + J.col(0) * h(2);
+  f = A * params.g;
+  f = c + J.col(1) * h(0) - J.col(0) * h(1) + J.col(0) * h(2);
+  f = J.col(1) * h(0) - J.col(0) * h(1) + J.col(0) * h(2);
+  f += J.col(1) * h(0) - J.col(0) * h(1) + J.col(0) * h(2);
+  f += a * h(0) - b * h(1) + b * h(2);
+  f += J.col(1) * h(0) + J.col(0) * (h(2) - h(1));
+  f = a * h(0) + b * (h(2) - h(1));
+  f = a + s * A * b;
+  f = a + s * A.inverse() * b;
+  f = a + A.inverse() * b * s;
+  f = a + s * (A * b);
+  f = a + A * b * s;
+  f = a + A * (b + c) * s;
+  f = a + s * A * (b + c);
+  f = a + s * b + c;
+  f = a + s * b;
+  f = a + b * s;
+  f = A.ldlt().solve(a);
+  double t = a.dot(b + s * c) + a.dot(b) + J.col(1).dot(b) + (1 + s) * a.dot(b);
+  t += a.transpose() * b;
+  t += J.col(0).transpose() * b;
+  t += (a.transpose() * ((1 + s) * b + s * A * c)).value();
+  Lcp lcp;
+  lcp.V.topLeftCorner<3, 3>() = A.transpose() * B * C * s;
+  lcp.V.topLeftCorner<3, 3>() = s * A.transpose() * B * C;
+  lcp.V.block<3, 3>(0, 0) = A.transpose() * B * C * s;
+  lcp.V.block<3, 3>(0, 0) = s * A.transpose() * B * C;
+  lcp.V.topRightCorner<3, 1>() = a;
+  lcp.V.row(3) << t, -1, -1, 0;
+  lcp.p << t, -t, t, 0;
+  lcp.p.setZero();
+  lcp.V.setZero();
+  lcp.p.head<3>() = A.transpose() * a;
+  return Vector3(1, 0, -u.y()) + Vector3(w.x(), w.y(), d.x() + E(0, 0) + F(0, 0));
+}
+
 }  // namespace bounce::prelude
 #endif
