@@ -171,6 +171,20 @@ def test_a_changed_object_of_the_kit_makes_other_runners(
     assert digest() != before
 
 
+def test_objects_of_long_ago_are_forgotten_when_there_are_many(tmp_path: Path) -> None:
+    old = [tmp_path / f"old{n}" for n in range(70)]
+    for n, file in enumerate(old):
+        file.write_bytes(b"")
+        os.utime(file, (n, n))
+    young = [tmp_path / f"young{n}" for n in range(70)]
+    for file in young:
+        file.write_bytes(b"")
+    build._forget_old(tmp_path)
+    assert set(tmp_path.iterdir()) == set(young)
+    build._forget_old(tmp_path)
+    assert set(tmp_path.iterdir()) == set(young)
+
+
 # --- the record ---
 
 

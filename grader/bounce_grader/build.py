@@ -3,6 +3,7 @@
 import hashlib
 import os
 import re
+import time
 from collections.abc import Iterable
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
@@ -18,6 +19,7 @@ from bounce_grader.submission import Submission
 
 COMPILE = processes.Limits(cpu_seconds=15, wall_seconds=120, memory=2 << 30, file_size=64 << 20)
 LINK = processes.Limits(cpu_seconds=10, wall_seconds=60, memory=2 << 30, file_size=64 << 20)
+KEPT_IN_A_FOLDER = 64  # of 256 folders
 KIT_OBJECTS = ("runner", "channel", "crash", "solve_lcp", "render", "prelude")
 
 # For a compiler whose assembler can't write there by itself.
@@ -123,19 +125,28 @@ def _cached(digest: str) -> Path:
 def _store(data: bytes, path: Path) -> Path:
     """Written whole or not at all, so that gradings side by side can share it."""
     path.parent.mkdir(parents=True, exist_ok=True)
+    _forget_old(path.parent)
     temporary = path.with_suffix(f".{os.getpid()}.{id(data)}")
     temporary.write_bytes(data)
-    temporary.chmod(0o755)  # whatever the umask: a box reads it as somebody else
+    temporary.chmod(0o644)  # whatever the umask: a box reads it as somebody else
     temporary.replace(path)
     return path
 
 
-def link_together(objects: Objects, box: Box) -> Built:
+def _forget_old(folder: Path) -> None:
+    """Keeps the newest objects, and those that a grading side by side may be about to link."""
+    ages = sorted((file.stat().st_mtime, file) for file in folder.iterdir())
+    for written, file in ages[: -KEPT_IN_A_FOLDER or None]:
+        if time.time() - written > 3600:
+            file.unlink(missing_ok=True)
+
+
+def link_together(objects: Objects, runner: Path, box: Box) -> Built:
     """One runner with all of the submission's own parts."""
-    return _link([b.path for b in _all(objects)], [], box)
+    return _link([b.path for b in _all(objects)], [], runner, box)
 
 
-def link_alone(part: Part, objects: Objects, box: Box) -> Built:
+def link_alone(part: Part, objects: Objects, runner: Path, box: Box) -> Built:
     """A runner with one part; what earlier parts it calls is asked of the judge.
 
     Helpers that another part's file defines are found in a second try, in which the given parts
@@ -143,11 +154,12 @@ def link_alone(part: Part, objects: Objects, box: Box) -> Built:
     """
     own = [objects.parts[part.number].path, *(b.path for b in objects.helpers.values())]
     given = _given(part)
-    alone = _link(own, given, box)
+    alone = _link(own, given, runner, box)
     others = [b.path for number, b in objects.parts.items() if number != part.number and b.path]
     if alone.path or not others:
         return alone
-    second = _link(own, [*given, *map(str, others)], box, ("-Wl,--allow-multiple-definition",))
+    several = ("-Wl,--allow-multiple-definition",)
+    second = _link(own, [*given, *map(str, others)], runner, box, several)
     return second if second.path else alone
 
 
@@ -162,22 +174,22 @@ def _all(objects: Objects) -> Iterable[Built]:
 
 
 def _link(
-    own: Iterable[Path | None], more: list[str], box: Box, flags: tuple[str, ...] = ()
+    own: Iterable[Path | None],
+    more: list[str],
+    runner: Path,
+    box: Box,
+    flags: tuple[str, ...] = (),
 ) -> Built:
     files = [str(path) for path in own if path]
-    digest = hashlib.sha256(_toolchain_digest())
-    for word in [*files, *more, *flags]:
-        digest.update(word.encode() + b"\0")
-    cached = _cached(digest.hexdigest())
-    if cached.exists():
-        return Built(cached)
     kit = [str(RUNNER / f"{name}.o") for name in KIT_OBJECTS]
     command = [compiler(), *link_flags(), *flags, *kit, *files, *more, "-o", "-"]
     visible = [RUNNER, *(Path(file) for file in files + more if not file.startswith(str(RUNNER)))]
     folder = RUNNER
     result = processes.run(box.to_build(folder, visible) + command, LINK, cwd=folder)
     if result.ok and result.out:
-        return Built(_store(result.out, cached))
+        runner.write_bytes(result.out)
+        runner.chmod(0o755)
+        return Built(runner)
     return Built(None, link_problem(result))
 
 

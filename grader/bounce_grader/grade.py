@@ -3,7 +3,9 @@
 import os
 import tempfile
 import time
+from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -14,7 +16,7 @@ from bounce_grader.box import Box
 from bounce_grader.errors import KitError
 from bounce_grader.judging import Judged
 from bounce_grader.manifest import Part, parts
-from bounce_grader.paths import STUBS, WORK_FOLDER
+from bounce_grader.paths import SOURCES, STUBS, WORK_FOLDER
 from bounce_grader.record import Record
 from bounce_grader.submission import Submission
 
@@ -33,21 +35,20 @@ def grade(path: Path, options: Options = Options()) -> Record:
     box = boxes.choose(options.boxes)
     hidden = fixtures.hidden_folder()
     jobs = options.jobs or os.cpu_count() or 1
-    with tempfile.TemporaryDirectory(prefix=WORK_FOLDER) as name:
-        folder = Path(name)
-        taken.write_to(folder)
-        box.give(folder)
-        objects = build.compile_all(taken, folder, box, jobs)
-        timed = build.compile_all(taken, folder, box, jobs, True) if options.speed else None
-    together = _link_together(taken, objects, box)
-    compiled = time.monotonic()
-    grading = _Grading(taken, objects, together, hidden, box)
-    with ThreadPoolExecutor(jobs) as pool:
-        grading.judge_together(pool)
-        records = list(pool.map(grading.part, parts()))
-    if not any(r["score"] for r in records):
-        _require_working_kit(box)
-    speed = _speed(grading.best, _link_together(taken, timed, box), box) if timed else None
+    with _work_folder() as work:
+        sources = _write(taken, work, box)
+        objects = build.compile_all(taken, sources, box, jobs)
+        grading = _Grading(taken, objects, work, hidden, box)
+        compiled = time.monotonic()
+        with ThreadPoolExecutor(jobs) as pool:
+            grading.judge_together(pool)
+            records = list(pool.map(grading.part, parts()))
+        if not any(r["score"] for r in records):
+            _require_working_kit(box)
+        speed = None
+        if options.speed:
+            timed = build.compile_all(taken, sources, box, jobs, timed=True)
+            speed = _speed(grading.best, _link_together(taken, timed, work / "timed", box), box)
     end = time.monotonic()
     return record.whole(
         taken,
@@ -59,11 +60,29 @@ def grade(path: Path, options: Options = Options()) -> Record:
     )
 
 
-def _link_together(taken: Submission, objects: build.Objects, box: Box) -> build.Built:
+@contextmanager
+def _work_folder() -> Iterator[Path]:
+    """For one grading; nobody else on this machine can look into it."""
+    with tempfile.TemporaryDirectory(prefix=WORK_FOLDER) as name:
+        yield Path(name)
+
+
+def _write(taken: Submission, work: Path, box: Box) -> Path:
+    """The folder with the submission's files, and nothing else."""
+    sources = work / SOURCES
+    sources.mkdir()
+    taken.write_to(sources)
+    box.give(work)
+    return sources
+
+
+def _link_together(
+    taken: Submission, objects: build.Objects, runner: Path, box: Box
+) -> build.Built:
     if any(part.number not in objects.parts for part in parts()):
         return build.Built(None, "not all parts were submitted")
     broken = [b for b in [*objects.parts.values(), *objects.helpers.values()] if not b.path]
-    return broken[0] if broken else build.link_together(objects, box)
+    return broken[0] if broken else build.link_together(objects, runner, box)
 
 
 class _Grading:
@@ -74,12 +93,13 @@ class _Grading:
         self,
         taken: Submission,
         objects: build.Objects,
-        together: build.Built,
+        work: Path,
         hidden: Path,
         box: Box,
     ) -> None:
-        self.taken, self.objects, self.together = taken, objects, together
+        self.taken, self.objects, self.work = taken, objects, work
         self.hidden, self.box = hidden, box
+        self.together = _link_together(taken, objects, work / "together", box)
         self.own: dict[Part, Judged] = {}
         self.best: dict[Part, Judged] = {}
 
@@ -104,7 +124,8 @@ class _Grading:
             return record.failed_part(part, *problem)
         tries = [self.own[part]] if part in self.own else []
         if not tries or self._could_be_better(part, tries[0]):
-            alone = build.link_alone(part, self.objects, self.box)
+            runner = self.work / f"alone{part.number}"
+            alone = build.link_alone(part, self.objects, runner, self.box)
             if alone.path:
                 given = part.has_earlier_parts
                 tries.append(judging.judge(part, alone.path, given, self.hidden, self.box))
@@ -149,15 +170,12 @@ def _stub(part: Part) -> list[bytes]:
 def _require_working_kit(box: Box) -> None:
     """No point at all: make sure that it isn't the kit that fails. A stub compiles and answers."""
     taken = submission.read(STUBS)
-    with tempfile.TemporaryDirectory(prefix=WORK_FOLDER) as name:
-        folder = Path(name)
-        taken.write_to(folder)
-        box.give(folder)
-        objects = build.compile_all(taken, folder, box, 1)
-    stub = objects.parts[1]
-    linked = build.link_alone(parts()[0], objects, box) if stub.path else stub
-    if not linked.path:
-        raise KitError(f"a stub can't be built: {linked.problem}")
+    with _work_folder() as work:
+        objects = build.compile_all(taken, _write(taken, work, box), box, 1)
+        stub = objects.parts[1]
+        linked = build.link_alone(parts()[0], objects, work / "stub", box) if stub.path else stub
+        if not linked.path:
+            raise KitError(f"a stub can't be built: {linked.problem}")
     problem = boxes.problem_of(box)
     if problem:
         raise KitError(f"the box stopped working while it was in use: {problem}")

@@ -10,7 +10,7 @@ from bounce_grader import processes
 from bounce_grader.box import Box
 from bounce_grader.errors import KitError
 from bounce_grader.manifest import Part
-from bounce_grader.paths import FIXTURES, JUDGE, REFERENCE_RUNNER, STOPWATCH, WORK_FOLDER
+from bounce_grader.paths import FIXTURES, JUDGE, REFERENCE_RUNNER, SOURCES, STOPWATCH, WORK_FOLDER
 
 SYMBOLS = processes.Limits(cpu_seconds=5, wall_seconds=30, memory=1 << 30, file_size=0)
 WAIT = processes.Limits(cpu_seconds=60, wall_seconds=300, memory=4 << 30, file_size=0)
@@ -74,7 +74,7 @@ def _place(stack: str, runner: Path, box: Box) -> str | None:
     """The innermost line of the submission on the stack."""
     command = ["/usr/bin/addr2line", "-i", "-e", str(runner), *stack.split()]
     lines = processes.run(box.to_build(runner.parent, [runner]) + command, SYMBOLS).out
-    inside = re.search(rf"/{WORK_FOLDER}[^/]*/(.+:\d+)", lines.decode("utf-8", "replace"))
+    inside = re.search(rf"/{WORK_FOLDER}[^/]*/{SOURCES}/(.+:\d+)", lines.decode("utf-8", "replace"))
     return inside.group(1) if inside else None
 
 

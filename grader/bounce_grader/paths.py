@@ -16,5 +16,6 @@ CONTRACT = ROOT / "student" / "include"
 HANDOUT = ROOT / "student"
 STUBS = HANDOUT / "src"
 WORK_FOLDER = "bounce-submission-"  # the prefix of a temporary one
+SOURCES = "sources"  # in it, what was submitted
 FIXTURES = ROOT / "fixtures"
 SECRET = ROOT / "course-secret"
