@@ -7,6 +7,7 @@ from bounce_grader import record
 from bounce_grader.escape import LONGEST_NAME, LONGEST_TEXT
 from bounce_grader.judging import Judged, Verdict
 from bounce_grader.manifest import parts
+from bounce_grader.record import LONGEST_SENTENCE
 from bounce_grader.submission import Submission
 from hypothesis import given
 from hypothesis import strategies as st
@@ -32,7 +33,7 @@ def written(part: dict[str, Any], names: tuple[str, ...]) -> dict[str, Any]:
 
 def check_texts(whole: dict[str, Any]) -> None:
     part = whole["parts"][0]
-    assert part["message"].isprintable() and len(part["message"]) <= LONGEST_TEXT
+    assert part["message"].isprintable() and len(part["message"]) <= LONGEST_SENTENCE
     for check in part["checks"]:
         assert len(check["message"]) <= LONGEST_TEXT
         assert check["message"].replace("\n", "").isprintable()

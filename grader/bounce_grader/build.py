@@ -187,7 +187,7 @@ def compile_problem(result: processes.Result, file: str) -> str:
     """The compiler's first error, in one line, with the submission's own file and line."""
     if result.too_long or result.code in (-9, -24, 128 + 9, 128 + 24):
         return f"{file} took more than {COMPILE.cpu_seconds} s to compile"
-    errors = re.findall(r"^(\S+?:\d+:\d+): (?:fatal )?error: (.*)$", result.err, re.MULTILINE)
+    errors = re.findall(r"^(.+?:\d+:\d+): (?:fatal )?error: (.*)$", result.err, re.MULTILINE)
     if not errors:
         last = result.err.strip().splitlines()
         return f"{file}: {last[-1] if last else 'the compiler ended without a word'}"
@@ -204,7 +204,7 @@ def compile_problem(result: processes.Result, file: str) -> str:
 
 def link_problem(result: processes.Result) -> str:
     """What the linker misses, or has twice, in one line."""
-    missing = re.search(r"undefined symbol: (.*)\n>>> referenced by (\S+?):(\d+)", result.err)
+    missing = re.search(r"undefined symbol: (.*)\n>>> referenced by (.+?):(\d+)", result.err)
     if missing:
         name, file, line = missing.groups()
         return f"{file}:{line} uses {name}, which no file that compiles defines"

@@ -16,6 +16,7 @@ from bounce_grader.manifest import Check, Part, parts
 from bounce_grader.submission import Submission
 
 Record = dict[str, Any]
+LONGEST_SENTENCE = 1000
 
 
 def part_record(part: Part, judged: Judged) -> Record:
@@ -82,7 +83,7 @@ def _last_line(message: str) -> str:
 
 
 def _sentence(text: str) -> str:
-    return said(text).replace("\n", " ")
+    return said(text, LONGEST_SENTENCE).replace("\n", " ")
 
 
 def whole(
