@@ -16,13 +16,19 @@ namespace {
 
 using nlohmann::json;
 
+constexpr int kMostColumns = 1'000'000;
 double largest_error_so_far = 0;
 
 // --- reading ---
 
+[[noreturn]] void refuse(const std::string& what) {
+  throw std::runtime_error("the fixtures hold " + what);
+}
+
 template <class Matrix>
 Matrix matrix(const json& rows) {
   Matrix m;
+  if (rows.size() != static_cast<std::size_t>(m.rows())) refuse("a matrix of another shape");
   for (Eigen::Index i = 0; i < m.rows(); ++i) {
     for (Eigen::Index j = 0; j < m.cols(); ++j) {
       const auto& row = rows.at(static_cast<std::size_t>(i));
@@ -40,21 +46,45 @@ Eigen::Matrix3Xd columns(const json& list) {
   return m;
 }
 
+// A whole number; what else JSON has for numbers would be rounded, or wrapped around.
+int whole(const json& number, int least, int most) {
+  if (!number.is_number_integer() || number < least || number > most) refuse("an odd number");
+  return number.get<int>();
+}
+
 Parameters read_parameters(const json& p) {
-  return {p.at("l"),  p.at("m"),     p.at("mu"), p.at("epsilon"), matrix<Vector3>(p.at("g")),
-          p.at("dt"), p.at("delta"), p.at("T")};
+  return {p.at("l"),
+          p.at("m"),
+          p.at("mu"),
+          p.at("epsilon"),
+          matrix<Vector3>(p.at("g")),
+          p.at("dt"),
+          p.at("delta"),
+          whole(p.at("T"), 1, kMostColumns)};
+}
+
+void read_trajectory(const json& expected, Case& c) {
+  for (const json& column : expected.at("columns")) {
+    c.columns.push_back(whole(column, 0, c.params.T - 1));
+  }
+  c.trajectory = {columns(expected.at("q")), columns(expected.at("v"))};
+  const auto known = static_cast<Eigen::Index>(c.columns.size());
+  if (c.trajectory.q.cols() != known || c.trajectory.v.cols() != known) {
+    refuse("columns without a number, or numbers without a column");
+  }
 }
 
 void read_expected(const json& expected, Case& c) {
-  if (expected.contains("phi")) c.contact = {matrix<Jacobian>(expected["J"]), expected["phi"]};
+  if (expected.contains("phi")) {
+    c.contact = {matrix<Jacobian>(expected.at("J")), expected.at("phi")};
+  }
   if (expected.contains("V")) {
-    c.lcp = {matrix<Eigen::Matrix4d>(expected["V"]), matrix<Eigen::Vector4d>(expected["p"])};
+    c.lcp = {matrix<Eigen::Matrix4d>(expected.at("V")), matrix<Eigen::Vector4d>(expected.at("p"))};
   }
   if (expected.contains("columns")) {
-    c.columns = expected["columns"].get<std::vector<int>>();
-    c.trajectory = {columns(expected["q"]), columns(expected["v"])};
+    read_trajectory(expected, c);
   } else if (expected.contains("v")) {
-    c.state = {matrix<Vector3>(expected["q"]), matrix<Vector3>(expected["v"])};
+    c.state = {matrix<Vector3>(expected.at("q")), matrix<Vector3>(expected.at("v"))};
   }
 }
 
@@ -147,10 +177,8 @@ std::vector<Case> cases_of(const std::string& check) {
     for (const auto& file : std::filesystem::directory_iterator(folder)) {
       if (file.path().filename().string().rfind(check.substr(0, check.find('.')), 0) != 0) continue;
       std::ifstream in(file.path());
-      const json checks = json::parse(in).at("checks");
-      for (const json& c : checks.value(check, json::array())) {
-        cases.push_back(read_case(c, folder.filename() == "hidden"));
-      }
+      const std::vector<Case> more = read_cases(in, check, folder.filename() == "hidden");
+      cases.insert(cases.end(), more.begin(), more.end());
     }
   }
   if (cases.empty()) throw std::logic_error("the fixtures hold no case of " + check);
@@ -163,6 +191,13 @@ std::string running_check() {
 }
 
 }  // namespace
+
+std::vector<Case> read_cases(std::istream& file, const std::string& check, bool hidden) {
+  const json checks = json::parse(file).at("checks");
+  std::vector<Case> cases;
+  for (const json& c : checks.value(check, json::array())) cases.push_back(read_case(c, hidden));
+  return cases;
+}
 
 void for_each_case(const std::function<std::string(const Case&)>& ask) {
   const std::vector<Case> cases = cases_of(running_check());

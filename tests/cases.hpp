@@ -5,6 +5,7 @@
 #include <bounce/types.hpp>
 #include <filesystem>
 #include <functional>
+#include <iosfwd>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -30,6 +31,9 @@ struct Case {
 // Where fixtures are read from; the program that runs the tests defines it. A folder named
 // "hidden" holds hidden cases.
 std::vector<std::filesystem::path> fixture_folders();
+
+// The cases of a check in one file of fixtures. Throws std::exception where it isn't one.
+std::vector<Case> read_cases(std::istream& file, const std::string& check, bool hidden);
 
 // Asks every case of the running check, public ones first. `ask` returns what is wrong, or an
 // empty string; the first wrong case is reported, with the number of those that are wrong.

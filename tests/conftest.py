@@ -5,6 +5,11 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from hypothesis import settings
+
+# The same inputs each time, whatever else the machine does.
+settings.register_profile("kit", derandomize=True, deadline=None, database=None, max_examples=500)
+settings.load_profile("kit")
 
 ROOT = Path(__file__).resolve().parents[1]
 SOLUTION = ROOT / "solution" / "src"

@@ -202,7 +202,7 @@ def compile_problem(result: processes.Result, file: str) -> str:
     """The compiler's first error, in one line, with the submission's own file and line."""
     if result.too_long or result.code in (-9, -24, 128 + 9, 128 + 24):
         return f"{file} took more than {COMPILE.cpu_seconds} s to compile"
-    errors = re.findall(r"^(\S+?:\d+:\d+): (?:fatal )?error: (.*)$", result.err, re.MULTILINE)
+    errors = re.findall(r"^(.+?:\d+:\d+): (?:fatal )?error: (.*)$", result.err, re.MULTILINE)
     if not errors:
         last = result.err.strip().splitlines()
         return f"{file}: {last[-1] if last else 'the compiler ended without a word'}"
@@ -219,15 +219,20 @@ def compile_problem(result: processes.Result, file: str) -> str:
 
 def link_problem(result: processes.Result) -> str:
     """What the linker misses, or has twice, in one line."""
-    missing = re.search(r"undefined symbol: (.*)\n>>> referenced by (\S+?):(\d+)", result.err)
+    missing = _linker(r"undefined symbol: (.*)\n>>> referenced by (.+?):(\d+)", result)
     if missing:
         name, file, line = missing.groups()
         return f"{file}:{line} uses {name}, which no file that compiles defines"
-    missing = re.search(r"undefined symbol: (.*)", result.err)
+    missing = _linker(r"undefined symbol: (.*)", result)
     if missing:
         return f"{missing.group(1)} is used, but no file that compiles defines it"
-    twice = re.search(r"duplicate symbol: (.*)", result.err)
+    twice = _linker(r"duplicate symbol: (.*)", result)
     if twice:
         return f"{twice.group(1)} is defined in two files"
     lines = result.err.strip().splitlines()
     return lines[0] if lines else "the parts could not be linked"
+
+
+def _linker(says: str, result: processes.Result) -> re.Match[str] | None:
+    """From the start of a line, so that long lines of a submission's own words are read once."""
+    return re.search(rf"^ld\.lld: error: {says}", result.err, re.MULTILINE)

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from bounce_grader import __version__
 from bounce_grader.errors import KitError, UsageError
+from bounce_grader.escape import said, terminal
 
 
 def main(arguments: list[str]) -> int:
@@ -15,10 +16,10 @@ def main(arguments: list[str]) -> int:
     try:
         return int(options.command(options))
     except UsageError as error:
-        print(f"kit: {error}", file=sys.stderr)
+        print(f"kit: {_plain(error)}", file=sys.stderr)
         return 2
     except KitError as error:
-        print(f"kit: the kit itself failed: {error}", file=sys.stderr)
+        print(f"kit: the kit itself failed: {_plain(error)}", file=sys.stderr)
         return 3
     except KeyboardInterrupt:
         print("kit: stopped", file=sys.stderr)
@@ -27,8 +28,13 @@ def main(arguments: list[str]) -> int:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 141
     except OSError as error:
-        print(f"kit: the kit itself failed: {error}", file=sys.stderr)
+        print(f"kit: the kit itself failed: {_plain(error)}", file=sys.stderr)
         return 3
+
+
+def _plain(error: Exception) -> str:
+    """Names of files, and what programs say, are part of some errors."""
+    return "\n".join(map(terminal, said(str(error)).split("\n")))
 
 
 def _parser() -> argparse.ArgumentParser:

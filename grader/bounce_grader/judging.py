@@ -1,19 +1,23 @@
 """Runs the judge on a runner, and reads its verdicts."""
 
 import json
+import math
 import re
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
+from typing import Any, cast
 
 from bounce_grader import processes
 from bounce_grader.box import Box
 from bounce_grader.errors import KitError
+from bounce_grader.escape import name
 from bounce_grader.manifest import Part
 from bounce_grader.paths import FIXTURES, JUDGE, REFERENCE_RUNNER, SOURCES, STOPWATCH, WORK_FOLDER
 
 SYMBOLS = processes.Limits(cpu_seconds=5, wall_seconds=30, memory=1 << 30, file_size=0)
 WAIT = processes.Limits(cpu_seconds=60, wall_seconds=300, memory=4 << 30, file_size=0)
+STATUSES = {"graded", "does_not_compile", "crashed", "timed_out", "out_of_memory", "no_answer"}
 
 
 @dataclass(frozen=True)
@@ -52,15 +56,40 @@ def judge(part: Part, runner: Path, given: bool, hidden: Path, box: Box) -> Judg
     result = processes.run(command, WAIT)
     if not result.ok:
         raise KitError(f"the judge failed on part {part.number}: {result.err.strip() or 'killed'}")
-    answer = json.loads(result.out)
-    ids = [check["id"] for check in answer["checks"]]
-    if sorted(ids) != sorted(check.id for check in part.checks):
-        raise KitError(f"the judge's checks of part {part.number} aren't those of parts.json")
+    answer = read_answer(result.out, part)
     verdicts = {
         check["id"]: Verdict(check["passed"], check["status"], _with_place(check, runner, box))
         for check in answer["checks"]
     }
     return Judged(verdicts, answer["largest_error"], "given" if given else "own")
+
+
+def read_answer(out: bytes, part: Part) -> dict[str, Any]:
+    """The judge's answer, if it has the shape that grader/judge/main.cpp says. Raises KitError."""
+    try:
+        answer = json.loads(out, parse_constant=_no_number)
+        sound = all(map(_is_sound, answer["checks"])) and _is_size(answer["largest_error"])
+    except (ValueError, TypeError, KeyError, RecursionError) as error:
+        raise KitError(f"the judge's answer on part {part.number} can't be read") from error
+    if not sound:
+        raise KitError(f"the judge's answer on part {part.number} has another shape than it should")
+    ids = [check["id"] for check in answer["checks"]]
+    if sorted(ids) != sorted(check.id for check in part.checks):
+        raise KitError(f"the judge's checks of part {part.number} aren't those of parts.json")
+    return {"checks": answer["checks"], "largest_error": answer["largest_error"]}
+
+
+def _no_number(word: str) -> None:
+    raise ValueError(f"{word} is no JSON")
+
+
+def _is_sound(check: dict[str, Any]) -> bool:
+    texts = all(isinstance(check[key], str) for key in ("id", "status", "stack", "message"))
+    return texts and isinstance(check["passed"], bool) and check["status"] in STATUSES
+
+
+def _is_size(x: object) -> bool:
+    return x is None or type(x) in (int, float) and 0 <= cast(float, x) < math.inf
 
 
 def _with_place(check: dict[str, str], runner: Path, box: Box) -> str:
@@ -73,9 +102,18 @@ def _with_place(check: dict[str, str], runner: Path, box: Box) -> str:
 def _place(stack: str, runner: Path, box: Box) -> str | None:
     """The innermost line of the submission on the stack."""
     command = ["/usr/bin/addr2line", "-i", "-e", str(runner), *stack.split()]
-    lines = processes.run(box.to_build(runner.parent, [runner]) + command, SYMBOLS).out
-    inside = re.search(rf"/{WORK_FOLDER}[^/]*/{SOURCES}/(.+:\d+)", lines.decode("utf-8", "replace"))
-    return inside.group(1) if inside else None
+    return place_in(processes.run(box.to_build(runner.parent, [runner]) + command, SYMBOLS).out)
+
+
+def place_in(lines: bytes) -> str | None:
+    """The first FILE:LINE inside of a submission's folder. What the names of files are is up to the
+    submission, by #line."""
+    for line in lines.splitlines():
+        _, _, rest = line.decode("utf-8", "replace").partition(f"/{WORK_FOLDER}")
+        inside = re.match(rf"[^/]{{1,50}}/{SOURCES}/(.{{1,255}}?:\d{{1,9}})(?!\d)", rest)
+        if inside:
+            return name(inside.group(1))
+    return None
 
 
 def speed(runner: Path, box: Box) -> dict[str, float] | None:
@@ -84,6 +122,17 @@ def speed(runner: Path, box: Box) -> dict[str, float] | None:
     result = processes.run(command, WAIT)
     if not result.ok:
         return None
-    times = json.loads(result.out)
-    submission, solution = times["ns_per_step"]
-    return {"submission_ns": submission, "solution_ns": solution, "ratio": times["ratio"]}
+    return read_times(result.out)
+
+
+def read_times(out: bytes) -> dict[str, float]:
+    """The stopwatch's answer. Raises KitError where it isn't one."""
+    try:
+        answer = json.loads(out, parse_constant=_no_number)
+        submission, solution = answer["ns_per_step"]
+        times = {"submission_ns": submission, "solution_ns": solution, "ratio": answer["ratio"]}
+    except (ValueError, TypeError, KeyError, RecursionError) as error:
+        raise KitError("the stopwatch's answer can't be read") from error
+    if not all(x is not None and _is_size(x) for x in times.values()):
+        raise KitError("the stopwatch's answer has another shape than it should")
+    return times

@@ -1,4 +1,8 @@
-"""The score record: one JSON object that every report is made from. Pure functions."""
+"""The score record: one JSON object that every report is made from. Pure functions.
+
+A submission has its say in messages and in names of files: they are printable and of bounded
+length here already, so that the record is valid JSON in UTF-8 whatever they were.
+"""
 
 import hashlib
 from collections.abc import Mapping
@@ -6,11 +10,13 @@ from pathlib import Path
 from typing import Any
 
 from bounce_grader import __version__
+from bounce_grader.escape import name, said
 from bounce_grader.judging import Judged
 from bounce_grader.manifest import Check, Part, parts
 from bounce_grader.submission import Submission
 
 Record = dict[str, Any]
+LONGEST_SENTENCE = 1000
 
 
 def part_record(part: Part, judged: Judged) -> Record:
@@ -20,7 +26,7 @@ def part_record(part: Part, judged: Judged) -> Record:
         "score": score,
         "max_score": part.points,
         "status": judged.status,
-        "message": _part_message(part, judged),
+        "message": _sentence(_part_message(part, judged)),
         "graded_with": judged.graded_with,
         "checks": [
             _check_record(
@@ -38,7 +44,7 @@ def failed_part(part: Part, status: str, message: str) -> Record:
         "score": 0,
         "max_score": part.points,
         "status": status,
-        "message": message,
+        "message": _sentence(message),
         "graded_with": "own",
         "checks": [_check_record(check, False, "") for check in part.checks],
     }
@@ -55,7 +61,7 @@ def _check_record(check: Check, passed: bool, message: str) -> Record:
         "score": check.points if passed else 0,
         "max_score": check.points,
         "passed": passed,
-        "message": message,
+        "message": said(message),
         "mistake": None,
     }
 
@@ -73,7 +79,11 @@ def _part_message(part: Part, judged: Judged) -> str:
 
 def _last_line(message: str) -> str:
     """How a runner ended stands in the last line of a check's message."""
-    return message.splitlines()[-1].strip().removeprefix("got").strip()
+    return message.split("\n")[-1].strip().removeprefix("got").strip()
+
+
+def _sentence(text: str) -> str:
+    return said(text, LONGEST_SENTENCE).replace("\n", " ")
 
 
 def whole(
@@ -89,11 +99,11 @@ def whole(
         "max_score": sum(part.points for part in parts()),
         "parts": part_records,
         "box": box,
-        "seconds": {name: round(value, 3) for name, value in seconds.items()},
+        "seconds": {phase: round(value, 3) for phase, value in seconds.items()},
         "kit": __version__,
         "fixtures_sha256": fixtures_sha256,
         "submission_sha256": submission.sha256,
-        "ignored": list(submission.ignored),
+        "ignored": [name(file) for file in submission.ignored],
     }
     return {**record, "speed": speed} if speed else record
 

@@ -1,8 +1,10 @@
 """The score record as text for a terminal."""
 
 import sys
+from functools import cache
 from typing import TextIO
 
+from bounce_grader.escape import terminal
 from bounce_grader.hints import headings
 from bounce_grader.paths import HANDOUT
 from bounce_grader.record import Record
@@ -34,7 +36,7 @@ def lines(record: Record) -> list[tuple[str, str]]:
         out += _part(part)
     if record.get("speed"):
         out += _speed(record["speed"])
-    unusual = [name for name in record["ignored"] if not (HANDOUT / name).exists()]
+    unusual = [name for name in record["ignored"] if name not in _handed_out()]
     if unusual:
         out.append(("dim", f"Not used: {_some(unusual)}"))
     if record["box"] == "none":
@@ -42,14 +44,19 @@ def lines(record: Record) -> list[tuple[str, str]]:
     return out
 
 
+@cache
+def _handed_out() -> set[str]:
+    return {path.relative_to(HANDOUT).as_posix() for path in HANDOUT.rglob("*")}
+
+
 def _part(part: Record) -> list[tuple[str, str]]:
     score = f"{number(part['score'])} / {number(part['max_score'])}"
     heading = f"Part {part['part']}  {part['title']}"
     out = [("bold", f"{heading:<68}{score:>8}")]
     if part["status"] != "graded":
-        out.append(("red", f"  {STATUS_WORDS[part['status']]}: {clean(part['message'])}"))
+        out.append(("red", f"  {STATUS_WORDS[part['status']]}: {terminal(part['message'])}"))
     elif part["score"] < part["max_score"]:
-        out.append(("", f"  {clean(part['message'])}"))
+        out.append(("", f"  {terminal(part['message'])}"))
     if any(check["passed"] or check["message"] for check in part["checks"]):
         for check in part["checks"]:
             out += _check(check)
@@ -64,7 +71,7 @@ def _check(check: Record) -> list[tuple[str, str]]:
     mark, style = ("✓", "green") if check["passed"] else ("✗", "red")
     score = f"{number(check['score'])} / {number(check['max_score'])}"
     out = [(style, f"  {mark} {check['title']:<64}{score:>8}")]
-    out += [("", f"      {clean(line)}") for line in check["message"].splitlines()]
+    out += [("", f"      {terminal(line)}") for line in check["message"].split("\n") if line]
     if check["message"]:
         out.append(("dim", f"      hint {headings()[check['id']]}"))
     return out
@@ -84,14 +91,9 @@ def _speed(speed: Record) -> list[tuple[str, str]]:
 
 def _some(names: list[str], most: int = 5) -> str:
     rest = len(names) - most
-    shown = ", ".join(map(clean, names[:most]))
+    shown = ", ".join(map(terminal, names[:most]))
     return f"{shown} and {rest} more" if rest > 0 else shown
 
 
 def number(x: float) -> str:
     return f"{x:g}"
-
-
-def clean(text: str) -> str:
-    """No control characters: a submission's words must not move a terminal's cursor."""
-    return "".join(c if c.isprintable() else "\N{REPLACEMENT CHARACTER}" for c in text)

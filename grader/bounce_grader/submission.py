@@ -6,11 +6,13 @@ out; the names left out are kept, to be said.
 """
 
 import hashlib
-from collections.abc import Iterator
+import unicodedata
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath
 
 from bounce_grader import intake
+from bounce_grader.entry import Entry, NotText, text_of
 from bounce_grader.errors import UsageError
 from bounce_grader.manifest import Part, parts
 
@@ -19,7 +21,9 @@ HEADERS = {".hpp", ".h", ".hh", ".hxx", ".ipp", ".inl"}
 GIVEN = {"solve_lcp.cpp", "render.cpp", "animation_page.hpp", "main.cpp"}
 MOST_SOURCES = 100
 MOST_BYTES = 8 * 1024 * 1024
-NOT_THEIRS = {"build", "__MACOSX", "CMakeFiles", "fixtures", "tests"}
+LONGEST_NAME = 255  # bytes, folders and all
+MAC_FOLDER = "__MACOSX"
+NOT_THEIRS = {"build", MAC_FOLDER, "CMakeFiles", "fixtures", "tests"}
 
 
 @dataclass(frozen=True)
@@ -34,7 +38,9 @@ class Submission:
     def helpers(self) -> list[str]:
         """The sources beside the parts."""
         own = set(self.parts.values())
-        return sorted(f for f in self.files if PurePosixPath(f).suffix in SOURCES and f not in own)
+        return sorted(
+            f for f in self.files if PurePosixPath(f).suffix.lower() in SOURCES and f not in own
+        )
 
     @property
     def include_folders(self) -> list[str]:
@@ -58,47 +64,65 @@ class Submission:
 
 def read(path: Path) -> Submission:
     """Raises UsageError, with one sentence, when there is nothing to grade."""
-    entries = list(intake.entries(path))
+    with intake.opened(path) as entries:
+        return take(path, entries)
+
+
+def take(path: Path, entries: list[Entry]) -> Submission:
+    """Chooses among the entries, and reads those that are sources."""
     top = _common_folder(entries)
+    names = {_inside(top, entry.name): entry for entry in entries}
+    wanted = {n: e for n, e in names.items() if not e.link and _wanted(PurePosixPath(n))}
+    if len(wanted) > MOST_SOURCES:
+        raise _too_much(path)
     files: dict[str, bytes] = {}
-    too_large: dict[str, str] = {}
-    ignored: list[str] = []
-    for entry in entries:
-        name = str(PurePosixPath(entry.name).relative_to(top))
-        if not _wanted(PurePosixPath(name)) or entry.link:
-            ignored.append(name)
-            continue
+    not_text: dict[str, str] = {}
+    for name, entry in wanted.items():
         try:
-            files[name] = intake.text_of(entry)
-            _require_small(path, files)
-        except intake.NotText as reason:
-            too_large[name] = str(reason)
-    chosen = _choose_parts([*files, *too_large])
-    unused = _other_copies([*files], chosen)
+            files[name] = text_of(entry)
+        except NotText as reason:
+            not_text[name] = str(reason)
+        if sum(map(len, files.values())) > MOST_BYTES:
+            raise _too_much(path)
+    _require_a_place_for_each(path, wanted)
+    chosen = _choose_parts(list(wanted))
+    unused = _other_copies(list(files), chosen)
+    left = (names.keys() - wanted.keys()) | {*unused} | (not_text.keys() - {*chosen.values()})
     return Submission(
         name=path.name,
         files={n: t for n, t in files.items() if n not in unused},
         parts={number: name for number, name in chosen.items() if name in files},
-        refused={n: f"{name} {too_large[name]}" for n, name in chosen.items() if name in too_large},
-        ignored=tuple(
-            sorted(ignored + unused + [n for n in too_large if n not in chosen.values()])
-        ),
+        refused={n: f"{name} {not_text[name]}" for n, name in chosen.items() if name in not_text},
+        ignored=tuple(sorted(left)),
     )
 
 
-def _require_small(path: Path, files: dict[str, bytes]) -> None:
-    if len(files) > MOST_SOURCES or sum(map(len, files.values())) > MOST_BYTES:
-        raise UsageError(
-            f"{path} holds more than {MOST_SOURCES} sources or {MOST_BYTES >> 20} MB of them: "
-            "submit the four parts and their helpers alone"
-        )
+def _too_much(path: Path) -> UsageError:
+    return UsageError(
+        f"{path} holds more than {MOST_SOURCES} sources or {MOST_BYTES >> 20} MB of them: "
+        "submit the four parts and their helpers alone"
+    )
 
 
-def _common_folder(entries: list[intake.Entry]) -> str:
+def _require_a_place_for_each(path: Path, names: Iterable[str]) -> None:
+    """A zip can hold a file a.hpp beside a folder a.hpp."""
+    for name in names:
+        for folder in PurePosixPath(name).parents:
+            if str(folder) in names:
+                raise UsageError(f"{path} holds {folder} as a file and as a folder: keep one")
+
+
+def _common_folder(entries: list[Entry]) -> str:
     """The folder that everything is in, as when a folder was zipped; else '.'."""
-    tops = {PurePosixPath(e.name).parts[0] for e in entries if not e.name.startswith("__MACOSX/")}
-    nested = all(len(PurePosixPath(e.name).parts) > 1 for e in entries)
+    own = [PurePosixPath(entry.name).parts for entry in entries]
+    own = [parts for parts in own if parts[0] != MAC_FOLDER]
+    tops = {parts[0] for parts in own}
+    nested = all(len(parts) > 1 for parts in own)
     return tops.pop() if len(tops) == 1 and nested else "."
+
+
+def _inside(top: str, name: str) -> str:
+    return name.removeprefix(f"{top}/")
 
 
 def _wanted(name: PurePosixPath) -> bool:
@@ -106,8 +130,14 @@ def _wanted(name: PurePosixPath) -> bool:
     theirs = not any(f in NOT_THEIRS or f.startswith((".", "cmake-build")) for f in folders)
     contract = folders[-2:] == ("include", "bounce")
     given = name.name in GIVEN or name.name.endswith("_test.cpp")
-    source = name.suffix in SOURCES | HEADERS and not name.name.startswith(".")
-    return theirs and source and not contract and not given
+    source = name.suffix.lower() in SOURCES | HEADERS and not name.name.startswith(".")
+    return theirs and source and not contract and not given and _usable(str(name))
+
+
+def _usable(name: str) -> bool:
+    """A compiler and a file system take it, and it isn't taken for an option."""
+    spelled = all(c.isprintable() or unicodedata.category(c) == "Zs" for c in name)
+    return spelled and not name.startswith(("-", "@")) and len(name.encode()) <= LONGEST_NAME
 
 
 def _choose_parts(names: list[str]) -> dict[int, str]:

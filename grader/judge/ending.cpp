@@ -4,9 +4,9 @@
 
 #include <csignal>
 #include <map>
-#include <regex>
 
 #include "../runner/crash.hpp"
+#include "assertion.hpp"
 
 namespace bounce::judge {
 namespace {
@@ -25,19 +25,6 @@ const std::map<int, std::string> kSignals = {
     {SIGKILL, "was killed"},
     {SIGTERM, "ended itself with SIGTERM"},
 };
-
-// Eigen's and libstdc++'s assertions: "file:line: function: Assertion `...' failed."
-std::string assertion_in(const std::string& print) {
-  static const std::regex kAssertion(R"(([\w.+-]+:\d+): .*Assertion [`'](.*)' failed)");
-  std::smatch found;
-  if (!std::regex_search(print, found, kAssertion)) return "";
-  const std::string what = found[2].str().substr(0, 120);
-  return "an assertion failed (" + found[1].str() + "): " + what +
-         (what.find("index") != std::string::npos || what.find("rows()") != std::string::npos ||
-                  what.find("__n <") != std::string::npos
-              ? "; an index or a size is out of range"
-              : "");
-}
 
 // The last line of its kind: a submission may print what it likes, but only before it crashes.
 std::string stack_in(const std::string& print) {

@@ -87,7 +87,17 @@ RunnerProcess::RunnerProcess(const std::vector<std::string>& command, const Limi
   questions_ = questions.write;
   answers_ = answers.read;
   prints_ = prints.read;
+  set_up();
+}
+
+RunnerProcess::RunnerProcess(int questions, int answers, int prints, const Limits& limits)
+    : limits_(limits), questions_(questions), answers_(answers), prints_(prints) {
+  set_up();
+}
+
+void RunnerProcess::set_up() {
   ::fcntl(prints_, F_SETFL, O_NONBLOCK);
+  ::fcntl(questions_, F_SETFL, O_NONBLOCK);
   start_the_clock();
 }
 
@@ -104,8 +114,12 @@ void RunnerProcess::start_the_clock() {
 }
 
 void RunnerProcess::send(const frames::Frame& frame) {
-  // A frame is smaller than a pipe's buffer and at most one is under way, so this can't block.
+  // A frame is smaller than PIPE_BUF: it is written whole or not at all. The pipe holds hundreds,
+  // and who reads what it asks for has at most one under way.
   const ssize_t n = ::write(questions_, &frame, sizeof frame);
+  if (n < 0 && errno == EAGAIN) {
+    end("no_answer", "the program asks again and again without reading what it is told");
+  }
   if (n != static_cast<ssize_t>(sizeof frame)) end_after_close();
 }
 
@@ -139,7 +153,10 @@ bool RunnerProcess::wait_until_readable() {
   pollfd both[2] = {{answers_, POLLIN, 0}, {prints_, POLLIN, 0}};
   ::poll(both, 2, kGlance);
   if (both[1].revents != 0) drain_prints();
-  if (both[0].revents != 0) return true;
+  if (both[0].revents != 0) {
+    if (Clock::now() > deadline_) end_at_the_deadline();  // it may come byte by byte
+    return true;
+  }
   end_if_it_waits();
   return false;
 }
@@ -153,11 +170,18 @@ void RunnerProcess::end_if_it_waits() {
     last_change_ = now;
     ticks_ = ticks;
   }
-  if (now - last_change_ >= std::chrono::seconds(limits_.idle_seconds) || now > deadline_) {
+  if (now > deadline_) end_at_the_deadline();
+  if (now - last_change_ >= std::chrono::seconds(limits_.idle_seconds)) {
     kill();
     throw RunnerEnded("timed_out",
                       "no answer came: the program waits for something, perhaps for input", true);
   }
+}
+
+void RunnerProcess::end_at_the_deadline() {
+  kill();
+  throw RunnerEnded("timed_out",
+                    "no whole answer came in " + std::to_string(limits_.wall_seconds) + " s", true);
 }
 
 void RunnerProcess::drain_prints() {
@@ -200,6 +224,7 @@ void RunnerProcess::end(const std::string& status, const std::string& sentence) 
 
 // The wait status, or -1 when it still runs after a while.
 int RunnerProcess::wait_for_exit() {
+  if (pid_ < 0) return 0;
   for (int tries = 0; tries < 1000; ++tries) {
     int status = 0;
     if (::waitpid(pid_, &status, WNOHANG) == pid_) {

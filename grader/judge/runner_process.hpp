@@ -28,9 +28,10 @@ struct RunnerEnded : std::runtime_error {
 };
 
 struct Limits {
-  int cpu_seconds = 1;    // of a runner's life
-  int idle_seconds = 1;   // of waiting, without a wish to run
-  int wall_seconds = 60;  // of one question: lax, for a machine that is very busy
+  int cpu_seconds = 1;        // of a runner's life
+  int idle_seconds = 1;       // of waiting, without a wish to run
+  int wall_seconds = 60;      // of one question: lax, for a machine that is very busy
+  int session_seconds = 200;  // of all questions of a part, so that the judge ends by itself
   std::size_t memory = std::size_t{1} << 30;
   std::size_t prints = std::size_t{8} << 20;  // bytes, over a runner's life
 };
@@ -44,6 +45,8 @@ class RunnerProcess {
   // Starts `command` with the questions on descriptor 3 and the answers on 4.
   // Throws std::runtime_error when it can't be started: a failure of the kit.
   RunnerProcess(const std::vector<std::string>& command, const Limits& limits);
+  // Somebody else's pipes, which this closes in the end, and no process.
+  RunnerProcess(int questions, int answers, int prints, const Limits& limits);
   ~RunnerProcess();
   RunnerProcess(const RunnerProcess&) = delete;
   RunnerProcess& operator=(const RunnerProcess&) = delete;
@@ -59,12 +62,14 @@ class RunnerProcess {
  private:
   using Clock = std::chrono::steady_clock;
 
+  void set_up();
   void read_exactly(void* data, std::size_t size);
   bool wait_until_readable();
   void drain_prints();
   void end_if_it_waits();
   [[noreturn]] void end_after_close();
   [[noreturn]] void end(const std::string& status, const std::string& sentence);
+  [[noreturn]] void end_at_the_deadline();
   void close_prints();
   int wait_for_exit();
   void kill();

@@ -32,20 +32,26 @@ std::string printable(std::string text) {
 Session* session = nullptr;
 
 Session::Session(std::vector<std::string> command, Limits limits, std::uint32_t part, bool given)
-    : command_(std::move(command)),
+    : Session([command = std::move(command),
+               limits] { return std::make_unique<RunnerProcess>(command, limits); },
+              limits, part, given) {}
+
+Session::Session(Start start, Limits limits, std::uint32_t part, bool given)
+    : start_(std::move(start)),
       limits_(limits),
       part_(part),
       given_(given),
-      hangs_left_(given ? 1 : 2) {}
+      hangs_left_(given ? 1 : 2),
+      last_question_(Clock::now() + std::chrono::seconds(limits.session_seconds)) {}
 
 std::optional<Session::End> Session::take_end() { return std::exchange(end_, std::nullopt); }
 
 Frame Session::ask(Frame question, Trajectory* columns) {
-  if (hangs_left_ <= 0) {
+  if (hangs_left_ <= 0 || Clock::now() > last_question_) {
     end_ = {"no_answer", ""};
     throw tests::Ended("nothing was asked here: the part hung before, and its time is used up");
   }
-  if (!runner_) runner_ = std::make_unique<RunnerProcess>(command_, limits_);
+  if (!runner_) runner_ = start_();
   question.number = ++number_;
   try {
     const Frame answer = answer_of(question, columns);

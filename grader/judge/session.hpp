@@ -3,6 +3,8 @@
 // one that waits for ever, or that hangs once with the earlier parts given, its second chance.
 #pragma once
 
+#include <chrono>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -16,6 +18,10 @@ class Session {
  public:
   // given: pleas for parts before `part` are answered from the solution; else none is.
   Session(std::vector<std::string> command, Limits limits, std::uint32_t part, bool given);
+
+  // With runners that are started in another way.
+  using Start = std::function<std::unique_ptr<RunnerProcess>()>;
+  Session(Start start, Limits limits, std::uint32_t part, bool given);
 
   // The answer to a question, and the columns of one of part 4. Throws tests::Ended when the
   // check can't go on, std::runtime_error when this question has no answer.
@@ -31,13 +37,16 @@ class Session {
   frames::Frame answer_of(const frames::Frame& question, Trajectory* columns);
   void read_columns(const frames::Frame& question, const frames::Frame& answer, Trajectory& into);
 
-  std::vector<std::string> command_;
+  using Clock = std::chrono::steady_clock;
+
+  Start start_;
   Limits limits_;
   std::uint32_t part_;
   bool given_;
   std::unique_ptr<RunnerProcess> runner_;
   std::uint64_t number_ = 0;
   int hangs_left_;
+  Clock::time_point last_question_;
   std::optional<End> end_;
 };
 

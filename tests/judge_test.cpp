@@ -1,0 +1,164 @@
+// The judge against runners that don't play by the rules, with pipes in place of processes.
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <csignal>
+#include <ctime>
+#include <sstream>
+#include <thread>
+
+#include "../grader/judge/assertion.hpp"
+#include "../grader/judge/session.hpp"
+#include "cases.hpp"
+
+namespace bounce {
+
+std::vector<std::filesystem::path> tests::fixture_folders() { return {}; }
+
+namespace judge {
+namespace {
+
+// A runner that is only pipes: what the judge writes to and reads from, and the runner's ends.
+struct Pipes {
+  Pipes() {
+    std::signal(SIGPIPE, SIG_IGN);
+    for (auto* pipe : {questions, answers, prints}) EXPECT_EQ(::pipe2(pipe, O_CLOEXEC), 0);
+  }
+  ~Pipes() {
+    for (const int fd : {questions[0], answers[1], prints[1]}) ::close(fd);
+  }
+  std::unique_ptr<RunnerProcess> runner(const Limits& limits) const {
+    return std::make_unique<RunnerProcess>(questions[1], answers[0], prints[0], limits);
+  }
+  int questions[2], answers[2], prints[2];
+};
+
+TEST(RunnerProcess, IsEndedWhenItAsksWithoutReading) {
+  const Pipes pipes;
+  const auto runner = pipes.runner(Limits());
+  try {
+    for (int i = 0; i < 10000; ++i) runner->send(frames::Frame());
+    FAIL() << "the pipe holds more than 10,000 frames";
+  } catch (const RunnerEnded& ended) {
+    EXPECT_EQ(ended.status, "no_answer");
+    EXPECT_NE(std::string(ended.what()).find("without reading"), std::string::npos);
+  }
+}
+
+TEST(RunnerProcess, IsEndedWhenItsAnswerComesByteByByte) {
+  const Pipes pipes;
+  Limits limits;
+  limits.wall_seconds = 1;
+  auto runner = pipes.runner(limits);
+  std::atomic<bool> over = false;
+  std::thread slow([&] {  // a whole frame would take ten seconds
+    const frames::Frame answer;
+    const char* bytes = reinterpret_cast<const char*>(&answer);
+    for (std::size_t i = 0; i < sizeof answer && !over; ++i) {
+      EXPECT_EQ(::write(pipes.answers[1], bytes + i, 1), 1);
+      std::this_thread::sleep_for(std::chrono::milliseconds(25));
+    }
+  });
+  try {
+    runner->receive();
+    ADD_FAILURE() << "it was waited for";
+  } catch (const RunnerEnded& ended) {
+    EXPECT_EQ(ended.status, "timed_out");
+    EXPECT_TRUE(ended.waits);
+  }
+  over = true;
+  slow.join();
+}
+
+TEST(Session, AsksNoMoreWhenItsTimeIsUp) {
+  Limits limits;
+  limits.session_seconds = -1;
+  int started = 0;
+  Session session(
+      [&]() -> std::unique_ptr<RunnerProcess> {
+        ++started;
+        return nullptr;
+      },
+      limits, 1, false);
+  EXPECT_THROW(session.ask(frames::Frame()), tests::Ended);
+  EXPECT_EQ(session.take_end().value().status, "no_answer");
+  EXPECT_EQ(started, 0);
+}
+
+TEST(Assertion, OfEigenIsToldWithItsPlace) {
+  EXPECT_EQ(assertion_in("a print\nrunner: /usr/include/eigen3/Eigen/src/Core/Block.h:120: "
+                         "Eigen::Block<X>::Block(X&, Index): Assertion `(i>=0) && (i<rows())' "
+                         "failed.\nmore"),
+            "an assertion failed (Block.h:120): (i>=0) && (i<rows()); an index or a size is out of "
+            "range");
+}
+
+TEST(Assertion, OfTheLibraryIsToldWithItsPlace) {
+  EXPECT_EQ(
+      assertion_in("/usr/include/c++/12/bits/stl_vector.h:1123: f: Assertion "
+                   "'__n < this->size()' failed.\n"),
+      "an assertion failed (stl_vector.h:1123): __n < this->size(); an index or a size is out "
+      "of range");
+}
+
+TEST(Assertion, IsNotSeenInOtherWords) {
+  for (const char* print : {"", "Assertion `x' failed", "x:1: Assertion x failed", "x:1: no more",
+                            ":1: Assertion `x' failed", "x:: Assertion `x' failed"}) {
+    EXPECT_EQ(assertion_in(print), "") << print;
+  }
+}
+
+double cpu_seconds_to_read(const std::string& print) {
+  const std::clock_t start = std::clock();
+  assertion_in(print);
+  return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+}
+
+// A megabyte, 250 times of what is ever kept; each is quadratic, or worse, for a careless reader.
+TEST(Assertion, IsFoundInNoTimeWhateverWasPrinted) {
+  for (const std::string word : {"a", ":1", "a:1: ", "1:", "Assertion `", "a:1: Assertion `", "\n",
+                                 "' failed", "a:1: Assertion `x' faile"}) {
+    std::string print;
+    while (print.size() < 1'000'000) print += word;
+    EXPECT_LT(cpu_seconds_to_read(print), 1) << word;
+  }
+}
+
+std::vector<tests::Case> read(const std::string& text) {
+  std::istringstream file(R"({"checks": {"c": [)" + text + "]}}");
+  return tests::read_cases(file, "c", false);
+}
+
+std::string with(const std::string& T, const std::string& expected) {
+  return R"({"name": "x", "tolerance": 1e-9, "params": {"l": 1, "m": 1, "mu": 1, "epsilon": 1,
+             "g": [0, 1, 0], "dt": 1, "delta": 1, "T": )" +
+         T + R"(}, "input": {"q_0": [1, 2, 3]}, "expected": )" + expected + "}";
+}
+
+TEST(Fixtures, AreReadWhereTheyAreWhole) {
+  const auto cases = read(with("2", R"({"columns": [1], "q": [[1, 2, 3]], "v": [[4, 5, 6]]})"));
+  ASSERT_EQ(cases.size(), 1U);
+  EXPECT_EQ(cases[0].params.T, 2);
+  EXPECT_EQ(cases[0].trajectory.v(2, 0), 6);
+}
+
+TEST(Fixtures, AreRefusedWhereSomethingIsMissingOrOdd) {
+  for (const char* T : {"0", "-1", "1.5", "1e300", "99999999999", "18446744073709551615", "null"}) {
+    EXPECT_THROW(read(with(T, "{}")), std::exception) << T;
+  }
+  for (const char* expected :
+       {R"({"phi": 1})", R"({"V": [[1]], "p": [1, 2, 3, 4]})", R"({"v": [1, 2, 3]})",
+        R"({"columns": [2], "q": [[1, 2, 3]], "v": [[4, 5, 6]]})",
+        R"({"columns": [-1], "q": [[1, 2, 3]], "v": [[4, 5, 6]]})",
+        R"({"columns": [0, 1], "q": [[1, 2, 3]], "v": [[4, 5, 6]]})",
+        R"({"columns": [0], "q": [], "v": []})", R"({"q": [1, 2], "v": [1, 2, 3]})",
+        R"({"q": [1, 2, 3, 4], "v": [1, 2, 3]})"}) {
+    EXPECT_THROW(read(with("2", expected)), std::exception) << expected;
+  }
+}
+
+}  // namespace
+}  // namespace judge
+}  // namespace bounce
