@@ -255,7 +255,7 @@ COMPILER_SEEDS = [
     b"part2_lcp.cpp:11:30: note: in instantiation of function template\n",
     b"ld.lld: error: undefined symbol: r(double)\n>>> referenced by part3_step.cpp:12 (/tmp/x:12)\n",
     b"ld.lld: error: duplicate symbol: main\n",
-    f"??:0\n/tmp/{WORK_FOLDER}x1/src/part1_contacts.cpp:12 (discriminator 3)\n".encode(),
+    f"??:0\n/tmp/{WORK_FOLDER}x1/sources/src/part1_contacts.cpp:12 (discriminator 3)\n".encode(),
 ]
 
 

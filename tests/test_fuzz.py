@@ -63,10 +63,13 @@ def test_what_addr2line_says_of_a_megabyte_is_read_in_no_time() -> None:
 
 
 def test_a_place_is_one_line_of_bounded_length() -> None:
-    line = f"/tmp/{WORK_FOLDER}a1b2/src/part1_contacts.cpp:12 (discriminator 3)\n"
+    line = f"/tmp/{WORK_FOLDER}a1b2/sources/src/part1_contacts.cpp:12 (discriminator 3)\n"
     assert judging.place_in(f"??:0\n{line}".encode()) == "src/part1_contacts.cpp:12"
-    assert judging.place_in(f"{FOLDER}x/{'a' * 9999}:1".encode()) is None
-    assert judging.place_in(f"{FOLDER}x/\x1b[2J:1".encode()) == "\N{REPLACEMENT CHARACTER}[2J:1"
+    assert judging.place_in(f"{FOLDER}x/sources/{'a' * 9999}:1".encode()) is None
+    assert (
+        judging.place_in(f"{FOLDER}x/sources/\x1b[2J:1".encode())
+        == "\N{REPLACEMENT CHARACTER}[2J:1"
+    )
 
 
 def answered(change: Callable[[Any], object]) -> bytes:
