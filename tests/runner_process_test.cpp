@@ -6,6 +6,7 @@
 #include <chrono>
 #include <csignal>
 #include <string>
+#include <thread>
 
 namespace bounce::tests {
 namespace {
@@ -95,7 +96,9 @@ TEST(RunnerProcess, RefusesAnswersThatNobodyAskedFor) {
   RunnerProcess runner({"/bin/sh", "-c", kFrame + kFrame + "exec sleep 1000"}, judge::Limits());
   runner.receive();
   try {
-    for (;;) runner.send(frames::Frame());  // once the second has come, nothing more is asked
+    for (;; std::this_thread::sleep_for(std::chrono::milliseconds(20))) {
+      runner.send(frames::Frame());  // once the second has come, nothing more is asked
+    }
   } catch (const RunnerEnded& ended) {
     EXPECT_STREQ(ended.what(), judge::kNotAskedFor);
   }

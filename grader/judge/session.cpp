@@ -66,7 +66,7 @@ Frame Session::answer_of(const Frame& question, Trajectory* columns) {
   runner_->send(question);
   Frame answer = runner_->receive();
   for (std::int64_t pleas = 0; answer.kind == Kind::plea; ++pleas) {
-    if (!given_ || answer.part >= part_) {
+    if (!given_ || answer.part < 1 || answer.part >= part_) {
       throw RunnerEnded({"no_answer", "the program asked for what isn't given to it"});
     }
     if (pleas > most_pleas(question)) {
