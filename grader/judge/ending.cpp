@@ -2,7 +2,6 @@
 
 #include <sys/wait.h>
 
-#include <cctype>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
@@ -10,6 +9,7 @@
 #include <string_view>
 
 #include "../runner/crash.hpp"
+#include "assertion.hpp"
 #include "one_line.hpp"
 #include "system_call.hpp"
 
@@ -38,37 +38,6 @@ std::string stack_in(std::string_view print) {
   return addresses ? std::string(line) : "";
 }
 
-bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
-
-// "file.cpp:12", the first such in a text, without its folders.
-std::string_view place_in(std::string_view text) {
-  for (std::size_t colon = text.find(':'); colon != std::string_view::npos;
-       colon = text.find(':', colon + 1)) {
-    std::size_t end = colon + 1;
-    while (end < text.size() && is_digit(text[end])) ++end;
-    if (end == colon + 1) continue;
-    const std::size_t before = text.find_last_of("/ ", colon);
-    const std::size_t begin = before == std::string_view::npos ? 0 : before + 1;
-    return text.substr(begin, end - begin);
-  }
-  return "";
-}
-
-// Eigen's and libstdc++'s assertions: "file:line: function: Assertion `...' failed."
-std::string assertion_in(std::string_view print) {
-  constexpr std::string_view kMark = ": Assertion ";
-  const std::size_t at = print.rfind(kMark);
-  if (at == std::string_view::npos) return "";
-  const std::size_t line = print.rfind('\n', at) + 1;  // npos + 1 is 0: the first line
-  const std::string place = one_line(place_in(print.substr(line, at - line)), kLongest);
-  const std::string_view rest = up_to(print.substr(at + kMark.size()), "\n");
-  const std::string what = one_line(up_to(rest.substr(rest.empty() ? 0 : 1), "' failed"), kLongest);
-  const auto names = [&what](const char* word) { return what.find(word) != std::string::npos; };
-  const bool index = names("index") || names("rows()") || names("__n <");
-  return "an assertion failed" + (place.empty() ? "" : " (" + place + ")") + ": " + what +
-         (index ? "; an index or a size is out of range" : "");
-}
-
 // glibc's own words when it finds its book-keeping of memory overwritten.
 bool is_about_freed_memory(std::string_view line) {
   for (const char* word : {"free(): ", "malloc(): ", "realloc(): ", "malloc_consolidate(): ",
@@ -90,7 +59,7 @@ std::string_view last_words(std::string_view print) {
 
 Ending of_abort(const Limits& limits, const std::string& print) {
   if (const std::string assertion = assertion_in(print); !assertion.empty()) {
-    return {"crashed", "the program aborted: " + assertion};
+    return {"crashed", "the program aborted: " + one_line(assertion, 3 * kLongest)};
   }
   const std::string_view thrown =
       up_to(line_after(print, "terminate called after throwing an instance of '"), "'");

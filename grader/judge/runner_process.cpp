@@ -115,19 +115,19 @@ void RunnerProcess::send(const frames::Frame& frame) {
 frames::Frame RunnerProcess::receive() {
   last_glance_ = Clock::now();  // it has just been woken
   frames::Frame frame;
-  read_exactly(&frame, sizeof frame);
+  read_exactly(&frame, sizeof frame, false);
   if (frame.magic != frames::kMagic) end({"no_answer", kNotAskedFor});
   return frame;
 }
 
 void RunnerProcess::receive(Eigen::Matrix3Xd& columns) {
-  read_exactly(columns.data(), sizeof(double) * static_cast<std::size_t>(columns.size()));
+  read_exactly(columns.data(), sizeof(double) * static_cast<std::size_t>(columns.size()), true);
 }
 
-void RunnerProcess::read_exactly(void* data, std::size_t size) {
+void RunnerProcess::read_exactly(void* data, std::size_t size, bool amid_an_answer) {
   char* to = static_cast<char*>(data);
   for (std::size_t got = 0; got < size;) {
-    if (!wait_until_readable(got > 0)) continue;
+    if (!wait_until_readable(amid_an_answer || got > 0)) continue;
     const ssize_t n = ::read(answers_, to + got, size - got);
     if (n < 0 && errno == EINTR) continue;
     if (n <= 0) end_after_close("answers (descriptor 4)");
@@ -144,10 +144,9 @@ bool RunnerProcess::wait_until_readable(bool amid_an_answer) {
   const int ready = ::poll(both, 2, static_cast<int>((due ? kSilence : kGlance).count()));
   waited_ += Clock::now() - start;
   if (both[1].revents != 0) drain_prints();
-  if (both[0].revents != 0) return true;
   if (due && ready == 0) end_if_it_hangs(amid_an_answer);
-  end_if_late(amid_an_answer);
-  return false;
+  end_if_late(amid_an_answer);  // though something may come, byte by byte
+  return both[0].revents != 0;
 }
 
 // Each glance that finds it asleep stands for the time since the one before. Shorter naps go

@@ -49,7 +49,7 @@ class RunnerProcess {
  private:
   using Clock = std::chrono::steady_clock;
 
-  void read_exactly(void* data, std::size_t size);
+  void read_exactly(void* data, std::size_t size, bool amid_an_answer);
   bool wait_until_readable(bool amid_an_answer);
   void drain_prints();
   void end_if_it_hangs(bool amid_an_answer);

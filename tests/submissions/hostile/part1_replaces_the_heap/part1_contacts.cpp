@@ -1,6 +1,5 @@
 #include <bounce/part1_contacts.hpp>
 #include <new>
-#include <unistd.h>
 #include <vector>
 
 namespace bounce {
@@ -12,5 +11,9 @@ Contact get_contacts(const Vector3& q, const Parameters&) {
 
 }  // namespace bounce
 
-void* operator new(std::size_t) { _exit(0); }
+volatile bool full = true;
+void* operator new(std::size_t) {
+  if (full) throw std::bad_alloc();
+  return nullptr;
+}
 void operator delete(void*) noexcept {}

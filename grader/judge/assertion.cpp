@@ -1,0 +1,57 @@
+#include "assertion.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+namespace bounce::judge {
+namespace {
+
+using View = std::string_view;
+
+bool digit(char c) { return c >= '0' && c <= '9'; }
+
+bool of_a_name(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) || View("_.+-").find(c) != View::npos;
+}
+
+// "File.h:12" in "program: /path/File.h:12: function: "; empty where there is none.
+View place_in(View line) {
+  for (std::size_t colon = line.find(':'); colon != View::npos; colon = line.find(':', colon + 1)) {
+    std::size_t end = colon + 1;
+    while (end < line.size() && digit(line[end])) ++end;
+    if (end == colon + 1 || line.substr(end, 2) != ": ") continue;
+    std::size_t start = colon;
+    while (start > 0 && of_a_name(line[start - 1])) --start;
+    if (start < colon) return line.substr(start, end - start);
+  }
+  return {};
+}
+
+// One line as assert() and __glibcxx_assert write it: place: function: Assertion `what' failed.
+std::string in_line(View line) {
+  const View word = "Assertion ";
+  const std::size_t at = line.find(word), quote = at + word.size();
+  const std::size_t end = line.rfind("' failed");
+  if (at == View::npos || end == View::npos || end <= quote) return "";
+  if (line[quote] != '`' && line[quote] != '\'') return "";
+  const View place = place_in(line.substr(0, at));
+  if (place.empty()) return "";
+  const View what = line.substr(quote + 1, std::min<std::size_t>(end - quote - 1, 120));
+  const bool of_size = what.find("index") != View::npos || what.find("rows()") != View::npos ||
+                       what.find("__n <") != View::npos;
+  return "an assertion failed (" + std::string(place.substr(0, 120)) + "): " + std::string(what) +
+         (of_size ? "; an index or a size is out of range" : "");
+}
+
+}  // namespace
+
+std::string assertion_in(View print) {
+  while (!print.empty()) {
+    const std::size_t end = std::min(print.find('\n'), print.size());
+    if (std::string found = in_line(print.substr(0, end)); !found.empty()) return found;
+    print.remove_prefix(std::min(end + 1, print.size()));
+  }
+  return "";
+}
+
+}  // namespace bounce::judge
