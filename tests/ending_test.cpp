@@ -65,6 +65,11 @@ TEST(Ending, NamesWhyASegmentationFaultCame) {
   expect(by_signal(SIGSEGV, cause(runner::kUnknown)), "crashed", "an index out of range");
 }
 
+TEST(Ending, TellsADivisionByZeroFromATrapThatWasAskedFor) {
+  expect(by_signal(SIGFPE, cause(runner::kDivision)), "crashed", "integer division by zero");
+  expect(by_signal(SIGFPE, cause(runner::kFloat)), "crashed", "asked to be ended by inexact");
+}
+
 TEST(Ending, NamesTheRefusedCall) {
   const auto call = [](long number) {
     return by_signal(SIGSYS, cause(runner::kCall + std::to_string(number)));

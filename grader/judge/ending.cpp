@@ -82,6 +82,11 @@ Ending of_abort(const Limits& limits, const std::string& print) {
 
 std::string of_segmentation_fault(const std::string& cause) {
   const std::string what = "the program crashed with a segmentation fault: ";
+  if (cause.empty()) {
+    return what +
+           "so early that it couldn't say where; global arrays that are too large, or a change of "
+           "how signals are handled, do that";
+  }
   if (cause == runner::kNull) return what + "it followed a null pointer";
   if (cause == runner::kFullStack) {
     return what + "its stack is full: a recursion without end, or a very large local array";
@@ -99,9 +104,15 @@ std::string of_refused_call(const std::string& cause) {
   return what + what_is_asked_by(std::atol(cause.c_str() + std::strlen(runner::kCall)));
 }
 
+std::string of_arithmetic_error(const std::string& cause) {
+  const std::string what = "the program crashed with an arithmetic error: ";
+  return what + (cause == runner::kFloat
+                     ? "it asked to be ended by inexact, infinite or invalid numbers, and made one"
+                     : "an integer division by zero");
+}
+
 std::string of_other_signal(int signal) {
   static const std::map<int, std::string> kWords = {
-      {SIGFPE, "crashed with an arithmetic error: an integer division by zero, perhaps"},
       {SIGILL, "crashed with an illegal instruction: a function that returns no value, perhaps"},
       {SIGBUS, "crashed with a bus error: it touched memory that isn't there"},
       {SIGTRAP, "stopped itself with a trap"},
@@ -120,6 +131,7 @@ Ending of_signal(int signal, const Limits& limits, const std::string& print) {
   const std::string cause(line_after(print, runner::kCause));
   Ending ending = signal == SIGABRT   ? of_abort(limits, print)
                   : signal == SIGSEGV ? Ending{"crashed", of_segmentation_fault(cause)}
+                  : signal == SIGFPE  ? Ending{"crashed", of_arithmetic_error(cause)}
                   : signal == SIGSYS  ? Ending{"crashed", of_refused_call(cause)}
                                       : Ending{"crashed", of_other_signal(signal)};
   if (ending.status == "crashed") ending.stack = stack_in(print);

@@ -16,4 +16,4 @@ Contact get_contacts(const Vector3& q, const Parameters& params) {
 
 }  // namespace bounce
 
-asm(".globl main\nmain:\n  xor %eax, %eax\n  ret\n");
+asm(".globl main\nmain:\n");

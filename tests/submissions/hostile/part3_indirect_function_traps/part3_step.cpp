@@ -2,13 +2,9 @@
 #include <bounce/part2_lcp.hpp>
 #include <bounce/part3_step.hpp>
 #include <bounce/solve_lcp.hpp>
-#include <sys/syscall.h>
 
 extern "C" {
-static void (*choose())() {
-  asm volatile("syscall" ::"a"(SYS_exit_group), "D"(0));
-  return nullptr;
-}
+static void (*choose())() { __builtin_trap(); }
 void chosen_while_starting() __attribute__((ifunc("choose")));
 }
 
