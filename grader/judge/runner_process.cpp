@@ -21,7 +21,7 @@ namespace {
 constexpr std::size_t kKeptPrints = 16 * 1024;
 constexpr std::chrono::milliseconds kSilence(5);
 constexpr std::chrono::milliseconds kGlance(100);  // between two looks at a silent runner
-constexpr double kCpuGrace = 0.5;                  // s, for SIGXCPU to end a runner by itself
+constexpr double kCpuGrace = 0.2;                  // s, for SIGXCPU to end a runner by itself
 
 struct Pipe {
   int read = -1, write = -1;
