@@ -201,7 +201,7 @@ std::vector<Case> read_cases(std::istream& file, const std::string& check, bool 
 
 void for_each_case(const std::function<std::string(const Case&)>& ask) {
   const std::vector<Case> cases = cases_of(running_check());
-  std::string first;
+  std::string told;  // the first wrong case, unless the program ended on another one
   std::size_t wrong = 0;
   for (const Case& c : cases) {
     bool ended = false;
@@ -214,13 +214,14 @@ void for_each_case(const std::function<std::string(const Case&)>& ask) {
     } catch (const std::exception& thrown) {
       problem = "  got      " + std::string(thrown.what());
     }
-    if (!problem.empty() && wrong++ == 0) {
-      first = c.name + (c.hidden ? " (a hidden case)" : "") + "\n" + c.input + "\n" + problem;
+    if (!problem.empty() && (wrong++ == 0 || ended)) {
+      told = (wrong == 1 ? "the first: " : "the last: ") + c.name +
+             (c.hidden ? " (a hidden case)" : "") + "\n" + c.input + "\n" + problem;
     }
     if (ended) break;
   }
   if (wrong > 0) {
-    ADD_FAILURE() << wrong << " of " << cases.size() << " cases wrong; the first: " << first;
+    ADD_FAILURE() << wrong << " of " << cases.size() << " cases wrong; " << told;
   }
 }
 

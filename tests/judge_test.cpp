@@ -42,8 +42,8 @@ TEST(RunnerProcess, IsEndedWhenItAsksWithoutReading) {
     for (int i = 0; i < 10000; ++i) runner->send(frames::Frame());
     FAIL() << "the pipe holds more than 10,000 frames";
   } catch (const RunnerEnded& ended) {
-    EXPECT_EQ(ended.status, "no_answer");
-    EXPECT_NE(std::string(ended.what()).find("without reading"), std::string::npos);
+    EXPECT_EQ(ended.ending.status, "no_answer");
+    EXPECT_NE(std::string(ended.what()).find("didn't read"), std::string::npos);
   }
 }
 
@@ -65,7 +65,7 @@ TEST(RunnerProcess, IsEndedWhenItsAnswerComesByteByByte) {
     runner->receive();
     ADD_FAILURE() << "it was waited for";
   } catch (const RunnerEnded& ended) {
-    EXPECT_EQ(ended.status, "timed_out");
+    EXPECT_EQ(ended.ending.status, "timed_out");
     EXPECT_TRUE(ended.waits);
   }
   over = true;

@@ -128,7 +128,7 @@ def _inside(top: str, name: str) -> str:
 def _wanted(name: PurePosixPath) -> bool:
     folders = name.parts[:-1]
     theirs = not any(f in NOT_THEIRS or f.startswith((".", "cmake-build")) for f in folders)
-    contract = folders[-2:] == ("include", "bounce")
+    contract = folders[-1:] == ("bounce",)  # <bounce/...> always comes from the kit
     given = name.name in GIVEN or name.name.endswith("_test.cpp")
     source = name.suffix.lower() in SOURCES | HEADERS and not name.name.startswith(".")
     return theirs and source and not contract and not given and _usable(str(name))

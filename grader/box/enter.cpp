@@ -1,4 +1,4 @@
-// enter run|build [--reduced] [--user N] [--in FOLDER] [--see PATH]... -- COMMAND...
+// enter run|check|build [--reduced] [--user N] [--in FOLDER] [--see PATH]... -- COMMAND...
 //
 // The last step into a box, taken inside of it: gives up privileges, sets the limits that count
 // per user, installs the filter of system calls, and becomes COMMAND. With --reduced it makes the
@@ -28,7 +28,7 @@ namespace bounce::box {
 namespace {
 
 struct Options {
-  bool build = false;
+  std::string kind;
   bool reduced = false;
   uid_t user = 65534;
   std::string folder;  // where the command starts; "" stays
@@ -41,10 +41,11 @@ std::string scratch;  // of a reduced build box: its only folder to write to
 Options parse(const std::vector<std::string>& words) {
   Options options;
   auto word = words.begin();
-  if (word == words.end() || (*word != "run" && *word != "build")) {
-    throw std::runtime_error("usage: enter run|build [OPTION]... -- COMMAND..., as in enter.cpp");
+  if (word == words.end() || (*word != "run" && *word != "check" && *word != "build")) {
+    throw std::runtime_error(
+        "usage: enter run|check|build [OPTION]... -- COMMAND..., as in enter.cpp");
   }
-  options.build = *word++ == "build";
+  options.kind = *word++;
   for (; word != words.end() && *word != "--"; ++word) {
     if (*word == "--reduced") {
       options.reduced = true;
@@ -91,10 +92,11 @@ void close_what_was_inherited(bool build) {
 }
 
 void enclose(const Options& options) {
-  if (options.build) make_scratch(options.user);
+  const bool build = options.kind == "build";
+  if (build) make_scratch(options.user);
   const pid_t guard = ::getpid();
   guard_what_follows(remove_scratch);
-  see_only(options.visible, options.build ? std::vector{scratch} : std::vector<std::string>{});
+  see_only(options.visible, build ? std::vector{scratch} : std::vector<std::string>{});
   give_up_privileges(options.user);
   require(::prctl(PR_SET_PDEATHSIG, SIGKILL), "dying with the box");
   if (::getppid() != guard) ::_exit(1);
@@ -103,7 +105,7 @@ void enclose(const Options& options) {
 [[noreturn]] void become(const Options& options) {
   std::vector<std::string> environment{"PATH=/usr/bin"};
   if (!scratch.empty()) environment.push_back("TMPDIR=" + scratch);
-  if (!options.build) environment.clear();
+  if (options.kind != "build") environment.clear();
   const auto pointers = [](const std::vector<std::string>& words) {
     std::vector<char*> all;
     for (const std::string& word : words) all.push_back(const_cast<char*>(word.c_str()));
@@ -116,7 +118,8 @@ void enclose(const Options& options) {
 }
 
 void enter(const Options& options) {
-  close_what_was_inherited(options.build);
+  const bool build = options.kind == "build";
+  close_what_was_inherited(build);
   require(::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0), "no new privileges");
   if (options.reduced) {
     enclose(options);
@@ -126,13 +129,11 @@ void enter(const Options& options) {
   if (!options.folder.empty()) require(::chdir(options.folder.c_str()), options.folder);
   leave_the_common_user_namespace();
   limit(RLIMIT_CORE, 0);
-  limit(RLIMIT_NPROC, options.build ? 128 : 1);
-  limit(RLIMIT_NOFILE, options.build ? 256 : 16);
-  if (options.build) {
-    refuse_what_no_compiler_needs();
-  } else {
-    allow_only_what_numbers_need();
-  }
+  limit(RLIMIT_NPROC, build ? 128 : 1);
+  limit(RLIMIT_NOFILE, build ? 256 : 16);
+  if (build) refuse_what_no_compiler_needs();
+  if (options.kind == "check") allow_what_checked_numbers_need();
+  if (options.kind == "run") allow_only_what_numbers_need();
   become(options);
 }
 

@@ -7,6 +7,9 @@ namespace bounce::box {
 // programs, connections or devices ends it with SIGSYS, which names the call.
 void allow_only_what_numbers_need();
 
+// For a submission that is built to check itself: also what the checking needs, which reads files.
+void allow_what_checked_numbers_need();
+
 // For the toolchain, which has to read, write and start its own programs: all but what concerns
 // connections, other programs and the system.
 void refuse_what_no_compiler_needs();

@@ -3,65 +3,160 @@
 #include <sys/wait.h>
 
 #include <csignal>
+#include <cstdlib>
+#include <cstring>
 #include <map>
+#include <string_view>
 
 #include "../runner/crash.hpp"
 #include "assertion.hpp"
+#include "one_line.hpp"
+#include "system_call.hpp"
 
 namespace bounce::judge {
 namespace {
 
-const std::map<int, std::string> kSignals = {
-    {SIGSEGV,
-     "crashed with a segmentation fault: it read or wrote memory that isn't its own "
-     "(a null pointer, an index out of range, or a recursion without end)"},
-    {SIGABRT, "aborted"},
-    {SIGFPE, "crashed with an arithmetic error, such as an integer division by zero"},
-    {SIGILL, "crashed with an illegal instruction (a function that returns no value, perhaps)"},
-    {SIGBUS, "crashed with a bus error: it touched memory that isn't there"},
-    {SIGTRAP, "stopped itself with a trap"},
-    {SIGSYS, "asked the system for what it isn't given: a process, a thread, a connection"},
-    {SIGXFSZ, "tried to write a file"},
-    {SIGKILL, "was killed"},
-    {SIGTERM, "ended itself with SIGTERM"},
-};
+constexpr std::size_t kLongest = 120;  // characters of what a program said, in a sentence
 
-// The last line of its kind: a submission may print what it likes, but only before it crashes.
-std::string stack_in(const std::string& print) {
-  const std::size_t at = print.rfind(runner::kStack);
-  if (at == std::string::npos) return "";
-  const std::size_t from = at + sizeof runner::kStack - 1;
-  const std::string line = print.substr(from, print.find('\n', from) - from);
-  return line.find_first_not_of(" 0123456789abcdefx") == std::string::npos ? line : "";
+// --- what a program printed at its end; it may have printed anything ---
+
+std::string_view up_to(std::string_view text, std::string_view end) {
+  return text.substr(0, text.find(end));
 }
 
-Ending of_signal(int signal, int cpu_seconds, const std::string& last_print) {
-  if (signal == SIGXCPU) {
-    return {"timed_out",
-            "the program used more than " + std::to_string(cpu_seconds) +
-                " s of CPU time: a loop without end, perhaps",
-            ""};
+// What follows the last `mark` on its line; empty where there is none.
+std::string_view line_after(std::string_view print, std::string_view mark) {
+  const std::size_t at = print.rfind(mark);
+  if (at == std::string_view::npos) return "";
+  return up_to(print.substr(at + mark.size()), "\n");
+}
+
+// The submission may print such a line too, but not after it has crashed.
+std::string stack_in(std::string_view print) {
+  const std::string_view line = line_after(print, runner::kStack);
+  const bool addresses = line.find_first_not_of(" 0123456789abcdefx") == std::string_view::npos;
+  return addresses ? std::string(line) : "";
+}
+
+// glibc's own words when it finds its book-keeping of memory overwritten.
+bool is_about_freed_memory(std::string_view line) {
+  for (const char* word : {"free(): ", "malloc(): ", "realloc(): ", "malloc_consolidate(): ",
+                           "double free or corruption", "corrupted size", "corrupted double-linked",
+                           "munmap_chunk(): ", "stack smashing detected"}) {
+    if (line.find(word) != std::string_view::npos) return true;
   }
-  const auto words = kSignals.find(signal);
-  std::string sentence =
-      "the program " +
-      (words == kSignals.end() ? "was ended by signal " + std::to_string(signal) : words->second);
-  if (const std::string assertion = assertion_in(last_print); !assertion.empty()) {
-    sentence += ": " + assertion;
+  return false;
+}
+
+// The last line of a print that isn't the runner's own.
+std::string_view last_words(std::string_view print) {
+  print = print.substr(0, print.rfind(runner::kCause));
+  while (!print.empty() && print.back() == '\n') print.remove_suffix(1);
+  return print.substr(print.rfind('\n') + 1);
+}
+
+// --- the ends ---
+
+Ending of_abort(const Limits& limits, const std::string& print) {
+  if (const std::string assertion = assertion_in(print); !assertion.empty()) {
+    return {"crashed", "the program aborted: " + one_line(assertion, 3 * kLongest)};
   }
-  return {"crashed", sentence, stack_in(last_print)};
+  const std::string_view thrown =
+      up_to(line_after(print, "terminate called after throwing an instance of '"), "'");
+  if (thrown == "std::bad_alloc") return out_of_memory(limits);
+  if (!thrown.empty()) {
+    const std::string what = one_line(line_after(print, "  what():  "), kLongest);
+    return {"crashed",
+            "the program threw where nothing catches it (before main, in a destructor, in a "
+            "noexcept function or in what()): " +
+                one_line(thrown, kLongest) + (what.empty() ? "" : ": " + what)};
+  }
+  const std::string_view words = last_words(print);
+  if (is_about_freed_memory(words)) {
+    return {"crashed",
+            "the program aborted: it wrote beyond the end of its memory, or freed some twice (" +
+                one_line(words, kLongest) + ")"};
+  }
+  return {"crashed", "the program aborted: it called abort() or std::terminate(), perhaps"};
+}
+
+std::string of_segmentation_fault(const std::string& cause) {
+  const std::string what = "the program crashed with a segmentation fault: ";
+  if (cause.empty()) {
+    return what +
+           "so early that it couldn't say where; global arrays that are too large, or a change of "
+           "how signals are handled, do that";
+  }
+  if (cause == runner::kNull) return what + "it followed a null pointer";
+  if (cause == runner::kFullStack) {
+    return what + "its stack is full: a recursion without end, or a very large local array";
+  }
+  return what +
+         "it read or wrote memory that isn't its own (an index out of range, or a pointer to what "
+         "is gone)";
+}
+
+std::string of_refused_call(const std::string& cause) {
+  const std::string what = "the program asked the system for what it isn't given: ";
+  if (cause.rfind(runner::kCall, 0) != 0) {
+    return what + "a process, a thread, a file, a connection";
+  }
+  return what + what_is_asked_by(std::atol(cause.c_str() + std::strlen(runner::kCall)));
+}
+
+std::string of_arithmetic_error(const std::string& cause) {
+  const std::string what = "the program crashed with an arithmetic error: ";
+  return what + (cause == runner::kFloat
+                     ? "it asked to be ended by inexact, infinite or invalid numbers, and made one"
+                     : "an integer division by zero");
+}
+
+std::string of_other_signal(int signal) {
+  static const std::map<int, std::string> kWords = {
+      {SIGILL, "crashed with an illegal instruction: a function that returns no value, perhaps"},
+      {SIGBUS, "crashed with a bus error: it touched memory that isn't there"},
+      {SIGTRAP, "stopped itself with a trap"},
+      {SIGXFSZ, "tried to write a file"},
+      {SIGKILL, "was killed: by itself, or by the system for want of memory or time"},
+  };
+  const auto known = kWords.find(signal);
+  if (known != kWords.end()) return "the program " + known->second;
+  const char* name = ::sigabbrev_np(signal);
+  return "the program was ended by signal " +
+         (name ? "SIG" + std::string(name) : std::to_string(signal)) + ", which it sent itself";
+}
+
+Ending of_signal(int signal, const Limits& limits, const std::string& print) {
+  if (signal == SIGXCPU) return out_of_cpu_time(limits);
+  const std::string cause(line_after(print, runner::kCause));
+  Ending ending = signal == SIGABRT   ? of_abort(limits, print)
+                  : signal == SIGSEGV ? Ending{"crashed", of_segmentation_fault(cause)}
+                  : signal == SIGFPE  ? Ending{"crashed", of_arithmetic_error(cause)}
+                  : signal == SIGSYS  ? Ending{"crashed", of_refused_call(cause)}
+                                      : Ending{"crashed", of_other_signal(signal)};
+  if (ending.status == "crashed") ending.stack = stack_in(print);
+  return ending;
 }
 
 }  // namespace
 
-Ending ending_of(int wait_status, int cpu_seconds, const std::string& last_print) {
-  if (WIFSIGNALED(wait_status)) return of_signal(WTERMSIG(wait_status), cpu_seconds, last_print);
+Ending ending_of(int wait_status, const Limits& limits, const std::string& last_print) {
+  if (WIFSIGNALED(wait_status)) return of_signal(WTERMSIG(wait_status), limits, last_print);
   const int code = WEXITSTATUS(wait_status);
-  if (code > 128 && code < 128 + 65) return of_signal(code - 128, cpu_seconds, last_print);
-  return {"no_answer",
-          "the program ended by itself (exit status " + std::to_string(code) +
-              ") in place of an answer",
-          ""};
+  if (code > 128 && code < 128 + 65) return of_signal(code - 128, limits, last_print);
+  return {"no_answer", "the program ended by itself (exit status " + std::to_string(code) +
+                           ") in place of an answer: it called exit(), perhaps"};
+}
+
+Ending out_of_cpu_time(const Limits& limits) {
+  return {"timed_out", "the program used more than " + std::to_string(limits.cpu_seconds) +
+                           " s of CPU time: a loop without end, perhaps"};
+}
+
+Ending out_of_memory(const Limits& limits) {
+  return {"out_of_memory", "the program ran out of memory (" + std::to_string(limits.memory >> 20) +
+                               " MB): a size that is wrong, or a loop that stores without end, "
+                               "perhaps"};
 }
 
 }  // namespace bounce::judge

@@ -1,18 +1,23 @@
-// How a program ended, in words.
+// How a program ended, in words: what happened, and what is likely the cause.
 #pragma once
 
 #include <string>
 
+#include "limits.hpp"
+
 namespace bounce::judge {
 
 struct Ending {
-  std::string status;  // of the score record: crashed, timed_out, no_answer
+  std::string status;  // of the score record: crashed, timed_out, out_of_memory, no_answer
   std::string sentence;
-  std::string stack;  // of a crash: addresses in hexadecimal, with a space before each
+  std::string stack = {};  // of a crash: addresses in hexadecimal, with a space before each
 };
 
-// From a wait status, the limit on CPU time and the end of what the program printed.
+// From a wait status and the end of what the program printed, which decides about words alone.
 // A box's exit status of 128 + n stands for signal n, as a shell's does.
-Ending ending_of(int wait_status, int cpu_seconds, const std::string& last_print);
+Ending ending_of(int wait_status, const Limits& limits, const std::string& last_print);
+
+Ending out_of_cpu_time(const Limits& limits);
+Ending out_of_memory(const Limits& limits);
 
 }  // namespace bounce::judge

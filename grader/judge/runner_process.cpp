@@ -13,15 +13,15 @@
 #include <csignal>
 #include <cstring>
 
-#include "ending.hpp"
-#include "idle.hpp"
+#include "glance.hpp"
 
 namespace bounce::judge {
 namespace {
 
-constexpr std::size_t kKeptPrints = 4096;
-constexpr long kTicksOfWork = 3;  // what waking up now and then may take, in 1/100 s
-constexpr int kGlance = 100;      // ms between two looks at whether a silent runner still works
+constexpr std::size_t kKeptPrints = 16 * 1024;
+constexpr std::chrono::milliseconds kSilence(5);
+constexpr std::chrono::milliseconds kGlance(100);  // between two looks at a silent runner
+constexpr double kCpuGrace = 0.2;                  // s, for SIGXCPU to end a runner by itself
 
 struct Pipe {
   int read = -1, write = -1;
@@ -96,9 +96,9 @@ RunnerProcess::RunnerProcess(int questions, int answers, int prints, const Limit
 }
 
 void RunnerProcess::set_up() {
-  ::fcntl(prints_, F_SETFL, O_NONBLOCK);
+  // Who doesn't read must not make the judge wait.
   ::fcntl(questions_, F_SETFL, O_NONBLOCK);
-  start_the_clock();
+  ::fcntl(prints_, F_SETFL, O_NONBLOCK);
 }
 
 RunnerProcess::~RunnerProcess() {
@@ -108,80 +108,80 @@ RunnerProcess::~RunnerProcess() {
   }
 }
 
-void RunnerProcess::start_the_clock() {
-  last_change_ = Clock::now();
-  deadline_ = last_change_ + std::chrono::seconds(limits_.wall_seconds);
-}
-
 void RunnerProcess::send(const frames::Frame& frame) {
-  // A frame is smaller than PIPE_BUF: it is written whole or not at all. The pipe holds hundreds,
-  // and who reads what it asks for has at most one under way.
+  pollfd early{answers_, POLLIN, 0};
+  if (pid_ >= 0) ::poll(&early, 1, 0);
+  if (early.revents & POLLIN) end({"no_answer", kNotAskedFor});
   const ssize_t n = ::write(questions_, &frame, sizeof frame);
-  if (n < 0 && errno == EAGAIN) {
-    end("no_answer", "the program asks again and again without reading what it is told");
+  if (n == static_cast<ssize_t>(sizeof frame)) return;
+  if (errno == EAGAIN) {
+    end({"no_answer",
+         "the program asked for what earlier parts answer, and didn't read the replies"});
   }
-  if (n != static_cast<ssize_t>(sizeof frame)) end_after_close();
+  end_after_close("questions (descriptor 3)");
 }
 
 frames::Frame RunnerProcess::receive() {
+  last_glance_ = Clock::now();  // it has just been woken
   frames::Frame frame;
-  read_exactly(&frame, sizeof frame);
-  if (frame.magic != frames::kMagic) {
-    end("no_answer", "the program wrote something that isn't an answer to where answers go");
-  }
+  read_exactly(&frame, sizeof frame, false);
+  if (frame.magic != frames::kMagic) end({"no_answer", kNotAskedFor});
   return frame;
 }
 
 void RunnerProcess::receive(Eigen::Matrix3Xd& columns) {
-  read_exactly(columns.data(), sizeof(double) * static_cast<std::size_t>(columns.size()));
+  read_exactly(columns.data(), sizeof(double) * static_cast<std::size_t>(columns.size()), true);
 }
 
-void RunnerProcess::read_exactly(void* data, std::size_t size) {
+void RunnerProcess::read_exactly(void* data, std::size_t size, bool amid_an_answer) {
   char* to = static_cast<char*>(data);
-  while (size > 0) {
-    if (!wait_until_readable()) continue;
-    const ssize_t n = ::read(answers_, to, size);
+  for (std::size_t got = 0; got < size;) {
+    if (!wait_until_readable(amid_an_answer || got > 0)) continue;
+    const ssize_t n = ::read(answers_, to + got, size - got);
     if (n < 0 && errno == EINTR) continue;
-    if (n <= 0) end_after_close();
-    to += n;
-    size -= static_cast<std::size_t>(n);
+    if (n <= 0) end_after_close("answers (descriptor 4)");
+    got += static_cast<std::size_t>(n);
   }
 }
 
 // Waits for answers or prints; prints are drained here, so that a runner never blocks on them.
-bool RunnerProcess::wait_until_readable() {
+// A print wakes us just when the runner is awake: so we look at it in a moment of silence.
+bool RunnerProcess::wait_until_readable(bool amid_an_answer) {
   pollfd both[2] = {{answers_, POLLIN, 0}, {prints_, POLLIN, 0}};
-  ::poll(both, 2, kGlance);
+  const auto start = Clock::now();
+  const bool due = start - last_glance_ >= kGlance;
+  const int ready = ::poll(both, 2, static_cast<int>((due ? kSilence : kGlance).count()));
+  waited_ += Clock::now() - start;
   if (both[1].revents != 0) drain_prints();
-  if (both[0].revents != 0) {
-    if (Clock::now() > deadline_) end_at_the_deadline();  // it may come byte by byte
-    return true;
-  }
-  end_if_it_waits();
-  return false;
+  if (due && ready == 0) end_if_it_hangs(amid_an_answer);
+  end_if_late(amid_an_answer);  // though something may come, byte by byte
+  return both[0].revents != 0;
 }
 
-void RunnerProcess::end_if_it_waits() {
-  const auto now = Clock::now();
-  if (now - last_look_ < std::chrono::milliseconds(kGlance)) return;
-  last_look_ = now;
-  const std::optional<long> ticks = ticks_if_all_wait(pid_);
-  if (!ticks || !ticks_ || *ticks - *ticks_ > kTicksOfWork) {
-    last_change_ = now;
-    ticks_ = ticks;
+// Each glance that finds it asleep stands for the time since the one before. Shorter naps go
+// unseen; the wall clock bounds them. One that ignores SIGXCPU is ended here.
+void RunnerProcess::end_if_it_hangs(bool amid_an_answer) {
+  last_glance_ = Clock::now();
+  const Glance seen = glance_at(pid_).value_or(Glance{false, false, 0});
+  if (seen.waits) asleep_ += kGlance;
+  if (seen.cpu_seconds > limits_.cpu_seconds + kCpuGrace) {
+    end(out_of_cpu_time(limits_));
   }
-  if (now > deadline_) end_at_the_deadline();
-  if (now - last_change_ >= std::chrono::seconds(limits_.idle_seconds)) {
-    kill();
-    throw RunnerEnded("timed_out",
-                      "no answer came: the program waits for something, perhaps for input", true);
-  }
+  if (asleep_ < std::chrono::seconds(limits_.idle_seconds)) return;
+  end_without_answer(amid_an_answer,
+                     seen.stopped
+                         ? ": the program stopped itself, as by SIGSTOP"
+                         : ": the program waits for something, perhaps for input, or sleeps");
 }
 
-void RunnerProcess::end_at_the_deadline() {
-  kill();
-  throw RunnerEnded("timed_out",
-                    "no whole answer came in " + std::to_string(limits_.wall_seconds) + " s", true);
+void RunnerProcess::end_if_late(bool amid_an_answer) {
+  if (waited_ < std::chrono::seconds(limits_.wall_seconds)) return;
+  end_without_answer(amid_an_answer, " within " + std::to_string(limits_.wall_seconds) + " s");
+}
+
+void RunnerProcess::end_without_answer(bool amid_an_answer, const std::string& why) {
+  const std::string came = amid_an_answer ? "only a part of an answer came" : "no answer came";
+  end({"timed_out", came + why}, true);
 }
 
 void RunnerProcess::drain_prints() {
@@ -195,8 +195,8 @@ void RunnerProcess::drain_prints() {
   last_print_.append(chunk, static_cast<std::size_t>(n));
   if (last_print_.size() > kKeptPrints) last_print_.erase(0, last_print_.size() - kKeptPrints);
   if (printed_ >= limits_.prints) {
-    end("no_answer", "the program printed more than " + std::to_string(limits_.prints >> 20) +
-                         " MB and was stopped");
+    end({"no_answer", "the program printed more than " + std::to_string(limits_.prints >> 20) +
+                          " MB and was stopped: a print in a loop without end, perhaps"});
   }
 }
 
@@ -205,21 +205,20 @@ void RunnerProcess::close_prints() {
   prints_ = -1;  // poll passes over it
 }
 
-// The answers were closed: by the program's end, or by the program itself.
-void RunnerProcess::end_after_close() {
+// A pipe was closed: by the program's end, or by the program itself.
+void RunnerProcess::end_after_close(const std::string& closed) {
   const int status = wait_for_exit();
   if (status < 0) {
-    kill();
-    throw RunnerEnded("no_answer", "the program closed the pipe for its answers", true);
+    end({"no_answer", "the program closed the pipe of its " + closed + ", which is the kit's"},
+        true);
   }
   if (prints_ >= 0) drain_prints();
-  const Ending ending = ending_of(status, limits_.cpu_seconds, last_print_);
-  throw RunnerEnded(ending.status, ending.sentence, false, ending.stack);
+  throw RunnerEnded(ending_of(status, limits_, last_print_));
 }
 
-void RunnerProcess::end(const std::string& status, const std::string& sentence) {
+void RunnerProcess::end(const Ending& ending, bool waits) {
   kill();
-  throw RunnerEnded(status, sentence);
+  throw RunnerEnded(ending, waits);
 }
 
 // The wait status, or -1 when it still runs after a while.
@@ -231,6 +230,7 @@ int RunnerProcess::wait_for_exit() {
       pid_ = -1;
       return status;
     }
+    if (prints_ >= 0) drain_prints();
     ::poll(nullptr, 0, 1);
   }
   return -1;

@@ -5,6 +5,7 @@
 #include "../../tests/cases.hpp"
 #include "../../tests/submission.hpp"
 #include "given.hpp"
+#include "one_line.hpp"
 
 namespace bounce::judge {
 
@@ -19,12 +20,11 @@ constexpr const char* kFunctions[] = {"bounce::get_contacts", "bounce::form_lcp"
 // More than any program needs, so that a plea in an endless loop is told from work.
 std::int64_t most_pleas(const Frame& question) { return 1000 + 20 * question.T; }
 
-// A text of the submission's: one line of printable characters.
-std::string printable(std::string text) {
-  for (char& c : text) {
-    if (static_cast<unsigned char>(c) < 32 || c == 127) c = ' ';
-  }
-  return text;
+// what() as it arrived: a frame holds so much of it.
+std::string thrown_text(const Frame& answer) {
+  const std::string text = frames::text(answer);
+  const bool cut = text.size() == sizeof answer.text - 1;
+  return one_line(text, sizeof answer.text) + (cut ? "..." : "");
 }
 
 }  // namespace
@@ -56,45 +56,42 @@ Frame Session::ask(Frame question, Trajectory* columns) {
   try {
     const Frame answer = answer_of(question, columns);
     if (answer.kind == Kind::threw) {
-      throw std::runtime_error("the program threw " + printable(frames::text(answer)));
+      throw std::runtime_error("the program threw " + thrown_text(answer));
     }
     return answer;
   } catch (const RunnerEnded& ended) {
     runner_.reset();
-    end_ = {ended.status, ended.stack};
-    if (ended.status == "timed_out") --hangs_left_;
+    end_ = {ended.ending.status, ended.ending.stack};
+    if (ended.ending.status == "timed_out") --hangs_left_;
     if (ended.waits) hangs_left_ = 0;
     throw tests::Ended(ended.what());
   }
 }
 
 Frame Session::answer_of(const Frame& question, Trajectory* columns) {
-  runner_->start_the_clock();
   runner_->send(question);
   Frame answer = runner_->receive();
   for (std::int64_t pleas = 0; answer.kind == Kind::plea; ++pleas) {
-    if (!given_ || answer.part >= part_) {
-      throw RunnerEnded("no_answer", "the program asked for what isn't given to it");
+    if (!given_ || answer.part < 1 || answer.part >= part_) {
+      throw RunnerEnded({"no_answer", "the program asked for what isn't given to it"});
     }
     if (pleas > most_pleas(question)) {
-      throw RunnerEnded("timed_out", "the program called earlier parts " + std::to_string(pleas) +
-                                         " times for one answer: a loop without end, perhaps");
+      throw RunnerEnded({"timed_out", "the program called earlier parts " + std::to_string(pleas) +
+                                          " times for one answer: a loop without end, perhaps"});
     }
     runner_->send(reply_to(answer));
     answer = runner_->receive();
   }
   if (answer.kind == Kind::absent) {
-    throw RunnerEnded("does_not_compile",
-                      "the file defines no " + std::string(kFunctions[part_ - 1]) +
-                          " with the arguments, and in the namespace, that its header declares");
+    throw RunnerEnded(
+        {"does_not_compile", "the file defines no " + std::string(kFunctions[part_ - 1]) +
+                                 " with the arguments, and in the namespace, that its header "
+                                 "declares"});
   }
-  if (answer.kind == Kind::out_of_memory) {
-    throw RunnerEnded("out_of_memory", "the program ran out of memory (" +
-                                           std::to_string(limits_.memory >> 20) + " MB)");
-  }
+  if (answer.kind == Kind::out_of_memory) throw RunnerEnded(out_of_memory(limits_));
   const bool known = answer.kind == Kind::answer || answer.kind == Kind::threw;
   if (!known || answer.number != question.number || answer.part != question.part) {
-    throw RunnerEnded("no_answer", "the program sent something else than the answer asked for");
+    throw RunnerEnded({"no_answer", kNotAskedFor});
   }
   if (columns && answer.kind == Kind::answer) read_columns(question, answer, *columns);
   return answer;

@@ -29,7 +29,6 @@ double ask(RunnerProcess& runner, int columns) {
   question.silent = 1;
   frames::put(params, question);
   frames::put(question, Vector3(0, 1.5, std::numbers::pi / 6), Vector3(0, -0.2, 0));
-  runner.start_the_clock();
   const auto start = Clock::now();
   runner.send(question);
   if (runner.receive().kind != frames::Kind::answer) throw std::runtime_error("no trajectory");

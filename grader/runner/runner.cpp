@@ -8,7 +8,6 @@
 #include <new>
 
 #include "channel.hpp"
-#include "crash.hpp"
 
 // A runner is linked from the parts at hand; a function that isn't there is null.
 namespace bounce {
@@ -112,7 +111,6 @@ void serve() {
 
 int main() {
   ::prctl(PR_SET_PDEATHSIG, 9);  // without a box, too, nothing outlives the judge
-  bounce::runner::tell_where_it_crashes();
   try {
     bounce::runner::serve();
   } catch (const bounce::runner::ChannelClosed&) {

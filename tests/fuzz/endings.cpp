@@ -24,7 +24,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using bounce::fuzz::require;
   const std::string print(reinterpret_cast<const char*>(data), size);
   for (const int status : {SIGABRT, SIGSEGV, SIGXCPU, 3 << 8, (128 + SIGFPE) << 8}) {
-    const bounce::judge::Ending ending = bounce::judge::ending_of(status, 1, print);
+    const bounce::judge::Ending ending =
+        bounce::judge::ending_of(status, bounce::judge::Limits(), print);
     require(!ending.sentence.empty() && ending.sentence.size() < 600);
     require(ending.sentence.find('\n') == std::string::npos);
     require(ending.stack.find_first_not_of(" 0123456789abcdefx") == std::string::npos);

@@ -1,0 +1,21 @@
+// Does a program wait, or is it only slow? A busy machine keeps a program from its CPU, too; but
+// then it is ready to run, and a program that waits isn't.
+#pragma once
+
+#include <sys/types.h>
+
+#include <optional>
+
+namespace bounce::judge {
+
+// What the system says at one moment of a process and all its descendants, taken together.
+struct Glance {
+  bool waits = true;     // none of them runs, or is ready to
+  bool stopped = false;  // one was stopped, as by SIGSTOP
+  double cpu_seconds = 0;
+};
+
+// Empty where this system doesn't tell, or the process is gone.
+std::optional<Glance> glance_at(pid_t pid);
+
+}  // namespace bounce::judge

@@ -1,0 +1,124 @@
+// What the judge makes of runners that don't keep to the frames: shell commands stand for them.
+#include "../grader/judge/runner_process.hpp"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <csignal>
+#include <string>
+#include <thread>
+
+namespace bounce::tests {
+namespace {
+
+using judge::RunnerEnded;
+using judge::RunnerProcess;
+
+// How one question to a shell command ends.
+RunnerEnded end_of(const std::string& script) {
+  std::signal(SIGPIPE, SIG_IGN);
+  RunnerProcess runner({"/bin/sh", "-c", script}, judge::Limits());
+  try {
+    for (;;) {
+      runner.send(frames::Frame());
+      runner.receive();
+    }
+  } catch (const RunnerEnded& ended) {
+    return ended;
+  }
+}
+
+void expect(const std::string& script, const std::string& status, const std::string& words,
+            bool waits = false) {
+  const RunnerEnded end = end_of(script);
+  EXPECT_EQ(end.ending.status, status) << script;
+  EXPECT_NE(end.ending.sentence.find(words), std::string::npos) << script << end.ending.sentence;
+  EXPECT_EQ(end.waits, waits) << script;
+}
+
+// A frame begins with its magic number; the rest of this one is zeros.
+const std::string kFrame = "{ printf BNB1; head -c " +
+                           std::to_string(sizeof(frames::Frame) - sizeof frames::kMagic) +
+                           " /dev/zero; } >&4; ";
+
+TEST(RunnerProcess, NamesExitsAndSignals) {
+  expect("exit 0", "no_answer", "exit status 0");
+  expect("exit 7", "no_answer", "exit status 7");
+  expect("kill -SEGV $$", "crashed", "segmentation fault");
+  expect("kill -SYS $$", "crashed", "asked the system for what it isn't given");
+  expect("kill -KILL $$", "crashed", "killed");
+  expect("kill -TERM $$", "crashed", "SIGTERM");
+}
+
+TEST(RunnerProcess, EndsALoop) { expect("while :; do :; done", "timed_out", "1 s of CPU time"); }
+
+TEST(RunnerProcess, EndsALoopThatIgnoresItsCpuLimit) {
+  expect("trap '' XCPU; while :; do :; done", "timed_out", "1 s of CPU time");
+}
+
+TEST(RunnerProcess, EndsOneThatSleeps) {
+  expect("sleep 1000", "timed_out", "no answer came: the program waits for something", true);
+  expect("cat <&3 >/dev/null", "timed_out", "waits for something", true);
+  expect("trap '' TERM INT HUP; sleep 1000", "timed_out", "waits for something", true);
+}
+
+TEST(RunnerProcess, EndsOneThatPrintsALittleForEver) {
+  expect("while :; do echo x; sleep 0.03; done", "timed_out", "waits for something", true);
+}
+
+TEST(RunnerProcess, EndsOneThatIsStopped) {
+  expect("kill -STOP $$", "timed_out", "the program stopped itself", true);
+}
+
+TEST(RunnerProcess, AddsUpTheSleepBeforeEveryAnswer) {
+  const auto start = std::chrono::steady_clock::now();
+  expect("while :; do sleep 0.6; " + kFrame + "done", "timed_out", "waits for something", true);
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20));
+}
+
+TEST(RunnerProcess, NamesAShortAnswer) {
+  expect("printf BNB1 >&4; sleep 1000", "timed_out", "only a part of an answer came", true);
+  expect("printf BNB1 >&4", "no_answer", "exit status 0");
+}
+
+TEST(RunnerProcess, NamesClosedPipes) {
+  expect("exec 4>&-; exec sleep 1000", "no_answer", "the pipe of its answers", true);
+  expect("exec 3<&-; " + kFrame + "exec sleep 1000", "no_answer", "the pipe of its questions",
+         true);
+}
+
+TEST(RunnerProcess, RefusesWhatIsNoAnswer) {
+  expect("cat /dev/zero >&4", "no_answer", "isn't the answer that was asked for");
+  expect("cat /dev/zero >&4; sleep 1000", "no_answer", "isn't the answer that was asked for");
+}
+
+TEST(RunnerProcess, RefusesAnswersThatNobodyAskedFor) {
+  RunnerProcess runner({"/bin/sh", "-c", kFrame + kFrame + "exec sleep 1000"}, judge::Limits());
+  runner.receive();
+  try {
+    for (;; std::this_thread::sleep_for(std::chrono::milliseconds(20))) {
+      runner.send(frames::Frame());  // once the second has come, nothing more is asked
+    }
+  } catch (const RunnerEnded& ended) {
+    EXPECT_STREQ(ended.what(), judge::kNotAskedFor);
+  }
+}
+
+TEST(RunnerProcess, EndsAFloodOfPrints) {
+  expect("cat /dev/zero", "no_answer", "printed more than 8 MB");
+  expect("cat /dev/zero >&2", "no_answer", "printed more than 8 MB");
+}
+
+TEST(RunnerProcess, ReadsTheEndOfALongPrint) {
+  expect(
+      "head -c 3000000 /dev/zero; echo 'x: y.cpp:3: f(): Assertion `a' \"' failed\"; kill -ABRT $$",
+      "crashed", "an assertion failed (y.cpp:3): a");
+}
+
+TEST(RunnerProcess, IsNotKeptWaitingByOneThatDoesNotRead) {
+  RunnerProcess runner({"/bin/sh", "-c", "exec sleep 1000"}, judge::Limits());
+  EXPECT_THROW(for (int i = 0; i < 1000; ++i) runner.send(frames::Frame()), RunnerEnded);
+}
+
+}  // namespace
+}  // namespace bounce::tests

@@ -1,0 +1,3 @@
+#pragma once
+#define double float
+#error not the kit's

@@ -1,0 +1,1 @@
+int first_helper = 1;

@@ -1,0 +1,1 @@
+int second_helper = 2;

@@ -1,0 +1,3 @@
+#define bounce mine
+#define return throw
+#define const
