@@ -24,7 +24,7 @@ NOBODY = "65534"
 # side by side belong to different ones.
 FIRST_USER, USERS = 60578, 600
 LIBRARIES = ("/usr/include", "/usr/lib/gcc", "/usr/lib64", "/usr/libexec/gcc")
-PROGRAMS = ("g++", "as", "sh", "cat", "mktemp", "rm", "addr2line")
+PROGRAMS = ("g++", "as", "ld", "sh", "cat", "mktemp", "rm", "addr2line")
 TEMPORARY = 256 * 1024 * 1024
 
 
@@ -43,6 +43,17 @@ class Box:
             return [*_enter(ENTER, "run"), "--reduced", "--see", str(program), "--", str(program)]
         command = [*_bubblewrap(), "--ro-bind", str(program), "/runner", "--remount-ro", "/"]
         return [*command, "--", *_enter(Path("/enter"), "run"), "--", "/runner"]
+
+    def to_check(self, program: Path) -> list[str]:
+        """Of the full box alone: the command that runs a program built with sanitizers, which need
+        the system's libraries, and to look at the program in /proc."""
+        libraries = [p for p in toolchain() if p.endswith(("-linux-gnu", "/usr/lib64"))]
+        command = [*_bubblewrap(), *_open_to_all(libraries), "--proc", "/proc"]
+        for path in libraries:
+            command += ["--ro-bind", path, path]
+        command += ["--symlink", "usr/lib", "/lib", "--symlink", "usr/lib64", "/lib64"]
+        command += ["--ro-bind", str(program), "/runner", "--remount-ro", "/"]
+        return [*command, "--", *_enter(Path("/enter"), "check"), "--", "/runner"]
 
     def to_build(self, folder: Path, visible: Iterable[Path]) -> list[str]:
         """A prefix for the toolchain in `folder`, which it can read; it can write to a temporary

@@ -14,13 +14,23 @@ from bounce_grader import processes
 from bounce_grader.box import Box
 from bounce_grader.errors import KitError
 from bounce_grader.manifest import Part
-from bounce_grader.paths import CACHE, CONTRACT, RUNNER
+from bounce_grader.paths import CACHE, CONTRACT, RUNNER, SOURCES
 from bounce_grader.submission import Submission
 
 COMPILE = processes.Limits(cpu_seconds=15, wall_seconds=120, memory=2 << 30, file_size=64 << 20)
 LINK = processes.Limits(cpu_seconds=10, wall_seconds=60, memory=2 << 30, file_size=64 << 20)
 KEPT_IN_A_FOLDER = 64  # of 256 folders
-KIT_OBJECTS = ("runner", "channel", "crash", "solve_lcp", "render", "prelude")
+RUNNER_OBJECTS = ("runner", "channel", "crash", "solve_lcp", "render")
+KIT_OBJECTS = (*RUNNER_OBJECTS, "prelude")
+
+SANITIZERS = ("-fsanitize=address,undefined", "-fno-sanitize-recover=all")
+CHECKED_LINK = (
+    "-no-pie",
+    "-static-libasan",
+    "-static-libubsan",
+    "-static-libstdc++",
+    "-static-libgcc",
+)
 
 # For a compiler whose assembler can't write there by itself.
 TO_STANDARD_OUTPUT = [
@@ -69,20 +79,30 @@ def _compile(file: str, submission: Submission, folder: Path, box: Box, timed: b
     cached = _cached(_digest(file, submission, timed))
     if cached.exists():
         return Built(cached)
-    includes = [f"-I{name}" for name in submission.include_folders]
-    source = [*includes, "-Dmain=submitted_main", "-x", "c++", "-c", file]
     flags, prelude = ("speed_flags", "speed") if timed else ("clang_flags", "prelude")
     clang = [compiler(), f"@{RUNNER / flags}.txt"]
-    clang += ["-include-pch", str(RUNNER / f"{prelude}.pch"), *source, "-o", "-"]
-    gcc = [*TO_STANDARD_OUTPUT, "/usr/bin/g++", f"@{RUNNER / 'gcc_flags.txt'}"]
-    gcc += ["-include", str(RUNNER / "prelude.hpp"), *source]
+    clang += ["-include-pch", str(RUNNER / f"{prelude}.pch"), *_source(file, submission)]
     box_prefix = box.to_build(folder, [CONTRACT, RUNNER])
 
-    first = processes.run(box_prefix + clang, COMPILE, cwd=folder)
-    result = first if first.ok else processes.run(box_prefix + gcc, COMPILE, cwd=folder)
+    first = processes.run([*box_prefix, *clang, "-o", "-"], COMPILE, cwd=folder)
+    result = (
+        first
+        if first.ok
+        else processes.run(box_prefix + _gcc(file, submission), COMPILE, cwd=folder)
+    )
     if result.ok and result.out:
         return Built(_store(result.out, cached))
     return Built(None, compile_problem(first, file))
+
+
+def _source(file: str, submission: Submission) -> list[str]:
+    includes = [f"-I{name}" for name in submission.include_folders]
+    return [*includes, "-Dmain=submitted_main", "-x", "c++", "-c", file]
+
+
+def _gcc(file: str, submission: Submission, flags: Iterable[str] = ()) -> list[str]:
+    gcc = [*TO_STANDARD_OUTPUT, "/usr/bin/g++", f"@{RUNNER / 'gcc_flags.txt'}", *flags]
+    return [*gcc, "-include", str(RUNNER / "prelude.hpp"), *_source(file, submission)]
 
 
 def _digest(file: str, submission: Submission, timed: bool) -> str:
@@ -161,6 +181,33 @@ def link_alone(part: Part, objects: Objects, runner: Path, box: Box) -> Built:
     several = ("-Wl,--allow-multiple-definition",)
     second = _link(own, [*given, *map(str, others)], runner, box, several)
     return second if second.path else alone
+
+
+def checked_alone(part: Part, submission: Submission, work: Path, box: Box) -> Built:
+    """A runner with one part, built with g++'s sanitizers, as link_alone would make it."""
+    sources = work / SOURCES
+    objects: list[Path] = []
+    for file in [submission.parts[part.number], *submission.helpers]:
+        result = processes.run(
+            [*box.to_build(sources, [CONTRACT, RUNNER]), *_gcc(file, submission, SANITIZERS)],
+            COMPILE,
+            cwd=sources,
+        )
+        if not result.ok:
+            return Built(None, compile_problem(result, file))
+        objects.append(work / f"checked{part.number}-{len(objects)}.o")
+        objects[-1].write_bytes(result.out)
+        objects[-1].chmod(0o644)
+    kit = [str(RUNNER / f"{name}.o") for name in (*RUNNER_OBJECTS, "sanitizers")]
+    command = [*TO_STANDARD_OUTPUT, "/usr/bin/g++", *SANITIZERS, *CHECKED_LINK]
+    command += [*kit, *map(str, objects), *_given(part)]
+    result = processes.run(box.to_build(RUNNER, [RUNNER, *objects]) + command, LINK, cwd=RUNNER)
+    if not result.ok:
+        return Built(None, link_problem(result))
+    runner = work / f"checked{part.number}"
+    runner.write_bytes(result.out)
+    runner.chmod(0o755)
+    return Built(runner)
 
 
 def _given(part: Part) -> list[str]:

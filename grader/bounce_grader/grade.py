@@ -11,7 +11,7 @@ from functools import partial
 from pathlib import Path
 
 from bounce_grader import box as boxes
-from bounce_grader import build, fixtures, judging, record, submission
+from bounce_grader import build, checking, fixtures, judging, record, submission
 from bounce_grader.box import Box
 from bounce_grader.errors import KitError
 from bounce_grader.judging import Judged
@@ -133,6 +133,8 @@ class _Grading:
                 return record.failed_part(part, "does_not_compile", self._why(alone))
         # The later one, with the earlier parts given, where both score the same.
         best = max(reversed(tries), key=lambda judged: judged.score(part))
+        if best.status == "crashed":
+            best = checking.explained(part, best, self.taken, self.work, self.hidden, self.box)
         self.best[part] = best
         return record.part_record(part, best)
 

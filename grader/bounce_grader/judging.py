@@ -3,7 +3,7 @@
 import json
 import math
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
 from typing import Any, cast
@@ -45,15 +45,19 @@ class Judged:
         return ended[0] if ended else "graded"
 
 
-def judge(part: Part, runner: Path, given: bool, hidden: Path, box: Box) -> Judged:
-    """Raises KitError where the judge fails, or doesn't name every check exactly once."""
+def judge(
+    part: Part, runner: Path, given: bool, hidden: Path, box: Box, checked: bool = False
+) -> Judged:
+    """Raises KitError where the judge fails, or doesn't name every check exactly once. A runner
+    that is `checked` is built with sanitizers."""
     command = [
         *(str(JUDGE), "--part", str(part.number)),
         *(["--given"] if given else []),
+        *(["--checked"] if checked else []),
         *("--fixtures", str(FIXTURES / "public"), "--fixtures", str(hidden)),
-        *("--", *box.to_run(runner)),
+        *("--", *(box.to_check(runner) if checked else box.to_run(runner))),
     ]
-    result = processes.run(command, WAIT)
+    result = processes.run(command, replace(WAIT, memory=None) if checked else WAIT)
     if not result.ok:
         raise KitError(f"the judge failed on part {part.number}: {result.err.strip() or 'killed'}")
     answer = read_answer(result.out, part)

@@ -19,14 +19,14 @@ class Limits:
 
     cpu_seconds: int
     wall_seconds: float
-    memory: int
+    memory: int | None  # None: counted elsewhere
     file_size: int
 
     def prefix(self) -> list[str]:
         return [
             "/usr/bin/prlimit",
             f"--cpu={self.cpu_seconds}:{self.cpu_seconds + 1}",
-            f"--as={self.memory}",
+            f"--as={'unlimited' if self.memory is None else self.memory}",
             f"--fsize={self.file_size}",
             "--core=0",
             "--",

@@ -72,14 +72,16 @@ def _part_message(part: Part, judged: Judged) -> str:
         return "everything right"
     ended = [v for v in judged.verdicts.values() if v.status != "graded"]
     if ended:
-        return _last_line(ended[0].message)
+        return _end(ended[0].message)
     nothing = len(lost) == len(part.checks)
     return "no check passed yet" if nothing else f"{len(lost)} of {len(part.checks)} checks failed"
 
 
-def _last_line(message: str) -> str:
-    """How a runner ended stands in the last line of a check's message."""
-    return message.split("\n")[-1].strip().removeprefix("got").strip()
+def _end(message: str) -> str:
+    """How a runner ended stands behind the last "got" of a check's message."""
+    lines = [line.strip() for line in message.split("\n")]
+    said_last = [line for line in lines if line.startswith("got ")] or lines
+    return said_last[-1].removeprefix("got").strip()
 
 
 def _sentence(text: str) -> str:

@@ -104,10 +104,10 @@ void allow_only_what_numbers_need() {
 void allow_what_checked_numbers_need() {
   Filter filter(SCMP_ACT_TRAP);
   allow_numbers(filter);
-  filter.rules(SCMP_ACT_ALLOW,
-               {SCMP_SYS(open), SCMP_SYS(openat), SCMP_SYS(access), SCMP_SYS(stat),
-                SCMP_SYS(newfstatat), SCMP_SYS(readlink), SCMP_SYS(readlinkat), SCMP_SYS(pread64),
-                SCMP_SYS(prctl), SCMP_SYS(getuid), SCMP_SYS(sysinfo), SCMP_SYS(sched_getaffinity)});
+  filter.rules(SCMP_ACT_ALLOW, {SCMP_SYS(open), SCMP_SYS(openat), SCMP_SYS(access), SCMP_SYS(stat),
+                                SCMP_SYS(newfstatat), SCMP_SYS(readlink), SCMP_SYS(readlinkat),
+                                SCMP_SYS(pipe), SCMP_SYS(pipe2), SCMP_SYS(pread64), SCMP_SYS(prctl),
+                                SCMP_SYS(getuid), SCMP_SYS(sysinfo), SCMP_SYS(sched_getaffinity)});
   filter.install();
 }
 

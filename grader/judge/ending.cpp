@@ -10,6 +10,7 @@
 
 #include "../runner/crash.hpp"
 #include "assertion.hpp"
+#include "finding.hpp"
 #include "one_line.hpp"
 #include "system_call.hpp"
 
@@ -129,7 +130,10 @@ std::string of_other_signal(int signal) {
 Ending of_signal(int signal, const Limits& limits, const std::string& print) {
   if (signal == SIGXCPU) return out_of_cpu_time(limits);
   const std::string cause(line_after(print, runner::kCause));
-  Ending ending = signal == SIGABRT   ? of_abort(limits, print)
+  const bool found = cause.rfind(runner::kFound, 0) == 0;
+  Ending ending = found
+                      ? Ending{"crashed", what_was_found(cause.substr(std::strlen(runner::kFound)))}
+                  : signal == SIGABRT ? of_abort(limits, print)
                   : signal == SIGSEGV ? Ending{"crashed", of_segmentation_fault(cause)}
                   : signal == SIGFPE  ? Ending{"crashed", of_arithmetic_error(cause)}
                   : signal == SIGSYS  ? Ending{"crashed", of_refused_call(cause)}

@@ -11,8 +11,9 @@ namespace {
 
 std::string folder_of(pid_t pid) { return "/proc/" + std::to_string(pid); }
 
-// Of /proc/PID/stat: the state, field 3, and utime and stime, fields 14 and 15. Field 2 is a name
-// in parentheses, which may hold anything.
+// Of /proc/PID/stat: the state, field 3, utime and stime, fields 14 and 15, and resident pages,
+// field
+// 24. Field 2 is a name in parentheses, which may hold anything.
 std::optional<Glance> glance_at_one(pid_t pid) {
   std::ifstream file(folder_of(pid) + "/stat");
   std::string line;
@@ -26,9 +27,13 @@ std::optional<Glance> glance_at_one(pid_t pid) {
   for (int field = 4; field < 14; ++field) fields >> skipped;
   double utime = 0, stime = 0;
   fields >> utime >> stime;
+  for (int field = 16; field < 24; ++field) fields >> skipped;
+  std::size_t pages = 0;
+  fields >> pages;
   if (!fields) return std::nullopt;
   return Glance{state != 'R' && state != 'D', state == 'T' || state == 't',
-                (utime + stime) / static_cast<double>(::sysconf(_SC_CLK_TCK))};
+                (utime + stime) / static_cast<double>(::sysconf(_SC_CLK_TCK)),
+                pages * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE))};
 }
 
 }  // namespace
@@ -43,6 +48,7 @@ std::optional<Glance> glance_at(pid_t pid) {
     all->waits = all->waits && more->waits;
     all->stopped = all->stopped || more->stopped;
     all->cpu_seconds += more->cpu_seconds;
+    all->memory += more->memory;
   }
   return all;
 }

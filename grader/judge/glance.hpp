@@ -4,6 +4,7 @@
 
 #include <sys/types.h>
 
+#include <cstddef>
 #include <optional>
 
 namespace bounce::judge {
@@ -13,6 +14,7 @@ struct Glance {
   bool waits = true;     // none of them runs, or is ready to
   bool stopped = false;  // one was stopped, as by SIGSTOP
   double cpu_seconds = 0;
+  std::size_t memory = 0;  // bytes that are really used
 };
 
 // Empty where this system doesn't tell, or the process is gone.

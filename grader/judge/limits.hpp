@@ -13,6 +13,7 @@ struct Limits {
   int wall_seconds = 30;  // of our waiting for answers: lax, for a machine that is very busy
   int session_seconds = 200;
   std::size_t memory = std::size_t{1} << 30;
+  bool checked = false;  // the memory is counted as it is used: sanitizers reserve terabytes
   std::size_t prints = std::size_t{8} << 20;  // bytes
 };
 

@@ -1,4 +1,4 @@
-// judge --part N [--given] --fixtures FOLDER... -- COMMAND...
+// judge --part N [--given] [--checked] --fixtures FOLDER... -- COMMAND...
 //
 // Runs the tests of part N against the runner that COMMAND starts, and prints one JSON object:
 //   {"checks": [{"id", "passed", "status", "stack", "message"}], "largest_error": number or null}
@@ -27,6 +27,7 @@ using nlohmann::json;
 struct Options {
   std::uint32_t part = 0;
   bool given = false;
+  bool checked = false;  // the runner is built with sanitizers
   std::vector<std::string> command;
 };
 
@@ -37,6 +38,8 @@ Options read_options(const std::vector<std::string>& arguments) {
       options.part = static_cast<std::uint32_t>(std::stoul(arguments.at(++i)));
     } else if (arguments[i] == "--given") {
       options.given = true;
+    } else if (arguments[i] == "--checked") {
+      options.checked = true;
     } else if (arguments[i] == "--fixtures") {
       fixtures.emplace_back(arguments.at(++i));
     } else if (arguments[i] == "--") {
@@ -83,7 +86,9 @@ class Verdicts : public testing::EmptyTestEventListener {
 };
 
 int run(const Options& options) {
-  Session asked(options.command, Limits(), options.part, options.given);
+  Limits limits;
+  limits.checked = options.checked;
+  Session asked(options.command, limits, options.part, options.given);
   session = &asked;
   testing::GTEST_FLAG(filter) = "part" + std::to_string(options.part) + ".*";
   auto& listeners = testing::UnitTest::GetInstance()->listeners();

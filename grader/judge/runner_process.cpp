@@ -56,7 +56,7 @@ void limit(int resource, rlim_t soft, rlim_t hard) {
 
   const auto seconds = static_cast<rlim_t>(limits.cpu_seconds);
   limit(RLIMIT_CPU, seconds, seconds + 1);
-  limit(RLIMIT_AS, limits.memory, limits.memory);
+  if (!limits.checked) limit(RLIMIT_AS, limits.memory, limits.memory);
   limit(RLIMIT_FSIZE, 0, 0);
   limit(RLIMIT_NOFILE, 64, 64);
   limit(RLIMIT_CORE, 0, 0);
@@ -162,8 +162,9 @@ bool RunnerProcess::wait_until_readable(bool amid_an_answer) {
 // unseen; the wall clock bounds them. One that ignores SIGXCPU is ended here.
 void RunnerProcess::end_if_it_hangs(bool amid_an_answer) {
   last_glance_ = Clock::now();
-  const Glance seen = glance_at(pid_).value_or(Glance{false, false, 0});
+  const Glance seen = glance_at(pid_).value_or(Glance{false, false, 0, 0});
   if (seen.waits) asleep_ += kGlance;
+  if (seen.memory > limits_.memory) end(out_of_memory(limits_));
   if (seen.cpu_seconds > limits_.cpu_seconds + kCpuGrace) {
     end(out_of_cpu_time(limits_));
   }

@@ -13,10 +13,12 @@ namespace bounce::runner {
 namespace {
 
 constexpr int kFrames = 40;
+constexpr std::size_t kLongestText = 200;
 constexpr std::uintptr_t kNearNull = 64 * 1024;
 constexpr std::uintptr_t kBelowTheStack = 64 * 1024;  // what a call may touch below its pointer
 
 std::uintptr_t stack_begin = 0;  // the stack grows down from here
+const char* finding = nullptr;
 
 struct Stack {
   std::uintptr_t addresses[kFrames];
@@ -48,7 +50,7 @@ char* put_decimal(char* to, unsigned x) {
 }
 
 char* put_text(char* to, const char* text) {
-  const std::size_t size = std::strlen(text);
+  const std::size_t size = ::strnlen(text, kLongestText);
   std::memcpy(to, text, size);
   return to + size;
 }
@@ -72,7 +74,9 @@ const char* cause_of_fault(std::uintptr_t address, std::uintptr_t pointer) {
 
 char* put_cause(char* to, int signal, const siginfo_t& info, void* context) {
   to = put_text(put_text(to, "\n"), kCause);
-  if (signal == SIGSYS) {
+  if (finding) {
+    to = put_text(put_text(to, kFound), finding);
+  } else if (signal == SIGSYS) {
     to = put_decimal(put_text(to, kCall), static_cast<unsigned>(info.si_syscall));
   } else if (info.si_code <= 0) {  // no fault, but a signal that was sent
     to = put_text(to, kUnknown);
@@ -90,7 +94,7 @@ char* put_cause(char* to, int signal, const siginfo_t& info, void* context) {
 void tell(int signal, siginfo_t* info, void* context) {
   Stack stack;
   _Unwind_Backtrace(note_frame, &stack);
-  char lines[sizeof kCause + sizeof kStack + 64 + kFrames * 19];
+  char lines[sizeof kCause + sizeof kStack + 300 + kFrames * 19];
   char* end = put_text(put_cause(lines, signal, *info, context), kStack);
   for (int i = 0; i < stack.size; ++i) end = put_hexadecimal(end, stack.addresses[i]);
   *end++ = '\n';
@@ -114,4 +118,7 @@ void tell(int signal, siginfo_t* info, void* context) {
 }
 
 }  // namespace
+
+void note_finding(const char* what) { finding = what; }
+
 }  // namespace bounce::runner

@@ -10,7 +10,11 @@ inline constexpr char kFullStack[] = "full stack";        // an address where it
 inline constexpr char kCall[] = "system call ";           // and its number
 inline constexpr char kDivision[] = "integer division";   // by zero
 inline constexpr char kFloat[] = "floating point";        // an exception that was asked for
+inline constexpr char kFound[] = "found: ";               // and what the sanitizers call it
 inline constexpr char kUnknown[] = "unknown";             // anything else
 inline constexpr char kStack[] = "stack of the crash:";   // and the addresses on it
+
+// What the next crash is because of; `what` stays where it is.
+void note_finding(const char* what);
 
 }  // namespace bounce::runner

@@ -16,4 +16,4 @@ Contact get_contacts(const Vector3& q, const Parameters& params) {
 
 }  // namespace bounce
 
-asm(".section .interp, \"a\", @progbits\n.string \"/usr/bin/env\"\n.text\n");
+asm(".section .interp, \"aR\", @progbits\n.string \"/usr/bin/env\"\n.text\n");

@@ -1,0 +1,45 @@
+"""What has crashed is built and run once more, with AddressSanitizer and UBSan, which see the first
+wrong access of memory and not the last. For words alone: no score comes of it."""
+
+import re
+from dataclasses import replace
+from pathlib import Path
+
+from bounce_grader import build, judging
+from bounce_grader.box import Box
+from bounce_grader.errors import KitError
+from bounce_grader.judging import Judged, Verdict
+from bounce_grader.manifest import Part
+from bounce_grader.submission import Submission
+
+
+def explained(
+    part: Part, judged: Judged, taken: Submission, work: Path, hidden: Path, box: Box
+) -> Judged:
+    """The same verdicts; those of crashes also say what the sanitizers found, if anything."""
+    if box.kind != "full" or not any(map(_is_unclear, judged.verdicts.values())):
+        return judged
+    try:
+        built = build.checked_alone(part, taken, work, box)
+        if not built.path:
+            return judged
+        given = part.has_earlier_parts
+        again = judging.judge(part, built.path, given, hidden, box, checked=True)
+    except KitError:  # the score stands without the explanation
+        return judged
+    verdicts = {id: _with_finding(v, again.verdicts[id]) for id, v in judged.verdicts.items()}
+    return replace(judged, verdicts=verdicts)
+
+
+def _is_unclear(verdict: Verdict) -> bool:
+    """A crash whose message doesn't give an assertion's own reason."""
+    return verdict.status == "crashed" and "assertion" not in verdict.message
+
+
+def _with_finding(verdict: Verdict, again: Verdict) -> Verdict:
+    found = re.search(r"^  got      (.*)$", again.message, re.MULTILINE)
+    if not _is_unclear(verdict) or again.status != "crashed" or not found:
+        return verdict
+    if found.group(1).startswith("the program"):  # it ended as before, and nothing was found
+        return verdict
+    return replace(verdict, message=f"{verdict.message}\n  checked  {found.group(1)}")

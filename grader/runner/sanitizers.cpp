@@ -1,0 +1,36 @@
+// Linked with a submission that is built to check itself: what g++'s sanitizers find is told as the
+// cause of the crash that they end it with.
+#include <string>
+
+#include "crash.hpp"
+
+extern "C" {
+
+// Of the sanitizers' own interface, and called by them.
+const char* __asan_get_report_description();
+void __ubsan_get_current_report_data(const char** kind, const char** message, const char** file,
+                                     unsigned* line, unsigned* column, char** address);
+
+void __asan_on_error() { bounce::runner::note_finding(__asan_get_report_description()); }
+
+void __ubsan_on_report() {
+  const char *kind = "", *message = "", *file = "";
+  unsigned line = 0, column = 0;
+  char* address = nullptr;
+  __ubsan_get_current_report_data(&kind, &message, &file, &line, &column, &address);
+  static std::string kept;  // the message goes when the report does
+  kept = message;
+  bounce::runner::note_finding(kept.c_str());
+}
+
+// Faults are left to the runner, which tells where; leaks are nobody's business here.
+const char* __asan_default_options() {
+  return "abort_on_error=1:handle_segv=0:handle_sigbus=0:handle_sigfpe=0:handle_sigill=0:"
+         "disable_coredump=0:detect_leaks=0:symbolize=0:allocator_may_return_null=0:max_allocation_"
+         "size_mb=1024:"
+         "detect_stack_use_after_return=1";
+}
+
+const char* __ubsan_default_options() { return "abort_on_error=1:print_stacktrace=0"; }
+
+}  // extern "C"
