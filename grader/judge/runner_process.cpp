@@ -18,7 +18,7 @@
 namespace bounce::judge {
 namespace {
 
-constexpr std::size_t kKeptPrints = 16 * 1024;
+constexpr std::size_t kKeptPrints = std::size_t{16} << 10;
 constexpr std::chrono::milliseconds kSilence(5);
 constexpr std::chrono::milliseconds kGlance(100);  // between two looks at a silent runner
 constexpr double kCpuGrace = 0.2;                  // s, for SIGXCPU to end a runner by itself
