@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <string>
 #include <thread>
 
@@ -113,6 +114,20 @@ TEST(RunnerProcess, ReadsTheEndOfALongPrint) {
   expect(
       "head -c 3000000 /dev/zero; echo 'x: y.cpp:3: f(): Assertion `a' \"' failed\"; kill -ABRT $$",
       "crashed", "an assertion failed (y.cpp:3): a");
+}
+
+TEST(RunnerProcess, EndsWhatARunnerLeavesBehind) {
+  // A daemon: its parent is gone, and it has a session of its own.
+  const std::string daemon = "(setsid sh -c 'exec sleep 54321 >/dev/null 2>&1 3<&- 4>&-' &); ";
+  expect(daemon + "exit 0", "no_answer", "exit status 0");
+  expect(daemon + "exec sleep 1000", "timed_out", "waits for something", true);
+  EXPECT_NE(std::system("pgrep -f '[s]leep 54321' >/dev/null"), 0);
+}
+
+TEST(RunnerProcess, LeavesOtherRunnersAlone) {
+  RunnerProcess other({"/bin/sh", "-c", kFrame + "exec sleep 1000"}, judge::Limits());
+  expect("exit 0", "no_answer", "exit status 0");
+  EXPECT_EQ(other.receive().magic, frames::kMagic);
 }
 
 TEST(RunnerProcess, IsNotKeptWaitingByOneThatDoesNotRead) {

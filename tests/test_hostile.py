@@ -333,6 +333,23 @@ def test_nothing_outlives_its_box(tmp_path: Path) -> None:
     assert watch.look() == []
 
 
+def test_nothing_outlives_a_box_that_is_ended_at_once(tmp_path: Path) -> None:
+    """What is no answer comes first of all, some fifty times, so that a box may not be set up yet."""
+    name = secrets.token_hex(7)
+    attack = (
+        named(name, "")
+        + """
+    static char junk[4096];
+    static const auto wrote = write(4, junk, sizeof junk);
+    static const int paused = pause();
+    """
+    )
+    write(tmp_path, {p.file: part(p.number, attack) for p in parts()})
+    record = grade(tmp_path)
+    assert {p["status"] for p in record["parts"]} == {"no_answer"}
+    assert Watch(name).look() == []
+
+
 def test_nothing_outlives_a_grader_that_is_killed(tmp_path: Path) -> None:
     """As when a student interrupts it, or a server ends it."""
     name = secrets.token_hex(7)

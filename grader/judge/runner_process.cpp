@@ -12,16 +12,20 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <set>
 
 #include "glance.hpp"
+#include "orphans.hpp"
 
 namespace bounce::judge {
 namespace {
 
-constexpr std::size_t kKeptPrints = 16 * 1024;
+constexpr std::size_t kKeptPrints = std::size_t{16} << 10;
 constexpr std::chrono::milliseconds kSilence(5);
 constexpr std::chrono::milliseconds kGlance(100);  // between two looks at a silent runner
 constexpr double kCpuGrace = 0.2;                  // s, for SIGXCPU to end a runner by itself
+
+std::set<pid_t> started;  // the runners at work
 
 struct Pipe {
   int read = -1, write = -1;
@@ -80,9 +84,11 @@ RunnerProcess::RunnerProcess(const std::vector<std::string>& command, const Limi
                  [](const std::string& word) { return const_cast<char*>(word.c_str()); });
 
   const Pipe questions = make_pipe(), answers = make_pipe(), prints = make_pipe();
+  adopt_orphans();
   pid_ = ::fork();
   if (pid_ < 0) throw std::runtime_error("no process could be started");
   if (pid_ == 0) become(argv, limits, questions.read, answers.write, prints.write);
+  started.insert(pid_);
   for (const int fd : {questions.read, answers.write, prints.write}) ::close(fd);
   questions_ = questions.write;
   answers_ = answers.read;
@@ -228,7 +234,7 @@ int RunnerProcess::wait_for_exit() {
   for (int tries = 0; tries < 1000; ++tries) {
     int status = 0;
     if (::waitpid(pid_, &status, WNOHANG) == pid_) {
-      pid_ = -1;
+      forget();
       return status;
     }
     if (prints_ >= 0) drain_prints();
@@ -241,7 +247,14 @@ void RunnerProcess::kill() {
   if (pid_ < 0) return;
   ::kill(pid_, SIGKILL);
   ::waitpid(pid_, nullptr, 0);
+  forget();
+}
+
+// The process has ended; so does what it may have left.
+void RunnerProcess::forget() {
+  started.erase(pid_);
   pid_ = -1;
+  end_orphans(started);
 }
 
 }  // namespace bounce::judge

@@ -64,6 +64,7 @@ class RunnerProcess {
   void close_prints();
   int wait_for_exit();
   void kill();
+  void forget();
 
   Limits limits_;
   pid_t pid_ = -1;

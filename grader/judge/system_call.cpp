@@ -16,6 +16,8 @@ const std::map<long, std::string> kAsked = {
     {SYS_socketpair, "a connection (socketpair)"},
     {SYS_connect, "a connection (connect)"},
     {SYS_kill, "a signal to a process (kill)"},
+    {SYS_tgkill, "a signal to another program (tgkill)"},
+    {SYS_prlimit64, "other limits (prlimit64)"},
     {SYS_tkill, "a signal to a thread (tkill)"},
     {SYS_getppid, "the process that started it (getppid)"},
     {SYS_ptrace, "another process's memory (ptrace)"},

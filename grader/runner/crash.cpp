@@ -45,7 +45,7 @@ char* put_hexadecimal(char* to, std::uintptr_t x) {
 
 char* put_decimal(char* to, unsigned x) {
   if (x >= 10) to = put_decimal(to, x / 10);
-  *to++ = static_cast<char>('0' + x % 10);
+  *to++ = "0123456789"[x % 10];
   return to;
 }
 
