@@ -9,6 +9,7 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
+from threading import Event
 
 from bounce_grader import processes
 from bounce_grader.box import Box
@@ -59,15 +60,22 @@ def compile_all(
 ) -> Objects:
     """Every part and helper by itself. `folder` holds the submission's files and nothing else.
     What is `timed` is built as a program is that somebody uses, without checks."""
+    one_took_too_long = Event()
+
+    def helper(file: str) -> Built:
+        if one_took_too_long.is_set():
+            return Built(None, f"{file} wasn't compiled, since another helper took too long")
+        built = _compile(file, submission, folder, box, timed)
+        if built.problem == _took_too_long(file):
+            one_took_too_long.set()
+        return built
+
     with ThreadPoolExecutor(jobs) as pool:
         parts = {
             number: pool.submit(_compile, file, submission, folder, box, timed)
             for number, file in submission.parts.items()
         }
-        helpers = {
-            file: pool.submit(_compile, file, submission, folder, box, timed)
-            for file in submission.helpers
-        }
+        helpers = {file: pool.submit(helper, file) for file in submission.helpers}
         return Objects(
             {n: built.result() for n, built in parts.items()},
             {f: built.result() for f, built in helpers.items()},
@@ -85,11 +93,9 @@ def _compile(file: str, submission: Submission, folder: Path, box: Box, timed: b
     box_prefix = box.to_build(folder, [CONTRACT, RUNNER])
 
     first = processes.run([*box_prefix, *clang, "-o", "-"], COMPILE, cwd=folder)
-    result = (
-        first
-        if first.ok
-        else processes.run(box_prefix + _gcc(file, submission), COMPILE, cwd=folder)
-    )
+    result = first
+    if not first.ok and not _ran_out_of_time(first):
+        result = processes.run(box_prefix + _gcc(file, submission), COMPILE, cwd=folder)
     if result.ok and result.out:
         return Built(_store(result.out, cached))
     return Built(None, compile_problem(first, file))
@@ -97,7 +103,8 @@ def _compile(file: str, submission: Submission, folder: Path, box: Box, timed: b
 
 def _source(file: str, submission: Submission) -> list[str]:
     includes = [f"-I{name}" for name in submission.include_folders]
-    return [*includes, "-Dmain=submitted_main", "-x", "c++", "-c", file]
+    named = f"./{file}" if file[0] in "-@" else file  # no name is an option
+    return [*includes, "-Dmain=submitted_main", "-x", "c++", "-c", named]
 
 
 def _gcc(file: str, submission: Submission, flags: Iterable[str] = ()) -> list[str]:
@@ -108,6 +115,7 @@ def _gcc(file: str, submission: Submission, flags: Iterable[str] = ()) -> list[s
 def _digest(file: str, submission: Submission, timed: bool) -> str:
     """Names an object: the source, what it may include, and what it is built with."""
     digest = hashlib.sha256(_toolchain_digest() + bytes([timed]))
+    digest.update("\0".join(submission.include_folders).encode() + b"\0")
     for name in sorted(submission.files):
         if name == file or _could_be_included(name, submission):
             digest.update(f"{name}\0".encode() + submission.files[name] + b"\0")
@@ -230,7 +238,7 @@ def _link(
     files = [str(path) for path in own if path]
     kit = [str(RUNNER / f"{name}.o") for name in KIT_OBJECTS]
     command = [compiler(), *link_flags(), *flags, *kit, *files, *more, "-o", "-"]
-    visible = [RUNNER, *(Path(file) for file in files + more if not file.startswith(str(RUNNER)))]
+    visible = [RUNNER, *(Path(word) for word in files + more if word.startswith(str(CACHE)))]
     folder = RUNNER
     result = processes.run(box.to_build(folder, visible) + command, LINK, cwd=folder)
     if result.ok and result.out:
@@ -245,10 +253,18 @@ def link_flags() -> list[str]:
     return (RUNNER / "link_flags.txt").read_text().split()
 
 
+def _ran_out_of_time(result: processes.Result) -> bool:
+    return result.too_long or result.code in (-9, -24, 128 + 9, 128 + 24)
+
+
+def _took_too_long(file: str) -> str:
+    return f"{file} took more than {COMPILE.cpu_seconds} s to compile"
+
+
 def compile_problem(result: processes.Result, file: str) -> str:
     """The compiler's first error, in one line, with the submission's own file and line."""
-    if result.too_long or result.code in (-9, -24, 128 + 9, 128 + 24):
-        return f"{file} took more than {COMPILE.cpu_seconds} s to compile"
+    if _ran_out_of_time(result):
+        return _took_too_long(file)
     errors = re.findall(r"^(.+?:\d+:\d+): (?:fatal )?error: (.*)$", result.err, re.MULTILINE)
     if not errors:
         last = result.err.strip().splitlines()

@@ -3,6 +3,7 @@
 #include <linux/sched.h>
 #include <seccomp.h>
 #include <sys/ioctl.h>
+#include <sys/prctl.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -97,7 +98,8 @@ void allow_only_what_numbers_need() {
                             SCMP_SYS(stat), SCMP_SYS(lstat), SCMP_SYS(newfstatat), SCMP_SYS(statx),
                             SCMP_SYS(readlink), SCMP_SYS(readlinkat), SCMP_SYS(getcwd),
                             SCMP_SYS(mkdir), SCMP_SYS(unlink), SCMP_SYS(rename)});
-  filter.rule(no(EPERM), SCMP_SYS(prctl));
+  filter.rule(SCMP_ACT_ALLOW, SCMP_SYS(prctl), SCMP_A0(SCMP_CMP_EQ, PR_SET_NAME));
+  filter.rule(no(EPERM), SCMP_SYS(prctl), SCMP_A0(SCMP_CMP_NE, PR_SET_NAME));
   filter.install();
 }
 
