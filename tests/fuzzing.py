@@ -378,9 +378,13 @@ def limit_memory() -> None:
 
 def main(name: str, count: int) -> None:
     start = time.monotonic()
+    firsts = range(0, count, CHUNK)
     with ProcessPoolExecutor(initializer=limit_memory) as pool:
-        firsts = range(0, count, CHUNK)
-        taken = sum(pool.map(run, [name] * len(firsts), firsts, [CHUNK] * len(firsts)))
+        try:
+            taken = sum(pool.map(run, [name] * len(firsts), firsts, [CHUNK] * len(firsts)))
+        except AssertionError as error:
+            pool.shutdown(cancel_futures=True)
+            sys.exit(f"{name}: {error}")
     count = len(firsts) * CHUNK
     seconds = time.monotonic() - start
     print(f"   {name}: {count} inputs, {taken / count:.0%} of them taken, in {seconds:.0f} s")
