@@ -291,6 +291,14 @@ def test_a_name_that_could_mislead_a_compiler_or_a_reader_is_not_used(
     assert set(taken.files) == PARTS and taken.ignored == (name,)
 
 
+def test_an_odd_blank_in_a_name_is_used_but_not_shown(tmp_path: Path) -> None:
+    files = {"a\u00a0b/part1_contacts.cpp": b"", "a\u3000b/part1_contacts.cpp": b""}
+    assert refusal(zip_of(tmp_path / "x.zip", files)).isprintable()
+    del files["a\u3000b/part1_contacts.cpp"]
+    taken = submission.read(zip_of(tmp_path / "x.zip", {**files, "README": b""}))
+    assert taken.parts == {1: "a\u00a0b/part1_contacts.cpp"}
+
+
 # --- folders that aren't what they seem ---
 
 

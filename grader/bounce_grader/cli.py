@@ -71,7 +71,11 @@ def _parser() -> argparse.ArgumentParser:
     test = commands.add_parser("test", help="run every test of the kit")
     extent = test.add_mutually_exclusive_group()
     extent.add_argument("--quick", action="store_true", help="what can be said in a minute")
-    extent.add_argument("--long", action="store_true", help="with sanitizers, too")
+    extent.add_argument(
+        "--long",
+        action="store_true",
+        help="with sanitizers, and a million inputs for each reader, too",
+    )
     test.set_defaults(command=_test)
     return parser
 

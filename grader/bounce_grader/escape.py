@@ -70,7 +70,7 @@ def _csv_field(value: Value) -> str:
     text = _printable(value)
     if not re.fullmatch(r"-?\d+(\.\d+)?", text, re.ASCII):
         # Where lists are separated by semicolons, a spreadsheet splits there, quoted or not.
-        text = re.sub(r"(^|[;\n])(?=\s*[=+\-@＝＋－＠])", r"\1'", text)
+        text = re.sub(r"(^|[;\n])(?= *[=+\-@＝＋－＠])", r"\1'", text)
     return '"' + text.replace('"', '""') + '"'
 
 

@@ -7,13 +7,20 @@ import time
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from bounce_grader import fuzz
 from bounce_grader.fixtures import differing, hidden_folder
 from bounce_grader.paths import BUILD, ROOT
 
-CPP = ("student", "solution", "grader", "tests/*.cpp", "tests/*.hpp", "tests/linked")
+CPP = ("student", "solution", "grader", "tests/*.cpp", "tests/*.hpp", "tests/linked", "tests/fuzz")
 PYTHON = ("grader/bounce_grader", "tests")
-
-
+SANITIZED = (
+    "solution_test",
+    "kit_test",
+    "judge_test",
+    "fuzz_frames",
+    "fuzz_fixtures",
+    "fuzz_endings",
+)
 EXTENTS = ("quick", "usual", "long")
 
 
@@ -49,6 +56,7 @@ def _steps(extent: str) -> list[Step]:
         Step("C++ tests", _ctest),
         Step("C++ tests with sanitizers", _sanitized, "long"),
         Step("Python tests, the gallery among them", lambda: _pytest(extent)),
+        Step("readers with a million inputs each", fuzz.run, "long"),
     ]
 
 
@@ -110,7 +118,7 @@ def _sanitized() -> int:
     folder = str(ROOT / "build" / "sanitize")
     return (
         _quietly("cmake", "--preset", "sanitize")
-        or _quietly("ninja", "-C", folder, "solution_test", "kit_test")
+        or _quietly("ninja", "-C", folder, *SANITIZED)
         or _quietly("ctest", "--test-dir", folder, "--output-on-failure", "-j", "2")
     )
 

@@ -14,6 +14,7 @@ from pathlib import Path, PurePosixPath
 from bounce_grader import intake
 from bounce_grader.entry import Entry, NotText, text_of
 from bounce_grader.errors import UsageError
+from bounce_grader.escape import name as printable
 from bounce_grader.manifest import Part, parts
 
 SOURCES = {".cpp", ".cc", ".cxx"}
@@ -109,7 +110,8 @@ def _require_a_place_for_each(path: Path, names: Iterable[str]) -> None:
     for name in names:
         for folder in PurePosixPath(name).parents:
             if str(folder) in names:
-                raise UsageError(f"{path} holds {folder} as a file and as a folder: keep one")
+                shown = printable(str(folder))
+                raise UsageError(f"{path} holds {shown} as a file and as a folder: keep one")
 
 
 def _common_folder(entries: list[Entry]) -> str:
@@ -153,7 +155,7 @@ def _choose(part: Part, names: list[str]) -> Iterator[str]:
     nearest = sorted(str(f) for f in found if len(f.parts) == depth)
     if len(nearest) > 1:
         raise UsageError(
-            f"{part.file} is there {len(nearest)} times ({', '.join(nearest)}): "
+            f"{part.file} is there {len(nearest)} times ({', '.join(map(printable, nearest))}): "
             "keep one, so that the right one is graded"
         )
     yield nearest[0]
