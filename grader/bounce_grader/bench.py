@@ -1,12 +1,16 @@
-"""./kit bench: what a grading costs, beside the plain way: a GoogleTest program built with the
-submission. Measured here and now; the ratios are what can be compared between machines."""
+"""./kit bench: what a grading costs. Measured here and now, on a machine that has nothing else to
+do; each goal stands beside what was measured. Ratios within one run are what can be compared
+between machines."""
 
+import json
 import resource
 import statistics
 import subprocess
 import sys
 import tempfile
 import time
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
 from pathlib import Path
 
 from bounce_grader import build
@@ -16,29 +20,120 @@ from bounce_grader.manifest import parts
 from bounce_grader.paths import BUILD, CONTRACT, REFERENCE_RUNNER, ROOT
 from bounce_grader.submission import read
 
-ROUNDS = 5
+ROUNDS = 9
+MANY = 100
+AT_ONCE = 10
 SOLUTION = ROOT / "solution" / "src"
+PLAIN_GCC = ("g++", "-std=c++20", "-O1", "-isystem", "/usr/include/eigen3", "-I", str(CONTRACT))
+
+
+@dataclass(frozen=True)
+class Line:
+    what: str
+    value: float
+    unit: str
+    goal: str = ""
+    reached: bool = True
+
+    def __str__(self) -> str:
+        verdict = f"   {self.goal}: {'yes' if self.reached else 'NO'}" if self.goal else ""
+        return f"{self.what:<58}{self.value:8.2f} {self.unit:<4}{verdict}"
 
 
 def run() -> int:
     subprocess.run([str(BUILD / "kit_bench"), str(REFERENCE_RUNNER)], check=True)
-    with tempfile.TemporaryDirectory(prefix="bounce-bench-") as name:
-        folder = Path(name)
-        fresh, again = [], []
-        for number in range(ROUNDS):
-            submission = _variant(folder / str(number), number)
-            fresh.append(_seconds(_grading(submission)))
-            again.append(_seconds(_grading(submission)))
-        memory = _memory_of_compiling(_variant(folder / "memory", ROUNDS))
-        plain = [_plain(submission, folder)]
     print()
-    _line("a new submission, ./kit grade", fresh)
-    _line("the same again (its objects are kept)", again)
-    _line("the plain way: g++ and GoogleTest, linked with it", plain)
-    ratio = statistics.median(plain) / statistics.median(fresh)
-    print(f"{'the plain way takes':<54}{ratio:6.1f} times as long")
-    print(f"{'largest process of a grading (the compiler)':<54}{memory:6.0f} MB")
-    return 0
+    reached = True
+    with tempfile.TemporaryDirectory(prefix="bounce-bench-") as name:
+        for measure in (_one, _plain, _many, _at_once, _memory):
+            for line in measure(Path(name)):
+                print(line, flush=True)
+                reached = reached and line.reached
+    return int(not reached)
+
+
+def _one(folder: Path) -> list[Line]:
+    """One submission: new, the same again, and with one part changed; and beside the new one what
+    the plain compiler takes for its four files, one after the other."""
+    fresh, again, changed, compiler = [], [], [], []
+    for number in range(ROUNDS):
+        submission = _variant(folder / f"one{number}", number)
+        fresh.append(_seconds(_grading(submission)))
+        again.append(_seconds(_grading(submission)))
+        part = submission / parts()[number % 4].file
+        part.write_text(f"// changed {number} {time.time_ns()}\n" + part.read_text())
+        changed.append(_seconds(_grading(submission)))
+        if number < 3:
+            compiler.append(_compiling(submission, folder / "plain.o"))
+    once, ratio = statistics.median(fresh), statistics.median(compiler) / statistics.median(fresh)
+    edit = statistics.median(changed)
+    return [
+        Line("a new submission, ./kit grade", once, "s", "at most 0.9", once <= 0.9),
+        Line("the same again", statistics.median(again), "s"),
+        Line("the same with one part changed", edit, "s", "at most 0.5", edit <= 0.5),
+        Line("g++ -O1 -c of its four files alone", statistics.median(compiler), "s"),
+        Line("  takes as long as new gradings:", ratio, "", "at least 5", ratio >= 5),
+    ]
+
+
+def _many(folder: Path) -> list[Line]:
+    """Different submissions, one after the other."""
+    start = time.monotonic()
+    for number in range(MANY):
+        _seconds(_grading(_variant(folder / f"many{number}", number)))
+    rate = 60 * MANY / (time.monotonic() - start)
+    return [Line(f"{MANY} different ones in a row", rate, "/min", "at least 80", rate >= 80)]
+
+
+def _at_once(folder: Path) -> list[Line]:
+    """Gradings side by side get the scores that they get alone: the limits count CPU time."""
+    submissions = sorted((ROOT / "tests" / "submissions" / "mistakes").iterdir())[::8][:AT_ONCE]
+    alone = [_score(_mistaken(folder / f"alone{n}", s, n)) for n, s in enumerate(submissions)]
+    with ThreadPoolExecutor(AT_ONCE) as pool:
+        variants = [_mistaken(folder / f"beside{n}", s, n) for n, s in enumerate(submissions)]
+        together = list(pool.map(_score, variants))
+    same = sum(a == b for a, b in zip(alone, together))
+    goal = f"all {len(alone)} the same"
+    return [Line(f"{AT_ONCE} at once: scores as one at a time", same, "", goal, alone == together)]
+
+
+def _plain(folder: Path) -> list[Line]:
+    """The usual way: the submission compiled and linked with the tests and GoogleTest, and run."""
+    submission, program = _variant(folder / "plain", 0), folder / "program"
+    tests = [str(ROOT / "tests" / f"{part.stem}_test.cpp") for part in parts()]
+    linked = [str(ROOT / "tests" / "linked" / f"{part.stem}.cpp") for part in parts()]
+    command = [
+        *PLAIN_GCC,
+        f'-DBOUNCE_FIXTURES="{ROOT / "fixtures" / "public"}"',
+        *(*tests, *linked, *(str(submission / part.file) for part in parts())),
+        *(str(ROOT / "tests" / "cases.cpp"), str(ROOT / "tests" / "linked" / "main.cpp")),
+        str(ROOT / "student" / "given" / "solve_lcp.cpp"),
+        *("-lgtest", "-lpthread", "-o", str(program)),
+    ]
+    seconds = _seconds(command) + _seconds([str(program)])
+    return [Line("the plain way: g++ and GoogleTest, linked with it", seconds, "s")]
+
+
+def _memory(folder: Path) -> list[Line]:
+    """Of the grader itself; and of the compiler, without a box, which hides it."""
+    submission = _variant(folder / "memory", 0)
+    build.compile_all(read(submission), submission, Box("none"), jobs=1)
+    compiler = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / 1024
+    own = _own_memory(submission)
+    return [
+        Line("the grader itself", own, "MB", "below 100", own < 100),
+        Line("the compiler, the largest process that it starts", compiler, "MB"),
+    ]
+
+
+def _own_memory(submission: Path) -> float:
+    program = (
+        "import resource, sys; from bounce_grader.cli import main; main(sys.argv[1:]); "
+        "print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss)"
+    )
+    command = [sys.executable, "-c", program, "grade", str(submission), "--json", "/dev/null"]
+    done = subprocess.run(command, capture_output=True, text=True, check=True)
+    return int(done.stdout.splitlines()[-1]) / 1024
 
 
 def _variant(folder: Path, number: int) -> Path:
@@ -50,8 +145,28 @@ def _variant(folder: Path, number: int) -> Path:
     return folder
 
 
+def _mistaken(folder: Path, mistake: Path, number: int) -> Path:
+    _variant(folder, number)
+    for file in mistake.glob("*.cpp"):
+        stamp = f"// {time.time_ns()} {number}\n".encode()
+        (folder / file.name).write_bytes(stamp + file.read_bytes())
+    return folder
+
+
 def _grading(submission: Path) -> list[str]:
     return [str(ROOT / "kit"), "grade", str(submission), "--min-score", "100"]
+
+
+def _score(submission: Path) -> float:
+    command = [str(ROOT / "kit"), "grade", str(submission), "--json", "-"]
+    done = subprocess.run(command, stdout=subprocess.PIPE, check=True)
+    return float(json.loads(done.stdout)["score"])
+
+
+def _compiling(submission: Path, to: Path) -> float:
+    return sum(
+        _seconds([*PLAIN_GCC, "-c", str(submission / part.file), "-o", str(to)]) for part in parts()
+    )
 
 
 def _seconds(command: list[str]) -> float:
@@ -61,34 +176,3 @@ def _seconds(command: list[str]) -> float:
         print(done.stdout.decode(), file=sys.stderr)
         raise KitError(f"{command[0]} ended with status {done.returncode}")
     return time.monotonic() - start
-
-
-def _plain(submission: Path, folder: Path) -> float:
-    """Compiles the submission with the tests, the fixtures' reader and GoogleTest, and runs it."""
-    program = folder / "plain"
-    tests = [str(ROOT / "tests" / f"{part.stem}_test.cpp") for part in parts()]
-    linked = [str(ROOT / "tests" / "linked" / f"{part.stem}.cpp") for part in parts()]
-    own = [str(submission / part.file) for part in parts()]
-    command = [
-        *("g++", "-std=c++20", "-O1", "-isystem", "/usr/include/eigen3", "-I", str(CONTRACT)),
-        f'-DBOUNCE_FIXTURES="{ROOT / "fixtures" / "public"}"',
-        *tests,
-        *linked,
-        *own,
-        str(ROOT / "tests" / "cases.cpp"),
-        str(ROOT / "tests" / "linked" / "main.cpp"),
-        str(ROOT / "student" / "given" / "solve_lcp.cpp"),
-        *("-lgtest", "-lpthread", "-o", str(program)),
-    ]
-    return _seconds(command) + _seconds([str(program)])
-
-
-def _memory_of_compiling(submission: Path) -> float:
-    """MB of the compiler, the largest process of a grading. Without a box, which hides it."""
-    build.compile_all(read(submission), submission, Box("none"), jobs=1)
-    return resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / 1024
-
-
-def _line(name: str, seconds: list[float]) -> None:
-    median = statistics.median(seconds)
-    print(f"{name:<54}{median:6.2f} s   ({min(seconds):.2f} to {max(seconds):.2f})")
