@@ -7,6 +7,7 @@ import sys
 from pathlib import Path
 
 from bounce_grader import __version__
+from bounce_grader.classroom import cli as class_cli
 from bounce_grader.errors import KitError, UsageError
 
 
@@ -47,6 +48,8 @@ def _parser() -> argparse.ArgumentParser:
         "--trust-submission", action="store_true", help="grade without a box where none can be had"
     )
     grade.set_defaults(command=_grade)
+
+    class_cli.add(commands)
 
     fixtures = commands.add_parser("fixtures", help="write the fixtures from the solution")
     fixtures.add_argument("--check", action="store_true", help="only compare the committed ones")

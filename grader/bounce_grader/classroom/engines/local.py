@@ -1,0 +1,106 @@
+"""The built-in engine: a process for each grading, so that a crash of one costs nothing."""
+
+import multiprocessing
+import signal
+import threading
+from collections.abc import Callable, Iterator
+from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
+from contextlib import contextmanager
+from multiprocessing.connection import Connection
+from multiprocessing.context import ForkServerContext
+from multiprocessing.process import BaseProcess
+
+from bounce_grader.classroom.task import Task
+from bounce_grader.classroom.unit import Outcome
+from bounce_grader.classroom.unit import run as run_unit
+
+LONGEST = 1800.0  # seconds; a grading's own limits are far below
+PRELOADED = ["bounce_grader.grade", "bounce_grader.classroom.unit"]
+
+
+def run(
+    tasks: list[Task], jobs: int, unit: Callable[[Task], Outcome] = run_unit
+) -> Iterator[tuple[Task, Outcome]]:
+    """Outcomes as they come. Ended early, it ends what still runs."""
+    context = multiprocessing.get_context("forkserver")
+    context.set_forkserver_preload(PRELOADED)
+    running = _Running(context, unit)
+    waiting = iter(tasks)
+    with ThreadPoolExecutor(jobs) as pool, running.ended_at_last():
+        futures: dict[Future[Outcome], Task] = {}
+        for task in waiting:
+            futures[pool.submit(running.one, task)] = task
+            if len(futures) == jobs:
+                break
+        while futures:
+            done, _ = wait(futures, return_when=FIRST_COMPLETED)
+            for future in done:
+                task = futures.pop(future)
+                following = next(waiting, None)
+                if following:
+                    futures[pool.submit(running.one, following)] = following
+                yield task, future.result()
+
+
+class _Running:
+    """The processes under way."""
+
+    def __init__(self, context: ForkServerContext, unit: Callable[[Task], Outcome]) -> None:
+        self._context = context
+        self._unit = unit
+        self._lock = threading.Lock()
+        self._processes: set[BaseProcess] = set()
+        self._stopped = False
+
+    def one(self, task: Task) -> Outcome:
+        here, there = self._context.Pipe(duplex=False)
+        process = self._context.Process(target=_child, args=(self._unit, task, there))
+        with self._lock:
+            if self._stopped:
+                return Outcome(task.key, "failed", "stopped", 0.0)
+            process.start()
+            self._processes.add(process)
+        there.close()
+        try:
+            return self._outcome(task, process, here)
+        finally:
+            here.close()
+            process.kill()
+            process.join()
+            with self._lock:
+                self._processes.discard(process)
+
+    def _outcome(self, task: Task, process: BaseProcess, here: Connection) -> Outcome:
+        try:
+            if here.poll(LONGEST):
+                outcome: Outcome = here.recv()
+                return outcome
+            reason = f"it took more than {LONGEST / 60:.0f} minutes"
+        except EOFError:
+            process.join()
+            reason = f"its process ended with status {process.exitcode}"
+        return Outcome(task.key, "failed", reason, 0.0)
+
+    @contextmanager
+    def ended_at_last(self) -> Iterator[None]:
+        try:
+            yield
+        finally:
+            with self._lock:
+                self._stopped = True
+                for process in self._processes:
+                    process.kill()
+
+
+def _child(unit: Callable[[Task], Outcome], task: Task, answer: Connection) -> None:
+    """Ctrl-C is the parent's; where the parent is gone, so is this."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    _die_with_parent()
+    answer.send(unit(task))
+
+
+def _die_with_parent() -> None:
+    import ctypes
+
+    set_parent_death_signal = 1
+    ctypes.CDLL(None).prctl(set_parent_death_signal, signal.SIGKILL)

@@ -1,0 +1,156 @@
+"""One grading of a class: what is graded, and the name of its result."""
+
+import hashlib
+import os
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any
+
+from bounce_grader import intake
+from bounce_grader.classroom import canvas
+from bounce_grader.classroom.archive import Archive, opened
+from bounce_grader.classroom.canvas import Upload
+from bounce_grader.classroom.students import Student, is_source, is_zip
+from bounce_grader.errors import UsageError
+
+LARGEST_ZIP = 64 * 1024 * 1024
+
+
+@dataclass(frozen=True)
+class Stamp:
+    """What a result follows from, but for the submission."""
+
+    kit: str
+    fixtures: str
+    options: str
+
+
+@dataclass(frozen=True)
+class Task:
+    """Everything that a worker needs, as words and numbers: it can be sent anywhere."""
+
+    key: str
+    submission: str  # digest
+    stamp: Stamp
+    path: str
+    uploads: tuple[Upload, ...]
+    results: str  # folder
+    speed: bool
+    trust: bool
+
+    def as_json(self) -> dict[str, Any]:
+        return asdict(self)
+
+
+def from_json(words: dict[str, Any]) -> Task:
+    stamp = Stamp(**words["stamp"])
+    uploads = tuple(Upload(**upload) for upload in words["uploads"])
+    rest = {name: words[name] for name in words.keys() - {"stamp", "uploads"}}
+    return Task(stamp=stamp, uploads=uploads, **rest)
+
+
+def task_of(student: Student, stamp: Stamp, results: Path, speed: bool, trust: bool) -> Task:
+    submission = digest(student)
+    words = "\0".join([submission, stamp.kit, stamp.fixtures, stamp.options])
+    key = hashlib.sha256(words.encode()).hexdigest()
+    path = str(student.path)
+    return Task(key, submission, stamp, path, student.uploads, str(results), speed, trust)
+
+
+def digest(student: Student) -> str:
+    """Of every byte that could be used. One that can't be read is named by its reason."""
+    found = hashlib.sha256()
+    try:
+        if student.uploads:
+            _digest_uploads(student.path, student.uploads, found)
+        elif student.path.is_dir():
+            _digest_folder(student.path, found)
+        else:
+            with student.path.open("rb") as stream:
+                while chunk := stream.read(1 << 20):
+                    found.update(chunk)
+    except (UsageError, OSError) as error:
+        found.update(f"\0{error}".encode())
+    return found.hexdigest()
+
+
+def _digest_uploads(path: Path, uploads: tuple[Upload, ...], found: "hashlib._Hash") -> None:
+    archive = opened(path)
+    for upload in uploads:
+        most = LARGEST_ZIP if is_zip(upload.file) else intake.LARGEST_SOURCE
+        heading = f"{upload.file}\0{archive.size(upload.entry)}\0"
+        found.update(heading.encode() + archive.read(upload.entry, most + 1))
+
+
+def _digest_folder(path: Path, found: "hashlib._Hash") -> None:
+    for entry in intake.entries(path):
+        found.update(f"{entry.name}\0{entry.size}\0{entry.link}\0".encode())
+        if is_source(entry.name) and not entry.link:
+            found.update(entry.read(intake.LARGEST_SOURCE + 1))
+
+
+def prepare(task: Task, folder: Path) -> Path:
+    """The path to grade. Uploads of a Canvas download are laid out in `folder`; a single zip stays
+    one. Raises UsageError."""
+    path = Path(task.path)
+    if not task.uploads:
+        return path
+    archive = opened(path)
+    if len(task.uploads) == 1 and is_zip(task.uploads[0].file):
+        return _zip(archive, task.uploads[0], folder)
+    return _lay_out(archive, task.uploads, folder)
+
+
+def _zip(archive: Archive, upload: Upload, folder: Path) -> Path:
+    size = archive.size(upload.entry)
+    if size > LARGEST_ZIP:
+        raise UsageError(f"{upload.file} is {size >> 20} MB large; a zip may have 64 MB")
+    path = folder / f"{upload.attachment}.zip"
+    path.write_bytes(archive.read(upload.entry, LARGEST_ZIP))
+    return path
+
+
+def _lay_out(archive: Archive, uploads: tuple[Upload, ...], folder: Path) -> Path:
+    """Oldest first, so that the newest upload of a part is the one that stays."""
+    top = folder / "submission"
+    top.mkdir()
+    texts = [archive.read(u.entry, intake.LARGEST_SOURCE) for u in uploads if is_source(u.file)]
+    for upload in uploads:
+        if is_zip(upload.file):
+            _unpack(_zip(archive, upload, folder), top)
+        else:
+            name = canvas.plain_file(upload.file, texts)
+            _drop_part(top, name)
+            data = archive.read(upload.entry, intake.LARGEST_SOURCE)
+            _write(top / name, data, archive.size(upload.entry))
+    return top
+
+
+def _unpack(zipped: Path, top: Path) -> None:
+    for entry in intake.entries(zipped):
+        if is_source(entry.name) and not entry.link:
+            _drop_part(top, os.path.basename(entry.name))
+            _write(top / entry.name, entry.read(intake.LARGEST_SOURCE), entry.size)
+
+
+def _drop_part(top: Path, name: str) -> None:
+    """An older upload of the same part makes room."""
+    if canvas.part_file(name):
+        for older in top.rglob("*.cpp"):
+            if older.name.lower() == name.lower():
+                older.unlink()
+
+
+def _write(path: Path, data: bytes, size: int) -> None:
+    """A file too large keeps its size, without its bytes, so that the grader can name it."""
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(data)
+        if size > len(data):
+            os.truncate(path, size)
+    except (FileExistsError, NotADirectoryError, IsADirectoryError) as error:
+        raise UsageError(f"{path.name} is a file and a folder at once: rename one") from error
+    except OSError as error:
+        if error.errno == 36:  # ENAMETOOLONG
+            raise UsageError(f"the name {path.name[:40]}… is too long: shorten it") from error
+        raise

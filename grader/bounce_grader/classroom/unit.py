@@ -1,0 +1,71 @@
+"""The one unit of work: grade one submission and leave its result as one file.
+
+It can be run any number of times, anywhere, by anything: the file's name says what it follows
+from, and the file is there whole or not at all.
+"""
+
+import json
+import tempfile
+import time
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from bounce_grader.classroom import task as tasks
+from bounce_grader.classroom.task import Task
+from bounce_grader.errors import KitError, UsageError
+from bounce_grader.files import write_whole
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What a worker says about a task; the record itself is in the file."""
+
+    key: str
+    state: str  # "graded", "unreadable", or "failed", where the kit did
+    message: str
+    seconds: float
+
+
+def run(task: Task) -> Outcome:
+    """Never raises an Exception: a failure of the kit is an outcome, and leaves no file."""
+    start = time.monotonic()
+    try:
+        result = _grade(task)
+        path = result_path(Path(task.results), task.key)
+        write_whole(path, json.dumps(result, ensure_ascii=False), durable=True)
+        state, message = result["state"], result["message"]
+    except (KitError, OSError) as error:
+        state, message = "failed", str(error)
+    except Exception as error:  # a fault of the kit's that nobody has thought of
+        state, message = "failed", f"{type(error).__name__}: {error}"
+    return Outcome(task.key, state, message, round(time.monotonic() - start, 3))
+
+
+def result_path(folder: Path, key: str) -> Path:
+    return folder / f"{key}.json"
+
+
+def _grade(task: Task) -> dict[str, Any]:
+    """A submission that can't be read is a verdict, too."""
+    from bounce_grader.grade import Options, grade
+
+    record: dict[str, Any] | None = None
+    message = ""
+    with tempfile.TemporaryDirectory(prefix="bounce-class-") as name:
+        path = Path(task.path)
+        try:
+            path = tasks.prepare(task, Path(name))
+            record = grade(path, Options(trust=task.trust, speed=task.speed, jobs=1))
+        except UsageError as error:
+            message = str(error).replace(str(path), "the submission").replace(name, "")
+    return {
+        "key": task.key,
+        "submission": task.submission,
+        "kit": task.stamp.kit,
+        "fixtures": task.stamp.fixtures,
+        "options": task.stamp.options,
+        "state": "graded" if record else "unreadable",
+        "message": message,
+        "record": record,
+    }

@@ -1,0 +1,31 @@
+"""Writing files whole or not at all, and on the disk before they have their name."""
+
+import os
+from pathlib import Path
+
+
+def write_whole(path: Path, data: str | bytes, durable: bool = False) -> None:
+    """Under a temporary name first; `durable` survives a loss of power as well. Raises OSError,
+    and then leaves what was there."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    temporary = path.with_name(f".{path.name[:80]}.{os.getpid()}.part")
+    try:
+        with temporary.open("wb") as stream:
+            stream.write(data.encode() if isinstance(data, str) else data)
+            if durable:
+                stream.flush()
+                os.fsync(stream.fileno())
+        temporary.replace(path)
+    except OSError:
+        temporary.unlink(missing_ok=True)
+        raise
+    if durable:
+        _flush_folder(path.parent)
+
+
+def _flush_folder(folder: Path) -> None:
+    handle = os.open(folder, os.O_RDONLY)
+    try:
+        os.fsync(handle)
+    finally:
+        os.close(handle)
