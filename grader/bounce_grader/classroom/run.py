@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from bounce_grader.classroom import outputs, regrade, results, similar, students
+from bounce_grader.classroom import unit as units
 from bounce_grader.classroom.gradebook import Gradebook
 from bounce_grader.classroom.log import Log
 from bounce_grader.classroom.progress import progress
@@ -37,6 +38,7 @@ class Request:
     trust: bool = False
     regrade: str = ""
     apply: bool = False
+    unit: Callable[[Task], Outcome] = units.run
 
 
 def run(request: Request) -> int:
@@ -63,6 +65,8 @@ def _run(request: Request, found: Class, book: Gradebook | None, log: Log) -> in
     tasks = {s.id: task_of(s, stamp, folder, request.speed, request.trust) for s in found.students}
     failed = grade_missing(tasks, folder, request, log)
     summaries = summarize(found.students, tasks, folder, failed)
+    if summaries and all(summary.state == "waiting" for summary in summaries):
+        return 0
     near = similar.find(request.out, found.students, tasks, request.trust)
     said = outputs.write(request.out, found, summaries, book, request.columns, near)
     return _say(request, found, summaries, said)
@@ -132,14 +136,14 @@ def _engine(request: Request) -> Engine:
     if request.engine == "dask":
         from bounce_grader.classroom.engines import dask
 
-        return lambda tasks: dask.run(tasks, request.scheduler)
+        return lambda tasks: dask.run(tasks, request.scheduler, request.unit)
     if request.engine == "slurm":
         from bounce_grader.classroom.engines import slurm
 
         return lambda tasks: slurm.run(tasks, request.out)
     from bounce_grader.classroom.engines import local
 
-    return lambda tasks: local.run(tasks, jobs)
+    return lambda tasks: local.run(tasks, jobs, request.unit)
 
 
 def _gradebook(request: Request) -> Gradebook | None:
@@ -159,7 +163,7 @@ def _alone(out: Path) -> Iterator[None]:
     """One run at a time in a folder; the lock goes with the process."""
     try:
         out.mkdir(parents=True, exist_ok=True)
-        lock = os.open(out / ".lock", os.O_CREAT | os.O_RDWR)
+        lock = os.open(out / ".lock", os.O_CREAT | os.O_RDWR, 0o644)
     except OSError as error:
         raise UsageError(f"{out} can't be written: {error.strerror}") from error
     try:
@@ -192,7 +196,13 @@ def _say(request: Request, found: Class, summaries: list[Summary], said: list[st
     if looks:
         print(f"{looks} need a look; {request.out / 'class.html'} says which, and why.")
     lines = [f"{unmatched.name!r} {unmatched.reason}" for unmatched in found.unmatched]
-    lines += [f"{s.student.name} ({s.student.id}): {s.message}" for s in summaries if s.message]
+    lines += [
+        f"{s.student.name} ({s.student.id}): {s.message}"
+        for s in summaries
+        if s.message and s.state != "waiting"
+    ]
+    waiting = sum(s.state == "waiting" for s in summaries)
+    lines += [f"{waiting} wait for a grading"] if waiting else []
     for line in [*lines, *said]:
         print(f"  {clean(line)}")
     print(f"Written to {request.out}: gradebook.csv, grades.csv, class.html, feedback/")

@@ -10,6 +10,7 @@ from bounce_grader.classroom import canvas
 from bounce_grader.classroom.archive import Archive, opened
 from bounce_grader.classroom.canvas import TextEntry, Upload
 from bounce_grader.errors import UsageError
+from bounce_grader.intake import LARGEST_SOURCE
 from bounce_grader.submission import HEADERS, SOURCES
 
 
@@ -127,7 +128,7 @@ def _student(archive: Archive, user: str, uploads: list[Upload]) -> Student:
 
 def _newest(archive: Archive, uploads: list[Upload]) -> tuple[list[Upload], list[str]]:
     """Each file once: its newest upload; and a sentence for each that isn't used."""
-    texts = [archive.read(u.entry, 1 << 20) for u in uploads if is_source(u.file)]
+    texts = [_text(archive, upload) for upload in uploads if is_source(upload.file)]
     newest: dict[str, Upload] = {}
     unused = []
     for upload in sorted(uploads, key=lambda u: -u.attachment):
@@ -139,6 +140,14 @@ def _newest(archive: Archive, uploads: list[Upload]) -> tuple[list[Upload], list
         else:
             newest[file] = upload
     return sorted(newest.values(), key=lambda u: u.attachment), unused
+
+
+def _text(archive: Archive, upload: Upload) -> bytes:
+    """One that can't be read is found out when it is graded, and costs nobody else anything."""
+    try:
+        return archive.read(upload.entry, LARGEST_SOURCE)
+    except UsageError:
+        return b""
 
 
 def is_source(file: str) -> bool:

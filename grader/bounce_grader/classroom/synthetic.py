@@ -1,12 +1,15 @@
 """Classes made up from the gallery, for tests and for measuring: each submission is one of the
 gallery under another name and rewritten, so that nothing of it has been compiled before."""
 
+import io
 import json
+import random
 import zipfile
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from bounce_grader.classroom.canvas import sanitized
 from bounce_grader.paths import ROOT
 from bounce_grader.submission import HEADERS, SOURCES
 
@@ -33,8 +36,9 @@ def gallery(kinds: Sequence[str]) -> list[Path]:
 
 
 def students(number: int, kinds: Sequence[str], first_user: int = 10_001) -> Iterator[Made]:
-    """Going through the gallery again and again; user ids count up."""
+    """Going through the gallery again and again, in a mixed order; user ids count up."""
     folders = gallery(kinds)
+    random.Random(1).shuffle(folders)
     for i in range(number):
         folder = folders[i % len(folders)]
         last, first = LAST[i % len(LAST)], FIRST[(i // len(LAST)) % len(FIRST)]
@@ -65,8 +69,6 @@ def _rewritten(text: bytes, user: int) -> bytes:
 def canvas_zip(path: Path, of: Sequence[Made], late: int = 7, zipped: int = 3) -> Path:
     """As Canvas writes it; every `late`th is late, and every `zipped`th handed in a zip. So does
     whoever has folders."""
-    from bounce_grader.classroom.canvas import sanitized
-
     attachment = 500_000
     with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
         for i, student in enumerate(of):
@@ -83,8 +85,6 @@ def canvas_zip(path: Path, of: Sequence[Made], late: int = 7, zipped: int = 3) -
 
 
 def zip_bytes(files: dict[str, bytes]) -> bytes:
-    import io
-
     out = io.BytesIO()
     with zipfile.ZipFile(out, "w", zipfile.ZIP_DEFLATED) as archive:
         for file, data in files.items():

@@ -7,6 +7,7 @@ from, and the file is there whole or not at all.
 import json
 import tempfile
 import time
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -15,6 +16,8 @@ from bounce_grader.classroom import task as tasks
 from bounce_grader.classroom.task import Task
 from bounce_grader.errors import KitError, UsageError
 from bounce_grader.files import write_whole
+
+Record = dict[str, Any]
 
 
 @dataclass(frozen=True)
@@ -27,11 +30,17 @@ class Outcome:
     seconds: float
 
 
-def run(task: Task) -> Outcome:
+def grade_path(path: Path, task: Task) -> Record:
+    from bounce_grader.grade import Options, grade
+
+    return grade(path, Options(trust=task.trust, speed=task.speed, jobs=1))
+
+
+def run(task: Task, grade: Callable[[Path, Task], Record] = grade_path) -> Outcome:
     """Never raises an Exception: a failure of the kit is an outcome, and leaves no file."""
     start = time.monotonic()
     try:
-        result = _grade(task)
+        result = _result(task, grade)
         path = result_path(Path(task.results), task.key)
         write_whole(path, json.dumps(result, ensure_ascii=False), durable=True)
         state, message = result["state"], result["message"]
@@ -46,17 +55,15 @@ def result_path(folder: Path, key: str) -> Path:
     return folder / f"{key}.json"
 
 
-def _grade(task: Task) -> dict[str, Any]:
+def _result(task: Task, grade: Callable[[Path, Task], Record]) -> dict[str, Any]:
     """A submission that can't be read is a verdict, too."""
-    from bounce_grader.grade import Options, grade
-
-    record: dict[str, Any] | None = None
+    record: Record | None = None
     message = ""
     with tempfile.TemporaryDirectory(prefix="bounce-class-") as name:
         path = Path(task.path)
         try:
             path = tasks.prepare(task, Path(name))
-            record = grade(path, Options(trust=task.trust, speed=task.speed, jobs=1))
+            record = grade(path, task)
         except UsageError as error:
             message = str(error).replace(str(path), "the submission").replace(name, "")
     return {

@@ -40,7 +40,8 @@ def csv_line(values: list[str]) -> str:
 def markdown(text: str) -> str:
     """One line, of which nothing is markup, a mention or a link."""
     line = html.escape(plain(text).replace("\n", " "), quote=False)
-    return re.sub(r"([\\`*_{}\[\]()#+!|~@-])", r"\\\1", line)
+    marked = re.sub(r"([\\`*_{}\[\]()#+!|~-])", r"\\\1", line)
+    return marked.replace("@", "@\N{ZERO WIDTH SPACE}")
 
 
 def markdown_code(text: str) -> str:
