@@ -11,14 +11,14 @@ from bounce_grader.errors import UsageError
 
 COLUMN = "HW3 (98765)"
 MOST = {0: 100.0, 1: 30.0, 2: 30.0, 3: 30.0, 4: 10.0}
-EXPORT = """Student,ID,SIS User ID,SIS Login ID,Section,Quiz (11),HW3 (98765),Final Score
+EXPORT = '''Student,ID,SIS User ID,SIS Login ID,Section,Quiz (11),HW3 (98765),Final Score
 ,,,,,Manual Posting,,
     Points Possible,,,,,10.00,100.00,(read only)
 "Doe, Jane",12,u12,jdoe,"Sec ""A""",7.50,,81.2
 "Roe, Jörg",13,u13,jroe,S,,"55.00",
 "Poe, Ann",14,u14,apoe,S,,EX,
 "Moe, Sam",15,u15,smoe,S,,,
-"""
+'''
 
 
 def marks(**points: float) -> dict[str, Marks]:
