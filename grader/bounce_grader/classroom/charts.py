@@ -20,8 +20,8 @@ class Bar:
 
 @dataclass(frozen=True)
 class Dot:
-    x: float
-    y: float
+    x: float | None  # None: not measured
+    y: float | None  # None: not finite
     kind: str  # "full", "some" or "none" of the points
     title: str
 
@@ -49,7 +49,7 @@ def histogram(scores: Sequence[float], most: float) -> str:
 
 def bars(rows: Sequence[Bar], label: str) -> str:
     """One line each: the words, a bar, and the number."""
-    line, start, end = 26, 400, 620
+    line, start, end = 26, 445, 625
     out = []
     for i, row in enumerate(rows):
         y = i * line + 6
@@ -62,16 +62,21 @@ def bars(rows: Sequence[Bar], label: str) -> str:
 
 
 def scatter(dots: Sequence[Dot], right: float) -> str:
-    """Both axes are powers of ten; a line at the tolerance, below which answers are right."""
-    left, top, width, height = 90, 20, WIDTH - 120, 330
-    x_low, x_high = _decades([dot.x for dot in dots] + [1.0], 0.1, 1000.0)
+    """Both axes are powers of ten; a line at the tolerance, below which answers are right. A strip
+    on the right holds what wasn't timed, one at the top what isn't finite."""
+    left, top, width, height = 90, 56, WIDTH - 200, 330
+    x_low, x_high = _decades([1.0, *(dot.x for dot in dots if dot.x)], 1e-3, 1e3)
     y_low, y_high = -17, 3
     bottom = top + height
 
-    def place_x(x: float) -> float:
+    def place_x(x: float | None, at: int = 0) -> float:
+        if x is None:
+            return left + width + 20 + 7 * (at % 10)
         return left + width * (_log(x, x_low, x_high) - x_low) / (x_high - x_low)
 
-    def place_y(y: float) -> float:
+    def place_y(y: float | None, at: int = 0) -> float:
+        if y is None:
+            return top - 12 - 5 * (at % 5)
         return bottom - height * (_log(y, y_low, y_high) - y_low) / (y_high - y_low)
 
     out = [_rect(left, top, width, height, "none", "#111")]
@@ -90,7 +95,9 @@ def scatter(dots: Sequence[Dot], right: float) -> str:
     dash = 'stroke="#111" stroke-dasharray="2 4"'
     out.append(f'<path d="M{solution:.1f} {top}v{height}" {dash}/>')
     out.append(_text(solution + 6, top + 16, "the solution's time", "start"))
-    out += [_dot(place_x(dot.x), place_y(dot.y), dot) for dot in dots]
+    out.append(_text(left + width + 22, bottom + 20, "not timed", "start"))
+    out.append(_text(left - 9, top - 16, "not finite", "end"))
+    out += [_dot(place_x(dot.x, i), place_y(dot.y, i), dot) for i, dot in enumerate(dots)]
     out.append(
         _text(left + width / 2, bottom + 44, "time of a step, over the solution's", "middle")
     )
@@ -135,7 +142,7 @@ def _rect(x: float, y: float, w: float, h: float, fill: str, stroke: str = "none
 
 
 def _text(x: float, y: float, words: str, anchor: str, weight: str = "normal") -> str:
-    bold = ' font-weight="bold"' if weight == "bold" else ""
+    bold = ' style="font-weight:bold"' if weight == "bold" else ""
     return f'<text x="{x:.1f}" y="{y:.1f}" text-anchor="{anchor}"{bold}>{to_html(words)}</text>'
 
 

@@ -127,18 +127,13 @@ def _speed(summaries: Sequence[Summary]) -> str:
     dots = [
         Dot(s.ratio, s.error, _kind(s.score, full), f"{_who(s)}: {s.score:g} points")
         for s in summaries
-        if s.ratio is not None and s.error is not None and s.score is not None
+        if s.score is not None
     ]
-    left_out = sum(s.score is not None for s in summaries) - len(dots)
     said = (
         "<p>Each mark is a submission: a disc has all points, a ring some, a cross none. Times are "
-        "measured in the same run as the solution's; the largest error is over all checks.</p>"
+        "measured in the same run as the solution's; the largest error is over all checks. What "
+        "doesn't run as a whole isn't timed.</p>"
     )
-    if left_out:
-        said += (
-            f'<p class="small">{left_out} are not shown: their parts don\'t run together, or an '
-            "answer wasn't finite.</p>"
-        )
     return said + (_drawing(charts.scatter(dots, RIGHT)) if dots else "")
 
 
@@ -160,7 +155,7 @@ def _near(near: Similar, names: dict[str, str]) -> str:
         "<p>The share of one submission's structure that is in the other too, whatever the names "
         "and the layout; lines of the handout don't count. Right answers to a short task look "
         f"alike: half of the submissions have {near.usual} % or more in common with their closest "
-        "relative. So this is a reason to look, and no more.</p>"
+        "relative. The pairs that stand out from that are a reason to look, and no more.</p>"
     )
     rows = [[to_html(names[p.first]), to_html(names[p.second]), f"{p.share} %"] for p in near.pairs]
     return said + (_table(["one", "the other", "in common"], rows, {2}) if rows else "<p>None.</p>")

@@ -91,9 +91,11 @@ def _find(students: list[Student], graded: dict[str, Task], box: boxes.Box) -> S
         relatives = _relatives(_sim([PROGRAM, *_all_at_once(), "-i"], names, folder, box))
         lines = [f"{a}.cpp {b}.cpp" for a, b in sorted(relatives)]
         shares = _shares(_sim(["/bin/sh", "-c", IN_PAIRS], lines, folder, box))
-    pairs = [Pair(files[a], files[b], share) for (a, b), share in shares.items() if share >= LEAST]
+    usual = _usual(shares, len(files))
+    least = max(LEAST, (usual + 100) // 2)  # halfway from the usual to the same
+    pairs = [Pair(files[a], files[b], share) for (a, b), share in shares.items() if share >= least]
     pairs.sort(key=lambda pair: (-pair.share, pair.first, pair.second))
-    return Similar(tuple(pairs[:MOST]), _usual(shares, len(files)))
+    return Similar(tuple(pairs[:MOST]), usual)
 
 
 def _all_at_once() -> list[str]:
