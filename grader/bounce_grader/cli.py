@@ -66,6 +66,8 @@ def _parser() -> argparse.ArgumentParser:
     fixtures.set_defaults(command=_fixtures)
 
     bench = commands.add_parser("bench", help="measure the grader's speed")
+    bench.add_argument("what", nargs="?", choices=["grade", "class"], default="grade")
+    bench.add_argument("--submissions", type=int, default=1000, metavar="N", help="of a class")
     bench.set_defaults(command=_bench)
 
     test = commands.add_parser("test", help="run every test of the kit")
@@ -131,6 +133,10 @@ def _fixtures(options: argparse.Namespace) -> int:
 
 
 def _bench(options: argparse.Namespace) -> int:
+    if options.what == "class":
+        from bounce_grader.classroom import bench as class_bench
+
+        return class_bench.run(options.submissions)
     from bounce_grader import bench
 
     return bench.run()

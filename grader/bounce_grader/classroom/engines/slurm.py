@@ -4,10 +4,10 @@ Slurm's; this writes files, and grades nothing itself."""
 import json
 import math
 import shlex
-import shutil
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
+from typing import Any
 
 from bounce_grader.classroom.task import Task
 from bounce_grader.classroom.unit import Outcome
@@ -47,9 +47,8 @@ sbatch --dependency=afterany:"$array" {folder}/collect.sbatch
 
 def run(tasks: list[Task], out: Path) -> Iterator[tuple[Task, Outcome]]:
     """Yields nothing: the results come later, as files."""
-    folder = out / "slurm"
-    shutil.rmtree(folder, ignore_errors=True)
     if tasks:
+        folder = _new_folder(out / "slurm")
         _write(tasks, folder)
         print(
             f"kit: {len(tasks)} submissions wait for a grading; hand them to Slurm with\n"
@@ -59,10 +58,22 @@ def run(tasks: list[Task], out: Path) -> Iterator[tuple[Task, Outcome]]:
     yield from ()
 
 
-def _write(tasks: list[Task], folder: Path) -> None:
+def _new_folder(parent: Path) -> Path:
+    """Beside those of earlier runs, whose logs may say what went wrong."""
+    number = 1
+    while (parent / str(number)).exists():
+        number += 1
+    return parent / str(number)
+
+
+def chunks(tasks: Sequence[Any]) -> list[Sequence[Any]]:
     size = min(MOST, max(FEWEST, math.ceil(len(tasks) / CHUNKS)))
-    chunks = [tasks[at : at + size] for at in range(0, len(tasks), size)]
-    for number, chunk in enumerate(chunks, 1):
+    return [tasks[at : at + size] for at in range(0, len(tasks), size)]
+
+
+def _write(tasks: list[Task], folder: Path) -> None:
+    cut = chunks(tasks)
+    for number, chunk in enumerate(cut, 1):
         words = json.dumps([task.as_json() for task in chunk], ensure_ascii=False)
         write_whole(folder / f"chunk-{number}.json", words)
     places = {
@@ -70,7 +81,7 @@ def _write(tasks: list[Task], folder: Path) -> None:
         "kit": shlex.quote(str(ROOT)),
         "here": shlex.quote(str(Path.cwd())),
         "command": shlex.join([str(ROOT / "kit"), *sys.argv[1:]]),
-        "chunks": len(chunks),
+        "chunks": len(cut),
     }
     for name, text in (("grade.sbatch", ARRAY), ("collect.sbatch", COLLECT), ("submit.sh", SUBMIT)):
         write_whole(folder / name, text.format(**places))
