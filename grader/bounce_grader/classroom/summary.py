@@ -6,7 +6,6 @@ from typing import Any
 
 from bounce_grader.classroom.students import Student
 from bounce_grader.formats.words import mistake_words
-from bounce_grader.manifest import parts
 
 
 @dataclass(frozen=True)
@@ -33,9 +32,6 @@ class Summary:
         for number, status in self.statuses.items():
             if status in odd:
                 reasons.append(f"part {number}: {status.replace('_', ' ')}")
-        if self.state == "graded" and len(self.statuses) == len(parts()):
-            if set(self.statuses.values()) == {"not_submitted"}:
-                reasons.append("none of the four parts is there under its name")
         if self.box in ("none", "reduced"):
             reasons.append(f"graded with {'no' if self.box == 'none' else 'a reduced'} box")
         return reasons

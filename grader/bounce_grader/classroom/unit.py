@@ -64,7 +64,9 @@ def _result(task: Task, grade: Callable[[Path, Task], Record]) -> dict[str, Any]
         try:
             path = tasks.prepare(task, Path(name))
             record = grade(path, task)
+            _require_a_part(record)
         except UsageError as error:
+            record = None
             message = str(error).replace(str(path), "the submission").replace(name, "")
     return {
         "key": task.key,
@@ -76,3 +78,15 @@ def _result(task: Task, grade: Callable[[Path, Task], Record]) -> dict[str, Any]
         "message": message,
         "record": record,
     }
+
+
+def _require_a_part(record: Record) -> None:
+    """A zip in the zip, or files under other names: for a person to look at, and no zero."""
+    if all(part["status"] == "not_submitted" for part in record["parts"]):
+        names = [name for name in record["ignored"] if not name.startswith("__MACOSX")]
+        zipped = any(name.lower().endswith(".zip") for name in names)
+        raise UsageError(
+            "none of the four parts is there under its name"
+            + (f", but {', '.join(names[:3])}" if names else "")
+            + (": a zip inside a zip isn't opened" if zipped else "")
+        )
