@@ -48,8 +48,8 @@ def test_fills_the_cells_and_nothing_else(tmp_path: Path) -> None:
     filled = fill(tmp_path, EXPORT, marks(u12=87.5, u13=60, u14=10))
     expected = EXPORT.replace("7.50,,81.2", "7.50,87.50,81.2").replace('"55.00"', '"60.00"')
     assert filled.data.decode() == expected
-    assert "Poe, Ann stays EX in HW3 (98765)" in filled.sentences
-    assert "Moe, Sam has no submission: the cell stays as it was" in filled.sentences
+    assert "Poe, Ann (14) stays EX in HW3 (98765)" in filled.sentences
+    assert "Moe, Sam (15) has no submission: the cell stays as it was" in filled.sentences
 
 
 @pytest.mark.parametrize("start", [b"", b"\xef\xbb\xbf"])
@@ -127,7 +127,7 @@ def test_other_points_possible_are_said(tmp_path: Path) -> None:
 def test_the_points_of_a_group_are_said(tmp_path: Path) -> None:
     given = {"12": Marks("team7", {0: 5.0}, True), "13": Marks("jörgroe", {0: 6.0}, True)}
     said = " ".join(fill(tmp_path, EXPORT, given).sentences)
-    assert "Doe, Jane has the points of team7: if that is a group" in said
+    assert "Doe, Jane (12) has the points of team7: if that is a group" in said
     assert "jörgroe" not in said
 
 

@@ -83,7 +83,7 @@ def test_writes_all_that_it_promises(tmp_path: Path, users: list[int]) -> None:
     assert len(list((out / "feedback").iterdir())) == len(users)
     with zipfile.ZipFile(out / "feedback.zip") as archive:
         assert archive.read("doejane_101_1010_feedback.html").startswith(b"<!doctype html>")
-    assert "Doe, Jane has no submission" in (out / "class.html").read_text()
+    assert "Doe, Jane (999) has no submission" in (out / "class.html").read_text()
     assert sorted(graded(out)) == sorted(results.keys(out / "results"))
 
 

@@ -70,11 +70,11 @@ def odd_entries(archive: zipfile.ZipFile) -> dict[int, float | None]:
     return {**points, 7110: None, 7111: None}
 
 
-def book_of(users: dict[int, float | None]) -> str:
+def book_of(users: dict[int, float | None], names: dict[int, str]) -> str:
     """With a student who handed in nothing, one who is excused, and one who isn't assigned."""
     lines = [f"Student,ID,SIS Login ID,Section,{COLUMN},Note", "    Points Possible,,,,100.00,"]
     for user in users:
-        name = ODD_NAMES.get(user, "Roe, Ann").replace('"', '""')
+        name = names.get(user, "Roe, Ann").replace('"', '""')
         lines.append(f'"{name}",{user},l{user},S,,')
     lines += ['"None, Nell",8001,l8001,S,,', '"Excused, Ed",7106,l7106,S,EX,']
     lines = [line for line in lines if not line.endswith("7106,l7106,S,,")]
@@ -103,7 +103,8 @@ def test_a_class_of_forty_with_every_oddity(
     everybody: dict[int, float | None] = {student.user: student.points for student in made}
     everybody |= odd
     assert len(everybody) >= 39
-    (tmp_path / "export.csv").write_bytes(book_of(everybody).encode())
+    names = {**ODD_NAMES, **{student.user: student.sortable_name for student in made}}
+    (tmp_path / "export.csv").write_bytes(book_of(everybody, names).encode())
     got = kit_class(tmp_path)
 
     expected = {str(u): "" if p is None else f"{p:.2f}" for u, p in everybody.items()}
@@ -124,9 +125,9 @@ def test_a_class_of_forty_with_every_oddity(
         "is text typed into Canvas",
         "is an address typed into Canvas",
         "'readme.txt' isn't named as Canvas names submissions",
-        "None, Nell has no submission: the cell stays as it was",
-        "Excused, Ed stays EX",
-        "Roe, Ann has the points of team7: if that is a group",
+        "None, Nell (8001) has no submission: the cell stays as it was",
+        "Excused, Ed (7106) stays EX",
+        "Roe, Ann (7109) has the points of team7: if that is a group",
         "(anon_a1b2c) is graded, but isn't in export.csv",
     ):
         assert sentence in said, sentence

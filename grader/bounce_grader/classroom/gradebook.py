@@ -54,7 +54,8 @@ class Gradebook:
         for row in rows:
             matching = [id for id in self._ids(row) if id in marks]
             if not matching:
-                filled.sentences.append(f"{_name(row)} has no submission: the cell stays as it was")
+                nothing = f"{self._who(row)} has no submission: the cell stays as it was"
+                filled.sentences.append(nothing)
                 continue
             found.add(matching[0])
             if self._twice(matching[0], rows):
@@ -72,20 +73,25 @@ class Gradebook:
 
     def _fill_row(self, row: Row, marks: Marks) -> list[str]:
         said = []
+        named = False
         for part, column in self._columns.items():
             cell = row.cells[column]
             if cell.text.strip().upper() in NEVER_FILLED:
-                said.append(f"{_name(row)} stays {cell.text.strip()} in {self._header[column]}")
+                said.append(f"{self._who(row)} stays {cell.text.strip()} in {self._header[column]}")
             else:
+                named = marks.of_canvas
                 number = f"{marks.points[part]:.2f}"
                 text = number.replace(".", ",") if self._comma else number
                 cell.put(text, self._table.delimiter)
-        if marks.of_canvas and sorted(sanitized(_name(row))) != sorted(marks.name):
+        if named and sorted(sanitized(_name(row))) != sorted(marks.name):
             said.append(
-                f"{_name(row)} has the points of {marks.name}: if that is a group, give its other "
+                f"{self._who(row)} has the points of {marks.name}: if that is a group, give its other "
                 "members the same"
             )
         return said
+
+    def _who(self, row: Row) -> str:
+        return f"{_name(row)} ({', '.join(self._ids(row)[:1])})"
 
     def _twice(self, id: str, rows: list[Row]) -> bool:
         return sum(id in self._ids(row) for row in rows) > 1

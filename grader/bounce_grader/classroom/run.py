@@ -21,6 +21,7 @@ from bounce_grader.errors import KitError, UsageError
 from bounce_grader.manifest import parts
 from bounce_grader.report import clean
 
+MOST_LINES = 40  # on the terminal; class.html has them all
 TRIES = 3  # of a grading in which the kit fails
 Engine = Callable[[list[Task]], Iterator[tuple[Task, Outcome]]]
 
@@ -203,7 +204,10 @@ def _say(request: Request, found: Class, summaries: list[Summary], said: list[st
     ]
     waiting = sum(s.state == "waiting" for s in summaries)
     lines += [f"{waiting} wait for a grading"] if waiting else []
-    for line in [*lines, *said]:
+    lines += said
+    for line in lines[:MOST_LINES]:
         print(f"  {clean(line)}")
+    if len(lines) > MOST_LINES:
+        print(f"  and {len(lines) - MOST_LINES} more, in class.html")
     print(f"Written to {request.out}: gradebook.csv, grades.csv, class.html, feedback/")
     return 3 if any(s.state == "failed" for s in summaries) else 0
