@@ -111,7 +111,7 @@ def grade_missing(
             "kept. Run the same command again to go on.",
             file=sys.stderr,
         )
-        raise
+        sys.exit(130)
     return failed
 
 
