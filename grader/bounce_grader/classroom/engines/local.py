@@ -6,6 +6,7 @@ import threading
 from collections.abc import Callable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from contextlib import contextmanager
+from multiprocessing import forkserver
 from multiprocessing.connection import Connection
 from multiprocessing.context import ForkServerContext
 from multiprocessing.process import BaseProcess
@@ -24,6 +25,7 @@ def run(
     """Outcomes as they come. Ended early, it ends what still runs."""
     context = multiprocessing.get_context("forkserver")
     context.set_forkserver_preload(PRELOADED)
+    _start_server()
     running = _Running(context, unit)
     waiting = iter(tasks)
     with ThreadPoolExecutor(jobs) as pool, running.ended_at_last():
@@ -40,6 +42,18 @@ def run(
                 if following:
                     futures[pool.submit(running.one, following)] = following
                 yield task, future.result()
+
+
+def _start_server() -> None:
+    """The process that the others are forked from. Ctrl-C is not for it, not even as it starts."""
+    if threading.current_thread() is not threading.main_thread():
+        forkserver.ensure_running()
+        return
+    before = signal.signal(signal.SIGINT, signal.SIG_IGN)
+    try:
+        forkserver.ensure_running()
+    finally:
+        signal.signal(signal.SIGINT, before)
 
 
 class _Running:
