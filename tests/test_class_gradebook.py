@@ -135,7 +135,13 @@ def test_two_rows_of_one_student_are_both_left(tmp_path: Path) -> None:
     text = EXPORT.replace(",13,u13", ",12,u13")
     filled = fill(tmp_path, text, marks(u12=5))
     assert filled.data.decode() == text
-    assert "export.csv has two rows for 12: neither is filled" in filled.sentences
+    assert "export.csv has 2 rows for 12: none is filled" in filled.sentences
+
+
+def test_canvas_ids_come_before_logins(tmp_path: Path) -> None:
+    """Somebody's login may be somebody else's id."""
+    filled = fill(tmp_path, EXPORT.replace("jroe", "12"), marks(u12=5))
+    assert filled.data.decode() == EXPORT.replace("jroe", "12").replace("7.50,,", "7.50,5.00,")
 
 
 @pytest.mark.parametrize(

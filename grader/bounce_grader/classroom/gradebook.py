@@ -49,24 +49,22 @@ class Gradebook:
 
     def fill(self, marks: Mapping[str, Marks]) -> Filled:
         """`marks` by Canvas's user id, a SIS id, or a login."""
-        rows, filled = self._students(), Filled(b"")
-        found: set[str] = set()
-        for row in rows:
-            matching = [id for id in self._ids(row) if id in marks]
-            if not matching:
+        filled = Filled(b"")
+        rows = self._rows_by_id()
+        given = {row.line: id for id in marks for row in rows.get(id, [])}
+        for row in self._students():
+            id = given.get(row.line)
+            if id is None:
                 nothing = f"{self._who(row)} has no submission: the cell stays as it was"
                 filled.sentences.append(nothing)
-                continue
-            found.add(matching[0])
-            if self._twice(matching[0], rows):
-                where = f"{self._name} has two rows for {matching[0]}"
-                filled.sentences.append(f"{where}: neither is filled")
-                continue
-            filled.sentences += self._fill_row(row, marks[matching[0]])
-        for id in marks:
-            if id not in found:
-                unknown = f"{marks[id].name} ({id}) is graded, but isn't in {self._name}"
-                filled.sentences.append(unknown)
+            elif len(rows[id]) > 1:
+                twice = f"{self._name} has {len(rows[id])} rows for {id}: none is filled"
+                filled.sentences.append(twice)
+            else:
+                filled.sentences += self._fill_row(row, marks[id])
+        for id in sorted(marks.keys() - set(given.values())):
+            unknown = f"{marks[id].name} ({id}) is graded, but isn't in {self._name}"
+            filled.sentences.append(unknown)
         filled.sentences = [*self._points_possible(), *dict.fromkeys(filled.sentences)]
         filled.data = self._table.bytes()
         return filled
@@ -91,10 +89,19 @@ class Gradebook:
         return said
 
     def _who(self, row: Row) -> str:
-        return f"{_name(row)} ({', '.join(self._ids(row)[:1])})"
+        ids = [row.cells[column].text.strip() for column in self._id_columns()]
+        return f"{_name(row)} ({next(filter(None, ids), 'without an ID')})"
 
-    def _twice(self, id: str, rows: list[Row]) -> bool:
-        return sum(id in self._ids(row) for row in rows) > 1
+    def _rows_by_id(self) -> dict[str, list[Row]]:
+        """Canvas's own ids first, as its importer does."""
+        found: dict[str, list[Row]] = {}
+        for column in self._id_columns():
+            here: dict[str, list[Row]] = {}
+            for row in self._students():
+                if row.cells[column].text.strip():
+                    here.setdefault(row.cells[column].text.strip(), []).append(row)
+            found = {**here, **found}
+        return found
 
     def _students(self) -> list[Row]:
         """The rows that Canvas takes for students."""
@@ -106,10 +113,9 @@ class Gradebook:
                 rows.append(row)
         return rows
 
-    def _ids(self, row: Row) -> list[str]:
-        columns = [self._header.index("ID")]
-        columns += [self._header.index(name) for name in NAME_COLUMNS if name in self._header]
-        return [row.cells[c].text.strip() for c in columns if row.cells[c].text.strip()]
+    def _id_columns(self) -> list[int]:
+        others = [self._header.index(name) for name in NAME_COLUMNS if name in self._header]
+        return [self._header.index("ID"), *others]
 
     def _require_canvas(self) -> None:
         if not self._header[0].endswith("Student") or "ID" not in self._header[1:4]:
