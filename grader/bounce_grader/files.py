@@ -1,7 +1,10 @@
 """Writing files whole or not at all, and on the disk before they have their name."""
 
 import os
+import time
 from pathlib import Path
+
+ABANDONED = 3600.0  # seconds after which nobody is writing a file any more
 
 
 def write_whole(path: Path, data: str | bytes, durable: bool = False) -> None:
@@ -29,3 +32,10 @@ def _flush_folder(folder: Path) -> None:
         os.fsync(handle)
     finally:
         os.close(handle)
+
+
+def sweep(folder: Path) -> None:
+    """Takes away what writers that were killed have left; others may be writing beside this."""
+    for part in folder.rglob(".*.part"):
+        if time.time() - part.stat().st_mtime > ABANDONED:
+            part.unlink()

@@ -87,7 +87,11 @@ def _page(student: Student, result: dict[str, Any]) -> str:
 
 def _zip(folder: Path, pages: list[str], path: Path) -> None:
     temporary = path.with_name(f".{path.name}.part")
-    with zipfile.ZipFile(temporary, "w", zipfile.ZIP_DEFLATED) as archive:
-        for name in pages:
-            archive.write(folder / name, name)
-    temporary.replace(path)
+    try:
+        with zipfile.ZipFile(temporary, "w", zipfile.ZIP_DEFLATED) as archive:
+            for name in pages:
+                archive.write(folder / name, name)
+        temporary.replace(path)
+    except OSError:
+        temporary.unlink(missing_ok=True)
+        raise

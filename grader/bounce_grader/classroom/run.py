@@ -18,6 +18,7 @@ from bounce_grader.classroom.summary import Summary, of_result
 from bounce_grader.classroom.task import Stamp, Task, task_of
 from bounce_grader.classroom.unit import Outcome
 from bounce_grader.errors import KitError, UsageError
+from bounce_grader.files import sweep
 from bounce_grader.manifest import parts
 from bounce_grader.report import clean
 
@@ -47,6 +48,7 @@ def run(request: Request) -> int:
     found = students.read(request.submissions)
     book = _gradebook(request)
     with _alone(request.out):
+        sweep(request.out)
         log = Log(request.out / "log.jsonl")
         try:
             return _run(request, found, book, log)
