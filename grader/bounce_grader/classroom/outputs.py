@@ -10,7 +10,6 @@ from bounce_grader.classroom.gradebook import Gradebook, Marks
 from bounce_grader.classroom.similar import Similar
 from bounce_grader.classroom.students import Class, Student
 from bounce_grader.classroom.summary import Summary
-from bounce_grader.errors import KitError
 from bounce_grader.files import write_whole
 from bounce_grader.formats import html
 from bounce_grader.manifest import parts
@@ -28,16 +27,10 @@ def write(
 ) -> list[str]:
     """Gives the sentences that a person should read about the grade book."""
     marks = _marks(summaries)
-    try:
-        said = _gradebook(out, marks, book, columns)
-        write_whole(out / "grades.csv", "\ufeff" + grades.table(summaries))
-        _feedback(out, summaries)
-        write_whole(out / "class.html", page.render(found, summaries, near, said))
-    except OSError as error:
-        raise KitError(
-            f"{error.filename or out} can't be written ({error.strerror}); what was there before "
-            "is kept. Run the same command again when that is mended"
-        ) from error
+    said = _gradebook(out, marks, book, columns)
+    write_whole(out / "grades.csv", "\ufeff" + grades.table(summaries))
+    _feedback(out, summaries)
+    write_whole(out / "class.html", page.render(found, summaries, near, said))
     return said
 
 

@@ -1,10 +1,11 @@
 """./kit class: what is asked for, and the order of it."""
 
+import errno
 import fcntl
 import os
 import sys
-from collections.abc import Callable, Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Callable, Generator, Iterator, Mapping
+from contextlib import closing, contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -24,7 +25,7 @@ from bounce_grader.report import clean
 
 MOST_LINES = 40  # on the terminal; class.html has them all
 TRIES = 3  # of a grading in which the kit fails
-Engine = Callable[[list[Task]], Iterator[tuple[Task, Outcome]]]
+Engine = Callable[[list[Task]], Generator[tuple[Task, Outcome], None, None]]
 
 
 @dataclass(frozen=True)
@@ -52,6 +53,13 @@ def run(request: Request) -> int:
         log = Log(request.out / "log.jsonl")
         try:
             return _run(request, found, book, log)
+        except OSError as error:
+            if error.errno != errno.ENOSPC:
+                raise
+            raise KitError(
+                f"the disk with {request.out} or with the temporary files is full: make room, and "
+                "run the same command again. What is graded is kept"
+            ) from error
         finally:
             log.close()
 
@@ -87,23 +95,20 @@ def grade_missing(
             log.graded(task, result["state"], None)
         else:
             missing[task.key] = task
-    engine = _engine(request)
     failed: dict[str, Outcome] = {}
     try:
         with progress(len(missing)) as bar:
-            todo = list(missing.values())
             for attempt in range(TRIES):
+                todo = [task for key, task in missing.items() if not attempt or key in failed]
                 failed = {}
-                for task, outcome in engine(todo):
-                    if outcome.state == "failed":
-                        failed[task.key] = outcome
-                        log.write("failed", task, message=outcome.message)
-                    else:
-                        log.graded(task, outcome.state, outcome.seconds)
-                    if outcome.state != "failed" or attempt == TRIES - 1:
-                        bar.advance()
-                todo = [missing[key] for key in failed]
-                if not todo:
+                with closing(_engine(request)(todo)) as outcomes:
+                    for task, outcome in outcomes:
+                        if outcome.state == "failed":
+                            failed[task.key] = outcome
+                        _write_down(log, task, outcome)
+                        if outcome.state != "failed" or attempt == TRIES - 1:
+                            bar.advance()
+                if not failed:
                     break
     except KeyboardInterrupt:
         done = len(missing) - sum(results.load(folder, key) is None for key in missing)
@@ -115,6 +120,16 @@ def grade_missing(
         )
         sys.exit(130)
     return failed
+
+
+def _write_down(log: Log, task: Task, outcome: Outcome) -> None:
+    """A full disk isn't tried again: the others would be graded for nothing."""
+    if outcome.state != "failed":
+        log.graded(task, outcome.state, outcome.seconds)
+        return
+    log.write("failed", task, message=outcome.message)
+    if os.strerror(errno.ENOSPC) in outcome.message:
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
 
 
 def summarize(

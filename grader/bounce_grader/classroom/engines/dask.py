@@ -1,7 +1,7 @@
 """Dask: the same unit, as futures of a cluster's scheduler. Workers see the kit, the submissions and
 the results under the same paths; they may come, go and die."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Generator
 from typing import Any
 
 from bounce_grader.classroom.task import Task
@@ -15,7 +15,7 @@ TO_CONNECT = "10s"
 
 def run(
     tasks: list[Task], scheduler: str, unit: Callable[[Task], Outcome] = run_unit
-) -> Iterator[tuple[Task, Outcome]]:
+) -> Generator[tuple[Task, Outcome], None, None]:
     """Raises UsageError where there is no such scheduler, KitError where it is lost."""
     if not tasks:
         return

@@ -3,7 +3,7 @@
 import multiprocessing
 import signal
 import threading
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Generator, Iterator
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from contextlib import contextmanager
 from multiprocessing import forkserver
@@ -21,7 +21,7 @@ PRELOADED = ["bounce_grader.grade", "bounce_grader.classroom.unit"]
 
 def run(
     tasks: list[Task], jobs: int, unit: Callable[[Task], Outcome] = run_unit
-) -> Iterator[tuple[Task, Outcome]]:
+) -> Generator[tuple[Task, Outcome], None, None]:
     """Outcomes as they come. Ended early, it ends what still runs."""
     context = multiprocessing.get_context("forkserver")
     context.set_forkserver_preload(PRELOADED)

@@ -5,7 +5,7 @@ import json
 import math
 import shlex
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Generator, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -45,7 +45,7 @@ sbatch --dependency=afterany:"$array" {folder}/collect.sbatch
 """
 
 
-def run(tasks: list[Task], out: Path) -> Iterator[tuple[Task, Outcome]]:
+def run(tasks: list[Task], out: Path) -> Generator[tuple[Task, Outcome], None, None]:
     """Yields nothing: the results come later, as files."""
     if tasks:
         folder = _new_folder(out / "slurm")
