@@ -6,6 +6,7 @@ import signal
 import socket
 import subprocess
 import sys
+import threading
 import time
 import zipfile
 from collections.abc import Callable, Iterator
@@ -17,7 +18,7 @@ import pytest
 import stand_in
 from bounce_grader.classroom import log, results, run
 from bounce_grader.classroom.engines import slurm
-from bounce_grader.errors import UsageError
+from bounce_grader.errors import KitError, UsageError
 from conftest import ROOT, solution_files
 
 NAMES = ("gradebook.csv", "grades.csv", "class.html")
@@ -129,6 +130,27 @@ def test_dask_without_a_scheduler_is_said(tmp_path: Path) -> None:
         run.run(asked)
     with pytest.raises(UsageError, match="no Dask scheduler answers at tcp://127.0.0.1:9"):
         run.run(replace(asked, scheduler="tcp://127.0.0.1:9"))
+
+
+@needs_dask
+@pytest.mark.slow
+def test_a_scheduler_that_dies_is_said_and_costs_nothing(cluster: Cluster, tmp_path: Path) -> None:
+    source, out = download(tmp_path / "x.zip", 20), tmp_path / "out"
+    cluster.worker()
+
+    def kill_scheduler() -> None:
+        wait_for(lambda: len(results.keys(out / "results")) >= 3)
+        cluster.processes[0].kill()
+
+    killer = threading.Thread(target=kill_scheduler)
+    killer.start()
+    asked = stand_in.request(source, out, 0.3, engine="dask", scheduler=cluster.address)
+    with pytest.raises(KitError, match="the Dask scheduler was lost: start it, and run the same"):
+        run.run(asked)
+    killer.join()
+    assert len(results.keys(out / "results")) >= 3
+    assert run.run(stand_in.request(source, out)) == 0
+    assert same(out, source, tmp_path)
 
 
 def by_hand(folder: Path, jobs: range) -> None:

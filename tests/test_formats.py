@@ -239,6 +239,12 @@ def test_github_finds_the_file_where_the_repository_has_it(
     assert found[2][1]["file"] == "hw/src/part3_step.cpp"
 
 
+def test_a_submission_that_cannot_be_read_is_an_error_and_no_points() -> None:
+    found = commands(formats.refused("github", "x is empty: hand in the parts"))
+    assert found == [("error", {"title": "Not graded"}, "x is empty: hand in the parts")]
+    assert formats.refused("junit", "x") == formats.refused(None, "x") == ""
+
+
 def test_classrooms_reporter_adds_up_the_points(record: dict[str, Any]) -> None:
     """As autograding-grading-reporter does: the sum of the tests' scores, out of max_score."""
     result = json.loads(base64.b64decode(github.result(record)))

@@ -28,8 +28,7 @@ def render(name: str, record: dict[str, Any], submission: Path) -> str:
 
 def refused(name: str | None, sentence: str) -> str:
     """For a submission that can't be read, in the formats that have words for that; else empty."""
-    from bounce_grader.formats import gradescope, prairielearn
+    from bounce_grader.formats import github, gradescope, prairielearn
 
-    if name == "gradescope":
-        return gradescope.refused(sentence)
-    return prairielearn.refused(sentence) if name == "prairielearn" else ""
+    modules = {"gradescope": gradescope, "prairielearn": prairielearn, "github": github}
+    return modules[name].refused(sentence) if name in modules else ""

@@ -26,6 +26,11 @@ def render(record: Record, root: Path = Path()) -> str:
     return "\n".join(lines)
 
 
+def refused(sentence: str) -> str:
+    """For a submission that can't be read: no points are reported."""
+    return _command("error", "Not graded", sentence)
+
+
 def result(record: Record) -> str:
     """The reporter's result, in base64: a test for each part."""
     full = record["score"] == record["max_score"]

@@ -2,6 +2,8 @@
 the results under the same paths; they may come, go and die."""
 
 from collections.abc import Callable, Generator
+from concurrent.futures import CancelledError
+from contextlib import suppress
 from typing import Any
 
 from bounce_grader.classroom.task import Task
@@ -11,6 +13,7 @@ from bounce_grader.errors import KitError, UsageError
 
 LOST_WORKERS = 3  # that a grading may cost before it counts as the kit's failure
 TO_CONNECT = "10s"
+LOST = "the Dask scheduler was lost: start it, and run the same command again"
 
 
 def run(
@@ -19,18 +22,22 @@ def run(
     """Raises UsageError where there is no such scheduler, KitError where it is lost."""
     if not tasks:
         return
-    with _client(scheduler) as client:
+    client = _client(scheduler)
+    of: dict[Any, Task] = {}
+    try:
         from distributed import as_completed
 
         _require_the_kit(client)
-        of: dict[Any, Task] = {}
         for task in tasks:
             of[client.submit(unit, task, pure=False, retries=LOST_WORKERS)] = task
-        try:
-            for future in as_completed(list(of), loop=client.loop):
-                yield of[future], _outcome(of[future], future)
-        finally:
+        for future in as_completed(list(of), loop=client.loop):
+            yield of[future], _outcome(of[future], future)
+    except (OSError, CancelledError) as error:
+        raise KitError(LOST) from error
+    finally:
+        with suppress(OSError, CancelledError):
             client.cancel(list(of))
+            client.close()
 
 
 def _client(scheduler: str) -> Any:
@@ -68,8 +75,8 @@ def _try_import() -> str:
 
 
 def _outcome(task: Task, future: Any) -> Outcome:
-    if future.status == "cancelled":
-        raise KitError("the Dask scheduler was lost: start it, and run the same command again")
+    if future.status in ("cancelled", "lost"):
+        raise KitError(LOST)
     error = future.exception()
     if error is None:
         outcome: Outcome = future.result()
