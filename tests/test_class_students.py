@@ -185,6 +185,16 @@ def test_a_page_goes_back_under_the_ids_of_the_newest_upload(tmp_path: Path) -> 
     assert isinstance(back, Upload) and (back.user, back.attachment) == ("12", 350)
 
 
+def test_a_name_too_long_for_a_file_is_cut_and_its_ids_stay(tmp_path: Path) -> None:
+    entry = f"{'李' * 200}_LATE_12_345_part2_lcp.cpp"
+    (student,) = students.read(download(tmp_path / "x.zip", {entry: b"// x"})).students
+    assert student.feedback.endswith("李_LATE_12_345_feedback.html")
+    assert len(student.feedback.encode()) < 240
+    folder = write(tmp_path / "all" / ("n" * 255), {"part2_lcp.cpp": b"// x"}).parent
+    (student,) = students.read(folder).students
+    assert len(student.feedback) < 240
+
+
 def test_an_unpacked_download_is_read_as_well(tmp_path: Path) -> None:
     folder = write(tmp_path / "submissions", {"doe_1_1_part2_lcp.cpp": b"// x"})
     (folder / "roe_2_2_part2_lcp.cpp").symlink_to("/etc/passwd")
@@ -197,13 +207,14 @@ def test_an_unpacked_download_is_read_as_well(tmp_path: Path) -> None:
 
 def test_a_folder_of_folders_and_zips(tmp_path: Path) -> None:
     folder = write(tmp_path / "all", {"anna/part2_lcp.cpp": b"// x", "notes.txt": b""})
+    write(folder, {".cache/x": b"", "__MACOSX/x": b""})
     download(folder / "ben.zip", {"part2_lcp.cpp": b"// y"})
     found = students.read(folder)
     assert [(s.id, s.feedback) for s in found.students] == [
         ("anna", "anna.html"),
         ("ben", "ben.html"),
     ]
-    assert [u.name for u in found.unmatched] == ["notes.txt"]
+    assert {u.name for u in found.unmatched} == {"notes.txt", ".cache", "__MACOSX"}
     assert files_to_grade(found.students[1], tmp_path) == {"part2_lcp.cpp": b"// y"}
 
 

@@ -11,7 +11,7 @@ def write_whole(path: Path, data: str | bytes, durable: bool = False) -> None:
     """Under a temporary name first; `durable` survives a loss of power as well. Raises OSError,
     and then leaves what was there."""
     path.parent.mkdir(parents=True, exist_ok=True)
-    temporary = path.with_name(f".{path.name[:80]}.{os.getpid()}.part")
+    temporary = path.with_name(f".{fitting(path.name, 100)}.{os.getpid()}.part")
     try:
         with temporary.open("wb") as stream:
             stream.write(data.encode() if isinstance(data, str) else data)
@@ -32,6 +32,11 @@ def _flush_folder(folder: Path) -> None:
         os.fsync(handle)
     finally:
         os.close(handle)
+
+
+def fitting(name: str, most: int = 200) -> str:
+    """The beginning of a name, in so many bytes; a file system takes 255."""
+    return name.encode()[:most].decode(errors="ignore")
 
 
 def sweep(folder: Path) -> None:

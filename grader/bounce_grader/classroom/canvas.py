@@ -11,6 +11,7 @@ of it.
 import re
 from dataclasses import dataclass
 
+from bounce_grader.files import fitting
 from bounce_grader.manifest import parts
 
 WHO = r"(?:(?!LATE_|anon_)(?P<name>.+?)_)?(?:(?P<late>LATE)_)?(?P<user>anon_[^_]+|\d+)"
@@ -54,7 +55,8 @@ def parse(entry: str) -> Upload | TextEntry | None:
 def feedback_name(uploads: tuple[Upload, ...]) -> str:
     """The name under which Canvas takes a page back as a comment: the ids of the newest upload."""
     newest = max(uploads, key=lambda upload: upload.attachment)
-    return f"{newest.entry[: -len(newest.file)]}feedback.html"
+    ids = newest.entry[len(newest.name) : -len(newest.file)]
+    return f"{fitting(newest.name)}{ids}feedback.html"
 
 
 def sanitized(sortable_name: str) -> str:

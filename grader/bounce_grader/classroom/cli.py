@@ -45,7 +45,10 @@ def add(commands: Any) -> None:
 
 def _class(options: argparse.Namespace) -> int:
     from bounce_grader.classroom import run
+    from bounce_grader.errors import UsageError
 
+    if options.jobs < 0:
+        raise UsageError(f"--jobs takes a number of gradings, not {options.jobs}")
     request = run.Request(
         submissions=options.submissions,
         out=options.out.absolute(),

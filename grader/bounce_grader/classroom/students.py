@@ -10,6 +10,7 @@ from bounce_grader.classroom import canvas
 from bounce_grader.classroom.archive import Archive, opened
 from bounce_grader.classroom.canvas import TextEntry, Upload
 from bounce_grader.errors import UsageError
+from bounce_grader.files import fitting
 from bounce_grader.intake import LARGEST_SOURCE
 from bounce_grader.submission import HEADERS, SOURCES
 
@@ -46,7 +47,7 @@ def read(path: Path) -> Class:
     """Raises UsageError where there is no class in it."""
     path = path.absolute()
     if path.is_dir():
-        children = [child for child in sorted(path.iterdir()) if child.name != "__MACOSX"]
+        children = sorted(path.iterdir())
         if any(canvas.parse(child.name) and _is_file(child) for child in children):
             found = _canvas(path)
         else:
@@ -76,6 +77,11 @@ def _is_file(path: Path) -> bool:
 def _canvas(path: Path) -> Class:
     archive = opened(path)
     found = Class("a Canvas download")
+    if path.is_dir():
+        folders = [child.name for child in sorted(path.iterdir()) if child.is_dir()]
+        found.unmatched += [
+            Unmatched(f, "is a folder; Canvas's download has none") for f in folders
+        ]
     users: dict[str, list[Upload]] = {}
     texts: dict[str, list[TextEntry]] = {}
     for name in archive.names():
@@ -160,17 +166,19 @@ def is_zip(file: str) -> bool:
 
 def _folder(path: Path, children: list[Path]) -> Class:
     folders = [c for c in children if c.is_dir() and not c.is_symlink()]
-    folders = [c for c in folders if not c.name.startswith(".")]
+    folders = [c for c in folders if not c.name.startswith((".", "__MACOSX"))]
     zips = [c for c in children if _is_file(c) and is_zip(c.name)]
     repositories = bool(folders) and all((folder / ".git").exists() for folder in folders)
     found = Class("a checkout of repositories" if repositories else "a folder of submissions")
     cut = _common_prefix(path, folders) if repositories else 0
     for child in [*folders, *zips]:
         name = child.name[cut:] if child.is_dir() else child.stem
-        found.students.append(Student(name, name, child, feedback=f"{name}.html"))
+        found.students.append(Student(name, name, child, feedback=f"{fitting(name)}.html"))
     for child in children:
         if child not in folders and child not in zips:
-            found.unmatched.append(Unmatched(child.name, "is neither a folder nor a zip"))
+            hidden = child.name.startswith((".", "__MACOSX"))
+            reason = "is no submission" if hidden else "is neither a folder nor a zip"
+            found.unmatched.append(Unmatched(child.name, reason))
     _require_distinct(found.students)
     return found
 
