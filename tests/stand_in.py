@@ -16,7 +16,8 @@ sys.path.insert(0, str(ROOT / "grader"))
 
 from bounce_grader import submission
 from bounce_grader.classroom import unit
-from bounce_grader.classroom.run import Request, run
+from bounce_grader.classroom.request import Request
+from bounce_grader.classroom.run import run
 from bounce_grader.classroom.task import Task
 from bounce_grader.errors import KitError
 from bounce_grader.manifest import parts

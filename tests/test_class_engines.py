@@ -18,6 +18,7 @@ import pytest
 import stand_in
 from bounce_grader.classroom import log, results, run
 from bounce_grader.classroom.engines import slurm
+from bounce_grader.classroom.request import Request
 from bounce_grader.errors import KitError, UsageError
 from conftest import ROOT, solution_files
 
@@ -162,11 +163,12 @@ def by_hand(folder: Path, jobs: range) -> None:
         assert done.returncode == 0, done.stderr
 
 
+@pytest.mark.slow
 def test_slurms_chunks_run_by_hand_give_the_class(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     source, out = solutions(tmp_path / "x.zip", 21, 2), tmp_path / "with a space"
-    asked = run.Request(source, out, engine="slurm")
+    asked = Request(source, out, engine="slurm")
     assert run.run(asked) == 0
     assert "submit.sh" in capsys.readouterr().err
     folder = out / "slurm" / "1"

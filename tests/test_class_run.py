@@ -18,7 +18,7 @@ from typing import Any
 import pytest
 import stand_in
 from bounce_grader import cli, submission
-from bounce_grader.classroom import log, results, run
+from bounce_grader.classroom import grading, log, results, run
 from bounce_grader.errors import KitError, UsageError
 from conftest import ROOT, solution_files, write
 
@@ -132,7 +132,7 @@ def test_a_grading_that_kills_its_worker_costs_nobody_else(
     got = column(out / "gradebook.csv")
     assert got == {str(user): points_of(user, tmp_path) for user in users}
     failed = [line for line in log.read(out / "log.jsonl") if line["event"] == "failed"]
-    assert len(failed) == 2 * run.TRIES
+    assert len(failed) == 2 * grading.TRIES
     assert not any("roe" in page.name for page in (out / "feedback").iterdir())
 
 
@@ -314,7 +314,10 @@ def test_ctrl_c_stops_and_says_how_to_go_on(tmp_path: Path, users: list[int]) ->
 
 @pytest.mark.parametrize(
     "number, kills",
-    [(20, 4), pytest.param(100, 20, marks=pytest.mark.long)],
+    [
+        pytest.param(20, 4, marks=pytest.mark.slow),
+        pytest.param(100, 20, marks=pytest.mark.long),
+    ],
 )
 def test_survives_being_killed_at_any_moment(tmp_path: Path, number: int, kills: int) -> None:
     """No result is lost, none is there twice, none half, and the grade book is as if undisturbed."""

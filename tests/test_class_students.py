@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 from bounce_grader import submission
-from bounce_grader.classroom import canvas, students, task
+from bounce_grader.classroom import canvas, layout, students, task
 from bounce_grader.classroom.canvas import TextEntry, Upload
 from bounce_grader.classroom.task import Stamp
 from bounce_grader.errors import UsageError
@@ -29,7 +29,7 @@ def files_to_grade(student: students.Student, tmp_path: Path) -> dict[str, bytes
     folder = tmp_path / "laid out"
     folder.mkdir()
     made = task.task_of(student, STAMP, tmp_path, speed=False, trust=False)
-    return submission.read(task.prepare(made, folder)).files
+    return submission.read(layout.prepare(made, folder)).files
 
 
 # The names are Canvas's own: lib/content_zipper.rb, spec/lib/content_zipper_spec.rb.
@@ -282,5 +282,5 @@ def test_a_file_too_large_keeps_its_size(tmp_path: Path) -> None:
     folder = tmp_path / "laid out"
     folder.mkdir()
     made = task.task_of(student, STAMP, tmp_path, speed=False, trust=False)
-    taken = submission.read(task.prepare(made, folder))
+    taken = submission.read(layout.prepare(made, folder))
     assert taken.refused[2] == "part2_lcp.cpp is 3.1 MB large; a source file may have 1 MB"

@@ -35,6 +35,7 @@ def place(tmp_path: Path) -> Path:
     return here
 
 
+@pytest.mark.slow
 def test_the_commands_run_in_their_order(place: Path) -> None:
     ran = []
     for command in COMMANDS:
@@ -56,6 +57,7 @@ def test_the_commands_run_in_their_order(place: Path) -> None:
     assert (place.parent / "hw3" / "cluster" / "slurm" / "1" / "submit.sh").exists()
 
 
+@pytest.mark.slow
 def test_the_grade_book_of_the_page_has_the_points(place: Path) -> None:
     command = next(c for c in COMMANDS if "--part-column" in c)
     subprocess.run(command, shell=True, cwd=place, check=True, capture_output=True)

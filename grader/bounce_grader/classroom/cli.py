@@ -45,11 +45,12 @@ def add(commands: Any) -> None:
 
 def _class(options: argparse.Namespace) -> int:
     from bounce_grader.classroom import run
+    from bounce_grader.classroom.request import Request
     from bounce_grader.errors import UsageError
 
     if options.jobs < 0:
         raise UsageError(f"--jobs takes a number of gradings, not {options.jobs}")
-    request = run.Request(
+    request = Request(
         submissions=options.submissions,
         out=options.out.absolute(),
         gradebook=options.gradebook,

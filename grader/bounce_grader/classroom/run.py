@@ -1,47 +1,25 @@
-"""./kit class: what is asked for, and the order of it."""
+"""./kit class: the order of things."""
 
 import errno
 import fcntl
 import os
-import sys
-from collections.abc import Callable, Generator, Iterator, Mapping
-from contextlib import closing, contextmanager
-from dataclasses import dataclass, field
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
-from bounce_grader.classroom import outputs, regrade, results, similar, students
-from bounce_grader.classroom import unit as units
+from bounce_grader.classroom import grading, outputs, regrade, results, similar, students
 from bounce_grader.classroom.gradebook import Gradebook
 from bounce_grader.classroom.log import Log
-from bounce_grader.classroom.progress import progress
-from bounce_grader.classroom.students import Class, Student
-from bounce_grader.classroom.summary import Summary, of_result
-from bounce_grader.classroom.task import Stamp, Task, task_of
-from bounce_grader.classroom.unit import Outcome
+from bounce_grader.classroom.request import Request
+from bounce_grader.classroom.students import Class
+from bounce_grader.classroom.summary import Summary
+from bounce_grader.classroom.task import Stamp, task_of
 from bounce_grader.errors import KitError, UsageError
 from bounce_grader.files import sweep
 from bounce_grader.manifest import parts
 from bounce_grader.report import clean
 
 MOST_LINES = 40  # on the terminal; class.html has them all
-TRIES = 3  # of a grading in which the kit fails
-Engine = Callable[[list[Task]], Generator[tuple[Task, Outcome], None, None]]
-
-
-@dataclass(frozen=True)
-class Request:
-    submissions: Path
-    out: Path
-    gradebook: Path | None = None
-    columns: Mapping[int, str] = field(default_factory=dict)  # 0: the whole; n: part n
-    engine: str = "local"
-    jobs: int = 0
-    scheduler: str = ""
-    speed: bool = True
-    trust: bool = False
-    regrade: str = ""
-    apply: bool = False
-    unit: Callable[[Task], Outcome] = units.run
 
 
 def run(request: Request) -> int:
@@ -74,94 +52,13 @@ def _run(request: Request, found: Class, book: Gradebook | None, log: Log) -> in
         regrade.apply(request.out, found, stamp, log)
     results.begin(folder, stamp)
     tasks = {s.id: task_of(s, stamp, folder, request.speed, request.trust) for s in found.students}
-    failed = grade_missing(tasks, folder, request, log)
-    summaries = summarize(found.students, tasks, folder, failed)
+    failed = grading.grade_missing(tasks, folder, request, log)
+    summaries = grading.summarize(found.students, tasks, folder, failed)
     if summaries and all(summary.state == "waiting" for summary in summaries):
         return 0
     near = similar.find(request.out, found.students, tasks, request.trust)
     said = outputs.write(request.out, found, summaries, book, request.columns, near)
     return _say(request, found, summaries, said)
-
-
-def grade_missing(
-    tasks: Mapping[str, Task], folder: Path, request: Request, log: Log
-) -> dict[str, Outcome]:
-    """Grades what has no valid result, and gives the failures of the kit, by key."""
-    there = results.keys(folder)
-    missing: dict[str, Task] = {}
-    for task in tasks.values():
-        result = results.load(folder, task.key) if task.key in there else None
-        if result:
-            log.graded(task, result["state"], None)
-        else:
-            missing[task.key] = task
-    failed: dict[str, Outcome] = {}
-    try:
-        with progress(len(missing)) as bar:
-            for attempt in range(TRIES):
-                todo = [task for key, task in missing.items() if not attempt or key in failed]
-                failed = {}
-                with closing(_engine(request)(todo)) as outcomes:
-                    for task, outcome in outcomes:
-                        if outcome.state == "failed":
-                            failed[task.key] = outcome
-                        _write_down(log, task, outcome)
-                        if outcome.state != "failed" or attempt == TRIES - 1:
-                            bar.advance()
-                if not failed:
-                    break
-    except KeyboardInterrupt:
-        done = len(missing) - sum(results.load(folder, key) is None for key in missing)
-        whole = len({task.key for task in tasks.values()})
-        print(
-            f"kit: stopped; {whole - len(missing) + done} of {whole} submissions are graded and "
-            "kept. Run the same command again to go on.",
-            file=sys.stderr,
-        )
-        sys.exit(130)
-    return failed
-
-
-def _write_down(log: Log, task: Task, outcome: Outcome) -> None:
-    """A full disk isn't tried again: the others would be graded for nothing."""
-    if outcome.state != "failed":
-        log.graded(task, outcome.state, outcome.seconds)
-        return
-    log.write("failed", task, message=outcome.message)
-    if os.strerror(errno.ENOSPC) in outcome.message:
-        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
-
-
-def summarize(
-    found: list[Student], tasks: Mapping[str, Task], folder: Path, failed: Mapping[str, Outcome]
-) -> list[Summary]:
-    summaries = []
-    for student in found:
-        key = tasks[student.id].key
-        result = results.load(folder, key)
-        if result:
-            summaries.append(of_result(student, key, result))
-        elif key in failed:
-            message = f"the kit failed: {failed[key].message}"
-            summaries.append(Summary(student, key, "failed", message))
-        else:
-            summaries.append(Summary(student, key, "waiting", "not graded yet"))
-    return summaries
-
-
-def _engine(request: Request) -> Engine:
-    jobs = request.jobs or os.cpu_count() or 1
-    if request.engine == "dask":
-        from bounce_grader.classroom.engines import dask
-
-        return lambda tasks: dask.run(tasks, request.scheduler, request.unit)
-    if request.engine == "slurm":
-        from bounce_grader.classroom.engines import slurm
-
-        return lambda tasks: slurm.run(tasks, request.out)
-    from bounce_grader.classroom.engines import local
-
-    return lambda tasks: local.run(tasks, jobs, request.unit)
 
 
 def _gradebook(request: Request) -> Gradebook | None:
@@ -199,7 +96,7 @@ def _regrade(request: Request, found: Class, stamp: Stamp, log: Log) -> int:
     folder = regrade.begin(request.out, request.regrade, stamp)
     chosen = regrade.choose(request.out, found, request.regrade)
     tasks = {s.id: task_of(s, stamp, folder, request.speed, request.trust) for s in chosen}
-    failed = grade_missing(tasks, folder, request, log)
+    failed = grading.grade_missing(tasks, folder, request, log)
     if failed:
         raise KitError(f"{len(failed)} submissions could not be graded again; nothing is changed")
     print("\n".join(regrade.differences(request.out, chosen, tasks)))

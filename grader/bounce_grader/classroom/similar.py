@@ -16,7 +16,7 @@ from shutil import which
 
 from bounce_grader import box as boxes
 from bounce_grader import processes, submission
-from bounce_grader.classroom import task as tasks
+from bounce_grader.classroom import layout
 from bounce_grader.classroom.students import Student
 from bounce_grader.classroom.task import Task
 from bounce_grader.errors import KitError, UsageError
@@ -143,7 +143,7 @@ def own_text(task: Task) -> str:
     """What a student wrote: without the lines that were handed out."""
     with tempfile.TemporaryDirectory(prefix="bounce-class-") as name:
         try:
-            taken = submission.read(tasks.prepare(task, Path(name)))
+            taken = submission.read(layout.prepare(task, Path(name)))
         except UsageError:
             return ""
     handout = _handout()

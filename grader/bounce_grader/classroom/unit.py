@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from bounce_grader.classroom import task as tasks
+from bounce_grader.classroom import layout
 from bounce_grader.classroom.task import Task
 from bounce_grader.errors import KitError, UsageError
 from bounce_grader.files import write_whole
@@ -62,7 +62,7 @@ def _result(task: Task, grade: Callable[[Path, Task], Record]) -> dict[str, Any]
     with tempfile.TemporaryDirectory(prefix="bounce-class-") as name:
         path = Path(task.path)
         try:
-            path = tasks.prepare(task, Path(name))
+            path = layout.prepare(task, Path(name))
             record = grade(path, task)
             _require_a_part(record)
         except UsageError as error:
