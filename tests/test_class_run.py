@@ -312,6 +312,18 @@ def test_ctrl_c_stops_and_says_how_to_go_on(tmp_path: Path, users: list[int]) ->
     assert len(graded(out)) == len(set(graded(out))) == 10
 
 
+def test_gradings_end_with_the_class(tmp_path: Path, users: list[int]) -> None:
+    """Where it is killed, nothing goes on behind its back."""
+    source, out = download(tmp_path / "x.zip", users), tmp_path / "out"
+    process = started(source, out, seconds=2.0)
+    wait_for(lambda: len(results.keys(out / "results")) >= 1)
+    process.kill()
+    process.communicate()
+    there = results.keys(out / "results")
+    time.sleep(3.0)
+    assert results.keys(out / "results") == there
+
+
 @pytest.mark.parametrize(
     "number, kills",
     [

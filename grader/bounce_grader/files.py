@@ -1,9 +1,14 @@
 """Writing files whole or not at all, and on the disk before they have their name."""
 
 import os
+import shutil
+import tempfile
 import time
 from pathlib import Path
 
+from bounce_grader.paths import WORK_FOLDER
+
+CLASS_FOLDER = "bounce-class-"  # the prefix of a temporary one
 ABANDONED = 3600.0  # seconds after which nobody is writing a file any more
 
 
@@ -40,7 +45,18 @@ def fitting(name: str, most: int = 200) -> str:
 
 
 def sweep(folder: Path) -> None:
-    """Takes away what writers that were killed have left; others may be writing beside this."""
+    """Takes away what writers and gradings that were killed have left; others may be at work beside
+    this, and what they take away themselves is gone."""
     for part in folder.rglob(".*.part"):
-        if time.time() - part.stat().st_mtime > ABANDONED:
-            part.unlink()
+        if _abandoned(part):
+            part.unlink(missing_ok=True)
+    for left in Path(tempfile.gettempdir()).glob("bounce-*"):
+        if left.name.startswith((WORK_FOLDER, CLASS_FOLDER)) and _abandoned(left):
+            shutil.rmtree(left, ignore_errors=True)
+
+
+def _abandoned(path: Path) -> bool:
+    try:
+        return time.time() - path.stat().st_mtime > ABANDONED
+    except OSError:
+        return False

@@ -20,7 +20,7 @@ from bounce_grader.classroom import layout
 from bounce_grader.classroom.students import Student
 from bounce_grader.classroom.task import Task
 from bounce_grader.errors import KitError, UsageError
-from bounce_grader.files import write_whole
+from bounce_grader.files import CLASS_FOLDER, write_whole
 from bounce_grader.paths import STUBS
 
 PROGRAM = "/usr/bin/sim_c++"
@@ -79,7 +79,7 @@ def _read(path: Path, name: str) -> Similar | None:
 
 
 def _find(students: list[Student], graded: dict[str, Task], box: boxes.Box) -> Similar:
-    with tempfile.TemporaryDirectory(prefix="bounce-class-") as name:
+    with tempfile.TemporaryDirectory(prefix=CLASS_FOLDER) as name:
         folder = Path(name)
         files = {}
         for number, student in enumerate(students):
@@ -141,7 +141,7 @@ def _usual(shares: dict[tuple[str, str], int], number: int) -> int:
 
 def own_text(task: Task) -> str:
     """What a student wrote: without the lines that were handed out."""
-    with tempfile.TemporaryDirectory(prefix="bounce-class-") as name:
+    with tempfile.TemporaryDirectory(prefix=CLASS_FOLDER) as name:
         try:
             taken = submission.read(layout.prepare(task, Path(name)))
         except UsageError:

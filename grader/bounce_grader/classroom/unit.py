@@ -15,7 +15,7 @@ from typing import Any
 from bounce_grader.classroom import layout
 from bounce_grader.classroom.task import Task
 from bounce_grader.errors import KitError, UsageError
-from bounce_grader.files import write_whole
+from bounce_grader.files import CLASS_FOLDER, write_whole
 
 Record = dict[str, Any]
 
@@ -59,7 +59,7 @@ def _result(task: Task, grade: Callable[[Path, Task], Record]) -> dict[str, Any]
     """A submission that can't be read is a verdict, too."""
     record: Record | None = None
     message = ""
-    with tempfile.TemporaryDirectory(prefix="bounce-class-") as name:
+    with tempfile.TemporaryDirectory(prefix=CLASS_FOLDER) as name:
         path = Path(task.path)
         try:
             path = layout.prepare(task, Path(name))
