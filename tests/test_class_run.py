@@ -412,6 +412,17 @@ def test_names_are_only_text(tmp_path: Path) -> None:
     assert {f.name for f in (out / "feedback").iterdir()} == {f"{name}.html" for name in names}
 
 
+def test_names_that_are_no_text_are_names_all_the_same(tmp_path: Path) -> None:
+    folder = tmp_path / "all"
+    odd = os.fsdecode(b"ann\xe4")
+    write(folder, {f"{odd}/part2_lcp.cpp": b"// x", f"{odd}/notes\udcfc.txt": b""})
+    out = tmp_path / "out"
+    assert grade_class(folder, out) == 0
+    assert {f.name for f in (out / "feedback").iterdir()} == {f"{odd}.html"}
+    assert "ann\ufffd" in (out / "class.html").read_text()
+    assert "notes\ufffd.txt" in (out / "grades.csv").read_text()
+
+
 def test_a_page_of_a_thousand_is_small(tmp_path: Path) -> None:
     entries = {f"doe{user}_{user}_{user}0_part2_lcp.cpp": text_of(user) for user in range(1000)}
     source = download(tmp_path / "x.zip", [], entries)

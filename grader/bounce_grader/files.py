@@ -41,7 +41,8 @@ def _flush_folder(folder: Path) -> None:
 
 def fitting(name: str, most: int = 200) -> str:
     """The beginning of a name, in so many bytes; a file system takes 255."""
-    return name.encode()[:most].decode(errors="ignore")
+    cut = os.fsencode(name)[:most]
+    return name if cut == os.fsencode(name) else cut.decode(errors="ignore")
 
 
 def sweep(folder: Path) -> None:

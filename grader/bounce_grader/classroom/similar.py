@@ -6,6 +6,7 @@ submission's closest relatives, all at once, then for the share that those pairs
 
 import hashlib
 import json
+import os
 import re
 import statistics
 import tempfile
@@ -54,7 +55,7 @@ def find(out: Path, students: list[Student], graded: dict[str, Task], trust: boo
             (), 0, "similarity-tester isn't installed: apt-get install similarity-tester"
         )
     words = [f"{RUN} {RELATIVES} {LEAST}", *(f"{s.id} {graded[s.id].submission}" for s in students)]
-    name = hashlib.sha256("\n".join(words).encode()).hexdigest()
+    name = hashlib.sha256(os.fsencode("\n".join(words))).hexdigest()
     kept = _read(out / "similar.json", name)
     if kept:
         return kept

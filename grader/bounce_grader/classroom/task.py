@@ -1,6 +1,7 @@
 """One grading of a class: what is graded, and the name of its result."""
 
 import hashlib
+import os
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
@@ -68,7 +69,7 @@ def digest(student: Student) -> str:
                 while chunk := stream.read(1 << 20):
                     found.update(chunk)
     except (UsageError, OSError) as error:
-        found.update(f"\0{error}".encode())
+        found.update(os.fsencode(f"\0{error}"))
     return found.hexdigest()
 
 
@@ -77,11 +78,11 @@ def _digest_uploads(path: Path, uploads: tuple[Upload, ...], found: "hashlib._Ha
     for upload in uploads:
         most = LARGEST_ZIP if is_zip(upload.file) else intake.LARGEST_SOURCE
         heading = f"{upload.file}\0{archive.size(upload.entry)}\0"
-        found.update(heading.encode() + archive.read(upload.entry, most + 1))
+        found.update(os.fsencode(heading) + archive.read(upload.entry, most + 1))
 
 
 def _digest_folder(path: Path, found: "hashlib._Hash") -> None:
     for entry in intake.entries(path):
-        found.update(f"{entry.name}\0{entry.size}\0{entry.link}\0".encode())
+        found.update(os.fsencode(f"{entry.name}\0{entry.size}\0{entry.link}\0"))
         if is_source(entry.name) and not entry.link:
             found.update(entry.read(intake.LARGEST_SOURCE + 1))

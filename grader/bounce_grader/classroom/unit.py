@@ -42,7 +42,7 @@ def run(task: Task, grade: Callable[[Path, Task], Record] = grade_path) -> Outco
     try:
         result = _result(task, grade)
         path = result_path(Path(task.results), task.key)
-        write_whole(path, json.dumps(result, ensure_ascii=False), durable=True)
+        write_whole(path, json.dumps(result), durable=True)
         state, message = result["state"], result["message"]
     except (KitError, OSError) as error:
         state, message = "failed", str(error)

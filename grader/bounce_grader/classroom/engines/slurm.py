@@ -74,7 +74,7 @@ def chunks(tasks: Sequence[Any]) -> list[Sequence[Any]]:
 def _write(tasks: list[Task], folder: Path) -> None:
     cut = chunks(tasks)
     for number, chunk in enumerate(cut, 1):
-        words = json.dumps([task.as_json() for task in chunk], ensure_ascii=False)
+        words = json.dumps([task.as_json() for task in chunk])
         write_whole(folder / f"chunk-{number}.json", words)
     places = {
         "folder": shlex.quote(str(folder)),
