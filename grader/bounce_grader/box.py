@@ -81,6 +81,11 @@ class Box:
                 os.chown(path, _user(), _user(), follow_symlinks=False)
 
 
+def kinds(trust: bool) -> tuple[str, ...]:
+    """Those that will do, the best first."""
+    return (*FULL_OR_REDUCED, "none") if trust else FULL_OR_REDUCED
+
+
 def choose(kinds: Iterable[str] = FULL_OR_REDUCED) -> Box:
     """The first of these kinds that holds a program known to be good."""
     problems = []

@@ -6,7 +6,8 @@ import os
 import sys
 from pathlib import Path
 
-from bounce_grader import __version__
+from bounce_grader import __version__, formats
+from bounce_grader.classroom import cli as class_cli
 from bounce_grader.errors import KitError, UsageError
 from bounce_grader.escape import said, terminal
 
@@ -47,6 +48,12 @@ def _parser() -> argparse.ArgumentParser:
     grade.add_argument(
         "--json", metavar="FILE", help="write the score record ('-': to standard output)"
     )
+    grade.add_argument(
+        "--format",
+        choices=formats.NAMES,
+        metavar="NAME",
+        help=f"what is printed, in place of the report: {', '.join(formats.NAMES)}",
+    )
     grade.add_argument("--min-score", type=float, metavar="S", help="exit with 1 below this score")
     grade.add_argument("--speed", action="store_true", help="time a step beside the solution's")
     boxes = grade.add_mutually_exclusive_group()
@@ -58,6 +65,12 @@ def _parser() -> argparse.ArgumentParser:
     )
     grade.set_defaults(command=_grade)
 
+    class_cli.add(commands)
+
+    gradescope = commands.add_parser("gradescope", help="pack an autograder for Gradescope")
+    gradescope.add_argument("--out", type=Path, required=True, metavar="FILE.zip")
+    gradescope.set_defaults(command=_gradescope)
+
     fixtures = commands.add_parser("fixtures", help="write the fixtures from the solution")
     fixtures.add_argument("--check", action="store_true", help="only compare the committed ones")
     fixtures.set_defaults(command=_fixtures)
@@ -66,6 +79,8 @@ def _parser() -> argparse.ArgumentParser:
     doctor.set_defaults(command=_doctor)
 
     bench = commands.add_parser("bench", help="measure the grader's speed")
+    bench.add_argument("what", nargs="?", choices=["grade", "class"], default="grade")
+    bench.add_argument("--submissions", type=int, default=1000, metavar="N", help="of a class")
     bench.set_defaults(command=_bench)
 
     test = commands.add_parser("test", help="run every test of the kit")
@@ -84,10 +99,20 @@ def _grade(options: argparse.Namespace) -> int:
     from bounce_grader import report
     from bounce_grader.grade import Options, grade
 
-    record = grade(options.submission, Options(_boxes(options), options.speed))
+    if options.format and options.json == "-":
+        raise UsageError("--format and --json - both write to standard output: give one")
+    try:
+        record = grade(options.submission, Options(_boxes(options), options.speed))
+    except UsageError as error:
+        refused = formats.refused(options.format, str(error))
+        if refused:
+            print(refused)
+        raise
     text = json.dumps(record, indent=1, ensure_ascii=False)
     if options.json == "-":
         print(text)
+    elif options.format:
+        print(formats.render(options.format, record, options.submission))
     else:
         report.show(record)
     if options.json not in (None, "-"):
@@ -96,9 +121,11 @@ def _grade(options: argparse.Namespace) -> int:
 
 
 def _boxes(options: argparse.Namespace) -> tuple[str, ...]:
+    from bounce_grader.box import kinds
+
     if options.require_box:
         return (options.require_box,)
-    return ("full", "reduced", "none") if options.trust_submission else ("full", "reduced")
+    return kinds(options.trust_submission)
 
 
 def _write(path: Path, text: str) -> None:
@@ -109,6 +136,13 @@ def _write(path: Path, text: str) -> None:
         temporary.replace(path)
     except OSError as error:
         raise UsageError(f"{path} can't be written: {error.strerror}") from error
+
+
+def _gradescope(options: argparse.Namespace) -> int:
+    from bounce_grader import gradescope_zip
+
+    gradescope_zip.write(options.out)
+    return 0
 
 
 def _fixtures(options: argparse.Namespace) -> int:
@@ -130,6 +164,10 @@ def _doctor(options: argparse.Namespace) -> int:
 
 
 def _bench(options: argparse.Namespace) -> int:
+    if options.what == "class":
+        from bounce_grader.classroom import bench as class_bench
+
+        return class_bench.run(options.submissions)
     from bounce_grader import bench
 
     return bench.run()

@@ -124,5 +124,5 @@ def _sanitized() -> int:
 
 
 def _pytest(extent: str) -> int:
-    chosen = ["-m", "not slow"] if extent == "quick" else []
+    chosen = {"quick": ["-m", "not slow and not long"], "usual": ["-m", "not long"]}.get(extent, [])
     return _command(sys.executable, "-m", "pytest", "-q", "-n", str(os.cpu_count() or 1), *chosen)

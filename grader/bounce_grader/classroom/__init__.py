@@ -1,0 +1,1 @@
+"""A whole class: from its submissions to a grade book, feedback and a page about the class."""

@@ -1,0 +1,85 @@
+"""The names in Canvas's bulk download, as its lib/content_zipper.rb writes them.
+
+    {name}[_LATE]_{user id}_{attachment id}_{file}
+    [LATE_]anon_{anonymous id}_{attachment id}_{file}
+    {name}[_LATE]_{user id}_text.html, or _link.html: a text entry, or an address
+
+A name is in lower case, and without anything but letters, digits and "_", so LATE is never a part
+of it.
+"""
+
+import re
+from dataclasses import dataclass
+
+from bounce_grader.files import fitting
+from bounce_grader.manifest import parts
+
+WHO = r"(?:(?!LATE_|anon_)(?P<name>.+?)_)?(?:(?P<late>LATE)_)?(?P<user>anon_[^_]+|\d+)"
+UPLOAD = re.compile(rf"{WHO}_(?P<attachment>\d+)_(?P<file>.+)", re.DOTALL)
+ENTRY = re.compile(rf"{WHO}_(?P<kind>text|link)\.html", re.DOTALL)
+SUFFIX = re.compile(r"(?:-\d+|\s?\(\d+\))$")  # of a file that was handed in again, or loaded twice
+
+
+@dataclass(frozen=True)
+class Upload:
+    """One file that a student, or a group, handed in."""
+
+    entry: str  # its whole name in the archive
+    name: str  # "doejane", or "" where the assignment is anonymous
+    user: str
+    late: bool
+    attachment: int
+    file: str
+
+
+@dataclass(frozen=True)
+class TextEntry:
+    name: str
+    user: str
+    late: bool
+    kind: str  # "text" or "link"
+
+
+def parse(entry: str) -> Upload | TextEntry | None:
+    """None where it isn't a name of Canvas's."""
+    found = ENTRY.fullmatch(entry)
+    if found:
+        return TextEntry(found["name"] or "", found["user"], bool(found["late"]), found["kind"])
+    found = UPLOAD.fullmatch(entry)
+    if not found:
+        return None
+    user, attachment, file = found["user"], int(found["attachment"]), found["file"]
+    return Upload(entry, found["name"] or "", user, bool(found["late"]), attachment, file)
+
+
+def feedback_name(uploads: tuple[Upload, ...]) -> str:
+    """The name under which Canvas takes a page back as a comment: the ids of the newest upload."""
+    newest = max(uploads, key=lambda upload: upload.attachment)
+    ids = newest.entry[len(newest.name) : -len(newest.file)]
+    return f"{fitting(newest.name)}{ids}feedback.html"
+
+
+def sanitized(sortable_name: str) -> str:
+    """What Canvas makes of "Doe, Jane": doejane."""
+    flat = re.sub(r"_(\d+)_", r"\1", sortable_name).lower()
+    return re.sub(r"[^\w]", "", flat)
+
+
+def part_file(file: str) -> str | None:
+    """The part that a file is, however often it was handed in: part1_contacts-2.cpp is
+    part1_contacts.cpp."""
+    stem, dot, suffix = file.rpartition(".")
+    plain = SUFFIX.sub("", stem).lower() + dot + suffix.lower()
+    return plain if plain in {part.file for part in parts()} else None
+
+
+def plain_file(file: str, texts: list[bytes]) -> str:
+    """A file under the name that the submission's sources know it by: rotation-1.hpp is
+    rotation.hpp, but for a submission that says "rotation-1.hpp" itself."""
+    part = part_file(file)
+    if part:
+        return part
+    if any(file.encode() in text for text in texts):
+        return file
+    stem, dot, suffix = file.rpartition(".")
+    return SUFFIX.sub("", stem) + dot + suffix

@@ -1,0 +1,27 @@
+"""One chunk of a class, on a node of a cluster: python3 -m bounce_grader.classroom.chunk FILE."""
+
+import argparse
+import json
+import sys
+from pathlib import Path
+
+from bounce_grader.classroom import results, task
+from bounce_grader.classroom.engines import local
+
+
+def main(arguments: list[str]) -> int:
+    parser = argparse.ArgumentParser(prog="chunk")
+    parser.add_argument("file", type=Path)
+    parser.add_argument("--jobs", type=int, default=1)
+    options = parser.parse_args(arguments)
+    tasks = [task.from_json(words) for words in json.loads(options.file.read_text())]
+    missing = [t for t in tasks if not results.load(Path(t.results), t.key)]
+    failed = 0
+    for done, outcome in local.run(missing, options.jobs):
+        print(f"{done.key[:12]} {outcome.state} {outcome.seconds} s {outcome.message}", flush=True)
+        failed += outcome.state == "failed"
+    return 3 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,80 @@
+"""The options of ./kit class."""
+
+import argparse
+from pathlib import Path
+from typing import Any
+
+
+def add(commands: Any) -> None:
+    parser = commands.add_parser("class", help="grade a whole class")
+    parser.add_argument(
+        "submissions",
+        type=Path,
+        help="Canvas's download, a folder of folders or of zips, or a checkout of repositories",
+    )
+    parser.add_argument("--out", type=Path, required=True, metavar="DIR", help="what is written")
+    parser.add_argument(
+        "--gradebook", type=Path, metavar="CSV", help="Canvas's exported grade book"
+    )
+    parser.add_argument("--column", metavar="TITLE", help="its column, as in 'HW3 (98765)'")
+    parser.add_argument(
+        "--part-column",
+        action="append",
+        default=[],
+        metavar="N=TITLE",
+        help="a column for part N; may be given for each part",
+    )
+    parser.add_argument("--jobs", type=int, default=0, metavar="N", help="gradings side by side")
+    parser.add_argument("--engine", choices=["local", "dask", "slurm"], default="local")
+    parser.add_argument("--scheduler", default="", metavar="ADDRESS", help="of Dask")
+    again = parser.add_mutually_exclusive_group()
+    again.add_argument(
+        "--regrade",
+        default="",
+        metavar="FILTER",
+        help="grade again beside the old results, and show the differences: all, student=NAME, "
+        "status=STATUS or score<POINTS",
+    )
+    again.add_argument("--apply", action="store_true", help="take over what --regrade has shown")
+    parser.add_argument("--no-speed", action="store_true", help="don't time a step")
+    parser.add_argument(
+        "--trust-submission", action="store_true", help="grade without a box where none can be had"
+    )
+    parser.set_defaults(command=_class)
+
+
+def _class(options: argparse.Namespace) -> int:
+    from bounce_grader.classroom import run
+    from bounce_grader.classroom.request import Request
+    from bounce_grader.errors import UsageError
+
+    if options.jobs < 0:
+        raise UsageError(f"--jobs takes a number of gradings, not {options.jobs}")
+    request = Request(
+        submissions=options.submissions,
+        out=options.out.absolute(),
+        gradebook=options.gradebook,
+        columns=_columns(options),
+        engine=options.engine,
+        jobs=options.jobs,
+        scheduler=options.scheduler,
+        speed=not options.no_speed,
+        trust=options.trust_submission,
+        regrade=options.regrade,
+        apply=options.apply,
+    )
+    return run.run(request)
+
+
+def _columns(options: argparse.Namespace) -> dict[int, str]:
+    from bounce_grader.errors import UsageError
+    from bounce_grader.manifest import parts
+
+    columns = {0: options.column} if options.column else {}
+    known = {str(part.number): part.number for part in parts()}
+    for words in options.part_column:
+        number, _, title = words.partition("=")
+        if number not in known or not title:
+            raise UsageError(f"--part-column takes 1=TITLE to {len(known)}=TITLE, not {words!r}")
+        columns[known[number]] = title
+    return columns

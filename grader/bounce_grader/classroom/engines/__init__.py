@@ -1,0 +1,1 @@
+"""Where the gradings of a class run: here, on a Dask cluster, or under Slurm."""

@@ -1,0 +1,40 @@
+"""grades.csv: every submission with its parts and checks."""
+
+from collections.abc import Iterable
+
+from bounce_grader.classroom.summary import Summary
+from bounce_grader.formats._escaping import csv_line
+from bounce_grader.manifest import parts
+
+
+def table(summaries: Iterable[Summary]) -> str:
+    return csv_line(_header()) + "".join(csv_line(_row(summary)) for summary in summaries)
+
+
+def _header() -> list[str]:
+    return [
+        *("student", "id", "late", "state", "score"),
+        *(part.stem for part in parts()),
+        *(check.id for part in parts() for check in part.checks),
+        *("times the solution's time", "largest error", "needs a look", "not used", "result"),
+    ]
+
+
+def _row(summary: Summary) -> list[str]:
+    student = summary.student
+    points = [summary.parts.get(part.number) for part in parts()]
+    checks = [summary.checks.get(check.id) for part in parts() for check in part.checks]
+    return [
+        student.name,
+        student.id,
+        "late" if student.late else "",
+        summary.state,
+        *map(_number, [summary.score, *points, *checks, summary.ratio, summary.error]),
+        "; ".join(summary.needs_a_look),
+        "; ".join([*student.unused, *summary.ignored]),
+        summary.key,
+    ]
+
+
+def _number(value: float | None) -> str:
+    return "" if value is None else f"{value:.6g}"

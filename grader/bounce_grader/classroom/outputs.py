@@ -1,0 +1,90 @@
+"""The files that a class leaves: grade book, grades, feedback and the page about the class."""
+
+import zipfile
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from bounce_grader.classroom import gradebook, grades, page, results
+from bounce_grader.classroom.gradebook import Gradebook, Marks
+from bounce_grader.classroom.similar import Similar
+from bounce_grader.classroom.students import Class, Student
+from bounce_grader.classroom.summary import Summary
+from bounce_grader.files import write_whole
+from bounce_grader.formats import html
+from bounce_grader.manifest import parts
+
+TITLE = "Bouncing"
+
+
+def write(
+    out: Path,
+    found: Class,
+    summaries: list[Summary],
+    book: Gradebook | None,
+    columns: Mapping[int, str],
+    near: Similar,
+) -> list[str]:
+    """Gives the sentences that a person should read about the grade book."""
+    marks = _marks(summaries)
+    said = _gradebook(out, marks, book, columns)
+    write_whole(out / "grades.csv", "\ufeff" + grades.table(summaries))
+    _feedback(out, summaries)
+    write_whole(out / "class.html", page.render(found, summaries, near, said))
+    return said
+
+
+def _marks(summaries: list[Summary]) -> dict[str, Marks]:
+    """Without those that have no score: an absent score is no zero."""
+    return {
+        s.student.id: Marks(
+            s.student.name, {0: s.score, **s.parts}, bool(s.student.uploads and s.student.name)
+        )
+        for s in summaries
+        if s.score is not None
+    }
+
+
+def _gradebook(
+    out: Path, marks: Mapping[str, Marks], book: Gradebook | None, columns: Mapping[int, str]
+) -> list[str]:
+    if book is None:
+        most = sum(part.points for part in parts())
+        data, said = gradebook.plain(marks, columns.get(0, TITLE), most), []
+    else:
+        filled = book.fill(marks)
+        data, said = filled.data, filled.sentences
+    write_whole(out / "gradebook.csv", data)
+    return said
+
+
+def _feedback(out: Path, summaries: list[Summary]) -> None:
+    """One page each; for Canvas all of them in the zip that it takes back, too."""
+    folder = out / "feedback"
+    folder.mkdir(exist_ok=True)
+    pages: list[str] = []
+    for summary in summaries:
+        result = results.load(out / "results", summary.key)
+        if result:
+            write_whole(folder / summary.student.feedback, _page(summary.student, result))
+            pages.append(summary.student.feedback)
+    if any(summary.student.uploads for summary in summaries):
+        _zip(folder, pages, out / "feedback.zip")
+
+
+def _page(student: Student, result: dict[str, Any]) -> str:
+    if result["record"]:
+        return html.render(result["record"], student.name, student.unused)
+    return html.refused(result["message"])
+
+
+def _zip(folder: Path, pages: list[str], path: Path) -> None:
+    temporary = path.with_name(f".{path.name}.part")
+    try:
+        with zipfile.ZipFile(temporary, "w", zipfile.ZIP_DEFLATED) as archive:
+            for name in pages:
+                archive.write(folder / name, name)
+        temporary.replace(path)
+    except OSError:
+        temporary.unlink(missing_ok=True)
+        raise

@@ -1,0 +1,127 @@
+"""./kit class: the order of things."""
+
+import errno
+import fcntl
+import os
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from bounce_grader.classroom import grading, outputs, regrade, results, similar, students
+from bounce_grader.classroom.gradebook import Gradebook
+from bounce_grader.classroom.log import Log
+from bounce_grader.classroom.request import Request
+from bounce_grader.classroom.students import Class
+from bounce_grader.classroom.summary import Summary
+from bounce_grader.classroom.task import Stamp, task_of
+from bounce_grader.errors import KitError, UsageError
+from bounce_grader.escape import terminal
+from bounce_grader.files import sweep
+from bounce_grader.manifest import parts
+
+MOST_LINES = 40  # on the terminal; class.html has them all
+
+
+def run(request: Request) -> int:
+    """0; or 3 where the kit failed on some submission, which then has no score."""
+    found = students.read(request.submissions)
+    book = _gradebook(request)
+    with _alone(request.out):
+        sweep(request.out)
+        log = Log(request.out / "log.jsonl")
+        try:
+            return _run(request, found, book, log)
+        except OSError as error:
+            if error.errno != errno.ENOSPC:
+                raise
+            raise KitError(
+                f"the disk with {request.out} or with the temporary files is full: make room, and "
+                "run the same command again. What is graded is kept"
+            ) from error
+        finally:
+            log.close()
+
+
+def _run(request: Request, found: Class, book: Gradebook | None, log: Log) -> int:
+    folder = request.out / "results"
+    regrade.finish(request.out)
+    stamp = results.stamp_now(request.speed, request.trust)
+    if request.regrade:
+        return _regrade(request, found, stamp, log)
+    if request.apply:
+        regrade.apply(request.out, found, stamp, log)
+    results.begin(folder, stamp)
+    tasks = {s.id: task_of(s, stamp, folder, request.speed, request.trust) for s in found.students}
+    failed = grading.grade_missing(tasks, folder, request, log)
+    summaries = grading.summarize(found.students, tasks, folder, failed)
+    if summaries and all(summary.state == "waiting" for summary in summaries):
+        return 0
+    near = similar.find(request.out, found.students, tasks, request.trust)
+    said = outputs.write(request.out, found, summaries, book, request.columns, near)
+    return _say(request, found, summaries, said)
+
+
+def _gradebook(request: Request) -> Gradebook | None:
+    """Read and checked before anything is graded or written."""
+    if request.gradebook is None:
+        return None
+    if 0 not in request.columns:
+        raise UsageError("--gradebook needs --column, the title of the column to fill")
+    if request.gradebook.resolve() == (request.out / "gradebook.csv").resolve():
+        raise UsageError(f"{request.gradebook} would be overwritten: give another folder as --out")
+    most = {0: sum(part.points for part in parts()), **{p.number: p.points for p in parts()}}
+    return Gradebook(request.gradebook, request.columns, most)
+
+
+@contextmanager
+def _alone(out: Path) -> Iterator[None]:
+    """One run at a time in a folder; the lock goes with the process."""
+    try:
+        out.mkdir(parents=True, exist_ok=True)
+        lock = os.open(out / ".lock", os.O_CREAT | os.O_RDWR, 0o644)
+    except OSError as error:
+        raise UsageError(f"{out} can't be written: {error.strerror}") from error
+    try:
+        fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except BlockingIOError as error:
+        os.close(lock)
+        raise UsageError(f"another run is under way in {out}: wait for it, or stop it") from error
+    try:
+        yield
+    finally:
+        os.close(lock)
+
+
+def _regrade(request: Request, found: Class, stamp: Stamp, log: Log) -> int:
+    folder = regrade.begin(request.out, request.regrade, stamp)
+    chosen = regrade.choose(request.out, found, request.regrade)
+    tasks = {s.id: task_of(s, stamp, folder, request.speed, request.trust) for s in chosen}
+    failed = grading.grade_missing(tasks, folder, request, log)
+    if failed:
+        raise KitError(f"{len(failed)} submissions could not be graded again; nothing is changed")
+    print("\n".join(regrade.differences(request.out, chosen, tasks)))
+    print("Nothing is changed yet. To take these over: --apply in place of --regrade.")
+    return 0
+
+
+def _say(request: Request, found: Class, summaries: list[Summary], said: list[str]) -> int:
+    graded = [s for s in summaries if s.state == "graded"]
+    looks = sum(bool(s.needs_a_look) for s in summaries) + len(found.unmatched)
+    print(f"{len(graded)} of {len(summaries)} submissions graded ({found.source}).")
+    if looks:
+        print(f"{looks} need a look; {request.out / 'class.html'} says which, and why.")
+    lines = [f"{unmatched.name!r} {unmatched.reason}" for unmatched in found.unmatched]
+    lines += [
+        f"{s.student.name} ({s.student.id}): {s.message}"
+        for s in summaries
+        if s.message and s.state != "waiting"
+    ]
+    waiting = sum(s.state == "waiting" for s in summaries)
+    lines += [f"{waiting} wait for a grading"] if waiting else []
+    lines += said
+    for line in lines[:MOST_LINES]:
+        print(f"  {terminal(line)}")
+    if len(lines) > MOST_LINES:
+        print(f"  and {len(lines) - MOST_LINES} more, in class.html")
+    print(f"Written to {request.out}: gradebook.csv, grades.csv, class.html, feedback/")
+    return 3 if any(s.state == "failed" for s in summaries) else 0

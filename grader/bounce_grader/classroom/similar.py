@@ -1,0 +1,161 @@
+"""Near-copies: sim_c++ compares the structure of the sources, whatever the names in them.
+
+It is asked twice, because comparing each with each takes long in a large class: first for each
+submission's closest relatives, all at once, then for the share that those pairs have in common.
+"""
+
+import hashlib
+import json
+import os
+import re
+import statistics
+import tempfile
+from collections import defaultdict
+from dataclasses import dataclass
+from pathlib import Path
+from shutil import which
+
+from bounce_grader import box as boxes
+from bounce_grader import processes, submission
+from bounce_grader.classroom import layout
+from bounce_grader.classroom.students import Student
+from bounce_grader.classroom.task import Task
+from bounce_grader.errors import KitError, UsageError
+from bounce_grader.files import CLASS_FOLDER, write_whole
+from bounce_grader.paths import STUBS
+
+PROGRAM = "/usr/bin/sim_c++"
+RUN = "16"  # tokens that have to agree one after the other, about two lines
+RELATIVES = 3  # of each submission
+LEAST = 60  # per cent in common
+MOST = 200  # pairs
+LIMITS = processes.Limits(cpu_seconds=900, wall_seconds=1800, memory=2 << 30, file_size=64 << 20)
+FOUND = re.compile(r"^(\d+)\.cpp consists for (\d+) % of (\d+)\.cpp material$", re.MULTILINE)
+IN_PAIRS = f'while read a b; do {PROGRAM} -p -ae -t 1 -r {RUN} -T "$a" "$b"; done'
+
+
+@dataclass(frozen=True)
+class Pair:
+    first: str  # a student's id
+    second: str
+    share: int  # per cent, of the one of which it is more
+
+
+@dataclass(frozen=True)
+class Similar:
+    pairs: tuple[Pair, ...]
+    usual: int  # the closest relative of a submission in the middle, per cent
+    problem: str = ""  # why it isn't known
+
+
+def find(out: Path, students: list[Student], graded: dict[str, Task], trust: bool) -> Similar:
+    """Kept in a file for as long as the submissions stay the same."""
+    if which(PROGRAM) is None:
+        return Similar(
+            (), 0, "similarity-tester isn't installed: apt-get install similarity-tester"
+        )
+    words = [f"{RUN} {RELATIVES} {LEAST}", *(f"{s.id} {graded[s.id].submission}" for s in students)]
+    name = hashlib.sha256(os.fsencode("\n".join(words))).hexdigest()
+    kept = _read(out / "similar.json", name)
+    if kept:
+        return kept
+    try:
+        found = _find(students, graded, boxes.choose(boxes.kinds(trust)))
+    except KitError as error:
+        return Similar((), 0, str(error))
+    pairs = [[pair.first, pair.second, pair.share] for pair in found.pairs]
+    whole = {"of": name, "pairs": pairs, "usual": found.usual}
+    write_whole(out / "similar.json", json.dumps(whole))
+    return found
+
+
+def _read(path: Path, name: str) -> Similar | None:
+    try:
+        kept = json.loads(path.read_bytes())
+    except (OSError, ValueError):
+        return None
+    if kept.get("of") != name:
+        return None
+    return Similar(tuple(Pair(*pair) for pair in kept["pairs"]), kept["usual"])
+
+
+def _find(students: list[Student], graded: dict[str, Task], box: boxes.Box) -> Similar:
+    with tempfile.TemporaryDirectory(prefix=CLASS_FOLDER) as name:
+        folder = Path(name)
+        files = {}
+        for number, student in enumerate(students):
+            text = own_text(graded[student.id])
+            if text.strip():
+                (folder / f"{number:06}.cpp").write_text(text)
+                files[f"{number:06}"] = student.id
+        box.give(folder)
+        names = [f"{file}.cpp" for file in files]
+        relatives = _relatives(_sim([PROGRAM, *_all_at_once(), "-i"], names, folder, box))
+        lines = [f"{a}.cpp {b}.cpp" for a, b in sorted(relatives)]
+        shares = _shares(_sim(["/bin/sh", "-c", IN_PAIRS], lines, folder, box))
+    usual = _usual(shares, len(files))
+    least = max(LEAST, (usual + 100) // 2)  # halfway from the usual to the same
+    pairs = [Pair(files[a], files[b], share) for (a, b), share in shares.items() if share >= least]
+    pairs.sort(key=lambda pair: (-pair.share, pair.first, pair.second))
+    return Similar(tuple(pairs[:MOST]), usual)
+
+
+def _all_at_once() -> list[str]:
+    return ["-p", "-a", "-t", "10", "-r", RUN, "-T"]
+
+
+def _sim(command: list[str], lines: list[str], folder: Path, box: boxes.Box) -> str:
+    if not lines:
+        return ""
+    stdin = "".join(f"{line}\n" for line in lines).encode()
+    command = box.to_build(folder, [Path(PROGRAM)]) + command
+    result = processes.run(command, LIMITS, stdin=stdin, cwd=folder)
+    if not result.ok:
+        raise KitError(f"sim_c++ failed: {result.err.strip()[:200] or 'it was ended'}")
+    return result.out.decode("utf-8", "replace")
+
+
+def _relatives(said: str) -> set[tuple[str, str]]:
+    """The pairs to look at closely."""
+    of: dict[str, list[tuple[int, str]]] = defaultdict(list)
+    for file, share, other in FOUND.findall(said):
+        of[file].append((-int(share), other))
+    best = [(file, other) for file in of for _, other in sorted(of[file])[:RELATIVES]]
+    return {(min(pair), max(pair)) for pair in best}
+
+
+def _shares(said: str) -> dict[tuple[str, str], int]:
+    shares: dict[tuple[str, str], int] = defaultdict(int)
+    for file, share, other in FOUND.findall(said):
+        pair = (min(file, other), max(file, other))
+        shares[pair] = max(shares[pair], int(share))
+    return shares
+
+
+def _usual(shares: dict[tuple[str, str], int], number: int) -> int:
+    closest: dict[str, int] = defaultdict(int)
+    for pair, share in shares.items():
+        for file in pair:
+            closest[file] = max(closest[file], share)
+    all_closest = [*closest.values(), *([0] * (number - len(closest)))]
+    return round(statistics.median(all_closest)) if all_closest else 0
+
+
+def own_text(task: Task) -> str:
+    """What a student wrote: without the lines that were handed out."""
+    with tempfile.TemporaryDirectory(prefix=CLASS_FOLDER) as name:
+        try:
+            taken = submission.read(layout.prepare(task, Path(name)))
+        except UsageError:
+            return ""
+    handout = _handout()
+    lines = []
+    for file in sorted(taken.files):
+        text = taken.files[file].decode("utf-8", "replace")
+        lines += [line for line in text.splitlines() if line.strip() not in handout]
+    return "\n".join(lines) + "\n"
+
+
+def _handout() -> set[str]:
+    lines = {line.strip() for f in STUBS.glob("*.cpp") for line in f.read_text().splitlines()}
+    return lines - {"{", "}", ""}

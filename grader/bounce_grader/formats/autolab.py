@@ -1,0 +1,37 @@
+"""Autolab's last two lines: the feedback by stages, and the scores by problem. The problems of the
+assessment are named after the parts, part1_contacts to part4_simulate."""
+
+import json
+from typing import Any
+
+from bounce_grader.formats import words
+from bounce_grader.formats._escaping import plain
+from bounce_grader.record import Record
+
+
+def render(record: Record) -> str:
+    scores = {part["stem"]: part["score"] for part in record["parts"]}
+    ratio = (record.get("speed") or {}).get("ratio")
+    board = [record["score"], *([round(ratio, 2)] if ratio is not None else [])]
+    result = {"scores": scores, "scoreboard": board}
+    return f"{_line(_presentation(record))}\n{_line(result)}"
+
+
+def _presentation(record: Record) -> dict[str, Any]:
+    stages = [f"Part {part['part']}: {part['title']}" for part in record["parts"]]
+    tests = {
+        stage: {check["title"]: _test(part, check) for check in part["checks"]}
+        for stage, part in zip(stages, record["parts"])
+    }
+    return {"_presentation": "semantic", "stages": stages, **tests}
+
+
+def _test(part: Record, check: Record) -> dict[str, Any]:
+    if check["passed"]:
+        return {"passed": True}
+    return {"passed": False, "hint": plain(words.check_words(part, check))}
+
+
+def _line(words: dict[str, Any]) -> str:
+    """Autolab reads lines, so a line end within is written as \\n."""
+    return json.dumps(words, ensure_ascii=False)

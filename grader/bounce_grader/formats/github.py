@@ -1,0 +1,113 @@
+"""GitHub Actions: annotations at the student's files and lines, and what GitHub Classroom's
+reporter reads."""
+
+import base64
+import json
+import os
+from pathlib import Path
+from typing import Any
+
+from bounce_grader.errors import UsageError
+from bounce_grader.formats import markdown, words
+from bounce_grader.formats._escaping import workflow_data, workflow_property
+from bounce_grader.formats.words import Place
+from bounce_grader.record import Record
+
+VERSION = 1  # of the reporter's format
+
+
+def render(record: Record, root: Path = Path()) -> str:
+    """Workflow commands for standard output; `root` is where the files' names begin."""
+    lines = [line for part in record["parts"] for line in _part(part, root)]
+    report = {"totalPoints": record["score"], "maxPoints": record["max_score"]}
+    total = f"Points {words.points(record['score'])}/{words.points(record['max_score'])}"
+    lines.append(_command("notice", "Autograding complete", total))
+    lines.append(_command("notice", "Autograding report", json.dumps(report)))
+    return "\n".join(lines)
+
+
+def refused(sentence: str) -> str:
+    """For a submission that can't be read: no points are reported."""
+    return _command("error", "Not graded", sentence)
+
+
+def result(record: Record) -> str:
+    """The reporter's result, in base64: a test for each part."""
+    full = record["score"] == record["max_score"]
+    report = {
+        "version": VERSION,
+        "status": "pass" if full else "fail",
+        "max_score": record["max_score"],
+        "tests": [_test(part) for part in record["parts"]],
+    }
+    return base64.b64encode(json.dumps(report).encode()).decode()
+
+
+def leave(record: Record) -> None:
+    """What a step of a workflow hands on, where this is one."""
+    _append("GITHUB_OUTPUT", f"result={result(record)}\nscore={words.points(record['score'])}\n")
+    _append("GITHUB_STEP_SUMMARY", markdown.render(record) + "\n")
+
+
+def _append(variable: str, text: str) -> None:
+    if os.environ.get(variable):
+        try:
+            with open(os.environ[variable], "a", encoding="utf-8") as file:
+                file.write(text)
+        except OSError as error:
+            raise UsageError(f"{variable} names a file that can't be written: {error}") from error
+
+
+def _test(part: Record) -> dict[str, Any]:
+    place = words.place_in(words.part_words(part))
+    return {
+        "name": f"Part {part['part']}: {part['title']}",
+        "status": "pass" if part["score"] == part["max_score"] else "fail",
+        "score": part["score"],
+        "message": words.part_words(part),
+        "test_code": "",
+        "filename": place.file if place else f"{part['stem']}.cpp",
+        "line_no": place.line if place else 0,
+        "duration": 0,
+    }
+
+
+def _part(part: Record, root: Path) -> list[str]:
+    """One annotation a part, at its line where that is known: GitHub shows ten of a kind a step."""
+    if part["score"] == part["max_score"]:
+        return []
+    said = words.part_words(part)
+    place = words.place_in(said) or next(
+        (p for p in (words.place_in(check["message"]) for check in part["checks"]) if p), None
+    )
+    lost = [check["title"] for check in part["checks"] if not check["passed"]]
+    score = f"{words.points(part['score'])} / {words.points(part['max_score'])}"
+    title = f"Part {part['part']}: {score}"
+    kind = "warning" if part["status"] == "graded" else "error"
+    text = said if part["status"] == "graded" else f"{said}\n"
+    if part["status"] == "graded" or part["score"]:
+        text = "\n".join([said, *(f"lost: {check}" for check in lost)])
+    return [
+        _command(kind, title, text.strip(), place or Place(f"{part['stem']}.cpp", 1, None), root)
+    ]
+
+
+def _command(
+    kind: str, title: str, text: str, place: Place | None = None, root: Path = Path()
+) -> str:
+    where = {}
+    if place:
+        where = {"file": _in_repository(place.file, root), "line": str(place.line)}
+        where |= {"col": str(place.column)} if place.column else {}
+    properties = {**where, "title": title}
+    said = ",".join(f"{name}={workflow_property(value)}" for name, value in properties.items())
+    return f"::{kind} {said}::{workflow_data(text)}"
+
+
+def _in_repository(file: str, root: Path) -> str:
+    """The grader names files from a submission's top folder; a repository may have that deeper."""
+    if root.is_dir() and not (root / file).exists():
+        found = [p for p in root.rglob(Path(file).name) if p.as_posix().endswith(file)]
+        if len(found) == 1:
+            return found[0].relative_to(root).as_posix()
+    return file

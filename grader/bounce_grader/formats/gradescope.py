@@ -1,0 +1,71 @@
+"""Gradescope's results.json (gradescope-autograders.readthedocs.io/en/latest/specs/)."""
+
+import json
+from typing import Any
+
+from bounce_grader.formats import words
+from bounce_grader.formats._escaping import plain
+from bounce_grader.record import Record
+
+
+def render(record: Record) -> str:
+    """No score at the top: it would override the sum of the tests."""
+    result: dict[str, Any] = {
+        "execution_time": record["seconds"]["total"],
+        "output": _summary(record),
+        "output_format": "text",
+        "test_output_format": "text",
+        "test_name_format": "text",
+        "visibility": "visible",
+        "stdout_visibility": "hidden",
+        "tests": [_test(*numbered) for numbered in words.numbered(record)],
+        "leaderboard": _leaderboard(record),
+        "extra_data": {
+            name: record[name] for name in ("kit", "box", "fixtures_sha256", "submission_sha256")
+        },
+    }
+    return json.dumps(result, indent=1, ensure_ascii=False)
+
+
+def refused(sentence: str) -> str:
+    """A submission that can't be read: nothing was graded, and the student can hand in again."""
+    result = {"score": 0, "output": plain(sentence), "output_format": "text", "tests": []}
+    return json.dumps({**result, "stdout_visibility": "hidden"}, indent=1, ensure_ascii=False)
+
+
+def _summary(record: Record) -> str:
+    lines = [
+        f"Part {part['part']}, {part['title']}: {words.points(part['score'])} / "
+        f"{words.points(part['max_score'])}. {plain(words.part_words(part))}"
+        for part in record["parts"]
+    ]
+    return "\n".join(lines)
+
+
+def _test(number: str, part: Record, check: Record) -> dict[str, Any]:
+    said = plain(words.check_words(part, check))
+    hint = words.hint(check)
+    if hint and not check["passed"]:
+        said += f"\nhint {hint}"
+    return {
+        "number": number,
+        "name": check["title"],
+        "score": check["score"],
+        "max_score": check["max_score"],
+        "status": "passed" if check["passed"] else "failed",
+        "output": said,
+        "tags": [part["stem"]],
+        "visibility": "visible",
+    }
+
+
+def _leaderboard(record: Record) -> list[dict[str, Any]]:
+    rows: list[dict[str, Any]] = [{"name": "Points", "value": record["score"]}]
+    speed = record.get("speed") or {}
+    if speed.get("ratio") is not None:
+        ratio = round(speed["ratio"], 2)
+        rows.append({"name": "Time over the solution's", "value": ratio, "order": "asc"})
+    if speed.get("largest_error") is not None:
+        error = float(f"{speed['largest_error']:.1e}")
+        rows.append({"name": "Largest error", "value": error, "order": "asc"})
+    return rows

@@ -1,0 +1,57 @@
+"""JUnit's XML: a suite for each part, a case for each check."""
+
+from xml.etree import ElementTree
+
+from bounce_grader.formats import words
+from bounce_grader.formats._escaping import plain
+from bounce_grader.record import Record
+
+
+def render(record: Record) -> str:
+    suites = ElementTree.Element("testsuites", name="bouncing", time=_seconds(record))
+    for part in record["parts"]:
+        suites.append(_suite(part, record))
+    for count in ("tests", "failures", "errors"):
+        suites.set(count, str(sum(int(suite.get(count, "0")) for suite in suites)))
+    ElementTree.indent(suites)
+    return ElementTree.tostring(suites, encoding="unicode", xml_declaration=False)
+
+
+def _seconds(record: Record) -> str:
+    return f"{record['seconds']['total']:.3f}"
+
+
+def _suite(part: Record, record: Record) -> ElementTree.Element:
+    """A part that didn't run is an error in each of its checks; a wrong answer is a failure."""
+    errors = [c for c in part["checks"] if not c["passed"] and _did_not_run(part, c)]
+    failed = [check for check in part["checks"] if not check["passed"]]
+    suite = ElementTree.Element(
+        "testsuite",
+        name=part["stem"],
+        tests=str(len(part["checks"])),
+        failures=str(len(failed) - len(errors)),
+        errors=str(len(errors)),
+        skipped="0",
+    )
+    properties = ElementTree.SubElement(suite, "properties")
+    for name in ("score", "max_score"):
+        ElementTree.SubElement(properties, "property", name=name, value=words.points(part[name]))
+    for check in part["checks"]:
+        suite.append(_case(part, check))
+    return suite
+
+
+def _did_not_run(part: Record, check: Record) -> bool:
+    return part["status"] != "graded" and not check["message"]
+
+
+def _case(part: Record, check: Record) -> ElementTree.Element:
+    name = check["id"].partition(".")[2]
+    case = ElementTree.Element("testcase", name=name, classname=part["stem"])
+    if not check["passed"]:
+        said = plain(words.check_words(part, check))
+        kind = "error" if _did_not_run(part, check) else "failure"
+        verdict = part["status"] if kind == "error" else "wrong"
+        fault = ElementTree.SubElement(case, kind, message=check["title"], type=verdict)
+        fault.text = said
+    return case

@@ -1,0 +1,38 @@
+"""Markdown, for a comment on a pull request or the summary of a workflow."""
+
+from bounce_grader.formats import words
+from bounce_grader.formats._escaping import markdown, markdown_code, to_html
+from bounce_grader.record import Record
+
+LONGEST = 60_000  # characters; a comment on GitHub may have 65,536
+
+
+def render(record: Record) -> str:
+    lines = [
+        f"## {words.of_points(record)} points",
+        "",
+        "| part | points | |",
+        "| --- | ---: | --- |",
+    ]
+    for part in record["parts"]:
+        score = f"{words.points(part['score'])} / {words.points(part['max_score'])}"
+        said = markdown(words.part_words(part))
+        lines.append(f"| {part['part']}: {markdown(part['title'])} | {score} | {said} |")
+    text = "\n".join(lines) + "\n"
+    for number, part, check in words.numbered(record):
+        if not check["passed"] and (check["message"] or check["mistake"]):
+            detail = _check(number, part, check)
+            if len(text) + len(detail) > LONGEST:
+                return text + "\nMore checks failed than there is room for.\n"
+            text += detail
+    return text.rstrip("\n")
+
+
+def _check(number: str, part: Record, check: Record) -> str:
+    heading = f"<details><summary>✗ {number} {to_html(check['title'])}</summary>"
+    hint = words.hint(check)
+    return (
+        f"\n{heading}\n\n{markdown_code(words.check_words(part, check))}\n"
+        + (f"\nHint {markdown(hint)}\n" if hint else "")
+        + "\n</details>\n"
+    )

@@ -1,0 +1,36 @@
+"""PrairieLearn's results.json of an external grader (docs: externalGrading)."""
+
+import json
+from typing import Any
+
+from bounce_grader.formats import words
+from bounce_grader.formats._escaping import plain
+from bounce_grader.record import Record
+
+
+def render(record: Record) -> str:
+    result = {
+        "gradable": True,
+        "score": record["score"] / record["max_score"],
+        "message": f"{words.of_points(record)} points",
+        "tests": [_test(*numbered) for numbered in words.numbered(record)],
+    }
+    return json.dumps(result, indent=1, ensure_ascii=False)
+
+
+def refused(sentence: str) -> str:
+    """Not gradable: PrairieLearn takes no attempt away."""
+    result = {"gradable": False, "format_errors": [plain(sentence)]}
+    return json.dumps(result, indent=1, ensure_ascii=False)
+
+
+def _test(number: str, part: Record, check: Record) -> dict[str, Any]:
+    """Every test has its points, or PrairieLearn shows none."""
+    return {
+        "name": f"{number} {check['title']}",
+        "description": f"Part {part['part']}: {part['title']}",
+        "points": check["score"],
+        "max_points": check["max_score"],
+        "output": plain(words.check_words(part, check)),
+        "message": f"Hint {words.hint(check)}" if not check["passed"] and words.hint(check) else "",
+    }

@@ -1,0 +1,78 @@
+"""Sentences and places in a record that several formats use."""
+
+import re
+from dataclasses import dataclass
+from typing import Any
+
+from bounce_grader.record import Record
+
+STATUS_WORDS = {
+    "graded": "graded",
+    "not_submitted": "not submitted",
+    "does_not_compile": "does not compile",
+    "crashed": "crashed",
+    "timed_out": "ran out of time",
+    "out_of_memory": "ran out of memory",
+    "no_answer": "gave no answer",
+}
+PLACE = re.compile(r"([\w./-]+\.(?:cpp|cc|cxx|hpp|hh|hxx|h|ipp|inl)):(\d+)(?::(\d+))?")
+
+
+@dataclass(frozen=True)
+class Place:
+    """Where in the submission a fault is."""
+
+    file: str
+    line: int
+    column: int | None
+
+
+def place_in(message: str) -> Place | None:
+    found = PLACE.search(message)
+    if not found:
+        return None
+    file, line, column = found.groups()
+    return Place(file, int(line), int(column) if column else None)
+
+
+def points(x: float) -> str:
+    return f"{x:g}"
+
+
+def of_points(record: Record) -> str:
+    return f"{points(record['score'])} / {points(record['max_score'])}"
+
+
+def part_words(part: Record) -> str:
+    """What there is to say of a part as a whole, in one sentence."""
+    if part["status"] == "graded":
+        return str(part["message"])
+    return f"{STATUS_WORDS.get(part['status'], part['status'])}: {part['message']}"
+
+
+def check_words(part: Record, check: Record) -> str:
+    """What there is to say of a check: of a part that never ran, why it didn't."""
+    said = check["message"] or ("" if check["passed"] else part_words(part))
+    return "\n".join(filter(None, [mistake_words(check["mistake"]), said]))
+
+
+def mistake_words(mistake: Any) -> str:
+    """The sentence of a recognised mistake; nothing where none was."""
+    if isinstance(mistake, dict):
+        return str(mistake.get("sentence") or mistake.get("name") or "")
+    return str(mistake or "")
+
+
+def numbered(record: Record) -> list[tuple[str, Record, Record]]:
+    """("2.3", part, check) for each check."""
+    return [
+        (f"{part['part']}.{number}", part, check)
+        for part in record["parts"]
+        for number, check in enumerate(part["checks"], 1)
+    ]
+
+
+def hint(check: Record) -> str:
+    from bounce_grader.hints import headings
+
+    return headings().get(check["id"], "")

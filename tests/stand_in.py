@@ -1,0 +1,97 @@
+"""A stand-in for grading that is quick, where the process around it is what is tested: the points
+of a submission follow from its bytes.
+
+As a program it grades a class: stand_in.py SUBMISSIONS OUT [SECONDS OF EACH GRADING].
+"""
+
+import os
+import sys
+import time
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+ROOT = Path(__file__).resolve().parents[1]
+sys.path.insert(0, str(ROOT / "grader"))
+
+from bounce_grader import submission
+from bounce_grader.classroom import unit
+from bounce_grader.classroom.request import Request
+from bounce_grader.classroom.run import run
+from bounce_grader.classroom.task import Task
+from bounce_grader.errors import KitError
+from bounce_grader.manifest import parts
+
+
+def record_of(taken: submission.Submission) -> dict[str, Any]:
+    """Each check is passed or not as a bit of the digest says."""
+    bits = int(taken.sha256, 16)
+    part_records = []
+    for part in parts():
+        checks: list[dict[str, Any]] = []
+        for check in part.checks:
+            passed = bool(bits & 3)
+            bits >>= 2
+            checks.append(
+                {
+                    "id": check.id,
+                    "title": check.title,
+                    "score": check.points if passed else 0,
+                    "max_score": check.points,
+                    "passed": passed,
+                    "message": "" if passed else "1 of 9 cases wrong; the first: a corner sticks",
+                    "mistake": None,
+                }
+            )
+        part_records.append(
+            {
+                "part": part.number,
+                "stem": part.stem,
+                "title": part.title,
+                "score": sum(check["score"] for check in checks),
+                "max_score": part.points,
+                "status": "graded" if part.number in taken.parts else "not_submitted",
+                "message": "",
+                "graded_with": "own",
+                "checks": checks,
+            }
+        )
+    return {
+        "score": sum(part["score"] for part in part_records),
+        "max_score": 100,
+        "parts": part_records,
+        "box": "full",
+        "seconds": {"compile": 0.0, "run": 0.0, "total": 0.0},
+        "kit": "stand-in",
+        "fixtures_sha256": "0" * 64,
+        "submission_sha256": taken.sha256,
+        "ignored": list(taken.ignored),
+        "speed": {
+            "submission_ns": 200.0 + bits % 300,
+            "solution_ns": 200.0,
+            "ratio": 1 + bits % 300 / 200,
+            "largest_error": 1e-13 if bits % 3 else 0.1,
+        },
+    }
+
+
+def grade(path: Path, task: Task, seconds: float = 0.0) -> dict[str, Any]:
+    """What a submission says of itself is done to the worker that grades it."""
+    taken = submission.read(path)
+    time.sleep(seconds)
+    text = b"".join(taken.files.values())
+    if b"kills its grader" in text:
+        os.kill(os.getpid(), 9)
+    if b"breaks the kit" in text:
+        raise KitError("no compiler")
+    return record_of(taken)
+
+
+def request(submissions: Path, out: Path, seconds: float = 0.0, **more: Any) -> Request:
+    worker = partial(unit.run, grade=partial(grade, seconds=seconds))
+    return Request(submissions, out, jobs=2, unit=worker, **more)
+
+
+if __name__ == "__main__":
+    pause = float(sys.argv[3]) if len(sys.argv) > 3 else 0.0
+    sys.exit(run(request(Path(sys.argv[1]), Path(sys.argv[2]), pause)))

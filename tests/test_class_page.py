@@ -1,0 +1,124 @@
+"""The class's page, the near-copies on it, and what is said while a class is graded."""
+
+import re
+import zipfile
+from pathlib import Path
+from typing import Any
+
+import pytest
+import stand_in
+from bounce_grader import submission
+from bounce_grader.classroom import charts, page, progress, similar, students
+from bounce_grader.classroom.charts import Dot
+from bounce_grader.classroom.similar import Similar
+from bounce_grader.classroom.students import Class, Student
+from bounce_grader.classroom.summary import Summary, of_result
+from bounce_grader.classroom.task import Stamp, task_of
+from bounce_grader.paths import STUBS
+from conftest import solution_files, write
+
+NOBODY = Similar((), 0)
+
+
+def summary(tmp_path: Path, name: str = "anna", **changes: Any) -> Summary:
+    folder = write(tmp_path / name, {"part2_lcp.cpp": name.encode()})
+    record = {**stand_in.record_of(submission.read(folder)), **changes}
+    result = {"state": "graded", "message": "", "record": record}
+    return of_result(Student(name, name, folder), "0" * 64, result)
+
+
+def shown(*summaries: Summary) -> str:
+    return page.render(Class("a folder"), summaries, NOBODY, [])
+
+
+def test_every_graded_submission_has_a_mark(tmp_path: Path) -> None:
+    speeds = [
+        {"submission_ns": 1.0, "solution_ns": 1.0, "ratio": 1.0, "largest_error": 1e-13},
+        {"submission_ns": 1.0, "solution_ns": 1.0, "ratio": 1e9, "largest_error": 0.0},
+        {"largest_error": None},
+        {"largest_error": 1e300},
+    ]
+    made = [summary(tmp_path, f"s{i}", speed=speed) for i, speed in enumerate(speeds)]
+    text = shown(*made, Summary(Student("x", "x", tmp_path), "k", "failed", "the kit failed"))
+    assert text.count("<title>s") == 4
+
+
+def test_the_shapes_differ_without_colour() -> None:
+    drawn = charts.scatter([Dot(1, 1, kind, kind) for kind in ("full", "some", "none")], 1e-9)
+    marks = re.findall(r"<(?:circle|path) [^>]*><title>(\w+)", drawn)
+    assert marks == ["full", "some", "none"]
+    assert drawn.count('fill="none" stroke="#111"><title>some') == 1
+    assert set(re.findall(r"#[0-9a-f]{3,6}", drawn)) <= {"#111", "#444", "#999"}
+
+
+@pytest.mark.parametrize(
+    "scores, counts",
+    [([0, 9.9, 10, 99.9, 100], ["2", "1", "1", "1"]), ([], []), ([100] * 7, ["7"])],
+)
+def test_the_histogram_counts(scores: list[float], counts: list[str]) -> None:
+    drawn = charts.histogram(scores, 100)
+    assert re.findall(r">(\d+)</text>", drawn.replace(">100</text>", "")) == counts
+
+
+def test_recognised_mistakes_are_counted_once_a_submission(tmp_path: Path) -> None:
+    one = summary(tmp_path, "one")
+    mistakes = {"part1.a": "degrees for radians", "part1.b": "degrees for radians"}
+    from dataclasses import replace
+
+    text = shown(replace(one, mistakes=mistakes), replace(one, mistakes={"part2.a": "dt squared"}))
+    rows = re.findall(r"<tr><td>([^<]*)</td><td class=\"n\">(\d+)</td></tr>", text)
+    assert rows[:2] == [("degrees for radians", "1"), ("dt squared", "1")]
+
+
+def test_who_needs_a_look_is_named_with_the_reason(tmp_path: Path) -> None:
+    slow = summary(tmp_path, "slow")
+    record = stand_in.record_of(submission.read(tmp_path / "slow"))
+    record["parts"][2]["status"] = "timed_out"
+    slow = summary(tmp_path, "slow", parts=record["parts"])
+    boxless = summary(tmp_path, "boxless", box="none")
+    failed = Summary(Student("x", "x", tmp_path), "k", "failed", "the kit failed: no compiler")
+    looks = shown(slow, boxless, failed).split("Needs a look")[1].split("Near-copies")[0]
+    assert "part 3: timed out" in looks and "graded with no box" in looks
+    assert "the kit failed: no compiler" in looks
+
+
+def test_nothing_graded_is_a_page_too(tmp_path: Path) -> None:
+    assert "Nothing is graded yet." in shown()
+
+
+def renamed(text: bytes) -> bytes:
+    """As somebody would who copies: other names, other remarks, another layout."""
+    for name in (b"corner", b"params", b"lowest", b"impulse", b"contact_"):
+        text = re.sub(rb"\b" + name + rb"\b", b"my_" + name[::-1], text)
+    return b"// my own work\n\n" + text.replace(b"\n", b"\n\n")
+
+
+def test_a_renamed_copy_is_found_and_the_handout_is_no_copy(tmp_path: Path) -> None:
+    """Two who left the stubs as they were share nothing of their own."""
+    copies = {name: renamed(text) for name, text in solution_files().items()}
+    stubs = {file.name: file.read_bytes() for file in STUBS.glob("*.cpp")}
+    with zipfile.ZipFile(tmp_path / "x.zip", "w") as archive:
+        for user, files in enumerate([solution_files(), copies, stubs, stubs], 1):
+            for i, (name, text) in enumerate(files.items()):
+                archive.writestr(f"doe{user}_{user}_{user}{i}_{name}", text)
+    found = students.read(tmp_path / "x.zip").students
+    stamp = Stamp("kit", "fixtures", "options")
+    tasks = {s.id: task_of(s, stamp, tmp_path, False, False) for s in found}
+    near = similar.find(tmp_path, found, tasks, trust=False)
+    assert not near.problem
+    assert [(pair.first, pair.second) for pair in near.pairs] == [("1", "2")]
+    assert near.pairs[0].share >= 90
+    assert similar.find(tmp_path, found, tasks, trust=False) == near
+    assert len(similar.own_text(tasks["3"]).strip()) < 200
+
+
+def test_progress_is_plain_lines_where_there_is_no_terminal(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(progress, "SECONDS_BETWEEN_LINES", 0.0)
+    with progress.progress(2) as bar:
+        bar.advance()
+        bar.advance()
+    lines = capsys.readouterr().err.splitlines()
+    assert re.fullmatch(r"kit: 1 of 2 graded, \d+ a minute, 0 s left", lines[0])
+    assert re.fullmatch(r"kit: 2 of 2 graded, \d+ a minute", lines[1])

@@ -1,0 +1,286 @@
+"""Whose submissions these are, and what becomes of everything else in the download."""
+
+import zipfile
+from pathlib import Path
+
+import pytest
+from bounce_grader import submission
+from bounce_grader.classroom import canvas, layout, students, task
+from bounce_grader.classroom.canvas import TextEntry, Upload
+from bounce_grader.classroom.task import Stamp
+from bounce_grader.errors import UsageError
+from conftest import solution_files, write
+
+STAMP = Stamp("kit", "fixtures", "options")
+
+
+def download(path: Path, entries: dict[str, bytes]) -> Path:
+    with zipfile.ZipFile(path, "w") as archive:
+        for name, data in entries.items():
+            archive.writestr(name, data)
+    return path
+
+
+def inner_zip(tmp_path: Path, files: dict[str, bytes]) -> bytes:
+    return download(tmp_path / "inner.zip", files).read_bytes()
+
+
+def files_to_grade(student: students.Student, tmp_path: Path) -> dict[str, bytes]:
+    folder = tmp_path / "laid out"
+    folder.mkdir()
+    made = task.task_of(student, STAMP, tmp_path, speed=False, trust=False)
+    return submission.read(layout.prepare(made, folder)).files
+
+
+# The names are Canvas's own: lib/content_zipper.rb, spec/lib/content_zipper_spec.rb.
+@pytest.mark.parametrize(
+    "entry, expected",
+    [
+        ("doejane_12345_678_part1.cpp", ("doejane", "12345", False, 678, "part1.cpp")),
+        ("doejane_LATE_12345_678_a-1.cpp", ("doejane", "12345", True, 678, "a-1.cpp")),
+        ("müller_lüdenscheid_7_8_x.cpp", ("müller_lüdenscheid", "7", False, 8, "x.cpp")),
+        ("doe_1_2_my_2_3_file.cpp", ("doe", "1", False, 2, "my_2_3_file.cpp")),
+        ("anon_a1B2c_9_x.cpp", ("", "anon_a1B2c", False, 9, "x.cpp")),
+        ("LATE_anon_a1B2c_9_x.cpp", ("", "anon_a1B2c", True, 9, "x.cpp")),
+        ("李伟_5_6_x.cpp", ("李伟", "5", False, 6, "x.cpp")),
+        ("late_1_2_x.cpp", ("late", "1", False, 2, "x.cpp")),
+    ],
+)
+def test_reads_the_names_that_canvas_writes(
+    entry: str, expected: tuple[str, str, bool, int, str]
+) -> None:
+    name, user, late, attachment, file = expected
+    assert canvas.parse(entry) == Upload(entry, name, user, late, attachment, file)
+
+
+@pytest.mark.parametrize("kind", ["text", "link"])
+def test_knows_what_was_typed_into_canvas(kind: str) -> None:
+    assert canvas.parse(f"doe_LATE_12_{kind}.html") == TextEntry("doe", "12", True, kind)
+    assert canvas.parse(f"anon_x1y2z_{kind}.html") == TextEntry("", "anon_x1y2z", False, kind)
+
+
+@pytest.mark.parametrize("entry", ["part1.cpp", "doe_12_x.cpp", "readme.txt", "a_b_c_d.cpp", ""])
+def test_other_names_are_nobodys(entry: str) -> None:
+    assert canvas.parse(entry) is None
+
+
+def test_a_name_as_canvas_writes_it() -> None:
+    assert canvas.sanitized("Doe, Jane") == "doejane"
+    assert canvas.sanitized("O'Brien-Müller, Ana_12_x") == "obrienmüllerana12x"
+
+
+@pytest.mark.parametrize(
+    "file",
+    [
+        "part2_lcp.cpp",
+        "part2_lcp-1.cpp",
+        "part2_lcp-12.cpp",
+        "Part2_LCP (1).cpp",
+        "part2_lcp(2).CPP",
+    ],
+)
+def test_a_part_is_known_however_often_it_was_handed_in(file: str) -> None:
+    assert canvas.part_file(file) == "part2_lcp.cpp"
+
+
+@pytest.mark.parametrize(
+    "file", ["part2.cpp", "part2_lcp-b.cpp", "my_part2_lcp.cpp", "part2_lcp.h"]
+)
+def test_a_file_of_another_name_is_no_part(file: str) -> None:
+    assert canvas.part_file(file) is None
+
+
+def test_the_newest_upload_of_a_file_counts(tmp_path: Path) -> None:
+    path = download(
+        tmp_path / "x.zip",
+        {
+            "doe_1_30_part1_contacts-1.cpp": b"// the second",
+            "doe_1_9_part1_contacts.cpp": b"// the first",
+            "doe_1_31_part2_lcp.cpp": b"// two",
+        },
+    )
+    (student,) = students.read(path).students
+    assert student.unused == ("part1_contacts.cpp is older than part1_contacts-1.cpp",)
+    assert files_to_grade(student, tmp_path) == {
+        "part1_contacts.cpp": b"// the second",
+        "part2_lcp.cpp": b"// two",
+    }
+
+
+def test_a_helper_has_the_name_that_it_is_included_by(tmp_path: Path) -> None:
+    """Canvas renames rotation.hpp to rotation-1.hpp where an older assignment had one; but a
+    student may have named a file solver-2.hpp."""
+    path = download(
+        tmp_path / "x.zip",
+        {
+            "doe_1_1_part1_contacts.cpp": b'#include "rotation.hpp"\n#include "solver-2.hpp"',
+            "doe_1_2_rotation-1.hpp": b"// turns",
+            "doe_1_3_solver-2.hpp": b"// solves",
+        },
+    )
+    (student,) = students.read(path).students
+    names = set(files_to_grade(student, tmp_path))
+    assert names == {"part1_contacts.cpp", "rotation.hpp", "solver-2.hpp"}
+
+
+def test_a_zip_and_a_newer_file_are_one_submission(tmp_path: Path) -> None:
+    zipped = inner_zip(
+        tmp_path, {"hw/part1_contacts.cpp": b"// zipped", "hw/part2_lcp.cpp": b"// two"}
+    )
+    path = download(
+        tmp_path / "x.zip",
+        {"doe_1_1_hw.zip": zipped, "doe_1_2_part1_contacts.cpp": b"// later"},
+    )
+    (student,) = students.read(path).students
+    files = files_to_grade(student, tmp_path)
+    assert sorted(files.values()) == [b"// later", b"// two"]
+
+
+def test_a_single_zip_is_graded_as_it_is(tmp_path: Path) -> None:
+    path = download(tmp_path / "x.zip", {"doe_1_1_hw.zip": inner_zip(tmp_path, solution_files())})
+    (student,) = students.read(path).students
+    assert files_to_grade(student, tmp_path) == solution_files()
+
+
+def test_two_users_of_one_name_are_two(tmp_path: Path) -> None:
+    entries = {f"doejane_{user}_{user}9_part2_lcp.cpp": b"// x" for user in (1, 2)}
+    found = students.read(download(tmp_path / "x.zip", entries))
+    assert [s.id for s in found.students] == ["1", "2"]
+    assert len({s.feedback for s in found.students}) == 2
+
+
+def test_nothing_is_dropped_in_silence(tmp_path: Path) -> None:
+    entries = {
+        "doe_1_1_part2_lcp.cpp": b"// x",
+        "roe_2_text.html": b"<p>here you are</p>",
+        "poe_3_link.html": b"",
+        "foe_4_5_homework.rar": b"Rar!",
+        "foe_4_6_photo.jpg": b"",
+        "__MACOSX/._doe_1_1_part2_lcp.cpp": b"",
+        "folder/moe_9_9_part1_contacts.cpp": b"",
+        "readme.txt": b"",
+        '=HYPERLINK("http://x")': b"",
+    }
+    found = students.read(download(tmp_path / "x.zip", entries))
+    assert [s.id for s in found.students] == ["1"]
+    reasons = {unmatched.name: unmatched.reason for unmatched in found.unmatched}
+    assert len(reasons) == 7
+    assert "typed into Canvas" in reasons["roe_2_text.html"]
+    assert "address" in reasons["poe_3_link.html"]
+    assert "homework.rar is no C++ source and no zip" in reasons["foe_4_6"]
+    assert "photo.jpg is no C++ source and no zip" in reasons["foe_4_6"]
+    assert "isn't named as Canvas names" in reasons["readme.txt"]
+    assert "in a folder" in reasons["folder/moe_9_9_part1_contacts.cpp"]
+
+
+def test_a_page_goes_back_under_the_ids_of_the_newest_upload(tmp_path: Path) -> None:
+    entries = {
+        "doejane_LATE_12_345_part1_contacts.cpp": b"// 1",
+        "doejane_LATE_12_350_part2_lcp.cpp": b"// 2",
+    }
+    (student,) = students.read(download(tmp_path / "x.zip", entries)).students
+    assert student.late
+    assert student.feedback == "doejane_LATE_12_350_feedback.html"
+    back = canvas.parse(student.feedback)
+    assert isinstance(back, Upload) and (back.user, back.attachment) == ("12", 350)
+
+
+def test_a_name_too_long_for_a_file_is_cut_and_its_ids_stay(tmp_path: Path) -> None:
+    entry = f"{'李' * 200}_LATE_12_345_part2_lcp.cpp"
+    (student,) = students.read(download(tmp_path / "x.zip", {entry: b"// x"})).students
+    assert student.feedback.endswith("李_LATE_12_345_feedback.html")
+    assert len(student.feedback.encode()) < 240
+    folder = write(tmp_path / "all" / ("n" * 255), {"part2_lcp.cpp": b"// x"}).parent
+    (student,) = students.read(folder).students
+    assert len(student.feedback) < 240
+
+
+def test_an_unpacked_download_is_read_as_well(tmp_path: Path) -> None:
+    folder = write(tmp_path / "submissions", {"doe_1_1_part2_lcp.cpp": b"// x"})
+    (folder / "roe_2_2_part2_lcp.cpp").symlink_to("/etc/passwd")
+    found = students.read(folder)
+    assert {s.id for s in found.students} == {"1", "2"}
+    linked = next(s for s in found.students if s.id == "2")
+    with pytest.raises(UsageError, match="link"):
+        files_to_grade(linked, tmp_path)
+
+
+def test_a_folder_of_folders_and_zips(tmp_path: Path) -> None:
+    folder = write(tmp_path / "all", {"anna/part2_lcp.cpp": b"// x", "notes.txt": b""})
+    write(folder, {".cache/x": b"", "__MACOSX/x": b""})
+    download(folder / "ben.zip", {"part2_lcp.cpp": b"// y"})
+    found = students.read(folder)
+    assert [(s.id, s.feedback) for s in found.students] == [
+        ("anna", "anna.html"),
+        ("ben", "ben.html"),
+    ]
+    assert {u.name for u in found.unmatched} == {"notes.txt", ".cache", "__MACOSX"}
+    assert files_to_grade(found.students[1], tmp_path) == {"part2_lcp.cpp": b"// y"}
+
+
+@pytest.mark.parametrize("top", ["hw3-submissions", "checkout"])
+def test_a_checkout_is_named_by_login(tmp_path: Path, top: str) -> None:
+    for login in ("anna", "anton", "ben-w"):
+        write(tmp_path / top / f"hw3-{login}", {"part2_lcp.cpp": b"// x", ".git/HEAD": b""})
+    found = students.read(tmp_path / top)
+    assert [s.id for s in found.students] == ["anna", "anton", "ben-w"]
+
+
+def test_a_folder_and_a_zip_of_one_name_are_refused(tmp_path: Path) -> None:
+    folder = write(tmp_path / "all", {"anna/part2_lcp.cpp": b"// x"})
+    download(folder / "anna.zip", {"part2_lcp.cpp": b"// y"})
+    with pytest.raises(UsageError, match="keep one of them"):
+        students.read(folder)
+
+
+@pytest.mark.parametrize(
+    "make, sentence",
+    [
+        (lambda path: path / "nowhere", "there is no file or folder"),
+        (lambda path: write(path, {"x.zip": b"PK\x03\x04 and nothing"}) / "x.zip", "neither"),
+        (lambda path: download(path / "x.zip", {"part1.cpp": b""}), "no submission is found"),
+        (lambda path: write(path / "empty", {}), "there is no file or folder"),
+    ],
+)
+def test_what_is_no_class_is_said(tmp_path: Path, make: object, sentence: str) -> None:
+    assert callable(make)
+    with pytest.raises(UsageError, match=sentence) as refused:
+        students.read(make(tmp_path))
+    assert "\n" not in str(refused.value)
+
+
+def test_a_result_is_named_by_all_that_it_follows_from(tmp_path: Path) -> None:
+    def key(text: bytes, stamp: Stamp = STAMP) -> str:
+        folder = write(tmp_path / "all" / "anna", {"part2_lcp.cpp": text}).parent
+        (student,) = students.read(folder).students
+        return task.task_of(student, stamp, tmp_path, speed=False, trust=False).key
+
+    first = key(b"// x")
+    others = [
+        key(b"// y"),
+        key(b"// x", Stamp("kit 2", "fixtures", "options")),
+        key(b"// x", Stamp("kit", "fixtures 2", "options")),
+        key(b"// x", Stamp("kit", "fixtures", "options 2")),
+    ]
+    assert key(b"// x") == first
+    assert len({first, *others}) == 5
+
+
+def test_a_task_can_be_sent_as_json(tmp_path: Path) -> None:
+    path = download(tmp_path / "x.zip", {"doe_1_1_part2_lcp.cpp": b"// x"})
+    (student,) = students.read(path).students
+    made = task.task_of(student, STAMP, tmp_path, speed=True, trust=False)
+    import json
+
+    assert task.from_json(json.loads(json.dumps(made.as_json()))) == made
+
+
+def test_a_file_too_large_keeps_its_size(tmp_path: Path) -> None:
+    huge = b" " * (3 << 20)
+    path = download(tmp_path / "x.zip", {"doe_1_1_part2_lcp.cpp": huge})
+    (student,) = students.read(path).students
+    folder = tmp_path / "laid out"
+    folder.mkdir()
+    made = task.task_of(student, STAMP, tmp_path, speed=False, trust=False)
+    taken = submission.read(layout.prepare(made, folder))
+    assert taken.refused[2] == "part2_lcp.cpp is 3.1 MB large; a source file may have 1 MB"
