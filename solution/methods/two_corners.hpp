@@ -65,12 +65,19 @@ struct TwoByTwo {
   Real B[2][2], u[2];
 };
 
+// How much x lacks to x >= 0; infinite for NaN, which std::max would hide.
+template <class Real>
+Real lack(Real x) {
+  if (x >= 0) return 0;
+  return x < 0 ? -x : std::numeric_limits<Real>::infinity();
+}
+
 template <class Real>
 Real violation_of(const TwoByTwo<Real>& lcp, const std::array<Real, 2>& p) {
   Real worst = 0;
   for (int i = 0; i < 2; ++i) {
     const Real w = lcp.B[i][0] * p[0] + lcp.B[i][1] * p[1] + lcp.u[i];
-    worst = std::max({worst, -p[i], p[i] == 0 ? -w : Real(0)});
+    worst = std::max({worst, lack(p[i]), p[i] == 0 ? lack(w) : Real(0)});
   }
   return worst;
 }
@@ -122,8 +129,8 @@ SideImpulse<Real> solve_side(const TwoCorners<Real>& k, int sigma, bool checked)
     const Real p_t = sigma ? -sigma * k.mu * P : -coupled / k.c();
     Real violation = detail::violation_of(lcp, p);
     if (checked)
-      violation =
-          std::max(violation, sigma ? -sigma * (coupled + k.c() * p_t) : std::abs(p_t) - k.mu * P);
+      violation = std::max(violation, detail::lack(sigma ? sigma * (coupled + k.c() * p_t)
+                                                         : k.mu * P - std::abs(p_t)));
     if (violation < best.violation) best = {p, p_t, violation};
     if (violation <= 0) break;
   }

@@ -18,7 +18,8 @@ struct Method {
   bool has_step;  // the setting is a time step, s; otherwise it is a tolerance
   std::vector<double> settings;
   std::function<Samples(const Scene&, double setting)> run;
-  std::string limit;  // why its error may stop falling, in words
+  // Why its error may stop falling: a method without that limit, and the limit in words.
+  std::vector<std::pair<std::string, std::string>> limits;
 };
 
 std::vector<Method> all_methods();

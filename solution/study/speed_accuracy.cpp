@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <limits>
 
 #include "catalog.hpp"
 #include "questions.hpp"
@@ -42,15 +44,33 @@ std::vector<Point> points_of(const Scene& scene, const std::vector<Method>& all)
   return points;
 }
 
-// Why a method does not get to 1 mm here: it still converges, and needs a smaller step; or it has
-// stalled, and its limit says why.
-std::string note_of(const std::vector<Point>& points, const Method& method) {
+std::vector<const Point*> points_of_method(const std::vector<Point>& points,
+                                           const std::string& name) {
   std::vector<const Point*> own;
   for (const Point& point : points)
-    if (point.method == &method) own.push_back(&point);
-  const auto best = std::min_element(
-      own.begin(), own.end(), [](const Point* a, const Point* b) { return a->error < b->error; });
-  if ((*best)->error <= kFine) return "";
+    if (point.method->name == name) own.push_back(&point);
+  return own;
+}
+
+double least_error(const std::vector<Point>& points, const std::string& name) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Point* point : points_of_method(points, name)) least = std::min(least, point->error);
+  return least;
+}
+
+// The limit that holds here: the first whose cure, a method without it, is twice as good.
+std::string limit_of(const std::vector<Point>& points, const Method& method) {
+  for (const auto& [cure, limit] : method.limits)
+    if (least_error(points, cure) < least_error(points, method.name) / 2) return limit;
+  return "no method without its known limits does better";
+}
+
+// Why a method does not get to 1 mm here: it still converges, and needs a smaller step; or it has
+// stalled.
+std::string note_of(const std::vector<Point>& points, const Method& method) {
+  const double least = least_error(points, method.name);
+  if (least <= kFine) return "";
+  const auto own = points_of_method(points, method.name);
   const Point &last = *own.back(), &before = *own[own.size() - 3];
   const double order =
       std::log(before.error / last.error) / std::log(before.setting / last.setting);
@@ -59,7 +79,8 @@ std::string note_of(const std::vector<Point>& points, const Method& method) {
     std::snprintf(text, sizeof text, "order %.1f: would need dt of %.0e s", order,
                   last.setting * std::pow(kFine / last.error, 1 / order));
   } else {
-    std::snprintf(text, sizeof text, "stalls at %.0e m: %s", (*best)->error, method.limit.c_str());
+    std::snprintf(text, sizeof text, "stalls at %.0e m: %s", least,
+                  limit_of(points, method).c_str());
   }
   return text;
 }

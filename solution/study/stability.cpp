@@ -62,11 +62,13 @@ double least_limit(double mu) {
 
 int most_solutions(double alpha, double mu) {
   int most = 0;
-  for (const double u_n : {-0.1, 0.1})
-    for (int i = -40; i <= 40; ++i)
-      most = std::max(most, methods::all_solutions(methods::one_corner(leaning_arm(alpha),
-                                                                       kGyration, u_n, i / 8.0, mu))
-                                .count);
+  for (const double u_n : {-1.0, 1.0}) {
+    for (int i = -120; i <= 120; ++i) {  // u_t from -1000 to 1000
+      const double u_t = i == 0 ? 0 : std::copysign(std::pow(10.0, std::abs(i) / 20.0 - 3), i);
+      const auto k = methods::one_corner(leaning_arm(alpha), kGyration, u_n, u_t, mu);
+      most = std::max(most, methods::all_solutions(k).count);
+    }
+  }
   return most;
 }
 
@@ -114,14 +116,14 @@ double deepest(double speed, double dt) {
 }
 
 struct Residuals {
-  double lemke, merged, velocity;  // m/s
-  int wrong;                       // how often Lemke says "solved" with more than 1e-6
+  double lemke, merged;  // m/s
+  int wrong;             // how often Lemke says "solved" with more than 1e-6
 };
 
-// The worst over random velocities of a square turned by theta, both low corners in contact.
+// The worst over random velocities of a square turned by theta to 1.8 theta, both low corners in
+// contact.
 Residuals residuals_at(double theta) {
   const Parameters params;
-  const auto r = methods::arms(params.l / 2, std::cos(theta), std::sin(theta));
   const auto jacobian = [](const Arm<double>& arm) {
     Jacobian J;
     J << Vector3(1, 0, -arm.y), Vector3(0, 1, arm.x);
@@ -131,6 +133,8 @@ Residuals residuals_at(double theta) {
   const auto uniform = [&] { return 4 * double(random() >> 11) * 0x1p-53 - 2; };
   Residuals worst{};
   for (int i = 0; i < 1000; ++i) {
+    const double turned = theta * std::pow(10.0, (uniform() + 2) / 16);
+    const auto r = methods::arms(params.l / 2, std::cos(turned), std::sin(turned));
     const Vector3 v(uniform(), uniform() - 2, 10 * uniform());
     const methods::Lcp8 lcp = methods::form_lcp8(jacobian(r[2]), jacobian(r[3]), v, params);
     const methods::LemkeResult z = methods::lemke(lcp.V, lcp.p);
@@ -230,8 +234,8 @@ Table depth() {
 Table almost_flat() {
   Table table(
       {"theta_rad", "lemke_8x8_residual_m_s", "lemke_8x8_wrong_of_1000", "merged_residual_m_s"});
-  for (int i = 1; i <= 32; ++i) {
-    const double theta = std::pow(10.0, -i / 2.0);
+  for (int i = 1; i <= 64; ++i) {
+    const double theta = std::pow(10.0, -i / 4.0);
     const Residuals r = residuals_at(theta);
     table.add(theta, r.lemke, r.wrong, r.merged);
   }
