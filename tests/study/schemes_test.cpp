@@ -3,6 +3,7 @@
 
 #include <bounce/part3_step.hpp>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "common.hpp"
@@ -77,6 +78,13 @@ TEST(assignment, CarriedCosinesDoNotDriftInAMillionSteps) {
   const methods::Body<double> body(params);
   EXPECT_NEAR(methods::lowest_gap(plain, body), methods::lowest_gap(fast, body), 0.01);
   EXPECT_NEAR(fast.x, 0.3 * 1e4, 1e-6);
+}
+
+TEST(assignment, CarriesNanOnAndEnds) {
+  Motion<double> start = kFlat;
+  start.y = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(std::isnan(after<Assignment>(Parameters(), start, 1).y)) << "falls for ever";
+  EXPECT_TRUE(std::isnan(after<AssignmentFast>(Parameters(), start, 1).y));
 }
 
 TEST(assignment, IsTheSameForABatchOfSquares) {
