@@ -24,7 +24,6 @@
 // the fast one; max(0, NaN) is avoided: a NaN comes out as NaN.
 #pragma once
 
-#include <array>
 #include <cmath>
 
 #include "square.hpp"
@@ -67,7 +66,7 @@ CornerImpulse<Real> solve_one_corner(const OneCorner<Real>& k) {
 // Every solution there is, and how many. For a > mu |b| it is one.
 template <class Real>
 struct CornerSolutions {
-  std::array<CornerImpulse<Real>, 4> all;
+  Row<CornerImpulse<Real>, 4> all;
   int count = 0;
 };
 

@@ -16,11 +16,20 @@
 //     c = m J_t^T M^-1 J_t = 1 + r_y^2 / r_g^2.
 #pragma once
 
-#include <array>
 #include <bounce/types.hpp>
 #include <cmath>
 
 namespace bounce::methods {
+
+// A few things in a row, counted by int.
+template <class T, int n>
+struct Row {
+  T items[n];
+  constexpr T& operator[](int i) { return items[i]; }
+  constexpr const T& operator[](int i) const { return items[i]; }
+  constexpr const T* begin() const { return items; }
+  constexpr const T* end() const { return items + n; }
+};
 
 template <class Real>
 struct Body {
@@ -66,13 +75,13 @@ State state_of(const Motion<Real>& s) {
 
 // The four arms, counted as in eq. (3): each is the one before, turned by a right angle.
 template <class Real>
-std::array<Arm<Real>, 4> arms(Real half, Real cosine, Real sine) {
+Row<Arm<Real>, 4> arms(Real half, Real cosine, Real sine) {
   const Real p = half * (cosine + sine), q = half * (cosine - sine);
   return {{{q, p}, {-p, q}, {-q, -p}, {p, -q}}};
 }
 
 template <class Real>
-std::array<Arm<Real>, 4> arms(const Body<Real>& body, Real theta) {
+Row<Arm<Real>, 4> arms(const Body<Real>& body, Real theta) {
   return arms(body.half, std::cos(theta), std::sin(theta));
 }
 

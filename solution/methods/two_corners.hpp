@@ -24,7 +24,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -34,10 +33,10 @@ namespace bounce::methods {
 
 template <class Real>
 struct TwoCorners {
-  std::array<Real, 2> r_x;  // m
-  Real r_y, gyration;       // m, m^2
-  std::array<Real, 2> u;    // u_1, u_2, m/s
-  Real u_t, mu, P_0;        // m/s, none, m/s
+  Row<Real, 2> r_x;    // m
+  Real r_y, gyration;  // m, m^2
+  Row<Real, 2> u;      // u_1, u_2, m/s
+  Real u_t, mu, P_0;   // m/s, none, m/s
 
   Real A(int i, int j) const { return 1 + r_x[i] * r_x[j] / gyration; }
   Real b(int i) const { return -r_x[i] * r_y / gyration; }
@@ -46,15 +45,15 @@ struct TwoCorners {
 
 template <class Real>
 struct SideImpulse {
-  std::array<Real, 2> n;  // p_1, p_2, m/s
-  Real t;                 // p_t of both together, m/s
-  Real violation;         // of the worst inequality, m/s; 0 but for rounding
+  Row<Real, 2> n;  // p_1, p_2, m/s
+  Real t;          // p_t of both together, m/s
+  Real violation;  // of the worst inequality, m/s; 0 but for rounding
 };
 
 // The side's problem from its two arms; r_y is their mean.
 template <class Real>
 TwoCorners<Real> two_corners(const Arm<Real>& r_1, const Arm<Real>& r_2, Real gyration,
-                             std::array<Real, 2> u, Real u_t, Real mu, Real P_0 = 0) {
+                             Row<Real, 2> u, Real u_t, Real mu, Real P_0 = 0) {
   return {{r_1.x, r_2.x}, (r_1.y + r_2.y) / 2, gyration, u, u_t, mu, P_0};
 }
 
@@ -73,7 +72,7 @@ Real lack(Real x) {
 }
 
 template <class Real>
-Real violation_of(const TwoByTwo<Real>& lcp, const std::array<Real, 2>& p) {
+Real violation_of(const TwoByTwo<Real>& lcp, const Row<Real, 2>& p) {
   Real worst = 0;
   for (int i = 0; i < 2; ++i) {
     const Real w = lcp.B[i][0] * p[0] + lcp.B[i][1] * p[1] + lcp.u[i];
@@ -84,7 +83,7 @@ Real violation_of(const TwoByTwo<Real>& lcp, const std::array<Real, 2>& p) {
 
 // p_1 and p_2 with the corners of `pressed` (bit i for corner i) pressed.
 template <class Real>
-std::array<Real, 2> impulses(const TwoByTwo<Real>& lcp, int pressed) {
+Row<Real, 2> impulses(const TwoByTwo<Real>& lcp, int pressed) {
   const auto& [B, u] = lcp;
   if (pressed == 0) return {0, 0};
   if (pressed == 1) return {-u[0] / B[0][0], 0};
@@ -124,7 +123,7 @@ SideImpulse<Real> solve_side(const TwoCorners<Real>& k, int sigma, bool checked)
   const detail::TwoByTwo<Real> lcp = sigma ? detail::sliding(k, sigma) : detail::sticking(k);
   SideImpulse<Real> best{{0, 0}, 0, std::numeric_limits<Real>::infinity()};
   for (const int pressed : {3, 0, 1, 2}) {
-    const std::array<Real, 2> p = detail::impulses(lcp, pressed);
+    const Row<Real, 2> p = detail::impulses(lcp, pressed);
     const Real P = k.P_0 + p[0] + p[1], coupled = k.b(0) * p[0] + k.b(1) * p[1] + k.u_t;
     const Real p_t = sigma ? -sigma * k.mu * P : -coupled / k.c();
     Real violation = detail::violation_of(lcp, p);

@@ -12,12 +12,13 @@ namespace {
 
 using methods::CornerImpulse;
 using methods::ImpactLaw;
+using methods::Row;
 using methods::SideImpulse;
 
 // Up to two corners, the lower one first.
 struct Corners {
   int count = 0;
-  std::array<int, 2> index{};
+  Row<int, 2> index{};
   void add(int k) { index[count++] = k; }
 };
 
@@ -76,7 +77,7 @@ class Engine {
   }
 
   // The corners that touch the ground, the lowest first, as many as the model has.
-  Corners touching(const std::array<Arm<Real>, 4>& r) const {
+  Corners touching(const Row<Arm<Real>, 4>& r) const {
     Corners found;
     const Real limit = Real(options_.touching);
     for (int k = 0; k < 4; ++k) {
@@ -136,13 +137,12 @@ class Engine {
   // rigid multibody systems", Nonlinear Dynamics 7): compression, then expansion with at least
   // epsilon p_i at each corner. Stronge's law is the same as Poisson's here: while both corners
   // stay pressed and the side goes on sliding or sticking, v_n is linear in P.
-  void collide_side(const Corners& hit, const std::array<Arm<Real>, 4>& r) {
+  void collide_side(const Corners& hit, const Row<Arm<Real>, 4>& r) {
     const Arm<Real>&r_1 = r[hit.index[0]], &r_2 = r[hit.index[1]];
-    std::array<Real, 2> before{methods::normal_velocity(s_, r_1),
-                               methods::normal_velocity(s_, r_2)};
+    Row<Real, 2> before{methods::normal_velocity(s_, r_1), methods::normal_velocity(s_, r_2)};
     const Real approach = std::min(before[0], before[1]);
     const Real epsilon = -approach * body_.epsilon < cut_ ? Real(0) : body_.epsilon;
-    std::array<Real, 2> pressed{};
+    Row<Real, 2> pressed{};
     if (approach < 0) {
       if (options_.law == ImpactLaw::newton) {
         pressed = press(r_1, r_2,
@@ -171,8 +171,7 @@ class Engine {
   }
 
   // Applies the impulses of the side's LCP for these u, and returns the normal ones.
-  std::array<Real, 2> press(const Arm<Real>& r_1, const Arm<Real>& r_2, std::array<Real, 2> u,
-                            Real P_0 = 0) {
+  Row<Real, 2> press(const Arm<Real>& r_1, const Arm<Real>& r_2, Row<Real, 2> u, Real P_0 = 0) {
     const Real u_t = s_.v_x - (r_1.y + r_2.y) / 2 * s_.omega;
     const SideImpulse<Real> p = methods::solve_two_corners(
         methods::two_corners(r_1, r_2, body_.gyration, u, u_t, body_.mu, P_0));
@@ -185,8 +184,7 @@ class Engine {
     methods::push(s_, r_2, p.n[1], p.t / 2, body_.gyration);
   }
 
-  void expand(const Arm<Real>& r_1, const Arm<Real>& r_2, const std::array<Real, 2>& p,
-              Real epsilon) {
+  void expand(const Arm<Real>& r_1, const Arm<Real>& r_2, const Row<Real, 2>& p, Real epsilon) {
     methods::push(s_, r_1, epsilon * p[0], Real(0), body_.gyration);
     methods::push(s_, r_2, epsilon * p[1], Real(0), body_.gyration);
     press(r_1, r_2, {methods::normal_velocity(s_, r_1), methods::normal_velocity(s_, r_2)},

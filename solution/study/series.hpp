@@ -20,7 +20,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -36,7 +35,7 @@ using methods::Motion;
 inline constexpr int kMaxOrder = 28;
 
 template <class Real>
-using Series = std::array<Real, kMaxOrder + 1>;
+using Series = methods::Row<Real, kMaxOrder + 1>;
 
 // Coefficient n of a product.
 template <class Real>
