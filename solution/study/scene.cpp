@@ -232,6 +232,7 @@ Scene read_scene(const std::filesystem::path& file) {
 }
 
 std::vector<Scene> read_scenes(const std::filesystem::path& folder) {
+  if (!std::filesystem::is_directory(folder)) refuse(folder.string(), "is no folder of scenes");
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::directory_iterator(folder))
     if (entry.path().extension() == ".json") files.push_back(entry.path());

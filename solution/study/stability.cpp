@@ -132,7 +132,7 @@ Residuals residuals_at(double theta) {
   std::mt19937_64 random(1);
   const auto uniform = [&] { return 4 * double(random() >> 11) * 0x1p-53 - 2; };
   Residuals worst{};
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < 4000; ++i) {
     const double turned = theta * std::pow(10.0, (uniform() + 2) / 16);
     const auto r = methods::arms(params.l / 2, std::cos(turned), std::sin(turned));
     const Vector3 v(uniform(), uniform() - 2, 10 * uniform());
@@ -233,7 +233,7 @@ Table depth() {
 
 Table almost_flat() {
   Table table(
-      {"theta_rad", "lemke_8x8_residual_m_s", "lemke_8x8_wrong_of_1000", "merged_residual_m_s"});
+      {"theta_rad", "lemke_8x8_residual_m_s", "lemke_8x8_wrong_of_4000", "merged_residual_m_s"});
   for (int i = 1; i <= 64; ++i) {
     const double theta = std::pow(10.0, -i / 4.0);
     const Residuals r = residuals_at(theta);
