@@ -1,0 +1,36 @@
+// Lemke's method for any LCP of a moderate size, as one would write it from a textbook: the dense
+// tableau, the covering vector of ones, and pivots no smaller than a tolerance. It is here to be
+// compared, and to show where it fails; student/given/solve_lcp.cpp derives the method and scales
+// the problem first, which this one does not.
+#pragma once
+
+#include <Eigen/Dense>
+#include <bounce/types.hpp>
+
+namespace bounce::methods {
+
+enum class LemkeEnd { solved, ray, too_many_pivots };
+
+struct LemkeResult {
+  Eigen::VectorXd z;
+  LemkeEnd end;
+  int pivots;
+};
+
+// 0 <= V z + p perpendicular to z >= 0. Numbers below `pivot` count as 0, absolutely.
+LemkeResult lemke(const Eigen::MatrixXd& V, const Eigen::VectorXd& p, double pivot = 1e-12);
+
+// max_i |min(z_i, w_i)| with w = V z + p, and the largest of the negative w_i, in p's unit: what is
+// left of the problem, whatever a solver says. NaN counts as infinite.
+double lcp_residual(const Eigen::MatrixXd& V, const Eigen::VectorXd& p, const Eigen::VectorXd& z);
+
+// The LCP of eqs. (9) and (10) for two corners, literally: z = (f_n, f_t1, f_t2, lambda) of the
+// first corner, then of the second, 8x8, in forces.
+struct Lcp8 {
+  Eigen::MatrixXd V;
+  Eigen::VectorXd p;
+};
+Lcp8 form_lcp8(const Jacobian& J_1, const Jacobian& J_2, const Vector3& v,
+               const Parameters& params);
+
+}  // namespace bounce::methods

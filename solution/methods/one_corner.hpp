@@ -1,0 +1,90 @@
+// One corner with friction: the LCP of eq. (8) in closed form, by contact case.
+//
+// In impulses per unit of mass, p_n = dt f_n / m and p_t = dt (f_t2 - f_t1) / m, eq. (8) says: find
+// p_n >= 0 and |p_t| <= mu p_n with
+//
+//     w   = a p_n + b p_t + u_n >= 0,   w p_n = 0,
+//     v_t = b p_n + c p_t + u_t,        p_t = -mu p_n sign(v_t) where v_t is not 0,
+//
+// where u_n = J_n^T ((1 + epsilon) v + dt g) and u_t = J_t^T (v + dt g) are p of eq. (10).
+//
+//   Case 1, separates:    u_n >= 0:  p = 0.
+//   Case 2, sticks:       w = v_t = 0:  p_n = N / D,  p_t = T / D  with  D = ac - b^2 > 0,
+//                         N = b u_t - c u_n,  T = b u_n - a u_t.  It needs |T| <= mu N.
+//   Case 3, slides right: p_t = -mu p_n:  p_n = -u_n / (a - mu b).  Then v_t = -(T + mu N) / (a -
+//                         mu b), so that v_t > 0 is T < -mu N: what case 2 left open on that side.
+//   Case 4, slides left:  p_t = mu p_n:   p_n = -u_n / (a + mu b), for T > mu N.
+//
+// For a > mu |b| exactly one case holds (Lotstedt 1981, "Coulomb friction in two-dimensional rigid
+// body systems", ZAMM 61). Cases 3 and 4 exclude each other, since together they need N < 0 and
+// b^2 > ac. Otherwise there may be two more solutions: Painleve's paradox in velocities. At least
+// one there always is (Stewart & Trinkle 1996, theorem 3.1).
+//
+// One division does for all cases, and the tests are free of division, so that this form is also
+// the fast one; max(0, NaN) is avoided: a NaN comes out as NaN.
+#pragma once
+
+#include <cmath>
+
+#include "square.hpp"
+
+namespace bounce::methods {
+
+template <class Real>
+struct OneCorner {
+  Real a, b, c;   // no unit
+  Real u_n, u_t;  // m/s
+  Real mu;
+};
+
+enum class Case { separates, sticks, slides_right, slides_left };
+
+template <class Real>
+struct CornerImpulse {
+  Real n, t;  // p_n and p_t, m/s
+  Case happens;
+};
+
+template <class Real>
+OneCorner<Real> one_corner(const Arm<Real>& r, Real gyration, Real u_n, Real u_t, Real mu) {
+  return {1 + r.x * r.x / gyration, -r.x * r.y / gyration, 1 + r.y * r.y / gyration, u_n, u_t, mu};
+}
+
+template <class Real>
+CornerImpulse<Real> solve_one_corner(const OneCorner<Real>& k) {
+  if (k.u_n >= 0) return {0, 0, Case::separates};
+  const Real N = k.b * k.u_t - k.c * k.u_n, T = k.b * k.u_n - k.a * k.u_t;
+  if (std::abs(T) <= k.mu * N) {
+    const Real D = k.a * k.c - k.b * k.b;
+    return {N / D, T / D, Case::sticks};
+  }
+  const Real sigma = T < 0 ? 1 : -1;  // the direction in which the corner slides
+  const Real n = -k.u_n / (k.a - sigma * k.mu * k.b);
+  return {n, -sigma * k.mu * n, sigma > 0 ? Case::slides_right : Case::slides_left};
+}
+
+// Every solution there is, and how many. For a > mu |b| it is one.
+template <class Real>
+struct CornerSolutions {
+  Row<CornerImpulse<Real>, 4> all;
+  int count = 0;
+};
+
+template <class Real>
+CornerSolutions<Real> all_solutions(const OneCorner<Real>& k) {
+  CornerSolutions<Real> found;
+  if (k.u_n >= 0) found.all[found.count++] = {0, 0, Case::separates};
+  const Real D = k.a * k.c - k.b * k.b;
+  const Real N = k.b * k.u_t - k.c * k.u_n, T = k.b * k.u_n - k.a * k.u_t;
+  if (N > 0 && std::abs(T) <= k.mu * N) found.all[found.count++] = {N / D, T / D, Case::sticks};
+  for (const Real sigma : {Real(1), Real(-1)}) {
+    const Real n = -k.u_n / (k.a - sigma * k.mu * k.b);
+    const Real v_t = k.u_t + (k.b - sigma * k.mu * k.c) * n;
+    if (n > 0 && sigma * v_t > 0)
+      found.all[found.count++] = {n, -sigma * k.mu * n,
+                                  sigma > 0 ? Case::slides_right : Case::slides_left};
+  }
+  return found;
+}
+
+}  // namespace bounce::methods

@@ -1,0 +1,119 @@
+// The square and its corners, for every method of the study. Real is double, or long double where
+// the truth is checked in a second precision.
+//
+// With r = corner - centre, in the world frame, the velocity of a corner is (eq. 6)
+//
+//     v_t = J_t^T v = v_x - r_y omega,       v_n = J_n^T v = v_y + r_x omega,
+//
+// and an impulse m (p_t, p_n) at that corner changes the body's velocity by
+//
+//     M^-1 (J_t p_t + J_n p_n) m = (p_t, p_n, (r_x p_n - r_y p_t) / r_g^2).
+//
+// Impulses are per unit of mass here, in m/s, so that the mass falls out of every contact problem,
+// and no method has to mix numbers of the size of m with numbers of the size of 1/m:
+//
+//     a = m J_n^T M^-1 J_n = 1 + r_x^2 / r_g^2,    b = m J_n^T M^-1 J_t = -r_x r_y / r_g^2,
+//     c = m J_t^T M^-1 J_t = 1 + r_y^2 / r_g^2.
+#pragma once
+
+#include <bounce/types.hpp>
+#include <cmath>
+
+namespace bounce::methods {
+
+// A few things in a row, counted by int.
+template <class T, int n>
+struct Row {
+  T items[n];
+  constexpr T& operator[](int i) { return items[i]; }
+  constexpr const T& operator[](int i) const { return items[i]; }
+  constexpr const T* begin() const { return items; }
+  constexpr const T* end() const { return items + n; }
+};
+
+template <class Real>
+struct Body {
+  Real half;      // l / 2, m
+  Real rho;       // from the centre to a corner, l / sqrt 2, m
+  Real gyration;  // r_g^2 = l^2 / 6, m^2
+  Real mu;        // friction
+  Real epsilon;   // restitution
+  Real g_x, g_y;  // gravity, m/s^2
+
+  explicit Body(const Parameters& params)
+      : half(Real(params.l) / 2),
+        rho(half * std::sqrt(Real(2))),
+        gyration(Real(params.l) * Real(params.l) / 6),
+        mu(Real(params.mu)),
+        epsilon(Real(params.epsilon)),
+        g_x(Real(params.g.x())),
+        g_y(Real(params.g.y())) {}
+};
+
+template <class Real>
+struct Motion {
+  Real x, y, theta;      // m, m, rad
+  Real v_x, v_y, omega;  // m/s, m/s, rad/s
+};
+
+template <class Real>
+struct Arm {
+  Real x, y;  // r, m
+};
+
+template <class Real>
+Motion<Real> motion_of(const State& state) {
+  return {Real(state.q(0)), Real(state.q(1)), Real(state.q(2)),
+          Real(state.v(0)), Real(state.v(1)), Real(state.v(2))};
+}
+
+template <class Real>
+State state_of(const Motion<Real>& s) {
+  return {{double(s.x), double(s.y), double(s.theta)},
+          {double(s.v_x), double(s.v_y), double(s.omega)}};
+}
+
+// The four arms, counted as in eq. (3): each is the one before, turned by a right angle.
+template <class Real>
+Row<Arm<Real>, 4> arms(Real half, Real cosine, Real sine) {
+  const Real p = half * (cosine + sine), q = half * (cosine - sine);
+  return {{{q, p}, {-p, q}, {-q, -p}, {p, -q}}};
+}
+
+template <class Real>
+Row<Arm<Real>, 4> arms(const Body<Real>& body, Real theta) {
+  return arms(body.half, std::cos(theta), std::sin(theta));
+}
+
+template <class Real>
+Real normal_velocity(const Motion<Real>& s, const Arm<Real>& r) {
+  return s.v_y + r.x * s.omega;
+}
+
+template <class Real>
+Real sliding_velocity(const Motion<Real>& s, const Arm<Real>& r) {
+  return s.v_x - r.y * s.omega;
+}
+
+// Adds an impulse m (p_t, p_n) at a corner.
+template <class Real>
+void push(Motion<Real>& s, const Arm<Real>& r, Real p_n, Real p_t, Real gyration) {
+  s.v_x += p_t;
+  s.v_y += p_n;
+  s.omega += (r.x * p_n - r.y * p_t) / gyration;
+}
+
+// Energy per unit of mass, J/kg.
+template <class Real>
+Real energy(const Motion<Real>& s, const Body<Real>& body) {
+  return (s.v_x * s.v_x + s.v_y * s.v_y + body.gyration * s.omega * s.omega) / 2 - body.g_x * s.x -
+         body.g_y * s.y;
+}
+
+// The height of the lowest corner, m: phi of eq. (4).
+template <class Real>
+Real lowest_gap(const Motion<Real>& s, const Body<Real>& body) {
+  return s.y - body.half * (std::abs(std::cos(s.theta)) + std::abs(std::sin(s.theta)));
+}
+
+}  // namespace bounce::methods

@@ -1,0 +1,150 @@
+// Two corners with friction, their friction rows merged: the LCP in closed form.
+//
+// Two corners touch at once only where a side lies on the ground, or nearly so. Then r_y is one
+// number for both, J_t is one column, and only the sum of the two friction impulses has a meaning:
+// two sets of friction rows, as in the 8x8, make the matrix singular at theta = 0 and nearly so at
+// theta = 1e-12. Merged, with P = p_1 + p_2 and P_0 >= 0 what has been pressed already:
+//
+//     w_i = sum_j A_ij p_j + b_i p_t + u_i >= 0,   p_i >= 0,   w_i p_i = 0,     i = 1, 2
+//     v_t = b_1 p_1 + b_2 p_2 + c p_t + u_t,       |p_t| <= mu (P_0 + P),
+//     p_t = -sigma mu (P_0 + P) where sigma = sign(v_t) is not 0,
+//
+//     A_ij = 1 + r_ix r_jx / r_g^2,   b_i = -r_ix r_y / r_g^2,   c = 1 + r_y^2 / r_g^2.
+//
+// Each friction case leaves an LCP of 2x2 for p_1 and p_2:
+//
+//   sticks:  p_t = -(b_1 p_1 + b_2 p_2 + u_t) / c:   B_ij = A_ij - b_i b_j / c,
+//                                                    u'_i = u_i - b_i u_t / c
+//   slides:  p_t = -sigma mu (P_0 + P):              B_ij = A_ij - sigma mu b_i,
+//                                                    u'_i = u_i - sigma mu b_i P_0
+//
+// and that has four cases: none, 1, 2, or both corners pressed. Twelve cases in all; the first
+// without a violated inequality is the solution, and where rounding leaves none, the one violated
+// least is. Impulses per unit of mass and velocities have one unit, so that "least" has a meaning.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "square.hpp"
+
+namespace bounce::methods {
+
+template <class Real>
+struct TwoCorners {
+  Row<Real, 2> r_x;    // m
+  Real r_y, gyration;  // m, m^2
+  Row<Real, 2> u;      // u_1, u_2, m/s
+  Real u_t, mu, P_0;   // m/s, none, m/s
+
+  Real A(int i, int j) const { return 1 + r_x[i] * r_x[j] / gyration; }
+  Real b(int i) const { return -r_x[i] * r_y / gyration; }
+  Real c() const { return 1 + r_y * r_y / gyration; }
+};
+
+template <class Real>
+struct SideImpulse {
+  Row<Real, 2> n;  // p_1, p_2, m/s
+  Real t;          // p_t of both together, m/s
+  Real violation;  // of the worst inequality, m/s; 0 but for rounding
+};
+
+// The side's problem from its two arms; r_y is their mean.
+template <class Real>
+TwoCorners<Real> two_corners(const Arm<Real>& r_1, const Arm<Real>& r_2, Real gyration,
+                             Row<Real, 2> u, Real u_t, Real mu, Real P_0 = 0) {
+  return {{r_1.x, r_2.x}, (r_1.y + r_2.y) / 2, gyration, u, u_t, mu, P_0};
+}
+
+namespace detail {
+
+template <class Real>
+struct TwoByTwo {
+  Real B[2][2], u[2];
+};
+
+// How much x lacks to x >= 0; infinite for NaN, which std::max would hide.
+template <class Real>
+Real lack(Real x) {
+  if (x >= 0) return 0;
+  return x < 0 ? -x : std::numeric_limits<Real>::infinity();
+}
+
+template <class Real>
+Real violation_of(const TwoByTwo<Real>& lcp, const Row<Real, 2>& p) {
+  Real worst = 0;
+  for (int i = 0; i < 2; ++i) {
+    const Real w = lcp.B[i][0] * p[0] + lcp.B[i][1] * p[1] + lcp.u[i];
+    worst = std::max({worst, lack(p[i]), p[i] == 0 ? lack(w) : Real(0)});
+  }
+  return worst;
+}
+
+// p_1 and p_2 with the corners of `pressed` (bit i for corner i) pressed.
+template <class Real>
+Row<Real, 2> impulses(const TwoByTwo<Real>& lcp, int pressed) {
+  const auto& [B, u] = lcp;
+  if (pressed == 0) return {0, 0};
+  if (pressed == 1) return {-u[0] / B[0][0], 0};
+  if (pressed == 2) return {0, -u[1] / B[1][1]};
+  const Real D = B[0][0] * B[1][1] - B[0][1] * B[1][0];
+  return {(B[0][1] * u[1] - B[1][1] * u[0]) / D, (B[1][0] * u[0] - B[0][0] * u[1]) / D};
+}
+
+template <class Real>
+TwoByTwo<Real> sticking(const TwoCorners<Real>& k) {
+  const Real c = k.c();
+  TwoByTwo<Real> lcp;
+  for (int i = 0; i < 2; ++i) {
+    for (int j = 0; j < 2; ++j) lcp.B[i][j] = k.A(i, j) - k.b(i) * k.b(j) / c;
+    lcp.u[i] = k.u[i] - k.b(i) * k.u_t / c;
+  }
+  return lcp;
+}
+
+template <class Real>
+TwoByTwo<Real> sliding(const TwoCorners<Real>& k, int sigma) {
+  TwoByTwo<Real> lcp;
+  for (int i = 0; i < 2; ++i) {
+    const Real coupling = sigma * k.mu * k.b(i);
+    for (int j = 0; j < 2; ++j) lcp.B[i][j] = k.A(i, j) - coupling;
+    lcp.u[i] = k.u[i] - coupling * k.P_0;
+  }
+  return lcp;
+}
+
+}  // namespace detail
+
+// The impulses with friction in a given direction: sigma 0 sticks, 1 slides right, -1 left. The
+// violation counts the normal rows, and with `checked` the friction's.
+template <class Real>
+SideImpulse<Real> solve_side(const TwoCorners<Real>& k, int sigma, bool checked) {
+  const detail::TwoByTwo<Real> lcp = sigma ? detail::sliding(k, sigma) : detail::sticking(k);
+  SideImpulse<Real> best{{0, 0}, 0, std::numeric_limits<Real>::infinity()};
+  for (const int pressed : {3, 0, 1, 2}) {
+    const Row<Real, 2> p = detail::impulses(lcp, pressed);
+    const Real P = k.P_0 + p[0] + p[1], coupled = k.b(0) * p[0] + k.b(1) * p[1] + k.u_t;
+    const Real p_t = sigma ? -sigma * k.mu * P : -coupled / k.c();
+    Real violation = detail::violation_of(lcp, p);
+    if (checked)
+      violation = std::max(violation, detail::lack(sigma ? sigma * (coupled + k.c() * p_t)
+                                                         : k.mu * P - std::abs(p_t)));
+    if (violation < best.violation) best = {p, p_t, violation};
+    if (violation <= 0) break;
+  }
+  return best;
+}
+
+template <class Real>
+SideImpulse<Real> solve_two_corners(const TwoCorners<Real>& k) {
+  SideImpulse<Real> best{{0, 0}, 0, std::numeric_limits<Real>::infinity()};
+  for (const int sigma : {0, 1, -1}) {
+    const SideImpulse<Real> found = solve_side(k, sigma, true);
+    if (found.violation < best.violation) best = found;
+    if (found.violation <= 0) break;
+  }
+  return best;
+}
+
+}  // namespace bounce::methods

@@ -1,0 +1,142 @@
+#include "catalog.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <limits>
+#include <stdexcept>
+
+#include "../methods/assignment_fast.hpp"
+#include "../methods/moreau_jean.hpp"
+#include "../methods/penalty.hpp"
+#include "../methods/scheme.hpp"
+#include "event_driven.hpp"
+
+namespace bounce::study {
+namespace {
+
+// The assignment's delta for its dt: 0.001 m for 0.01 s.
+constexpr double kDeltaSpeed = 0.1;  // m/s
+
+long steps_between_samples(const Scene& scene, double dt) {
+  return std::max(1L, std::lround(scene.until / kSamples / dt));
+}
+
+template <class Scheme>
+Samples run_scheme(const Scene& scene, double dt, double delta_speed = 0) {
+  Parameters params = scene.params;
+  params.dt = fitting_step(scene, dt);
+  if (delta_speed > 0) params = methods::with_delta_per_dt(params, delta_speed);
+  return methods::sample(Scheme(params, methods::motion_of<double>(scene.start)), kSamples,
+                         steps_between_samples(scene, dt));
+}
+
+// Bounces may end the sooner, the less exact the rest is.
+EventOptions options_for(double tolerance) {
+  EventOptions options;
+  options.tolerance = tolerance;
+  options.cut = std::max(options.cut, std::sqrt(tolerance));
+  return options;
+}
+
+Samples run_events(const Scene& scene, const EventOptions& options) {
+  return simulate_events<double>(scene.params, methods::motion_of<double>(scene.start),
+                                 sample_times(scene), options);
+}
+
+std::vector<double> steps() { return {1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 3e-5, 1e-5}; }
+
+}  // namespace
+
+std::vector<double> sample_times(const Scene& scene) {
+  std::vector<double> times;
+  for (int i = 1; i <= kSamples; ++i) times.push_back(scene.until * i / kSamples);
+  return times;
+}
+
+double fitting_step(const Scene& scene, double dt) {
+  return scene.until / kSamples / double(steps_between_samples(scene, dt));
+}
+
+Samples truth_of(const Scene& scene) {
+  Samples samples = run_events(scene, {});
+  if (samples.size() != kSamples)
+    throw std::runtime_error(scene.name + ": the truth reached its cap on events");
+  return samples;
+}
+
+double error_of(const Scene& scene, const Samples& samples, const Samples& truth) {
+  if (samples.size() != truth.size()) return std::numeric_limits<double>::infinity();
+  double worst = 0;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const double error = distance(scene, samples[i], truth[i]);
+    if (!(error <= worst))
+      worst = std::isnan(error) ? std::numeric_limits<double>::infinity() : error;
+  }
+  return worst;
+}
+
+double cpu_ns() {
+  timespec time{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return double(time.tv_sec) * 1e9 + double(time.tv_nsec);
+}
+
+std::vector<Method> all_methods() {
+  using methods::Motion;
+  const std::pair<std::string, std::string> fixed_delta{"assignment_delta_dt",
+                                                        "delta stays while dt shrinks"},
+      one_corner{"moreau_jean_2", "one corner takes what two should share"},
+      damper{"event_driven",
+             "the damper is tuned to a point mass, and a corner or a face bounces "
+             "otherwise"},
+      coarse{"event_driven", "impacts are noticed up to a step too late"};
+  return {
+      {"assignment",
+       "the assignment's scheme, plain",
+       true,
+       steps(),
+       [](const Scene& s, double dt) { return run_scheme<methods::Assignment>(s, dt); },
+       {fixed_delta, one_corner}},
+      {"assignment_fast",
+       "the assignment's scheme, cos and sin carried",
+       true,
+       steps(),
+       [](const Scene& s, double dt) { return run_scheme<methods::AssignmentFast>(s, dt); },
+       {fixed_delta, one_corner}},
+      {"assignment_delta_dt",
+       "the same with delta in proportion to dt",
+       true,
+       steps(),
+       [](const Scene& s, double dt) {
+         return run_scheme<methods::AssignmentFast>(s, dt, kDeltaSpeed);
+       },
+       {one_corner}},
+      {"moreau_jean_1",
+       "Moreau-Jean, one corner",
+       true,
+       steps(),
+       [](const Scene& s, double dt) { return run_scheme<methods::MoreauJean<1>>(s, dt); },
+       {one_corner}},
+      {"moreau_jean_2",
+       "Moreau-Jean, two corners",
+       true,
+       steps(),
+       [](const Scene& s, double dt) { return run_scheme<methods::MoreauJean<2>>(s, dt); },
+       {coarse}},
+      {"penalty",
+       "springs and dampers",
+       true,
+       steps(),
+       [](const Scene& s, double dt) { return run_scheme<methods::Penalty>(s, dt); },
+       {damper}},
+      {"event_driven",
+       "event-driven",
+       false,
+       {1e-3, 1e-4, 1e-5, 1e-6, 1e-8, 1e-10, 1e-12},
+       [](const Scene& s, double tolerance) { return run_events(s, options_for(tolerance)); },
+       {}},
+  };
+}
+
+}  // namespace bounce::study

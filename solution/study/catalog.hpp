@@ -1,0 +1,41 @@
+// The methods that the study compares, each as one function of a scene and a setting.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "scene.hpp"
+
+namespace bounce::study {
+
+// The square at kSamples even times up to scene.until.
+inline constexpr int kSamples = 20;
+using Samples = std::vector<methods::Motion<double>>;
+
+struct Method {
+  std::string name, title;
+  bool has_step;  // the setting is a time step, s; otherwise it is a tolerance
+  std::vector<double> settings;
+  std::function<Samples(const Scene&, double setting)> run;
+  // Why its error may stop falling: a method without that limit, and the limit in words.
+  std::vector<std::pair<std::string, std::string>> limits;
+};
+
+std::vector<Method> all_methods();
+
+std::vector<double> sample_times(const Scene& scene);
+
+// The truth; throws std::runtime_error where the cap on events was reached.
+Samples truth_of(const Scene& scene);
+
+// The largest distance over the samples, m; infinite where some are missing or not finite.
+double error_of(const Scene& scene, const Samples& samples, const Samples& truth);
+
+// The step nearest to dt of which a whole number makes up the time between two samples.
+double fitting_step(const Scene& scene, double dt);
+
+// CPU time of this process, ns.
+double cpu_ns();
+
+}  // namespace bounce::study

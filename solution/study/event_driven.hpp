@@ -1,0 +1,62 @@
+// The truth: from event to event, each phase between two in closed form or as a power series.
+//
+//   flight      exact parabola; the first contact guaranteed                    first_contact.hpp
+//   impact      of one corner or of two, by the law of impact                   ../methods/
+//   one corner  sticks or slides: power series, their guards polynomials        series.hpp
+//   flat        a side on the ground: rests, or slides with constant deceleration
+//
+// Zeno: bounces that get ever smaller end where a bounce would leave with less than `cut`: the
+// impact is then without restitution, and contact lasts. What is left out lasts 2 cut / (g (1 -
+// epsilon)) and is cut^2 / 2g high: 4e-7 s and 5e-14 m with the usual cut. A bounce much lower than
+// that drowns in the rounding of y. The impulses left out act along the same line, so that v and
+// omega change by the square of cut only.
+//
+// Which mode follows is an LCP in accelerations, the same as that in impulses with a_n and a_t in
+// place of u_n and u_t (Lotstedt 1981; Glocker & Studer 2005, "Formulation and preparation for
+// numerical evaluation of linear complementarity systems in dynamics", Multibody System Dynamics
+// 13). Where it has no solution, a <= mu |b| and the corner slides into the ground, the corner
+// jams: an impact without approach, v_n = 0, which the LCP in impulses has (Moreau 1988,
+// "Unilateral contact and dry friction in finite freedom dynamics", on frictional catastrophes).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "../methods/impact_laws.hpp"
+#include "../methods/square.hpp"
+
+namespace bounce::study {
+
+// What a method may use of the whole model: `corners` may touch at once, with friction or without.
+// The ladder of models is made of these; 0 corners is free flight through the ground.
+struct Model {
+  int corners = 2;
+  bool friction = true;
+};
+
+struct EventOptions {
+  methods::ImpactLaw law = methods::ImpactLaw::newton;
+  Model model;
+  double cut = 1e-6;               // m/s
+  double tolerance = 1e-15;        // of one step of a series, rad and l / sqrt 2
+  double touching = 1e-13;         // m: corners so near the ground touch together
+  long events_a_second = 100'000;  // of simulated time; never less than 1000 in all
+};
+
+struct EventReport {
+  long impacts = 0, series = 0, jams = 0;
+  bool capped = false;  // the cap on events was reached; what follows is not computed
+  // The time in each mode, s.
+  double flight = 0, corner = 0, flat = 0;
+};
+
+// The motion at each of the times, which ascend from >= 0. Shorter than `times` where the cap was
+// reached. Real is double or long double.
+template <class Real>
+std::vector<methods::Motion<Real>> simulate_events(const Parameters& params,
+                                                   const methods::Motion<Real>& start,
+                                                   const std::vector<Real>& times,
+                                                   const EventOptions& options,
+                                                   EventReport* report = nullptr);
+
+}  // namespace bounce::study

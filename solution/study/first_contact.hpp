@@ -1,0 +1,82 @@
+// Free flight, and when it ends: the first contact of any corner, guaranteed.
+//
+// In flight the centre moves on a parabola and theta grows evenly, so that the height of corner k
+//
+//     f_k(t) = y(t) + r_ky(t),   f_k' = v_n of the corner,   f_k'' = g_y - r_ky omega^2 >= -K,
+//     K = max(-g_y, 0) + rho omega^2,
+//
+// is known exactly with its slope and a bound of its curvature: see first_root.hpp. While y > rho,
+// no corner can touch, whatever theta: that part of the flight is left out in closed form.
+#pragma once
+
+#include <limits>
+
+#include "../methods/square.hpp"
+#include "first_root.hpp"
+
+namespace bounce::study {
+
+using methods::Arm;
+using methods::Body;
+using methods::Motion;
+
+template <class Real>
+Motion<Real> fly(const Motion<Real>& s, const Body<Real>& body, Real t) {
+  return {s.x + t * (s.v_x + body.g_x * t / 2),
+          s.y + t * (s.v_y + body.g_y * t / 2),
+          s.theta + s.omega * t,
+          s.v_x + body.g_x * t,
+          s.v_y + body.g_y * t,
+          s.omega};
+}
+
+// How far from 0 a height may be to count as 0, m: some rounding errors of y and r_y.
+template <class Real>
+Real height_rounding(const Body<Real>& body) {
+  return 32 * std::numeric_limits<Real>::epsilon() * body.rho;
+}
+
+// The time until y can reach rho, s: 0 where it is below, infinite where it never does.
+template <class Real>
+Real time_above(const Motion<Real>& s, const Body<Real>& body) {
+  const Real height = s.y - body.rho * (1 + 8 * std::numeric_limits<Real>::epsilon());
+  if (height <= 0) return 0;
+  if (body.g_y < 0) return safe_step(height, s.v_y, -body.g_y);
+  // Gravity that pulls up, or none: the parabola has its least height at v_y + g_y t = 0.
+  const Real square = s.v_y * s.v_y - 2 * body.g_y * height;
+  if (s.v_y >= 0 || square < 0) return std::numeric_limits<Real>::infinity();
+  return 2 * height / (-s.v_y + std::sqrt(square));
+}
+
+// The time of the first contact: a corner at height 0 that comes down. Infinite if there is none
+// before t_end. A corner at 0 that does not come down has just left the ground, perhaps without
+// velocity yet. It is passed by steps that double from 1e-10 s and are at most so long that nothing
+// sinks by 1e-14 m in one.
+template <class Real>
+Real first_contact(const Motion<Real>& start, const Body<Real>& body, Real t_end) {
+  const Real K = std::max(-body.g_y, Real(0)) + body.rho * start.omega * start.omega;
+  const Real resting = Real(1e-12);  // m/s
+  const Real longest = std::sqrt(2 * Real(1e-14) / std::max(K, Real(1e-3)));
+  Real least = Real(1e-10);
+  for (Real t = time_above(start, body); t < t_end;) {
+    const Motion<Real> s = fly(start, body, t);
+    const Real of_time = 4 * std::numeric_limits<Real>::epsilon() * t;  // rounding of t, s
+    Real step = std::numeric_limits<Real>::infinity();
+    for (const Arm<Real>& r : methods::arms(body, s.theta)) {
+      const Real f = s.y + r.y, slope = methods::normal_velocity(s, r);
+      const bool falls = slope < -resting;
+      if (falls && f <= height_rounding(body) - slope * of_time) return t;
+      const Real safe = safe_step(f, slope, K);
+      if (!falls && safe < least) {
+        step = std::min(step, least);
+        least = std::min(2 * least, longest);
+      } else {
+        step = std::min(step, safe);
+      }
+    }
+    t += step;
+  }
+  return std::numeric_limits<Real>::infinity();
+}
+
+}  // namespace bounce::study

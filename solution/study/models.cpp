@@ -1,0 +1,89 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "catalog.hpp"
+#include "event_driven.hpp"
+#include "questions.hpp"
+#include "simulate_scene.hpp"
+
+namespace bounce::study {
+namespace {
+
+constexpr double kFine = 1e-3;  // m
+
+// The scene with no more than this model, its times of impact exact.
+Samples run_model(const Scene& scene, Rung rung) {
+  const auto start = methods::motion_of<double>(scene.start);
+  if (rung == Rung::asleep) return Samples(kSamples, start);
+  EventOptions options;
+  options.model.corners = rung == Rung::ballistic                                  ? 0
+                          : rung == Rung::one_normal || rung == Rung::one_friction ? 1
+                                                                                   : 2;
+  options.model.friction = rung == Rung::one_friction || rung == Rung::two_frictions;
+  return simulate_events<double>(scene.params, start, sample_times(scene), options);
+}
+
+double median_ns(const std::vector<double>& values) {
+  std::vector<double> sorted = values;
+  std::sort(sorted.begin(), sorted.end());
+  return sorted[sorted.size() / 2];
+}
+
+}  // namespace
+
+Table least_model(const Scenes& scenes) {
+  Table table({"scene", "model", "error_m", "ns_per_simulated_second", "least", "expected"});
+  for (const Scene& scene : scenes) {
+    const Samples truth = truth_of(scene);
+    bool found = false;
+    for (int i = 0; i < kRungs; ++i) {
+      const Rung rung = Rung(i);
+      const double error = error_of(scene, run_model(scene, rung), truth);
+      std::vector<double> ns;
+      for (int round = 0; round < 5; ++round) {
+        const double start = cpu_ns();
+        run_model(scene, rung);
+        ns.push_back(cpu_ns() - start);
+      }
+      const bool least = !found && error <= kFine;
+      found = found || least;
+      table.add(scene.name, name_of(rung), error, median_ns(ns) / scene.until, least,
+                rung == scene.least);
+    }
+  }
+  return table;
+}
+
+Table chosen_model(const Scenes& scenes) {
+  Table table({"scene", "dt_s", "model", "steps", "seconds", "distance_to_whole_m", "times_as_fast",
+               "warnings"});
+  for (const Scene& scene : scenes) {
+    for (const double dt : {1e-2, 1e-3, 1e-4}) {
+      Parameters params = scene.params;
+      params.dt = dt;
+      params.T = int(std::lround(scene.until / dt)) + 1;
+      ModelReport report;
+      const Trajectory chosen = simulate_scene(params, scene.start, &report);
+      const Trajectory whole = simulate_whole(params, scene.start);
+      std::vector<double> ratios;
+      for (int round = 0; round < 5; ++round) {
+        const double start = cpu_ns();
+        simulate_scene(params, scene.start);
+        const double middle = cpu_ns();
+        simulate_whole(params, scene.start);
+        ratios.push_back((cpu_ns() - middle) / (middle - start));
+      }
+      std::string warnings;
+      for (const std::string& text : report.warnings)
+        warnings += (warnings.empty() ? "" : "; ") + text;
+      const double apart = (chosen.q - whole.q).cwiseAbs().maxCoeff();
+      for (int i = 0; i < kRungs; ++i)
+        table.add(scene.name, dt, name_of(Rung(i)), report.steps[std::size_t(i)],
+                  report.seconds[std::size_t(i)], apart, median_ns(ratios), warnings);
+    }
+  }
+  return table;
+}
+
+}  // namespace bounce::study

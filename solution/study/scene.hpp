@@ -1,0 +1,55 @@
+// A scene of the study: where the square starts, and what a comparison of methods means there.
+#pragma once
+
+#include <bounce/types.hpp>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "../methods/square.hpp"
+
+namespace bounce::study {
+
+// The ladder: each model is the least for some scene. The numbers are the sizes of the LCPs.
+enum class Rung {
+  asleep,         // nothing at all
+  ballistic,      // free flight, in closed form
+  one_normal,     // the normal impulse of one corner, 1x1
+  one_friction,   // one corner with friction, 4x4
+  two_normals,    // the normal impulses of two corners, 2x2
+  two_frictions,  // two corners with friction, 8x8
+};
+inline constexpr int kRungs = 6;
+const char* name_of(Rung rung);
+
+// How far two motions are apart, m.
+enum class Quantity {
+  pose,    // the size of (dx, dy, l / sqrt 2 dtheta)
+  centre,  // the size of (dx, dy)
+};
+
+struct Scene {
+  std::string name, title;
+  Parameters params;
+  State start;
+  Quantity quantity;
+  double until;  // compare up to this time, s; errors in the start grow too much afterwards
+  Rung least;    // the least model expected to suffice
+  std::string why;
+};
+
+// Reads a scene; throws std::invalid_argument with one sentence that names the file and the field
+// where a field is missing, unknown, of the wrong kind, out of range or not finite, and where T
+// columns would not fit into memory.
+Scene read_scene(const std::filesystem::path& file);
+
+// Every scene of a folder, by name of the file.
+std::vector<Scene> read_scenes(const std::filesystem::path& folder);
+
+// Throws std::invalid_argument, naming the field, where numbers can't be simulated.
+void check(const Parameters& params, const State& start);
+
+double distance(const Scene& scene, const methods::Motion<double>& one,
+                const methods::Motion<double>& other);
+
+}  // namespace bounce::study

@@ -1,0 +1,288 @@
+#include "simulate_scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "../methods/impact_laws.hpp"
+#include "../methods/moreau_jean.hpp"
+#include "first_root.hpp"
+
+namespace bounce::study {
+namespace {
+
+using methods::Arm;
+using methods::Case;
+using methods::LowCorners;
+using methods::Motion;
+using methods::SideImpulse;
+using methods::StepConstants;
+using methods::TwoCorners;
+
+// What friction could still move the square by, where it is left out for being small, m.
+constexpr double kNegligible = 1e-12;
+// A velocity that counts as 0 where the square falls asleep, m/s.
+constexpr double kStill = 1e-13;
+
+void half_step(Motion<double>& s, const StepConstants& k) {
+  s.x += k.dt / 2 * s.v_x;
+  s.y += k.dt / 2 * s.v_y;
+  s.theta += k.dt / 2 * s.omega;
+}
+
+LowCorners corners_at(const Motion<double>& middle, const StepConstants& k) {
+  return methods::low_corners(k.half, std::cos(middle.theta), std::sin(middle.theta), middle.y);
+}
+
+// u_n of a corner: see moreau_jean.hpp.
+double normal_row(const Motion<double>& s, const Arm<double>& r, const StepConstants& k) {
+  const double v_n = methods::normal_velocity(s, r);
+  return v_n + k.epsilon * std::min(v_n, 0.0) + k.dv_y;
+}
+
+TwoCorners<double> side_problem(const Motion<double>& s, const LowCorners& low,
+                                const StepConstants& k) {
+  const double r_y = (low.left.y + low.right.y) / 2;
+  return methods::two_corners<double>(low.left, low.right, k.gyration,
+                                      {normal_row(s, low.left, k), normal_row(s, low.right, k)},
+                                      s.v_x - r_y * s.omega + k.dv_x, k.mu);
+}
+
+void push_side(Motion<double>& s, const LowCorners& low, const SideImpulse<double>& p,
+               const StepConstants& k) {
+  methods::push(s, low.left, p.n[0], p.t / 2, k.gyration);
+  methods::push(s, low.right, p.n[1], p.t / 2, k.gyration);
+}
+
+void put(Trajectory& trajectory, Eigen::Index column, const Motion<double>& s) {
+  trajectory.q.col(column) << s.x, s.y, s.theta;
+  trajectory.v.col(column) << s.v_x, s.v_y, s.omega;
+}
+
+Trajectory empty_trajectory(const Parameters& params, const State& start) {
+  check(params, start);
+  Trajectory trajectory{Eigen::Matrix3Xd(3, params.T), Eigen::Matrix3Xd(3, params.T)};
+  trajectory.q.col(0) = start.q;
+  trajectory.v.col(0) = start.v;
+  return trajectory;
+}
+
+class Ladder {
+ public:
+  Ladder(const Parameters& params, const State& start, ModelReport& report)
+      : k_(params),
+        g_x_(params.g.x()),
+        g_y_(params.g.y()),
+        s_(methods::motion_of<double>(start)),
+        trajectory_(empty_trajectory(params, start)),
+        last_(params.T - 1),
+        report_(report) {}
+
+  Trajectory run() {
+    while (now_ < last_) {
+      if (asleep_) {
+        sleep();
+      } else if (!fall()) {
+        contact_step();
+      }
+    }
+    return std::move(trajectory_);
+  }
+
+ private:
+  void count(Rung rung, long steps) {
+    report_.steps[std::size_t(rung)] += steps;
+    report_.seconds[std::size_t(rung)] += double(steps) * k_.dt;
+  }
+
+  void sleep() {
+    count(Rung::asleep, last_ - now_);
+    while (now_ < last_) put(trajectory_, ++now_, s_);
+  }
+
+  // The number of steps whose middles are surely without contact.
+  long steps_without_contact() const {
+    const double most = double(last_ - now_);
+    Motion<double> middle = s_;
+    half_step(middle, k_);
+    double time = 0;
+    if (middle.y > k_.rho) {
+      time = g_y_ < 0 ? safe_step(middle.y - k_.rho, s_.v_y, -g_y_)
+                      : (s_.v_y >= 0 ? most * k_.dt : (k_.rho - middle.y) / s_.v_y);
+    } else {
+      const double K = std::max(-g_y_, 0.0) + k_.rho * s_.omega * s_.omega;
+      time = most * k_.dt;
+      for (const Arm<double>& r :
+           methods::arms(k_.half, std::cos(middle.theta), std::sin(middle.theta))) {
+        if (!(middle.y + r.y > 0)) return 0;
+        time = std::min(time, safe_step(middle.y + r.y, methods::normal_velocity(s_, r), K));
+      }
+    }
+    // The middle of step n is n dt later, on the parabola with v(n dt) = v + n dt g, and half a
+    // step of that velocity: no further than the parabola that K or g bounds.
+    return 1 + long(std::clamp(std::floor(time / k_.dt * (1 - 1e-12)) - 1, 0.0, most - 1));
+  }
+
+  bool fall() {
+    const long n = steps_without_contact();
+    if (n == 0) return false;
+    const Motion<double> from = s_;
+    for (long i = 1; i <= n; ++i) {
+      const double t = double(i) * k_.dt;
+      s_ = {from.x + t * (from.v_x + g_x_ * t / 2),
+            from.y + t * (from.v_y + g_y_ * t / 2),
+            from.theta + t * from.omega,
+            from.v_x + g_x_ * t,
+            from.v_y + g_y_ * t,
+            from.omega};
+      put(trajectory_, ++now_, s_);
+    }
+    count(Rung::ballistic, n);
+    return true;
+  }
+
+  void contact_step() {
+    const bool rested = speed() <= kStill;
+    half_step(s_, k_);
+    const LowCorners low = corners_at(s_, k_);
+    const bool left = low.gap_left <= 0, right = low.gap_right <= 0;
+    Rung rung = Rung::ballistic;
+    if (left && right) {
+      rung = two(low);
+    } else if (left || right) {
+      rung = one(left ? low.left : low.right);
+    }
+    s_.v_x += k_.dv_x;
+    s_.v_y += k_.dv_y;
+    if (left && right) fall_asleep(rested);
+    half_step(s_, k_);
+    put(trajectory_, ++now_, s_);
+    count(rung, 1);
+  }
+
+  double speed() const {
+    return std::max({std::abs(s_.v_x), std::abs(s_.v_y), k_.rho * std::abs(s_.omega)});
+  }
+
+  // A step from rest to rest is what all later ones are. One that only ends at rest may be where a
+  // square stops before it slides back down.
+  void fall_asleep(bool rested) {
+    if (!rested || speed() > kStill) return;
+    s_.v_x = s_.v_y = s_.omega = 0;
+    asleep_ = true;
+  }
+
+  // Friction of at most mu p_n moves a corner by less than this until the end, m.
+  bool friction_is_negligible(double p_n) const {
+    return k_.mu * p_n * 6 * double(last_ - now_) * k_.dt <= kNegligible;
+  }
+
+  Rung one(const Arm<double>& r) {
+    const auto problem = methods::one_corner(r, k_.gyration, normal_row(s_, r, k_),
+                                             methods::sliding_velocity(s_, r) + k_.dv_x, k_.mu);
+    if (problem.u_n >= 0) return Rung::one_normal;
+    warn(problem);
+    const double p_n = -problem.u_n / problem.a;
+    if (problem.u_t + problem.b * p_n == 0 || friction_is_negligible(p_n)) {
+      methods::push(s_, r, p_n, 0.0, k_.gyration);
+      return Rung::one_normal;
+    }
+    ++report_.raised;
+    const auto p = methods::solve_one_corner(problem);
+    methods::push(s_, r, p.n, p.t, k_.gyration);
+    return Rung::one_friction;
+  }
+
+  Rung two(const LowCorners& low) {
+    TwoCorners<double> problem = side_problem(s_, low, k_);
+    if (slides_on_ && k_.mu < 4.0 / 3) {  // as it did a step ago; below 4/3 no other solution
+      const auto p = methods::solve_side(problem, problem.u_t > 0 ? 1 : -1, true);
+      if (p.violation <= 0) {
+        push_side(s_, low, p, k_);
+        return Rung::two_frictions;
+      }
+    }
+    problem.mu = 0;
+    const SideImpulse<double> normal = methods::solve_side(problem, 1, false);
+    const double slides = problem.u_t + problem.b(0) * normal.n[0] + problem.b(1) * normal.n[1];
+    if (slides == 0 || friction_is_negligible(normal.n[0] + normal.n[1])) {
+      push_side(s_, low, normal, k_);
+      slides_on_ = false;
+      return Rung::two_normals;
+    }
+    ++report_.raised;
+    problem.mu = k_.mu;
+    push_side(s_, low, methods::solve_two_corners(problem), k_);
+    slides_on_ = true;
+    return Rung::two_frictions;
+  }
+
+  void warn(const methods::OneCorner<double>& k) {
+    if (k_.mu == 0) return;
+    if (k.a <= k_.mu * std::abs(k.b))
+      warn_once(several_, "a <= mu |b|: the contact problem may have several solutions");
+    const double v_n = k.u_n - k_.dv_y;
+    if (v_n < 0 && k_.epsilon > std::sqrt(1 - k.b * k.b / (k.a * k.c)))
+      warn_once(gains_,
+                "epsilon > sqrt(1 - b^2 / (a c)): Newton's law may gain energy; Poisson's and "
+                "Stronge's do not");
+  }
+
+  void warn_once(bool& warned, const std::string& text) {
+    if (warned) return;
+    warned = true;
+    report_.warnings.push_back("from t = " + std::to_string(double(now_) * k_.dt) + " s: " + text);
+  }
+
+  StepConstants k_;
+  double g_x_, g_y_;
+  Motion<double> s_;
+  Trajectory trajectory_;
+  long now_ = 0, last_;
+  ModelReport& report_;
+  bool asleep_ = false, slides_on_ = false, several_ = false, gains_ = false;
+};
+
+// One step of the whole model: the LCP of two corners with friction, whatever touches. A corner
+// that doesn't touch has a u so large that no impulse is needed there.
+void whole_step(Motion<double>& s, const StepConstants& k) {
+  constexpr double kFar = 1e9;  // m/s
+  half_step(s, k);
+  const LowCorners low = corners_at(s, k);
+  TwoCorners<double> problem = side_problem(s, low, k);
+  const bool left = low.gap_left <= 0, right = low.gap_right <= 0;
+  if (!left) problem.u[0] = kFar;
+  if (!right) problem.u[1] = kFar;
+  if (left != right) {
+    problem.r_y = left ? low.left.y : low.right.y;
+    problem.u_t = s.v_x - problem.r_y * s.omega + k.dv_x;
+  }
+  const SideImpulse<double> p = methods::solve_two_corners(problem);
+  if (left && right) {
+    push_side(s, low, p, k);
+  } else if (left || right) {
+    methods::push(s, left ? low.left : low.right, p.n[left ? 0 : 1], p.t, k.gyration);
+  }
+  s.v_x += k.dv_x;
+  s.v_y += k.dv_y;
+  half_step(s, k);
+}
+
+}  // namespace
+
+Trajectory simulate_scene(const Parameters& params, const State& start, ModelReport* report) {
+  ModelReport unread;
+  return Ladder(params, start, report ? *report : unread).run();
+}
+
+Trajectory simulate_whole(const Parameters& params, const State& start) {
+  Trajectory trajectory = empty_trajectory(params, start);
+  const StepConstants k(params);
+  Motion<double> s = methods::motion_of<double>(start);
+  for (int t = 1; t < params.T; ++t) {
+    whole_step(s, k);
+    put(trajectory, t, s);
+  }
+  return trajectory;
+}
+
+}  // namespace bounce::study

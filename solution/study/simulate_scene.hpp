@@ -1,0 +1,43 @@
+// A simulator that uses no more model than each step needs, and says which.
+//
+// The scheme is Moreau-Jean's (../methods/moreau_jean.hpp). For each step it goes up a ladder of
+// models until one is proved to give what the whole model would:
+//
+//   asleep          Both low corners touch, and the step before began and ended with v = 0. Gravity
+//                   doesn't change, so neither will anything else: all other columns are copies.
+//   ballistic       No corner can touch at the middle of the next n steps: while y > rho, and else
+//                   for the time that no height can fall to 0 in (safe_step of first_root.hpp). n
+//                   steps in closed form.
+//   one_normal      One corner touches, and the height of the second is positive. Friction is left
+//                   out where mu is 0, where the corner doesn't slide after the normal impulse (p_t
+//                   = 0 solves the LCP then), or where mu p_n is too small to matter until the end.
+//   one_friction    One corner, with friction.
+//   two_normals     Two corners, friction left out for the same reasons.
+//   two_frictions   Two corners with friction: the whole model.
+//
+// Where a bound is not met the step is done again, one rung or more up.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "scene.hpp"
+
+namespace bounce::study {
+
+struct ModelReport {
+  std::array<long, kRungs> steps{};  // by rung
+  std::array<double, kRungs> seconds{};
+  long raised = 0;                    // steps done again with a larger model
+  std::vector<std::string> warnings;  // each once, with the time when it was first true
+};
+
+// params.T columns. Throws std::invalid_argument where check() does.
+Trajectory simulate_scene(const Parameters& params, const State& start,
+                          ModelReport* report = nullptr);
+
+// The same with the whole model in every step.
+Trajectory simulate_whole(const Parameters& params, const State& start);
+
+}  // namespace bounce::study

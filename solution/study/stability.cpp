@@ -1,0 +1,279 @@
+#include <algorithm>
+#include <bounce/part1_contacts.hpp>
+#include <bounce/part2_lcp.hpp>
+#include <bounce/solve_lcp.hpp>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <stdexcept>
+
+#include "../methods/assignment_fast.hpp"
+#include "../methods/gauss_seidel.hpp"
+#include "../methods/impact_laws.hpp"
+#include "../methods/lemke.hpp"
+#include "../methods/moreau_jean.hpp"
+#include "catalog.hpp"
+#include "questions.hpp"
+
+namespace bounce::study {
+namespace {
+
+using methods::Arm;
+using methods::Collision;
+using methods::ImpactLaw;
+using methods::Motion;
+
+// The arm of a rectangle of rho 1 that leans alpha from the vertical; r_g^2 = rho^2 / 3 always.
+constexpr double kGyration = 1.0 / 3;
+
+Arm<double> leaning_arm(double alpha) { return {std::sin(alpha), -std::cos(alpha)}; }
+
+// A corner's share of the energy, x^T G^-1 x / 2 with x = (v_n, v_t).
+double energy_of(const Collision<double>& k) {
+  return (k.c * k.v_n * k.v_n - 2 * k.b * k.v_n * k.v_t + k.a * k.v_t * k.v_t) /
+         (2 * (k.a * k.c - k.b * k.b));
+}
+
+// The largest relative gain over the angles of a square and the directions of its velocity.
+double largest_gain(ImpactLaw law, double mu, double epsilon) {
+  double largest = -1;
+  for (int i = 0; i <= 45; ++i) {
+    const auto k =
+        methods::one_corner<double>(leaning_arm(i * std::numbers::pi / 180), kGyration, 0, 0, mu);
+    for (int j = -300; j <= 300; ++j) {
+      const Collision<double> hit{k.a, k.b, k.c, -1, j / 100.0, mu, epsilon};
+      largest = std::max(largest,
+                         methods::energy_gained(hit, methods::impact(hit, law)) / energy_of(hit));
+    }
+  }
+  return largest;
+}
+
+// The least epsilon that can gain, over the same angles; 1 where none can.
+double least_limit(double mu) {
+  double least = 1;
+  for (int i = 0; i <= 45; ++i) {
+    const auto k =
+        methods::one_corner<double>(leaning_arm(i * std::numbers::pi / 180), kGyration, 0, 0, mu);
+    if (k.a > mu * std::abs(k.b)) least = std::min(least, methods::gain_limit(k.a, k.b, k.c, mu));
+  }
+  return least;
+}
+
+int most_solutions(double alpha, double mu) {
+  int most = 0;
+  for (const double u_n : {-1.0, 1.0}) {
+    for (int i = -120; i <= 120; ++i) {  // u_t from -1000 to 1000
+      const double u_t = i == 0 ? 0 : std::copysign(std::pow(10.0, std::abs(i) / 20.0 - 3), i);
+      const auto k = methods::one_corner(leaning_arm(alpha), kGyration, u_n, u_t, mu);
+      most = std::max(most, methods::all_solutions(k).count);
+    }
+  }
+  return most;
+}
+
+// A square of mass 1 on the ground, one of mass R on it: normal rows of both contacts, friction 0.
+methods::GaussSeidel stack(double R, double tolerance) {
+  Eigen::Matrix4d G = Eigen::Matrix4d::Identity();
+  G(0, 2) = G(2, 0) = -1;
+  G(2, 2) = 1 + 1 / R;
+  const Eigen::Vector4d u(-0.0981, 0, 0, 0);
+  return methods::gauss_seidel(G, u, 0, tolerance, 100'000'000);
+}
+
+// The share of one-corner contacts with random arms and velocities that don't converge.
+double share_without_end(double mu) {
+  std::mt19937_64 random(1);
+  const auto uniform = [&](double low, double high) {
+    return low + (high - low) * double(random() >> 11) * 0x1p-53;
+  };
+  int endless = 0;
+  constexpr int kContacts = 2000;
+  for (int i = 0; i < kContacts; ++i) {
+    const auto k = methods::one_corner<double>(leaning_arm(uniform(-0.78, 0.78)), kGyration,
+                                               -uniform(0.1, 1), uniform(-3, 3), mu);
+    Eigen::Matrix2d G;
+    G << k.a, k.b, k.b, k.c;
+    endless += !methods::gauss_seidel(G, Eigen::Vector2d(k.u_n, k.u_t), mu, 1e-9, 10'000).converged;
+  }
+  return double(endless) / kContacts;
+}
+
+// How deep the lowest corner gets in the first steps, from so high that it just misses a contact.
+template <class Scheme>
+double deepest(double speed, double dt) {
+  Parameters params;
+  params.dt = dt;
+  const methods::Body<double> body(params);
+  const Motion<double> start{0, body.rho + params.delta + 1e-9, std::numbers::pi / 4, 0, -speed, 0};
+  Scheme scheme(params, start);
+  double depth = 0;
+  for (int i = 0; i < 3; ++i) {
+    scheme.steps(1);
+    depth = std::max(depth, -methods::lowest_gap(scheme.motion(), body));
+  }
+  return depth;
+}
+
+struct Residuals {
+  double lemke, merged;  // m/s
+  int wrong;             // how often Lemke says "solved" with more than 1e-6
+};
+
+// The worst over random velocities of a square turned by theta to 1.8 theta, both low corners in
+// contact.
+Residuals residuals_at(double theta) {
+  const Parameters params;
+  const auto jacobian = [](const Arm<double>& arm) {
+    Jacobian J;
+    J << Vector3(1, 0, -arm.y), Vector3(0, 1, arm.x);
+    return J;
+  };
+  std::mt19937_64 random(1);
+  const auto uniform = [&] { return 4 * double(random() >> 11) * 0x1p-53 - 2; };
+  Residuals worst{};
+  for (int i = 0; i < 4000; ++i) {
+    const double turned = theta * std::pow(10.0, (uniform() + 2) / 16);
+    const auto r = methods::arms(params.l / 2, std::cos(turned), std::sin(turned));
+    const Vector3 v(uniform(), uniform() - 2, 10 * uniform());
+    const methods::Lcp8 lcp = methods::form_lcp8(jacobian(r[2]), jacobian(r[3]), v, params);
+    const methods::LemkeResult z = methods::lemke(lcp.V, lcp.p);
+    const double left = methods::lcp_residual(lcp.V, lcp.p, z.z);
+    if (z.end == methods::LemkeEnd::solved) worst.lemke = std::max(worst.lemke, left);
+    worst.wrong += z.end == methods::LemkeEnd::solved && !(left <= 1e-6);
+    const auto side = methods::two_corners<double>(r[2], r[3], params.l * params.l / 6,
+                                                   {lcp.p(0), lcp.p(4)}, lcp.p(2), params.mu);
+    worst.merged = std::max(worst.merged, methods::solve_two_corners(side).violation);
+  }
+  return worst;
+}
+
+struct Scaled {
+  double plain, given, closed;  // how far the impulses are from those for m = 1, dt = 0.01
+};
+
+// The contact of the handout's example with another mass and step; gravity is taken out, so that
+// impulses per unit of mass should not change at all.
+Scaled scaled(double m, double dt) {
+  Parameters params;
+  params.m = m;
+  params.dt = dt;
+  params.g.setZero();
+  const Contact contact = get_contacts({0.5, 0.1255, 0.3}, params);
+  const Vector3 v(3, -1, 2);
+  const Lcp lcp = form_lcp(contact.J, v, params);
+  const Arm<double> r{contact.J(2, 1), -contact.J(2, 0)};
+  const auto p = methods::solve_one_corner(
+      methods::one_corner(r, params.l * params.l / 6, lcp.p(0), lcp.p(2), params.mu));
+  const auto off = [&](const Eigen::VectorXd& f) {
+    const double n = f(0) * dt / m, t = (f(2) - f(1)) * dt / m;
+    const double error = std::hypot(n - p.n, t - p.t) / std::hypot(p.n, p.t);
+    return std::isfinite(error) ? error : 1e300;
+  };
+  double given = 1e300;
+  try {
+    given = off(solve_lcp(lcp.V, lcp.p));
+  } catch (const std::runtime_error&) {
+  }
+  const double residual = std::abs(p.n * (1 + r.x * r.x * 6 / (params.l * params.l)) -
+                                   r.x * r.y * 6 / (params.l * params.l) * p.t + lcp.p(0));
+  return {off(methods::lemke(lcp.V, lcp.p).z), given, residual};
+}
+
+}  // namespace
+
+Table energy_gain() {
+  Table table({"law", "mu", "epsilon", "largest_gain", "limit_epsilon"});
+  const std::pair<ImpactLaw, const char*> laws[] = {{ImpactLaw::newton, "newton"},
+                                                    {ImpactLaw::poisson, "poisson"},
+                                                    {ImpactLaw::stronge, "stronge"}};
+  for (const auto& [law, name] : laws)
+    for (int i = 0; i <= 24; ++i)
+      for (int j = 0; j <= 20; ++j)
+        table.add(name, i / 20.0, j / 20.0, largest_gain(law, i / 20.0, j / 20.0),
+                  law == ImpactLaw::newton ? least_limit(i / 20.0) : 1.0);
+  return table;
+}
+
+Table solution_count() {
+  Table table({"alpha_rad", "mu", "most_solutions", "mu_star"});
+  for (int i = 1; i < 60; ++i) {
+    const double alpha = i * std::numbers::pi / 120;
+    const Arm<double> r = leaning_arm(alpha);
+    const double mu_star = (kGyration + r.x * r.x) / std::abs(r.x * r.y);  // a = mu |b|
+    for (int j = 0; j <= 80; ++j)
+      table.add(alpha, j / 20.0, most_solutions(alpha, j / 20.0), mu_star);
+  }
+  return table;
+}
+
+Table gauss_seidel_sweeps() {
+  Table table({"problem", "value", "sweeps", "predicted_sweeps", "share_without_end"});
+  constexpr double kTolerance = 1e-9;
+  for (double R = 0.01; R < 2e4; R *= std::sqrt(10.0)) {
+    const double rate = R / (1 + R);
+    table.add("mass_ratio", R, stack(R, kTolerance).sweeps,
+              1 + std::log(kTolerance / 0.0981) / std::log(rate), 0.0);
+  }
+  for (int i = 0; i <= 30; ++i)
+    table.add("one_corner_mu", i / 10.0, 0, 0.0, share_without_end(i / 10.0));
+  return table;
+}
+
+Table depth() {
+  Table table({"method", "speed_m_s", "dt_s", "v_dt_m", "depth_m"});
+  for (const double speed : {1.0, 5.0, 20.0, 60.0}) {
+    for (const double dt : {0.02, 0.01, 0.003, 0.001, 0.0001}) {
+      table.add("assignment", speed, dt, speed * dt, deepest<methods::Assignment>(speed, dt));
+      table.add("moreau_jean_2", speed, dt, speed * dt, deepest<methods::MoreauJean<2>>(speed, dt));
+    }
+  }
+  return table;
+}
+
+Table almost_flat() {
+  Table table(
+      {"theta_rad", "lemke_8x8_residual_m_s", "lemke_8x8_wrong_of_4000", "merged_residual_m_s"});
+  for (int i = 1; i <= 64; ++i) {
+    const double theta = std::pow(10.0, -i / 4.0);
+    const Residuals r = residuals_at(theta);
+    table.add(theta, r.lemke, r.wrong, r.merged);
+  }
+  const Residuals flat = residuals_at(0);
+  table.add(0.0, flat.lemke, flat.wrong, flat.merged);
+  return table;
+}
+
+Table rest_and_drift(const Scenes& scenes) {
+  Table table({"method", "setting", "height_m", "drift_m"});
+  for (Scene scene : scenes) {
+    if (scene.name != "rest") continue;
+    scene.until = 10;
+    for (const Method& method : all_methods()) {
+      for (const double setting : method.settings) {
+        if (method.has_step && setting < 1e-4) continue;
+        double height = 0, drift = 0;
+        for (const Motion<double>& s : method.run(scene, setting)) {
+          height = std::max(height, std::abs(s.y - scene.start.q(1)));
+          drift = std::max(drift, std::abs(s.x - scene.start.q(0)));
+        }
+        table.add(method.name, setting, height, drift);
+      }
+    }
+  }
+  return table;
+}
+
+Table scaling() {
+  Table table(
+      {"m_kg", "dt_s", "plain_lemke_error", "given_lemke_error", "closed_form_residual_m_s"});
+  for (int i = -12; i <= 12; ++i) {
+    for (const double dt : {1e-6, 1e-2, 1.0}) {
+      const Scaled s = scaled(std::pow(10.0, i), dt);
+      table.add(std::pow(10.0, i), dt, s.plain, s.given, s.closed);
+    }
+  }
+  return table;
+}
+
+}  // namespace bounce::study

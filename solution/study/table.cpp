@@ -1,0 +1,86 @@
+#include "table.hpp"
+
+#include <cstdio>
+#include <ctime>
+#include <fstream>
+#include <stdexcept>
+#include <thread>
+
+#ifndef BOUNCE_FLAGS
+#define BOUNCE_FLAGS "unknown"
+#endif
+
+namespace bounce::study {
+namespace {
+
+std::string quoted(const std::string& value) {
+  if (value.find_first_of(",\"\n") == std::string::npos) return value;
+  std::string text = "\"";
+  for (const char c : value) text += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return text + "\"";
+}
+
+std::string line(const std::vector<std::string>& values) {
+  std::string text;
+  for (const std::string& value : values) text += (text.empty() ? "" : ",") + quoted(value);
+  return text + "\n";
+}
+
+std::string processor() {
+  std::ifstream in("/proc/cpuinfo");
+  for (std::string text; std::getline(in, text);)
+    if (text.rfind("model name", 0) == 0) return text.substr(text.find(':') + 2);
+  return "unknown processor";
+}
+
+std::string today() {
+  const std::time_t now = std::time(nullptr);
+  std::tm date{};
+  gmtime_r(&now, &date);
+  char text[40];
+  std::strftime(text, sizeof text, "%Y-%m-%d", &date);
+  return text;
+}
+
+std::string compiler() {
+#if defined(__clang__)
+  return "clang " __clang_version__;
+#else
+  return "g++ " __VERSION__;
+#endif
+}
+
+}  // namespace
+
+std::string Table::text(double value) {
+  char buffer[40];
+  std::snprintf(buffer, sizeof buffer, "%.6g", value);
+  return buffer;
+}
+
+void Table::add_row(std::vector<std::string> row) {
+  if (row.size() != columns_.size()) throw std::logic_error("a row has another number of columns");
+  rows_.push_back(std::move(row));
+}
+
+void Table::write(const std::filesystem::path& file, const std::vector<std::string>& origin) const {
+  const std::filesystem::path unfinished = file.string() + ".unfinished";
+  std::ofstream out(unfinished, std::ios::binary);
+  for (const std::string& text : origin) out << text << "\n";
+  out << line(columns_);
+  for (const auto& row : rows_) out << line(row);
+  out.close();
+  if (!out) {
+    std::filesystem::remove(unfinished);
+    throw std::runtime_error("cannot write " + file.string());
+  }
+  std::filesystem::rename(unfinished, file);
+}
+
+std::vector<std::string> origin() {
+  return {"# machine: " + processor() + ", " + std::to_string(std::thread::hardware_concurrency()) +
+              " cores",
+          "# compiler: " + compiler(), "# flags: " BOUNCE_FLAGS, "# date: " + today()};
+}
+
+}  // namespace bounce::study

@@ -1,0 +1,42 @@
+// One table of a study, written as CSV with comma and a header line.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace bounce::study {
+
+class Table {
+ public:
+  explicit Table(std::vector<std::string> columns) : columns_(std::move(columns)) {}
+
+  // A row: as many values as there are columns; throws std::logic_error otherwise.
+  template <class... Values>
+  void add(const Values&... values) {
+    add_row({text(values)...});
+  }
+
+  // Writes the file whole or not at all: under another name first, which is then renamed. Lines
+  // that begin with # come first: machine, compiler, flags and date. Throws std::runtime_error.
+  void write(const std::filesystem::path& file, const std::vector<std::string>& origin) const;
+
+  std::size_t rows() const { return rows_.size(); }
+
+ private:
+  static std::string text(const std::string& value) { return value; }
+  static std::string text(const char* value) { return value; }
+  static std::string text(double value);
+  static std::string text(long value) { return std::to_string(value); }
+  static std::string text(int value) { return std::to_string(value); }
+  static std::string text(bool value) { return value ? "1" : "0"; }
+  void add_row(std::vector<std::string> row);
+
+  std::vector<std::string> columns_;
+  std::vector<std::vector<std::string>> rows_;
+};
+
+// Where the numbers come from: "# machine: ...", and so on.
+std::vector<std::string> origin();
+
+}  // namespace bounce::study
