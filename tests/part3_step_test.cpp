@@ -7,10 +7,7 @@
 namespace bounce::tests {
 namespace {
 
-constexpr const char* kVelocity = "m/s, m/s, rad/s";
-constexpr const char* kConfiguration = "m, m, rad";
-
-std::string compare_velocity(const Case& c) {
+Problem compare_velocity(const Case& c) {
   const State got = submission::step(c.q, c.v, c.params);
   return compare(c, "v after the step", kVelocity, c.state.v, got.v);
 }

@@ -52,6 +52,10 @@ def _parser() -> argparse.ArgumentParser:
     fixtures.add_argument("--check", action="store_true", help="only compare the committed ones")
     fixtures.set_defaults(command=_fixtures)
 
+    handout = commands.add_parser("handout", help="write what students receive, as a zip")
+    handout.add_argument("--out", type=Path, required=True, metavar="FILE.zip")
+    handout.set_defaults(command=_handout)
+
     bench = commands.add_parser("bench", help="measure the grader's speed")
     bench.set_defaults(command=_bench)
 
@@ -98,6 +102,13 @@ def _fixtures(options: argparse.Namespace) -> int:
     for name in differing:
         print(f"fixtures/public/{name} isn't what the solution writes: run ./kit fixtures")
     return int(bool(differing))
+
+
+def _handout(options: argparse.Namespace) -> int:
+    from bounce_grader import handout
+
+    print(f"{options.out} holds {handout.write(options.out)} files")
+    return 0
 
 
 def _bench(options: argparse.Namespace) -> int:
