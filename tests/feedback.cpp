@@ -33,33 +33,43 @@ int digits_for(const Difference& d, const Marks& right) {
   return 6;
 }
 
-// A row such as "[ 1   0   >0.0627< ]"; a wrong entry is marked.
-std::string row_of(const Eigen::MatrixXd& m, const Marks* right, Index i, int digits) {
-  const std::size_t width = static_cast<std::size_t>(digits) + 8;
-  std::string row = "[";
+using Rows = std::vector<std::string>;
+
+// One line for each row of the matrix, its columns aligned; a wrong entry is marked.
+Rows rows_of(const Eigen::MatrixXd& m, const Marks* right, int digits) {
+  Rows rows(static_cast<std::size_t>(m.rows()));
   for (Index j = 0; j < m.cols(); ++j) {
-    const bool wrong = right && !(*right)(i, j);
-    const std::string entry = number(m(i, j), digits);
-    row += padded(wrong ? ">" + entry + "<" : " " + entry, width);
+    Rows entries;
+    std::size_t width = 0;
+    for (Index i = 0; i < m.rows(); ++i) {
+      const std::string entry = number(m(i, j), digits);
+      entries.push_back(right && !(*right)(i, j) ? ">" + entry + "<" : " " + entry + " ");
+      width = std::max(width, entries.back().size());
+    }
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      rows[i] += (j > 0 ? "  " : "") + padded(entries[i], width);
+    }
   }
-  return row + "]";
+  if (m.size() == 1) return {rows[0].substr(0, rows[0].find_last_not_of(' ') + 1)};
+  for (std::string& row : rows) row = "[" + row + "]";
+  return rows;
 }
 
 // Side by side where that fits into a line, else one below the other.
 std::string side_by_side(const Case& c, const Difference& d) {
   const Marks right = agrees(c, d.expected, d.got);
   const int digits = digits_for(d, right);
-  const std::size_t width = row_of(d.expected, nullptr, 0, digits).size() + 4;
-  const bool beside = 2 * width < 74;
-  std::string left = "    " + padded("yours, >wrong<", beside ? width : 0);
-  if (beside) left += "right";
-  std::string below = beside ? "" : "    right\n";
-  for (Index i = 0; i < d.got.rows(); ++i) {
-    const std::string expected = row_of(d.expected, nullptr, i, digits);
-    left += "\n    " + padded(row_of(d.got, &right, i, digits), beside ? width : 0);
-    (beside ? left : below) += (beside ? "" : "    ") + expected + (beside ? "" : "\n");
+  Rows yours = rows_of(d.got, &right, digits), rights = rows_of(d.expected, nullptr, digits);
+  yours.insert(yours.begin(), "yours, >wrong<");
+  rights.insert(rights.begin(), "right");
+  const std::size_t width = std::max(yours.front().size(), yours.back().size()) + 4;
+  const bool beside = width + rights.back().size() < 72;
+  std::string text = "  " + d.name + ", in " + d.unit + "\n";
+  for (std::size_t i = 0; i < yours.size(); ++i) {
+    text += "    " + (beside ? padded(yours[i], width) + rights[i] : yours[i]) + "\n";
   }
-  return "  " + d.name + ", in " + d.unit + "\n" + left + "\n" + below;
+  for (std::size_t i = 0; i < (beside ? 0 : rights.size()); ++i) text += "    " + rights[i] + "\n";
+  return text;
 }
 
 // Factors by which an answer may be wrong as a whole, by the names of the assignment.
@@ -92,7 +102,9 @@ std::string explanation(const Case& c, const Difference& d) {
 // The force that a velocity after the step tells of: M (v' - v) / dt - f_e.
 std::string forces(const Case& c, const Vector3& v) {
   const Vector3 f = c.params.M() * ((v - c.v) / c.params.dt - c.params.g);
-  return "(" + number(f.x(), 6) + ", " + number(f.y(), 6) + ") N";
+  const double zero = 1e-9 * f.norm();  // rounding is nothing to wonder about
+  const auto said = [&](double x) { return number(std::abs(x) < zero ? 0 : x, 6); };
+  return "(" + said(f.x()) + ", " + said(f.y()) + ") N";
 }
 
 // How the corner moves before the step, from the J that the question gives.
@@ -119,7 +131,7 @@ std::string feedback(const Case& c, const Problem& problem) {
   std::string text;
   if (!c.corner.empty()) text += "  " + c.corner + "\n";
   if (!c.J.isZero(0)) text += corner_before(c);
-  if (!problem.sentence.empty()) text += "  got " + problem.sentence + "\n";
+  if (!problem.sentence.empty()) text += "  " + problem.sentence + "\n";
   for (const Difference& d : problem.differences) {
     text += side_by_side(c, d) + explanation(c, d) + about_step(c, d);
   }

@@ -42,8 +42,8 @@ class Canvas {
     const double row = std::round((point.y() - bottom_) / (kAspect * metres_));
     if (!(column >= 0 && column < kWidth && row >= 0 && row < kHeight)) return;
     char& there = letters(static_cast<int>(row))[static_cast<std::size_t>(column)];
-    const bool both = (there == 'R' && letter == 'Y') || (there == 'Y' && letter == 'R');
-    there = both ? 'B' : there == 'B' ? 'B' : letter;
+    const bool over = (letter == 'Y' && (there == 'R' || there == 'B'));
+    there = over ? 'B' : letter;
   }
 
   void line(const Point& from, const Point& to, char letter) {
@@ -66,6 +66,8 @@ class Canvas {
   std::vector<std::string> rows_;  // from the bottom up
 };
 
+bool touches(const Case& c) { return c.corner.rfind("corner", 0) == 0; }
+
 // How far inside of the square a point is, m; negative outside.
 double inside(const Point& point, const Vector3& q, double l) {
   const double x = point.x() - q.x(), y = point.y() - q.y();
@@ -73,13 +75,18 @@ double inside(const Point& point, const Vector3& q, double l) {
   return l / 2 - std::max(std::abs(c * x + s * y), std::abs(c * y - s * x));
 }
 
-void draw_square(Canvas& canvas, const Vector3& q, double l, double thickness) {
-  for (int row = 0; row < kHeight; ++row) {
+// Its outline, and returns its lowest letter's place.
+Point draw_square(Canvas& canvas, const Vector3& q, double l) {
+  Point lowest = q.head<2>();
+  for (int row = kHeight - 1; row >= 0; --row) {
     for (int column = 0; column < kWidth; ++column) {
-      const double depth = inside(canvas.at(column, row), q, l);
-      if (depth >= 0 && depth <= thickness) canvas.put(canvas.at(column, row), '#');
+      const Point point = canvas.at(column, row);
+      const double depth = inside(point, q, l);
+      if (depth >= 0 && depth <= 0.06 * l) canvas.put(point, '#');
+      if (depth >= 0) lowest = point;
     }
   }
+  return lowest;
 }
 
 }  // namespace
@@ -91,13 +98,14 @@ std::string picture_of_step(const Case& c, const Vector3& got_v) {
   if (near) low.y() = std::min(low.y(), -0.05 * c.params.l);
   Canvas canvas(low, centre + reach);
   if (near) canvas.ground();
-  draw_square(canvas, c.q, c.params.l, 0.06 * c.params.l);
+  const Point lowest = draw_square(canvas, c.q, c.params.l);
 
   const double longest = std::max({c.state.v.head<2>().norm(), got_v.head<2>().norm(), 1e-9});
   const double metres = 0.7 * c.params.l / longest;  // for 1 m/s
   canvas.line(centre, centre + metres * c.state.v.head<2>(), 'R');
   canvas.line(centre, centre + metres * got_v.head<2>(), 'Y');
   canvas.put(centre, '+');
+  if (touches(c)) canvas.put(lowest, 'o');
   return canvas.text("v of the centre + after the step: R right, Y yours, B both");
 }
 

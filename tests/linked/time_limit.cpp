@@ -13,7 +13,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double kWork = 10;  // s of the processor, so that a busy machine makes no difference
+constexpr double kWork = 3;  // s of the processor, so that a busy machine makes no difference
 constexpr auto kWait = std::chrono::seconds(60);
 constexpr auto kLook = std::chrono::milliseconds(100);
 constexpr int kTooLong = 124;  // the exit status, that of the command timeout

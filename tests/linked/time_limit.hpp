@@ -6,7 +6,7 @@
 
 namespace bounce::tests {
 
-// After 10 s of work, or a minute of waiting, calls last_words and ends the program.
+// After 3 s of work, or a minute of waiting, calls last_words and ends the program.
 void limit_time(const std::function<void()>& last_words);
 
 void lift_time_limit();
