@@ -12,7 +12,7 @@ from conftest import ROOT, SOLUTION
 
 # A line says nothing of the solution when it is short, is no more than punctuation, an include or
 # a namespace, or stands in what students are given anyway: the stubs and the contract.
-TRIVIAL = re.compile(r"\W*|#.*|\}?\s*(?:// )?namespace.*|using .*|return \w+;|for \(.*\) \{|// .*")
+TRIVIAL = re.compile(r"\W*|#.*|\}?\s*(?:// )?namespace.*|using .*|return \w+;|for \(.*\) \{")
 SHORT = 16
 
 

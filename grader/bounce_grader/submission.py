@@ -13,10 +13,11 @@ from pathlib import Path, PurePosixPath
 from bounce_grader import intake
 from bounce_grader.errors import UsageError
 from bounce_grader.manifest import Part, parts
+from bounce_grader.paths import HANDOUT
 
 SOURCES = {".cpp", ".cc", ".cxx"}
 HEADERS = {".hpp", ".h", ".hh", ".hxx", ".ipp", ".inl"}
-GIVEN = {"solve_lcp.cpp", "render.cpp", "animation_page.hpp", "main.cpp"}
+GIVEN = {file.name for file in (HANDOUT / "given").iterdir()} | {"main.cpp"}
 MOST_SOURCES = 100
 MOST_BYTES = 8 * 1024 * 1024
 NOT_THEIRS = {"build", "__MACOSX", "CMakeFiles", "fixtures", "tests"}
