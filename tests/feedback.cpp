@@ -15,9 +15,11 @@ namespace {
 using Eigen::Index;
 using Marks = Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic>;
 
+constexpr double kNothing = 1e-14;  // what rounding leaves of a 0
+
 std::string number(double x, int digits) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.*g", digits, x == 0 ? 0.0 : x);  // no -0
+  std::snprintf(text, sizeof text, "%.*g", digits, std::abs(x) < kNothing ? 0.0 : x);
   return text;
 }
 
@@ -90,7 +92,10 @@ std::vector<std::pair<std::string, double>> factors(const Parameters& p) {
 // What may have gone wrong, where one thing explains every wrong entry; else empty.
 std::string explanation(const Case& c, const Difference& d) {
   if (!d.got.allFinite()) return "  NaN or infinity: a division by zero, or a number never set?\n";
-  if (d.got.isZero(0)) return "  every entry is 0: is it filled in?\n";
+  if (d.got.isZero(0)) {
+    return d.got.size() > 1 ? "  every entry is 0: is it filled in?\n"
+                            : "  it is 0: not filled in, or a smallest that was never found?\n";
+  }
   const Marks right = agrees(c, d.expected, d.got);
   for (const auto& [name, factor] : factors(c.params)) {
     const Marks scaled = agrees(c, factor * d.expected, d.got) && (d.expected.array() != 0);
@@ -128,6 +133,7 @@ std::string about_step(const Case& c, const Difference& d) {
 }  // namespace
 
 std::string feedback(const Case& c, const Problem& problem) {
+  if (c.hidden) return summary(c, problem);
   std::string text;
   if (!c.corner.empty()) text += "  " + c.corner + "\n";
   if (!c.J.isZero(0)) text += corner_before(c);

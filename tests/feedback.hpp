@@ -6,7 +6,7 @@
 namespace bounce::tests {
 
 // What the corner does, then each wrong quantity beside the right one with the wrong entries
-// marked, and for parts 3 and 4 a picture.
+// marked, and for parts 3 and 4 a picture. No more than the summary where the case is hidden.
 std::string feedback(const Case& c, const Problem& problem);
 
 }  // namespace bounce::tests

@@ -67,7 +67,7 @@ def test_a_student_goes_from_the_stubs_to_full_points(home: Path) -> None:
     assert (score(started), started.returncode) == ("0 / 100", 1)
     assert "for the first time" in started.stderr
     assert first(started).startswith("phi is the height of the lowest corner")
-    assert "every entry is 0: is it filled in?" in first(started)
+    assert "it is 0: not filled in" in first(started)
     assert "Hint 1.1 The height of the lowest corner" in first(started)
     assert "warning" not in (home / "build/check/build.txt").read_text()
 
@@ -141,6 +141,7 @@ def test_opens_a_stage_of_the_hint_at_a_time(home: Path) -> None:
     for n, (text, stage) in enumerate(zip(shown, stages), 1):
         assert f"Hint 2.3 The normal row of p, stage {min(n, 3)} of 3: {stage}" in text
         assert "```" not in text
+        assert ("The worked numbers use the state of the handout: q = (0.5" in text) == (n > 2)
     assert shown[2] == shown[3] and "the last stage" in shown[2]
     put(home)
     assert "no hint is needed" in check(home, "--hint").stdout
