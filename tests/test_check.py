@@ -106,6 +106,14 @@ def test_each_kind_of_failure_is_named_and_hides_no_other_part(home: Path) -> No
     assert "Part 4  not run: it needs part 3, which does not compile" in broken.stdout
     assert first(broken).count("\n") < 8
 
+    put(home)
+    part2 = home / "src/part2_lcp.cpp"
+    sizes = "lcp.V.topLeftCorner<3, 3>() = J.transpose() * params.M() * J;"
+    stub = (ROOT / "student/src/part2_lcp.cpp").read_text()
+    part2.write_text(stub.replace("  // TODO", f"  Lcp lcp;\n  {sizes}\n  // TODO"))
+    mixed = first(check(home, "2"))
+    assert "src/part2_lcp.cpp:7: you mixed matrices of different sizes" in mixed, mixed
+
     put(home, BROKEN / "part2_aborts")
     ended = check(home)
     assert "Part 1  Contact distance and Jacobian                          30 / 30" in ended.stdout
