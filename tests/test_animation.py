@@ -170,7 +170,7 @@ def scene(file: Path) -> dict[str, Any]:
 def compared(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The page of a stored scene, where the square leaves the right way at column 12."""
     page = tmp_path_factory.mktemp("compared") / "animation.html"
-    command = [PROGRAM, "--compare", page]
+    command = [str(PROGRAM), "--compare", str(page)]
     subprocess.run(command, check=True, capture_output=True, timeout=PATIENCE)
     text = page.read_text("utf-8")
     data = json.loads(DATA.findall(text)[0])
@@ -509,7 +509,7 @@ TRAJECTORIES: dict[str, dict[str, Any]] = {
 def test_shows_any_trajectory(
     open_page: Open, file: Path, scene: dict[str, Any], tmp_path: Path, name: str
 ) -> None:
-    data = scene | {"motion": None} | TRAJECTORIES[name]
+    data: dict[str, Any] = {**scene, "motion": None, **TRAJECTORIES[name]}
     other = tmp_path / "other.html"
     other.write_text(DATA.sub(json.dumps(data), file.read_text("utf-8"), count=1), "utf-8")
     page = open_page(other)
