@@ -1,6 +1,9 @@
 // Simulates a square with your four parts and writes an animation of it.
 //
-//   bounce [PAGE]    PAGE is the file to write; animation.html in this folder if left out
+//   bounce [--compare] [PAGE]
+//
+// PAGE is the file to write; animation.html in this folder if left out. With --compare the scene is
+// one of the public fixtures, and the right square is shown beside yours.
 #include <bounce/part4_simulate.hpp>
 #include <bounce/render.hpp>
 #include <exception>
@@ -8,6 +11,8 @@
 #include <iostream>
 #include <numbers>
 #include <string>
+
+#include "given/stored_scene.hpp"
 
 namespace {
 
@@ -41,14 +46,15 @@ std::string missing(const Eigen::Matrix3Xd& q, const bounce::Parameters& params)
   return "";
 }
 
-int animate(const std::filesystem::path& page) {
-  const bounce::Parameters params = scene_parameters();
-  const Eigen::Matrix3Xd q = bounce::simulate(q_0, v_0, params).q;
-  if (const std::string sentence = missing(q, params); !sentence.empty()) {
+// `right` has no column where nothing is compared.
+int animate(const bounce::StoredScene& scene, const std::filesystem::path& page) {
+  const auto& [q, v, params, right] = scene;
+  const bounce::Trajectory trajectory = bounce::simulate(q, v, params);
+  if (const std::string sentence = missing(trajectory.q, params); !sentence.empty()) {
     std::cerr << sentence << '\n';
     return 1;
   }
-  bounce::render(q, params, page);
+  bounce::render(trajectory, params, page, right);
   std::cout << "The animation is in " << std::filesystem::absolute(page).string()
             << "; open it in a browser.\n";
   return 0;
@@ -58,7 +64,10 @@ int animate(const std::filesystem::path& page) {
 
 int main(int argc, char** argv) {
   try {
-    return animate(argc > 1 ? argv[1] : "animation.html");
+    const bool compare = argc > 1 && std::string(argv[1]) == "--compare";
+    const char* page = argc > 1 + compare ? argv[1 + compare] : "animation.html";
+    if (compare) return animate(bounce::stored_scene(BOUNCE_FIXTURES), page);
+    return animate({q_0, v_0, scene_parameters(), Eigen::Matrix3Xd(3, 0)}, page);
   } catch (const std::exception& error) {
     std::cerr << "No animation was written: " << error.what() << ".\n";
     return 1;

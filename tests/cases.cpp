@@ -88,6 +88,12 @@ void read_expected(const json& expected, Case& c) {
   }
 }
 
+// --- comparing ---
+
+Eigen::ArrayXXd errors(const Eigen::MatrixXd& expected, const Eigen::MatrixXd& got) {
+  return (got - expected).array().abs() / expected.array().abs().max(1.0);
+}
+
 // --- words ---
 
 std::string number(double x) {
@@ -154,6 +160,7 @@ std::string describe(const json& input, const Parameters& params) {
 Case read_case(const json& from, bool hidden) {
   Case c;
   c.name = from.at("name");
+  c.corner = from.value("contact", "");
   c.hidden = hidden;
   c.tolerance = from.at("tolerance");
   c.params = read_parameters(from.at("params"));
@@ -199,24 +206,25 @@ std::vector<Case> read_cases(std::istream& file, const std::string& check, bool 
   return cases;
 }
 
-void for_each_case(const std::function<std::string(const Case&)>& ask) {
+void for_each_case(const std::function<Problem(const Case&)>& ask) {
   const std::vector<Case> cases = cases_of(running_check());
   std::string told;  // the first wrong case, unless the program ended on another one
   std::size_t wrong = 0;
   for (const Case& c : cases) {
     bool ended = false;
-    std::string problem;
+    Problem problem;
+    about_to_ask(c);
     try {
       problem = ask(c);
     } catch (const Ended& end) {
-      problem = "  got      " + std::string(end.what());
+      problem.sentence = end.what();
       ended = true;
     } catch (const std::exception& thrown) {
-      problem = "  got      " + std::string(thrown.what());
+      problem.sentence = thrown.what();
     }
     if (!problem.empty() && (wrong++ == 0 || ended)) {
       told = (wrong == 1 ? "the first: " : "the last: ") + c.name +
-             (c.hidden ? " (a hidden case)" : "") + "\n" + c.input + "\n" + problem;
+             (c.hidden ? " (a hidden case)" : "") + "\n" + c.input + "\n" + in_words(c, problem);
     }
     if (ended) break;
   }
@@ -225,27 +233,46 @@ void for_each_case(const std::function<std::string(const Case&)>& ask) {
   }
 }
 
-std::string compare(const Case& c, const std::string& name, const std::string& unit,
-                    const Eigen::MatrixXd& expected, const Eigen::MatrixXd& got) {
-  const Eigen::ArrayXXd error = (got - expected).array().abs() / expected.array().abs().max(1.0);
-  const double worst = got.allFinite() ? error.maxCoeff() : INFINITY;
-  largest_error_so_far = std::max(largest_error_so_far, worst);
-  if (worst <= c.tolerance) return "";
-
-  const std::string indent(11 + name.size() + 3, ' ');
-  const std::string right = c.hidden ? "is not shown, this case is hidden"
-                                     : name + " = " + words(expected, indent) + "  " + unit;
-  return "  expected " + right + "\n  got      " + name + " = " + words(got, indent) + "  " + unit;
+Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic> agrees(const Case& c,
+                                                          const Eigen::MatrixXd& expected,
+                                                          const Eigen::MatrixXd& got) {
+  return errors(expected, got) <= c.tolerance;
 }
 
-std::string compare(const Case& c, const std::string& name, const std::string& unit,
-                    double expected, double got) {
+Problem compare(const Case& c, const std::string& name, const std::string& unit,
+                const Eigen::MatrixXd& expected, const Eigen::MatrixXd& got) {
+  const double worst = got.allFinite() ? errors(expected, got).maxCoeff() : INFINITY;
+  largest_error_so_far = std::max(largest_error_so_far, worst);
+  Problem problem;
+  if (!(worst <= c.tolerance)) problem.differences.push_back({name, unit, expected, got});
+  return problem;
+}
+
+Problem compare(const Case& c, const std::string& name, const std::string& unit, double expected,
+                double got) {
   return compare(c, name, unit, Eigen::MatrixXd::Constant(1, 1, expected),
                  Eigen::MatrixXd::Constant(1, 1, got));
 }
 
-std::string both(const std::string& a, const std::string& b) {
-  return a.empty() || b.empty() ? a + b : a + "\n" + b;
+Problem both(const Problem& a, const Problem& b) {
+  Problem problem = a;
+  problem.differences.insert(problem.differences.end(), b.differences.begin(), b.differences.end());
+  return problem;
+}
+
+std::string summary(const Case& c, const Problem& problem) {
+  std::string text;
+  const auto line = [&](const char* label, const std::string& words) {
+    text += (text.empty() ? "  " : "\n  ") + std::string(label) + words;
+  };
+  if (!problem.sentence.empty()) line("got      ", problem.sentence);
+  for (const auto& [name, unit, expected, got] : problem.differences) {
+    const std::string indent(11 + name.size() + 3, ' ');
+    line("expected ", c.hidden ? "is not shown, this case is hidden"
+                               : name + " = " + words(expected, indent) + "  " + unit);
+    line("got      ", name + " = " + words(got, indent) + "  " + unit);
+  }
+  return text;
 }
 
 double largest_error() { return largest_error_so_far; }

@@ -7,7 +7,7 @@
 namespace bounce::tests {
 namespace {
 
-std::string compare_contact(const Case& c) {
+Problem compare_contact(const Case& c) {
   const Contact got = submission::get_contacts(c.q, c.params);
   return both(compare(c, "phi", "m", c.contact.phi, got.phi),
               compare(c, "J = [J_t J_n]", "1, 1, m", c.contact.J, got.J));

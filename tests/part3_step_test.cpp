@@ -7,10 +7,7 @@
 namespace bounce::tests {
 namespace {
 
-constexpr const char* kVelocity = "m/s, m/s, rad/s";
-constexpr const char* kConfiguration = "m, m, rad";
-
-std::string compare_velocity(const Case& c) {
+Problem compare_velocity(const Case& c) {
   const State got = submission::step(c.q, c.v, c.params);
   return compare(c, "v after the step", kVelocity, c.state.v, got.v);
 }
@@ -32,7 +29,7 @@ TEST(part3, MovesWithTheNewVelocity) {
     const bool contact = (c.state.q - c.q - c.params.dt * c.state.v).y() > c.params.delta / 2;
     const Vector3 lift(0, contact ? c.params.delta : 0, 0);
     const State got = submission::step(c.q, c.v, c.params);
-    return compare(c, "q after - q before - dt v after", kConfiguration, lift,
+    return compare(c, "q' - q - dt v', the lift", kConfiguration, lift,
                    got.q - c.q - c.params.dt * got.v);
   });
 }

@@ -7,33 +7,38 @@
 namespace bounce::tests {
 namespace {
 
+Problem saying(const char* sentence) { return {sentence, {}, {}}; }
+
 // One wrong step makes everything after it wrong, so the first wrong column is the one to name.
-std::string compare_columns(const Case& c) {
+Problem compare_columns(const Case& c) {
   const Trajectory got = submission::simulate(c.q, c.v, c.params);
   for (std::size_t i = 0; i < c.columns.size(); ++i) {
     const auto known = static_cast<Eigen::Index>(i);
     const std::string column = "column " + std::to_string(c.columns[i]);
-    const std::string wrong = both(compare(c, "q in " + column, "m, m, rad",
-                                           c.trajectory.q.col(known), got.q.col(c.columns[i])),
-                                   compare(c, "v in " + column, "m/s, m/s, rad/s",
-                                           c.trajectory.v.col(known), got.v.col(c.columns[i])));
-    if (!wrong.empty()) return both("  got      " + column + " is the first wrong one", wrong);
+    Problem wrong = both(compare(c, "q in " + column, kConfiguration, c.trajectory.q.col(known),
+                                 got.q.col(c.columns[i])),
+                         compare(c, "v in " + column, kVelocity, c.trajectory.v.col(known),
+                                 got.v.col(c.columns[i])));
+    if (wrong.empty()) continue;
+    wrong.sentence = column + " is the first wrong one";
+    wrong.path = got.q;
+    return wrong;
   }
-  return "";
+  return {};
 }
 
 TEST(part4, HasTColumns) {
   for_each_case([](const Case& c) {
     submission::simulate(c.q, c.v, c.params);  // throws unless both are 3xT
-    return std::string();
+    return Problem();
   });
 }
 
 TEST(part4, StartsAtTheInitialState) {
   for_each_case([](const Case& c) {
     const Trajectory got = submission::simulate(c.q, c.v, c.params);
-    return both(compare(c, "q in column 0", "m, m, rad", c.q, got.q.col(0)),
-                compare(c, "v in column 0", "m/s, m/s, rad/s", c.v, got.v.col(0)));
+    return both(compare(c, "q in column 0", kConfiguration, c.q, got.q.col(0)),
+                compare(c, "v in column 0", kVelocity, c.v, got.v.col(0)));
   });
 }
 
@@ -45,16 +50,16 @@ TEST(part4, StaysFiniteOnALongRun) {
   for_each_case([](const Case& c) {
     const Trajectory first = submission::simulate(c.q, c.v, c.params);
     if (!first.q.allFinite() || !first.v.allFinite()) {
-      return std::string("  got      NaN or infinity in some column");
+      return saying("NaN or infinity in some column");
     }
     if (first.q.leftCols(1) == first.q.rightCols(1) || first.q.cwiseAbs().maxCoeff() > 1e6) {
-      return std::string("  got      a square that stands still, or is further than 1e6 away");
+      return saying("a square that stands still, or is further than 1e6 away");
     }
     const Trajectory second = submission::simulate(c.q, c.v, c.params);
     if (first.q != second.q || first.v != second.v) {
-      return std::string("  got      another trajectory when asked the same a second time");
+      return saying("another trajectory when asked the same a second time");
     }
-    return std::string();
+    return Problem();
   });
 }
 

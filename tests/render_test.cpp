@@ -102,6 +102,39 @@ TEST_F(render, WritesEveryNumberSoThatItReadsBackTheSame) {
   }
 }
 
+TEST_F(render, WritesVelocitiesAndTheRightOneWhereTheyAreKnown) {
+  const Eigen::Matrix3Xd q = parabola(150), v = parabola(150, 2), right = parabola(40, 3);
+  Parameters params;
+  params.m = 1.0 / 3;
+  bounce::render(Trajectory{q, v}, params, page(), right);
+  const nlohmann::json data = animation(read(page()));
+  EXPECT_EQ(data["motion"]["m"].get<double>(), params.m);
+  EXPECT_EQ(data["motion"]["g"], nlohmann::json({0.0, -9.81}));
+  const auto x = [](const nlohmann::json& rows) { return rows[0].get<std::vector<double>>(); };
+  EXPECT_EQ(x(data["motion"]["v"]), std::vector<double>(v.row(0).begin(), v.row(0).end()));
+  EXPECT_EQ(x(data["right"]), std::vector<double>(right.row(0).begin(), right.row(0).end()));
+  EXPECT_TRUE(animation(text_of(q))["motion"].is_null());
+  EXPECT_TRUE(animation(text_of(q))["right"].is_null());
+}
+
+TEST_F(render, RefusesVelocitiesThatDoNotFit) {
+  const auto refusal = [&](const Trajectory& trajectory, const Eigen::Matrix3Xd& right) {
+    try {
+      bounce::render(trajectory, {}, page(), right);
+    } catch (const std::invalid_argument& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const Eigen::Matrix3Xd q = parabola(4), none(3, 0);
+  Eigen::Matrix3Xd bad = q;
+  bad(1, 2) = nan;
+  EXPECT_EQ(refusal({q, parabola(3)}, none), "cannot draw: q has 4 columns, and v has 3");
+  EXPECT_EQ(refusal({q, bad}, none).find("cannot draw: column 2 of v must be finite"), 0u);
+  EXPECT_EQ(refusal({q, q}, bad).find("cannot draw: column 2 of the right q must be finite"), 0u);
+  EXPECT_TRUE(files().empty());
+}
+
 TEST_F(render, WritesOnePageThatAsksForNothing) {
   const std::string text = text_of(parabola(150));
   EXPECT_EQ(files(), std::vector<std::string>{"animation.html"});

@@ -45,7 +45,7 @@ window.passTime = (ms) => {
 };
 """
 COUNT_PIXELS = """
-const stage = document.getElementById("stage");
+const stage = document.getElementById(arguments[1]);
 const hex = getComputedStyle(document.documentElement).getPropertyValue("--" + arguments[0]).trim();
 const want = [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16));
 const copy = new OffscreenCanvas(stage.width, stage.height);
@@ -108,8 +108,18 @@ class Page:
     def choose(self, speed: str) -> None:
         Select(self.find("speed")).select_by_value(speed)
 
-    def pixels(self, colour: str) -> int:
-        return int(self.driver.execute_script(COUNT_PIXELS, colour))
+    def pixels(self, colour: str, canvas: str = "stage") -> int:
+        return int(self.driver.execute_script(COUNT_PIXELS, colour, canvas))
+
+    def point_at_plots(self, share: float) -> None:
+        """Presses on the plots, at this share of their time from the left."""
+        run = self.driver.execute_script
+        first, last = run("return [timeX(0), timeX(T - 1)]")
+        plots = self.find("plots")
+        from_middle = first + share * (last - first) - plots.size["width"] / 2
+        run("arguments[0].scrollIntoView({block: 'center'})", plots)
+        actions = webdriver.ActionChains(self.driver)
+        actions.move_to_element_with_offset(plots, round(from_middle), 0).click().perform()
 
     def media(self, **features: str) -> None:
         named = [{"name": k.replace("_", "-"), "value": v} for k, v in features.items()]
@@ -154,6 +164,20 @@ def file(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def scene(file: Path) -> dict[str, Any]:
     data: dict[str, Any] = json.loads(DATA.findall(file.read_text("utf-8"))[0])
     return data
+
+
+@pytest.fixture(scope="module")
+def compared(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The page of a stored scene, where the square leaves the right way at column 12."""
+    page = tmp_path_factory.mktemp("compared") / "animation.html"
+    command = [str(PROGRAM), "--compare", str(page)]
+    subprocess.run(command, check=True, capture_output=True, timeout=PATIENCE)
+    text = page.read_text("utf-8")
+    data = json.loads(DATA.findall(text)[0])
+    for row in data["q"][:2]:
+        row[12:] = [x + 0.01 * (t + 1) for t, x in enumerate(row[12:])]
+    page.write_text(DATA.sub(json.dumps(data), text, count=1), "utf-8")
+    return page
 
 
 @pytest.fixture
@@ -311,6 +335,83 @@ def test_the_trace_of_the_corner_grows(open_page: Open) -> None:
     assert min(grown) > 20, counts
 
 
+def test_shows_the_force_of_the_ground_in_a_contact_step(
+    open_page: Open, scene: dict[str, Any]
+) -> None:
+    page = open_page()
+    columns = range(len(scene["q"][0]) - 1)
+    hit = next(t for t in columns if lowest_corner(scene, t) < scene["delta"])
+    m, g, v = (scene["motion"][name] for name in "mgv")
+    force = [m * ((v[i][hit + 1] - v[i][hit]) / scene["dt"] - g[i]) for i in range(2)]
+    assert force[1] > 1
+    page.slide(hit - 1)
+    assert (page.find("f_n").text, page.pixels("force")) == ("\N{EN DASH}", 0)
+    page.slide(hit)
+    assert [page.number("f_t"), page.number("f_n")] == pytest.approx(force, abs=0.051)
+    assert page.pixels("force") > 50
+
+
+def test_a_cursor_moves_over_the_plots(open_page: Open) -> None:
+    page = open_page()
+    for colour in ("corner", "square", "force"):
+        assert page.pixels(colour, "plots") > 50, f"the {colour} line is missing"
+    page.point_at_plots(0.5)
+    assert not page.playing() and page.column() == pytest.approx(149 / 2, abs=1.5)
+    page.point_at_plots(1)
+    assert page.column() == 149
+    dark = """
+    const copy = new OffscreenCanvas(plots.width, plots.height);
+    const ctx = copy.getContext("2d", { willReadFrequently: true });
+    ctx.drawImage(plots, 0, 0);
+    const X = Math.round(timeX(shown())), d = ctx.getImageData(X - 2, 0, 5, 60).data;
+    return d.filter((_, i) => i % 4 === 3).reduce((a, b) => a + b, 0);
+    """
+    page.slide(40)
+    at_cursor = page.driver.execute_script(dark)
+    beside = page.driver.execute_script(dark.replace("X = ", "X = 60 + "))
+    assert at_cursor > beside + 5000
+
+
+# ---- comparing ----
+
+
+def test_shows_the_right_one_beside_another(open_page: Open, compared: Path) -> None:
+    page = open_page(compared)
+    assert "from step 12 on, at 0.12 s" in page.find("other").text
+    page.slide(30)
+    both = page.pixels("right")
+    assert both > 50 and page.pixels("right", "plots") > 20
+    page.find("compare").click()
+    assert (page.pixels("right"), page.pixels("right", "plots")) == (0, 0)
+    assert not page.find("other").is_displayed()
+    page.press("c")
+    assert page.pixels("right") == both
+    page.press(Keys.SPACE)  # the box has the focus, and a space is its own
+    assert page.pixels("right") == 0 and not page.playing()
+
+
+def test_says_nothing_of_a_right_one_where_none_is_known(open_page: Open) -> None:
+    page = open_page()
+    assert not any(page.find(id_).is_displayed() for id_ in ("choice", "other", "key"))
+    page.press("c")
+    assert page.pixels("right") == 0
+
+
+def test_says_that_a_right_program_does_the_same(open_page: Open, tmp_path: Path) -> None:
+    page = tmp_path / "right.html"
+    subprocess.run([PROGRAM, "--compare", page], check=True, capture_output=True, timeout=PATIENCE)
+    assert "yours does the same" in open_page(page).find("other").text
+
+
+def test_lines_differ_by_more_than_colour(open_page: Open, compared: Path) -> None:
+    page = open_page(compared)
+    found = page.driver.execute_script(
+        "return panels().map((p) => p.lines.map((line) => [line.name, line.dash.join()]))"
+    )
+    for lines in found:
+        assert len({dash for _, dash in lines}) == len(lines) == len({name for name, _ in lines})
+
+
 # ---- reach ----
 
 
@@ -362,6 +463,7 @@ def test_fits_the_screen_in_full_sharpness(open_page: Open, size: tuple[int, int
     run = page.driver.execute_script
     page.wait_until(lambda: bool(run(IS_SHARP, *size)))
     run("document.getElementById('contact').hidden = false")
+    assert page.find("plots").size["height"] >= 200
     content, room = run("const e = document.documentElement; return [e.scrollWidth, e.clientWidth]")
     assert content <= room
 
@@ -394,7 +496,8 @@ TRAJECTORIES: dict[str, dict[str, Any]] = {
     "a house": {"l": 30.0, "q": bounces(150)},
     "far below the ground": {"q": [[0.0] * 150, [-t * t / 100 for t in range(150)], [0.0] * 150]},
     "to infinity, nearly": {
-        "q": [[1.4**t * f for t in range(150)] for f in (1e285, -3e280, 1.0)]
+        "motion": {"m": 0.3, "g": [0, -9.81], "v": [[1e300] * 150] * 3},
+        "q": [[1.4**t * f for t in range(150)] for f in (1e285, -3e280, 1.0)],
     },
     "at rest on the ground": {"q": [[2.0] * 150, [0.1] * 150, [0.0] * 150]},
     "in an instant": {"dt": 1e-9, "q": bounces(150)},
@@ -406,7 +509,7 @@ TRAJECTORIES: dict[str, dict[str, Any]] = {
 def test_shows_any_trajectory(
     open_page: Open, file: Path, scene: dict[str, Any], tmp_path: Path, name: str
 ) -> None:
-    data = scene | TRAJECTORIES[name]
+    data: dict[str, Any] = {**scene, "motion": None, **TRAJECTORIES[name]}
     other = tmp_path / "other.html"
     other.write_text(DATA.sub(json.dumps(data), file.read_text("utf-8"), count=1), "utf-8")
     page = open_page(other)

@@ -305,6 +305,16 @@ def test_exit_status_and_json(tmp_path: Path) -> None:
     assert kit("grade", str(SOLUTION), "--json", "/nonexistent/x.json").returncode == 2
 
 
+def test_a_pipe_is_written_to_and_stays_one(tmp_path: Path) -> None:
+    """As a device is: --json /dev/null must not make a file of it."""
+    pipe = tmp_path / "pipe"
+    os.mkfifo(pipe)
+    reader = subprocess.Popen(["/bin/cat", str(pipe)], stdout=subprocess.PIPE)
+    assert kit("grade", str(SOLUTION), "--json", str(pipe)).returncode == 0
+    assert json.loads(reader.communicate()[0])["score"] == 100
+    assert pipe.is_fifo()
+
+
 def test_speed_is_a_ratio_of_one_run() -> None:
     done = kit("grade", str(SOLUTION), "--speed", "--json", "-")
     speed = json.loads(done.stdout)["speed"]

@@ -6,6 +6,7 @@ import subprocess
 from pathlib import Path
 
 import pytest
+from bounce_grader import handout as kit_handout
 from conftest import ROOT, SOLUTION
 
 STEMS = ["part1_contacts", "part2_lcp", "part3_step", "part4_simulate"]
@@ -19,12 +20,9 @@ def run(*command: str, cwd: Path) -> subprocess.CompletedProcess[str]:
 def handout(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """As it is handed out: the folder, with the public tests and fixtures inside."""
     folder = tmp_path_factory.mktemp("handout") / "bounce"
-    shutil.copytree(ROOT / "student", folder)
-    (folder / "tests" / "linked").mkdir(parents=True)
-    for pattern in ("part*_test.cpp", "cases.*", "submission.hpp", "linked/*.cpp"):
-        for file in (ROOT / "tests").glob(pattern):
-            shutil.copy(file, folder / "tests" / file.relative_to(ROOT / "tests"))
-    shutil.copytree(ROOT / "fixtures" / "public", folder / "fixtures" / "public")
+    for name, file in kit_handout.files().items():
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(file, folder / name)
     return folder
 
 

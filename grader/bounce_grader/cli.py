@@ -78,6 +78,10 @@ def _parser() -> argparse.ArgumentParser:
     doctor = commands.add_parser("doctor", help="try out whether the boxes hold here")
     doctor.set_defaults(command=_doctor)
 
+    handout = commands.add_parser("handout", help="write what students receive, as a zip")
+    handout.add_argument("--out", type=Path, required=True, metavar="FILE.zip")
+    handout.set_defaults(command=_handout)
+
     bench = commands.add_parser("bench", help="measure the grader's speed")
     bench.add_argument("what", nargs="?", choices=["grade", "class"], default="grade")
     bench.add_argument("--submissions", type=int, default=1000, metavar="N", help="of a class")
@@ -130,10 +134,10 @@ def _boxes(options: argparse.Namespace) -> tuple[str, ...]:
 
 def _write(path: Path, text: str) -> None:
     """Whole or not at all."""
-    temporary = path.with_name(path.name + ".part")
+    from bounce_grader.files import write_whole
+
     try:
-        temporary.write_text(text, encoding="utf-8")
-        temporary.replace(path)
+        write_whole(path, text)
     except OSError as error:
         raise UsageError(f"{path} can't be written: {error.strerror}") from error
 
@@ -161,6 +165,13 @@ def _doctor(options: argparse.Namespace) -> int:
     from bounce_grader import doctor
 
     return doctor.run()
+
+
+def _handout(options: argparse.Namespace) -> int:
+    from bounce_grader import handout
+
+    print(f"{options.out} holds {handout.write(options.out)} files")
+    return 0
 
 
 def _bench(options: argparse.Namespace) -> int:

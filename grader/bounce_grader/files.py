@@ -14,7 +14,10 @@ ABANDONED = 3600.0  # seconds after which nobody is writing a file any more
 
 def write_whole(path: Path, data: str | bytes, durable: bool = False) -> None:
     """Under a temporary name first; `durable` survives a loss of power as well. Raises OSError,
-    and then leaves what was there."""
+    and then leaves what was there. A device or a pipe is written to, and never replaced."""
+    if path.exists() and not path.is_file() and not path.is_dir():
+        path.write_bytes(data.encode() if isinstance(data, str) else data)
+        return
     path.parent.mkdir(parents=True, exist_ok=True)
     temporary = path.with_name(f".{fitting(path.name, 100)}.{os.getpid()}.part")
     try:

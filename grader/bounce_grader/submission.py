@@ -16,15 +16,16 @@ from bounce_grader.entry import Entry, NotText, text_of
 from bounce_grader.errors import UsageError
 from bounce_grader.escape import name as printable
 from bounce_grader.manifest import Part, parts
+from bounce_grader.paths import HANDOUT
 
 SOURCES = {".cpp", ".cc", ".cxx"}
 HEADERS = {".hpp", ".h", ".hh", ".hxx", ".ipp", ".inl"}
-GIVEN = {"solve_lcp.cpp", "render.cpp", "animation_page.hpp", "main.cpp"}
+GIVEN = {file.name for file in (HANDOUT / "given").iterdir()} | {"main.cpp"}
 MOST_SOURCES = 100
 MOST_BYTES = 8 * 1024 * 1024
 LONGEST_NAME = 255  # bytes, folders and all
 MAC_FOLDER = "__MACOSX"
-NOT_THEIRS = {"build", MAC_FOLDER, "CMakeFiles", "fixtures", "tests"}
+NOT_THEIRS = {"build", MAC_FOLDER, "CMakeFiles", "fixtures", "tests", "methods", "study"}
 
 
 @dataclass(frozen=True)

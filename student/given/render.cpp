@@ -35,12 +35,11 @@ void require_parameters(const Parameters& params) {
     refuse("delta must be finite, and it is " + digits(params.delta));
 }
 
-void require_finite(const Eigen::Matrix3Xd& q) {
-  if (q.cols() == 0) refuse("q has no column");
+void require_finite(const Eigen::Matrix3Xd& q, const std::string& name) {
   for (Eigen::Index t = 0; t < q.cols(); ++t) {
     if (q.col(t).allFinite()) continue;
-    refuse("column " + std::to_string(t) + " of q must be finite, and it is (" + digits(q(0, t)) +
-           ", " + digits(q(1, t)) + ", " + digits(q(2, t)) + ")");
+    refuse("column " + std::to_string(t) + " of " + name + " must be finite, and it is (" +
+           digits(q(0, t)) + ", " + digits(q(1, t)) + ", " + digits(q(2, t)) + ")");
   }
 }
 
@@ -54,13 +53,23 @@ std::string json(const Eigen::Matrix3Xd& q) {
   return "[" + rows + "]";
 }
 
-std::string html(const Eigen::Matrix3Xd& q, const Parameters& params) {
+std::string motion(const Eigen::Matrix3Xd& v, const Parameters& params) {
+  return R"({"m":)" + digits(params.m) + R"(,"g":[)" + digits(params.g.x()) + "," +
+         digits(params.g.y()) + R"(],"v":)" + json(v) + "}";
+}
+
+std::string html(const Trajectory& trajectory, const Parameters& params,
+                 const Eigen::Matrix3Xd& right) {
+  const auto& [q, v] = trajectory;
   const std::string data = R"({"l":)" + digits(params.l) + R"(,"dt":)" + digits(params.dt) +
-                           R"(,"delta":)" + digits(params.delta) + R"(,"q":)" + json(q) + "}";
+                           R"(,"delta":)" + digits(params.delta) + R"(,"q":)" + json(q) +
+                           R"(,"motion":)" + (v.cols() > 0 ? motion(v, params) : "null") +
+                           R"(,"right":)" + (right.cols() > 0 ? json(right) : "null") + "}";
   std::string text(page_head);
   text.append(page_style).append(page_body);
   text.append("<script>\nconst animation = ").append(data).append(";\n");
-  text.append(page_script).append("</script>\n</body>\n</html>\n");
+  text.append(page_square).append(page_picture).append(page_plots).append(page_reader);
+  text.append("</script>\n</body>\n</html>\n");
   return text;
 }
 
@@ -88,12 +97,33 @@ void replace(const fs::path& page, std::string_view text) {
   fail_to_write(page, out ? renamed.message() : "the disk may be full");
 }
 
+void require_motion(const Trajectory& trajectory, const Parameters& params) {
+  const auto& [q, v] = trajectory;
+  if (v.cols() != q.cols())
+    refuse("q has " + std::to_string(q.cols()) + " columns, and v has " + std::to_string(v.cols()));
+  require_finite(v, "v");
+  if (!std::isfinite(params.m) || !params.g.allFinite()) refuse("m and g must be finite");
+}
+
+void write(const Trajectory& trajectory, const Parameters& params, const fs::path& page,
+           const Eigen::Matrix3Xd& right) {
+  require_parameters(params);
+  if (trajectory.q.cols() == 0) refuse("q has no column");
+  require_finite(trajectory.q, "q");
+  require_finite(right, "the right q");
+  replace(page, html(trajectory, params, right));
+}
+
 }  // namespace
 
 void render(const Eigen::Matrix3Xd& q, const Parameters& params, const fs::path& page) {
-  require_parameters(params);
-  require_finite(q);
-  replace(page, html(q, params));
+  write({q, Eigen::Matrix3Xd(3, 0)}, params, page, Eigen::Matrix3Xd(3, 0));
+}
+
+void render(const Trajectory& trajectory, const Parameters& params, const fs::path& page,
+            const Eigen::Matrix3Xd& right) {
+  require_motion(trajectory, params);
+  write(trajectory, params, page, right);
 }
 
 }  // namespace bounce

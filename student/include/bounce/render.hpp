@@ -15,4 +15,13 @@ namespace bounce {
 //           std::runtime_error when the page cannot be written (nothing is left half-written).
 void render(const Eigen::Matrix3Xd& q, const Parameters& params, const std::filesystem::path& page);
 
+// The same with the forces of the ground and the energies, which need v, 3xT: m/s, m/s, rad/s. It
+// needs m and g of params as well.
+//
+//   right   3xN configurations to compare with, shown dashed; nothing is compared where N = 0.
+//   throws  as above, and std::invalid_argument when q and v have different numbers of columns.
+void render(const Trajectory& trajectory, const Parameters& params,
+            const std::filesystem::path& page,
+            const Eigen::Matrix3Xd& right = Eigen::Matrix3Xd(3, 0));
+
 }  // namespace bounce

@@ -1,0 +1,252 @@
+// The script's second part: the stage with the square, its way, its forces and the right one.
+#pragma once
+
+#include <string_view>
+
+namespace bounce {
+
+inline constexpr std::string_view page_picture = R"js(// ---- picture ----
+
+let colour = {}; // the style's colours by name
+let whole = null; // the view of the whole trajectory
+const wide = () => stage.clientWidth;
+const high = () => stage.clientHeight;
+const comparing = () => right !== null && compare.checked;
+const small = () => l * whole.scale < 16; // too small a square to be seen in the whole
+
+// A view shows the world's point (x, y), m, at the stage's (X, Y), pixels, with `scale` pixels a metre.
+const view = (scale, x, y, X, Y) => ({
+  scale,
+  X: (a) => X + (a - x) * scale,
+  Y: (b) => Y - (b - y) * scale,
+  x: (A) => x + (A - X) / scale,
+  y: (B) => y - (B - Y) / scale,
+});
+
+const span = (row, start = [row[0], row[0]]) => row.reduce(([a, b], v) => [Math.min(a, v), Math.max(b, v)], start);
+
+function fit() {
+  const margin = { left: 52, right: 28, top: 24, bottom: 52 };
+  const reach = l / Math.SQRT2; // from the centre to a corner
+  const [x, y] = [0, 1].map((i) => (right ? q[i].concat(right[i]) : q[i]));
+  const [leftmost, rightmost] = span(x);
+  const [bottom, top] = span(y, [reach, -reach]); // the ground is in view
+  const width = wide() - margin.left - margin.right;
+  const height = high() - margin.top - margin.bottom;
+  const scale = Math.min(
+    width / (rightmost - leftmost + 2 * reach),
+    height / (top - bottom + 2 * reach),
+    (0.3 * Math.min(width, height)) / l, // a square that hardly moves need not fill the stage
+  );
+  const spare = height - (top - bottom + 2 * reach) * scale;
+  return view(scale, (leftmost + rightmost) / 2, bottom - reach, margin.left + width / 2, high() - margin.bottom - spare / 4);
+}
+
+// The least of 1, 2, 5, 10, 20, ... that is not below `least`.
+function round125(least) {
+  const power = 10 ** Math.floor(Math.log10(least));
+  return [1, 2, 5, 10].map((n) => n * power).find((n) => n >= least * (1 - 1e-9));
+}
+
+// The multiples of `step` from a to b. They are counted, since far from 0 a sum may stand still.
+function multiples(step, a, b) {
+  const first = Math.ceil(a / step);
+  const count = Math.min(Math.floor(b / step) - first + 1, 200) || 0;
+  return Array.from({ length: count }, (_, i) => (first + i) * step);
+}
+
+// A grid of squares, numbered in metres along the lower and the left edge.
+function drawGrid(at) {
+  const name = (value, step) => text(value, Math.min(Math.max(0, -Math.floor(Math.log10(step))), 15)) + " m";
+  const width = (step) => Math.max(...[at.x(0), at.x(wide())].map((x) => ctx.measureText(name(x, step)).width));
+  let step = round125(70 / at.scale);
+  for (let i = 0; i < 20 && width(step) + 24 > step * at.scale; ++i) step = round125(1.5 * step);
+
+  ctx.fillStyle = colour.quiet;
+  ctx.textAlign = "left";
+  ctx.beginPath();
+  for (const x of multiples(step, at.x(0), at.x(wide()))) {
+    const X = Math.round(at.X(x)) + 0.5;
+    ctx.moveTo(X, 0);
+    ctx.lineTo(X, high());
+    if (X > 0 && X + width(step) + 10 < wide()) ctx.fillText(name(x, step), X + 5, high() - 10);
+  }
+  for (const y of multiples(step, at.y(high()), at.y(0))) {
+    const Y = Math.round(at.Y(y)) + 0.5;
+    ctx.moveTo(0, Y);
+    ctx.lineTo(wide(), Y);
+    if (Y > 20 && Y < high() - 28) ctx.fillText(name(y, step), 10, Y - 5);
+  }
+  stroke("grid", 1);
+}
+
+function stroke(name, width) {
+  ctx.strokeStyle = colour[name];
+  ctx.lineWidth = width;
+  ctx.stroke();
+}
+
+function disc(X, Y, radius, fill) {
+  ctx.beginPath();
+  ctx.arc(X, Y, radius, 0, 2 * Math.PI);
+  if (!fill) return;
+  ctx.fillStyle = colour[fill];
+  ctx.fill();
+}
+
+function drawGround(at) {
+  ctx.fillStyle = colour.ground;
+  ctx.fillRect(0, at.Y(0), wide(), Math.max(high() - at.Y(0), 0));
+  ctx.fillStyle = colour["ground-line"];
+  ctx.fillRect(0, at.Y(0), wide(), 1.5);
+}
+
+// The way of the lowest corner up to s, with dots at the columns in contact. Points that would fall
+// on the last one are left out, and so are those too far off for a canvas to draw.
+function drawTrace(at, s, of = q, points = lows, name = "corner") {
+  const nowhere = { k: -1, X: Infinity, Y: 0 };
+  const off = (a, b) => Math.abs(a.X - b.X) + Math.abs(a.Y - b.Y);
+  const dots = [];
+  let dot = nowhere;
+  let pen = nowhere;
+  ctx.beginPath();
+  for (let t = 0; t <= Math.min(s, points.length - 1) + 1; ++t) {
+    const { k, x, y } = t <= s && t < points.length ? points[t] : lowest(pose(s, of));
+    const point = { k, X: at.X(x), Y: at.Y(y) };
+    if (Math.abs(point.X) + Math.abs(point.Y) > 1e6) {
+      pen = nowhere;
+      continue;
+    }
+    if (y < delta && off(point, dot) >= 2) dots.push((dot = point));
+    if (k === pen.k && off(point, pen) < 1) continue;
+    if (k === pen.k) ctx.lineTo(point.X, point.Y);
+    else ctx.moveTo(point.X, point.Y);
+    pen = point;
+  }
+  stroke(name, name === "corner" ? 2 : 1);
+  for (const { X, Y } of dots) disc(X, Y, name === "corner" ? 3 : 2, name);
+}
+
+// Lays the square's outline as the path, and gives its corners on the stage.
+function outline(at, [x, y, theta]) {
+  const c = corners(theta).map(([r_x, r_y]) => [at.X(x) + r_x * at.scale, at.Y(y) - r_y * at.scale]);
+  ctx.beginPath();
+  for (const corner of c) ctx.lineTo(...corner);
+  ctx.closePath();
+  return c;
+}
+
+// Where the square was at equal steps of time, as a stroboscope shows it.
+function drawPast(at, s) {
+  const every = round125(Math.max(T / 20, 1));
+  ctx.globalAlpha = 0.28;
+  for (let t = 0; t < s; t += every) {
+    outline(at, column(t));
+    stroke("square", 1);
+  }
+  ctx.globalAlpha = 1;
+}
+
+// The square, with a line along its own x axis and a ring at its lowest corner, filled in contact.
+function drawSquare(at, now) {
+  const low = lowest(now);
+  const c = outline(at, now);
+  ctx.fillStyle = colour.square;
+  ctx.globalAlpha = 0.22;
+  ctx.fill();
+  ctx.globalAlpha = 1;
+  ctx.moveTo(at.X(now[0]), at.Y(now[1]));
+  ctx.lineTo((c[0][0] + c[3][0]) / 2, (c[0][1] + c[3][1]) / 2);
+  stroke("square", 2);
+  disc(...c[low.k], Math.min(5, Math.max(2, (l * at.scale) / 5)), low.y < delta ? "corner" : "card");
+  stroke("corner", 2);
+}
+
+// The right square, dashed.
+function drawRight(at, s) {
+  ctx.setLineDash([6, 4]);
+  drawTrace(at, s, right, lowsRight, "right");
+  outline(at, pose(s, right));
+  stroke("right", 2);
+  ctx.setLineDash([]);
+}
+
+const recent = 0.12; // s that an arrow takes to fade
+const strongest = forces.reduce((most, f) => (f ? Math.max(most, Math.hypot(...f)) : most), 0);
+
+// The force of the ground at its corner, the longest arrow a quarter of the stage; those of the
+// last steps fade, since a bounce lasts one step.
+function drawForces(at) {
+  const now = columnShown();
+  const pixels = Math.min(high() / 4, 120) / strongest;
+  for (let t = Math.max(0, now - Math.floor(Math.min(recent / dt, 200))); t <= now; ++t) {
+    if (!forces[t]) continue;
+    const [X, Y] = [at.X(lows[t].x), at.Y(lows[t].y)];
+    if (!(Math.abs(X) + Math.abs(Y) < 1e6)) continue;
+    ctx.globalAlpha = 1 - (0.85 * ((now - t) * dt)) / recent;
+    arrow(X, Y, X + forces[t][0] * pixels, Y - forces[t][1] * pixels);
+  }
+  ctx.globalAlpha = 1;
+}
+
+function arrow(X, Y, toX, toY) {
+  const length = Math.hypot(toX - X, toY - Y);
+  if (!(length > 1)) return;
+  const [x, y] = [(toX - X) / length, (toY - Y) / length];
+  const head = Math.min(9, length / 2);
+  ctx.beginPath();
+  ctx.moveTo(X, Y);
+  ctx.lineTo(toX, toY);
+  for (const side of [-0.5, 0.5]) {
+    ctx.moveTo(toX, toY);
+    ctx.lineTo(toX - head * (x + side * y), toY - head * (y - side * x));
+  }
+  stroke("force", 3);
+}
+
+// A small square is ringed, and shown under a lens as well.
+function drawLens() {
+  const [x, y] = pose(shown());
+  const radius = Math.min(72, high() / 5);
+  const [X, Y] = [wide() - radius - 18, radius + 18];
+  const lens = view((0.8 * radius) / l, x, y, X, Y);
+  disc(whole.X(x), whole.Y(y), 13);
+  stroke("quiet", 1);
+  ctx.save();
+  disc(X, Y, radius, "card");
+  ctx.clip();
+  drawScene(lens);
+  ctx.restore();
+  disc(X, Y, radius);
+  stroke("quiet", 1.5);
+  ctx.fillStyle = colour.quiet;
+  ctx.textAlign = "center";
+  ctx.fillText(`${Number((lens.scale / whole.scale).toPrecision(2))}\u00d7`, X, Y + radius + 18);
+}
+
+function drawScene(at) {
+  drawGround(at);
+  if (at === whole) drawGrid(at);
+  if (!small()) drawPast(at, shown());
+  drawTrace(at, shown());
+  if (comparing()) drawRight(at, shown());
+  drawSquare(at, pose(shown()));
+  drawForces(at);
+}
+
+function draw() {
+  if (!whole) return;
+  ctx.clearRect(0, 0, wide(), high());
+  ctx.font = "12px system-ui, -apple-system, sans-serif";
+  drawScene(whole);
+  if (small()) drawLens();
+  drawPlots();
+}
+
+function show() {
+  showText();
+  draw();
+}
+)js";
+
+}  // namespace bounce

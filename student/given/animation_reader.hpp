@@ -1,0 +1,80 @@
+// The script's last part: what the reader does, and how the page begins.
+#pragma once
+
+#include <string_view>
+
+namespace bounce {
+
+inline constexpr std::string_view page_reader = R"js(// ---- what the reader does ----
+
+function resize() {
+  const ratio = window.devicePixelRatio || 1;
+  stage.width = Math.round(wide() * ratio);
+  stage.height = Math.round(high() * ratio);
+  ctx.setTransform(ratio, 0, 0, ratio, 0, 0);
+  ctx.lineJoin = "round";
+  whole = fit();
+  drawStill();
+  byId("past").hidden = small();
+  draw();
+}
+
+function recolour() {
+  const style = getComputedStyle(document.documentElement);
+  const names = ["card", "quiet", "grid", "ground", "ground-line", "square", "corner", "force", "right", "text"];
+  colour = Object.fromEntries(names.map((name) => [name, style.getPropertyValue(`--${name}`).trim()]));
+  if (still) drawStill();
+  draw();
+}
+
+function redraw() {
+  byId("other").hidden = !comparing();
+  if (still) drawStill();
+  draw();
+}
+
+const keys = {
+  " ": () => setPlaying(!playing),
+  ArrowLeft: () => seek(columnShown() - 1),
+  ArrowRight: () => seek(columnShown() + 1),
+  Home: () => seek(0),
+  End: () => seek(T - 1),
+  c: () => right && compare.click(),
+};
+
+// What already answers a key by itself is left to do so.
+const answers = (target, key) =>
+  target === speed || (target === slider && key !== " ") || ((target === play || target === compare) && key === " ");
+
+document.addEventListener("keydown", (event) => {
+  const act = keys[event.key];
+  if (!act || event.ctrlKey || event.metaKey || event.altKey || answers(event.target, event.key)) return;
+  event.preventDefault();
+  act();
+});
+for (const element of [play, stage]) element.addEventListener("click", () => setPlaying(!playing));
+slider.addEventListener("input", () => seek(Number(slider.value)));
+compare.addEventListener("change", redraw);
+plots.addEventListener("pointerdown", (event) => seek(columnAt(event)));
+plots.addEventListener("pointermove", (event) => event.buttons && seek(columnAt(event)));
+const watching = new ResizeObserver(resize);
+for (const canvas of [stage, plots]) watching.observe(canvas);
+media("prefers-color-scheme: dark").addEventListener("change", recolour);
+
+byId("about").innerHTML = `<i>T</i> = ${T}, &Delta;<i>t</i> = ${Number(dt.toPrecision(6))} s, <i>l</i> = ${Number(l.toPrecision(6))} m`;
+const lengths = q.flatMap((row) => span(row)).map((value) => text(value, places).length);
+document.documentElement.style.setProperty("--longest", Math.max(...lengths));
+byId("column").style.minWidth = `${2 * String(T - 1).length + 2}ch`;
+slider.max = T - 1;
+const seconds = (T - 1) * dt;
+speed.value = T > 1 && (seconds < 0.5 || seconds > 60) ? "fit" : "1";
+for (const id of ["choice", "key"]) byId(id).hidden = !right;
+for (const id of ["forces", "tangential", "normal"]) byId(id).hidden = !motion;
+byId("parted").textContent = parted < 0 ? "yours does the same" : `yours is another from step ${parted} on, at ${text(parted * dt, timePlaces)} s`;
+recolour();
+redraw();
+show();
+if (!media("prefers-reduced-motion: reduce").matches) setPlaying(true);
+)js";
+
+}  // namespace bounce

@@ -1,0 +1,69 @@
+// The page's colours and layout.
+#pragma once
+
+#include <string_view>
+
+namespace bounce {
+
+// Blue, vermilion, bluish green and reddish purple are told apart by every kind of colour vision
+// (Okabe and Ito's palette, darker or lighter for contrast). Dashes and words say the same again.
+inline constexpr std::string_view page_style = R"css(<style>
+:root {
+  --paper: #f6f5f1; --card: #ffffff; --text: #22252a; --quiet: #646a73; --edge: #dcdad3; --grid: rgba(0, 0, 0, 0.07);
+  --ground: #e6e3da; --ground-line: #77746b; --square: #0072b2; --corner: #c84f00; --force: #007a5a; --right: #a8437f;
+}
+@media (prefers-color-scheme: dark) {
+  :root {
+    --paper: #121417; --card: #1a1d21; --text: #e8e6e1; --quiet: #a0a5ad; --edge: #33373d; --grid: rgba(255, 255, 255, 0.08);
+    --ground: #2b2f34; --ground-line: #8b8f96; --square: #56b4e9; --corner: #f0a040; --force: #2fc79b; --right: #e79ac8;
+  }
+}
+* { box-sizing: border-box; margin: 0; }
+body {
+  display: flex; flex-direction: column; gap: 14px; min-height: 100vh; min-height: 100dvh;
+  max-width: 1120px; margin: 0 auto; padding: 20px 24px;
+  background: var(--paper); color: var(--text); accent-color: var(--square);
+  font: 15px/1.45 system-ui, -apple-system, "Segoe UI", Roboto, sans-serif;
+}
+header { display: flex; flex-wrap: wrap; align-items: baseline; gap: 0 16px; }
+h1 { font-size: 21px; font-weight: 650; letter-spacing: -0.01em; }
+header p, figcaption, dt, small, #hint { color: var(--quiet); font-size: 13px; }
+i { font-family: "STIX Two Text", Cambria, Georgia, "Times New Roman", serif; font-size: 1.1em; }
+figure { display: flex; flex-direction: column; gap: 8px; }
+figure:first-of-type { flex: 1 0 auto; }
+#stage {
+  flex: 1 0 0px; width: 100%; min-height: 240px; cursor: pointer;
+  background: var(--card); border: 1px solid var(--edge); border-radius: 12px;
+}
+#plots { width: 100%; height: 230px; cursor: crosshair; touch-action: pan-y; background: var(--card); border: 1px solid var(--edge); border-radius: 12px; }
+#compare { width: 18px; height: 18px; vertical-align: -3px; }
+[hidden] { display: none !important; }
+sub { line-height: 0; }
+dl { --unit: 40px; display: grid; grid-template-columns: repeat(auto-fit, minmax(calc(var(--longest, 6) * 1ch + var(--unit)), 1fr)); gap: 6px 12px; font-size: 19px; }
+dt, dd { white-space: nowrap; }
+dd, output { font-variant-numeric: tabular-nums; }
+#controls { display: flex; flex-wrap: wrap; align-items: center; gap: 8px 16px; }
+#play {
+  width: 46px; height: 46px; padding: 0; border: 0; border-radius: 50%; cursor: pointer;
+  background: var(--square); color: var(--card);
+}
+#play svg { display: block; width: 20px; height: 20px; margin: auto; fill: currentColor; }
+#slider { flex: 1; min-width: 70%; height: 32px; margin: 0; cursor: pointer; }
+output { text-align: right; }
+select {
+  height: 38px; margin-left: 4px; padding: 0 8px; font: inherit; color: inherit;
+  background: var(--card); border: 1px solid var(--edge); border-radius: 8px;
+}
+:focus-visible { outline: 3px solid var(--corner); outline-offset: 2px; }
+@media (pointer: coarse), (max-width: 640px) { #hint { display: none; } }
+@media (min-width: 641px) { #slider { min-width: 0; } }
+@media (max-width: 640px) { body { padding: 14px; } #plots { width: 100%; height: 230px; cursor: crosshair; touch-action: pan-y; background: var(--card); border: 1px solid var(--edge); border-radius: 12px; }
+#compare { width: 18px; height: 18px; vertical-align: -3px; }
+[hidden] { display: none !important; }
+dl { --unit: 30px; font-size: 16px; } #controls { justify-content: space-between; } #plots { height: 210px; } output { text-align: left; } }
+@media (max-height: 520px) { body { padding: 12px; gap: 8px; } header, figcaption, #hint { display: none; } #stage { min-height: 160px; } }
+</style>
+</head>
+)css";
+
+}  // namespace bounce

@@ -1,0 +1,149 @@
+#include "feedback.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "picture.hpp"
+
+namespace bounce::tests {
+namespace {
+
+using Eigen::Index;
+using Marks = Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic>;
+
+constexpr double kNothing = 1e-14;  // what rounding leaves of a 0
+
+std::string number(double x, int digits) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.*g", digits, std::abs(x) < kNothing ? 0.0 : x);
+  return text;
+}
+
+std::string padded(const std::string& text, std::size_t width) {
+  return text.size() < width ? text + std::string(width - text.size(), ' ') : text;
+}
+
+// Six digits, or as many as it takes to see that a wrong number is another.
+int digits_for(const Difference& d, const Marks& right) {
+  for (Index i = 0; i < d.got.size(); ++i) {
+    if (!right(i) && number(d.got(i), 6) == number(d.expected(i), 6)) return 12;
+  }
+  return 6;
+}
+
+using Rows = std::vector<std::string>;
+
+// One line for each row of the matrix, its columns aligned; a wrong entry is marked.
+Rows rows_of(const Eigen::MatrixXd& m, const Marks* right, int digits) {
+  Rows rows(static_cast<std::size_t>(m.rows()));
+  for (Index j = 0; j < m.cols(); ++j) {
+    Rows entries;
+    std::size_t width = 0;
+    for (Index i = 0; i < m.rows(); ++i) {
+      const std::string entry = number(m(i, j), digits);
+      entries.push_back(right && !(*right)(i, j) ? ">" + entry + "<" : " " + entry + " ");
+      width = std::max(width, entries.back().size());
+    }
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      rows[i] += (j > 0 ? "  " : "") + padded(entries[i], width);
+    }
+  }
+  if (m.size() == 1) return {rows[0].substr(0, rows[0].find_last_not_of(' ') + 1)};
+  for (std::string& row : rows) row = "[" + row + "]";
+  return rows;
+}
+
+// Side by side where that fits into a line, else one below the other.
+std::string side_by_side(const Case& c, const Difference& d) {
+  const Marks right = agrees(c, d.expected, d.got);
+  const int digits = digits_for(d, right);
+  Rows yours = rows_of(d.got, &right, digits), rights = rows_of(d.expected, nullptr, digits);
+  yours.insert(yours.begin(), "yours, >wrong<");
+  rights.insert(rights.begin(), "right");
+  const std::size_t width = std::max(yours.front().size(), yours.back().size()) + 4;
+  const bool beside = width + rights.back().size() < 72;
+  std::string text = "  " + d.name + ", in " + d.unit + "\n";
+  for (std::size_t i = 0; i < yours.size(); ++i) {
+    text += "    " + (beside ? padded(yours[i], width) + rights[i] : yours[i]) + "\n";
+  }
+  for (std::size_t i = 0; i < (beside ? 0 : rights.size()); ++i) text += "    " + rights[i] + "\n";
+  return text;
+}
+
+// Factors by which an answer may be wrong as a whole, by the names of the assignment.
+std::vector<std::pair<std::string, double>> factors(const Parameters& p) {
+  return {{"-1", -1},
+          {"2", 2},
+          {"1/2", 0.5},
+          {"dt", p.dt},
+          {"1/dt", 1 / p.dt},
+          {"m", p.m},
+          {"1/m", 1 / p.m},
+          {"m^2", p.m * p.m},
+          {"epsilon", p.epsilon},
+          {"1 + epsilon", 1 + p.epsilon},
+          {"1/(1 + epsilon)", 1 / (1 + p.epsilon)}};
+}
+
+// What may have gone wrong, where one thing explains every wrong entry; else empty.
+std::string explanation(const Case& c, const Difference& d) {
+  if (!d.got.allFinite()) return "  NaN or infinity: a division by zero, or a number never set?\n";
+  if (d.got.isZero(0)) {
+    return d.got.size() > 1 ? "  every entry is 0: is it filled in?\n"
+                            : "  it is 0: not filled in, or a smallest that was never found?\n";
+  }
+  const Marks right = agrees(c, d.expected, d.got);
+  for (const auto& [name, factor] : factors(c.params)) {
+    const Marks scaled = agrees(c, factor * d.expected, d.got) && (d.expected.array() != 0);
+    if ((right || scaled).all()) return "  wrong entries are " + name + " times the right ones\n";
+  }
+  return "";
+}
+
+// The force that a velocity after the step tells of: M (v' - v) / dt - f_e.
+std::string forces(const Case& c, const Vector3& v) {
+  const Vector3 f = c.params.M() * ((v - c.v) / c.params.dt - c.params.g);
+  const double zero = 1e-9 * f.norm();  // rounding is nothing to wonder about
+  const auto said = [&](double x) { return number(std::abs(x) < zero ? 0 : x, 6); };
+  return "(" + said(f.x()) + ", " + said(f.y()) + ") N";
+}
+
+// How the corner moves before the step, from the J that the question gives.
+std::string corner_before(const Case& c) {
+  const double v_t = c.J.col(0).dot(c.v), v_n = c.J.col(1).dot(c.v);
+  return "  before the step the corner slides to the " + std::string(v_t > 0 ? "right" : "left") +
+         " at " + number(std::abs(v_t), 6) + " m/s and " + (v_n < 0 ? "comes down" : "goes up") +
+         " at " + number(std::abs(v_n), 6) + " m/s\n";
+}
+
+std::string about_step(const Case& c, const Difference& d) {
+  if (d.unit != kVelocity || !d.got.allFinite() || !c.columns.empty()) return "";
+  std::string text;
+  if (c.corner.rfind("corner", 0) == 0) {
+    text = "  the contact force (f_t2 - f_t1, f_n) that v' tells of:\n    yours " +
+           forces(c, d.got) + ", right " + forces(c, d.expected) + "\n";
+  }
+  return text + picture_of_step(c, d.got) + "\n";
+}
+
+}  // namespace
+
+std::string feedback(const Case& c, const Problem& problem) {
+  if (c.hidden) return summary(c, problem);
+  std::string text;
+  if (!c.corner.empty()) text += "  " + c.corner + "\n";
+  if (!c.J.isZero(0)) text += corner_before(c);
+  if (!problem.sentence.empty()) text += "  " + problem.sentence + "\n";
+  for (const Difference& d : problem.differences) {
+    text += side_by_side(c, d) + explanation(c, d) + about_step(c, d);
+  }
+  if (problem.path.cols() > 0) text += picture_of_paths(c, problem.path) + "\n";
+  if (!text.empty()) text.pop_back();
+  return text;
+}
+
+}  // namespace bounce::tests

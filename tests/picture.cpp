@@ -1,0 +1,127 @@
+#include "picture.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace bounce::tests {
+namespace {
+
+using Point = Eigen::Vector2d;
+
+constexpr int kWidth = 58, kHeight = 17;  // fits a terminal of 64 columns
+constexpr double kAspect = 2.0;           // a letter is about twice as high as it is wide
+constexpr const char* kMargin = "    | ";
+
+// Letters over a part of the world; (x, y) in m, and one scale for both.
+class Canvas {
+ public:
+  Canvas(const Point& low, const Point& high) {
+    const Point size = (high - low).cwiseMax(1e-9);
+    metres_ = std::max(size.x() / (kWidth - 1), size.y() / (kAspect * (kHeight - 1)));
+    left_ = (low.x() + high.x() - metres_ * (kWidth - 1)) / 2;
+    bottom_ = low.y();
+    rows_.assign(kHeight, std::string(kWidth, ' '));
+  }
+
+  // The point in the middle of a letter.
+  Point at(int column, int row) const {
+    return {left_ + metres_ * column, bottom_ + kAspect * metres_ * row};
+  }
+
+  void ground() {
+    for (int row = 0; row < kHeight; ++row) {
+      if (std::abs(at(0, row).y()) <= kAspect * metres_ / 2)
+        letters(row) = std::string(kWidth, '=');
+    }
+  }
+
+  // A point outside of the picture isn't drawn, nor one that isn't a number.
+  void put(const Point& point, char letter) {
+    const double column = std::round((point.x() - left_) / metres_);
+    const double row = std::round((point.y() - bottom_) / (kAspect * metres_));
+    if (!(column >= 0 && column < kWidth && row >= 0 && row < kHeight)) return;
+    char& there = letters(static_cast<int>(row))[static_cast<std::size_t>(column)];
+    const bool over = (letter == 'Y' && (there == 'R' || there == 'B'));
+    there = over ? 'B' : letter;
+  }
+
+  void line(const Point& from, const Point& to, char letter) {
+    for (int i = 1; i <= 2 * kWidth; ++i) put(from + (to - from) * i / (2.0 * kWidth), letter);
+  }
+
+  std::string text(const std::string& legend) const {
+    std::string all;
+    for (auto row = rows_.rbegin(); row != rows_.rend(); ++row) {
+      const auto end = row->find_last_not_of(' ');
+      if (end != std::string::npos) all += kMargin + row->substr(0, end + 1) + "\n";
+    }
+    return all + kMargin + legend;
+  }
+
+ private:
+  std::string& letters(int row) { return rows_[static_cast<std::size_t>(row)]; }
+
+  double metres_, left_, bottom_;  // metres a letter, and where the picture begins
+  std::vector<std::string> rows_;  // from the bottom up
+};
+
+bool touches(const Case& c) { return c.corner.rfind("corner", 0) == 0; }
+
+// How far inside of the square a point is, m; negative outside.
+double inside(const Point& point, const Vector3& q, double l) {
+  const double x = point.x() - q.x(), y = point.y() - q.y();
+  const double c = std::cos(q.z()), s = std::sin(q.z());
+  return l / 2 - std::max(std::abs(c * x + s * y), std::abs(c * y - s * x));
+}
+
+// Its outline, and returns its lowest letter's place.
+Point draw_square(Canvas& canvas, const Vector3& q, double l) {
+  Point lowest = q.head<2>();
+  for (int row = kHeight - 1; row >= 0; --row) {
+    for (int column = 0; column < kWidth; ++column) {
+      const Point point = canvas.at(column, row);
+      const double depth = inside(point, q, l);
+      if (depth >= 0 && depth <= 0.06 * l) canvas.put(point, '#');
+      if (depth >= 0) lowest = point;
+    }
+  }
+  return lowest;
+}
+
+}  // namespace
+
+std::string picture_of_step(const Case& c, const Vector3& got_v) {
+  const Point centre = c.q.head<2>(), reach(0.9 * c.params.l, 0.8 * c.params.l);
+  const bool near = centre.y() < 1.5 * c.params.l;
+  Point low = centre - reach;
+  if (near) low.y() = std::min(low.y(), -0.05 * c.params.l);
+  Canvas canvas(low, centre + reach);
+  if (near) canvas.ground();
+  const Point lowest = draw_square(canvas, c.q, c.params.l);
+
+  const double longest = std::max({c.state.v.head<2>().norm(), got_v.head<2>().norm(), 1e-9});
+  const double metres = 0.7 * c.params.l / longest;  // for 1 m/s
+  canvas.line(centre, centre + metres * c.state.v.head<2>(), 'R');
+  canvas.line(centre, centre + metres * got_v.head<2>(), 'Y');
+  canvas.put(centre, '+');
+  if (touches(c)) canvas.put(lowest, 'o');
+  return canvas.text("v of the centre + after the step: R right, Y yours, B both");
+}
+
+std::string picture_of_paths(const Case& c, const Eigen::Matrix3Xd& got_q) {
+  const Eigen::Matrix2Xd right = c.trajectory.q.topRows<2>();
+  Point low = right.rowwise().minCoeff(), high = right.rowwise().maxCoeff();
+  const Point room = 0.1 * (high - low).cwiseMax(c.params.l);
+  low.y() = std::min(low.y(), 0.0);
+  Canvas canvas(low - Point(room.x(), 0), high + room);
+  canvas.ground();
+  for (Eigen::Index i = 0; i < right.cols(); ++i) canvas.put(right.col(i), 'R');
+  const Eigen::Index known = c.columns.empty() ? 0 : c.columns.back() + 1;
+  for (Eigen::Index i = 0; i < std::min(known, got_q.cols()); ++i) {
+    canvas.put(got_q.col(i).head<2>(), 'Y');
+  }
+  return canvas.text("way of the centre: R right, Y yours, B both");
+}
+
+}  // namespace bounce::tests
