@@ -92,7 +92,7 @@ def kit_class(folder: Path) -> dict[str, str]:
     return {row[1]: row[column] for row in rows[2:]}
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_a_class_of_forty_with_every_oddity(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -149,7 +149,7 @@ def others(folder: Path, made: list[Made]) -> dict[str, str]:
 
 @pytest.mark.parametrize(
     "number",
-    [pytest.param(10, marks=pytest.mark.slow), pytest.param(100, marks=pytest.mark.long)],
+    [pytest.param(10, marks=pytest.mark.long), pytest.param(100, marks=pytest.mark.long)],
 )
 def test_an_attacker_in_ten_costs_the_others_nothing(tmp_path: Path, number: int) -> None:
     made: list[Made] = list(synthetic.students(number, ("accepted", "mistakes"), 6001))

@@ -136,6 +136,8 @@ def _write(path: Path, text: str) -> None:
     """Whole or not at all."""
     from bounce_grader.files import write_whole
 
+    if not path.parent.is_dir():
+        raise UsageError(f"{path} can't be written: there is no folder {path.parent}")
     try:
         write_whole(path, text)
     except OSError as error:
