@@ -46,7 +46,8 @@ std::string what_was_found(const std::string& finding) {
       {"stack-overflow", "its stack is full: a recursion without end, perhaps"},
   };
   const auto known = kWords.find(finding);
-  return known != kWords.end() ? known->second : "undefined behaviour:" + one_line(without_addresses(finding), 160);
+  return known != kWords.end() ? known->second
+                               : "undefined behaviour:" + one_line(without_addresses(finding), 160);
 }
 
 }  // namespace bounce::judge
