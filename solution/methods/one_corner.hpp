@@ -80,9 +80,10 @@ CornerSolutions<Real> all_solutions(const OneCorner<Real>& k) {
   for (const Real sigma : {Real(1), Real(-1)}) {
     const Real n = -k.u_n / (k.a - sigma * k.mu * k.b);
     const Real v_t = k.u_t + (k.b - sigma * k.mu * k.c) * n;
-    if (n > 0 && sigma * v_t > 0)
+    if (n > 0 && sigma * v_t > 0) {
       found.all[found.count++] = {n, -sigma * k.mu * n,
                                   sigma > 0 ? Case::slides_right : Case::slides_left};
+    }
   }
   return found;
 }

@@ -127,9 +127,10 @@ SideImpulse<Real> solve_side(const TwoCorners<Real>& k, int sigma, bool checked)
     const Real P = k.P_0 + p[0] + p[1], coupled = k.b(0) * p[0] + k.b(1) * p[1] + k.u_t;
     const Real p_t = sigma ? -sigma * k.mu * P : -coupled / k.c();
     Real violation = detail::violation_of(lcp, p);
-    if (checked)
+    if (checked) {
       violation = std::max(violation, detail::lack(sigma ? sigma * (coupled + k.c() * p_t)
                                                          : k.mu * P - std::abs(p_t)));
+    }
     if (violation < best.violation) best = {p, p_t, violation};
     if (violation <= 0) break;
   }

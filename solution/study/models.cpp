@@ -78,9 +78,10 @@ Table chosen_model(const Scenes& scenes) {
       for (const std::string& text : report.warnings)
         warnings += (warnings.empty() ? "" : "; ") + text;
       const double apart = (chosen.q - whole.q).cwiseAbs().maxCoeff();
-      for (int i = 0; i < kRungs; ++i)
+      for (int i = 0; i < kRungs; ++i) {
         table.add(scene.name, dt, name_of(Rung(i)), report.steps[std::size_t(i)],
                   report.seconds[std::size_t(i)], apart, median_ns(ratios), warnings);
+      }
     }
   }
   return table;

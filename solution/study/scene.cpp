@@ -50,9 +50,10 @@ void check_columns(int T) {
   if (T < 1) refuse("params.T", "is " + std::to_string(T) + "; it must be 1 or more");
   const double needed = 48.0 * T;
   const double memory = double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGESIZE));
-  if (needed > memory / 2)
+  if (needed > memory / 2) {
     refuse("params.T", "is " + std::to_string(T) + ": the columns need " + text_of(needed / 1e9) +
                            " GB, and there are " + text_of(memory / 1e9) + "; take fewer");
+  }
 }
 
 // The key that is being read when the parser stops, for its message.
@@ -134,9 +135,10 @@ class Fields {
     return x;
   }
   void nothing_else() const {
-    for (const auto& [name, value] : object_.items())
+    for (const auto& [name, value] : object_.items()) {
       if (std::find(known_.begin(), known_.end(), name) == known_.end())
         refuse(full(name), "is unknown; take it out or correct its name");
+    }
   }
 
  private:
@@ -214,9 +216,10 @@ void check(const Parameters& params, const State& start) {
   check_columns(params.T);
   check_vector("q", start.q);
   check_vector("v", start.v);
-  if (std::abs(start.q(2)) > 1e9)
+  if (std::abs(start.q(2)) > 1e9) {
     refuse("q[2]", "is " + text_of(start.q(2)) +
                        " rad; beyond 1e9 its sine is lost to rounding, so take out whole turns");
+  }
   const double gap =
       methods::lowest_gap(methods::motion_of<double>(start), methods::Body<double>(params));
   if (gap < -1e-12 * std::max(1.0, params.l))
@@ -239,6 +242,7 @@ std::vector<Scene> read_scenes(const std::filesystem::path& folder) {
   if (files.empty()) refuse(folder.string(), "holds no scene");
   std::sort(files.begin(), files.end());
   std::vector<Scene> scenes;
+  scenes.reserve(files.size());
   for (const auto& file : files) scenes.push_back(read_scene(file));
   return scenes;
 }

@@ -11,7 +11,6 @@ namespace bounce::study {
 namespace {
 
 using methods::Arm;
-using methods::Case;
 using methods::LowCorners;
 using methods::Motion;
 using methods::SideImpulse;
@@ -221,10 +220,11 @@ class Ladder {
     if (k.a <= k_.mu * std::abs(k.b))
       warn_once(several_, "a <= mu |b|: the contact problem may have several solutions");
     const double v_n = k.u_n - k_.dv_y;
-    if (v_n < 0 && k_.epsilon > std::sqrt(1 - k.b * k.b / (k.a * k.c)))
+    if (v_n < 0 && k_.epsilon > std::sqrt(1 - k.b * k.b / (k.a * k.c))) {
       warn_once(gains_,
                 "epsilon > sqrt(1 - b^2 / (a c)): Newton's law may gain energy; Poisson's and "
                 "Stronge's do not");
+    }
   }
 
   void warn_once(bool& warned, const std::string& text) {

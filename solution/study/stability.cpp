@@ -187,11 +187,14 @@ Table energy_gain() {
   const std::pair<ImpactLaw, const char*> laws[] = {{ImpactLaw::newton, "newton"},
                                                     {ImpactLaw::poisson, "poisson"},
                                                     {ImpactLaw::stronge, "stronge"}};
-  for (const auto& [law, name] : laws)
-    for (int i = 0; i <= 24; ++i)
-      for (int j = 0; j <= 20; ++j)
+  for (const auto& [law, name] : laws) {
+    for (int i = 0; i <= 24; ++i) {
+      for (int j = 0; j <= 20; ++j) {
         table.add(name, i / 20.0, j / 20.0, largest_gain(law, i / 20.0, j / 20.0),
                   law == ImpactLaw::newton ? least_limit(i / 20.0) : 1.0);
+      }
+    }
+  }
   return table;
 }
 
