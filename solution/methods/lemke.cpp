@@ -41,9 +41,10 @@ struct Tableau {
 
   Index blocking_row(Index entering, double tolerance) const {
     Index row = -1;
-    for (Index i = 0; i < n; ++i)
+    for (Index i = 0; i < n; ++i) {
       if (T(i, entering) > tolerance && (row < 0 || blocks_before(i, row, entering, tolerance)))
         row = i;
+    }
     return row;
   }
 
@@ -99,8 +100,9 @@ Lcp8 form_lcp8(const Jacobian& J_1, const Jacobian& J_2, const Vector3& v,
   const Eigen::Matrix<double, 6, 1> w = J_hat.transpose() * (v + params.dt * params.g);
 
   Lcp8 lcp{Eigen::MatrixXd::Zero(8, 8), Eigen::VectorXd::Zero(8)};
-  for (int i = 0; i < 2; ++i) {
-    for (int j = 0; j < 2; ++j) lcp.V.block<3, 3>(4 * i, 4 * j) = A.block<3, 3>(3 * i, 3 * j);
+  for (Eigen::Index i = 0; i < 2; ++i) {
+    for (Eigen::Index j = 0; j < 2; ++j)
+      lcp.V.block<3, 3>(4 * i, 4 * j) = A.block<3, 3>(3 * i, 3 * j);
     lcp.V.block<3, 1>(4 * i, 4 * i + 3) << 0, 1, 1;
     lcp.V.block<1, 3>(4 * i + 3, 4 * i) << params.mu, -1, -1;
     lcp.p.segment<3>(4 * i) = w.segment<3>(3 * i);
