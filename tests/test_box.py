@@ -6,8 +6,10 @@ import sys
 from pathlib import Path
 
 import pytest
-from bounce_grader import doctor
+from bounce_grader import box as boxes
+from bounce_grader import doctor, grade
 from bounce_grader.box import Box
+from bounce_grader.errors import KitError
 from conftest import ROOT
 
 # What the probe tries, and how it looks where nothing holds it: without a box.
@@ -61,3 +63,49 @@ def test_a_protection_that_fails_is_said(
     monkeypatch.setattr(doctor, "_protections", lambda *bait: [failing])
     assert doctor.run() == 1
     assert "full compile: says nothing: NO: could: flood" in capsys.readouterr().out
+
+
+@pytest.fixture(name="tries")
+def _tries(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> list[str]:
+    """The kinds of boxes that were tried out, in a kit that has tried none before."""
+    tried: list[str] = []
+
+    def hold(box: Box) -> str | None:
+        tried.append(box.kind)
+        return "it has no floor" if box.kind == "full" else None
+
+    monkeypatch.setattr(boxes, "problem_of", hold)
+    monkeypatch.setattr(boxes, "BUILD", tmp_path)
+    return tried
+
+
+def test_a_box_that_held_is_not_tried_again_and_one_that_did_not_is(tries: list[str]) -> None:
+    assert [boxes.choose().kind, boxes.choose().kind] == ["reduced", "reduced"]
+    assert tries == ["full", "reduced", "full"]
+
+
+def test_what_held_with_other_programs_or_users_says_nothing(
+    tries: list[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    boxes.choose(["reduced"])
+    (tmp_path / "enter").touch()
+    monkeypatch.setattr(boxes, "ENTER", tmp_path / "enter")
+    boxes.choose(["reduced"])
+    monkeypatch.setattr(os, "geteuid", lambda: 4711)
+    boxes.choose(["reduced"])
+    assert tries == ["reduced"] * 3
+
+
+def test_a_box_that_stops_holding_is_the_kits_fault_and_tried_anew(
+    tries: list[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    """Nobody gets a zero because of what held yesterday."""
+    (tmp_path / "q").mkdir()
+    (tmp_path / "q" / "part1_contacts.cpp").write_text("this is no C++\n")
+    boxes.choose(["reduced"])
+    monkeypatch.setattr(boxes, "problem_of", lambda box: "it has lost its floor")
+    with pytest.raises(KitError, match="it has lost its floor"):
+        grade.grade(tmp_path / "q", grade.Options(boxes=("reduced",)))
+    monkeypatch.undo()
+    monkeypatch.setattr(boxes, "BUILD", tmp_path)
+    assert not list((tmp_path / "boxes").iterdir()) and len(tries) == 1

@@ -106,7 +106,8 @@ def _plain(folder: Path) -> list[Line]:
         *PLAIN_GCC,
         f'-DBOUNCE_FIXTURES="{ROOT / "fixtures" / "public"}"',
         *(*tests, *linked, *(str(submission / part.file) for part in parts())),
-        *(str(ROOT / "tests" / "cases.cpp"), str(ROOT / "tests" / "linked" / "main.cpp")),
+        *(str(ROOT / "tests" / f"{name}.cpp") for name in ("cases", "feedback", "picture")),
+        *(str(ROOT / "tests" / "linked" / f"{name}.cpp") for name in ("main", "time_limit")),
         str(ROOT / "student" / "given" / "solve_lcp.cpp"),
         *("-lgtest", "-lpthread", "-o", str(program)),
     ]

@@ -6,9 +6,11 @@ be had, such as a container: Landlock hides the files, and what is left behind i
 `enter` (grader/box/) takes the last step: privileges, limits, and the filter of system calls.
 """
 
+import hashlib
 import os
 import stat
 from collections.abc import Iterable
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -16,7 +18,7 @@ from shutil import which
 
 from bounce_grader import processes
 from bounce_grader.errors import KitError
-from bounce_grader.paths import ENTER, REFERENCE_RUNNER
+from bounce_grader.paths import BUILD, ENTER, REFERENCE_RUNNER
 
 FULL_OR_REDUCED = ("full", "reduced")
 NOBODY = "65534"
@@ -90,14 +92,37 @@ def choose(kinds: Iterable[str] = FULL_OR_REDUCED) -> Box:
     """The first of these kinds that holds a program known to be good."""
     problems = []
     for kind in kinds:
-        problem = problem_of(Box(kind))
+        held = _held(kind)
+        problem = None if held.exists() else problem_of(Box(kind))
         if problem is None:
+            _remember(held)
             return Box(kind)
         problems.append(f"{kind}: {problem}")
     raise KitError(
         f"no box can be had here ({'; '.join(problems)}); install bubblewrap where user namespaces "
         "are allowed, or pass --trust-submission for code that you would run yourself"
     )
+
+
+def forget(kind: str) -> None:
+    """The next grading tries this kind of box anew."""
+    _held(kind).unlink(missing_ok=True)
+
+
+def _held(kind: str) -> Path:
+    """Exists where this kind of box has held before on this machine since it started, for this
+    user in these namespaces, with these programs; trying it anew takes a tenth of a grading."""
+    programs = [ENTER, REFERENCE_RUNNER, Path(which("bwrap") or "/")]
+    known = [Path("/proc/sys/kernel/random/boot_id").read_text(), os.geteuid()]
+    known += [os.readlink(f"/proc/self/ns/{name}") for name in ("user", "mnt", "pid")]
+    known += [path.stat().st_mtime_ns for path in programs if path.exists()]
+    return BUILD / "boxes" / f"{kind}-{hashlib.sha256(repr(known).encode()).hexdigest()}"
+
+
+def _remember(held: Path) -> None:
+    with suppress(OSError):  # where it can't be written down, the box is tried each time
+        held.parent.mkdir(parents=True, exist_ok=True)
+        held.touch()
 
 
 def problem_of(box: Box) -> str | None:

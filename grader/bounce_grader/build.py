@@ -3,6 +3,7 @@
 import hashlib
 import os
 import re
+import shlex
 import time
 from collections.abc import Iterable
 from concurrent.futures import ThreadPoolExecutor
@@ -186,7 +187,7 @@ def link_alone(part: Part, objects: Objects, runner: Path, box: Box) -> Built:
     others = [b.path for number, b in objects.parts.items() if number != part.number and b.path]
     if alone.path or not others:
         return alone
-    several = ("-Wl,--allow-multiple-definition",)
+    several = ("--allow-multiple-definition",)
     second = _link(own, [*given, *map(str, others)], runner, box, several)
     return second if second.path else alone
 
@@ -237,7 +238,7 @@ def _link(
 ) -> Built:
     files = [str(path) for path in own if path]
     kit = [str(RUNNER / f"{name}.o") for name in KIT_OBJECTS]
-    command = [compiler(), *link_flags(), *flags, *kit, *files, *more, "-o", "-"]
+    command = _link_command([*flags, *kit, *files, *more])
     visible = [RUNNER, *(Path(word) for word in files + more if word.startswith(str(CACHE)))]
     folder = RUNNER
     result = processes.run(box.to_build(folder, visible) + command, LINK, cwd=folder)
@@ -248,9 +249,11 @@ def _link(
     return Built(None, link_problem(result))
 
 
-@cache
-def link_flags() -> list[str]:
-    return (RUNNER / "link_flags.txt").read_text().split()
+def _link_command(words: list[str]) -> list[str]:
+    """What clang would have the linker do with these words, written to standard output."""
+    command = shlex.split((RUNNER / "link_command.txt").read_text())
+    place = command.index("OBJECTS")
+    return [*command[:place], *words, *command[place + 1 :]]
 
 
 def _ran_out_of_time(result: processes.Result) -> bool:

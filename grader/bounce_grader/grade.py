@@ -180,6 +180,7 @@ def _require_working_kit(box: Box) -> None:
             raise KitError(f"a stub can't be built: {linked.problem}")
     problem = boxes.problem_of(box)
     if problem:
+        boxes.forget(box.kind)
         raise KitError(f"the box stopped working while it was in use: {problem}")
 
 

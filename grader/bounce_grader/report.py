@@ -21,6 +21,9 @@ STATUS_WORDS = {
 
 def show(record: Record, stream: TextIO = sys.stdout) -> None:
     """Prints the report; in colour where the stream is a terminal."""
+    if not stream.isatty():
+        stream.writelines(f"{line}\n" for _, line in lines(record))
+        return
     from rich.console import Console
     from rich.text import Text
 
