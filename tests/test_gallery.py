@@ -11,7 +11,7 @@ from typing import Any
 
 import pytest
 from bounce_grader import report
-from bounce_grader.grade import grade
+from bounce_grader.grade import Options, grade
 from bounce_grader.manifest import parts
 from conftest import ROOT, SOLUTION, lost, points
 
@@ -56,8 +56,24 @@ SOME = [pytest.param(f, marks=[pytest.mark.slow] if i % 12 else []) for i, f in 
 
 @pytest.mark.parametrize("folder", SOME, ids=name_of)
 def test_gets_what_it_should(folder: Path, tmp_path: Path) -> None:
+    gets(expected_of(folder), grade(submission_of(folder, tmp_path / "submission")))
+
+
+BOXED = [folder for folder in folders("hostile") if "reduced" in expected_of(folder)]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("folder", BOXED, ids=name_of)
+def test_gets_what_it_should_in_the_reduced_box(folder: Path, tmp_path: Path) -> None:
+    """Those whose attack is on what a box holds."""
     expected = expected_of(folder)
-    record = grade(submission_of(folder, tmp_path / "submission"))
+    submission = submission_of(folder, tmp_path / "submission")
+    record = grade(submission, Options(boxes=("reduced",)))
+    assert record["box"] == "reduced"
+    gets({**expected, **expected["reduced"]}, record)
+
+
+def gets(expected: dict[str, Any], record: dict[str, Any]) -> None:
     statuses = {f"part{p['part']}": p["status"] for p in record["parts"] if p["status"] != "graded"}
     text = shown(record)
     got = (points(record), lost(record), statuses)
