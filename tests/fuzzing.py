@@ -281,7 +281,12 @@ SHOWN = {
     ],
     "scene": {"l": 0.2, "m": 0.3, "g": [0, -9.81, 0], "dt": 0.01, "delta": 0.001}
     | {"q": [0, 0.1, 0], "v": [1, 0, 0]},
-    "path": {"first": 1, "got": [[0, 1, 2], ["inf", 0, 0]], "columns": [0], "expected": [[0, 1, 2]]},
+    "path": {
+        "first": 1,
+        "got": [[0, 1, 2], ["inf", 0, 0]],
+        "columns": [0],
+        "expected": [[0, 1, 2]],
+    },
 }
 POINTS = [{"dt": 0.01, "ns": 25000, "error": 0.12}, {"dt": 0.003, "ns": 81000, "error": None}]
 TIMES = {

@@ -30,7 +30,9 @@ WRONG = {
     "part3": "part3_friction_sign",
     "part4": "part4_steps_with_the_first_velocity",
 }
-HOSTILE = "</title><script>document.title = 'owned'</script><img src=x onerror=\"document.title='x'\">"
+HOSTILE = (
+    "</title><script>document.title = 'owned'</script><img src=x onerror=\"document.title='x'\">"
+)
 
 
 def graded(tmp: Path, *mistakes: str, options: tuple[str, ...] = ()) -> dict[str, Any]:
@@ -131,7 +133,9 @@ def test_a_trajectory_is_drawn_beside_the_right_one(show: Show, record: dict[str
     case = page.find_element(By.XPATH, f"//li[contains(., '{title}')]")
     drawing = case.find_element(By.TAG_NAME, "svg")
     first = shown["path"]["first"]
-    assert first > 0 and f"those of column {first}" in drawing.get_attribute("aria-label")
+    assert first > 0 and f"column {first} is the first wrong one" in drawing.get_attribute(
+        "aria-label"
+    )
     fills = [c.get_attribute("fill") for c in drawing.find_elements(By.TAG_NAME, "circle")]
     assert set(fills) == {"none", "currentColor"}
 
@@ -161,10 +165,12 @@ def test_it_fits_the_screen_and_can_be_read_there(
     content = run("const e = document.documentElement; return [e.scrollWidth, e.clientWidth]")
     assert content[0] <= content[1]
     run("document.querySelectorAll('details').forEach((d) => (d.open = true))")
-    outside = run("""return [...document.querySelectorAll('svg text')].filter((t) => {
+    outside = run(
+        """return [...document.querySelectorAll('svg text')].filter((t) => {
         const a = t.getBoundingClientRect(), b = t.ownerSVGElement.getBoundingClientRect();
         return a.left < b.left - 1 || a.right > b.right + 1 || a.bottom > b.bottom + 1;
-    }).map((t) => t.textContent)""")
+    }).map((t) => t.textContent)"""
+    )
     assert outside == []
     colours = "const s = getComputedStyle(document.body); return [s.color, s.backgroundColor]"
     ink, paper = (sum(map(int, re.findall(r"\d+", c)[:3])) for c in run(colours))

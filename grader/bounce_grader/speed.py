@@ -113,22 +113,37 @@ def _reached(mine: list[Point], solution: list[Point], least: list[Point]) -> st
     if first is None:
         last = mine[-1]
         far = "somewhere not finite" if last.error is None else f"off by {metres(last.error)}"
-        said_so = f"Your program doesn't get within 1 mm: at dt = {last.dt:g} s it is still {far}"
-        return said_so + (f"; the solution does at dt = {right.dt:g} s." if right else ".")
+        said_so = f"Your program doesn't get within 1 mm: at {step(last)} it is still {far}"
+        return said_so + (f"; the solution does at {step(right)}." if right else ".")
     out = (
-        f"Your program is within 1 mm of the exact motion from dt = {first.dt:g} s on, and then "
+        f"Your program is within 1 mm of the exact motion from {step(first)} on, and then "
         f"takes {seconds(first.ns)} for a second of motion"
     )
     at_same = next((p for p in solution if p.dt == first.dt), None)
     if at_same:
-        out += f", {_two(first.ns / at_same.ns)} times the solution's time"
+        out += f", {_times(first.ns / at_same.ns)}"
     if quick:
         out += f"; no more model than each step needs does that in {seconds(quick.ns)}"
     return out + "."
 
 
+def step(point: Point) -> str:
+    return f"dt = {seconds(1e9 * point.dt)}"
+
+
+def _times(ratio: float) -> str:
+    same = 0.9 < ratio < 1.1
+    return "about as long as the solution" if same else f"{_two(ratio)} times the solution's time"
+
+
 def metres(x: float) -> str:
-    return f"{_two(x)} m" if x >= 0.01 else f"{_two(1000 * x)} mm" if x >= 1e-5 else f"{x:.1e} m"
+    units = (
+        ("m", 1.0, 0.1),
+        ("mm", 1e-3, 1e-4),
+        ("\N{MICRO SIGN}m", 1e-6, 1e-7),
+        ("nm", 1e-9, 0.0),
+    )
+    return next(f"{_two(x / size)} {unit}" for unit, size, least in units if x >= 0.999 * least)
 
 
 def seconds(ns: float) -> str:

@@ -169,7 +169,10 @@ def _median(summaries: Sequence[Summary], whose: str) -> Way | None:
     if not runs:
         return None
     first, places = runs[0]
-    usual = [statistics.median(run[k][0] for _, run in runs) for k in range(min(len(run) for _, run in runs))]
+    usual = [
+        statistics.median(run[k][0] for _, run in runs)
+        for k in range(min(len(run) for _, run in runs))
+    ]
     marks = tuple((x, error) for x, (_, error) in zip(usual, places))
     dts = tuple(f"{1000 * p.dt:g} ms" for p in first.curves[whose])
     names = {"solution": "the solution", "least": "no more model than each step needs"}

@@ -9,7 +9,7 @@ STYLE = """
 @media (prefers-color-scheme:dark){:root{--ink:#eee;--paper:#161616;--soft:#bbb;--field:#262626;
 --line:#555}}
 @media print{:root{color-scheme:light;--ink:#111;--paper:#fff;--soft:#444;--field:#f2f2f2;--line:#ccc}}
-body{font:16px/1.5 system-ui,sans-serif;max-width:46rem;margin:2rem auto;padding:0 1rem;
+body{font:16px/1.5 system-ui,sans-serif;max-width:52rem;margin:2rem auto;padding:0 1rem;
 color:var(--ink);background:var(--paper);overflow-wrap:anywhere}
 h1{font-size:1.6rem;margin:0 0 .2rem}h2{font-size:1.15rem;margin:2rem 0 .3rem;
 border-bottom:2px solid;display:flex;justify-content:space-between;gap:1rem}
@@ -22,19 +22,20 @@ margin:.3rem 0}.lost>pre,.case{margin:.3rem 0 .3rem 1.8rem}
 .hint,.mistake{margin:.2rem 0 .2rem 1.8rem}
 .hint,.small{color:var(--soft);font-size:.9rem}
 .bar{height:.6rem;border:1px solid;margin:.4rem 0 1rem}.bar div{height:100%;background:var(--ink)}
-.case p{margin:.3rem 0}.case .name{margin-top:.8rem;font-weight:600}
-.pair,.pictures,.charts{display:flex;flex-wrap:wrap;gap:.6rem 2.2rem;overflow-x:auto}
-.matrix{border-collapse:separate;border-spacing:.15rem;font-variant-numeric:tabular-nums}
+.case pre{white-space:pre-wrap}.case p{margin:.3rem 0}.case .name{margin-top:.8rem;font-weight:600}
+.pair,.pictures,.charts{display:flex;flex-wrap:wrap;gap:.6rem 1.6rem;overflow-x:auto}
+.matrix{border-collapse:separate;border-spacing:.1rem;font-size:.95rem;font-variant-numeric:tabular-nums}
 .matrix caption{text-align:left;font-size:.85rem;color:var(--soft);white-space:nowrap}
-.matrix td{text-align:right;padding:0 .35rem;white-space:nowrap;border:2px solid transparent}
+.matrix td{text-align:right;padding:0 .25rem;white-space:nowrap;border:2px solid transparent}
 .matrix td.wrong{border-color:var(--ink);background:var(--field);font-weight:bold}
 .matrix td.unit{text-align:left;color:var(--soft);font-size:.85rem}
 .unseen{position:absolute;width:1px;height:1px;overflow:hidden;clip-path:inset(50%)}
 figure{margin:.6rem 0}figcaption{font-size:.85rem}
 svg{display:block;width:100%;height:auto}svg text{font:14px system-ui,sans-serif;fill:currentColor}
-.hollow{fill:var(--paper)}.pictures figure{width:15.6rem;max-width:100%}
+.hollow{fill:var(--paper)}.ground{fill:var(--field)}.pictures figure{width:15.6rem;max-width:100%}
 .wide,.chart{max-width:34rem}.charts figure{width:21rem;max-width:100%;margin:0}
 summary{cursor:pointer}
+@media (max-width:30rem){.lost>pre,.case,.hint,.mistake{margin-left:0}.matrix{font-size:.78rem}}
 """
 
 

@@ -9,9 +9,11 @@ from bounce_grader.formats._escaping import to_html
 from bounce_grader.shown import Shown
 
 VELOCITY = "v after the step"
-STEP_SIZE, SIDE = (250, 230), 84  # px: a picture of a step, and the square in it
+STEP_SIZE, SIDE = (250, 190), 92  # px: a picture of a step, and the square in it
+LONGEST = 70  # px, of an arrow
 PATH_SIZE, ROOM = (480, 300), 24
 FAR = 5000.0  # px: further out nothing is drawn
+OMEGA = "\N{GREEK SMALL LETTER OMEGA}\N{PRIME}"
 Place = tuple[float, float]
 
 
@@ -81,30 +83,34 @@ def _step(scene: Shown, title: str, v: list[float] | None, longest: _Longest) ->
     q = scene["q"]
 
     def place(point: Place) -> Place:
-        return width / 2 + scale * (point[0] - q[0]), 100 - scale * (point[1] - q[1])
+        return width / 2 + scale * (point[0] - q[0]), 95 - scale * (point[1] - q[1])
 
     square = corners(q, scene["l"])
     lowest = min(square, key=lambda corner: corner[1])
-    shapes = [_closed([place(corner) for corner in square])]
+    shapes = []
     ground = place((0, 0))[1]
     if ground < height:
+        below = f'y="{ground:.1f}" width="{width}" height="{height - ground:.1f}"'
+        shapes = [f'<rect x="0" {below} class="ground"/>']
         shapes.append(svg.line(0, ground, width, ground, width=2))
+    shapes.append(_closed([place(corner) for corner in square]))
     centre = place((q[0], q[1]))
     touches = lowest[1] < scene["delta"]  # eq. (11)
     if touches:
         x, y = place(lowest)
         shapes.append(f'<circle cx="{x:.1f}" cy="{y:.1f}" r="5" fill="{svg.INK}"/>')
-    said = "not finite"
+    said = ["not finite"]
     if v:
-        shapes += _arrow(centre, (v[0], v[1]), 62 / longest.speed, "v\N{PRIME}")
-        shapes += _turning(centre, v[2] / longest.turning)
-        said = f"v\N{PRIME} = ({_n(v[0])}, {_n(v[1])}) m/s, {_n(v[2])} rad/s"
+        shapes += _arrow(centre, (v[0], v[1]), LONGEST / longest.speed, "v\N{PRIME}")
+        shapes += _turning((width - 36, 34), v[2] / longest.turning)
+        said = [f"v\N{PRIME} = ({_n(v[0])}, {_n(v[1])}) m/s", f"{OMEGA} = {_n(v[2])} rad/s"]
     if v and touches:
         force = _force(scene, v)
-        shapes += _arrow(place(lowest), force, 62 / longest.force, "f", "5 3")
-        said += f"; force of the ground f = ({_n(force[0])}, {_n(force[1])}) N"
-    drawn = svg.svg(shapes, width, height, f"One step, {title}: {said}")
-    return f"<figure>{drawn}<figcaption><b>{title}</b><br>{to_html(said)}</figcaption></figure>"
+        shapes += _arrow(place(lowest), force, LONGEST / longest.force, "f", "5 3")
+        said.append(f"force of the ground f = ({_n(force[0])}, {_n(force[1])}) N")
+    drawn = svg.svg(shapes, width, height, f"One step, {title}: {', '.join(said)}")
+    words = "<br>".join(map(to_html, said))
+    return f"<figure>{drawn}<figcaption><b>{title}</b><br>{words}</figcaption></figure>"
 
 
 def _n(x: float) -> str:
@@ -116,14 +122,15 @@ def _closed(points: list[Place], dash: str = "", width: float = 1.5) -> str:
 
 
 def _arrow(start: Place, along: Place, scale: float, words: str, dash: str = "") -> list[str]:
+    """With its words on its left, a little beyond its middle."""
     x, y = scale * along[0], -scale * along[1]
     length = math.hypot(x, y)
     if length < 2:
         return []
     tip = (start[0] + x, start[1] + y)
-    beyond = (tip[0] + 9 * x / length, tip[1] + 9 * y / length + 5)
+    beside = (start[0] + 0.6 * x + 13 * y / length, start[1] + 0.6 * y - 13 * x / length + 5)
     out = [svg.line(*start, *tip, dash, 2), _head(tip, x / length, y / length)]
-    return [*out, svg.text(*beyond, words, "middle" if abs(x) < abs(y) else "start")]
+    return [*out, svg.text(*beside, words, "middle")]
 
 
 def _head(tip: Place, x: float, y: float) -> str:
@@ -134,37 +141,45 @@ def _head(tip: Place, x: float, y: float) -> str:
 
 
 def _turning(centre: Place, share: float) -> list[str]:
-    """An arc from the right of the centre, counter-clockwise where omega is positive, of up to
-    three quarters of a turn."""
-    if abs(share) < 0.02:
+    """An arc from the top, counter-clockwise where omega is positive, of up to three quarters of a
+    turn, and never too short for its head."""
+    if share == 0:
         return []
-    radius, end = 20, -1.5 * math.pi * share
+    share = math.copysign(max(abs(share), 0.15), share)
+    radius, end = 20, -1.5 * math.pi * share - math.pi / 2
     tip = (centre[0] + radius * math.cos(end), centre[1] + radius * math.sin(end))
-    large, sweep = int(abs(end) > math.pi), int(end > 0)
-    arc = f"M{centre[0] + radius:.1f} {centre[1]:.1f}A{radius} {radius} 0 {large} {sweep} "
+    large, sweep = int(abs(share) > 2 / 3), int(share < 0)
+    arc = f"M{centre[0]:.1f} {centre[1] - radius:.1f}A{radius} {radius} 0 {large} {sweep} "
     drawn = f'<path d="{arc}{tip[0]:.1f} {tip[1]:.1f}" fill="none" stroke="{svg.INK}"/>'
-    ahead = math.copysign(1, end)
-    return [drawn, _head(tip, -ahead * math.sin(end), ahead * math.cos(end))]
+    ahead = math.copysign(1, -share)
+    head = _head(tip, -ahead * math.sin(end), ahead * math.cos(end))
+    return [drawn, head, svg.text(centre[0], centre[1] + 5, OMEGA, "middle")]
 
 
 # --- a trajectory ---
 
 
 def of_paths(scene: Shown, path: Shown) -> str:
-    """The way of the centre, and the squares at the first wrong column."""
+    """The ways of the centre, and the squares where they end."""
     got = {t: row for t, row in enumerate(path["got"]) if not any(isinstance(x, str) for x in row)}
     right = dict(zip(path.get("columns", []), path.get("expected", [])))
     view = _View([*right.values()] or [*got.values()] or [scene["q"]], scene["l"])
-    shapes = [svg.line(0, view.ground, PATH_SIZE[0], view.ground, width=2)]
+    below = f'y="{view.ground:.1f}" width="{PATH_SIZE[0]}" height="{PATH_SIZE[1]}"'
+    shapes = [f'<rect x="0" {below} class="ground"/>']
+    shapes.append(svg.line(0, view.ground, PATH_SIZE[0], view.ground, width=2))
     shapes += _way(view, right, "", hollow=True) + _way(view, got, "5 4", hollow=False)
-    first = path["first"]
+    last = max(right or got, default=0)
     for known, dash in ((right, ""), (got, "5 4")):
-        if first in known:
-            square = [view.at(corner) for corner in corners(known[first], scene["l"])]
+        if last in known:
+            square = [view.at(corner) for corner in corners(known[last], scene["l"])]
             shapes.append(_closed(square, dash))
-    words = f"The way of the centre; the squares are those of column {first}"
+    first = path["first"]
+    if first in (right or got):
+        x, y = view.at((right or got)[first])
+        shapes += [svg.line(x + 6, y, x + 26, y), svg.text(x + 30, y + 5, f"column {first}")]
+    words = f"The way of the centre, and the square in column {last}"
     key = "rings, solid: right; dots, dashed: yours" if right else "dots, dashed: yours"
-    drawn = svg.svg(shapes, *PATH_SIZE, f"{words}; {key}")
+    drawn = svg.svg(shapes, *PATH_SIZE, f"{words}; column {first} is the first wrong one; {key}")
     return f'<figure class="wide">{drawn}<figcaption>{words} ({key}).</figcaption></figure>'
 
 

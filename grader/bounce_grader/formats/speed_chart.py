@@ -11,8 +11,8 @@ from bounce_grader.formats._escaping import to_html
 from bounce_grader.speed import Measured, Point
 
 WIDTH, HEIGHT = 480, 400
-LEFT, RIGHT, TOP, BOTTOM = 74, 14, 44, 52  # around the axes
-LARGEST, LEAST = 1e1, 1e-9  # m: what is beyond is drawn at the edge
+LEFT, RIGHT, TOP, BOTTOM = 80, 28, 66, 52  # around the axes
+LARGEST, LEAST = 1e2, 1e-9  # m: what is beyond is drawn at the edge
 NAMES = {"submission": "yours", "solution": "the solution", "least": "least model"}
 DASHES = {"submission": "", "solution": "6 4", "least": "1.5 4"}
 
@@ -43,13 +43,12 @@ def page_section(found: Measured) -> str:
         return ""
     said = " ".join(speed.sentences(found))
     whole = {whose: speed.curve(found, whose) for whose in speed.CURVES}
-    title = "Largest error in six scenes, against the time for a second of motion"
-    title = title.replace("six", str(len(found["scenes"])))
+    title = f"The worst of {len(found['scenes'])} scenes"
     scenes = "".join(_scene(scene) for scene in found["scenes"])
     return (
         "<h2>Speed against accuracy</h2>"
         f"<p>{to_html(said)} This gives and costs no points.</p>"
-        f'<figure class="chart">{chart(whole, title)}</figure>'
+        f'<figure class="chart">{chart(whole, title, True)}</figure>'
         '<p class="small">Each point is a time step dt; where a line falls, smaller steps are '
         "worth their time. Further left is faster, further down more exact. The largest error is "
         "that of the worst scene; delta is dt times 0.1 m/s. The solution was timed in the same "
@@ -62,10 +61,10 @@ def _scene(scene: Measured) -> str:
     curves = {
         whose: [Point(p["dt"], p["ns"], p["error"]) for p in scene[whose]] for whose in speed.CURVES
     }
-    return f"<figure>{chart(curves, scene['title'])}</figure>"
+    return f"<figure>{chart(curves, scene['title'], False)}</figure>"
 
 
-def chart(curves: dict[str, list[Point]], title: str) -> str:
+def chart(curves: dict[str, list[Point]], title: str, labelled: bool) -> str:
     points = [point for curve in curves.values() for point in curve]
     axes = Axes(
         _decades((p.ns for p in points), 1, 1e12),
@@ -74,6 +73,8 @@ def chart(curves: dict[str, list[Point]], title: str) -> str:
     shapes = [svg.text(WIDTH / 2, 16, title, "middle", "bold"), *_frame(axes), *_legend(curves)]
     for whose in reversed(speed.CURVES):
         shapes += _curve(whose, curves[whose], axes)
+    if labelled:
+        shapes += _steps(curves["submission"], axes)
     return svg.svg(shapes, WIDTH, HEIGHT, title)
 
 
@@ -107,8 +108,8 @@ def _legend(curves: dict[str, list[Point]]) -> list[str]:
     out, x = [], LEFT
     for whose in speed.CURVES:
         if curves[whose]:
-            out += [svg.line(x, 32, x + 26, 32, DASHES[whose], _thickness(whose))]
-            out += [_mark(whose, x + 13, 32), svg.text(x + 31, 37, NAMES[whose])]
+            out += [svg.line(x, 38, x + 26, 38, DASHES[whose], _thickness(whose))]
+            out += [_mark(whose, x + 13, 38), svg.text(x + 31, 43, NAMES[whose])]
             x += 130
     return out
 
@@ -122,10 +123,22 @@ def _curve(whose: str, points: Sequence[Point], axes: Axes) -> list[str]:
     out = [svg.path(places, DASHES[whose], _thickness(whose))] if places else []
     for point, (x, y) in zip(points, places):
         error = "not finite" if point.error is None else speed.metres(point.error)
-        said = f"{NAMES[whose]}, dt = {point.dt:.3g} s: {error} in {speed.seconds(point.ns)}"
+        said = f"{NAMES[whose]}, {speed.step(point)}: {error} in {speed.seconds(point.ns)}"
         out.append(_mark(whose, x, y, said))
-        if whose == "submission":
-            out.append(svg.text(x + 7, y - 7, speed.seconds(1e9 * point.dt)))
+    return out
+
+
+def _steps(points: Sequence[Point], axes: Axes) -> list[str]:
+    """The time steps, at their points: the first one below, out of the way of the next."""
+    out = []
+    for i, point in enumerate(points):
+        x, y = axes.at(point.ns, point.error)
+        if i == 0:
+            out.append(svg.text(x, y + 24, speed.step(point), "middle"))
+        else:
+            ends = x > WIDTH - RIGHT - 50
+            said = speed.seconds(1e9 * point.dt)
+            out.append(svg.text(x - 8 if ends else x + 6, y - 8, said, "end" if ends else "start"))
     return out
 
 
