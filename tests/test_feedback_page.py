@@ -119,11 +119,12 @@ def test_a_step_is_drawn_with_its_velocity_and_force(show: Show, record: dict[st
     case = page.find_element(By.XPATH, f"//li[contains(., '{check['title']}')]")
     assert "touches and slides to the " in case.text
     figures = case.find_elements(By.TAG_NAME, "figure")
-    assert [figure.text.split("\n")[0] for figure in figures] == ["yours", "right"]
+    captions = case.find_elements(By.TAG_NAME, "figcaption")
+    assert [caption.text.split("\n")[0] for caption in captions] == ["yours", "right"]
     for figure in figures:
         assert "force of the ground f = (" in figure.text
         labels = [text.text for text in figure.find_elements(By.TAG_NAME, "text")]
-        assert labels == ["v\N{PRIME}", "f"]
+        assert labels == ["v\N{PRIME}", picture.OMEGA, "f"]
 
 
 def test_a_trajectory_is_drawn_beside_the_right_one(show: Show, record: dict[str, Any]) -> None:

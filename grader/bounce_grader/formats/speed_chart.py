@@ -136,9 +136,11 @@ def _steps(points: Sequence[Point], axes: Axes) -> list[str]:
         if i == 0:
             out.append(svg.text(x, y + 24, speed.step(point), "middle"))
         else:
-            ends = x > WIDTH - RIGHT - 50
             said = speed.seconds(1e9 * point.dt)
-            out.append(svg.text(x - 8 if ends else x + 6, y - 8, said, "end" if ends else "start"))
+            ends = x > WIDTH - RIGHT - 50
+            out.append(
+                svg.text(x - 9, y + 16, said, "end") if ends else svg.text(x + 6, y - 8, said)
+            )
     return out
 
 
