@@ -23,6 +23,12 @@ from bounce_grader.errors import KitError
 from bounce_grader.manifest import parts
 
 
+HIDDEN_ANSWER = {
+    "message": "1 of 9 cases wrong; the first: x\n  expected phi = 0.8128",
+    "shown": {"name": "x", "input": "", "sentence": "", "quantities": []},
+}
+
+
 def record_of(taken: submission.Submission) -> dict[str, Any]:
     """Each check is passed or not as a bit of the digest says."""
     bits = int(taken.sha256, 16)
@@ -41,6 +47,7 @@ def record_of(taken: submission.Submission) -> dict[str, Any]:
                     "passed": passed,
                     "message": "" if passed else "1 of 9 cases wrong; the first: a corner sticks",
                     "mistake": None,
+                    **({} if passed else {"revealed": HIDDEN_ANSWER}),
                 }
             )
         part_records.append(

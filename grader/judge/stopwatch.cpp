@@ -135,7 +135,8 @@ int run(const std::string& folder, const std::vector<std::string>& submitted,
   const auto scenes = scenes_of_one_corner(study::read_scenes(folder));
   auto submission = std::make_unique<InRunner>(submitted);
   auto solution = std::make_unique<InRunner>(reference);
-  const Handover handover = handover_of(*solution);
+  InRunner known(reference);  // one of its own: the solution begins as cold as the submission
+  const Handover handover = handover_of(known);
   solution->take_off(handover);
   submission->take_off(handover);
   std::vector<std::unique_ptr<Contender>> contenders;

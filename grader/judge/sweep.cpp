@@ -12,8 +12,8 @@ using study::Scene;
 
 constexpr double kDeltaSpeed = 0.1;  // m/s, delta over dt: the assignment's 0.001 m for 0.01 s
 constexpr double kShift = 0.5;       // m along the ground, from round to round
-constexpr int kFewest = 2, kMost = 15;
-constexpr long kStepsInAll = 20'000;  // that the rounds of a point come to, more or less
+constexpr int kFewest = 1, kMost = 15;
+constexpr long kStepsInAll = 25'000;  // that the rounds of a point come to, more or less
 
 // A scene at one dt.
 struct Setting {
@@ -147,6 +147,7 @@ std::vector<Curves> sweep(const std::vector<Scene>& scenes,
   std::vector<study::Samples> truths;
   std::transform(scenes.begin(), scenes.end(), std::back_inserter(truths), study::truth_of);
   std::vector<Racer> racers;
+  racers.reserve(contenders.size());
   for (const auto& contender : contenders)
     racers.emplace_back(*contender, budget_ns, scenes.size());
   for (const double dt : sweep_steps()) {
@@ -161,8 +162,9 @@ std::vector<Curves> sweep(const std::vector<Scene>& scenes,
       for (Racer& racer : racers) racer.finish(settings[i], i);
     }
   }
-  std::vector<Curves> all;
-  for (const Racer& racer : racers) all.push_back(racer.curves());
+  std::vector<Curves> all(racers.size());
+  std::transform(racers.begin(), racers.end(), all.begin(),
+                 [](const Racer& racer) { return racer.curves(); });
   return all;
 }
 

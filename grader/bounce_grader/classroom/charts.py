@@ -140,7 +140,7 @@ def ways(curves: Sequence[Way], fine: float) -> str:
     left, top, width, height = 90, 20, WIDTH - 130, 380
     places = [place for curve in curves for place in curve.places]
     xs = _decades((x for x, _ in places), 1e-4, 1e5)
-    ys = _decades([fine, *(y for _, y in places if y is not None)], 1e-9, 1e1)
+    ys = _decades([fine, *(y for _, y in places if y is not None)], 1e-9, 1e2)
     bottom = top + height
 
     def place(x: float, y: float | None) -> tuple[float, float]:
@@ -148,7 +148,7 @@ def ways(curves: Sequence[Way], fine: float) -> str:
         up = 1.0 if y is None else (_log(y, *ys) - ys[0]) / (ys[1] - ys[0])
         return left + width * across, bottom - height * up
 
-    out = [_markers(), rect(left, top, width, height, "none", INK)]
+    out = [_markers(len(curves)), rect(left, top, width, height, "none", INK)]
     for decade in range(xs[0], xs[1] + 1):
         x, _ = place(10.0**decade, 1)
         out += [line(x, bottom, x, bottom + 5), text(x, bottom + 20, f"{10.0**decade:g}", "middle")]
@@ -164,12 +164,13 @@ def ways(curves: Sequence[Way], fine: float) -> str:
     return svg(out, WIDTH, bottom + 54, "Speed against accuracy, one line for each submission")
 
 
-def _markers() -> str:
-    """What stands at each place of a curve, by its kind."""
+def _markers(number: int) -> str:
+    """What stands at each place of a curve, by its kind. The more curves, the fainter each is."""
+    faint = min(0.5, max(0.07, 20 / number))
     shapes = {
-        "full": '<circle r="3" cx="5" cy="5" fill="#111" fill-opacity=".55"/>',
-        "some": '<circle r="3" cx="5" cy="5" fill="#fff" stroke="#111"/>',
-        "none": '<path d="M2 2l6 6m0-6l-6 6" stroke="#111"/>',
+        "full": f'<circle r="3" cx="5" cy="5" fill="#111" fill-opacity="{faint:.2f}"/>',
+        "some": f'<circle r="3" cx="5" cy="5" fill="none" stroke="#111" opacity="{2 * faint:.2f}"/>',
+        "none": f'<path d="M2 2l6 6m0-6l-6 6" stroke="#111" opacity="{2 * faint:.2f}"/>',
         "solution": '<rect x="1" y="1" width="8" height="8" fill="#fff" stroke="#111"/>',
         "least": '<path d="M5 0l5 9H0z" fill="#fff" stroke="#111"/>',
     }
@@ -179,14 +180,16 @@ def _markers() -> str:
         for kind, shape in shapes.items()
     )
     rules = "".join(f".{kind}{{marker:url(#{kind})}}" for kind in shapes)
-    lines = ".way{fill:none;stroke:#111;stroke-width:.8;stroke-opacity:.4}"
+    lines = f".way{{fill:none;stroke:#111;stroke-width:.8;stroke-opacity:{faint:.2f}}}"
     bold = ".solution{stroke-width:2.5;stroke-opacity:1;stroke-dasharray:6 4}"
     dots = ".least{stroke-width:2;stroke-opacity:1;stroke-dasharray:1.5 4}"
+    dots += ".label{paint-order:stroke;stroke:#fff;stroke-width:4}"
     return f"<defs>{drawn}</defs><style>{rules}{lines}{bold}{dots}</style>"
 
 
 def _way(curve: Way, places: Sequence[tuple[float, float]]) -> str:
     drawn = "L".join(f"{x:.0f} {y:.0f}" for x, y in places)
     title = f"<title>{to_html(curve.title)}</title>"
-    labels = [text(x + 8, y - 8, said) for (x, y), said in zip(places, curve.labels)]
-    return f'<path class="way {curve.kind}" d="M{drawn}">{title}</path>{"".join(labels)}'
+    labels = "".join(text(x + 8, y - 8, said) for (x, y), said in zip(places, curve.labels))
+    drawn = f'<path class="way {curve.kind}" d="M{drawn}">{title}</path>'
+    return drawn + (f'<g class="label">{labels}</g>' if labels else "")
