@@ -6,6 +6,7 @@ Times are CPU times and ratios of one run, so that these hold on a busy machine,
 import json
 import math
 import re
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -149,7 +150,7 @@ def test_parts_that_do_not_run_together_are_not_timed(tmp_path: Path) -> None:
 # ---- what is said ----
 
 
-def found(*curves: list[tuple[float, float, float | None]], cut: str = "") -> dict[str, Any]:
+def found(*curves: Sequence[tuple[float, float, float | None]], cut: str = "") -> dict[str, Any]:
     points = [[{"dt": d, "ns": n, "error": e} for d, n, e in curve] for curve in curves]
     scene = {"scene": "s", "title": "S", "seconds": 0.5, **dict(zip(speed.CURVES, points))}
     return {"dt": [1e-2, 1e-3, 1e-4], "scenes": [scene], "cut": cut}
