@@ -91,6 +91,16 @@ def check_of(record: dict[str, Any], id: str) -> dict[str, Any]:
     return next(c for part in record["parts"] for c in part["checks"] if c["id"] == id)
 
 
+def test_the_numbers_follow_the_published_schema(
+    record: dict[str, Any], secret: dict[str, Any]
+) -> None:
+    jsonschema = pytest.importorskip("jsonschema")
+    schema = json.loads((ROOT / "docs" / "record.schema.json").read_text())
+    for one in (record, *secret.values()):
+        jsonschema.validate(one, schema)
+    assert sum("shown" in c for part in record["parts"] for c in part["checks"]) > 10
+
+
 # ---- what is shown ----
 
 
@@ -184,9 +194,8 @@ def test_what_a_submission_says_is_text(show: Show, record: dict[str, Any]) -> N
         part["message"] = HOSTILE
         for check in part["checks"]:
             check["message"] = HOSTILE
-            for shown in filter(None, [check.get("shown")]):
-                shown |= {"sentence": HOSTILE, "name": HOSTILE, "input": HOSTILE}
-                shown["contact"] = HOSTILE
+            if "shown" in check:
+                check["shown"] |= dict.fromkeys(("sentence", "name", "input", "contact"), HOSTILE)
     wild["speed"]["cut"] = HOSTILE
     page = show(wild)
     assert page.title == "Bouncing: your points"
@@ -208,7 +217,8 @@ def secret(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
     files = {**solution_files(), "part1_contacts.cpp": part1.encode()}
     folder = write(tmp_path_factory.mktemp("secret") / "submission", files)
     records = {}
-    for name, options in (("closed", []), ("open", ["--reveal"])):
+    options: tuple[str, ...]
+    for name, options in (("closed", ()), ("open", ("--reveal",))):
         out = folder.parent / f"{name}.json"
         assert cli.main(["grade", str(folder), "--json", str(out), *options]) == 0
         records[name] = json.loads(out.read_text())
@@ -249,8 +259,8 @@ def test_and_nowhere_else(secret: dict[str, Any]) -> None:
 
 
 def test_a_record_is_opened_and_closed_without_a_trace() -> None:
-    hidden = {"name": "x", "input": "", "sentence": "", "quantities": []}
-    check = {"id": "part1.X", "message": "closed", "shown": hidden}
+    hidden: dict[str, Any] = {"name": "x", "input": "", "sentence": "", "quantities": []}
+    check: dict[str, Any] = {"id": "part1.X", "message": "closed", "shown": hidden}
     kept = {**check, "revealed": {"message": "open", "shown": {**hidden, "contact": "answer"}}}
     record = {"parts": [{"checks": [kept]}]}
     assert without_answers(record) == {"parts": [{"checks": [check]}]}
@@ -264,7 +274,7 @@ def test_a_record_is_opened_and_closed_without_a_trace() -> None:
 
 @pytest.mark.parametrize("odd", [["nan"], ["inf"], [1e300], [-1e300], [0.0], [1e-300]])
 def test_a_picture_can_be_drawn_of_any_numbers(odd: list[Any]) -> None:
-    scene = {"l": 0.2, "m": 0.3, "g": [0.0, -9.81, 0.0], "dt": 0.01, "delta": 0.001}
+    scene: dict[str, Any] = {"l": 0.2, "m": 0.3, "g": [0.0, -9.81, 0.0], "dt": 0.01, "delta": 0.001}
     scene |= {"q": [0.0, 0.1, 0.0], "v": [1.0, 0.0, 0.0]}
     quantity = {"name": picture.VELOCITY, "unit": "", "got": [odd] * 3, "right": [[False]] * 3}
     path = {"first": 1, "got": [odd * 3, [0.0, 1.0, 0.0], odd * 3]}
@@ -274,4 +284,5 @@ def test_a_picture_can_be_drawn_of_any_numbers(odd: list[Any]) -> None:
         assert drawn.count("<svg") == 1
         for text in re.findall(r' d="([^"]*)"', drawn):
             assert re.fullmatch(r"[MLAZ\d .-]*", text), text
-            assert max(map(abs, map(float, re.findall(r"-?[\d.]+", text)))) <= picture.FAR
+            numbers = [abs(float(number)) for number in re.findall(r"-?[\d.]+", text)]
+            assert max(numbers) <= picture.FAR
