@@ -40,6 +40,7 @@ struct Problem {
   std::string sentence;  // what numbers alone don't say
   std::vector<Difference> differences;
   Eigen::Matrix3Xd path;  // part 4: the q that came
+  int column = -1;        // part 4: the first wrong one, where one is
   bool empty() const { return sentence.empty() && differences.empty(); }
 };
 

@@ -24,7 +24,7 @@ from pathlib import Path, PurePosixPath
 from typing import Any
 
 import corpus
-from bounce_grader import build, entry, judging, submission
+from bounce_grader import build, entry, judging, speed, submission
 from bounce_grader.entry import Entry
 from bounce_grader.errors import KitError, UsageError
 from bounce_grader.manifest import parts
@@ -270,21 +270,52 @@ def check_submission(taken: Submission) -> None:
 # --- what the judge and the compiler say ---
 
 
+SHOWN = {
+    "name": "a bounce",
+    "input": "q = (1, 2, 3)",
+    "sentence": "column 2 is the first wrong one",
+    "contact": "corner 2 touches and sticks",
+    "quantities": [
+        {"name": "p", "unit": "m/s", "got": [[1, "nan"]], "right": [[True, False]]}
+        | {"expected": [[1, 2.5]]}
+    ],
+    "scene": {"l": 0.2, "m": 0.3, "g": [0, -9.81, 0], "dt": 0.01, "delta": 0.001}
+    | {"q": [0, 0.1, 0], "v": [1, 0, 0]},
+    "path": {
+        "first": 1,
+        "got": [[0, 1, 2], ["inf", 0, 0]],
+        "columns": [0],
+        "expected": [[0, 1, 2]],
+    },
+}
+POINTS = [{"dt": 0.01, "ns": 25000, "error": 0.12}, {"dt": 0.003, "ns": 81000, "error": None}]
+TIMES = {
+    "dt": [0.01, 0.003],
+    "cut": "at dt = 0.001 s: the program crashed",
+    "scenes": [
+        {"scene": "tumble", "title": "Tumble", "seconds": 0.4}
+        | {"submission": POINTS, "solution": POINTS, "least": POINTS[:1]}
+    ],
+}
+
+
 @cache
 def judge_seeds() -> list[bytes]:
     check = {"passed": True, "status": "graded", "stack": "", "message": ""}
+    check |= {"shown": None, "revealed": None}
     wrong = {"passed": False, "status": "crashed", "stack": " 0x40 0x41", "message": "1 of 2\n got"}
+    wrong |= {"shown": SHOWN, "revealed": {"message": "1 of 2", "shown": SHOWN}}
     ids = [check.id for check in parts()[3].checks]
     return [
         json.dumps(
             {"checks": [{**verdict, "id": id} for id in ids], "largest_error": error}
         ).encode()
         for verdict, error in ((check, 1e-13), (wrong, None))
-    ] + [b'{"ns_per_step":[200.5,180.25],"ratio":1.1125}', b"[" * 3000]
+    ] + [json.dumps(TIMES).encode(), b"[" * 3000]
 
 
 def check_judge(data: bytes) -> bool:
-    return any([_read(judging.read_answer, data, parts()[3]), _read(judging.read_times, data)])
+    return any([_read(judging.read_answer, data, parts()[3]), _read(speed.read, data)])
 
 
 def _read(reader: Callable[..., Any], *arguments: Any) -> bool:

@@ -7,7 +7,7 @@
 namespace bounce::tests {
 namespace {
 
-Problem saying(const char* sentence) { return {sentence, {}, {}}; }
+Problem saying(const char* sentence) { return {sentence, {}, {}, -1}; }
 
 // One wrong step makes everything after it wrong, so the first wrong column is the one to name.
 Problem compare_columns(const Case& c) {
@@ -22,6 +22,7 @@ Problem compare_columns(const Case& c) {
     if (wrong.empty()) continue;
     wrong.sentence = column + " is the first wrong one";
     wrong.path = got.q;
+    wrong.column = c.columns[i];
     return wrong;
   }
   return {};

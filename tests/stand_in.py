@@ -23,6 +23,12 @@ from bounce_grader.errors import KitError
 from bounce_grader.manifest import parts
 
 
+HIDDEN_ANSWER = {
+    "message": "1 of 9 cases wrong; the first: x\n  expected phi = 0.8128",
+    "shown": {"name": "x", "input": "", "sentence": "", "quantities": []},
+}
+
+
 def record_of(taken: submission.Submission) -> dict[str, Any]:
     """Each check is passed or not as a bit of the digest says."""
     bits = int(taken.sha256, 16)
@@ -41,6 +47,7 @@ def record_of(taken: submission.Submission) -> dict[str, Any]:
                     "passed": passed,
                     "message": "" if passed else "1 of 9 cases wrong; the first: a corner sticks",
                     "mistake": None,
+                    **({} if passed else {"revealed": HIDDEN_ANSWER}),
                 }
             )
         part_records.append(
@@ -71,8 +78,21 @@ def record_of(taken: submission.Submission) -> dict[str, Any]:
             "solution_ns": 200.0,
             "ratio": 1 + bits % 300 / 200,
             "largest_error": 1e-13 if bits % 3 else 0.1,
+            **curves(200.0 + bits % 300, 1.0 if bits % 3 else 20.0),
         },
     }
+
+
+def curves(ns: float, wrong: float) -> dict[str, Any]:
+    """One scene: a time for each step, and errors that fall with it."""
+    dts = [1e-2, 3e-3, 1e-3]
+
+    def curve(a_step: float, times: float) -> list[dict[str, float]]:
+        return [{"dt": dt, "ns": a_step / dt, "error": times * dt} for dt in dts]
+
+    scene = {"scene": "tumble", "title": "Tumble", "seconds": 0.4}
+    scene |= {"submission": curve(ns, wrong), "solution": curve(200.0, 1.0)}
+    return {"cut": "", "dt": dts, "scenes": [{**scene, "least": curve(10.0, 0.5)}]}
 
 
 def grade(path: Path, task: Task, seconds: float = 0.0) -> dict[str, Any]:

@@ -9,7 +9,7 @@ import pytest
 import stand_in
 from bounce_grader import submission
 from bounce_grader.classroom import charts, page, progress, similar, students
-from bounce_grader.classroom.charts import Dot
+from bounce_grader.classroom.charts import Dot, Way
 from bounce_grader.classroom.similar import Similar
 from bounce_grader.classroom.students import Class, Student
 from bounce_grader.classroom.summary import Summary, of_result
@@ -49,6 +49,28 @@ def test_the_shapes_differ_without_colour() -> None:
     assert marks == ["full", "some", "none"]
     assert drawn.count('fill="none" stroke="#111"><title>some') == 1
     assert set(re.findall(r"#[0-9a-f]{3,6}", drawn)) <= {"#111", "#444", "#999"}
+
+
+def test_every_timed_submission_has_a_line_beside_the_solutions(tmp_path: Path) -> None:
+    untimed = summary(tmp_path, "slow", speed={"largest_error": 1e-13})
+    text = shown(summary(tmp_path, "anna"), summary(tmp_path, "<b>"), untimed)
+    lines = re.findall(r'<path class="way (\w+)" d="M([^"]*)"><title>([^<]*)', text)
+    assert [title.split(":")[0] for _, _, title in lines[:2]] == ["anna", "&lt;b&gt;"]
+    assert [kind for kind, _, _ in lines[2:]] == ["solution", "least"]
+    assert {places.count("L") for _, places, _ in lines} == {2}  # three time steps
+    assert text.count(">10 ms<") == 1
+
+
+def test_the_lines_differ_without_colour_and_a_thousand_fit_into_the_page() -> None:
+    places = tuple((10.0**-k, 10.0**k) for k in range(7))
+    kinds = ("full", "some", "none", "solution", "least")
+    drawn = charts.ways([Way(places, kind, kind) for kind in kinds], 1e-3)
+    shapes = dict(re.findall(r'<marker id="(\w+)"[^>]*>(<[^>]*>)', drawn))
+    assert set(shapes) == set(kinds) and len(set(shapes.values())) == len(kinds)
+    assert set(re.findall(r"#[0-9a-f]{3,6}\b", drawn)) <= {"#111", "#fff"}
+    odd = Way(((1e-300, None), (1e300, 1e300), (1.0, 0.0)), "none", "<b>")
+    assert "nan" not in charts.ways([odd], 1e-3) and "<b>" not in charts.ways([odd], 1e-3)
+    assert len(charts.ways([Way(places, "full", "a student's name")] * 1000, 1e-3)) < 300_000
 
 
 @pytest.mark.parametrize(

@@ -102,6 +102,23 @@ def test_a_second_run_grades_nothing_and_writes_the_same(
     assert len(graded(out)) == len(users)
 
 
+def test_answers_of_hidden_cases_are_on_the_pages_where_that_is_asked_for(
+    tmp_path: Path, users: list[int]
+) -> None:
+    """Later, too, and without grading anything again."""
+    source, out = download(tmp_path / "x.zip", users), tmp_path / "out"
+    answer = "expected phi = 0.8128"
+    for reveal in (False, True, False):
+        grade_class(source, out, reveal=reveal)
+        pages = [page.read_text() for page in (out / "feedback").iterdir()]
+        with zipfile.ZipFile(out / "feedback.zip") as archive:
+            pages += [archive.read(name).decode() for name in archive.namelist()]
+        assert [answer in page for page in pages] == [reveal] * 2 * len(users)
+        others = [out / "class.html", out / "grades.csv", out / "gradebook.csv"]
+        assert not any(answer in file.read_text() for file in others)
+    assert len(graded(out)) == len(users)
+
+
 def test_only_what_is_new_is_graded(tmp_path: Path, users: list[int]) -> None:
     out = tmp_path / "out"
     grade_class(download(tmp_path / "x.zip", users[:9]), out)
@@ -441,7 +458,8 @@ def test_a_page_of_a_thousand_is_small(tmp_path: Path) -> None:
     text = page.render(found, summaries, Similar(pairs, 40), [])
     assert len(text.encode()) < 3_000_000
     assert "http" not in text.replace("http-equiv", "")
-    assert text.count("<circle") + text.count("l8 8m0-8l-8 8") == 1000
+    assert text.count("<circle cx=") + text.count("l8 8m0-8l-8 8") == 1000
+    assert text.count('<path class="way ') == 1002
 
 
 def test_the_command_takes_it_all(tmp_path: Path, users: list[int]) -> None:

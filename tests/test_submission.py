@@ -9,6 +9,7 @@ import time
 import zipfile
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from dataclasses import replace
 from pathlib import Path
 
 import corpus
@@ -308,6 +309,8 @@ def test_a_name_that_is_no_utf8_is_not_used(tmp_path: Path) -> None:
     taken = submission.read(tmp_path)
     assert set(taken.files) == PARTS and len(taken.sha256) == 64
     assert taken.ignored == ("L\udcf6sung.hpp",)
+    used = replace(taken, files={**taken.files, taken.ignored[0]: b""})
+    assert len({taken.sha256, used.sha256, replace(used, files={}).sha256}) == 3
 
 
 @pytest.mark.parametrize("path", ["/dev/zero", "/dev/null", "pipe"])

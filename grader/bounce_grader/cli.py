@@ -55,7 +55,12 @@ def _parser() -> argparse.ArgumentParser:
         help=f"what is printed, in place of the report: {', '.join(formats.NAMES)}",
     )
     grade.add_argument("--min-score", type=float, metavar="S", help="exit with 1 below this score")
-    grade.add_argument("--speed", action="store_true", help="time a step beside the solution's")
+    grade.add_argument(
+        "--speed", action="store_true", help="chart speed against accuracy, beside the solution's"
+    )
+    grade.add_argument(
+        "--reveal", action="store_true", help="show the expected answers of hidden cases, too"
+    )
     boxes = grade.add_mutually_exclusive_group()
     boxes.add_argument(
         "--require-box", choices=["full"], help="refuse to grade where this box can't be had"
@@ -102,16 +107,19 @@ def _parser() -> argparse.ArgumentParser:
 def _grade(options: argparse.Namespace) -> int:
     from bounce_grader import report
     from bounce_grader.grade import Options, grade
+    from bounce_grader.record import with_answers
 
     if options.format and options.json == "-":
         raise UsageError("--format and --json - both write to standard output: give one")
     try:
-        record = grade(options.submission, Options(_boxes(options), options.speed))
+        wanted = Options(_boxes(options), options.speed, answers=options.reveal)
+        record = grade(options.submission, wanted)
     except UsageError as error:
         refused = formats.refused(options.format, str(error))
         if refused:
             print(refused)
         raise
+    record = with_answers(record) if options.reveal else record
     text = json.dumps(record, indent=1, ensure_ascii=False)
     if options.json == "-":
         print(text)

@@ -11,7 +11,7 @@ from functools import partial
 from pathlib import Path
 
 from bounce_grader import box as boxes
-from bounce_grader import build, checking, fixtures, judging, record, submission
+from bounce_grader import build, checking, fixtures, judging, record, speed, submission
 from bounce_grader.box import Box
 from bounce_grader.errors import KitError
 from bounce_grader.judging import Judged
@@ -26,6 +26,7 @@ class Options:
     boxes: tuple[str, ...] = boxes.FULL_OR_REDUCED  # the kinds that will do, the best first
     speed: bool = False
     jobs: int = 0  # 0: one a core
+    answers: bool = False  # with the expected answers of hidden cases, for with_answers
 
 
 def grade(path: Path, options: Options = Options()) -> Record:
@@ -45,19 +46,20 @@ def grade(path: Path, options: Options = Options()) -> Record:
             records = list(pool.map(grading.part, parts()))
         if not any(r["score"] for r in records):
             _require_working_kit(box)
-        speed = None
+        measured = None
         if options.speed:
             timed = build.compile_all(taken, sources, box, jobs, timed=True)
-            speed = _speed(grading.best, _link_together(taken, timed, work / "timed", box), box)
+            measured = _speed(grading.best, _link_together(taken, timed, work / "timed", box), box)
     end = time.monotonic()
-    return record.whole(
+    graded = record.whole(
         taken,
         records,
         box.kind,
         {"compile": compiled - start, "run": end - compiled, "total": end - start},
         record.digest_of([fixtures.PUBLIC, hidden]),
-        speed,
+        measured,
     )
+    return graded if options.answers else record.without_answers(graded)
 
 
 @contextmanager
@@ -185,9 +187,9 @@ def _require_working_kit(box: Box) -> None:
 
 
 def _speed(best: dict[Part, Judged], timed: build.Built, box: Box) -> Record:
-    """What a step costs beside the solution, and the largest error over all checks."""
+    """Its curve beside the solution's, and the largest error over all checks."""
     errors = [judged.largest_error for judged in best.values()]
-    times = judging.speed(timed.path, box) if timed.path else None
+    measured = speed.measure(timed.path, box) if timed.path else None
     known = [error for error in errors if error is not None]
     complete = len(known) == len(parts())
-    return {**(times or {}), "largest_error": max(known) if complete else None}
+    return {**(measured or {}), "largest_error": max(known) if complete else None}

@@ -8,12 +8,13 @@ from functools import cache
 from pathlib import Path
 from typing import Any, cast
 
-from bounce_grader import processes
+from bounce_grader import processes, shown
 from bounce_grader.box import Box
 from bounce_grader.errors import KitError
 from bounce_grader.escape import name
 from bounce_grader.manifest import Part
-from bounce_grader.paths import FIXTURES, JUDGE, REFERENCE_RUNNER, SOURCES, STOPWATCH, WORK_FOLDER
+from bounce_grader.paths import FIXTURES, JUDGE, SOURCES, WORK_FOLDER
+from bounce_grader.shown import Shown
 
 SYMBOLS = processes.Limits(cpu_seconds=5, wall_seconds=30, memory=1 << 30, file_size=0)
 WAIT = processes.Limits(cpu_seconds=60, wall_seconds=300, memory=4 << 30, file_size=0)
@@ -25,6 +26,8 @@ class Verdict:
     passed: bool
     status: str
     message: str
+    shown: Shown | None = None  # the failed case in numbers
+    revealed: Shown | None = None  # of a hidden case, "message" and "shown" with its answer
 
 
 @dataclass(frozen=True)
@@ -62,7 +65,13 @@ def judge(
         raise KitError(f"the judge failed on part {part.number}: {result.err.strip() or 'killed'}")
     answer = read_answer(result.out, part)
     verdicts = {
-        check["id"]: Verdict(check["passed"], check["status"], _with_place(check, runner, box))
+        check["id"]: Verdict(
+            check["passed"],
+            check["status"],
+            _with_place(check, runner, box),
+            check["shown"],
+            check["revealed"],
+        )
         for check in answer["checks"]
     }
     return Judged(verdicts, answer["largest_error"], "given" if given else "own")
@@ -73,6 +82,9 @@ def read_answer(out: bytes, part: Part) -> dict[str, Any]:
     try:
         answer = json.loads(out, parse_constant=_no_number)
         sound = all(map(_is_sound, answer["checks"])) and _is_size(answer["largest_error"])
+        for check in answer["checks"]:
+            check["shown"] = shown.read(check["shown"])
+            check["revealed"] = shown.read_revealed(check["revealed"])
     except (ValueError, TypeError, KeyError, RecursionError) as error:
         raise KitError(f"the judge's answer on part {part.number} can't be read") from error
     if not sound:
@@ -118,25 +130,3 @@ def place_in(lines: bytes) -> str | None:
         if inside:
             return name(inside.group(1))
     return None
-
-
-def speed(runner: Path, box: Box) -> dict[str, float] | None:
-    """Nanoseconds per step, the submission's and the solution's; None where it can't be timed."""
-    command = [str(STOPWATCH), *box.to_run(runner), "::", *box.to_run(REFERENCE_RUNNER)]
-    result = processes.run(command, WAIT)
-    if not result.ok:
-        return None
-    return read_times(result.out)
-
-
-def read_times(out: bytes) -> dict[str, float]:
-    """The stopwatch's answer. Raises KitError where it isn't one."""
-    try:
-        answer = json.loads(out, parse_constant=_no_number)
-        submission, solution = answer["ns_per_step"]
-        times = {"submission_ns": submission, "solution_ns": solution, "ratio": answer["ratio"]}
-    except (ValueError, TypeError, KeyError, RecursionError) as error:
-        raise KitError("the stopwatch's answer can't be read") from error
-    if not all(x is not None and _is_size(x) for x in times.values()):
-        raise KitError("the stopwatch's answer has another shape than it should")
-    return times

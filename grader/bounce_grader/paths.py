@@ -18,4 +18,5 @@ STUBS = HANDOUT / "src"
 WORK_FOLDER = "bounce-submission-"  # the prefix of a temporary one
 SOURCES = "sources"  # in it, what was submitted
 FIXTURES = ROOT / "fixtures"
+SCENES = FIXTURES / "scenes"
 SECRET = ROOT / "course-secret"

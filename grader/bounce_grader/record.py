@@ -5,13 +5,13 @@ length here already, so that the record is valid JSON in UTF-8 whatever they wer
 """
 
 import hashlib
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
 from bounce_grader import __version__
 from bounce_grader.escape import name, said
-from bounce_grader.judging import Judged
+from bounce_grader.judging import Judged, Verdict
 from bounce_grader.manifest import Check, Part, parts
 from bounce_grader.submission import Submission
 
@@ -32,6 +32,7 @@ def part_record(part: Part, judged: Judged) -> Record:
             _check_record(
                 check, judged.verdicts[check.id].passed, judged.verdicts[check.id].message
             )
+            | _numbers(judged.verdicts[check.id])
             for check in part.checks
         ],
     }
@@ -64,6 +65,27 @@ def _check_record(check: Check, passed: bool, message: str) -> Record:
         "message": said(message),
         "mistake": None,
     }
+
+
+def _numbers(verdict: Verdict) -> Record:
+    """The failed case in numbers; and, for who may see it, a hidden one with its answer."""
+    numbers = {"shown": verdict.shown, "revealed": verdict.revealed}
+    return {key: value for key, value in numbers.items() if value and verdict.status == "graded"}
+
+
+def without_answers(record: Record) -> Record:
+    """What a student may see: no expected answer of a hidden case."""
+    return _with_checks(record, lambda check: {k: v for k, v in check.items() if k != "revealed"})
+
+
+def with_answers(record: Record) -> Record:
+    """The same record with the expected answers in their places."""
+    return without_answers(_with_checks(record, lambda check: check | check.get("revealed", {})))
+
+
+def _with_checks(record: Record, change: Callable[[Record], Record]) -> Record:
+    parts_ = [{**part, "checks": list(map(change, part["checks"]))} for part in record["parts"]]
+    return {**record, "parts": parts_}
 
 
 def _part_message(part: Part, judged: Judged) -> str:

@@ -4,6 +4,7 @@ import sys
 from functools import cache
 from typing import TextIO
 
+from bounce_grader import speed
 from bounce_grader.escape import terminal
 from bounce_grader.hints import headings
 from bounce_grader.paths import HANDOUT
@@ -80,16 +81,18 @@ def _check(check: Record) -> list[tuple[str, str]]:
     return out
 
 
-def _speed(speed: Record) -> list[tuple[str, str]]:
-    error = speed["largest_error"]
+def _speed(found: Record) -> list[tuple[str, str]]:
+    error = found["largest_error"]
     accuracy = "largest error " + ("not finite" if error is None else f"{error:.1e}")
-    if "ratio" not in speed:
-        return [("", f"Speed: not measured (the parts don't run together); {accuracy}"), ("", "")]
+    said = [terminal(sentence) for sentence in speed.sentences(found)]
+    if "ratio" not in found:
+        why = "" if said else " (the parts don't run together)"
+        return [("", line) for line in (f"Speed: not measured{why}; {accuracy}", *said, "")]
     time = (
-        f"{speed['submission_ns']:.0f} ns a step, the solution {speed['solution_ns']:.0f} ns: "
-        f"{speed['ratio']:.2f} times its time"
+        f"{found['submission_ns']:.0f} ns a step, the solution {found['solution_ns']:.0f} ns: "
+        f"{found['ratio']:.2f} times its time"
     )
-    return [("", f"Speed: {time}; {accuracy}"), ("", "")]
+    return [("", line) for line in (f"Speed: {time}; {accuracy}", *said, "")]
 
 
 def _some(names: list[str], most: int = 5) -> str:

@@ -6,6 +6,7 @@ out; the names left out are kept, to be said.
 """
 
 import hashlib
+import os
 import unicodedata
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
@@ -54,7 +55,7 @@ class Submission:
     def sha256(self) -> str:
         digest = hashlib.sha256()
         for name in sorted(self.files):
-            digest.update(f"{name}\0{len(self.files[name])}\0".encode() + self.files[name])
+            digest.update(os.fsencode(f"{name}\0{len(self.files[name])}\0") + self.files[name])
         return digest.hexdigest()
 
     def write_to(self, folder: Path) -> None:

@@ -2,9 +2,11 @@
 
 #include <unistd.h>
 
+#include <ctime>
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace bounce::judge {
 namespace {
@@ -36,13 +38,21 @@ std::optional<Glance> glance_at_one(pid_t pid) {
                 pages * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE))};
 }
 
+std::optional<std::vector<pid_t>> children_of(pid_t pid) {
+  std::ifstream file(folder_of(pid) + "/task/" + std::to_string(pid) + "/children");
+  if (!file) return std::nullopt;
+  std::vector<pid_t> children;
+  for (pid_t child = 0; file >> child;) children.push_back(child);
+  return children;
+}
+
 }  // namespace
 
 std::optional<Glance> glance_at(pid_t pid) {
   std::optional<Glance> all = glance_at_one(pid);
-  std::ifstream children(folder_of(pid) + "/task/" + std::to_string(pid) + "/children");
-  if (!children) return std::nullopt;
-  for (pid_t child = 0; all && children >> child;) {
+  const auto children = children_of(pid);
+  if (!all || !children) return std::nullopt;
+  for (const pid_t child : *children) {
     const std::optional<Glance> more = glance_at(child);
     if (!more) continue;  // it has just ended
     all->waits = all->waits && more->waits;
@@ -51,6 +61,17 @@ std::optional<Glance> glance_at(pid_t pid) {
     all->memory += more->memory;
   }
   return all;
+}
+
+std::optional<double> cpu_ns_of(pid_t pid) {
+  clockid_t clock{};
+  timespec time{};
+  const auto children = children_of(pid);
+  if (!children || ::clock_getcpuclockid(pid, &clock) != 0) return std::nullopt;
+  if (::clock_gettime(clock, &time) != 0) return std::nullopt;
+  double ns = static_cast<double>(time.tv_sec) * 1e9 + static_cast<double>(time.tv_nsec);
+  for (const pid_t child : *children) ns += cpu_ns_of(child).value_or(0);
+  return ns;
 }
 
 }  // namespace bounce::judge

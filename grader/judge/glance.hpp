@@ -20,4 +20,8 @@ struct Glance {
 // Empty where this system doesn't tell, or the process is gone.
 std::optional<Glance> glance_at(pid_t pid);
 
+// The CPU time of a process and its descendants, ns, by the system's own clocks. Finer than a
+// glance, which counts in hundredths of a second. Empty as above.
+std::optional<double> cpu_ns_of(pid_t pid);
+
 }  // namespace bounce::judge

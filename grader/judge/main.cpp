@@ -1,7 +1,10 @@
 // judge --part N [--given] [--checked] --fixtures FOLDER... -- COMMAND...
 //
 // Runs the tests of part N against the runner that COMMAND starts, and prints one JSON object:
-//   {"checks": [{"id", "passed", "status", "stack", "message"}], "largest_error": number or null}
+//   {"checks": [{"id", "passed", "status", "stack", "message", "shown", "revealed"}],
+//    "largest_error": number or null}
+// shown is the failed case in numbers, or null; of a hidden one, revealed is {"message", "shown"}
+// with the expected answer, for whoever may see it (shown.hpp).
 // Exit status 0 when every check has a verdict; 3, with a sentence on standard error, when the
 // kit itself failed: that is no verdict about the submission.
 #include <gtest/gtest.h>
@@ -13,18 +16,25 @@
 
 #include "../../tests/cases.hpp"
 #include "session.hpp"
+#include "shown.hpp"
 
 namespace bounce {
 
 static std::vector<std::filesystem::path> fixtures;
 std::vector<std::filesystem::path> tests::fixture_folders() { return fixtures; }
 void tests::about_to_ask(const Case&) {}
-std::string tests::in_words(const Case& c, const Problem& problem) { return summary(c, problem); }
 
 namespace judge {
 namespace {
 
 using nlohmann::json;
+
+// The case that was told last, and the words about it that a message ends with.
+struct Told {
+  json shown, revealed;
+  std::string words, revealed_words;
+};
+Told told;
 
 struct Options {
   std::uint32_t part = 0;
@@ -58,6 +68,13 @@ Options read_options(const std::vector<std::string>& arguments) {
   return options;
 }
 
+// For who may see the answer of a hidden case: the message, with other words at its end.
+json revealed_in(const std::string& message) {
+  if (told.revealed.is_null()) return nullptr;
+  const std::string same = message.substr(0, message.size() - told.words.size());
+  return {{"message", same + told.revealed_words}, {"shown", told.revealed}};
+}
+
 // Collects a verdict a check. A test that fails in any other way than through a case's report
 // is a fault of the kit.
 class Verdicts : public testing::EmptyTestEventListener {
@@ -66,6 +83,8 @@ class Verdicts : public testing::EmptyTestEventListener {
   std::string kit_failure;
 
  private:
+  void OnTestStart(const testing::TestInfo&) override { told = {}; }
+
   void OnTestEnd(const testing::TestInfo& test) override {
     std::string message;
     for (int i = 0; i < test.result()->total_part_count(); ++i) {
@@ -83,7 +102,9 @@ class Verdicts : public testing::EmptyTestEventListener {
                       {"passed", passed},
                       {"status", end.status},
                       {"stack", end.stack},
-                      {"message", message}});
+                      {"message", message},
+                      {"shown", told.shown},
+                      {"revealed", revealed_in(message)}});
   }
 };
 
@@ -112,6 +133,18 @@ int run(const Options& options) {
 
 }  // namespace
 }  // namespace judge
+
+std::string tests::in_words(const Case& c, const Problem& problem) {
+  judge::told = {judge::shown(c, problem), nullptr, summary(c, problem), ""};
+  if (c.hidden) {
+    Case open = c;
+    open.hidden = false;
+    judge::told.revealed = judge::shown(open, problem);
+    judge::told.revealed_words = summary(open, problem);
+  }
+  return judge::told.words;
+}
+
 }  // namespace bounce
 
 int main(int argc, char** argv) try {

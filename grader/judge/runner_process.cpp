@@ -12,6 +12,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <optional>
 #include <set>
 
 #include "glance.hpp"
@@ -137,6 +138,12 @@ frames::Frame RunnerProcess::receive() {
 
 void RunnerProcess::receive(Eigen::Matrix3Xd& columns) {
   read_exactly(columns.data(), sizeof(double) * static_cast<std::size_t>(columns.size()), true);
+}
+
+double RunnerProcess::cpu_ns() const {
+  const std::optional<double> ns = cpu_ns_of(pid_);
+  if (!ns) throw std::runtime_error("this system doesn't tell the CPU time of a process");
+  return *ns;
 }
 
 void RunnerProcess::read_exactly(void* data, std::size_t size, bool amid_an_answer) {

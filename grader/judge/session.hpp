@@ -27,6 +27,9 @@ class Session {
   // check can't go on, std::runtime_error when this question has no answer.
   frames::Frame ask(frames::Frame question, Trajectory* columns = nullptr);
 
+  // CPU time of the runner at work, ns; 0 where there is none.
+  double cpu_ns() const { return runner_ ? runner_->cpu_ns() : 0; }
+
   // How the last check's runner ended, if it did: a status, and a crash's stack. Once a check.
   struct End {
     std::string status, stack;

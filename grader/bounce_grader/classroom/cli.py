@@ -36,7 +36,12 @@ def add(commands: Any) -> None:
         "status=STATUS or score<POINTS",
     )
     again.add_argument("--apply", action="store_true", help="take over what --regrade has shown")
-    parser.add_argument("--no-speed", action="store_true", help="don't time a step")
+    parser.add_argument("--no-speed", action="store_true", help="don't time the submissions")
+    parser.add_argument(
+        "--reveal",
+        action="store_true",
+        help="put the expected answers of hidden cases into the feedback; may be added later",
+    )
     parser.add_argument(
         "--trust-submission", action="store_true", help="grade without a box where none can be had"
     )
@@ -60,6 +65,7 @@ def _class(options: argparse.Namespace) -> int:
         scheduler=options.scheduler,
         speed=not options.no_speed,
         trust=options.trust_submission,
+        reveal=options.reveal,
         regrade=options.regrade,
         apply=options.apply,
     )

@@ -13,6 +13,7 @@ from bounce_grader.classroom.summary import Summary
 from bounce_grader.files import write_whole
 from bounce_grader.formats import html
 from bounce_grader.manifest import parts
+from bounce_grader.record import with_answers, without_answers
 
 TITLE = "Bouncing"
 
@@ -24,12 +25,14 @@ def write(
     book: Gradebook | None,
     columns: Mapping[int, str],
     near: Similar,
+    reveal: bool = False,
 ) -> list[str]:
-    """Gives the sentences that a person should read about the grade book."""
+    """Gives the sentences that a person should read about the grade book. Only where `reveal` is
+    set do pages have the expected answers of hidden cases."""
     marks = _marks(summaries)
     said = _gradebook(out, marks, book, columns)
     write_whole(out / "grades.csv", "\ufeff" + grades.table(summaries))
-    _feedback(out, summaries)
+    _feedback(out, summaries, reveal)
     write_whole(out / "class.html", page.render(found, summaries, near, said))
     return said
 
@@ -58,7 +61,7 @@ def _gradebook(
     return said
 
 
-def _feedback(out: Path, summaries: list[Summary]) -> None:
+def _feedback(out: Path, summaries: list[Summary], reveal: bool) -> None:
     """One page each; for Canvas all of them in the zip that it takes back, too."""
     folder = out / "feedback"
     folder.mkdir(exist_ok=True)
@@ -66,15 +69,16 @@ def _feedback(out: Path, summaries: list[Summary]) -> None:
     for summary in summaries:
         result = results.load(out / "results", summary.key)
         if result:
-            write_whole(folder / summary.student.feedback, _page(summary.student, result))
+            write_whole(folder / summary.student.feedback, _page(summary.student, result, reveal))
             pages.append(summary.student.feedback)
     if any(summary.student.uploads for summary in summaries):
         _zip(folder, pages, out / "feedback.zip")
 
 
-def _page(student: Student, result: dict[str, Any]) -> str:
+def _page(student: Student, result: dict[str, Any], reveal: bool) -> str:
     if result["record"]:
-        return html.render(result["record"], student.name, student.unused)
+        record = (with_answers if reveal else without_answers)(result["record"])
+        return html.render(record, student.name, student.unused)
     return html.refused(result["message"])
 
 

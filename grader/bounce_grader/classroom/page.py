@@ -4,8 +4,9 @@ import statistics
 from collections import Counter
 from collections.abc import Collection, Iterable, Sequence
 
+from bounce_grader import speed
 from bounce_grader.classroom import charts
-from bounce_grader.classroom.charts import Bar, Dot
+from bounce_grader.classroom.charts import Bar, Dot, Way
 from bounce_grader.classroom.similar import Similar
 from bounce_grader.classroom.students import Class
 from bounce_grader.classroom.summary import Summary
@@ -134,7 +135,48 @@ def _speed(summaries: Sequence[Summary]) -> str:
         "measured in the same run as the solution's; the largest error is over all checks. What "
         "doesn't run as a whole isn't timed.</p>"
     )
-    return said + (_drawing(charts.scatter(dots, RIGHT)) if dots else "")
+    return said + (_drawing(charts.scatter(dots, RIGHT)) if dots else "") + _ways(summaries, full)
+
+
+def _ways(summaries: Sequence[Summary], full: float) -> str:
+    """All submissions' curves in one chart. Each has its own run's solution as its unit of time."""
+    curves = [
+        Way(places, _kind(s.score, full), f"{_who(s)}: {s.score:g} points")
+        for s in summaries
+        if s.score is not None and (places := _over_solution(s, "submission"))
+    ]
+    if not curves:
+        return ""
+    usual = [_median(summaries, whose) for whose in ("solution", "least")]
+    said = (
+        "<p>Each line is a submission on its way to smaller time steps, over the scenes that the "
+        "assignment's model can do; the error is that of the worst scene, against the exact "
+        "motion. Right programs differ in their time alone: their marks stand level. Squares: the "
+        "solution; triangles: no more model than each step needs; dotted: 1 mm.</p>"
+    )
+    return said + _drawing(charts.ways([*curves, *filter(None, usual)], speed.FINE))
+
+
+def _over_solution(summary: Summary, whose: str) -> tuple[tuple[float, float | None], ...]:
+    unit = [point.ns for point in summary.curves.get("solution", ()) if point.dt >= speed.STEP]
+    return tuple((p.ns / unit[-1], p.error) for p in summary.curves.get(whose, ()) if unit)
+
+
+def _median(summaries: Sequence[Summary], whose: str) -> Way | None:
+    """The usual curve of the class's runs."""
+    runs = [(s, _over_solution(s, whose)) for s in summaries]
+    runs = [(s, places) for s, places in runs if places]
+    if not runs:
+        return None
+    first, places = runs[0]
+    usual = [
+        statistics.median(run[k][0] for _, run in runs)
+        for k in range(min(len(run) for _, run in runs))
+    ]
+    marks = tuple((x, error) for x, (_, error) in zip(usual, places))
+    dts = tuple(f"{1000 * p.dt:g} ms" for p in first.curves[whose])
+    names = {"solution": "the solution", "least": "no more model than each step needs"}
+    return Way(marks, whose, names[whose], dts if whose == "solution" else ())
 
 
 def _kind(score: float, full: float) -> str:

@@ -20,6 +20,7 @@ class Request:
     scheduler: str = ""
     speed: bool = True
     trust: bool = False
+    reveal: bool = False
     regrade: str = ""
     apply: bool = False
     unit: Callable[[Task], Outcome] = units.run

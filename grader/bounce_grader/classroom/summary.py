@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
+from bounce_grader import speed
 from bounce_grader.classroom.students import Student
 from bounce_grader.formats.words import mistake_words
 
@@ -22,6 +23,7 @@ class Summary:
     box: str = ""
     ratio: float | None = None  # time of a step, beside the solution's
     error: float | None = None
+    curves: Mapping[str, tuple[speed.Point, ...]] = field(default_factory=dict)
     ignored: tuple[str, ...] = ()
 
     @property
@@ -42,7 +44,7 @@ def of_result(student: Student, key: str, result: dict[str, Any]) -> Summary:
     if not record:
         return Summary(student, key, result["state"], result["message"])
     checks = [check for part in record["parts"] for check in part["checks"]]
-    speed = record.get("speed") or {}
+    found = record.get("speed") or {}
     return Summary(
         student,
         key,
@@ -53,7 +55,8 @@ def of_result(student: Student, key: str, result: dict[str, Any]) -> Summary:
         statuses={p["part"]: p["status"] for p in record["parts"] if p["status"] != "graded"},
         mistakes={c["id"]: mistake_words(c["mistake"]) for c in checks if c["mistake"]},
         box=record["box"],
-        ratio=speed.get("ratio"),
-        error=speed.get("largest_error"),
+        ratio=found.get("ratio"),
+        error=found.get("largest_error"),
+        curves={whose: tuple(speed.curve(found, whose)) for whose in speed.CURVES},
         ignored=tuple(record["ignored"]),
     )

@@ -34,7 +34,8 @@ def grade_path(path: Path, task: Task) -> Record:
     from bounce_grader import box
     from bounce_grader.grade import Options, grade
 
-    return grade(path, Options(boxes=box.kinds(task.trust), speed=task.speed, jobs=1))
+    wanted = Options(box.kinds(task.trust), task.speed, jobs=1, answers=True)
+    return grade(path, wanted)
 
 
 def run(task: Task, grade: Callable[[Path, Task], Record] = grade_path) -> Outcome:

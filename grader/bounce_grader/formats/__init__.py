@@ -5,15 +5,25 @@ import json
 from pathlib import Path
 from typing import Any
 
-NAMES = ("gradescope", "prairielearn", "autolab", "github", "junit", "json", "markdown")
+NAMES = ("gradescope", "prairielearn", "autolab", "github", "html", "junit", "json", "markdown")
 
 
 def render(name: str, record: dict[str, Any], submission: Path) -> str:
-    from bounce_grader.formats import autolab, github, gradescope, junit, markdown, prairielearn
+    from bounce_grader.formats import (
+        autolab,
+        github,
+        gradescope,
+        html,
+        junit,
+        markdown,
+        prairielearn,
+    )
 
     if name == "github":
         github.leave(record)
         return github.render(record, submission)
+    if name == "html":
+        return html.render(record).rstrip("\n")
     if name == "json":
         return json.dumps(record, indent=1, ensure_ascii=False)
     modules = {
@@ -28,7 +38,12 @@ def render(name: str, record: dict[str, Any], submission: Path) -> str:
 
 def refused(name: str | None, sentence: str) -> str:
     """For a submission that can't be read, in the formats that have words for that; else empty."""
-    from bounce_grader.formats import github, gradescope, prairielearn
+    from bounce_grader.formats import github, gradescope, html, prairielearn
 
-    modules = {"gradescope": gradescope, "prairielearn": prairielearn, "github": github}
+    modules = {
+        "gradescope": gradescope,
+        "prairielearn": prairielearn,
+        "github": github,
+        "html": html,
+    }
     return modules[name].refused(sentence) if name in modules else ""

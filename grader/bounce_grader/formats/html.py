@@ -1,20 +1,41 @@
-"""A page for a student: self-contained, and legible on paper and in grey."""
+"""A page for a student: self-contained, and legible on paper, in the dark and in grey."""
 
-from bounce_grader.formats import words
+from bounce_grader.formats import case, speed_chart, words
 from bounce_grader.formats._escaping import to_html
 from bounce_grader.record import Record
 
 STYLE = """
-body{font:16px/1.5 system-ui,sans-serif;max-width:46rem;margin:2rem auto;padding:0 1rem;color:#111;
-background:#fff}
+:root{color-scheme:light dark;--ink:#111;--paper:#fff;--soft:#444;--field:#f2f2f2;--line:#ccc}
+@media (prefers-color-scheme:dark){:root{--ink:#eee;--paper:#161616;--soft:#bbb;--field:#262626;
+--line:#555}}
+@media print{:root{color-scheme:light;--ink:#111;--paper:#fff;--soft:#444;--field:#f2f2f2;--line:#ccc}}
+body{font:16px/1.5 system-ui,sans-serif;max-width:52rem;margin:2rem auto;padding:0 1rem;
+color:var(--ink);background:var(--paper);overflow-wrap:anywhere}
 h1{font-size:1.6rem;margin:0 0 .2rem}h2{font-size:1.15rem;margin:2rem 0 .3rem;
-border-bottom:2px solid #111;display:flex;justify-content:space-between;gap:1rem}
-.of{white-space:nowrap}ul{list-style:none;padding:0}li{padding:.3rem 0;border-bottom:1px solid #ccc}
+border-bottom:2px solid;display:flex;justify-content:space-between;gap:1rem}
+.of{white-space:nowrap}ul{list-style:none;padding:0}
+li{padding:.3rem 0;border-bottom:1px solid var(--line)}
 .line{display:flex;gap:.6rem}.line .title{flex:1}.mark{font-weight:bold;width:1.2em}
-.lost .title{font-weight:600}pre{background:#f2f2f2;padding:.6rem;overflow-x:auto;font-size:.85rem;
-border-left:3px solid #555;margin:.3rem 0 .3rem 1.8rem}.hint,.mistake{margin:.2rem 0 .2rem 1.8rem}
-.hint,.small{color:#444;font-size:.9rem}.bar{height:.6rem;border:1px solid #111;margin:.4rem 0 1rem}
-.bar div{height:100%;background:#333}
+.lost .title{font-weight:600}
+pre{background:var(--field);padding:.6rem;overflow-x:auto;font-size:.85rem;border-left:3px solid;
+margin:.3rem 0}.lost>pre,.case{margin:.3rem 0 .3rem 1.8rem}
+.hint,.mistake{margin:.2rem 0 .2rem 1.8rem}
+.hint,.small{color:var(--soft);font-size:.9rem}
+.bar{height:.6rem;border:1px solid;margin:.4rem 0 1rem}.bar div{height:100%;background:var(--ink)}
+.case pre{white-space:pre-wrap}.case p{margin:.3rem 0}.case .name{margin-top:.8rem;font-weight:600}
+.pair,.pictures,.charts{display:flex;flex-wrap:wrap;gap:.6rem 1.6rem;overflow-x:auto}
+.matrix{border-collapse:separate;border-spacing:.1rem;font-size:.95rem;font-variant-numeric:tabular-nums}
+.matrix caption{text-align:left;font-size:.85rem;color:var(--soft);white-space:nowrap}
+.matrix td{text-align:right;padding:0 .25rem;white-space:nowrap;border:2px solid transparent}
+.matrix td.wrong{border-color:var(--ink);background:var(--field);font-weight:bold}
+.matrix td.unit{text-align:left;color:var(--soft);font-size:.85rem}
+.unseen{position:absolute;width:1px;height:1px;overflow:hidden;clip-path:inset(50%)}
+figure{margin:.6rem 0}figcaption{font-size:.85rem}
+svg{display:block;width:100%;height:auto}svg text{font:14px system-ui,sans-serif;fill:currentColor}
+.hollow{fill:var(--paper)}.ground{fill:var(--field)}.pictures figure{width:15.6rem;max-width:100%}
+.wide,.chart{max-width:34rem}.charts figure{width:21rem;max-width:100%;margin:0}
+summary{cursor:pointer}
+@media (max-width:30rem){.lost>pre,.case,.hint,.mistake{margin-left:0}.matrix{font-size:.78rem}}
 """
 
 
@@ -26,7 +47,7 @@ def render(record: Record, name: str = "", unused: tuple[str, ...] = ()) -> str:
         + (f"<p>{to_html(name)}</p>" if name else "")
         + f'<div class="bar"><div style="width:{share:.1f}%"></div></div>'
         + parts
-        + _speed(record.get("speed"))
+        + speed_chart.page_section(record.get("speed") or {})
         + _unused([*unused, *(f"{file} wasn't used" for file in record["ignored"][:20])])
         + f'<p class="small">Graded by kit {to_html(record["kit"])}; submission '
         f"{record['submission_sha256'][:12]}.</p>"
@@ -71,22 +92,13 @@ def _check(check: Record) -> str:
     mistake = words.mistake_words(check["mistake"])
     if mistake:
         out += f'<p class="mistake">{to_html(mistake)}</p>'
-    if check["message"]:
+    if check.get("shown", {}).get("quantities"):
+        out += case.render(check["shown"], check["message"].partition("\n")[0])
+    elif check["message"]:
         out += f"<pre>{to_html(check['message'])}</pre>"
     if not check["passed"] and words.hint(check):
         out += f'<p class="hint">Hint {to_html(words.hint(check))}</p>'
     return out + "</li>"
-
-
-def _speed(speed: Record | None) -> str:
-    if not speed or "ratio" not in speed:
-        return ""
-    error = speed["largest_error"]
-    accuracy = "not finite" if error is None else f"{error:.1e}"
-    return (
-        f'<p class="small">A step took {speed["submission_ns"]:.0f} ns, {speed["ratio"]:.2f} times '
-        f"the solution's; largest error {accuracy}. This gives and costs no points.</p>"
-    )
 
 
 def _unused(sentences: list[str]) -> str:

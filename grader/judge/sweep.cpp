@@ -1,0 +1,171 @@
+#include "sweep.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+namespace bounce::judge {
+namespace {
+
+using study::Scene;
+
+constexpr double kDeltaSpeed = 0.1;  // m/s, delta over dt: the assignment's 0.001 m for 0.01 s
+constexpr double kShift = 0.5;       // m along the ground, from round to round
+constexpr int kFewest = 1, kMost = 15;
+constexpr long kStepsInAll = 25'000;  // that the rounds of a point come to, more or less
+
+// A scene at one dt.
+struct Setting {
+  const Scene* scene;
+  study::Samples truth;
+  Parameters params;
+  long steps_between_samples;
+
+  int rounds() const {
+    return static_cast<int>(std::clamp<long>(kStepsInAll / params.T, kFewest, kMost));
+  }
+};
+
+Setting setting_of(const Scene& scene, const study::Samples& truth, double dt) {
+  Setting setting{&scene, truth, scene.params, 0};
+  setting.params.dt = study::fitting_step(scene, dt);
+  setting.params.delta = kDeltaSpeed * setting.params.dt;
+  setting.steps_between_samples = std::lround(scene.until / study::kSamples / setting.params.dt);
+  setting.params.T = static_cast<int>(study::kSamples * setting.steps_between_samples) + 1;
+  return setting;
+}
+
+// The largest distance to the truth over the samples, m.
+double error_of(const Setting& setting, const Trajectory& trajectory, double shift) {
+  study::Samples samples;
+  for (int i = 1; i <= study::kSamples; ++i) {
+    const Eigen::Index column = i * setting.steps_between_samples;
+    samples.push_back(methods::motion_of<double>(
+        {trajectory.q.col(column) - Vector3(shift, 0, 0), trajectory.v.col(column)}));
+  }
+  return study::error_of(*setting.scene, samples, setting.truth);
+}
+
+// One contender at one setting: what its rounds gave so far.
+struct Tally {
+  std::vector<double> ns;
+  double error = 0;
+
+  void add(const Setting& setting, Contender& contender, int round) {
+    const double shift = kShift * round;
+    State start = setting.scene->start;
+    start.q.x() += shift;
+    const Timed timed = contender.run(setting.params, start);
+    ns.push_back(timed.ns);
+    error = std::max(error, error_of(setting, timed.trajectory, shift));
+  }
+
+  // The least of the rounds: the system only ever counts too much for a program.
+  Point point(const Setting& setting) const {
+    return {setting.params.dt, *std::min_element(ns.begin(), ns.end()) / setting.scene->until,
+            error};
+  }
+};
+
+// A contender on its way through the sweep.
+class Racer {
+ public:
+  Racer(Contender& contender, double budget_ns, std::size_t scenes)
+      : contender_(contender), left_ns_(budget_ns) {
+    curves_.points.resize(scenes);
+  }
+
+  bool in_the_race() const { return curves_.cut.empty(); }
+
+  // Rounds for settings of this dt, as many as the time allows: all, one or none.
+  void plan(const std::vector<Setting>& settings, double dt) {
+    double all = 0, one = 0;
+    for (const Setting& setting : settings) {
+      one += ns_per_step_ * setting.params.T;
+      all += ns_per_step_ * setting.params.T * setting.rounds();
+    }
+    only_one_ = all > left_ns_;
+    if (one > left_ns_) cut(dt, "it would take more CPU time than there is for all of this");
+    ns_ = steps_ = 0;
+  }
+
+  // A round, unless this contender has no more.
+  void ask(const Setting& setting, int round) {
+    if (!in_the_race() || (only_one_ && round > 0)) return;
+    try {
+      tally_.add(setting, contender_, round);
+    } catch (const std::runtime_error& ended) {
+      cut(setting.params.dt, ended.what());
+      return;
+    }
+    left_ns_ -= tally_.ns.back();
+    ns_ += tally_.ns.back();
+    steps_ += setting.params.T;
+    ns_per_step_ = ns_ / steps_;
+  }
+
+  void finish(const Setting& setting, std::size_t scene) {
+    if (in_the_race()) curves_.points[scene].push_back(tally_.point(setting));
+    tally_ = {};
+  }
+
+  const Curves& curves() const { return curves_; }
+
+ private:
+  void cut(double dt, const std::string& why) {
+    char text[40];
+    std::snprintf(text, sizeof text, "at dt = %.2g s: ", dt);
+    curves_.cut = text + why;
+  }
+
+  Contender& contender_;
+  double left_ns_, ns_per_step_ = 0, ns_ = 0, steps_ = 0;
+  bool only_one_ = false;
+  Tally tally_;
+  Curves curves_;
+};
+
+}  // namespace
+
+std::vector<Scene> scenes_of_one_corner(std::vector<Scene> all) {
+  const auto two = [](const Scene& scene) {
+    return scene.least == study::Rung::asleep || scene.least > study::Rung::one_friction;
+  };
+  all.erase(std::remove_if(all.begin(), all.end(), two), all.end());
+  return all;
+}
+
+const std::vector<double>& sweep_steps() {
+  static const std::vector<double> kSteps{1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 3e-5, 1e-5};
+  return kSteps;
+}
+
+std::vector<Curves> sweep(const std::vector<Scene>& scenes,
+                          const std::vector<std::unique_ptr<Contender>>& contenders,
+                          double budget_ns) {
+  std::vector<study::Samples> truths;
+  std::transform(scenes.begin(), scenes.end(), std::back_inserter(truths), study::truth_of);
+  std::vector<Racer> racers;
+  racers.reserve(contenders.size());
+  for (const auto& contender : contenders)
+    racers.emplace_back(*contender, budget_ns, scenes.size());
+  for (const double dt : sweep_steps()) {
+    std::vector<Setting> settings;
+    for (std::size_t i = 0; i < scenes.size(); ++i)
+      settings.push_back(setting_of(scenes[i], truths[i], dt));
+    for (Racer& racer : racers)
+      if (racer.in_the_race()) racer.plan(settings, dt);
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+      for (int round = 0; round < settings[i].rounds(); ++round)
+        for (Racer& racer : racers) racer.ask(settings[i], round);
+      for (Racer& racer : racers) racer.finish(settings[i], i);
+    }
+  }
+  std::vector<Curves> all(racers.size());
+  std::transform(racers.begin(), racers.end(), all.begin(),
+                 [](const Racer& racer) { return racer.curves(); });
+  return all;
+}
+
+}  // namespace bounce::judge

@@ -1,0 +1,61 @@
+// Speed against accuracy: the scenes at ever smaller steps, in several programs by turns.
+//
+// The error is that of the columns that were timed, against the truth (event_driven.hpp), which is
+// worked out here and is the same each time. Each round shifts the scene along the ground, which
+// changes nothing but x: an answer kept from the round before is a wrong one.
+//
+// delta is in proportion to dt, and at dt = 0.01 s the assignment's: with a fixed one the error of
+// any right program stops falling at about 1.5 delta, which says nothing about the program.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "../../solution/study/catalog.hpp"
+
+namespace bounce::judge {
+
+// A trajectory, and the CPU time that it took, ns.
+struct Timed {
+  Trajectory trajectory;
+  double ns;
+};
+
+// A program that answers trajectories. Throws std::runtime_error, with a sentence, where it
+// doesn't.
+class Contender {
+ public:
+  Contender() = default;
+  Contender(const Contender&) = delete;
+  Contender& operator=(const Contender&) = delete;
+  virtual ~Contender() = default;
+  virtual Timed run(const Parameters& params, const State& start) = 0;
+};
+
+struct Point {
+  double dt;             // s
+  double ns_per_second;  // CPU time for a simulated second, the least of the rounds
+  double error;          // m, the largest of the rounds; infinite where a number is missing
+};
+
+// The points of one contender, by scene and then by dt; fewer where it was cut.
+struct Curves {
+  std::vector<std::vector<Point>> points;
+  std::string cut;  // why it was cut, or empty
+};
+
+// The scenes that the assignment's own model can do: one corner with friction, or less, is the
+// least that they need. Two corners at once, a face on the ground at rest among them, it has not.
+std::vector<study::Scene> scenes_of_one_corner(std::vector<study::Scene> all);
+
+// Steps, s: from the assignment's own down.
+const std::vector<double>& sweep_steps();
+
+// The curves of each contender. One is cut that throws, or where its next points would take it
+// over `budget_ns` of CPU time in all.
+std::vector<Curves> sweep(const std::vector<study::Scene>& scenes,
+                          const std::vector<std::unique_ptr<Contender>>& contenders,
+                          double budget_ns);
+
+}  // namespace bounce::judge
