@@ -75,7 +75,7 @@ Vector3 any_configuration(Draw& draw, const Parameters& params) {
   const int kind = draw.below(4);
   const double phi = kind == 0   ? params.delta * draw.between(0, 4, 6)
                      : kind == 1 ? draw.between(0, 2, 6)
-                                 : -params.l * draw.between(0, 0.4, 6);
+                                 : -params.l * draw.between(0, 1.5, 6);
   q(1) = phi - get_contacts(q, params).phi;
   return q;
 }

@@ -50,7 +50,7 @@ class Batch:
 
 
 def compiled(changes: list[Change], box: Box) -> Batch:
-    """Those of one file's changes that compile. Raises KitError where none does."""
+    """Those of one file's changes that compile."""
     left = list(changes)
     for _ in range(MOST_ROUNDS):
         refused = _refused(left, box)

@@ -126,6 +126,16 @@ def _factors(source: Source) -> Iterator[Edit]:
             yield from _dropped_and_doubled(source, term.first, term.last, ("*", "/"))
 
 
+def _plain_factors(source: Source) -> Iterator[tuple[int, int]]:
+    """Each without its sign; not those that are written as a number."""
+    for first, last in _values(source):
+        for term in pieces(source, first, last, ("+", "-")):
+            start = term.first + (source.tokens[term.first].text == "-")
+            for factor in pieces(source, start, term.last, ("*", "/")):
+                if source.tokens[factor.first].kind != "number":
+                    yield factor.first, factor.last
+
+
 def _dropped_and_doubled(
     source: Source, first: int, last: int, operators: tuple[str, str]
 ) -> Iterator[Edit]:
@@ -229,6 +239,32 @@ def _kept(source: Source) -> Iterator[Edit]:
             yield start, start, "static "
 
 
+def _defaults(source: Source) -> Iterator[Edit]:
+    """The assignment's numbers in place of those that are asked."""
+    for _, token in _body(source):
+        if token.text == "params":
+            yield token.start, token.end, "Parameters()"
+
+
+def _single_precision(source: Source) -> Iterator[Edit]:
+    return _wrapped(source, {"double": ["float({})"], None: ["float({})"]})
+
+
+def _absolute(source: Source) -> Iterator[Edit]:
+    """Of a number, or of a vector's entries. The numbers of params are positive."""
+    number, vector = "std::abs({})", "Vector3({}.cwiseAbs())"
+    return _wrapped(source, {"Vector3": [vector], None: [number, vector]})
+
+
+def _wrapped(source: Source, functions: dict[str | None, list[str]]) -> Iterator[Edit]:
+    """Functions of each factor, by its type where that is known."""
+    names = Names(source)
+    for first, last in _plain_factors(source):
+        text = source.of(first, last)
+        for function in functions.get(names.type_of(text), []):
+            yield source.tokens[first].start, source.tokens[last - 1].end, function.format(text)
+
+
 OPERATORS: dict[str, Callable[[Source], Iterator[Edit]]] = {
     "constant": _constants,
     "sign": _signs,
@@ -243,4 +279,7 @@ OPERATORS: dict[str, Callable[[Source], Iterator[Edit]]] = {
     "condition": _conditions,
     "statement": _statements,
     "kept": _kept,
+    "default": _defaults,
+    "precision": _single_precision,
+    "absolute": _absolute,
 }
