@@ -47,3 +47,11 @@ def points(record: dict[str, Any]) -> list[float]:
 
 def lost(record: dict[str, Any]) -> list[str]:
     return sorted(c["id"] for part in record["parts"] for c in part["checks"] if not c["passed"])
+
+
+def pytest_terminal_summary(terminalreporter: Any) -> None:
+    """What tests have to show, such as a table, by record_property("shown", text)."""
+    for report in terminalreporter.getreports("passed") + terminalreporter.getreports("failed"):
+        for name, text in report.user_properties:
+            if name == "shown":
+                terminalreporter.write_line(text)

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <cmath>
 #include <csignal>
 #include <ctime>
 #include <sstream>
@@ -12,6 +13,7 @@
 #include "../grader/judge/assertion.hpp"
 #include "../grader/judge/session.hpp"
 #include "cases.hpp"
+#include "submission.hpp"
 
 namespace bounce {
 
@@ -89,6 +91,92 @@ TEST(Session, AsksNoMoreWhenItsTimeIsUp) {
   EXPECT_THROW(session.ask(frames::Frame()), tests::Ended);
   EXPECT_EQ(session.take_end().value().status, "no_answer");
   EXPECT_EQ(started, 0);
+}
+
+frames::Frame said(frames::Kind kind, std::uint32_t part, std::uint64_t number = 1) {
+  frames::Frame frame;
+  frame.kind = kind;
+  frame.part = part;
+  frame.number = number;
+  return frame;
+}
+
+// How the first question of part 3 ends where this is said; empty where it is answered.
+std::string end_after(const std::vector<frames::Frame>& frames, bool given) {
+  const Pipes pipes;
+  Session session([&] { return pipes.runner(Limits()); }, Limits(), 3, given);
+  for (const frames::Frame& frame : frames) {
+    EXPECT_EQ(::write(pipes.answers[1], &frame, sizeof frame), ssize_t{sizeof frame});
+  }
+  try {
+    session.ask(said(frames::Kind::question, 3));
+    return "";
+  } catch (const tests::Ended&) {
+    return session.take_end().value().status;
+  }
+}
+
+TEST(Session, TakesTheAnswerToItsQuestionAndNoOther) {
+  using frames::Kind;
+  EXPECT_EQ(end_after({said(Kind::answer, 3)}, false), "");
+  EXPECT_EQ(end_after({said(Kind::answer, 3, 2)}, false), "no_answer");
+  EXPECT_EQ(end_after({said(Kind::answer, 2)}, false), "no_answer");
+  EXPECT_EQ(end_after({said(Kind::question, 3)}, false), "no_answer");
+}
+
+TEST(Session, AnswersForEarlierPartsAloneAndOnlyWhereTheyAreGiven) {
+  using frames::Kind;
+  for (const std::uint32_t part : {1U, 2U}) {
+    EXPECT_EQ(end_after({said(Kind::plea, part), said(Kind::answer, 3)}, true), "");
+    EXPECT_EQ(end_after({said(Kind::plea, part), said(Kind::answer, 3)}, false), "no_answer");
+  }
+  for (const std::uint32_t part : {0U, 3U, 4U}) {
+    EXPECT_EQ(end_after({said(Kind::plea, part), said(Kind::answer, 3)}, true), "no_answer");
+  }
+}
+
+bool taken(const Eigen::MatrixXd& expected, const Eigen::MatrixXd& got) {
+  tests::Case c;
+  c.tolerance = 1e-9;
+  return tests::compare(c, "x", "m", expected, got).empty();
+}
+
+bool taken(double expected, double got) {
+  return taken(Eigen::MatrixXd::Constant(1, 1, expected), Eigen::MatrixXd::Constant(1, 1, got));
+}
+
+TEST(Comparison, TakesAnErrorOfTheToleranceAndNoLargerOne) {
+  for (const double sign : {-1.0, 1.0}) {
+    EXPECT_TRUE(taken(0, sign * 0.9e-9));
+    EXPECT_FALSE(taken(0, sign * 1.1e-9));
+    EXPECT_TRUE(taken(-1000, -1000 + sign * 0.9e-6));
+    EXPECT_FALSE(taken(-1000, -1000 + sign * 1.1e-6));
+  }
+}
+
+TEST(Comparison, NeverTakesWhatIsNoNumber) {
+  for (const double odd : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
+    for (Eigen::Index i = 0; i < 3; ++i) {
+      Vector3 got(1, 2, 3);
+      got(i) = odd;
+      EXPECT_FALSE(taken(Vector3(1, 2, 3), got)) << odd << " in " << i;
+    }
+  }
+}
+
+TEST(Comparison, OfTwoQuantitiesTellsTheDifferencesOfBoth) {
+  tests::Case c;
+  const auto right = tests::compare(c, "x", "m", 1, 1), wrong = tests::compare(c, "x", "m", 1, 2);
+  EXPECT_TRUE(tests::both(right, right).empty());
+  EXPECT_EQ(tests::both(right, wrong).differences.size(), 1U);
+  EXPECT_EQ(tests::both(wrong, right).differences.size(), 1U);
+  EXPECT_EQ(tests::both(wrong, wrong).differences.size(), 2U);
+}
+
+TEST(Trajectory, HasTheColumnsThatWereAskedInBothOfItsMatrices) {
+  EXPECT_NO_THROW(submission::require_columns(5, 5, 5));
+  EXPECT_THROW(submission::require_columns(4, 5, 5), std::runtime_error);
+  EXPECT_THROW(submission::require_columns(5, 6, 5), std::runtime_error);
 }
 
 TEST(Assertion, OfEigenIsToldWithItsPlace) {

@@ -82,7 +82,7 @@ def test_stubs_with_a_comment_are_run_and_get_none(tmp_path: Path) -> None:
 def test_a_fault_costs_its_own_part_alone(grade: Grade, part: int, fault: str) -> None:
     body, status, sentence = FAULTS[fault]
     record = grade({parts()[part - 1].file: source(part, body or NAN_ANSWERS[part])})
-    left = 2 if (fault, part) == ("NaN", 4) else 0  # NaN in T columns has the right shape
+    left = 1 if (fault, part) == ("NaN", 4) else 0  # NaN in T columns has the right shape
     assert points(record) == [left if p == part else FULL[p - 1] for p in (1, 2, 3, 4)]
     failed = record["parts"][part - 1]
     assert failed["status"] == status and sentence in failed["message"]

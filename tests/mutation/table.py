@@ -1,0 +1,67 @@
+"""What came of the changes, counted by part and kind."""
+
+import json
+from collections.abc import Iterable
+from functools import cache
+from pathlib import Path
+
+from mutation.changes import Change
+from mutation.trial import Outcome
+
+REASONS = Path(__file__).parent / "equivalent.json"
+COLUMNS = ("made", "compiled", "noticed", "alike", "left", "left by public cases alone")
+
+
+@cache
+def reasons() -> dict[str, dict[str, str]]:
+    """By file and change, why it can't be told from the solution."""
+    return json.loads(REASONS.read_text())
+
+
+def is_alike(change: Change) -> bool:
+    """Whether it is known to answer as the solution does."""
+    return change.name in reasons().get(change.file, {})
+
+
+def described(outcome: Outcome) -> str:
+    if not outcome.compiles:
+        return f"{outcome.change}: doesn't compile"
+    return f"{outcome.change}: loses {', '.join(outcome.lost) or 'nothing'}"
+
+
+def faults(outcomes: Iterable[Outcome]) -> list[str]:
+    """What must not be: changes that cost nothing, and alike ones that cost something."""
+    return [described(o) for o in outcomes if o.is_noticed == is_alike(o.change)]
+
+
+def counts(outcomes: list[Outcome]) -> tuple[int, ...]:
+    compiled = [o for o in outcomes if o.compiles]
+    different = [o for o in compiled if not is_alike(o.change)]
+    return (
+        len(outcomes),
+        len(compiled),
+        sum(bool(o.lost) for o in compiled),
+        len(compiled) - len(different),
+        sum(not o.lost for o in different),
+        sum(not o.lost_in_public for o in different),
+    )
+
+
+def table(outcomes: list[Outcome]) -> str:
+    """A row for each kind of change of each file, and for each file."""
+    lines = [f"{'':32}" + "".join(f"{column:>{_width(column)}}" for column in COLUMNS)]
+    for file in dict.fromkeys(o.change.file for o in outcomes):
+        of_file = [o for o in outcomes if o.change.file == file]
+        for kind in dict.fromkeys(o.change.operator for o in of_file):
+            rows = [o for o in of_file if o.change.operator == kind]
+            lines.append(_row(f"{file}: {kind}", counts(rows)))
+        lines.append(_row(file, counts(of_file)))
+    return "\n".join([*lines, _row("all", counts(outcomes))])
+
+
+def _row(name: str, numbers: Iterable[int]) -> str:
+    return f"{name:32}" + "".join(f"{n:>{_width(c)}}" for n, c in zip(numbers, COLUMNS))
+
+
+def _width(column: str) -> int:
+    return max(10, len(column) + 2)
