@@ -12,7 +12,8 @@ border-bottom:2px solid #111;display:flex;justify-content:space-between;gap:1rem
 .of{white-space:nowrap}ul{list-style:none;padding:0}li{padding:.3rem 0;border-bottom:1px solid #ccc}
 .line{display:flex;gap:.6rem}.line .title{flex:1}.mark{font-weight:bold;width:1.2em}
 .lost .title{font-weight:600}pre{background:#f2f2f2;padding:.6rem;overflow-x:auto;font-size:.85rem;
-border-left:3px solid #555;margin:.3rem 0 .3rem 1.8rem}.hint,.mistake{margin:.2rem 0 .2rem 1.8rem}
+border-left:3px solid #555;margin:.3rem 0 .3rem 1.8rem}.hint{margin:.2rem 0 .2rem 1.8rem}
+.mistake{margin:.3rem 0;padding:.1rem .6rem;border-left:3px solid #111}
 .hint,.small{color:#444;font-size:.9rem}.bar{height:.6rem;border:1px solid #111;margin:.4rem 0 1rem}
 .bar div{height:100%;background:#333}
 """
@@ -56,8 +57,17 @@ def _part(part: Record) -> str:
     given = part["graded_with"] == "given" and part["score"] < part["max_score"]
     return (
         f'{heading}<span class="of">{score}</span></h2><p>{to_html(words.part_words(part))}</p>'
+        + "".join(map(_mistake, part["mistakes"]))
+        + "".join(f'<p class="mistake">{to_html(said)}</p>' for said in part["patterns"])
         + (f"<ul>{checks}</ul>" if checks else "")
         + ('<p class="small">Judged with the earlier parts given.</p>' if given else "")
+    )
+
+
+def _mistake(mistake: Record) -> str:
+    return (
+        f'<p class="mistake">Looks like: <b>{to_html(mistake["title"])}.</b> '
+        f'{to_html(mistake["sentence"])} See {to_html(words.where_to_read(mistake))}.</p>'
     )
 
 
@@ -68,9 +78,6 @@ def _check(check: Record) -> str:
         f'<li class="{kind}"><div class="line"><span class="mark">{mark}</span>'
         f'<span class="title">{to_html(check["title"])}</span><span class="of">{score}</span></div>'
     )
-    mistake = words.mistake_words(check["mistake"])
-    if mistake:
-        out += f'<p class="mistake">{to_html(mistake)}</p>'
     if check["message"]:
         out += f"<pre>{to_html(check['message'])}</pre>"
     if not check["passed"] and words.hint(check):
