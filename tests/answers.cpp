@@ -34,6 +34,22 @@ std::vector<int> known_columns(int T) {
   return columns;
 }
 
+Eigen::VectorXd numbers_of(const State& next, const Case& c) {
+  Eigen::VectorXd numbers(6);
+  numbers << next.q - c.q - c.params.dt * next.v, next.v;
+  return numbers;
+}
+
+Eigen::VectorXd numbers_of(const Trajectory& trajectory) {
+  const std::vector<int> columns = known_columns(static_cast<int>(trajectory.q.cols()));
+  Eigen::MatrixXd numbers(6, static_cast<Eigen::Index>(columns.size()));
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    numbers.col(static_cast<Eigen::Index>(i)) << trajectory.q.col(columns[i]),
+        trajectory.v.col(columns[i]);
+  }
+  return numbers.reshaped();
+}
+
 int numbers_together(int part) { return part == 1 ? 7 : part == 2 ? 20 : 6; }
 
 std::optional<std::filesystem::path> public_file(int part, const std::string& folder) {

@@ -12,8 +12,8 @@
 namespace bounce::tests {
 
 // The answer to one question: numbers, or the words of what was thrown in their place. Part 1
-// answers J and phi, part 2 V and p, part 3 q' and v', a matrix column by column; part 4 q and v in
-// a few columns of the trajectory.
+// answers J and phi, part 2 V and p, a matrix column by column; part 3 the move q' - q - dt v', in
+// which a wrong v' doesn't show, and v'; part 4 q and v in a few columns of the trajectory.
 struct Answer {
   Eigen::VectorXd numbers;
   std::string thrown;
@@ -22,6 +22,12 @@ struct Answer {
 // A trajectory is known in these columns, as far as it has them: enough to tell mistakes apart, and
 // early enough that rounding hasn't grown.
 std::vector<int> known_columns(int T);
+
+// The numbers of the state after the step from a case's.
+Eigen::VectorXd numbers_of(const State& next, const Case& c);
+
+// The numbers of a trajectory in these columns, q above v.
+Eigen::VectorXd numbers_of(const Trajectory& trajectory);
 
 // Numbers of an answer that belong together: all, and of a trajectory those of one column.
 int numbers_together(int part);

@@ -145,14 +145,6 @@ TEST(pattern, NamesNoCasesWhereTooFewAreRight) {
   EXPECT_FALSE(says(text, "only where")) << text;
 }
 
-TEST(pattern, NamesAVelocityThatTheConfigurationFollows) {
-  const std::string text = told(3, [](const Case& c, auto& x) {
-    x(4) += c.q(0);
-    x(1) += c.params.dt * c.q(0);
-  });
-  EXPECT_TRUE(says(text, "q' follows rightly from v'")) << text;
-}
-
 TEST(pattern, NamesTooFewDigits) {
   const std::string text =
       told(1, [](const Case&, auto& x) { x = x.template cast<float>().template cast<double>(); });

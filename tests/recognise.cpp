@@ -55,28 +55,31 @@ std::vector<Answer> read_differences(const json& differences, std::vector<Answer
 
 // --- comparing ---
 
-// In how much one list of answers differs from another.
+// How often, and where, something shows.
 struct Evidence {
   int numbers = 0;
   std::set<std::pair<std::size_t, Index>> questions;
+  void add(std::size_t question, Index column) {
+    ++numbers;
+    questions.insert({question, column});
+  }
   bool enough() const {
     return numbers >= kNumbers && static_cast<int>(questions.size()) >= kQuestions;
   }
 };
 
-Evidence evidence(const std::vector<Answer>& these, const std::vector<Answer>& others,
-                  int together) {
+// Where a mistake shows by itself: it isn't right, and what another one answers is. What isn't
+// finite shows nothing, since it comes about in many ways.
+Evidence evidence(const std::vector<Answer>& mistaken, const std::vector<Answer>& other,
+                  const KnownMistakes& known) {
   Evidence found;
-  for (std::size_t k = 0; k < these.size(); ++k) {
-    const Answer &a = these[k], &b = others[k];
-    if (a.thrown != b.thrown) {
-      ++found.numbers;
-      found.questions.insert({k, 0});
-    }
-    for (Index i = 0; i < std::min(a.numbers.size(), b.numbers.size()); ++i) {
-      if (same(a.numbers(i), b.numbers(i)) || !std::isfinite(a.numbers(i))) continue;
-      ++found.numbers;
-      found.questions.insert({k, i / together});
+  for (std::size_t k = 0; k < mistaken.size(); ++k) {
+    const Answer &a = mistaken[k], &b = other[k], &right = known.right[k];
+    if (b.thrown != right.thrown) continue;
+    if (a.thrown != right.thrown) found.add(k, 0);
+    for (Index i = 0; i < std::min(a.numbers.size(), right.numbers.size()); ++i) {
+      const bool shows = std::isfinite(a.numbers(i)) && !same(a.numbers(i), right.numbers(i));
+      if (shows && same(b.numbers(i), right.numbers(i))) found.add(k, i / known.together);
     }
   }
   return found;
@@ -110,15 +113,15 @@ std::optional<Answer> composed(const Answer& right, const Answer& a, const Answe
   return both;
 }
 
-// Whether both together, and neither alone, explain what came.
+// Whether both together explain what came, and each shows by itself as well.
 bool explain(const KnownMistakes& known, const Mistake& a, const Mistake& b, Rule rule,
              const std::vector<Answer>& got) {
   for (std::size_t k = 0; k < got.size(); ++k) {
     const auto both = composed(known.right[k], a.answers[k], b.answers[k], rule);
     if (!both || !same(*both, got[k])) return false;
   }
-  return evidence(got, a.answers, known.together).enough() &&
-         evidence(got, b.answers, known.together).enough();
+  return evidence(a.answers, b.answers, known).enough() &&
+         evidence(b.answers, a.answers, known).enough();
 }
 
 using Names = std::set<std::size_t>;  // of mistakes, by their place
@@ -132,9 +135,7 @@ std::vector<Names> singles(const KnownMistakes& known, const std::vector<Answer>
   std::vector<Names> found;
   for (std::size_t i = 0; i < known.mistakes.size(); ++i) {
     const auto& mistaken = known.mistakes[i].answers;
-    if (explain(mistaken, got) && evidence(got, known.right, known.together).enough()) {
-      found.push_back({i});
-    }
+    if (explain(mistaken, got)) found.push_back({i});
   }
   return found;
 }
@@ -175,7 +176,7 @@ KnownMistakes read_mistakes(std::istream& file, int part) {
 }
 
 std::vector<Mistake> recognise(const KnownMistakes& known, const std::vector<Answer>& got) {
-  if (got.size() != known.right.size()) return {};
+  if (got.size() != known.right.size() || !evidence(got, known.right, known).enough()) return {};
   std::vector<Names> explanations = singles(known, got);
   if (explanations.empty()) explanations = pairs(known, got);
   std::vector<Mistake> named;

@@ -28,8 +28,8 @@ KnownMistakes read_mistakes(std::istream& file, int part);
 
 // None, one, or two that the answers are a mixture of. A mistake is named when it explains every
 // answer of the part, the right ones among them, and shows in enough of them to be sure; a pair,
-// when one rule for all entries composes the two, and both are needed. Of explanations that say
-// different things, only what they have in common is said.
+// when one rule for all entries composes the two, and each shows by itself in as many. Of
+// explanations that say different things, only what they have in common is said.
 std::vector<Mistake> recognise(const KnownMistakes& known, const std::vector<Answer>& got);
 
 // Whether two answers are the same: 1e-9, absolute or relative. NaN and infinity are one.

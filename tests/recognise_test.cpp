@@ -80,25 +80,56 @@ TEST(recognise, ComposesTwoMistakesThatTouchOtherEntries) {
   EXPECT_EQ(names(three(), got), (Names{"first negated", "second raised"}));
 }
 
-TEST(recognise, ComposesFactorsAndSums) {
-  std::vector<Answer> got = changed(0, negated);
-  for (Answer& answer : got) answer.numbers(0) = doubled(answer.numbers(0));
-  EXPECT_EQ(names(three(), got), (Names{"first negated", "first doubled"}));
+// The first mistake changes entries 0 and 2, the second 1 and 2.
+std::vector<Answer> overlapping(Eigen::Index own, double (*change)(double)) {
+  std::vector<Answer> answers = changed(own, change);
+  for (Answer& answer : answers) answer.numbers(2) = change(answer.numbers(2));
+  return answers;
+}
 
-  const KnownMistakes sums =
-      known({mistake("raised", changed(2, raised)), mistake("negated", changed(2, negated))});
-  got = right_answers();
-  for (Answer& answer : got) answer.numbers(2) = -answer.numbers(2) + 0.25;
-  EXPECT_EQ(names(sums, got), (Names{"raised", "negated"}));
+std::vector<Answer> with_both(double (*a)(double), double (*b)(double), double (*both)(double)) {
+  std::vector<Answer> answers = overlapping(0, a);
+  for (Answer& answer : answers) answer.numbers(1) = b(answer.numbers(1));
+  for (std::size_t k = 0; k < answers.size(); ++k) {
+    answers[k].numbers(2) = both(right_answers()[k].numbers(2));
+  }
+  return answers;
+}
+
+TEST(recognise, ComposesSumsProductsAndWhatHides) {
+  const auto both = [](double (*a)(double), double (*b)(double), double (*composed)(double)) {
+    const KnownMistakes two =
+        known({mistake("a", overlapping(0, a)), mistake("b", overlapping(1, b))});
+    return names(two, with_both(a, b, composed));
+  };
+  const Names pair{"a", "b"};
+  EXPECT_EQ(both(negated, doubled, [](double x) { return -2 * x; }), pair);
+  EXPECT_EQ(both(negated, raised, [](double x) { return -x + 0.25; }), pair);
+  EXPECT_EQ(both(negated, raised, negated), pair);
+  EXPECT_EQ(both(negated, raised, raised), pair);
+  EXPECT_EQ(both(negated, raised, [](double x) { return 7 * x; }), Names{});
 }
 
 TEST(recognise, TakesOneRuleForAllEntriesOfAPair) {
+  std::vector<Answer> got = with_both(negated, doubled, negated);
+  got[0].numbers(2) = -2 * right_answers()[0].numbers(2);  // a product here, what hides there
+  const KnownMistakes two =
+      known({mistake("a", overlapping(0, negated)), mistake("b", overlapping(1, doubled))});
+  EXPECT_TRUE(names(two, got).empty());
+}
+
+// Two that only show together could be many others.
+TEST(recognise, IsSilentOnAPairOfWhichOneNeverShowsByItself) {
   std::vector<Answer> got = changed(0, negated);
-  for (std::size_t k = 0; k < got.size(); ++k) {  // a product here, a sum there
-    const double right = right_answers()[k].numbers(0);
-    got[k].numbers(0) = k % 2 == 0 ? -2 * right : -right + right;
-  }
+  for (Answer& answer : got) answer.numbers(0) = doubled(answer.numbers(0));
   EXPECT_TRUE(names(three(), got).empty());
+}
+
+TEST(recognise, NamesNoPairThatMakesUpForItself) {
+  const auto halved = [](double x) { return x / 2; };
+  const KnownMistakes two =
+      known({mistake("doubled", changed(0, doubled)), mistake("halved", changed(0, halved))});
+  EXPECT_TRUE(names(two, right_answers()).empty());
 }
 
 // Four numbers in two questions, or more.

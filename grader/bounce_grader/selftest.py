@@ -7,7 +7,7 @@ import time
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from bounce_grader import fuzz
+from bounce_grader import confusion, fuzz
 from bounce_grader.fixtures import all_differing, hidden_folder
 from bounce_grader.paths import BUILD, ROOT
 
@@ -54,6 +54,7 @@ def _steps(extent: str) -> list[Step]:
         Step("lint: clang-tidy", _clang_tidy, "usual"),
         Step("fixtures are what the kit writes", _fixtures),
         Step("C++ tests", _ctest),
+        Step("known mistakes: what the gallery is taken for", confusion.run),
         Step("C++ tests with sanitizers", _sanitized, "long"),
         Step("Python tests, the gallery among them", lambda: _pytest(extent)),
         Step("readers with a million inputs each", fuzz.run, "long"),
