@@ -74,8 +74,8 @@ def test_recognised_mistakes_are_counted_with_the_instructors_line(tmp_path: Pat
         r"<tr><td>(.*?)</td><td>(.*?)</td><td class=\"n\">(.*?)</td><td>(.*?)</td></tr>", text
     )
     assert [row[:3] for row in rows] == [
-        ("part 1", "theta is taken for degrees", "2"),
-        ("part 2", "dt twice &lt;in&gt; V", "1"),
+        ("1", "theta is taken for degrees", "2"),
+        ("2", "dt twice &lt;in&gt; V", "1"),
     ]
     assert rows[0][3] == for_the_instructor("part1_degrees") != ""
     assert "<svg" in text and "No known mistake" not in text

@@ -113,7 +113,7 @@ def _mistakes(summaries: Sequence[Summary]) -> str:
     most = counts.most_common(15)
     bars = [Bar(titles[name], count / len(graded), _n(count)) for name, count in most]
     rows = [
-        [f"part {name[4]}", to_html(titles[name]), _n(count), to_html(for_the_instructor(name))]
+        [name[4], to_html(titles[name]), _n(count), to_html(for_the_instructor(name))]
         for name, count in most
     ]
     said = "<p>How many submissions make which known mistake, as far as their answers tell.</p>"
