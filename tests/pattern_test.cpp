@@ -61,6 +61,10 @@ TEST(pattern, SaysNothingOfRightAnswers) {
   }
 }
 
+TEST(pattern, SaysNothingOfAStub) {
+  EXPECT_EQ(told(1, [](const Case&, auto& x) { x.setZero(); }), "");
+}
+
 TEST(pattern, NamesWhatIsRightAndWhatIsWrong) {
   const std::string text = told(1, [](const Case& c, auto& x) { x(2) += c.q(0) * c.q(2); });
   EXPECT_TRUE(says(text, "Right in every public case: J_n and phi; wrong: J_t (third entry)."))

@@ -90,6 +90,28 @@ def test_numbers_say_the_same_but_for_rounding() -> None:
         assert not say_the_same({"a": [1.0, None, "x"]}, other)
 
 
+def test_files_are_kept_where_only_rounding_differs(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    texts = {"part1_contacts.json": '{"right": [[0.25, 1]]}'}
+    monkeypatch.setattr(mistakes, "texts", lambda: texts)
+    file = tmp_path / "part1_contacts.json"
+    file.write_text('{"right": [[0.2500000000001, 1]]}')
+    mistakes.write(tmp_path)
+    assert "0.2500000000001" in file.read_text() and mistakes.differing(tmp_path) == []
+    file.write_text('{"right": [[0.250001, 1]]}')
+    (tmp_path / "part5.json").write_text("{}")
+    assert mistakes.differing(tmp_path) == ["part1_contacts.json", "part5.json"]
+    mistakes.write(tmp_path)
+    assert file.read_text() == texts["part1_contacts.json"]
+    assert sorted(f.name for f in tmp_path.iterdir()) == ["part1_contacts.json", "part5.json"]
+
+
+@pytest.mark.slow
+def test_the_committed_answers_are_the_gallerys() -> None:
+    assert mistakes.differing() == []
+
+
 def test_every_title_and_sentence_is_one_of_its_kind() -> None:
     for m in ALL:
         assert len(m.title) <= 60 and m.title[-1] not in ".:" and m.title[0] != " ", m.name
