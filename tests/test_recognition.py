@@ -153,7 +153,7 @@ def test_every_mistake_is_taken_for_itself_by_its_stored_answers() -> None:
 
 
 def _answers(right: list[Any], differences: dict[str, Any]) -> list[Any]:
-    answers = [list(answer) for answer in right]
+    answers: list[Any] = [list(answer) for answer in right]
     for question, what in differences.items():
         if isinstance(what, str):
             answers[int(question)] = what
