@@ -206,6 +206,15 @@ std::vector<Case> read_cases(std::istream& file, const std::string& check, bool 
   return cases;
 }
 
+std::vector<Case> read_all_cases(std::istream& file) {
+  const auto checks = nlohmann::ordered_json::parse(file).at("checks");
+  std::vector<Case> cases;
+  for (const auto& check : checks) {
+    for (const auto& c : check) cases.push_back(read_case(json(c), false));
+  }
+  return cases;
+}
+
 void for_each_case(const std::function<Problem(const Case&)>& ask) {
   const std::vector<Case> cases = cases_of(running_check());
   std::string told;  // the first wrong case, unless the program ended on another one

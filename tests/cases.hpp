@@ -55,6 +55,9 @@ std::vector<std::filesystem::path> fixture_folders();
 // The cases of a check in one file of fixtures. Throws std::exception where it isn't one.
 std::vector<Case> read_cases(std::istream& file, const std::string& check, bool hidden);
 
+// Those of all checks of a public file, in its order.
+std::vector<Case> read_all_cases(std::istream& file);
+
 // Called before each question.
 void about_to_ask(const Case& c);
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <cstdio>
 #include <string>
-#include <utility>
 #include <vector>
 
+#include "pattern.hpp"
 #include "picture.hpp"
 
 namespace bounce::tests {
@@ -72,21 +72,6 @@ std::string side_by_side(const Case& c, const Difference& d) {
   }
   for (std::size_t i = 0; i < (beside ? 0 : rights.size()); ++i) text += "    " + rights[i] + "\n";
   return text;
-}
-
-// Factors by which an answer may be wrong as a whole, by the names of the assignment.
-std::vector<std::pair<std::string, double>> factors(const Parameters& p) {
-  return {{"-1", -1},
-          {"2", 2},
-          {"1/2", 0.5},
-          {"dt", p.dt},
-          {"1/dt", 1 / p.dt},
-          {"m", p.m},
-          {"1/m", 1 / p.m},
-          {"m^2", p.m * p.m},
-          {"epsilon", p.epsilon},
-          {"1 + epsilon", 1 + p.epsilon},
-          {"1/(1 + epsilon)", 1 / (1 + p.epsilon)}};
 }
 
 // What may have gone wrong, where one thing explains every wrong entry; else empty.

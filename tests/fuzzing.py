@@ -306,9 +306,10 @@ def judge_seeds() -> list[bytes]:
     wrong = {"passed": False, "status": "crashed", "stack": " 0x40 0x41", "message": "1 of 2\n got"}
     wrong |= {"shown": SHOWN, "revealed": {"message": "1 of 2", "shown": SHOWN}}
     ids = [check.id for check in parts()[3].checks]
+    told = {"mistakes": ["part4_transposed"], "patterns": ["Column 0 is the first wrong one."]}
     return [
         json.dumps(
-            {"checks": [{**verdict, "id": id} for id in ids], "largest_error": error}
+            {"checks": [{**verdict, "id": id} for id in ids], "largest_error": error, **told}
         ).encode()
         for verdict, error in ((check, 1e-13), (wrong, None))
     ] + [json.dumps(TIMES).encode(), b"[" * 3000]

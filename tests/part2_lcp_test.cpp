@@ -1,11 +1,19 @@
 // Part 2: form_lcp. Each test is a fact about V and p, eqs. (7) to (10).
 #include <gtest/gtest.h>
 
+#include "answers.hpp"
 #include "cases.hpp"
 #include "submission.hpp"
 
 namespace bounce::tests {
 namespace {
+
+[[maybe_unused]] const bool kAsked = is_asked_by(2, [](const Case& c) {
+  const Lcp got = submission::form_lcp(c.J, c.v, c.params);
+  Eigen::VectorXd numbers(20);
+  numbers << got.V.reshaped(), got.p;
+  return numbers;
+});
 
 TEST(part2, FormsTheBlockOfTheForces) {
   for_each_case([](const Case& c) {

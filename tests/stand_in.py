@@ -60,6 +60,8 @@ def record_of(taken: submission.Submission) -> dict[str, Any]:
                 "status": "graded" if part.number in taken.parts else "not_submitted",
                 "message": "",
                 "graded_with": "own",
+                "mistakes": [],
+                "patterns": [],
                 "checks": checks,
             }
         )

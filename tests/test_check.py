@@ -77,6 +77,7 @@ def test_a_student_goes_from_the_stubs_to_full_points(home: Path) -> None:
     assert first(started).startswith("phi is the height of the lowest corner")
     assert "it is 0: not filled in" in first(started)
     assert "Hint 1.1 The height of the lowest corner" in first(started)
+    assert "known mistake" not in started.stdout
     assert "warning" not in (home / "build/check/build.txt").read_text()
 
     shutil.copy(SOLUTION / "part1_contacts.cpp", home / "src")
@@ -106,6 +107,8 @@ def test_each_kind_of_failure_is_named_and_hides_no_other_part(home: Path) -> No
     assert re.search(r"corner \d touches and ", first(wrong))
     assert "the contact force (f_t2 - f_t1, f_n) that v' tells of" in first(wrong)
     assert "    | v of the centre" in first(wrong)
+    known = "\n  This looks like a known mistake.\n  Friction pushes the wrong way. In contact"
+    assert known in first(wrong) and "See eq. (13) and hint 3.3" in " ".join(first(wrong).split())
     narrow = check(home, TERM="dumb")
     assert "    |" not in narrow.stdout and first(narrow)
 

@@ -2,6 +2,7 @@
 
 import re
 import zipfile
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -14,6 +15,7 @@ from bounce_grader.classroom.similar import Similar
 from bounce_grader.classroom.students import Class, Student
 from bounce_grader.classroom.summary import Summary, of_result
 from bounce_grader.classroom.task import Stamp, task_of
+from bounce_grader.mistakes import for_the_instructor
 from bounce_grader.paths import STUBS
 from conftest import solution_files, write
 
@@ -82,14 +84,27 @@ def test_the_histogram_counts(scores: list[float], counts: list[str]) -> None:
     assert re.findall(r">(\d+)</text>", drawn.replace(">100</text>", "")) == counts
 
 
-def test_recognised_mistakes_are_counted_once_a_submission(tmp_path: Path) -> None:
+def test_recognised_mistakes_are_counted_with_the_instructors_line(tmp_path: Path) -> None:
     one = summary(tmp_path, "one")
-    mistakes = {"part1.a": "degrees for radians", "part1.b": "degrees for radians"}
-    from dataclasses import replace
+    both = {"part1_degrees": "theta is taken for degrees", "part2_dt_squared": "dt twice <in> V"}
+    some = [
+        replace(one, mistakes=both),
+        replace(one, mistakes={"part1_degrees": both["part1_degrees"]}),
+    ]
+    text = shown(*some, one).split("Most frequent mistakes")[1].split("</section>")[0]
+    rows = re.findall(
+        r"<tr><td>(.*?)</td><td>(.*?)</td><td class=\"n\">(.*?)</td><td>(.*?)</td></tr>", text
+    )
+    assert [row[:3] for row in rows] == [
+        ("1", "theta is taken for degrees", "2"),
+        ("2", "dt twice &lt;in&gt; V", "1"),
+    ]
+    assert rows[0][3] == for_the_instructor("part1_degrees") != ""
+    assert "<svg" in text and "No known mistake" not in text
 
-    text = shown(replace(one, mistakes=mistakes), replace(one, mistakes={"part2.a": "dt squared"}))
-    rows = re.findall(r"<tr><td>([^<]*)</td><td class=\"n\">(\d+)</td></tr>", text)
-    assert rows[:2] == [("degrees for radians", "1"), ("dt squared", "1")]
+
+def test_without_a_known_mistake_the_checks_that_failed_are_counted(tmp_path: Path) -> None:
+    assert "No known mistake was recognised" in shown(summary(tmp_path, "one"))
 
 
 def test_who_needs_a_look_is_named_with_the_reason(tmp_path: Path) -> None:

@@ -13,6 +13,7 @@ import pytest
 from bounce_grader import report
 from bounce_grader.grade import Options, grade
 from bounce_grader.manifest import parts
+from bounce_grader.mistakes import gallery, known
 from conftest import ROOT, SOLUTION, lost, points
 
 GALLERY = ROOT / "tests" / "submissions"
@@ -50,6 +51,17 @@ def shown(record: dict[str, Any]) -> str:
     return stream.getvalue()
 
 
+def named(record: dict[str, Any]) -> list[str]:
+    """The known mistakes that the record names."""
+    return [mistake["name"] for part in record["parts"] for mistake in part["mistakes"]]
+
+
+def known_as(folder: Path) -> list[str]:
+    """A mistake is named as itself, or as the twin that has the same numbers; nothing else is."""
+    own = [folder.name] if folder.parent.name == "mistakes" else []
+    return [expected_of(folder).get("recognised_as", name) for name in own]
+
+
 # One in twelve, and the rest in the whole run.
 SOME = [pytest.param(f, marks=[pytest.mark.slow] if i % 12 else []) for i, f in enumerate(ALL)]
 
@@ -84,6 +96,7 @@ def gets(expected: dict[str, Any], record: dict[str, Any]) -> None:
     ), text
     for sentence in expected.get("says", []):
         assert sentence in text
+    assert named(record) == known_as(folder), text
 
 
 @pytest.mark.parametrize("folder", ALL, ids=name_of)
@@ -98,7 +111,7 @@ def test_is_written_down_rightly(folder: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    "kind, least", [("accepted", 12), ("mistakes", 25), ("broken", 16), ("hostile", 85)]
+    "kind, least", [("accepted", 12), ("mistakes", 90), ("broken", 16), ("hostile", 85)]
 )
 def test_the_gallery_is_large_enough(kind: str, least: int) -> None:
     assert len(folders(kind)) >= least
@@ -107,6 +120,12 @@ def test_the_gallery_is_large_enough(kind: str, least: int) -> None:
 def test_every_right_submission_has_all_points() -> None:
     for folder in folders("accepted"):
         assert sum(expected_of(folder)["points"]) == 100, folder.name
+
+
+def test_every_mistake_is_in_the_fixtures() -> None:
+    """Raises with a sentence that says what a folder lacks."""
+    alone = {m.name for m in gallery() if m.recognised_as == m.name}
+    assert alone == set(known()), "run ./kit fixtures"
 
 
 def test_a_mistake_loses_points_in_one_part_alone() -> None:

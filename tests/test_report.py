@@ -29,6 +29,8 @@ def record(part: dict[str, Any], **changes: Any) -> dict[str, Any]:
         "status": "graded",
         "message": "1 of 1 checks failed",
         "graded_with": "own",
+        "mistakes": [],
+        "patterns": [],
         "checks": [check(False, "got phi = 1")],
     }
     whole = {"score": 0, "max_score": 6, "ignored": [], "box": "full"}
@@ -52,6 +54,27 @@ def test_a_right_part_shows_its_checks_and_no_message() -> None:
     part = {"score": 6, "checks": [check(True)], "message": "everything right"}
     text = shown(record(part, score=6))
     assert "✓ the second column of J is J_n" in text and "hint" not in text
+
+
+MISTAKE = {
+    "name": "part1_columns_swapped",
+    "title": "The columns of J are exchanged",
+    "sentence": "Both columns of J are right.",
+    "equations": [5, 6],
+    "hint": "1.2 The moment arm r",
+}
+
+
+def test_a_known_mistake_is_said_once_with_where_to_read() -> None:
+    checks = [check(False, "got phi = 1"), check(False, "got phi = 2")]
+    text = shown(record({"checks": checks, "mistakes": [MISTAKE]}))
+    assert text.count("looks like: The columns of J are exchanged\n") == 1
+    assert "Both columns of J are right.\n    eqs. (5), (6) and hint 1.2 The moment arm r\n" in text
+
+
+def test_what_the_numbers_say_stands_above_the_checks() -> None:
+    text = shown(record({"patterns": ["Every wrong number is -1 times the right one."]}))
+    assert text.index("-1 times the right one") < text.index("✗")
 
 
 def test_half_points_are_written_without_zeros() -> None:

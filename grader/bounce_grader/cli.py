@@ -165,9 +165,9 @@ def _fixtures(options: argparse.Namespace) -> int:
     if not options.check:
         fixtures.write_all()
         return 0
-    differing = fixtures.differing()
+    differing = fixtures.all_differing()
     for name in differing:
-        print(f"fixtures/public/{name} isn't what the solution writes: run ./kit fixtures")
+        print(f"fixtures/public/{name} isn't what the kit writes: run ./kit fixtures")
     return int(bool(differing))
 
 

@@ -49,8 +49,11 @@ def hidden_folder() -> Path:
 
 
 def write_all() -> None:
+    from bounce_grader import mistakes
+
     write("public", PUBLIC)
     hidden_folder()
+    mistakes.write()
 
 
 def differing() -> list[str]:
@@ -58,8 +61,15 @@ def differing() -> list[str]:
     with tempfile.TemporaryDirectory() as name:
         fresh = Path(name)
         write("public", fresh)
-        names = {f.name for folder in (fresh, PUBLIC) for f in folder.glob("*")}
+        names = {f.name for folder in (fresh, PUBLIC) for f in folder.glob("*.json")}
         return sorted(n for n in names if _bytes(fresh / n) != _bytes(PUBLIC / n))
+
+
+def all_differing() -> list[str]:
+    """The same, and the answers of known mistakes that aren't those of the gallery."""
+    from bounce_grader import mistakes
+
+    return [*differing(), *(f"mistakes/{name}" for name in mistakes.differing())]
 
 
 def _bytes(file: Path) -> bytes | None:

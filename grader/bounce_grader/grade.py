@@ -130,7 +130,9 @@ class _Grading:
             alone = build.link_alone(part, self.objects, runner, self.box)
             if alone.path:
                 given = part.has_earlier_parts
-                tries.append(judging.judge(part, alone.path, given, self.hidden, self.box))
+                tries.append(
+                    judging.judge(part, alone.path, given, self.hidden, self.box, recognise=True)
+                )
             elif not tries:
                 return record.failed_part(part, "does_not_compile", self._why(alone))
         # The later one, with the earlier parts given, where both score the same.

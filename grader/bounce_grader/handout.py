@@ -1,7 +1,7 @@
 """The handout: one zip with all that a student needs, and nothing else.
 
-It holds the folder student/, the tests that a student's build runs, the public fixtures and the
-manifest of checks. Times and permissions are fixed, so the same kit gives the same bytes.
+It holds the folder student/, the tests that a student's build runs, the public fixtures, the answers
+of known mistakes among them, and the manifest of checks. Times and permissions are fixed, so the same kit gives the same bytes.
 """
 
 import zipfile
@@ -14,9 +14,12 @@ from bounce_grader.paths import HANDOUT, ROOT
 
 TOP = "bounce"  # the folder in the zip
 TESTS = (
+    "answers.?pp",
     "cases.?pp",
     "feedback.?pp",
+    "pattern.?pp",
     "picture.?pp",
+    "recognise.?pp",
     "submission.hpp",
     "part?_*_test.cpp",
     "linked/*.?pp",
@@ -32,7 +35,7 @@ def files() -> dict[str, Path]:
     tests = ROOT / "tests"
     for pattern in TESTS:
         found |= {f"tests/{f.relative_to(tests)}": f for f in tests.glob(pattern) if f.is_file()}
-    found |= {f"fixtures/public/{f.name}": f for f in PUBLIC.glob("*.json")}
+    found |= {f"fixtures/public/{f.relative_to(PUBLIC)}": f for f in PUBLIC.rglob("*.json")}
     found["tests/parts.json"] = ROOT / "grader" / "parts.json"
     return dict(sorted(found.items()))
 

@@ -32,11 +32,14 @@ class Verdict:
 
 @dataclass(frozen=True)
 class Judged:
-    """The verdicts of one part, by check id; graded_with is "own" or "given"."""
+    """The verdicts of one part, by check id; graded_with is "own" or "given". Names of the known
+    mistakes that the part makes; or where none is known, what its numbers say."""
 
     verdicts: dict[str, Verdict]
     largest_error: float | None
     graded_with: str
+    mistakes: tuple[str, ...] = ()
+    patterns: tuple[str, ...] = ()
 
     def score(self, part: Part) -> float:
         return sum(check.points for check in part.checks if self.verdicts[check.id].passed)
@@ -49,7 +52,13 @@ class Judged:
 
 
 def judge(
-    part: Part, runner: Path, given: bool, hidden: Path, box: Box, checked: bool = False
+    part: Part,
+    runner: Path,
+    given: bool,
+    hidden: Path,
+    box: Box,
+    checked: bool = False,
+    recognise: bool = False,
 ) -> Judged:
     """Raises KitError where the judge fails, or doesn't name every check exactly once. A runner
     that is `checked` is built with sanitizers."""
@@ -57,6 +66,7 @@ def judge(
         *(str(JUDGE), "--part", str(part.number)),
         *(["--given"] if given else []),
         *(["--checked"] if checked else []),
+        *(["--recognise"] if recognise else []),
         *("--fixtures", str(FIXTURES / "public"), "--fixtures", str(hidden)),
         *("--", *(box.to_check(runner) if checked else box.to_run(runner))),
     ]
@@ -74,7 +84,13 @@ def judge(
         )
         for check in answer["checks"]
     }
-    return Judged(verdicts, answer["largest_error"], "given" if given else "own")
+    return Judged(
+        verdicts,
+        answer["largest_error"],
+        "given" if given else "own",
+        tuple(answer["mistakes"]),
+        tuple(answer["patterns"]),
+    )
 
 
 def read_answer(out: bytes, part: Part) -> dict[str, Any]:
@@ -85,6 +101,7 @@ def read_answer(out: bytes, part: Part) -> dict[str, Any]:
         for check in answer["checks"]:
             check["shown"] = shown.read(check["shown"])
             check["revealed"] = shown.read_revealed(check["revealed"])
+        sound = sound and all(map(_are_texts, (answer["mistakes"], answer["patterns"])))
     except (ValueError, TypeError, KeyError, RecursionError) as error:
         raise KitError(f"the judge's answer on part {part.number} can't be read") from error
     if not sound:
@@ -92,7 +109,7 @@ def read_answer(out: bytes, part: Part) -> dict[str, Any]:
     ids = [check["id"] for check in answer["checks"]]
     if sorted(ids) != sorted(check.id for check in part.checks):
         raise KitError(f"the judge's checks of part {part.number} aren't those of parts.json")
-    return {"checks": answer["checks"], "largest_error": answer["largest_error"]}
+    return {key: answer[key] for key in ("checks", "largest_error", "mistakes", "patterns")}
 
 
 def _no_number(word: str) -> None:
@@ -102,6 +119,10 @@ def _no_number(word: str) -> None:
 def _is_sound(check: dict[str, Any]) -> bool:
     texts = all(isinstance(check[key], str) for key in ("id", "status", "stack", "message"))
     return texts and isinstance(check["passed"], bool) and check["status"] in STATUSES
+
+
+def _are_texts(x: object) -> bool:
+    return isinstance(x, list) and all(isinstance(text, str) for text in x)
 
 
 def _is_size(x: object) -> bool:

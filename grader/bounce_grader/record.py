@@ -13,6 +13,7 @@ from bounce_grader import __version__
 from bounce_grader.escape import name, said
 from bounce_grader.judging import Judged, Verdict
 from bounce_grader.manifest import Check, Part, parts
+from bounce_grader.mistakes import known
 from bounce_grader.submission import Submission
 
 Record = dict[str, Any]
@@ -21,6 +22,7 @@ LONGEST_SENTENCE = 1000
 
 def part_record(part: Part, judged: Judged) -> Record:
     score = judged.score(part)
+    mistakes = [_mistake_record(name) for name in judged.mistakes]
     return {
         **_heading(part),
         "score": score,
@@ -28,12 +30,11 @@ def part_record(part: Part, judged: Judged) -> Record:
         "status": judged.status,
         "message": _sentence(_part_message(part, judged)),
         "graded_with": judged.graded_with,
+        "mistakes": mistakes,
+        "patterns": [said(sentence) for sentence in judged.patterns],
         "checks": [
-            _check_record(
-                check, judged.verdicts[check.id].passed, judged.verdicts[check.id].message
-            )
-            | _numbers(judged.verdicts[check.id])
-            for check in part.checks
+            _check_record(check, verdict.passed, verdict.message, mistakes) | _numbers(verdict)
+            for check, verdict in ((c, judged.verdicts[c.id]) for c in part.checks)
         ],
     }
 
@@ -47,7 +48,9 @@ def failed_part(part: Part, status: str, message: str) -> Record:
         "status": status,
         "message": _sentence(message),
         "graded_with": "own",
-        "checks": [_check_record(check, False, "") for check in part.checks],
+        "mistakes": [],
+        "patterns": [],
+        "checks": [_check_record(check, False, "", []) for check in part.checks],
     }
 
 
@@ -55,7 +58,19 @@ def _heading(part: Part) -> Record:
     return {"part": part.number, "stem": part.stem, "title": part.title}
 
 
-def _check_record(check: Check, passed: bool, message: str) -> Record:
+def _mistake_record(mistake: str) -> Record:
+    words = known()[mistake]
+    return {key: words[key] for key in ("name", "title", "sentence", "equations", "hint")}
+
+
+def _mistake_of(check: Check, mistakes: list[Record]) -> Record | None:
+    """The first of the part's mistakes that costs this check; one alone costs all that fail."""
+    if len(mistakes) == 1:
+        return mistakes[0]
+    return next((m for m in mistakes if check.id in known()[m["name"]]["checks"]), None)
+
+
+def _check_record(check: Check, passed: bool, message: str, mistakes: list[Record]) -> Record:
     return {
         "id": check.id,
         "title": check.title,
@@ -63,7 +78,7 @@ def _check_record(check: Check, passed: bool, message: str) -> Record:
         "max_score": check.points,
         "passed": passed,
         "message": said(message),
-        "mistake": None,
+        "mistake": None if passed else _mistake_of(check, mistakes),
     }
 
 

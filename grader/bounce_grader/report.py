@@ -6,6 +6,7 @@ from typing import TextIO
 
 from bounce_grader import speed
 from bounce_grader.escape import terminal
+from bounce_grader.formats.words import where_to_read
 from bounce_grader.hints import headings
 from bounce_grader.paths import HANDOUT
 from bounce_grader.record import Record
@@ -61,6 +62,11 @@ def _part(part: Record) -> list[tuple[str, str]]:
         out.append(("red", f"  {STATUS_WORDS[part['status']]}: {terminal(part['message'])}"))
     elif part["score"] < part["max_score"]:
         out.append(("", f"  {terminal(part['message'])}"))
+    for mistake in part["mistakes"]:
+        out.append(("yellow", f"  looks like: {mistake['title']}"))
+        out.append(("", f"    {mistake['sentence']}"))
+        out.append(("dim", f"    {where_to_read(mistake)}"))
+    out += [("", f"  {sentence}") for sentence in part["patterns"]]
     if any(check["passed"] or check["message"] for check in part["checks"]):
         for check in part["checks"]:
             out += _check(check)

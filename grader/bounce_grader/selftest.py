@@ -7,8 +7,8 @@ import time
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from bounce_grader import fuzz
-from bounce_grader.fixtures import differing, hidden_folder
+from bounce_grader import confusion, fuzz
+from bounce_grader.fixtures import all_differing, hidden_folder
 from bounce_grader.paths import BUILD, ROOT
 
 CPP = ("student", "solution", "grader", "tests/*.cpp", "tests/*.hpp", "tests/linked", "tests/fuzz")
@@ -52,8 +52,9 @@ def _steps(extent: str) -> list[Step]:
         Step("formatting: black", lambda: _command("black", "-q", "--check", *PYTHON)),
         Step("types: mypy", _mypy),
         Step("lint: clang-tidy", _clang_tidy, "usual"),
-        Step("fixtures are what the solution writes", _fixtures),
+        Step("fixtures are what the kit writes", _fixtures),
         Step("C++ tests", _ctest),
+        Step("known mistakes: what the gallery is taken for", confusion.run),
         Step("C++ tests with sanitizers", _sanitized, "long"),
         Step("Python tests, the gallery among them", lambda: _pytest(extent)),
         Step("readers with a million inputs each", fuzz.run, "long"),
@@ -103,9 +104,9 @@ def _clang_tidy() -> int:
 
 def _fixtures() -> int:
     hidden_folder()  # so that the oracle finds the hidden ones too
-    names = differing()
+    names = all_differing()
     for name in names:
-        print(f"fixtures/public/{name} isn't what the solution writes: run ./kit fixtures")
+        print(f"fixtures/public/{name} isn't what the kit writes: run ./kit fixtures")
     return int(bool(names))
 
 

@@ -1,20 +1,29 @@
-// judge --part N [--given] [--checked] --fixtures FOLDER... -- COMMAND...
+// judge --part N [--given] [--checked] [--recognise] --fixtures FOLDER... -- COMMAND...
 //
 // Runs the tests of part N against the runner that COMMAND starts, and prints one JSON object:
 //   {"checks": [{"id", "passed", "status", "stack", "message", "shown", "revealed"}],
-//    "largest_error": number or null}
+//    "largest_error": number or null, "mistakes": [name], "patterns": [sentence]}
 // shown is the failed case in numbers, or null; of a hidden one, revealed is {"message", "shown"}
-// with the expected answer, for whoever may see it (shown.hpp).
+// with the expected answer, for whoever may see it (shown.hpp). mistakes and patterns are empty
+// unless --recognise is there and a check failed; then a second runner is asked the public cases
+// alone.
+//
+// judge --answers --part N ... prints what it answers to the public cases, as answers_json.hpp
+// says.
+//
 // Exit status 0 when every check has a verdict; 3, with a sentence on standard error, when the
 // kit itself failed: that is no verdict about the submission.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <csignal>
+#include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "../../tests/cases.hpp"
+#include "../../tests/pattern.hpp"
+#include "../../tests/recognise.hpp"
+#include "answers_json.hpp"
 #include "session.hpp"
 #include "shown.hpp"
 
@@ -40,6 +49,8 @@ struct Options {
   std::uint32_t part = 0;
   bool given = false;
   bool checked = false;  // the runner is built with sanitizers
+  bool recognise = false;
+  bool answers = false;
   std::vector<std::string> command;
 };
 
@@ -52,6 +63,10 @@ Options read_options(const std::vector<std::string>& arguments) {
       options.given = true;
     } else if (arguments[i] == "--checked") {
       options.checked = true;
+    } else if (arguments[i] == "--recognise") {
+      options.recognise = true;
+    } else if (arguments[i] == "--answers") {
+      options.answers = true;
     } else if (arguments[i] == "--fixtures") {
       fixtures.emplace_back(arguments.at(++i));
     } else if (arguments[i] == "--") {
@@ -108,9 +123,53 @@ class Verdicts : public testing::EmptyTestEventListener {
   }
 };
 
-int run(const Options& options) {
+Limits limits_of(const Options& options) {
   Limits limits;
   limits.checked = options.checked;
+  return limits;
+}
+
+// What a runner of its own answers to the public cases: one that knows nothing of other questions.
+std::vector<tests::Answer> fresh_answers(const Options& options,
+                                         const std::vector<tests::Case>& questions) {
+  Session fresh(options.command, limits_of(options), options.part, options.given);
+  session = &fresh;
+  const int part = static_cast<int>(options.part);
+  return tests::answers(part, questions);
+}
+
+// A program that ended while it was tested isn't asked again: how it ended says enough.
+bool may_be_a_mistake(const json& checks) {
+  bool failed = false;
+  for (const json& check : checks) {
+    if (check["status"] != "graded") return false;
+    failed = failed || !check["passed"];
+  }
+  return failed;
+}
+
+void recognise(const Options& options, json& result) {
+  const int part = static_cast<int>(options.part);
+  const auto file = tests::public_file(part, "mistakes");
+  if (!file) throw std::runtime_error("there are no known mistakes: run ./kit fixtures");
+  std::ifstream in(*file);
+  const tests::KnownMistakes known = tests::read_mistakes(in, part);
+  const std::vector<tests::Case> questions = tests::questions(part);
+  const std::vector<tests::Answer> got = fresh_answers(options, questions);
+  for (const auto& mistake : tests::recognise(known, got))
+    result["mistakes"].push_back(mistake.name);
+  if (!result["mistakes"].empty()) return;
+  result["patterns"] = tests::patterns(part, questions, known.right, got);
+}
+
+int print_answers(const Options& options) {
+  const auto questions = tests::questions(static_cast<int>(options.part));
+  std::cout << answers_json(fresh_answers(options, questions)).dump() << std::endl;
+  return std::cout ? 0 : 3;
+}
+
+int run(const Options& options) {
+  const Limits limits = limits_of(options);
   Session asked(options.command, limits, options.part, options.given);
   session = &asked;
   testing::GTEST_FLAG(filter) = "part" + std::to_string(options.part) + ".*";
@@ -124,8 +183,11 @@ int run(const Options& options) {
   if (!verdicts->kit_failure.empty()) throw std::runtime_error(verdicts->kit_failure);
 
   const double error = tests::largest_error();
-  const json result = {{"checks", verdicts->checks},
-                       {"largest_error", std::isfinite(error) ? json(error) : json(nullptr)}};
+  json result = {{"checks", verdicts->checks},
+                 {"largest_error", std::isfinite(error) ? json(error) : json(nullptr)},
+                 {"mistakes", json::array()},
+                 {"patterns", json::array()}};
+  if (options.recognise && may_be_a_mistake(verdicts->checks)) recognise(options, result);
   // A message may hold what a submission's exception said: not always valid UTF-8.
   std::cout << result.dump(-1, ' ', false, json::error_handler_t::replace) << std::endl;
   return std::cout ? 0 : 3;
@@ -152,7 +214,8 @@ int main(int argc, char** argv) try {
   bounce::judge::stay_on_this_cpu();
   int one = 1;
   testing::InitGoogleTest(&one, argv);
-  return bounce::judge::run(bounce::judge::read_options({argv + 1, argv + argc}));
+  const auto options = bounce::judge::read_options({argv + 1, argv + argc});
+  return options.answers ? bounce::judge::print_answers(options) : bounce::judge::run(options);
 } catch (const std::exception& e) {
   std::cerr << "judge: " << e.what() << std::endl;
   return 3;

@@ -1,16 +1,18 @@
 // The tests of a build that has the code under test linked in: public fixtures only.
 //
-//   part1_contacts_test [--notes FOLDER]
+//   part1_contacts_test [--notes FOLDER | --mistake FILE]
 //
 // With --notes a file is written for each check, named as the check is: "running" while it runs,
 // then "passed" or "failed", and what there is to say. A check that has its note already isn't run
 // again, so that after a crash a second run goes on with the next one; and one that takes too long
-// ends the program.
+// ends the program. With --mistake no test runs: the file gets what the answers to all public cases
+// tell of the mistake behind them.
 #include <gtest/gtest.h>
 
 #include <fstream>
 
 #include "../feedback.hpp"
+#include "mistake.hpp"
 #include "time_limit.hpp"
 
 namespace bounce::tests {
@@ -67,6 +69,12 @@ void take_notes(const std::string& folder) {
   listeners.Append(new Notes);
 }
 
+void write_mistakes(const std::string& file) {
+  limit_time([] {});
+  std::ofstream(file) << mistakes_in_words();
+  lift_time_limit();
+}
+
 }  // namespace
 
 void about_to_ask(const Case& c) {
@@ -79,6 +87,11 @@ void about_to_ask(const Case& c) {
 
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
-  if (argc == 3 && std::string(argv[1]) == "--notes") bounce::tests::take_notes(argv[2]);
+  const std::string option = argc == 3 ? argv[1] : "";
+  if (option == "--mistake") {
+    bounce::tests::write_mistakes(argv[2]);
+    return 0;
+  }
+  if (option == "--notes") bounce::tests::take_notes(argv[2]);
   return RUN_ALL_TESTS();
 }

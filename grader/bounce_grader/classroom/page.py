@@ -12,6 +12,7 @@ from bounce_grader.classroom.students import Class
 from bounce_grader.classroom.summary import Summary
 from bounce_grader.formats._escaping import to_html
 from bounce_grader.manifest import parts
+from bounce_grader.mistakes import for_the_instructor
 
 RIGHT = 1e-9  # the tolerance of every comparison
 STYLE = """
@@ -105,18 +106,31 @@ def _success(summaries: Sequence[Summary]) -> str:
 
 
 def _mistakes(summaries: Sequence[Summary]) -> str:
-    mistakes = Counter(words for s in summaries for words in set(s.mistakes.values()))
-    failed = Counter(id for s in summaries for id, points in s.checks.items() if not points)
+    graded = [s for s in summaries if s.score is not None]
+    counts = Counter(name for s in graded for name in s.mistakes)
+    titles = {name: title for s in graded for name, title in s.mistakes.items()}
+    if not counts:
+        return "<p>No known mistake was recognised.</p>" + _failed(graded)
+    most = counts.most_common(15)
+    bars = [Bar(titles[name], count / len(graded), _n(count)) for name, count in most]
+    rows = [
+        [name[4], to_html(titles[name]), _n(count), to_html(for_the_instructor(name))]
+        for name, count in most
+    ]
+    said = "<p>How many submissions make which known mistake, as far as their answers tell.</p>"
+    drawing = _drawing(charts.bars(bars, "Submissions by mistake"))
+    return said + drawing + _table(["part", "mistake", "submissions", "what it is"], rows, {2})
+
+
+def _failed(graded: Sequence[Summary]) -> str:
+    failed = Counter(id for s in graded for id, points in s.checks.items() if not points)
     titles = {check.id: (part, check) for part in parts() for check in part.checks}
-    if mistakes:
-        rows = [[to_html(words), _n(count)] for words, count in mistakes.most_common(15)]
-        return _table(["mistake", "submissions"], rows, {1})
     rows = [
         [f"part {titles[id][0].number}", to_html(titles[id][1].title), _n(count)]
         for id, count in failed.most_common(10)
     ]
-    said = "<p>No known mistake was recognised; these checks failed most often.</p>"
-    return said + _table(["part", "check", "failed in"], rows, {2}) if rows else "<p>None.</p>"
+    said = "<p>These checks failed most often.</p>"
+    return said + _table(["part", "check", "failed in"], rows, {2}) if rows else ""
 
 
 def _n(number: float) -> str:

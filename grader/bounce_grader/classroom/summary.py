@@ -6,7 +6,6 @@ from typing import Any
 
 from bounce_grader import speed
 from bounce_grader.classroom.students import Student
-from bounce_grader.formats.words import mistake_words
 
 
 @dataclass(frozen=True)
@@ -19,7 +18,7 @@ class Summary:
     parts: Mapping[int, float] = field(default_factory=dict)
     checks: Mapping[str, float] = field(default_factory=dict)  # points, by id
     statuses: Mapping[int, str] = field(default_factory=dict)  # where not "graded"
-    mistakes: Mapping[str, str] = field(default_factory=dict)  # by check, in words
+    mistakes: Mapping[str, str] = field(default_factory=dict)  # titles, by name
     box: str = ""
     ratio: float | None = None  # time of a step, beside the solution's
     error: float | None = None
@@ -53,7 +52,7 @@ def of_result(student: Student, key: str, result: dict[str, Any]) -> Summary:
         parts={part["part"]: part["score"] for part in record["parts"]},
         checks={check["id"]: check["score"] for check in checks},
         statuses={p["part"]: p["status"] for p in record["parts"] if p["status"] != "graded"},
-        mistakes={c["id"]: mistake_words(c["mistake"]) for c in checks if c["mistake"]},
+        mistakes={m["name"]: m["title"] for part in record["parts"] for m in part["mistakes"]},
         box=record["box"],
         ratio=found.get("ratio"),
         error=found.get("largest_error"),

@@ -64,7 +64,7 @@ def _test(part: Record) -> dict[str, Any]:
         "name": f"Part {part['part']}: {part['title']}",
         "status": "pass" if part["score"] == part["max_score"] else "fail",
         "score": part["score"],
-        "message": words.part_words(part),
+        "message": "\n".join([words.part_words(part), *words.mistake_words(part)]),
         "test_code": "",
         "filename": place.file if place else f"{part['stem']}.cpp",
         "line_no": place.line if place else 0,
@@ -86,7 +86,8 @@ def _part(part: Record, root: Path) -> list[str]:
     kind = "warning" if part["status"] == "graded" else "error"
     text = said if part["status"] == "graded" else f"{said}\n"
     if part["status"] == "graded" or part["score"]:
-        text = "\n".join([said, *(f"lost: {check}" for check in lost)])
+        known = words.mistake_words(part)
+        text = "\n".join([said, *known, *(f"lost: {check}" for check in lost)])
     return [
         _command(kind, title, text.strip(), place or Place(f"{part['stem']}.cpp", 1, None), root)
     ]

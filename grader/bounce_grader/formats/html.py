@@ -19,7 +19,8 @@ li{padding:.3rem 0;border-bottom:1px solid var(--line)}
 .lost .title{font-weight:600}
 pre{background:var(--field);padding:.6rem;overflow-x:auto;font-size:.85rem;border-left:3px solid;
 margin:.3rem 0}.lost>pre,.case{margin:.3rem 0 .3rem 1.8rem}
-.hint,.mistake{margin:.2rem 0 .2rem 1.8rem}
+.hint{margin:.2rem 0 .2rem 1.8rem}
+.mistake{margin:.3rem 0;padding:.1rem .6rem;border-left:3px solid}
 .hint,.small{color:var(--soft);font-size:.9rem}
 .bar{height:.6rem;border:1px solid;margin:.4rem 0 1rem}.bar div{height:100%;background:var(--ink)}
 .case pre{white-space:pre-wrap}.case p{margin:.3rem 0}.case .name{margin-top:.8rem;font-weight:600}
@@ -35,7 +36,7 @@ svg{display:block;width:100%;height:auto}svg text{font:14px system-ui,sans-serif
 .hollow{fill:var(--paper)}.ground{fill:var(--field)}.pictures figure{width:15.6rem;max-width:100%}
 .wide,.chart{max-width:34rem}.charts figure{width:21rem;max-width:100%;margin:0}
 summary{cursor:pointer}
-@media (max-width:30rem){.lost>pre,.case,.hint,.mistake{margin-left:0}.matrix{font-size:.78rem}}
+@media (max-width:30rem){.lost>pre,.case,.hint{margin-left:0}.matrix{font-size:.78rem}}
 """
 
 
@@ -77,8 +78,17 @@ def _part(part: Record) -> str:
     given = part["graded_with"] == "given" and part["score"] < part["max_score"]
     return (
         f'{heading}<span class="of">{score}</span></h2><p>{to_html(words.part_words(part))}</p>'
+        + "".join(map(_mistake, part["mistakes"]))
+        + "".join(f'<p class="mistake">{to_html(said)}</p>' for said in part["patterns"])
         + (f"<ul>{checks}</ul>" if checks else "")
         + ('<p class="small">Judged with the earlier parts given.</p>' if given else "")
+    )
+
+
+def _mistake(mistake: Record) -> str:
+    return (
+        f'<p class="mistake">Looks like: <b>{to_html(mistake["title"])}.</b> '
+        f'{to_html(mistake["sentence"])} See {to_html(words.where_to_read(mistake))}.</p>'
     )
 
 
@@ -89,9 +99,6 @@ def _check(check: Record) -> str:
         f'<li class="{kind}"><div class="line"><span class="mark">{mark}</span>'
         f'<span class="title">{to_html(check["title"])}</span><span class="of">{score}</span></div>'
     )
-    mistake = words.mistake_words(check["mistake"])
-    if mistake:
-        out += f'<p class="mistake">{to_html(mistake)}</p>'
     if check.get("shown", {}).get("quantities"):
         out += case.render(check["shown"], check["message"].partition("\n")[0])
     elif check["message"]:

@@ -18,21 +18,24 @@ def render(record: Record) -> str:
         score = f"{words.points(part['score'])} / {words.points(part['max_score'])}"
         said = markdown(words.part_words(part))
         lines.append(f"| {part['part']}: {markdown(part['title'])} | {score} | {said} |")
+    for part in record["parts"]:
+        said_of = [f"- Part {part['part']}: {markdown(line)}" for line in words.mistake_words(part)]
+        lines += ["", *said_of] if said_of else []
     text = "\n".join(lines) + "\n"
     for number, part, check in words.numbered(record):
-        if not check["passed"] and (check["message"] or check["mistake"]):
-            detail = _check(number, part, check)
+        if not check["passed"] and check["message"]:
+            detail = _check(number, check)
             if len(text) + len(detail) > LONGEST:
                 return text + "\nMore checks failed than there is room for.\n"
             text += detail
     return text.rstrip("\n")
 
 
-def _check(number: str, part: Record, check: Record) -> str:
+def _check(number: str, check: Record) -> str:
     heading = f"<details><summary>✗ {number} {to_html(check['title'])}</summary>"
     hint = words.hint(check)
     return (
-        f"\n{heading}\n\n{markdown_code(words.check_words(part, check))}\n"
+        f"\n{heading}\n\n{markdown_code(check['message'])}\n"
         + (f"\nHint {markdown(hint)}\n" if hint else "")
         + "\n</details>\n"
     )

@@ -2,7 +2,6 @@
 
 import re
 from dataclasses import dataclass
-from typing import Any
 
 from bounce_grader.record import Record
 
@@ -51,16 +50,28 @@ def part_words(part: Record) -> str:
 
 
 def check_words(part: Record, check: Record) -> str:
-    """What there is to say of a check: of a part that never ran, why it didn't."""
+    """What there is to say of a check: of a part that never ran, why it didn't. What is known of the
+    part's mistakes is said with the first check that fails, for formats that have no place for it
+    but there."""
     said = check["message"] or ("" if check["passed"] else part_words(part))
-    return "\n".join(filter(None, [mistake_words(check["mistake"]), said]))
+    first = next((c for c in part["checks"] if not c["passed"]), None)
+    known = mistake_words(part) if check is first else []
+    return "\n".join(filter(None, [*known, said]))
 
 
-def mistake_words(mistake: Any) -> str:
-    """The sentence of a recognised mistake; nothing where none was."""
-    if isinstance(mistake, dict):
-        return str(mistake.get("sentence") or mistake.get("name") or "")
-    return str(mistake or "")
+def mistake_words(part: Record) -> list[str]:
+    """A line for each known mistake that the part makes; else for what its numbers say."""
+    return [mistake_line(m) for m in part["mistakes"]] or list(part["patterns"])
+
+
+def mistake_line(mistake: Record) -> str:
+    return f"Looks like: {mistake['title']}. {mistake['sentence']} See {where_to_read(mistake)}."
+
+
+def where_to_read(mistake: Record) -> str:
+    """eq. (6) and hint 1.2 The moment arm r"""
+    numbers = ", ".join(f"({number})" for number in mistake["equations"])
+    return f"eq{'s' * (len(mistake['equations']) > 1)}. {numbers} and hint {mistake['hint']}"
 
 
 def numbered(record: Record) -> list[tuple[str, Record, Record]]:

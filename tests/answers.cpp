@@ -1,0 +1,96 @@
+#include "answers.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+
+namespace bounce::tests {
+namespace {
+
+constexpr int kShort = 40;  // columns of a trajectory that is known to its end
+
+std::map<int, std::function<Eigen::VectorXd(const Case&)>>& functions() {
+  static std::map<int, std::function<Eigen::VectorXd(const Case&)>> by_part;
+  return by_part;
+}
+
+Answer answer(const std::function<Eigen::VectorXd(const Case&)>& ask, const Case& c) {
+  about_to_ask(c);
+  try {
+    return {ask(c), ""};
+  } catch (const Ended&) {
+    throw;
+  } catch (const std::exception& thrown) {
+    return {{}, thrown.what()};
+  }
+}
+
+}  // namespace
+
+std::vector<int> known_columns(int T) {
+  std::vector<int> columns{0, 1, 2, 3, 5, 8, 13, 21, 34};
+  columns.erase(std::lower_bound(columns.begin(), columns.end(), T), columns.end());
+  if (T <= kShort && columns.back() != T - 1) columns.push_back(T - 1);
+  return columns;
+}
+
+Eigen::VectorXd numbers_of(const State& next, const Case& c) {
+  Eigen::VectorXd numbers(6);
+  numbers << next.q - c.q - c.params.dt * next.v, next.v;
+  return numbers;
+}
+
+Eigen::VectorXd numbers_of(const Trajectory& trajectory) {
+  const std::vector<int> columns = known_columns(static_cast<int>(trajectory.q.cols()));
+  Eigen::MatrixXd numbers(6, static_cast<Eigen::Index>(columns.size()));
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    numbers.col(static_cast<Eigen::Index>(i)) << trajectory.q.col(columns[i]),
+        trajectory.v.col(columns[i]);
+  }
+  return numbers.reshaped();
+}
+
+int numbers_together(int part) { return part == 1 ? 7 : part == 2 ? 20 : 6; }
+
+std::optional<std::filesystem::path> public_file(int part, const std::string& folder) {
+  const std::string beginning = "part" + std::to_string(part);
+  for (const auto& fixtures : fixture_folders()) {
+    if (fixtures.filename() == "hidden" || !is_directory(fixtures / folder)) continue;
+    for (const auto& file : std::filesystem::directory_iterator(fixtures / folder)) {
+      if (file.path().filename().string().rfind(beginning, 0) == 0) return file.path();
+    }
+  }
+  return std::nullopt;
+}
+
+std::vector<Case> questions(int part) {
+  const auto file = public_file(part);
+  if (!file) throw std::logic_error("there are no public fixtures of part " + std::to_string(part));
+  std::ifstream in(*file);
+  std::vector<Case> cases = read_all_cases(in);
+  std::reverse(cases.begin(), cases.end());
+  return cases;
+}
+
+bool is_asked_by(int part, const std::function<Eigen::VectorXd(const Case&)>& ask) {
+  functions()[part] = ask;
+  return true;
+}
+
+std::vector<int> parts_at_hand() {
+  std::vector<int> parts;
+  for (const auto& [part, ask] : functions()) parts.push_back(part);
+  return parts;
+}
+
+std::vector<Answer> answers(int part, const std::vector<Case>& questions) {
+  std::vector<Answer> all;
+  try {
+    for (const Case& c : questions) all.push_back(answer(functions().at(part), c));
+  } catch (const Ended&) {
+    return {};
+  }
+  return all;
+}
+
+}  // namespace bounce::tests

@@ -1,0 +1,198 @@
+#include "recognise.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <istream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
+#include <stdexcept>
+
+namespace bounce::tests {
+namespace {
+
+using Eigen::Index;
+using nlohmann::json;
+
+constexpr double kTolerance = 1e-9;
+
+// A number agrees by chance once in a billion, but a mistake that shows in one number or in one
+// question alone could be many others: a constant, a branch. So it has to show in four numbers at
+// least, and in two questions or columns of a trajectory.
+constexpr int kNumbers = 4, kQuestions = 2;
+
+// --- reading ---
+
+double number(const json& x) { return x.is_null() ? std::nan("") : x.get<double>(); }
+
+Answer read_answer(const json& words) {
+  if (words.is_string()) return {{}, words.get<std::string>()};
+  Answer answer{Eigen::VectorXd(static_cast<Index>(words.size())), ""};
+  for (Index i = 0; i < answer.numbers.size(); ++i) {
+    answer.numbers(i) = number(words.at(static_cast<std::size_t>(i)));
+  }
+  return answer;
+}
+
+// {question: {entry: number}}, or {question: what was thrown}, where it isn't the right answer.
+std::vector<Answer> read_differences(const json& differences, std::vector<Answer> answers) {
+  for (const auto& [question, words] : differences.items()) {
+    Answer& answer = answers.at(std::stoul(question));
+    if (words.is_string()) {
+      answer = read_answer(words);
+      continue;
+    }
+    for (const auto& [entry, x] : words.items()) {
+      const auto i = static_cast<Index>(std::stoul(entry));
+      if (i >= answer.numbers.size()) throw std::runtime_error("an entry that no answer has");
+      answer.numbers(i) = number(x);
+    }
+  }
+  return answers;
+}
+
+// --- comparing ---
+
+// How often, and where, something shows.
+struct Evidence {
+  int numbers = 0;
+  std::set<std::pair<std::size_t, Index>> questions;
+  void add(std::size_t question, Index column) {
+    ++numbers;
+    questions.insert({question, column});
+  }
+  bool enough() const {
+    return numbers >= kNumbers && static_cast<int>(questions.size()) >= kQuestions;
+  }
+};
+
+// Where a mistake shows by itself: it isn't right, and what another one answers is. What isn't
+// finite shows nothing, since it comes about in many ways.
+Evidence evidence(const std::vector<Answer>& mistaken, const std::vector<Answer>& other,
+                  const KnownMistakes& known) {
+  Evidence found;
+  for (std::size_t k = 0; k < mistaken.size(); ++k) {
+    const Answer &a = mistaken[k], &b = other[k], &right = known.right[k];
+    if (b.thrown != right.thrown) continue;
+    if (a.thrown != right.thrown) found.add(k, 0);
+    for (Index i = 0; i < std::min(a.numbers.size(), right.numbers.size()); ++i) {
+      const bool shows = std::isfinite(a.numbers(i)) && !same(a.numbers(i), right.numbers(i));
+      if (shows && same(b.numbers(i), right.numbers(i))) found.add(k, i / known.together);
+    }
+  }
+  return found;
+}
+
+// --- composing ---
+
+// What an entry is when two mistakes change it, from the right one and theirs.
+using Rule = double (*)(double right, double a, double b);
+constexpr Rule kRules[] = {
+    [](double right, double a, double b) { return right + (a - right) + (b - right); },
+    [](double right, double a, double b) { return right == 0 ? NAN : a * (b / right); },
+    [](double, double a, double) { return a; },
+    [](double, double, double b) { return b; },
+};
+
+// The entry of an answer with both mistakes.
+double composed(double right, double a, double b, Rule rule) {
+  if (same(a, right)) return b;
+  return same(b, right) ? a : rule(right, a, b);
+}
+
+// What threw gives no numbers, so that the other mistake doesn't show.
+std::optional<Answer> composed(const Answer& right, const Answer& a, const Answer& b, Rule rule) {
+  if (!a.thrown.empty() && !b.thrown.empty() && a.thrown != b.thrown) return std::nullopt;
+  if (!a.thrown.empty() || !b.thrown.empty()) return a.thrown.empty() ? b : a;
+  Answer both = right;
+  for (Index i = 0; i < right.numbers.size(); ++i) {
+    both.numbers(i) = composed(right.numbers(i), a.numbers(i), b.numbers(i), rule);
+  }
+  return both;
+}
+
+// Whether both together explain what came, and each shows by itself as well.
+bool explain(const KnownMistakes& known, const Mistake& a, const Mistake& b, Rule rule,
+             const std::vector<Answer>& got) {
+  for (std::size_t k = 0; k < got.size(); ++k) {
+    const auto both = composed(known.right[k], a.answers[k], b.answers[k], rule);
+    if (!both || !same(*both, got[k])) return false;
+  }
+  return evidence(a.answers, b.answers, known).enough() &&
+         evidence(b.answers, a.answers, known).enough();
+}
+
+using Names = std::set<std::size_t>;  // of mistakes, by their place
+
+bool explain(const std::vector<Answer>& mistaken, const std::vector<Answer>& got) {
+  return std::equal(got.begin(), got.end(), mistaken.begin(),
+                    [](const Answer& a, const Answer& b) { return same(a, b); });
+}
+
+std::vector<Names> singles(const KnownMistakes& known, const std::vector<Answer>& got) {
+  std::vector<Names> found;
+  for (std::size_t i = 0; i < known.mistakes.size(); ++i) {
+    const auto& mistaken = known.mistakes[i].answers;
+    if (explain(mistaken, got)) found.push_back({i});
+  }
+  return found;
+}
+
+std::vector<Names> pairs(const KnownMistakes& known, const std::vector<Answer>& got) {
+  std::vector<Names> found;
+  for (std::size_t i = 0; i < known.mistakes.size(); ++i) {
+    for (std::size_t j = i + 1; j < known.mistakes.size(); ++j) {
+      const bool any = std::any_of(std::begin(kRules), std::end(kRules), [&](Rule rule) {
+        return explain(known, known.mistakes[i], known.mistakes[j], rule, got);
+      });
+      if (any) found.push_back({i, j});
+    }
+  }
+  return found;
+}
+
+Names in_common(const std::vector<Names>& explanations) {
+  Names common = explanations.empty() ? Names() : explanations.front();
+  for (const Names& names : explanations) {
+    std::erase_if(common, [&](std::size_t i) { return names.count(i) == 0; });
+  }
+  return common;
+}
+
+}  // namespace
+
+KnownMistakes read_mistakes(std::istream& file, int part) {
+  const json all = json::parse(file);
+  KnownMistakes known{numbers_together(part), {}, {}};
+  for (const json& answer : all.at("right")) known.right.push_back(read_answer(answer));
+  for (const json& m : all.at("mistakes")) {
+    known.mistakes.push_back({m.at("name"), m.at("title"), m.at("sentence"), m.at("hint"),
+                              m.at("equations").get<std::vector<int>>(),
+                              read_differences(m.at("answers"), known.right)});
+  }
+  return known;
+}
+
+std::vector<Mistake> recognise(const KnownMistakes& known, const std::vector<Answer>& got) {
+  if (got.size() != known.right.size() || !evidence(got, known.right, known).enough()) return {};
+  std::vector<Names> explanations = singles(known, got);
+  if (explanations.empty()) explanations = pairs(known, got);
+  std::vector<Mistake> named;
+  for (const std::size_t i : in_common(explanations)) named.push_back(known.mistakes[i]);
+  return named;
+}
+
+bool same(double a, double b) {
+  if (!std::isfinite(a) || !std::isfinite(b)) return !std::isfinite(a) && !std::isfinite(b);
+  return std::abs(a - b) <= kTolerance * std::max({1.0, std::abs(a), std::abs(b)});
+}
+
+bool same(const Answer& a, const Answer& b) {
+  return a.thrown == b.thrown && a.numbers.size() == b.numbers.size() &&
+         std::equal(a.numbers.begin(), a.numbers.end(), b.numbers.begin(),
+                    [](double x, double y) { return same(x, y); });
+}
+
+}  // namespace bounce::tests

@@ -1,0 +1,39 @@
+// Known mistakes, and which of them a part's answers tell of.
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "answers.hpp"
+
+namespace bounce::tests {
+
+// What is known of a mistake, and what it answers to the part's questions.
+struct Mistake {
+  std::string name, title, sentence, hint;
+  std::vector<int> equations;
+  std::vector<Answer> answers;
+};
+
+struct KnownMistakes {
+  int together;  // numbers of an answer that belong together, as numbers_together says
+  std::vector<Answer> right;
+  std::vector<Mistake> mistakes;
+};
+
+// Those of a part, from its file in fixtures/public/mistakes. Throws std::exception where it isn't
+// one.
+KnownMistakes read_mistakes(std::istream& file, int part);
+
+// None, one, or two that the answers are a mixture of. A mistake is named when it explains every
+// answer of the part, the right ones among them, and shows in enough of them to be sure; a pair,
+// when one rule for all entries composes the two, and each shows by itself in as many. Of
+// explanations that say different things, only what they have in common is said.
+std::vector<Mistake> recognise(const KnownMistakes& known, const std::vector<Answer>& got);
+
+// Whether two answers are the same: 1e-9, absolute or relative. NaN and infinity are one.
+bool same(double a, double b);
+bool same(const Answer& a, const Answer& b);
+
+}  // namespace bounce::tests
