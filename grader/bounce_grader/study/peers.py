@@ -23,6 +23,7 @@ NUMPY = ROOT / "solution" / "study" / "peers" / "assignment_in_numpy.py"
 NUMPY_SETTINGS = {
     "engine": "numpy",
     "title": "numpy",
+    "swept": "1",
     "numbers": "double",
     "planar": "by nature",
     "restitution": "the assignment's p (eq. 10)",
@@ -77,8 +78,8 @@ def add_numpy(out: Path, quick: bool) -> None:
     kinds = _run_numpy([(file, None) for file in sorted(STEPS.glob("*.json"))], 9)
     peers, steps = read(out / "peers.csv"), read(out / "peers_steps.csv")
     settings = read(out / "peers_settings.csv")
-    peers.rows += [_sweep_row(each, truth) for each in sweep]
-    steps.rows += [_step_row(each, truth, steps) for each in kinds]
+    peers.rows.extend(_sweep_row(each, truth) for each in sweep)
+    steps.rows.extend([_step_row(each, truth, steps) for each in kinds])
     settings.rows.append({"version": sweep[0]["version"], **NUMPY_SETTINGS})
     write_whole(out / "peers_steps.csv", steps.text())
     write_whole(out / "peers_settings.csv", settings.text())
