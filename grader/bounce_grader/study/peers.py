@@ -5,7 +5,9 @@ import csv
 import io
 import json
 import math
+import os
 import sys
+import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -51,17 +53,23 @@ class Table:
 
 
 def run(out: Path, quick: bool) -> None:
-    """Writes peers.csv, with the columns of speed_accuracy.csv, four more tables and the page."""
+    """Writes peers.csv, with the columns of speed_accuracy.csv, the tables beside it and the page,
+    all of them or none."""
     if not PROGRAM.exists():
         raise KitError("the engines are not built: run ./kit study --peers")
+    print("kit: running the engines, which takes some minutes", file=sys.stderr)
     out.mkdir(parents=True, exist_ok=True)
-    done = processes.run(
-        [str(PROGRAM), str(SCENES), str(STEPS), str(out)] + (["--quick"] if quick else [])
-    )
-    if not done.ok:
-        raise KitError(f"bounce_peers failed: {done.err.strip()}")
-    add_numpy(out, quick)
-    write_whole(out / "peers.md", peers_page.page(out))
+    with tempfile.TemporaryDirectory(prefix=".measuring-", dir=out) as name:
+        folder = Path(name)
+        extent = ["--quick"] if quick else []
+        done = processes.run([str(PROGRAM), str(SCENES), str(STEPS), name, *extent])
+        if not done.ok:
+            raise KitError(f"bounce_peers failed: {done.err.strip()}")
+        add_numpy(folder, quick)
+        page = peers_page.page(folder)
+        for table in sorted(folder.glob("peers*.csv")):
+            os.replace(table, out / table.name)
+    write_whole(out / "peers.md", page)
 
 
 def read(file: Path) -> Table:

@@ -139,9 +139,10 @@ Outcome outcome_of(const Contacts& contacts, const Solver& solver) {
 double time_of(const Contacts& contacts, const Solver& solver, long repeats) {
   double sum = 0;
   const double start = cpu_ns();
-  for (long n = 0; n < repeats; ++n)
+  for (long n = 0; n < repeats; ++n) {
     for (std::size_t i = 0; i < kContacts; ++i)
       sum += solver.solve(contacts, i).value_or(Impulse{}).n;
+  }
   const double ns = (cpu_ns() - start) / double(repeats) / double(kContacts);
   return std::isnan(sum) ? std::numeric_limits<double>::infinity() : ns;
 }
@@ -159,9 +160,10 @@ Table lcp_solvers(const Extent& extent) {
     const double once = time_of(contacts, solver, 1) * double(kContacts);
     repeats.push_back(std::max(1L, long(double(kLeastNs) / once)));
   }
-  for (int round = 0; round < 3 * extent.rounds; ++round)
+  for (int round = 0; round < 3 * extent.rounds; ++round) {
     for (std::size_t s = 0; s < solvers.size(); ++s)
       ns[s].push_back(time_of(contacts, solvers[s], repeats[s]));
+  }
   for (std::size_t s = 0; s < solvers.size(); ++s) {
     const Outcome outcome = outcome_of(contacts, solvers[s]);
     table.add(solvers[s].name, int(kContacts), median(ns[s]), median(ns[s]) / median(ns[0]),

@@ -33,9 +33,10 @@ struct Point {
 void time_in_turns(std::vector<Point>& points, int rounds) {
   for (Point& point : points)
     point.repeats = std::max(1L, long(kLeastNs / std::max(point.time(1), 100.0)));
-  for (int round = 0; round < rounds; ++round)
+  for (int round = 0; round < rounds; ++round) {
     for (Point& point : points)
       point.ns.push_back(point.time(point.repeats) / double(point.repeats));
+  }
 }
 
 template <class Run>
@@ -103,9 +104,10 @@ std::vector<Point> points_of(const Scene& scene, const Peers& peers,
       points.push_back(point_of(peer, scene, dt, truth));
   }
   for (const Method& method : methods) {
-    for (const double setting : method.settings)
+    for (const double setting : method.settings) {
       if (!method.has_step || setting >= least_dt)
         points.push_back(point_of(method, scene, setting, truth));
+    }
   }
   return points;
 }
@@ -210,9 +212,10 @@ Table truths(const Scenes& scenes) {
   for (const Scene& scene : scenes) {
     const std::vector<double> times = sample_times(scene);
     const Samples truth = truth_of(scene);
-    for (std::size_t i = 0; i < truth.size(); ++i)
+    for (std::size_t i = 0; i < truth.size(); ++i) {
       table.add(scene.name, times[i], exactly(truth[i].x), exactly(truth[i].y),
                 exactly(truth[i].theta));
+    }
   }
   return table;
 }
@@ -269,9 +272,10 @@ Table variants(const Scenes& scenes, const Peers& peers, double dt) {
   Table table({"scene", "engine", "swept", "dt_s", "error_m"});
   for (const Scene& scene : scenes) {
     const Samples truth = truth_of(scene);
-    for (const Peer& peer : peers)
+    for (const Peer& peer : peers) {
       table.add(scene.name, peer.name, peer.swept, fitting_step(scene, dt),
                 error_of(scene, samples_of(peer, scene, dt), truth));
+    }
   }
   return table;
 }
