@@ -72,6 +72,15 @@ def test_a_contact_step_is_thirty_times_as_fast_as_the_fastest_engine(
     assert min(contact.values()) >= 30
 
 
+def test_a_step_of_ours_keeps_its_share_of_the_plain_one(data: peers_page.Data) -> None:
+    """Contact, flight and LCP: 12, 3 and 6 where a plain contact step takes 24."""
+    ns = {(row["engine"], row["kind"]): float(row["ns_per_step"]) for row in data.steps}
+    plain = ns["assignment", "contact"]
+    assert ns["assignment_fast", "contact"] <= plain * 12 / 24
+    assert ns["assignment_fast", "flight"] <= plain * 3 / 24
+    assert float(data.lcp[0]["ns_per_lcp"]) <= plain * 6 / 24
+
+
 def test_numpy_is_the_assignments_scheme(data: peers_page.Data) -> None:
     ours = {(p.scene, p.dt): p.error for p in data.ours if p.method == "assignment"}
     theirs = [p for p in data.peers if p.method == "numpy" and p.scene not in ("flat_drop", "rest")]

@@ -7,8 +7,8 @@
 //     sin(theta + x) = sin theta cos x + cos theta sin x,
 //
 // where for |x| <= 1/2 eight terms of the one series and seven of the other are exact to rounding,
-// 1e-18 and 5e-17 (x^16 / 16!, x^15 / 15!). Larger turns, and
-// every 256th step, take them from theta anew, so that rounding errors can't add up.
+// 1e-18 and 5e-17 (x^16 / 16!, x^15 / 15!). Larger turns, and every 256th step, take them from
+// theta anew, so that rounding errors can't add up.
 //
 // A step waits for the one before: it needs its angle, and the angle needs the impulse. What counts
 // is therefore the longest chain of operations from angle to angle, and three things keep it short.
@@ -19,8 +19,9 @@
 // Sticking: with w = (X, -Y) the matrix of one_corner.hpp is G = 1 + w w^T, and X^2 + Y^2 = 3 for a
 // square, whatever its angle: det G = 4, and
 //
-//     p = -G^-1 u = -u + w K / 4,    K = w^T u = X u_n - Y u_t,    W' = W - K / 4  (Sherman &
-//     Morrison 1950), without any division.
+//     p = -G^-1 u = -u + w K / 4,    K = w^T u = X u_n - Y u_t,    W' = W - K / 4
+//
+// (Sherman & Morrison 1950), without any division.
 //
 // Sliding: p_t = f p_n with f = -+mu, so that p_n = -u_n / (1 + X (X - f Y)), W' = W + (X - f Y)
 // p_n. The divisor depends on the angle only; each direction is a branch of its own, which the

@@ -101,6 +101,19 @@ TEST(assignment, CarriedCosinesDoNotDriftInAMillionSteps) {
   EXPECT_NEAR(fast.x, 0.3 * 1e4, 1e-6);
 }
 
+TEST(assignment, TouchesInEveryStepOfTheSceneThatTimesContacts) {
+  const Scene scene =
+      read_scene(std::string(BOUNCE_SCENES) + "/../../solution/study/peers/steps/contact.json");
+  Assignment scheme(scene.params, methods::motion_of<double>(scene.start));
+  for (long n = 0; n < std::lround(scene.until / scene.params.dt); ++n) {
+    const Motion<double> before = scheme.motion();
+    EXPECT_LT(methods::lowest_gap(before, methods::Body<double>(scene.params)), scene.params.delta);
+    scheme.steps(1);
+    const double free = before.v_y + scene.params.dt * scene.params.g.y();
+    EXPECT_GT(scheme.motion().v_y, free + 1e-6) << n << ": the ground pushes";
+  }
+}
+
 TEST(assignment, CarriesNanOnAndEnds) {
   Motion<double> start = kFlat;
   start.y = std::numeric_limits<double>::quiet_NaN();
@@ -111,10 +124,15 @@ TEST(assignment, CarriesNanOnAndEnds) {
 TEST(assignment, IsTheSameForABatchOfSquares) {
   Random random(3);
   const Parameters params;
-  std::vector<Motion<double>> starts;
-  for (int i = 0; i < 1024; ++i)
-    starts.push_back({0, random.uniform(0.1, 0.3), random.uniform(-4, 4), random.uniform(-2, 2),
-                      random.uniform(-2, 1), random.uniform(-40, 40)});
+  std::vector<Motion<double>> starts(1024);
+  for (Motion<double>& start : starts) {
+    start = {0,
+             random.uniform(0.1, 0.3),
+             random.uniform(-4, 4),
+             random.uniform(-2, 2),
+             random.uniform(-2, 1),
+             random.uniform(-40, 40)};
+  }
   AssignmentBatch batch(params, starts);
   batch.steps(30);
   for (std::size_t i = 0; i < starts.size(); ++i) {

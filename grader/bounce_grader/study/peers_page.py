@@ -12,6 +12,16 @@ FINE, FINEST = 1e-3, 1e-6  # m
 LEAD_TOLERANCES = (FINE, FINEST)
 DIFFERS = 3.0
 
+OURS = {
+    "assignment": "the assignment's scheme, plain",
+    "assignment_fast": "the assignment's scheme, fastest",
+    "assignment_delta_dt": "the assignment's scheme, δ per Δt",
+    "moreau_jean_1": "Moreau-Jean, one corner",
+    "moreau_jean_2": "Moreau-Jean, two corners",
+    "penalty": "springs and dampers",
+    "event_driven": "event-driven",
+}
+
 Row = dict[str, str]
 
 
@@ -45,11 +55,7 @@ class Data:
 
     def title(self, engine: str) -> str:
         titles = {row["engine"]: row["title"] for row in self.settings}
-        own = {
-            "assignment": "the assignment's scheme, plain",
-            "assignment_fast": "the assignment's scheme, fastest",
-        }
-        return titles.get(engine) or own.get(engine) or engine.replace("_", "-")
+        return titles.get(engine) or OURS.get(engine) or engine
 
 
 def page(folder: Path) -> str:
