@@ -12,7 +12,7 @@ from bounce_grader.fixtures import all_differing, hidden_folder
 from bounce_grader.paths import BUILD, ROOT
 
 CPP = ("student", "solution", "grader", "tests/*.cpp", "tests/*.hpp", "tests/linked", "tests/fuzz")
-PYTHON = ("grader/bounce_grader", "tests")
+PYTHON = ("grader/bounce_grader", "tests", "solution")
 SANITIZED = (
     "solution_test",
     "kit_test",

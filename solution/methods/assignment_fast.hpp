@@ -1,19 +1,31 @@
-// The assignment's scheme, the same steps to rounding in half the time.
+// The assignment's scheme, the same steps to rounding in less than half the time.
 //
-// Flight: while y - rho >= delta no corner can be in contact, whatever theta is, and a step is six
+// Flight: while y - rho >= delta no corner can be in contact, whatever theta is, and a step is five
 // additions. Near the ground cos theta and sin theta are carried along: turning by x = dt omega,
 //
 //     cos(theta + x) = cos theta cos x - sin theta sin x,
 //     sin(theta + x) = sin theta cos x + cos theta sin x,
 //
 // where for |x| <= 1/2 eight terms of the one series and seven of the other are exact to rounding,
-// 1e-18 and 5e-17 (x^16 / 16!, x^15 / 15!). Larger turns, and
-// every 256th step, take them from theta anew, so that rounding errors can't add up.
+// 1e-18 and 5e-17 (x^16 / 16!, x^15 / 15!). Larger turns, and every 256th step, take them from
+// theta anew, so that rounding errors can't add up.
 //
-// Divisions: with X = r_x / r_g, Y = r_y / r_g and W = r_g omega, a = 1 + X^2, b = -X Y, c = 1 +
-// Y^2 and v_n = v_y + X W, v_t = v_x - Y W, W' = W + X p_n - Y p_t: r_g^2 is never divided by. What
-// is left is one reciprocal, that of D or of a -+ mu b, which depends on the angle only and so is
-// ready before the velocities are.
+// A step waits for the one before: it needs its angle, and the angle needs the impulse. What counts
+// is therefore the longest chain of operations from angle to angle, and three things keep it short.
+//
+// Units: with X = r_x / r_g, Y = r_y / r_g and W = r_g omega, both a and c lose their division, and
+// v_n = v_y + X W, v_t = v_x - Y W, W' = W + X p_n - Y p_t. The turn x is carried in place of W.
+//
+// Sticking: with w = (X, -Y) the matrix of one_corner.hpp is G = 1 + w w^T, and X^2 + Y^2 = 3 for a
+// square, whatever its angle: det G = 4, and
+//
+//     p = -G^-1 u = -u + w K / 4,    K = w^T u = X u_n - Y u_t,    W' = W - K / 4
+//
+// (Sherman & Morrison 1950), without any division.
+//
+// Sliding: p_t = f p_n with f = -+mu, so that p_n = -u_n / (1 + X (X - f Y)), W' = W + (X - f Y)
+// p_n. The divisor depends on the angle only; each direction is a branch of its own, which the
+// processor foresees, so that the division does not wait for the velocities.
 #pragma once
 
 #include "assignment.hpp"
@@ -39,15 +51,21 @@ inline constexpr double kLargestTurn = 0.5;
   return {c, x * s};
 }
 
-// The same for |x| <= 1/8, where fewer terms do (x^10 / 10! is 3e-16) and the chain is shorter.
-inline constexpr double kSmallTurn = 0.125;
+// A turn by |x| <= 1/32, where four terms do: x^8 / 8! is 2e-17. x sin theta is ready before the
+// series are.
+inline constexpr double kSmallTurn = 1.0 / 32;
 
-inline Turn smaller_turn(double x) {
+inline Turn turned_a_little(const Turn& turn, double x) {
   const double z = x * x, z2 = z * z;
-  const double c = (1 - z / 2) + z2 * ((1.0 / 24 - z * (1.0 / 720)) + z2 * (1.0 / 40320));
-  const double s =
-      (1 - z * (1.0 / 6)) + z2 * ((1.0 / 120 - z * (1.0 / 5040)) + z2 * (1.0 / 362880));
-  return {c, x * s};
+  const double c = (1 - z / 2) + z2 * (1.0 / 24 - z * (1.0 / 720));
+  const double s_per_x = (1 - z * (1.0 / 6)) + z2 * (1.0 / 120 - z * (1.0 / 5040));
+  return {turn.cosine * c - (x * turn.sine) * s_per_x, turn.sine * c + (x * turn.cosine) * s_per_x};
+}
+
+inline Turn turned(const Turn& turn, double x) {
+  const Turn by = small_turn(x);
+  return {turn.cosine * by.cosine - turn.sine * by.sine,
+          turn.sine * by.cosine + turn.cosine * by.sine};
 }
 
 class AssignmentFast {
@@ -56,9 +74,10 @@ class AssignmentFast {
       : k_(params),
         r_g_(std::sqrt(k_.gyration)),
         half_(k_.half / r_g_),
-        dt_theta_(k_.dt / r_g_),
+        turn_per_speed_(k_.dt / r_g_),
+        speed_per_turn_(r_g_ / k_.dt),
         now_{start, {}, 0} {
-    now_.s.omega *= r_g_;
+    now_.s.omega *= k_.dt;
   }
 
   // On copies, which the compiler can keep in registers.
@@ -75,16 +94,16 @@ class AssignmentFast {
 
   Motion<double> motion() const {
     Motion<double> s = now_.s;
-    s.omega /= r_g_;
+    s.omega /= k_.dt;
     return s;
   }
 
  private:
   // What goes from step to step.
   struct Carried {
-    Motion<double> s;  // with W in place of omega
-    Turn turn;
-    int fresh;  // steps until turn is taken from theta again
+    Motion<double> s;  // with the turn of a step, x, in place of omega
+    Turn turn;         // cos theta and sin theta, times l / 2 r_g
+    int fresh;         // steps until turn is taken from theta again
   };
 
   void fall(Motion<double>& s) const {
@@ -92,61 +111,63 @@ class AssignmentFast {
     s.v_y += k_.dv_y;
     s.x += k_.dt * s.v_x;
     s.y += k_.dt * s.v_y;
-    s.theta += dt_theta_ * s.omega;
+    s.theta += s.omega;
   }
 
   void step_near(Carried& c) const {
     if (c.fresh-- == 0) {
-      c.turn = {std::cos(c.s.theta), std::sin(c.s.theta)};
+      c.turn = {half_ * std::cos(c.s.theta), half_ * std::sin(c.s.theta)};
       c.fresh = 255;
     }
-    const Arm<double> r = lowest_arm(half_, c.turn.cosine, c.turn.sine);  // (X, Y)
-    const bool contact = c.s.y + r_g_ * r.y < k_.delta;                   // eq. (11)
+    const Arm<double> r = lowest_arm(1.0, c.turn.cosine, c.turn.sine);  // (X, Y)
+    const bool contact = c.s.y + r_g_ * r.y < k_.delta;                 // eq. (11)
     if (contact) strike_scaled(c.s, r);
     fall(c.s);
     if (contact) c.s.y += k_.delta;  // eq. (14)
-    turn_by(dt_theta_ * c.s.omega, c);
+    turn_by(c.s.omega, c);
   }
 
-  // The cases of one_corner.hpp. While the corner slides, p_t = f p_n with f = -+mu, so that the
-  // divisor is 1 + X (X - f Y), and W' = W + (X - f Y) p_n.
+  // The cases of one_corner.hpp.
   void strike_scaled(Motion<double>& s, const Arm<double>& r) const {
-    const double bounce = 1 + k_.epsilon;
-    const double u_n = (bounce * s.v_y + k_.dv_y) + (bounce * r.x) * s.omega;
+    const double W = speed_per_turn_ * s.omega, bounce = 1 + k_.epsilon;
+    const double u_n = (bounce * s.v_y + k_.dv_y) + r.x * (bounce * W);
     if (u_n >= 0) return;
-    const double u_t = (s.v_x + k_.dv_x) - r.y * s.omega;
-    const double a = 1 + r.x * r.x, b = -r.x * r.y, c = 1 + r.y * r.y;
-    const double N = b * u_t - c * u_n, T = b * u_n - a * u_t;
-    if (std::abs(T) <= k_.mu * N) {
-      const double per_D = 1 / (a * c - b * b), p_n = N * per_D, p_t = T * per_D;
+    const double u_t = (s.v_x + k_.dv_x) - r.y * W;
+    const double quarter = (r.x * u_n - r.y * u_t) / 4;  // K / 4
+    const double p_n = r.x * quarter - u_n, p_t = -(r.y * quarter + u_t);
+    if (std::abs(p_t) <= k_.mu * p_n) {
       s.v_x += p_t;
       s.v_y += p_n;
-      s.omega += r.x * p_n - r.y * p_t;
-      return;
+      s.omega -= turn_per_speed_ * quarter;
+    } else if (p_t < 0) {
+      slide(s, r, u_n, -k_.mu);
+    } else {
+      slide(s, r, u_n, k_.mu);
     }
-    const double f = T < 0 ? -k_.mu : k_.mu, lever = r.x - f * r.y;
-    const double per_divisor = 1 / (1 + r.x * lever), p_n = -u_n * per_divisor;
+  }
+
+  [[gnu::always_inline]] void slide(Motion<double>& s, const Arm<double>& r, double u_n,
+                                    double f) const {
+    const double lever = r.x - f * r.y, per_divisor = 1 / (1 + r.x * lever);
+    const double p_n = -u_n * per_divisor;
     s.v_x += f * p_n;
     s.v_y += p_n;
-    s.omega -= u_n * (lever * per_divisor);
+    s.omega -= (u_n * (turn_per_speed_ * lever)) * per_divisor;
   }
 
   static void turn_by(double x, Carried& c) {
-    Turn by;
     if (std::abs(x) <= kSmallTurn) {
-      by = smaller_turn(x);
+      c.turn = turned_a_little(c.turn, x);
     } else if (std::abs(x) <= kLargestTurn) {
-      by = small_turn(x);
+      c.turn = turned(c.turn, x);
     } else {
       c.fresh = 0;
-      return;
     }
-    c.turn = {c.turn.cosine * by.cosine - c.turn.sine * by.sine,
-              c.turn.sine * by.cosine + c.turn.cosine * by.sine};
   }
 
   StepConstants k_;
-  double r_g_, half_, dt_theta_;  // m; l / 2 r_g, none; dt / r_g, s/m
+  double r_g_, half_;                       // m; l / 2 r_g, none
+  double turn_per_speed_, speed_per_turn_;  // dt / r_g, s/m, and its inverse
   Carried now_;
 };
 

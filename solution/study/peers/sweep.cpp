@@ -1,0 +1,283 @@
+#include "sweep.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+
+#include "../../methods/assignment_fast.hpp"
+#include "../../methods/scheme.hpp"
+
+namespace bounce::study {
+namespace {
+
+using methods::Motion;
+
+constexpr double kLeastNs = 200'000;  // a timing lasts at least so long
+constexpr double kFine = 1e-3;        // m
+
+// One method or peer at one setting, to be timed in turns with the others.
+struct Point {
+  std::string method, limit;
+  bool is_peer;
+  double setting, error;
+  const char* setting_is;
+  std::function<double(long repeats)> time;  // of all of them together, ns
+  long repeats = 1;
+  std::vector<double> ns = {};
+};
+
+void time_in_turns(std::vector<Point>& points, int rounds) {
+  for (Point& point : points)
+    point.repeats = std::max(1L, long(kLeastNs / std::max(point.time(1), 100.0)));
+  for (int round = 0; round < rounds; ++round) {
+    for (Point& point : points)
+      point.ns.push_back(point.time(point.repeats) / double(point.repeats));
+  }
+}
+
+template <class Run>
+double time_of_all(long repeats, const Run& run) {
+  const double start = cpu_ns();
+  for (long i = 0; i < repeats; ++i) run();
+  return cpu_ns() - start;
+}
+
+double time_of_all(const Peer& peer, const Scene& scene, double dt, long repeats) {
+  double sum = 0;
+  for (long i = 0; i < repeats; ++i) sum += time_of(peer, scene, dt);
+  return sum;
+}
+
+// What reading the clock costs, ns.
+double clock_ns() {
+  std::vector<double> times;
+  for (int i = 0; i < 1001; ++i) {
+    const double start = cpu_ns();
+    times.push_back(cpu_ns() - start);
+  }
+  return median(times);
+}
+
+Point point_of(const Peer& peer, const Scene& scene, double dt, const Samples& truth) {
+  const double fitting = fitting_step(scene, dt);
+  return {peer.name,
+          peer.limit,
+          true,
+          fitting,
+          error_of(scene, samples_of(peer, scene, dt), truth),
+          "dt_s",
+          [&peer, &scene, fitting](long repeats) {
+            return time_of_all(peer, scene, fitting, repeats);
+          }};
+}
+
+Point point_of(const Method& method, const Scene& scene, double setting, const Samples& truth) {
+  return {method.name,
+          "",
+          false,
+          method.has_step ? fitting_step(scene, setting) : setting,
+          error_of(scene, method.run(scene, setting), truth),
+          method.has_step ? "dt_s" : "tolerance",
+          [&method, &scene, setting](long repeats) {
+            return time_of_all(repeats, [&] { method.run(scene, setting); });
+          }};
+}
+
+std::vector<double> steps_down_to(double least) {
+  std::vector<double> steps;
+  for (const double dt : {1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 3e-5, 1e-5})
+    if (dt >= least) steps.push_back(dt);
+  return steps;
+}
+
+std::vector<Point> points_of(const Scene& scene, const Peers& peers,
+                             const std::vector<Method>& methods, double least_dt) {
+  const Samples truth = truth_of(scene);
+  std::vector<Point> points;
+  for (const Peer& peer : peers) {
+    if (!peer.swept) continue;
+    for (const double dt : steps_down_to(least_dt))
+      points.push_back(point_of(peer, scene, dt, truth));
+  }
+  for (const Method& method : methods) {
+    for (const double setting : method.settings) {
+      if (!method.has_step || setting >= least_dt)
+        points.push_back(point_of(method, scene, setting, truth));
+    }
+  }
+  return points;
+}
+
+// Why a peer does not get to 1 mm here: it still converges and needs a smaller step, or it has
+// stalled.
+std::string note_of(const std::vector<Point>& points, const Point& point) {
+  if (!point.is_peer) return "";
+  std::vector<const Point*> own;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Point& other : points) {
+    if (other.method != point.method) continue;
+    own.push_back(&other);
+    least = std::min(least, other.error);
+  }
+  if (least <= kFine || own.size() < 3) return "";
+  const Point &last = *own.back(), &before = *own[own.size() - 3];
+  const double order =
+      std::log(before.error / last.error) / std::log(before.setting / last.setting);
+  char text[200];
+  if (order > 0.4) {
+    std::snprintf(text, sizeof text, "order %.1f: would need dt of %.0e s", order,
+                  last.setting * std::pow(kFine / last.error, 1 / order));
+  } else {
+    std::snprintf(text, sizeof text, "stalls at %.0e m: %s", least, point.limit.c_str());
+  }
+  return text;
+}
+
+Table empty_table() {
+  return Table({"scene", "method", "setting", "setting_is", "ns_per_simulated_second",
+                "ns_per_step", "error_m", "note"});
+}
+
+// Digits that give the same double again.
+std::string exactly(double x) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.17g", x);
+  return text;
+}
+
+// A scheme of ours without the samples: the steps alone, as the peers are timed.
+template <class Scheme>
+Point steps_of(const std::string& name, const Scene& scene, const Samples& truth) {
+  const auto start = methods::motion_of<double>(scene.start);
+  const long steps = std::lround(scene.until / scene.params.dt);
+  const Samples samples = methods::sample(Scheme(scene.params, start), kSamples, steps / kSamples);
+  return {name,
+          "",
+          false,
+          scene.params.dt,
+          error_of(scene, samples, truth),
+          "dt_s",
+          [&scene, start, steps](long repeats) {
+            Motion<double> last{};
+            const double ns = time_of_all(repeats, [&] {
+              Scheme scheme(scene.params, start);
+              scheme.steps(steps);
+              last = scheme.motion();
+            });
+            if (std::isnan(last.y)) throw std::runtime_error(scene.name + ": not finite");
+            return ns;
+          }};
+}
+
+}  // namespace
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+Samples samples_of(const Peer& peer, const Scene& scene, double dt) {
+  const double fitting = fitting_step(scene, dt);
+  const long steps = std::lround(scene.until / kSamples / fitting);
+  const auto engine = peer.make(scene, fitting);
+  Motion<double> before = methods::motion_of<double>(scene.start);
+  Samples samples;
+  for (int i = 0; i < kSamples; ++i) {
+    for (long n = 0; n < steps; ++n) engine->step();
+    Motion<double> s = engine->motion();
+    const double expected = before.theta + scene.until / kSamples * (before.omega + s.omega) / 2;
+    const double turn = 2 * std::numbers::pi;
+    s.theta += turn * std::round((expected - s.theta) / turn);
+    samples.push_back(s);
+    before = s;
+  }
+  return samples;
+}
+
+double time_of(const Peer& peer, const Scene& scene, double dt) {
+  const auto engine = peer.make(scene, dt);
+  const long steps = std::lround(scene.until / dt);
+  static const double clock = clock_ns();
+  const double start = cpu_ns();
+  for (long n = 0; n < steps; ++n) engine->step();
+  return cpu_ns() - start - clock;
+}
+
+Table truths(const Scenes& scenes) {
+  Table table({"scene", "t_s", "x_m", "y_m", "theta_rad"});
+  for (const Scene& scene : scenes) {
+    const std::vector<double> times = sample_times(scene);
+    const Samples truth = truth_of(scene);
+    for (std::size_t i = 0; i < truth.size(); ++i) {
+      table.add(scene.name, times[i], exactly(truth[i].x), exactly(truth[i].y),
+                exactly(truth[i].theta));
+    }
+  }
+  return table;
+}
+
+PeersAndOurs sweep(const Scenes& scenes, const Peers& peers, const Extent& extent) {
+  PeersAndOurs tables{empty_table(), empty_table()};
+  const std::vector<Method> methods = all_methods();
+  for (const Scene& scene : scenes) {
+    std::cout << scene.name << "\n" << std::flush;
+    std::vector<Point> points = points_of(scene, peers, methods, extent.least_dt);
+    time_in_turns(points, extent.rounds);
+    for (const Point& point : points) {
+      const double ns = median(point.ns) / scene.until;
+      const bool steps = point.setting_is == std::string("dt_s");
+      (point.is_peer ? tables.peers : tables.ours)
+          .add(scene.name, point.method, point.setting, point.setting_is, ns,
+               steps ? ns * point.setting : 0.0, point.error, note_of(points, point));
+    }
+  }
+  return tables;
+}
+
+Table single_steps(const Scenes& kinds, const Peers& peers, const Extent& extent) {
+  Table table(
+      {"engine", "version", "kind", "dt_s", "ns_per_step", "ns_per_step_ours", "ratio", "error_m"});
+  for (const Scene& scene : kinds) {
+    const Samples truth = truth_of(scene);
+    std::vector<Point> points{steps_of<methods::AssignmentFast>("assignment_fast", scene, truth),
+                              steps_of<methods::Assignment>("assignment", scene, truth)};
+    for (const Peer& peer : peers) points.push_back(point_of(peer, scene, scene.params.dt, truth));
+    time_in_turns(points, 7 * extent.rounds);
+    const double steps = scene.until / scene.params.dt, ours = median(points[0].ns) / steps;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const double ns = median(points[i].ns) / steps;
+      table.add(points[i].method, i < 2 ? std::string("ours") : peers[i - 2].version, scene.name,
+                scene.params.dt, ns, ours, ns / ours, points[i].error);
+    }
+  }
+  return table;
+}
+
+Table settings(const Peers& peers) {
+  Table table({"engine", "title", "version", "swept", "numbers", "planar", "restitution",
+               "friction", "contact", "order"});
+  for (const Peer& peer : peers) {
+    const Settings& s = peer.settings;
+    table.add(peer.name, peer.title, peer.version, peer.swept, s.numbers, s.planar, s.restitution,
+              s.friction, s.contact, s.order);
+  }
+  return table;
+}
+
+Table variants(const Scenes& scenes, const Peers& peers, double dt) {
+  Table table({"scene", "engine", "swept", "dt_s", "error_m"});
+  for (const Scene& scene : scenes) {
+    const Samples truth = truth_of(scene);
+    for (const Peer& peer : peers) {
+      table.add(scene.name, peer.name, peer.swept, fitting_step(scene, dt),
+                error_of(scene, samples_of(peer, scene, dt), truth));
+    }
+  }
+  return table;
+}
+
+}  // namespace bounce::study
