@@ -1,0 +1,1 @@
+"""./kit study: what bounce_study measures, as tables, charts and pages."""
