@@ -23,14 +23,23 @@ struct Spoilt {
   std::function<void(Given&)> spoil;
 };
 
+// A NaN has no sign worth writing.
+std::string words(double x) {
+  if (std::isnan(x)) return "NaN";
+  std::ostringstream text;
+  text.precision(3);
+  text << x;
+  return text.str();
+}
+
 // Where the assignment's scheme takes it in a hundred steps, unless it is checked.
 std::string unchecked(const Given& given) {
   methods::Assignment scheme(given.params, methods::motion_of<double>(given.start));
   scheme.steps(100);
   const auto s = scheme.motion();
   std::ostringstream text;
-  text.precision(3);
-  text << "no error; y = " << s.y << " m, v_y = " << s.v_y << " m/s after a hundred steps";
+  text << "no error; after a hundred steps y = " << words(s.y) << " m, v_y = " << words(s.v_y)
+       << " m/s";
   return text.str();
 }
 
@@ -94,7 +103,6 @@ Table bad_input(const Extent& extent) {
       {"l is 0", [](Given& x) { x.params.l = 0; }},
       {"dt is 0", [](Given& x) { x.params.dt = 0; }},
       {"dt is -0.01 s", [](Given& x) { x.params.dt = -0.01; }},
-      {"T is two billion", [](Given& x) { x.params.T = 2'000'000'000; }},
   };
   Table table({"input", "unchecked", "checked"});
   for (const auto& [input, spoil] : all) {
@@ -102,6 +110,10 @@ Table bad_input(const Extent& extent) {
     spoil(given);
     table.add(input, unchecked(given), checked(given));
   }
+  Given many;
+  many.params.T = 2'000'000'000;
+  table.add("T is two billion", "the columns are asked for, whatever memory there is",
+            checked(many));
   Given denormal;
   denormal.start.v(0) = 1e-310;
   table.add("v is denormal, 1e-310", denormal_words(extent), checked(denormal));

@@ -76,10 +76,14 @@ Table examples() {
   const Least mu = least_over_angles([](const auto& k) { return k.a / std::abs(k.b); });
   table.add("rectangle", "least mu with a <= mu |b|", mu.value, "none");
   table.add("rectangle", "tan alpha there", mu.tan_alpha, "none");
-  const auto found = methods::all_solutions(leaning(std::atan(0.5), 0.1, 1, 2));
+  constexpr double kMu = 2, kApproach = 0.1, kSliding = 1;
+  const auto found = methods::all_solutions(leaning(std::atan(0.5), kApproach, kSliding, kMu));
   std::vector<double> impulses;
   for (int i = 0; i < found.count; ++i) impulses.push_back(found.all[i].n);
   std::sort(impulses.begin(), impulses.end());
+  table.add("painleve", "mu", kMu, "none");
+  table.add("painleve", "p_1", kApproach, "m/s");
+  table.add("painleve", "v_t", kSliding, "m/s");
   table.add("painleve", "solutions", found.count, "none");
   for (const double impulse : impulses) table.add("painleve", "f_n dt / m", impulse, "m/s");
   table.add("gauss_seidel", "defined on the 4x4 of eq. (9)", literal_is_defined(), "none");

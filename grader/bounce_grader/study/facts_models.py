@@ -33,7 +33,7 @@ def facts(tables: Tables) -> dict[str, str]:
         "chosen_most": words.short(max(times)),
         "chosen_median": words.short(words.median(times)),
         "chosen_slower": _slower(chosen.rows),
-        "chosen_steps": words.listed(words.short(float(dt)) for dt in chosen.distinct("dt_s")),
+        "chosen_steps": words.listed(words.plain(float(dt)) for dt in chosen.distinct("dt_s")),
         "chosen_table": _chosen_table(tables),
     }
 
@@ -89,12 +89,13 @@ def _chosen_table(tables: Tables) -> str:
     def line(scene: str) -> list[str]:
         own = chosen.where(scene=scene, dt_s=step)
         used = [
-            f"{MODELS[row['model']][0]} {words.short(number(row, 'seconds'))} s"
+            f"{MODELS[row['model']][0]} {words.plain(number(row, 'seconds'))} s"
             for row in own
             if number(row, "steps") > 0
         ]
+        times = words.short(number(own[0], "times_as_fast"))
         apart = words.metres(number(own[0], "distance_to_whole_m"))
-        return [words.scene(scene), ", ".join(used), apart, own[0]["times_as_fast"][:4].rstrip(".")]
+        return [words.scene(scene), ", ".join(used), apart, times]
 
     header = ["scene", "models, for how long", "distance to the whole model", "times as fast"]
     return words.table(header, map(line, chosen.distinct("scene")))

@@ -24,26 +24,49 @@ def facts(tables: Tables) -> dict[str, str]:
         "event_wins": str(wins),
         "event_wins_finer": str(sum(first[s, FINER] == "event_driven" for s in scenes)),
         "other_wins": words.listed(_others(first, scenes, FINE)),
+        "fixed_reached": str(_reached(ours, scenes, "assignment_fast")),
+        "scaled_reached": str(_reached(ours, scenes, "assignment_delta_dt")),
         "fastest_table": _fastest_table(ours, scenes),
         "reach_table": _reach_table(ours, scenes, tables),
         "failure_table": _failure_table(all_runs),
         "truth_apart": words.metres(_truth_apart(ours)),
-        "coarsest": words.short(max(r.setting for r in ours if r.step)),
-        "finest": words.short(min(r.setting for r in ours if r.step)),
+        "coarsest": words.plain(max(r.setting for r in ours if r.step)),
+        "finest": words.plain(min(r.setting for r in ours if r.step)),
         "profile_table": _profile_table(all_runs),
         "profile_problems": str(len(scenes) * len(runs.TOLERANCES)),
-        "tolerances": words.listed(words.short(t, 1) for t in runs.TOLERANCES),
+        "tolerances": words.listed(map(words.plain, runs.TOLERANCES)),
         **_order(tables),
         **_readme(ours),
         **_ratios(tables),
     }
 
 
+def _reached(ours: list[Run], scenes: list[str], method: str, tolerance: float = FINE) -> int:
+    return sum(math.isfinite(runs.least_time(ours, s, method, tolerance)) for s in scenes)
+
+
 def _peers(all_runs: list[Run]) -> str:
+    """The engines, where they were measured, and how the best of them compares with our best."""
     names = runs.peers(all_runs)
     if not names:
         return ""
-    return f"Beside them, in grey, from [peers.csv](peers.csv): {words.listed(names)}."
+    ours = [run for run in all_runs if not run.peer]
+    engines = [run for run in all_runs if run.peer]
+    sentences = [f"Beside them, in grey, from [peers.csv](peers.csv): {words.listed(names)}."]
+    for tolerance, name in ((FINE, "a millimetre"), (FINER, "a micrometre")):
+        factors = [
+            min(runs.least_time(engines, scene, m, tolerance) for m in names)
+            / min(runs.least_time(ours, scene, m, tolerance) for m in runs.methods(ours))
+            for scene in runs.scenes(engines)
+        ]
+        reached = [factor for factor in factors if math.isfinite(factor)]
+        ahead = sum(factor > 1 for factor in factors)
+        sentence = f"Within {name} a method of ours is faster than all of these in {ahead} of"
+        sentence += f" {len(factors)} scenes"
+        if reached:
+            sentence += f", {words.short(min(reached))} to {words.short(max(reached))} times"
+        sentences.append(f"{sentence}; in {len(factors) - len(reached)} none of these gets there.")
+    return " ".join(sentences)
 
 
 def _others(first: dict[tuple[str, float], str | None], scenes: list[str], t: float) -> list[str]:
@@ -73,10 +96,7 @@ def _reach_table(ours: list[Run], scenes: list[str], tables: Tables) -> str:
 
     def line(method: str) -> list[str]:
         own = [number(row, "times_of_assignment") for row in ratios.where(method=method)]
-        reached = [
-            sum(math.isfinite(runs.least_time(ours, s, method, t)) for s in scenes)
-            for t in (FINE, FINER)
-        ]
+        reached = [_reached(ours, scenes, method, t) for t in (FINE, FINER)]
         spread = f"{words.short(min(own))} to {words.short(max(own))}"
         return [words.method(method), *map(str, reached), words.short(words.median(own)), spread]
 
@@ -136,7 +156,7 @@ def _order(tables: Tables) -> dict[str, str]:
         "order_most": words.short(max(slopes.values())),
         "order_worst": words.metres(last[worst]),
         "order_worst_scene": words.scene(worst),
-        "order_finest": words.short(min(number(row, "dt_s") for row in table.rows)),
+        "order_finest": words.plain(min(number(row, "dt_s") for row in table.rows)),
     }
 
 
@@ -169,7 +189,7 @@ def _ratios(tables: Tables) -> dict[str, str]:
     return {
         "fast_least": words.short(min(gains)),
         "fast_most": words.short(max(gains)),
-        "ratio_dt": words.short(number(fast[0], "setting")),
+        "ratio_dt": words.plain(number(fast[0], "setting")),
     }
 
 

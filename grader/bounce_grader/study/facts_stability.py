@@ -84,8 +84,8 @@ def _rest(tables: Tables) -> Facts:
     }
     still = [name for name in away if away[name] == 0 and drift[name] == 0]
     return found | {
-        "rest_coarse": words.short(number(rows[0], "setting")),
-        "rest_fine": words.short(number(rows[-1], "setting")),
+        "rest_coarse": words.plain(number(rows[0], "setting")),
+        "rest_fine": words.plain(number(rows[-1], "setting")),
         "rest_still": words.listed(words.method(name) for name in still),
     }
 
@@ -107,7 +107,7 @@ def _landing(tables: Tables) -> Facts:
             for row in table.where(method=method)
             if number(row, "theta_rad") > 0 and abs(number(row, "omega_rad_s")) > 0.1
         ]
-        return words.short(min(turning), 1)
+        return words.plain(min(turning))
 
     methods = table.distinct("method")
     return {
@@ -125,16 +125,17 @@ def _landing(tables: Tables) -> Facts:
 
 
 def _depth(tables: Tables) -> Facts:
-    table = tables["depth"]
+    table, far = tables["depth"], 0.05
     row = table.where(method="assignment", speed_m_s="60", dt_s="0.01")[0]
 
     def share(method: str) -> float:
-        fast = [r for r in table.where(method=method) if number(r, "v_dt_m") >= 0.05]
+        fast = [r for r in table.where(method=method) if number(r, "v_dt_m") >= far]
         return words.median(number(r, "depth_m") / number(r, "v_dt_m") for r in fast)
 
     return {
         "depth_speed": row["speed_m_s"],
         "depth_dt": row["dt_s"],
+        "depth_far": words.metres(far),
         "depth_deep": words.metres(number(row, "depth_m")),
         "depth_assignment": words.short(share("assignment")),
         "depth_moreau_jean": words.short(share("moreau_jean_2")),
@@ -144,10 +145,12 @@ def _depth(tables: Tables) -> Facts:
 def _floor(tables: Tables) -> Facts:
     """The error of the fixed delta at the finest step, in units of delta, by scene."""
     table, delta = tables["order"], 1e-3
-    rows = []
+    rows, floors, cured = [], 0, 0
     for scene in table.distinct("scene"):
         fixed = numbers(table.where(scene=scene, method="assignment_fast"), "error_m")
         scaled = numbers(table.where(scene=scene, method="assignment_delta_dt"), "error_m")
+        floor = fixed[-1] > fixed[-2] / 1.2 > 0
+        floors, cured = floors + floor, cured + (floor and scaled[-1] < fixed[-1] / 10)
         rows.append(
             [
                 words.scene(scene),
@@ -157,7 +160,12 @@ def _floor(tables: Tables) -> Facts:
             ]
         )
     header = ["scene", "error, fixed δ, finest Δt", "in units of δ", "error, δ ∝ Δt"]
-    return {"floor_table": words.table(header, rows)}
+    return {
+        "floor_table": words.table(header, rows),
+        "floor_scenes": str(floors),
+        "floor_cured": str(cured),
+        "floor_of": str(len(rows)),
+    }
 
 
 def _sweeps(tables: Tables) -> Facts:
@@ -195,11 +203,15 @@ def _solutions(tables: Tables) -> Facts:
     impulses = tables["examples"].where(example="painleve", quantity="f_n dt / m")
     return {
         "several_below": str(len(below)),
+        "several_points_below": str(sum(number(r, "mu") < number(r, "mu_star") for r in rows)),
         "several_above": str(sum(number(r, "most_solutions") > 1 for r in above)),
         "several_points": str(len(above)),
         "several_most": max((r["most_solutions"] for r in rows), key=float),
         "mu_star_least": words.short(_example(tables, "rectangle", "least mu with a <= mu |b|"), 4),
         "mu_star_tan": words.short(_example(tables, "rectangle", "tan alpha there")),
+        "painleve_mu": words.plain(_example(tables, "painleve", "mu")),
+        "painleve_p_1": words.plain(_example(tables, "painleve", "p_1")),
+        "painleve_v_t": words.plain(_example(tables, "painleve", "v_t")),
         "painleve_impulses": words.listed(row["value"] for row in impulses),
     }
 
@@ -210,12 +222,12 @@ def _flat(tables: Tables) -> Facts:
     wrong = [row for row in rows if number(row, "lemke_8x8_wrong_of_4000") > 0]
     angles = numbers(wrong, "theta_rad")
     return {
-        "flat_theta": words.short(number(worst, "theta_rad")),
+        "flat_theta": words.plain(number(worst, "theta_rad")),
         "flat_residual": words.short(number(worst, "lemke_8x8_residual_m_s")),
         "flat_wrong": str(sum(int(row["lemke_8x8_wrong_of_4000"]) for row in rows)),
         "flat_tried": str(4000 * len(rows)),
-        "flat_from": words.short(min(angles)) if angles else "none",
-        "flat_to": words.short(max(angles)) if angles else "none",
+        "flat_from": words.plain(min(angles)) if angles else "none",
+        "flat_to": words.plain(max(angles)) if angles else "none",
         "flat_merged": words.short(max(numbers(rows, "merged_residual_m_s"))),
     }
 
@@ -226,11 +238,12 @@ def _scales(tables: Tables) -> Facts:
     for step in table.distinct("dt_s"):
         own = table.where(dt_s=step)
         right = [number(r, "m_kg") for r in own if not is_wrong(r, "plain_lemke_error")]
-        rows.append([step, f"{words.short(min(right), 1)} to {words.short(max(right), 1)}"])
+        rows.append(
+            [words.plain(float(step)), f"{words.plain(min(right))} to {words.plain(max(right))}"]
+        )
     return {
         "scale_table": words.table(["Δt, s", "masses with which plain Lemke is right, kg"], rows),
         "scale_given": words.short(max(numbers(table.rows, "given_lemke_error"))),
-        "scale_closed": words.short(max(numbers(table.rows, "closed_form_residual_m_s"))),
     }
 
 

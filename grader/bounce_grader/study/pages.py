@@ -17,6 +17,12 @@ TEMPLATES = Path(__file__).parent / "pages"
 NAME = re.compile(r"\{([a-z0-9_]+)\}")
 IMAGE = re.compile(r"\]\(([a-z_]+\.svg)\)")
 Facts = dict[str, str]
+# What the README of the kit says under its panel.
+README_SENTENCE = (
+    "In the scene {one_scene}, {one_first} simulation comes within a millimetre in {one_first_time} "
+    "per simulated second; the next, {one_second}, takes {one_second_time}, and with fixed δ the "
+    "assignment's scheme never gets closer than {one_fixed}."
+)
 
 
 @dataclass(frozen=True)
@@ -64,9 +70,7 @@ def fill(tables: Tables, charts: set[str]) -> dict[str, str]:
 
 
 def _fill(page: Page, template: str, tables: Tables) -> str:
-    facts = origin(tables[page.needs[0]].origin)
-    for work_out in page.facts:
-        facts |= work_out(tables)
+    facts = _facts(page, tables)
 
     def fact(match: re.Match[str]) -> str:
         if match[1] not in facts:
@@ -74,6 +78,18 @@ def _fill(page: Page, template: str, tables: Tables) -> str:
         return facts[match[1]]
 
     return NAME.sub(fact, template)
+
+
+def facts_of(name: str, tables: Tables) -> Facts:
+    """All that the page may name."""
+    return _facts(next(page for page in PAGES if page.name == name), tables)
+
+
+def _facts(page: Page, tables: Tables) -> Facts:
+    facts = origin(tables[page.needs[0]].origin)
+    for work_out in page.facts:
+        facts |= work_out(tables)
+    return facts
 
 
 def origin(comments: dict[str, str]) -> Facts:

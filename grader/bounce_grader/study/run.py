@@ -67,7 +67,7 @@ def run(request: Request) -> int:
                 _measure(name, request, file)
         say("charts and pages")
         written = _publish(request.out, kept)
-    shutil.rmtree(unfinished)
+    shutil.rmtree(unfinished, ignore_errors=True)
     print(f"{request.out} holds {', '.join(written)}")
     return 0
 
@@ -102,16 +102,16 @@ def _measure(name: str, request: Request, file: Path) -> None:
 
 
 def _publish(out: Path, kept: dict[str, Path]) -> list[str]:
-    """Tables, then the charts and pages of which all tables are there, each whole or not at all."""
+    """The tables, and the charts and pages of which all tables are there; drawn before anything is
+    written, and each written whole or not at all."""
     from bounce_grader.study import charts, pages
 
+    known = {file.stem: tables.read(file) for file in sorted(out.glob("*.csv"))}
+    known |= {name: tables.read(file) for name, file in kept.items()}
+    drawn = charts.draw(known)
+    filled = pages.fill(known, {file.name for file in out.glob("*.svg")} | set(drawn))
     for name, file in kept.items():
         write_whole(out / f"{name}.csv", file.read_bytes())
-    known = {file.stem: tables.read(file) for file in sorted(out.glob("*.csv"))}
-    drawn = charts.draw(known)
-    for name, svg in drawn.items():
-        write_whole(out / name, svg)
-    filled = pages.fill(known, {file.name for file in out.glob("*.svg")})
-    for name, text in filled.items():
+    for name, text in {**drawn, **filled}.items():
         write_whole(out / name, text)
     return [f"{len(kept)} new tables", f"{len(drawn)} charts", f"{len(filled)} pages"]

@@ -24,6 +24,9 @@ class Run:
 
 
 def runs(tables: Tables) -> list[Run]:
+    for name in ("speed_accuracy", *PEERS):
+        if name in tables:
+            tables[name].require(COLUMNS)
     ours = [_run(row, False) for row in tables["speed_accuracy"].rows]
     scenes = {run.scene for run in ours}
     peers = [_run(row, True) for name in PEERS if name in tables for row in tables[name].rows]

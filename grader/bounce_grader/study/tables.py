@@ -1,7 +1,6 @@
 """The tables that bounce_study writes, read: comments above the header say where they are from."""
 
 import csv
-from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -23,22 +22,23 @@ class Table:
         """In the order in which they come."""
         return list(dict.fromkeys(row[column] for row in self.rows))
 
+    def require(self, columns: tuple[str, ...]) -> None:
+        for column in columns:
+            if not self.rows or column not in self.rows[0]:
+                raise UsageError(f"{self.name}.csv has no column {column}; measure it again")
+
 
 Tables = dict[str, Table]
-Find = Callable[[str], Path]
 
 
-def read(file: Path, columns: tuple[str, ...] = ()) -> Table:
-    """Raises UsageError, naming the file and the column, where it isn't such a table."""
+def read(file: Path) -> Table:
+    """Raises UsageError, naming the file, where it isn't such a table."""
     try:
         lines = file.read_text(encoding="utf-8").splitlines()
     except (OSError, UnicodeDecodeError) as error:
         raise UsageError(f"{file} can't be read: {error}") from error
     comments = [line[2:].partition(": ") for line in lines if line.startswith("# ")]
     body = csv.DictReader(line for line in lines if not line.startswith("#"))
-    for column in columns:
-        if column not in (body.fieldnames or ()):
-            raise UsageError(f"{file}: there is no column {column}; measure it again")
     rows = list(body)
     if any(None in row or None in row.values() for row in rows):
         raise UsageError(f"{file}: a row has another number of fields; measure it again")

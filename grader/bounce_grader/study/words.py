@@ -21,6 +21,13 @@ def short(value: float, digits: int = 2) -> str:
     return f"{mantissa}e{int(power)}"
 
 
+def plain(value: float) -> str:
+    """A setting: 0.001, 1e-5, 0.013."""
+    text = f"{value:.2g}"
+    mantissa, e, power = text.partition("e")
+    return f"{mantissa}e{int(power)}" if e else text
+
+
 def time(ns: float) -> str:
     for size, unit in UNITS:
         if ns >= size:
