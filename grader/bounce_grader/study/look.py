@@ -45,9 +45,9 @@ class Style:
 
 
 METHODS = {
-    "assignment": Style("assignment, fixed δ, plain", BLACK, "o", (0, (4, 2))),
-    "assignment_fast": Style("assignment, fixed δ, fast", ORANGE, "s"),
-    "assignment_delta_dt": Style("assignment, δ ∝ Δt, fast", VERMILION, "D", (0, (6, 1, 1, 1))),
+    "assignment": Style("assignment, plain", BLACK, "o", (0, (4, 2))),
+    "assignment_fast": Style("assignment, fast", ORANGE, "s"),
+    "assignment_delta_dt": Style("assignment, δ ∝ Δt", VERMILION, "D", (0, (6, 1, 1, 1))),
     "assignment_delta_0": Style("assignment, δ = 0", GREY, "*", (0, (1, 1))),
     "moreau_jean_1": Style("Moreau–Jean, one corner", SKY, "^", (0, (2, 1))),
     "moreau_jean_2": Style("Moreau–Jean, two corners", BLUE, "v"),

@@ -105,13 +105,17 @@ def _publish(out: Path, kept: dict[str, Path]) -> list[str]:
     """The tables, and the charts and pages of which all tables are there; drawn before anything is
     written, and each written whole or not at all."""
     from bounce_grader.study import charts, pages
+    from bounce_grader.study.runs import PEERS
 
-    known = {file.stem: tables.read(file) for file in sorted(out.glob("*.csv"))}
+    there = [out / f"{name}.csv" for name in (*QUESTIONS, *PEERS)]
+    known = {file.stem: tables.read(file) for file in there if file.exists()}
     known |= {name: tables.read(file) for name, file in kept.items()}
     drawn = charts.draw(known)
     filled = pages.fill(known, {file.name for file in out.glob("*.svg")} | set(drawn))
     for name, file in kept.items():
         write_whole(out / f"{name}.csv", file.read_bytes())
-    for name, text in {**drawn, **filled}.items():
+    for name, svg in drawn.items():
+        write_whole(out / name, svg)
+    for name, text in filled.items():
         write_whole(out / name, text)
     return [f"{len(kept)} new tables", f"{len(drawn)} charts", f"{len(filled)} pages"]
