@@ -2,6 +2,7 @@
 profile."""
 
 import math
+import textwrap
 from typing import Any
 
 from bounce_grader.study import look, runs
@@ -24,8 +25,8 @@ def panels(tables: Tables) -> bytes:
     for axes in grid.flat[len(scenes) :]:
         axes.axis("off")
     _label(grid)
-    _key(grid.flat[len(scenes)], figure, all_runs, letters)
-    figure.tight_layout()
+    _legend(grid.flat[len(scenes)], all_runs)
+    _foot(figure, letters, 180)
     return look.svg(figure)
 
 
@@ -33,16 +34,15 @@ def one(tables: Tables) -> bytes:
     """A single panel, for the README."""
     all_runs = [run for run in runs.runs(tables) if run.scene == README_SCENE]
     plt = look.pyplot()
-    figure, (axes, key) = plt.subplots(
-        1, 2, figsize=(8.4, 4.4), gridspec_kw={"width_ratios": [1.7, 1]}
-    )
+    ratios = {"width_ratios": [2.2, 1]}
+    figure, (axes, key) = plt.subplots(1, 2, figsize=(8.4, 4.6), gridspec_kw=ratios)
     letters = _letters(all_runs)
     _panel(axes, all_runs, README_SCENE, letters)
     axes.set_xlabel("error, m")
     axes.set_ylabel("CPU time per simulated second, ns")
     key.axis("off")
-    _key(key, figure, all_runs, letters)
-    figure.tight_layout()
+    _legend(key, all_runs)
+    _foot(figure, letters, 125)
     return look.svg(figure)
 
 
@@ -54,7 +54,7 @@ def _panel(axes: Any, all_runs: list[Run], scene: str, letters: dict[str, str]) 
     axes.axvline(look.FINE, color="black", linewidth=0.8, linestyle=(0, (1, 2)))
     axes.set_title(scene.replace("_", " "))
     placed: list[tuple[float, float]] = []
-    for method in reversed(runs.methods(all_runs)):
+    for method in runs.methods(all_runs)[::-1]:
         own = [r for r in all_runs if r.scene == scene and r.method == method]
         own = [r for r in own if math.isfinite(r.error)]
         if own:
@@ -71,33 +71,53 @@ def _line(
     own = sorted(own, key=lambda run: -run.setting)
     x, y = [max(run.error, LEFT) for run in own], [run.ns for run in own]
     axes.plot(x, y, **style.line(), zorder=2 if own[0].peer else 3)
-    last = own[-1]
     if min(run.error for run in own) > look.FINE:
         marker = "o" if style.marker in look.PEER_MARKERS else style.marker
         axes.plot(x[-1:], y[-1:], marker, mfc="white", mec=style.color, ms=8, zorder=4)
         axes.annotate(
-            letters[runs.reason(last.note)],
+            letters[runs.reason(own)],
             (x[-1], y[-1]),
             (7, -3),
             textcoords="offset points",
             fontsize=8,
             fontweight="bold",
         )
+    if own[0].peer:
+        _name(axes, style, (x[-1], y[-1]), placed)
+        return
     for run, spot in zip(own, zip(x, y)):
         _setting(axes, run, spot, style, placed)
 
 
+def _name(
+    axes: Any, style: look.Style, spot: tuple[float, float], placed: list[tuple[float, float]]
+) -> None:
+    """Of another engine, at the end of its line, where there is room."""
+    if _has_room(spot, placed):
+        place = {"textcoords": "offset points", "ha": "center", "va": "bottom"}
+        axes.annotate(style.label, spot, (0, 5), fontsize=6, color="#555555", zorder=5, **place)
+
+
+def _has_room(spot: tuple[float, float], placed: list[tuple[float, float]]) -> bool:
+    """Whether no text stands there yet; takes the place."""
+    here = (math.log10(spot[0]) / 1.25, math.log10(spot[1]) / 0.4)
+    if any(abs(here[0] - x) < 1 and abs(here[1] - y) < 1 for x, y in placed):
+        return False
+    placed.append(here)
+    return True
+
+
 def _setting(
-    axes: Any, run: Run, spot: tuple[float, float], style: look.Style, placed: list[Any]
+    axes: Any,
+    run: Run,
+    spot: tuple[float, float],
+    style: look.Style,
+    placed: list[tuple[float, float]],
 ) -> None:
     """The step or the tolerance at a point, in powers of ten, where there is room."""
     power = math.log10(run.setting)
-    here = (math.log10(spot[0]) / 1.25, math.log10(spot[1]) / 0.4)
-    if abs(power - round(power)) > 1e-4:
+    if abs(power - round(power)) > 1e-4 or not _has_room(spot, placed):
         return
-    if any(abs(here[0] - x) < 1 and abs(here[1] - y) < 1 for x, y in placed):
-        return
-    placed.append(here)
     inside = spot[0] <= LEFT  # in the strip there is room on the right only
     axes.annotate(
         f"1e{round(power)}",
@@ -119,7 +139,7 @@ def _letters(all_runs: list[Run]) -> dict[str, str]:
         for method in runs.methods(all_runs):
             own = [r for r in all_runs if r.scene == scene and r.method == method]
             if own and min(r.error for r in own) > look.FINE:
-                reasons.append(runs.reason(own[-1].note))
+                reasons.append(runs.reason(own))
     return {text: look.letter(i) for i, text in enumerate(sorted(set(reasons)))}
 
 
@@ -134,21 +154,25 @@ def _label(grid: Any) -> None:
         axes.set_ylabel("CPU time per simulated second, ns")
 
 
-def _key(axes: Any, figure: Any, all_runs: list[Run], letters: dict[str, str]) -> None:
-    import textwrap
-
+def _legend(axes: Any, all_runs: list[Run]) -> None:
     others = runs.peers(all_runs)
     plt = look.pyplot()
     shown = [look.style(method, others) for method in runs.methods(all_runs)]
     handles = [plt.Line2D([], [], label=style.label, **style.line()) for style in shown]
     handles.append(plt.Line2D([], [], color="black", linewidth=0.8, ls=(0, (1, 2)), label="1 mm"))
     axes.legend(handles=handles, loc="upper left", handlelength=3.2, labelspacing=0.35)
-    words = ["At points: Δt in s; event-driven: the tolerance.", "Grey strip: 1e-8 m or less."]
+
+
+def _foot(figure: Any, letters: dict[str, str], width: int) -> None:
+    """What the marks mean, below the panels."""
+    words = "At points: Δt in s; event-driven: the tolerance. Grey strip: 1e-8 m or less."
     if letters:
-        words.append("Open mark: never within 1 mm, because")
-    words += [f"{letters[text]}  {text}" for text in letters]
-    wrapped = [line for word in words for line in textwrap.wrap(word, 48, subsequent_indent="    ")]
-    axes.text(0.02, -0.06, "\n".join(wrapped), transform=axes.transAxes, fontsize=7, va="bottom")
+        words += " An open mark ends a line that is never within 1 mm, because "
+        words += "; ".join(f"({letters[text]}) {text}" for text in letters) + "."
+    lines = textwrap.wrap(words, width)
+    room = (len(lines) + 0.5) * 0.155 / figure.get_figheight()
+    figure.text(0.02, 0.1 / figure.get_figheight(), "\n".join(lines), va="bottom", fontsize=7.5)
+    figure.tight_layout(rect=(0, room, 1, 1))
 
 
 def order(tables: Tables) -> bytes:
@@ -169,7 +193,10 @@ def order(tables: Tables) -> bytes:
             kept = [(a, b) for a, b in zip(x, y) if math.isfinite(b) and b > 1e-7]
             if kept:
                 line = look.style(method, []).line()
-                axes.plot(*zip(*kept), **{**line, "linewidth": 1.0})
+                axes.plot(
+                    *zip(*kept),
+                    **{**line, "linewidth": 1.0, "markersize": 0.8 * line["markersize"]},
+                )
         if not axes.lines:
             look.note(axes, "every method is exact here")
     for axes in grid.flat[len(scenes) :]:

@@ -18,8 +18,7 @@ def add(commands: Any) -> None:
 
 
 def _study(options: argparse.Namespace) -> int:
-    from bounce_grader.paths import ROOT
     from bounce_grader.study import run
 
-    out = options.out or ROOT / "docs" / "studies"
+    out = options.out or run.STUDIES
     return run.run(run.Request(out.absolute(), options.quick, tuple(options.questions)))

@@ -64,8 +64,10 @@ def _peers(all_runs: list[Run]) -> str:
         sentence = f"Within {name} a method of ours is faster than all of these in {ahead} of"
         sentence += f" {len(factors)} scenes"
         if reached:
-            sentence += f", {words.short(min(reached))} to {words.short(max(reached))} times"
-        sentences.append(f"{sentence}; in {len(factors) - len(reached)} none of these gets there.")
+            sentence += f", at least {words.short(min(reached))} times"
+        if len(reached) < len(factors):
+            sentence += f"; in {len(factors) - len(reached)} none of these gets there"
+        sentences.append(f"{sentence}.")
     return " ".join(sentences)
 
 
@@ -118,9 +120,7 @@ def _failure_table(all_runs: list[Run]) -> str:
             own = [r for r in all_runs if r.scene == scene and r.method == method]
             if own and min(r.error for r in own) > look.FINE:
                 least = words.metres(min(r.error for r in own))
-                reasons.setdefault(runs.reason(own[-1].note), []).append(
-                    f"{words.scene(scene)} ({least})"
-                )
+                reasons.setdefault(runs.reason(own), []).append(f"{words.scene(scene)} ({least})")
         rows += [[words.method(method), why, ", ".join(where)] for why, where in reasons.items()]
     return words.table(["method", "why it stays above 1 mm", "scenes (its least error)"], rows)
 

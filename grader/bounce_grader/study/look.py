@@ -25,8 +25,6 @@ SETTINGS = {
     "axes.grid": True,
     "grid.color": "#dddddd",
     "grid.linewidth": 0.5,
-    "lines.linewidth": 1.3,
-    "lines.markersize": 4.0,
     "axes.axisbelow": True,
     "legend.frameon": False,
     "hatch.linewidth": 0.6,
@@ -39,22 +37,30 @@ class Style:
     color: str
     marker: str
     dash: Any = "-"
+    size: float = 4.5  # of the marker; those with arms need more to be told from a dot
+    width: float = 1.3
 
     def line(self) -> dict[str, Any]:
-        return {"color": self.color, "marker": self.marker, "linestyle": self.dash}
+        return {
+            "color": self.color,
+            "marker": self.marker,
+            "linestyle": self.dash,
+            "markersize": self.size,
+            "linewidth": self.width,
+        }
 
 
 METHODS = {
     "assignment": Style("assignment, plain", BLACK, "o", (0, (4, 2))),
     "assignment_fast": Style("assignment, fast", ORANGE, "s"),
     "assignment_delta_dt": Style("assignment, δ ∝ Δt", VERMILION, "D", (0, (6, 1, 1, 1))),
-    "assignment_delta_0": Style("assignment, δ = 0", GREY, "*", (0, (1, 1))),
+    "assignment_delta_0": Style("assignment, δ = 0", GREY, "*", (0, (1, 1)), 7.0),
     "moreau_jean_1": Style("Moreau–Jean, one corner", SKY, "^", (0, (2, 1))),
     "moreau_jean_2": Style("Moreau–Jean, two corners", BLUE, "v"),
-    "penalty": Style("penalty", PURPLE, "P", (0, (1, 1.5))),
-    "event_driven": Style("event-driven", GREEN, "X"),
+    "penalty": Style("penalty", PURPLE, "P", (0, (1, 1.5)), 6.5),
+    "event_driven": Style("event-driven", GREEN, "X", "-", 6.5),
 }
-PEER_MARKERS = ("1", "2", "3", "4", "+", "x", "|", "_", ".")
+PEER_MARKERS = ("x", "+", "1", "2", "|", "3", "_", "4", ".")
 PEER_DASHES: tuple[Any, ...] = ((0, (5, 1)), (0, (3, 1, 1, 1)), (0, (1, 1)))
 
 
@@ -64,7 +70,7 @@ def style(method: str, others: list[str]) -> Style:
         return METHODS[method]
     i = others.index(method)
     marker, dash = PEER_MARKERS[i % len(PEER_MARKERS)], PEER_DASHES[i % len(PEER_DASHES)]
-    return Style(method, GREY, marker, dash)
+    return Style(method, GREY, marker, dash, 5.5, 0.8)
 
 
 def pyplot() -> Any:

@@ -17,7 +17,8 @@ TEMPLATES = Path(__file__).parent / "pages"
 NAME = re.compile(r"\{([a-z0-9_]+)\}")
 IMAGE = re.compile(r"\]\(([a-z_]+\.svg)\)")
 Facts = dict[str, str]
-# What the README of the kit says under its panel.
+# What the README of the kit says under its panel, in the line after the next.
+PANEL = re.compile(r"(?<=speed_accuracy_one\.svg\)\n\n).+")
 README_SENTENCE = (
     "In the scene {one_scene}, the fastest method within a millimetre ({one_first}) takes "
     "{one_first_time} per simulated second, and the fastest of those that step ({one_second}) "
@@ -32,6 +33,7 @@ class Page:
     facts: tuple[Callable[[Tables], Facts], ...]
 
 
+SPEED_PAGE = "speed_accuracy.md"
 SPEED = ("speed_accuracy", "speed_ratios", "order")
 STABILITY = (
     "energy_gain",
@@ -48,7 +50,7 @@ STABILITY = (
 )
 MODELS = ("least_model", "chosen_model")
 PAGES = (
-    Page("speed_accuracy.md", SPEED, (facts_speed.facts,)),
+    Page(SPEED_PAGE, SPEED, (facts_speed.facts,)),
     Page("stability.md", STABILITY, (facts_stability.facts,)),
     Page("least_model.md", MODELS, (facts_models.facts,)),
     Page(
@@ -78,6 +80,12 @@ def _fill(page: Page, template: str, tables: Tables) -> str:
         return facts[match[1]]
 
     return NAME.sub(fact, template)
+
+
+def with_panel(readme: str, tables: Tables) -> str:
+    """The kit's README with the sentence under its panel as the tables have it now."""
+    sentence = README_SENTENCE.format(**facts_of(SPEED_PAGE, tables))
+    return PANEL.sub(lambda _: sentence, readme)
 
 
 def facts_of(name: str, tables: Tables) -> Facts:

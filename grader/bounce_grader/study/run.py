@@ -15,12 +15,13 @@ from pathlib import Path
 from bounce_grader import processes
 from bounce_grader.errors import KitError, UsageError
 from bounce_grader.files import write_whole
-from bounce_grader.paths import BUILD, FIXTURES
+from bounce_grader.paths import BUILD, FIXTURES, ROOT
 from bounce_grader.study import tables
 from bounce_grader.study.progress import progress
 
 PROGRAM = BUILD / "bounce_study"
 SCENES = FIXTURES / "scenes"
+STUDIES = ROOT / "docs" / "studies"  # their panel is in the README too
 UNFINISHED = ".unfinished"
 QUESTIONS = (
     "examples",
@@ -118,4 +119,7 @@ def _publish(out: Path, kept: dict[str, Path]) -> list[str]:
         write_whole(out / name, svg)
     for name, text in filled.items():
         write_whole(out / name, text)
+    if out == STUDIES and pages.SPEED_PAGE in filled:
+        readme = ROOT / "README.md"
+        write_whole(readme, pages.with_panel(readme.read_text(encoding="utf-8"), known))
     return [f"{len(kept)} new tables", f"{len(drawn)} charts", f"{len(filled)} pages"]

@@ -75,10 +75,15 @@ def fastest(all_runs: list[Run], scene: str, tolerance: float) -> str | None:
     return method if math.isfinite(times[method]) else None
 
 
-def reason(note: str) -> str:
-    """Why a method stays above the line, without the numbers of this scene."""
-    if note.startswith("order"):
-        return "still converges: needs a smaller Δt than was tried"
+def reason(own: list[Run]) -> str:
+    """Why a method stays above the line in a scene, without the numbers of this scene: by its note,
+    or by its last two steps where a table has none."""
+    note = own[-1].note
     if note.startswith("stalls"):
-        return note.partition(": ")[2]
-    return note or "no reason recorded"
+        return note.partition(": ")[2].replace("delta ", "δ ").replace(" dt ", " Δt ")
+    if note and not note.startswith("order"):
+        return note
+    finest = sorted(own, key=lambda run: run.setting)[:2]
+    if note or (len(finest) == 2 and finest[0].error < 0.7 * finest[1].error):
+        return "still converges: needs a smaller Δt than was tried"
+    return "stalls: a smaller Δt does not help"
