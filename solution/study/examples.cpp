@@ -13,7 +13,6 @@ namespace bounce::study {
 namespace {
 
 using methods::Arm;
-using methods::Collision;
 using methods::ImpactLaw;
 
 constexpr double kGyration = 1.0 / 3;  // of a rectangle whose corner is 1 from the centre
@@ -79,6 +78,7 @@ Table examples() {
   constexpr double kMu = 2, kApproach = 0.1, kSliding = 1;
   const auto found = methods::all_solutions(leaning(std::atan(0.5), kApproach, kSliding, kMu));
   std::vector<double> impulses;
+  impulses.reserve(std::size_t(found.count));
   for (int i = 0; i < found.count; ++i) impulses.push_back(found.all[i].n);
   std::sort(impulses.begin(), impulses.end());
   table.add("painleve", "mu", kMu, "none");

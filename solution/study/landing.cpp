@@ -37,9 +37,12 @@ Table flat_landing() {
   Table table({"method", "theta_rad", "omega_rad_s"});
   const Parameters params;
   const auto add = [&](const char* name, const auto& omega_of) {
-    for (const int sign : {-1, 1})
-      for (int i = 16; i >= 1; --i)
-        table.add(name, sign * std::pow(10.0, -i), omega_of(params, sign * std::pow(10.0, -i)));
+    for (const int sign : {-1, 1}) {
+      for (int i = 16; i >= 1; --i) {
+        const double theta = sign * std::pow(10.0, -i);
+        table.add(name, theta, omega_of(params, theta));
+      }
+    }
     table.add(name, 0.0, omega_of(params, 0.0));
   };
   add("assignment", turning<methods::Assignment>);

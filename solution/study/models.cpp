@@ -32,6 +32,7 @@ Table least_model(const Scenes& scenes, const Extent& extent) {
   for (const Scene& scene : scenes) {
     const Samples truth = truth_of(scene);
     std::vector<Job> jobs;
+    jobs.reserve(kRungs);
     for (int i = 0; i < kRungs; ++i) jobs.push_back({[&scene, i] { run_model(scene, Rung(i)); }});
     time_in_turn(jobs, extent);
     bool found = false;

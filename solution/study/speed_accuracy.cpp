@@ -20,9 +20,10 @@ struct Point {
 std::vector<Point> points_of(const Scene& scene, const std::vector<Method>& all) {
   const Samples truth = truth_of(scene);
   std::vector<Point> points;
-  for (const Method& method : all)
+  for (const Method& method : all) {
     for (const double setting : method.settings)
       points.push_back({&method, setting, error_of(scene, method.run(scene, setting), truth)});
+  }
   return points;
 }
 
@@ -109,6 +110,7 @@ Table speed_ratios(const Scenes& scenes, const Extent& extent) {
   const std::vector<Method> all = all_methods();
   for (const Scene& scene : scenes) {
     std::vector<Job> jobs;
+    jobs.reserve(all.size());
     for (const Method& method : all)
       jobs.push_back(job_of(scene, method, method.has_step ? kStep : kTolerance));
     time_in_turn(jobs, extent);

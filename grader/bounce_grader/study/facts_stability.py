@@ -40,6 +40,7 @@ def _energy(tables: Tables) -> Facts:
     gains = [row for row in newton if number(row, "largest_gain") > LEAST_GAIN]
     below = [r for r in gains if number(r, "epsilon") < number(r, "limit_epsilon")]
     above = [r for r in newton if number(r, "epsilon") > number(r, "limit_epsilon")]
+    missed = len(above) - (len(gains) - len(below))
     largest = max(gains, key=lambda row: number(row, "largest_gain"))
     others = [
         number(row, "largest_gain") for row in table.rows if row["law"] in ("poisson", "stronge")
@@ -56,7 +57,9 @@ def _energy(tables: Tables) -> Facts:
         "gain_count": str(len(gains)),
         "gain_below": str(len(below)),
         "gain_above": str(len(above)),
-        "gain_missed": str(len(above) - (len(gains) - len(below))),
+        "gain_missed": f"all but {missed} do (angles and directions are sampled)"
+        if missed
+        else "all do",
         "gain_largest": f"{100 * number(largest, 'largest_gain'):.0f} %",
         "gain_largest_mu": largest["mu"],
         "gain_largest_epsilon": largest["epsilon"],
@@ -145,12 +148,15 @@ def _depth(tables: Tables) -> Facts:
 def _floor(tables: Tables) -> Facts:
     """The error of the fixed delta at the finest step, in units of delta, by scene."""
     table, delta = tables["order"], 1e-3
-    rows, floors, cured = [], 0, 0
+    rows = []
+    cured: list[str] = []
+    uncured: list[str] = []
     for scene in table.distinct("scene"):
         fixed = numbers(table.where(scene=scene, method="assignment_fast"), "error_m")
         scaled = numbers(table.where(scene=scene, method="assignment_delta_dt"), "error_m")
         floor = fixed[-1] > fixed[-2] / 1.2 > 0
-        floors, cured = floors + floor, cured + (floor and scaled[-1] < fixed[-1] / 10)
+        if floor:
+            (cured if scaled[-1] < fixed[-1] / 10 else uncured).append(words.scene(scene))
         rows.append(
             [
                 words.scene(scene),
@@ -162,8 +168,9 @@ def _floor(tables: Tables) -> Facts:
     header = ["scene", "error, fixed δ, finest Δt", "in units of δ", "error, δ ∝ Δt"]
     return {
         "floor_table": words.table(header, rows),
-        "floor_scenes": str(floors),
-        "floor_cured": str(cured),
+        "floor_scenes": str(len(cured) + len(uncured)),
+        "floor_cured": str(len(cured)),
+        "floor_uncured": words.listed(uncured),
         "floor_of": str(len(rows)),
     }
 
