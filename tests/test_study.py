@@ -273,6 +273,8 @@ def test_further_tables_of_the_same_columns_are_drawn_in_grey() -> None:
     assert len(draw(known)) > len(draw(alone))
     page = pages.fill(known, {file.name for file in STUDIES.glob("*.svg")})["speed_accuracy.md"]
     assert "[peers.csv](peers.csv): engine" in page
+    assert "(peers.md)" in pages.facts_of("README.md", known)["peers_row"]
+    assert pages.facts_of("README.md", alone)["peers_row"] == ""
 
 
 # --- pages ---
@@ -285,9 +287,9 @@ def test_pages_are_their_templates_filled_from_the_tables_beside_them() -> None:
         assert text == (STUDIES / name).read_text(encoding="utf-8"), name
 
 
-@pytest.mark.parametrize("template", sorted(pages.TEMPLATES.glob("*.md")), ids=lambda f: f.name)
-def test_templates_have_no_numbers_of_their_own(template: Path) -> None:
-    text = pages.NAME.sub("", template.read_text(encoding="utf-8"))
+@pytest.mark.parametrize("page", [page.name for page in pages.PAGES])
+def test_templates_have_no_numbers_of_their_own(page: str) -> None:
+    text = pages.NAME.sub("", (pages.TEMPLATES / page).read_text(encoding="utf-8"))
     text = re.sub(r"\(eq\. \d+\)|\]\([^)]*\)", "", text)  # equations, and where links lead
     known = (
         "1 − b²/(ac)",
@@ -362,3 +364,11 @@ def test_event_driven_comes_within_a_micrometre_in_every_scene() -> None:
     all_runs = runs.runs(committed())
     for scene in runs.scenes(all_runs):
         assert runs.least_time(all_runs, scene, "event_driven", 1e-6) < 1e6
+
+
+@pytest.mark.long
+def test_the_quick_study_is_whole(tmp_path: Path) -> None:
+    assert run.run(Request(tmp_path, quick=True)) == 0
+    expected = {f"{name}.csv" for name in QUESTIONS} | {chart.name for chart in charts.CHARTS}
+    expected |= {page.name for page in pages.PAGES}
+    assert {file.name for file in tmp_path.iterdir()} == expected

@@ -83,7 +83,7 @@ std::vector<std::string> origin(int core, const Extent& extent) {
   const std::string pinned = core < 0 ? "not pinned" : "pinned to core " + std::to_string(core);
   return {"# machine: " + processor() + ", " + std::to_string(std::thread::hardware_concurrency()) +
               " cores, " + pinned,
-          "# compiler: " + compiler(), "# flags: -std=c++20 " BOUNCE_FLAGS,
+          "# compiler: " + compiler(), std::string("# flags: -std=c++20 ") + BOUNCE_FLAGS,
           "# times: CPU time, the median of " + std::to_string(extent.rounds) +
               " rounds in which all take turns, each at least " + text_of(extent.least_ns / 1e6) +
               " ms",

@@ -21,6 +21,7 @@ def facts(tables: Tables) -> dict[str, str]:
         "methods": str(len(runs.methods(ours))),
         "runs": str(len(ours)),
         "peers": _peers(all_runs),
+        "peers_row": _peers_row(all_runs),
         "event_wins": str(wins),
         "event_wins_finer": str(sum(first[s, FINER] == "event_driven" for s in scenes)),
         "other_wins": words.listed(_others(first, scenes, FINE)),
@@ -69,6 +70,14 @@ def _peers(all_runs: list[Run]) -> str:
             sentence += f"; in {len(factors) - len(reached)} none of these gets there"
         sentences.append(f"{sentence}.")
     return " ".join(sentences)
+
+
+def _peers_row(all_runs: list[Run]) -> str:
+    """A row for the page on the engines, which is there when they were measured."""
+    if not runs.peers(all_runs):
+        return ""
+    compared = _peers(all_runs).partition(". ")[2]
+    return f"| [engines that people use](peers.md) | {compared} |\n"
 
 
 def _others(first: dict[tuple[str, float], str | None], scenes: list[str], t: float) -> list[str]:
