@@ -43,7 +43,13 @@ class Line:
 def run() -> int:
     subprocess.run([str(BUILD / "kit_bench"), str(REFERENCE_RUNNER)], check=True)
     print()
+    from bounce_grader.study import bench as methods
+
     reached = True
+    for line in methods.lines():
+        print(line, flush=True)
+        reached = reached and line.reached
+    print()
     with tempfile.TemporaryDirectory(prefix="bounce-bench-") as name:
         for measure in (_one, _plain, _many, _at_once, _memory):
             for line in measure(Path(name)):

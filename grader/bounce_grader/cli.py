@@ -10,6 +10,7 @@ from bounce_grader import __version__, formats
 from bounce_grader.classroom import cli as class_cli
 from bounce_grader.errors import KitError, UsageError
 from bounce_grader.escape import said, terminal
+from bounce_grader.study import cli as study_cli
 
 
 def main(arguments: list[str]) -> int:
@@ -86,6 +87,8 @@ def _parser() -> argparse.ArgumentParser:
     handout = commands.add_parser("handout", help="write what students receive, as a zip")
     handout.add_argument("--out", type=Path, required=True, metavar="FILE.zip")
     handout.set_defaults(command=_handout)
+
+    study_cli.add(commands)
 
     bench = commands.add_parser("bench", help="measure the grader's speed")
     bench.add_argument("what", nargs="?", choices=["grade", "class"], default="grade")

@@ -59,9 +59,22 @@ double fitting_step(const Scene& scene, double dt) {
 }
 
 Samples truth_of(const Scene& scene) {
-  Samples samples = run_events(scene, {});
-  if (samples.size() != kSamples)
+  EventOptions options;
+  options.tolerance = 1e-18;
+  options.cut = 1e-8;
+  std::vector<long double> times;
+  times.reserve(kSamples);
+  for (int i = 1; i <= kSamples; ++i) times.push_back((long double)(scene.until) * i / kSamples);
+  const auto exact = simulate_events<long double>(
+      scene.params, methods::motion_of<long double>(scene.start), times, options);
+  if (exact.size() != kSamples)
     throw std::runtime_error(scene.name + ": the truth reached its cap on events");
+  Samples samples;
+  samples.reserve(exact.size());
+  for (const auto& s : exact) {
+    samples.push_back(
+        {double(s.x), double(s.y), double(s.theta), double(s.v_x), double(s.v_y), double(s.omega)});
+  }
   return samples;
 }
 

@@ -26,7 +26,9 @@ std::vector<Method> all_methods();
 
 std::vector<double> sample_times(const Scene& scene);
 
-// The truth; throws std::runtime_error where the cap on events was reached.
+// The truth: event-driven in long double, with tolerances a thousandth of any method's, so that the
+// event-driven method in double has an error that can be seen. Throws std::runtime_error where the
+// cap on events was reached.
 Samples truth_of(const Scene& scene);
 
 // The largest distance over the samples, m; infinite where some are missing or not finite.

@@ -6,6 +6,7 @@
 #include "event_driven.hpp"
 #include "questions.hpp"
 #include "simulate_scene.hpp"
+#include "timing.hpp"
 
 namespace bounce::study {
 namespace {
@@ -24,38 +25,30 @@ Samples run_model(const Scene& scene, Rung rung) {
   return simulate_events<double>(scene.params, start, sample_times(scene), options);
 }
 
-double median_ns(const std::vector<double>& values) {
-  std::vector<double> sorted = values;
-  std::sort(sorted.begin(), sorted.end());
-  return sorted[sorted.size() / 2];
-}
-
 }  // namespace
 
-Table least_model(const Scenes& scenes) {
+Table least_model(const Scenes& scenes, const Extent& extent) {
   Table table({"scene", "model", "error_m", "ns_per_simulated_second", "least", "expected"});
   for (const Scene& scene : scenes) {
     const Samples truth = truth_of(scene);
+    std::vector<Job> jobs;
+    jobs.reserve(kRungs);
+    for (int i = 0; i < kRungs; ++i) jobs.push_back({[&scene, i] { run_model(scene, Rung(i)); }});
+    time_in_turn(jobs, extent);
     bool found = false;
     for (int i = 0; i < kRungs; ++i) {
       const Rung rung = Rung(i);
       const double error = error_of(scene, run_model(scene, rung), truth);
-      std::vector<double> ns;
-      for (int round = 0; round < 5; ++round) {
-        const double start = cpu_ns();
-        run_model(scene, rung);
-        ns.push_back(cpu_ns() - start);
-      }
       const bool least = !found && error <= kFine;
       found = found || least;
-      table.add(scene.name, name_of(rung), error, median_ns(ns) / scene.until, least,
-                rung == scene.least);
+      table.add(scene.name, name_of(rung), error, quantile(jobs[std::size_t(i)].ns) / scene.until,
+                least, rung == scene.least);
     }
   }
   return table;
 }
 
-Table chosen_model(const Scenes& scenes) {
+Table chosen_model(const Scenes& scenes, const Extent& extent) {
   Table table({"scene", "dt_s", "model", "steps", "seconds", "distance_to_whole_m", "times_as_fast",
                "warnings"});
   for (const Scene& scene : scenes) {
@@ -66,21 +59,17 @@ Table chosen_model(const Scenes& scenes) {
       ModelReport report;
       const Trajectory chosen = simulate_scene(params, scene.start, &report);
       const Trajectory whole = simulate_whole(params, scene.start);
-      std::vector<double> ratios;
-      for (int round = 0; round < 5; ++round) {
-        const double start = cpu_ns();
-        simulate_scene(params, scene.start);
-        const double middle = cpu_ns();
-        simulate_whole(params, scene.start);
-        ratios.push_back((cpu_ns() - middle) / (middle - start));
-      }
+      std::vector<Job> jobs{{[&] { simulate_scene(params, scene.start); }},
+                            {[&] { simulate_whole(params, scene.start); }}};
+      time_in_turn(jobs, extent);
+      const double times_as_fast = quantile(ratios(jobs[1], jobs[0]));
       std::string warnings;
       for (const std::string& text : report.warnings)
         warnings += (warnings.empty() ? "" : "; ") + text;
       const double apart = (chosen.q - whole.q).cwiseAbs().maxCoeff();
       for (int i = 0; i < kRungs; ++i) {
         table.add(scene.name, dt, name_of(Rung(i)), report.steps[std::size_t(i)],
-                  report.seconds[std::size_t(i)], apart, median_ns(ratios), warnings);
+                  report.seconds[std::size_t(i)], apart, times_as_fast, warnings);
       }
     }
   }

@@ -6,6 +6,7 @@
 
 #include "scene.hpp"
 #include "table.hpp"
+#include "timing.hpp"
 
 namespace bounce::study {
 
@@ -14,11 +15,14 @@ using Scenes = std::vector<Scene>;
 // How fast, and how exact: every scene, method and setting. CPU time, the median of several rounds
 // in which all methods take turns; ns per simulated second. A note says why a method does not get
 // below 1 mm in a scene.
-Table speed_accuracy(const Scenes& scenes);
+Table speed_accuracy(const Scenes& scenes, const Extent& extent);
+// How many times as long as the assignment's scheme each method takes, with dt 0.001 s and
+// tolerance 1e-6: the median of the ratios within a round, and their quartiles.
+Table speed_ratios(const Scenes& scenes, const Extent& extent);
 // The error over dt, halved again and again, and the order seen between two.
 Table order(const Scenes& scenes);
 // The largest energy gain of an impact over (mu, epsilon), by law, and where theory allows one.
-Table energy_gain();
+Table energy_gain(const Extent& extent);
 // How many solutions the contact problem may have over (alpha, mu), and mu* (alpha).
 Table solution_count();
 // Sweeps of projected Gauss-Seidel over the mass ratio, and what theory predicts.
@@ -27,13 +31,19 @@ Table gauss_seidel_sweeps();
 Table depth();
 // The residual that an almost flat side leaves, over theta, by solver.
 Table almost_flat();
-// Height and drift after ten seconds of rest, by method and dt.
+// How fast a square turns that has just landed on a face, tilted by theta at first, by method.
+Table flat_landing();
+// Height and drift in ten seconds of rest, by method and dt.
 Table rest_and_drift(const Scenes& scenes);
 // What scaling m and dt does to solvers.
 Table scaling();
+// What bad input does where nobody checks it, and what is said where somebody does.
+Table bad_input(const Extent& extent);
+// Single numbers that the pages name: Kane's paradox, Painleve's, and others.
+Table examples();
 // The error of every model of the ladder in every scene, and the least model within 1 mm.
-Table least_model(const Scenes& scenes);
+Table least_model(const Scenes& scenes, const Extent& extent);
 // What the simulator that chooses its model used, its distance to the whole model, and its gain.
-Table chosen_model(const Scenes& scenes);
+Table chosen_model(const Scenes& scenes, const Extent& extent);
 
 }  // namespace bounce::study

@@ -5,43 +5,37 @@
 
 #include "catalog.hpp"
 #include "questions.hpp"
+#include "timing.hpp"
 
 namespace bounce::study {
 namespace {
 
-constexpr int kRounds = 5;
-constexpr double kLeastNs = 100'000;  // a timing lasts at least so long
-constexpr double kFine = 1e-3;        // m
+constexpr double kFine = 1e-3;  // m
 
 struct Point {
   const Method* method;
   double setting, error;
-  long repeats;  // so that a timing lasts long enough
-  std::vector<double> ns;
 };
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
-
-double time_once(const Scene& scene, const Point& point) {
-  const double start = cpu_ns();
-  for (long i = 0; i < point.repeats; ++i) point.method->run(scene, point.setting);
-  return (cpu_ns() - start) / double(point.repeats);
-}
 
 std::vector<Point> points_of(const Scene& scene, const std::vector<Method>& all) {
   const Samples truth = truth_of(scene);
   std::vector<Point> points;
   for (const Method& method : all) {
-    for (const double setting : method.settings) {
-      Point point{&method, setting, error_of(scene, method.run(scene, setting), truth), 1, {}};
-      point.repeats = std::max(1L, long(kLeastNs / std::max(time_once(scene, point), 100.0)));
-      points.push_back(point);
-    }
+    for (const double setting : method.settings)
+      points.push_back({&method, setting, error_of(scene, method.run(scene, setting), truth)});
   }
   return points;
+}
+
+Job job_of(const Scene& scene, const Method& method, double setting) {
+  return {[&scene, &method, setting] { method.run(scene, setting); }};
+}
+
+// The setting as it was run, and what it is.
+std::pair<double, const char*> setting_of(const Scene& scene, const Method& method,
+                                          double setting) {
+  if (method.has_step) return {fitting_step(scene, setting), "dt_s"};
+  return {setting, "tolerance"};
 }
 
 std::vector<const Point*> points_of_method(const std::vector<Point>& points,
@@ -87,20 +81,44 @@ std::string note_of(const std::vector<Point>& points, const Method& method) {
 
 }  // namespace
 
-Table speed_accuracy(const Scenes& scenes) {
+Table speed_accuracy(const Scenes& scenes, const Extent& extent) {
   Table table({"scene", "method", "setting", "setting_is", "ns_per_simulated_second", "ns_per_step",
                "error_m", "note"});
   const std::vector<Method> all = all_methods();
   for (const Scene& scene : scenes) {
-    std::vector<Point> points = points_of(scene, all);
-    for (int round = 0; round < kRounds; ++round)
-      for (Point& point : points) point.ns.push_back(time_once(scene, point));
-    for (const Point& point : points) {
-      const bool steps = point.method->has_step;
-      const double setting = steps ? fitting_step(scene, point.setting) : point.setting;
-      const double ns = median(point.ns) / scene.until;
-      table.add(scene.name, point.method->name, setting, steps ? "dt_s" : "tolerance", ns,
-                steps ? ns * setting : 0.0, point.error, note_of(points, *point.method));
+    const std::vector<Point> points = points_of(scene, all);
+    std::vector<Job> jobs;
+    jobs.reserve(points.size());
+    for (const Point& point : points) jobs.push_back(job_of(scene, *point.method, point.setting));
+    time_in_turn(jobs, extent);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Point& point = points[i];
+      const auto [setting, is] = setting_of(scene, *point.method, point.setting);
+      const double ns = quantile(jobs[i].ns) / scene.until;
+      table.add(scene.name, point.method->name, setting, is, ns,
+                point.method->has_step ? ns * setting : 0.0, point.error,
+                note_of(points, *point.method));
+    }
+  }
+  return table;
+}
+
+Table speed_ratios(const Scenes& scenes, const Extent& extent) {
+  Table table({"scene", "method", "setting", "setting_is", "times_of_assignment", "lower_quartile",
+               "upper_quartile"});
+  constexpr double kStep = 1e-3, kTolerance = 1e-6;
+  const std::vector<Method> all = all_methods();
+  for (const Scene& scene : scenes) {
+    std::vector<Job> jobs;
+    jobs.reserve(all.size());
+    for (const Method& method : all)
+      jobs.push_back(job_of(scene, method, method.has_step ? kStep : kTolerance));
+    time_in_turn(jobs, extent);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const auto [setting, is] = setting_of(scene, all[i], all[i].has_step ? kStep : kTolerance);
+      const std::vector<double> times = ratios(jobs[i], jobs[0]);
+      table.add(scene.name, all[i].name, setting, is, quantile(times), quantile(times, 0.25),
+                quantile(times, 0.75));
     }
   }
   return table;

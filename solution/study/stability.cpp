@@ -99,18 +99,22 @@ double share_without_end(double mu) {
   return double(endless) / kContacts;
 }
 
-// How deep the lowest corner gets in the first steps, from so high that it just misses a contact.
+// How deep the lowest corner gets in the first steps: the deepest over starts whose heights are
+// spread evenly over what it falls in one step, so that no method is lucky.
 template <class Scheme>
 double deepest(double speed, double dt) {
   Parameters params;
   params.dt = dt;
   const methods::Body<double> body(params);
-  const Motion<double> start{0, body.rho + params.delta + 1e-9, std::numbers::pi / 4, 0, -speed, 0};
-  Scheme scheme(params, start);
   double depth = 0;
-  for (int i = 0; i < 3; ++i) {
-    scheme.steps(1);
-    depth = std::max(depth, -methods::lowest_gap(scheme.motion(), body));
+  constexpr int kStarts = 256;
+  for (int start = 0; start < kStarts; ++start) {
+    const double above = params.delta + 1e-9 + speed * dt * start / kStarts;
+    Scheme scheme(params, Motion<double>{0, body.rho + above, std::numbers::pi / 4, 0, -speed, 0});
+    for (int i = 0; i < 4; ++i) {
+      scheme.steps(1);
+      depth = std::max(depth, -methods::lowest_gap(scheme.motion(), body));
+    }
   }
   return depth;
 }
@@ -119,6 +123,19 @@ struct Residuals {
   double lemke, merged;  // m/s
   int wrong;             // how often Lemke says "solved" with more than 1e-6
 };
+
+// What impulses leave of the merged problem, m/s: how far p is from its projection onto what is
+// allowed, one step against w and v_t away. 0 for a solution, and for nothing else.
+double residual_of(const methods::TwoCorners<double>& k, const methods::SideImpulse<double>& p) {
+  const double friction = k.mu * (k.P_0 + p.n[0] + p.n[1]);
+  const double v_t = k.b(0) * p.n[0] + k.b(1) * p.n[1] + k.c() * p.t + k.u_t;
+  double worst = std::abs(p.t - std::clamp(p.t - v_t, -friction, friction));
+  for (int i = 0; i < 2; ++i) {
+    const double w = k.A(i, 0) * p.n[0] + k.A(i, 1) * p.n[1] + k.b(i) * p.t + k.u[i];
+    worst = std::max(worst, std::abs(std::min(p.n[i], w)));
+  }
+  return worst;
+}
 
 // The worst over random velocities of a square turned by theta to 1.8 theta, both low corners in
 // contact.
@@ -143,7 +160,7 @@ Residuals residuals_at(double theta) {
     worst.wrong += z.end == methods::LemkeEnd::solved && !(left <= 1e-6);
     const auto side = methods::two_corners<double>(r[2], r[3], params.l * params.l / 6,
                                                    {lcp.p(0), lcp.p(4)}, lcp.p(2), params.mu);
-    worst.merged = std::max(worst.merged, methods::solve_two_corners(side).violation);
+    worst.merged = std::max(worst.merged, residual_of(side, methods::solve_two_corners(side)));
   }
   return worst;
 }
@@ -182,17 +199,18 @@ Scaled scaled(double m, double dt) {
 
 }  // namespace
 
-Table energy_gain() {
+Table energy_gain(const Extent& extent) {
   Table table({"law", "mu", "epsilon", "largest_gain", "limit_epsilon"});
   const std::pair<ImpactLaw, const char*> laws[] = {{ImpactLaw::newton, "newton"},
                                                     {ImpactLaw::poisson, "poisson"},
                                                     {ImpactLaw::stronge, "stronge"}};
+  const int n = 20 * extent.fineness;
   for (const auto& [law, name] : laws) {
-    for (int i = 0; i <= 24; ++i) {
-      for (int j = 0; j <= 20; ++j) {
-        table.add(name, i / 20.0, j / 20.0, largest_gain(law, i / 20.0, j / 20.0),
-                  law == ImpactLaw::newton ? least_limit(i / 20.0) : 1.0);
-      }
+    for (int i = 0; i <= 6 * n / 5; ++i) {
+      const double mu = double(i) / n;
+      const double limit = law == ImpactLaw::newton ? least_limit(mu) : 1.0;
+      for (int j = 0; j <= n; ++j)
+        table.add(name, mu, double(j) / n, largest_gain(law, mu, double(j) / n), limit);
     }
   }
   return table;
@@ -200,12 +218,13 @@ Table energy_gain() {
 
 Table solution_count() {
   Table table({"alpha_rad", "mu", "most_solutions", "mu_star"});
-  for (int i = 1; i < 60; ++i) {
-    const double alpha = i * std::numbers::pi / 120;
+  constexpr int n = 20;
+  for (int i = 1; i < 3 * n; ++i) {
+    const double alpha = i * std::numbers::pi / (6 * n);
     const Arm<double> r = leaning_arm(alpha);
     const double mu_star = (kGyration + r.x * r.x) / std::abs(r.x * r.y);  // a = mu |b|
-    for (int j = 0; j <= 80; ++j)
-      table.add(alpha, j / 20.0, most_solutions(alpha, j / 20.0), mu_star);
+    for (int j = 0; j <= 4 * n; ++j)
+      table.add(alpha, double(j) / n, most_solutions(alpha, double(j) / n), mu_star);
   }
   return table;
 }
@@ -248,19 +267,29 @@ Table almost_flat() {
 }
 
 Table rest_and_drift(const Scenes& scenes) {
-  Table table({"method", "setting", "height_m", "drift_m"});
+  Table table({"method", "setting", "setting_is", "height_m", "depth_m", "drift_m"});
   for (Scene scene : scenes) {
     if (scene.name != "rest") continue;
     scene.until = 10;
-    for (const Method& method : all_methods()) {
+    std::vector<Method> all = all_methods();
+    Method sinking = all.front();
+    sinking.name = "assignment_delta_0";
+    sinking.run = [run = sinking.run](Scene without, double dt) {
+      without.params.delta = 0;
+      return run(without, dt);
+    };
+    all.push_back(sinking);
+    for (const Method& method : all) {
       for (const double setting : method.settings) {
         if (method.has_step && setting < 1e-4) continue;
-        double height = 0, drift = 0;
+        double height = 0, depth = 0, drift = 0;
         for (const Motion<double>& s : method.run(scene, setting)) {
-          height = std::max(height, std::abs(s.y - scene.start.q(1)));
+          height = std::max(height, s.y - scene.start.q(1));
+          depth = std::max(depth, scene.start.q(1) - s.y);
           drift = std::max(drift, std::abs(s.x - scene.start.q(0)));
         }
-        table.add(method.name, setting, height, drift);
+        table.add(method.name, setting, method.has_step ? "dt_s" : "tolerance", height, depth,
+                  drift);
       }
     }
   }

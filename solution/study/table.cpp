@@ -20,6 +20,12 @@ std::string quoted(const std::string& value) {
   return text + "\"";
 }
 
+std::string text_of(double value) {
+  char buffer[40];
+  std::snprintf(buffer, sizeof buffer, "%.6g", value);
+  return buffer;
+}
+
 std::string line(const std::vector<std::string>& values) {
   std::string text;
   for (const std::string& value : values) text += (text.empty() ? "" : ",") + quoted(value);
@@ -52,11 +58,7 @@ std::string compiler() {
 
 }  // namespace
 
-std::string Table::text(double value) {
-  char buffer[40];
-  std::snprintf(buffer, sizeof buffer, "%.6g", value);
-  return buffer;
-}
+std::string Table::text(double value) { return text_of(value); }
 
 void Table::add_row(std::vector<std::string> row) {
   if (row.size() != columns_.size()) throw std::logic_error("a row has another number of columns");
@@ -77,10 +79,15 @@ void Table::write(const std::filesystem::path& file, const std::vector<std::stri
   std::filesystem::rename(unfinished, file);
 }
 
-std::vector<std::string> origin() {
+std::vector<std::string> origin(int core, const Extent& extent) {
+  const std::string pinned = core < 0 ? "not pinned" : "pinned to core " + std::to_string(core);
   return {"# machine: " + processor() + ", " + std::to_string(std::thread::hardware_concurrency()) +
-              " cores",
-          "# compiler: " + compiler(), "# flags: " BOUNCE_FLAGS, "# date: " + today()};
+              " cores, " + pinned,
+          "# compiler: " + compiler(), std::string("# flags: -std=c++20 ") + BOUNCE_FLAGS,
+          "# times: CPU time, the median of " + std::to_string(extent.rounds) +
+              " rounds in which all take turns, each at least " + text_of(extent.least_ns / 1e6) +
+              " ms",
+          "# date: " + today()};
 }
 
 }  // namespace bounce::study

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "timing.hpp"
+
 namespace bounce::study {
 
 class Table {
@@ -36,7 +38,8 @@ class Table {
   std::vector<std::vector<std::string>> rows_;
 };
 
-// Where the numbers come from: "# machine: ...", and so on.
-std::vector<std::string> origin();
+// Where the numbers come from: "# machine: ...", and so on. The core that the process is pinned to,
+// or -1.
+std::vector<std::string> origin(int core, const Extent& extent);
 
 }  // namespace bounce::study

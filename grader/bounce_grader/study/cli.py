@@ -1,0 +1,29 @@
+"""The options of ./kit study."""
+
+import argparse
+from pathlib import Path
+from typing import Any
+
+
+def add(commands: Any) -> None:
+    parser = commands.add_parser("study", help="measure the methods: tables, charts and pages")
+    parser.add_argument(
+        "questions", nargs="*", metavar="QUESTION", help="tables to measure; all unless named"
+    )
+    parser.add_argument(
+        "--out", type=Path, metavar="FOLDER", help="what is written (default: docs/studies)"
+    )
+    parser.add_argument("--quick", action="store_true", help="fewer rounds and coarser maps")
+    parser.add_argument(
+        "--peers", action="store_true", help="the engines that people use, too; installs them"
+    )
+    parser.set_defaults(command=_study)
+
+
+def _study(options: argparse.Namespace) -> int:
+    from bounce_grader.study import run
+
+    out = options.out or run.STUDIES
+    return run.run(
+        run.Request(out.absolute(), options.quick, options.peers, tuple(options.questions))
+    )

@@ -1,0 +1,101 @@
+"""What the page on the least model says, from its tables."""
+
+import math
+
+from bounce_grader.study import words
+from bounce_grader.study.chart_models import MODELS
+from bounce_grader.study.tables import Row, Tables, number
+
+
+def facts(tables: Tables) -> dict[str, str]:
+    least, chosen = tables["least_model"], tables["chosen_model"]
+    scenes = least.distinct("scene")
+    sufficient = [row for row in least.rows if row["least"] == "1"]
+    smaller = _smaller(least.rows)
+    larger = [row for row in least.rows if number(row, "error_m") <= 1e-3 and row["least"] == "0"]
+    times = [number(row, "times_as_fast") for row in chosen.rows]
+    return {
+        "ladder_scenes": str(len(scenes)),
+        "ladder_table": _ladder_table(tables),
+        "ladder_expected": str(sum(row["expected"] == "1" for row in sufficient)),
+        "ladder_smaller_least": words.metres(min(smaller)),
+        "ladder_larger_change": words.metres(max(number(row, "error_m") for row in larger)),
+        "ladder_capped": str(sum(not math.isfinite(number(r, "error_m")) for r in least.rows)),
+        "ladder_capped_time": words.time(
+            min(
+                number(r, "ns_per_simulated_second")
+                for r in least.rows
+                if not math.isfinite(number(r, "error_m"))
+            )
+        ),
+        "chosen_apart": words.metres(max(number(r, "distance_to_whole_m") for r in chosen.rows)),
+        "chosen_least": words.short(min(times)),
+        "chosen_most": words.short(max(times)),
+        "chosen_median": words.short(words.median(times)),
+        "chosen_slower": _slower(chosen.rows),
+        "chosen_steps": words.listed(words.plain(float(dt)) for dt in chosen.distinct("dt_s")),
+        "chosen_table": _chosen_table(tables),
+    }
+
+
+def _smaller(rows: list[Row]) -> list[float]:
+    """The errors of the models below the least sufficient one."""
+    errors, done = [], False
+    for row in rows:
+        if row["model"] == "asleep":
+            done = False
+        done = done or row["least"] == "1"
+        if not done:
+            errors.append(number(row, "error_m"))
+    return errors
+
+
+def _slower(rows: list[Row]) -> str:
+    slow = {
+        (row["scene"], row["dt_s"]): number(row, "times_as_fast")
+        for row in rows
+        if number(row, "times_as_fast") < 1
+    }
+    if not slow:
+        return "It was slower in no scene and with no step."
+    where = [f"{words.scene(s)} with {dt} s ({words.short(x)})" for (s, dt), x in slow.items()]
+    return f"It was slower in {words.listed(where)}."
+
+
+def _ladder_table(tables: Tables) -> str:
+    def line(scene: str) -> list[str]:
+        own = tables["least_model"].where(scene=scene)
+        least = next(i for i, row in enumerate(own) if row["least"] == "1")
+        below = [number(row, "error_m") for row in own[:least]]
+        whole = number(own[-1], "ns_per_simulated_second")
+        time = number(own[least], "ns_per_simulated_second")
+        return [
+            words.scene(scene),
+            MODELS[own[least]["model"]][0],
+            "as expected" if own[least]["expected"] == "1" else "not as expected",
+            words.metres(min(below)) if below else "there is none",
+            words.time(time),
+            words.time(whole),
+        ]
+
+    header = ["scene", "least model", "", "least error of a smaller one", "its time", "whole model"]
+    return words.table(header, map(line, tables["least_model"].distinct("scene")))
+
+
+def _chosen_table(tables: Tables) -> str:
+    chosen = tables["chosen_model"]
+    step = chosen.distinct("dt_s")[1]
+
+    def line(scene: str) -> list[str]:
+        own = chosen.where(scene=scene, dt_s=step)
+        used = [
+            f"{MODELS[row['model']][0]} {words.plain(number(row, 'seconds'))} s"
+            for row in own
+            if number(row, "steps") > 0
+        ]
+        times = words.short(number(own[0], "times_as_fast"))
+        apart = words.metres(number(own[0], "distance_to_whole_m"))
+        return [words.scene(scene), ", ".join(used), apart, times]
+
+    header = ["scene", "models, for how long", "distance to the whole model", "times as fast"]
+    return words.table(header, map(line, chosen.distinct("scene")))

@@ -1,0 +1,101 @@
+"""How charts look: Okabe and Ito's colours, which the colour-blind can tell apart, and for each line
+a marker and a dash of its own, so that grey is enough. The same numbers give the same bytes."""
+
+import io
+from dataclasses import dataclass
+from typing import Any
+
+BLACK, GREY = "#000000", "#8a8a8a"
+ORANGE, SKY, GREEN, BLUE = "#E69F00", "#56B4E9", "#009E73", "#0072B2"
+VERMILION, PURPLE = "#D55E00", "#CC79A7"
+FINE = 1e-3  # m: the line in the charts of error
+WIDTH = 10.0  # inches; 96 to each on a screen
+SETTINGS = {
+    "svg.hashsalt": "bounce",
+    "svg.fonttype": "path",
+    "savefig.dpi": 192,  # of the maps, which are pictures within the drawing
+    "font.family": "DejaVu Sans",
+    "font.size": 8.0,
+    "axes.titlesize": 9.0,
+    "axes.labelsize": 8.0,
+    "xtick.labelsize": 7.5,
+    "ytick.labelsize": 7.5,
+    "legend.fontsize": 8.0,
+    "axes.linewidth": 0.6,
+    "axes.grid": True,
+    "grid.color": "#dddddd",
+    "grid.linewidth": 0.5,
+    "axes.axisbelow": True,
+    "legend.frameon": False,
+    "hatch.linewidth": 0.6,
+}
+
+
+@dataclass(frozen=True)
+class Style:
+    label: str
+    color: str
+    marker: str
+    dash: Any = "-"
+    size: float = 4.5  # of the marker; those with arms need more to be told from a dot
+    width: float = 1.3
+
+    def line(self) -> dict[str, Any]:
+        return {
+            "color": self.color,
+            "marker": self.marker,
+            "linestyle": self.dash,
+            "markersize": self.size,
+            "linewidth": self.width,
+        }
+
+
+METHODS = {
+    "assignment": Style("assignment, plain", BLACK, "o", (0, (4, 2))),
+    "assignment_fast": Style("assignment, fast", ORANGE, "s"),
+    "assignment_delta_dt": Style("assignment, δ ∝ Δt", VERMILION, "D", (0, (6, 1, 1, 1))),
+    "assignment_delta_0": Style("assignment, δ = 0", GREY, "*", (0, (1, 1)), 7.0),
+    "moreau_jean_1": Style("Moreau–Jean, one corner", SKY, "^", (0, (2, 1))),
+    "moreau_jean_2": Style("Moreau–Jean, two corners", BLUE, "v"),
+    "penalty": Style("penalty", PURPLE, "P", (0, (1, 1.5)), 6.5),
+    "event_driven": Style("event-driven", GREEN, "X", "-", 6.5),
+}
+PEER_MARKERS = ("x", "+", "1", "2", "|", "3", "_", "4", ".")
+PEER_DASHES: tuple[Any, ...] = ((0, (5, 1)), (0, (3, 1, 1, 1)), (0, (1, 1)))
+
+
+def style(method: str, others: list[str]) -> Style:
+    """Of one of our methods, or of one of the others: all grey, a marker each."""
+    if method in METHODS:
+        return METHODS[method]
+    i = others.index(method)
+    marker, dash = PEER_MARKERS[i % len(PEER_MARKERS)], PEER_DASHES[i % len(PEER_DASHES)]
+    return Style(method, GREY, marker, dash, 5.5, 0.8)
+
+
+def pyplot() -> Any:
+    """matplotlib, set up; imported where a chart is drawn only."""
+    import matplotlib
+
+    matplotlib.use("svg")
+    import matplotlib.pyplot as plt
+
+    plt.rcdefaults()
+    plt.rcParams.update(SETTINGS)
+    return plt
+
+
+def svg(figure: Any) -> bytes:
+    """Without the date and the version, and with ids that depend on what is drawn only."""
+    out = io.BytesIO()
+    figure.savefig(out, format="svg", metadata={"Date": None, "Creator": None})
+    pyplot().close(figure)
+    return out.getvalue()
+
+
+def note(axes: Any, text: str, x: float = 0.5, y: float = 0.5) -> None:
+    axes.text(x, y, text, transform=axes.transAxes, ha="center", va="center", wrap=True)
+
+
+def letter(i: int) -> str:
+    return "abcdefghijklmnopqrstuvwxyz"[i % 26]

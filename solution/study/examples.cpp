@@ -1,0 +1,93 @@
+#include <algorithm>
+#include <bounce/part1_contacts.hpp>
+#include <bounce/part2_lcp.hpp>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "../methods/gauss_seidel.hpp"
+#include "../methods/impact_laws.hpp"
+#include "questions.hpp"
+
+namespace bounce::study {
+namespace {
+
+using methods::Arm;
+using methods::ImpactLaw;
+
+constexpr double kGyration = 1.0 / 3;  // of a rectangle whose corner is 1 from the centre
+
+methods::OneCorner<double> leaning(double alpha, double u_n, double u_t, double mu) {
+  return methods::one_corner<double>({std::sin(alpha), -std::cos(alpha)}, kGyration, u_n, u_t, mu);
+}
+
+// Kane's paradox: the energy after the impact over that before.
+double kane(ImpactLaw law) {
+  Parameters params;
+  params.epsilon = 0.9;
+  params.g.setZero();
+  const methods::Body<double> body(params);
+  methods::Motion<double> s{0, 0.104267, 0.043633, 0.040023, -0.396829, 6.313089};
+  const Jacobian J = get_contacts(methods::state_of(s).q, params).J;
+  const Arm<double> r{J(2, 1), -J(2, 0)};
+  const auto k = methods::one_corner<double>(r, body.gyration, 0, 0, body.mu);
+  const double before = methods::energy(s, body);
+  const auto p = methods::impact<double>({k.a, k.b, k.c, methods::normal_velocity(s, r),
+                                          methods::sliding_velocity(s, r), body.mu, params.epsilon},
+                                         law);
+  methods::push(s, r, p.n, p.t, body.gyration);
+  return methods::energy(s, body) / before;
+}
+
+struct Least {
+  double value, tan_alpha;
+};
+
+// The least over the angles in which a rectangle can lean.
+template <class Value>
+Least least_over_angles(const Value& value) {
+  Least least{1e300, 0};
+  for (int i = 1; i < 20'000; ++i) {
+    const double alpha = i * std::numbers::pi / 40'000;
+    const auto k = leaning(alpha, 0, 0, 0);
+    if (value(k) < least.value) least = {value(k), std::tan(alpha)};
+  }
+  return least;
+}
+
+// Whether a sweep of Gauss-Seidel is defined on the LCP of eqs. (9) and (10).
+bool literal_is_defined() {
+  const Parameters params;
+  const Lcp lcp = form_lcp(get_contacts({0, 0.1, 0.1}, params).J, {0, -1, 0}, params);
+  return methods::gauss_seidel_lcp(lcp.V, lcp.p, 1e-9, 100).has_value();
+}
+
+}  // namespace
+
+Table examples() {
+  Table table({"example", "quantity", "value", "unit"});
+  table.add("kane", "energy after / before, Newton", kane(ImpactLaw::newton), "none");
+  table.add("kane", "energy after / before, Poisson", kane(ImpactLaw::poisson), "none");
+  table.add("kane", "energy after / before, Stronge", kane(ImpactLaw::stronge), "none");
+  const Least epsilon =
+      least_over_angles([](const auto& k) { return std::sqrt(1 - k.b * k.b / (k.a * k.c)); });
+  table.add("rectangle", "least epsilon that can gain", epsilon.value, "none");
+  const Least mu = least_over_angles([](const auto& k) { return k.a / std::abs(k.b); });
+  table.add("rectangle", "least mu with a <= mu |b|", mu.value, "none");
+  table.add("rectangle", "tan alpha there", mu.tan_alpha, "none");
+  constexpr double kMu = 2, kApproach = 0.1, kSliding = 1;
+  const auto found = methods::all_solutions(leaning(std::atan(0.5), kApproach, kSliding, kMu));
+  std::vector<double> impulses;
+  impulses.reserve(std::size_t(found.count));
+  for (int i = 0; i < found.count; ++i) impulses.push_back(found.all[i].n);
+  std::sort(impulses.begin(), impulses.end());
+  table.add("painleve", "mu", kMu, "none");
+  table.add("painleve", "p_1", kApproach, "m/s");
+  table.add("painleve", "v_t", kSliding, "m/s");
+  table.add("painleve", "solutions", found.count, "none");
+  for (const double impulse : impulses) table.add("painleve", "f_n dt / m", impulse, "m/s");
+  table.add("gauss_seidel", "defined on the 4x4 of eq. (9)", literal_is_defined(), "none");
+  return table;
+}
+
+}  // namespace bounce::study

@@ -1,0 +1,37 @@
+// CPU time of several jobs, taken in turn: each round runs every job once, so that what disturbs
+// the machine for a while disturbs all of them. Medians over the rounds; two jobs are compared by
+// the median of their ratios within a round.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+namespace bounce::study {
+
+// How much a question measures. The charts of ./kit study are of the whole extent.
+struct Extent {
+  int rounds = 21;
+  double least_ns = 1e6;  // a timing repeats its job for at least so long
+  int fineness = 2;       // of the maps
+};
+inline constexpr Extent kQuick{3, 1e5, 1};
+
+struct Job {
+  std::function<void()> run;
+  long repeats = 1;
+  std::vector<double> ns{};  // of one run, by round
+};
+
+// Fills `repeats` and `ns`. Each job is run once before it is timed.
+void time_in_turn(std::vector<Job>& jobs, const Extent& extent);
+
+// The value below which a share of the sorted values lies; 0.5 is the median.
+double quantile(std::vector<double> values, double share = 0.5);
+
+// Of each round, how many times as long the job took as the other.
+std::vector<double> ratios(const Job& job, const Job& other);
+
+// Keeps this process on the core it runs on, where the system allows it; -1 where it doesn't.
+int pin_to_one_core();
+
+}  // namespace bounce::study
