@@ -226,7 +226,7 @@ def test_an_unknown_failure_of_a_unit_is_the_kits(tmp_path: Path) -> None:
     from bounce_grader.classroom import students, task, unit
 
     (student,) = students.read(download(tmp_path / "x.zip", 1)).students
-    made = task.task_of(student, results.stamp_now(True, False), tmp_path / "r", True, False)
+    made = task.task_of(student, results.stamp_now(False), tmp_path / "r", True, False)
 
     def breaks(path: Path, of: task.Task) -> dict[str, object]:
         raise ZeroDivisionError("nobody thought of it")

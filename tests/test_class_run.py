@@ -119,6 +119,24 @@ def test_answers_of_hidden_cases_are_on_the_pages_where_that_is_asked_for(
     assert len(graded(out)) == len(users)
 
 
+def test_times_are_added_to_grades_that_are_there(tmp_path: Path, users: list[int]) -> None:
+    source, out = download(tmp_path / "x.zip", users), tmp_path / "out"
+    timed = ["Nothing was timed" not in text for text in _pages_of_three_runs(source, out)]
+    assert timed == [False, True, False]
+    assert len(graded(out)) == 2 * len(users)
+    grades = (out / "grades.csv").read_text()
+    grade_class(source, out, regrade="all", speed=True)
+    grade_class(source, out, apply=True)
+    assert (out / "grades.csv").read_text() == grades
+
+
+def _pages_of_three_runs(source: Path, out: Path) -> Iterator[str]:
+    """Without, with, and again without times."""
+    for speed in (False, True, False):
+        grade_class(source, out, speed=speed)
+        yield (out / "class.html").read_text()
+
+
 def test_only_what_is_new_is_graded(tmp_path: Path, users: list[int]) -> None:
     out = tmp_path / "out"
     grade_class(download(tmp_path / "x.zip", users[:9]), out)

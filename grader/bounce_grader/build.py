@@ -171,9 +171,11 @@ def _forget_old(folder: Path) -> None:
             file.unlink(missing_ok=True)
 
 
-def link_together(objects: Objects, runner: Path, box: Box) -> Built:
-    """One runner with all of the submission's own parts."""
-    return _link([b.path for b in _all(objects)], [], runner, box)
+def link_together(objects: Objects, runner: Path, box: Box, timed: bool = False) -> Built:
+    """One runner with all of the submission's own parts; where it is timed, without the prelude's
+    code, which is checked and so slower than what the parts bring themselves."""
+    kit = RUNNER_OBJECTS if timed else KIT_OBJECTS
+    return _link([b.path for b in _all(objects)], [], runner, box, kit=kit)
 
 
 def link_alone(part: Part, objects: Objects, runner: Path, box: Box) -> Built:
@@ -236,10 +238,11 @@ def _link(
     runner: Path,
     box: Box,
     flags: tuple[str, ...] = (),
+    kit: tuple[str, ...] = KIT_OBJECTS,
 ) -> Built:
     files = [str(path) for path in own if path]
-    kit = [str(RUNNER / f"{name}.o") for name in KIT_OBJECTS]
-    command = _link_command([*flags, *kit, *files, *more])
+    given = [str(RUNNER / f"{name}.o") for name in kit]
+    command = _link_command([*flags, *given, *files, *more])
     visible = [RUNNER, *(Path(word) for word in files + more if word.startswith(str(CACHE)))]
     folder = RUNNER
     result = processes.run(box.to_build(folder, visible) + command, LINK, cwd=folder)

@@ -49,7 +49,8 @@ def grade(path: Path, options: Options = Options()) -> Record:
         measured = None
         if options.speed:
             timed = build.compile_all(taken, sources, box, jobs, timed=True)
-            measured = _speed(grading.best, _link_together(taken, timed, work / "timed", box), box)
+            runner = _link_together(taken, timed, work / "timed", box, timed=True)
+            measured = _speed(grading.best, runner, box)
     end = time.monotonic()
     graded = record.whole(
         taken,
@@ -79,12 +80,12 @@ def _write(taken: Submission, work: Path, box: Box) -> Path:
 
 
 def _link_together(
-    taken: Submission, objects: build.Objects, runner: Path, box: Box
+    taken: Submission, objects: build.Objects, runner: Path, box: Box, timed: bool = False
 ) -> build.Built:
     if any(part.number not in objects.parts for part in parts()):
         return build.Built(None, "not all parts were submitted")
     broken = [b for b in [*objects.parts.values(), *objects.helpers.values()] if not b.path]
-    return broken[0] if broken else build.link_together(objects, runner, box)
+    return broken[0] if broken else build.link_together(objects, runner, box, timed)
 
 
 class _Grading:

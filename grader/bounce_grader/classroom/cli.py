@@ -36,7 +36,9 @@ def add(commands: Any) -> None:
         "status=STATUS or score<POINTS",
     )
     again.add_argument("--apply", action="store_true", help="take over what --regrade has shown")
-    parser.add_argument("--no-speed", action="store_true", help="don't time the submissions")
+    parser.add_argument(
+        "--speed", action="store_true", help="chart speed against accuracy; takes twice as long"
+    )
     parser.add_argument(
         "--reveal",
         action="store_true",
@@ -63,7 +65,7 @@ def _class(options: argparse.Namespace) -> int:
         engine=options.engine,
         jobs=options.jobs,
         scheduler=options.scheduler,
-        speed=not options.no_speed,
+        speed=options.speed,
         trust=options.trust_submission,
         reveal=options.reveal,
         regrade=options.regrade,

@@ -138,6 +138,10 @@ def _n(number: float) -> str:
 
 
 def _speed(summaries: Sequence[Summary]) -> str:
+    if all(s.ratio is None for s in summaries):
+        return (
+            "<p>Nothing was timed: the same command with <code>--speed</code> adds the charts.</p>"
+        )
     full = sum(part.points for part in parts())
     dots = [
         Dot(s.ratio, s.error, _kind(s.score, full), f"{_who(s)}: {s.score:g} points")

@@ -6,6 +6,7 @@ import shutil
 from collections.abc import Callable, Mapping
 from fnmatch import fnmatch
 from pathlib import Path
+from typing import Any
 
 from bounce_grader.classroom import results
 from bounce_grader.classroom.log import Log
@@ -70,13 +71,18 @@ def _filter(words: str) -> Callable[[Summary], bool]:
 
 
 def _summary(folder: Path, student: Student, stamp: Stamp) -> Summary:
-    key = _key(student, stamp)
-    result = results.load(folder, key)
+    key, result = _result(folder, student, stamp)
     return of_result(student, key, result) if result else Summary(student, key, "not graded before")
 
 
-def _key(student: Student, stamp: Stamp) -> str:
-    return task_of(student, stamp, Path(), speed=False, trust=False).key
+def _result(folder: Path, student: Student, stamp: Stamp) -> tuple[str, dict[str, Any] | None]:
+    """Timed or not: that changes no score."""
+    for speed in (True, False):
+        key = task_of(student, stamp, Path(), speed, trust=False).key
+        result = results.load(folder, key)
+        if result:
+            break
+    return key, result
 
 
 def differences(out: Path, chosen: list[Student], tasks: Mapping[str, Task]) -> list[str]:
@@ -115,7 +121,7 @@ def apply(out: Path, found: Class, stamp: Stamp, log: Log) -> None:
     if results.stamp_of(new) != stamp:
         raise UsageError("the kit or its fixtures changed since --regrade: run that again")
     chosen = choose(out, found, (new / FILTER).read_text())
-    missing = [s.name for s in chosen if not results.load(new, _key(s, stamp))]
+    missing = [s.name for s in chosen if not _result(new, s, stamp)[1]]
     if missing:
         raise UsageError(f"--regrade hasn't graded all ({missing[0]} is missing): run that again")
     if results.stamp_of(old) == stamp:

@@ -18,7 +18,7 @@ class Request:
     engine: str = "local"
     jobs: int = 0
     scheduler: str = ""
-    speed: bool = True
+    speed: bool = False
     trust: bool = False
     reveal: bool = False
     regrade: str = ""

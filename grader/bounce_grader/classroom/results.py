@@ -19,9 +19,9 @@ SET = "set.json"
 LATER = ("classroom", "formats")  # these make something of records, and change none
 
 
-def stamp_now(speed: bool, trust: bool) -> Stamp:
+def stamp_now(trust: bool) -> Stamp:
     fixture_digest = digest_of([fixtures.PUBLIC, fixtures.hidden_folder()])
-    options = json.dumps({"speed": speed, "trust": trust})
+    options = json.dumps({"trust": trust})
     return Stamp(_kit_digest(), fixture_digest, options)
 
 

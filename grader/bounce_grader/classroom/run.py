@@ -45,7 +45,7 @@ def run(request: Request) -> int:
 def _run(request: Request, found: Class, book: Gradebook | None, log: Log) -> int:
     folder = request.out / "results"
     regrade.finish(request.out)
-    stamp = results.stamp_now(request.speed, request.trust)
+    stamp = results.stamp_now(request.trust)
     if request.regrade:
         return _regrade(request, found, stamp, log)
     if request.apply:

@@ -51,8 +51,8 @@ def from_json(words: dict[str, Any]) -> Task:
 
 def task_of(student: Student, stamp: Stamp, results: Path, speed: bool, trust: bool) -> Task:
     submission = digest(student)
-    words = "\0".join([submission, stamp.kit, stamp.fixtures, stamp.options])
-    key = hashlib.sha256(words.encode()).hexdigest()
+    words = [submission, stamp.kit, stamp.fixtures, stamp.options, *(["timed"] if speed else [])]
+    key = hashlib.sha256("\0".join(words).encode()).hexdigest()
     path = str(student.path)
     return Task(key, submission, stamp, path, student.uploads, str(results), speed, trust)
 

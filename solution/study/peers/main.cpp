@@ -11,12 +11,13 @@ namespace {
 
 int run(const std::vector<std::string>& words) {
   const bool quick = words.size() == 4;
-  const Extent extent = quick ? Extent{1e-3, 3} : Extent{1e-5, 3};
+  const PeerExtent extent = quick ? PeerExtent{1e-3, 3} : PeerExtent{1e-5, 3};
+  const int core = pin_to_one_core();
   const Scenes scenes = read_scenes(words[0]), kinds = read_scenes(words[1]);
   const std::filesystem::path folder = words[2];
   std::filesystem::create_directories(folder);
-  const auto write = [&](const Table& table, const char* name) {
-    table.write(folder / name, origin());
+  const auto write = [&](const Table& table, const char* name, int times_the_rounds = 1) {
+    table.write(folder / name, origin(core, Extent{times_the_rounds * extent.rounds, kLeastNs}));
     std::cout << (folder / name).string() << ": " << table.rows() << " rows\n" << std::flush;
   };
   const Peers peers = all_peers();
@@ -24,9 +25,9 @@ int run(const std::vector<std::string>& words) {
   all.insert(all.end(), kinds.begin(), kinds.end());
   write(truths(all), "truth.csv");
   write(settings(peers), "peers_settings.csv");
-  write(single_steps(kinds, peers, extent), "peers_steps.csv");
+  write(single_steps(kinds, peers, extent), "peers_steps.csv", kFinelyTimed);
 #ifdef BOUNCE_PEER_SICONOS
-  write(lcp_solvers(extent), "peers_lcp.csv");
+  write(lcp_solvers(extent), "peers_lcp.csv", kFinelyTimed);
 #endif
   write(variants(scenes, peers, quick ? 1e-3 : 1e-4), "peers_variants.csv");
   const PeersAndOurs tables = sweep(scenes, peers, extent);

@@ -33,7 +33,6 @@ namespace bounce::study {
 namespace {
 
 constexpr std::size_t kContacts = 256;
-constexpr long kLeastNs = 2'000'000;
 constexpr double kWrong = 1e-6;  // m/s; more than this is no solution
 
 struct Contacts {
@@ -149,7 +148,7 @@ double time_of(const Contacts& contacts, const Solver& solver, long repeats) {
 
 }  // namespace
 
-Table lcp_solvers(const Extent& extent) {
+Table lcp_solvers(const PeerExtent& extent) {
   Table table({"solver", "contacts", "ns_per_lcp", "ratio", "residual_m_per_s",
                "difference_m_per_s", "refused", "wrong"});
   const Contacts contacts;
@@ -158,9 +157,9 @@ Table lcp_solvers(const Extent& extent) {
   std::vector<long> repeats;
   for (const Solver& solver : solvers) {
     const double once = time_of(contacts, solver, 1) * double(kContacts);
-    repeats.push_back(std::max(1L, long(double(kLeastNs) / once)));
+    repeats.push_back(std::max(1L, long(10 * kLeastNs / once)));
   }
-  for (int round = 0; round < 3 * extent.rounds; ++round) {
+  for (int round = 0; round < kFinelyTimed * extent.rounds; ++round) {
     for (std::size_t s = 0; s < solvers.size(); ++s)
       ns[s].push_back(time_of(contacts, solvers[s], repeats[s]));
   }

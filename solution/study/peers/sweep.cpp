@@ -16,8 +16,7 @@ namespace {
 
 using methods::Motion;
 
-constexpr double kLeastNs = 200'000;  // a timing lasts at least so long
-constexpr double kFine = 1e-3;        // m
+constexpr double kFine = 1e-3;  // m
 
 // One method or peer at one setting, to be timed in turns with the others.
 struct Point {
@@ -220,7 +219,7 @@ Table truths(const Scenes& scenes) {
   return table;
 }
 
-PeersAndOurs sweep(const Scenes& scenes, const Peers& peers, const Extent& extent) {
+PeersAndOurs sweep(const Scenes& scenes, const Peers& peers, const PeerExtent& extent) {
   PeersAndOurs tables{empty_table(), empty_table()};
   const std::vector<Method> methods = all_methods();
   for (const Scene& scene : scenes) {
@@ -238,7 +237,7 @@ PeersAndOurs sweep(const Scenes& scenes, const Peers& peers, const Extent& exten
   return tables;
 }
 
-Table single_steps(const Scenes& kinds, const Peers& peers, const Extent& extent) {
+Table single_steps(const Scenes& kinds, const Peers& peers, const PeerExtent& extent) {
   Table table(
       {"engine", "version", "kind", "dt_s", "ns_per_step", "ns_per_step_ours", "ratio", "error_m"});
   for (const Scene& scene : kinds) {
@@ -246,7 +245,7 @@ Table single_steps(const Scenes& kinds, const Peers& peers, const Extent& extent
     std::vector<Point> points{steps_of<methods::AssignmentFast>("assignment_fast", scene, truth),
                               steps_of<methods::Assignment>("assignment", scene, truth)};
     for (const Peer& peer : peers) points.push_back(point_of(peer, scene, scene.params.dt, truth));
-    time_in_turns(points, 7 * extent.rounds);
+    time_in_turns(points, kFinelyTimed * extent.rounds);
     const double steps = scene.until / scene.params.dt, ours = median(points[0].ns) / steps;
     for (std::size_t i = 0; i < points.size(); ++i) {
       const double ns = median(points[i].ns) / steps;

@@ -7,7 +7,10 @@
 
 namespace bounce::study {
 
-struct Extent {
+inline constexpr double kLeastNs = 200'000;  // a timing lasts at least so long
+inline constexpr int kFinelyTimed = 7;       // times as many rounds for single steps
+
+struct PeerExtent {
   double least_dt;  // s
   int rounds;       // timings, of which the median counts
 };
@@ -28,11 +31,11 @@ Table truths(const Scenes& scenes);
 struct PeersAndOurs {
   Table peers, ours;
 };
-PeersAndOurs sweep(const Scenes& scenes, const Peers& peers, const Extent& extent);
+PeersAndOurs sweep(const Scenes& scenes, const Peers& peers, const PeerExtent& extent);
 
 // One step in the air and one in contact, each timed in turns with the fast form of the
 // assignment's scheme; params.dt of each scene is the step.
-Table single_steps(const Scenes& kinds, const Peers& peers, const Extent& extent);
+Table single_steps(const Scenes& kinds, const Peers& peers, const PeerExtent& extent);
 
 Table settings(const Peers& peers);
 
@@ -41,6 +44,6 @@ Table settings(const Peers& peers);
 Table variants(const Scenes& scenes, const Peers& peers, double dt);
 
 // The LCP alone, by Siconos's solvers and ours.
-Table lcp_solvers(const Extent& extent);
+Table lcp_solvers(const PeerExtent& extent);
 
 }  // namespace bounce::study
