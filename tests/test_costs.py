@@ -24,7 +24,7 @@ def test_a_parameter_written_as_a_number_costs_a_tenth_of_its_part_or_a_little_m
 
 def test_a_trajectory_that_does_not_step_on_costs_most_of_its_part() -> None:
     found = [cost for cost in costs() if "StepsFromTheColumnBefore" in cost.lost]
-    assert all(cost.share >= 0.7 for cost in found), found
+    assert all(cost.share >= 0.6 for cost in found), found
 
 
 @pytest.mark.long

@@ -11,7 +11,17 @@ from bounce_grader import confusion, fuzz
 from bounce_grader.fixtures import all_differing, hidden_folder
 from bounce_grader.paths import BUILD, ROOT
 
-CPP = ("student", "solution", "grader", "tests/*.cpp", "tests/*.hpp", "tests/linked", "tests/fuzz")
+CPP = (
+    "student",
+    "solution",
+    "grader",
+    "tests/*.cpp",
+    "tests/*.hpp",
+    "tests/linked",
+    "tests/fuzz",
+    "tests/mutation",
+    "tests/study",
+)
 PYTHON = ("grader/bounce_grader", "tests", "solution")
 SANITIZED = (
     "solution_test",
