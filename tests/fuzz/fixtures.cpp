@@ -19,6 +19,7 @@ namespace fuzz {
 std::vector<std::string> seeds() {
   std::vector<std::filesystem::path> files;
   for (const auto& file : std::filesystem::directory_iterator(BOUNCE_FIXTURES)) {
+    if (!file.is_regular_file()) continue;
     files.push_back(file.path());
   }
   std::sort(files.begin(), files.end());
