@@ -335,7 +335,7 @@ def wait_for(happened: Any, seconds: float = 60.0) -> None:
 
 def test_ctrl_c_stops_and_says_how_to_go_on(tmp_path: Path, users: list[int]) -> None:
     source, out = download(tmp_path / "x.zip", users), tmp_path / "out"
-    process = started(source, out, seconds=0.4)
+    process = started(source, out, seconds=2)
     wait_for(lambda: len(results.keys(out / "results")) >= 2)
     process.send_signal(signal.SIGINT)
     _, said = process.communicate(timeout=30)

@@ -241,7 +241,9 @@ def test_a_judge_that_leaves_a_check_out_is_no_verdict(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     forged = tmp_path / "judge"
-    forged.write_text('#!/bin/sh\necho \'{"checks": [], "largest_error": 0}\'\n')
+    forged.write_text(
+        '#!/bin/sh\necho \'{"checks": [], "largest_error": 0, "mistakes": [], "patterns": []}\'\n'
+    )
     forged.chmod(0o755)
     monkeypatch.setattr(judging, "JUDGE", forged)
     with pytest.raises(KitError, match="aren't those of parts.json"):

@@ -198,7 +198,7 @@ def test_a_running_program_brings_no_secret_out(world: World) -> None:
     write(world.submission, looking(world))
     record = grade(world.submission)
     assert world.mark not in everything_said(world.submission)
-    assert points(record) == [0, 0, 0, 2]  # it ran, and found nothing to throw
+    assert points(record) == [0, 0, 0, 1]  # it ran, and found nothing to throw
     assert {p["status"] for p in record["parts"]} == {"graded"}
     assert all("threw" not in c["message"] for p in record["parts"] for c in p["checks"])
 

@@ -50,7 +50,7 @@ def test_the_commands_run_in_their_order(place: Path) -> None:
     out = place.parent / "hw3" / "out"
     rows = list(csv.reader((out / "gradebook.csv").open()))
     assert rows[0][0] == "Student"
-    named = re.findall(r"`([\w./-]+)`", PAGE.split("| file | what |")[1].split("\n\n")[0])
+    named = re.findall(r"`([\w./][\w./-]*)`", PAGE.split("| file | what |")[1].split("\n\n")[0])
     assert len(named) == 7
     for name in [*named, "results-1"]:
         assert (out / name).exists(), name

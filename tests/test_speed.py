@@ -72,7 +72,7 @@ def test_the_error_falls_with_the_step_and_is_the_same_each_time(tmp_path: Path)
     errors = [error or math.inf for error in worst(first)]
     assert errors[-1] < errors[0] / 20 and errors[-1] < speed.FINE
     for scene in first["scenes"]:
-        assert scene["least"][-1]["error"] <= scene["least"][0]["error"]
+        assert scene["least"][-1]["error"] <= scene["least"][0]["error"] + 1e-14  # rounding
 
 
 @pytest.mark.slow
@@ -99,7 +99,8 @@ def test_an_answer_kept_from_before_is_wrong(tmp_path: Path) -> None:
     kept = f"""static std::map<std::tuple<int, double, double, double, double, double>, Trajectory>
         known; if (auto k = known.find({key}); k != known.end()) return k->second;"""
     found = timed(tmp_path, around(kept, f"return known[{key}] = right;"))
-    assert all(error and error > 0.4 for error in worst(found))
+    several_rounds = worst(found)[:-2]  # the finest steps take too long for a second round
+    assert all(error and error > 0.4 for error in several_rounds), worst(found)
 
 
 @pytest.mark.slow
