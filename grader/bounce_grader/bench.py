@@ -23,6 +23,8 @@ from bounce_grader.submission import read
 ROUNDS = 9
 MANY = 100
 AT_ONCE = 10
+SHARED_BY_TESTS = ("answers", "cases", "feedback", "pattern", "picture", "recognise")
+LINKED_TESTS = ("main", "mistake", "time_limit")
 SOLUTION = ROOT / "solution" / "src"
 PLAIN_GCC = ("g++", "-std=c++20", "-O1", "-isystem", "/usr/include/eigen3", "-I", str(CONTRACT))
 
@@ -112,8 +114,8 @@ def _plain(folder: Path) -> list[Line]:
         *PLAIN_GCC,
         f'-DBOUNCE_FIXTURES="{ROOT / "fixtures" / "public"}"',
         *(*tests, *linked, *(str(submission / part.file) for part in parts())),
-        *(str(ROOT / "tests" / f"{name}.cpp") for name in ("cases", "feedback", "picture")),
-        *(str(ROOT / "tests" / "linked" / f"{name}.cpp") for name in ("main", "time_limit")),
+        *(str(ROOT / "tests" / f"{name}.cpp") for name in SHARED_BY_TESTS),
+        *(str(ROOT / "tests" / "linked" / f"{name}.cpp") for name in LINKED_TESTS),
         str(ROOT / "student" / "given" / "solve_lcp.cpp"),
         *("-lgtest", "-lpthread", "-o", str(program)),
     ]

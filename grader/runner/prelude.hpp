@@ -192,7 +192,6 @@ inline Vector3 instances(const Vector3& a, const Vector3& b, const Vector3& c, c
   f = a + s * b + c;
   f = a + s * b;
   f = a + b * s;
-  f = A.ldlt().solve(a);
   double t = a.dot(b + s * c) + a.dot(b) + J.col(1).dot(b) + (1 + s) * a.dot(b);
   t += a.transpose() * b;
   t += J.col(0).transpose() * b;
