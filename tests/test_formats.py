@@ -11,7 +11,7 @@ from typing import Any
 
 import pytest
 from bounce_grader import cli, formats
-from bounce_grader.formats import _escaping, github, html, words
+from bounce_grader.formats import github, html, words
 from bounce_grader.manifest import parts
 from conftest import ROOT, SOLUTION, write
 
@@ -285,15 +285,6 @@ def test_a_long_report_stays_below_what_github_takes(record: dict[str, Any]) -> 
             check["passed"], check["message"] = False, "x" * 20_000
     text = formats.render("markdown", record, NOWHERE)
     assert len(text) < 65_536 and text.endswith("More checks failed than there is room for.\n")
-
-
-@pytest.mark.parametrize("text", ["=1+1", "+1", "-1", "@x", "\t=1", " =1"])
-def test_a_spreadsheet_sees_no_formula(text: str) -> None:
-    assert _escaping.csv_cell(text).startswith("'")
-
-
-def test_a_number_in_a_table_stays_one() -> None:
-    assert _escaping.csv_line(["a", "1.5", "b,c"]) == 'a,1.5,"b,c"\n'
 
 
 @pytest.mark.parametrize(

@@ -4,12 +4,13 @@ messages of compilers. Each place has one function, and nothing of a submission 
     the score record      said(text), name(text)
     a terminal or a log   terminal(text)
     HTML                  html(text)              between tags, or in a quoted attribute
-    XML, as in JUnit      xml(text)               likewise
+    JSON or XML           plain(text)             to a library that writes them
     CSV                   csv_row(values)         a whole line
-    a Markdown table      markdown_cell(text)
+    Markdown              markdown(text)          inside of a line or a table's cell
+                          markdown_block(text)    lines of their own
     GitHub's log          workflow(command, message, file=..., line=...)    a whole line
 
-All begin with the same: characters that don't print become U+FFFD. These are controls, C1 controls,
+All begin with the same, plain(text): characters that don't print become U+FFFD. These are controls, C1 controls,
 bidirectional overrides, lone surrogates, and what XML 1.0 has no place for.
 """
 
@@ -19,9 +20,15 @@ import re
 from collections.abc import Iterable
 
 REPLACEMENT = "\N{REPLACEMENT CHARACTER}"
+ZERO_WIDTH_SPACE = "\N{ZERO WIDTH SPACE}"
 LONGEST_TEXT = 4000
 LONGEST_NAME = 255
 Value = str | int | float | None
+
+
+def plain(text: str) -> str:
+    """Lines of printable characters."""
+    return said(text, len(text) + 1)
 
 
 def said(text: str, most: int = LONGEST_TEXT) -> str:
@@ -42,18 +49,13 @@ def terminal(text: str) -> str:
 
     Print it through rich's Text, which reads no markup.
     """
-    line = _printable(text).replace("\n", REPLACEMENT)
+    line = plain(text).replace("\n", REPLACEMENT)
     return re.sub(r"^(\s*:)(?=:)|(#)(?=#\w*\[)", r"\1\2 ", line)
 
 
 def html(text: str) -> str:
     """Lines stay lines; a browser shows them as such inside of <pre>."""
-    return html_entities.escape(_printable(text), quote=True)
-
-
-def xml(text: str) -> str:
-    """Line breaks as references, since an attribute has no others."""
-    return html_entities.escape(_printable(text), quote=True).replace("\n", "&#10;")
+    return html_entities.escape(plain(text), quote=True)
 
 
 def csv_row(values: Iterable[Value]) -> str:
@@ -67,30 +69,30 @@ def _csv_field(value: Value) -> str:
         return ""
     if not isinstance(value, str):
         return str(value)
-    text = _printable(value)
+    text = plain(value)
     if not re.fullmatch(r"-?\d+(\.\d+)?", text, re.ASCII):
         # Where lists are separated by semicolons, a spreadsheet splits there, quoted or not.
         text = re.sub(r"(^|[;\n])(?= *[=+\-@＝＋－＠])", r"\1'", text)
     return '"' + text.replace('"', '""') + '"'
 
 
-def markdown_cell(text: str) -> str:
-    """Each line as code, where nothing else means anything, a mention or a link included."""
-    return "<br>".join(filter(None, map(_code, _printable(text).split("\n"))))
+def markdown(text: str) -> str:
+    """One line, of which nothing is markup; nor, on GitHub, a mention, a reference or a link."""
+    line = html_entities.escape(plain(text).replace("\n", " "), quote=False)
+    marked = re.sub(r"([\\`*_{}\[\]()#+!|~-])", r"\\\1", line)
+    return re.sub(r"(@|#|://|www\.)", rf"\1{ZERO_WIDTH_SPACE}", marked)
 
 
-def _code(line: str) -> str:
-    if not line.strip(" "):
-        return ""
-    runs = [len(run) for run in re.findall("`+", line)]
-    fence = "`" * (max(runs, default=0) + 1)
-    return f"{fence} {line} {fence}".replace("|", r"\|")
+def markdown_block(text: str) -> str:
+    """Lines of code that their content can't leave."""
+    fence = "`" * max(3, 1 + max(map(len, re.findall("`+", text)), default=0))
+    return f"{fence}text\n{plain(text)}\n{fence}"
 
 
 def workflow(command: str, message: str, **properties: str | int) -> str:
     """One command to GitHub's runner, as workflow("error", "x", file="a.cpp", line=3)."""
     given = ",".join(f"{key}={_property(str(value))}" for key, value in properties.items())
-    return f"::{command}{' ' * bool(given)}{given}::{_data(_printable(message))}"
+    return f"::{command}{' ' * bool(given)}{given}::{_data(plain(message))}"
 
 
 def _data(text: str) -> str:
@@ -98,8 +100,4 @@ def _data(text: str) -> str:
 
 
 def _property(text: str) -> str:
-    return _data(_printable(text)).replace(":", "%3A").replace(",", "%2C")
-
-
-def _printable(text: str) -> str:
-    return said(text, len(text) + 1)
+    return _data(plain(text)).replace(":", "%3A").replace(",", "%2C")

@@ -5,7 +5,7 @@ import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
-from bounce_grader.formats._escaping import to_html
+from bounce_grader import escape
 from bounce_grader.formats.svg import INK, line, rect, svg, text, upward
 
 WIDTH = 720
@@ -127,7 +127,7 @@ def _log(value: float, low: float, high: float) -> float:
 
 def _dot(x: float, y: float, dot: Dot) -> str:
     """Three shapes, which grey doesn't take apart: a disc, a ring and a cross."""
-    title = f"<title>{to_html(dot.title)}</title>"
+    title = f"<title>{escape.html(dot.title)}</title>"
     if dot.kind == "none":
         arms = f"M{x - 4:.1f} {y - 4:.1f}l8 8m0-8l-8 8"
         return f'<path d="{arms}" stroke="#111" stroke-width="1.5">{title}</path>'
@@ -189,7 +189,7 @@ def _markers(number: int) -> str:
 
 def _way(curve: Way, places: Sequence[tuple[float, float]]) -> str:
     drawn = "L".join(f"{x:.0f} {y:.0f}" for x, y in places)
-    title = f"<title>{to_html(curve.title)}</title>"
+    title = f"<title>{escape.html(curve.title)}</title>"
     labels = "".join(text(x + 8, y - 8, said) for (x, y), said in zip(places, curve.labels))
     drawn = f'<path class="way {curve.kind}" d="M{drawn}">{title}</path>'
     return drawn + (f'<g class="label">{labels}</g>' if labels else "")

@@ -193,11 +193,11 @@ def _has_decimal_comma(table: Table) -> bool:
 
 def plain(marks: Mapping[str, Marks], title: str, most: float) -> bytes:
     """A grade book of its own, where Canvas's wasn't given: Canvas knows the students by ID."""
-    from bounce_grader.formats._escaping import csv_line
+    from bounce_grader.escape import csv_row
 
     header = ["Student", "ID", "SIS Login ID", "Section", title]
     rows = [header, ["    Points Possible", "", "", "", f"{most:.2f}"]]
     for id, mark in sorted(marks.items(), key=lambda item: (item[1].name, item[0])):
         canvas, login = (id, "") if id.isdigit() else ("", id)
         rows.append([mark.name, canvas, login, "", f"{mark.points[0]:.2f}"])
-    return "".join(map(csv_line, rows)).encode()
+    return "".join(map(csv_row, rows)).encode()

@@ -3,12 +3,12 @@
 from collections.abc import Iterable
 
 from bounce_grader.classroom.summary import Summary
-from bounce_grader.formats._escaping import csv_line
+from bounce_grader.escape import Value, csv_row
 from bounce_grader.manifest import parts
 
 
 def table(summaries: Iterable[Summary]) -> str:
-    return csv_line(_header()) + "".join(csv_line(_row(summary)) for summary in summaries)
+    return csv_row(_header()) + "".join(csv_row(_row(summary)) for summary in summaries)
 
 
 def _header() -> list[str]:
@@ -20,7 +20,7 @@ def _header() -> list[str]:
     ]
 
 
-def _row(summary: Summary) -> list[str]:
+def _row(summary: Summary) -> list[Value]:
     student = summary.student
     points = [summary.parts.get(part.number) for part in parts()]
     checks = [summary.checks.get(check.id) for part in parts() for check in part.checks]
@@ -36,5 +36,8 @@ def _row(summary: Summary) -> list[str]:
     ]
 
 
-def _number(value: float | None) -> str:
-    return "" if value is None else f"{value:.6g}"
+def _number(value: float | None) -> Value:
+    if value is None:
+        return None
+    rounded = float(f"{value:.6g}")
+    return int(rounded) if rounded.is_integer() else rounded

@@ -10,7 +10,7 @@ from bounce_grader.classroom.charts import Bar, Dot, Way
 from bounce_grader.classroom.similar import Similar
 from bounce_grader.classroom.students import Class
 from bounce_grader.classroom.summary import Summary
-from bounce_grader.formats._escaping import to_html
+from bounce_grader import escape
 from bounce_grader.manifest import parts
 from bounce_grader.mistakes import for_the_instructor
 
@@ -114,7 +114,7 @@ def _mistakes(summaries: Sequence[Summary]) -> str:
     most = counts.most_common(15)
     bars = [Bar(titles[name], count / len(graded), _n(count)) for name, count in most]
     rows = [
-        [name[4], to_html(titles[name]), _n(count), to_html(for_the_instructor(name))]
+        [name[4], escape.html(titles[name]), _n(count), escape.html(for_the_instructor(name))]
         for name, count in most
     ]
     said = "<p>How many submissions make which known mistake, as far as their answers tell.</p>"
@@ -126,7 +126,7 @@ def _failed(graded: Sequence[Summary]) -> str:
     failed = Counter(id for s in graded for id, points in s.checks.items() if not points)
     titles = {check.id: (part, check) for part in parts() for check in part.checks}
     rows = [
-        [f"part {titles[id][0].number}", to_html(titles[id][1].title), _n(count)]
+        [f"part {titles[id][0].number}", escape.html(titles[id][1].title), _n(count)]
         for id, count in failed.most_common(10)
     ]
     said = "<p>These checks failed most often.</p>"
@@ -203,29 +203,37 @@ def _kind(score: float, full: float) -> str:
 
 def _looks(summaries: Sequence[Summary]) -> str:
     rows = [
-        [to_html(_who(s)), to_html("; ".join(s.needs_a_look))] for s in summaries if s.needs_a_look
+        [escape.html(_who(s)), escape.html("; ".join(s.needs_a_look))]
+        for s in summaries
+        if s.needs_a_look
     ]
     return _table(["who", "why"], rows) if rows else "<p>Nobody.</p>"
 
 
 def _near(near: Similar, names: dict[str, str]) -> str:
     if near.problem:
-        return f"<p>Not looked for: {to_html(near.problem)}</p>"
+        return f"<p>Not looked for: {escape.html(near.problem)}</p>"
     said = (
         "<p>The share of one submission's structure that is in the other too, whatever the names "
         "and the layout; lines of the handout don't count. Right answers to a short task look "
         f"alike: half of the submissions have {near.usual} % or more in common with their closest "
         "relative. The pairs that stand out from that are a reason to look, and no more.</p>"
     )
-    rows = [[to_html(names[p.first]), to_html(names[p.second]), f"{p.share} %"] for p in near.pairs]
+    rows = [
+        [escape.html(names[p.first]), escape.html(names[p.second]), f"{p.share} %"]
+        for p in near.pairs
+    ]
     return said + (_table(["one", "the other", "in common"], rows, {2}) if rows else "<p>None.</p>")
 
 
 def _unmatched(found: Class, said: Sequence[str]) -> str:
-    rows = [[to_html(unmatched.name), to_html(unmatched.reason)] for unmatched in found.unmatched]
+    rows = [
+        [escape.html(unmatched.name), escape.html(unmatched.reason)]
+        for unmatched in found.unmatched
+    ]
     out = _table(["file", "why it isn't graded"], rows) if rows else "<p>Everything is matched.</p>"
     if said:
-        items = "".join(f"<li>{to_html(sentence)}</li>" for sentence in said)
+        items = "".join(f"<li>{escape.html(sentence)}</li>" for sentence in said)
         out += f"<p>The grade book:</p><ul>{items}</ul>"
     return out
 
@@ -235,8 +243,8 @@ def _all(summaries: Sequence[Summary]) -> str:
     rows = []
     for s in summaries:
         points = [_points(s.score), *(_points(s.parts.get(part.number)) for part in parts())]
-        unused = to_html("; ".join(s.student.unused))
-        rows.append([to_html(_who(s)), *points, "late" if s.student.late else "", unused])
+        unused = escape.html("; ".join(s.student.unused))
+        rows.append([escape.html(_who(s)), *points, "late" if s.student.late else "", unused])
     table = _table(head, rows, set(range(1, 2 + len(parts()))))
     return f"<details><summary>{len(rows)} submissions</summary>{table}</details>"
 

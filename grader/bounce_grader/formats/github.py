@@ -8,8 +8,8 @@ from pathlib import Path
 from typing import Any
 
 from bounce_grader.errors import UsageError
+from bounce_grader.escape import workflow
 from bounce_grader.formats import markdown, words
-from bounce_grader.formats._escaping import workflow_data, workflow_property
 from bounce_grader.formats.words import Place
 from bounce_grader.record import Record
 
@@ -96,13 +96,11 @@ def _part(part: Record, root: Path) -> list[str]:
 def _command(
     kind: str, title: str, text: str, place: Place | None = None, root: Path = Path()
 ) -> str:
-    where = {}
+    where: dict[str, str | int] = {}
     if place:
-        where = {"file": _in_repository(place.file, root), "line": str(place.line)}
-        where |= {"col": str(place.column)} if place.column else {}
-    properties = {**where, "title": title}
-    said = ",".join(f"{name}={workflow_property(value)}" for name, value in properties.items())
-    return f"::{kind} {said}::{workflow_data(text)}"
+        where = {"file": _in_repository(place.file, root), "line": place.line}
+        where |= {"col": place.column} if place.column else {}
+    return workflow(kind, text, **where, title=title)
 
 
 def _in_repository(file: str, root: Path) -> str:

@@ -4,7 +4,7 @@ import json
 from typing import Any
 
 from bounce_grader.formats import words
-from bounce_grader.formats._escaping import plain
+from bounce_grader.escape import plain
 from bounce_grader.record import Record
 
 

@@ -1,7 +1,7 @@
 """A page for a student: self-contained, and legible on paper, in the dark and in grey."""
 
 from bounce_grader.formats import case, speed_chart, words
-from bounce_grader.formats._escaping import to_html
+from bounce_grader import escape
 from bounce_grader.record import Record
 
 STYLE = """
@@ -45,12 +45,12 @@ def render(record: Record, name: str = "", unused: tuple[str, ...] = ()) -> str:
     parts = "".join(_part(part) for part in record["parts"])
     body = (
         f"<h1>{words.of_points(record)} points</h1>"
-        + (f"<p>{to_html(name)}</p>" if name else "")
+        + (f"<p>{escape.html(name)}</p>" if name else "")
         + f'<div class="bar"><div style="width:{share:.1f}%"></div></div>'
         + parts
         + speed_chart.page_section(record.get("speed") or {})
         + _unused([*unused, *(f"{file} wasn't used" for file in record["ignored"][:20])])
-        + f'<p class="small">Graded by kit {to_html(record["kit"])}; submission '
+        + f'<p class="small">Graded by kit {escape.html(record["kit"])}; submission '
         f"{record['submission_sha256'][:12]}.</p>"
     )
     return page("Bouncing: your points", body)
@@ -58,7 +58,7 @@ def render(record: Record, name: str = "", unused: tuple[str, ...] = ()) -> str:
 
 def refused(sentence: str) -> str:
     """For a submission that can't be read."""
-    body = f"<h1>Not graded</h1><p>{to_html(sentence)}</p>"
+    body = f"<h1>Not graded</h1><p>{escape.html(sentence)}</p>"
     return page("Bouncing: not graded", body)
 
 
@@ -72,14 +72,14 @@ def page(title: str, body: str) -> str:
 
 def _part(part: Record) -> str:
     score = f"{words.points(part['score'])} / {words.points(part['max_score'])}"
-    heading = f"<h2><span>Part {part['part']}: {to_html(part['title'])}</span>"
+    heading = f"<h2><span>Part {part['part']}: {escape.html(part['title'])}</span>"
     ran = any(check["passed"] or check["message"] for check in part["checks"])
     checks = "".join(_check(check) for check in part["checks"]) if ran else ""
     given = part["graded_with"] == "given" and part["score"] < part["max_score"]
     return (
-        f'{heading}<span class="of">{score}</span></h2><p>{to_html(words.part_words(part))}</p>'
+        f'{heading}<span class="of">{score}</span></h2><p>{escape.html(words.part_words(part))}</p>'
         + "".join(map(_mistake, part["mistakes"]))
-        + "".join(f'<p class="mistake">{to_html(said)}</p>' for said in part["patterns"])
+        + "".join(f'<p class="mistake">{escape.html(said)}</p>' for said in part["patterns"])
         + (f"<ul>{checks}</ul>" if checks else "")
         + ('<p class="small">Judged with the earlier parts given.</p>' if given else "")
     )
@@ -87,8 +87,8 @@ def _part(part: Record) -> str:
 
 def _mistake(mistake: Record) -> str:
     return (
-        f'<p class="mistake">Looks like: <b>{to_html(mistake["title"])}.</b> '
-        f'{to_html(mistake["sentence"])} See {to_html(words.where_to_read(mistake))}.</p>'
+        f'<p class="mistake">Looks like: <b>{escape.html(mistake["title"])}.</b> '
+        f'{escape.html(mistake["sentence"])} See {escape.html(words.where_to_read(mistake))}.</p>'
     )
 
 
@@ -97,17 +97,17 @@ def _check(check: Record) -> str:
     score = f"{words.points(check['score'])} / {words.points(check['max_score'])}"
     out = (
         f'<li class="{kind}"><div class="line"><span class="mark">{mark}</span>'
-        f'<span class="title">{to_html(check["title"])}</span><span class="of">{score}</span></div>'
+        f'<span class="title">{escape.html(check["title"])}</span><span class="of">{score}</span></div>'
     )
     if check.get("shown", {}).get("quantities"):
         out += case.render(check["shown"], check["message"].partition("\n")[0])
     elif check["message"]:
-        out += f"<pre>{to_html(check['message'])}</pre>"
+        out += f"<pre>{escape.html(check['message'])}</pre>"
     if not check["passed"] and words.hint(check):
-        out += f'<p class="hint">Hint {to_html(words.hint(check))}</p>'
+        out += f'<p class="hint">Hint {escape.html(words.hint(check))}</p>'
     return out + "</li>"
 
 
 def _unused(sentences: list[str]) -> str:
-    items = "".join(f"<li>{to_html(sentence)}</li>" for sentence in sentences)
+    items = "".join(f"<li>{escape.html(sentence)}</li>" for sentence in sentences)
     return f'<p class="small">Not used:</p><ul class="small">{items}</ul>' if items else ""

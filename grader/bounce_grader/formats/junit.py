@@ -3,7 +3,7 @@
 from xml.etree import ElementTree
 
 from bounce_grader.formats import words
-from bounce_grader.formats._escaping import plain
+from bounce_grader.escape import plain
 from bounce_grader.record import Record
 
 

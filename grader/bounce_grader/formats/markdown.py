@@ -1,7 +1,7 @@
 """Markdown, for a comment on a pull request or the summary of a workflow."""
 
+from bounce_grader import escape
 from bounce_grader.formats import words
-from bounce_grader.formats._escaping import markdown, markdown_code, to_html
 from bounce_grader.record import Record
 
 LONGEST = 60_000  # characters; a comment on GitHub may have 65,536
@@ -16,10 +16,12 @@ def render(record: Record) -> str:
     ]
     for part in record["parts"]:
         score = f"{words.points(part['score'])} / {words.points(part['max_score'])}"
-        said = markdown(words.part_words(part))
-        lines.append(f"| {part['part']}: {markdown(part['title'])} | {score} | {said} |")
+        said = escape.markdown(words.part_words(part))
+        lines.append(f"| {part['part']}: {escape.markdown(part['title'])} | {score} | {said} |")
     for part in record["parts"]:
-        said_of = [f"- Part {part['part']}: {markdown(line)}" for line in words.mistake_words(part)]
+        said_of = [
+            f"- Part {part['part']}: {escape.markdown(line)}" for line in words.mistake_words(part)
+        ]
         lines += ["", *said_of] if said_of else []
     text = "\n".join(lines) + "\n"
     for number, part, check in words.numbered(record):
@@ -32,10 +34,10 @@ def render(record: Record) -> str:
 
 
 def _check(number: str, check: Record) -> str:
-    heading = f"<details><summary>✗ {number} {to_html(check['title'])}</summary>"
+    heading = f"<details><summary>✗ {number} {escape.html(check['title'])}</summary>"
     hint = words.hint(check)
     return (
-        f"\n{heading}\n\n{markdown_code(check['message'])}\n"
-        + (f"\nHint {markdown(hint)}\n" if hint else "")
+        f"\n{heading}\n\n{escape.markdown_block(check['message'])}\n"
+        + (f"\nHint {escape.markdown(hint)}\n" if hint else "")
         + "\n</details>\n"
     )

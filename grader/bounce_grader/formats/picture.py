@@ -5,7 +5,7 @@ import math
 from collections.abc import Sequence
 
 from bounce_grader.formats import svg
-from bounce_grader.formats._escaping import to_html
+from bounce_grader import escape
 from bounce_grader.shown import Shown
 
 VELOCITY = "v after the step"
@@ -109,7 +109,7 @@ def _step(scene: Shown, title: str, v: list[float] | None, longest: _Longest) ->
         shapes += _arrow(place(lowest), force, LONGEST / longest.force, "f", "5 3")
         said.append(f"force of the ground f = ({_n(force[0])}, {_n(force[1])}) N")
     drawn = svg.svg(shapes, width, height, f"One step, {title}: {', '.join(said)}")
-    words = "<br>".join(map(to_html, said))
+    words = "<br>".join(map(escape.html, said))
     return f"<figure>{drawn}<figcaption><b>{title}</b><br>{words}</figcaption></figure>"
 
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from bounce_grader import speed
 from bounce_grader.formats import svg
-from bounce_grader.formats._escaping import to_html
+from bounce_grader import escape
 from bounce_grader.speed import Measured, Point
 
 WIDTH, HEIGHT = 480, 400
@@ -47,7 +47,7 @@ def page_section(found: Measured) -> str:
     scenes = "".join(_scene(scene) for scene in found["scenes"])
     return (
         "<h2>Speed against accuracy</h2>"
-        f"<p>{to_html(said)} This gives and costs no points.</p>"
+        f"<p>{escape.html(said)} This gives and costs no points.</p>"
         f'<figure class="chart">{chart(whole, title, True)}</figure>'
         '<p class="small">Each point is a time step dt; where a line falls, smaller steps are '
         "worth their time. Further left is faster, further down more exact. The largest error is "
@@ -146,7 +146,7 @@ def _steps(points: Sequence[Point], axes: Axes) -> list[str]:
 
 def _mark(whose: str, x: float, y: float, said: str = "") -> str:
     """A disc, a square and a cross."""
-    title = f"<title>{to_html(said)}</title>" if said else ""
+    title = f"<title>{escape.html(said)}</title>" if said else ""
     if whose == "submission":
         return f'<circle cx="{x:.1f}" cy="{y:.1f}" r="5" fill="{svg.INK}">{title}</circle>'
     if whose == "solution":

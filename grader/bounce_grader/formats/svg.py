@@ -3,14 +3,14 @@ show on paper, in the dark and in grey."""
 
 from collections.abc import Sequence
 
-from bounce_grader.formats._escaping import to_html
+from bounce_grader import escape
 
 INK = "currentColor"
 
 
 def svg(shapes: Sequence[str], width: float, height: float, label: str) -> str:
     return (
-        f'<svg viewBox="0 0 {width:.0f} {height:.0f}" role="img" aria-label="{to_html(label)}">'
+        f'<svg viewBox="0 0 {width:.0f} {height:.0f}" role="img" aria-label="{escape.html(label)}">'
         f"{''.join(shapes)}</svg>"
     )
 
@@ -22,12 +22,14 @@ def rect(x: float, y: float, w: float, h: float, fill: str, stroke: str = "none"
 
 def text(x: float, y: float, words: str, anchor: str = "start", weight: str = "normal") -> str:
     bold = ' style="font-weight:bold"' if weight == "bold" else ""
-    return f'<text x="{x:.1f}" y="{y:.1f}" text-anchor="{anchor}"{bold}>{to_html(words)}</text>'
+    return f'<text x="{x:.1f}" y="{y:.1f}" text-anchor="{anchor}"{bold}>{escape.html(words)}</text>'
 
 
 def upward(x: float, y: float, words: str) -> str:
     turned = f'transform="rotate(-90 {x:.1f} {y:.1f})"'
-    return f'<text x="{x:.1f}" y="{y:.1f}" text-anchor="middle" {turned}>{to_html(words)}</text>'
+    return (
+        f'<text x="{x:.1f}" y="{y:.1f}" text-anchor="middle" {turned}>{escape.html(words)}</text>'
+    )
 
 
 def line(x1: float, y1: float, x2: float, y2: float, dash: str = "", width: float = 1) -> str:
