@@ -80,14 +80,14 @@ def test_a_name_as_canvas_writes_it() -> None:
     ],
 )
 def test_a_part_is_known_however_often_it_was_handed_in(file: str) -> None:
-    assert canvas.part_file(file) == "part2_lcp.cpp"
+    assert submission.part_file(file) == "part2_lcp.cpp"
 
 
 @pytest.mark.parametrize(
     "file", ["part2.cpp", "part2_lcp-b.cpp", "my_part2_lcp.cpp", "part2_lcp.h"]
 )
 def test_a_file_of_another_name_is_no_part(file: str) -> None:
-    assert canvas.part_file(file) is None
+    assert submission.part_file(file) is None
 
 
 def test_the_newest_upload_of_a_file_counts(tmp_path: Path) -> None:
@@ -121,6 +121,49 @@ def test_a_helper_has_the_name_that_it_is_included_by(tmp_path: Path) -> None:
     (student,) = students.read(path).students
     names = set(files_to_grade(student, tmp_path))
     assert names == {"part1_contacts.cpp", "rotation.hpp", "solver-2.hpp"}
+
+
+@pytest.mark.parametrize("renamed", ["solve.lcp-1.hpp", "solve-1.lcp.hpp", "solve.lcp.hpp"])
+def test_a_helper_of_several_dots_has_the_name_that_it_is_included_by(
+    tmp_path: Path, renamed: str
+) -> None:
+    """Canvas's number stands before the last dot or, in later versions, before the first."""
+    path = download(
+        tmp_path / "x.zip",
+        {
+            "doe_1_1_part1_contacts.cpp": b'#include "solve.lcp.hpp"',
+            f"doe_1_2_{renamed}": b"// solves",
+        },
+    )
+    (student,) = students.read(path).students
+    assert set(files_to_grade(student, tmp_path)) == {"part1_contacts.cpp", "solve.lcp.hpp"}
+
+
+def test_of_a_zip_that_is_handed_in_again_the_newest_counts(tmp_path: Path) -> None:
+    """Nothing of the older one is left: neither its parts nor its helpers."""
+    first = {"part1_contacts.cpp": b"// first", "arm.cpp": b"// stale"}
+    path = download(
+        tmp_path / "x.zip",
+        {
+            "doe_1_1_homework.zip": inner_zip(tmp_path, first),
+            "doe_1_2_homework-1.zip": inner_zip(tmp_path, {"part1_contacts.cpp": b"// second"}),
+        },
+    )
+    (student,) = students.read(path).students
+    assert student.unused == ("homework.zip is older than homework-1.zip",)
+    assert files_to_grade(student, tmp_path) == {"part1_contacts.cpp": b"// second"}
+
+
+def test_what_a_zip_beside_files_holds_in_vain_is_listed(tmp_path: Path) -> None:
+    zipped = inner_zip(tmp_path, {"part1.rar": b"Rar!", "part2_lcp.cpp": b"// two"})
+    path = download(
+        tmp_path / "x.zip", {"doe_1_1_hw.zip": zipped, "doe_1_2_part1_contacts.cpp": b"// one"}
+    )
+    (student,) = students.read(path).students
+    (tmp_path / "laid out").mkdir()
+    made = task.task_of(student, STAMP, tmp_path, speed=False, trust=False)
+    taken = submission.read(layout.prepare(made, tmp_path / "laid out"))
+    assert taken.ignored == ("part1.rar",) and taken.parts.keys() == {1, 2}
 
 
 def test_a_zip_and_a_newer_file_are_one_submission(tmp_path: Path) -> None:

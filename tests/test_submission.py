@@ -93,6 +93,23 @@ def test_two_candidates_for_a_part_are_refused_by_name(tmp_path: Path) -> None:
     assert "a/part1_contacts.cpp, b/part1_contacts.cpp" in sentence and "keep one" in sentence
 
 
+@pytest.mark.parametrize("copy", ["part1_contacts (1).cpp", "part1_contacts-1.cpp"])
+def test_a_part_under_the_name_of_a_copy_is_taken_where_it_is_the_only_one(
+    tmp_path: Path, copy: str
+) -> None:
+    taken = submission.read(write(tmp_path / "one", {f"a/{copy}": b"// x"}))
+    assert taken.parts == {1: copy} and not taken.ignored
+    both = write(tmp_path / "both", {copy: b"no C++", "part1_contacts.cpp": b"// x"})
+    taken = submission.read(both)
+    assert taken.parts == {1: "part1_contacts.cpp"} and taken.ignored == (copy,)
+    assert not taken.helpers
+
+
+def test_two_copies_without_the_part_itself_are_refused(tmp_path: Path) -> None:
+    copies = {f"part2_lcp-{number}.cpp": b"// x" for number in (1, 2)}
+    assert "part2_lcp.cpp is there 2 times" in refusal(write(tmp_path, copies))
+
+
 def test_a_missing_path_is_said(tmp_path: Path) -> None:
     assert "there is no file or folder" in refusal(tmp_path / "nowhere")
 

@@ -7,6 +7,7 @@ out; the names left out are kept, to be said.
 
 import hashlib
 import os
+import re
 import unicodedata
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
@@ -26,7 +27,16 @@ MOST_SOURCES = 100
 MOST_BYTES = 8 * 1024 * 1024
 LONGEST_NAME = 255  # bytes, folders and all
 MAC_FOLDER = "__MACOSX"
+COPY = re.compile(r"(?:-\d+|\s?\(\d+\))$")  # of a file that was handed in, or loaded, again
 NOT_THEIRS = {"build", MAC_FOLDER, "CMakeFiles", "fixtures", "tests", "methods", "study"}
+
+
+def part_file(file: str) -> str | None:
+    """The part that a file is, however often it was copied: part1_contacts-2.cpp is
+    part1_contacts.cpp."""
+    stem, dot, suffix = file.rpartition(".")
+    plain = COPY.sub("", stem).lower() + dot + suffix.lower()
+    return plain if plain in {part.file for part in parts()} else None
 
 
 @dataclass(frozen=True)
@@ -149,8 +159,10 @@ def _choose_parts(names: list[str]) -> dict[int, str]:
 
 
 def _choose(part: Part, names: list[str]) -> Iterator[str]:
-    """The file of a part: the one nearest to the top, where there are several."""
-    found = [PurePosixPath(n) for n in names if PurePosixPath(n).name.lower() == part.file]
+    """The file of a part: the one nearest to the top, where there are several. A copy's name counts
+    where the part's own isn't there."""
+    copies = [PurePosixPath(n) for n in names if part_file(PurePosixPath(n).name) == part.file]
+    found = [path for path in copies if path.name.lower() == part.file] or copies
     if not found:
         return
     depth = min(len(f.parts) for f in found)
@@ -164,7 +176,5 @@ def _choose(part: Part, names: list[str]) -> Iterator[str]:
 
 
 def _other_copies(names: list[str], chosen: dict[int, str]) -> list[str]:
-    part_files = {part.file for part in parts()}
-    return [
-        n for n in names if PurePosixPath(n).name.lower() in part_files and n not in chosen.values()
-    ]
+    own = set(chosen.values())
+    return [n for n in names if part_file(PurePosixPath(n).name) and n not in own]

@@ -12,12 +12,11 @@ import re
 from dataclasses import dataclass
 
 from bounce_grader.files import fitting
-from bounce_grader.manifest import parts
+from bounce_grader.submission import COPY, part_file
 
 WHO = r"(?:(?!LATE_|anon_)(?P<name>.+?)_)?(?:(?P<late>LATE)_)?(?P<user>anon_[^_]+|\d+)"
 UPLOAD = re.compile(rf"{WHO}_(?P<attachment>\d+)_(?P<file>.+)", re.DOTALL)
 ENTRY = re.compile(rf"{WHO}_(?P<kind>text|link)\.html", re.DOTALL)
-SUFFIX = re.compile(r"(?:-\d+|\s?\(\d+\))$")  # of a file that was handed in again, or loaded twice
 
 
 @dataclass(frozen=True)
@@ -65,21 +64,21 @@ def sanitized(sortable_name: str) -> str:
     return re.sub(r"[^\w]", "", flat)
 
 
-def part_file(file: str) -> str | None:
-    """The part that a file is, however often it was handed in: part1_contacts-2.cpp is
-    part1_contacts.cpp."""
-    stem, dot, suffix = file.rpartition(".")
-    plain = SUFFIX.sub("", stem).lower() + dot + suffix.lower()
-    return plain if plain in {part.file for part in parts()} else None
-
-
 def plain_file(file: str, texts: list[bytes]) -> str:
     """A file under the name that the submission's sources know it by: rotation-1.hpp is
     rotation.hpp, but for a submission that says "rotation-1.hpp" itself."""
     part = part_file(file)
     if part:
         return part
-    if any(file.encode() in text for text in texts):
-        return file
-    stem, dot, suffix = file.rpartition(".")
-    return SUFFIX.sub("", stem) + dot + suffix
+    names = [file, *_without_number(file)]
+    said = [name for name in names if any(name.encode() in text for text in texts)]
+    return said[0] if said else names[-1]
+
+
+def _without_number(file: str) -> list[str]:
+    """Canvas's number is before the last dot, or, in names of several dots, before the first."""
+    names = []
+    for dot in (file.find("."), file.rfind(".")):
+        name = COPY.sub("", file[:dot]) + file[dot:]
+        names += [name] if dot > 0 and name != file else []
+    return names

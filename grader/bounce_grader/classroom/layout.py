@@ -4,7 +4,7 @@ import errno
 import os
 from pathlib import Path
 
-from bounce_grader import intake
+from bounce_grader import intake, submission
 from bounce_grader.classroom import canvas
 from bounce_grader.classroom.archive import Archive, opened
 from bounce_grader.classroom.canvas import Upload
@@ -45,26 +45,33 @@ def _lay_out(archive: Archive, uploads: tuple[Upload, ...], folder: Path) -> Pat
             _unpack(_zip(archive, upload, folder), top)
         else:
             name = canvas.plain_file(upload.file, texts)
-            _drop_part(top, name)
+            _drop_part(_files(top), name)
             data = archive.read(upload.entry, LARGEST_SOURCE)
             _write(top / name, data, archive.size(upload.entry))
     return top
 
 
 def _unpack(zipped: Path, top: Path) -> None:
+    older = _files(top)
     with intake.opened(zipped) as entries:
         for entry in entries:
-            if is_source(entry.name) and not entry.link:
-                _drop_part(top, os.path.basename(entry.name))
+            if not is_source(entry.name):
+                _write(top / entry.name, b"", 0)  # so that it is listed as not used
+            elif not entry.link:
+                _drop_part(older, os.path.basename(entry.name))
                 _write(top / entry.name, entry.read(LARGEST_SOURCE), entry.size)
 
 
-def _drop_part(top: Path, name: str) -> None:
+def _files(top: Path) -> list[Path]:
+    return [path for path in top.rglob("*") if path.is_file()]
+
+
+def _drop_part(older: list[Path], name: str) -> None:
     """An older upload of the same part makes room."""
-    if canvas.part_file(name):
-        for older in top.rglob("*.cpp"):
-            if older.name.lower() == name.lower():
-                older.unlink()
+    part = submission.part_file(name)
+    for path in older:
+        if part and submission.part_file(path.name) == part:
+            path.unlink(missing_ok=True)
 
 
 def _write(path: Path, data: bytes, size: int) -> None:

@@ -138,7 +138,7 @@ def _newest(archive: Archive, uploads: list[Upload]) -> tuple[list[Upload], list
     newest: dict[str, Upload] = {}
     unused = []
     for upload in sorted(uploads, key=lambda u: -u.attachment):
-        file = canvas.plain_file(upload.file, texts) if is_source(upload.file) else upload.file
+        file = canvas.plain_file(upload.file, texts)
         if not is_source(file) and not is_zip(file):
             unused.append(f"{upload.file} is no C++ source and no zip")
         elif file in newest:
