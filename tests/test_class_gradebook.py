@@ -131,6 +131,60 @@ def test_the_points_of_a_group_are_said(tmp_path: Path) -> None:
     assert "jörgroe" not in said
 
 
+@pytest.mark.parametrize(
+    "name, canvas_name",
+    [
+        ("Mu\u0308ller, Jo\u0308rg", "müllerjörg"),
+        ("Müller, Jörg", "mu\u0308llerjo\u0308rg"),
+        ("कुमार, संजय", "कुमारसंजय"),
+    ],
+)
+def test_a_name_with_marks_on_its_letters_is_no_group(
+    tmp_path: Path, name: str, canvas_name: str
+) -> None:
+    text = EXPORT.replace("Roe, Jörg", name)
+    said = fill(tmp_path, text, {"13": Marks(canvas_name, {0: 6.0}, True)}).sentences
+    assert not any("if that is a group" in sentence for sentence in said)
+
+
+def test_why_somebody_has_no_score_is_said(tmp_path: Path) -> None:
+    path = tmp_path / "export.csv"
+    path.write_text(EXPORT)
+    filled = Gradebook(path, {0: COLUMN}, MOST).fill({}, {"15": "it is a photograph"})
+    sentence = "Moe, Sam (15) has no score, because it is a photograph: the cell stays as it was"
+    assert sentence in filled.sentences
+    assert "Doe, Jane (12) has no submission: the cell stays as it was" in filled.sentences
+    assert filled.data.decode() == EXPORT
+
+
+def test_a_name_in_two_columns_is_read(tmp_path: Path) -> None:
+    text = (
+        "LastName,FirstName,ID,SIS Login ID,Section,HW3 (98765)\n"
+        "    Points Possible,,,,,100.00\n"
+        "Doe,Jane,12,jdoe,S,\n"
+        "Roe,Jörg,13,jroe,S,\n"
+    )
+    filled = fill(tmp_path, text, {"12": Marks("doejane", {0: 5.0}, True)})
+    assert filled.data.decode() == text.replace("jdoe,S,", "jdoe,S,5.00")
+    assert filled.sentences == ["Roe, Jörg (13) has no submission: the cell stays as it was"]
+
+
+def test_a_point_in_a_section_is_no_decimal_point(tmp_path: Path) -> None:
+    text = (
+        "Student;ID;SIS Login ID;Section;Notes;Quiz (11);HW3 (98765)\n"
+        "    Points Possible;;;;;10,00;100,00\n"
+        "Doe, Jane;12;jdoe;1.2;3.4;7,50;\n"
+    )
+    filled = fill(tmp_path, text, marks(u12=87.5))
+    assert filled.data.decode() == text.replace("7,50;\n", "7,50;87,50\n")
+
+
+@pytest.mark.parametrize("title", ["HW3 (98765)", "HW3"])
+def test_one_column_for_two_is_refused(tmp_path: Path, title: str) -> None:
+    with pytest.raises(UsageError, match="two of the columns to fill are the same"):
+        fill(tmp_path, EXPORT, {}, {0: COLUMN, 1: title})
+
+
 def test_two_rows_of_one_student_are_both_left(tmp_path: Path) -> None:
     text = EXPORT.replace(",13,u13", ",12,u13")
     filled = fill(tmp_path, text, marks(u12=5))
@@ -151,6 +205,11 @@ def test_canvas_ids_come_before_logins(tmp_path: Path) -> None:
         (EXPORT.replace("Quiz (11)", COLUMN), COLUMN, "has 2 columns named"),
         (EXPORT.replace("Quiz (11)", "HW3 (5)"), "HW3", "has 2 columns named"),
         (EXPORT, "Final Score", "read only"),
+        (EXPORT.replace("(read only)", ""), "Final Score", "read only"),
+        (EXPORT, "Student", "'Student' in export.csv says who a student is"),
+        (EXPORT, "ID", "takes no points"),
+        (EXPORT, "SIS Login ID", "takes no points"),
+        (EXPORT, "Section", "takes no points: it has 'Quiz (11)', 'HW3 (98765)'"),
         (EXPORT.replace("Student,ID", "Name,Number"), COLUMN, "isn't a grade book of Canvas's"),
         (EXPORT.replace("u15,smoe,", "u15,"), COLUMN, "has 7 cells in line 7, and 8 in its first"),
         (EXPORT.replace('S,,"55.00"', 'S,,"55.00'), COLUMN, "quotation mark in line 5"),

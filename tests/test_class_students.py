@@ -67,6 +67,7 @@ def test_other_names_are_nobodys(entry: str) -> None:
 def test_a_name_as_canvas_writes_it() -> None:
     assert canvas.sanitized("Doe, Jane") == "doejane"
     assert canvas.sanitized("O'Brien-Müller, Ana_12_x") == "obrienmüllerana12x"
+    assert canvas.sanitized("कुमार, संजय") == "कुमारसंजय"
 
 
 @pytest.mark.parametrize(

@@ -9,6 +9,7 @@ of it.
 """
 
 import re
+import unicodedata
 from dataclasses import dataclass
 
 from bounce_grader.files import fitting
@@ -61,7 +62,12 @@ def feedback_name(uploads: tuple[Upload, ...]) -> str:
 def sanitized(sortable_name: str) -> str:
     """What Canvas makes of "Doe, Jane": doejane."""
     flat = re.sub(r"_(\d+)_", r"\1", sortable_name).lower()
-    return re.sub(r"[^\w]", "", flat)
+    return "".join(filter(_in_a_word, flat))
+
+
+def _in_a_word(c: str) -> bool:
+    """Ruby's [[:word:]], which keeps the marks on letters, too."""
+    return unicodedata.category(c)[0] in "LM" or unicodedata.category(c) in ("Nd", "Pc")
 
 
 def plain_file(file: str, texts: list[bytes]) -> str:

@@ -2,17 +2,20 @@
 
 import difflib
 import re
-from collections.abc import Mapping
+import unicodedata
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
 from bounce_grader.classroom import table as tables
 from bounce_grader.classroom.canvas import sanitized
-from bounce_grader.classroom.table import Row, Table
+from bounce_grader.classroom.table import Row
 from bounce_grader.errors import UsageError
 
 NAME_COLUMNS = ("SIS User ID", "SIS Login ID", "Integration ID")
 NEVER_FILLED = ("EX", "N/A")
+TOTAL = re.compile(r"(Current|Final|Override).*(Score|Points|Grade|Status)")  # worked out by Canvas
+ASSIGNMENT = re.compile(r"\(\d+\)$")
 
 
 @dataclass(frozen=True)
@@ -43,19 +46,24 @@ class Gradebook:
         self._header = [cell.text.strip() for cell in self._table.rows[0].cells]
         self._require_canvas()
         self._columns = {part: self._column(title) for part, title in columns.items()}
+        self._require_distinct()
         self._most = most
-        self._comma = _has_decimal_comma(self._table)
+        self._comma = self._has_decimal_comma()
         self._require_whole_rows()
 
-    def fill(self, marks: Mapping[str, Marks]) -> Filled:
-        """`marks` by Canvas's user id, a SIS id, or a login."""
+    def fill(self, marks: Mapping[str, Marks], without: Mapping[str, str] = {}) -> Filled:
+        """`marks` by Canvas's user id, a SIS id, or a login; `without` says, by the same, why there
+        is no score."""
         filled = Filled(b"")
+        reasons = self._by_line(without)
         rows = self._rows_by_id()
-        given = {row.line: id for id in marks for row in rows.get(id, [])}
+        given = self._by_line(marks)
         for row in self._students():
             id = given.get(row.line)
             if id is None:
-                nothing = f"{self._who(row)} has no submission: the cell stays as it was"
+                reason = reasons.get(row.line)
+                nothing = f"no score, because {without[reason]}" if reason else "no submission"
+                nothing = f"{self._who(row)} has {nothing}: the cell stays as it was"
                 filled.sentences.append(nothing)
             elif len(rows[id]) > 1:
                 twice = f"{self._name} has {len(rows[id])} rows for {id}: none is filled"
@@ -81,7 +89,7 @@ class Gradebook:
                 number = f"{marks.points[part]:.2f}"
                 text = number.replace(".", ",") if self._comma else number
                 cell.put(text, self._table.delimiter)
-        if named and sorted(sanitized(_name(row))) != sorted(marks.name):
+        if named and not _same_name(self._person(row), marks.name):
             said.append(
                 f"{self._who(row)} has the points of {marks.name}: if that is a group, give its other "
                 "members the same"
@@ -90,7 +98,16 @@ class Gradebook:
 
     def _who(self, row: Row) -> str:
         ids = [row.cells[column].text.strip() for column in self._id_columns()]
-        return f"{_name(row)} ({next(filter(None, ids), 'without an ID')})"
+        return f"{self._person(row)} ({next(filter(None, ids), 'without an ID')})"
+
+    def _person(self, row: Row) -> str:
+        """As Canvas sorts it: "Doe, Jane"."""
+        names = [cell.text.strip() for cell in row.cells[: self._header.index("ID")]]
+        return ", ".join(names)
+
+    def _by_line(self, ids: Iterable[str]) -> dict[int, str]:
+        rows = self._rows_by_id()
+        return {row.line: id for id in ids for row in rows.get(id, [])}
 
     def _rows_by_id(self) -> dict[str, list[Row]]:
         """Canvas's own ids first, as its importer does."""
@@ -118,11 +135,39 @@ class Gradebook:
         return [self._header.index("ID"), *others]
 
     def _require_canvas(self) -> None:
-        if not self._header[0].endswith("Student") or "ID" not in self._header[1:4]:
+        one = self._header[0].endswith("Student") and "ID" in self._header[1:4]
+        two = self._header[0].endswith("LastName") and self._header[1:3] == ["FirstName", "ID"]
+        if not one and not two:
             raise UsageError(
                 f"{self._name} isn't a grade book of Canvas's: its first line has to begin with "
                 "Student, ID (in Canvas: Grades, Export)"
             )
+
+    def _first_score(self) -> int:
+        """The column after those that say who a student is, the last of which is the section."""
+        ids = self._id_columns()
+        sections = [i for i, text in enumerate(self._header) if i > ids[0] and "Section" in text]
+        return max([*ids, *sections[:1]]) + 1
+
+    def _require_distinct(self) -> None:
+        if len(set(self._columns.values())) < len(self._columns):
+            raise UsageError(
+                "two of the columns to fill are the same: give --column and each --part-column a "
+                "column of its own"
+            )
+
+    def _has_decimal_comma(self) -> bool:
+        """Where scores are written 87,5 and none 87.5."""
+        scores = {
+            i
+            for i, text in enumerate(self._header)
+            if ASSIGNMENT.search(text) or TOTAL.search(text)
+        }
+        scores |= {*self._columns.values()}
+        rows = [row for row in self._table.rows[1:] if len(row.cells) == len(self._header)]
+        cells = [row.cells[column].text.strip() for row in rows for column in scores]
+        points = any(re.fullmatch(r"\d+\.\d+", text) for text in cells)
+        return not points and any(re.fullmatch(r"\d+,\d+", text) for text in cells)
 
     def _require_whole_rows(self) -> None:
         for row in [self._table.rows[0], *self._students()]:
@@ -142,12 +187,18 @@ class Gradebook:
             )
         if not found:
             raise UsageError(f"{self._name} has no column {title!r}: {self._suggestion(title)}")
-        if any("read only" in row.cells[found[0]].text for row in self._points_rows()):
+        if found[0] < self._first_score():
+            raise UsageError(
+                f"{title!r} in {self._name} says who a student is, and takes no points: "
+                f"{self._suggestion(title)}"
+            )
+        worked_out = TOTAL.search(self._header[found[0]])
+        if worked_out or any("read only" in r.cells[found[0]].text for r in self._points_rows()):
             raise UsageError(f"Canvas doesn't import {title!r}, which is read only")
         return found[0]
 
     def _suggestion(self, title: str) -> str:
-        titles = [text for text in self._header if re.search(r"\(\d+\)$", text)]
+        titles = [text for text in self._header if ASSIGNMENT.search(text)]
         near = difflib.get_close_matches(title, titles, 3, 0.3) or titles[:3]
         return f"it has {', '.join(map(repr, near))}" if near else "it has no assignment at all"
 
@@ -169,8 +220,11 @@ class Gradebook:
         return said
 
 
-def _name(row: Row) -> str:
-    return row.cells[0].text.strip()
+def _same_name(person: str, canvas_name: str) -> bool:
+    """Letter for letter, in whichever order and however an accent is written."""
+    names = (sanitized(person), canvas_name)
+    one, other = (sorted(unicodedata.normalize("NFC", name)) for name in names)
+    return one == other
 
 
 def _title(text: str) -> str:
@@ -182,13 +236,6 @@ def _number(text: str) -> float | None:
         return float(text.strip().replace(",", "."))
     except ValueError:
         return None
-
-
-def _has_decimal_comma(table: Table) -> bool:
-    """Where numbers are written 87,5 and none 87.5."""
-    cells = [cell.text.strip() for row in table.rows[1:] for cell in row.cells]
-    points = any(re.fullmatch(r"\d+\.\d+", text) for text in cells)
-    return not points and any(re.fullmatch(r"\d+,\d+", text) for text in cells)
 
 
 def plain(marks: Mapping[str, Marks], title: str, most: float) -> bytes:
