@@ -286,6 +286,58 @@ def test_regrading_before_grading_is_refused(tmp_path: Path, users: list[int]) -
         grade_class(download(tmp_path / "x.zip", users), tmp_path / "out", regrade="all")
 
 
+def test_a_grade_book_that_was_filled_stays_in_a_run_without_one(
+    tmp_path: Path, users: list[int], capsys: pytest.CaptureFixture[str]
+) -> None:
+    source, out = download(tmp_path / "x.zip", users), tmp_path / "out"
+    export = book(tmp_path / "export.csv", users)
+    grade_class(source, out)
+    grade_class(download(tmp_path / "y.zip", users[:5]), out)
+    assert len(column(out / "gradebook.csv")) == 5  # a made-up one follows the class
+    grade_class(source, out, gradebook=export, columns={0: COLUMN})
+    filled = (out / "gradebook.csv").read_bytes()
+    capsys.readouterr()
+    assert grade_class(source, out) == 0
+    assert (out / "gradebook.csv").read_bytes() == filled
+    assert "stays as it was: give --gradebook" in capsys.readouterr().out
+
+
+def test_who_handed_in_what_has_no_score_is_told_from_who_handed_in_nothing(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    odd = {
+        "roe_301_text.html": b"see my mail",
+        "roe_302_3020_photo.jpg": b"",
+        "roe_303_3030_hw.zip": b"PK\x03\x04 and then nothing",
+    }
+    export = book(tmp_path / "export.csv", [101, 301, 302, 303, 304])
+    out = tmp_path / "out"
+    source = download(tmp_path / "x.zip", [101], odd)
+    grade_class(source, out, gradebook=export, columns={0: COLUMN})
+    said = capsys.readouterr().out
+    assert "(301) has no score, because roe_301_text.html is text typed into Canvas" in said
+    assert "(302) has no score, because roe_302_3020 holds nothing that can be graded" in said
+    assert "(303) has no score, because the submission is broken" in said
+    assert "(304) has no submission: the cell stays as it was" in said
+
+
+@pytest.mark.parametrize(
+    "words, sentence",
+    [
+        (["--regrade", ""], "--regrade needs a FILTER"),
+        (["--part-column", "1=A"], "--part-column needs --gradebook"),
+        (["--part-column", "1=A", "--part-column", "1=B", "--gradebook", "x"], "twice for part 1"),
+    ],
+)
+def test_options_that_would_be_lost_are_refused(
+    tmp_path: Path, words: list[str], sentence: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    source = download(tmp_path / "x.zip", [101])
+    assert cli.main(["class", str(source), "--out", str(tmp_path / "out"), *words]) == 2
+    assert sentence in capsys.readouterr().err
+    assert not (tmp_path / "out").exists()
+
+
 def test_the_export_itself_is_never_overwritten(tmp_path: Path, users: list[int]) -> None:
     export = book(tmp_path / "gradebook.csv", users)
     before = export.read_bytes()

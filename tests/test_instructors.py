@@ -8,8 +8,9 @@ import zipfile
 from pathlib import Path
 
 import pytest
+from bounce_grader import gradescope_zip
 from bounce_grader.classroom import synthetic
-from conftest import ROOT, solution_files
+from conftest import ROOT, solution_files, write
 
 PAGE = (ROOT / "docs" / "instructors.md").read_text()
 WORKFLOW = ROOT / "docs" / "workflows" / "autograding.yml"
@@ -110,6 +111,22 @@ def test_the_autograder_for_gradescope_grades(tmp_path: Path) -> None:
         with zipfile.ZipFile(packed) as archive:
             text = archive.read(script)
         assert subprocess.run(["bash", "-n"], input=text, check=False).returncode == 0
+
+
+def test_the_autograder_holds_the_kit_and_nothing_that_lies_beside_it(tmp_path: Path) -> None:
+    for name in gradescope_zip.PACKED:
+        if (ROOT / name).is_dir():
+            write(tmp_path / name, {"x": b"", "build/x": b""})
+        else:
+            write(tmp_path, {name: b""})
+    write(tmp_path, {"hw3/out/results/x.json": b"{}", "course-secret": b"", "a.zip": b""})
+    found = {f.relative_to(tmp_path).parts[0] for f in gradescope_zip._packed(tmp_path)}
+    assert found == set(gradescope_zip.PACKED)
+    listed = ["git", "ls-files", "--exclude-standard"]
+    tracked = subprocess.run(listed, cwd=ROOT, capture_output=True, text=True, check=False)
+    if tracked.returncode == 0:
+        tops = {line.split("/")[0] for line in tracked.stdout.splitlines()}
+        assert {top for top in tops if not top.startswith(".")} == set(gradescope_zip.PACKED)
 
 
 def in_a_container(root: Path, *command: str) -> "subprocess.CompletedProcess[str]":

@@ -8,14 +8,18 @@ from bounce_grader import fixtures
 from bounce_grader.errors import UsageError
 from bounce_grader.paths import ROOT
 
+# A course may keep its submissions and results in the kit's folder, too.
+PACKED = (
+    *("CMakeLists.txt", "CMakePresets.json", "LICENSE", "README.md", "pyproject.toml", "kit"),
+    *("CHANGELOG.md", "CONTRIBUTING.md", "docs", "fixtures", "grader", "solution", "student"),
+    "tests",
+)
 LEFT_OUT = {
     "build",
-    ".git",
     "__pycache__",
     ".pytest_cache",
     ".mypy_cache",
     "hidden",
-    "course-secret",
 }
 TIME = (2000, 1, 1, 0, 0, 0)  # the same kit gives the same bytes
 
@@ -54,13 +58,21 @@ def write(path: Path) -> None:
         with zipfile.ZipFile(temporary, "w", zipfile.ZIP_DEFLATED) as archive:
             for name, data in entries.items():
                 _add(archive, name, data, name != "course-secret")
-            for file in sorted(_files(ROOT)):
+            for file in sorted(_packed(ROOT)):
                 name = file.relative_to(ROOT).as_posix()
                 _add(archive, name, file.read_bytes(), bool(file.stat().st_mode & 0o100))
         temporary.replace(path)
     except OSError as error:
         temporary.unlink(missing_ok=True)
         raise UsageError(f"{path} can't be written: {error.strerror}") from error
+
+
+def _packed(root: Path) -> Iterator[Path]:
+    for name in PACKED:
+        if (root / name).is_dir():
+            yield from _files(root / name)
+        else:
+            yield root / name
 
 
 def _files(folder: Path) -> Iterator[Path]:

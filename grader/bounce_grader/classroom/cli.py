@@ -30,7 +30,6 @@ def add(commands: Any) -> None:
     again = parser.add_mutually_exclusive_group()
     again.add_argument(
         "--regrade",
-        default="",
         metavar="FILTER",
         help="grade again beside the old results, and show the differences: all, student=NAME, "
         "status=STATUS or score<POINTS",
@@ -55,6 +54,10 @@ def _class(options: argparse.Namespace) -> int:
     from bounce_grader.classroom.request import Request
     from bounce_grader.errors import UsageError
 
+    if options.regrade == "":
+        raise UsageError("--regrade needs a FILTER, as in --regrade all")
+    if options.part_column and not options.gradebook:
+        raise UsageError("--part-column needs --gradebook, Canvas's export")
     if options.jobs < 0:
         raise UsageError(f"--jobs takes a number of gradings, not {options.jobs}")
     request = Request(
@@ -68,7 +71,7 @@ def _class(options: argparse.Namespace) -> int:
         speed=options.speed,
         trust=options.trust_submission,
         reveal=options.reveal,
-        regrade=options.regrade,
+        regrade=options.regrade or "",
         apply=options.apply,
     )
     return run.run(request)
@@ -84,5 +87,7 @@ def _columns(options: argparse.Namespace) -> dict[int, str]:
         number, _, title = words.partition("=")
         if number not in known or not title:
             raise UsageError(f"--part-column takes 1=TITLE to {len(known)}=TITLE, not {words!r}")
+        if known[number] in columns:
+            raise UsageError(f"--part-column is given twice for part {number}: give one")
         columns[known[number]] = title
     return columns

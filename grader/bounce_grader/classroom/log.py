@@ -1,5 +1,7 @@
-"""log.jsonl: what was graded when, and from what. Lines are only ever added."""
+"""log.jsonl: what was graded when, from what, and which grade books were made up. Lines are only
+ever added."""
 
+import hashlib
 import json
 import os
 from datetime import datetime, timezone
@@ -13,7 +15,9 @@ class Log:
     def __init__(self, path: Path) -> None:
         path.parent.mkdir(parents=True, exist_ok=True)
         self._path = path
-        self._known = {line["result"] for line in read(path) if line["event"] == "graded"}
+        lines = read(path)
+        self._known = {line["result"] for line in lines if line["event"] == "graded"}
+        self._made_up = {line["sha256"] for line in lines if line["event"] == "gradebook"}
         self._file = os.open(path, os.O_CREAT | os.O_APPEND | os.O_RDWR, 0o644)
         self._end_a_torn_line()
 
@@ -33,6 +37,15 @@ class Log:
             self._known.add(task.key)
             self.write("graded", task, state=state, seconds=seconds)
 
+    def make_up(self, gradebook: bytes) -> None:
+        """Before it is written, so that it is known even where the run ends in between."""
+        if not self.has_made_up(gradebook):
+            self._made_up.add(_digest(gradebook))
+            self.write("gradebook", sha256=_digest(gradebook))
+
+    def has_made_up(self, gradebook: bytes) -> bool:
+        return _digest(gradebook) in self._made_up
+
     def close(self) -> None:
         os.fsync(self._file)
         os.close(self._file)
@@ -42,6 +55,10 @@ class Log:
         size = os.fstat(self._file).st_size
         if size and os.pread(self._file, 1, size - 1) != b"\n":
             os.write(self._file, b"\n")
+
+
+def _digest(data: bytes) -> str:
+    return hashlib.sha256(data).hexdigest()
 
 
 def read(path: Path) -> list[dict[str, Any]]:

@@ -7,6 +7,7 @@ from typing import Any
 
 from bounce_grader.classroom import gradebook, grades, page, results
 from bounce_grader.classroom.gradebook import Gradebook, Marks
+from bounce_grader.classroom.log import Log
 from bounce_grader.classroom.similar import Similar
 from bounce_grader.classroom.students import Class, Student
 from bounce_grader.classroom.summary import Summary
@@ -25,12 +26,19 @@ def write(
     book: Gradebook | None,
     columns: Mapping[int, str],
     near: Similar,
+    log: Log,
     reveal: bool = False,
 ) -> list[str]:
     """Gives the sentences that a person should read about the grade book. Only where `reveal` is
     set do pages have the expected answers of hidden cases."""
     marks = _marks(summaries)
-    said = _gradebook(out, marks, book, columns)
+    if book is None:
+        title = columns.get(0, TITLE)
+        said = _make_up_gradebook(out / "gradebook.csv", marks, title, log)
+    else:
+        filled = book.fill(marks, _without_score(found, summaries))
+        write_whole(out / "gradebook.csv", filled.data)
+        said = filled.sentences
     write_whole(out / "grades.csv", "\ufeff" + grades.table(summaries))
     _feedback(out, summaries, reveal)
     write_whole(out / "class.html", page.render(found, summaries, near, said))
@@ -48,17 +56,23 @@ def _marks(summaries: list[Summary]) -> dict[str, Marks]:
     }
 
 
-def _gradebook(
-    out: Path, marks: Mapping[str, Marks], book: Gradebook | None, columns: Mapping[int, str]
-) -> list[str]:
-    if book is None:
-        most = sum(part.points for part in parts())
-        data, said = gradebook.plain(marks, columns.get(0, TITLE), most), []
-    else:
-        filled = book.fill(marks)
-        data, said = filled.data, filled.sentences
-    write_whole(out / "gradebook.csv", data)
-    return said
+def _without_score(found: Class, summaries: list[Summary]) -> dict[str, str]:
+    """Who handed in something that has no score, and why."""
+    entries = {u.user: f"{u.name} {u.reason}" for u in found.unmatched if u.user}
+    return entries | {s.student.id: s.message for s in summaries if s.score is None}
+
+
+def _make_up_gradebook(path: Path, marks: Mapping[str, Marks], title: str, log: Log) -> list[str]:
+    """One of Canvas's that was filled before stays, and so does whatever a person made of it."""
+    if path.exists() and not log.has_made_up(path.read_bytes()):
+        return [
+            f"{path.name} is one that was filled before, and stays as it was: give --gradebook and "
+            "--column to fill it anew"
+        ]
+    data = gradebook.plain(marks, title, sum(part.points for part in parts()))
+    log.make_up(data)
+    write_whole(path, data)
+    return []
 
 
 def _feedback(out: Path, summaries: list[Summary], reveal: bool) -> None:

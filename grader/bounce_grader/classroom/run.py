@@ -57,7 +57,9 @@ def _run(request: Request, found: Class, book: Gradebook | None, log: Log) -> in
     if summaries and all(summary.state == "waiting" for summary in summaries):
         return 0
     near = similar.find(request.out, found.students, tasks, request.trust)
-    said = outputs.write(request.out, found, summaries, book, request.columns, near, request.reveal)
+    said = outputs.write(
+        request.out, found, summaries, book, request.columns, near, log, request.reveal
+    )
     return _say(request, found, summaries, said)
 
 

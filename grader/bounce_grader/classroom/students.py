@@ -33,7 +33,8 @@ class Unmatched:
     """Something in SUBMISSIONS that can't be graded."""
 
     name: str
-    reason: str
+    reason: str  # a sentence that goes on from the name
+    user: str = ""  # whose it is, where that is known
 
 
 @dataclass
@@ -90,7 +91,7 @@ def _canvas(path: Path) -> Class:
             users.setdefault(parsed.user, []).append(parsed)
         elif parsed:
             texts.setdefault(parsed.user, []).append(parsed)
-            found.unmatched.append(Unmatched(name, _no_file(parsed)))
+            found.unmatched.append(Unmatched(name, _no_file(parsed), parsed.user))
         else:
             found.unmatched.append(Unmatched(name, _no_name(name)))
     for user, uploads in users.items():
@@ -99,9 +100,8 @@ def _canvas(path: Path) -> Class:
             found.students.append(student)
         else:
             reason = f"holds nothing that can be graded: {'; '.join(student.unused)}"
-            found.unmatched.append(
-                Unmatched(student.feedback.removesuffix("_feedback.html"), reason)
-            )
+            name = student.feedback.removesuffix("_feedback.html")
+            found.unmatched.append(Unmatched(name, reason, user))
     return found
 
 
