@@ -270,6 +270,66 @@ def test_a_checkout_is_named_by_login(tmp_path: Path, top: str) -> None:
     assert [s.id for s in found.students] == ["anna", "anton", "ben-w"]
 
 
+def test_a_folder_without_a_repository_is_listed_in_a_checkout(tmp_path: Path) -> None:
+    """Its neighbours keep their logins."""
+    top = tmp_path / "hw3-submissions"
+    for login in ("anna", "anton", "ben"):
+        write(top / f"hw3-{login}", {"part2_lcp.cpp": b"// x", ".git/HEAD": b""})
+    write(top / "notes", {"x.txt": b""})
+    found = students.read(top)
+    assert [s.id for s in found.students] == ["anna", "anton", "ben"]
+    assert found.source == "a checkout of repositories, named 'hw3-' and a login"
+    (left,) = found.unmatched
+    assert (left.name, left.reason) == ("notes", "is no repository, as the others are")
+
+
+def test_a_folder_that_holds_one_zip_is_that_zip(tmp_path: Path) -> None:
+    write(tmp_path / "all" / "anna", {".DS_Store": b""})
+    download(tmp_path / "all" / "anna" / "hw.zip", {"part2_lcp.cpp": b"// y"})
+    (student,) = students.read(tmp_path / "all").students
+    assert student.id == "anna"
+    assert files_to_grade(student, tmp_path) == {"part2_lcp.cpp": b"// y"}
+
+
+def test_folders_that_are_no_class_are_refused(tmp_path: Path) -> None:
+    around = write(tmp_path / "hw3", {"out/log.jsonl": b"", "out/results/set.json": b"{}"})
+    whole = download(around / "submissions.zip", {"doe_1_1_part2_lcp.cpp": b"// x"})
+    with pytest.raises(UsageError, match=f"holds a download of Canvas's: give {whole}"):
+        students.read(around)
+    for name in ("part1_contacts.cpp", "src/part1_contacts.cpp"):
+        one = write(tmp_path / "one" / name.split("/")[0], {name: b"// x", "docs/x": b""})
+        with pytest.raises(UsageError, match="is one submission, and no class: ./kit grade"):
+            students.read(one)
+    write(tmp_path / "home", {"music/a.mp3": b"", "letters/b.txt": b""})
+    with pytest.raises(UsageError, match="no folder or zip in .* holds a part"):
+        students.read(tmp_path / "home")
+
+
+def test_results_among_the_submissions_are_no_submission(tmp_path: Path) -> None:
+    top = write(tmp_path / "all", {"anna/part2_lcp.cpp": b"// x", "out/log.jsonl": b""})
+    write(top / "out" / "results", {"set.json": b"{}"})
+    found = students.read(top)
+    assert [s.id for s in found.students] == ["anna"]
+    assert found.unmatched[0].reason == "was written by ./kit class, and is no submission"
+
+
+@pytest.mark.parametrize("bytes_kept", [0, 1000])
+def test_a_download_that_was_cut_short_is_said(tmp_path: Path, bytes_kept: int) -> None:
+    path = download(tmp_path / "x.zip", {"doe_1_1_part2_lcp.cpp": b"// x" * 1000})
+    path.write_bytes(path.read_bytes()[:bytes_kept])
+    with pytest.raises(UsageError, match="cut short: download it again"):
+        students.read(path)
+
+
+@pytest.mark.parametrize("file", ["part2_lcp.cpp", "hw.zip"])
+def test_a_download_that_is_damaged_inside_is_no_students_fault(tmp_path: Path, file: str) -> None:
+    path = download(tmp_path / "x.zip", {f"doe_1_1_{file}": b"// to be damaged"})
+    path.write_bytes(path.read_bytes().replace(b"to be", b"been "))
+    with pytest.raises(UsageError, match="x.zip is damaged .*: download it again"):
+        found = students.read(path)
+        task.task_of(found.students[0], STAMP, tmp_path, speed=False, trust=False)
+
+
 def test_a_folder_and_a_zip_of_one_name_are_refused(tmp_path: Path) -> None:
     folder = write(tmp_path / "all", {"anna/part2_lcp.cpp": b"// x"})
     download(folder / "anna.zip", {"part2_lcp.cpp": b"// y"})
@@ -281,7 +341,7 @@ def test_a_folder_and_a_zip_of_one_name_are_refused(tmp_path: Path) -> None:
     "make, sentence",
     [
         (lambda path: path / "nowhere", "there is no file or folder"),
-        (lambda path: write(path, {"x.zip": b"PK\x03\x04 and nothing"}) / "x.zip", "neither"),
+        (lambda path: write(path, {"x.zip": b"PK\x03\x04 and nothing"}) / "x.zip", "cut short"),
         (lambda path: download(path / "x.zip", {"part1.cpp": b""}), "no submission is found"),
         (lambda path: write(path / "empty", {}), "there is no file or folder"),
     ],

@@ -10,6 +10,10 @@ from bounce_grader.errors import UsageError
 FAILURES = (zipfile.BadZipFile, zlib.error, EOFError, OSError, ValueError, RuntimeError, KeyError)
 
 
+class Damaged(UsageError):
+    """The download itself is: that is no student's fault."""
+
+
 class Archive:
     """Reads entries by name; at most so many bytes of each. Raises UsageError."""
 
@@ -20,7 +24,7 @@ class Archive:
             try:
                 self._zip = zipfile.ZipFile(path)
             except FAILURES as error:
-                raise UsageError(f"{path} is broken ({error}): download it again") from error
+                raise Damaged(f"{path} is broken ({error}): download it again") from error
 
     def names(self) -> list[str]:
         if self._zip:
@@ -42,6 +46,10 @@ class Archive:
             with (self.path / name).open("rb") as file:
                 return file.read(most)
         except FAILURES as error:
+            if self._zip:
+                raise Damaged(
+                    f"{self.path} is damaged ({name}: {error}): download it again"
+                ) from error
             raise UsageError(f"{name} can't be read from {self.path.name}: {error}") from error
 
 

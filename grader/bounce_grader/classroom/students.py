@@ -6,13 +6,19 @@ import zipfile
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from bounce_grader import submission
 from bounce_grader.classroom import canvas
-from bounce_grader.classroom.archive import Archive, opened
+from bounce_grader.classroom.archive import Archive, Damaged, opened
 from bounce_grader.classroom.canvas import TextEntry, Upload
 from bounce_grader.errors import UsageError
 from bounce_grader.files import fitting
 from bounce_grader.entry import LARGEST_SOURCE
-from bounce_grader.submission import HEADERS, SOURCES
+from bounce_grader.submission import HEADERS, SOURCES, part_file
+
+
+HAND_IN = (
+    "Hand in the four parts, part1_contacts.cpp to part4_simulate.cpp, as files or as one zip."
+)
 
 
 @dataclass(frozen=True)
@@ -35,6 +41,8 @@ class Unmatched:
     name: str
     reason: str  # a sentence that goes on from the name
     user: str = ""  # whose it is, where that is known
+    feedback: str = ""  # the name of the page that tells them
+    told: str = ""  # what it says
 
 
 @dataclass
@@ -42,6 +50,11 @@ class Class:
     source: str  # what SUBMISSIONS was taken for
     students: list[Student] = field(default_factory=list)
     unmatched: list[Unmatched] = field(default_factory=list)
+
+    @property
+    def handed_in(self) -> int:
+        """How many handed in something, whatever it is."""
+        return len({s.id for s in self.students} | {u.user for u in self.unmatched if u.user})
 
 
 def read(path: Path) -> Class:
@@ -58,7 +71,10 @@ def read(path: Path) -> Class:
     elif zipfile.is_zipfile(path):
         found = _canvas(path)
     else:
-        raise UsageError(f"{path} is neither a folder nor a zip: give Canvas's download as it is")
+        cut = is_zip(path.name) or not path.stat().st_size
+        reason = "is broken, or was cut short: download it again"
+        other = "is neither a folder nor a zip: give Canvas's download as it is"
+        raise UsageError(f"{path} {reason if cut else other}")
     if not found.students:
         raise UsageError(f"no submission is found in {path}: {_expected(found)}")
     found.students.sort(key=lambda student: (student.name, student.id))
@@ -91,7 +107,7 @@ def _canvas(path: Path) -> Class:
             users.setdefault(parsed.user, []).append(parsed)
         elif parsed:
             texts.setdefault(parsed.user, []).append(parsed)
-            found.unmatched.append(Unmatched(name, _no_file(parsed), parsed.user))
+            found.unmatched.append(_typed(name, parsed))
         else:
             found.unmatched.append(Unmatched(name, _no_name(name)))
     for user, uploads in users.items():
@@ -101,13 +117,17 @@ def _canvas(path: Path) -> Class:
         else:
             reason = f"holds nothing that can be graded: {'; '.join(student.unused)}"
             name = student.feedback.removesuffix("_feedback.html")
-            found.unmatched.append(Unmatched(name, reason, user))
+            told = f"{'. '.join(student.unused)}. {HAND_IN}"
+            found.unmatched.append(Unmatched(name, reason, user, student.feedback, told))
     return found
 
 
-def _no_file(entry: TextEntry) -> str:
+def _typed(name: str, entry: TextEntry) -> Unmatched:
+    """Canvas takes no page back for it: that takes the number of an attachment."""
     what = "text typed into Canvas" if entry.kind == "text" else "an address typed into Canvas"
-    return f"is {what}, with no file to grade: ask for the four files"
+    reason = f"is {what}, with no file to grade: ask for the four files"
+    page = f"{fitting(name.removesuffix('.html'))}_feedback.html"
+    return Unmatched(name, reason, entry.user, page, f"It is {what}. {HAND_IN}")
 
 
 def _no_name(name: str) -> str:
@@ -152,6 +172,8 @@ def _text(archive: Archive, upload: Upload) -> bytes:
     """One that can't be read is found out when it is graded, and costs nobody else anything."""
     try:
         return archive.read(upload.entry, LARGEST_SOURCE)
+    except Damaged:
+        raise
     except UsageError:
         return b""
 
@@ -165,22 +187,82 @@ def is_zip(file: str) -> bool:
 
 
 def _folder(path: Path, children: list[Path]) -> Class:
+    _require_a_folder_of_submissions(path, children)
     folders = [c for c in children if c.is_dir() and not c.is_symlink()]
     folders = [c for c in folders if not c.name.startswith((".", "__MACOSX"))]
+    folders = [c for c in folders if not _is_output(c)]
     zips = [c for c in children if _is_file(c) and is_zip(c.name)]
-    repositories = bool(folders) and all((folder / ".git").exists() for folder in folders)
-    found = Class("a checkout of repositories" if repositories else "a folder of submissions")
-    cut = _common_prefix(path, folders) if repositories else 0
+    cloned = [folder for folder in folders if (folder / ".git").exists()]
+    found = Class("a folder of submissions")
+    cut = 0
+    if 2 * len(cloned) > len(folders):
+        cut = _common_prefix(path, cloned)
+        before = f", named {cloned[0].name[:cut]!r} and a login" if cut else ""
+        found.source = f"a checkout of repositories{before}"
+        folders = cloned
     for child in [*folders, *zips]:
         name = child.name[cut:] if child.is_dir() else child.stem
-        found.students.append(Student(name, name, child, feedback=f"{fitting(name)}.html"))
-    for child in children:
-        if child not in folders and child not in zips:
-            hidden = child.name.startswith((".", "__MACOSX"))
-            reason = "is no submission" if hidden else "is neither a folder nor a zip"
-            found.unmatched.append(Unmatched(child.name, reason))
+        submitted = _zip_alone(child) or child
+        page = f"{fitting(name)}.html"
+        found.students.append(Student(name, name, submitted, feedback=page))
+    left = [child for child in children if child not in folders and child not in zips]
+    found.unmatched += [Unmatched(child.name, _no_submission(child)) for child in left]
     _require_distinct(found.students)
+    if found.students and not any(_has_a_part(student.path) for student in found.students):
+        raise UsageError(
+            f"no folder or zip in {path} holds a part, as part1_contacts.cpp: it should be "
+            "Canvas's download, or a folder with one folder or zip a student"
+        )
     return found
+
+
+def _require_a_folder_of_submissions(path: Path, children: list[Path]) -> None:
+    """And not the folder around a download, or a submission."""
+    for child in children:
+        if _is_file(child) and is_zip(child.name) and _is_download(child):
+            raise UsageError(f"{path} holds a download of Canvas's: give {child} itself")
+    inside = [*children, *((path / "src").iterdir() if (path / "src").is_dir() else ())]
+    if any(part_file(child.name) and _is_file(child) for child in inside):
+        raise UsageError(f"{path} is one submission, and no class: ./kit grade {path}")
+
+
+def _is_download(path: Path) -> bool:
+    if not zipfile.is_zipfile(path):
+        return False
+    try:
+        return any(canvas.parse(name) for name in opened(path).names() if "/" not in name)
+    except UsageError:
+        return False
+
+
+def _is_output(folder: Path) -> bool:
+    return (folder / "log.jsonl").exists() and (folder / "results").is_dir()
+
+
+def _no_submission(child: Path) -> str:
+    if child.name.startswith((".", "__MACOSX")):
+        return "is no submission"
+    if not child.is_dir() or child.is_symlink():
+        return "is neither a folder nor a zip"
+    if _is_output(child):
+        return "was written by ./kit class, and is no submission"
+    return "is no repository, as the others are"
+
+
+def _zip_alone(folder: Path) -> Path | None:
+    """The zip that is all of a student's folder."""
+    if not folder.is_dir():
+        return None
+    inside = [child for child in folder.iterdir() if not child.name.startswith((".", "__MACOSX"))]
+    alone = len(inside) == 1 and is_zip(inside[0].name) and _is_file(inside[0])
+    return inside[0] if alone else None
+
+
+def _has_a_part(path: Path) -> bool:
+    try:
+        return bool(submission.read(path).parts)
+    except UsageError:
+        return False
 
 
 def _common_prefix(path: Path, folders: list[Path]) -> int:

@@ -2,12 +2,12 @@
 
 import hashlib
 import os
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any
 
 from bounce_grader import intake
-from bounce_grader.classroom.archive import opened
+from bounce_grader.classroom.archive import Damaged, opened
 from bounce_grader.classroom.canvas import Upload
 from bounce_grader.classroom.students import Student, is_source, is_zip
 from bounce_grader.entry import LARGEST_SOURCE
@@ -51,14 +51,23 @@ def from_json(words: dict[str, Any]) -> Task:
 
 def task_of(student: Student, stamp: Stamp, results: Path, speed: bool, trust: bool) -> Task:
     submission = digest(student)
-    words = [submission, stamp.kit, stamp.fixtures, stamp.options, *(["timed"] if speed else [])]
-    key = hashlib.sha256("\0".join(words).encode()).hexdigest()
+    key = _key(submission, stamp, speed)
     path = str(student.path)
     return Task(key, submission, stamp, path, student.uploads, str(results), speed, trust)
 
 
+def with_times(task: Task) -> Task:
+    return replace(task, key=_key(task.submission, task.stamp, True), speed=True)
+
+
+def _key(submission: str, stamp: Stamp, speed: bool) -> str:
+    words = [submission, stamp.kit, stamp.fixtures, stamp.options, *(["timed"] if speed else [])]
+    return hashlib.sha256("\0".join(words).encode()).hexdigest()
+
+
 def digest(student: Student) -> str:
-    """Of every byte that could be used. One that can't be read is named by its reason."""
+    """Of every byte that could be used. One that can't be read is named by its reason. Raises
+    Damaged where the class's download is."""
     found = hashlib.sha256()
     try:
         if student.uploads:
@@ -69,6 +78,8 @@ def digest(student: Student) -> str:
             with student.path.open("rb") as stream:
                 while chunk := stream.read(1 << 20):
                     found.update(chunk)
+    except Damaged:
+        raise
     except (UsageError, OSError) as error:
         found.update(os.fsencode(f"\0{error}"))
     return found.hexdigest()
