@@ -11,7 +11,7 @@ import stand_in
 from bounce_grader import submission
 from bounce_grader.classroom import charts, page, progress, similar, students
 from bounce_grader.classroom.charts import Dot, Way
-from bounce_grader.classroom.similar import Similar
+from bounce_grader.classroom.similar import Pair, Similar
 from bounce_grader.classroom.students import Class, Student
 from bounce_grader.classroom.summary import Summary, of_result
 from bounce_grader.classroom.task import Stamp, task_of
@@ -43,6 +43,27 @@ def test_every_graded_submission_has_a_mark(tmp_path: Path) -> None:
     made = [summary(tmp_path, f"s{i}", speed=speed) for i, speed in enumerate(speeds)]
     text = shown(*made, Summary(Student("x", "x", tmp_path), "k", "failed", "the kit failed"))
     assert text.count("<title>s") == 4
+
+
+def test_only_what_has_all_points_stands_among_right_answers(tmp_path: Path) -> None:
+    """An answer that never came has no error, however near the others are."""
+    near = {"submission_ns": 1.0, "solution_ns": 1.0, "ratio": 1.0, "largest_error": 4.9e-13}
+    full, lost = summary(tmp_path, "full", speed=near), summary(tmp_path, "lost", speed=near)
+    full, lost = replace(full, score=100.0), replace(lost, score=70.0)
+    heights = re.findall(r'<circle cx="[^"]*" cy="([^"]*)"[^>]*><title>(\w+)', shown(full, lost))
+    at = {name: float(y) for y, name in heights}
+    line = re.search(r'<path d="M90 ([\d.]+)h', shown(full, lost))
+    assert line and at["lost"] < 56 < float(line[1]) < at["full"]
+
+
+def test_many_alike_are_named_together(tmp_path: Path) -> None:
+    made = [summary(tmp_path, name) for name in "abcdef"]
+    pairs = tuple(Pair(one, other, 90) for one, other in ("ab", "cd", "bc", "ef"))
+    text = page.render(Class("a folder"), made, Similar(pairs, 40), [])
+    assert re.findall(r"<li>(\d alike: [^<]*)", text) == ["4 alike: a, b, c, d"]
+    assert "pairs with most in common" not in text
+    many = Similar((Pair("a", "b", 90),) * similar.MOST, 40)
+    assert "200 pairs with most in common" in page.render(Class("a folder"), made, many, [])
 
 
 def test_the_shapes_differ_without_colour() -> None:

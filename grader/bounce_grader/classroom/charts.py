@@ -107,7 +107,8 @@ def scatter(dots: Sequence[Dot], right: float) -> str:
     out.append(f'<path d="M{solution:.1f} {top}v{height}" {dash}/>')
     out.append(text(solution + 6, top + 16, "the solution's time", "start"))
     out.append(text(left + width + 22, bottom + 20, "not timed", "start"))
-    out.append(text(left - 9, top - 16, "not finite", "end"))
+    out.append(text(left - 9, top - 26, "not finite,", "end"))
+    out.append(text(left - 9, top - 10, "or missing", "end"))
     out += [_dot(place_x(dot.x, i), place_y(dot.y, i), dot) for i, dot in enumerate(dots)]
     out.append(text(left + width / 2, bottom + 44, "time of a step, over the solution's", "middle"))
     out.append(upward(16, top + height / 2, "largest error"))

@@ -7,6 +7,7 @@ from collections.abc import Collection, Iterable, Sequence
 from bounce_grader import speed
 from bounce_grader.classroom import charts
 from bounce_grader.classroom.charts import Bar, Dot, Way
+from bounce_grader.classroom.similar import MOST as MOST_PAIRS
 from bounce_grader.classroom.similar import Similar
 from bounce_grader.classroom.students import Class
 from bounce_grader.classroom.summary import Summary
@@ -14,6 +15,7 @@ from bounce_grader import escape
 from bounce_grader.manifest import parts
 from bounce_grader.mistakes import for_the_instructor
 
+MOST_UNUSED = 10  # files named of a submission; grades.csv has them all
 RIGHT = 1e-9  # the tolerance of every comparison
 STYLE = """
 body{font:16px/1.5 system-ui,sans-serif;color:#111;background:#fff;max-width:60rem;margin:0 auto;
@@ -33,7 +35,7 @@ summary{cursor:pointer}td{overflow-wrap:anywhere}
 def render(found: Class, summaries: Sequence[Summary], near: Similar, said: Sequence[str]) -> str:
     names = {s.student.id: _who(s) for s in summaries}
     sections = [
-        _figures(summaries),
+        _figures(found, summaries),
         _section("Points", _histogram(summaries)),
         _section("Parts and checks", _success(summaries)),
         _section("Most frequent mistakes", _mistakes(summaries)),
@@ -63,10 +65,11 @@ def _scores(summaries: Iterable[Summary]) -> list[float]:
     return [s.score for s in summaries if s.score is not None]
 
 
-def _figures(summaries: Sequence[Summary]) -> str:
+def _figures(found: Class, summaries: Sequence[Summary]) -> str:
     scores = _scores(summaries)
     full = sum(part.points for part in parts())
-    figures = [("submissions", str(len(summaries))), ("graded", str(len(scores)))]
+    whole = max(found.handed_in, len(summaries))
+    figures = [("submissions", str(whole)), ("graded", str(len(scores)))]
     if scores:
         figures += [
             ("median", f"{statistics.median(scores):g}"),
@@ -144,16 +147,24 @@ def _speed(summaries: Sequence[Summary]) -> str:
         )
     full = sum(part.points for part in parts())
     dots = [
-        Dot(s.ratio, s.error, _kind(s.score, full), f"{_who(s)}: {s.score:g} points")
+        Dot(s.ratio, _error(s, full), _kind(s.score, full), f"{_who(s)}: {s.score:g} points")
         for s in summaries
         if s.score is not None
     ]
     said = (
         "<p>Each mark is a submission: a disc has all points, a ring some, a cross none. Times are "
         "measured in the same run as the solution's; the largest error is over all checks. What "
-        "doesn't run as a whole isn't timed.</p>"
+        "doesn't run as a whole isn't timed; where an answer is missing, there is no error to show."
+        "</p>"
     )
     return said + (_drawing(charts.scatter(dots, RIGHT)) if dots else "") + _ways(summaries, full)
+
+
+def _error(summary: Summary, full: float) -> float | None:
+    """Where points are lost though every answer that came is near, one is missing."""
+    if summary.error is None or summary.score is None:
+        return None
+    return summary.error if summary.score >= full or summary.error > RIGHT else None
 
 
 def _ways(summaries: Sequence[Summary], full: float) -> str:
@@ -223,7 +234,39 @@ def _near(near: Similar, names: dict[str, str]) -> str:
         [escape.html(names[p.first]), escape.html(names[p.second]), f"{p.share} %"]
         for p in near.pairs
     ]
-    return said + (_table(["one", "the other", "in common"], rows, {2}) if rows else "<p>None.</p>")
+    if not rows:
+        return said + "<p>None.</p>"
+    table = _table(["one", "the other", "in common"], rows, {2})
+    return said + _groups(near, names) + table + _cut(near)
+
+
+def _groups(near: Similar, names: dict[str, str]) -> str:
+    """Of many alike, each is compared with its closest relatives only: these belong together."""
+    items = [
+        f"<li>{len(group)} alike: {escape.html(', '.join(names[id] for id in group))}</li>"
+        for group in _together(near)
+        if len(group) > 2
+    ]
+    said = "<p>Linked by the pairs below; within a group, others may be as near.</p>"
+    return f"{said}<ul>{''.join(items)}</ul>" if items else ""
+
+
+def _together(near: Similar) -> list[list[str]]:
+    """The largest group first."""
+    groups: dict[str, list[str]] = {}
+    for pair in near.pairs:
+        one = groups.setdefault(pair.first, [pair.first])
+        other = groups.setdefault(pair.second, [pair.second])
+        if one is not other:
+            one += other
+            groups |= {id: one for id in other}
+    whole = {id(group): group for group in groups.values()}
+    return sorted(whole.values(), key=lambda group: -len(group))
+
+
+def _cut(near: Similar) -> str:
+    cut = len(near.pairs) >= MOST_PAIRS
+    return f"<p>These are the {MOST_PAIRS} pairs with most in common.</p>" if cut else ""
 
 
 def _unmatched(found: Class, said: Sequence[str]) -> str:
@@ -243,7 +286,7 @@ def _all(summaries: Sequence[Summary]) -> str:
     rows = []
     for s in summaries:
         points = [_points(s.score), *(_points(s.parts.get(part.number)) for part in parts())]
-        unused = escape.html("; ".join(s.student.unused))
+        unused = escape.html("; ".join(s.unused[:MOST_UNUSED]))
         rows.append([escape.html(_who(s)), *points, "late" if s.student.late else "", unused])
     table = _table(head, rows, set(range(1, 2 + len(parts()))))
     return f"<details><summary>{len(rows)} submissions</summary>{table}</details>"
