@@ -122,7 +122,7 @@ def test_answers_of_hidden_cases_are_on_the_pages_where_that_is_asked_for(
 def test_times_are_added_to_grades_that_are_there(tmp_path: Path, users: list[int]) -> None:
     source, out = download(tmp_path / "x.zip", users), tmp_path / "out"
     timed = ["Nothing was timed" not in text for text in _pages_of_three_runs(source, out)]
-    assert timed == [False, True, False]
+    assert timed == [False, True, True]  # times that are there stay
     assert len(graded(out)) == 2 * len(users)
     grades = (out / "grades.csv").read_text()
     grade_class(source, out, regrade="all", speed=True)
@@ -251,6 +251,116 @@ def test_regrading_some_keeps_the_others(tmp_path: Path, users: list[int]) -> No
     assert len(results.keys(out / "regrade")) == 1
     assert grade_class(source, out, apply=True) == 0
     assert len(results.keys(out / "results")) == 10
+
+
+def test_grading_again_is_in_the_log_though_the_kit_is_the_same(
+    tmp_path: Path, users: list[int]
+) -> None:
+    source, out = download(tmp_path / "x.zip", users), tmp_path / "out"
+    grade_class(source, out)
+    grade_class(source, out, regrade="student=101")
+    assert len(graded(out)) == len(users) + 1
+
+
+@pytest.mark.parametrize("chosen", ["student=Doe, Jane", "student=Doe*", "student=101"])
+def test_a_student_is_chosen_by_the_name_of_the_grade_book(
+    tmp_path: Path, users: list[int], chosen: str
+) -> None:
+    source, out = download(tmp_path / "x.zip", users), tmp_path / "out"
+    grade_class(source, out)
+    assert grade_class(source, out, regrade=chosen) == 0
+    assert len(results.keys(out / "regrade")) == (1 if "101" in chosen else len(users))
+
+
+def test_a_set_that_was_not_taken_over_is_not_dropped(tmp_path: Path, users: list[int]) -> None:
+    source, out = download(tmp_path / "x.zip", users), tmp_path / "out"
+    grade_class(source, out)
+    grade_class(source, out, regrade="all")
+    with pytest.raises(UsageError, match="holds what was graded again for 'all'"):
+        grade_class(source, out, regrade="student=101")
+    assert len(results.keys(out / "regrade")) == len(users)
+
+
+def test_a_set_that_waits_for_slurm_shows_no_differences(
+    tmp_path: Path, users: list[int], capsys: pytest.CaptureFixture[str]
+) -> None:
+    source, out = download(tmp_path / "x.zip", users), tmp_path / "out"
+    grade_class(source, out)
+    capsys.readouterr()
+    assert grade_class(source, out, regrade="student=101", engine="slurm") == 0
+    said = capsys.readouterr().out
+    assert said == "1 wait for a grading; then give the same command again.\n"
+
+
+def test_ctrl_c_says_how_to_go_on_wherever_it_comes(
+    tmp_path: Path,
+    users: list[int],
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    def stop(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    source, out = download(tmp_path / "x.zip", users), tmp_path / "out"
+    for place in ("similar.find", "task_of", "students.read"):
+        monkeypatch.setattr(f"bounce_grader.classroom.run.{place}", stop)
+        assert grade_class(source, out) == 130
+        assert "Run the same command again to go on." in capsys.readouterr().err
+
+
+def test_pages_of_what_is_gone_go(tmp_path: Path) -> None:
+    out = tmp_path / "out"
+    first = {"roe_301_3010_part2_lcp.cpp": b"// one", "poe_302_3020_part2_lcp.cpp": b"// x"}
+    grade_class(download(tmp_path / "x.zip", [], first), out)
+    (out / "feedback" / "mine.html").write_text("<title>of the teacher</title>")
+    again = {"roe_301_3011_part2_lcp-1.cpp": b"// two"}
+    grade_class(download(tmp_path / "x.zip", [], again), out)
+    pages = {page.name for page in (out / "feedback").iterdir()}
+    assert pages == {"roe_301_3011_feedback.html", "mine.html"}
+
+
+def test_who_handed_in_no_file_to_grade_gets_a_page(tmp_path: Path) -> None:
+    """Canvas takes back those that have the number of an attachment."""
+    odd = {"roe_301_text.html": b"see my mail", "poe_302_3020_photo.jpg": b""}
+    odd |= {"roe_101_text.html": b"and a remark"}
+    out = tmp_path / "out"
+    grade_class(download(tmp_path / "x.zip", [101], odd), out)
+    pages = {page.name: page.read_text() for page in (out / "feedback").iterdir()}
+    assert pages.keys() == {
+        "doejane_101_1010_feedback.html",
+        "roe_301_text_feedback.html",
+        "poe_302_3020_feedback.html",
+    }
+    assert "Hand in the four parts" in pages["roe_301_text_feedback.html"]
+    assert "photo.jpg is no C++ source and no zip" in pages["poe_302_3020_feedback.html"]
+    with zipfile.ZipFile(out / "feedback.zip") as archive:
+        assert set(archive.namelist()) == pages.keys() - {"roe_301_text_feedback.html"}
+    assert "<b>3</b>submissions" in (out / "class.html").read_text()
+
+
+def test_what_may_be_a_missing_part_needs_a_look(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    part = "part2_lcp.cpp"
+    odd = {
+        f"roe_301_1_{part}": b"// 1",
+        "roe_301_2_part1.rar": b"Rar!",
+        f"roe_302_3_{part}": b"// 2",
+        "roe_302_4_part1.cpp": b"// misnamed",
+        f"roe_303_5_{part}": b"// 3",
+        "roe_303_6_part1_contacts.cpp.txt": b"// misnamed",
+    }
+    zipped = download(tmp_path / "in.zip", [], {part: b"// 4", "part1.rar": b"Rar!"})
+    odd["roe_304_7_hw.zip"] = zipped.read_bytes()
+    out = tmp_path / "out"
+    grade_class(download(tmp_path / "x.zip", [101], odd), out)
+    said = capsys.readouterr().out
+    assert "4 need a look" in said
+    for looks in (said, (out / "class.html").read_text()):
+        assert looks.count("parts 1 and 3 and 4 not there, but ") == 4
+        assert looks.count("part1.rar") >= 2
+        assert "part1.cpp is no part by its name" in looks
+        assert "part1_contacts.cpp.txt" in looks
 
 
 def test_an_exchange_that_was_cut_short_is_finished(tmp_path: Path, users: list[int]) -> None:

@@ -31,9 +31,9 @@ class Log:
         os.write(self._file, line.encode())
 
     def graded(self, task: Task, state: str, seconds: float | None) -> None:
-        """Once for each result: one that a killed run had no time to write down is noted later,
+        """Once for each grading: one that a killed run had no time to write down is noted later,
         without its seconds."""
-        if task.key not in self._known:
+        if seconds is not None or task.key not in self._known:
             self._known.add(task.key)
             self.write("graded", task, state=state, seconds=seconds)
 

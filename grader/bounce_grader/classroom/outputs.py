@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from bounce_grader.classroom import gradebook, grades, page, results
+from bounce_grader.classroom import canvas, gradebook, grades, page, results
 from bounce_grader.classroom.gradebook import Gradebook, Marks
 from bounce_grader.classroom.log import Log
 from bounce_grader.classroom.similar import Similar
@@ -40,7 +40,7 @@ def write(
         write_whole(out / "gradebook.csv", filled.data)
         said = filled.sentences
     write_whole(out / "grades.csv", "\ufeff" + grades.table(summaries))
-    _feedback(out, summaries, reveal)
+    _feedback(out, found, summaries, reveal)
     write_whole(out / "class.html", page.render(found, summaries, near, said))
     return said
 
@@ -75,18 +75,33 @@ def _make_up_gradebook(path: Path, marks: Mapping[str, Marks], title: str, log: 
     return []
 
 
-def _feedback(out: Path, summaries: list[Summary], reveal: bool) -> None:
-    """One page each; for Canvas all of them in the zip that it takes back, too."""
+def _feedback(out: Path, found: Class, summaries: list[Summary], reveal: bool) -> None:
+    """One page each; for Canvas all of them in the zip that it takes back, too. Pages of an earlier
+    run, for what isn't there any more, go."""
     folder = out / "feedback"
     folder.mkdir(exist_ok=True)
     pages: list[str] = []
+    ids = {summary.student.id for summary in summaries}
+    for entry in found.unmatched:
+        if entry.feedback and entry.user not in ids:
+            write_whole(folder / entry.feedback, html.refused(entry.told))
+            pages.append(entry.feedback)
     for summary in summaries:
         result = results.load(out / "results", summary.key)
         if result:
             write_whole(folder / summary.student.feedback, _page(summary.student, result, reveal))
             pages.append(summary.student.feedback)
+    for page_file in folder.glob("*.html"):
+        if page_file.name not in pages and _is_ours(page_file):
+            page_file.unlink()
     if any(summary.student.uploads for summary in summaries):
-        _zip(folder, pages, out / "feedback.zip")
+        taken = [name for name in pages if canvas.parse(name)]
+        _zip(folder, taken, out / "feedback.zip")
+
+
+def _is_ours(page_file: Path) -> bool:
+    with page_file.open("rb") as stream:
+        return f"<title>{html.TITLE}".encode() in stream.read(200)
 
 
 def _page(student: Student, result: dict[str, Any], reveal: bool) -> str:

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from bounce_grader.classroom import results
+from bounce_grader.classroom.canvas import sanitized
 from bounce_grader.classroom.log import Log
 from bounce_grader.classroom.students import Class, Student
 from bounce_grader.classroom.summary import Summary, of_result
@@ -24,7 +25,7 @@ KINDS = "all, student=NAME (with * for any letters), status=STATUS, or score<POI
 
 
 def begin(out: Path, chosen: str, stamp: Stamp) -> Path:
-    """The folder of the new set; one that was begun for something else is begun anew."""
+    """The folder of the new set; one that another kit began is begun anew."""
     _filter(chosen)
     there = results.stamp_of(out / "results")
     if there is None:
@@ -36,10 +37,13 @@ def begin(out: Path, chosen: str, stamp: Stamp) -> Path:
         )
     folder = out / "regrade"
     noted = folder / FILTER
-    if folder.exists() and (
-        results.stamp_of(folder) != stamp or not noted.exists() or noted.read_text() != chosen
-    ):
+    if folder.exists() and (results.stamp_of(folder) != stamp or not noted.exists()):
         shutil.rmtree(folder)
+    elif folder.exists() and noted.read_text() != chosen:
+        raise UsageError(
+            f"{folder} holds what was graded again for {noted.read_text()!r}: take it over with "
+            "--apply, or remove that folder"
+        )
     results.begin(folder, stamp)
     write_whole(noted, chosen)
     return folder
@@ -64,7 +68,10 @@ def _filter(words: str) -> Callable[[Summary], bool]:
         limit = float(below[1])
         return lambda summary: summary.score is not None and summary.score < limit
     if kind == "student" and value:
-        return lambda s: fnmatch(s.student.id, value) or fnmatch(s.student.name, value)
+        names = {value, "*".join(map(sanitized, value.split("*")))} - {""}
+        return lambda s: any(
+            fnmatch(own, name) for own in (s.student.id, s.student.name) for name in names
+        )
     if kind == "status" and value:
         return lambda summary: value in {summary.state, *summary.statuses.values()}
     raise UsageError(f"--regrade doesn't know {words!r}; it takes {KINDS}")

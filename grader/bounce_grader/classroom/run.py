@@ -3,6 +3,7 @@
 import errno
 import fcntl
 import os
+import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -11,9 +12,9 @@ from bounce_grader.classroom import grading, outputs, regrade, results, similar,
 from bounce_grader.classroom.gradebook import Gradebook
 from bounce_grader.classroom.log import Log
 from bounce_grader.classroom.request import Request
-from bounce_grader.classroom.students import Class
+from bounce_grader.classroom.students import Class, Student
 from bounce_grader.classroom.summary import Summary
-from bounce_grader.classroom.task import Stamp, task_of
+from bounce_grader.classroom.task import Stamp, Task, task_of, with_times
 from bounce_grader.errors import KitError, UsageError
 from bounce_grader.escape import terminal
 from bounce_grader.files import sweep
@@ -24,6 +25,17 @@ MOST_LINES = 40  # on the terminal; class.html has them all
 
 def run(request: Request) -> int:
     """0; or 3 where the kit failed on some submission, which then has no score."""
+    try:
+        return _whole(request)
+    except KeyboardInterrupt:
+        print(
+            "kit: stopped; what is graded is kept. Run the same command again to go on.",
+            file=sys.stderr,
+        )
+        return 130
+
+
+def _whole(request: Request) -> int:
     found = students.read(request.submissions)
     book = _gradebook(request)
     with _alone(request.out):
@@ -51,7 +63,7 @@ def _run(request: Request, found: Class, book: Gradebook | None, log: Log) -> in
     if request.apply:
         regrade.apply(request.out, found, stamp, log)
     results.begin(folder, stamp)
-    tasks = {s.id: task_of(s, stamp, folder, request.speed, request.trust) for s in found.students}
+    tasks = _tasks(request, found.students, stamp, folder)
     failed = grading.grade_missing(tasks, folder, request, log)
     summaries = grading.summarize(found.students, tasks, folder, failed)
     if summaries and all(summary.state == "waiting" for summary in summaries):
@@ -61,6 +73,14 @@ def _run(request: Request, found: Class, book: Gradebook | None, log: Log) -> in
         request.out, found, summaries, book, request.columns, near, log, request.reveal
     )
     return _say(request, found, summaries, said)
+
+
+def _tasks(request: Request, chosen: list[Student], stamp: Stamp, folder: Path) -> dict[str, Task]:
+    """What was timed stays timed: that changes no score."""
+    there = results.keys(request.out / "results")
+    tasks = {s.id: task_of(s, stamp, folder, request.speed, request.trust) for s in chosen}
+    timed = {id: with_times(task) for id, task in tasks.items()}
+    return {id: timed[id] if timed[id].key in there else task for id, task in tasks.items()}
 
 
 def _gradebook(request: Request) -> Gradebook | None:
@@ -97,10 +117,14 @@ def _alone(out: Path) -> Iterator[None]:
 def _regrade(request: Request, found: Class, stamp: Stamp, log: Log) -> int:
     folder = regrade.begin(request.out, request.regrade, stamp)
     chosen = regrade.choose(request.out, found, request.regrade)
-    tasks = {s.id: task_of(s, stamp, folder, request.speed, request.trust) for s in chosen}
+    tasks = _tasks(request, chosen, stamp, folder)
     failed = grading.grade_missing(tasks, folder, request, log)
     if failed:
         raise KitError(f"{len(failed)} submissions could not be graded again; nothing is changed")
+    waiting = {task.key for task in tasks.values()} - results.keys(folder)
+    if waiting:
+        print(f"{len(waiting)} wait for a grading; then give the same command again.")
+        return 0
     print("\n".join(regrade.differences(request.out, chosen, tasks)))
     print("Nothing is changed yet. To take these over: --apply in place of --regrade.")
     return 0
@@ -108,15 +132,18 @@ def _regrade(request: Request, found: Class, stamp: Stamp, log: Log) -> int:
 
 def _say(request: Request, found: Class, summaries: list[Summary], said: list[str]) -> int:
     graded = [s for s in summaries if s.state == "graded"]
-    looks = sum(bool(s.needs_a_look) for s in summaries) + len(found.unmatched)
-    print(f"{len(graded)} of {len(summaries)} submissions graded ({found.source}).")
-    if looks:
-        print(f"{looks} need a look; {request.out / 'class.html'} says which, and why.")
+    looks = sum(bool(s.needs_a_look) for s in summaries)
+    print(f"{len(graded)} of {found.handed_in} submissions graded ({found.source}).")
+    if looks or found.unmatched:
+        print(
+            f"{looks} need a look, {len(found.unmatched)} can't be graded or aren't matched; "
+            f"{request.out / 'class.html'} says which, and why."
+        )
     lines = [f"{unmatched.name!r} {unmatched.reason}" for unmatched in found.unmatched]
     lines += [
-        f"{s.student.name} ({s.student.id}): {s.message}"
+        f"{s.student.name} ({s.student.id}): {'; '.join(s.needs_a_look)}"
         for s in summaries
-        if s.message and s.state != "waiting"
+        if s.needs_a_look and s.state != "waiting"
     ]
     waiting = sum(s.state == "waiting" for s in summaries)
     lines += [f"{waiting} wait for a grading"] if waiting else []

@@ -8,6 +8,9 @@ from bounce_grader import speed
 from bounce_grader.classroom.students import Student
 
 
+MOST_NAMED = 5  # files, in one sentence
+
+
 @dataclass(frozen=True)
 class Summary:
     student: Student
@@ -24,6 +27,11 @@ class Summary:
     error: float | None = None
     curves: Mapping[str, tuple[speed.Point, ...]] = field(default_factory=dict)
     ignored: tuple[str, ...] = ()
+    beside: tuple[str, ...] = ()  # sources that are no part
+
+    @property
+    def unused(self) -> list[str]:
+        return [*self.student.unused, *(f"{name} wasn't used" for name in self.ignored)]
 
     @property
     def needs_a_look(self) -> list[str]:
@@ -33,9 +41,20 @@ class Summary:
         for number, status in self.statuses.items():
             if status in odd:
                 reasons.append(f"part {number}: {status.replace('_', ' ')}")
+        reasons += self._misnamed()
         if self.box in ("none", "reduced"):
             reasons.append(f"graded with {'no' if self.box == 'none' else 'a reduced'} box")
         return reasons
+
+    def _misnamed(self) -> list[str]:
+        """A part that isn't there may be there under another name, or in what can't be read."""
+        missing = [number for number, status in self.statuses.items() if status == "not_submitted"]
+        others = [*self.unused, *(f"{name} is no part by its name" for name in self.beside)]
+        words = "parts" if len(missing) > 1 else "part"
+        numbers = " and ".join(map(str, missing))
+        lost = f"{words} {numbers} not there, but {'; '.join(others[:MOST_NAMED])}"
+        more = f" and {len(others) - MOST_NAMED} more" if len(others) > MOST_NAMED else ""
+        return [lost + more] if missing and others else []
 
 
 def of_result(student: Student, key: str, result: dict[str, Any]) -> Summary:
@@ -58,4 +77,5 @@ def of_result(student: Student, key: str, result: dict[str, Any]) -> Summary:
         error=found.get("largest_error"),
         curves={whose: tuple(speed.curve(found, whose)) for whose in speed.CURVES},
         ignored=tuple(record["ignored"]),
+        beside=tuple(result.get("beside", ())),
     )

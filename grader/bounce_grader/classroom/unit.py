@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from bounce_grader import submission
 from bounce_grader.classroom import layout
 from bounce_grader.classroom.task import Task
 from bounce_grader.errors import KitError, UsageError
@@ -61,12 +62,14 @@ def _result(task: Task, grade: Callable[[Path, Task], Record]) -> dict[str, Any]
     """A submission that can't be read is a verdict, too."""
     record: Record | None = None
     message = ""
+    beside: list[str] = []
     with tempfile.TemporaryDirectory(prefix=CLASS_FOLDER) as name:
         path = Path(task.path)
         try:
             path = layout.prepare(task, Path(name))
             record = grade(path, task)
-            _require_a_part(record)
+            _require_a_part(record, "folder" if Path(task.path).is_dir() else "zip")
+            beside = submission.read(path).helpers
         except UsageError as error:
             record = None
             message = str(error).replace(str(path), "the submission").replace(name, "")
@@ -79,10 +82,11 @@ def _result(task: Task, grade: Callable[[Path, Task], Record]) -> dict[str, Any]
         "state": "graded" if record else "unreadable",
         "message": message,
         "record": record,
+        "beside": beside,
     }
 
 
-def _require_a_part(record: Record) -> None:
+def _require_a_part(record: Record, where: str) -> None:
     """A zip in the zip, or files under other names: for a person to look at, and no zero."""
     if all(part["status"] == "not_submitted" for part in record["parts"]):
         names = [name for name in record["ignored"] if not name.startswith("__MACOSX")]
@@ -90,5 +94,5 @@ def _require_a_part(record: Record) -> None:
         raise UsageError(
             "none of the four parts is there under its name"
             + (f", but {', '.join(names[:3])}" if names else "")
-            + (": a zip inside a zip isn't opened" if zipped else "")
+            + (f": a zip inside a {where} isn't opened" if zipped else "")
         )

@@ -40,6 +40,9 @@ summary{cursor:pointer}
 """
 
 
+TITLE = "Bouncing: "  # every page's begins so
+
+
 def render(record: Record, name: str = "", unused: tuple[str, ...] = ()) -> str:
     share = 100 * record["score"] / record["max_score"]
     parts = "".join(_part(part) for part in record["parts"])
@@ -53,13 +56,13 @@ def render(record: Record, name: str = "", unused: tuple[str, ...] = ()) -> str:
         + f'<p class="small">Graded by kit {escape.html(record["kit"])}; submission '
         f"{record['submission_sha256'][:12]}.</p>"
     )
-    return page("Bouncing: your points", body)
+    return page(f"{TITLE}your points", body)
 
 
 def refused(sentence: str) -> str:
     """For a submission that can't be read."""
     body = f"<h1>Not graded</h1><p>{escape.html(sentence)}</p>"
-    return page("Bouncing: not graded", body)
+    return page(f"{TITLE}not graded", body)
 
 
 def page(title: str, body: str) -> str:
