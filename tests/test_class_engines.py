@@ -65,8 +65,9 @@ class Cluster:
     address: str
     processes: list["subprocess.Popen[bytes]"] = field(default_factory=list)
 
-    def start(self, *words: str) -> "subprocess.Popen[bytes]":
-        path = f"{ROOT / 'grader'}:{ROOT / 'tests'}"
+    def start(
+        self, *words: str, path: str = f"{ROOT / 'grader'}:{ROOT / 'tests'}"
+    ) -> "subprocess.Popen[bytes]":
         quiet = subprocess.DEVNULL
         environment = {**os.environ, "PYTHONPATH": path}
         command = [sys.executable, *words]
@@ -74,9 +75,9 @@ class Cluster:
         self.processes.append(process)
         return process
 
-    def worker(self) -> "subprocess.Popen[bytes]":
+    def worker(self, **more: str) -> "subprocess.Popen[bytes]":
         options = ["--nthreads", "1", "--no-nanny", "--no-dashboard"]
-        return self.start("/usr/bin/dask-worker", self.address, *options)
+        return self.start("/usr/bin/dask-worker", self.address, *options, **more)
 
 
 @pytest.fixture
@@ -131,6 +132,35 @@ def test_dask_without_a_scheduler_is_said(tmp_path: Path) -> None:
         run.run(asked)
     with pytest.raises(UsageError, match="no Dask scheduler answers at tcp://127.0.0.1:9"):
         run.run(replace(asked, scheduler="tcp://127.0.0.1:9"))
+
+
+@needs_dask
+@pytest.mark.slow
+def test_dask_workers_without_the_kit_are_said(
+    cluster: Cluster, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    from distributed import Client
+
+    cluster.worker(path="")
+    with Client(cluster.address, set_as_default=False) as client:
+        client.wait_for_workers(1, timeout=60)
+    source = download(tmp_path / "x.zip", 1)
+    asked = Request(source, tmp_path / "out", engine="dask", scheduler=cluster.address)
+    with pytest.raises(UsageError, match="start them with PYTHONPATH=KIT/grader"):
+        run.run(asked)
+
+
+@needs_dask
+@pytest.mark.slow
+def test_dask_without_workers_says_that_it_waits(
+    cluster: Cluster, tmp_path: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    later = threading.Timer(5.0, cluster.worker)
+    later.start()
+    source = download(tmp_path / "x.zip", 1)
+    asked = stand_in.request(source, tmp_path / "out", engine="dask", scheduler=cluster.address)
+    assert run.run(asked) == 0
+    assert "has no workers yet; waiting for them" in capfd.readouterr().err
 
 
 @needs_dask

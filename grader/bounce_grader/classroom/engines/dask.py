@@ -1,6 +1,7 @@
 """Dask: the same unit, as futures of a cluster's scheduler. Workers see the kit, the submissions and
 the results under the same paths; they may come, go and die."""
 
+import sys
 from collections.abc import Callable, Generator
 from concurrent.futures import CancelledError
 from contextlib import suppress
@@ -60,12 +61,18 @@ def _client(scheduler: str) -> Any:
 def _require_the_kit(client: Any) -> None:
     """A worker that can't import the unit would fail on every submission."""
     try:
-        client.run(_try_import)
-    except ImportError as error:
+        found = client.run(_try_import)
+    except (OSError, CancelledError):
+        raise
+    except Exception as error:  # Dask wraps what a worker can't even unpickle in one of its own
+        if "bounce_grader" not in repr(error):
+            raise
         raise UsageError(
             "the Dask workers don't find the kit: start them with PYTHONPATH=KIT/grader, where KIT "
             "is this folder under the same path"
         ) from error
+    if not found:
+        print("kit: the Dask scheduler has no workers yet; waiting for them", file=sys.stderr)
 
 
 def _try_import() -> str:

@@ -4,7 +4,9 @@ import multiprocessing
 import os
 import select
 import signal
+import sys
 import threading
+import time
 from collections.abc import Callable, Generator, Iterator
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from contextlib import contextmanager
@@ -17,6 +19,7 @@ from bounce_grader.classroom.task import Task
 from bounce_grader.classroom.unit import Outcome
 from bounce_grader.classroom.unit import run as run_unit
 
+TO_CLEAN_UP = 3.0  # seconds, for what is ended to take its files away
 LONGEST = 1800.0  # seconds; a grading's own limits are far below
 PRELOADED = ["bounce_grader.grade", "bounce_grader.classroom.unit"]
 
@@ -105,12 +108,18 @@ class _Running:
             with self._lock:
                 self._stopped = True
                 for process in self._processes:
+                    process.terminate()
+                end = time.monotonic() + TO_CLEAN_UP
+                for process in self._processes:
+                    process.join(max(0.0, end - time.monotonic()))
                     process.kill()
 
 
 def _child(unit: Callable[[Task], Outcome], task: Task, answer: Connection) -> None:
-    """Ctrl-C is the class's; where the class is gone, so is this."""
+    """Ctrl-C is the class's; where the class is gone, so is this. Where it is ended, it takes its
+    temporary files away first."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))
     threading.Thread(target=_end_with_the_reader, args=(answer.fileno(),), daemon=True).start()
     answer.send(unit(task))
 
