@@ -1,9 +1,10 @@
 """What the Python tests share: the grader on the path, and submissions made from the solution."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
+import clusters
 import pytest
 from hypothesis import settings
 
@@ -39,6 +40,12 @@ def grade(tmp_path: Path) -> Grade:
         return grade_path(write(tmp_path / "submission", present))
 
     return graded
+
+
+@pytest.fixture
+def cluster() -> Iterator[clusters.Cluster]:
+    with clusters.started() as made:
+        yield made
 
 
 def points(record: dict[str, Any]) -> list[float]:

@@ -3,14 +3,12 @@
 import os
 import random
 import signal
-import socket
 import subprocess
-import sys
 import threading
 import time
 import zipfile
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field, replace
+from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 from shutil import which
 
@@ -20,12 +18,10 @@ from bounce_grader.classroom import log, results, run
 from bounce_grader.classroom.engines import slurm
 from bounce_grader.classroom.request import Request
 from bounce_grader.errors import KitError, UsageError
+from clusters import Cluster, needs_dask, wait_for
 from conftest import ROOT, solution_files
 
 NAMES = ("gradebook.csv", "grades.csv", "class.html")
-needs_dask = pytest.mark.skipif(
-    which("dask-worker") is None, reason="python3-distributed is missing"
-)
 
 
 def download(path: Path, number: int) -> Path:
@@ -51,53 +47,6 @@ def same(out: Path, source: Path, tmp_path: Path) -> bool:
     """As if the built-in workers had done it."""
     assert run.run(stand_in.request(source, tmp_path / "calm")) == 0
     return all((out / n).read_bytes() == (tmp_path / "calm" / n).read_bytes() for n in NAMES)
-
-
-def wait_for(happened: Callable[[], bool], seconds: float = 90.0) -> None:
-    end = time.monotonic() + seconds
-    while not happened():
-        assert time.monotonic() < end
-        time.sleep(0.02)
-
-
-@dataclass
-class Cluster:
-    address: str
-    processes: list["subprocess.Popen[bytes]"] = field(default_factory=list)
-
-    def start(
-        self, *words: str, path: str = f"{ROOT / 'grader'}:{ROOT / 'tests'}"
-    ) -> "subprocess.Popen[bytes]":
-        quiet = subprocess.DEVNULL
-        environment = {**os.environ, "PYTHONPATH": path}
-        command = [sys.executable, *words]
-        process = subprocess.Popen(command, env=environment, stdout=quiet, stderr=quiet)
-        self.processes.append(process)
-        return process
-
-    def worker(self, **more: str) -> "subprocess.Popen[bytes]":
-        options = ["--nthreads", "1", "--no-nanny", "--no-dashboard"]
-        return self.start("/usr/bin/dask-worker", self.address, *options, **more)
-
-
-@pytest.fixture
-def cluster() -> Iterator[Cluster]:
-    with socket.socket() as free:
-        free.bind(("127.0.0.1", 0))
-        port = free.getsockname()[1]
-    made = Cluster(f"tcp://127.0.0.1:{port}")
-    options = ["--host", "127.0.0.1", "--port", str(port), "--no-dashboard"]
-    made.start("/usr/bin/dask-scheduler", *options)
-
-    def answers() -> bool:
-        with socket.socket() as probe:
-            return probe.connect_ex(("127.0.0.1", port)) == 0
-
-    wait_for(answers)
-    yield made
-    for process in made.processes:
-        process.kill()
-        process.wait()
 
 
 @needs_dask

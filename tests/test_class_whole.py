@@ -2,6 +2,8 @@
 
 import csv
 import io
+import os
+import subprocess
 import zipfile
 from pathlib import Path
 from typing import Any
@@ -11,9 +13,11 @@ from bounce_grader import cli
 from bounce_grader.classroom import synthetic
 from bounce_grader.classroom.canvas import sanitized
 from bounce_grader.classroom.synthetic import Made, zip_bytes
+from clusters import Cluster, needs_dask
 from conftest import solution_files
 
 COLUMN = "HW3 (98765)"
+NAMES = ("gradebook.csv", "grades.csv", "class.html")
 ODD_NAMES = {
     7001: "Müller-Lüdenscheidt, Jürgen",
     7002: "O'Brien, Aoife",
@@ -63,6 +67,11 @@ def odd_entries(archive: zipfile.ZipFile) -> dict[int, float | None]:
     put(7107, "Huge, Ann", huge, 70)
     put(7108, "Mac, Ann", {"hw.zip": zip_bytes({**solution(0), "__MACOSX/._x.cpp": b"\0"})}, 100)
     put(7109, "team 7", solution(0), 100)
+    copy = {**solution(0), "part1_contacts (1).cpp": solution(0)["part1_contacts.cpp"]}
+    del copy["part1_contacts.cpp"]
+    put(7112, "Copy, Ann", {"hw.zip": zip_bytes(copy)}, 100)
+    stale = zip_bytes({**solution(0), "arm.cpp": b"#error"})
+    put(7113, "Zips, Ann", {"hw.zip": stale, "hw-1.zip": zip_bytes(three)}, 90)
     archive.writestr("textann_7110_text.html", "<p>see above</p>")
     archive.writestr("linkann_LATE_7111_link.html", "<p>there</p>")
     archive.writestr("anon_a1b2c_950001_part1_contacts.cpp", b"int x;")
@@ -92,19 +101,25 @@ def kit_class(folder: Path) -> dict[str, str]:
     return {row[1]: row[column] for row in rows[2:]}
 
 
-@pytest.mark.long
-def test_a_class_of_forty_with_every_oddity(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def class_of_forty(folder: Path) -> dict[int, float | None]:
+    """Writes its download and its export, and gives the points of each."""
     made = list(synthetic.students(22, ("accepted", "mistakes", "broken"), 6001))
-    source = synthetic.canvas_zip(tmp_path / "submissions.zip", made)
+    source = synthetic.canvas_zip(folder / "submissions.zip", made)
     with zipfile.ZipFile(source, "a") as archive:
         odd = odd_entries(archive)
     everybody: dict[int, float | None] = {student.user: student.points for student in made}
     everybody |= odd
     assert len(everybody) >= 39
     names = {**ODD_NAMES, **{student.user: student.sortable_name for student in made}}
-    (tmp_path / "export.csv").write_bytes(book_of(everybody, names).encode())
+    (folder / "export.csv").write_bytes(book_of(everybody, names).encode())
+    return everybody
+
+
+@pytest.mark.long
+def test_a_class_of_forty_with_every_oddity(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    everybody = class_of_forty(tmp_path)
     got = kit_class(tmp_path)
 
     expected = {str(u): "" if p is None else f"{p:.2f}" for u, p in everybody.items()}
@@ -138,6 +153,34 @@ def test_a_class_of_forty_with_every_oddity(
     assert len(pages) == len({name for name in pages}) >= 33
     for name in pages:
         assert (tmp_path / "out" / "feedback" / name).read_text().startswith("<!doctype html>")
+
+
+def run_chunks(folder: Path) -> None:
+    """The array's script, as Slurm would run it."""
+    for number in range(1, 1 + len(list(folder.glob("chunk-*.json")))):
+        environment = {**os.environ, "SLURM_ARRAY_TASK_ID": str(number)}
+        subprocess.run(["sh", str(folder / "grade.sbatch")], env=environment, check=True)
+
+
+@needs_dask
+@pytest.mark.long
+def test_a_class_of_forty_is_the_same_on_a_cluster(cluster: Cluster, tmp_path: Path) -> None:
+    class_of_forty(tmp_path)
+    arguments = ["class", str(tmp_path / "submissions.zip")]
+    arguments += ["--gradebook", str(tmp_path / "export.csv"), "--column", COLUMN, "--out"]
+    assert cli.main([*arguments, str(tmp_path / "local")]) == 0
+    cluster.worker()
+    cluster.worker()
+    dask = ["--engine", "dask", "--scheduler", cluster.address]
+    assert cli.main([*arguments, str(tmp_path / "dask"), *dask]) == 0
+    slurm = [*arguments, str(tmp_path / "slurm"), "--engine", "slurm"]
+    assert cli.main(slurm) == 0
+    run_chunks(tmp_path / "slurm" / "slurm" / "1")
+    assert cli.main(slurm) == 0
+    for name in NAMES:
+        local = (tmp_path / "local" / name).read_bytes()
+        assert (tmp_path / "dask" / name).read_bytes() == local, name
+        assert (tmp_path / "slurm" / name).read_bytes() == local, name
 
 
 def others(folder: Path, made: list[Made]) -> dict[str, str]:
