@@ -8,6 +8,7 @@ import random
 import signal
 import subprocess
 import sys
+import tempfile
 
 import time
 import zipfile
@@ -495,20 +496,25 @@ def wait_for(happened: Any, seconds: float = 60.0) -> None:
         time.sleep(0.01)
 
 
+@pytest.fixture
+def short_folder() -> Iterator[Path]:
+    """Sockets are made in TMPDIR, and their paths may have a hundred letters."""
+    with tempfile.TemporaryDirectory() as name:
+        yield Path(name)
+
+
 def test_ctrl_c_stops_and_says_how_to_go_on(
-    tmp_path: Path, users: list[int], monkeypatch: pytest.MonkeyPatch
+    tmp_path: Path, users: list[int], short_folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     source, out = download(tmp_path / "x.zip", users), tmp_path / "out"
-    temporary = tmp_path / "tmp"
-    temporary.mkdir()
-    monkeypatch.setenv("TMPDIR", str(temporary))
+    monkeypatch.setenv("TMPDIR", str(short_folder))
     process = started(source, out, seconds=2)
     wait_for(lambda: len(results.keys(out / "results")) >= 2)
     process.send_signal(signal.SIGINT)
     _, said = process.communicate(timeout=30)
     assert process.returncode != 0
     assert "of 10 submissions are graded and kept. Run the same command again to go on." in said
-    assert not [left for left in temporary.iterdir() if left.name.startswith("bounce-")]
+    assert not [left for left in short_folder.iterdir() if left.name.startswith("bounce-")]
     there = results.keys(out / "results")
     assert 2 <= len(there) < 10
     assert grade_class(source, out) == 0
