@@ -9,9 +9,9 @@ from pathlib import Path
 from bounce_grader.classroom import canvas
 from bounce_grader.classroom.archive import Archive, opened
 from bounce_grader.classroom.canvas import TextEntry, Upload
+from bounce_grader.entry import LARGEST_SOURCE
 from bounce_grader.errors import UsageError
 from bounce_grader.files import fitting
-from bounce_grader.entry import LARGEST_SOURCE
 from bounce_grader.submission import HEADERS, SOURCES
 
 
