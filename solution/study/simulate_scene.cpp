@@ -22,34 +22,8 @@ constexpr double kNegligible = 1e-12;
 // A velocity that counts as 0 where the square falls asleep, m/s.
 constexpr double kStill = 1e-13;
 
-void half_step(Motion<double>& s, const StepConstants& k) {
-  s.x += k.dt / 2 * s.v_x;
-  s.y += k.dt / 2 * s.v_y;
-  s.theta += k.dt / 2 * s.omega;
-}
-
 LowCorners corners_at(const Motion<double>& middle, const StepConstants& k) {
   return methods::low_corners(k.half, std::cos(middle.theta), std::sin(middle.theta), middle.y);
-}
-
-// u_n of a corner: see moreau_jean.hpp.
-double normal_row(const Motion<double>& s, const Arm<double>& r, const StepConstants& k) {
-  const double v_n = methods::normal_velocity(s, r);
-  return v_n + k.epsilon * std::min(v_n, 0.0) + k.dv_y;
-}
-
-TwoCorners<double> side_problem(const Motion<double>& s, const LowCorners& low,
-                                const StepConstants& k) {
-  const double r_y = (low.left.y + low.right.y) / 2;
-  return methods::two_corners<double>(low.left, low.right, k.gyration,
-                                      {normal_row(s, low.left, k), normal_row(s, low.right, k)},
-                                      s.v_x - r_y * s.omega + k.dv_x, k.mu);
-}
-
-void push_side(Motion<double>& s, const LowCorners& low, const SideImpulse<double>& p,
-               const StepConstants& k) {
-  methods::push(s, low.left, p.n[0], p.t / 2, k.gyration);
-  methods::push(s, low.right, p.n[1], p.t / 2, k.gyration);
 }
 
 void put(Trajectory& trajectory, Eigen::Index column, const Motion<double>& s) {
@@ -102,7 +76,7 @@ class Ladder {
   long steps_without_contact() const {
     const double most = double(last_ - now_);
     Motion<double> middle = s_;
-    half_step(middle, k_);
+    methods::half_step(middle, k_);
     double time = 0;
     if (middle.y > k_.rho) {
       time = g_y_ < 0 ? safe_step(middle.y - k_.rho, s_.v_y, -g_y_)
@@ -141,11 +115,11 @@ class Ladder {
 
   void contact_step() {
     const bool rested = speed() <= kStill;
-    half_step(s_, k_);
+    methods::half_step(s_, k_);
     const LowCorners low = corners_at(s_, k_);
     const bool left = low.gap_left <= 0, right = low.gap_right <= 0;
     Rung rung = Rung::ballistic;
-    if (left && right) {
+    if (methods::side_touches(low, s_, k_)) {
       rung = two(low);
     } else if (left || right) {
       rung = one(left ? low.left : low.right);
@@ -153,7 +127,7 @@ class Ladder {
     s_.v_x += k_.dv_x;
     s_.v_y += k_.dv_y;
     if (left && right) fall_asleep(rested);
-    half_step(s_, k_);
+    methods::half_step(s_, k_);
     put(trajectory_, ++now_, s_);
     count(rung, 1);
   }
@@ -176,8 +150,7 @@ class Ladder {
   }
 
   Rung one(const Arm<double>& r) {
-    const auto problem = methods::one_corner(r, k_.gyration, normal_row(s_, r, k_),
-                                             methods::sliding_velocity(s_, r) + k_.dv_x, k_.mu);
+    const auto problem = methods::corner_problem(s_, r, k_);
     if (problem.u_n >= 0) return Rung::one_normal;
     warn(problem);
     const double p_n = -problem.u_n / problem.a;
@@ -192,11 +165,11 @@ class Ladder {
   }
 
   Rung two(const LowCorners& low) {
-    TwoCorners<double> problem = side_problem(s_, low, k_);
+    TwoCorners<double> problem = methods::side_problem(s_, low, k_);
     if (slides_on_ && k_.mu < 4.0 / 3) {  // as it did a step ago; below 4/3 no other solution
       const auto p = methods::solve_side(problem, problem.u_t > 0 ? 1 : -1, true);
       if (p.violation <= 0) {
-        push_side(s_, low, p, k_);
+        methods::push_side(s_, low, p, k_);
         return Rung::two_frictions;
       }
     }
@@ -204,13 +177,13 @@ class Ladder {
     const SideImpulse<double> normal = methods::solve_side(problem, 1, false);
     const double slides = problem.u_t + problem.b(0) * normal.n[0] + problem.b(1) * normal.n[1];
     if (slides == 0 || friction_is_negligible(normal.n[0] + normal.n[1])) {
-      push_side(s_, low, normal, k_);
+      methods::push_side(s_, low, normal, k_);
       slides_on_ = false;
       return Rung::two_normals;
     }
     ++report_.raised;
     problem.mu = k_.mu;
-    push_side(s_, low, methods::solve_two_corners(problem), k_);
+    methods::push_side(s_, low, methods::solve_two_corners(problem), k_);
     slides_on_ = true;
     return Rung::two_frictions;
   }
@@ -246,10 +219,11 @@ class Ladder {
 // that doesn't touch has a u so large that no impulse is needed there.
 void whole_step(Motion<double>& s, const StepConstants& k) {
   constexpr double kFar = 1e9;  // m/s
-  half_step(s, k);
+  methods::half_step(s, k);
   const LowCorners low = corners_at(s, k);
-  TwoCorners<double> problem = side_problem(s, low, k);
-  const bool left = low.gap_left <= 0, right = low.gap_right <= 0;
+  TwoCorners<double> problem = methods::side_problem(s, low, k);
+  const bool both = methods::side_touches(low, s, k);
+  const bool left = both || low.gap_left <= 0, right = both || low.gap_right <= 0;
   if (!left) problem.u[0] = kFar;
   if (!right) problem.u[1] = kFar;
   if (left != right) {
@@ -257,14 +231,14 @@ void whole_step(Motion<double>& s, const StepConstants& k) {
     problem.u_t = s.v_x - problem.r_y * s.omega + k.dv_x;
   }
   const SideImpulse<double> p = methods::solve_two_corners(problem);
-  if (left && right) {
-    push_side(s, low, p, k);
+  if (both) {
+    methods::push_side(s, low, p, k);
   } else if (left || right) {
     methods::push(s, left ? low.left : low.right, p.n[left ? 0 : 1], p.t, k.gyration);
   }
   s.v_x += k.dv_x;
   s.v_y += k.dv_y;
-  half_step(s, k);
+  methods::half_step(s, k);
 }
 
 }  // namespace

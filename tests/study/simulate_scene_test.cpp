@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "common.hpp"
+#include "methods/moreau_jean.hpp"
 #include "study/catalog.hpp"
 #include "study/event_driven.hpp"
 #include "study/simulate_scene.hpp"
@@ -27,6 +28,22 @@ TEST(simulate_scene, IsTheWholeModelInEveryScene) {
       scene.params.dt = dt;
       scene.params.T = int(std::lround(scene.until / dt)) + 1;
       EXPECT_LE(apart(scene.params, scene.start), 1e-6) << scene.name << ", dt " << dt;
+    }
+  }
+}
+
+TEST(simulate_scene, HasTheSchemeOfTheStudyForItsWholeModel) {
+  for (Scene scene : scenes()) {
+    for (const double dt : {1e-2, 1e-3}) {
+      scene.params.dt = dt;
+      scene.params.T = int(std::lround(scene.until / dt)) + 1;
+      const Trajectory whole = simulate_whole(scene.params, scene.start);
+      methods::MoreauJean<2> scheme(scene.params, methods::motion_of<double>(scene.start));
+      for (int t = 1; t < scene.params.T; ++t) {
+        scheme.steps(1);
+        const State s = methods::state_of(scheme.motion());
+        ASSERT_LE((s.q - whole.q.col(t)).cwiseAbs().maxCoeff(), 1e-9) << scene.name << " " << t;
+      }
     }
   }
 }
