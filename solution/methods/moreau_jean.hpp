@@ -1,21 +1,19 @@
 // Moreau's sweeping process, discretised by the midpoint rule (Moreau 1988, section 14; Jean 1999,
 // "The non-smooth contact dynamics method", CMAME 177; Acary & Brogliato 2008, chapter 10).
 //
-//     q_m = q + dt v / 2                               half of the step with the old velocity
-//     v'  = v + dt g + M^-1 J(q_m) p                   contacts: corners with phi(q_m) <= 0
-//     w   = v_n' + epsilon min(v_n, 0) + max(phi(q_m), 0) / dt
-//     0 <= p_n  perpendicular to  w >= 0,              Coulomb with v_t'
-//     q'  = q_m + dt v' / 2                            the other half with the new one
+//     q_m = q + dt v / 2                            half of the step with the old velocity
+//     v'  = v + dt g + M^-1 J(q_m) p                contacts: corners with phi(q_m) <= 0
+//     0 <= p_n  perpendicular to  v_n' + epsilon min(v_n, 0) >= 0,   Coulomb with v_t'
+//     q'  = q_m + dt v' / 2                         the other half with the new one
 //
 // Free flight is exact. There is no delta, rest is exact rest, and impacts come up to a step too
 // late: order 1, and a depth up to v dt. Restitution belongs to corners that approach: epsilon v_n
 // of one that leaves would let it come back through the ground.
 //
-// A corner that is held turns on a circle, which its tangent leaves upward, by rho omega^2 dt^2 at
-// most from one q_m to the next; then it falls free for a step, by g dt^2. So it is in contact in
-// some steps only, and where another corner lands, whether that is an impact of one corner or of
-// two would be left to chance. Hence the last term of w: a corner as low as that while the other
-// touches is in contact too, and may come down as far as it is up.
+// A corner that is held turns on a circle, which its tangent leaves upward, by less than rho
+// omega^2 dt^2 from one q_m to the next; then it falls free for a step, by g dt^2. So it is in
+// contact in some steps only, and where its neighbour lands, chance would say whether the impact is
+// one of one corner or of two. Hence a corner as low as that is in contact while the other touches.
 //
 // kCorners 1 takes the lowest corner only. kCorners 2 takes the two lowest, with merged friction.
 #pragma once
@@ -51,25 +49,23 @@ inline bool side_touches(const LowCorners& low, const Motion<double>& s, const S
   return lower <= 0 && higher <= stray(s, k);
 }
 
-// u_n, what w would be without impulses.
-inline double normal_row(const Motion<double>& s, const Arm<double>& r, double gap,
-                         const StepConstants& k) {
+// The normal row without impulses.
+inline double normal_row(const Motion<double>& s, const Arm<double>& r, const StepConstants& k) {
   const double v_n = normal_velocity(s, r);
-  return v_n + k.epsilon * std::min(v_n, 0.0) + k.dv_y + std::max(gap, 0.0) / k.dt;
+  return v_n + k.epsilon * std::min(v_n, 0.0) + k.dv_y;
 }
 
 inline OneCorner<double> corner_problem(const Motion<double>& s, const Arm<double>& r,
                                         const StepConstants& k) {
-  return one_corner(r, k.gyration, normal_row(s, r, 0, k), sliding_velocity(s, r) + k.dv_x, k.mu);
+  return one_corner(r, k.gyration, normal_row(s, r, k), sliding_velocity(s, r) + k.dv_x, k.mu);
 }
 
 inline TwoCorners<double> side_problem(const Motion<double>& s, const LowCorners& low,
                                        const StepConstants& k) {
   const double r_y = (low.left.y + low.right.y) / 2;
-  return two_corners<double>(
-      low.left, low.right, k.gyration,
-      {normal_row(s, low.left, low.gap_left, k), normal_row(s, low.right, low.gap_right, k)},
-      s.v_x - r_y * s.omega + k.dv_x, k.mu);
+  return two_corners<double>(low.left, low.right, k.gyration,
+                             {normal_row(s, low.left, k), normal_row(s, low.right, k)},
+                             s.v_x - r_y * s.omega + k.dv_x, k.mu);
 }
 
 inline void push_side(Motion<double>& s, const LowCorners& low, const SideImpulse<double>& p,
