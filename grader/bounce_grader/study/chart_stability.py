@@ -85,7 +85,7 @@ def almost_flat(tables: Tables) -> bytes:
     axes.set_ylim(SMALLEST / 3, 30)
     axes.set_xlabel("θ, rad: how far the lower side is from flat")
     axes.set_ylabel("worst residual of what is called solved, m/s")
-    axes.legend(loc="upper right")
+    axes.legend(loc="lower center", ncol=3)
     figure.tight_layout()
     return look.svg(figure)
 
