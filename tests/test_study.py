@@ -348,6 +348,10 @@ def test_the_failing_methods_fail_and_the_cures_hold() -> None:
     facts = pages.facts_of("stability.md", known)
     assert facts["gain_below"] == "0" and facts["gain_others"] == "0"
     assert facts["several_below"] == "0"
+    assert facts["several_above"] == facts["several_points"]
+    assert facts["stack_pivots"].isdigit(), "the same number at every mass ratio"
+    assert float(facts["flat_literal_fine"]) < 1e-12 < float(facts["flat_literal_coarse"])
+    assert float(facts["scale_closed"]) < 1e-15
     assert int(facts["gain_count"]) > 0 and int(facts["flat_wrong"]) > 0
     assert "Moreau–Jean, two corners" in facts["rest_still"]
     assert "Moreau–Jean, two corners" in facts["landing_upright"]

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,8 @@ class Table {
   static std::string text(const std::string& value) { return value; }
   static std::string text(const char* value) { return value; }
   static std::string text(double value);
+  // Empty where there is no number to write.
+  static std::string text(const std::optional<double>& value) { return value ? text(*value) : ""; }
   static std::string text(long value) { return std::to_string(value); }
   static std::string text(int value) { return std::to_string(value); }
   static std::string text(bool value) { return value ? "1" : "0"; }
