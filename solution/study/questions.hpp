@@ -22,6 +22,8 @@ Table speed_ratios(const Scenes& scenes, const Extent& extent);
 // The error over dt, halved again and again, and the order seen between two; empty where there is
 // none, at the first and beside an error of 0.
 Table order(const Scenes& scenes);
+// The truth itself at the sample times, with all its digits, for those who check it by other means.
+Table truths(const Scenes& scenes);
 // The largest energy gain of an impact over (mu, epsilon), by law, and where theory allows one.
 Table energy_gain(const Extent& extent);
 // How many solutions the contact problem may have over (alpha, mu), and mu* (alpha).

@@ -41,8 +41,10 @@ class Table {
   std::vector<std::vector<std::string>> rows_;
 };
 
-// Where the numbers come from: "# machine: ...", and so on. The core that the process is pinned to,
-// or -1.
-std::vector<std::string> origin(int core, const Extent& extent);
+// Where the numbers come from: "# machine: ...", and so on; "# times: ..." where there are any.
+std::vector<std::string> origin(const std::string& times = "");
+
+// How times are taken: on the core that the process is pinned to, or -1.
+std::string times_taken(int core, const Extent& extent);
 
 }  // namespace bounce::study
