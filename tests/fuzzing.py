@@ -339,7 +339,7 @@ COMPILER_SEEDS = [
 
 
 def check_compiler(data: bytes) -> bool:
-    said = Result(1, b"", data.decode("utf-8", "replace"), False, False)
+    said = Result(1, 0.0, b"", data.decode("utf-8", "replace"), False, False)
     problem = build.compile_problem(said, "part2_lcp.cpp")
     link = build.link_problem(said)
     place = judging.place_in(data)

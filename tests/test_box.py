@@ -7,9 +7,10 @@ from pathlib import Path
 
 import pytest
 from bounce_grader import box as boxes
-from bounce_grader import doctor, grade
+from bounce_grader import doctor, grade, processes
 from bounce_grader.box import Box
 from bounce_grader.errors import KitError
+from bounce_grader.paths import RUNNER
 from conftest import ROOT
 
 # What the probe tries, and how it looks where nothing holds it: without a box.
@@ -109,3 +110,14 @@ def test_a_box_that_stops_holding_is_the_kits_fault_and_tried_anew(
     monkeypatch.undo()
     monkeypatch.setattr(boxes, "BUILD", tmp_path)
     assert not list((tmp_path / "boxes").iterdir()) and len(tries) == 1
+
+
+def test_a_reduced_box_that_is_stopped_leaves_nothing() -> None:
+    """Neither what it has written nor a process."""
+    before = set(Path("/tmp").glob("bounce-box-*"))
+    limits = processes.Limits(cpu_seconds=5, wall_seconds=1, memory=1 << 30, file_size=1 << 20)
+    busy = 'echo x >"$TMPDIR/left"; cat "$TMPDIR/left"; while :; do :; done'
+    command = [*Box("reduced").to_build(RUNNER, []), "/bin/sh", "-c", busy]
+    result = processes.run(command, limits)
+    assert result.too_long and result.out == b"x\n"
+    assert set(Path("/tmp").glob("bounce-box-*")) <= before

@@ -665,3 +665,19 @@ def test_the_command_takes_it_all(tmp_path: Path, users: list[int]) -> None:
     assert cli.main([*arguments, "--column", COLUMN]) == 0
     assert column(out / "gradebook.csv") == {"12": "100.00"}
     assert cli.main([*arguments, "--column", COLUMN, "--part-column", "5=x"]) == 2
+
+
+@pytest.mark.parametrize("changed", ["grader/bounce_grader/judging.py", "tests/cases.cpp"])
+def test_another_kit_is_known_wherever_it_lies(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, changed: str
+) -> None:
+    """As in a folder that is named like one of its own."""
+    root = tmp_path / "classroom" / "formats"
+    for name in ("ROOT", "CONTRACT", "HANDOUT"):
+        monkeypatch.setattr(results, name, root)
+    write(root, {changed: b"1", "grader/bounce_grader/formats/html.py": b""})
+    before = results._kit_digest()
+    write(root, {"grader/bounce_grader/formats/html.py": b"changed"})
+    assert results._kit_digest() == before
+    write(root, {changed: b"2"})
+    assert results._kit_digest() != before

@@ -138,12 +138,15 @@ def test_gradescope_gets_its_fields_and_the_right_sum(record: dict[str, Any]) ->
     assert "score" not in result  # it would override the sum
     assert sum(test["score"] for test in result["tests"]) == record["score"]
     assert sum(test["max_score"] for test in result["tests"]) == record["max_score"]
-    assert [row["name"] for row in result["leaderboard"]] == [
-        "Points",
-        "Time over the solution's",
-        "Largest error",
-    ]
+    assert [row["name"] for row in result["leaderboard"]] == ["Points"]
     jsonschema.validate(json.loads(formats.refused("gradescope", "it is empty")), GRADESCOPE)
+
+
+def test_only_right_answers_compete_in_speed_and_accuracy(record: dict[str, Any]) -> None:
+    right = {**record, "score": record["max_score"]}
+    rows = json.loads(formats.render("gradescope", right, NOWHERE))["leaderboard"]
+    names = [row["name"] for row in rows]
+    assert names == ["Points", "Time over the solution's", "Largest error"]
 
 
 def test_prairielearn_gets_a_share_and_points_for_every_test(record: dict[str, Any]) -> None:
@@ -322,3 +325,11 @@ def test_the_command_prints_a_format_and_keeps_its_status(tmp_path: Path) -> Non
     assert done.returncode == 2 and done.stdout == ""
     done = kit("grade", str(SOLUTION), "--format", "junit", "--json", "-")
     assert done.returncode == 2 and "give one" in done.stderr
+
+
+def test_a_file_of_any_name_is_looked_for(tmp_path: Path) -> None:
+    write(tmp_path, {"src/part1_contacts.cpp": b"", "part2_lcp.cpp": b"", "old/part2_lcp.cpp": b""})
+    assert github._in_repository("part1_contacts.cpp", tmp_path) == "src/part1_contacts.cpp"
+    assert github._in_repository("part2_lcp.cpp", tmp_path) == "part2_lcp.cpp"
+    for name in ("nothing.cpp", f"{'a' * 300}.cpp", "../../etc/a.cpp"):
+        assert github._in_repository(name, tmp_path) == name

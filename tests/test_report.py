@@ -110,7 +110,7 @@ def test_grading_without_a_box_is_said() -> None:
 
 
 def failed(err: str, code: int = 1, too_long: bool = False) -> Result:
-    return Result(code, b"", err, too_long, False)
+    return Result(code, 0.0, b"", err, too_long, False)
 
 
 def test_the_first_error_is_the_one_that_is_told() -> None:

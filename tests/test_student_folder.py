@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 from bounce_grader import handout as kit_handout
-from conftest import ROOT, SOLUTION
+from conftest import SOLUTION
 
 STEMS = ["part1_contacts", "part2_lcp", "part3_step", "part4_simulate"]
 

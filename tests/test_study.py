@@ -1,6 +1,7 @@
 """./kit study: what it measures is whole or not there, and its pages say what its tables hold."""
 
 import json
+import math
 import os
 import re
 import signal
@@ -16,7 +17,8 @@ import pytest
 from bounce_grader.cli import main
 from bounce_grader.errors import UsageError
 from bounce_grader.paths import FIXTURES, ROOT
-from bounce_grader.study import charts, look, pages, run, runs, tables, words
+from bounce_grader.study import analytic, chart_speed, charts, look, pages, placing
+from bounce_grader.study import run, runs, tables, words
 from bounce_grader.study.run import QUESTIONS, Request
 
 STUDIES = ROOT / "docs" / "studies"
@@ -60,10 +62,19 @@ def test_a_study_leaves_its_tables_their_charts_and_nothing_else(quick: Path) ->
 
 def test_tables_say_where_they_are_from(quick: Path) -> None:
     origin = tables.read(quick / "depth.csv").origin
-    assert set(origin) == {"machine", "compiler", "flags", "times", "date"}
-    assert "cores" in origin["machine"] and "pinned" in origin["machine"]
+    assert set(origin) == {"machine", "compiler", "flags", "date"}
+    for word in ("cores", "family", "model", "MHz", "Linux"):
+        assert word in origin["machine"]
     assert "-O2" in origin["flags"]
-    assert origin["times"].startswith("CPU time, the median of 3 rounds")
+
+
+def test_tables_with_times_say_how_they_were_taken_and_others_do_not() -> None:
+    timed = {"speed_accuracy", "speed_ratios", "least_model", "chosen_model", "bad_input"}
+    timed |= {"peers", "peers_beside", "peers_ratios", "peers_steps", "peers_lcp"}
+    for name, table in committed().items():
+        assert ("times" in table.origin) == (name in timed), name
+        if name in timed:
+            assert re.match(r"CPU time, pinned to core \d+, the median of", table.origin["times"])
 
 
 def test_the_quick_study_finds_what_the_whole_one_finds(quick: Path) -> None:
@@ -254,18 +265,26 @@ def test_the_committed_charts_are_drawn_from_the_committed_tables() -> None:
 
 
 def test_no_two_methods_look_alike_in_grey() -> None:
-    marks = [style.marker for style in look.METHODS.values()]
+    styles = [*look.METHODS.values(), *look.PEERS.values(), look.style("one", ["one"])]
+    marks = [style.marker for style in styles]
     assert len(set(marks)) == len(marks)
-    assert not set(marks) & set(look.PEER_MARKERS)
+    assert all(look.is_letter(style) for style in look.PEERS.values())
 
 
-def test_further_tables_of_the_same_columns_are_drawn_in_grey() -> None:
+def _with_an_engine() -> tables.Tables:
+    """The committed tables, with one engine that is as the penalty method."""
     known = committed()
-    ours = known["speed_accuracy"].where(method="penalty")
-    rows = [{**row, "method": "engine"} for row in ours]
-    known["peers"] = tables.Table("peers", {}, rows)
-    all_runs = runs.runs(known)
-    assert runs.peers(all_runs) == ["engine"]
+    rows = [row for row in known["speed_accuracy"].rows if row["method"] == "penalty"]
+    engine = [{**row, "method": "engine"} for row in rows]
+    known["peers"] = tables.Table("peers", {}, engine)
+    known["peers_beside"] = known["speed_accuracy"]
+    known["peers_ratios"] = tables.Table("peers_ratios", {}, [])
+    return known
+
+
+def test_engines_are_drawn_in_grey_with_a_letter() -> None:
+    known = _with_an_engine()
+    assert runs.peers(runs.runs(known)) == ["engine"]
     assert look.style("engine", ["engine"]).color == look.GREY
     alone = {**known}
     del alone["peers"]
@@ -275,6 +294,70 @@ def test_further_tables_of_the_same_columns_are_drawn_in_grey() -> None:
     assert "[peers.csv](peers.csv): engine" in page
     assert "(peers.md)" in pages.facts_of("README.md", known)["peers_row"]
     assert pages.facts_of("README.md", alone)["peers_row"] == ""
+
+
+def test_beside_engines_our_times_are_those_of_the_same_rounds() -> None:
+    known = _with_an_engine()
+    rows = known["speed_accuracy"].rows
+    known["peers_beside"] = tables.Table(
+        "peers_beside",
+        {"times": "other"},
+        [{**row, "ns_per_simulated_second": "7"} for row in rows],
+    )
+    ours = [run for run in runs.runs(known) if not run.peer]
+    assert {run.ns for run in ours} == {7.0}
+    assert [run.note for run in ours] == [row["note"] for row in rows], "reasons stay"
+    assert pages.facts_of("speed_accuracy.md", known)["times"] == "other"
+
+
+def test_engines_measured_beside_another_program_are_left_out() -> None:
+    known = _with_an_engine()
+    rows = [{**row, "error_m": "0.5"} for row in known["speed_accuracy"].rows]
+    known["peers_beside"] = tables.Table("peers_beside", {}, rows)
+    assert not runs.compared(known)
+    assert runs.peers(runs.runs(known)) == []
+
+
+def test_a_profile_reaches_as_far_as_its_table() -> None:
+    shares = chart_speed.profiles(runs.runs(committed()))
+    furthest = max(r for own in shares.values() for r in own if math.isfinite(r))
+    figure, axes = look.pyplot().subplots()
+    chart_speed._profile_panel(axes, shares, [m for m in shares if m not in look.METHODS])
+    look.pyplot().close(figure)
+    for line, ratios in zip(axes.lines, shares.values()):
+        assert line.get_ydata()[-1] == sum(map(math.isfinite, ratios)) / len(ratios)
+    assert axes.get_xlim()[1] > furthest
+
+
+def test_texts_in_a_panel_lie_on_neither_marks_nor_each_other() -> None:
+    figure, axes = look.pyplot().subplots()
+    room = placing.Places(axes)
+    for _ in range(3):
+        room.keep(0.5, 0.5, 5)
+    written = [room.put("abc", 0.5, 0.5, 8, 3) for _ in range(20)]
+    look.pyplot().close(figure)
+    assert sum(written) == len(axes.texts) == len({text.xyann for text in axes.texts})
+    assert 4 <= sum(written) < 20
+
+
+# --- the truth, by other means ---
+
+
+def test_the_truth_is_what_is_known_of_ten_scenes() -> None:
+    checks = analytic.checks(committed())
+    assert {check.scene for check in checks} == {f.stem for f in SCENES.glob("*.json")} - {
+        "tilted_settling"
+    }
+    for check in checks:
+        assert check.error < (1e-12 if check.scene == "pointed_drop" else 2e-15), check
+
+
+def test_a_truth_that_is_off_is_seen() -> None:
+    rows = [dict(row) for row in committed()["truth"].rows]
+    for row in rows:
+        row["y_m"] = str(float(row["y_m"]) + 1e-9)
+    for check in analytic.checks({"truth": tables.Table("truth", {}, rows)}):
+        assert check.error == pytest.approx(1e-9, rel=1e-3), check
 
 
 # --- pages ---
@@ -314,6 +397,7 @@ def test_pages_link_to_what_is_there(page: str) -> None:
 def test_every_chart_and_table_is_on_a_page() -> None:
     text = "".join((STUDIES / page.name).read_text(encoding="utf-8") for page in pages.PAGES)
     text += (ROOT / "README.md").read_text(encoding="utf-8")
+    text += (STUDIES / "peers.md").read_text(encoding="utf-8")
     for chart in charts.CHARTS:
         assert chart.name in text
     for question in QUESTIONS:
@@ -348,6 +432,10 @@ def test_the_failing_methods_fail_and_the_cures_hold() -> None:
     facts = pages.facts_of("stability.md", known)
     assert facts["gain_below"] == "0" and facts["gain_others"] == "0"
     assert facts["several_below"] == "0"
+    assert facts["several_above"] == facts["several_points"]
+    assert facts["stack_pivots"].isdigit(), "the same number at every mass ratio"
+    assert float(facts["flat_literal_fine"]) < 1e-12 < float(facts["flat_literal_coarse"])
+    assert float(facts["scale_closed"]) < 1e-15
     assert int(facts["gain_count"]) > 0 and int(facts["flat_wrong"]) > 0
     assert "Moreau–Jean, two corners" in facts["rest_still"]
     assert "Moreau–Jean, two corners" in facts["landing_upright"]
@@ -369,6 +457,7 @@ def test_event_driven_comes_within_a_micrometre_in_every_scene() -> None:
 @pytest.mark.long
 def test_the_quick_study_is_whole(tmp_path: Path) -> None:
     assert run.run(Request(tmp_path, quick=True)) == 0
-    expected = {f"{name}.csv" for name in QUESTIONS} | {chart.name for chart in charts.CHARTS}
+    drawn = {chart.name for chart in charts.CHARTS if "peers_steps" not in chart.needs}
+    expected = {f"{name}.csv" for name in QUESTIONS} | drawn
     expected |= {page.name for page in pages.PAGES}
     assert {file.name for file in tmp_path.iterdir()} == expected

@@ -57,10 +57,14 @@ def test_the_name_of_a_submission_is_its_content(tmp_path: Path) -> None:
     assert first.sha256 == again.sha256 != other.sha256
 
 
+HELPERS = {"helpers/rotation.cpp", "helpers/rotation.hpp", "methods/rotation.hpp"}
+
+
 def test_helpers_are_taken_and_what_the_kit_gives_is_not(tmp_path: Path) -> None:
     extra = {
         "src/helpers/rotation.cpp": b"int one();",
         "src/helpers/rotation.hpp": b"#pragma once",
+        "src/methods/rotation.hpp": b"#pragma once",
         "include/bounce/types.hpp": b"#error not the kit's",
         "given/solve_lcp.cpp": b"#error not the kit's",
         "main.cpp": b"int main() {}",
@@ -74,7 +78,7 @@ def test_helpers_are_taken_and_what_the_kit_gives_is_not(tmp_path: Path) -> None
     }
     files = {f"src/{name}": text for name, text in solution_files().items()}
     taken = submission.read(write(tmp_path, {**files, **extra}))
-    helpers = {"src/helpers/rotation.cpp", "src/helpers/rotation.hpp"}
+    helpers = {f"src/{name}" for name in HELPERS}
     assert set(taken.files) == {f"src/{name}" for name in PARTS} | helpers
     assert taken.helpers == ["src/helpers/rotation.cpp"]
     assert set(taken.ignored) == set(extra) - helpers

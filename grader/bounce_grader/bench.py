@@ -126,7 +126,7 @@ def _plain(folder: Path) -> list[Line]:
 def _memory(folder: Path) -> list[Line]:
     """Of the grader itself; and of the compiler, without a box, which hides it."""
     submission = _variant(folder / "memory", 0)
-    build.compile_all(read(submission), submission, Box("none"), jobs=1)
+    build.compile_all(read(submission), folder, Box("none"), jobs=1)
     compiler = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / 1024
     own = _own_memory(submission)
     return [

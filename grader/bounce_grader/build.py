@@ -7,10 +7,10 @@ import shlex
 import time
 from collections.abc import Iterable
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
+from contextlib import suppress
+from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
-from threading import Event
 
 from bounce_grader import processes
 from bounce_grader.box import Box
@@ -21,7 +21,11 @@ from bounce_grader.submission import Submission
 
 COMPILE = processes.Limits(cpu_seconds=15, wall_seconds=120, memory=2 << 30, file_size=64 << 20)
 LINK = processes.Limits(cpu_seconds=10, wall_seconds=60, memory=2 << 30, file_size=64 << 20)
-KEPT_IN_A_FOLDER = 64  # of 256 folders
+LARGEST_OBJECT = 8 << 20
+HELPERS_SECONDS = 30  # of CPU time, for all helpers of a submission
+KEPT_IN_A_FOLDER = 64  # objects, in each of 256 folders
+KEPT_BYTES = 16 << 20  # likewise
+IN_USE = 1200  # seconds, in which every grading comes to its end
 RUNNER_OBJECTS = ("runner", "channel", "crash", "solve_lcp", "render")
 # First what is checked: of functions that are in several objects, the linker takes the first.
 KIT_OBJECTS = ("prelude", *RUNNER_OBJECTS)
@@ -58,23 +62,20 @@ class Objects:
 
 
 def compile_all(
-    submission: Submission, folder: Path, box: Box, jobs: int, timed: bool = False
+    submission: Submission, work: Path, box: Box, jobs: int, timed: bool = False
 ) -> Objects:
-    """Every part and helper by itself. `folder` holds the submission's files and nothing else.
-    What is `timed` is built as a program is that somebody uses, without checks."""
-    one_took_too_long = Event()
+    """Every part and helper by itself, in folders of their own in the folder `work`. What is
+    `timed` is built as a program is that somebody uses, without checks."""
+    spent: list[float] = []  # by helpers, in seconds
 
     def helper(file: str) -> Built:
-        if one_took_too_long.is_set():
-            return Built(None, f"{file} wasn't compiled, since another helper took too long")
-        built = _compile(file, submission, folder, box, timed)
-        if built.problem == _took_too_long(file):
-            one_took_too_long.set()
-        return built
+        if sum(spent) > HELPERS_SECONDS:
+            return Built(None, f"{file} wasn't compiled: the helpers took {HELPERS_SECONDS} s")
+        return _Compiling(file, submission, work, box, timed, spent).built()
 
     with ThreadPoolExecutor(jobs) as pool:
         parts = {
-            number: pool.submit(_compile, file, submission, folder, box, timed)
+            number: pool.submit(_Compiling(file, submission, work, box, timed).built)
             for number, file in submission.parts.items()
         }
         helpers = {file: pool.submit(helper, file) for file in submission.helpers}
@@ -84,52 +85,113 @@ def compile_all(
         )
 
 
-def _compile(file: str, submission: Submission, folder: Path, box: Box, timed: bool) -> Built:
-    """Clang with the kit's precompiled header; what it refuses gets a second chance with g++."""
-    cached = _cached(_digest(file, submission, timed))
-    if cached.exists():
-        return Built(cached)
-    flags, prelude = ("speed_flags", "speed") if timed else ("clang_flags", "prelude")
-    clang = [compiler(), f"@{RUNNER / flags}.txt"]
-    clang += ["-include-pch", str(RUNNER / f"{prelude}.pch"), *_source(file, submission)]
-    box_prefix = box.to_build(folder, [CONTRACT, RUNNER])
+@dataclass(frozen=True)
+class _Compiling:
+    """Of one file."""
 
-    first = processes.run([*box_prefix, *clang, "-o", "-"], COMPILE, cwd=folder)
-    result = first
-    if not first.ok and not _ran_out_of_time(first):
-        result = processes.run(box_prefix + _gcc(file, submission), COMPILE, cwd=folder)
-    if result.ok and result.out:
-        return Built(_store(result.out, cached))
-    return Built(None, compile_problem(first, file))
+    file: str
+    submission: Submission
+    work: Path
+    box: Box
+    timed: bool
+    spent: list[float] = field(default_factory=list)  # CPU seconds, to add to
+
+    def built(self) -> Built:
+        """Compiles where the object doesn't exist yet. The compiler sees the files that name the
+        object, and no other: first those that a look at the text says it needs, so that an object
+        outlives changes elsewhere; and where it misses one, all."""
+        needed, everything = _needed(self.file, self.submission), sorted(self.submission.files)
+        if needed != everything:
+            built = self._seeing(needed, more=True)
+            if built.path or built.problem:
+                return built
+        return self._seeing(everything, more=False)
+
+    def _seeing(self, names: list[str], more: bool) -> Built:
+        """Neither an object nor a problem where a file is missed and `more` could be seen."""
+        digest = _digest(self.file, names, self.submission, self.box, self.timed)
+        if _is_kept(_cached(digest)):
+            return Built(_cached(digest))
+        folder = self.work / f"{SOURCES}-{digest[:16]}"
+        self.submission.write_to(folder, names)
+        self.box.give(folder)
+        first = result = self._run(_clang(self.file, self.submission, self.timed), folder)
+        if more and _misses_a_file(first):
+            return Built(None)
+        if not first.ok and not _ran_out_of_time(first):
+            result = self._run(_gcc(self.file, self.submission, self.timed), folder)
+        if result.ok and result.out:
+            return Built(_store(result.out, _cached(digest)))
+        return Built(None, compile_problem(first, self.file))
+
+    def _run(self, command: list[str], folder: Path) -> processes.Result:
+        prefix = self.box.to_build(folder, [CONTRACT, RUNNER])
+        result = processes.run([*prefix, *command], COMPILE, cwd=folder, out_cap=LARGEST_OBJECT)
+        self.spent.append(result.cpu_seconds)
+        _require_a_compiler(result)
+        return result
+
+
+def _require_a_compiler(result: processes.Result) -> None:
+    """Raises KitError where the box or the machine has failed, and not the submission."""
+    said = result.err.partition("\n")[0]
+    if result.code in (1, 125) and re.match(r"(bwrap|enter): (?!.*:\d+:\d+: )", said):
+        raise KitError(f"the compiler's box couldn't be made: {said}")
+    if _was_killed(result):
+        raise KitError("the compiler was killed from outside; is the machine short of memory?")
+
+
+def _was_killed(result: processes.Result) -> bool:
+    """By somebody else than its limits."""
+    in_time = result.cpu_seconds < COMPILE.cpu_seconds
+    return result.code in (-9, 128 + 9) and in_time and not (result.too_long or result.flooded)
+
+
+def _misses_a_file(result: processes.Result) -> bool:
+    """As the compilers and their assemblers say it."""
+    says = r"not found|No such file|[Cc]ould not find|can't open"
+    return not result.ok and re.search(says, result.err) is not None
 
 
 def _source(file: str, submission: Submission) -> list[str]:
     includes = [f"-I{name}" for name in submission.include_folders]
-    named = f"./{file}" if file[0] in "-@" else file  # no name is an option
-    return [*includes, "-Dmain=submitted_main", "-x", "c++", "-c", named]
+    return [*includes, "-Dmain=submitted_main", "-x", "c++", "-c", file]
 
 
-def _gcc(file: str, submission: Submission, flags: Iterable[str] = ()) -> list[str]:
-    gcc = [*TO_STANDARD_OUTPUT, "/usr/bin/g++", f"@{RUNNER / 'gcc_flags.txt'}", *flags]
+def _clang(file: str, submission: Submission, timed: bool) -> list[str]:
+    flags, prelude = ("speed_flags", "speed") if timed else ("clang_flags", "prelude")
+    clang = [compiler(), f"@{RUNNER / flags}.txt", "-include-pch", str(RUNNER / f"{prelude}.pch")]
+    return [*clang, *_source(file, submission), "-o", "-"]
+
+
+def _gcc(
+    file: str, submission: Submission, timed: bool = False, flags: Iterable[str] = ()
+) -> list[str]:
+    """For what clang refuses: what a student's own compiler takes must count."""
+    kind = "gcc_speed_flags" if timed else "gcc_flags"
+    gcc = [*TO_STANDARD_OUTPUT, "/usr/bin/g++", f"@{RUNNER / kind}.txt", *flags]
     return [*gcc, "-include", str(RUNNER / "prelude.hpp"), *_source(file, submission)]
 
 
-def _digest(file: str, submission: Submission, timed: bool) -> str:
-    """Names an object: the source, what it may include, and what it is built with."""
-    digest = hashlib.sha256(_toolchain_digest() + bytes([timed]))
-    digest.update("\0".join(submission.include_folders).encode() + b"\0")
-    for name in sorted(submission.files):
-        if name == file or _could_be_included(name, submission):
-            digest.update(f"{name}\0".encode() + submission.files[name] + b"\0")
+def _needed(file: str, submission: Submission) -> list[str]:
+    """The file, all headers, and the sources that some file names, as in #include "helper.cpp"."""
+    sources = {*submission.helpers, *submission.parts.values()}
+
+    def is_named(name: str) -> bool:
+        base = os.fsencode(Path(name).name)
+        return any(base in text for text in submission.files.values())
+
+    return sorted(n for n in submission.files if n == file or n not in sources or is_named(n))
+
+
+def _digest(file: str, names: Iterable[str], submission: Submission, box: Box, timed: bool) -> str:
+    """Names an object: the file, what can be included, and what it is built with, and where."""
+    words = [file, box.kind, str(timed), *submission.include_folders]
+    digest = hashlib.sha256(_toolchain_digest() + os.fsencode("\0".join(words)))
+    for name in names:
+        text = submission.files[name]
+        digest.update(os.fsencode(f"\0{name}\0{len(text)}\0") + text)
     return digest.hexdigest()
-
-
-def _could_be_included(name: str, submission: Submission) -> bool:
-    """A header; or a source that some file names, as in #include "helper.cpp"."""
-    if name not in submission.helpers and name not in submission.parts.values():
-        return True
-    base = Path(name).name.encode()
-    return any(base in text for text in submission.files.values())
 
 
 @cache
@@ -152,6 +214,15 @@ def _cached(digest: str) -> Path:
     return CACHE / digest[:2] / digest[2:]
 
 
+def _is_kept(object_file: Path) -> bool:
+    """And stays so for as long as a grading takes."""
+    try:
+        os.utime(object_file)
+    except FileNotFoundError:
+        return False
+    return True
+
+
 def _store(data: bytes, path: Path) -> Path:
     """Written whole or not at all, so that gradings side by side can share it."""
     path.parent.mkdir(parents=True, exist_ok=True)
@@ -165,10 +236,20 @@ def _store(data: bytes, path: Path) -> Path:
 
 def _forget_old(folder: Path) -> None:
     """Keeps the newest objects, and those that a grading side by side may be about to link."""
-    ages = sorted((file.stat().st_mtime, file) for file in folder.iterdir())
-    for written, file in ages[: -KEPT_IN_A_FOLDER or None]:
-        if time.time() - written > 3600:
-            file.unlink(missing_ok=True)
+    kept = bytes_kept = 0
+    for file in sorted(folder.iterdir(), key=_last_used, reverse=True):
+        with suppress(FileNotFoundError):  # where another grading was quicker
+            kept, bytes_kept = kept + 1, bytes_kept + file.stat().st_size
+            too_much = kept > KEPT_IN_A_FOLDER or bytes_kept > KEPT_BYTES
+            if too_much and time.time() - _last_used(file) > IN_USE:
+                file.unlink()
+
+
+def _last_used(file: Path) -> float:
+    try:
+        return file.stat().st_mtime
+    except FileNotFoundError:
+        return 0.0
 
 
 def link_together(objects: Objects, runner: Path, box: Box, timed: bool = False) -> Built:
@@ -198,10 +279,12 @@ def link_alone(part: Part, objects: Objects, runner: Path, box: Box) -> Built:
 def checked_alone(part: Part, submission: Submission, work: Path, box: Box) -> Built:
     """A runner with one part, built with g++'s sanitizers, as link_alone would make it."""
     sources = work / SOURCES
+    submission.write_to(sources)
+    box.give(sources)
     objects: list[Path] = []
     for file in [submission.parts[part.number], *submission.helpers]:
         result = processes.run(
-            [*box.to_build(sources, [CONTRACT, RUNNER]), *_gcc(file, submission, SANITIZERS)],
+            [*box.to_build(sources, [CONTRACT, RUNNER]), *_gcc(file, submission, flags=SANITIZERS)],
             COMPILE,
             cwd=sources,
         )
@@ -246,6 +329,7 @@ def _link(
     visible = [RUNNER, *(Path(word) for word in files + more if word.startswith(str(CACHE)))]
     folder = RUNNER
     result = processes.run(box.to_build(folder, visible) + command, LINK, cwd=folder)
+    _require_a_compiler(result)
     if result.ok and result.out:
         runner.write_bytes(result.out)
         runner.chmod(0o755)
@@ -264,14 +348,12 @@ def _ran_out_of_time(result: processes.Result) -> bool:
     return result.too_long or result.code in (-9, -24, 128 + 9, 128 + 24)
 
 
-def _took_too_long(file: str) -> str:
-    return f"{file} took more than {COMPILE.cpu_seconds} s to compile"
-
-
 def compile_problem(result: processes.Result, file: str) -> str:
     """The compiler's first error, in one line, with the submission's own file and line."""
+    if result.flooded:
+        return f"{file} makes an object of more than {LARGEST_OBJECT >> 20} MB"
     if _ran_out_of_time(result):
-        return _took_too_long(file)
+        return f"{file} took more than {COMPILE.cpu_seconds} s to compile"
     errors = re.findall(r"^(.+?:\d+:\d+): (?:fatal )?error: (.*)$", result.err, re.MULTILINE)
     if not errors:
         last = result.err.strip().splitlines()

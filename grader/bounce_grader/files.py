@@ -9,6 +9,7 @@ from pathlib import Path
 from bounce_grader.paths import WORK_FOLDER
 
 CLASS_FOLDER = "bounce-class-"  # the prefix of a temporary one
+BOX_FOLDER = "bounce-box-"  # likewise, of a reduced box, as in grader/box/enter.cpp
 ABANDONED = 3600.0  # seconds after which nobody is writing a file any more
 
 
@@ -55,7 +56,7 @@ def sweep(folder: Path) -> None:
         if _abandoned(part):
             part.unlink(missing_ok=True)
     for left in Path(tempfile.gettempdir()).glob("bounce-*"):
-        if left.name.startswith((WORK_FOLDER, CLASS_FOLDER)) and _abandoned(left):
+        if left.name.startswith((WORK_FOLDER, CLASS_FOLDER, BOX_FOLDER)) and _abandoned(left):
             shutil.rmtree(left, ignore_errors=True)
 
 

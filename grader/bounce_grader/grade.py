@@ -16,7 +16,7 @@ from bounce_grader.box import Box
 from bounce_grader.errors import KitError
 from bounce_grader.judging import Judged
 from bounce_grader.manifest import Part, parts
-from bounce_grader.paths import SOURCES, STUBS, WORK_FOLDER
+from bounce_grader.paths import STUBS, WORK_FOLDER
 from bounce_grader.record import Record
 from bounce_grader.submission import Submission
 
@@ -37,8 +37,8 @@ def grade(path: Path, options: Options = Options()) -> Record:
     hidden = fixtures.hidden_folder()
     jobs = options.jobs or os.cpu_count() or 1
     with _work_folder() as work:
-        sources = _write(taken, work, box)
-        objects = build.compile_all(taken, sources, box, jobs)
+        box.give(work)
+        objects = build.compile_all(taken, work, box, jobs)
         grading = _Grading(taken, objects, work, hidden, box)
         compiled = time.monotonic()
         with ThreadPoolExecutor(jobs) as pool:
@@ -48,7 +48,7 @@ def grade(path: Path, options: Options = Options()) -> Record:
             _require_working_kit(box)
         measured = None
         if options.speed:
-            timed = build.compile_all(taken, sources, box, jobs, timed=True)
+            timed = build.compile_all(taken, work, box, jobs, timed=True)
             runner = _link_together(taken, timed, work / "timed", box, timed=True)
             measured = _speed(grading.best, runner, box)
     end = time.monotonic()
@@ -68,15 +68,6 @@ def _work_folder() -> Iterator[Path]:
     """For one grading; nobody else on this machine can look into it."""
     with tempfile.TemporaryDirectory(prefix=WORK_FOLDER) as name:
         yield Path(name)
-
-
-def _write(taken: Submission, work: Path, box: Box) -> Path:
-    """The folder with the submission's files, and nothing else."""
-    sources = work / SOURCES
-    sources.mkdir()
-    taken.write_to(sources)
-    box.give(work)
-    return sources
 
 
 def _link_together(
@@ -178,7 +169,8 @@ def _require_working_kit(box: Box) -> None:
     """No point at all: make sure that it isn't the kit that fails. A stub compiles and answers."""
     taken = submission.read(STUBS)
     with _work_folder() as work:
-        objects = build.compile_all(taken, _write(taken, work, box), box, 1)
+        box.give(work)
+        objects = build.compile_all(taken, work, box, 1)
         stub = objects.parts[1]
         linked = build.link_alone(parts()[0], objects, work / "stub", box) if stub.path else stub
         if not linked.path:

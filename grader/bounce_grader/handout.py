@@ -1,7 +1,8 @@
 """The handout: one zip with all that a student needs, and nothing else.
 
-It holds the folder student/, the tests that a student's build runs, the public fixtures, the answers
-of known mistakes among them, and the manifest of checks. Times and permissions are fixed, so the same kit gives the same bytes.
+It holds the folder student/, the tests that a student's build runs, the public fixtures, the
+answers of known mistakes among them, and the manifest of checks. Times and permissions are fixed,
+so the same kit gives the same bytes.
 """
 
 import zipfile

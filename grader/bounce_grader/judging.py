@@ -147,7 +147,9 @@ def place_in(lines: bytes) -> str | None:
     submission, by #line."""
     for line in lines.splitlines():
         _, _, rest = line.decode("utf-8", "replace").partition(f"/{WORK_FOLDER}")
-        inside = re.match(rf"[^/]{{1,50}}/{SOURCES}/(.{{1,255}}?:\d{{1,9}})(?!\d)", rest)
+        inside = re.match(
+            rf"[^/]{{1,50}}/{SOURCES}(?:-[0-9a-f]{{16}})?/(.{{1,255}}?:\d{{1,9}})(?!\d)", rest
+        )
         if inside:
             return name(inside.group(1))
     return None

@@ -125,12 +125,8 @@ def answers(part: Part, runner: Path) -> Answers:
 def answers_of(folder: Path, part: Part, work: Path) -> Answers:
     """Of a folder's file for a part, built alone."""
     taken = submission.read(folder)
-    sources = work / "sources"
-    sources.mkdir(parents=True)
-    taken.write_to(sources)
-    linked = build.link_alone(
-        part, build.compile_all(taken, sources, TRUSTED, 1), work / "runner", TRUSTED
-    )
+    objects = build.compile_all(taken, work, TRUSTED, 1)
+    linked = build.link_alone(part, objects, work / "runner", TRUSTED)
     if not linked.path:
         raise KitError(f"{folder.name} can't be built: {linked.problem}")
     got = answers(part, linked.path)

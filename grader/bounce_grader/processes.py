@@ -11,6 +11,7 @@ from pathlib import Path
 from bounce_grader.errors import KitError
 
 DIAGNOSTICS = 64 * 1024
+GRACE = 2.0  # seconds
 
 
 @dataclass(frozen=True)
@@ -36,6 +37,7 @@ class Limits:
 @dataclass(frozen=True)
 class Result:
     code: int  # the exit status; -n for signal n
+    cpu_seconds: float  # of it and of what it waited for; 0 where it was stopped
     out: bytes
     err: str
     too_long: bool  # ended because the wall clock ran out
@@ -102,10 +104,8 @@ def _collect(
                 kept[key.fd] += chunk[: max(0, room)]
                 flooded = flooded or (key.fd == out and len(chunk) > room)
             too_long = deadline is not None and time.monotonic() >= deadline
-    if too_long or flooded:
-        _end(process)
     return Result(
-        code=process.wait(),
+        *_code_and_seconds(process, stop=too_long or flooded),
         out=bytes(kept[out]),
         err=kept[err].decode("utf-8", "replace"),
         too_long=too_long,
@@ -113,10 +113,28 @@ def _collect(
     )
 
 
-def _end(process: subprocess.Popen[bytes]) -> None:
-    if process.poll() is None:
+def _code_and_seconds(process: subprocess.Popen[bytes], stop: bool) -> tuple[int, float]:
+    if stop:
+        _stop(process)
+        return process.returncode, 0.0
+    _, status, usage = os.wait4(process.pid, 0)
+    process.returncode = os.waitstatus_to_exitcode(status)
+    return process.returncode, usage.ru_utime + usage.ru_stime
+
+
+def _stop(process: subprocess.Popen[bytes]) -> None:
+    """It may take away what it has made, as the reduced box does, if it is quick."""
+    os.killpg(process.pid, signal.SIGTERM)
+    try:
+        process.wait(GRACE)
+    except subprocess.TimeoutExpired:
         os.killpg(process.pid, signal.SIGKILL)
         process.wait()
+
+
+def _end(process: subprocess.Popen[bytes]) -> None:
+    if process.poll() is None:
+        _stop(process)
     for stream in (process.stdout, process.stderr):
         if stream:
             stream.close()

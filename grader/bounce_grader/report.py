@@ -6,19 +6,10 @@ from typing import TextIO
 
 from bounce_grader import speed
 from bounce_grader.escape import terminal
-from bounce_grader.formats.words import where_to_read
+from bounce_grader.formats.words import STATUS_WORDS, where_to_read
 from bounce_grader.hints import headings
 from bounce_grader.paths import HANDOUT
 from bounce_grader.record import Record
-
-STATUS_WORDS = {
-    "not_submitted": "not submitted",
-    "does_not_compile": "does not compile",
-    "crashed": "crashed",
-    "timed_out": "ran out of time",
-    "out_of_memory": "ran out of memory",
-    "no_answer": "gave no answer",
-}
 
 
 def show(record: Record, stream: TextIO = sys.stdout) -> None:

@@ -27,8 +27,9 @@ MOST_SOURCES = 100
 MOST_BYTES = 8 * 1024 * 1024
 LONGEST_NAME = 255  # bytes, folders and all
 MAC_FOLDER = "__MACOSX"
+NOT_THEIRS = {"build", MAC_FOLDER, "CMakeFiles", "fixtures", "tests"}
+OF_THE_SOLUTION = ("methods/", "study/")  # beside its src/, which is graded as a submission is
 COPY = re.compile(r"(?:-\d+|\s?\(\d+\))$")  # of a file that was handed in, or loaded, again
-NOT_THEIRS = {"build", MAC_FOLDER, "CMakeFiles", "fixtures", "tests", "methods", "study"}
 
 
 def part_file(file: str) -> str | None:
@@ -68,11 +69,13 @@ class Submission:
             digest.update(os.fsencode(f"{name}\0{len(self.files[name])}\0") + self.files[name])
         return digest.hexdigest()
 
-    def write_to(self, folder: Path) -> None:
-        for name, text in self.files.items():
+    def write_to(self, folder: Path, names: Iterable[str] | None = None) -> None:
+        """These files, or all. The folder is made."""
+        folder.mkdir(parents=True, exist_ok=True)
+        for name in self.files if names is None else names:
             path = folder / name
             path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_bytes(text)
+            path.write_bytes(self.files[name])
 
 
 def read(path: Path) -> Submission:
@@ -85,7 +88,12 @@ def take(path: Path, entries: list[Entry]) -> Submission:
     """Chooses among the entries, and reads those that are sources."""
     top = _common_folder(entries)
     names = {_inside(top, entry.name): entry for entry in entries}
-    wanted = {n: e for n, e in names.items() if not e.link and _wanted(PurePosixPath(n))}
+    apart = OF_THE_SOLUTION if any(n.startswith("src/") for n in names) else ()
+    wanted = {
+        n: e
+        for n, e in names.items()
+        if not (e.link or n.startswith(apart)) and _wanted(PurePosixPath(n))
+    }
     if len(wanted) > MOST_SOURCES:
         raise _too_much(path)
     files: dict[str, bytes] = {}

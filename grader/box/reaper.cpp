@@ -29,10 +29,20 @@ void end_what_is_left() {
   }
 }
 
+volatile std::sig_atomic_t asked_to_end = 0;
+
+// Whoever started the box is impatient: what follows still dies, and what was made is taken away.
+void hear_when_to_end() {
+  struct sigaction action = {};
+  action.sa_handler = [](int) { asked_to_end = 1; };  // no SA_RESTART: it ends waitpid
+  require(::sigaction(SIGTERM, &action, nullptr), "hearing when to end");
+}
+
 int end_of(pid_t child) {
   int status = 0;
   pid_t ended = 0;
   while ((ended = ::waitpid(-1, &status, 0)) != child) {
+    if (asked_to_end) return 128 + SIGTERM;
     if (ended < 0 && errno != EINTR) return 1;
   }
   return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
@@ -44,6 +54,7 @@ void guard_what_follows(void (*afterwards)()) {
   require(::prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0), "becoming the reaper");
   const pid_t child = require(::fork(), "starting a process");
   if (child == 0) return;
+  hear_when_to_end();
   // Of what is open, nothing is kept: a pipe is closed when the child closes it.
   ::close_range(0, ~0U, 0);
   const int status = end_of(child);

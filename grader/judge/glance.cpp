@@ -14,8 +14,7 @@ namespace {
 std::string folder_of(pid_t pid) { return "/proc/" + std::to_string(pid); }
 
 // Of /proc/PID/stat: the state, field 3, utime and stime, fields 14 and 15, and resident pages,
-// field
-// 24. Field 2 is a name in parentheses, which may hold anything.
+// field 24. Field 2 is a name in parentheses, which may hold anything.
 std::optional<Glance> glance_at_one(pid_t pid) {
   std::ifstream file(folder_of(pid) + "/stat");
   std::string line;

@@ -5,7 +5,8 @@
 //
 // with p of one_corner.hpp. With delta fixed it converges to something that bounces delta too high
 // and hovers at rest; with delta in proportion to dt, here delta = speed dt, it converges to the
-// motion itself, with order 1.
+// motion itself: with order 1 where contacts are impacts, and
+// about 1/2 where they last.
 //
 // The lowest corner without a search: the four arms turn into each other by right angles, so that
 // r_y = -(|cos| + |sin|) l / 2, and r_x has the signs that belong to it.

@@ -6,7 +6,7 @@
 // Without friction and for a symmetric positive definite G it converges, with the square of what
 // Jacobi's matrix has as spectral radius: for a square of mass 1 under one of mass R, face on face,
 // by R / (1 + R) a sweep, so that sweeps grow with R. With friction nothing is promised: at mu 2
-// one corner is enough to make it run in circles. The literal 4x4 of eq. (9) has a row without a
+// one corner is enough to keep it from converging. The literal 4x4 of eq. (9) has a row without a
 // diagonal, V_44 = 0, for which the step is undefined.
 #pragma once
 

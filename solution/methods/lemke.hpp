@@ -1,5 +1,9 @@
-// Lemke's method for any LCP of a moderate size, as one would write it from a textbook: the dense
-// tableau, the covering vector of ones, and pivots no smaller than a tolerance. It is here to be
+// Lemke's method for any LCP of a moderate size (Lemke 1965, "Bimatrix equilibrium points and
+// mathematical programming", Management Science 11), as one would write it from a textbook (Cottle,
+// Pang & Stone 1992, "The linear complementarity problem", sections 4.4 and 4.9): the dense
+// tableau, the covering vector of ones, ties broken lexicographically, and pivots no smaller than a
+// tolerance. For contacts with friction in this form it ends in a solution, but for rounding
+// (Stewart & Trinkle 1996; Anitescu & Potra 1997, Nonlinear Dynamics 14). It is here to be
 // compared, and to show where it fails; student/given/solve_lcp.cpp derives the method and scales
 // the problem first, which this one does not.
 #pragma once

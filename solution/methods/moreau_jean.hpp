@@ -1,14 +1,19 @@
 // Moreau's sweeping process, discretised by the midpoint rule (Moreau 1988, section 14; Jean 1999,
 // "The non-smooth contact dynamics method", CMAME 177; Acary & Brogliato 2008, chapter 10).
 //
-//     q_m = q + dt v / 2                                  half of the step with the old velocity
-//     v'  = v + dt g + M^-1 J(q_m) p                      contacts: corners with phi(q_m) <= 0
-//     0 <= p_n  perpendicular to  v_n' + epsilon v_n >= 0,   Coulomb with v_t'
-//     q'  = q_m + dt v' / 2                               the other half with the new one
+//     q_m = q + dt v / 2                            half of the step with the old velocity
+//     v'  = v + dt g + M^-1 J(q_m) p                contacts: corners with phi(q_m) <= 0
+//     0 <= p_n  perpendicular to  v_n' + epsilon min(v_n, 0) >= 0,   Coulomb with v_t'
+//     q'  = q_m + dt v' / 2                         the other half with the new one
 //
 // Free flight is exact. There is no delta, rest is exact rest, and impacts come up to a step too
-// late: order 1, and a depth up to v dt. Restitution belongs to corners that approach: with two,
-// epsilon v_n of one that leaves would let it come back through the ground.
+// late: order 1, and a depth up to v dt. Restitution belongs to corners that approach: epsilon v_n
+// of one that leaves would let it come back through the ground.
+//
+// A corner that is held turns on a circle, which its tangent leaves upward, by less than rho
+// omega^2 dt^2 from one q_m to the next; then it falls free for a step, by g dt^2. So it is in
+// contact in some steps only, and where its neighbour lands, chance would say whether the impact is
+// one of one corner or of two. Hence a corner as low as that is in contact while the other touches.
 //
 // kCorners 1 takes the lowest corner only. kCorners 2 takes the two lowest, with merged friction.
 #pragma once
@@ -32,18 +37,47 @@ inline LowCorners low_corners(double half, double cosine, double sine, double y)
   return {left, right, y + left.y, y + right.y};
 }
 
-// The impulses of one step on the corners that touch, added to v.
-inline void strike_side(Motion<double>& s, const LowCorners& low, const StepConstants& k) {
-  const auto u_n = [&](const Arm<double>& r) {
-    const double v_n = normal_velocity(s, r);
-    return v_n + k.epsilon * std::min(v_n, 0.0) + k.dv_y;
-  };
+// How far above the ground a corner that is held may be at q_m, m.
+inline double stray(const Motion<double>& s, const StepConstants& k) {
+  const double turn = k.dt * s.omega;
+  return k.rho * turn * turn + k.dt * std::abs(k.dv_y);
+}
+
+// Whether both corners are in contact, and one of them touches the ground.
+inline bool side_touches(const LowCorners& low, const Motion<double>& s, const StepConstants& k) {
+  const auto [lower, higher] = std::minmax(low.gap_left, low.gap_right);
+  return lower <= 0 && higher <= stray(s, k);
+}
+
+// The normal row without impulses.
+inline double normal_row(const Motion<double>& s, const Arm<double>& r, const StepConstants& k) {
+  const double v_n = normal_velocity(s, r);
+  return v_n + k.epsilon * std::min(v_n, 0.0) + k.dv_y;
+}
+
+inline OneCorner<double> corner_problem(const Motion<double>& s, const Arm<double>& r,
+                                        const StepConstants& k) {
+  return one_corner(r, k.gyration, normal_row(s, r, k), sliding_velocity(s, r) + k.dv_x, k.mu);
+}
+
+inline TwoCorners<double> side_problem(const Motion<double>& s, const LowCorners& low,
+                                       const StepConstants& k) {
   const double r_y = (low.left.y + low.right.y) / 2;
-  const auto p = solve_two_corners(two_corners<double>(low.left, low.right, k.gyration,
-                                                       {u_n(low.left), u_n(low.right)},
-                                                       s.v_x - r_y * s.omega + k.dv_x, k.mu));
+  return two_corners<double>(low.left, low.right, k.gyration,
+                             {normal_row(s, low.left, k), normal_row(s, low.right, k)},
+                             s.v_x - r_y * s.omega + k.dv_x, k.mu);
+}
+
+inline void push_side(Motion<double>& s, const LowCorners& low, const SideImpulse<double>& p,
+                      const StepConstants& k) {
   push(s, low.left, p.n[0], p.t / 2, k.gyration);
   push(s, low.right, p.n[1], p.t / 2, k.gyration);
+}
+
+inline void half_step(Motion<double>& s, const StepConstants& k) {
+  s.x += k.dt / 2 * s.v_x;
+  s.y += k.dt / 2 * s.v_y;
+  s.theta += k.dt / 2 * s.omega;
 }
 
 template <int kCorners>
@@ -59,26 +93,21 @@ class MoreauJean {
 
  private:
   void step() {
-    half_step();
+    half_step(s_, k_);
     if (s_.y <= k_.rho) touch();
     s_.v_x += k_.dv_x;
     s_.v_y += k_.dv_y;
-    half_step();
-  }
-
-  void half_step() {
-    s_.x += k_.dt / 2 * s_.v_x;
-    s_.y += k_.dt / 2 * s_.v_y;
-    s_.theta += k_.dt / 2 * s_.omega;
+    half_step(s_, k_);
   }
 
   void touch() {
     const LowCorners low = low_corners(k_.half, std::cos(s_.theta), std::sin(s_.theta), s_.y);
-    const bool left = low.gap_left <= 0, right = low.gap_right <= 0;
-    if (kCorners == 2 && left && right) {
-      strike_side(s_, low, k_);
-    } else if (left || right) {
-      strike(s_, low.gap_left <= low.gap_right ? low.left : low.right, k_);
+    if (kCorners == 2 && side_touches(low, s_, k_)) {
+      push_side(s_, low, solve_two_corners(side_problem(s_, low, k_)), k_);
+    } else if (low.gap_left <= 0 || low.gap_right <= 0) {
+      const Arm<double>& r = low.gap_left <= low.gap_right ? low.left : low.right;
+      const auto p = solve_one_corner(corner_problem(s_, r, k_));
+      push(s_, r, p.n, p.t, k_.gyration);
     }
   }
 

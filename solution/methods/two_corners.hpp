@@ -11,16 +11,21 @@
 //
 //     A_ij = 1 + r_ix r_jx / r_g^2,   b_i = -r_ix r_y / r_g^2,   c = 1 + r_y^2 / r_g^2.
 //
-// Each friction case leaves an LCP of 2x2 for p_1 and p_2:
+// The rows are those of impulses with Coulomb friction in the plane (Lotstedt 1981; Stewart &
+// Trinkle 1996, "An implicit time-stepping scheme for rigid body dynamics with inelastic collisions
+// and Coulomb friction", Int. J. Numer. Meth. Eng. 39); P_0 is what Poisson's law needs for its
+// expansion (Glocker & Pfeiffer 1995). Each friction case leaves an LCP of 2x2 for p_1 and p_2:
 //
 //   sticks:  p_t = -(b_1 p_1 + b_2 p_2 + u_t) / c:   B_ij = A_ij - b_i b_j / c,
 //                                                    u'_i = u_i - b_i u_t / c
 //   slides:  p_t = -sigma mu (P_0 + P):              B_ij = A_ij - sigma mu b_i,
 //                                                    u'_i = u_i - sigma mu b_i P_0
 //
-// and that has four cases: none, 1, 2, or both corners pressed. Twelve cases in all; the first
-// without a violated inequality is the solution, and where rounding leaves none, the one violated
-// least is. Impulses per unit of mass and velocities have one unit, so that "least" has a meaning.
+// and that has four cases: none, 1, 2, or both corners pressed, its complementary cones (Murty
+// 1988, "Linear complementarity, linear and nonlinear programming", section 1.3). Twelve cases in
+// all; the first without a violated inequality is the solution, and where rounding leaves none, the
+// one violated least is. Impulses per unit of mass and velocities have one unit, so that "least"
+// has a meaning.
 #pragma once
 
 #include <algorithm>

@@ -18,17 +18,17 @@ namespace {
 // The assignment's delta for its dt: 0.001 m for 0.01 s.
 constexpr double kDeltaSpeed = 0.1;  // m/s
 
-long steps_between_samples(const Scene& scene, double dt) {
-  return std::max(1L, std::lround(scene.until / kSamples / dt));
+long steps_between_samples(const Scene& scene, double dt, int samples) {
+  return std::max(1L, std::lround(scene.until / samples / dt));
 }
 
 template <class Scheme>
-Samples run_scheme(const Scene& scene, double dt, double delta_speed = 0) {
+Samples run_scheme(const Scene& scene, double dt, int samples, double delta_speed = 0) {
   Parameters params = scene.params;
-  params.dt = fitting_step(scene, dt);
+  params.dt = fitting_step(scene, dt, samples);
   if (delta_speed > 0) params = methods::with_delta_per_dt(params, delta_speed);
-  return methods::sample(Scheme(params, methods::motion_of<double>(scene.start)), kSamples,
-                         steps_between_samples(scene, dt));
+  return methods::sample(Scheme(params, methods::motion_of<double>(scene.start)), samples,
+                         steps_between_samples(scene, dt, samples));
 }
 
 // Bounces may end the sooner, the less exact the rest is.
@@ -39,23 +39,23 @@ EventOptions options_for(double tolerance) {
   return options;
 }
 
-Samples run_events(const Scene& scene, const EventOptions& options) {
+Samples run_events(const Scene& scene, int samples, const EventOptions& options) {
   return simulate_events<double>(scene.params, methods::motion_of<double>(scene.start),
-                                 sample_times(scene), options);
+                                 sample_times(scene, samples), options);
 }
 
 std::vector<double> steps() { return {1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 3e-5, 1e-5}; }
 
 }  // namespace
 
-std::vector<double> sample_times(const Scene& scene) {
+std::vector<double> sample_times(const Scene& scene, int samples) {
   std::vector<double> times;
-  for (int i = 1; i <= kSamples; ++i) times.push_back(scene.until * i / kSamples);
+  for (int i = 1; i <= samples; ++i) times.push_back(scene.until * i / samples);
   return times;
 }
 
-double fitting_step(const Scene& scene, double dt) {
-  return scene.until / kSamples / double(steps_between_samples(scene, dt));
+double fitting_step(const Scene& scene, double dt, int samples) {
+  return scene.until / samples / double(steps_between_samples(scene, dt, samples));
 }
 
 Samples truth_of(const Scene& scene) {
@@ -101,7 +101,7 @@ std::vector<Method> all_methods() {
                                                         "delta stays while dt shrinks"},
       one_corner{"moreau_jean_2", "one corner takes what two should share"},
       damper{"event_driven",
-             "the damper is tuned to a point mass, and a corner or a face bounces "
+             "perhaps the damper, which is tuned to a point mass: a corner or a face bounces "
              "otherwise"},
       coarse{"event_driven", "impacts are noticed up to a step too late"};
   return {
@@ -109,45 +109,57 @@ std::vector<Method> all_methods() {
        "the assignment's scheme, plain",
        true,
        steps(),
-       [](const Scene& s, double dt) { return run_scheme<methods::Assignment>(s, dt); },
+       [](const Scene& s, double dt, int samples) {
+         return run_scheme<methods::Assignment>(s, dt, samples);
+       },
        {fixed_delta, one_corner}},
       {"assignment_fast",
        "the assignment's scheme, cos and sin carried",
        true,
        steps(),
-       [](const Scene& s, double dt) { return run_scheme<methods::AssignmentFast>(s, dt); },
+       [](const Scene& s, double dt, int samples) {
+         return run_scheme<methods::AssignmentFast>(s, dt, samples);
+       },
        {fixed_delta, one_corner}},
       {"assignment_delta_dt",
        "the same with delta in proportion to dt",
        true,
        steps(),
-       [](const Scene& s, double dt) {
-         return run_scheme<methods::AssignmentFast>(s, dt, kDeltaSpeed);
+       [](const Scene& s, double dt, int samples) {
+         return run_scheme<methods::AssignmentFast>(s, dt, samples, kDeltaSpeed);
        },
        {one_corner}},
       {"moreau_jean_1",
        "Moreau-Jean, one corner",
        true,
        steps(),
-       [](const Scene& s, double dt) { return run_scheme<methods::MoreauJean<1>>(s, dt); },
+       [](const Scene& s, double dt, int samples) {
+         return run_scheme<methods::MoreauJean<1>>(s, dt, samples);
+       },
        {one_corner}},
       {"moreau_jean_2",
        "Moreau-Jean, two corners",
        true,
        steps(),
-       [](const Scene& s, double dt) { return run_scheme<methods::MoreauJean<2>>(s, dt); },
+       [](const Scene& s, double dt, int samples) {
+         return run_scheme<methods::MoreauJean<2>>(s, dt, samples);
+       },
        {coarse}},
       {"penalty",
        "springs and dampers",
        true,
        steps(),
-       [](const Scene& s, double dt) { return run_scheme<methods::Penalty>(s, dt); },
+       [](const Scene& s, double dt, int samples) {
+         return run_scheme<methods::Penalty>(s, dt, samples);
+       },
        {damper}},
       {"event_driven",
        "event-driven",
        false,
        {1e-3, 1e-4, 1e-5, 1e-6, 1e-8, 1e-10, 1e-12},
-       [](const Scene& s, double tolerance) { return run_events(s, options_for(tolerance)); },
+       [](const Scene& s, double tolerance, int samples) {
+         return run_events(s, samples, options_for(tolerance));
+       },
        {}},
   };
 }

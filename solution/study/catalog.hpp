@@ -9,7 +9,8 @@
 
 namespace bounce::study {
 
-// The square at kSamples even times up to scene.until.
+// The square at even times up to scene.until: kSamples of them, unless another number is asked for.
+// Between them an error may be larger.
 inline constexpr int kSamples = 20;
 using Samples = std::vector<methods::Motion<double>>;
 
@@ -17,14 +18,16 @@ struct Method {
   std::string name, title;
   bool has_step;  // the setting is a time step, s; otherwise it is a tolerance
   std::vector<double> settings;
-  std::function<Samples(const Scene&, double setting)> run;
+  std::function<Samples(const Scene&, double setting, int samples)> look;
   // Why its error may stop falling: a method without that limit, and the limit in words.
   std::vector<std::pair<std::string, std::string>> limits;
+
+  Samples run(const Scene& scene, double setting) const { return look(scene, setting, kSamples); }
 };
 
 std::vector<Method> all_methods();
 
-std::vector<double> sample_times(const Scene& scene);
+std::vector<double> sample_times(const Scene& scene, int samples = kSamples);
 
 // The truth: event-driven in long double, with tolerances a thousandth of any method's, so that the
 // event-driven method in double has an error that can be seen. Throws std::runtime_error where the
@@ -35,7 +38,7 @@ Samples truth_of(const Scene& scene);
 double error_of(const Scene& scene, const Samples& samples, const Samples& truth);
 
 // The step nearest to dt of which a whole number makes up the time between two samples.
-double fitting_step(const Scene& scene, double dt);
+double fitting_step(const Scene& scene, double dt, int samples = kSamples);
 
 // CPU time of this process, ns.
 double cpu_ns();

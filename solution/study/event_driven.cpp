@@ -15,7 +15,7 @@ using methods::ImpactLaw;
 using methods::Row;
 using methods::SideImpulse;
 
-// Up to two corners, the lower one first.
+// Up to two corners, in the order of eq. (3).
 struct Corners {
   int count = 0;
   Row<int, 2> index{};
@@ -76,30 +76,44 @@ class Engine {
     if (lands) collide();
   }
 
-  // The corners that touch the ground, the lowest first, as many as the model has.
+  // The corners that touch the ground.
   Corners touching(const Row<Arm<Real>, 4>& r) const {
     Corners found;
     const Real limit = Real(options_.touching);
-    for (int k = 0; k < 4; ++k) {
-      if (s_.y + r[k].y > limit) continue;
-      if (found.count == 2) break;
-      found.add(k);
-    }
-    if (found.count == 2) {
-      const Real first = methods::normal_velocity(s_, r[found.index[0]]);
-      const Real second = methods::normal_velocity(s_, r[found.index[1]]);
-      if (options_.model.corners < 2) {  // one corner where two touch: the one that comes faster
-        if (second < first) found.index[0] = found.index[1];
-        found.count = 1;
-      }
-    }
+    for (int k = 0; k < 4 && found.count < 2; ++k)
+      if (s_.y + r[k].y <= limit) found.add(k);
     return found;
   }
 
-  // The impact of all corners that touch. Corners that are pressed and don't leave stay closed.
+  // Of these, as many as the model has: one where two touch is the one that comes faster.
+  Corners within_model(Corners hit, const Row<Arm<Real>, 4>& r) const {
+    if (hit.count == 2 && options_.model.corners < 2) {
+      const Real first = methods::normal_velocity(s_, r[hit.index[0]]);
+      const Real second = methods::normal_velocity(s_, r[hit.index[1]]);
+      if (second < first) hit.index[0] = hit.index[1];
+    }
+    hit.count = std::min(hit.count, options_.model.corners);
+    return hit;
+  }
+
+  // The end of a flight.
   void collide() {
     const auto r = methods::arms(body_, s_.theta);
-    const Corners hit = options_.model.corners ? touching(r) : Corners{};
+    collide(touching(r), r);
+  }
+
+  // The end of one corner's motion: its neighbour lands. Both touch, whatever the heights say: they
+  // are as far from 0 as the series are from the truth, which may be more than what touches.
+  void land(int k, int neighbour) {
+    Corners both;
+    both.add(std::min(k, neighbour));
+    both.add(std::max(k, neighbour));
+    collide(both, methods::arms(body_, s_.theta));
+  }
+
+  // The impact of all corners that touch. Corners that are pressed and don't leave stay closed.
+  void collide(const Corners& touching, const Row<Arm<Real>, 4>& r) {
+    const Corners hit = within_model(touching, r);
     closed_ = {};
     if (hit.count == 0) return;
     ++report_.impacts;
@@ -297,9 +311,11 @@ class Engine {
   void leave_mode(Guard guard, int k) {
     const auto r = methods::arms(body_, s_.theta);
     switch (guard) {
-      case Guard::lands_left:
+      case Guard::lands_left:  // each arm is the one before, turned by a right angle
+        land(k, (k + 3) % 4);
+        break;
       case Guard::lands_right:
-        collide();
+        land(k, (k + 1) % 4);
         break;
       case Guard::lifts:
         closed_ = {};

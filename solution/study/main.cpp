@@ -12,35 +12,43 @@
 namespace bounce::study {
 namespace {
 
-using Question = std::function<Table(const Scenes&, const Extent&)>;
+struct Question {
+  std::function<Table(const Scenes&, const Extent&)> answer;
+  bool timed = false;
+};
 
-// A question about the scenes, about none of them, and about neither scenes nor extent.
-Question about(Table (*answer)(const Scenes&)) {
-  return [answer](const Scenes& scenes, const Extent&) { return answer(scenes); };
+Question timed(Table (*answer)(const Scenes&, const Extent&)) { return {answer, true}; }
+Question timed(Table (*answer)(const Extent&)) {
+  return {[answer](const Scenes&, const Extent& extent) { return answer(extent); }, true};
 }
-Question about(Table (*answer)(const Extent&)) {
-  return [answer](const Scenes&, const Extent& extent) { return answer(extent); };
+// Of the scenes, of the extent, and of neither.
+Question untimed(Table (*answer)(const Scenes&)) {
+  return {[answer](const Scenes& scenes, const Extent&) { return answer(scenes); }};
 }
-Question about(Table (*answer)()) {
-  return [answer](const Scenes&, const Extent&) { return answer(); };
+Question untimed(Table (*answer)(const Extent&)) {
+  return {[answer](const Scenes&, const Extent& extent) { return answer(extent); }};
+}
+Question untimed(Table (*answer)()) {
+  return {[answer](const Scenes&, const Extent&) { return answer(); }};
 }
 
 std::map<std::string, Question> questions() {
-  return {{"speed_accuracy", speed_accuracy},
-          {"speed_ratios", speed_ratios},
-          {"order", about(order)},
-          {"energy_gain", about(energy_gain)},
-          {"solution_count", about(solution_count)},
-          {"gauss_seidel", about(gauss_seidel_sweeps)},
-          {"depth", about(depth)},
-          {"almost_flat", about(almost_flat)},
-          {"flat_landing", about(flat_landing)},
-          {"rest_and_drift", about(rest_and_drift)},
-          {"scaling", about(scaling)},
-          {"bad_input", about(bad_input)},
-          {"examples", about(examples)},
-          {"least_model", least_model},
-          {"chosen_model", chosen_model}};
+  return {{"speed_accuracy", timed(speed_accuracy)},
+          {"speed_ratios", timed(speed_ratios)},
+          {"order", untimed(order)},
+          {"truth", untimed(truths)},
+          {"energy_gain", untimed(energy_gain)},
+          {"solution_count", untimed(solution_count)},
+          {"gauss_seidel", untimed(gauss_seidel_sweeps)},
+          {"depth", untimed(depth)},
+          {"almost_flat", untimed(almost_flat)},
+          {"flat_landing", untimed(flat_landing)},
+          {"rest_and_drift", untimed(rest_and_drift)},
+          {"scaling", untimed(scaling)},
+          {"bad_input", timed(bad_input)},
+          {"examples", untimed(examples)},
+          {"least_model", timed(least_model)},
+          {"chosen_model", timed(chosen_model)}};
 }
 
 int run(const std::vector<std::string>& words, const Extent& extent) {
@@ -60,8 +68,9 @@ int run(const std::vector<std::string>& words, const Extent& extent) {
   std::filesystem::create_directories(words[1]);
   for (const std::string& name : names) {
     const std::filesystem::path file = std::filesystem::path(words[1]) / (name + ".csv");
-    const Table table = all.at(name)(scenes, extent);
-    table.write(file, origin(core, extent));
+    const Question& question = all.at(name);
+    const Table table = question.answer(scenes, extent);
+    table.write(file, origin(question.timed ? times_taken(core, extent) : ""));
     std::cout << file.string() << ": " << table.rows() << " rows\n" << std::flush;
   }
   return 0;

@@ -19,8 +19,11 @@ Table speed_accuracy(const Scenes& scenes, const Extent& extent);
 // How many times as long as the assignment's scheme each method takes, with dt 0.001 s and
 // tolerance 1e-6: the median of the ratios within a round, and their quartiles.
 Table speed_ratios(const Scenes& scenes, const Extent& extent);
-// The error over dt, halved again and again, and the order seen between two.
+// The error over dt, halved again and again, and the order seen between two; empty where there is
+// none, at the first and beside an error of 0.
 Table order(const Scenes& scenes);
+// The truth itself at the sample times, with all its digits, for those who check it by other means.
+Table truths(const Scenes& scenes);
 // The largest energy gain of an impact over (mu, epsilon), by law, and where theory allows one.
 Table energy_gain(const Extent& extent);
 // How many solutions the contact problem may have over (alpha, mu), and mu* (alpha).
@@ -29,11 +32,12 @@ Table solution_count();
 Table gauss_seidel_sweeps();
 // How deep a fast square sinks, over v dt.
 Table depth();
-// The residual that an almost flat side leaves, over theta, by solver.
+// The residual that an almost flat side leaves, over theta, by solver, and how often Lemke's method
+// ends on a ray.
 Table almost_flat();
 // How fast a square turns that has just landed on a face, tilted by theta at first, by method.
 Table flat_landing();
-// Height and drift in ten seconds of rest, by method and dt.
+// Height and drift in ten seconds of rest, after each step, by method and dt.
 Table rest_and_drift(const Scenes& scenes);
 // What scaling m and dt does to solvers.
 Table scaling();

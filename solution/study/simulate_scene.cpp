@@ -22,36 +22,6 @@ constexpr double kNegligible = 1e-12;
 // A velocity that counts as 0 where the square falls asleep, m/s.
 constexpr double kStill = 1e-13;
 
-void half_step(Motion<double>& s, const StepConstants& k) {
-  s.x += k.dt / 2 * s.v_x;
-  s.y += k.dt / 2 * s.v_y;
-  s.theta += k.dt / 2 * s.omega;
-}
-
-LowCorners corners_at(const Motion<double>& middle, const StepConstants& k) {
-  return methods::low_corners(k.half, std::cos(middle.theta), std::sin(middle.theta), middle.y);
-}
-
-// u_n of a corner: see moreau_jean.hpp.
-double normal_row(const Motion<double>& s, const Arm<double>& r, const StepConstants& k) {
-  const double v_n = methods::normal_velocity(s, r);
-  return v_n + k.epsilon * std::min(v_n, 0.0) + k.dv_y;
-}
-
-TwoCorners<double> side_problem(const Motion<double>& s, const LowCorners& low,
-                                const StepConstants& k) {
-  const double r_y = (low.left.y + low.right.y) / 2;
-  return methods::two_corners<double>(low.left, low.right, k.gyration,
-                                      {normal_row(s, low.left, k), normal_row(s, low.right, k)},
-                                      s.v_x - r_y * s.omega + k.dv_x, k.mu);
-}
-
-void push_side(Motion<double>& s, const LowCorners& low, const SideImpulse<double>& p,
-               const StepConstants& k) {
-  methods::push(s, low.left, p.n[0], p.t / 2, k.gyration);
-  methods::push(s, low.right, p.n[1], p.t / 2, k.gyration);
-}
-
 void put(Trajectory& trajectory, Eigen::Index column, const Motion<double>& s) {
   trajectory.q.col(column) << s.x, s.y, s.theta;
   trajectory.v.col(column) << s.v_x, s.v_y, s.omega;
@@ -64,6 +34,10 @@ Trajectory empty_trajectory(const Parameters& params, const State& start) {
   trajectory.v.col(0) = start.v;
   return trajectory;
 }
+
+struct Angle {
+  double theta, cosine, sine;
+};
 
 class Ladder {
  public:
@@ -98,21 +72,30 @@ class Ladder {
     while (now_ < last_) put(trajectory_, ++now_, s_);
   }
 
+  // cos and sin of an angle, kept for as long as it stays: a square that slides or rests does not
+  // turn.
+  const Angle& angle(double theta) {
+    if (theta != angle_.theta) angle_ = {theta, std::cos(theta), std::sin(theta)};
+    return angle_;
+  }
+
   // The number of steps whose middles are surely without contact.
-  long steps_without_contact() const {
+  long steps_without_contact() {
     const double most = double(last_ - now_);
     Motion<double> middle = s_;
-    half_step(middle, k_);
+    methods::half_step(middle, k_);
     double time = 0;
     if (middle.y > k_.rho) {
       time = g_y_ < 0 ? safe_step(middle.y - k_.rho, s_.v_y, -g_y_)
                       : (s_.v_y >= 0 ? most * k_.dt : (k_.rho - middle.y) / s_.v_y);
     } else {
+      const Angle& at = angle(middle.theta);
+      const Arm<double> lowest = methods::lowest_arm(k_.half, at.cosine, at.sine);
+      if (!(middle.y + lowest.y > 0)) return 0;
+      if (middle.y + lowest.y + k_.dt * methods::normal_velocity(s_, lowest) <= 0) return 1;
       const double K = std::max(-g_y_, 0.0) + k_.rho * s_.omega * s_.omega;
       time = most * k_.dt;
-      for (const Arm<double>& r :
-           methods::arms(k_.half, std::cos(middle.theta), std::sin(middle.theta))) {
-        if (!(middle.y + r.y > 0)) return 0;
+      for (const Arm<double>& r : methods::arms(k_.half, at.cosine, at.sine)) {
         time = std::min(time, safe_step(middle.y + r.y, methods::normal_velocity(s_, r), K));
       }
     }
@@ -124,36 +107,41 @@ class Ladder {
   bool fall() {
     const long n = steps_without_contact();
     if (n == 0) return false;
+    double* q = trajectory_.q.data() + 3 * now_;
+    double* v = trajectory_.v.data() + 3 * now_;
     const Motion<double> from = s_;
-    for (long i = 1; i <= n; ++i) {
-      const double t = double(i) * k_.dt;
-      s_ = {from.x + t * (from.v_x + g_x_ * t / 2),
-            from.y + t * (from.v_y + g_y_ * t / 2),
-            from.theta + t * from.omega,
-            from.v_x + g_x_ * t,
-            from.v_y + g_y_ * t,
-            from.omega};
-      put(trajectory_, ++now_, s_);
+    const double half_x = g_x_ / 2, half_y = g_y_ / 2, dt = k_.dt;
+    for (long i = 1; i <= n; ++i) {  // no column waits for the one before
+      const double t = double(i) * dt;
+      q[3 * i] = from.x + t * (from.v_x + half_x * t);
+      q[3 * i + 1] = from.y + t * (from.v_y + half_y * t);
+      q[3 * i + 2] = from.theta + t * from.omega;
+      v[3 * i] = from.v_x + g_x_ * t;
+      v[3 * i + 1] = from.v_y + g_y_ * t;
+      v[3 * i + 2] = from.omega;
     }
+    now_ += n;
+    s_ = {q[3 * n], q[3 * n + 1], q[3 * n + 2], v[3 * n], v[3 * n + 1], v[3 * n + 2]};
     count(Rung::ballistic, n);
     return true;
   }
 
   void contact_step() {
     const bool rested = speed() <= kStill;
-    half_step(s_, k_);
-    const LowCorners low = corners_at(s_, k_);
-    const bool left = low.gap_left <= 0, right = low.gap_right <= 0;
+    methods::half_step(s_, k_);
+    const Angle& at = angle(s_.theta);
+    const LowCorners low = methods::low_corners(k_.half, at.cosine, at.sine, s_.y);
+    const bool both = methods::side_touches(low, s_, k_);
     Rung rung = Rung::ballistic;
-    if (left && right) {
+    if (both) {
       rung = two(low);
-    } else if (left || right) {
-      rung = one(left ? low.left : low.right);
+    } else if (low.gap_left <= 0 || low.gap_right <= 0) {
+      rung = one(low.gap_left <= 0 ? low.left : low.right);
     }
     s_.v_x += k_.dv_x;
     s_.v_y += k_.dv_y;
-    if (left && right) fall_asleep(rested);
-    half_step(s_, k_);
+    if (both) fall_asleep(rested);
+    methods::half_step(s_, k_);
     put(trajectory_, ++now_, s_);
     count(rung, 1);
   }
@@ -176,8 +164,7 @@ class Ladder {
   }
 
   Rung one(const Arm<double>& r) {
-    const auto problem = methods::one_corner(r, k_.gyration, normal_row(s_, r, k_),
-                                             methods::sliding_velocity(s_, r) + k_.dv_x, k_.mu);
+    const auto problem = methods::corner_problem(s_, r, k_);
     if (problem.u_n >= 0) return Rung::one_normal;
     warn(problem);
     const double p_n = -problem.u_n / problem.a;
@@ -192,11 +179,11 @@ class Ladder {
   }
 
   Rung two(const LowCorners& low) {
-    TwoCorners<double> problem = side_problem(s_, low, k_);
+    TwoCorners<double> problem = methods::side_problem(s_, low, k_);
     if (slides_on_ && k_.mu < 4.0 / 3) {  // as it did a step ago; below 4/3 no other solution
       const auto p = methods::solve_side(problem, problem.u_t > 0 ? 1 : -1, true);
       if (p.violation <= 0) {
-        push_side(s_, low, p, k_);
+        methods::push_side(s_, low, p, k_);
         return Rung::two_frictions;
       }
     }
@@ -204,23 +191,23 @@ class Ladder {
     const SideImpulse<double> normal = methods::solve_side(problem, 1, false);
     const double slides = problem.u_t + problem.b(0) * normal.n[0] + problem.b(1) * normal.n[1];
     if (slides == 0 || friction_is_negligible(normal.n[0] + normal.n[1])) {
-      push_side(s_, low, normal, k_);
+      methods::push_side(s_, low, normal, k_);
       slides_on_ = false;
       return Rung::two_normals;
     }
     ++report_.raised;
     problem.mu = k_.mu;
-    push_side(s_, low, methods::solve_two_corners(problem), k_);
+    methods::push_side(s_, low, methods::solve_two_corners(problem), k_);
     slides_on_ = true;
     return Rung::two_frictions;
   }
 
   void warn(const methods::OneCorner<double>& k) {
-    if (k_.mu == 0) return;
+    if (k_.mu == 0 || (several_ && gains_)) return;
     if (k.a <= k_.mu * std::abs(k.b))
       warn_once(several_, "a <= mu |b|: the contact problem may have several solutions");
     const double v_n = k.u_n - k_.dv_y;
-    if (v_n < 0 && k_.epsilon > std::sqrt(1 - k.b * k.b / (k.a * k.c))) {
+    if (v_n < 0 && (1 - k_.epsilon * k_.epsilon) * k.a * k.c < k.b * k.b) {
       warn_once(gains_,
                 "epsilon > sqrt(1 - b^2 / (a c)): Newton's law may gain energy; Poisson's and "
                 "Stronge's do not");
@@ -239,6 +226,7 @@ class Ladder {
   Trajectory trajectory_;
   long now_ = 0, last_;
   ModelReport& report_;
+  Angle angle_{0, 1, 0};
   bool asleep_ = false, slides_on_ = false, several_ = false, gains_ = false;
 };
 
@@ -246,10 +234,11 @@ class Ladder {
 // that doesn't touch has a u so large that no impulse is needed there.
 void whole_step(Motion<double>& s, const StepConstants& k) {
   constexpr double kFar = 1e9;  // m/s
-  half_step(s, k);
-  const LowCorners low = corners_at(s, k);
-  TwoCorners<double> problem = side_problem(s, low, k);
-  const bool left = low.gap_left <= 0, right = low.gap_right <= 0;
+  methods::half_step(s, k);
+  const LowCorners low = methods::low_corners(k.half, std::cos(s.theta), std::sin(s.theta), s.y);
+  TwoCorners<double> problem = methods::side_problem(s, low, k);
+  const bool both = methods::side_touches(low, s, k);
+  const bool left = both || low.gap_left <= 0, right = both || low.gap_right <= 0;
   if (!left) problem.u[0] = kFar;
   if (!right) problem.u[1] = kFar;
   if (left != right) {
@@ -257,14 +246,14 @@ void whole_step(Motion<double>& s, const StepConstants& k) {
     problem.u_t = s.v_x - problem.r_y * s.omega + k.dv_x;
   }
   const SideImpulse<double> p = methods::solve_two_corners(problem);
-  if (left && right) {
-    push_side(s, low, p, k);
+  if (both) {
+    methods::push_side(s, low, p, k);
   } else if (left || right) {
     methods::push(s, left ? low.left : low.right, p.n[left ? 0 : 1], p.t, k.gyration);
   }
   s.v_x += k.dv_x;
   s.v_y += k.dv_y;
-  half_step(s, k);
+  methods::half_step(s, k);
 }
 
 }  // namespace
@@ -281,6 +270,16 @@ Trajectory simulate_whole(const Parameters& params, const State& start) {
   for (int t = 1; t < params.T; ++t) {
     whole_step(s, k);
     put(trajectory, t, s);
+  }
+  return trajectory;
+}
+
+Trajectory simulate_moreau_jean(const Parameters& params, const State& start) {
+  Trajectory trajectory = empty_trajectory(params, start);
+  methods::MoreauJean<2> scheme(params, methods::motion_of<double>(start));
+  for (int t = 1; t < params.T; ++t) {
+    scheme.steps(1);
+    put(trajectory, t, scheme.motion());
   }
   return trajectory;
 }

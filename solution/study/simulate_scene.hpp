@@ -3,7 +3,8 @@
 // The scheme is Moreau-Jean's (../methods/moreau_jean.hpp). For each step it goes up a ladder of
 // models until one is proved to give what the whole model would:
 //
-//   asleep          Both low corners touch, and the step before began and ended with v = 0. Gravity
+//   asleep          Both low corners are in contact, and the step before began and ended with v =
+//   0. Gravity
 //                   doesn't change, so neither will anything else: all other columns are copies.
 //   ballistic       No corner can touch at the middle of the next n steps: while y > rho, and else
 //                   for the time that no height can fall to 0 in (safe_step of first_root.hpp). n
@@ -37,7 +38,10 @@ struct ModelReport {
 Trajectory simulate_scene(const Parameters& params, const State& start,
                           ModelReport* report = nullptr);
 
-// The same with the whole model in every step.
+// The same with the whole model in every step: the LCP of two corners, whether they touch or not.
 Trajectory simulate_whole(const Parameters& params, const State& start);
+
+// The same by MoreauJean<2> as it is: it asks each step whether a corner can touch, and which.
+Trajectory simulate_moreau_jean(const Parameters& params, const State& start);
 
 }  // namespace bounce::study

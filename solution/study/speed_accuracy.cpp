@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <optional>
 
 #include "catalog.hpp"
 #include "questions.hpp"
@@ -96,7 +97,7 @@ Table speed_accuracy(const Scenes& scenes, const Extent& extent) {
       const auto [setting, is] = setting_of(scene, *point.method, point.setting);
       const double ns = quantile(jobs[i].ns) / scene.until;
       table.add(scene.name, point.method->name, setting, is, ns,
-                point.method->has_step ? ns * setting : 0.0, point.error,
+                point.method->has_step ? std::optional(ns * setting) : std::nullopt, point.error,
                 note_of(points, *point.method));
     }
   }
@@ -133,7 +134,8 @@ Table order(const Scenes& scenes) {
       double before = 0;
       for (double dt = 0.01; dt > 2e-6; dt /= 2) {
         const double error = error_of(scene, method.run(scene, dt), truth);
-        const double seen = before > 0 && error > 0 ? std::log2(before / error) : 0.0;
+        std::optional<double> seen;
+        if (before > 0 && error > 0) seen = std::log2(before / error);
         table.add(scene.name, method.name, fitting_step(scene, dt), error, seen);
         before = error;
       }

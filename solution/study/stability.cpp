@@ -4,6 +4,7 @@
 #include <bounce/solve_lcp.hpp>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <random>
 #include <stdexcept>
 
@@ -63,7 +64,7 @@ double least_limit(double mu) {
 int most_solutions(double alpha, double mu) {
   int most = 0;
   for (const double u_n : {-1.0, 1.0}) {
-    for (int i = -120; i <= 120; ++i) {  // u_t from -1000 to 1000
+    for (int i = -160; i <= 160; ++i) {  // u_t to 1e5: just above mu* it takes thousands
       const double u_t = i == 0 ? 0 : std::copysign(std::pow(10.0, std::abs(i) / 20.0 - 3), i);
       const auto k = methods::one_corner(leaning_arm(alpha), kGyration, u_n, u_t, mu);
       most = std::max(most, methods::all_solutions(k).count);
@@ -81,7 +82,18 @@ methods::GaussSeidel stack(double R, double tolerance) {
   return methods::gauss_seidel(G, u, 0, tolerance, 100'000'000);
 }
 
-// The share of one-corner contacts with random arms and velocities that don't converge.
+// What Lemke's method needs for the same two contacts: its pivots.
+int lemke_pivots(double R) {
+  Eigen::Matrix2d G;
+  G << 1, -1, -1, 1 + 1 / R;
+  const methods::LemkeResult z = methods::lemke(G, Eigen::Vector2d(-0.0981, 0));
+  if (z.end != methods::LemkeEnd::solved) throw std::logic_error("a stack without a solution");
+  return z.pivots;
+}
+
+constexpr int kMostSweeps = 10'000;
+
+// The share of one-corner contacts with random arms and velocities that don't converge by then.
 double share_without_end(double mu) {
   std::mt19937_64 random(1);
   const auto uniform = [&](double low, double high) {
@@ -94,7 +106,8 @@ double share_without_end(double mu) {
                                                -uniform(0.1, 1), uniform(-3, 3), mu);
     Eigen::Matrix2d G;
     G << k.a, k.b, k.b, k.c;
-    endless += !methods::gauss_seidel(G, Eigen::Vector2d(k.u_n, k.u_t), mu, 1e-9, 10'000).converged;
+    endless +=
+        !methods::gauss_seidel(G, Eigen::Vector2d(k.u_n, k.u_t), mu, 1e-9, kMostSweeps).converged;
   }
   return double(endless) / kContacts;
 }
@@ -119,10 +132,30 @@ double deepest(double speed, double dt) {
   return depth;
 }
 
+constexpr double kLeastPivot = 1e-12;
+
 struct Residuals {
-  double lemke, merged;  // m/s
+  double lemke;          // of the 8x8, where Lemke says "solved", m/s
+  double merged;         // of the merged problem, m/s
+  double merged_in_8x8;  // what the merged impulses leave of the 8x8, m/s
   int wrong;             // how often Lemke says "solved" with more than 1e-6
+  int rays;              // and how often it finds none
 };
+
+// The merged impulses as a z of the 8x8: friction shared as the normal impulses are, which
+// Coulomb's law allows at each corner, and lambda the sliding velocity.
+Eigen::VectorXd as_forces(const methods::Lcp8& lcp, const methods::SideImpulse<double>& p,
+                          const Parameters& params) {
+  Eigen::VectorXd z = Eigen::VectorXd::Zero(8);
+  const double per_impulse = params.m / params.dt, P = p.n[0] + p.n[1];
+  for (int i = 0; i < 2; ++i) {
+    const double f_t = P > 0 ? per_impulse * p.t * p.n[i] / P : 0;
+    z.segment<3>(4 * i) << per_impulse * p.n[i], std::max(0.0, -f_t), std::max(0.0, f_t);
+  }
+  const Eigen::VectorXd w = lcp.V * z + lcp.p;
+  for (int i = 0; i < 2; ++i) z(4 * i + 3) = std::max({0.0, -w(4 * i + 1), -w(4 * i + 2)});
+  return z;
+}
 
 // What impulses leave of the merged problem, m/s: how far p is from its projection onto what is
 // allowed, one step against w and v_t away. 0 for a solution, and for nothing else.
@@ -154,23 +187,41 @@ Residuals residuals_at(double theta) {
     const auto r = methods::arms(params.l / 2, std::cos(turned), std::sin(turned));
     const Vector3 v(uniform(), uniform() - 2, 10 * uniform());
     const methods::Lcp8 lcp = methods::form_lcp8(jacobian(r[2]), jacobian(r[3]), v, params);
-    const methods::LemkeResult z = methods::lemke(lcp.V, lcp.p);
+    const methods::LemkeResult z = methods::lemke(lcp.V, lcp.p, kLeastPivot);
     const double left = methods::lcp_residual(lcp.V, lcp.p, z.z);
     if (z.end == methods::LemkeEnd::solved) worst.lemke = std::max(worst.lemke, left);
     worst.wrong += z.end == methods::LemkeEnd::solved && !(left <= 1e-6);
-    const auto side = methods::two_corners<double>(r[2], r[3], params.l * params.l / 6,
-                                                   {lcp.p(0), lcp.p(4)}, lcp.p(2), params.mu);
-    worst.merged = std::max(worst.merged, residual_of(side, methods::solve_two_corners(side)));
+    worst.rays += z.end != methods::LemkeEnd::solved;
+    const auto side =
+        methods::two_corners<double>(r[2], r[3], params.l * params.l / 6, {lcp.p(0), lcp.p(4)},
+                                     (lcp.p(2) + lcp.p(6)) / 2, params.mu);
+    const auto p = methods::solve_two_corners(side);
+    worst.merged = std::max(worst.merged, residual_of(side, p));
+    worst.merged_in_8x8 = std::max(worst.merged_in_8x8,
+                                   methods::lcp_residual(lcp.V, lcp.p, as_forces(lcp, p, params)));
   }
   return worst;
 }
 
 struct Scaled {
-  double plain, given, closed;  // how far the impulses are from those for m = 1, dt = 0.01
+  double plain, given, closed;  // how far the impulses are from the reference, relatively
 };
 
-// The contact of the handout's example with another mass and step; gravity is taken out, so that
-// impulses per unit of mass should not change at all.
+// The impulses of a corner of the handout's example without gravity, per unit of mass: neither m
+// nor dt occurs in them.
+template <class Real>
+methods::CornerImpulse<Real> impulse_of(const Jacobian& J, const Vector3& v,
+                                        const Parameters& params) {
+  const Arm<Real> r{Real(J(2, 1)), -Real(J(2, 0))};
+  const Motion<Real> s{0, 0, 0, Real(v(0)), Real(v(1)), Real(v(2))};
+  const methods::Body<Real> body(params);
+  return methods::solve_one_corner(
+      methods::one_corner<Real>(r, body.gyration, (1 + body.epsilon) * normal_velocity(s, r),
+                                sliding_velocity(s, r), body.mu));
+}
+
+// The same contact with another mass and step, by solvers in double; the reference is the closed
+// form in long double.
 Scaled scaled(double m, double dt) {
   Parameters params;
   params.m = m;
@@ -179,22 +230,22 @@ Scaled scaled(double m, double dt) {
   const Contact contact = get_contacts({0.5, 0.1255, 0.3}, params);
   const Vector3 v(3, -1, 2);
   const Lcp lcp = form_lcp(contact.J, v, params);
-  const Arm<double> r{contact.J(2, 1), -contact.J(2, 0)};
-  const auto p = methods::solve_one_corner(
-      methods::one_corner(r, params.l * params.l / 6, lcp.p(0), lcp.p(2), params.mu));
-  const auto off = [&](const Eigen::VectorXd& f) {
-    const double n = f(0) * dt / m, t = (f(2) - f(1)) * dt / m;
-    const double error = std::hypot(n - p.n, t - p.t) / std::hypot(p.n, p.t);
+  const auto reference = impulse_of<long double>(contact.J, v, params);
+  const auto off = [&](double n, double t) {
+    const auto error =
+        double(std::hypot(n - reference.n, t - reference.t) / std::hypot(reference.n, reference.t));
     return std::isfinite(error) ? error : 1e300;
+  };
+  const auto off_by = [&](const Eigen::VectorXd& f) {
+    return off(f(0) * dt / m, (f(2) - f(1)) * dt / m);
   };
   double given = 1e300;
   try {
-    given = off(solve_lcp(lcp.V, lcp.p));
+    given = off_by(solve_lcp(lcp.V, lcp.p));
   } catch (const std::runtime_error&) {
   }
-  const double residual = std::abs(p.n * (1 + r.x * r.x * 6 / (params.l * params.l)) -
-                                   r.x * r.y * 6 / (params.l * params.l) * p.t + lcp.p(0));
-  return {off(methods::lemke(lcp.V, lcp.p).z), given, residual};
+  const auto p = impulse_of<double>(contact.J, v, params);
+  return {off_by(methods::lemke(lcp.V, lcp.p).z), given, off(p.n, p.t)};
 }
 
 }  // namespace
@@ -230,39 +281,45 @@ Table solution_count() {
 }
 
 Table gauss_seidel_sweeps() {
-  Table table({"problem", "value", "sweeps", "predicted_sweeps", "share_without_end"});
+  Table table({"problem", "value", "sweeps", "predicted_sweeps", "lemke_pivots",
+               "share_without_end", "most_sweeps"});
+  constexpr std::optional<double> kNone;
   constexpr double kTolerance = 1e-9;
   for (double R = 0.01; R < 2e4; R *= std::sqrt(10.0)) {
     const double rate = R / (1 + R);
     table.add("mass_ratio", R, stack(R, kTolerance).sweeps,
-              1 + std::log(kTolerance / 0.0981) / std::log(rate), 0.0);
+              1 + std::log(kTolerance / 0.0981) / std::log(rate), lemke_pivots(R), kNone, kNone);
   }
   for (int i = 0; i <= 30; ++i)
-    table.add("one_corner_mu", i / 10.0, 0, 0.0, share_without_end(i / 10.0));
+    table.add("one_corner_mu", i / 10.0, kNone, kNone, kNone, share_without_end(i / 10.0),
+              kMostSweeps);
   return table;
 }
 
 Table depth() {
-  Table table({"method", "speed_m_s", "dt_s", "v_dt_m", "depth_m"});
+  Table table({"method", "speed_m_s", "dt_s", "epsilon", "v_dt_m", "depth_m"});
+  const double epsilon = Parameters().epsilon;
   for (const double speed : {1.0, 5.0, 20.0, 60.0}) {
     for (const double dt : {0.02, 0.01, 0.003, 0.001, 0.0001}) {
-      table.add("assignment", speed, dt, speed * dt, deepest<methods::Assignment>(speed, dt));
-      table.add("moreau_jean_2", speed, dt, speed * dt, deepest<methods::MoreauJean<2>>(speed, dt));
+      table.add("assignment", speed, dt, epsilon, speed * dt,
+                deepest<methods::Assignment>(speed, dt));
+      table.add("moreau_jean_2", speed, dt, epsilon, speed * dt,
+                deepest<methods::MoreauJean<2>>(speed, dt));
     }
   }
   return table;
 }
 
 Table almost_flat() {
-  Table table(
-      {"theta_rad", "lemke_8x8_residual_m_s", "lemke_8x8_wrong_of_4000", "merged_residual_m_s"});
-  for (int i = 1; i <= 64; ++i) {
-    const double theta = std::pow(10.0, -i / 4.0);
+  Table table({"theta_rad", "lemke_8x8_residual_m_s", "lemke_8x8_wrong_of_4000",
+               "lemke_8x8_rays_of_4000", "lemke_8x8_least_pivot", "merged_residual_m_s",
+               "merged_in_8x8_residual_m_s"});
+  const auto add = [&](double theta) {
     const Residuals r = residuals_at(theta);
-    table.add(theta, r.lemke, r.wrong, r.merged);
-  }
-  const Residuals flat = residuals_at(0);
-  table.add(0.0, flat.lemke, flat.wrong, flat.merged);
+    table.add(theta, r.lemke, r.wrong, r.rays, kLeastPivot, r.merged, r.merged_in_8x8);
+  };
+  for (int i = 1; i <= 64; ++i) add(std::pow(10.0, -i / 4.0));
+  add(0.0);
   return table;
 }
 
@@ -274,16 +331,17 @@ Table rest_and_drift(const Scenes& scenes) {
     std::vector<Method> all = all_methods();
     Method sinking = all.front();
     sinking.name = "assignment_delta_0";
-    sinking.run = [run = sinking.run](Scene without, double dt) {
+    sinking.look = [look = sinking.look](Scene without, double dt, int samples) {
       without.params.delta = 0;
-      return run(without, dt);
+      return look(without, dt, samples);
     };
     all.push_back(sinking);
     for (const Method& method : all) {
       for (const double setting : method.settings) {
         if (method.has_step && setting < 1e-4) continue;
         double height = 0, depth = 0, drift = 0;
-        for (const Motion<double>& s : method.run(scene, setting)) {
+        const int looks = method.has_step ? int(std::lround(scene.until / setting)) : 10'000;
+        for (const Motion<double>& s : method.look(scene, setting, looks)) {
           height = std::max(height, s.y - scene.start.q(1));
           depth = std::max(depth, scene.start.q(1) - s.y);
           drift = std::max(drift, std::abs(s.x - scene.start.q(0)));
@@ -297,8 +355,7 @@ Table rest_and_drift(const Scenes& scenes) {
 }
 
 Table scaling() {
-  Table table(
-      {"m_kg", "dt_s", "plain_lemke_error", "given_lemke_error", "closed_form_residual_m_s"});
+  Table table({"m_kg", "dt_s", "plain_lemke_error", "given_lemke_error", "closed_form_error"});
   for (int i = -12; i <= 12; ++i) {
     for (const double dt : {1e-6, 1e-2, 1.0}) {
       const Scaled s = scaled(std::pow(10.0, i), dt);

@@ -1,5 +1,8 @@
 #include "table.hpp"
 
+#include <sys/utsname.h>
+
+#include <algorithm>
 #include <cstdio>
 #include <ctime>
 #include <fstream>
@@ -32,11 +35,25 @@ std::string line(const std::vector<std::string>& values) {
   return text + "\n";
 }
 
-std::string processor() {
+// The value of the first line of /proc/cpuinfo that begins so.
+std::string cpu(const std::string& name) {
   std::ifstream in("/proc/cpuinfo");
-  for (std::string text; std::getline(in, text);)
-    if (text.rfind("model name", 0) == 0) return text.substr(text.find(':') + 2);
-  return "unknown processor";
+  for (std::string text; std::getline(in, text);) {
+    if (text.rfind(name + "\t", 0) == 0)
+      return text.substr(std::min(text.size(), text.find(':') + 2));
+  }
+  return "unknown";
+}
+
+// Names such as "AMD EPYC" stand for many processors, which family, model and stepping tell apart.
+std::string processor() {
+  return cpu("model name") + " (family " + cpu("cpu family") + ", model " + cpu("model") +
+         ", stepping " + cpu("stepping") + ", " + cpu("cpu MHz") + " MHz)";
+}
+
+std::string kernel() {
+  utsname name{};
+  return uname(&name) == 0 ? std::string(name.sysname) + " " + name.release : "unknown kernel";
 }
 
 std::string today() {
@@ -79,15 +96,20 @@ void Table::write(const std::filesystem::path& file, const std::vector<std::stri
   std::filesystem::rename(unfinished, file);
 }
 
-std::vector<std::string> origin(int core, const Extent& extent) {
+std::vector<std::string> origin(const std::string& times) {
+  std::vector<std::string> lines{
+      "# machine: " + processor() + ", " + std::to_string(std::thread::hardware_concurrency()) +
+          " cores, " + kernel(),
+      "# compiler: " + compiler(), std::string("# flags: -std=c++20 ") + BOUNCE_FLAGS,
+      "# date: " + today()};
+  if (!times.empty()) lines.push_back("# times: " + times);
+  return lines;
+}
+
+std::string times_taken(int core, const Extent& extent) {
   const std::string pinned = core < 0 ? "not pinned" : "pinned to core " + std::to_string(core);
-  return {"# machine: " + processor() + ", " + std::to_string(std::thread::hardware_concurrency()) +
-              " cores, " + pinned,
-          "# compiler: " + compiler(), std::string("# flags: -std=c++20 ") + BOUNCE_FLAGS,
-          "# times: CPU time, the median of " + std::to_string(extent.rounds) +
-              " rounds in which all take turns, each at least " + text_of(extent.least_ns / 1e6) +
-              " ms",
-          "# date: " + today()};
+  return "CPU time, " + pinned + ", the median of " + std::to_string(extent.rounds) +
+         " rounds in which all take turns, each at least " + text_of(extent.least_ns / 1e6) + " ms";
 }
 
 }  // namespace bounce::study

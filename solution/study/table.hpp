@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,8 @@ class Table {
   static std::string text(const std::string& value) { return value; }
   static std::string text(const char* value) { return value; }
   static std::string text(double value);
+  // Empty where there is no number to write.
+  static std::string text(const std::optional<double>& value) { return value ? text(*value) : ""; }
   static std::string text(long value) { return std::to_string(value); }
   static std::string text(int value) { return std::to_string(value); }
   static std::string text(bool value) { return value ? "1" : "0"; }
@@ -38,8 +41,10 @@ class Table {
   std::vector<std::vector<std::string>> rows_;
 };
 
-// Where the numbers come from: "# machine: ...", and so on. The core that the process is pinned to,
-// or -1.
-std::vector<std::string> origin(int core, const Extent& extent);
+// Where the numbers come from: "# machine: ...", and so on; "# times: ..." where there are any.
+std::vector<std::string> origin(const std::string& times = "");
+
+// How times are taken: on the core that the process is pinned to, or -1.
+std::string times_taken(int core, const Extent& extent);
 
 }  // namespace bounce::study

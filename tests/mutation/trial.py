@@ -133,7 +133,6 @@ def _solution() -> dict[int, Built]:
     """The objects of the unchanged parts."""
     taken, box = read(SOLUTION), _box()
     with tempfile.TemporaryDirectory(prefix=WORK_FOLDER) as name:
-        taken.write_to(Path(name))
         box.give(Path(name))
         return build.compile_all(taken, Path(name), box, 1).parts
 

@@ -210,6 +210,30 @@ TEST(moreau_jean, StaysAtRestForTenSeconds) {
   }
 }
 
+// The square turns about one corner until its neighbour lands; the impact is one of both.
+TEST(moreau_jean, SharesALandingWithTheCornerThatIsHeldWhateverTheStep) {
+  const Scene scene = scene_named("tilted_settling");
+  const Samples truth = truth_of(scene);
+  for (int i = 0; i <= 40; ++i) {
+    const double dt = 5e-6 * std::pow(10, -i / 50.0);
+    EXPECT_LE(error_of(scene, all_methods()[4].run(scene, dt), truth), 3 * dt) << dt;
+  }
+}
+
+TEST(moreau_jean, LeavesACornerThatLeavesAlone) {
+  Motion<double> start = kFlat;
+  start.theta = 0.3;
+  start.y = 0.12;  // 5 mm below the ground
+  start.v_y = 0.02;
+  for (const double epsilon : {0.0, 1.0}) {
+    Parameters params = with_dt(1e-3);
+    params.epsilon = epsilon;
+    const double v_y = start.v_y - 1e-3 * 9.81;
+    EXPECT_EQ(after<MoreauJean<1>>(params, start, 1e-3).v_y, v_y);
+    EXPECT_EQ(after<MoreauJean<2>>(params, start, 1e-3).v_y, v_y);
+  }
+}
+
 TEST(moreau_jean, GainsNoEnergyInTenThousandDropsBelowTheLimit) {
   Random random(4);
   for (int i = 0; i < 10'000; ++i) {

@@ -6,6 +6,7 @@
 #include "common.hpp"
 #include "methods/moreau_jean.hpp"
 #include "methods/scheme.hpp"
+#include "study/catalog.hpp"
 #include "study/event_driven.hpp"
 #include "study/first_contact.hpp"
 
@@ -106,6 +107,21 @@ TEST(truth, IsWhatMoreauJeanConvergesTo) {
     };
     EXPECT_LE(error(10'000), 2e-4) << scene.name;
     EXPECT_LE(error(10'000), error(50) / 10 + 1e-9) << scene.name;
+  }
+}
+
+// A corner on the ground is as far from it as the series are from the truth: more than what counts
+// as touching, with all but the last of these.
+TEST(truth, GetsNearerWithTheToleranceWhereASecondCornerLands) {
+  const Scene scene = scene_named("tilted_settling");
+  const Samples exact = truth_of(scene);
+  for (const double tolerance : {1e-3, 1e-4, 1e-5, 1e-6, 1e-8, 1e-10, 1e-12}) {
+    EventOptions options;
+    options.tolerance = tolerance;
+    options.cut = std::max(options.cut, std::sqrt(tolerance));
+    const auto motions = truth(scene.params, methods::motion_of<double>(scene.start),
+                               sample_times(scene), nullptr, options);
+    EXPECT_LE(error_of(scene, motions, exact), 2e-3 * std::sqrt(tolerance)) << tolerance;
   }
 }
 

@@ -5,13 +5,13 @@ from collections import Counter
 from collections.abc import Collection, Iterable, Sequence
 
 from bounce_grader import speed
+from bounce_grader import escape
 from bounce_grader.classroom import charts
 from bounce_grader.classroom.charts import Bar, Dot, Way
 from bounce_grader.classroom.similar import MOST as MOST_PAIRS
 from bounce_grader.classroom.similar import Similar
 from bounce_grader.classroom.students import Class
 from bounce_grader.classroom.summary import Summary
-from bounce_grader import escape
 from bounce_grader.manifest import parts
 from bounce_grader.mistakes import for_the_instructor
 

@@ -29,6 +29,7 @@ RUN = "16"  # tokens that have to agree one after the other, about two lines
 RELATIVES = 3  # of each submission
 LEAST = 60  # per cent in common
 MOST = 200  # pairs
+LONGEST = 64 * 1024  # characters of each; what repeats itself takes the square of its length
 LIMITS = processes.Limits(cpu_seconds=900, wall_seconds=1800, memory=2 << 30, file_size=64 << 20)
 FOUND = re.compile(r"^(\d+)\.cpp consists for (\d+) % of (\d+)\.cpp material$", re.MULTILINE)
 IN_PAIRS = f'while read a b; do {PROGRAM} -p -ae -t 1 -r {RUN} -T "$a" "$b"; done'
@@ -153,7 +154,7 @@ def own_text(task: Task) -> str:
     for file in sorted(taken.files):
         text = taken.files[file].decode("utf-8", "replace")
         lines += [line for line in text.splitlines() if line.strip() not in handout]
-    return "\n".join(lines) + "\n"
+    return "\n".join(lines)[:LONGEST] + "\n"
 
 
 def _handout() -> set[str]:

@@ -10,11 +10,10 @@ from bounce_grader import submission
 from bounce_grader.classroom import canvas
 from bounce_grader.classroom.archive import Archive, Damaged, opened
 from bounce_grader.classroom.canvas import TextEntry, Upload
+from bounce_grader.entry import LARGEST_SOURCE
 from bounce_grader.errors import UsageError
 from bounce_grader.files import fitting
-from bounce_grader.entry import LARGEST_SOURCE
 from bounce_grader.submission import HEADERS, SOURCES, part_file
-
 
 HAND_IN = (
     "Hand in the four parts, part1_contacts.cpp to part4_simulate.cpp, as files or as one zip."

@@ -4,8 +4,8 @@ assessment are named after the parts, part1_contacts to part4_simulate."""
 import json
 from typing import Any
 
-from bounce_grader.formats import words
 from bounce_grader.escape import plain
+from bounce_grader.formats import words
 from bounce_grader.record import Record
 
 

@@ -3,8 +3,8 @@ with the wrong entries marked, and a picture."""
 
 from typing import Any
 
-from bounce_grader.formats import picture
 from bounce_grader import escape
+from bounce_grader.formats import picture
 from bounce_grader.shown import Shown
 
 NOTHING = 1e-14  # what rounding leaves of a 0

@@ -105,8 +105,6 @@ def _command(
 
 def _in_repository(file: str, root: Path) -> str:
     """The grader names files from a submission's top folder; a repository may have that deeper."""
-    if root.is_dir() and not (root / file).exists():
-        found = [p for p in root.rglob(Path(file).name) if p.as_posix().endswith(file)]
-        if len(found) == 1:
-            return found[0].relative_to(root).as_posix()
-    return file
+    there = [path.relative_to(root).as_posix() for path in root.rglob("*")]
+    deeper = [path for path in there if path.endswith(f"/{file}")]
+    return deeper[0] if len(deeper) == 1 and file not in there else file

@@ -1,7 +1,7 @@
 """A page for a student: self-contained, and legible on paper, in the dark and in grey."""
 
-from bounce_grader.formats import case, speed_chart, words
 from bounce_grader import escape
+from bounce_grader.formats import case, speed_chart, words
 from bounce_grader.record import Record
 
 STYLE = """

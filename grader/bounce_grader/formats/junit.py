@@ -2,8 +2,8 @@
 
 from xml.etree import ElementTree
 
-from bounce_grader.formats import words
 from bounce_grader.escape import plain
+from bounce_grader.formats import words
 from bounce_grader.record import Record
 
 

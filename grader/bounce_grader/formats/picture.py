@@ -4,8 +4,8 @@ their places, words and dashes, and not in colour."""
 import math
 from collections.abc import Sequence
 
-from bounce_grader.formats import svg
 from bounce_grader import escape
+from bounce_grader.formats import svg
 from bounce_grader.shown import Shown
 
 VELOCITY = "v after the step"

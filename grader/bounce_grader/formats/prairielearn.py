@@ -3,8 +3,8 @@
 import json
 from typing import Any
 
-from bounce_grader.formats import words
 from bounce_grader.escape import plain
+from bounce_grader.formats import words
 from bounce_grader.record import Record
 
 

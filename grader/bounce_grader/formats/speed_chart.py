@@ -6,8 +6,8 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from bounce_grader import speed
-from bounce_grader.formats import svg
 from bounce_grader import escape
+from bounce_grader.formats import svg
 from bounce_grader.speed import Measured, Point
 
 WIDTH, HEIGHT = 480, 400

@@ -83,7 +83,7 @@ def _times(axes: Any, own: list[Row]) -> None:
 
 
 def chosen(tables: Tables) -> bytes:
-    """The share of the steps in each model, and how much faster that is, by scene."""
+    """The share of the steps in each model, and how much faster than Moreau–Jean that is, by scene."""
     table = tables["chosen_model"]
     step = table.distinct("dt_s")[1]
     scenes = table.distinct("scene")
@@ -98,7 +98,7 @@ def chosen(tables: Tables) -> bytes:
             style = {"color": color, "hatch": hatch, "edgecolor": "black", "linewidth": 0.6}
             axes.barh(i, share, left=left, label=label if i == 0 else None, **style)
             left += share
-        times = number(own[0], "times_as_fast")
+        times = number(own[0], "times_as_fast_as_moreau_jean")
         axes.text(101, i, f"{times:.2g} times as fast", va="center")
     axes.set_yticks(range(len(scenes)), [scene.replace("_", " ") for scene in scenes])
     axes.invert_yaxis()

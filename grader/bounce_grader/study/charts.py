@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from bounce_grader.study import chart_maps, chart_models, chart_speed, chart_stability
+from bounce_grader.study import chart_maps, chart_models, chart_peers, chart_speed, chart_stability
 from bounce_grader.study.tables import Tables
 
 
@@ -19,6 +19,7 @@ CHARTS = (
     Chart("speed_accuracy_one.svg", ("speed_accuracy",), chart_speed.one),
     Chart("order.svg", ("order",), chart_speed.order),
     Chart("profile.svg", ("speed_accuracy",), chart_speed.profile),
+    Chart("peers_steps.svg", ("peers_steps", "peers_settings"), chart_peers.steps),
     Chart("energy_gain.svg", ("energy_gain",), chart_maps.energy_gain),
     Chart("solution_count.svg", ("solution_count",), chart_maps.solution_count),
     Chart("gauss_seidel.svg", ("gauss_seidel",), chart_stability.gauss_seidel),

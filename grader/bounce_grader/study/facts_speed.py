@@ -2,7 +2,7 @@
 
 import math
 
-from bounce_grader.study import chart_speed, look, runs, words
+from bounce_grader.study import analytic, chart_speed, look, runs, words
 from bounce_grader.study.runs import Run
 from bounce_grader.study.tables import Tables, number
 
@@ -20,8 +20,11 @@ def facts(tables: Tables) -> dict[str, str]:
         "scenes": str(len(scenes)),
         "methods": str(len(runs.methods(ours))),
         "runs": str(len(ours)),
-        "peers": _peers(all_runs),
-        "peers_row": _peers_row(all_runs),
+        **_origin(runs.origin(tables)),
+        "ours_csv": "peers_beside" if runs.compared(tables) else "speed_accuracy",
+        "peers": _peers(all_runs, tables),
+        "peers_row": _peers_row(all_runs, tables),
+        **_analytic(tables),
         "event_wins": str(wins),
         "event_wins_finer": str(sum(first[s, FINER] == "event_driven" for s in scenes)),
         "other_wins": words.listed(_others(first, scenes, FINE)),
@@ -46,38 +49,58 @@ def _reached(ours: list[Run], scenes: list[str], method: str, tolerance: float =
     return sum(math.isfinite(runs.least_time(ours, s, method, tolerance)) for s in scenes)
 
 
-def _peers(all_runs: list[Run]) -> str:
+def _origin(comments: dict[str, str]) -> dict[str, str]:
+    return {name: comments.get(name, "?") for name in ("machine", "times", "date")}
+
+
+def _peers(all_runs: list[Run], tables: Tables) -> str:
     """The engines, where they were measured, and how the best of them compares with our best."""
-    names = runs.peers(all_runs)
+    names = [words.peer(name) for name in runs.peers(all_runs)]
     if not names:
         return ""
-    ours = [run for run in all_runs if not run.peer]
-    engines = [run for run in all_runs if run.peer]
-    sentences = [f"Beside them, in grey, from [peers.csv](peers.csv): {words.listed(names)}."]
+    sentences = [
+        f"Beside them, from the same rounds, in [peers.csv](peers.csv): {words.listed(names)}."
+    ]
+    scenes = runs.scenes(all_runs)
     for tolerance, name in ((FINE, "a millimetre"), (FINER, "a micrometre")):
-        factors = [
-            min(runs.least_time(engines, scene, m, tolerance) for m in names)
-            / min(runs.least_time(ours, scene, m, tolerance) for m in runs.methods(ours))
-            for scene in runs.scenes(engines)
-        ]
-        reached = [factor for factor in factors if math.isfinite(factor)]
-        ahead = sum(factor > 1 for factor in factors)
+        least = {scene: _least_ratio(tables, scene, tolerance) for scene in scenes}
+        reached = [ratio for ratio in least.values() if math.isfinite(ratio)]
+        ahead = sum(ratio > 1 for ratio in least.values())
         sentence = f"Within {name} a method of ours is faster than all of these in {ahead} of"
-        sentence += f" {len(factors)} scenes"
+        sentence += f" {len(scenes)} scenes"
         if reached:
             sentence += f", at least {words.short(min(reached))} times"
-        if len(reached) < len(factors):
-            sentence += f"; in {len(factors) - len(reached)} none of these gets there"
+        if len(reached) < len(scenes):
+            sentence += f"; in {len(scenes) - len(reached)} none of these gets there"
         sentences.append(f"{sentence}.")
     return " ".join(sentences)
 
 
-def _peers_row(all_runs: list[Run]) -> str:
+def _least_ratio(tables: Tables, scene: str, tolerance: float) -> float:
+    """How many times as long the closest engine takes to come within the tolerance, by the median
+    over the rounds; infinite where none does, 0 where none of ours does."""
+    rows = tables["peers_ratios"].where(scene=scene, within="tolerance")
+    own = [row for row in rows if math.isclose(number(row, "error_m"), tolerance)]
+    return min((number(row, "times") if row["times"] else 0.0 for row in own), default=math.inf)
+
+
+def _peers_row(all_runs: list[Run], tables: Tables) -> str:
     """A row for the page on the engines, which is there when they were measured."""
     if not runs.peers(all_runs):
         return ""
-    compared = _peers(all_runs).partition(". ")[2]
-    return f"| [engines that people use](peers.md) | {compared} |\n"
+    sentence = _peers(all_runs, tables).partition(". ")[2]
+    return f"| [engines that people use](peers.md) | {sentence} |\n"
+
+
+def _analytic(tables: Tables) -> dict[str, str]:
+    checks = analytic.checks(tables)
+    rows = [[words.scene(c.scene), c.how, words.metres(c.error)] for c in checks]
+    worst = max(checks, key=lambda check: check.error)
+    return {
+        "analytic_table": words.table(["scene", "what is known", "the truth is off by"], rows),
+        "analytic_scenes": str(len(checks)),
+        "analytic_worst": f"{words.metres(worst.error)} ({words.scene(worst.scene)})",
+    }
 
 
 def _others(first: dict[tuple[str, float], str | None], scenes: list[str], t: float) -> list[str]:
@@ -141,6 +164,22 @@ def _truth_apart(ours: list[Run]) -> float:
     return max(run.error for run in own)
 
 
+def _low_orders(tables: Tables) -> list[tuple[str, float]]:
+    """Where delta in proportion to dt converges more slowly than with order one, and with which,
+    over the finer half of the steps."""
+    table, low = tables["order"], []
+    for scene in table.distinct("scene"):
+        own = table.where(scene=scene, method="assignment_delta_dt")
+        one, other = own[len(own) // 2], own[-1]
+        errors = number(one, "error_m"), number(other, "error_m")
+        if min(errors) > 0:
+            order = math.log(errors[0] / errors[1])
+            order /= math.log(number(one, "dt_s") / number(other, "dt_s"))
+            if 0.2 < order < 0.75:
+                low.append((scene, order))
+    return low
+
+
 def _order(tables: Tables) -> dict[str, str]:
     """Convergence to the truth by a scheme that shares nothing with it but the model."""
     table = tables["order"]
@@ -149,13 +188,14 @@ def _order(tables: Tables) -> dict[str, str]:
         own = table.where(scene=scene, method="moreau_jean_2")
         x = [math.log(number(row, "dt_s")) for row in own]
         errors = [number(row, "error_m") for row in own]
-        last[scene] = min(errors)
+        last[scene] = errors[-1]
         if errors[0] > 1e-9 and last[scene] > 1e-12:
             y = [math.log(e) for e in errors]
             mx, my = sum(x) / len(x), sum(y) / len(y)
             slopes[scene] = sum((a - mx) * (b - my) for a, b in zip(x, y)) / sum(
                 (a - mx) ** 2 for a in x
             )
+    low = _low_orders(tables)
     worst = max(last, key=lambda scene: last[scene])
     return {
         "order_scenes": str(len(slopes)),
@@ -163,6 +203,7 @@ def _order(tables: Tables) -> dict[str, str]:
         "order_least": words.short(min(slopes.values())),
         "order_least_scene": words.scene(min(slopes, key=lambda s: slopes[s])),
         "order_most": words.short(max(slopes.values())),
+        "order_low": words.listed(f"{words.scene(s)}, about {words.short(x)}" for s, x in low),
         "order_worst": words.metres(last[worst]),
         "order_worst_scene": words.scene(worst),
         "order_finest": words.plain(min(number(row, "dt_s") for row in table.rows)),
@@ -185,9 +226,11 @@ def _readme(ours: list[Run]) -> dict[str, str]:
         "one_scene": words.scene(README_SCENE),
         "one_first": words.method(first),
         "one_first_time": words.time(best),
-        "one_second": words.method(second),
-        "one_second_time": words.time(stepping[second]),
-        "one_ratio": words.short(stepping[second] / best),
+        "one_second_time": (
+            f"{words.method(second)}, {words.time(stepping[second])}"
+            if math.isfinite(stepping[second])
+            else "never"
+        ),
         "one_fixed": words.metres(fixed),
     }
 

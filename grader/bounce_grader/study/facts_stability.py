@@ -138,6 +138,7 @@ def _depth(tables: Tables) -> Facts:
     return {
         "depth_speed": row["speed_m_s"],
         "depth_dt": row["dt_s"],
+        "depth_epsilon": row["epsilon"],
         "depth_far": words.metres(far),
         "depth_deep": words.metres(number(row, "depth_m")),
         "depth_assignment": words.short(share("assignment")),
@@ -196,6 +197,8 @@ def _sweeps(tables: Tables) -> Facts:
         "sweeps_high": stack[-1]["sweeps"],
         "sweeps_off": f"{100 * max(off):.1f} %",
         "endless_from": endless[0]["value"] if endless else "no value that was tried",
+        "endless_sweeps": worst["most_sweeps"],
+        "stack_pivots": words.listed(sorted({row["lemke_pivots"] for row in stack})),
         "endless_clean": words.short(last_clean),
         "endless_most": f"{100 * number(worst, 'share_without_end'):.0f} %",
         "literal": "is defined" if literal else "is undefined",
@@ -207,12 +210,14 @@ def _solutions(tables: Tables) -> Facts:
     several = [r for r in rows if number(r, "most_solutions") > 1]
     below = [r for r in several if number(r, "mu") < number(r, "mu_star")]
     above = [r for r in rows if number(r, "mu") > number(r, "mu_star")]
+    missed = [r for r in above if number(r, "most_solutions") < 2]
     impulses = tables["examples"].where(example="painleve", quantity="f_n dt / m")
     return {
         "several_below": str(len(below)),
         "several_points_below": str(sum(number(r, "mu") < number(r, "mu_star") for r in rows)),
         "several_above": str(sum(number(r, "most_solutions") > 1 for r in above)),
         "several_points": str(len(above)),
+        "several_missed": _missed(missed),
         "several_most": max((r["most_solutions"] for r in rows), key=float),
         "mu_star_least": words.short(_example(tables, "rectangle", "least mu with a <= mu |b|"), 4),
         "mu_star_tan": words.short(_example(tables, "rectangle", "tan alpha there")),
@@ -223,11 +228,23 @@ def _solutions(tables: Tables) -> Facts:
     }
 
 
+def _missed(rows: list[Row]) -> str:
+    """Velocities are sampled, and just above the limit only fast sliding has several solutions."""
+    if not rows:
+        return ""
+    above = max(number(r, "mu") / number(r, "mu_star") - 1 for r in rows)
+    return (
+        f" The other {len(rows)} are at most {100 * above:.1f} % above μ*, where it takes "
+        "faster sliding than was sampled."
+    )
+
+
 def _flat(tables: Tables) -> Facts:
     rows = tables["almost_flat"].rows
     worst = max(rows, key=lambda row: number(row, "lemke_8x8_residual_m_s"))
     wrong = [row for row in rows if number(row, "lemke_8x8_wrong_of_4000") > 0]
     angles = numbers(wrong, "theta_rad")
+    tilted = [row for row in rows if number(row, "theta_rad") > 0]
     return {
         "flat_theta": words.plain(number(worst, "theta_rad")),
         "flat_residual": words.short(number(worst, "lemke_8x8_residual_m_s")),
@@ -236,6 +253,12 @@ def _flat(tables: Tables) -> Facts:
         "flat_from": words.plain(min(angles)) if angles else "none",
         "flat_to": words.plain(max(angles)) if angles else "none",
         "flat_merged": words.short(max(numbers(rows, "merged_residual_m_s"))),
+        "flat_rays": str(sum(int(row["lemke_8x8_rays_of_4000"]) for row in rows)),
+        "flat_pivot": words.plain(number(rows[0], "lemke_8x8_least_pivot")),
+        "flat_coarse": words.plain(number(rows[0], "theta_rad")),
+        "flat_literal_coarse": words.short(number(rows[0], "merged_in_8x8_residual_m_s")),
+        "flat_fine": words.plain(number(tilted[-1], "theta_rad")),
+        "flat_literal_fine": words.short(number(tilted[-1], "merged_in_8x8_residual_m_s")),
     }
 
 
@@ -250,6 +273,7 @@ def _scales(tables: Tables) -> Facts:
         )
     return {
         "scale_table": words.table(["Δt, s", "masses with which plain Lemke is right, kg"], rows),
+        "scale_closed": words.short(max(numbers(table.rows, "closed_form_error"))),
         "scale_given": words.short(max(numbers(table.rows, "given_lemke_error"))),
     }
 

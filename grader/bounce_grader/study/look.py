@@ -5,7 +5,7 @@ import io
 from dataclasses import dataclass
 from typing import Any
 
-BLACK, GREY = "#000000", "#8a8a8a"
+BLACK, GREY, INK = "#000000", "#8a8a8a", "#333333"
 ORANGE, SKY, GREEN, BLUE = "#E69F00", "#56B4E9", "#009E73", "#0072B2"
 VERMILION, PURPLE = "#D55E00", "#CC79A7"
 FINE = 1e-3  # m: the line in the charts of error
@@ -47,6 +47,7 @@ class Style:
             "linestyle": self.dash,
             "markersize": self.size,
             "linewidth": self.width,
+            **({"mfc": INK, "mec": INK, "mew": 0.2} if is_letter(self) else {}),
         }
 
 
@@ -60,17 +61,31 @@ METHODS = {
     "penalty": Style("penalty", PURPLE, "P", (0, (1, 1.5)), 6.5),
     "event_driven": Style("event-driven", GREEN, "X", "-", 6.5),
 }
-PEER_MARKERS = ("x", "+", "1", "2", "|", "3", "_", "4", ".")
-PEER_DASHES: tuple[Any, ...] = ((0, (5, 1)), (0, (3, 1, 1, 1)), (0, (1, 1)))
+# Engines: grey, with a letter as the mark, so that every point names its line.
+PEERS = {
+    "chipmunk": Style("Chipmunk", GREY, r"$\mathbf{C}$"),
+    "box2d": Style("Box2D", GREY, r"$\mathbf{X}$"),
+    "ode": Style("ODE", GREY, r"$\mathbf{O}$"),
+    "bullet": Style("Bullet", GREY, r"$\mathbf{B}$"),
+    "mujoco": Style("MuJoCo", GREY, r"$\mathbf{M}$"),
+    "dart": Style("DART", GREY, r"$\mathbf{D}$"),
+    "numpy": Style("numpy", GREY, r"$\mathbf{N}$"),
+}
+OTHER_PEERS = "EFGHIJKL"
 
 
 def style(method: str, others: list[str]) -> Style:
-    """Of one of our methods, or of one of the others: all grey, a marker each."""
+    """Of one of our methods, or of one of the others: all grey, a letter each."""
     if method in METHODS:
         return METHODS[method]
-    i = others.index(method)
-    marker, dash = PEER_MARKERS[i % len(PEER_MARKERS)], PEER_DASHES[i % len(PEER_DASHES)]
-    return Style(method, GREY, marker, dash, 5.5, 0.8)
+    known = PEERS.get(method)
+    letter = OTHER_PEERS[others.index(method) % len(OTHER_PEERS)]
+    mark = known.marker if known else rf"$\mathbf{{{letter}}}$"
+    return Style(known.label if known else method, GREY, mark, "-", 6.0, 0.7)
+
+
+def is_letter(style: Style) -> bool:
+    return style.marker.startswith("$")
 
 
 def pyplot() -> Any:

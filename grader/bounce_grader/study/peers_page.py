@@ -11,6 +11,8 @@ TEMPLATE = Path(__file__).parent / "pages" / "peers.md"
 FINE, FINEST = 1e-3, 1e-6  # m
 LEAD_TOLERANCES = (FINE, FINEST)
 DIFFERS = 3.0
+ORIGIN = ("machine", "compiler", "flags", "times", "date")
+RATIO = ("times", "lower_quartile", "upper_quartile")
 
 OURS = {
     "assignment": "the assignment's scheme, plain",
@@ -42,6 +44,7 @@ class Data:
     variants: list[Row]
     lcp: list[Row]
     notes: list[Row]
+    ratios: list[Row]
     peers: list[Point]
     ours: list[Point]
 
@@ -73,6 +76,7 @@ def read(folder: Path) -> Data:
         variants=_rows(folder / "peers_variants.csv"),
         lcp=_rows(lcp) if lcp.exists() else [],
         notes=[row for row in peers if row["note"]],
+        ratios=_rows(folder / "peers_ratios.csv"),
         peers=[_point(row) for row in peers],
         ours=[_point(row) for row in _rows(folder / "peers_beside.csv")],
     )
@@ -112,12 +116,13 @@ def facts_of(data: Data) -> dict[str, str]:
     contact = by_kind["contact"]
     engines = [row for row in contact if not _own(row)]
     fastest = min(engines, key=lambda row: float(row["ns_per_step"]))
+    ours = next(row for row in contact if row["engine"] == "assignment_fast")
     numpy = next((row for row in contact if row["engine"] == "numpy"), None)
     return {
-        **{name: data.origin.get(name, "?") for name in ("machine", "compiler", "flags", "date")},
+        **{name: data.origin.get(name, "?") for name in ORIGIN},
         "scene_count": _count(len(data.scenes)),
         "lead_sentence": _lead_sentence(data),
-        "ours_contact": _time(float(fastest["ns_per_step_ours"])),
+        "ours_contact": _time(float(ours["ns_per_step"])),
         "fastest_contact_name": data.title(fastest["engine"]),
         "fastest_contact_ratio": _times(float(fastest["ratio"])),
         "numpy_contact_ratio": _times(float(numpy["ratio"])) if numpy else "?",
@@ -126,7 +131,6 @@ def facts_of(data: Data) -> dict[str, str]:
         "settings_table": _settings_table(data),
         "dt": _seconds(float(contact[0]["dt_s"])),
         "steps_table": _steps_table(data, by_kind),
-        "bars": _bars(data, contact),
         "least_dt": _seconds(min(p.dt for p in data.peers if p.method != "numpy")),
         "numpy_dt": _seconds(
             min([p.dt for p in data.peers if p.method == "numpy"], default=math.inf)
@@ -138,6 +142,7 @@ def facts_of(data: Data) -> dict[str, str]:
         "failures": _failures(data),
         "variant_dt": _seconds(min(float(row["dt_s"]) for row in data.variants)),
         "variants_table": _variants_table(data),
+        "soft_sentence": _soft_sentence(data),
         "dantzig_sentence": _dantzig_sentence(data),
         "lcp_contacts": data.lcp[0]["contacts"] if data.lcp else "no",
         "lcp_table": _lcp_table(data),
@@ -155,27 +160,39 @@ def least_time(points: list[Point], scene: str, error: float) -> Point | None:
     return min(good, key=lambda p: p.ns) if good else None
 
 
-def lead(data: Data, scene: str) -> tuple[float, Point]:
-    """How many times longer than ours at the same error or less, and the closest engine's point."""
-    factors = []
-    for peer in data.peers:
-        if peer.scene == scene and peer.method != "numpy":
-            ours = least_time(data.ours, scene, peer.error)
-            factors.append((peer.ns / ours.ns if ours else 0.0, peer))
-    return min(factors, key=lambda factor: factor[0])
+@dataclass(frozen=True)
+class Lead:
+    """How many times as long an engine takes as ours at the same error or less."""
+
+    times: float  # 0 where none of ours is as good
+    lower: float
+    upper: float
+    engine: str
+
+
+def _lead(row: Row) -> Lead:
+    times, lower, upper = (float(row[name] or 0) for name in RATIO)
+    return Lead(times, lower, upper, row["engine"])
+
+
+def lead(data: Data, scene: str) -> Lead:
+    """That of the closest engine."""
+    rows = [r for r in data.ratios if r["scene"] == scene and r["within"] == "peer's own"]
+    leads = [_lead(row) for row in rows if row["engine"] != "numpy"]
+    return min(leads, key=lambda each: each.times)
 
 
 def _lead_sentence(data: Data) -> str:
     leads = {scene: lead(data, scene) for scene in data.scenes}
-    behind = [scene for scene, (factor, _) in leads.items() if factor <= 1]
-    least = min(leads, key=lambda scene: leads[scene][0])
-    factor, closest = leads[least]
+    behind = [scene for scene, each in leads.items() if each.times <= 1]
+    least = min(leads, key=lambda scene: leads[scene].times)
+    closest = leads[least]
     if behind:
         return f"Except for {_listed(_scene(s) for s in behind)}, where an engine is ahead."
     return (
         "In each of them some method of ours is faster than every engine at the same error; the "
-        f"closest is {data.title(closest.method)} in {_scene(least)}, which takes "
-        f"{_times(factor)} times as long."
+        f"closest is {data.title(closest.engine)} in {_scene(least)}, which takes "
+        f"{_times(closest.times)} times as long."
     )
 
 
@@ -197,8 +214,8 @@ def _agreement_sentence(data: Data) -> str:
         together.append(len(close & set(data.engines())))
     least = min(range(len(together)), key=lambda i: together[i])
     return (
-        f"in every scene at least {_count(together[least])} of the {_count(len(data.engines()))} come "
-        f"within {_metres(FINE)} of it as their steps shrink, with {_scene(data.scenes[least])} "
+        f"in every scene at least {_count(together[least])} of the {_count(len(data.engines()))} "
+        f"come within {_metres(FINE)} of it as their steps shrink, with {_scene(data.scenes[least])} "
         "the hardest."
     )
 
@@ -210,28 +227,19 @@ def _settings_table(data: Data) -> str:
 
 
 def _steps_table(data: Data, by_kind: dict[str, list[Row]]) -> str:
-    header = ["", "flight", "times", "error", "contact", "times", "error"]
+    header = ["", "flight", "times", "quartiles", "error", "contact", "times", "quartiles", "error"]
     rows = []
     for contact in sorted(by_kind["contact"], key=lambda row: float(row["ns_per_step"])):
         flight = next(r for r in by_kind["flight"] if r["engine"] == contact["engine"])
         row = [data.title(contact["engine"])]
         for kind in (flight, contact):
-            row += [_time(float(kind["ns_per_step"])), _times(float(kind["ratio"]))]
+            spread = " to ".join(
+                _times(float(kind[name])) for name in ("ratio_lower", "ratio_upper")
+            )
+            row += [_time(float(kind["ns_per_step"])), _times(float(kind["ratio"])), spread]
             row.append(_metres(float(kind["error_m"])))
         rows.append(row)
     return _table(header, rows)
-
-
-def _bars(data: Data, contact: list[Row]) -> str:
-    ordered = sorted(contact, key=lambda row: float(row["ns_per_step"]))
-    least = float(ordered[0]["ns_per_step"])
-    width = max(len(data.title(row["engine"])) for row in ordered)
-    lines = []
-    for row in ordered:
-        ns = float(row["ns_per_step"])
-        bar = "#" * (1 + round(2 * math.log2(ns / least)))
-        lines.append(f"{data.title(row['engine']):<{width}} {bar} {_time(ns)}")
-    return "\n".join(lines)
 
 
 def _lead_table(data: Data) -> str:
@@ -245,9 +253,10 @@ def _lead_table(data: Data) -> str:
         for tolerance in LEAD_TOLERANCES:
             row.append(_who(data, least_time(data.ours, scene, tolerance)))
             row.append(_who(data, least_time(engines, scene, tolerance)))
-        factor, closest = lead(data, scene)
-        rows.append([*row, _times(factor), data.title(closest.method)])
-    return _table([*header, "times at the same error", "closest"], rows)
+        closest = lead(data, scene)
+        spread = f"{_times(closest.lower)} to {_times(closest.upper)}"
+        rows.append([*row, _times(closest.times), spread, data.title(closest.engine)])
+    return _table([*header, "times at the same error", "quartiles", "closest"], rows)
 
 
 def _who(data: Data, point: Point | None) -> str:
@@ -286,32 +295,53 @@ def _failures(data: Data) -> str:
     return "\n".join(lines) or "- None."
 
 
-def _variant_errors(data: Data) -> dict[tuple[str, str], float]:
-    return {(row["scene"], row["engine"]): float(row["error_m"]) for row in data.variants}
+def _variant_errors(data: Data, scene: str, engine: str) -> list[float]:
+    """From the largest step to the smallest."""
+    own = [row for row in data.variants if row["scene"] == scene and row["engine"] == engine]
+    return [float(row["error_m"]) for row in sorted(own, key=lambda row: -float(row["dt_s"]))]
+
+
+def _variants(data: Data) -> list[str]:
+    return list(dict.fromkeys(row["engine"] for row in data.variants if row["swept"] == "0"))
 
 
 def _variants_table(data: Data) -> str:
-    errors = _variant_errors(data)
     rows = []
-    for (scene, engine), error in errors.items():
-        swept = engine.partition("_")[0]
-        best = errors[scene, swept]
-        if engine != swept and error > DIFFERS * best and error > FINE:
-            rows.append([data.title(engine), _scene(scene), _metres(error), _metres(best)])
+    for scene in data.scenes:
+        for engine in _variants(data):
+            error = _variant_errors(data, scene, engine)[-1]
+            best = _variant_errors(data, scene, engine.partition("_")[0])[-1]
+            if error > DIFFERS * best and error > FINE:
+                rows.append([data.title(engine), _scene(scene), _metres(error), _metres(best)])
     return _table(["settings", "scene", "error", "with those of the sweep"], sorted(rows))
 
 
 def _dantzig_sentence(data: Data) -> str:
-    errors = _variant_errors(data)
     scene = "oblique_bounce"
-    both = [engine for _, engine in errors if engine.endswith("_dantzig")]
-    worst = {
-        engine: errors[scene, engine] for engine in dict.fromkeys(both) if (scene, engine) in errors
-    }
     said = _listed(
-        f"{data.title(engine)} stays {_metres(error)} off" for engine, error in worst.items()
+        _over_steps(data, scene, engine) for engine in _variants(data) if "_dantzig" in engine
     )
-    return f"In the {_scene(scene)} {said}, however small the step." if worst else ""
+    return f"In the {_scene(scene)}, {_steps_swept(data)}, {said}."
+
+
+def _soft_sentence(data: Data) -> str:
+    scene = "flat_drop"
+    engines = [e for e in ("mujoco", "mujoco_5") if _variant_errors(data, scene, e)]
+    said = _listed(_over_steps(data, scene, engine) for engine in engines)
+    return f"In the {_scene(scene)}, {_steps_swept(data)}, {said}." if engines else ""
+
+
+def _steps_swept(data: Data) -> str:
+    steps = [float(row["dt_s"]) for row in data.variants]
+    return f"with steps from {_seconds(max(steps))} to {_seconds(min(steps))}"
+
+
+def _over_steps(data: Data, scene: str, engine: str) -> str:
+    errors = _variant_errors(data, scene, engine)
+    return (
+        f"{data.title(engine)} stays between {_metres(min(errors))} and {_metres(max(errors))} off "
+        f"({_metres(errors[-1])} with the smallest)"
+    )
 
 
 def _lcp_table(data: Data) -> str:

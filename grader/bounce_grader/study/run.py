@@ -35,6 +35,7 @@ QUESTIONS = (
     "energy_gain",
     "rest_and_drift",
     "order",
+    "truth",
     "chosen_model",
     "least_model",
     "speed_ratios",
@@ -109,9 +110,8 @@ def _publish(out: Path, kept: dict[str, Path]) -> list[str]:
     """The tables, and the charts and pages of which all tables are there; drawn before anything is
     written, and each written whole or not at all."""
     from bounce_grader.study import charts, pages
-    from bounce_grader.study.runs import PEERS
 
-    there = [out / f"{name}.csv" for name in (*QUESTIONS, *PEERS)]
+    there = [out / f"{name}.csv" for name in QUESTIONS] + sorted(out.glob("peers*.csv"))
     known = {file.stem: tables.read(file) for file in there if file.exists()}
     known |= {name: tables.read(file) for name, file in kept.items()}
     drawn = charts.draw(known)

@@ -1,13 +1,14 @@
-"""Speed against accuracy, as the charts and the pages read it: our table, and any further one of the
-same columns."""
+"""Speed against accuracy, as the charts and the pages read it: our table alone; or, where engines
+were measured, theirs and what our methods took in the same rounds. Times of two runs are never mixed."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from bounce_grader.study.tables import Row, Tables, number
 
 COLUMNS = ("scene", "method", "setting", "setting_is", "ns_per_simulated_second", "error_m", "note")
-PEERS = ("peers",)
+PEERS = ("peers", "peers_beside", "peers_ratios")  # of one run
+SAME_SCHEME = {"numpy": "assignment"}
 TOLERANCES = (1e-2, 1e-3, 1e-4, 1e-5, 1e-6)
 
 
@@ -24,13 +25,46 @@ class Run:
 
 
 def runs(tables: Tables) -> list[Run]:
-    for name in ("speed_accuracy", *PEERS):
+    for name in ("speed_accuracy", *PEERS[:2]):
         if name in tables:
             tables[name].require(COLUMNS)
-    ours = [_run(row, False) for row in tables["speed_accuracy"].rows]
-    scenes = {run.scene for run in ours}
-    peers = [_run(row, True) for name in PEERS if name in tables for row in tables[name].rows]
-    return ours + [run for run in peers if run.scene in scenes]
+    alone = [_run(row, False) for row in tables["speed_accuracy"].rows]
+    if not compared(tables):
+        return alone
+    known = {run.scene for run in alone}
+    notes = {(run.scene, run.method): run.note for run in alone}
+    ours = [_run(row, False) for row in tables["peers_beside"].rows]
+    engines = [_run(row, True) for row in tables["peers"].rows]
+    return [_noted(run, notes) for run in ours + engines if run.scene in known]
+
+
+def compared(tables: Tables) -> bool:
+    """Whether engines were measured beside the methods as they are now: errors don't depend on the
+    machine's mood, so that others than in speed_accuracy.csv are those of another program."""
+    if not all(name in tables for name in PEERS):
+        return False
+    now = {_point(row): number(row, "error_m") for row in tables["speed_accuracy"].rows}
+    beside = tables["peers_beside"].rows
+    return all(
+        math.isclose(number(row, "error_m"), now[_point(row)], rel_tol=1e-3, abs_tol=1e-12)
+        for row in beside
+        if _point(row) in now
+    )
+
+
+def origin(tables: Tables) -> dict[str, str]:
+    """Of the table that the times are from."""
+    return tables["peers_beside" if compared(tables) else "speed_accuracy"].origin
+
+
+def _point(row: Row) -> tuple[str, str, str]:
+    return row["scene"], row["method"], row["setting"]
+
+
+def _noted(run: Run, notes: dict[tuple[str, str], str]) -> Run:
+    """With the reason in speed_accuracy.csv for this method, or for one of the same scheme."""
+    same = SAME_SCHEME.get(run.method, run.method)
+    return replace(run, note=run.note or notes.get((run.scene, same), ""))
 
 
 def _run(row: Row, peer: bool) -> Run:

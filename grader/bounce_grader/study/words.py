@@ -35,6 +35,14 @@ def time(ns: float) -> str:
     return f"{short(ns)} ns"
 
 
+def times(ratio: float) -> str:
+    """2.4, 140, 12,000: two digits."""
+    if ratio < 10:
+        return f"{ratio:.2g}"
+    digits = 1 - math.floor(math.log10(ratio))
+    return f"{round(ratio, digits):,.0f}"
+
+
 def metres(value: float) -> str:
     if value >= 1 or value == 0:
         return f"{short(value)} m"
@@ -46,7 +54,11 @@ def metres(value: float) -> str:
 
 
 def method(name: str) -> str:
-    return look.METHODS[name].label if name in look.METHODS else name
+    return look.METHODS[name].label if name in look.METHODS else peer(name)
+
+
+def peer(name: str) -> str:
+    return look.PEERS[name].label if name in look.PEERS else name
 
 
 def scene(name: str) -> str:

@@ -23,6 +23,7 @@ Peers all_peers() {
 #ifdef BOUNCE_PEER_DART
            dart,
 #endif
+           numpy,
        }) {
     for (const Peer& peer : engine()) all.push_back(peer);
   }

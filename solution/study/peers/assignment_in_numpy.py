@@ -1,36 +1,29 @@
 """The assignment as its first students wrote it: numpy, part by part, with Lemke's method.
 
-    assignment_in_numpy.py TURNS SCENE.json DT [SCENE.json DT ...]
+Prints numpy's version. Then each line that comes is a simulation, as numbers,
 
-runs each scene with each step, and prints a JSON list with, for each, the CPU time of one run in ns
-(the median of TURNS runs, taken in turns), and the square at 20 even times: [x, y, theta].
+    l m mu epsilon delta g_x g_y g_z  x y theta v_x v_y omega  dt STEPS SAMPLES TURNS
+
+and is answered by a line: the CPU time of TURNS runs in ns, and the square at SAMPLES times, STEPS
+steps apart: x y theta, each.
 """
 
-import json
-import math
 import sys
 import time
-from pathlib import Path
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 
-SAMPLES = 20
-
 
 class World:
-    def __init__(self, params: dict[str, Any], dt: float) -> None:
-        self.l: float = params["l"]
-        self.mu: float = params["mu"]
-        self.epsilon: float = params["epsilon"]
-        self.delta: float = params["delta"]
-        self.dt = dt
-        m: float = params["m"]
-        self.M = np.diag([m, m, m * self.l**2 / 6])  # eq. (1)
-        self.f_e = self.M @ np.array(params["g"])  # eq. (2)
+    def __init__(self, numbers: list[float]) -> None:
+        self.l, m, self.mu, self.epsilon, self.delta, *g = numbers[:8]
+        M = np.diag([m, m, m * self.l**2 / 6])  # eq. (1)
+        self.M_inv = np.linalg.inv(M)
+        self.f_e = M @ np.array(g)  # eq. (2)
+        self.dt = numbers[14]
 
 
 def get_contacts(q: Array, world: World) -> tuple[Array, float]:
@@ -49,7 +42,7 @@ def form_lcp(J: Array, v: Array, world: World) -> tuple[Array, Array]:
     """V and p, eqs. (7) to (10)."""
     J_t, J_n = J[:, 0], J[:, 1]
     J_hat = np.column_stack([J_n, -J_t, J_t])
-    M_inv = np.linalg.inv(world.M)
+    M_inv = world.M_inv
     V = np.zeros((4, 4))
     V[:3, :3] = J_hat.T @ M_inv @ J_hat * world.dt
     V[1:3, 3] = 1
@@ -102,55 +95,35 @@ def step(q: Array, v: Array, world: World) -> tuple[Array, Array]:
         f_n, f_t1, f_t2, _ = lemke(V, p)
         f = f + J[:, 1] * f_n + J[:, 0] * (f_t2 - f_t1)
         lift[1] = world.delta
-    v = v + world.dt * np.linalg.inv(world.M) @ f
+    v = v + world.dt * world.M_inv @ f
     return q + world.dt * v + lift, v
 
 
-class Run:
-    def __init__(self, scene: dict[str, Any], dt: float) -> None:
-        self.scene = scene
-        between = scene["compare"]["until"] / SAMPLES
-        self.steps = max(1, math.floor(between / dt + 0.5))
-        self.dt = between / self.steps
-        self.ns: list[int] = []
-        self.samples: list[list[float]] = []
-
-    def once(self) -> None:
-        world = World(self.scene["params"], self.dt)
-        q, v = np.array(self.scene["q"], dtype=float), np.array(self.scene["v"], dtype=float)
-        samples = []
-        start = time.process_time_ns()
-        for _ in range(SAMPLES):
-            for _ in range(self.steps):
-                q, v = step(q, v, world)
-            samples.append(q)
-        self.ns.append(time.process_time_ns() - start)
-        self.samples = [[float(x) for x in q] for q in samples]
+def simulate(numbers: list[float]) -> list[Array]:
+    world = World(numbers)
+    q, v = np.array(numbers[8:11]), np.array(numbers[11:14])
+    steps, samples = int(numbers[15]), []
+    for _ in range(int(numbers[16])):
+        for _ in range(steps):
+            q, v = step(q, v, world)
+        samples.append(q)
+    return samples
 
 
-def main(words: list[str]) -> None:
-    runs = [
-        Run(json.loads(Path(file).read_text()), float(dt))
-        for file, dt in zip(words[1::2], words[2::2])
-    ]
-    for _ in range(int(words[0])):
-        for run in runs:
-            run.once()
-    print(
-        json.dumps(
-            [
-                {
-                    "scene": run.scene["name"],
-                    "dt": run.dt,
-                    "ns": sorted(run.ns)[len(run.ns) // 2],
-                    "samples": run.samples,
-                    "version": np.__version__,
-                }
-                for run in runs
-            ]
-        )
-    )
+def answer(line: str) -> str:
+    numbers = [float(word) for word in line.split()]
+    start = time.process_time_ns()
+    for _ in range(int(numbers[17])):
+        samples = simulate(numbers)
+    ns = time.process_time_ns() - start
+    return " ".join([str(ns), *(repr(float(x)) for q in samples for x in q)])
+
+
+def main() -> None:
+    print(np.__version__, flush=True)
+    for line in sys.stdin:
+        print(answer(line), flush=True)
 
 
 if __name__ == "__main__":
-    main(sys.argv[1:])
+    main()

@@ -32,12 +32,16 @@ struct Settings {
   std::string order;        // which Euler: "velocity first" or "position first"
 };
 
+class Numpy;  // numpy.hpp
+
 struct Peer {
   std::string name, title, version;
   bool swept;  // else only its steps are timed, and its errors compared with those that are
   Settings settings;
   std::string limit;  // why its error may stop falling, in words
   std::unique_ptr<Engine> (*make)(const Scene& scene, double dt);
+  std::shared_ptr<Numpy> numpy = nullptr;  // in whose process it runs; `make` is null then
+  double least_dt = 0;                     // s; smaller steps would take too long
 };
 
 // The ground reaches so far to either side, m, and so deep where it is a box.
@@ -52,6 +56,8 @@ Peers ode();
 Peers bullet();
 Peers mujoco();
 Peers dart();
+// None where Python has no numpy.
+Peers numpy();
 
 // Those that were found when this was built.
 Peers all_peers();

@@ -1,38 +1,47 @@
 // bounce_peers SCENES STEPS FOLDER [--quick]: the engines that were found when this was built, on
 // the scenes of a folder and on those for single steps, beside our methods. Writes into FOLDER
-// peers.csv, peers_beside.csv (ours, in the same run), peers_steps.csv, peers_variants.csv,
-// peers_settings.csv, peers_lcp.csv where Siconos was found, and truth.csv.
+// peers.csv, peers_beside.csv (ours, in the same run), peers_ratios.csv (between the two),
+// peers_steps.csv, peers_variants.csv, peers_settings.csv, and peers_lcp.csv where Siconos was
+// found.
 #include <iostream>
+#include <sstream>
 
 #include "sweep.hpp"
 
 namespace bounce::study {
 namespace {
 
+const PeerExtent kWhole{Extent{21, 1e6, 0}, 1e-5}, kQuickly{Extent{3, 2e5, 0}, 1e-3};
+
+std::string times_of_sweep(int core, const Extent& extent) {
+  std::ostringstream text;
+  text << times_taken(core, extent) << "; what takes over " << kLongNs / 1e6
+       << " ms plays in one round of " << kLongEvery;
+  return text.str();
+}
+
 int run(const std::vector<std::string>& words) {
-  const bool quick = words.size() == 4;
-  const PeerExtent extent = quick ? PeerExtent{1e-3, 3} : PeerExtent{1e-5, 3};
+  const PeerExtent& extent = words.size() == 4 ? kQuickly : kWhole;
   const int core = pin_to_one_core();
   const Scenes scenes = read_scenes(words[0]), kinds = read_scenes(words[1]);
   const std::filesystem::path folder = words[2];
   std::filesystem::create_directories(folder);
-  const auto write = [&](const Table& table, const char* name, int times_the_rounds = 1) {
-    table.write(folder / name, origin(core, Extent{times_the_rounds * extent.rounds, kLeastNs}));
+  const std::string timed = times_of_sweep(core, extent.timing);
+  const auto write = [&](const Table& table, const char* name, const std::string& times) {
+    table.write(folder / name, origin(times));
     std::cout << (folder / name).string() << ": " << table.rows() << " rows\n" << std::flush;
   };
   const Peers peers = all_peers();
-  Scenes all = scenes;
-  all.insert(all.end(), kinds.begin(), kinds.end());
-  write(truths(all), "truth.csv");
-  write(settings(peers), "peers_settings.csv");
-  write(single_steps(kinds, peers, extent), "peers_steps.csv", kFinelyTimed);
+  write(settings(peers), "peers_settings.csv", "");
+  write(single_steps(kinds, peers, extent), "peers_steps.csv", timed);
 #ifdef BOUNCE_PEER_SICONOS
-  write(lcp_solvers(extent), "peers_lcp.csv", kFinelyTimed);
+  write(lcp_solvers(extent), "peers_lcp.csv", timed);
 #endif
-  write(variants(scenes, peers, quick ? 1e-3 : 1e-4), "peers_variants.csv");
-  const PeersAndOurs tables = sweep(scenes, peers, extent);
-  write(tables.ours, "peers_beside.csv");
-  write(tables.peers, "peers.csv");
+  write(variants(scenes, peers, extent), "peers_variants.csv", "");
+  const Sweep tables = sweep(scenes, peers, extent);
+  write(tables.ours, "peers_beside.csv", timed);
+  write(tables.ratios, "peers_ratios.csv", timed);
+  write(tables.peers, "peers.csv", timed);
   return 0;
 }
 

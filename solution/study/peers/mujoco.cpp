@@ -9,8 +9,10 @@
 //                    epsilon = exp(-2 zeta acos(zeta) / sqrt(1 - zeta^2)),
 //
 //                which is solved for zeta. Half a swing lasts sqrt(dt kContact), 5 steps at 0.01 s
-//                and ever more steps, but ever less time, as dt shrinks: with a fixed number of
-//                steps the error of the restitution would stay.
+//                and ever more steps, but ever less time, as dt shrinks. This mapping is a choice
+//                of ours: it makes the error fall with the square root of dt at best. The other
+//                one, kSteps steps whatever dt is, makes contacts shorter and leaves the error of
+//                the restitution; it is a variant.
 //   friction     mu of the pair, in an elliptic cone of dimension 3; its slip is braked at the
 //                rate b, too, so that it stops sliding a part of the impact too late, whatever dt
 //                is
@@ -30,6 +32,7 @@ namespace bounce::study {
 namespace {
 
 constexpr double kContact = 0.25;  // s
+constexpr double kSteps = 5;
 
 double restitution_of(double zeta) {
   return zeta >= 1 ? 0 : std::exp(-2 * zeta * std::acos(zeta) / std::sqrt(1 - zeta * zeta));
@@ -44,10 +47,11 @@ double damping_for(double epsilon) {
   return low;
 }
 
-std::string model_of(const Scene& scene, double dt) {
+// half_swing: how long a contact lasts, s.
+std::string model_of(const Scene& scene, double dt, double half_swing) {
   const Parameters& params = scene.params;
   const double inertia = params.m * params.l * params.l / 6, half = params.l / 2;
-  const double frequency = std::acos(-1.0) / std::sqrt(dt * kContact);
+  const double frequency = std::acos(-1.0) / half_swing;
   const double k = frequency * frequency, b = 2 * damping_for(params.epsilon) * frequency;
   const int cone = params.mu > 0 ? 3 : 1;
   char text[2000];
@@ -85,8 +89,8 @@ mjModel* load(const std::string& text) {
 
 class MuJoCo final : public Engine {
  public:
-  MuJoCo(const Scene& scene, double dt)
-      : model_(load(model_of(scene, dt))), data_(mj_makeData(model_)) {
+  MuJoCo(const Scene& scene, double dt, double half_swing)
+      : model_(load(model_of(scene, dt, half_swing))), data_(mj_makeData(model_)) {
     for (int i = 0; i < 3; ++i) {
       data_->qpos[i] = scene.start.q(i);
       data_->qvel[i] = scene.start.v(i);
@@ -111,19 +115,29 @@ class MuJoCo final : public Engine {
   mjData* data_;
 };
 
+Settings settings_with(const std::string& contact) {
+  return {"double",
+          "two slides and a hinge",
+          "spring and damper solved for epsilon (solref)",
+          "mu of the pair, elliptic cone",
+          contact + "; impedance 0.9999; Newton",
+          "velocity first"};
+}
+
 }  // namespace
 
 Peers mujoco() {
-  return {{"mujoco",
-           "MuJoCo",
-           mj_versionString(),
-           true,
-           {"double", "two slides and a hinge", "spring and damper solved for epsilon (solref)",
-            "mu of the pair, elliptic cone",
-            "a contact lasts sqrt(dt 0.25 s); impedance 0.9999; Newton", "velocity first"},
-           "contacts are soft, and their friction is braked no faster than they bounce",
+  const char* const limit =
+      "contacts are soft, and their friction is braked no faster than they bounce";
+  return {{"mujoco", "MuJoCo", mj_versionString(), true,
+           settings_with("a contact lasts sqrt(dt 0.25 s)"), limit,
            [](const Scene& scene, double dt) -> std::unique_ptr<Engine> {
-             return std::make_unique<MuJoCo>(scene, dt);
+             return std::make_unique<MuJoCo>(scene, dt, std::sqrt(dt * kContact));
+           }},
+          {"mujoco_5", "MuJoCo, contacts of 5 steps", mj_versionString(), false,
+           settings_with("a contact lasts 5 steps"), limit,
+           [](const Scene& scene, double dt) -> std::unique_ptr<Engine> {
+             return std::make_unique<MuJoCo>(scene, dt, kSteps * dt);
            }}};
 }
 

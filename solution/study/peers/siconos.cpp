@@ -135,6 +135,7 @@ Outcome outcome_of(const Contacts& contacts, const Solver& solver) {
   return outcome;
 }
 
+// Of all the contacts, so many times, ns.
 double time_of(const Contacts& contacts, const Solver& solver, long repeats) {
   double sum = 0;
   const double start = cpu_ns();
@@ -142,31 +143,32 @@ double time_of(const Contacts& contacts, const Solver& solver, long repeats) {
     for (std::size_t i = 0; i < kContacts; ++i)
       sum += solver.solve(contacts, i).value_or(Impulse{}).n;
   }
-  const double ns = (cpu_ns() - start) / double(repeats) / double(kContacts);
+  const double ns = cpu_ns() - start;
   return std::isnan(sum) ? std::numeric_limits<double>::infinity() : ns;
 }
 
 }  // namespace
 
 Table lcp_solvers(const PeerExtent& extent) {
-  Table table({"solver", "contacts", "ns_per_lcp", "ratio", "residual_m_per_s",
-               "difference_m_per_s", "refused", "wrong"});
+  Table table({"solver", "contacts", "ns_per_lcp", "lower_quartile", "upper_quartile", "ratio",
+               "residual_m_per_s", "difference_m_per_s", "refused", "wrong"});
   const Contacts contacts;
   const std::vector<Solver> solvers = all_solvers();
-  std::vector<std::vector<double>> ns(solvers.size());
-  std::vector<long> repeats;
+  std::vector<Point> points;
+  points.reserve(solvers.size());
   for (const Solver& solver : solvers) {
-    const double once = time_of(contacts, solver, 1) * double(kContacts);
-    repeats.push_back(std::max(1L, long(10 * kLeastNs / once)));
+    points.push_back({solver.name, "", false, 0, 0, "", [&contacts, &solver](long repeats) {
+                        return time_of(contacts, solver, repeats);
+                      }});
   }
-  for (int round = 0; round < kFinelyTimed * extent.rounds; ++round) {
-    for (std::size_t s = 0; s < solvers.size(); ++s)
-      ns[s].push_back(time_of(contacts, solvers[s], repeats[s]));
-  }
+  time_in_turns(points, extent.timing);
+  const double each = 1 / double(kContacts);
   for (std::size_t s = 0; s < solvers.size(); ++s) {
     const Outcome outcome = outcome_of(contacts, solvers[s]);
-    table.add(solvers[s].name, int(kContacts), median(ns[s]), median(ns[s]) / median(ns[0]),
-              outcome.residual, outcome.difference, outcome.refused, outcome.wrong);
+    const auto [lower, ns, upper] = times_of(points[s]);
+    table.add(solvers[s].name, int(kContacts), ns * each, lower * each, upper * each,
+              ratios_of(points[s], points[0]).median, outcome.residual, outcome.difference,
+              outcome.refused, outcome.wrong);
   }
   return table;
 }

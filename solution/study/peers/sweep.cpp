@@ -10,6 +10,8 @@
 
 #include "../../methods/assignment_fast.hpp"
 #include "../../methods/scheme.hpp"
+#include "numpy.hpp"
+#include "ratios.hpp"
 
 namespace bounce::study {
 namespace {
@@ -18,37 +20,11 @@ using methods::Motion;
 
 constexpr double kFine = 1e-3;  // m
 
-// One method or peer at one setting, to be timed in turns with the others.
-struct Point {
-  std::string method, limit;
-  bool is_peer;
-  double setting, error;
-  const char* setting_is;
-  std::function<double(long repeats)> time;  // of all of them together, ns
-  long repeats = 1;
-  std::vector<double> ns = {};
-};
-
-void time_in_turns(std::vector<Point>& points, int rounds) {
-  for (Point& point : points)
-    point.repeats = std::max(1L, long(kLeastNs / std::max(point.time(1), 100.0)));
-  for (int round = 0; round < rounds; ++round) {
-    for (Point& point : points)
-      point.ns.push_back(point.time(point.repeats) / double(point.repeats));
-  }
-}
-
 template <class Run>
 double time_of_all(long repeats, const Run& run) {
   const double start = cpu_ns();
   for (long i = 0; i < repeats; ++i) run();
   return cpu_ns() - start;
-}
-
-double time_of_all(const Peer& peer, const Scene& scene, double dt, long repeats) {
-  double sum = 0;
-  for (long i = 0; i < repeats; ++i) sum += time_of(peer, scene, dt);
-  return sum;
 }
 
 // What reading the clock costs, ns.
@@ -58,20 +34,29 @@ double clock_ns() {
     const double start = cpu_ns();
     times.push_back(cpu_ns() - start);
   }
-  return median(times);
+  return quantile(times);
+}
+
+// CPU time of the steps of one run, ns.
+double steps_time(const Peer& peer, const Scene& scene, double dt) {
+  const auto engine = peer.make(scene, dt);
+  const long steps = std::lround(scene.until / dt);
+  static const double clock = clock_ns();
+  const double start = cpu_ns();
+  for (long n = 0; n < steps; ++n) engine->step();
+  return cpu_ns() - start - clock;
 }
 
 Point point_of(const Peer& peer, const Scene& scene, double dt, const Samples& truth) {
   const double fitting = fitting_step(scene, dt);
-  return {peer.name,
-          peer.limit,
-          true,
-          fitting,
-          error_of(scene, samples_of(peer, scene, dt), truth),
-          "dt_s",
-          [&peer, &scene, fitting](long repeats) {
-            return time_of_all(peer, scene, fitting, repeats);
-          }};
+  return {
+      peer.name,
+      peer.limit,
+      true,
+      fitting,
+      error_of(scene, samples_of(peer, scene, dt), truth),
+      "dt_s",
+      [&peer, &scene, fitting](long repeats) { return time_of(peer, scene, fitting, repeats); }};
 }
 
 Point point_of(const Method& method, const Scene& scene, double setting, const Samples& truth) {
@@ -99,7 +84,7 @@ std::vector<Point> points_of(const Scene& scene, const Peers& peers,
   std::vector<Point> points;
   for (const Peer& peer : peers) {
     if (!peer.swept) continue;
-    for (const double dt : steps_down_to(least_dt))
+    for (const double dt : steps_down_to(std::max(least_dt, peer.least_dt)))
       points.push_back(point_of(peer, scene, dt, truth));
   }
   for (const Method& method : methods) {
@@ -114,7 +99,7 @@ std::vector<Point> points_of(const Scene& scene, const Peers& peers,
 // Why a peer does not get to 1 mm here: it still converges and needs a smaller step, or it has
 // stalled.
 std::string note_of(const std::vector<Point>& points, const Point& point) {
-  if (!point.is_peer) return "";
+  if (!point.is_peer || point.limit.empty()) return "";
   std::vector<const Point*> own;
   double least = std::numeric_limits<double>::infinity();
   for (const Point& other : points) {
@@ -128,8 +113,7 @@ std::string note_of(const std::vector<Point>& points, const Point& point) {
       std::log(before.error / last.error) / std::log(before.setting / last.setting);
   char text[200];
   if (order > 0.4) {
-    std::snprintf(text, sizeof text, "order %.1f: would need dt of %.0e s", order,
-                  last.setting * std::pow(kFine / last.error, 1 / order));
+    std::snprintf(text, sizeof text, "order %.1f at its smallest steps", order);
   } else {
     std::snprintf(text, sizeof text, "stalls at %.0e m: %s", least, point.limit.c_str());
   }
@@ -138,14 +122,23 @@ std::string note_of(const std::vector<Point>& points, const Point& point) {
 
 Table empty_table() {
   return Table({"scene", "method", "setting", "setting_is", "ns_per_simulated_second",
-                "ns_per_step", "error_m", "note"});
+                "lower_quartile", "upper_quartile", "ns_per_step", "error_m", "note"});
 }
 
-// Digits that give the same double again.
-std::string exactly(double x) {
+std::string text_of(double value) {
   char text[40];
-  std::snprintf(text, sizeof text, "%.17g", x);
+  std::snprintf(text, sizeof text, "%.6g", value);
   return text;
+}
+
+void add_point(Table& table, const Scene& scene, const std::vector<Point>& points,
+               const Point& point) {
+  const auto [lower, ns, upper] = times_of(point);
+  const bool steps = point.setting_is == std::string("dt_s");
+  table.add(scene.name, point.method, point.setting, point.setting_is, ns / scene.until,
+            lower / scene.until, upper / scene.until,
+            steps ? text_of(ns / scene.until * point.setting) : "", point.error,
+            note_of(points, point));
 }
 
 // A scheme of ours without the samples: the steps alone, as the peers are timed.
@@ -174,13 +167,9 @@ Point steps_of(const std::string& name, const Scene& scene, const Samples& truth
 
 }  // namespace
 
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
-
 Samples samples_of(const Peer& peer, const Scene& scene, double dt) {
   const double fitting = fitting_step(scene, dt);
+  if (peer.numpy) return peer.numpy->samples(scene, fitting);
   const long steps = std::lround(scene.until / kSamples / fitting);
   const auto engine = peer.make(scene, fitting);
   Motion<double> before = methods::motion_of<double>(scene.start);
@@ -197,60 +186,43 @@ Samples samples_of(const Peer& peer, const Scene& scene, double dt) {
   return samples;
 }
 
-double time_of(const Peer& peer, const Scene& scene, double dt) {
-  const auto engine = peer.make(scene, dt);
-  const long steps = std::lround(scene.until / dt);
-  static const double clock = clock_ns();
-  const double start = cpu_ns();
-  for (long n = 0; n < steps; ++n) engine->step();
-  return cpu_ns() - start - clock;
+double time_of(const Peer& peer, const Scene& scene, double dt, long repeats) {
+  if (peer.numpy) return peer.numpy->time_of(scene, dt, repeats);
+  double sum = 0;
+  for (long i = 0; i < repeats; ++i) sum += steps_time(peer, scene, dt);
+  return sum;
 }
 
-Table truths(const Scenes& scenes) {
-  Table table({"scene", "t_s", "x_m", "y_m", "theta_rad"});
-  for (const Scene& scene : scenes) {
-    const std::vector<double> times = sample_times(scene);
-    const Samples truth = truth_of(scene);
-    for (std::size_t i = 0; i < truth.size(); ++i) {
-      table.add(scene.name, times[i], exactly(truth[i].x), exactly(truth[i].y),
-                exactly(truth[i].theta));
-    }
-  }
-  return table;
-}
-
-PeersAndOurs sweep(const Scenes& scenes, const Peers& peers, const PeerExtent& extent) {
-  PeersAndOurs tables{empty_table(), empty_table()};
+Sweep sweep(const Scenes& scenes, const Peers& peers, const PeerExtent& extent) {
+  Sweep tables{empty_table(), empty_table(), empty_ratios()};
   const std::vector<Method> methods = all_methods();
   for (const Scene& scene : scenes) {
     std::cout << scene.name << "\n" << std::flush;
     std::vector<Point> points = points_of(scene, peers, methods, extent.least_dt);
-    time_in_turns(points, extent.rounds);
-    for (const Point& point : points) {
-      const double ns = median(point.ns) / scene.until;
-      const bool steps = point.setting_is == std::string("dt_s");
-      (point.is_peer ? tables.peers : tables.ours)
-          .add(scene.name, point.method, point.setting, point.setting_is, ns,
-               steps ? ns * point.setting : 0.0, point.error, note_of(points, point));
-    }
+    time_in_turns(points, extent.timing);
+    for (const Point& point : points)
+      add_point(point.is_peer ? tables.peers : tables.ours, scene, points, point);
+    add_ratios(tables.ratios, scene.name, points);
   }
   return tables;
 }
 
 Table single_steps(const Scenes& kinds, const Peers& peers, const PeerExtent& extent) {
-  Table table(
-      {"engine", "version", "kind", "dt_s", "ns_per_step", "ns_per_step_ours", "ratio", "error_m"});
+  Table table({"engine", "version", "kind", "dt_s", "ns_per_step", "lower_quartile",
+               "upper_quartile", "ratio", "ratio_lower", "ratio_upper", "error_m"});
   for (const Scene& scene : kinds) {
     const Samples truth = truth_of(scene);
     std::vector<Point> points{steps_of<methods::AssignmentFast>("assignment_fast", scene, truth),
                               steps_of<methods::Assignment>("assignment", scene, truth)};
     for (const Peer& peer : peers) points.push_back(point_of(peer, scene, scene.params.dt, truth));
-    time_in_turns(points, kFinelyTimed * extent.rounds);
-    const double steps = scene.until / scene.params.dt, ours = median(points[0].ns) / steps;
+    time_in_turns(points, extent.timing);
+    const double steps = scene.until / scene.params.dt;
     for (std::size_t i = 0; i < points.size(); ++i) {
-      const double ns = median(points[i].ns) / steps;
+      const auto [lower, ns, upper] = times_of(points[i]);
+      const Quartiles ratio = ratios_of(points[i], points[0]);
       table.add(points[i].method, i < 2 ? std::string("ours") : peers[i - 2].version, scene.name,
-                scene.params.dt, ns, ours, ns / ours, points[i].error);
+                scene.params.dt, ns / steps, lower / steps, upper / steps, ratio.median,
+                ratio.lower, ratio.upper, points[i].error);
     }
   }
   return table;
@@ -267,13 +239,16 @@ Table settings(const Peers& peers) {
   return table;
 }
 
-Table variants(const Scenes& scenes, const Peers& peers, double dt) {
+Table variants(const Scenes& scenes, const Peers& peers, const PeerExtent& extent) {
   Table table({"scene", "engine", "swept", "dt_s", "error_m"});
   for (const Scene& scene : scenes) {
     const Samples truth = truth_of(scene);
     for (const Peer& peer : peers) {
-      table.add(scene.name, peer.name, peer.swept, fitting_step(scene, dt),
-                error_of(scene, samples_of(peer, scene, dt), truth));
+      if (peer.numpy) continue;
+      for (const double dt : steps_down_to(extent.least_dt)) {
+        table.add(scene.name, peer.name, peer.swept, fitting_step(scene, dt),
+                  error_of(scene, samples_of(peer, scene, dt), truth));
+      }
     }
   }
   return table;

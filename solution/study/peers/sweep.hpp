@@ -4,34 +4,27 @@
 #include "../catalog.hpp"
 #include "../questions.hpp"
 #include "engine.hpp"
+#include "turns.hpp"
 
 namespace bounce::study {
 
-inline constexpr double kLeastNs = 200'000;  // a timing lasts at least so long
-inline constexpr int kFinelyTimed = 7;       // times as many rounds for single steps
-
 struct PeerExtent {
+  Extent timing;
   double least_dt;  // s
-  int rounds;       // timings, of which the median counts
 };
 
 // The square at the sample times of a scene, with theta unwound to whole turns; not timed.
 Samples samples_of(const Peer& peer, const Scene& scene, double dt);
 
-// CPU time of the steps up to scene.until, ns: making the world is not in it.
-double time_of(const Peer& peer, const Scene& scene, double dt);
+// CPU time of so many runs of the steps up to scene.until, ns: making the world is not in it.
+double time_of(const Peer& peer, const Scene& scene, double dt, long repeats);
 
-double median(std::vector<double> values);
-
-// The truth, for what runs elsewhere: scene, t_s, x_m, y_m, theta_rad.
-Table truths(const Scenes& scenes);
-
-// Every scene, peer and step, and the same of our own methods, timed in turns: two tables with the
-// columns of speed_accuracy.csv.
-struct PeersAndOurs {
-  Table peers, ours;
+// Every scene, peer and step, and the same of our own methods, timed in turns: peers and ours with
+// the columns of speed_accuracy.csv and quartiles, and how they compare (ratios.hpp).
+struct Sweep {
+  Table peers, ours, ratios;
 };
-PeersAndOurs sweep(const Scenes& scenes, const Peers& peers, const PeerExtent& extent);
+Sweep sweep(const Scenes& scenes, const Peers& peers, const PeerExtent& extent);
 
 // One step in the air and one in contact, each timed in turns with the fast form of the
 // assignment's scheme; params.dt of each scene is the step.
@@ -40,8 +33,8 @@ Table single_steps(const Scenes& kinds, const Peers& peers, const PeerExtent& ex
 Table settings(const Peers& peers);
 
 // What an engine's own settings change: the errors of those that are not swept and of those that
-// are, at one step.
-Table variants(const Scenes& scenes, const Peers& peers, double dt);
+// are, over the step.
+Table variants(const Scenes& scenes, const Peers& peers, const PeerExtent& extent);
 
 // The LCP alone, by Siconos's solvers and ours.
 Table lcp_solvers(const PeerExtent& extent);
