@@ -30,9 +30,10 @@ bounce::Parameters scene_parameters() {
 // What keeps q from being shown, as a sentence; empty when nothing does.
 std::string missing(const Eigen::Matrix3Xd& q, const bounce::Parameters& params) {
   if (q.cols() != params.T) {
+    const std::string advice = q.cols() == 0 ? "fill in" : "look at the size in";
     return "There is nothing to show yet: simulate returned " + std::to_string(q.cols()) +
-           " columns and " + std::to_string(params.T) +
-           " are due, so please fill in src/part4_simulate.cpp.";
+           " columns and " + std::to_string(params.T) + " are due, so please " + advice +
+           " src/part4_simulate.cpp.";
   }
   for (Eigen::Index t = 0; t < q.cols(); ++t) {
     if (q.col(t).allFinite()) continue;
@@ -66,6 +67,10 @@ int main(int argc, char** argv) {
   try {
     const bool compare = argc > 1 && std::string(argv[1]) == "--compare";
     const char* page = argc > 1 + compare ? argv[1 + compare] : "animation.html";
+    if (page[0] == '-') {
+      std::cerr << "usage: bounce [--compare] [PAGE.html]\n";
+      return 2;
+    }
     if (compare) return animate(bounce::stored_scene(BOUNCE_FIXTURES), page);
     return animate({q_0, v_0, scene_parameters(), Eigen::Matrix3Xd(3, 0)}, page);
   } catch (const std::exception& error) {

@@ -17,6 +17,7 @@ using Words = std::vector<std::string>;
 
 constexpr std::size_t kEnough = 3;  // numbers or cases, below which a rule may be chance
 constexpr double kFewDigits = 1e-4;
+constexpr double kRounding = 1e-9;  // below which a number stands for 0
 
 // A name and the entries of an answer that it stands for.
 struct Quantity {
@@ -95,6 +96,8 @@ std::string capital(std::string text) {
 }
 
 std::string digits(double x) {
+  if (std::isnan(x)) return "not a number";
+  if (x == 0) return "0";  // without the sign that zero may have
   char text[32];
   std::snprintf(text, sizeof text, "%.6g", x);
   return text;
@@ -230,9 +233,24 @@ std::string out_of(const Fit& fit, const std::set<std::size_t>& wrong) {
                                           : "in " + some + " of " + all + " such cases";
 }
 
+bool are_nearly_all(const std::set<std::size_t>& wrong, const std::set<std::size_t>& cases) {
+  return 4 * wrong.size() >= 3 * cases.size();
+}
+
+// Which a law of its own explains better than that some number is another.
+std::string where_gravity_is_not_vertical(const std::vector<Case>& cases,
+                                          const std::set<std::size_t>& wrong) {
+  const Trait sideways{"gravity has an x part", [](const Case& c) { return c.params.g(0) != 0; }};
+  const auto fit = closest({sideways}, cases, wrong);
+  if (!fit || !are_nearly_all(wrong, fit->cases)) return "";
+  return "Wrong only where " + sideways.words + ", " + out_of(*fit, wrong) + ".";
+}
+
 // The other cases are right; a trait has to set apart more than chance would.
 std::string where(int part, const std::vector<Case>& cases, const std::set<std::size_t>& wrong) {
   if (wrong.empty() || cases.size() - wrong.size() < kEnough) return "";
+  const std::string sideways = where_gravity_is_not_vertical(cases, wrong);
+  if (!sideways.empty()) return sideways;
   std::vector<Trait> parameters, others;
   add_parameters(parameters);
   add_what_the_corner_does(others);
@@ -243,7 +261,7 @@ std::string where(int part, const std::vector<Case>& cases, const std::set<std::
            (numbers->words.size() > 1 ? " aren't" : " isn't") + " the assignment's, " +
            out_of(*numbers, wrong) + ": is a number written down that params holds?";
   }
-  if (!traits) return "";
+  if (!traits || !are_nearly_all(wrong, traits->cases)) return "";
   return "Wrong only where " + traits->words.front() + ", " + out_of(*traits, wrong) + ".";
 }
 
@@ -266,7 +284,7 @@ std::string factor_of(const std::vector<Case>& cases, const std::vector<Number>&
   }
   const double ratio = numbers[0].got / numbers[0].right;
   const bool constant = is_rule(numbers, [&](const Number& n) { return ratio * n.right; });
-  return constant ? digits(ratio) : "";
+  return constant && ratio != 0 ? digits(ratio) : "";
 }
 
 std::string difference_of(const std::vector<Number>& numbers) {
@@ -277,11 +295,13 @@ std::string difference_of(const std::vector<Number>& numbers) {
 }
 
 std::string constant_of(const std::vector<Number>& numbers) {
+  if (numbers.empty()) return "";
   const bool is_one = is_rule(numbers, [&](const Number&) { return numbers[0].got; });
   const bool varies = std::any_of(numbers.begin(), numbers.end(), [&](const Number& n) {
     return !same(n.right, numbers[0].right);
   });
-  return is_one && varies ? digits(numbers[0].got) : "";
+  const bool is_rounding = numbers[0].got != 0 && std::abs(numbers[0].got) < kRounding;
+  return is_one && varies && !is_rounding ? digits(numbers[0].got) : "";
 }
 
 std::string rule_of(const std::string& subject, const std::vector<Case>& cases,

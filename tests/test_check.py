@@ -127,10 +127,22 @@ def test_each_kind_of_failure_is_named_and_hides_no_other_part(home: Path) -> No
     mixed = first(check(home, "2"))
     assert "src/part2_lcp.cpp:7: you mixed matrices of different sizes" in mixed, mixed
 
+    put(home)
+    part1 = home / "src/part1_contacts.cpp"
+    right = part1.read_text()
+    part1.write_text(right.replace("{", "{ int x = ;", 1))
+    needing = check(home, "3")
+    assert "First: make part1_contacts.cpp compile" in first(needing)
+    assert "src/part1_contacts.cpp:" in first(needing)
+    part1.write_text(right.replace("get_contacts(const Vector3& q,", "get_contacts(Vector3& q,"))
+    unlinked = first(check(home, "1"))
+    assert "get_contacts" in unlinked and "ld returned" not in unlinked, unlinked
+
     put(home, BROKEN / "part2_aborts")
     ended = check(home)
     assert "Part 1  Contact distance and Jacobian                          30 / 30" in ended.stdout
     assert "aborted" in first(ended) and "It was asked: a corner at the ground" in first(ended)
+    assert "Hint 2.1" in first(ended) and "./check --hint opens it" in first(ended)
     assert "Aborted" not in ended.stderr
 
     put(home, BROKEN / "part4_counter_stands_still")
@@ -141,6 +153,30 @@ def test_each_kind_of_failure_is_named_and_hides_no_other_part(home: Path) -> No
     exits = check(home, "3")
     assert "ended by itself, with status 0" in first(exits)
     assert "Your program printed" in first(exits) and "phi = " in first(exits)
+
+
+@pytest.mark.slow
+def test_an_older_file_that_comes_back_is_built(home: Path) -> None:
+    """As from a backup or a zip, with the time that it had."""
+    put(home)
+    part1, right = home / "src/part1_contacts.cpp", (home / "src/part1_contacts.cpp").read_bytes()
+    assert score(check(home, "1")) == "30 / 30"
+    part1.write_bytes(b"")
+    os.utime(part1, (1, 1))
+    assert score(check(home, "1")) == "0 / 30"
+    part1.write_bytes(right)
+    os.utime(part1, (2, 2))
+    assert score(check(home, "1")) == "30 / 30"
+
+
+@pytest.mark.slow
+def test_one_part_alone_says_what_else_may_be_wrong(home: Path) -> None:
+    put(home, MISTAKES / "part2_force_is_g")
+    alone = check(home, "3")
+    assert "Part 3 calls earlier ones; where ./check finds one of them wrong" in alone.stdout
+    assert "./check 3 --hint opens it" in alone.stdout
+    both = check(home, "2", "3")
+    assert both.returncode == 3 and "one part at a time, or all: ./check 3" in both.stderr
 
 
 @pytest.mark.slow
