@@ -132,7 +132,7 @@ def test_each_kind_of_failure_is_named_and_hides_no_other_part(home: Path) -> No
     right = part1.read_text()
     part1.write_text(right.replace("{", "{ int x = ;", 1))
     needing = check(home, "3")
-    assert "First: make part1_contacts.cpp compile" in first(needing)
+    assert first(needing).startswith("make part1_contacts.cpp compile")
     assert "src/part1_contacts.cpp:" in first(needing)
     part1.write_text(right.replace("get_contacts(const Vector3& q,", "get_contacts(Vector3& q,"))
     unlinked = first(check(home, "1"))
