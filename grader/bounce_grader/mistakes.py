@@ -125,6 +125,7 @@ def answers(part: Part, runner: Path) -> Answers:
 def answers_of(folder: Path, part: Part, work: Path) -> Answers:
     """Of a folder's file for a part, built alone."""
     taken = submission.read(folder)
+    work.mkdir(parents=True, exist_ok=True)
     objects = build.compile_all(taken, work, TRUSTED, 1)
     linked = build.link_alone(part, objects, work / "runner", TRUSTED)
     if not linked.path:

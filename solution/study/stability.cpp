@@ -148,7 +148,7 @@ Eigen::VectorXd as_forces(const methods::Lcp8& lcp, const methods::SideImpulse<d
                           const Parameters& params) {
   Eigen::VectorXd z = Eigen::VectorXd::Zero(8);
   const double per_impulse = params.m / params.dt, P = p.n[0] + p.n[1];
-  for (int i = 0; i < 2; ++i) {
+  for (Eigen::Index i = 0; i < 2; ++i) {
     const double f_t = P > 0 ? per_impulse * p.t * p.n[i] / P : 0;
     z.segment<3>(4 * i) << per_impulse * p.n[i], std::max(0.0, -f_t), std::max(0.0, f_t);
   }
@@ -290,9 +290,10 @@ Table gauss_seidel_sweeps() {
     table.add("mass_ratio", R, stack(R, kTolerance).sweeps,
               1 + std::log(kTolerance / 0.0981) / std::log(rate), lemke_pivots(R), kNone, kNone);
   }
-  for (int i = 0; i <= 30; ++i)
+  for (int i = 0; i <= 30; ++i) {
     table.add("one_corner_mu", i / 10.0, kNone, kNone, kNone, share_without_end(i / 10.0),
               kMostSweeps);
+  }
   return table;
 }
 
