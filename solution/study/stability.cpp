@@ -148,9 +148,10 @@ Eigen::VectorXd as_forces(const methods::Lcp8& lcp, const methods::SideImpulse<d
                           const Parameters& params) {
   Eigen::VectorXd z = Eigen::VectorXd::Zero(8);
   const double per_impulse = params.m / params.dt, P = p.n[0] + p.n[1];
-  for (Eigen::Index i = 0; i < 2; ++i) {
+  for (int i = 0; i < 2; ++i) {
     const double f_t = P > 0 ? per_impulse * p.t * p.n[i] / P : 0;
-    z.segment<3>(4 * i) << per_impulse * p.n[i], std::max(0.0, -f_t), std::max(0.0, f_t);
+    z.segment<3>(Eigen::Index{4} * i) << per_impulse * p.n[i], std::max(0.0, -f_t),
+        std::max(0.0, f_t);
   }
   const Eigen::VectorXd w = lcp.V * z + lcp.p;
   for (int i = 0; i < 2; ++i) z(4 * i + 3) = std::max({0.0, -w(4 * i + 1), -w(4 * i + 2)});
