@@ -163,7 +163,6 @@ FAILURES = {
         1, 0.0, b"", "bwrap: Creating new namespace failed: again\n", False, False
     ),
     "the box": Result(125, 0.0, b"", "enter: a limit: no\n", False, False),
-    "no memory": Result(137, 0.1, b"", "", False, False),
 }
 
 
@@ -179,7 +178,7 @@ def test_a_box_or_a_machine_that_fails_is_no_verdict(
 
     files = {name: _new() + text for name, text in solution_files().items()}
     monkeypatch.setattr(processes, "run", run)
-    with pytest.raises(KitError, match="box couldn't be made|killed from outside"):
+    with pytest.raises(KitError, match="box couldn't be made"):
         grade_path(write(tmp_path, files))
 
 

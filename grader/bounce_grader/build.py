@@ -137,14 +137,6 @@ def _require_a_compiler(result: processes.Result) -> None:
     said = result.err.partition("\n")[0]
     if result.code in (1, 125) and re.match(r"(bwrap|enter): (?!.*:\d+:\d+: )", said):
         raise KitError(f"the compiler's box couldn't be made: {said}")
-    if _was_killed(result):
-        raise KitError("the compiler was killed from outside; is the machine short of memory?")
-
-
-def _was_killed(result: processes.Result) -> bool:
-    """By somebody else than its limits."""
-    in_time = result.cpu_seconds < COMPILE.cpu_seconds
-    return result.code in (-9, 128 + 9) and in_time and not (result.too_long or result.flooded)
 
 
 def _misses_a_file(result: processes.Result) -> bool:
