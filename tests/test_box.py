@@ -1,8 +1,12 @@
 """The boxes hold what they promise; and the probe that says so can do, outside, what it tries."""
 
 import os
+import secrets
 import subprocess
 import sys
+import time
+from collections.abc import Callable
+from contextlib import suppress
 from pathlib import Path
 
 import pytest
@@ -121,3 +125,45 @@ def test_a_reduced_box_that_is_stopped_leaves_nothing() -> None:
     result = processes.run(command, limits)
     assert result.too_long and result.out == b"x\n"
     assert set(Path("/tmp").glob("bounce-box-*")) <= before
+
+
+ENDLESS = """
+import sys
+from bounce_grader import processes
+from bounce_grader.box import Box
+from bounce_grader.paths import RUNNER
+limits = processes.Limits(cpu_seconds=20, wall_seconds=60, memory=1 << 30, file_size=0)
+command = [*Box(sys.argv[1]).to_build(RUNNER, []), "/bin/sh", "-c", sys.argv[2]]
+processes.run(command, limits)
+"""
+
+
+@pytest.mark.parametrize("kind", ["full", "reduced"])
+def test_a_compiler_ends_with_a_kit_that_is_killed(kind: str) -> None:
+    busy = f"while :; do :; done # {secrets.token_hex(8)}"
+    before = set(Path("/tmp").glob("bounce-box-*"))
+    kit = subprocess.Popen(
+        [sys.executable, "-c", ENDLESS, kind, busy], env={"PYTHONPATH": str(ROOT / "grader")}
+    )
+
+    def is_busy() -> bool:
+        return any(_command(p) == ["/bin/sh", "-c", busy] for p in Path("/proc").glob("[0-9]*"))
+
+    _wait_for(is_busy)
+    kit.kill()
+    kit.wait()
+    _wait_for(lambda: not is_busy())
+    _wait_for(lambda: set(Path("/tmp").glob("bounce-box-*")) <= before)
+
+
+def _command(process: Path) -> list[str]:
+    with suppress(OSError):
+        return (process / "cmdline").read_bytes().decode(errors="replace").split("\0")[:-1]
+    return []
+
+
+def _wait_for(happened: Callable[[], bool]) -> None:
+    deadline = time.monotonic() + 10  # half of what it would take by itself
+    while not happened():
+        assert time.monotonic() < deadline
+        time.sleep(0.02)

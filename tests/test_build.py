@@ -10,7 +10,8 @@ from bounce_grader.box import Box
 from bounce_grader.errors import KitError
 from bounce_grader.grade import grade as grade_path
 from bounce_grader.manifest import parts
-from bounce_grader.processes import Result
+from bounce_grader.paths import RUNNER
+from bounce_grader.processes import Limits, Result, run
 from bounce_grader.submission import read
 from conftest import SOLUTION, Grade, points, solution_files, write
 
@@ -135,15 +136,22 @@ def test_an_object_that_is_too_large_costs_its_part_and_is_not_kept(grade: Grade
     assert "makes an object of more than 8 MB" in record["parts"][0]["message"]
 
 
+@pytest.mark.parametrize("kind", ["full", "reduced", "none"])
+def test_what_a_compiler_takes_is_counted(kind: str) -> None:
+    limits = Limits(cpu_seconds=1, wall_seconds=60, memory=1 << 30, file_size=0)
+    endless = ["/bin/sh", "-c", "while :; do :; done"]
+    assert run([*Box(kind).to_build(RUNNER, []), *endless], limits).cpu_seconds > 0.9
+
+
 def test_helpers_have_a_limit_in_common(grade: Grade, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(build, "HELPERS_SECONDS", 0)
+    monkeypatch.setattr(build, "HELPERS_SECONDS", 0.02)  # what one of them takes
     monkeypatch.setattr("os.cpu_count", lambda: 1)
     helpers = {f"helper{n}.cpp": _new() + b"int helper%d;\n" % n for n in range(3)}
     missing = b"extern int helper2;\nint use() { return helper2; }\n"
     part = missing + solution_files()["part1_contacts.cpp"]
     record = grade({**helpers, "part1_contacts.cpp": part})
     assert points(record) == [0, 30, 30, 10]
-    assert "helper1.cpp wasn't compiled: the helpers took 0 s" in record["parts"][0]["message"]
+    assert "helper1.cpp wasn't compiled: the helpers took 0.02 s" in record["parts"][0]["message"]
 
 
 def test_what_is_timed_is_built_by_gcc_as_a_program_is_too(tmp_path: Path) -> None:
@@ -158,11 +166,14 @@ def test_what_is_timed_is_built_by_gcc_as_a_program_is_too(tmp_path: Path) -> No
 
 # --- whose fault it is ---
 
+KILLED = "g++: fatal error: Killed signal terminated program cc1plus\ncompilation terminated.\n"
 FAILURES = {
     "bubblewrap": Result(
         1, 0.0, b"", "bwrap: Creating new namespace failed: again\n", False, False
     ),
     "the box": Result(125, 0.0, b"", "enter: a limit: no\n", False, False),
+    "no memory for clang": Result(137, 0.1, b"", "", False, False),
+    "no memory for g++": Result(1, 0.1, b"", KILLED, False, False),
 }
 
 
@@ -170,15 +181,13 @@ FAILURES = {
 def test_a_box_or_a_machine_that_fails_is_no_verdict(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path, failure: str
 ) -> None:
-    really = processes.run
-
-    def run(command: list[str], *others: object, **more: object) -> Result:
+    def fails(command: list[str], *others: object, **more: object) -> Result:
         compiles = any(word.endswith("part2_lcp.cpp") for word in command)
-        return FAILURES[failure] if compiles else really(command, *others, **more)  # type: ignore
+        return FAILURES[failure] if compiles else run(command, *others, **more)  # type: ignore
 
     files = {name: _new() + text for name, text in solution_files().items()}
-    monkeypatch.setattr(processes, "run", run)
-    with pytest.raises(KitError, match="box couldn't be made"):
+    monkeypatch.setattr(processes, "run", fails)
+    with pytest.raises(KitError, match="box couldn't be made|killed from outside"):
         grade_path(write(tmp_path, files))
 
 

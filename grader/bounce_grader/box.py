@@ -66,7 +66,9 @@ class Box:
         if self.kind == "reduced":
             places = [word for path in seen for word in ("--see", path)]
             return [*_enter(ENTER, "build"), "--reduced", "--in", str(folder), *places, "--"]
-        command = [*_bubblewrap(), *_temporary(), *_open_to_all(["/dev/null", *seen])]
+        # As the first process in there, `enter` waits for the toolchain and counts its CPU time.
+        command = [*_bubblewrap(), "--as-pid-1", *_temporary()]
+        command += _open_to_all(["/dev/null", *seen])
         command += ["--dev-bind", "/dev/null", "/dev/null"]
         for name in ("bin", "lib", "lib64"):
             command += ["--symlink", f"usr/{name}", f"/{name}"]

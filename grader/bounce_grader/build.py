@@ -25,7 +25,7 @@ LARGEST_OBJECT = 8 << 20
 HELPERS_SECONDS = 30  # of CPU time, for all helpers of a submission
 KEPT_IN_A_FOLDER = 64  # objects, in each of 256 folders
 KEPT_BYTES = 16 << 20  # likewise
-IN_USE = 1200  # seconds, in which every grading comes to its end
+IN_USE = 3600  # seconds, in which every grading comes to its end
 RUNNER_OBJECTS = ("runner", "channel", "crash", "solve_lcp", "render")
 # First what is checked: of functions that are in several objects, the linker takes the first.
 KIT_OBJECTS = ("prelude", *RUNNER_OBJECTS)
@@ -128,15 +128,25 @@ class _Compiling:
         prefix = self.box.to_build(folder, [CONTRACT, RUNNER])
         result = processes.run([*prefix, *command], COMPILE, cwd=folder, out_cap=LARGEST_OBJECT)
         self.spent.append(result.cpu_seconds)
-        _require_a_compiler(result)
+        _require_a_compiler(result, COMPILE)
         return result
 
 
-def _require_a_compiler(result: processes.Result) -> None:
+def _require_a_compiler(result: processes.Result, limits: processes.Limits) -> None:
     """Raises KitError where the box or the machine has failed, and not the submission."""
     said = result.err.partition("\n")[0]
     if result.code in (1, 125) and re.match(r"(bwrap|enter): (?!.*:\d+:\d+: )", said):
         raise KitError(f"the compiler's box couldn't be made: {said}")
+    if _was_killed(result) and result.cpu_seconds < limits.cpu_seconds:
+        raise KitError("the compiler was killed from outside; is the machine short of memory?")
+
+
+def _was_killed(result: processes.Result) -> bool:
+    """It, or what g++ has started; not by processes.run."""
+    says = r"^g\+\+: fatal error: Killed signal terminated program \w+$"
+    told = re.search(says, result.err, re.MULTILINE)
+    stopped = result.too_long or result.flooded
+    return not stopped and (result.code in (-9, 128 + 9) or told is not None)
 
 
 def _misses_a_file(result: processes.Result) -> bool:
@@ -321,7 +331,7 @@ def _link(
     visible = [RUNNER, *(Path(word) for word in files + more if word.startswith(str(CACHE)))]
     folder = RUNNER
     result = processes.run(box.to_build(folder, visible) + command, LINK, cwd=folder)
-    _require_a_compiler(result)
+    _require_a_compiler(result, LINK)
     if result.ok and result.out:
         runner.write_bytes(result.out)
         runner.chmod(0o755)

@@ -75,6 +75,12 @@ void limit(__rlimit_resource resource, rlim_t value) {
 // A user namespace of its own counts its processes by itself. It maps nobody, and gives no right.
 void leave_the_common_user_namespace() { static_cast<void>(::unshare(CLONE_NEWUSER)); }
 
+// After all changes of rights, each of which would undo it.
+void die_with(pid_t guard) {
+  require(::prctl(PR_SET_PDEATHSIG, SIGKILL), "dying with the box");
+  if (::getppid() != guard) ::_exit(1);
+}
+
 void make_scratch(uid_t user) {
   char name[] = "/tmp/bounce-box-XXXXXX";
   if (!::mkdtemp(name)) throw std::runtime_error("no temporary folder can be made in /tmp");
@@ -94,12 +100,9 @@ void close_what_was_inherited(bool build) {
 void enclose(const Options& options) {
   const bool build = options.kind == "build";
   if (build) make_scratch(options.user);
-  const pid_t guard = ::getpid();
   guard_what_follows(remove_scratch);
   see_only(options.visible, build ? std::vector{scratch} : std::vector<std::string>{});
   give_up_privileges(options.user);
-  require(::prctl(PR_SET_PDEATHSIG, SIGKILL), "dying with the box");
-  if (::getppid() != guard) ::_exit(1);
 }
 
 [[noreturn]] void become(const Options& options) {
@@ -119,15 +122,18 @@ void enclose(const Options& options) {
 
 void enter(const Options& options) {
   const bool build = options.kind == "build";
+  const pid_t guard = ::getpid();
   close_what_was_inherited(build);
   require(::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0), "no new privileges");
   if (options.reduced) {
     enclose(options);
   } else {
+    if (build) guard_what_follows([] {});  // whose CPU time would be lost with the box
     give_up_privileges(options.user);
   }
   if (!options.folder.empty()) require(::chdir(options.folder.c_str()), options.folder);
   leave_the_common_user_namespace();
+  if (options.reduced) die_with(guard);
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_NPROC, build ? 128 : 1);
   limit(RLIMIT_NOFILE, build ? 256 : 16);

@@ -31,11 +31,13 @@ void end_what_is_left() {
 
 volatile std::sig_atomic_t asked_to_end = 0;
 
-// Whoever started the box is impatient: what follows still dies, and what was made is taken away.
+// Whoever started the box is impatient, or has died: what follows still dies, and what was made is
+// taken away.
 void hear_when_to_end() {
   struct sigaction action = {};
   action.sa_handler = [](int) { asked_to_end = 1; };  // no SA_RESTART: it ends waitpid
   require(::sigaction(SIGTERM, &action, nullptr), "hearing when to end");
+  require(::prctl(PR_SET_PDEATHSIG, SIGTERM), "ending with who started it");
 }
 
 int end_of(pid_t child) {
@@ -58,7 +60,7 @@ void guard_what_follows(void (*afterwards)()) {
   // Of what is open, nothing is kept: a pipe is closed when the child closes it.
   ::close_range(0, ~0U, 0);
   const int status = end_of(child);
-  end_what_is_left();
+  if (::getpid() != 1) end_what_is_left();  // else the namespace ends with this process
   afterwards();
   ::_exit(status);
 }
