@@ -290,11 +290,22 @@ double largest_error() { return largest_error_so_far; }
 
 namespace bounce::submission {
 
-void require_columns(Eigen::Index q_columns, Eigen::Index v_columns, int T) {
-  if (q_columns == T && v_columns == T) return;
+namespace {
+
+[[noreturn]] void refuse(Eigen::Index q_columns, Eigen::Index v_columns, int T) {
   throw std::runtime_error("q is 3x" + std::to_string(q_columns) + " and v is 3x" +
                            std::to_string(v_columns) + "; both should be 3x" + std::to_string(T) +
                            ", as T = " + std::to_string(T));
+}
+
+}  // namespace
+
+void require_columns(Eigen::Index q_columns, Eigen::Index v_columns, int T) {
+  if (q_columns != T || v_columns != T) refuse(q_columns, v_columns, T);
+}
+
+void require_enough_columns(Eigen::Index q_columns, Eigen::Index v_columns, int T) {
+  if (q_columns < T || v_columns < T) refuse(q_columns, v_columns, T);
 }
 
 }  // namespace bounce::submission

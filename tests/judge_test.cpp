@@ -179,6 +179,13 @@ TEST(Trajectory, HasTheColumnsThatWereAskedInBothOfItsMatrices) {
   EXPECT_THROW(submission::require_columns(5, 6, 5), std::runtime_error);
 }
 
+TEST(Trajectory, IsReadWhereItHasTheColumnsThatWereAskedOrMore) {
+  EXPECT_NO_THROW(submission::require_enough_columns(5, 5, 5));
+  EXPECT_NO_THROW(submission::require_enough_columns(6, 5, 5));
+  EXPECT_THROW(submission::require_enough_columns(4, 6, 5), std::runtime_error);
+  EXPECT_THROW(submission::require_enough_columns(6, 4, 5), std::runtime_error);
+}
+
 TEST(Assertion, OfEigenIsToldWithItsPlace) {
   EXPECT_EQ(assertion_in("a print\nrunner: /usr/include/eigen3/Eigen/src/Core/Block.h:120: "
                          "Eigen::Block<X>::Block(X&, Index): Assertion `(i>=0) && (i<rows())' "

@@ -14,7 +14,12 @@ State step(const Vector3& q, const Vector3& v, const Parameters& params);
 // Throws std::runtime_error unless q and v are both 3xT.
 Trajectory simulate(const Vector3& q_0, const Vector3& v_0, const Parameters& params);
 
-// Throws std::runtime_error, naming the shapes, unless both numbers of columns are T.
+// The first T columns, so that one too many is no mistake in the others. Throws
+// std::runtime_error where q or v has fewer.
+Trajectory first_columns(const Vector3& q_0, const Vector3& v_0, const Parameters& params);
+
+// Throw std::runtime_error, naming the shapes, unless both numbers of columns are T, or at least T.
 void require_columns(Eigen::Index q_columns, Eigen::Index v_columns, int T);
+void require_enough_columns(Eigen::Index q_columns, Eigen::Index v_columns, int T);
 
 }  // namespace bounce::submission

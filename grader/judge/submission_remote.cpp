@@ -41,6 +41,13 @@ State step(const Vector3& q, const Vector3& v, const Parameters& params) {
 
 Trajectory simulate(const Vector3& q_0, const Vector3& v_0, const Parameters& params) {
   Trajectory trajectory;
+  const frames::Frame answer = judge::session->ask(question(4, params, q_0, v_0), &trajectory);
+  require_columns(answer.q_columns, answer.v_columns, params.T);
+  return trajectory;
+}
+
+Trajectory first_columns(const Vector3& q_0, const Vector3& v_0, const Parameters& params) {
+  Trajectory trajectory;
   judge::session->ask(question(4, params, q_0, v_0), &trajectory);
   return trajectory;
 }

@@ -99,9 +99,9 @@ void serve() {
     const Frame answer = answer_to(question, trajectory);
     send(answer);
     const bool wanted = question.part == 4 && question.silent == 0;
-    if (wanted && answer.q_columns == question.T && answer.v_columns == question.T) {
-      send(trajectory.q);
-      send(trajectory.v);
+    if (wanted && answer.q_columns >= question.T && answer.v_columns >= question.T) {
+      send(trajectory.q.leftCols(question.T));
+      send(trajectory.v.leftCols(question.T));
     }
   }
 }

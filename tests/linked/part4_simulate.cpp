@@ -6,9 +6,15 @@
 namespace bounce::submission {
 
 Trajectory simulate(const Vector3& q_0, const Vector3& v_0, const Parameters& params) {
-  Trajectory got = bounce::simulate(q_0, v_0, params);
+  const Trajectory got = bounce::simulate(q_0, v_0, params);
   require_columns(got.q.cols(), got.v.cols(), params.T);
   return got;
+}
+
+Trajectory first_columns(const Vector3& q_0, const Vector3& v_0, const Parameters& params) {
+  const Trajectory got = bounce::simulate(q_0, v_0, params);
+  require_enough_columns(got.q.cols(), got.v.cols(), params.T);
+  return {got.q.leftCols(params.T), got.v.leftCols(params.T)};
 }
 
 }  // namespace bounce::submission
