@@ -56,22 +56,26 @@ double Rewritten::half_side(const Parameters& params) const {
 int Rewritten::lowest(const Eigen::Matrix<double, 2, 4>& r, double theta) const {
   if (has("part1_always_the_same_corner")) return 2;
   if (has("part1_quadrant_truncated")) return by_quarters(theta, true);
-  const int corners = has("part1_loop_misses_a_corner") ? 3 : 4;
+  const int first = has("part1_loop_misses_the_first_corner") ? 1 : 0;
+  const int end = has("part1_loop_misses_a_corner") ? 3 : 4;
   const double sign = has("part1_highest_corner") ? -1 : 1;
+  // Ways that don't look at r would find what isn't there.
+  const bool odd_corners =
+      has("part1_sign_in_the_second_row_of_R") || has("part1_second_corner_repeats_the_first");
   std::array<int, 4> order{0, 1, 2, 3};
   const auto height = [&](int k) {
     const double turned = theta + kPi / 4 + k * kPi / 2;
-    return sign * (way_ == 1 ? std::sin(turned) : r(1, k));
+    return sign * (way_ == 1 && !odd_corners ? std::sin(turned) : r(1, k));
   };
-  if (way_ == 2 && corners == 4 && sign > 0) return by_quarters(theta, false);
+  if (way_ == 2 && end - first == 4 && sign > 0 && !odd_corners) return by_quarters(theta, false);
   if (way_ == 3) {
-    int best = 0;
-    for (int k = 1; k < corners; ++k) best = height(k) < height(best) ? k : best;
+    int best = first;
+    for (int k = first + 1; k < end; ++k) best = height(k) < height(best) ? k : best;
     return best;
   }
-  std::sort(order.begin(), order.begin() + corners,
+  std::sort(order.begin() + first, order.begin() + end,
             [&](int a, int b) { return height(a) < height(b); });
-  return order[0];
+  return order[static_cast<std::size_t>(first)];
 }
 
 Eigen::VectorXd Rewritten::part1(const Case& c) {
@@ -82,15 +86,22 @@ Eigen::VectorXd Rewritten::part1(const Case& c) {
   if (has("part1_pi_with_six_digits")) theta = within_a_turn(theta, 3.14159);
   Eigen::Matrix<double, 2, 4> s, r;
   s << h, -h, -h, h, h, h, -h, -h;
+  if (has("part1_second_corner_repeats_the_first")) s.col(1) = s.col(0);
+  const double first_sign = has("part1_sign_in_the_first_row_of_R") ? 1 : -1;
+  const double second_sign = has("part1_sign_in_the_second_row_of_R") ? -1 : 1;
   for (int k = 0; k < 4; ++k) {
-    r.col(k) << std::cos(theta) * s(0, k) - std::sin(theta) * s(1, k),
-        std::sin(theta) * s(0, k) + std::cos(theta) * s(1, k);
+    r.col(k) << std::cos(theta) * s(0, k) + first_sign * std::sin(theta) * s(1, k),
+        second_sign * std::sin(theta) * s(0, k) + std::cos(theta) * s(1, k);
   }
-  const int k = lowest(r, theta);
+  int k = lowest(r, theta);
+  const bool nothing_found =
+      has("part1_search_begins_at_the_ground") && c.q.y() + r.row(1).minCoeff() >= 0;
+  if (nothing_found) k = 0;
 
   Eigen::Vector2d arm = has("part1_jacobian_in_body_frame") ? s.col(k) : r.col(k);
   if (has("part1_arm_from_the_origin")) arm += c.q.head<2>();
   if (has("part1_arm_x_from_the_origin")) arm.x() += c.q.x();
+  if (has("part1_arm_y_from_the_origin")) arm.y() += c.q.y();
   if (has("part1_arm_points_to_the_centre")) arm = -arm;
   if (has("part1_arms_exchanged")) arm.reverseInPlace();
   if (has("part1_sign_of_the_normal_arm")) arm.x() = -arm.x();
@@ -100,7 +111,7 @@ Eigen::VectorXd Rewritten::part1(const Case& c) {
   contact.J << 1, 0, 0, 1, -arm.y(), arm.x();
   if (has("part1_filled_row_by_row")) contact.J << 1, 0, -arm.y(), 0, 1, arm.x();
   if (has("part1_columns_swapped")) contact.J.rowwise().reverseInPlace();
-  contact.phi = c.q.y() + r(1, k);
+  contact.phi = nothing_found ? 0 : c.q.y() + r(1, k);
   if (has("part1_phi_without_the_centre")) contact.phi = r(1, k);
   if (has("part1_phi_above_the_corner")) contact.phi = -r(1, k);
   return numbers(contact);
@@ -121,7 +132,9 @@ Eigen::VectorXd Rewritten::part2(const Case& c) const {
   Vector3 M(p.m, p.m, p.m * p.l * p.l / 6);
   if (has("part2_twelfth_of_the_side_squared")) M(2) /= 2;
   if (has("part2_radius_not_squared")) M(2) = p.m * p.l / std::sqrt(6.0);
-  const Vector3 W = has("part2_mass_in_place_of_its_inverse") ? M : Vector3(M.cwiseInverse());
+  Vector3 W = has("part2_mass_in_place_of_its_inverse") ? M : Vector3(M.cwiseInverse());
+  if (has("part2_inverse_mass_kept_from_the_first_call")) W = first_->M().diagonal().cwiseInverse();
+  if (has("part2_mass_without_inertia")) W.setConstant(1 / p.m);
   Vector3 f_e = M.cwiseProduct(p.g);
   if (has("part2_force_is_g")) f_e = p.g;
   if (has("part2_force_left_out")) f_e.setZero();
@@ -129,13 +142,16 @@ Eigen::VectorXd Rewritten::part2(const Case& c) const {
   Vector3 dv = p.dt * W.cwiseProduct(f_e);
   if (has("part2_gravity_not_divided_by_the_mass")) dv = p.dt * f_e;
   if (has("part2_gravity_without_dt")) dv /= p.dt;
+  if (has("part2_inverse_mass_kept_from_the_first_call")) dv = p.dt * p.g;
 
-  const Vector3 t = c.J.col(0), n = c.J.col(1);
+  const bool swapped = has("part2_columns_of_J_swapped");
+  const Vector3 t = c.J.col(swapped ? 1 : 0), n = c.J.col(swapped ? 0 : 1);
   const double side = has("part2_friction_directions_swapped") ? -1 : 1;
+  const double hat = has("part2_friction_directions_swapped_in_J_hat") ? -side : side;
   Eigen::Matrix3d J_hat;
-  J_hat << n, -side * t, side * t;
+  J_hat << n, -hat * t, hat * t;
   if (has("part2_jhat_stacked_as_rows")) J_hat.transposeInPlace();
-  double time = p.dt;
+  double time = has("part2_dt_hard_coded_in_V") ? usual.dt : p.dt;
   if (has("part2_without_dt")) time /= p.dt;
   if (has("part2_dt_squared")) time *= p.dt;
 
@@ -155,12 +171,15 @@ Eigen::VectorXd Rewritten::part2(const Case& c) const {
   if (has("part2_friction_bound_doubled")) row(0) *= 2;
   if (has("part2_last_row_negated")) row = -row;
   if (has("part2_last_column_left_zero")) column.setZero();
+  if (has("part2_mu_in_the_last_column")) std::swap(row(0), column(0));
+  if (has("part2_mu_in_the_corner")) std::swap(row(0), column(3));
   if (has("part2_border_transposed")) std::swap(row, column);
   lcp.V.col(3) += column;
   lcp.V.row(3) += row.transpose();
 
   Vector3 before = (1 + p.epsilon) * c.v;
   if (has("part2_epsilon_without_one")) before = p.epsilon * c.v;
+  if (has("part2_restitution_left_out")) before = c.v;
   if (has("part2_one_minus_epsilon")) before = (1 - p.epsilon) * c.v;
   if (has("part2_scalar_added_to_a_vector")) before = Vector3::Ones() + p.epsilon * c.v;
   const double gravity = has("part2_restitution_on_gravity_too") ? 1 + p.epsilon : 1;
@@ -175,10 +194,16 @@ Eigen::VectorXd Rewritten::part2(const Case& c) const {
 
 // --- part 3 ---
 
-bool Rewritten::touches(double phi, const Case& c, const Parameters& params) const {
+bool Rewritten::touches(const Contact& contact, const Case& c, const Parameters& params) const {
+  const double phi = contact.phi;
+  if (has("part3_no_lift_when_leaving") && contact.J.col(1).dot(c.v) >= 0) return false;
   if (has("part3_bounces_in_the_air")) return true;
   if (has("part3_contact_below_zero")) return phi < 0;
   if (has("part3_contact_at_or_below_zero")) return phi <= 0;
+  if (has("part3_contact_above_delta")) return phi > params.delta;
+  if (has("part3_contact_by_the_absolute_value")) return std::abs(phi) < params.delta;
+  if (has("part3_threshold_doubled")) return phi < 2 * params.delta;
+  if (has("part3_threshold_hard_coded")) return phi < 0.001;
   if (has("part3_tests_the_height_of_the_centre")) return c.q.y() < params.delta;
   if (has("part3_contact_of_the_next_configuration")) {
     const Vector3 v = c.v + params.dt * params.g;
@@ -193,6 +218,7 @@ Eigen::Vector3d Rewritten::contact_force(const Contact& contact, const Case& c) 
   Vector3 f = solve_lcp(lcp.V, lcp.p);
   if (has("part3_forces_in_the_wrong_order")) f = Vector3(f(2), f(0), f(1));
   if (has("part3_one_friction_force_alone")) f(1) = 0;
+  if (has("part3_friction_to_the_left_alone")) f(2) = 0;
   double f_t = f(2) - f(1);
   if (has("part3_friction_sign")) f_t = -f_t;
   if (has("part3_normal_force_alone")) f_t = 0;
@@ -222,12 +248,17 @@ Eigen::VectorXd Rewritten::part3(const Case& c) {
   if (way_ == 1) W = Vector3(W.diagonal()).asDiagonal();
 
   const Contact contact = get_contacts(c.q, has("part3_default_parameters") ? usual : c.params);
-  const bool touching = touches(contact.phi, c, p);
+  const bool touching = touches(contact, c, p);
   Vector3 a = has("part3_mass_in_place_of_its_inverse") ? Vector3(W * M * p.g) : p.g;
-  if (touching && has("part3_no_gravity_in_contact")) a.setZero();
-  Vector3 dv = p.dt * a;
+  if (has("part3_force_is_g")) a = W * p.g;
+  if (has("part3_mass_without_inertia")) W = Eigen::Matrix3d::Identity() / p.m;
+  if (has(touching ? "part3_no_gravity_in_contact" : "part3_no_gravity_in_flight")) a.setZero();
+  const bool no_time =
+      has("part3_velocity_without_dt") || (touching && has("part3_contact_step_without_dt"));
+  const double time = no_time ? 1 : p.dt;
+  Vector3 dv = time * a;
   if (touching) {
-    dv += (has("part3_forces_taken_for_impulses") ? 1 : p.dt) * W * contact_force(contact, c);
+    dv += (has("part3_forces_taken_for_impulses") ? 1 : time) * W * contact_force(contact, c);
   }
   Vector3 v = c.v + dv;
   if (touching && has("part3_centre_bounces_like_a_ball")) {
@@ -292,10 +323,13 @@ Eigen::VectorXd Rewritten::part4(const Case& c) {
 
   const auto columns = static_cast<Eigen::Index>(states.size());
   Trajectory got{Eigen::Matrix3Xd(3, columns), Eigen::Matrix3Xd(3, columns)};
+  const bool has_stored_v = !has("part4_velocity_never_stored") && !has("part4_velocity_left_zero");
   for (Eigen::Index t = 0; t < columns; ++t) {
     const State& state = states[static_cast<std::size_t>(t)];
     got.q.col(t) = state.q;
     got.v.col(t) = has("part4_velocity_one_column_early") ? next(state, p).v : state.v;
+    const bool stored = t == 0 ? !has("part4_velocity_left_zero") : has_stored_v;
+    if (!stored) got.v.col(t).setZero();
   }
   if (has("part4_last_column_left_zero") && columns > 1) {
     got.q.rightCols<1>().setZero();

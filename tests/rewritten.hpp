@@ -32,7 +32,7 @@ class Rewritten {
   double half_side(const Parameters& params) const;
   int lowest(const Eigen::Matrix<double, 2, 4>& r, double theta) const;
   Eigen::Vector3d contact_force(const Contact& contact, const Case& c) const;
-  bool touches(double phi, const Case& c, const Parameters& params) const;
+  bool touches(const Contact& contact, const Case& c, const Parameters& params) const;
   double lift(bool touching, double phi, const Parameters& params) const;
 
   State state_after(const std::vector<State>& states, const Parameters& params) const;

@@ -91,7 +91,7 @@ TEST(rewritten, HasNearlyAllKnownMistakes) {
     known += part_of(number).known.mistakes.size();
     seen += rewritten(part_of(number)).size();
   }
-  EXPECT_GE(seen, 90u) << "of " << known;
+  EXPECT_GE(seen, 120u) << "of " << known;
 }
 
 TEST(rewritten, EveryMistakeIsRecognisedInOtherCode) {
@@ -121,7 +121,8 @@ TEST(rewritten, EveryMistakeIsRecognisedThroughRoundingNoise) {
 }
 
 // Programs whose numbers are also those of others, so that no one can tell: a square is the same
-// when it is seen from its other side, two signs make one, and 1 - epsilon is epsilon for a half.
+// when it is seen from its other side, two signs make one, two halves a whole, one mistake hides
+// what another one shares with a third, and 1 - epsilon is epsilon for a half.
 const std::map<Names, Names> kSameNumbers{
     {{"part1_sign_of_the_normal_arm", "part1_sign_of_the_tangential_arm"},
      {"part1_arm_points_to_the_centre"}},
@@ -133,9 +134,30 @@ const std::map<Names, Names> kSameNumbers{
      {"part1_arm_points_to_the_centre", "part1_phi_without_the_centre"}},
     {{"part1_highest_corner", "part1_phi_without_the_centre"},
      {"part1_arm_points_to_the_centre", "part1_phi_above_the_corner"}},
+    {{"part1_arm_x_from_the_origin", "part1_arm_y_from_the_origin"}, {"part1_arm_from_the_origin"}},
+    {{"part1_sign_in_the_first_row_of_R", "part1_sign_in_the_second_row_of_R"},
+     {"part1_sign_of_the_normal_arm"}},
+    {{"part1_sign_in_the_first_row_of_R", "part1_sign_of_the_normal_arm"},
+     {"part1_sign_in_the_second_row_of_R"}},
+    {{"part1_sign_in_the_second_row_of_R", "part1_sign_of_the_normal_arm"},
+     {"part1_sign_in_the_first_row_of_R"}},
+    {{"part1_arm_points_to_the_centre", "part1_sign_in_the_first_row_of_R"},
+     {"part1_sign_in_the_second_row_of_R", "part1_sign_of_the_tangential_arm"}},
+    {{"part1_arm_points_to_the_centre", "part1_sign_in_the_second_row_of_R"},
+     {"part1_sign_in_the_first_row_of_R", "part1_sign_of_the_tangential_arm"}},
     {{"part2_epsilon_hard_coded", "part2_mass_hard_coded"}, {"part2_mass_and_epsilon_hard_coded"}},
+    {{"part2_inverse_mass_kept_from_the_first_call", "part2_mass_and_epsilon_hard_coded"},
+     {"part2_epsilon_hard_coded", "part2_inverse_mass_kept_from_the_first_call"}},
     {{"part2_mass_and_epsilon_hard_coded", "part2_one_minus_epsilon"},
      {"part2_epsilon_without_one", "part2_mass_and_epsilon_hard_coded"}},
+    {{"part3_contact_above_delta", "part3_no_gravity_in_flight"},
+     {"part3_contact_above_delta", "part3_no_gravity_in_contact"}},
+    {{"part3_contact_step_without_dt", "part3_no_gravity_in_contact"},
+     {"part3_forces_taken_for_impulses", "part3_no_gravity_in_contact"}},
+    {{"part3_friction_to_the_left_alone", "part3_one_friction_force_alone"},
+     {"part3_normal_force_alone"}},
+    {{"part3_no_gravity_in_flight", "part3_velocity_without_dt"},
+     {"part3_contact_step_without_dt", "part3_no_gravity_in_flight"}},
 };
 
 bool have_the_same_numbers(const Names& both, const Names& said) {
@@ -161,7 +183,7 @@ void judge_pair(const Part& part, const Names& both, int way, Count& count) {
 }
 
 // What a pair is named as, by part: no more than this is missed.
-constexpr int kLeastNamed[] = {60, 316, 113, 23};
+constexpr int kLeastNamed[] = {100, 492, 257, 45};
 
 TEST(rewritten, NoPairIsGivenAWrongName) {
   for (const int number : kParts) {

@@ -3,6 +3,7 @@
 import json
 from pathlib import Path
 
+import oracle
 import pytest
 from bounce_grader import fixtures
 from bounce_grader.manifest import parts
@@ -73,3 +74,46 @@ def test_no_hidden_input_is_a_public_one(tmp_path: Path) -> None:
 
     fixtures.write("hidden", tmp_path)
     assert not inputs(tmp_path) & inputs(fixtures.PUBLIC)
+
+
+def heights_in_deltas(folder: Path) -> list[float]:
+    """phi / delta of the cases about the threshold."""
+    file = json.loads((folder / "part3_step.json").read_text())
+    found = []
+    for case in file["checks"]["part3.TouchesBelowDelta"]:
+        params = oracle.Parameters.read(case["params"])
+        contact = oracle.get_contacts(oracle.vector(case["input"]["q"]), params)
+        found.append(float(contact.phi / params.delta))
+    return found
+
+
+@pytest.mark.parametrize("factor", [0, 0.5, 0.9, 1.1, 1.2, 1.3, 2, 3])
+def test_another_threshold_than_delta_gets_a_case_wrong(tmp_path: Path, factor: float) -> None:
+    fixtures.write("hidden", tmp_path)
+    for folder in (tmp_path, fixtures.PUBLIC):
+        wrong = [h for h in heights_in_deltas(folder) if min(factor, 1) < h < max(factor, 1)]
+        assert wrong, folder
+
+
+def test_a_threshold_that_is_written_down_gets_a_case_wrong(tmp_path: Path) -> None:
+    """A corner above 0.001 m, and in contact, where delta is another one."""
+    fixtures.write("hidden", tmp_path)
+    for folder in (tmp_path, fixtures.PUBLIC):
+        file = json.loads((folder / "part3_step.json").read_text())
+        cases = file["checks"]["part3.TakesEveryNumberFromTheParameters"]
+        low = [case for case in cases if case["name"] == "0 < phi < delta"]
+        heights = [
+            oracle.get_contacts(
+                oracle.vector(case["input"]["q"]), oracle.Parameters.read(case["params"])
+            ).phi
+            for case in low
+        ]
+        assert low and all(phi > 0.001 for phi in heights)
+
+
+def test_each_corner_is_the_lowest_after_many_turns(tmp_path: Path) -> None:
+    fixtures.write("hidden", tmp_path)
+    for folder in (tmp_path, fixtures.PUBLIC):
+        file = json.loads((folder / "part1_contacts.json").read_text())
+        corners = {case["contact"] for case in file["checks"]["part1.TurnsHoweverFar"]}
+        assert corners == {f"corner {k} is the lowest" for k in (1, 2, 3, 4)}

@@ -1,0 +1,27 @@
+#include <bounce/part1_contacts.hpp>
+#include <bounce/part2_lcp.hpp>
+#include <bounce/part3_step.hpp>
+#include <bounce/solve_lcp.hpp>
+
+namespace bounce {
+
+State step(const Vector3& q, const Vector3& v, const Parameters& params) {
+  const Vector3 f_e = params.M() * params.g;
+  const Eigen::Matrix3d M_inv = params.M().inverse();
+  const Contact contact = get_contacts(q, params);
+  const Vector3 J_t = contact.J.col(0);
+  const Vector3 J_n = contact.J.col(1);
+
+  if (contact.phi < params.delta) {
+    const Lcp lcp = form_lcp(contact.J, v, params);
+    const Vector3 f = solve_lcp(lcp.V, lcp.p);
+    const double f_n = f(0), f_t = f(1);
+    const Vector3 v_next = v + params.dt * M_inv * (f_e + J_n * f_n - J_t * f_t);
+    return {q + params.dt * v_next + Vector3(0, params.delta, 0), v_next};
+  } else {
+    const Vector3 v_next = v + params.dt * M_inv * f_e;
+    return {q + params.dt * v_next, v_next};
+  }
+}
+
+}  // namespace bounce
