@@ -85,6 +85,20 @@ Evidence evidence(const std::vector<Answer>& mistaken, const std::vector<Answer>
   return found;
 }
 
+// Where what came can't be this mistake alone.
+Evidence beyond(const std::vector<Answer>& mistaken, const std::vector<Answer>& got,
+                const KnownMistakes& known) {
+  Evidence found;
+  for (std::size_t k = 0; k < got.size(); ++k) {
+    if (got[k].thrown != mistaken[k].thrown) continue;
+    for (Index i = 0; i < got[k].numbers.size(); ++i) {
+      const double x = got[k].numbers(i);
+      if (std::isfinite(x) && !same(x, mistaken[k].numbers(i))) found.add(k, i / known.together);
+    }
+  }
+  return found;
+}
+
 // --- composing ---
 
 // What an entry is when two mistakes change it, from the right one and theirs.
@@ -113,15 +127,25 @@ std::optional<Answer> composed(const Answer& right, const Answer& a, const Answe
   return both;
 }
 
-// Whether both together explain what came, and each shows by itself as well.
+// Whether each of the two shows by itself; or, where that is enough, one of them, and the other
+// one makes a difference beside it.
+bool both_show(const KnownMistakes& known, const Mistake& a, const Mistake& b,
+               const std::vector<Answer>& got) {
+  const bool a_alone = evidence(a.answers, b.answers, known).enough();
+  const bool b_alone = evidence(b.answers, a.answers, known).enough();
+  if (known.each_by_itself) return a_alone && b_alone;
+  return (a_alone && (b_alone || beyond(a.answers, got, known).enough())) ||
+         (b_alone && beyond(b.answers, got, known).enough());
+}
+
+// Whether both together explain what came, and neither of them could be left out.
 bool explain(const KnownMistakes& known, const Mistake& a, const Mistake& b, Rule rule,
              const std::vector<Answer>& got) {
   for (std::size_t k = 0; k < got.size(); ++k) {
     const auto both = composed(known.right[k], a.answers[k], b.answers[k], rule);
     if (!both || !same(*both, got[k])) return false;
   }
-  return evidence(a.answers, b.answers, known).enough() &&
-         evidence(b.answers, a.answers, known).enough();
+  return both_show(known, a, b, got);
 }
 
 using Names = std::set<std::size_t>;  // of mistakes, by their place
@@ -165,7 +189,7 @@ Names in_common(const std::vector<Names>& explanations) {
 
 KnownMistakes read_mistakes(std::istream& file, int part) {
   const json all = json::parse(file);
-  KnownMistakes known{numbers_together(part), {}, {}};
+  KnownMistakes known{numbers_together(part), {}, {}, part == 1};
   for (const json& answer : all.at("right")) known.right.push_back(read_answer(answer));
   for (const json& m : all.at("mistakes")) {
     known.mistakes.push_back({m.at("name"), m.at("title"), m.at("sentence"), m.at("hint"),

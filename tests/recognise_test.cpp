@@ -125,6 +125,21 @@ TEST(recognise, IsSilentOnAPairOfWhichOneNeverShowsByItself) {
   EXPECT_TRUE(names(three(), got).empty());
 }
 
+// The one changes two entries, the other one of these.
+TEST(recognise, NamesAPairOfWhichOneShowsBesideTheOtherAlone) {
+  std::vector<Answer> wide = changed(0, negated), got = changed(0, negated);
+  for (int k = 0; k < kCases; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    wide[i].numbers(1) = -wide[i].numbers(1);
+    got[i].numbers(0) = 2 * got[i].numbers(0);
+    got[i].numbers(1) = wide[i].numbers(1);
+  }
+  KnownMistakes two = known({mistake("wide", wide), mistake("narrow", changed(0, doubled))});
+  EXPECT_EQ(names(two, got), (Names{"wide", "narrow"}));
+  two.each_by_itself = true;
+  EXPECT_TRUE(names(two, got).empty());
+}
+
 TEST(recognise, NamesNoPairThatMakesUpForItself) {
   const auto halved = [](double x) { return x / 2; };
   const KnownMistakes two =

@@ -150,6 +150,12 @@ const std::map<Names, Names> kSameNumbers{
      {"part2_epsilon_hard_coded", "part2_inverse_mass_kept_from_the_first_call"}},
     {{"part2_mass_and_epsilon_hard_coded", "part2_one_minus_epsilon"},
      {"part2_epsilon_without_one", "part2_mass_and_epsilon_hard_coded"}},
+    {{"part2_epsilon_hard_coded", "part2_one_minus_epsilon"},
+     {"part2_epsilon_hard_coded", "part2_epsilon_without_one"}},
+    {{"part2_force_is_g", "part2_mass_in_place_of_its_inverse"},
+     {"part2_gravity_not_divided_by_the_mass", "part2_mass_in_place_of_its_inverse"}},
+    {{"part3_contact_above_delta", "part3_no_gravity_in_contact"},
+     {"part3_contact_above_delta", "part3_no_gravity_in_flight"}},
     {{"part3_contact_above_delta", "part3_no_gravity_in_flight"},
      {"part3_contact_above_delta", "part3_no_gravity_in_contact"}},
     {{"part3_contact_step_without_dt", "part3_no_gravity_in_contact"},
@@ -162,6 +168,34 @@ const std::map<Names, Names> kSameNumbers{
 
 bool have_the_same_numbers(const Names& both, const Names& said) {
   return kSameNumbers.count(both) > 0 && kSameNumbers.at(both) == said;
+}
+
+// Mistakes that are two others in one, or can't be told from them.
+const std::map<std::string, Names> kTwoInOne{
+    {"part1_arm_from_the_origin", {"part1_arm_x_from_the_origin", "part1_arm_y_from_the_origin"}},
+    {"part1_arm_points_to_the_centre",
+     {"part1_sign_of_the_normal_arm", "part1_sign_of_the_tangential_arm"}},
+    {"part2_mass_and_epsilon_hard_coded", {"part2_epsilon_hard_coded", "part2_mass_hard_coded"}},
+    {"part3_contact_above_delta",
+     {"part3_bounces_in_the_air", "part3_tests_the_height_of_the_centre"}},
+    {"part3_normal_force_alone",
+     {"part3_friction_to_the_left_alone", "part3_one_friction_force_alone"}},
+    {"part3_tests_the_height_of_the_centre",
+     {"part3_contact_below_zero", "part3_contact_by_the_absolute_value"}},
+};
+
+TEST(rewritten, NoMistakeIsGivenAWrongNameBeforeItIsKnown) {
+  for (const int number : kParts) {
+    const Part& part = part_of(number);
+    for (const Mistake& m : part.known.mistakes) {
+      Part without = part;
+      std::erase_if(without.known.mistakes,
+                    [&](const Mistake& other) { return other.name == m.name; });
+      const Names said = named(without, m.answers);
+      const Names expected = kTwoInOne.count(m.name) > 0 ? kTwoInOne.at(m.name) : Names();
+      EXPECT_EQ(text(said), text(expected)) << m.name;
+    }
+  }
 }
 
 struct Count {
@@ -183,7 +217,7 @@ void judge_pair(const Part& part, const Names& both, int way, Count& count) {
 }
 
 // What a pair is named as, by part: no more than this is missed.
-constexpr int kLeastNamed[] = {100, 492, 257, 45};
+constexpr int kLeastNamed[] = {100, 561, 286, 47};
 
 TEST(rewritten, NoPairIsGivenAWrongName) {
   for (const int number : kParts) {
