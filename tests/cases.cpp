@@ -304,8 +304,10 @@ void require_columns(Eigen::Index q_columns, Eigen::Index v_columns, int T) {
   if (q_columns != T || v_columns != T) refuse(q_columns, v_columns, T);
 }
 
-void require_enough_columns(Eigen::Index q_columns, Eigen::Index v_columns, int T) {
-  if (q_columns < T || v_columns < T) refuse(q_columns, v_columns, T);
+Eigen::Index columns_at_hand(Eigen::Index q_columns, Eigen::Index v_columns, int T) {
+  const Eigen::Index columns = std::min({q_columns, v_columns, Eigen::Index{T}});
+  if (columns < 1 || columns < T - 1) refuse(q_columns, v_columns, T);
+  return columns;
 }
 
 }  // namespace bounce::submission

@@ -179,11 +179,15 @@ TEST(Trajectory, HasTheColumnsThatWereAskedInBothOfItsMatrices) {
   EXPECT_THROW(submission::require_columns(5, 6, 5), std::runtime_error);
 }
 
-TEST(Trajectory, IsReadWhereItHasTheColumnsThatWereAskedOrMore) {
-  EXPECT_NO_THROW(submission::require_enough_columns(5, 5, 5));
-  EXPECT_NO_THROW(submission::require_enough_columns(6, 5, 5));
-  EXPECT_THROW(submission::require_enough_columns(4, 6, 5), std::runtime_error);
-  EXPECT_THROW(submission::require_enough_columns(6, 4, 5), std::runtime_error);
+TEST(Trajectory, IsReadAsFarAsItWasAskedWhereNoMoreThanOneColumnIsMissing) {
+  EXPECT_EQ(submission::columns_at_hand(5, 5, 5), 5);
+  EXPECT_EQ(submission::columns_at_hand(6, 7, 5), 5);
+  EXPECT_EQ(submission::columns_at_hand(4, 6, 5), 4);
+  EXPECT_EQ(submission::columns_at_hand(6, 4, 5), 4);
+  EXPECT_THROW(submission::columns_at_hand(3, 5, 5), std::runtime_error);
+  EXPECT_THROW(submission::columns_at_hand(5, 3, 5), std::runtime_error);
+  EXPECT_THROW(submission::columns_at_hand(0, 0, 1), std::runtime_error);
+  EXPECT_THROW(submission::columns_at_hand(-1, std::int64_t{1} << 62, 1), std::runtime_error);
 }
 
 TEST(Assertion, OfEigenIsToldWithItsPlace) {

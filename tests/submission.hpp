@@ -14,12 +14,14 @@ State step(const Vector3& q, const Vector3& v, const Parameters& params);
 // Throws std::runtime_error unless q and v are both 3xT.
 Trajectory simulate(const Vector3& q_0, const Vector3& v_0, const Parameters& params);
 
-// The first T columns, so that one too many is no mistake in the others. Throws
-// std::runtime_error where q or v has fewer.
+// The first T columns, or one less, so that a wrong number of columns is no mistake in those that
+// are there. Throws std::runtime_error where q or v has fewer, or none.
 Trajectory first_columns(const Vector3& q_0, const Vector3& v_0, const Parameters& params);
 
-// Throw std::runtime_error, naming the shapes, unless both numbers of columns are T, or at least T.
+// Throws std::runtime_error, naming the shapes, unless both numbers of columns are T.
 void require_columns(Eigen::Index q_columns, Eigen::Index v_columns, int T);
-void require_enough_columns(Eigen::Index q_columns, Eigen::Index v_columns, int T);
+
+// How many columns both have of the first T. Throws the same where more than one is missing.
+Eigen::Index columns_at_hand(Eigen::Index q_columns, Eigen::Index v_columns, int T);
 
 }  // namespace bounce::submission

@@ -120,6 +120,10 @@ CUT = {
         "",
     ),
     "empty": (alone("return {};"), "3x0"),
+    "short": (
+        around("", "return {right.q.leftCols(std::max(1, params.T - 1)), right.v};"),
+        "both should be 3x",
+    ),
     "crashes": (around("if (params.T > 5000) __builtin_trap();"), "crashed"),
     "throws": (around('if (params.dt < 1e-3) throw std::runtime_error("<b>too small");'), "threw"),
     "hangs": (around('while (params.T > 5000) asm volatile("");'), "CPU time"),

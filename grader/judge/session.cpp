@@ -98,9 +98,9 @@ Frame Session::answer_of(const Frame& question, Trajectory* columns) {
 }
 
 void Session::read_columns(const Frame& question, const Frame& answer, Trajectory& into) {
-  const int T = static_cast<int>(question.T);
-  submission::require_enough_columns(answer.q_columns, answer.v_columns, T);
-  into = {Eigen::Matrix3Xd(3, T), Eigen::Matrix3Xd(3, T)};
+  const Eigen::Index columns =
+      submission::columns_at_hand(answer.q_columns, answer.v_columns, static_cast<int>(question.T));
+  into = {Eigen::Matrix3Xd(3, columns), Eigen::Matrix3Xd(3, columns)};
   runner_->receive(into.q);
   runner_->receive(into.v);
 }

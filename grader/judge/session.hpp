@@ -23,8 +23,8 @@ class Session {
   using Start = std::function<std::unique_ptr<RunnerProcess>()>;
   Session(Start start, Limits limits, std::uint32_t part, bool given);
 
-  // The answer to a question, and the first T columns of one of part 4. Throws tests::Ended when
-  // the check can't go on, std::runtime_error when this question has no answer.
+  // The answer to a question, and the columns of one of part 4, T or one less. Throws tests::Ended
+  // when the check can't go on, std::runtime_error when this question has no answer.
   frames::Frame ask(frames::Frame question, Trajectory* columns = nullptr);
 
   // CPU time of the runner at work, ns; 0 where there is none.

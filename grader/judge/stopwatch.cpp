@@ -20,6 +20,7 @@
 
 #include "../../solution/study/simulate_scene.hpp"
 #include "../../tests/cases.hpp"
+#include "../../tests/submission.hpp"
 #include "session.hpp"
 #include "sweep.hpp"
 
@@ -70,7 +71,8 @@ class InRunner : public Contender {
     frames::put(params, question);
     frames::put(question, start.q, start.v);
     const double before = session_.cpu_ns();
-    session_.ask(question, columns);
+    const frames::Frame answer = session_.ask(question, columns);
+    if (columns) submission::require_columns(answer.q_columns, answer.v_columns, params.T);
     return session_.cpu_ns() - before;
   }
 

@@ -29,7 +29,7 @@ struct Frame {
   std::uint32_t part = 0;    // 1 to 4
   std::uint32_t silent = 0;  // in a question of part 4: answer the shapes, not the columns
   std::uint64_t number = 0;  // an answer carries the number of its question
-  std::int64_t q_columns = 0, v_columns = 0;  // part 4; at least T: T columns follow, q then v
+  std::int64_t q_columns = 0, v_columns = 0;  // part 4; see columns_at_hand
   double scene[9] = {};                       // l, m, mu, epsilon, g, dt, delta
   std::int64_t T = 0;
   double values[20] = {};  // arguments or results, column by column

@@ -13,8 +13,8 @@ Trajectory simulate(const Vector3& q_0, const Vector3& v_0, const Parameters& pa
 
 Trajectory first_columns(const Vector3& q_0, const Vector3& v_0, const Parameters& params) {
   const Trajectory got = bounce::simulate(q_0, v_0, params);
-  require_enough_columns(got.q.cols(), got.v.cols(), params.T);
-  return {got.q.leftCols(params.T), got.v.leftCols(params.T)};
+  const Eigen::Index columns = columns_at_hand(got.q.cols(), got.v.cols(), params.T);
+  return {got.q.leftCols(columns), got.v.leftCols(columns)};
 }
 
 }  // namespace bounce::submission
