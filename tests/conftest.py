@@ -43,6 +43,12 @@ def grade(tmp_path: Path) -> Grade:
 
 
 @pytest.fixture
+def users() -> list[int]:
+    """The students of a small class, by Canvas's ids."""
+    return list(range(101, 111))
+
+
+@pytest.fixture
 def cluster() -> Iterator[clusters.Cluster]:
     with clusters.started() as made:
         yield made
