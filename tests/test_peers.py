@@ -13,8 +13,8 @@ import pytest
 
 from bounce_grader.paths import FIXTURES, ROOT
 from bounce_grader.study import peers, peers_page, tables
+from studies import STUDIES
 
-STUDIES = ROOT / "docs" / "studies"
 COLUMNS = re.compile(r"Table table\(\{([^}]*)\}")
 GRAVITY = 9.81
 

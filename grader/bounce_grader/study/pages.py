@@ -1,7 +1,7 @@
 """The pages: a template's {names} stand for facts, each worked out from the tables beside the page.
 
-So a page holds when it is measured again, and a number can't be typed wrong: tests/test_study.py
-checks that the templates have none of their own.
+So a page holds when it is measured again, and a number can't be typed wrong:
+tests/test_study_pages.py checks that the templates have none of their own.
 """
 
 import re
