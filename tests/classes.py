@@ -11,7 +11,6 @@ from bounce_grader import submission
 from bounce_grader.classroom import log, run
 from conftest import write
 
-
 COLUMN = "HW3 (98765)"
 
 

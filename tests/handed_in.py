@@ -7,7 +7,6 @@ import pytest
 from bounce_grader import submission
 from bounce_grader.errors import UsageError
 
-
 PARTS = {f"{stem}.cpp" for stem in ("part1_contacts", "part2_lcp", "part3_step", "part4_simulate")}
 
 

@@ -3,7 +3,6 @@
 from bounce_grader.paths import FIXTURES, ROOT
 from bounce_grader.study import tables
 
-
 STUDIES = ROOT / "docs" / "studies"
 SCENES = FIXTURES / "scenes"
 

@@ -18,7 +18,6 @@ from classes import COLUMN, book, column, download, grade_class, graded, points_
 from conftest import ROOT
 from waiting import wait_for
 
-
 STAND_IN = ROOT / "tests" / "stand_in.py"
 
 

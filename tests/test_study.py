@@ -19,7 +19,6 @@ from bounce_grader.study.run import QUESTIONS, Request
 from studies import SCENES, STUDIES, committed
 from waiting import wait_for
 
-
 SMALL = ("examples", "depth", "flat_landing")
 
 

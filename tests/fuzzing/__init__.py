@@ -21,7 +21,6 @@ from fuzzing.mutation import Random, mutated
 from fuzzing.submissions import check_entries, check_tree, check_zip
 from fuzzing.submissions import some_entries, some_tree, some_zip
 
-
 MOST_SECONDS = 10  # of CPU time, for one input
 
 

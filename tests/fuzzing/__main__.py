@@ -8,7 +8,6 @@ from pathlib import Path
 
 from fuzzing import READERS, run
 
-
 MOST_MEMORY = 512 << 20  # more than the program has at its start
 CHUNK = 2000
 

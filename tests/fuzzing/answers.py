@@ -11,7 +11,6 @@ from bounce_grader.manifest import parts
 from bounce_grader.paths import WORK_FOLDER
 from bounce_grader.processes import Result
 
-
 SHOWN = {
     "name": "a bounce",
     "input": "q = (1, 2, 3)",

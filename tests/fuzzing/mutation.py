@@ -4,7 +4,6 @@ import random
 
 from bounce_grader.paths import WORK_FOLDER
 
-
 Random = random.Random
 WORDS = [b"PK\1\2", b"PK\3\4", b"PK\5\6", b"PK\6\6", b"PK\6\7", b"PK\7\10", b"../", b"\\", b"\0"]
 WORDS += [b"__MACOSX/", b"\xff\xfe", b"\x1b[2J", b".cpp", b'"', b"{", b"[", b"]", b"}", b"1e999"]

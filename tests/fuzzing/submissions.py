@@ -17,7 +17,6 @@ from bounce_grader.submission import Submission
 from corpus import Member
 from fuzzing.mutation import EDGES, Random, mutated
 
-
 PIECES = ["src", "hw", "__MACOSX", "build", "include", "bounce", ".git", "a", "A", "é", "e\u0301"]
 PIECES += ["part1_contacts.cpp", "part2_lcp.cpp", "PART1_CONTACTS.CPP", "part3_step.cpp", "h.hpp"]
 PIECES += ["helper.cpp", "._part1_contacts.cpp", "main.cpp", "x.o", "inner.zip", "h.hpp", "a.cpp"]
