@@ -11,8 +11,8 @@ OURS = {
     "assignment": "the assignment's scheme, plain",
     "assignment_fast": "the assignment's scheme, fastest",
     "assignment_delta_dt": "the assignment's scheme, δ per Δt",
-    "moreau_jean_1": "Moreau-Jean, one corner",
-    "moreau_jean_2": "Moreau-Jean, two corners",
+    "moreau_jean_1": "Moreau–Jean, one corner",
+    "moreau_jean_2": "Moreau–Jean, two corners",
     "penalty": "springs and dampers",
     "event_driven": "event-driven",
 }
@@ -59,6 +59,11 @@ class Data:
     def title(self, engine: str) -> str:
         titles = {row["engine"]: row["title"] for row in self.settings}
         return titles.get(engine) or OURS.get(engine) or engine
+
+    def name(self, engine: str) -> str:
+        """The title within a sentence, where a comma would be taken for the sentence's."""
+        title, _, settings = self.title(engine).partition(", ")
+        return f"{title} ({settings})" if settings else title
 
 
 def read(folder: Path) -> Data:

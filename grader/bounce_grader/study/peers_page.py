@@ -69,7 +69,7 @@ def _contact_step(data: Data) -> pages.Facts:
     return {
         "dt": seconds(number(ours, "dt_s")),
         "ours_contact": time(number(ours, "ns_per_step")),
-        "fastest_contact_name": data.title(fastest["engine"]),
+        "fastest_contact_name": data.name(fastest["engine"]),
         "fastest_contact_ratio": times(number(fastest, "ratio")),
         "numpy_contact_ratio": (
             times(number(contact["numpy"], "ratio")) if "numpy" in contact else "?"
@@ -82,7 +82,7 @@ def _contact_error_sentence(data: Data, ours: Row, engines: list[Row]) -> str:
     best = min(engines, key=lambda row: number(row, "error_m"))
     return (
         f"after a second of sliding, with the same step of {seconds(number(ours, 'dt_s'))}, it is "
-        f"{metres(number(ours, 'error_m'))} off, and {data.title(best['engine'])} "
+        f"{metres(number(ours, 'error_m'))} off, and {data.name(best['engine'])} "
         f"{metres(number(best, 'error_m'))}."
     )
 
@@ -93,10 +93,10 @@ def _lead_sentence(data: Data) -> str:
     least = min(leads, key=lambda name: leads[name].times)
     closest = leads[least]
     if behind:
-        return f"Except for {listed(map(scene, behind))}, where an engine is ahead."
+        return f"in {listed(map(scene, behind))}; in the others some method of ours is faster."
     return (
-        "In each of them some method of ours is faster than every engine at the same error; the "
-        f"closest is {data.title(closest.engine)} in {scene(least)}, which takes "
+        "in none. In each of them some method of ours is faster than every engine at the same "
+        f"error; the closest is {data.name(closest.engine)} in {scene(least)}, which takes "
         f"{times(closest.times)} times as long."
     )
 
@@ -151,7 +151,7 @@ def _over_steps(data: Data, name: str, engines: list[str]) -> Iterable[str]:
     for engine in engines:
         errors = data.variant_errors(name, engine)
         yield (
-            f"{data.title(engine)} stays between {metres(min(errors))} and {metres(max(errors))} "
+            f"{data.name(engine)} stays between {metres(min(errors))} and {metres(max(errors))} "
             f"off ({metres(errors[-1])} with the smallest)"
         )
 
