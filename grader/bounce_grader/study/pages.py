@@ -21,7 +21,7 @@ Facts = dict[str, str]
 PANEL = re.compile(r"(?<=speed_accuracy_one\.svg\)\n\n).+")
 README_SENTENCE = (
     "In the scene {one_scene}, the fastest method within a millimetre ({one_first}) takes "
-    "{one_first_time} per simulated second; the fastest of those that step, {one_second_time}; "
+    "{one_first_time} per simulated second; the fastest of those that step {one_second_time}; "
     "with fixed δ the assignment's scheme never gets closer than {one_fixed}."
 )
 
