@@ -4,8 +4,11 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
-import clusters
 import pytest
+
+pytest.register_assert_rewrite("animation_page", "handed_in")  # they check on behalf of tests
+
+import clusters
 from hypothesis import settings
 
 # The same inputs each time, whatever else the machine does.
@@ -43,8 +46,22 @@ def grade(tmp_path: Path) -> Grade:
 
 
 @pytest.fixture
+def users() -> list[int]:
+    """The students of a small class, by Canvas's ids."""
+    return list(range(101, 111))
+
+
+@pytest.fixture
 def cluster() -> Iterator[clusters.Cluster]:
     with clusters.started() as made:
+        yield made
+
+
+@pytest.fixture(scope="module")
+def driver(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Any]:
+    import browser
+
+    with browser.started(tmp_path_factory.mktemp("browser")) as made:
         yield made
 
 

@@ -22,7 +22,6 @@ from bounce_grader.classroom.task import Task
 from bounce_grader.errors import KitError
 from bounce_grader.manifest import parts
 
-
 HIDDEN_ANSWER = {
     "message": "1 of 9 cases wrong; the first: x\n  expected phi = 0.8128",
     "shown": {"name": "x", "input": "", "sentence": "", "quantities": []},

@@ -4,8 +4,6 @@ import os
 import secrets
 import subprocess
 import sys
-import time
-from collections.abc import Callable
 from contextlib import suppress
 from pathlib import Path
 
@@ -16,6 +14,7 @@ from bounce_grader.box import Box
 from bounce_grader.errors import KitError
 from bounce_grader.paths import RUNNER
 from conftest import ROOT
+from waiting import wait_for
 
 # What the probe tries, and how it looks where nothing holds it: without a box.
 ATTEMPTS = [
@@ -136,6 +135,7 @@ limits = processes.Limits(cpu_seconds=20, wall_seconds=60, memory=1 << 30, file_
 command = [*Box(sys.argv[1]).to_build(RUNNER, []), "/bin/sh", "-c", sys.argv[2]]
 processes.run(command, limits)
 """
+SOON = 10  # s: half of what it would take by itself
 
 
 @pytest.mark.parametrize("kind", ["full", "reduced"])
@@ -149,21 +149,14 @@ def test_a_compiler_ends_with_a_kit_that_is_killed(kind: str) -> None:
     def is_busy() -> bool:
         return any(_command(p) == ["/bin/sh", "-c", busy] for p in Path("/proc").glob("[0-9]*"))
 
-    _wait_for(is_busy)
+    wait_for(is_busy, SOON)
     kit.kill()
     kit.wait()
-    _wait_for(lambda: not is_busy())
-    _wait_for(lambda: set(Path("/tmp").glob("bounce-box-*")) <= before)
+    wait_for(lambda: not is_busy(), SOON)
+    wait_for(lambda: set(Path("/tmp").glob("bounce-box-*")) <= before, SOON)
 
 
 def _command(process: Path) -> list[str]:
     with suppress(OSError):
         return (process / "cmdline").read_bytes().decode(errors="replace").split("\0")[:-1]
     return []
-
-
-def _wait_for(happened: Callable[[], bool]) -> None:
-    deadline = time.monotonic() + 10  # half of what it would take by itself
-    while not happened():
-        assert time.monotonic() < deadline
-        time.sleep(0.02)

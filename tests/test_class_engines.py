@@ -12,24 +12,22 @@ from dataclasses import replace
 from pathlib import Path
 from shutil import which
 
+import classes
 import pytest
 import stand_in
-from bounce_grader.classroom import log, results, run
+from bounce_grader.classroom import results, run
 from bounce_grader.classroom.engines import slurm
 from bounce_grader.classroom.request import Request
 from bounce_grader.errors import KitError, UsageError
-from clusters import Cluster, needs_dask, wait_for
+from clusters import Cluster, needs_dask
 from conftest import ROOT, solution_files
+from waiting import wait_for
 
 NAMES = ("gradebook.csv", "grades.csv", "class.html")
 
 
 def download(path: Path, number: int) -> Path:
-    with zipfile.ZipFile(path, "w") as archive:
-        for user in range(101, 101 + number):
-            text = f"// part 2 of {user}\n"
-            archive.writestr(f"doejane_{user}_{user}0_part2_lcp.cpp", text)
-    return path
+    return classes.download(path, list(range(101, 101 + number)))
 
 
 def solutions(path: Path, number: int, contents: int) -> Path:
@@ -68,7 +66,7 @@ def test_dask_survives_workers_that_are_killed(cluster: Cluster, tmp_path: Path)
     _, status = os.waitpid(child, 0)
     assert os.waitstatus_to_exitcode(status) == 0
     assert same(out, source, tmp_path)
-    graded = [line["result"] for line in log.read(out / "log.jsonl") if line["event"] == "graded"]
+    graded = classes.graded(out)
     assert len(graded) == len(set(graded)) == 40
 
 

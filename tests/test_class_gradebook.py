@@ -65,12 +65,16 @@ def test_keeps_mark_line_ends_and_last_line(
     assert changed == data.replace(b"7.50,,81.2", b"7.50,1.00,81.2")
 
 
-def test_semicolons_and_decimal_commas_are_kept(tmp_path: Path) -> None:
-    text = (
-        "Student;ID;SIS Login ID;Section;Quiz (11);HW3 (98765)\n"
-        "    Points Possible;;;;10,00;100,00\n"
-        "Doe, Jane;12;jdoe;S;7,50;\n"
-    )
+SEMICOLONS = """Student;ID;SIS Login ID;Section;Quiz (11);HW3 (98765)
+    Points Possible;;;;10,00;100,00
+Doe, Jane;12;jdoe;S;7,50;
+"""
+NOTES = SEMICOLONS.replace("Section", "Section;Notes").replace("Possible;", "Possible;;")
+POINTS_ELSEWHERE = NOTES.replace(";S;", ";1.2;3.4;")  # in the section and a note
+
+
+@pytest.mark.parametrize("text", [SEMICOLONS, POINTS_ELSEWHERE], ids=["plain", "points elsewhere"])
+def test_semicolons_and_decimal_commas_are_kept(tmp_path: Path, text: str) -> None:
     filled = fill(tmp_path, text, marks(u12=87.5))
     assert filled.data.decode() == text.replace("7,50;\n", "7,50;87,50\n")
 
@@ -167,16 +171,6 @@ def test_a_name_in_two_columns_is_read(tmp_path: Path) -> None:
     filled = fill(tmp_path, text, {"12": Marks("doejane", {0: 5.0}, True)})
     assert filled.data.decode() == text.replace("jdoe,S,", "jdoe,S,5.00")
     assert filled.sentences == ["Roe, Jörg (13) has no submission: the cell stays as it was"]
-
-
-def test_a_point_in_a_section_is_no_decimal_point(tmp_path: Path) -> None:
-    text = (
-        "Student;ID;SIS Login ID;Section;Notes;Quiz (11);HW3 (98765)\n"
-        "    Points Possible;;;;;10,00;100,00\n"
-        "Doe, Jane;12;jdoe;1.2;3.4;7,50;\n"
-    )
-    filled = fill(tmp_path, text, marks(u12=87.5))
-    assert filled.data.decode() == text.replace("7,50;\n", "7,50;87,50\n")
 
 
 @pytest.mark.parametrize("title", ["HW3 (98765)", "HW3"])

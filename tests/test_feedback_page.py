@@ -16,14 +16,9 @@ from bounce_grader.formats import html, picture
 from bounce_grader.record import with_answers, without_answers
 from conftest import ROOT, solution_files, write
 
-webdriver = pytest.importorskip("selenium.webdriver", reason="selenium is not installed")
-from selenium.webdriver.chrome.service import Service
-from selenium.webdriver.common.by import By
+By = pytest.importorskip("selenium.webdriver.common.by", reason="selenium is not installed").By
 
 MISTAKES = ROOT / "tests" / "submissions" / "mistakes"
-BROWSER, DRIVER = Path("/usr/bin/chromium"), Path("/usr/bin/chromedriver")
-FLAGS = """--headless --no-sandbox --disable-gpu --no-first-run --disable-sync
-    --disable-background-networking --disable-component-update --disable-dev-shm-usage""".split()
 WRONG = {
     "part1": "part1_sign_of_the_normal_arm",
     "part2": "part2_mass_in_place_of_its_inverse",
@@ -49,21 +44,6 @@ def graded(tmp: Path, *mistakes: str, options: tuple[str, ...] = ()) -> dict[str
 def record(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
     """A mistake in each part, and a curve."""
     return graded(tmp_path_factory.mktemp("wrong"), *WRONG.values(), options=("--speed",))
-
-
-@pytest.fixture(scope="module")
-def driver(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Any]:
-    for program in (BROWSER, DRIVER):
-        if not program.exists():
-            pytest.skip(f"{program} is not installed")
-    options = webdriver.ChromeOptions()
-    options.binary_location = str(BROWSER)
-    for flag in [*FLAGS, f"--user-data-dir={tmp_path_factory.mktemp('browser')}"]:
-        options.add_argument(flag)
-    options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
-    browser = webdriver.Chrome(service=Service(str(DRIVER)), options=options)
-    yield browser
-    browser.quit()
 
 
 Show = Callable[..., Any]

@@ -1,4 +1,4 @@
-"""A few thousand inputs for each reader of fuzzing.py, and by hand what takes a mutation too long
+"""A few thousand inputs for each reader of fuzzing/, and by hand what takes a mutation too long
 to find. ./kit test --long has a million of each."""
 
 import json
@@ -12,6 +12,8 @@ from bounce_grader import judging
 from bounce_grader.errors import KitError
 from bounce_grader.manifest import parts
 from bounce_grader.paths import WORK_FOLDER
+from fuzzing import answers
+from fuzzing.mutation import Random
 
 COUNT = 5000
 
@@ -25,7 +27,7 @@ def test_whatever_comes_is_taken_within_the_limits_or_refused(name: str) -> None
 @pytest.mark.parametrize("name", fuzzing.READERS)
 def test_an_input_depends_on_its_number_alone(name: str) -> None:
     reader = fuzzing.READERS[name]
-    first, again = (reader.make(fuzzing.Random(7)) for _ in range(2))
+    first, again = (reader.make(Random(7)) for _ in range(2))
     assert fuzzing.plain(first) == fuzzing.plain(again)
 
 
@@ -52,7 +54,7 @@ TOWERS = {
 def test_what_a_compiler_says_is_read_in_no_time(tower: str) -> None:
     """A submission chooses these words, by #error, #line and its names."""
     start = time.process_time()
-    fuzzing.check_compiler(TOWERS[tower].encode())
+    answers.check_compiler(TOWERS[tower].encode())
     assert time.process_time() - start < 0.5
 
 
@@ -73,7 +75,7 @@ def test_a_place_is_one_line_of_bounded_length() -> None:
 
 
 def answered(change: Callable[[Any], object]) -> bytes:
-    answer = json.loads(fuzzing.judge_seeds()[0])
+    answer = json.loads(answers.judge_seeds()[0])
     change(answer)
     return json.dumps(answer).encode()
 
@@ -97,7 +99,7 @@ def answered(change: Callable[[Any], object]) -> bytes:
         answered(lambda a: a["checks"][0].update(passed=1)),
         answered(lambda a: a["checks"][0].update(status="fine")),
         answered(lambda a: a["checks"][0].pop("stack")),
-        fuzzing.judge_seeds()[0].replace(b"1e-13", b"1e999"),
+        answers.judge_seeds()[0].replace(b"1e-13", b"1e999"),
     ],
 )
 def test_half_an_answer_of_the_judge_is_a_fault_of_the_kit(out: bytes) -> None:

@@ -12,7 +12,6 @@ import os
 import secrets
 import subprocess
 import threading
-import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -26,6 +25,7 @@ from bounce_grader.grade import grade
 from bounce_grader.manifest import parts
 from bounce_grader.paths import CACHE
 from conftest import ROOT, points, solution_files, write
+from waiting import wait_for
 
 TICKS = os.sysconf("SC_CLK_TCK")
 
@@ -361,17 +361,10 @@ def test_nothing_outlives_a_grader_that_is_killed(tmp_path: Path) -> None:
         start_new_session=True,
     )
     watch = Watch(name)
-    until(lambda: bool(watch.look()))
+    wait_for(watch.look)
     grader.kill()
     grader.wait()
-    until(lambda: not watch.look())
-
-
-def until(holds: Callable[[], bool], seconds: float = 60) -> None:
-    deadline = time.monotonic() + seconds
-    while not holds():
-        assert time.monotonic() < deadline
-        time.sleep(0.01)
+    wait_for(lambda: not watch.look())
 
 
 SPENDING = {

@@ -1,6 +1,6 @@
 """A million inputs for each reader of what can't be trusted, for ./kit test --long.
 
-The readers in C++ are in tests/fuzz/, those in Python in tests/fuzzing.py. The ordinary run gives
+The readers in C++ are in tests/fuzz/, those in Python in tests/fuzzing/. The ordinary run gives
 each a few thousand. An input at which one fails is kept in build/fuzz/inputs/.
 """
 

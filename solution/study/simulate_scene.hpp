@@ -3,9 +3,9 @@
 // The scheme is Moreau-Jean's (../methods/moreau_jean.hpp). For each step it goes up a ladder of
 // models until one is proved to give what the whole model would:
 //
-//   asleep          Both low corners are in contact, and the step before began and ended with v =
-//   0. Gravity
-//                   doesn't change, so neither will anything else: all other columns are copies.
+//   asleep          Both low corners are in contact, and the step before began and ended at rest.
+//                   Gravity doesn't change, so neither will anything else: all other columns are
+//                   copies.
 //   ballistic       No corner can touch at the middle of the next n steps: while y > rho, and else
 //                   for the time that no height can fall to 0 in (safe_step of first_root.hpp). n
 //                   steps in closed form.

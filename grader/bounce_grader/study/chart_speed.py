@@ -209,7 +209,7 @@ def _order_look(method: str, line: dict[str, Any]) -> dict[str, Any]:
 
 
 def profile(tables: Tables) -> bytes:
-    """Dolan and More: the share of problems that a method solves within a factor of the fastest.
+    """Dolan and Moré: the share of problems that a method solves within a factor of the fastest.
     Ours and the others in a panel each, every line to where it stays level, and named there."""
     all_runs = runs.runs(tables)
     shares = profiles(all_runs)

@@ -203,7 +203,7 @@ def _order(tables: Tables) -> dict[str, str]:
         "order_least": words.short(min(slopes.values())),
         "order_least_scene": words.scene(min(slopes, key=lambda s: slopes[s])),
         "order_most": words.short(max(slopes.values())),
-        "order_low": words.listed(f"{words.scene(s)}, about {words.short(x)}" for s, x in low),
+        "order_low": words.listed(f"{words.scene(s)} (about {words.short(x)})" for s, x in low),
         "order_worst": words.metres(last[worst]),
         "order_worst_scene": words.scene(worst),
         "order_finest": words.plain(min(number(row, "dt_s") for row in table.rows)),
@@ -227,9 +227,9 @@ def _readme(ours: list[Run]) -> dict[str, str]:
         "one_first": words.method(first),
         "one_first_time": words.time(best),
         "one_second_time": (
-            f"{words.method(second)}, {words.time(stepping[second])}"
+            f"({words.method(second)}) {words.time(stepping[second])}"
             if math.isfinite(stepping[second])
-            else "never"
+            else "never comes so near"
         ),
         "one_fixed": words.metres(fixed),
     }

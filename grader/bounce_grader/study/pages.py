@@ -1,7 +1,7 @@
 """The pages: a template's {names} stand for facts, each worked out from the tables beside the page.
 
-So a page holds when it is measured again, and a number can't be typed wrong: tests/test_study.py
-checks that the templates have none of their own.
+So a page holds when it is measured again, and a number can't be typed wrong:
+tests/test_study_pages.py checks that the templates have none of their own.
 """
 
 import re
@@ -21,7 +21,8 @@ Facts = dict[str, str]
 PANEL = re.compile(r"(?<=speed_accuracy_one\.svg\)\n\n).+")
 README_SENTENCE = (
     "In the scene {one_scene}, the fastest method within a millimetre ({one_first}) takes "
-    "{one_first_time} per simulated second; the fastest of those that step, {one_second_time}; with fixed δ the assignment's scheme never gets closer than {one_fixed}."
+    "{one_first_time} per simulated second; the fastest of those that step {one_second_time}; "
+    "with fixed δ the assignment's scheme never gets closer than {one_fixed}."
 )
 
 

@@ -1,0 +1,177 @@
+"""The given animation as its reader meets it. Who tests it imports these fixtures by name.
+
+Most tests hand the page a clock of their own, so that no fact depends on how fast the machine is.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+import os
+import re
+import subprocess
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import pytest
+from browser import webdriver
+from conftest import ROOT
+from selenium.webdriver.common.by import By
+from selenium.webdriver.support.select import Select
+from selenium.webdriver.support.wait import WebDriverWait
+
+PROGRAM = Path(os.environ.get("BOUNCE_BUILD", ROOT / "build/kit")) / "animation"
+DATA = re.compile(r"(?<=const animation = ).*(?=;\n)")
+PATIENCE = 30  # s, for what a busy machine may delay
+
+# Frames come when a test lets time pass, and at no other time.
+CLOCK = """
+let now = 0, handle = 0, waiting = new Map();
+window.requestAnimationFrame = (f) => (waiting.set(++handle, f), handle);
+window.cancelAnimationFrame = (h) => waiting.delete(h);
+window.passTime = (ms) => {
+  const due = waiting;
+  waiting = new Map();
+  now += ms;
+  due.forEach((f) => f(now));
+};
+"""
+COUNT_PIXELS = """
+const stage = document.getElementById(arguments[1]);
+const hex = getComputedStyle(document.documentElement).getPropertyValue("--" + arguments[0]).trim();
+const want = [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16));
+const copy = new OffscreenCanvas(stage.width, stage.height);
+const ctx = copy.getContext("2d", { willReadFrequently: true });
+ctx.drawImage(stage, 0, 0);
+const d = ctx.getImageData(0, 0, stage.width, stage.height).data;
+let count = 0;
+for (let i = 0; i < d.length; i += 4) {
+  if (d[i + 3] > 250 && want.every((w, j) => Math.abs(d[i + j] - w) < 12)) ++count;
+}
+return count;
+"""
+
+
+@dataclass
+class Page:
+    """The page as its reader meets it: text, controls, keys, and the picture's pixels."""
+
+    driver: Any
+
+    def find(self, id_: str) -> Any:
+        return self.driver.find_element(By.ID, id_)
+
+    def number(self, id_: str) -> float:
+        return float(self.find(id_).text.replace("\N{MINUS SIGN}", "-"))
+
+    def column(self) -> int:
+        return int(self.find("column").text.split("/")[0])
+
+    def playing(self) -> bool:
+        return {"Pause": True, "Play": False}[self.find("play").accessible_name]
+
+    def press(self, *keys: str) -> None:
+        for key in keys:
+            webdriver.ActionChains(self.driver).send_keys(key).perform()
+
+    def pass_time(self, *seconds: float) -> None:
+        for s in seconds:
+            self.driver.execute_script("passTime(arguments[0])", 1000 * s)
+
+    def slide(self, t: int) -> None:
+        self.driver.execute_script(
+            "arguments[0].value = arguments[1]; arguments[0].dispatchEvent(new Event('input'))",
+            self.find("slider"),
+            t,
+        )
+
+    def choose(self, speed: str) -> None:
+        Select(self.find("speed")).select_by_value(speed)
+
+    def pixels(self, colour: str, canvas: str = "stage") -> int:
+        return int(self.driver.execute_script(COUNT_PIXELS, colour, canvas))
+
+    def point_at_plots(self, share: float) -> None:
+        """Presses on the plots, at this share of their time from the left."""
+        run = self.driver.execute_script
+        first, last = run("return [timeX(0), timeX(T - 1)]")
+        plots = self.find("plots")
+        from_middle = first + share * (last - first) - plots.size["width"] / 2
+        run("arguments[0].scrollIntoView({block: 'center'})", plots)
+        actions = webdriver.ActionChains(self.driver)
+        actions.move_to_element_with_offset(plots, round(from_middle), 0).click().perform()
+
+    def media(self, **features: str) -> None:
+        named = [{"name": k.replace("_", "-"), "value": v} for k, v in features.items()]
+        self.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": named})
+
+    def screen(self, width: int, height: int, ratio: int) -> None:
+        size = {"width": width, "height": height, "deviceScaleFactor": ratio, "mobile": False}
+        self.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", size)
+
+    def wait_until(self, true: Callable[[], bool]) -> None:
+        WebDriverWait(self.driver, PATIENCE, poll_frequency=0.05).until(lambda _: true())
+
+
+Open = Callable[..., Page]
+
+
+@pytest.fixture(scope="module")
+def file(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The page of the assignment's scene, as the built program writes it."""
+    assert PROGRAM.exists(), f"{PROGRAM} is not built"
+    page = tmp_path_factory.mktemp("page") / "animation.html"
+    subprocess.run([PROGRAM, page], check=True, capture_output=True, timeout=PATIENCE)
+    return page
+
+
+@pytest.fixture(scope="module")
+def scene(file: Path) -> dict[str, Any]:
+    data: dict[str, Any] = json.loads(DATA.findall(file.read_text("utf-8"))[0])
+    return data
+
+
+@pytest.fixture(scope="module")
+def compared(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The page of a stored scene, where the square leaves the right way at column 12."""
+    page = tmp_path_factory.mktemp("compared") / "animation.html"
+    command = [str(PROGRAM), "--compare", str(page)]
+    subprocess.run(command, check=True, capture_output=True, timeout=PATIENCE)
+    text = page.read_text("utf-8")
+    data = json.loads(DATA.findall(text)[0])
+    for row in data["q"][:2]:
+        row[12:] = [x + 0.01 * (t + 1) for t, x in enumerate(row[12:])]
+    page.write_text(DATA.sub(json.dumps(data), text, count=1), "utf-8")
+    return page
+
+
+@pytest.fixture
+def open_page(driver: Any, file: Path) -> Iterator[Open]:
+    """Opens a page from disk; at the end nothing may stand on the browser's console."""
+    page = Page(driver)
+    driver.get_log("browser")
+    page.media()
+    page.screen(1000, 800, 1)
+    clocks = []
+
+    def open_(path: Path = file, own_clock: bool = True) -> Page:
+        if own_clock:
+            add = "Page.addScriptToEvaluateOnNewDocument"
+            clocks.append(driver.execute_cdp_cmd(add, {"source": CLOCK}))
+        driver.get(path.as_uri())
+        page.wait_until(lambda: page.find("stage").get_dom_attribute("width") is not None)
+        return page
+
+    yield open_
+    for clock in clocks:
+        driver.execute_cdp_cmd("Page.removeScriptToEvaluateOnNewDocument", clock)
+    assert driver.get_log("browser") == []
+
+
+def lowest_corner(scene: dict[str, Any], t: int) -> float:
+    """phi of column t, eqs. (3) and (4)."""
+    theta = scene["q"][2][t]
+    arms = (math.sin(theta + math.pi / 4 + k * math.pi / 2) for k in range(4))
+    return float(scene["q"][1][t] + scene["l"] / math.sqrt(2) * min(arms))
