@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <iomanip>
 #include <nlohmann/json.hpp>
@@ -97,23 +98,31 @@ Eigen::ArrayXXd errors(const Eigen::MatrixXd& expected, const Eigen::MatrixXd& g
 // --- words ---
 
 std::string number(double x) {
+  if (std::isnan(x)) return "nan";  // its sign means nothing
   std::ostringstream out;
   out << std::setprecision(12) << x;
   return out.str();
 }
 
-// A scalar, (a, b, c), or the rows of a matrix one below the other.
-std::string words(const Eigen::MatrixXd& m, const std::string& indent) {
+using Marks = Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic>;
+
+// A scalar, (a, b, c), or the rows of a matrix one below the other; what isn't right in brackets.
+std::string words(const Eigen::MatrixXd& m, const std::string& indent, const Marks& right) {
   if (m.size() == 1) return number(m(0));
-  const bool vector = m.cols() == 1 || m.rows() == 1;
-  std::string text;
-  for (Eigen::Index i = 0; i < (vector ? 1 : m.rows()); ++i) {
-    text += i == 0 ? "(" : "\n" + indent + "(";
-    const Eigen::VectorXd row = vector ? Eigen::VectorXd(m.reshaped()) : Eigen::VectorXd(m.row(i));
-    for (Eigen::Index j = 0; j < row.size(); ++j) text += (j ? ", " : "") + number(row(j));
-    text += ")";
+  const auto entry = [&](Eigen::Index i, Eigen::Index j) {
+    return right(i, j) ? number(m(i, j)) : "[" + number(m(i, j)) + "]";
+  };
+  const bool column = m.cols() == 1;  // is written in a line
+  std::string text = "(";
+  for (Eigen::Index i = 0; i < m.rows(); ++i) {
+    if (i > 0) text += column ? ", " : ")\n" + indent + "(";
+    for (Eigen::Index j = 0; j < m.cols(); ++j) text += (j > 0 ? ", " : "") + entry(i, j);
   }
-  return text;
+  return text + ")";
+}
+
+std::string words(const Eigen::MatrixXd& m, const std::string& indent) {
+  return words(m, indent, Marks::Constant(m.rows(), m.cols(), true));
 }
 
 std::string unit_of(const std::string& input) {
@@ -242,9 +251,7 @@ void for_each_case(const std::function<Problem(const Case&)>& ask) {
   }
 }
 
-Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic> agrees(const Case& c,
-                                                          const Eigen::MatrixXd& expected,
-                                                          const Eigen::MatrixXd& got) {
+Marks agrees(const Case& c, const Eigen::MatrixXd& expected, const Eigen::MatrixXd& got) {
   return errors(expected, got) <= c.tolerance;
 }
 
@@ -279,7 +286,8 @@ std::string summary(const Case& c, const Problem& problem) {
     const std::string indent(11 + name.size() + 3, ' ');
     line("expected ", c.hidden ? "is not shown, this case is hidden"
                                : name + " = " + words(expected, indent) + "  " + unit);
-    line("got      ", name + " = " + words(got, indent) + "  " + unit);
+    line("got      ", name + " = " + words(got, indent, agrees(c, expected, got)) + "  " + unit +
+                          (got.size() > 1 ? ", [wrong]" : ""));
   }
   return text;
 }

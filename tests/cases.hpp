@@ -90,7 +90,8 @@ Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic> agrees(const Case& c,
 // The differences of both.
 Problem both(const Problem& a, const Problem& b);
 
-// What is wrong in a few lines: what was expected, unless the case is hidden, and what came.
+// What is wrong in a few lines: what was expected, unless the case is hidden, and what came, with
+// the wrong entries in brackets.
 std::string summary(const Case& c, const Problem& problem);
 
 // The largest error that compare has met so far, in units of max(1, |expected|).

@@ -15,9 +15,11 @@ namespace {
 using Eigen::Index;
 using Marks = Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic>;
 
-constexpr double kNothing = 1e-14;  // what rounding leaves of a 0
+constexpr double kNothing = 1e-14;   // what rounding leaves of a 0
+constexpr double kNeverSet = 1e300;  // g++ fills a lone number with -5e303, clang with NaN
 
 std::string number(double x, int digits) {
+  if (std::isnan(x)) return "nan";  // its sign means nothing
   char text[32];
   std::snprintf(text, sizeof text, "%.*g", digits, std::abs(x) < kNothing ? 0.0 : x);
   return text;
@@ -74,9 +76,22 @@ std::string side_by_side(const Case& c, const Difference& d) {
   return text;
 }
 
+// What can't be the answer to any question; empty where each number could be. A student's build
+// fills what is never set, so that it shows every time.
+std::string odd_number(const Eigen::MatrixXd& got) {
+  const std::string subject = got.size() > 1 ? "  an entry is " : "  it is ";
+  for (const double x : got.reshaped()) {
+    if (std::isinf(x)) return subject + number(x, 6) + ": a division by zero?\n";
+    if (std::abs(x) <= kNeverSet) continue;
+    return subject + number(x, 2) + ": was it ever set? If so, look for " +
+           (std::isnan(x) ? "0/0 or sqrt(-1).\n" : "what makes it grow.\n");
+  }
+  return "";
+}
+
 // What may have gone wrong, where one thing explains every wrong entry; else empty.
 std::string explanation(const Case& c, const Difference& d) {
-  if (!d.got.allFinite()) return "  NaN or infinity: a division by zero, or a number never set?\n";
+  if (const std::string odd = odd_number(d.got); !odd.empty()) return odd;
   if (d.got.isZero(0)) {
     return d.got.size() > 1 ? "  every entry is 0: is it filled in?\n"
                             : "  it is 0: not filled in, or a smallest that was never found?\n";

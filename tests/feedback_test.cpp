@@ -52,7 +52,14 @@ TEST(feedback, NamesTheFactorThatExplainsEveryWrongEntry) {
 
 TEST(feedback, SaysWhatIsNoNumber) {
   EXPECT_TRUE(says(told(some_case(), Vector3(1, 2, 3), Vector3(1, NAN, 3)), ">nan<"));
-  EXPECT_TRUE(says(told(some_case(), Vector3(1, 2, 3), Vector3(1, NAN, 3)), "NaN or infinity"));
+  EXPECT_TRUE(says(told(some_case(), Vector3(1, 2, 3), Vector3(1, -NAN, 3)),
+                   "an entry is nan: was it ever set?"));
+  EXPECT_TRUE(says(told(some_case(), Vector3(1, 2, 3), Vector3(1, -INFINITY, 3)),
+                   "an entry is -inf: a division by zero?"));
+  const Eigen::MatrixXd phi = Eigen::MatrixXd::Constant(1, 1, 0.2);
+  EXPECT_TRUE(says(told(some_case(), phi, NAN * phi), "it is nan: was it ever set?"));
+  EXPECT_TRUE(says(told(some_case(), phi, -2.7e304 * phi), "it is -5.4e+303: was it ever set?"));
+  EXPECT_FALSE(says(told(some_case(), phi, 1e30 * phi), "ever set"));
   EXPECT_TRUE(says(told(some_case(), Vector3(1, 2, 3), Vector3::Zero()), "is it filled in?"));
 }
 
@@ -90,6 +97,26 @@ TEST(feedback, DrawsBothPaths) {
     EXPECT_LE(end - at, 76u) << text.substr(at, end - at);
     at = end + 1;
   }
+}
+
+TEST(summary, PutsTheWrongEntriesInBrackets) {
+  Case c = some_case();
+  Eigen::MatrixXd right(2, 2), got(2, 2);
+  right << 1, 2, 3, 4;
+  got << 1, 2, -NAN, 4;
+  const auto said = [&](const Eigen::MatrixXd& expected, const Eigen::MatrixXd& answer) {
+    return summary(c, compare(c, "V", "s/kg", expected, answer));
+  };
+  EXPECT_EQ(said(right, got),
+            "  expected V = (1, 2)\n               (3, 4)  s/kg\n"
+            "  got      V = (1, 2)\n               ([nan], 4)  s/kg, [wrong]");
+  EXPECT_TRUE(says(said(Vector3(1, 2, 3), Vector3(1, -2, 3)), "V = (1, [-2], 3)  s/kg, [wrong]"));
+  EXPECT_TRUE(says(said(right.row(0), got.row(1)), "V = ([nan], [4])  s/kg, [wrong]"));
+  const Eigen::MatrixXd alone = Eigen::MatrixXd::Constant(1, 1, 5);
+  EXPECT_TRUE(says(said(alone, 2 * alone), "got      V = 10  s/kg"));
+  EXPECT_FALSE(says(said(alone, 2 * alone), "["));
+  c.hidden = true;
+  EXPECT_TRUE(says(said(Vector3(1, 2, 3), Vector3(1, -2, 3)), "V = (1, [-2], 3)  s/kg, [wrong]"));
 }
 
 TEST(feedback, DoesNotTellTheAnswerOfAHiddenCase) {

@@ -57,7 +57,7 @@ TEST(part4, StaysFiniteOnALongRun) {
   for_each_case([](const Case& c) {
     const Trajectory first = submission::first_columns(c.q, c.v, c.params);
     if (!first.q.allFinite() || !first.v.allFinite()) {
-      return saying("NaN or infinity in some column");
+      return saying("NaN or infinity in some column: was each one set?");
     }
     if (first.q.leftCols(1) == first.q.rightCols(1) || first.q.cwiseAbs().maxCoeff() > 1e6) {
       return saying("a square that stands still, or is further than 1e6 away");

@@ -34,7 +34,7 @@ inline constexpr std::string_view page_body = R"html(<body>
 <canvas id="stage" role="img" aria-label="The square on its way over the ground. The numbers below say where it is."></canvas>
 <figcaption>The line follows the lowest corner and breaks where another one takes over; dots mark contact, <i>&phi;</i> &lt; <i>&delta;</i>.<span id="past"> Faint squares are equal times apart.</span><span id="forces"> The arrow is the force of the ground, <i>f<sub>t</sub></i> along it and <i>f<sub>n</sub></i> away from it.</span><span id="other"> The dashed square is the right one; <span id="parted"></span>.</span></figcaption>
 </figure>
-<dl>
+<dl id="numbers">
 <div><dt><i>t</i>, time</dt><dd><span id="time"></span> <small>s</small></dd></div>
 <div><dt><i>x</i>, centre</dt><dd><span id="x"></span> <small>m</small></dd></div>
 <div><dt><i>y</i>, centre</dt><dd><span id="y"></span> <small>m</small></dd></div>
@@ -62,6 +62,7 @@ inline constexpr std::string_view page_body = R"html(<body>
 <canvas id="plots" role="img" aria-label="The height phi of the lowest corner and the energies over time. The upright line is the time that is shown."></canvas>
 </figure>
 <p id="hint">Space plays and pauses, the arrows go one step, Home and End to the first and the last<span id="key">, C shows and hides the right one</span>. The plots can be dragged.</p>
+<a id="more" href="#numbers" hidden>More below &darr;</a>
 <noscript>The animation needs JavaScript, which is turned off in this browser.</noscript>
 )html";
 

@@ -171,19 +171,20 @@ function drawRight(at, s) {
   ctx.setLineDash([]);
 }
 
-const recent = 0.12; // s that an arrow takes to fade
+const echo = 0.15; // s on the reader's clock: a bounce lasts one step, too short to be seen
 const strongest = forces.reduce((most, f) => (f ? Math.max(most, Math.hypot(...f)) : most), 0);
 
-// The force of the ground at its corner, the longest arrow a quarter of the stage; those of the
-// last steps fade, since a bounce lasts one step.
+// The force of the ground at its corner, the longest arrow a quarter of the stage. While playing,
+// those of the columns just gone are seen pale; one that stands shows what acts in it and no more.
 function drawForces(at) {
   const now = columnShown();
   const pixels = Math.min(high() / 4, 120) / strongest;
-  for (let t = Math.max(0, now - Math.floor(Math.min(recent / dt, 200))); t <= now; ++t) {
+  const back = Math.min(echo * rate(), 200);
+  for (let t = playing ? Math.max(0, Math.ceil(position - 1 - back)) : now; t <= now; ++t) {
     if (!forces[t]) continue;
     const [X, Y] = [at.X(lows[t].x), at.Y(lows[t].y)];
     if (!(Math.abs(X) + Math.abs(Y) < 1e6)) continue;
-    ctx.globalAlpha = 1 - (0.85 * ((now - t) * dt)) / recent;
+    ctx.globalAlpha = t === now ? 1 : 0.5 * (1 - (position - t - 1) / back);
     arrow(X, Y, X + forces[t][0] * pixels, Y - forces[t][1] * pixels);
   }
   ctx.globalAlpha = 1;

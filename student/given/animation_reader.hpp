@@ -17,6 +17,7 @@ function resize() {
   drawStill();
   byId("past").hidden = small();
   draw();
+  showMore();
 }
 
 function recolour() {
@@ -31,6 +32,12 @@ function redraw() {
   byId("other").hidden = !comparing();
   if (still) drawStill();
   draw();
+}
+
+// Whether some of the page lies below the window.
+function showMore() {
+  const page = document.documentElement;
+  byId("more").hidden = page.scrollTop + page.clientHeight > page.scrollHeight - 40;
 }
 
 const keys = {
@@ -60,6 +67,7 @@ plots.addEventListener("pointermove", (event) => event.buttons && seek(columnAt(
 const watching = new ResizeObserver(resize);
 for (const canvas of [stage, plots]) watching.observe(canvas);
 media("prefers-color-scheme: dark").addEventListener("change", recolour);
+for (const event of ["scroll", "resize"]) addEventListener(event, showMore);
 
 byId("about").innerHTML = `<i>T</i> = ${T}, &Delta;<i>t</i> = ${Number(dt.toPrecision(6))} s, <i>l</i> = ${Number(l.toPrecision(6))} m`;
 const lengths = q.flatMap((row) => span(row)).map((value) => text(value, places).length);

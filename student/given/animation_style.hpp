@@ -28,6 +28,10 @@ body {
 header { display: flex; flex-wrap: wrap; align-items: baseline; gap: 0 16px; }
 h1 { font-size: 21px; font-weight: 650; letter-spacing: -0.01em; }
 header p, figcaption, dt, small, #hint { color: var(--quiet); font-size: 13px; }
+#more {
+  position: fixed; right: 10px; bottom: 10px; padding: 4px 12px; border-radius: 14px;
+  background: var(--text); color: var(--paper); font-size: 13px; text-decoration: none;
+}
 i { font-family: "STIX Two Text", Cambria, Georgia, "Times New Roman", serif; font-size: 1.1em; }
 figure { display: flex; flex-direction: column; gap: 8px; }
 figure:first-of-type { flex: 1 0 auto; }
@@ -57,10 +61,19 @@ select {
 :focus-visible { outline: 3px solid var(--corner); outline-offset: 2px; }
 @media (pointer: coarse), (max-width: 640px) { #hint { display: none; } }
 @media (min-width: 641px) { #slider { min-width: 0; } }
-@media (max-width: 640px) { body { padding: 14px; } #plots { width: 100%; height: 230px; cursor: crosshair; touch-action: pan-y; background: var(--card); border: 1px solid var(--edge); border-radius: 12px; }
-#compare { width: 18px; height: 18px; vertical-align: -3px; }
-[hidden] { display: none !important; }
-dl { --unit: 30px; font-size: 16px; } #controls { justify-content: space-between; } #plots { height: 210px; } output { text-align: left; } }
+/* On a phone the square, what moves it and the plots come first; words and numbers follow. */
+@media (max-width: 640px) {
+  body { padding: 10px 14px; gap: 10px; }
+  h1 { font-size: 18px; }
+  figure { display: contents; }
+  #stage { flex-basis: 220px; min-height: 220px; }
+  #plots { flex: none; height: 200px; }
+  #controls, #plots { order: 1; }
+  #controls { justify-content: space-between; gap: 4px 16px; }
+  #numbers { --unit: 30px; order: 2; font-size: 16px; }
+  figcaption { order: 3; }
+  output { text-align: left; }
+}
 @media (max-height: 520px) { body { padding: 12px; gap: 8px; } header, figcaption, #hint { display: none; } #stage { min-height: 160px; } }
 </style>
 </head>

@@ -1,15 +1,19 @@
 // The tests of a build that has the code under test linked in: public fixtures only.
 //
-//   part1_contacts_test [--notes FOLDER | --mistake FILE]
+//   part1_contacts_test [--notes FOLDER PRINTED | --mistake FILE]
 //
 // With --notes a file is written for each check, named as the check is: "running" while it runs,
-// then "passed" or "failed", and what there is to say. A check that has its note already isn't run
-// again, so that after a crash a second run goes on with the next one; and one that takes too long
-// ends the program. With --mistake no test runs: the file gets what the answers to all public cases
-// tell of the mistake behind them.
+// then "passed" or "failed", and what there is to say. Beside the word stand the bytes of PRINTED,
+// the file of what is printed, before and after the case that is told of. A check that has its note
+// already isn't run again, so that after a crash a second run goes on with the next one; and one
+// that takes too long ends the program. With --mistake no test runs: the file gets what the answers
+// to all public cases tell of the mistake behind them.
 #include <gtest/gtest.h>
 
+#include <cstdio>
+#include <filesystem>
 #include <fstream>
+#include <iostream>
 
 #include "../feedback.hpp"
 #include "mistake.hpp"
@@ -19,12 +23,21 @@ namespace bounce::tests {
 
 std::vector<std::filesystem::path> fixture_folders() { return {BOUNCE_FIXTURES}; }
 
-std::string in_words(const Case& c, const Problem& problem) { return feedback(c, problem); }
-
 namespace {
 
-std::filesystem::path notes;  // the folder; empty without --notes
-std::string check;            // the one that runs
+std::filesystem::path notes;    // the folder; empty without --notes
+std::filesystem::path printed;  // where standard output goes
+std::string check;              // the one that runs
+std::string asked;              // the question that is being answered
+std::string from;               // the bytes that were printed before it
+std::string from_to;            // before and after the case that is told of
+
+std::string bytes_printed() {
+  std::cout.flush();
+  std::error_code unknown;
+  const auto size = std::filesystem::file_size(printed, unknown);
+  return " " + std::to_string(unknown ? 0 : size);
+}
 
 void note(const std::string& status, const std::string& text) {
   std::ofstream(notes / check) << status << "\n" << text << "\n";
@@ -33,8 +46,9 @@ void note(const std::string& status, const std::string& text) {
 class Notes : public testing::EmptyTestEventListener {
   void OnTestStart(const testing::TestInfo& test) override {
     check = std::string(test.test_suite_name()) + "." + test.name();
+    from = from_to = "";
     note("running", "");
-    limit_time([] { note("hung", asked); });
+    limit_time([] { note("hung" + from, asked); });
   }
 
   void OnTestEnd(const testing::TestInfo& test) override {
@@ -45,11 +59,8 @@ class Notes : public testing::EmptyTestEventListener {
     }
     const std::string prefix = "Failed\n";
     if (text.rfind(prefix, 0) == 0) text.erase(0, prefix.size());
-    note(test.result()->Passed() ? "passed" : "failed", text);
+    note(test.result()->Passed() ? "passed" : "failed" + from_to, text);
   }
-
- public:
-  static inline std::string asked;  // the question that is being answered
 };
 
 // The checks that have no note yet, in GoogleTest's words.
@@ -61,8 +72,10 @@ std::string those_left() {
   return "*" + done;
 }
 
-void take_notes(const std::string& folder) {
+void take_notes(const std::string& folder, const std::string& file) {
   notes = folder;
+  printed = file;
+  std::setvbuf(stdout, nullptr, _IONBF, 0);  // so that a crash takes nothing along
   testing::GTEST_FLAG(filter) = those_left();
   auto& listeners = testing::UnitTest::GetInstance()->listeners();
   delete listeners.Release(listeners.default_result_printer());
@@ -79,19 +92,25 @@ void write_mistakes(const std::string& file) {
 
 void about_to_ask(const Case& c) {
   if (notes.empty()) return;
-  Notes::asked = c.name + "\n" + c.input;
-  note("running", Notes::asked);
+  asked = c.name + "\n" + c.input;
+  from = bytes_printed();
+  note("running" + from, asked);
+}
+
+std::string in_words(const Case& c, const Problem& problem) {
+  if (!notes.empty()) from_to = from + bytes_printed();
+  return feedback(c, problem);
 }
 
 }  // namespace bounce::tests
 
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
-  const std::string option = argc == 3 ? argv[1] : "";
+  const std::string option = argc > 2 ? argv[1] : "";
   if (option == "--mistake") {
     bounce::tests::write_mistakes(argv[2]);
     return 0;
   }
-  if (option == "--notes") bounce::tests::take_notes(argv[2]);
+  if (option == "--notes" && argc == 4) bounce::tests::take_notes(argv[2], argv[3]);
   return RUN_ALL_TESTS();
 }

@@ -1,0 +1,172 @@
+"""What ./check says of numbers never set, warnings, exceptions and prints, and how hints follow."""
+
+import re
+from pathlib import Path
+
+import pytest
+from conftest import SOLUTION
+from test_check import MISTAKES, check, first, put, score, unzipped
+
+pytestmark = pytest.mark.slow
+
+
+@pytest.fixture(scope="module")
+def home(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return unzipped(tmp_path_factory.mktemp("student"))
+
+
+def change(home: Path, stem: str, old: str, new: str) -> None:
+    """The solution's part with one thing another."""
+    text = (SOLUTION / f"{stem}.cpp").read_text()
+    assert text.count(old) == 1
+    (home / f"src/{stem}.cpp").write_text(text.replace(old, new))
+
+
+def test_an_entry_that_was_never_set_is_seen(home: Path) -> None:
+    put(home)
+    old = "lcp.p << J_n.dot(v_free + params.epsilon * v), -J_t.dot(v_free), J_t.dot(v_free), 0;"
+    rows = "lcp.p.head<3>() << J_n.dot(v_free + params.epsilon * v), -J_t.dot(v_free), J_t.dot(v_free);"
+    change(home, "part2_lcp", old, rows)
+    run = check(home, "2")
+    assert score(run) != "30 / 30"
+    assert ">nan<" in first(run) and "an entry is nan: was it ever set?" in first(run)
+
+    put(home)
+    whole = "return {J, q(1) + r.y()};"
+    change(home, "part1_contacts", whole, "Contact contact;\n  contact.J = J;\n  return contact;")
+    lone = first(check(home, "1"))
+    assert re.search(r"it is (nan|-\d.*e\+\d+): was it ever set\?", lone), lone
+
+
+def test_warnings_of_the_students_own_files_follow_the_result(home: Path) -> None:
+    put(home)
+    assert "compiler warns" not in check(home, "1").stdout
+    unused = "namespace bounce {\n" + "".join(
+        f"static int unused_{k}() {{ return 0; }}\n" for k in range(4)
+    )
+    change(home, "part1_contacts", "namespace bounce {\n", unused)
+    told = check(home, "1").stdout
+    assert "30 / 30" in told
+    result, _, warnings = told.partition("The compiler warns")
+    assert "Score on the public checks" in result
+    lines = warnings.splitlines()[1:]
+    assert len(lines) == 4 and lines[3].endswith("and 1 more, in build/check/warnings")
+    for k, line in enumerate(lines[:3]):
+        assert re.match(rf"  src/part1_contacts.cpp:{k + 5}: .*unused_{k}", line), line
+        assert "[-W" not in line
+    assert check(home, "1").stdout == told  # nothing was compiled, and they still stand
+
+    change(home, "part1_contacts", "return {J,", "int x; return {-J,")
+    wrong = check(home, "1").stdout
+    assert wrong.index("First: ") < wrong.index("The compiler warns")
+    assert "unused_" not in wrong and "unused variable" in wrong
+
+
+def test_a_helpers_warnings_go_with_it(home: Path) -> None:
+    put(home)
+    helper = home / "src/helper.cpp"
+    helper.write_text('#include "helper.hpp"\nint helper() { int x; return 0; }\n')
+    (home / "src/helper.hpp").write_text(
+        "inline int sum(int n) { return n < 3u; }\nint helper();\n"
+    )
+    told = check(home, "1").stdout
+    assert "src/helper.cpp:2: unused variable" in told and "src/helper.hpp:1: comp" in told, told
+    for file in home.glob("src/helper.*"):
+        file.unlink()
+    assert "compiler warns" not in check(home, "1").stdout
+
+
+@pytest.mark.parametrize(
+    "thrown, told",
+    [
+        ('throw std::runtime_error("oh");', "part 1 threw an exception: oh"),
+        ("throw 5;", "part 1 threw something that isn't a std::exception"),
+    ],
+)
+def test_an_exception_is_told_with_its_part(home: Path, thrown: str, told: str) -> None:
+    put(home)
+    change(
+        home, "part1_contacts", "namespace bounce {\n", "#include <stdexcept>\nnamespace bounce {\n"
+    )
+    part1 = home / "src/part1_contacts.cpp"
+    part1.write_text(
+        part1.read_text().replace("const Eigen::Matrix2d R", f"{thrown}\n  const Eigen::Matrix2d R")
+    )
+    assert f"\n    {told}\n" in first(check(home, "1"))
+
+
+def test_a_shape_that_the_tests_refuse_is_not_an_exception_of_the_part(home: Path) -> None:
+    put(home)
+    part4 = home / "src/part4_simulate.cpp"
+    text = part4.read_text()
+    part4.write_text(text.replace("params.T", "params.T + 1", 1))
+    told = first(check(home, "4"))
+    assert "both should be 3x" in told and "threw" not in told
+
+
+def prints(home: Path, when: str, then: str = "") -> str:
+    """What ./check shows of a part 1 that prints theta, and the stage that it is at."""
+    put(home)
+    change(
+        home,
+        "part1_contacts",
+        "namespace bounce {\n",
+        "#include <cstdlib>\n#include <iostream>\nnamespace bounce {\n",
+    )
+    part1 = home / "src/part1_contacts.cpp"
+    text = part1.read_text()
+    line = f'  {when} std::cout << "theta = " << q(2);\n  {then}\n'
+    part1.write_text(text.replace("  // Eq. (3)", line + "  // Eq. (3)"))
+    return first(check(home, "1"))
+
+
+def test_prints_are_those_of_the_case_that_is_told(home: Path) -> None:
+    wrong = "if (q(2) > 1.2) return {Jacobian::Zero(), 0};"
+    told = prints(home, "", wrong)
+    asked = re.search(r"q = \(.*, (\S+)\)", told)
+    assert asked and f"    theta = {asked[1]}\n" in told, told
+    assert told.count("theta = ") == 1
+    printed = (home / "build/check/printed_1.txt").read_text()
+    assert printed.count("theta = ") > 20  # all of them are kept
+
+    silent = prints(home, "if (q(2) < 1.2)", wrong)
+    assert "theta = " not in silent and "printed nothing in this case" in silent
+
+
+def test_what_was_printed_before_a_crash_is_shown(home: Path) -> None:
+    told = prints(home, "", "if (q(2) > 1.2) std::abort();")
+    asked = re.search(r"q = \(.*, (\S+)\)", told)
+    assert asked and f"    theta = {asked[1]}\n" in told and told.count("theta = ") == 1, told
+
+
+def stage(home: Path) -> tuple[str, str]:
+    """The heading and the stage of the hint that --hint opens."""
+    said = check(home, "1", "--hint").stdout
+    found = re.search(r"^Hint (\S+) .*, stage (\d) of 3", said, re.M)
+    assert found, said
+    return found[1], found[2]
+
+
+def test_another_mistake_starts_at_the_first_stage(home: Path) -> None:
+    put(home)
+    stub = (SOLUTION.parents[1] / "student/src/part1_contacts.cpp").read_text()
+    (home / "src/part1_contacts.cpp").write_text(stub)
+    assert [stage(home) for _ in range(2)] == [("1.1", "1"), ("1.1", "2")]
+    (home / "src/part1_contacts.cpp").write_text(stub + "// another try, and the same mistake\n")
+    assert stage(home) == ("1.1", "3")
+
+    phi = "return {J, q(1) + r.y()};"  # under the same heading, another mistake
+    change(home, "part1_contacts", phi, "return {J, r.y()};")
+    assert [stage(home) for _ in range(2)] == [("1.1", "1"), ("1.1", "2")]
+    change(home, "part1_contacts", phi, "return {J, q(1) - r.y()};")
+    assert stage(home) == ("1.1", "1")
+    change(home, "part1_contacts", phi, "return {J, r.y()};")
+    assert stage(home) == ("1.1", "1")
+
+
+def test_says_that_no_stage_is_left(home: Path) -> None:
+    put(home, MISTAKES / "part1_turned_clockwise")
+    (home / "build/check/hint").unlink(missing_ok=True)
+    said = [check(home, "1", "--hint").stdout for _ in range(4)]
+    assert ["last stage" in text for text in said] == [False, False, True, True]
+    assert "there is no further one" in said[3] and "no further" not in said[2]
