@@ -4,9 +4,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from animation_page import Open, driver, file, lowest_corner, open_page, scene
-
-__all__ = ["driver", "file", "open_page", "scene"]  # what the tests are given
+from animation_page import Open, file, lowest_corner, open_page, scene
 
 # Whether the stage is another one without any force; the page has none from then on.
 DRAWS_A_FORCE = """
