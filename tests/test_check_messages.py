@@ -111,7 +111,7 @@ def prints(home: Path, when: str, then: str = "") -> str:
         home,
         "part1_contacts",
         "namespace bounce {\n",
-        "#include <cstdlib>\n#include <iostream>\nnamespace bounce {\n",
+        "#include <array>\n#include <cstdlib>\n#include <iostream>\nnamespace bounce {\n",
     )
     part1 = home / "src/part1_contacts.cpp"
     text = part1.read_text()
@@ -137,6 +137,15 @@ def test_what_was_printed_before_a_crash_is_shown(home: Path) -> None:
     told = prints(home, "", "if (q(2) > 1.2) std::abort();")
     asked = re.search(r"q = \(.*, (\S+)\)", told)
     assert asked and f"    theta = {asked[1]}\n" in told and told.count("theta = ") == 1, told
+
+
+def test_an_index_out_of_range_is_told_with_its_matrix_and_once(home: Path) -> None:
+    told = prints(home, "", "if (q(2) > 1.2) return {Jacobian::Zero(), q(3)};")
+    assert "an index or a size of a 3x1 matrix is out of range, says Eigen" in told
+    assert "Assertion" not in told and told.count("theta = ") == 1
+    beyond = "std::array<double, 2>{}[std::size_t(9 * q(2))]"
+    told = prints(home, "", f"if (q(2) > 1.2) return {{Jacobian::Zero(), {beyond}}};")
+    assert "an index beyond the end of a std::vector or std::array" in told
 
 
 def stage(home: Path) -> tuple[str, str]:
