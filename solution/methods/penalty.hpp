@@ -3,10 +3,16 @@
 //
 //     f_n = max(0, -stiffness phi - damping v_n),   f_t = -v_t damping_t within +-mu f_n,
 //
-// and semi-implicit Euler. A point mass on such a spring bounces with restitution epsilon where
-// damping = 2 zeta sqrt stiffness and zeta = -ln epsilon / sqrt(pi^2 + ln^2 epsilon). A contact
-// lasts kStepsOfContact steps, stiffness = (pi / (kStepsOfContact dt))^2, so that the spring gets
-// stiffer with dt. Corners sink in, pulling is cut off, and friction creeps at rest.
+// and semi-implicit Euler. Corners that touch and come at the same v_n are as a mass 1 / a on such
+// a spring, a_i = sum_j (1 + r_ix r_jx / r_g^2) over them. With damping = 2 zeta sqrt(stiffness /
+// a) and a spring that doesn't pull, contact ends where f_n does, and restitution is (Schwager &
+// Poschel 2007, "Coefficient of restitution and linear-dashpot model revisited", Granular Matter 9)
+//
+//     epsilon = exp(-2 zeta arccos zeta / sqrt(1 - zeta^2)) = exp(-2 beta cot beta),
+//     zeta = cos beta.
+//
+// A contact lasts about sqrt(kLasting dt): with dt it gets shorter, and has ever more steps,
+// without which restitution would stay wrong. Corners sink in, and friction creeps at rest.
 #pragma once
 
 #include <algorithm>
@@ -15,16 +21,28 @@
 
 namespace bounce::methods {
 
+// A damper's part of the critical one, zeta. Where epsilon is below e^-2 it is 1: one beyond that
+// would need a shorter step.
+inline double damping_ratio(double epsilon) {
+  const double target = -std::log(std::max(epsilon, std::exp(-2.0))) / 2;  // beta cot beta
+  if (target >= 1) return 1;
+  const double most = std::acos(0.0);
+  double beta = std::min(most, std::sqrt(3 * (1 - target)));
+  for (int i = 0; i < 6; ++i) {  // Newton's method, from above a concave curve
+    const double sine = std::sin(beta), cotangent = std::cos(beta) / sine;
+    beta = std::min(most, beta - (beta * cotangent - target) / (cotangent - beta / (sine * sine)));
+  }
+  return std::cos(beta);
+}
+
 class Penalty {
  public:
-  static constexpr double kStepsOfContact = 20;
+  static constexpr double kLasting = 0.25;  // s; with dt = 0.01 s a contact has 5 steps
 
   Penalty(const Parameters& params, const Motion<double>& start) : k_(params), s_(start) {
-    const double pi = std::acos(-1.0), frequency = pi / (kStepsOfContact * params.dt);
-    const double decrement = params.epsilon > 0 ? -std::log(params.epsilon) : 700;
-    const double zeta = decrement / std::hypot(pi, decrement);
+    const double frequency = std::acos(-1.0) / std::sqrt(kLasting * params.dt);
     stiffness_ = frequency * frequency;
-    damping_ = 2 * zeta * frequency;
+    damping_ = 2 * damping_ratio(params.epsilon) * frequency;
     friction_ = 1 / (4 * params.dt);  // c friction_ dt < 2 is stable; c is 2.5 at most
   }
 
@@ -44,14 +62,26 @@ class Penalty {
 
   void press() {
     const Motion<double> before = s_;
-    for (const Arm<double>& r : arms(k_.half, std::cos(s_.theta), std::sin(s_.theta))) {
-      const double depth = -(before.y + r.y);
-      if (!(depth > 0)) continue;
-      const double f_n = std::max(0.0, stiffness_ * depth - damping_ * normal_velocity(before, r));
-      const double most = k_.mu * f_n;
-      const double f_t = std::clamp(-friction_ * sliding_velocity(before, r), -most, most);
-      push(s_, r, k_.dt * f_n, k_.dt * f_t, k_.gyration);
+    const auto r = arms(k_.half, std::cos(s_.theta), std::sin(s_.theta));
+    const auto touches = [&](const Arm<double>& arm) { return before.y + arm.y < 0; };
+    double count = 0, sum = 0;  // of the corners that touch, and of their r_x
+    for (const Arm<double>& arm : r) {
+      if (!touches(arm)) continue;
+      ++count;
+      sum += arm.x;
     }
+    for (const Arm<double>& arm : r)
+      if (touches(arm)) press(before, arm, count + arm.x * sum / k_.gyration);
+  }
+
+  // Corners that come at different speeds may give any a: at least that of a free mass is taken.
+  void press(const Motion<double>& before, const Arm<double>& r, double a) {
+    const double damping = damping_ / std::sqrt(std::max(a, 1.0));
+    const double depth = -(before.y + r.y);
+    const double f_n = std::max(0.0, stiffness_ * depth - damping * normal_velocity(before, r));
+    const double most = k_.mu * f_n;
+    const double f_t = std::clamp(-friction_ * sliding_velocity(before, r), -most, most);
+    push(s_, r, k_.dt * f_n, k_.dt * f_t, k_.gyration);
   }
 
   StepConstants k_;

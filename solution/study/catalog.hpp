@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "../methods/impact_laws.hpp"
 #include "scene.hpp"
 
 namespace bounce::study {
@@ -14,13 +15,19 @@ namespace bounce::study {
 inline constexpr int kSamples = 20;
 using Samples = std::vector<methods::Motion<double>>;
 
+// Why an error may stop falling, in words, and what does better where that is so: a method without
+// that limit; or the method itself, measured by the truth under another law of impact.
+struct Limit {
+  std::string cure, words;
+  methods::ImpactLaw law = methods::ImpactLaw::newton;
+};
+
 struct Method {
   std::string name, title;
   bool has_step;  // the setting is a time step, s; otherwise it is a tolerance
   std::vector<double> settings;
   std::function<Samples(const Scene&, double setting, int samples)> look;
-  // Why its error may stop falling: a method without that limit, and the limit in words.
-  std::vector<std::pair<std::string, std::string>> limits;
+  std::vector<Limit> limits;
 
   Samples run(const Scene& scene, double setting) const { return look(scene, setting, kSamples); }
 };
@@ -33,6 +40,7 @@ std::vector<double> sample_times(const Scene& scene, int samples = kSamples);
 // event-driven method in double has an error that can be seen. Throws std::runtime_error where the
 // cap on events was reached.
 Samples truth_of(const Scene& scene);
+Samples truth_under(methods::ImpactLaw law, const Scene& scene);
 
 // The largest distance over the samples, m; infinite where some are missing or not finite.
 double error_of(const Scene& scene, const Samples& samples, const Samples& truth);
