@@ -2,6 +2,7 @@
 
 import os
 import secrets
+import tempfile
 from pathlib import Path
 
 import pytest
@@ -10,7 +11,7 @@ from bounce_grader.box import Box
 from bounce_grader.errors import KitError
 from bounce_grader.grade import grade as grade_path
 from bounce_grader.manifest import parts
-from bounce_grader.paths import RUNNER
+from bounce_grader.paths import RUNNER, WORK_FOLDER
 from bounce_grader.processes import Limits, Result, run
 from bounce_grader.submission import read
 from conftest import SOLUTION, Grade, points, solution_files, write
@@ -152,6 +153,20 @@ def test_helpers_have_a_limit_in_common(grade: Grade, monkeypatch: pytest.Monkey
     record = grade({**helpers, "part1_contacts.cpp": part})
     assert points(record) == [0, 30, 30, 10]
     assert "helper1.cpp wasn't compiled: the helpers took 0.02 s" in record["parts"][0]["message"]
+
+
+@pytest.mark.parametrize("kind", ["full", "reduced"])
+def test_clang_needs_no_help_in_a_box(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, kind: str
+) -> None:
+    """Where it misses something, g++ would say nothing of it and take five times as long."""
+    files = {name: _new() + text for name, text in solution_files().items()}
+    with tempfile.TemporaryDirectory(prefix=WORK_FOLDER) as work:
+        box = Box(kind)
+        box.give(Path(work))
+        monkeypatch.setattr(build, "_gcc", lambda *_: ["/nowhere"])
+        built = build.compile_all(read(write(tmp_path / "s", files)), Path(work), box, 2)
+    assert all(part.path for part in built.parts.values()), built
 
 
 def test_what_is_timed_is_built_by_gcc_as_a_program_is_too(tmp_path: Path) -> None:

@@ -18,6 +18,7 @@ from shutil import which
 
 from bounce_grader import processes
 from bounce_grader.errors import KitError
+from bounce_grader.files import write_whole
 from bounce_grader.paths import BUILD, ENTER, REFERENCE_RUNNER
 
 FULL_OR_REDUCED = ("full", "reduced")
@@ -27,6 +28,7 @@ NOBODY = "65534"
 FIRST_USER, USERS = 60578, 600
 LIBRARIES = ("/usr/include", "/usr/lib/gcc", "/usr/lib64", "/usr/libexec/gcc")
 PROGRAMS = ("g++", "as", "ld", "sh", "cat", "mktemp", "rm", "addr2line")
+LARGE_PAGES = "/sys/kernel/mm/transparent_hugepage"  # where malloc looks whether there are any
 TEMPORARY = 256 * 1024 * 1024
 
 
@@ -57,18 +59,22 @@ class Box:
         command += ["--ro-bind", str(program), "/runner", "--remount-ro", "/"]
         return [*command, "--", *_enter(Path("/enter"), "check"), "--", "/runner"]
 
-    def to_build(self, folder: Path, visible: Iterable[Path]) -> list[str]:
+    def to_build(
+        self, folder: Path, visible: Iterable[Path], programs: Iterable[str] = PROGRAMS
+    ) -> list[str]:
         """A prefix for the toolchain in `folder`, which it can read; it can write to a temporary
-        folder alone."""
+        folder alone. clang and its linker need none of the other programs."""
         if self.kind == "none":
             return []
-        seen = [*toolchain(), str(folder), *map(str, visible)]
+        used = [f"/usr/bin/{name}" for name in programs]
+        seen = list(dict.fromkeys([*toolchain(), *used, str(folder), *map(str, visible)]))
         if self.kind == "reduced":
             places = [word for path in seen for word in ("--see", path)]
             return [*_enter(ENTER, "build"), "--reduced", "--in", str(folder), *places, "--"]
         # As the first process in there, `enter` waits for the toolchain and counts its CPU time.
         command = [*_bubblewrap(), "--as-pid-1", *_temporary()]
-        command += _open_to_all(["/dev/null", *seen])
+        # clang says /usr/bin/../lib of the system's headers, also where it has nothing in /usr/bin.
+        command += _open_to_all(["/dev/null", "/usr/bin/any", *seen])
         command += ["--dev-bind", "/dev/null", "/dev/null"]
         for name in ("bin", "lib", "lib64"):
             command += ["--symlink", f"usr/{name}", f"/{name}"]
@@ -151,11 +157,11 @@ def _hidden_from_others(path: Path) -> Path | None:
 
 @cache
 def toolchain() -> list[str]:
-    """What the compilers and the linker are made of."""
-    libraries = [path for path in LIBRARIES if Path(path).exists()]
+    """What the compilers and the linker are made of, but for programs in /usr/bin."""
+    libraries = [path for path in (*LIBRARIES, LARGE_PAGES) if Path(path).exists()]
     libraries += sorted(str(p) for p in Path("/usr/lib").glob("*-linux-gnu"))
     libraries += sorted(str(p) for p in Path("/usr/lib").glob("llvm-*"))
-    return libraries + [f"/usr/bin/{name}" for name in PROGRAMS]
+    return libraries
 
 
 def _enter(program: Path, kind: str) -> list[str]:
@@ -168,7 +174,16 @@ def _user() -> int:
 
 @cache
 def _help() -> str:
-    return processes.run(["/usr/bin/bwrap", "--help"]).out.decode()
+    """What bubblewrap can do here; asked once, and again when there is another bubblewrap."""
+    program = Path("/usr/bin/bwrap")
+    kept = BUILD / f"bwrap-help-{program.stat().st_mtime_ns}"
+    with suppress(OSError):
+        return kept.read_text()
+    asked = processes.run([str(program), "--help"])
+    if asked.ok:
+        with suppress(OSError):  # where it can't be written down, it is asked each time
+            write_whole(kept, asked.out)
+    return asked.out.decode()
 
 
 def _temporary() -> list[str]:

@@ -13,7 +13,7 @@ from functools import cache
 from pathlib import Path
 
 from bounce_grader import processes
-from bounce_grader.box import Box
+from bounce_grader.box import PROGRAMS, Box
 from bounce_grader.errors import KitError
 from bounce_grader.manifest import Part
 from bounce_grader.paths import CACHE, CONTRACT, RUNNER, SOURCES
@@ -115,17 +115,18 @@ class _Compiling:
         folder = self.work / f"{SOURCES}-{digest[:16]}"
         self.submission.write_to(folder, names)
         self.box.give(folder)
-        first = result = self._run(_clang(self.file, self.submission, self.timed), folder)
+        first = result = self._run(_clang(self.file, self.submission, self.timed), folder, ())
         if more and _misses_a_file(first):
             return Built(None)
         if not first.ok and not _ran_out_of_time(first):
-            result = self._run(_gcc(self.file, self.submission, self.timed), folder)
+            gcc = _gcc(self.file, self.submission, self.timed)
+            result = self._run(gcc, folder, PROGRAMS)
         if result.ok and result.out:
             return Built(_store(result.out, _cached(digest)))
         return Built(None, compile_problem(first, self.file))
 
-    def _run(self, command: list[str], folder: Path) -> processes.Result:
-        prefix = self.box.to_build(folder, [CONTRACT, RUNNER])
+    def _run(self, command: list[str], folder: Path, programs: tuple[str, ...]) -> processes.Result:
+        prefix = self.box.to_build(folder, [CONTRACT, RUNNER], programs)
         result = processes.run([*prefix, *command], COMPILE, cwd=folder, out_cap=LARGEST_OBJECT)
         self.spent.append(result.cpu_seconds)
         _require_a_compiler(result, COMPILE)
@@ -328,9 +329,9 @@ def _link(
     files = [str(path) for path in own if path]
     given = [str(RUNNER / f"{name}.o") for name in kit]
     command = _link_command([*flags, *given, *files, *more])
-    visible = [RUNNER, *(Path(word) for word in files + more if word.startswith(str(CACHE)))]
-    folder = RUNNER
-    result = processes.run(box.to_build(folder, visible) + command, LINK, cwd=folder)
+    visible = [Path(word) for word in files + more if word.startswith(str(CACHE))]
+    prefix = box.to_build(RUNNER, visible, programs=())
+    result = processes.run(prefix + command, LINK, cwd=RUNNER)
     _require_a_compiler(result, LINK)
     if result.ok and result.out:
         runner.write_bytes(result.out)

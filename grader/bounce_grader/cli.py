@@ -10,11 +10,14 @@ from bounce_grader import __version__, formats
 from bounce_grader.classroom import cli as class_cli
 from bounce_grader.errors import KitError, UsageError
 from bounce_grader.escape import said, terminal
+from bounce_grader.packages import find_installed
 from bounce_grader.study import cli as study_cli
 
 
 def main(arguments: list[str]) -> int:
     options = _parser().parse_args(arguments)
+    if options.command is not _grade:
+        find_installed()
     try:
         return int(options.command(options))
     except UsageError as error:

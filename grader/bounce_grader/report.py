@@ -8,6 +8,7 @@ from bounce_grader import speed
 from bounce_grader.escape import terminal
 from bounce_grader.formats.words import STATUS_WORDS, where_to_read
 from bounce_grader.hints import headings
+from bounce_grader.packages import find_installed
 from bounce_grader.paths import HANDOUT
 from bounce_grader.record import Record
 
@@ -17,6 +18,7 @@ def show(record: Record, stream: TextIO = sys.stdout) -> None:
     if not stream.isatty():
         stream.writelines(f"{line}\n" for _, line in lines(record))
         return
+    find_installed()
     from rich.console import Console
     from rich.text import Text
 
