@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "pattern.hpp"
 #include "picture.hpp"
+#include "wrong_rules.hpp"
 
 namespace bounce::tests {
 namespace {

@@ -2,15 +2,11 @@
 #pragma once
 
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "answers.hpp"
 
 namespace bounce::tests {
-
-// Factors by which a number may be wrong, by the names of the assignment.
-std::vector<std::pair<std::string, double>> factors(const Parameters& params);
 
 // Up to four sentences, the first of which say what is right: which quantities are wrong; in which
 // cases; where it is so, that one factor, one difference, an exchange of places or too few digits

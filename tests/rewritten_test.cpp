@@ -10,7 +10,6 @@
 #include <map>
 #include <random>
 
-#include "pattern.hpp"
 #include "recognise.hpp"
 
 namespace bounce::tests {

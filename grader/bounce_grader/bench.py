@@ -23,7 +23,10 @@ from bounce_grader.submission import read
 ROUNDS = 9
 MANY = 100
 AT_ONCE = 10
-SHARED_BY_TESTS = ("answers", "cases", "feedback", "pattern", "picture", "recognise")
+SHARED_BY_TESTS = (
+    *("answers", "cases", "feedback", "pattern", "picture", "recognise"),
+    *("wrong_numbers", "wrong_rules", "wrong_where"),
+)
 LINKED_TESTS = ("main", "mistake", "time_limit")
 SOLUTION = ROOT / "solution" / "src"
 PLAIN_GCC = ("g++", "-std=c++20", "-O1", "-isystem", "/usr/include/eigen3", "-I", str(CONTRACT))

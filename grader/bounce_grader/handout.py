@@ -22,6 +22,7 @@ TESTS = (
     "picture.?pp",
     "recognise.?pp",
     "submission.hpp",
+    "wrong_*.?pp",
     "part?_*_test.cpp",
     "linked/*.?pp",
 )

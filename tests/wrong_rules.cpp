@@ -1,0 +1,170 @@
+#include "wrong_rules.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "recognise.hpp"
+
+namespace bounce::tests {
+namespace {
+
+using Eigen::Index;
+
+constexpr double kFewDigits = 1e-4;
+constexpr double kRounding = 1e-9;  // below which a number stands for 0
+
+// --- words ---
+
+std::string capital(std::string text) {
+  const bool is_word = text.size() > 1 && text.rfind("the ", 0) == 0;
+  if (is_word) text[0] = 'T';
+  return text;
+}
+
+std::string digits(double x) {
+  if (std::isnan(x)) return "not a number";
+  if (x == 0) return "0";  // without the sign that zero may have
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", x);
+  return text;
+}
+
+// --- by what rule ---
+
+bool is_rule(const std::vector<Number>& numbers, const std::function<double(const Number&)>& rule) {
+  return numbers.size() >= kEnough && std::all_of(numbers.begin(), numbers.end(), [&](auto& n) {
+           return n.right != 0 && same(rule(n), n.got);
+         });
+}
+
+std::string factor_of(const std::vector<Case>& cases, const std::vector<Number>& numbers) {
+  if (numbers.empty()) return "";
+  const auto names = factors(cases[numbers[0].question].params);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const auto scaled = [&](const Number& n) {
+      return factors(cases[n.question].params)[i].second * n.right;
+    };
+    if (is_rule(numbers, scaled)) return names[i].first;
+  }
+  const double ratio = numbers[0].got / numbers[0].right;
+  const bool constant = is_rule(numbers, [&](const Number& n) { return ratio * n.right; });
+  return constant && ratio != 0 ? digits(ratio) : "";
+}
+
+std::string difference_of(const std::vector<Number>& numbers) {
+  if (numbers.empty()) return "";
+  const double difference = numbers[0].got - numbers[0].right;
+  const bool constant = is_rule(numbers, [&](const Number& n) { return n.right + difference; });
+  return constant ? digits(std::abs(difference)) + (difference > 0 ? " more" : " less") : "";
+}
+
+std::string constant_of(const std::vector<Number>& numbers) {
+  if (numbers.empty()) return "";
+  const bool is_one = is_rule(numbers, [&](const Number&) { return numbers[0].got; });
+  const bool varies = std::any_of(numbers.begin(), numbers.end(), [&](const Number& n) {
+    return !same(n.right, numbers[0].right);
+  });
+  const bool is_rounding = numbers[0].got != 0 && std::abs(numbers[0].got) < kRounding;
+  return is_one && varies && !is_rounding ? digits(numbers[0].got) : "";
+}
+
+std::string rule_of(const std::string& subject, const std::vector<Case>& cases,
+                    const std::vector<Number>& numbers) {
+  const std::string constant = constant_of(numbers), factor = factor_of(cases, numbers);
+  if (!constant.empty()) return subject + " is " + constant + ", whatever the question.";
+  if (!factor.empty()) return subject + " is " + factor + " times the right one.";
+  const std::string difference = difference_of(numbers);
+  return difference.empty() ? "" : subject + " is " + difference + " than the right one.";
+}
+
+bool few_digits(const std::vector<Number>& numbers) {
+  return std::all_of(numbers.begin(), numbers.end(), [](const Number& n) {
+    return std::abs(n.got - n.right) < kFewDigits * std::max(1e-3, std::abs(n.right));
+  });
+}
+
+// --- exchanged places ---
+
+struct Exchange {
+  int part;
+  std::string words;
+  std::vector<Index> from;  // where each entry comes from
+};
+
+std::vector<Exchange> exchanges() {
+  const auto matrix = [](Index rows, auto&& from) {
+    std::vector<Index> all = range(0, 20);
+    for (Index j = 0; j < rows; ++j) {
+      for (Index i = 0; i < rows; ++i) all[static_cast<std::size_t>(i + 4 * j)] = from(i, j);
+    }
+    return all;
+  };
+  std::vector<Index> p_swapped = range(0, 20);
+  std::swap(p_swapped[17], p_swapped[18]);
+  return {{1, "the two columns of J are exchanged", {3, 4, 5, 0, 1, 2, 6}},
+          {1, "J is filled row by row with what belongs into its columns", {0, 2, 4, 1, 3, 5, 6}},
+          {2, "V is transposed", matrix(4, [](Index i, Index j) { return j + 4 * i; })},
+          {2, "p(1) and p(2) are exchanged", p_swapped}};
+}
+
+bool explains(const Exchange& exchange, const std::vector<Answer>& right,
+              const std::vector<Answer>& got) {
+  for (std::size_t k = 0; k < got.size(); ++k) {
+    for (Index i = 0; i < got[k].numbers.size(); ++i) {
+      const Index from = exchange.from[static_cast<std::size_t>(i)];
+      if (!same(right[k].numbers(from), got[k].numbers(i))) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+std::vector<std::pair<std::string, double>> factors(const Parameters& p) {
+  return {{"-1", -1},
+          {"2", 2},
+          {"1/2", 0.5},
+          {"dt", p.dt},
+          {"1/dt", 1 / p.dt},
+          {"m", p.m},
+          {"1/m", 1 / p.m},
+          {"m^2", p.m * p.m},
+          {"epsilon", p.epsilon},
+          {"1 + epsilon", 1 + p.epsilon},
+          {"1/(1 + epsilon)", 1 / (1 + p.epsilon)}};
+}
+
+// One rule for every wrong number, or one for each quantity that has its own.
+Words rules(int part, const std::vector<Case>& cases, const Wrong& wrong) {
+  if (few_digits(wrong.numbers)) {
+    return {
+        "The wrong numbers are right to four digits or more: is there a float, or a constant with "
+        "too few digits?"};
+  }
+  const std::string all = rule_of("Every wrong number", cases, wrong.numbers);
+  if (!all.empty()) return {all};
+  Words found;
+  for (const Quantity& quantity : quantities(part)) {
+    std::vector<Number> own;
+    std::copy_if(wrong.numbers.begin(), wrong.numbers.end(), std::back_inserter(own),
+                 [&](const Number& n) { return is_touched(quantity, {n.entry}); });
+    const std::string subject = own.empty() || quantity.entries.size() == 1
+                                    ? capital(quantity.name)
+                                    : "Every wrong number in " + quantity.name;
+    const std::string own_rule = rule_of(subject, cases, own);
+    if (!own_rule.empty() && found.size() < 2) found.push_back(own_rule);
+  }
+  return found;
+}
+
+std::string exchanged(int part, const std::vector<Answer>& right, const std::vector<Answer>& got) {
+  for (const Exchange& exchange : exchanges()) {
+    if (exchange.part == part && explains(exchange, right, got)) {
+      return "One thing explains every wrong number: " + exchange.words + ".";
+    }
+  }
+  return "";
+}
+
+}  // namespace bounce::tests
