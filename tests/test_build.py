@@ -6,7 +6,7 @@ import tempfile
 from pathlib import Path
 
 import pytest
-from bounce_grader import build, processes
+from bounce_grader import build, compiler, kept, processes
 from bounce_grader.box import Box
 from bounce_grader.errors import KitError
 from bounce_grader.grade import grade as grade_path
@@ -41,11 +41,11 @@ def test_a_changed_object_of_the_kit_makes_other_runners(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     def digest() -> bytes:
-        return build._toolchain_digest.__wrapped__()
+        return kept.toolchain_digest.__wrapped__()
 
     for name in ("prelude.pch", "solve_lcp.o"):
         (tmp_path / name).write_bytes(b"")
-    monkeypatch.setattr(build, "RUNNER", tmp_path)
+    monkeypatch.setattr(kept, "RUNNER", tmp_path)
     before = digest()
     assert digest() == before
     os.utime(tmp_path / "solve_lcp.o", ns=(1, 1))
@@ -60,9 +60,9 @@ def test_objects_of_long_ago_are_forgotten_when_there_are_many(tmp_path: Path) -
     young = [tmp_path / f"young{n}" for n in range(70)]
     for file in young:
         file.write_bytes(b"")
-    build._forget_old(tmp_path)
+    kept.forget_old(tmp_path)
     assert set(tmp_path.iterdir()) == set(young)
-    build._forget_old(tmp_path)
+    kept.forget_old(tmp_path)
     assert set(tmp_path.iterdir()) == set(young)
 
 
@@ -100,7 +100,7 @@ def test_a_header_that_only_gcc_has_is_found(grade: Grade) -> None:
 def test_what_was_compiled_without_a_box_is_not_taken_in_one() -> None:
     taken = read(SOLUTION)
     names = sorted(taken.files)
-    digests = {build._digest(names[0], names, taken, Box(kind), False) for kind in ("full", "none")}
+    digests = {kept.name_of(names[0], names, taken, Box(kind), False) for kind in ("full", "none")}
     assert len(digests) == 2
 
 
@@ -112,17 +112,17 @@ def test_an_object_in_use_is_not_forgotten(tmp_path: Path) -> None:
     for n, file in enumerate(files):
         file.write_bytes(b"")
         os.utime(file, (n, n))
-    assert build._is_kept(files[0]) and not build._is_kept(tmp_path / "nothing")
-    build._forget_old(tmp_path)
+    assert kept.is_there(files[0]) and not kept.is_there(tmp_path / "nothing")
+    kept.forget_old(tmp_path)
     assert files[0].exists() and not files[1].exists() and files[-1].exists()
 
 
 def test_large_objects_are_forgotten_earlier(tmp_path: Path) -> None:
     for n in range(8):
         file = tmp_path / str(n)
-        file.write_bytes(b"x" * (build.KEPT_BYTES // 4))
+        file.write_bytes(b"x" * (kept.KEPT_BYTES // 4))
         os.utime(file, (n, n))
-    build._forget_old(tmp_path)
+    kept.forget_old(tmp_path)
     assert sorted(file.name for file in tmp_path.iterdir()) == ["4", "5", "6", "7"]
 
 
@@ -164,7 +164,7 @@ def test_clang_needs_no_help_in_a_box(
     with tempfile.TemporaryDirectory(prefix=WORK_FOLDER) as work:
         box = Box(kind)
         box.give(Path(work))
-        monkeypatch.setattr(build, "_gcc", lambda *_: ["/nowhere"])
+        monkeypatch.setattr(compiler, "gcc", lambda *_: ["/nowhere"])
         built = build.compile_all(read(write(tmp_path / "s", files)), Path(work), box, 2)
     assert all(part.path for part in built.parts.values()), built
 

@@ -23,7 +23,15 @@ def test_results_of_another_kit_are_refused_and_kept(
     assert {f: f.read_bytes() for f in before} == before
 
 
-@pytest.mark.parametrize("changed", ["grader/bounce_grader/judging.py", "tests/cases.cpp"])
+@pytest.mark.parametrize(
+    "changed",
+    [
+        "grader/bounce_grader/judging.py",
+        "grader/bounce_grader/classroom/unit.py",
+        "grader/runner/prelude.sed",
+        "tests/cases.cpp",
+    ],
+)
 def test_another_kit_is_known_wherever_it_lies(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, changed: str
 ) -> None:

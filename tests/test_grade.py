@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from bounce_grader import build, fixtures, judging
+from bounce_grader import compiler, fixtures, judging, kept
 from bounce_grader.errors import KitError
 from bounce_grader.grade import Options
 from bounce_grader.grade import grade as grade_path
@@ -214,9 +214,9 @@ def test_a_judge_that_leaves_a_check_out_is_no_verdict(
 def test_a_compiler_that_fails_is_no_verdict(
     monkeypatch: pytest.MonkeyPatch, grade: Grade, tmp_path: Path
 ) -> None:
-    monkeypatch.setattr(build, "compiler", lambda: "/bin/false")
-    monkeypatch.setattr(build, "TO_STANDARD_OUTPUT", ["/bin/false"])
-    monkeypatch.setattr(build, "_cached", lambda digest: tmp_path / "nothing-kept")
+    for name in ("clang", "clang_of_many", "gcc"):
+        monkeypatch.setattr(compiler, name, lambda *_: ["/bin/false"])
+    monkeypatch.setattr(kept, "place", lambda name: tmp_path / "nothing-kept")
     broken: dict[str, bytes | None] = {part.file: b"\n" for part in parts()}
     with pytest.raises(KitError, match="box couldn.t be made"):
         grade(broken)

@@ -4,7 +4,8 @@ import io
 from typing import Any
 
 from bounce_grader import report
-from bounce_grader.build import compile_problem, link_problem
+from bounce_grader.compiler import compile_problem
+from bounce_grader.linking import link_problem
 from bounce_grader.processes import Result
 
 

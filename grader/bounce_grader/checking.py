@@ -5,7 +5,7 @@ import re
 from dataclasses import replace
 from pathlib import Path
 
-from bounce_grader import build, judging
+from bounce_grader import judging, linking
 from bounce_grader.box import Box
 from bounce_grader.errors import KitError
 from bounce_grader.judging import Judged, Verdict
@@ -20,7 +20,7 @@ def explained(
     if box.kind != "full" or not any(map(_is_unclear, judged.verdicts.values())):
         return judged
     try:
-        built = build.checked_alone(part, taken, work, box)
+        built = linking.checked_alone(part, taken, work, box)
         if not built.path:
             return judged
         given = part.has_earlier_parts

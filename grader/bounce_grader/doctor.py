@@ -15,7 +15,7 @@ from typing import IO
 
 from bounce_grader import processes
 from bounce_grader.box import Box, problem_of
-from bounce_grader.build import COMPILE
+from bounce_grader.compiler import COMPILE
 from bounce_grader.paths import PROBE, ROOT, WATCH
 
 Attempt = list[str]

@@ -11,7 +11,16 @@ from functools import partial
 from pathlib import Path
 
 from bounce_grader import box as boxes
-from bounce_grader import build, checking, fixtures, judging, record, speed, submission
+from bounce_grader import (
+    build,
+    checking,
+    fixtures,
+    judging,
+    linking,
+    record,
+    speed,
+    submission,
+)
 from bounce_grader.box import Box
 from bounce_grader.errors import KitError
 from bounce_grader.judging import Judged
@@ -76,7 +85,7 @@ def _link_together(
     if any(part.number not in objects.parts for part in parts()):
         return build.Built(None, "not all parts were submitted")
     broken = [b for b in [*objects.parts.values(), *objects.helpers.values()] if not b.path]
-    return broken[0] if broken else build.link_together(objects, runner, box, timed)
+    return broken[0] if broken else linking.link_together(objects, runner, box, timed)
 
 
 class _Grading:
@@ -119,7 +128,7 @@ class _Grading:
         tries = [self.own[part]] if part in self.own else []
         if not tries or self._could_be_better(part, tries[0]):
             runner = self.work / f"alone{part.number}"
-            alone = build.link_alone(part, self.objects, runner, self.box)
+            alone = linking.link_alone(part, self.objects, runner, self.box)
             if alone.path:
                 given = part.has_earlier_parts
                 tries.append(
@@ -172,7 +181,7 @@ def _require_working_kit(box: Box) -> None:
         box.give(work)
         objects = build.compile_all(taken, work, box, 1)
         stub = objects.parts[1]
-        linked = build.link_alone(parts()[0], objects, work / "stub", box) if stub.path else stub
+        linked = linking.link_alone(parts()[0], objects, work / "stub", box) if stub.path else stub
         if not linked.path:
             raise KitError(f"a stub can't be built: {linked.problem}")
     problem = boxes.problem_of(box)

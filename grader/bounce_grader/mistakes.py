@@ -25,7 +25,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from bounce_grader import build, processes, submission
+from bounce_grader import build, linking, processes, submission
 from bounce_grader.box import Box
 from bounce_grader.errors import KitError
 from bounce_grader.hints import headings
@@ -127,7 +127,7 @@ def answers_of(folder: Path, part: Part, work: Path) -> Answers:
     taken = submission.read(folder)
     work.mkdir(parents=True, exist_ok=True)
     objects = build.compile_all(taken, work, TRUSTED, 1)
-    linked = build.link_alone(part, objects, work / "runner", TRUSTED)
+    linked = linking.link_alone(part, objects, work / "runner", TRUSTED)
     if not linked.path:
         raise KitError(f"{folder.name} can't be built: {linked.problem}")
     got = answers(part, linked.path)

@@ -5,7 +5,7 @@ from collections.abc import Callable
 from functools import cache
 from typing import Any
 
-from bounce_grader import build, judging, speed
+from bounce_grader import compiler, judging, linking, speed
 from bounce_grader.errors import KitError
 from bounce_grader.manifest import parts
 from bounce_grader.paths import WORK_FOLDER
@@ -81,8 +81,8 @@ COMPILER_SEEDS = [
 
 def check_compiler(data: bytes) -> bool:
     said = Result(1, 0.0, b"", data.decode("utf-8", "replace"), False, False)
-    problem = build.compile_problem(said, "part2_lcp.cpp")
-    link = build.link_problem(said)
+    problem = compiler.compile_problem(said, "part2_lcp.cpp")
+    link = linking.link_problem(said)
     place = judging.place_in(data)
     assert problem and "\n" not in problem and "\n" not in link
     assert place is None or len(place) <= 300

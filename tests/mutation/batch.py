@@ -13,7 +13,7 @@ from pathlib import Path
 
 from bounce_grader import processes
 from bounce_grader.box import Box
-from bounce_grader.build import compiler
+from bounce_grader.compiler import compiler
 from bounce_grader.errors import KitError
 from bounce_grader.paths import CACHE, CONTRACT, RUNNER
 

@@ -16,7 +16,7 @@ from functools import cache
 from pathlib import Path
 
 from bounce_grader import box as boxes
-from bounce_grader import build, fixtures, judging, processes
+from bounce_grader import build, fixtures, judging, linking, processes
 from bounce_grader.box import Box
 from bounce_grader.build import Built, Objects
 from bounce_grader.errors import KitError
@@ -145,8 +145,8 @@ def _built(wanted: list[Change]) -> Iterator[tuple[Batch, Runners]]:
     with tempfile.TemporaryDirectory(prefix=WORK_FOLDER) as name:
         work = Path(name)
         linked = [
-            build.link_together(objects, work / "together", box),
-            build.link_alone(part, objects, work / "alone", box),
+            linking.link_together(objects, work / "together", box),
+            linking.link_alone(part, objects, work / "alone", box),
         ]
         box.give(work)
         for runner in linked:

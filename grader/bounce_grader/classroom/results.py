@@ -16,7 +16,8 @@ from bounce_grader.paths import CONTRACT, HANDOUT, ROOT
 from bounce_grader.record import digest_of
 
 SET = "set.json"
-LATER = ("classroom", "formats")  # these make something of records, and change none
+LATER = ("classroom", "formats")  # these make something of records, and change none; but for
+TAKEN = {"layout.py", "unit.py"}  # by which a submission is taken and its record kept
 
 
 def stamp_now(trust: bool) -> Stamp:
@@ -37,8 +38,9 @@ def _sources() -> Iterator[Path]:
     folders = [ROOT / "grader", CONTRACT, HANDOUT / "given", ROOT / "solution" / "src"]
     for folder in folders:
         for file in folder.rglob("*"):
-            used = file.suffix in {".py", ".cpp", ".hpp", ".json", ".txt"}
-            if used and not set(LATER) & set(file.relative_to(ROOT).parts):
+            used = file.suffix in {".py", ".cpp", ".hpp", ".json", ".sed", ".txt"}
+            later = set(LATER) & set(file.relative_to(ROOT).parts) and file.name not in TAKEN
+            if used and not later:
                 yield file
     yield from (ROOT / "tests").glob("*.?pp")  # the comparisons, which the judge is built with
 
