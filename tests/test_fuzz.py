@@ -80,6 +80,16 @@ def answered(change: Callable[[Any], object]) -> bytes:
     return json.dumps(answer).encode()
 
 
+def shown(change: Callable[[Any], object]) -> bytes:
+    answer = json.loads(answers.judge_seeds()[1])
+    change(answer["checks"][0]["revealed"]["shown"])
+    return json.dumps(answer).encode()
+
+
+def test_what_a_case_shows_is_taken() -> None:
+    assert judging.read_answer(shown(lambda s: None), parts()[3])
+
+
 @pytest.mark.parametrize(
     "out",
     [
@@ -99,7 +109,13 @@ def answered(change: Callable[[Any], object]) -> bytes:
         answered(lambda a: a["checks"][0].update(passed=1)),
         answered(lambda a: a["checks"][0].update(status="fine")),
         answered(lambda a: a["checks"][0].pop("stack")),
+        answered(lambda a: a.update(largest_error=10**400)),
         answers.judge_seeds()[0].replace(b"1e-13", b"1e999"),
+        shown(lambda s: s["scene"]["g"].pop()),
+        shown(lambda s: s["scene"]["q"].append(0)),
+        shown(lambda s: s["scene"].update(v=7)),
+        shown(lambda s: s["scene"].update(l=10**400)),
+        shown(lambda s: s["quantities"][0].update(got=[[10**400]])),
     ],
 )
 def test_half_an_answer_of_the_judge_is_a_fault_of_the_kit(out: bytes) -> None:

@@ -195,11 +195,20 @@ def test_a_scene_that_was_cut_ends_the_curve_of_all() -> None:
 @pytest.mark.parametrize(
     "spoil",
     [b"{}", b"[]", b"x", b'{"dt":[NaN],"scenes":[],"cut":""}', b'{"dt":[0],"scenes":[],"cut":""}']
-    + [b'{"dt":[],"scenes":[{}],"cut":""}', b'{"dt":[],"scenes":[],"cut":1}'],
+    + [b'{"dt":[],"scenes":[{}],"cut":""}', b'{"dt":[],"scenes":[],"cut":1}']
+    + [b'{"dt":[1e200],"scenes":[],"cut":""}', b'{"dt":[1%s],"scenes":[],"cut":""}' % (b"0" * 400)],
 )
 def test_what_is_no_answer_is_the_kits_failure(spoil: bytes) -> None:
     with pytest.raises(KitError):
         speed.read(spoil)
+
+
+def test_an_error_beyond_all_bounds_is_none() -> None:
+    point = {"dt": 0.1, "ns": 1.0, "error": 1e200}
+    curves = {curve: [point] for curve in speed.CURVES}
+    scene = {"scene": "drop", "title": "Drop", "seconds": 1.0, **curves}
+    found = speed.read(json.dumps({"dt": [0.1], "scenes": [scene], "cut": ""}).encode())
+    assert speed.curve(found, "submission") == [Point(0.1, 1.0, None)]
 
 
 def test_the_chart_is_told_apart_without_colour() -> None:

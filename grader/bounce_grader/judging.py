@@ -1,8 +1,8 @@
 """Runs the judge on a runner, and reads its verdicts."""
 
 import json
-import math
 import re
+import sys
 from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
@@ -126,7 +126,7 @@ def _are_texts(x: object) -> bool:
 
 
 def _is_size(x: object) -> bool:
-    return x is None or type(x) in (int, float) and 0 <= cast(float, x) < math.inf
+    return x is None or type(x) in (int, float) and 0 <= cast(float, x) <= sys.float_info.max
 
 
 def _with_place(check: dict[str, str], runner: Path, box: Box) -> str:

@@ -1,6 +1,6 @@
 """A failed case in numbers, as the judge gives it (grader/judge/shown.hpp): read, and made safe."""
 
-import math
+import sys
 from typing import Any
 
 from bounce_grader.escape import said
@@ -52,7 +52,9 @@ def _quantity(answer: Any) -> Shown:
 
 def _scene(answer: Any) -> Shown:
     numbers = {key: _finite(answer[key]) for key in ("l", "m", "dt", "delta")}
-    vectors = {key: [_finite(answer[key][i]) for i in range(3)] for key in ("g", "q", "v")}
+    vectors = {key: _rows([answer[key]], _finite)[0] for key in ("g", "q", "v")}
+    if {len(vector) for vector in vectors.values()} != {3}:
+        raise ValueError("no configuration")
     return {**numbers, **vectors}
 
 
@@ -81,7 +83,7 @@ def _entry(x: Any) -> float | str:
 
 
 def _finite(x: Any) -> float:
-    if type(x) not in (int, float) or not math.isfinite(x):
+    if type(x) not in (int, float) or not abs(x) <= sys.float_info.max:
         raise TypeError("no number")
     return float(x)
 

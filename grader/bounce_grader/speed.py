@@ -16,6 +16,7 @@ WAIT = processes.Limits(cpu_seconds=30, wall_seconds=120, memory=4 << 30, file_s
 CURVES = ("submission", "solution", "least")
 STEP = 1e-3  # s: the dt at which the time of a step is told
 FINE = 1e-3  # m: what is near enough
+LARGEST = 1e100  # seconds, nanoseconds or metres; so that their products are finite
 Measured = dict[str, Any]
 
 
@@ -25,7 +26,7 @@ class Point:
 
     dt: float  # s
     ns: float  # CPU time for a simulated second
-    error: float | None  # m, the largest; None where it isn't finite
+    error: float | None  # m, the largest; None where it isn't finite, or beyond LARGEST
 
 
 def measure(runner: Path, box: Box) -> Measured | None:
@@ -43,9 +44,9 @@ def read(out: bytes) -> Measured:
         answer = json.loads(out, parse_constant=_no_number)
         scenes = [_scene(scene) for scene in answer["scenes"]]
         found = {"cut": said(answer["cut"]), "dt": list(map(_size, answer["dt"])), "scenes": scenes}
+        return {**_step(found), **found}
     except (ValueError, TypeError, KeyError, AttributeError, RecursionError) as error:
         raise KitError("the stopwatch's answer can't be read") from error
-    return {**_step(found), **found}
 
 
 def _no_number(word: str) -> None:
@@ -65,13 +66,16 @@ def _scene(scene: Any) -> Measured:
 
 
 def _size(x: object) -> float:
-    if type(x) not in (int, float) or not 0 < cast(float, x) < math.inf:
+    if type(x) not in (int, float) or not 0 < cast(float, x) <= LARGEST:
         raise ValueError("no positive number")
-    return cast(float, x)
+    return float(cast(float, x))
 
 
 def _error(x: object) -> float | None:
-    return None if x is None else 0.0 if x == 0 else float(f"{_size(x):.3e}")
+    """In m; none where it isn't finite, or might as well not be."""
+    if x is None or isinstance(x, float) and x > LARGEST:
+        return None
+    return 0.0 if x == 0 else float(f"{_size(x):.3e}")
 
 
 def _step(found: Measured) -> Measured:
