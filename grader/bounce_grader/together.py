@@ -36,7 +36,7 @@ def compile_missing(submission: Submission, work: Path, box: Box, jobs: int) -> 
         for file in submission.parts.values()
     }
     missing = [file for file in names if not kept.is_there(kept.place(names[file]))]
-    groups = [group for group in (missing[i::jobs] for i in range(jobs)) if len(group) > 1]
+    groups = [group for group in (missing[i::jobs] for i in range(jobs)) if group]
     if not groups or any(map(APART.search, submission.files.values())):
         return
 
