@@ -25,17 +25,13 @@ TO_STANDARD_OUTPUT = [
 
 
 def run(
-    command: list[str],
-    folder: Path,
-    box: Box,
-    programs: Iterable[str] = (),
-    limits: processes.Limits = COMPILE,
+    command: list[str], folder: Path, box: Box, programs: Iterable[str] = ()
 ) -> processes.Result:
     """In the folder of a submission's sources. Raises KitError where the box or the machine has
     failed, and not the submission."""
     prefix = box.to_build(folder, [CONTRACT, RUNNER], programs)
-    result = processes.run([*prefix, *command], limits, cwd=folder, out_cap=LARGEST_OBJECT)
-    require_a_compiler(result, limits)
+    result = processes.run([*prefix, *command], COMPILE, cwd=folder, out_cap=LARGEST_OBJECT)
+    require_a_compiler(result, COMPILE)
     return result
 
 

@@ -11,12 +11,11 @@ import re
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from bounce_grader import compiler, kept, processes
+from bounce_grader import compiler, kept
 from bounce_grader.box import Box
 from bounce_grader.paths import SOURCES
 from bounce_grader.submission import Submission
 
-LIMITS = processes.Limits(cpu_seconds=10, wall_seconds=120, memory=2 << 30, file_size=64 << 20)
 # Other directives than these, and what may be one that isn't seen as such; what asks for files; and
 # the assembler, which includes them.
 APART = re.compile(
@@ -54,7 +53,7 @@ def _objects(group: list[str], submission: Submission, work: Path, box: Box) -> 
     submission.write_to(folder, {n for file in group for n in kept.needed(file, submission)})
     box.give(folder)
     command = compiler.clang_of_many(group, submission, folder)
-    result = compiler.run(command, folder, box, limits=LIMITS)
+    result = compiler.run(command, folder, box)
     objects = apart(result.out) if result.ok else []
     return objects if len(objects) == len(group) else []
 
