@@ -23,7 +23,9 @@ STAND_IN = ROOT / "tests" / "stand_in.py"
 
 def started(source: Path, out: Path, seconds: float = 0.0) -> Any:
     environment = {**os.environ, "PYTHONPATH": f"{ROOT / 'grader'}:{ROOT / 'tests'}"}
-    command = [sys.executable, str(STAND_IN), str(source), str(out), str(seconds)]
+    # Who runs the tests in the background may have Ctrl-C ignored, and so would its children.
+    command = ["env", "--default-signal=INT", sys.executable]
+    command += [str(STAND_IN), str(source), str(out), str(seconds)]
     return subprocess.Popen(
         command, env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
     )
