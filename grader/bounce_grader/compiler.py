@@ -68,7 +68,7 @@ def clang_of_many(files: Sequence[str], submission: Submission, folder: Path) ->
     """One start of the compiler proper, which takes the files one after the other, each by itself,
     and writes their objects in a row; with the words that clang would give it for one file."""
     words = shlex.split((RUNNER / "compile_command.txt").read_text())
-    command = [word.replace("FOLDER", str(folder)) for word in words]
+    command = [re.sub("=FOLDER$", lambda _: f"={folder}", word) for word in words]
     return [*command, *_includes(submission), *files]
 
 

@@ -1,4 +1,4 @@
-"""Several parts compiled by one start of clang, which saves a fifth of their time.
+"""Several parts compiled by one start of clang, which saves the others.
 
 Each is still compiled by itself, and its object is the one that it would get alone: it is kept
 under the same name. Only files take part that can neither change how the compiler reads the next
@@ -39,12 +39,12 @@ def compile_missing(submission: Submission, work: Path, box: Box, jobs: int) -> 
     if not groups or any(map(APART.search, submission.files.values())):
         return
 
-    def compile(group: list[str]) -> None:
+    def fill_in(group: list[str]) -> None:
         for file, data in zip(group, _objects(group, submission, work, box)):
             kept.store(data, kept.place(names[file]))
 
     with ThreadPoolExecutor(jobs) as pool:
-        list(pool.map(compile, groups))
+        list(pool.map(fill_in, groups))
 
 
 def _objects(group: list[str], submission: Submission, work: Path, box: Box) -> list[bytes]:

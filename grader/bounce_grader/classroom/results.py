@@ -16,8 +16,8 @@ from bounce_grader.paths import CONTRACT, HANDOUT, ROOT
 from bounce_grader.record import digest_of
 
 SET = "set.json"
-LATER = ("classroom", "formats")  # these make something of records, and change none; but for
-TAKEN = {"layout.py", "unit.py"}  # by which a submission is taken and its record kept
+LATER = ("classroom", "formats")  # these make something of records, and change none;
+TAKING = {"layout.py", "unit.py"}  # but these take a submission, or judge that it can't be graded
 
 
 def stamp_now(trust: bool) -> Stamp:
@@ -39,7 +39,7 @@ def _sources() -> Iterator[Path]:
     for folder in folders:
         for file in folder.rglob("*"):
             used = file.suffix in {".py", ".cpp", ".hpp", ".json", ".sed", ".txt"}
-            later = set(LATER) & set(file.relative_to(ROOT).parts) and file.name not in TAKEN
+            later = set(LATER) & set(file.relative_to(ROOT).parts) and file.name not in TAKING
             if used and not later:
                 yield file
     yield from (ROOT / "tests").glob("*.?pp")  # the comparisons, which the judge is built with
