@@ -144,7 +144,8 @@ def _own_memory(submission: Path) -> float:
         "print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss)"
     )
     command = [sys.executable, "-c", program, "grade", str(submission), "--json", "/dev/null"]
-    done = subprocess.run(command, capture_output=True, text=True, check=True)
+    folder = ROOT / "grader"  # where the package is
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=True)
     return int(done.stdout.splitlines()[-1]) / 1024
 
 

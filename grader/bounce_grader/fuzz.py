@@ -68,4 +68,4 @@ def _with_libfuzzer(name: str) -> bool:
 def _with_python(name: str) -> bool:
     environment = {**os.environ, "PYTHONPATH": f"{ROOT / 'grader'}:{ROOT / 'tests'}"}
     command = [sys.executable, "-m", "fuzzing", name, str(PYTHON[name])]
-    return subprocess.run(command, env=environment, check=False).returncode == 0
+    return subprocess.run(command, cwd=ROOT, env=environment, check=False).returncode == 0

@@ -1,8 +1,7 @@
-"""One chunk of a class, on a node of a cluster: python3 -m bounce_grader.classroom.chunk FILE."""
+"""One chunk of a class, on a node of a cluster: main([FILE, "--jobs", N])."""
 
 import argparse
 import json
-import sys
 from pathlib import Path
 
 from bounce_grader.classroom import results, task
@@ -21,7 +20,3 @@ def main(arguments: list[str]) -> int:
         print(f"{done.key[:12]} {outcome.state} {outcome.seconds} s {outcome.message}", flush=True)
         failed += outcome.state == "failed"
     return 3 if failed else 0
-
-
-if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,55 @@
+"""Whoever starts the kit may stand among strangers' files: nothing of them is run outside of a box."""
+
+import json
+import subprocess
+from pathlib import Path
+
+import classes
+import pytest
+from conftest import ROOT, solution_files, write
+
+# Under each name that Python looks for first: some are imported at the start of any program, some by
+# processes that a class starts.
+NAMES = ("argparse", "bounce_grader", "encodings", "json", "multiprocessing", "os", "re", "site")
+STRANGE = 'open("{canary}", "a").write(__name__)\nraise SystemExit("strange")\n'
+
+
+@pytest.fixture
+def among_strangers(tmp_path: Path) -> Path:
+    folder = write(tmp_path / "among", solution_files())
+    text = STRANGE.format(canary=tmp_path / "canary")
+    for name in NAMES:
+        (folder / f"{name}.py").write_text(text)
+        write(folder / "packages" / name, {"__init__.py": text.encode()})
+    return folder
+
+
+def kit(*words: str, cwd: Path) -> "subprocess.CompletedProcess[str]":
+    return subprocess.run([ROOT / "kit", *words], cwd=cwd, capture_output=True, text=True)
+
+
+@pytest.mark.parametrize("inside", ["", "packages"])
+def test_a_grading_runs_nothing_of_the_present_folder(among_strangers: Path, inside: str) -> None:
+    done = kit("grade", str(among_strangers), "--json", "-", cwd=among_strangers / inside)
+    assert (done.returncode, json.loads(done.stdout)["score"]) == (0, 100), done.stderr
+    assert not (among_strangers.parent / "canary").exists()
+
+
+def test_a_class_runs_nothing_of_the_present_folder(among_strangers: Path) -> None:
+    source = classes.download(among_strangers.parent / "x.zip", [101, 102])
+    done = kit("class", str(source), "--out", "../out", cwd=among_strangers)
+    assert done.returncode == 0, done.stderr
+    assert (among_strangers.parent / "out" / "gradebook.csv").exists()
+    assert not (among_strangers.parent / "canary").exists()
+
+
+def test_a_chunk_on_a_cluster_runs_nothing_of_the_present_folder(among_strangers: Path) -> None:
+    source, out = classes.download(among_strangers.parent / "x.zip", [101]), "../out"
+    done = kit("class", str(source), "--out", out, "--engine", "slurm", cwd=among_strangers)
+    assert done.returncode == 0, done.stderr
+    script = among_strangers.parent / "out" / "slurm" / "1" / "grade.sbatch"
+    environment = {"PATH": "/usr/bin:/bin", "SLURM_ARRAY_TASK_ID": "1", "SLURM_CPUS_PER_TASK": "1"}
+    chunk = subprocess.run(["sh", script], cwd=among_strangers, env=environment)
+    assert chunk.returncode == 0
+    assert list((among_strangers.parent / "out" / "results").iterdir())
+    assert not (among_strangers.parent / "canary").exists()
