@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fstream>
 #include <iomanip>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <stdexcept>
@@ -186,14 +187,33 @@ Case read_case(const json& from, bool hidden) {
   return c;
 }
 
+json checks_in(std::istream& file) { return json::parse(file).at("checks"); }
+
+std::vector<Case> read_cases(const json& checks, const std::string& check, bool hidden) {
+  std::vector<Case> cases;
+  for (const json& c : checks.value(check, json::array())) cases.push_back(read_case(c, hidden));
+  return cases;
+}
+
+// Read once, since every check of a part is in the same files.
+const json& checks_in(const std::filesystem::path& file) {
+  static std::map<std::filesystem::path, json> read;
+  auto known = read.find(file);
+  if (known == read.end()) {
+    std::ifstream in(file);
+    known = read.emplace(file, checks_in(in)).first;
+  }
+  return known->second;
+}
+
 // "part3.FallsFreely" is in the file whose stem begins with "part3".
 std::vector<Case> cases_of(const std::string& check) {
   std::vector<Case> cases;
   for (const auto& folder : fixture_folders()) {
     for (const auto& file : std::filesystem::directory_iterator(folder)) {
       if (file.path().filename().string().rfind(check.substr(0, check.find('.')), 0) != 0) continue;
-      std::ifstream in(file.path());
-      const std::vector<Case> more = read_cases(in, check, folder.filename() == "hidden");
+      const bool hidden = folder.filename() == "hidden";
+      const std::vector<Case> more = read_cases(checks_in(file.path()), check, hidden);
       cases.insert(cases.end(), more.begin(), more.end());
     }
   }
@@ -209,10 +229,7 @@ std::string running_check() {
 }  // namespace
 
 std::vector<Case> read_cases(std::istream& file, const std::string& check, bool hidden) {
-  const json checks = json::parse(file).at("checks");
-  std::vector<Case> cases;
-  for (const json& c : checks.value(check, json::array())) cases.push_back(read_case(c, hidden));
-  return cases;
+  return read_cases(checks_in(file), check, hidden);
 }
 
 std::vector<Case> read_all_cases(std::istream& file) {
