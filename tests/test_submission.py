@@ -3,7 +3,6 @@
 import os
 import subprocess
 import sys
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -149,8 +148,8 @@ def test_a_name_that_is_no_utf8_is_not_used(tmp_path: Path) -> None:
     taken = submission.read(tmp_path)
     assert set(taken.files) == PARTS and len(taken.sha256) == 64
     assert taken.ignored == ("L\udcf6sung.hpp",)
-    used = replace(taken, files={**taken.files, taken.ignored[0]: b""})
-    assert len({taken.sha256, used.sha256, replace(used, files={}).sha256}) == 3
+    used = taken._replace(files={**taken.files, taken.ignored[0]: b""})
+    assert len({taken.sha256, used.sha256, used._replace(files={}).sha256}) == 3
 
 
 def test_a_long_name_in_an_error_is_cut_and_moves_no_cursor(tmp_path: Path) -> None:

@@ -11,10 +11,10 @@ import os
 import stat
 from collections.abc import Iterable
 from contextlib import suppress
-from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 from shutil import which
+from typing import NamedTuple
 
 from bounce_grader import processes
 from bounce_grader.errors import KitError
@@ -32,8 +32,7 @@ LARGE_PAGES = "/sys/kernel/mm/transparent_hugepage"  # where malloc looks whethe
 TEMPORARY = 256 * 1024 * 1024
 
 
-@dataclass(frozen=True)
-class Box:
+class Box(NamedTuple):
     """kind is "full" or "reduced"; or "none", when the instructor trusts the submission."""
 
     kind: str

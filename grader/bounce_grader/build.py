@@ -1,8 +1,8 @@
 """Compiles the parts of a submission and the sources beside them, in a box."""
 
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, field
 from pathlib import Path
+from typing import NamedTuple
 
 from bounce_grader import compiler, kept, processes, together
 from bounce_grader.box import PROGRAMS, Box
@@ -12,16 +12,14 @@ from bounce_grader.submission import Submission
 HELPERS_SECONDS = 30  # of CPU time, for all helpers of a submission
 
 
-@dataclass(frozen=True)
-class Built:
+class Built(NamedTuple):
     """An object file or a runner; or one sentence that says why there is none."""
 
     path: Path | None
     problem: str = ""
 
 
-@dataclass(frozen=True)
-class Objects:
+class Objects(NamedTuple):
     parts: dict[int, Built]
     helpers: dict[str, Built]
 
@@ -42,7 +40,7 @@ def compile_all(
 
     with ThreadPoolExecutor(jobs) as pool:
         parts = {
-            number: pool.submit(_Compiling(file, submission, work, box, timed).built)
+            number: pool.submit(_Compiling(file, submission, work, box, timed, []).built)
             for number, file in submission.parts.items()
         }
         helpers = {file: pool.submit(helper, file) for file in submission.helpers}
@@ -52,8 +50,7 @@ def compile_all(
         )
 
 
-@dataclass(frozen=True)
-class _Compiling:
+class _Compiling(NamedTuple):
     """Of one file."""
 
     file: str
@@ -61,7 +58,7 @@ class _Compiling:
     work: Path
     box: Box
     timed: bool
-    spent: list[float] = field(default_factory=list)  # CPU seconds, to add to
+    spent: list[float]  # CPU seconds, to add to
 
     def built(self) -> Built:
         """Compiles where the object doesn't exist yet. The compiler sees the files that name the

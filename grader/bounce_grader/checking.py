@@ -2,7 +2,6 @@
 wrong access of memory and not the last. For words alone: no score comes of it."""
 
 import re
-from dataclasses import replace
 from pathlib import Path
 
 from bounce_grader import judging, linking
@@ -28,7 +27,7 @@ def explained(
     except KitError:  # the score stands without the explanation
         return judged
     verdicts = {id: _with_finding(v, again.verdicts[id]) for id, v in judged.verdicts.items()}
-    return replace(judged, verdicts=verdicts)
+    return judged._replace(verdicts=verdicts)
 
 
 def _is_unclear(verdict: Verdict) -> bool:
@@ -42,4 +41,4 @@ def _with_finding(verdict: Verdict, again: Verdict) -> Verdict:
         return verdict
     if found.group(1).startswith("the program"):  # it ended as before, and nothing was found
         return verdict
-    return replace(verdict, message=f"{verdict.message}\n  checked  {found.group(1)}")
+    return verdict._replace(message=f"{verdict.message}\n  checked  {found.group(1)}")

@@ -19,7 +19,10 @@ def main(arguments: list[str]) -> int:
     if options.command is not _grade:
         find_installed()
     try:
-        return int(options.command(options))
+        try:
+            return int(options.command(options))
+        finally:
+            sys.stdout.flush()
     except UsageError as error:
         print(f"kit: {_plain(error)}", file=sys.stderr)
         return 2

@@ -9,7 +9,7 @@ import sys
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 from typing import IO
 
@@ -20,7 +20,7 @@ from bounce_grader.paths import PROBE, ROOT, WATCH
 
 Attempt = list[str]
 WATCHING = processes.Limits(cpu_seconds=20, wall_seconds=90, memory=4 << 30, file_size=0)
-COMPILING = replace(COMPILE, cpu_seconds=1)
+COMPILING = COMPILE._replace(cpu_seconds=1)
 
 
 @dataclass(frozen=True)

@@ -1,7 +1,7 @@
 """One file of a submission, still unread, and how a source is read from it."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from typing import NamedTuple
 
 MOST_ENTRIES = 5000
 LARGEST_SOURCE = 1024 * 1024
@@ -11,8 +11,7 @@ class NotText(Exception):
     """Why a file can't be used as a source; the sentence goes on from its name."""
 
 
-@dataclass(frozen=True)
-class Entry:
+class Entry(NamedTuple):
     name: str  # relative, with forward slashes, without "..", never empty
     size: int  # as it says
     link: bool  # or anything else that is no ordinary file

@@ -14,7 +14,6 @@ All begin with the same, plain(text): characters that don't print become U+FFFD.
 bidirectional overrides, lone surrogates, and what XML 1.0 has no place for.
 """
 
-import html as html_entities
 import math
 import re
 from collections.abc import Iterable
@@ -55,7 +54,9 @@ def terminal(text: str) -> str:
 
 def html(text: str) -> str:
     """Lines stay lines; a browser shows them as such inside of <pre>."""
-    return html_entities.escape(plain(text), quote=True)
+    from html import escape
+
+    return escape(plain(text), quote=True)
 
 
 def csv_row(values: Iterable[Value]) -> str:
@@ -78,7 +79,9 @@ def _csv_field(value: Value) -> str:
 
 def markdown(text: str) -> str:
     """One line, of which nothing is markup; nor, on GitHub, a mention, a reference or a link."""
-    line = html_entities.escape(plain(text).replace("\n", " "), quote=False)
+    from html import escape
+
+    line = escape(plain(text).replace("\n", " "), quote=False)
     marked = re.sub(r"([\\`*_{}\[\]()#+!|~-])", r"\\\1", line)
     return re.sub(r"(@|#|://|www\.)", rf"\1{ZERO_WIDTH_SPACE}", marked)
 

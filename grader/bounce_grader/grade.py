@@ -6,9 +6,9 @@ import time
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
-from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
+from typing import NamedTuple
 
 from bounce_grader import box as boxes
 from bounce_grader import (
@@ -30,8 +30,7 @@ from bounce_grader.record import Record
 from bounce_grader.submission import Submission
 
 
-@dataclass(frozen=True)
-class Options:
+class Options(NamedTuple):
     boxes: tuple[str, ...] = boxes.FULL_OR_REDUCED  # the kinds that will do, the best first
     speed: bool = False
     jobs: int = 0  # 0: one a core

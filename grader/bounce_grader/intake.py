@@ -1,10 +1,10 @@
 """The files of a submission, a folder or a zip, without trusting a name, a size or a byte."""
 
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager
 from pathlib import Path
 
-from bounce_grader import folders, zips
+from bounce_grader import folders
 from bounce_grader.entry import Entry
 from bounce_grader.errors import UsageError
 
@@ -12,11 +12,19 @@ from bounce_grader.errors import UsageError
 @contextmanager
 def opened(path: Path) -> Iterator[list[Entry]]:
     """All files; they can be read while this is open. Raises UsageError where that can't be."""
-    with (folders if _is_folder(path) else zips).opened(path) as entries:
+    with _opened(path) as entries:
         found = list(entries)
         if not found:
             raise UsageError(f"{path} is empty: it should hold part1_contacts.cpp and so on")
         yield found
+
+
+def _opened(path: Path) -> AbstractContextManager[Iterator[Entry]]:
+    if _is_folder(path):
+        return folders.opened(path)
+    from bounce_grader import zips
+
+    return zips.opened(path)
 
 
 def _is_folder(path: Path) -> bool:

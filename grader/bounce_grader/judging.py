@@ -3,10 +3,9 @@
 import json
 import re
 import sys
-from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
-from typing import Any, cast
+from typing import Any, NamedTuple, cast
 
 from bounce_grader import processes, shown
 from bounce_grader.box import Box
@@ -21,8 +20,7 @@ WAIT = processes.Limits(cpu_seconds=60, wall_seconds=300, memory=4 << 30, file_s
 STATUSES = {"graded", "does_not_compile", "crashed", "timed_out", "out_of_memory", "no_answer"}
 
 
-@dataclass(frozen=True)
-class Verdict:
+class Verdict(NamedTuple):
     passed: bool
     status: str
     message: str
@@ -30,8 +28,7 @@ class Verdict:
     revealed: Shown | None = None  # of a hidden case, "message" and "shown" with its answer
 
 
-@dataclass(frozen=True)
-class Judged:
+class Judged(NamedTuple):
     """The verdicts of one part, by check id; graded_with is "own" or "given". Names of the known
     mistakes that the part makes; or where none is known, what its numbers say."""
 
@@ -70,7 +67,7 @@ def judge(
         *("--fixtures", str(FIXTURES / "public"), "--fixtures", str(hidden)),
         *("--", *(box.to_check(runner) if checked else box.to_run(runner))),
     ]
-    result = processes.run(command, replace(WAIT, memory=None) if checked else WAIT)
+    result = processes.run(command, WAIT._replace(memory=None) if checked else WAIT)
     if not result.ok:
         raise KitError(f"the judge failed on part {part.number}: {result.err.strip() or 'killed'}")
     answer = read_answer(result.out, part)

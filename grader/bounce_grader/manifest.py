@@ -1,21 +1,19 @@
 """The parts and their checks, from grader/parts.json: the one place where points stand."""
 
 import json
-from dataclasses import dataclass
 from functools import cache
+from typing import NamedTuple
 
 from bounce_grader.paths import ROOT
 
 
-@dataclass(frozen=True)
-class Check:
+class Check(NamedTuple):
     id: str
     title: str
     points: float
 
 
-@dataclass(frozen=True)
-class Part:
+class Part(NamedTuple):
     number: int
     stem: str
     title: str

@@ -20,10 +20,9 @@ import re
 import tempfile
 from collections.abc import Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from bounce_grader import build, linking, processes, submission
 from bounce_grader.box import Box
@@ -45,8 +44,7 @@ LAYOUT = re.compile(
 Answers = list[Any]  # of each question: a list of numbers, or the words of what was thrown
 
 
-@dataclass(frozen=True)
-class Mistake:
+class Mistake(NamedTuple):
     name: str
     title: str
     sentence: str

@@ -5,8 +5,8 @@ import selectors
 import signal
 import subprocess
 import time
-from dataclasses import dataclass
 from pathlib import Path
+from typing import NamedTuple
 
 from bounce_grader.errors import KitError
 
@@ -14,8 +14,7 @@ DIAGNOSTICS = 64 * 1024
 GRACE = 2.0  # seconds
 
 
-@dataclass(frozen=True)
-class Limits:
+class Limits(NamedTuple):
     """What a process may use; the wall clock is a lax backstop to CPU seconds."""
 
     cpu_seconds: int
@@ -34,8 +33,7 @@ class Limits:
         ]
 
 
-@dataclass(frozen=True)
-class Result:
+class Result(NamedTuple):
     code: int  # the exit status; -n for signal n
     cpu_seconds: float  # of it and of what it waited for; 0 where it was stopped
     out: bytes

@@ -2,9 +2,8 @@
 
 import json
 import math
-from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, cast
+from typing import Any, NamedTuple, cast
 
 from bounce_grader import processes
 from bounce_grader.box import Box
@@ -20,8 +19,7 @@ LARGEST = 1e100  # seconds, nanoseconds or metres; so that their products are fi
 Measured = dict[str, Any]
 
 
-@dataclass(frozen=True)
-class Point:
+class Point(NamedTuple):
     """Over all scenes, at one dt."""
 
     dt: float  # s

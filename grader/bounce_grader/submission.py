@@ -10,8 +10,8 @@ import os
 import re
 import unicodedata
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath
+from typing import NamedTuple
 
 from bounce_grader import intake
 from bounce_grader.entry import Entry, NotText, text_of
@@ -40,12 +40,11 @@ def part_file(file: str) -> str | None:
     return plain if plain in {part.file for part in parts()} else None
 
 
-@dataclass(frozen=True)
-class Submission:
+class Submission(NamedTuple):
     name: str
     files: dict[str, bytes]  # path inside the submission -> text, as it is compiled
     parts: dict[int, str]  # part number -> path in files
-    refused: dict[int, str] = field(default_factory=dict)  # part number -> why it isn't used
+    refused: dict[int, str]  # part number -> why it isn't used
     ignored: tuple[str, ...] = ()
 
     @property

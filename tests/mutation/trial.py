@@ -46,11 +46,16 @@ class Outcome:
         return not self.compiles or bool(self.lost)
 
 
-@dataclass(frozen=True)
 class Choosing(Box):
     """Tells the runner which change to make."""
 
     number: int
+
+    @staticmethod
+    def of(box: Box, number: int) -> "Choosing":
+        chosen = Choosing(box.kind)
+        chosen.number = number
+        return chosen
 
     def to_run(self, program: Path) -> list[str]:
         return [*super().to_run(program), str(self.number)]
@@ -85,7 +90,7 @@ def outcomes(chosen: Iterable[Change]) -> list[Outcome]:
         def outcome(change: Change) -> Outcome:
             if change.name not in numbers:
                 return Outcome(change, compiles=False)
-            box = Choosing(_box().kind, numbers[change.name])
+            box = Choosing.of(_box(), numbers[change.name])
             lost = _lost(runners, hidden, box)
             public = _lost(runners, fixtures.PUBLIC, box) if lost else ()
             return Outcome(change, True, lost, public)
@@ -101,7 +106,7 @@ def differing(chosen: Iterable[Change], count: int) -> dict[str, int]:
         found = {}
         for number, change in enumerate(batch.changes):
             asked = ["--part", str(runners.part.number), "--count", str(count)]
-            run = Choosing(_box().kind, number).to_run(runners.together)
+            run = Choosing.of(_box(), number).to_run(runners.together)
             result = processes.run([str(ALIKE), *asked, "--", *run], judging.WAIT)
             if not result.ok:
                 raise KitError(f"alike failed: {result.err.strip()}")
