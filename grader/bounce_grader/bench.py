@@ -3,7 +3,6 @@ do; each goal stands beside what was measured. Ratios within one run are what ca
 between machines."""
 
 import json
-import resource
 import statistics
 import subprocess
 import sys
@@ -13,12 +12,9 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
-from bounce_grader import build
-from bounce_grader.box import Box
 from bounce_grader.errors import KitError
 from bounce_grader.manifest import parts
 from bounce_grader.paths import BUILD, CONTRACT, REFERENCE_RUNNER, ROOT
-from bounce_grader.submission import read
 
 ROUNDS = 9
 MANY = 100
@@ -30,6 +26,15 @@ SHARED_BY_TESTS = (
 LINKED_TESTS = ("main", "mistake", "time_limit")
 SOLUTION = ROOT / "solution" / "src"
 PLAIN_GCC = ("g++", "-std=c++20", "-O1", "-isystem", "/usr/include/eigen3", "-I", str(CONTRACT))
+GRADING = "import sys; from bounce_grader.cli import main; main(sys.argv[1:])"
+COMPILING = """
+import sys
+from pathlib import Path
+from bounce_grader import build
+from bounce_grader.box import Box
+from bounce_grader.submission import read
+build.compile_all(read(Path(sys.argv[1])), Path(sys.argv[2]), Box("none"), jobs=1)
+"""
 
 
 @dataclass(frozen=True)
@@ -129,21 +134,19 @@ def _plain(folder: Path) -> list[Line]:
 def _memory(folder: Path) -> list[Line]:
     """Of the grader itself; and of the compiler, without a box, which hides it."""
     submission = _variant(folder / "memory", 0)
-    build.compile_all(read(submission), folder, Box("none"), jobs=1)
-    compiler = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / 1024
-    own = _own_memory(submission)
+    own = _largest("SELF", GRADING, "grade", str(submission), "--json", "/dev/null")
+    submission = _variant(folder / "compiled", 1)
+    compiler = _largest("CHILDREN", COMPILING, str(submission), str(folder / "objects"))
     return [
         Line("the grader itself", own, "MB", "below 100", own < 100),
         Line("the compiler, the largest process that it starts", compiler, "MB"),
     ]
 
 
-def _own_memory(submission: Path) -> float:
-    program = (
-        "import resource, sys; from bounce_grader.cli import main; main(sys.argv[1:]); "
-        "print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss)"
-    )
-    command = [sys.executable, "-c", program, "grade", str(submission), "--json", "/dev/null"]
+def _largest(whose: str, program: str, *words: str) -> float:
+    """The most memory of a Python program with these arguments, or of what it starts, in MB."""
+    said = f"import resource; print(resource.getrusage(resource.RUSAGE_{whose}).ru_maxrss)"
+    command = [sys.executable, "-c", f"{program}\n{said}", *words]
     folder = ROOT / "grader"  # where the package is
     done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=True)
     return int(done.stdout.splitlines()[-1]) / 1024
