@@ -13,10 +13,11 @@ from bounce_grader.box import Box
 from bounce_grader.classroom.synthetic import gallery, made
 from bounce_grader.paths import WORK_FOLDER
 from bounce_grader.submission import read
-from conftest import Grade, points, solution_files, write
+from conftest import ROOT, Grade, points, solution_files, write
 
 GALLERY = gallery(("accepted", "mistakes"))
 FULL_BOX = Box("full")
+ACCEPTED = ROOT / "tests" / "submissions" / "accepted"
 
 
 def new(files: dict[str, bytes]) -> dict[str, bytes]:
@@ -168,3 +169,44 @@ def test_objects_in_a_row_are_told_apart() -> None:
 )
 def test_what_is_no_row_of_objects_is_none(row: bytes) -> None:
     assert together.apart(row) == []
+
+
+def test_decompositions_and_matrices_of_any_size_are_there_already(tmp_path: Path) -> None:
+    """Made anew, their code would fill the parts' own objects, for seconds."""
+    objects = made(ACCEPTED / "objects_and_virtual_functions", 1, "x").files
+    dynamic = made(ACCEPTED / "dynamic_matrices_and_lu", 1, "x").files
+    for name, (files, part) in enumerate([(objects, 3), (dynamic, 2)]):
+        folder = tmp_path / str(name)
+        known = compiled(files, folder, folder / "known")
+        with pytest.MonkeyPatch.context() as patch:
+            patch.setattr(compiler, "prelude", lambda *_: "prelude")
+            anew = compiled(files, folder, folder / "anew")
+        assert len(known[part]) < len(anew[part]) / 4
+        assert objects_are_the_same(files, folder / "same")
+
+
+def test_parts_against_either_header_are_linked(grade: Grade) -> None:
+    changes: dict[str, bytes | None] = {}
+    for kind in ("objects_and_virtual_functions", "dynamic_matrices_and_lu"):
+        changes |= {f.name: f.read_bytes() for f in (ACCEPTED / kind).glob("part[123]*.cpp")}
+    del changes["part1_contacts.cpp"]
+    assert points(grade(dict(new({k: v for k, v in changes.items() if v})))) == [30, 30, 30, 10]
+
+
+@pytest.mark.parametrize(
+    "text, header",
+    [
+        ("A.llt().solve(b)", "solvers"),
+        ("Eigen::LDLT<Eigen::Matrix3d> a(A);", "solvers"),
+        ("M.partialPivLu().solve(b)", "solvers"),
+        ("M.colPivHouseholderQr().solve(b)", "solvers"),
+        ("Eigen::FullPivLU<Matrix3> lu(M);", "solvers"),
+        ("Eigen::MatrixXd A(3, 3);", "solvers"),
+        ("solve_lcp(lcp.V, lcp.p); // wilt, flu, value, ALL", "prelude"),
+        ("Eigen::Matrix3Xd q; params.M().inverse() * b", "prelude"),
+    ],
+)
+def test_the_text_says_which_header_a_part_needs(text: str, header: str, tmp_path: Path) -> None:
+    taken = read(write(tmp_path, {"part3_step.cpp": text.encode(), "a.hpp": b"llt()"}))
+    assert compiler.prelude(["part3_step.cpp"], taken) == header
+    assert compiler.prelude(["a.hpp", "part3_step.cpp"], taken) == "solvers"

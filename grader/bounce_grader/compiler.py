@@ -16,6 +16,9 @@ from bounce_grader.submission import Submission
 COMPILE = processes.Limits(cpu_seconds=15, wall_seconds=120, memory=2 << 30, file_size=64 << 20)
 LARGEST_OBJECT = 8 << 20
 
+# What solvers.hpp is for: it takes longer to read, and shorter than to make what is in it.
+SOLVERS = re.compile(rb"MatrixXd|VectorXd|LLT|LDLT|L[Uu]\b|Q[Rr]\b|\b(?:llt|ldlt|lu)\b")
+
 # For a compiler whose assembler can't write there by itself.
 TO_STANDARD_OUTPUT = [
     *("/bin/sh", "-c"),
@@ -58,17 +61,26 @@ def misses_a_file(result: processes.Result) -> bool:
     return not result.ok and re.search(says, result.err) is not None
 
 
-def clang(file: str, submission: Submission, timed: bool) -> list[str]:
-    flags, prelude = ("speed_flags", "speed") if timed else ("clang_flags", "prelude")
+def prelude(names: Iterable[str], submission: Submission) -> str:
+    """The precompiled header for a part that is made from these files."""
+    rare = any(SOLVERS.search(submission.files[name]) for name in names)
+    return "solvers" if rare else "prelude"
+
+
+def clang(file: str, submission: Submission, prelude: str) -> list[str]:
+    flags = "speed_flags" if prelude == "speed" else "clang_flags"
     command = [compiler(), f"@{RUNNER / flags}.txt", "-include-pch", str(RUNNER / f"{prelude}.pch")]
     return [*command, *_source(file, submission), "-o", "-"]
 
 
-def clang_of_many(files: Sequence[str], submission: Submission, folder: Path) -> list[str]:
+def clang_of_many(
+    files: Sequence[str], submission: Submission, folder: Path, prelude: str
+) -> list[str]:
     """One start of the compiler proper, which takes the files one after the other, each by itself,
     and writes their objects in a row; with the words that clang would give it for one file."""
     words = shlex.split((RUNNER / "compile_command.txt").read_text())
     command = [re.sub("=FOLDER$", lambda _: f"={folder}", word) for word in words]
+    command[command.index("-include-pch") + 1] = str(RUNNER / f"{prelude}.pch")
     return [*command, *_includes(submission), *files]
 
 

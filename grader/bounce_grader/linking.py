@@ -23,6 +23,8 @@ LINK = processes.Limits(cpu_seconds=10, wall_seconds=60, memory=2 << 30, file_si
 RUNNER_OBJECTS = ("runner", "channel", "crash", "solve_lcp", "render")
 # First what is checked: of functions that are in several objects, the linker takes the first.
 KIT_OBJECTS = ("prelude", *RUNNER_OBJECTS)
+# Last, and read only where something is missing still.
+RARE = ("--start-lib", str(RUNNER / "solvers.o"), "--end-lib")
 
 SANITIZERS = ("-fsanitize=address,undefined", "-fno-sanitize-recover=all")
 CHECKED_LINK = (
@@ -107,7 +109,8 @@ def _link(
 ) -> Built:
     files = [str(path) for path in own if path]
     given = [str(RUNNER / f"{name}.o") for name in kit]
-    command = _link_command([*flags, *given, *files, *more])
+    rare = RARE if "prelude" in kit else ()
+    command = _link_command([*flags, *given, *files, *more, *rare])
     visible = [Path(word) for word in files + more if word.startswith(str(CACHE))]
     prefix = box.to_build(RUNNER, visible, programs=())
     result = processes.run(prefix + command, LINK, cwd=RUNNER)

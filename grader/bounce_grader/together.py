@@ -30,29 +30,32 @@ HEADERS = ((40, 48), (58, 60), (60, 62))
 
 def compile_missing(submission: Submission, work: Path, box: Box, jobs: int) -> None:
     """Leaves objects of the parts that have none yet among those that are kept."""
-    names = {
-        file: kept.name_of(file, kept.needed(file, submission), submission, box, timed=False)
-        for file in submission.parts.values()
-    }
+    needed = {file: kept.needed(file, submission) for file in submission.parts.values()}
+    names = {f: kept.name_of(f, needed[f], submission, box, timed=False) for f in needed}
     missing = [file for file in names if not kept.is_there(kept.place(names[file]))]
-    groups = [group for group in (missing[i::jobs] for i in range(jobs)) if group]
-    if not groups or any(map(APART.search, submission.files.values())):
+    if any(map(APART.search, submission.files.values())):
         return
+    alike: dict[str, list[str]] = {}  # by the precompiled header
+    for file in missing:
+        alike.setdefault(compiler.prelude(needed[file], submission), []).append(file)
+    groups = [(p, files[i::jobs]) for p, files in alike.items() for i in range(jobs) if files[i:]]
 
-    def fill_in(group: list[str]) -> None:
-        for file, data in zip(group, _objects(group, submission, work, box)):
+    def fill_in(group: tuple[str, list[str]]) -> None:
+        for file, data in zip(group[1], _objects(*group, submission, work, box)):
             kept.store(data, kept.place(names[file]))
 
     with ThreadPoolExecutor(jobs) as pool:
         list(pool.map(fill_in, groups))
 
 
-def _objects(group: list[str], submission: Submission, work: Path, box: Box) -> list[bytes]:
+def _objects(
+    prelude: str, group: list[str], submission: Submission, work: Path, box: Box
+) -> list[bytes]:
     """One for each file; or none, where there is anything wrong with one of them."""
     folder = work / f"{SOURCES}-{hashlib.sha256(os.fsencode(str(group))).hexdigest()[:16]}"
     submission.write_to(folder, {n for file in group for n in kept.needed(file, submission)})
     box.give(folder)
-    command = compiler.clang_of_many(group, submission, folder)
+    command = compiler.clang_of_many(group, submission, folder, prelude)
     result = compiler.run(command, folder, box)
     objects = apart(result.out) if result.ok else []
     return objects if len(objects) == len(group) else []
