@@ -248,6 +248,7 @@ def test_what_the_compiler_can_see_was_made_without_the_solution() -> None:
         assert str(ROOT / "solution").encode() not in file.read_bytes(), file.name
     for name in ("prelude.pch", "speed.pch", "given_part1.o.d"):
         assert str(CONTRACT / "bounce" / "types.hpp").encode() in (RUNNER / name).read_bytes()
+    assert str(RUNNER / "solvers.hpp").encode() in (RUNNER / "solvers.pch").read_bytes()
 
 
 # --- the command ---

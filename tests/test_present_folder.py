@@ -53,3 +53,10 @@ def test_a_chunk_on_a_cluster_runs_nothing_of_the_present_folder(among_strangers
     assert chunk.returncode == 0
     assert list((among_strangers.parent / "out" / "results").iterdir())
     assert not (among_strangers.parent / "canary").exists()
+
+
+def test_the_kit_is_found_through_a_link_to_it(tmp_path: Path) -> None:
+    (tmp_path / "bounce").symlink_to(ROOT / "kit")
+    (tmp_path / "again").symlink_to("bounce")
+    done = subprocess.run([tmp_path / "again", "--help"], capture_output=True, text=True)
+    assert (done.returncode, done.stderr) == (0, "") and "grade" in done.stdout

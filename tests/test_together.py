@@ -179,7 +179,7 @@ def test_decompositions_and_matrices_of_any_size_are_there_already(tmp_path: Pat
         folder = tmp_path / str(name)
         known = compiled(files, folder, folder / "known")
         with pytest.MonkeyPatch.context() as patch:
-            patch.setattr(compiler, "prelude", lambda *_: "prelude")
+            patch.setattr(compiler, "header_of", lambda *_: "prelude")
             anew = compiled(files, folder, folder / "anew")
         assert len(known[part]) < len(anew[part]) / 4
         assert objects_are_the_same(files, folder / "same")
@@ -208,5 +208,5 @@ def test_parts_against_either_header_are_linked(grade: Grade) -> None:
 )
 def test_the_text_says_which_header_a_part_needs(text: str, header: str, tmp_path: Path) -> None:
     taken = read(write(tmp_path, {"part3_step.cpp": text.encode(), "a.hpp": b"llt()"}))
-    assert compiler.prelude(["part3_step.cpp"], taken) == header
-    assert compiler.prelude(["a.hpp", "part3_step.cpp"], taken) == "solvers"
+    assert compiler.header_of(["part3_step.cpp"], taken) == header
+    assert compiler.header_of(["a.hpp", "part3_step.cpp"], taken) == "solvers"

@@ -80,8 +80,8 @@ class _Compiling(NamedTuple):
         folder = self.work / f"{SOURCES}-{name[:16]}"
         self.submission.write_to(folder, names)
         self.box.give(folder)
-        prelude = "speed" if self.timed else compiler.prelude(names, self.submission)
-        first = result = self._run(compiler.clang(self.file, self.submission, prelude), folder, ())
+        header = "speed" if self.timed else compiler.header_of(names, self.submission)
+        first = result = self._run(compiler.clang(self.file, self.submission, header), folder, ())
         if more and compiler.misses_a_file(first):
             return Built(None)
         if not first.ok and not compiler.ran_out_of_time(first):

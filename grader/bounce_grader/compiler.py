@@ -61,26 +61,26 @@ def misses_a_file(result: processes.Result) -> bool:
     return not result.ok and re.search(says, result.err) is not None
 
 
-def prelude(names: Iterable[str], submission: Submission) -> str:
-    """The precompiled header for a part that is made from these files."""
+def header_of(names: Iterable[str], submission: Submission) -> str:
+    """The name of the precompiled header for a part that is made from these files."""
     rare = any(SOLVERS.search(submission.files[name]) for name in names)
     return "solvers" if rare else "prelude"
 
 
-def clang(file: str, submission: Submission, prelude: str) -> list[str]:
-    flags = "speed_flags" if prelude == "speed" else "clang_flags"
-    command = [compiler(), f"@{RUNNER / flags}.txt", "-include-pch", str(RUNNER / f"{prelude}.pch")]
+def clang(file: str, submission: Submission, header: str) -> list[str]:
+    flags = "speed_flags" if header == "speed" else "clang_flags"
+    command = [compiler(), f"@{RUNNER / flags}.txt", "-include-pch", str(RUNNER / f"{header}.pch")]
     return [*command, *_source(file, submission), "-o", "-"]
 
 
 def clang_of_many(
-    files: Sequence[str], submission: Submission, folder: Path, prelude: str
+    files: Sequence[str], submission: Submission, folder: Path, header: str
 ) -> list[str]:
     """One start of the compiler proper, which takes the files one after the other, each by itself,
     and writes their objects in a row; with the words that clang would give it for one file."""
     words = shlex.split((RUNNER / "compile_command.txt").read_text())
     command = [re.sub("=FOLDER$", lambda _: f"={folder}", word) for word in words]
-    command[command.index("-include-pch") + 1] = str(RUNNER / f"{prelude}.pch")
+    command[command.index("-include-pch") + 1] = str(RUNNER / f"{header}.pch")
     return [*command, *_includes(submission), *files]
 
 

@@ -37,8 +37,8 @@ def compile_missing(submission: Submission, work: Path, box: Box, jobs: int) -> 
         return
     alike: dict[str, list[str]] = {}  # by the precompiled header
     for file in missing:
-        alike.setdefault(compiler.prelude(needed[file], submission), []).append(file)
-    groups = [(p, files[i::jobs]) for p, files in alike.items() for i in range(jobs) if files[i:]]
+        alike.setdefault(compiler.header_of(needed[file], submission), []).append(file)
+    groups = [(h, files[i::jobs]) for h, files in alike.items() for i in range(jobs) if files[i:]]
 
     def fill_in(group: tuple[str, list[str]]) -> None:
         for file, data in zip(group[1], _objects(*group, submission, work, box)):
@@ -49,13 +49,13 @@ def compile_missing(submission: Submission, work: Path, box: Box, jobs: int) -> 
 
 
 def _objects(
-    prelude: str, group: list[str], submission: Submission, work: Path, box: Box
+    header: str, group: list[str], submission: Submission, work: Path, box: Box
 ) -> list[bytes]:
     """One for each file; or none, where there is anything wrong with one of them."""
     folder = work / f"{SOURCES}-{hashlib.sha256(os.fsencode(str(group))).hexdigest()[:16]}"
     submission.write_to(folder, {n for file in group for n in kept.needed(file, submission)})
     box.give(folder)
-    command = compiler.clang_of_many(group, submission, folder, prelude)
+    command = compiler.clang_of_many(group, submission, folder, header)
     result = compiler.run(command, folder, box)
     objects = apart(result.out) if result.ok else []
     return objects if len(objects) == len(group) else []

@@ -26,9 +26,9 @@
 #ifdef __clang__
 namespace bounce::prelude {
 
-// Never called: that these lines compile makes the instances. Each costs every part 0.3 ms to read,
-// and 15 ms a part that makes it anew: so those are here that one part in sixty uses, of the right
-// and the mistaken ones of the gallery.
+// Never called: that these lines compile makes the instances. Each costs every part about 0.3 ms to
+// read, and about 15 ms a part that makes it anew: so those are here that one part in sixty uses,
+// of the right and the mistaken ones of the gallery.
 template <class Matrix, class Vector>
 void square_of(Matrix& A, Matrix& B, Vector& a, double s) {
   A = B.transpose() * A * B;
@@ -67,8 +67,8 @@ void square_of(Matrix& A, Matrix& B, Vector& a, double s) {
 
 inline void instances(Eigen::Matrix2d& A2, Eigen::Vector2d& a2, Eigen::Matrix3d& A3,
                       Eigen::Vector3d& a3, Eigen::Matrix4d& A4, Eigen::Vector4d& a4,
-                      Eigen::MatrixXd& A, Eigen::VectorXd& a, Jacobian& J, Contact& contact,
-                      Trajectory& trajectory, Eigen::Matrix<double, 2, 4>& corners) {
+                      Eigen::MatrixXd& A, Jacobian& J, Contact& contact, Trajectory& trajectory,
+                      Eigen::Matrix<double, 2, 4>& corners) {
   const double s = a3(0);
   square_of(A3, A3, a3, s);
 

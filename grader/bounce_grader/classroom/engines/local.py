@@ -21,7 +21,7 @@ from bounce_grader.classroom.unit import run as run_unit
 
 TO_CLEAN_UP = 3.0  # seconds, for what is ended to take its files away
 LONGEST = 1800.0  # seconds; a grading's own limits are far below
-PRELOADED = ["bounce_grader.grade", "bounce_grader.classroom.unit"]
+PRELOADED = ["bounce_grader.grade", "bounce_grader.classroom.unit", "bounce_grader.zips", "html"]
 
 
 def run(
