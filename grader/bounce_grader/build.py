@@ -22,6 +22,7 @@ class Built(NamedTuple):
 class Objects(NamedTuple):
     parts: dict[int, Built]
     helpers: dict[str, Built]
+    solvers: bool = True  # whether one was compiled against the header of that name
 
 
 def compile_all(
@@ -47,6 +48,7 @@ def compile_all(
         return Objects(
             {n: built.result() for n, built in parts.items()},
             {f: built.result() for f, built in helpers.items()},
+            compiler.header_of(submission.files, submission) == "solvers",
         )
 
 

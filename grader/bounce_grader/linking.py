@@ -23,8 +23,9 @@ LINK = processes.Limits(cpu_seconds=10, wall_seconds=60, memory=2 << 30, file_si
 RUNNER_OBJECTS = ("runner", "channel", "crash", "solve_lcp", "render")
 # First what is checked: of functions that are in several objects, the linker takes the first.
 KIT_OBJECTS = ("prelude", *RUNNER_OBJECTS)
-# Last, and read only where something is missing still.
-RARE = ("--start-lib", str(RUNNER / "solvers.o"), "--end-lib")
+# Last, so that it is taken only where something is missing still. To look at it takes a tenth of a
+# link.
+SOLVERS = ("--start-lib", str(RUNNER / "solvers.o"), "--end-lib")
 
 SANITIZERS = ("-fsanitize=address,undefined", "-fno-sanitize-recover=all")
 CHECKED_LINK = (
@@ -39,8 +40,10 @@ CHECKED_LINK = (
 def link_together(objects: Objects, runner: Path, box: Box, timed: bool = False) -> Built:
     """One runner with all of the submission's own parts; where it is timed, without the prelude's
     code, which is checked and so slower than what the parts bring themselves."""
-    kit = RUNNER_OBJECTS if timed else KIT_OBJECTS
-    return _link([b.path for b in _all(objects)], [], runner, box, kit=kit)
+    own = [b.path for b in _all(objects)]
+    if timed:
+        return _link(own, [], runner, box, kit=RUNNER_OBJECTS)
+    return _link(own, _rare(objects), runner, box)
 
 
 def link_alone(part: Part, objects: Objects, runner: Path, box: Box) -> Built:
@@ -50,7 +53,7 @@ def link_alone(part: Part, objects: Objects, runner: Path, box: Box) -> Built:
     still come first.
     """
     own = [objects.parts[part.number].path, *(b.path for b in objects.helpers.values())]
-    given = _given(part)
+    given = [*_given(part), *_rare(objects)]
     alone = _link(own, given, runner, box)
     others = [b.path for number, b in objects.parts.items() if number != part.number and b.path]
     if alone.path or not others:
@@ -95,6 +98,10 @@ def _given(part: Part) -> list[str]:
     return [str(RUNNER / f"given_part{n}.o") for n in range(1, part.number)]
 
 
+def _rare(objects: Objects) -> list[str]:
+    return [*SOLVERS] if objects.solvers else []
+
+
 def _all(objects: Objects) -> Iterable[Built]:
     return [*objects.parts.values(), *objects.helpers.values()]
 
@@ -109,8 +116,7 @@ def _link(
 ) -> Built:
     files = [str(path) for path in own if path]
     given = [str(RUNNER / f"{name}.o") for name in kit]
-    rare = RARE if "prelude" in kit else ()
-    command = _link_command([*flags, *given, *files, *more, *rare])
+    command = _link_command([*flags, *given, *files, *more])
     visible = [Path(word) for word in files + more if word.startswith(str(CACHE))]
     prefix = box.to_build(RUNNER, visible, programs=())
     result = processes.run(prefix + command, LINK, cwd=RUNNER)
