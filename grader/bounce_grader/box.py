@@ -201,8 +201,13 @@ def _bubblewrap() -> list[str]:
 
 def _open_to_all(paths: Iterable[str]) -> list[str]:
     """The folders above these paths, which bubblewrap would make for its own user alone."""
-    above = sorted({str(p) for path in paths for p in Path(path).parents if str(p) != "/"})
+    above = sorted({folder for path in paths for folder in _above(path)})
     return [word for path in above for word in ("--perms", "0755", "--dir", path)]
+
+
+@cache
+def _above(path: str) -> list[str]:
+    return [str(folder) for folder in Path(path).parents if str(folder) != "/"]
 
 
 def _privileges() -> list[str]:

@@ -2,7 +2,6 @@
 
 import os
 import re
-import shlex
 from collections.abc import Iterable, Sequence
 from functools import cache
 from pathlib import Path
@@ -78,7 +77,7 @@ def clang_of_many(
 ) -> list[str]:
     """One start of the compiler proper, which takes the files one after the other, each by itself,
     and writes their objects in a row; with the words that clang would give it for one file."""
-    words = shlex.split((RUNNER / "compile_command.txt").read_text())
+    words = (RUNNER / "compile_command.txt").read_text().splitlines()
     command = [re.sub("=FOLDER$", lambda _: f"={folder}", word) for word in words]
     command[command.index("-include-pch") + 1] = str(RUNNER / f"{header}.pch")
     return [*command, *_includes(submission), *files]

@@ -33,8 +33,14 @@ def plain(text: str) -> str:
 def said(text: str, most: int = LONGEST_TEXT) -> str:
     """For the record: lines of printable characters, of bounded length."""
     text = text[: 2 * most + 2].replace("\r\n", "\n").replace("\t", " ")
-    clean = "".join(c if c.isprintable() or c == "\n" else REPLACEMENT for c in text)
+    clean = "\n".join(map(_printable, text.split("\n")))
     return clean if len(clean) <= most else clean[: most - 1] + "…"
+
+
+def _printable(line: str) -> str:
+    if line.isprintable():
+        return line
+    return "".join(c if c.isprintable() else REPLACEMENT for c in line)
 
 
 def name(text: str) -> str:

@@ -3,7 +3,7 @@
 import hashlib
 import os
 import time
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from contextlib import suppress
 from functools import cache
 from pathlib import Path
@@ -77,16 +77,18 @@ def store(data: bytes, path: Path) -> Path:
 def forget_old(folder: Path) -> None:
     """Keeps the newest objects, and those that a grading side by side may be about to link."""
     kept = bytes_kept = 0
-    for file in sorted(folder.iterdir(), key=_last_used, reverse=True):
-        with suppress(FileNotFoundError):  # where another grading was quicker
-            kept, bytes_kept = kept + 1, bytes_kept + file.stat().st_size
-            too_much = kept > KEPT_IN_A_FOLDER or bytes_kept > KEPT_BYTES
-            if too_much and time.time() - _last_used(file) > IN_USE:
-                file.unlink()
+    for _, size, file in sorted(_used(folder), reverse=True):
+        kept, bytes_kept = kept + 1, bytes_kept + size
+        if kept > KEPT_IN_A_FOLDER or bytes_kept > KEPT_BYTES:
+            with suppress(FileNotFoundError):  # where another grading was quicker
+                if time.time() - os.stat(file).st_mtime > IN_USE:
+                    os.unlink(file)
 
 
-def _last_used(file: Path) -> float:
-    try:
-        return file.stat().st_mtime
-    except FileNotFoundError:
-        return 0.0
+def _used(folder: Path) -> Iterator[tuple[float, int, str]]:
+    """When each object was last used, and its size."""
+    with os.scandir(folder) as entries:
+        for entry in entries:
+            with suppress(FileNotFoundError):
+                status = entry.stat()
+                yield status.st_mtime, status.st_size, entry.path

@@ -1,7 +1,6 @@
 """Links the objects of a submission with the runner, in a box."""
 
 import re
-import shlex
 from collections.abc import Iterable
 from pathlib import Path
 
@@ -130,7 +129,7 @@ def _link(
 
 def _link_command(words: list[str]) -> list[str]:
     """What clang would have the linker do with these words, written to standard output."""
-    command = shlex.split((RUNNER / "link_command.txt").read_text())
+    command = (RUNNER / "link_command.txt").read_text().splitlines()
     place = command.index("OBJECTS")
     return [*command[:place], *words, *command[place + 1 :]]
 
