@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import subprocess
 from pathlib import Path
 from typing import Any
@@ -307,3 +308,15 @@ def test_missing_packages_are_named_and_not_installed_where_that_is_refused(tmp_
     assert done.returncode == 3 and done.stdout == ""
     assert "apt-get install -y --no-install-recommends" in done.stderr
     assert "libeigen3-dev" in done.stderr and done.stderr.count("\n") == 1
+
+
+def test_a_grading_imports_nothing_that_takes_longer_than_a_judge() -> None:
+    """Each of these takes 10 to 50 ms to import, of some 300 in all."""
+    start = "import sys; sys.path.insert(0, sys.argv.pop(1)); import bounce_grader.__main__"
+    command = ["/usr/bin/python3", "-IS", "-X", "importtime", "-c", start, str(ROOT / "grader")]
+    done = subprocess.run([*command, "grade", str(SOLUTION)], capture_output=True, text=True)
+    assert done.returncode == 0 and "Score 100 / 100" in done.stdout
+    imported = set(re.findall(r"^import time:.*\| *(\S+)$", done.stderr, re.MULTILINE))
+    assert "bounce_grader.judging" in imported
+    slow = {"dataclasses", "logging", "asyncio", "multiprocessing", "rich", "html", "xml"}
+    assert not imported & slow

@@ -1,12 +1,12 @@
 """Compiles the parts of a submission and the sources beside them, in a box."""
 
-from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import NamedTuple
 
 from bounce_grader import compiler, kept, processes, together
 from bounce_grader.box import PROGRAMS, Box
 from bounce_grader.paths import SOURCES
+from bounce_grader.side_by_side import each
 from bounce_grader.submission import Submission
 
 HELPERS_SECONDS = 30  # of CPU time, for all helpers of a submission
@@ -32,24 +32,22 @@ def compile_all(
     built as a program is that somebody uses, without checks."""
     if not timed:
         together.compile_missing(submission, work, box, jobs)
-    spent: list[float] = []  # by helpers, in seconds
+    helpers, spent = submission.helpers, [0.0]  # by helpers, in seconds
 
-    def helper(file: str) -> Built:
+    def compiled(file: str) -> Built:
+        if file not in helpers:
+            return _Compiling(file, submission, work, box, timed, []).built()
         if sum(spent) > HELPERS_SECONDS:
             return Built(None, f"{file} wasn't compiled: the helpers took {HELPERS_SECONDS} s")
         return _Compiling(file, submission, work, box, timed, spent).built()
 
-    with ThreadPoolExecutor(jobs) as pool:
-        parts = {
-            number: pool.submit(_Compiling(file, submission, work, box, timed, []).built)
-            for number, file in submission.parts.items()
-        }
-        helpers = {file: pool.submit(helper, file) for file in submission.helpers}
-        return Objects(
-            {n: built.result() for n, built in parts.items()},
-            {f: built.result() for f, built in helpers.items()},
-            compiler.header_of(submission.files, submission) == "solvers",
-        )
+    files = [*submission.parts.values(), *helpers]
+    built = dict(zip(files, each(compiled, files, jobs)))
+    return Objects(
+        {number: built[file] for number, file in submission.parts.items()},
+        {file: built[file] for file in helpers},
+        compiler.header_of(submission.files, submission) == "solvers",
+    )
 
 
 class _Compiling(NamedTuple):

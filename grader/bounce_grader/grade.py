@@ -4,7 +4,6 @@ import os
 import tempfile
 import time
 from collections.abc import Iterator
-from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from functools import partial
 from pathlib import Path
@@ -27,6 +26,7 @@ from bounce_grader.judging import Judged
 from bounce_grader.manifest import Part, parts
 from bounce_grader.paths import STUBS, WORK_FOLDER
 from bounce_grader.record import Record
+from bounce_grader.side_by_side import each
 from bounce_grader.submission import Submission
 
 
@@ -49,9 +49,8 @@ def grade(path: Path, options: Options = Options()) -> Record:
         objects = build.compile_all(taken, work, box, jobs)
         grading = _Grading(taken, objects, work, hidden, box)
         compiled = time.monotonic()
-        with ThreadPoolExecutor(jobs) as pool:
-            grading.judge_together(pool)
-            records = list(pool.map(grading.part, parts()))
+        grading.judge_together(jobs)
+        records = each(grading.part, parts(), jobs)
         if not any(r["score"] for r in records):
             _require_working_kit(box)
         measured = None
@@ -105,7 +104,7 @@ class _Grading:
         self.own: dict[Part, Judged] = {}
         self.best: dict[Part, Judged] = {}
 
-    def judge_together(self, pool: ThreadPoolExecutor) -> None:
+    def judge_together(self, jobs: int) -> None:
         """The parts that call no other first: where one of them hangs, so would those that call
         it, and they are better off with given parts."""
         runner = self.together.path
@@ -118,7 +117,7 @@ class _Grading:
             judge = partial(
                 judging.judge, runner=runner, given=False, hidden=self.hidden, box=self.box
             )
-            self.own.update(zip(now, pool.map(judge, now)))
+            self.own.update(zip(now, each(judge, now, jobs)))
 
     def part(self, part: Part) -> Record:
         problem = self._problem(part)

@@ -19,7 +19,6 @@ import os
 import re
 import tempfile
 from collections.abc import Iterator, Mapping
-from concurrent.futures import ThreadPoolExecutor
 from functools import cache
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -30,6 +29,7 @@ from bounce_grader.errors import KitError
 from bounce_grader.hints import headings
 from bounce_grader.manifest import Part, parts
 from bounce_grader.paths import FIXTURES, JUDGE, REFERENCE_RUNNER, ROOT
+from bounce_grader.side_by_side import each
 
 GALLERY = ROOT / "tests" / "submissions" / "mistakes"
 KNOWN = FIXTURES / "public" / "mistakes"
@@ -139,12 +139,13 @@ def right_answers(part: Part) -> Answers:
 
 
 def _all_answers(mistakes: list[Mistake]) -> dict[str, Answers]:
-    with tempfile.TemporaryDirectory() as name, ThreadPoolExecutor(os.cpu_count()) as pool:
-        asked = {
-            m.name: pool.submit(answers_of, GALLERY / m.name, m.part, Path(name) / m.name)
-            for m in mistakes
-        }
-        return {name: future.result() for name, future in asked.items()}
+    with tempfile.TemporaryDirectory() as name:
+
+        def asked(m: Mistake) -> Answers:
+            return answers_of(GALLERY / m.name, m.part, Path(name) / m.name)
+
+        got = each(asked, mistakes, os.cpu_count() or 1)
+    return {m.name: answers for m, answers in zip(mistakes, got)}
 
 
 # --- the files ---

@@ -8,12 +8,12 @@ one nor read another that they don't name. What doesn't come about here is compi
 import hashlib
 import os
 import re
-from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from bounce_grader import compiler, kept
 from bounce_grader.box import Box
 from bounce_grader.paths import SOURCES
+from bounce_grader.side_by_side import each
 from bounce_grader.submission import Submission
 
 # Other directives than these, and what may be one that isn't seen as such; what asks for files; and
@@ -44,8 +44,7 @@ def compile_missing(submission: Submission, work: Path, box: Box, jobs: int) -> 
         for file, data in zip(group[1], _objects(*group, submission, work, box)):
             kept.store(data, kept.place(names[file]))
 
-    with ThreadPoolExecutor(jobs) as pool:
-        list(pool.map(fill_in, groups))
+    each(fill_in, groups, jobs)
 
 
 def _objects(

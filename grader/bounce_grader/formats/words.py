@@ -1,7 +1,7 @@
 """Sentences and places in a record that several formats use."""
 
 import re
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from bounce_grader.record import Record
 
@@ -17,8 +17,7 @@ STATUS_WORDS = {
 PLACE = re.compile(r"([\w./-]+\.(?:cpp|cc|cxx|hpp|hh|hxx|h|ipp|inl)):(\d+)(?::(\d+))?")
 
 
-@dataclass(frozen=True)
-class Place:
+class Place(NamedTuple):
     """Where in the submission a fault is."""
 
     file: str
