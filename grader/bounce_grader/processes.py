@@ -1,16 +1,19 @@
 """The one place that starts processes. Output is capped while it streams."""
 
+import fcntl
 import os
 import selectors
 import signal
 import subprocess
 import time
+from contextlib import suppress
 from pathlib import Path
 from typing import NamedTuple
 
 from bounce_grader.errors import KitError
 
 DIAGNOSTICS = 64 * 1024
+PIPE = 1024 * 1024  # a runner comes in three pieces, and not in thirty that each wake two processes
 GRACE = 2.0  # seconds
 
 
@@ -67,6 +70,9 @@ def run(
         )
     except OSError as error:
         raise KitError(f"{command[0]} could not be started: {error.strerror}") from error
+    assert process.stdout is not None
+    with suppress(OSError):  # where others of this user have much memory in pipes
+        fcntl.fcntl(process.stdout, fcntl.F_SETPIPE_SZ, PIPE)
     if process.stdin:
         try:
             process.stdin.write(stdin)
@@ -94,7 +100,7 @@ def _collect(
         while selector.get_map() and not (too_long or flooded):
             left = None if deadline is None else max(0.0, deadline - time.monotonic())
             for key, _ in selector.select(left):
-                chunk = os.read(key.fd, 65536)
+                chunk = os.read(key.fd, PIPE)
                 if not chunk:
                     selector.unregister(key.fd)
                     continue
