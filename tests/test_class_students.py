@@ -1,73 +1,15 @@
 """Whose submissions these are, and what becomes of everything else in the download."""
 
-import zipfile
 from pathlib import Path
 
 import pytest
 from bounce_grader import submission
 from bounce_grader.classroom import canvas, layout, students, task
-from bounce_grader.classroom.canvas import TextEntry, Upload
+from bounce_grader.classroom.canvas import Upload
 from bounce_grader.classroom.task import Stamp
 from bounce_grader.errors import UsageError
 from conftest import solution_files, write
-
-STAMP = Stamp("kit", "fixtures", "options")
-
-
-def download(path: Path, entries: dict[str, bytes]) -> Path:
-    with zipfile.ZipFile(path, "w") as archive:
-        for name, data in entries.items():
-            archive.writestr(name, data)
-    return path
-
-
-def inner_zip(tmp_path: Path, files: dict[str, bytes]) -> bytes:
-    return download(tmp_path / "inner.zip", files).read_bytes()
-
-
-def files_to_grade(student: students.Student, tmp_path: Path) -> dict[str, bytes]:
-    folder = tmp_path / "laid out"
-    folder.mkdir()
-    made = task.task_of(student, STAMP, tmp_path, speed=False, trust=False)
-    return submission.read(layout.prepare(made, folder)).files
-
-
-# The names are Canvas's own: lib/content_zipper.rb, spec/lib/content_zipper_spec.rb.
-@pytest.mark.parametrize(
-    "entry, expected",
-    [
-        ("doejane_12345_678_part1.cpp", ("doejane", "12345", False, 678, "part1.cpp")),
-        ("doejane_LATE_12345_678_a-1.cpp", ("doejane", "12345", True, 678, "a-1.cpp")),
-        ("müller_lüdenscheid_7_8_x.cpp", ("müller_lüdenscheid", "7", False, 8, "x.cpp")),
-        ("doe_1_2_my_2_3_file.cpp", ("doe", "1", False, 2, "my_2_3_file.cpp")),
-        ("anon_a1B2c_9_x.cpp", ("", "anon_a1B2c", False, 9, "x.cpp")),
-        ("LATE_anon_a1B2c_9_x.cpp", ("", "anon_a1B2c", True, 9, "x.cpp")),
-        ("李伟_5_6_x.cpp", ("李伟", "5", False, 6, "x.cpp")),
-        ("late_1_2_x.cpp", ("late", "1", False, 2, "x.cpp")),
-    ],
-)
-def test_reads_the_names_that_canvas_writes(
-    entry: str, expected: tuple[str, str, bool, int, str]
-) -> None:
-    name, user, late, attachment, file = expected
-    assert canvas.parse(entry) == Upload(entry, name, user, late, attachment, file)
-
-
-@pytest.mark.parametrize("kind", ["text", "link"])
-def test_knows_what_was_typed_into_canvas(kind: str) -> None:
-    assert canvas.parse(f"doe_LATE_12_{kind}.html") == TextEntry("doe", "12", True, kind)
-    assert canvas.parse(f"anon_x1y2z_{kind}.html") == TextEntry("", "anon_x1y2z", False, kind)
-
-
-@pytest.mark.parametrize("entry", ["part1.cpp", "doe_12_x.cpp", "readme.txt", "a_b_c_d.cpp", ""])
-def test_other_names_are_nobodys(entry: str) -> None:
-    assert canvas.parse(entry) is None
-
-
-def test_a_name_as_canvas_writes_it() -> None:
-    assert canvas.sanitized("Doe, Jane") == "doejane"
-    assert canvas.sanitized("O'Brien-Müller, Ana_12_x") == "obrienmüllerana12x"
-    assert canvas.sanitized("कुमार, संजय") == "कुमारसंजय"
+from downloads import STAMP, download, files_to_grade, inner_zip
 
 
 @pytest.mark.parametrize(
@@ -239,80 +181,6 @@ def test_a_name_too_long_for_a_file_is_cut_and_its_ids_stay(tmp_path: Path) -> N
     assert len(student.feedback) < 240
 
 
-def test_an_unpacked_download_is_read_as_well(tmp_path: Path) -> None:
-    folder = write(tmp_path / "submissions", {"doe_1_1_part2_lcp.cpp": b"// x"})
-    (folder / "roe_2_2_part2_lcp.cpp").symlink_to("/etc/passwd")
-    found = students.read(folder)
-    assert {s.id for s in found.students} == {"1", "2"}
-    linked = next(s for s in found.students if s.id == "2")
-    with pytest.raises(UsageError, match="link"):
-        files_to_grade(linked, tmp_path)
-
-
-def test_a_folder_of_folders_and_zips(tmp_path: Path) -> None:
-    folder = write(tmp_path / "all", {"anna/part2_lcp.cpp": b"// x", "notes.txt": b""})
-    write(folder, {".cache/x": b"", "__MACOSX/x": b""})
-    download(folder / "ben.zip", {"part2_lcp.cpp": b"// y"})
-    found = students.read(folder)
-    assert [(s.id, s.feedback) for s in found.students] == [
-        ("anna", "anna.html"),
-        ("ben", "ben.html"),
-    ]
-    assert {u.name for u in found.unmatched} == {"notes.txt", ".cache", "__MACOSX"}
-    assert files_to_grade(found.students[1], tmp_path) == {"part2_lcp.cpp": b"// y"}
-
-
-@pytest.mark.parametrize("top", ["hw3-submissions", "checkout"])
-def test_a_checkout_is_named_by_login(tmp_path: Path, top: str) -> None:
-    for login in ("anna", "anton", "ben-w"):
-        write(tmp_path / top / f"hw3-{login}", {"part2_lcp.cpp": b"// x", ".git/HEAD": b""})
-    found = students.read(tmp_path / top)
-    assert [s.id for s in found.students] == ["anna", "anton", "ben-w"]
-
-
-def test_a_folder_without_a_repository_is_listed_in_a_checkout(tmp_path: Path) -> None:
-    """Its neighbours keep their logins."""
-    top = tmp_path / "hw3-submissions"
-    for login in ("anna", "anton", "ben"):
-        write(top / f"hw3-{login}", {"part2_lcp.cpp": b"// x", ".git/HEAD": b""})
-    write(top / "notes", {"x.txt": b""})
-    found = students.read(top)
-    assert [s.id for s in found.students] == ["anna", "anton", "ben"]
-    assert found.source == "a checkout of repositories, named 'hw3-' and a login"
-    (left,) = found.unmatched
-    assert (left.name, left.reason) == ("notes", "is no repository, as the others are")
-
-
-def test_a_folder_that_holds_one_zip_is_that_zip(tmp_path: Path) -> None:
-    write(tmp_path / "all" / "anna", {".DS_Store": b""})
-    download(tmp_path / "all" / "anna" / "hw.zip", {"part2_lcp.cpp": b"// y"})
-    (student,) = students.read(tmp_path / "all").students
-    assert student.id == "anna"
-    assert files_to_grade(student, tmp_path) == {"part2_lcp.cpp": b"// y"}
-
-
-def test_folders_that_are_no_class_are_refused(tmp_path: Path) -> None:
-    around = write(tmp_path / "hw3", {"out/log.jsonl": b"", "out/results/set.json": b"{}"})
-    whole = download(around / "submissions.zip", {"doe_1_1_part2_lcp.cpp": b"// x"})
-    with pytest.raises(UsageError, match=f"holds a download of Canvas's: give {whole}"):
-        students.read(around)
-    for name in ("part1_contacts.cpp", "src/part1_contacts.cpp"):
-        one = write(tmp_path / "one" / name.split("/")[0], {name: b"// x", "docs/x": b""})
-        with pytest.raises(UsageError, match="is one submission, and no class: ./kit grade"):
-            students.read(one)
-    write(tmp_path / "home", {"music/a.mp3": b"", "letters/b.txt": b""})
-    with pytest.raises(UsageError, match="no folder or zip in .* holds a part"):
-        students.read(tmp_path / "home")
-
-
-def test_results_among_the_submissions_are_no_submission(tmp_path: Path) -> None:
-    top = write(tmp_path / "all", {"anna/part2_lcp.cpp": b"// x", "out/log.jsonl": b""})
-    write(top / "out" / "results", {"set.json": b"{}"})
-    found = students.read(top)
-    assert [s.id for s in found.students] == ["anna"]
-    assert found.unmatched[0].reason == "was written by ./kit class, and is no submission"
-
-
 @pytest.mark.parametrize("bytes_kept", [0, 1000])
 def test_a_download_that_was_cut_short_is_said(tmp_path: Path, bytes_kept: int) -> None:
     path = download(tmp_path / "x.zip", {"doe_1_1_part2_lcp.cpp": b"// x" * 1000})
@@ -328,13 +196,6 @@ def test_a_download_that_is_damaged_inside_is_no_students_fault(tmp_path: Path, 
     with pytest.raises(UsageError, match="x.zip is damaged .*: download it again"):
         found = students.read(path)
         task.task_of(found.students[0], STAMP, tmp_path, speed=False, trust=False)
-
-
-def test_a_folder_and_a_zip_of_one_name_are_refused(tmp_path: Path) -> None:
-    folder = write(tmp_path / "all", {"anna/part2_lcp.cpp": b"// x"})
-    download(folder / "anna.zip", {"part2_lcp.cpp": b"// y"})
-    with pytest.raises(UsageError, match="keep one of them"):
-        students.read(folder)
 
 
 @pytest.mark.parametrize(

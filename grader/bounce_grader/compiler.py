@@ -1,6 +1,5 @@
 """The compilers' commands, and what they say, in a box."""
 
-import os
 import re
 from collections.abc import Iterable, Sequence
 from functools import cache

@@ -1,7 +1,6 @@
 """Speed against accuracy of a submission: what the stopwatch measures, and what follows from it."""
 
 import json
-import math
 from pathlib import Path
 from typing import Any, NamedTuple, cast
 
