@@ -1,6 +1,8 @@
 """The same for several things at once."""
 
+import signal
 import threading
+import time
 
 import pytest
 from bounce_grader.side_by_side import each
@@ -42,3 +44,31 @@ def test_the_first_error_is_raised_and_no_other_item_is_begun(jobs: int) -> None
     with pytest.raises(ValueError, match="the third"):
         each(one, range(100), jobs)
     assert len(begun) <= 2 + jobs and sorted([*ended, 2]) == sorted(begun)
+
+
+def test_an_interruption_waits_for_what_has_begun_and_begins_nothing_more() -> None:
+    """As when Ctrl-C is pressed, and the folder that they work in is about to be removed."""
+    begun: list[int] = []
+    ended: list[int] = []
+    both = threading.Barrier(2, timeout=60)
+    interrupted = threading.Event()
+
+    def one(x: int) -> None:
+        begun.append(x)
+        if both.wait() == 0:
+            signal.pthread_kill(threading.main_thread().ident or 0, signal.SIGUSR1)
+        assert interrupted.wait(60)
+        time.sleep(0.05)  # for the one that waits to go on, where it shouldn't
+        ended.append(x)
+
+    def interrupt(*_: object) -> None:
+        interrupted.set()
+        raise KeyboardInterrupt
+
+    before = signal.signal(signal.SIGUSR1, interrupt)
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            each(one, range(10), 2)
+    finally:
+        signal.signal(signal.SIGUSR1, before)
+    assert sorted(begun) == sorted(ended) == [0, 1]

@@ -11,7 +11,7 @@ import os
 import stat
 from collections.abc import Iterable
 from contextlib import suppress
-from functools import cache
+from functools import cache, lru_cache
 from pathlib import Path
 from shutil import which
 from typing import NamedTuple
@@ -205,7 +205,7 @@ def _open_to_all(paths: Iterable[str]) -> list[str]:
     return [word for path in above for word in ("--perms", "0755", "--dir", path)]
 
 
-@cache
+@lru_cache(maxsize=256)
 def _above(path: str) -> list[str]:
     return [str(folder) for folder in Path(path).parents if str(folder) != "/"]
 

@@ -52,13 +52,13 @@ def link_alone(part: Part, objects: Objects, runner: Path, box: Box) -> Built:
     still come first.
     """
     own = [objects.parts[part.number].path, *(b.path for b in objects.helpers.values())]
-    given = [*_given(part), *_rare(objects)]
-    alone = _link(own, given, runner, box)
+    given, rare = _given(part), _rare(objects)
+    alone = _link(own, [*given, *rare], runner, box)
     others = [b.path for number, b in objects.parts.items() if number != part.number and b.path]
     if alone.path or not others:
         return alone
     several = ("--allow-multiple-definition",)
-    second = _link(own, [*given, *map(str, others)], runner, box, several)
+    second = _link(own, [*given, *map(str, others), *rare], runner, box, several)
     return second if second.path else alone
 
 

@@ -70,17 +70,12 @@ def run(
         )
     except OSError as error:
         raise KitError(f"{command[0]} could not be started: {error.strerror}") from error
-    assert process.stdout is not None
-    with suppress(OSError):  # where others of this user have much memory in pipes
-        fcntl.fcntl(process.stdout, fcntl.F_SETPIPE_SZ, PIPE)
-    if process.stdin:
-        try:
-            process.stdin.write(stdin)
-            process.stdin.close()
-        except BrokenPipeError:
-            pass
-    deadline = time.monotonic() + limits.wall_seconds if limits else None
     try:
+        if process.stdin:
+            with suppress(BrokenPipeError):
+                process.stdin.write(stdin)
+                process.stdin.close()
+        deadline = time.monotonic() + limits.wall_seconds if limits else None
         return _collect(process, deadline, out_cap, err_cap)
     finally:
         _end(process)
@@ -90,6 +85,8 @@ def _collect(
     process: subprocess.Popen[bytes], deadline: float | None, out_cap: int, err_cap: int
 ) -> Result:
     assert process.stdout and process.stderr
+    with suppress(OSError):  # where others of this user have much memory in pipes
+        fcntl.fcntl(process.stdout, fcntl.F_SETPIPE_SZ, PIPE)
     out, err = process.stdout.fileno(), process.stderr.fileno()
     kept = {out: bytearray(), err: bytearray()}
     caps = {out: out_cap, err: err_cap}

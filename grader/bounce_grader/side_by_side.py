@@ -2,7 +2,7 @@
 than a part to judge: it brings the modules for logging and for tracebacks."""
 
 from collections.abc import Callable, Iterable
-from threading import Thread
+from threading import Event, Thread
 from typing import TypeVar
 
 X = TypeVar("X")
@@ -12,7 +12,8 @@ Y = TypeVar("Y")
 def each(function: Callable[[X], Y], items: Iterable[X], jobs: int) -> list[Y]:
     """function(item) for all items, in their order, in as many threads as there are jobs. After an
     error no other item is begun; it is raised when those that were have ended."""
-    waiting = enumerate(list(items))  # whose next() no other thread can come between
+    given = list(items)
+    waiting = enumerate(given)  # whose next() no other thread can come between
     done: dict[int, Y] = {}
     errors: list[BaseException] = []
 
@@ -24,26 +25,46 @@ def each(function: Callable[[X], Y], items: Iterable[X], jobs: int) -> list[Y]:
             errors.append(error)
             _leave(waiting)
 
-    if jobs == 1:  # here, so that a signal stops what runs
+    if min(jobs, len(given)) > 1:
+        _in_threads(work, min(jobs, len(given)), waiting)
+    else:  # here, so that a signal stops what runs
         work()
-    else:
-        _in_threads(work, jobs, waiting)
     if errors:
         raise errors[0]
     return [done[number] for number in sorted(done)]
 
 
-def _in_threads(work: Callable[[], None], jobs: int, waiting: Iterable[object]) -> None:
-    threads = [Thread(target=work) for _ in range(jobs)]
-    for thread in threads:
-        thread.start()
+class _Worker(Thread):
+    """Says when it has ended. After a signal in the midst of join(), a thread that still runs would
+    be taken for one that has."""
+
+    def __init__(self, work: Callable[[], None]) -> None:
+        super().__init__(target=work)
+        self.ended = Event()
+
+    def run(self) -> None:
+        try:
+            super().run()
+        finally:
+            self.ended.set()
+
+
+def _in_threads(work: Callable[[], None], number: int, waiting: Iterable[object]) -> None:
+    """Whatever is raised here, by a signal or for want of threads, what has begun ends first."""
+    workers = [_Worker(work) for _ in range(number)]
     try:
-        for thread in threads:
-            thread.join()
+        for worker in workers:
+            worker.start()
+        _wait_for(workers)
     finally:
         _leave(waiting)
-        for thread in threads:
-            thread.join()
+        _wait_for(workers)
+
+
+def _wait_for(workers: Iterable[_Worker]) -> None:
+    for worker in workers:
+        if worker.ident is not None:  # it was started
+            worker.ended.wait()
 
 
 def _leave(waiting: Iterable[object]) -> None:
