@@ -22,7 +22,7 @@ class Built(NamedTuple):
 class Objects(NamedTuple):
     parts: dict[int, Built]
     helpers: dict[str, Built]
-    solvers: bool = True  # whether one was compiled against the header of that name
+    solvers: bool = True  # whether one may have been compiled against solvers.hpp
 
 
 def compile_all(
