@@ -52,6 +52,20 @@ TEST(Ending, TellsASignalThroughABoxAsWell) {
   }
 }
 
+TEST(Ending, NamesWhatASanitizerFound) {
+  const auto found = [](const std::string& kind) {
+    return by_signal(SIGABRT, cause(runner::kFound + kind));
+  };
+  expect(found("stack-use-after-scope"), "crashed", "a variable that is gone");
+  expect(found("out-of-bounds-index"), "crashed", "out of the bounds of a C array");
+}
+
+TEST(Ending, RepeatsNothingThatIsNoNameOfASanitizers) {
+  const Ending ending = by_signal(SIGABRT, cause(std::string(runner::kFound) + "SECRET=1"));
+  expect(ending, "crashed", "aborted");
+  EXPECT_EQ(ending.sentence.find("SECRET"), std::string::npos);
+}
+
 TEST(Ending, ExitIsNoAnswer) {
   expect(by_exit(0), "no_answer", "ended by itself (exit status 0)");
   expect(by_exit(3), "no_answer", "ended by itself (exit status 3)");

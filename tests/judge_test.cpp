@@ -83,7 +83,7 @@ TEST(Session, AsksNoMoreWhenItsTimeIsUp) {
   limits.session_seconds = -1;
   int started = 0;
   Session session(
-      [&]() -> std::unique_ptr<RunnerProcess> {
+      [&](const Limits&) -> std::unique_ptr<RunnerProcess> {
         ++started;
         return nullptr;
       },
@@ -104,7 +104,7 @@ frames::Frame said(frames::Kind kind, std::uint32_t part, std::uint64_t number =
 // How the first question of part 3 ends where this is said; empty where it is answered.
 std::string end_after(const std::vector<frames::Frame>& frames, bool given) {
   const Pipes pipes;
-  Session session([&] { return pipes.runner(Limits()); }, Limits(), 3, given);
+  Session session([&](const Limits& now) { return pipes.runner(now); }, Limits(), 3, given);
   for (const frames::Frame& frame : frames) {
     EXPECT_EQ(::write(pipes.answers[1], &frame, sizeof frame), ssize_t{sizeof frame});
   }

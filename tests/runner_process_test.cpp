@@ -67,6 +67,39 @@ TEST(RunnerProcess, EndsOneThatPrintsALittleForEver) {
   expect("while :; do echo x; sleep 0.03; done", "timed_out", "waits for something", true);
 }
 
+TEST(RunnerProcess, EndsOneThatPrintsWithoutAPause) {
+  expect("while :; do echo x; sleep 0.001; done", "timed_out", "waits for something", true);
+}
+
+TEST(RunnerProcess, CountsNoIdleTimeOfOneThatWorks) {
+  RunnerProcess runner({"/bin/sh", "-c", "while :; do :; done"}, judge::Limits());
+  EXPECT_THROW(runner.receive(), RunnerEnded);
+  EXPECT_LT(runner.idle().count(), 0.5);
+  EXPECT_GT(runner.spent(), 0.5);
+}
+
+RunnerProcess boxed(const std::string& script) {
+  judge::Limits limits;
+  limits.boxed = true;
+  return RunnerProcess({"/bin/sh", "-c", script}, limits);
+}
+
+TEST(RunnerProcess, BlamesNobodyForABoxThatIsNotMade) {
+  for (const char* script : {"echo no room; exit 1", "printf mx >&5; exit 125", "kill -KILL $$"}) {
+    RunnerProcess runner = boxed(script);
+    try {
+      runner.receive();
+      ADD_FAILURE() << script;
+    } catch (const RunnerEnded&) {
+      ADD_FAILURE() << script << " counts as the program's fault";
+    } catch (const std::runtime_error& error) {
+      EXPECT_NE(std::string(error.what()).find("couldn't be made"), std::string::npos);
+    }
+  }
+  RunnerProcess made = boxed("printf m >&5; exit 1");
+  EXPECT_THROW(made.receive(), RunnerEnded);
+}
+
 TEST(RunnerProcess, EndsOneThatIsStopped) {
   expect("kill -STOP $$", "timed_out", "the program stopped itself", true);
 }

@@ -22,6 +22,10 @@ ATTEMPTS = [
     ["read", f"/proc/{os.getpid()}/environ"],
     ["write", "/dev/null"],
     ["environment", "PATH"],
+    ["environments", "a-", "canary"],
+    ["command-lines", "a-", "canary"],
+    ["memories", "a-", "canary"],
+    ["first-process"],
     ["descriptors", "0"],
     ["signal", str(os.getpid())],
     ["processes", "100"],
@@ -34,13 +38,14 @@ ATTEMPTS = [
 @pytest.mark.parametrize("words", ATTEMPTS, ids=lambda words: words[0])
 def test_without_a_box_the_probe_can_do_it(words: list[str], tmp_path: Path) -> None:
     """Else a doctor who finds that it couldn't would have said nothing."""
-    could, said = doctor.attempt(Box("none"), "compile", tmp_path, words)
+    above = [*doctor.ABOVE, "a-canary"]
+    could, said = doctor.attempt(Box("none"), "compile", tmp_path, words, above)
     assert could and words[0] in said or words[0] == "flood", said
 
 
 def test_the_doctor_finds_that_everything_holds() -> None:
     found = doctor.findings()
-    assert len(found) >= 60
+    assert len(found) >= 95
     assert not [f for f in found if not f.held]
 
 
@@ -120,7 +125,7 @@ def test_a_reduced_box_that_is_stopped_leaves_nothing() -> None:
     before = set(Path("/tmp").glob("bounce-box-*"))
     limits = processes.Limits(cpu_seconds=5, wall_seconds=1, memory=1 << 30, file_size=1 << 20)
     busy = 'echo x >"$TMPDIR/left"; cat "$TMPDIR/left"; while :; do :; done'
-    command = [*Box("reduced").to_build(RUNNER, []), "/bin/sh", "-c", busy]
+    command = [*Box("reduced").to_build(RUNNER, [], ("sh", "cat")), "/bin/sh", "-c", busy]
     result = processes.run(command, limits)
     assert result.too_long and result.out == b"x\n"
     assert set(Path("/tmp").glob("bounce-box-*")) <= before
@@ -132,7 +137,7 @@ from bounce_grader import processes
 from bounce_grader.box import Box
 from bounce_grader.paths import RUNNER
 limits = processes.Limits(cpu_seconds=20, wall_seconds=60, memory=1 << 30, file_size=0)
-command = [*Box(sys.argv[1]).to_build(RUNNER, []), "/bin/sh", "-c", sys.argv[2]]
+command = [*Box(sys.argv[1]).to_build(RUNNER, [], ("sh",)), "/bin/sh", "-c", sys.argv[2]]
 processes.run(command, limits)
 """
 SOON = 10  # s: half of what it would take by itself

@@ -141,7 +141,7 @@ def test_an_object_that_is_too_large_costs_its_part_and_is_not_kept(grade: Grade
 def test_what_a_compiler_takes_is_counted(kind: str) -> None:
     limits = Limits(cpu_seconds=1, wall_seconds=60, memory=1 << 30, file_size=0)
     endless = ["/bin/sh", "-c", "while :; do :; done"]
-    assert run([*Box(kind).to_build(RUNNER, []), *endless], limits).cpu_seconds > 0.9
+    assert run([*Box(kind).to_build(RUNNER, [], ("sh",)), *endless], limits).cpu_seconds > 0.9
 
 
 def test_helpers_have_a_limit_in_common(grade: Grade, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -181,14 +181,10 @@ def test_what_is_timed_is_built_by_gcc_as_a_program_is_too(tmp_path: Path) -> No
 
 # --- whose fault it is ---
 
-KILLED = "g++: fatal error: Killed signal terminated program cc1plus\ncompilation terminated.\n"
 FAILURES = {
-    "bubblewrap": Result(
-        1, 0.0, b"", "bwrap: Creating new namespace failed: again\n", False, False
-    ),
-    "the box": Result(125, 0.0, b"", "enter: a limit: no\n", False, False),
-    "no memory for clang": Result(137, 0.1, b"", "", False, False),
-    "no memory for g++": Result(1, 0.1, b"", KILLED, False, False),
+    "a box that isn't made": Result(1, 0.0, b"", "no namespaces\n", False, False, boxed=False),
+    "a box that is too slow": Result(-9, 0.0, b"", "", True, False, boxed=False),
+    "no memory for a compiler": Result(137, 0.1, b"", "", False, False),
 }
 
 
@@ -204,6 +200,46 @@ def test_a_box_or_a_machine_that_fails_is_no_verdict(
     monkeypatch.setattr(processes, "run", fails)
     with pytest.raises(KitError, match="box couldn't be made|killed from outside"):
         grade_path(write(tmp_path, files))
+
+
+@pytest.mark.parametrize("kind", ["full", "reduced", "none"])
+def test_a_signal_that_ends_what_gcc_starts_is_told(kind: str, tmp_path: Path) -> None:
+    """By the exit status: words could be anybody's."""
+    text = (
+        b"constexpr long f(long n) { long s = 0; while (--n) s += n; return s; }\n"
+        b"static_assert(f(1L << 40) == 0);\n"
+    )
+    box, taken = Box(kind), read(write(tmp_path, {"part1_contacts.cpp": text}))
+    endless = ("-fconstexpr-ops-limit=2000000000000", "-fconstexpr-loop-limit=2000000000")
+    command = compiler.gcc("part1_contacts.cpp", taken, box, flags=endless)
+    limits = Limits(cpu_seconds=1, wall_seconds=60, memory=2 << 30, file_size=1 << 20)
+    with tempfile.TemporaryDirectory(prefix=WORK_FOLDER) as work:
+        taken.write_to(Path(work))
+        box.give(Path(work))
+        prefix = box.to_build(Path(work), [compiler.CONTRACT, RUNNER])
+        result = run([*prefix, *command], limits)
+    assert result.boxed and result.code == 128 + 24, result
+
+
+def test_what_an_assembler_prints_is_no_object(grade: Grade) -> None:
+    """Neither of the file that prints nor of another one."""
+    right = solution_files()
+    stolen = kept.place(_name_of_part(3, {n: _new() + t for n, t in right.items()}, grade))
+    text = "".join(f"\\\\{byte:03o}" for byte in stolen.read_bytes())
+    printing = b'asm(".print \\"' + text.encode() + b'\\"");\n'
+    files = {"part2_lcp.cpp": printing + _new() + right["part2_lcp.cpp"]}
+    record = grade({**files, "part3_step.cpp": _new()})
+    assert points(record) == [30, 30, 0, 10]
+    assert points(grade({})) == FULL
+
+
+def _name_of_part(number: int, files: dict[str, bytes], grade: Grade) -> str:
+    assert points(grade({**files})) == FULL
+    with tempfile.TemporaryDirectory() as folder:
+        taken = read(write(Path(folder), files))
+    file = taken.parts[number]
+    needed = kept.needed(file, taken, kept.named_sources(taken))
+    return kept.name_of(file, needed, taken, Box("full"), timed=False)
 
 
 def test_words_of_a_submission_are_not_the_boxs(grade: Grade) -> None:

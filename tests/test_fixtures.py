@@ -17,7 +17,7 @@ def written(kind: str, folder: Path) -> dict[str, bytes]:
 
 
 def with_secret(monkeypatch: pytest.MonkeyPatch, secret: str) -> None:
-    monkeypatch.setenv("BOUNCE_COURSE_SECRET", secret)
+    monkeypatch.setattr(fixtures, "secret", lambda: secret)
 
 
 def test_the_committed_ones_are_what_the_solution_writes() -> None:

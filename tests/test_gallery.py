@@ -98,6 +98,8 @@ def gets(expected: dict[str, Any], record: dict[str, Any]) -> None:
     ), text
     for sentence in expected.get("says", []):
         assert sentence in text
+    for sentence in expected.get("never", []):
+        assert sentence not in text
 
 
 @pytest.mark.parametrize("folder", ALL, ids=name_of)

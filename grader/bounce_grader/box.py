@@ -3,7 +3,9 @@
 The full box is bubblewrap's: nothing to see but what is named here, no network, and a process space
 of its own, with which everything in it ends. The reduced box is for places where namespaces can't
 be had, such as a container: Landlock hides the files, and what is left behind is killed. In both,
-`enter` (grader/box/) takes the last step: privileges, limits, and the filter of system calls.
+`enter` (grader/box/) takes the last step: privileges, limits, and the filter of system calls. It
+stays as the box's first process, tells the kit over a descriptor of its own whether the box was
+made, and hands out the one file that a build has made.
 """
 
 import hashlib
@@ -17,6 +19,7 @@ from shutil import which
 from typing import NamedTuple
 
 from bounce_grader import processes
+from bounce_grader.budget import UNLIMITED, Budget
 from bounce_grader.errors import KitError
 from bounce_grader.files import write_whole
 from bounce_grader.paths import BUILD, ENTER, REFERENCE_RUNNER
@@ -27,15 +30,33 @@ NOBODY = "65534"
 # side by side belong to different ones.
 FIRST_USER, USERS = 60578, 600
 LIBRARIES = ("/usr/include", "/usr/lib/gcc", "/usr/lib64", "/usr/libexec/gcc")
-PROGRAMS = ("g++", "as", "ld", "sh", "cat", "mktemp", "rm", "addr2line")
+PROGRAMS = ("g++", "as", "ld", "addr2line")
 LARGE_PAGES = "/sys/kernel/mm/transparent_hugepage"  # where malloc looks whether there are any
 TEMPORARY = 256 * 1024 * 1024
+TO_KIT = ("--status", processes.STATUS, "--output", processes.OUTPUT)
+TO_JUDGE = ("--status", "5")  # as in grader/judge/runner_process.cpp
 
 
 class Box(NamedTuple):
-    """kind is "full" or "reduced"; or "none", when the instructor trusts the submission."""
+    """kind is "full" or "reduced"; or "none", when the instructor trusts the submission. What is
+    run through it counts against the budget of the grading."""
 
     kind: str
+    budget: Budget = UNLIMITED
+
+    def run(
+        self,
+        command: list[str],
+        limits: processes.Limits,
+        cwd: Path | None = None,
+        output: Path | None = None,
+    ) -> processes.Result:
+        """Runs a command that begins with a box, or starts one. Raises Overrun where the grading
+        has used up what it may take."""
+        result = processes.run(command, self.budget.within(limits), cwd=cwd, output=output)
+        if not result.ok:
+            self.budget.require()
+        return result
 
     def to_run(self, program: Path) -> list[str]:
         """The command that runs a statically linked program: it sees itself alone, read-only,
@@ -43,35 +64,38 @@ class Box(NamedTuple):
         if self.kind == "none":
             return [str(program)]
         if self.kind == "reduced":
-            return [*_enter(ENTER, "run"), "--reduced", "--see", str(program), "--", str(program)]
+            entering = [*_enter(ENTER, "run"), *TO_JUDGE, "--reduced", "--see", str(program)]
+            return [*entering, "--", str(program)]
         command = [*_bubblewrap(), "--ro-bind", str(program), "/runner", "--remount-ro", "/"]
-        return [*command, "--", *_enter(Path("/enter"), "run"), "--", "/runner"]
+        return [*command, "--", *_enter(Path("/enter"), "run"), *TO_JUDGE, "--", "/runner"]
 
     def to_check(self, program: Path) -> list[str]:
         """Of the full box alone: the command that runs a program built with sanitizers, which need
-        the system's libraries, and to look at the program in /proc."""
+        the system's libraries."""
         libraries = [p for p in toolchain() if p.endswith(("-linux-gnu", "/usr/lib64"))]
-        command = [*_bubblewrap(), *_open_to_all(libraries), "--proc", "/proc"]
+        command = [*_bubblewrap(), *_open_to_all(libraries)]
         for path in libraries:
             command += ["--ro-bind", path, path]
         command += ["--symlink", "usr/lib", "/lib", "--symlink", "usr/lib64", "/lib64"]
         command += ["--ro-bind", str(program), "/runner", "--remount-ro", "/"]
-        return [*command, "--", *_enter(Path("/enter"), "check"), "--", "/runner"]
+        return [*command, "--", *_enter(Path("/enter"), "check"), *TO_JUDGE, "--", "/runner"]
 
     def to_build(
         self, folder: Path, visible: Iterable[Path], programs: Iterable[str] = PROGRAMS
     ) -> list[str]:
-        """A prefix for the toolchain in `folder`, which it can read; it can write to a temporary
-        folder alone. clang and its linker need none of the other programs."""
+        """A prefix for the toolchain in `folder`, which it can read. It can write to a temporary
+        folder alone, where it makes the file OUTPUT. clang and its linker need none of the other
+        programs."""
+        entering = ["build", *TO_KIT, "--in", str(folder)]
         if self.kind == "none":
-            return []
+            return [str(ENTER), *entering, "--open", "--"]
         used = [f"/usr/bin/{name}" for name in programs]
         seen = list(dict.fromkeys([*toolchain(), *used, str(folder), *map(str, visible)]))
+        entering += ["--user", str(_user())]
         if self.kind == "reduced":
-            places = [word for path in seen for word in ("--see", path)]
-            return [*_enter(ENTER, "build"), "--reduced", "--in", str(folder), *places, "--"]
-        # As the first process in there, `enter` waits for the toolchain and counts its CPU time.
-        command = [*_bubblewrap(), "--as-pid-1", *_temporary()]
+            places = [word for path in [*seen, str(ENTER)] for word in ("--see", path)]
+            return [str(ENTER), *entering, "--reduced", *places, "--"]
+        command = [*_bubblewrap(), *_temporary()]
         # clang says /usr/bin/../lib of the system's headers, also where it has nothing in /usr/bin.
         command += _open_to_all(["/dev/null", "/usr/bin/any", *seen])
         command += ["--dev-bind", "/dev/null", "/dev/null"]
@@ -79,8 +103,12 @@ class Box(NamedTuple):
             command += ["--symlink", f"usr/{name}", f"/{name}"]
         for path in seen:
             command += ["--ro-bind", path, path]
-        command += ["--setenv", "PATH", "/usr/bin", "--remount-ro", "/"]
-        return [*command, "--", *_enter(Path("/enter"), "build"), "--in", str(folder), "--"]
+        return [*command, "--remount-ro", "/", "--", "/enter", *entering, "--"]
+
+    @property
+    def enter(self) -> str:
+        """Where `enter` is to be seen in a build's box."""
+        return "/enter" if self.kind == "full" else str(ENTER)
 
     def give(self, folder: Path) -> None:
         """A folder of root's, and what is in it, so that whoever root becomes in here can read it
@@ -193,7 +221,7 @@ def _temporary() -> list[str]:
 def _bubblewrap() -> list[str]:
     return [
         *("/usr/bin/bwrap", "--unshare-pid", "--unshare-net", "--unshare-ipc", "--unshare-uts"),
-        *("--die-with-parent", "--new-session", "--clearenv", "--hostname", "box"),
+        *("--die-with-parent", "--new-session", "--clearenv", "--hostname", "box", "--as-pid-1"),
         *_privileges(),
         *("--ro-bind", str(ENTER), "/enter"),
     ]
@@ -212,8 +240,10 @@ def _above(path: str) -> list[str]:
 
 def _privileges() -> list[str]:
     """Root needs no user namespace, and in one that bubblewrap makes for it, it would stay root
-    to the limits on processes: it keeps what it takes to become somebody else instead."""
+    to the limits on processes: it keeps what it takes to become somebody else instead, and to end
+    whoever that is."""
     if os.geteuid() == 0:
-        return ["--cap-drop", "ALL", "--cap-add", "CAP_SETUID", "--cap-add", "CAP_SETGID"]
+        kept = ("CAP_SETUID", "CAP_SETGID", "CAP_KILL")
+        return ["--cap-drop", "ALL", *(w for name in kept for w in ("--cap-add", name))]
     no_more = ["--disable-userns"] if "--disable-userns" in _help() else []
     return ["--unshare-user", *no_more, "--uid", NOBODY, "--gid", NOBODY, "--cap-drop", "ALL"]

@@ -3,8 +3,9 @@
 from pathlib import Path
 from typing import NamedTuple
 
-from bounce_grader import compiler, kept, processes, together
+from bounce_grader import compiler, kept, processes
 from bounce_grader.box import PROGRAMS, Box
+from bounce_grader.budget import Overrun
 from bounce_grader.paths import SOURCES
 from bounce_grader.side_by_side import each
 from bounce_grader.submission import Submission
@@ -30,16 +31,17 @@ def compile_all(
 ) -> Objects:
     """Every part and helper by itself, in folders inside of the folder `work`. What is `timed` is
     built as a program is that somebody uses, without checks."""
-    if not timed:
-        together.compile_missing(submission, work, box, jobs)
     helpers, spent = submission.helpers, [0.0]  # by helpers, in seconds
+    named = kept.named_sources(submission)
 
     def compiled(file: str) -> Built:
-        if file not in helpers:
-            return _Compiling(file, submission, work, box, timed, []).built()
-        if sum(spent) > HELPERS_SECONDS:
+        own = [] if file not in helpers else spent
+        if sum(own) > HELPERS_SECONDS:
             return Built(None, f"{file} wasn't compiled: the helpers took {HELPERS_SECONDS} s")
-        return _Compiling(file, submission, work, box, timed, spent).built()
+        try:
+            return _Compiling(file, submission, named, work, box, timed, own).built()
+        except Overrun as overrun:
+            return Built(None, f"{file} wasn't compiled: {overrun}")
 
     files = [*submission.parts.values(), *helpers]
     built = dict(zip(files, each(compiled, files, jobs)))
@@ -55,6 +57,7 @@ class _Compiling(NamedTuple):
 
     file: str
     submission: Submission
+    named: frozenset[str]  # the sources that some file names
     work: Path
     box: Box
     timed: bool
@@ -64,7 +67,8 @@ class _Compiling(NamedTuple):
         """Compiles where the object doesn't exist yet. The compiler sees the files that name the
         object, and no other: first those that a look at the text says it needs, so that an object
         outlives changes elsewhere; and where it misses one, all."""
-        needed, everything = kept.needed(self.file, self.submission), sorted(self.submission.files)
+        needed = kept.needed(self.file, self.submission, self.named)
+        everything = sorted(self.submission.files)
         if needed != everything:
             built = self._seeing(needed, more=True)
             if built.path or built.problem:
@@ -78,20 +82,26 @@ class _Compiling(NamedTuple):
         if kept.is_there(place):
             return Built(place)
         folder = self.work / f"{SOURCES}-{name[:16]}"
+        made = self.work / f"{name[:16]}.o"
         self.submission.write_to(folder, names)
         self.box.give(folder)
         header = "speed" if self.timed else compiler.header_of(names, self.submission)
-        first = result = self._run(compiler.clang(self.file, self.submission, header), folder, ())
+        clang = compiler.clang(self.file, self.submission, header)
+        first = result = self._run(clang, folder, made, ())
         if more and compiler.misses_a_file(first):
             return Built(None)
         if not first.ok and not compiler.ran_out_of_time(first):
-            gcc = compiler.gcc(self.file, self.submission, self.timed)
-            result = self._run(gcc, folder, PROGRAMS)
-        if result.ok and result.out:
-            return Built(kept.store(result.out, place))
-        return Built(None, compiler.compile_problem(first, self.file))
+            gcc = compiler.gcc(self.file, self.submission, self.box, self.timed)
+            result = self._run(gcc, folder, made, PROGRAMS)
+        if not result.ok or not made.stat().st_size:
+            return Built(None, compiler.compile_problem(first, self.file))
+        if made.stat().st_size > compiler.LARGEST_OBJECT:
+            return Built(None, compiler.too_large(self.file))
+        return Built(kept.store(made.read_bytes(), place))
 
-    def _run(self, command: list[str], folder: Path, programs: tuple[str, ...]) -> processes.Result:
-        result = compiler.run(command, folder, self.box, programs)
+    def _run(
+        self, command: list[str], folder: Path, made: Path, programs: tuple[str, ...]
+    ) -> processes.Result:
+        result = compiler.run(command, folder, self.box, made, programs)
         self.spent.append(result.cpu_seconds)
         return result

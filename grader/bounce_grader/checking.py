@@ -6,10 +6,13 @@ from pathlib import Path
 
 from bounce_grader import judging, linking
 from bounce_grader.box import Box
+from bounce_grader.budget import Budget, Overrun
 from bounce_grader.errors import KitError
 from bounce_grader.judging import Judged, Verdict
 from bounce_grader.manifest import Part
 from bounce_grader.submission import Submission
+
+CPU_SECONDS, WALL_SECONDS = 20.0, 40.0  # for the explanation of one part
 
 
 def explained(
@@ -18,13 +21,15 @@ def explained(
     """The same verdicts; those of crashes also say what the sanitizers found, if anything."""
     if box.kind != "full" or not any(map(_is_unclear, judged.verdicts.values())):
         return judged
+    cpu, wall = box.budget.left()
+    box = box._replace(budget=Budget(min(cpu, CPU_SECONDS), min(wall, WALL_SECONDS)))
     try:
         built = linking.checked_alone(part, taken, work, box)
         if not built.path:
             return judged
         given = part.has_earlier_parts
         again = judging.judge(part, built.path, given, hidden, box, checked=True)
-    except KitError:  # the score stands without the explanation
+    except (KitError, Overrun):  # the score stands without the explanation
         return judged
     verdicts = {id: _with_finding(v, again.verdicts[id]) for id, v in judged.verdicts.items()}
     return judged._replace(verdicts=verdicts)

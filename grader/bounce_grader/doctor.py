@@ -1,5 +1,7 @@
 """./kit doctor: does each protection hold, here and for this user? Each is tried for real, by a
-program that is let loose in the boxes that submissions are compiled and run in."""
+program that is let loose in the boxes that submissions are compiled and run in, and in that of what
+is run once more with sanitizers. A canary is on the command line, in the environment and in the
+memory of a process above the box: nothing in there may find it."""
 
 import os
 import secrets
@@ -7,7 +9,7 @@ import socket
 import tempfile
 import sys
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
@@ -19,6 +21,9 @@ from bounce_grader.compiler import COMPILE
 from bounce_grader.paths import PROBE, ROOT, WATCH
 
 Attempt = list[str]
+PLACES = ("compile", "run", "check")
+# A process above the box, with the canary in it.
+ABOVE = ["/bin/sh", "-c", 'BOUNCE_DOCTOR="$0" "$@"; status=$?; kept="$0"; exit $status']
 WATCHING = processes.Limits(cpu_seconds=20, wall_seconds=90, memory=4 << 30, file_size=0)
 COMPILING = COMPILE._replace(cpu_seconds=1)
 
@@ -27,8 +32,9 @@ COMPILING = COMPILE._replace(cpu_seconds=1)
 class Protection:
     title: str
     attempts: list[Attempt]  # words for the probe; none of these may succeed
-    places: tuple[str, ...] = ("compile", "run")
+    places: tuple[str, ...] = PLACES
     outside: Callable[[], bool] | None = None  # where what is seen from outside decides, later
+    canary: str = ""  # in a process above the box
 
 
 @dataclass(frozen=True)
@@ -48,8 +54,8 @@ def findings() -> list[Finding]:
         Box("full").give(folder)
         return [
             finding
-            for kind in ("full", "reduced")
-            for place in ("compile", "run")
+            for kind, places in (("full", PLACES), ("reduced", PLACES[:2]))
+            for place in places
             for finding in _in_box(Box(kind), place, folder, protections)
         ]
 
@@ -65,21 +71,25 @@ def _in_box(box: Box, place: str, folder: Path, protections: list[Protection]) -
         if problem:
             yield Finding(protection.title, f"{box.kind} {place}", None, problem)
             continue
-        outcomes = [attempt(box, place, folder, words) for words in protection.attempts]
+        above = [*ABOVE, protection.canary] if protection.canary else []
+        outcomes = [attempt(box, place, folder, words, above) for words in protection.attempts]
         held = not any(could for could, _ in outcomes)
         held = protection.outside() if protection.outside else held
         detail = "; ".join(said for _, said in outcomes)
         yield Finding(protection.title, f"{box.kind} {place}", held, detail)
 
 
-def attempt(box: Box, place: str, folder: Path, words: Attempt) -> tuple[bool, str]:
+def attempt(
+    box: Box, place: str, folder: Path, words: Attempt, above: Sequence[str] = ()
+) -> tuple[bool, str]:
     """Whether the probe could do it, and what was said. What isn't known to have failed could."""
-    if place == "run":
-        result = processes.run([str(WATCH), *box.to_run(PROBE), *words], WATCHING)
+    if place != "compile":
+        boxed = box.to_run(PROBE) if place == "run" else box.to_check(PROBE)
+        result = processes.run([*above, str(WATCH), place, *boxed, *words], WATCHING)
         said = result.out.decode("utf-8", "replace").strip()
         could = not result.ok or said == "answered" or "(exit status 125)" in said
         return could, said or result.err.strip()
-    command = [*box.to_build(folder, [PROBE]), str(PROBE), *words]
+    command = [*above, *box.to_build(folder, [PROBE]), str(PROBE), *words]
     result = processes.run(command, COMPILING, cwd=folder, out_cap=1 << 20)
     stopped = result.flooded or result.too_long or result.code < 0 or result.code > 128
     said = (result.out[:200].decode("utf-8", "replace") + result.err).strip()
@@ -91,7 +101,6 @@ def _bait() -> Iterator[list[Protection]]:
     """What must not be reached: a file, a variable, a port, a descriptor, this process; and the
     protections that keep it."""
     marker = secrets.token_hex(16)
-    os.environ["BOUNCE_DOCTOR"] = marker
     with (
         tempfile.NamedTemporaryFile("w", prefix="bounce-bait-") as file,
         tempfile.NamedTemporaryFile("w", prefix="bounce-bait-", dir=_home()) as home,
@@ -101,7 +110,6 @@ def _bait() -> Iterator[list[Protection]]:
         os.chmod(file.name, 0o644)
         os.chmod(home.name, 0o644)
         yield _protections(marker, file, home, server.getsockname()[1])
-    del os.environ["BOUNCE_DOCTOR"]
 
 
 def _protections(marker: str, file: IO[str], home: IO[str], port: int) -> list[Protection]:
@@ -116,20 +124,33 @@ def _protections(marker: str, file: IO[str], home: IO[str], port: int) -> list[P
             outside=lambda: all(os.path.getsize(path) == 0 for path in hidden[:2]),
         ),
         Protection("writes no large file", [["fill", "65"]]),
-        Protection("has none of your variables", [["environment", "BOUNCE_DOCTOR"]]),
+        Protection("has none of your variables", [["environment", "BOUNCE_DOCTOR"]], canary=marker),
+        # In two halves: the probe's own command line doesn't count.
+        *(
+            Protection(
+                f"finds nothing in {title} above",
+                [[where, marker[:16], marker[16:]]],
+                canary=marker,
+            )
+            for where, title in (
+                ("environments", "environments"),
+                ("command-lines", "command lines"),
+                ("memories", "memory"),
+            )
+        ),
+        Protection("reaches no first process", [["first-process"]]),
         Protection("has none of your open files", [["descriptors", "5"]]),
         Protection("connects to nothing", [["connect", str(port)]]),
         Protection("signals no process of yours", [["signal", me]]),
         Protection("traces no process of yours", [["trace", me]]),
         Protection("has no privileges", [["privileges"]]),
         Protection("makes no namespaces", [["namespace"]]),
-        Protection("starts no process", [["processes", "1"]], ("run",)),
+        Protection("starts no process", [["processes", "1"]], ("run", "check")),
         Protection("starts few processes", [["processes", "200"]], ("compile",)),
         Protection("leaves nothing behind", [["daemon", marker]], outside=lambda: _gone(marker)),
-        Protection("is held to its memory", [["allocate", "1100"]], ("run",)),
+        Protection("is held to its memory", [["allocate", "1100"]], ("run", "check")),
         Protection("is held to its memory", [["allocate", "2200"]], ("compile",)),
-        Protection("is held to its CPU time", [["spin", "3"]], ("run",)),
-        Protection("is held to its CPU time", [["spin", "3"]], ("compile",)),
+        Protection("is held to its CPU time", [["spin", "3"]]),
         Protection("is held to its output", [["flood", "20"]]),
     ]
 

@@ -1,7 +1,6 @@
 """Fixtures: the public ones are committed; the hidden ones are made from the course secret."""
 
 import hashlib
-import os
 import tempfile
 from pathlib import Path
 
@@ -17,9 +16,7 @@ LIMITS = processes.Limits(cpu_seconds=120, wall_seconds=600, memory=4 << 30, fil
 
 
 def secret() -> str:
-    """The course's, from the environment or from the file course-secret; else the default."""
-    if "BOUNCE_COURSE_SECRET" in os.environ:
-        return os.environ["BOUNCE_COURSE_SECRET"].strip()
+    """The course's, from the file course-secret; else the default."""
     if SECRET.exists():
         return SECRET.read_text().strip()
     return DEFAULT_SECRET

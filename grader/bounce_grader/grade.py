@@ -4,13 +4,14 @@ import os
 import tempfile
 import time
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from functools import partial
 from pathlib import Path
 from typing import NamedTuple
 
 from bounce_grader import box as boxes
 from bounce_grader import (
+    budget,
     build,
     checking,
     fixtures,
@@ -21,6 +22,7 @@ from bounce_grader import (
     submission,
 )
 from bounce_grader.box import Box
+from bounce_grader.budget import Budget, Overrun
 from bounce_grader.errors import KitError
 from bounce_grader.judging import Judged
 from bounce_grader.manifest import Part, parts
@@ -35,13 +37,16 @@ class Options(NamedTuple):
     speed: bool = False
     jobs: int = 0  # 0: one a core
     answers: bool = False  # with the expected answers of hidden cases, for with_answers
+    cpu_seconds: float = budget.CPU_SECONDS  # for the whole grading
+    wall_seconds: float = budget.WALL_SECONDS
 
 
 def grade(path: Path, options: Options = Options()) -> Record:
     """Raises UsageError where the submission can't be read, KitError where the kit fails."""
     start = time.monotonic()
+    within = Budget(options.cpu_seconds, options.wall_seconds)
     taken = submission.read(path)
-    box = boxes.choose(options.boxes)
+    box = boxes.choose(options.boxes)._replace(budget=within)
     hidden = fixtures.hidden_folder()
     jobs = options.jobs or os.cpu_count() or 1
     with _work_folder() as work:
@@ -50,11 +55,13 @@ def grade(path: Path, options: Options = Options()) -> Record:
         grading = _Grading(taken, objects, work, hidden, box)
         compiled = time.monotonic()
         grading.judge_together(jobs)
-        records = each(grading.part, parts(), jobs)
+        each(grading.judge_alone, parts(), jobs)
+        records = [grading.record_of(part) for part in parts()]
         if not any(r["score"] for r in records):
-            _require_working_kit(box)
+            _require_working_kit(Box(box.kind))
         measured = None
         if options.speed:
+            box = box._replace(budget=Budget(options.cpu_seconds, options.wall_seconds))
             timed = build.compile_all(taken, work, box, jobs, timed=True)
             runner = _link_together(taken, timed, work / "timed", box, timed=True)
             measured = _speed(grading.best, runner, box)
@@ -100,46 +107,66 @@ class _Grading:
     ) -> None:
         self.taken, self.objects, self.work = taken, objects, work
         self.hidden, self.box = hidden, box
-        self.together = _link_together(taken, objects, work / "together", box)
         self.own: dict[Part, Judged] = {}
         self.best: dict[Part, Judged] = {}
+        self.failed: dict[Part, Record] = {}  # parts of which no line could be run
 
     def judge_together(self, jobs: int) -> None:
         """The parts that call no other first: where one of them hangs, so would those that call
         it, and they are better off with given parts."""
-        runner = self.together.path
-        if not runner:
-            return
-        for calling in (False, True):
-            if any(judged.status == "timed_out" for judged in self.own.values()):
-                return
-            now = [part for part in parts() if part.has_earlier_parts == calling]
-            judge = partial(
-                judging.judge, runner=runner, given=False, hidden=self.hidden, box=self.box
-            )
-            self.own.update(zip(now, each(judge, now, jobs)))
+        with suppress(Overrun):
+            runner = _link_together(self.taken, self.objects, self.work / "together", self.box).path
+            for calling in (False, True):
+                if not runner or any(j.status == "timed_out" for j in self.own.values()):
+                    return
+                now = [part for part in parts() if part.has_earlier_parts == calling]
+                each(partial(self._judge_own, runner), now, jobs)
 
-    def part(self, part: Part) -> Record:
+    def judge_alone(self, part: Part) -> None:
+        """Takes the better of what the part got with the others and what it gets alone."""
+        try:
+            tries = self._tries(part)
+        except Overrun as overrun:
+            tries = [self.own[part]] if part in self.own else []
+            if not tries and part not in self.failed:
+                self.failed[part] = record.failed_part(part, "timed_out", f"not judged: {overrun}")
+        if tries:
+            # The later one, with the earlier parts given, where both score the same.
+            self.best[part] = max(reversed(tries), key=lambda judged: judged.score(part))
+
+    def record_of(self, part: Part) -> Record:
+        """When all parts are judged: what explains a crash takes only the time that is left."""
+        if part not in self.best:
+            return self.failed[part]
+        best = self.best[part]
+        if best.status == "crashed":
+            best = checking.explained(part, best, self.taken, self.work, self.hidden, self.box)
+        return record.part_record(part, best)
+
+    def _tries(self, part: Part) -> list[Judged]:
         problem = self._problem(part)
         if problem:
-            return record.failed_part(part, *problem)
+            self.failed[part] = record.failed_part(part, *problem)
+            return []
         tries = [self.own[part]] if part in self.own else []
         if not tries or self._could_be_better(part, tries[0]):
             runner = self.work / f"alone{part.number}"
             alone = linking.link_alone(part, self.objects, runner, self.box)
             if alone.path:
-                given = part.has_earlier_parts
-                tries.append(
-                    judging.judge(part, alone.path, given, self.hidden, self.box, recognise=True)
-                )
+                tries.append(self._judge(alone.path, part.has_earlier_parts, part, recognise=True))
             elif not tries:
-                return record.failed_part(part, "does_not_compile", self._why(alone))
-        # The later one, with the earlier parts given, where both score the same.
-        best = max(reversed(tries), key=lambda judged: judged.score(part))
-        if best.status == "crashed":
-            best = checking.explained(part, best, self.taken, self.work, self.hidden, self.box)
-        self.best[part] = best
-        return record.part_record(part, best)
+                why = self._why(alone)
+                self.failed[part] = record.failed_part(part, "does_not_compile", why)
+        return tries
+
+    def _judge_own(self, runner: Path, part: Part) -> None:
+        self.own[part] = self._judge(runner, False, part)
+
+    def _judge(self, runner: Path, given: bool, part: Part, recognise: bool = False) -> Judged:
+        files = frozenset(self.taken.files)
+        return judging.judge(
+            part, runner, given, self.hidden, self.box, recognise=recognise, files=files
+        )
 
     def _could_be_better(self, part: Part, own: Judged) -> bool:
         """Alone, a part is free of earlier parts, and of what other files do before main. Where

@@ -3,12 +3,14 @@
 import json
 import re
 import sys
+from collections.abc import Callable
 from functools import cache
 from pathlib import Path
 from typing import Any, NamedTuple, cast
 
 from bounce_grader import processes, shown
 from bounce_grader.box import Box
+from bounce_grader.budget import Overrun
 from bounce_grader.errors import KitError
 from bounce_grader.escape import name
 from bounce_grader.manifest import Part
@@ -17,6 +19,7 @@ from bounce_grader.shown import Shown
 
 SYMBOLS = processes.Limits(cpu_seconds=5, wall_seconds=30, memory=1 << 30, file_size=0)
 WAIT = processes.Limits(cpu_seconds=60, wall_seconds=300, memory=4 << 30, file_size=0)
+MOST_CPU_SECONDS, MOST_SECONDS = 30, 200  # of all runners of a part
 STATUSES = {"graded", "does_not_compile", "crashed", "timed_out", "out_of_memory", "no_answer"}
 
 
@@ -56,17 +59,25 @@ def judge(
     box: Box,
     checked: bool = False,
     recognise: bool = False,
+    files: frozenset[str] = frozenset(),
 ) -> Judged:
     """Raises KitError where the judge fails, or doesn't name every check exactly once. A runner
-    that is `checked` is built with sanitizers."""
+    that is `checked` is built with sanitizers. What the grading has no time for any more fails. A
+    crash is located in one of the submission's `files`."""
+    cpu, wall = box.budget.left()
     command = [
         *(str(JUDGE), "--part", str(part.number)),
         *(["--given"] if given else []),
         *(["--checked"] if checked else []),
         *(["--recognise"] if recognise else []),
+        *(["--boxed"] if box.kind != "none" else []),
+        *("--cpu-seconds", str(max(1, int(min(cpu, MOST_CPU_SECONDS))))),
+        *("--seconds", str(max(1, int(min(wall, MOST_SECONDS))))),
         *("--fixtures", str(FIXTURES / "public"), "--fixtures", str(hidden)),
         *("--", *(box.to_check(runner) if checked else box.to_run(runner))),
     ]
+    box.budget.require()
+    # The judge keeps to its own time, and tells what passed within it.
     result = processes.run(command, WAIT._replace(memory=None) if checked else WAIT)
     if not result.ok:
         raise KitError(f"the judge failed on part {part.number}: {result.err.strip() or 'killed'}")
@@ -75,7 +86,7 @@ def judge(
         check["id"]: Verdict(
             check["passed"],
             check["status"],
-            _with_place(check, runner, box),
+            _with_place(check, runner, files, box),
             check["shown"],
             check["revealed"],
         )
@@ -126,27 +137,31 @@ def _is_size(x: object) -> bool:
     return x is None or type(x) in (int, float) and 0 <= cast(float, x) <= sys.float_info.max
 
 
-def _with_place(check: dict[str, str], runner: Path, box: Box) -> str:
+def _with_place(check: dict[str, str], runner: Path, files: frozenset[str], box: Box) -> str:
     """The check's message; a crash's with the submission's file and line, where that is known."""
-    place = _place(check["stack"], runner, box) if check["stack"] else None
+    try:
+        place = _place(check["stack"], runner, files, box) if check["stack"] else None
+    except Overrun:  # a verdict stands without its place
+        place = None
     return f"{check['message']}, at {place}" if place else check["message"]
 
 
 @cache
-def _place(stack: str, runner: Path, box: Box) -> str | None:
+def _place(stack: str, runner: Path, files: frozenset[str], box: Box) -> str | None:
     """The innermost line of the submission on the stack."""
     command = ["/usr/bin/addr2line", "-i", "-e", str(runner), *stack.split()]
-    return place_in(processes.run(box.to_build(runner.parent, [runner]) + command, SYMBOLS).out)
+    said = box.run(box.to_build(runner.parent, [runner]) + command, SYMBOLS).out
+    return place_in(said, files.__contains__)
 
 
-def place_in(lines: bytes) -> str | None:
-    """The first FILE:LINE inside of a submission's folder. What the names of files are is up to the
+def place_in(lines: bytes, is_submitted: Callable[[str], bool] = bool) -> str | None:
+    """The first FILE:LINE of a submission's file. What the names of files are in there is up to the
     submission, by #line."""
     for line in lines.splitlines():
         _, _, rest = line.decode("utf-8", "replace").partition(f"/{WORK_FOLDER}")
         inside = re.match(
-            rf"[^/]{{1,50}}/{SOURCES}(?:-[0-9a-f]{{16}})?/(.{{1,255}}?:\d{{1,9}})(?!\d)", rest
+            rf"[^/]{{1,50}}/{SOURCES}(?:-[0-9a-f]{{16}})?/((.{{1,255}}?):\d{{1,9}})(?!\d)", rest
         )
-        if inside:
+        if inside and is_submitted(inside.group(2)):
             return name(inside.group(1))
     return None

@@ -13,25 +13,29 @@ from bounce_grader.errors import KitError
 from bounce_grader.paths import CACHE, RUNNER
 from bounce_grader.submission import Submission
 
+FORMAT = "a file of its own from a process of its own"  # another one makes another name
 KEPT_IN_A_FOLDER = 64  # objects, in each of 256 folders
 KEPT_BYTES = 16 << 20  # likewise
 IN_USE = 3600  # seconds, in which every grading comes to its end
 
 
-def needed(file: str, submission: Submission) -> list[str]:
-    """The file, all headers, and the sources that some file names, as in #include "helper.cpp"."""
+def named_sources(submission: Submission) -> frozenset[str]:
+    """The sources that some file names, as in #include "helper.cpp"."""
+    text = b"\0".join(submission.files.values())
     sources = {*submission.helpers, *submission.parts.values()}
+    return frozenset(name for name in sources if os.fsencode(Path(name).name) in text)
 
-    def is_named(name: str) -> bool:
-        base = os.fsencode(Path(name).name)
-        return any(base in text for text in submission.files.values())
 
-    return sorted(n for n in submission.files if n == file or n not in sources or is_named(n))
+def needed(file: str, submission: Submission, named: frozenset[str]) -> list[str]:
+    """The file, all headers, and the sources that some file names."""
+    sources = {*submission.helpers, *submission.parts.values()} - named
+    return sorted(n for n in submission.files if n == file or n not in sources)
 
 
 def name_of(file: str, names: Iterable[str], submission: Submission, box: Box, timed: bool) -> str:
-    """Names an object: the file, what can be included, and what it is built with, and where."""
-    words = [file, box.kind, str(timed), *submission.include_folders]
+    """Names an object: the file, what can be included, and what it is built with, and where, and
+    how it is taken from its compiler."""
+    words = [FORMAT, file, box.kind, str(timed), *submission.include_folders]
     found = hashlib.sha256(toolchain_digest() + os.fsencode("\0".join(words)))
     for name in names:
         text = submission.files[name]

@@ -7,13 +7,7 @@ from pathlib import Path
 from bounce_grader import processes
 from bounce_grader.box import Box
 from bounce_grader.build import Built, Objects
-from bounce_grader.compiler import (
-    COMPILE,
-    TO_STANDARD_OUTPUT,
-    compile_problem,
-    gcc,
-    require_a_compiler,
-)
+from bounce_grader.compiler import COMPILE, compile_problem, gcc, require_a_compiler
 from bounce_grader.manifest import Part
 from bounce_grader.paths import CACHE, CONTRACT, RUNNER, SOURCES
 from bounce_grader.submission import Submission
@@ -69,26 +63,23 @@ def checked_alone(part: Part, submission: Submission, work: Path, box: Box) -> B
     box.give(sources)
     objects: list[Path] = []
     for file in [submission.parts[part.number], *submission.helpers]:
-        result = processes.run(
-            [*box.to_build(sources, [CONTRACT, RUNNER]), *gcc(file, submission, flags=SANITIZERS)],
+        objects.append(work / f"checked{part.number}-{len(objects)}.o")
+        result = box.run(
+            [
+                *box.to_build(sources, [CONTRACT, RUNNER]),
+                *gcc(file, submission, box, flags=SANITIZERS),
+            ],
             COMPILE,
             cwd=sources,
+            output=objects[-1],
         )
         if not result.ok:
             return Built(None, compile_problem(result, file))
-        objects.append(work / f"checked{part.number}-{len(objects)}.o")
-        objects[-1].write_bytes(result.out)
-        objects[-1].chmod(0o644)
     kit = [str(RUNNER / f"{name}.o") for name in (*RUNNER_OBJECTS, "sanitizers")]
-    command = [*TO_STANDARD_OUTPUT, "/usr/bin/g++", *SANITIZERS, *CHECKED_LINK]
+    command = ["/usr/bin/g++", *SANITIZERS, *CHECKED_LINK, "-o", "OUTPUT"]
     command += [*kit, *map(str, objects), *_given(part)]
-    result = processes.run(box.to_build(RUNNER, [RUNNER, *objects]) + command, LINK, cwd=RUNNER)
-    if not result.ok:
-        return Built(None, link_problem(result))
-    runner = work / f"checked{part.number}"
-    runner.write_bytes(result.out)
-    runner.chmod(0o755)
-    return Built(runner)
+    prefix = box.to_build(RUNNER, [RUNNER, *objects])
+    return _linked(prefix + command, work / f"checked{part.number}", box)
 
 
 def _given(part: Part) -> list[str]:
@@ -117,18 +108,20 @@ def _link(
     given = [str(RUNNER / f"{name}.o") for name in kit]
     command = _link_command([*flags, *given, *files, *more])
     visible = [Path(word) for word in files + more if word.startswith(str(CACHE))]
-    prefix = box.to_build(RUNNER, visible, programs=())
-    result = processes.run(prefix + command, LINK, cwd=RUNNER)
+    return _linked(box.to_build(RUNNER, visible, programs=()) + command, runner, box)
+
+
+def _linked(command: list[str], runner: Path, box: Box) -> Built:
+    result = box.run(command, LINK, cwd=RUNNER, output=runner)
     require_a_compiler(result, LINK)
-    if result.ok and result.out:
-        runner.write_bytes(result.out)
-        runner.chmod(0o755)
-        return Built(runner)
-    return Built(None, link_problem(result))
+    if not result.ok or not runner.stat().st_size:
+        return Built(None, link_problem(result))
+    runner.chmod(0o755)
+    return Built(runner)
 
 
 def _link_command(words: list[str]) -> list[str]:
-    """What clang would have the linker do with these words, written to standard output."""
+    """What clang would have the linker do with these words."""
     command = (RUNNER / "link_command.txt").read_text().splitlines()
     place = command.index("OBJECTS")
     return [*command[:place], *words, *command[place + 1 :]]
@@ -146,8 +139,7 @@ def link_problem(result: processes.Result) -> str:
     twice = _linker(r"duplicate symbol: (.*)", result)
     if twice:
         return f"{twice.group(1)} is defined in two files"
-    lines = result.err.strip().splitlines()
-    return lines[0] if lines else "the parts could not be linked"
+    return "the parts can't be linked with each other: look for lines of assembler in them"
 
 
 def _linker(says: str, result: processes.Result) -> re.Match[str] | None:

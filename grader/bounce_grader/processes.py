@@ -1,20 +1,28 @@
-"""The one place that starts processes. Output is capped while it streams."""
+"""The one place that starts processes. They get an environment of their own, and none of ours: a
+program in a box may look for the environment of those that started it. Output is capped while it
+streams.
+"""
 
-import fcntl
 import os
 import selectors
 import signal
 import subprocess
 import time
-from contextlib import suppress
+from collections.abc import Mapping
+from contextlib import ExitStack, suppress
 from pathlib import Path
 from typing import NamedTuple
 
 from bounce_grader.errors import KitError
 
 DIAGNOSTICS = 64 * 1024
-PIPE = 1024 * 1024  # a runner comes in three pieces, and not in thirty that each wake two processes
+CHUNK = 64 * 1024
 GRACE = 2.0  # seconds
+ENVIRONMENT = {"PATH": "/usr/bin:/bin", "LC_ALL": "C.UTF-8"}
+
+# Words of a command that stand for descriptors which `run` opens: where a box says that it was made
+# (grader/box/enter.cpp), and where what is made in it goes.
+STATUS, OUTPUT = "<status>", "<output>"
 
 
 class Limits(NamedTuple):
@@ -43,10 +51,16 @@ class Result(NamedTuple):
     err: str
     too_long: bool  # ended because the wall clock ran out
     flooded: bool  # ended because standard output passed its cap
+    boxed: bool = True  # the box that was asked for was made, and its command has begun
 
     @property
     def ok(self) -> bool:
-        return self.code == 0 and not self.too_long and not self.flooded
+        return self.code == 0 and not self.too_long and not self.flooded and self.boxed
+
+    @property
+    def killed(self) -> bool:
+        """By SIGKILL, and not by `run`. A box hands a signal on as an exit status."""
+        return self.code in (-9, 128 + 9) and not self.too_long and not self.flooded
 
 
 def run(
@@ -55,38 +69,68 @@ def run(
     *,
     stdin: bytes = b"",
     cwd: Path | None = None,
+    output: Path | None = None,
     out_cap: int = 64 * 1024 * 1024,
     err_cap: int = DIAGNOSTICS,
 ) -> Result:
-    """Runs a command to its end, with nothing but `stdin` to read."""
+    """Runs a command to its end, with nothing but `stdin` to read. What a box hands out is written
+    to the new file `output`."""
+    with ExitStack() as stack:
+        descriptors = {}
+        if STATUS in command:
+            told, descriptors[STATUS] = os.pipe()
+            stack.callback(os.close, told)
+            stack.callback(os.close, descriptors[STATUS])
+        if OUTPUT in command:
+            descriptors[OUTPUT] = _opened(output) if output else os.open(os.devnull, os.O_WRONLY)
+            stack.callback(os.close, descriptors[OUTPUT])
+        words = [str(descriptors.get(word, word)) for word in command]
+        process = _started((limits.prefix() if limits else []) + words, stdin, cwd, descriptors)
+        try:
+            if process.stdin:
+                with suppress(BrokenPipeError):
+                    process.stdin.write(stdin)
+                    process.stdin.close()
+            deadline = time.monotonic() + limits.wall_seconds if limits else None
+            result = _collect(process, deadline, out_cap, err_cap)
+        finally:
+            _end(process)
+        if STATUS not in command:
+            return result
+        os.set_blocking(told, False)
+        with suppress(BlockingIOError):
+            return result._replace(boxed=os.read(told, 2) == b"m")
+        return result._replace(boxed=False)
+
+
+def _opened(output: Path) -> int:
+    descriptor = os.open(output, os.O_WRONLY | os.O_CREAT | os.O_TRUNC)
+    os.fchmod(descriptor, 0o644)  # whatever the umask: a later box reads it as somebody else
+    return descriptor
+
+
+def _started(
+    command: list[str], stdin: bytes, cwd: Path | None, descriptors: Mapping[str, int]
+) -> subprocess.Popen[bytes]:
     try:
-        process = subprocess.Popen(
-            (limits.prefix() if limits else []) + command,
+        return subprocess.Popen(
+            command,
             stdin=subprocess.PIPE if stdin else subprocess.DEVNULL,
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,
             cwd=cwd,
+            env=ENVIRONMENT,
+            pass_fds=tuple(descriptors.values()),
             start_new_session=True,
         )
     except OSError as error:
         raise KitError(f"{command[0]} could not be started: {error.strerror}") from error
-    try:
-        if process.stdin:
-            with suppress(BrokenPipeError):
-                process.stdin.write(stdin)
-                process.stdin.close()
-        deadline = time.monotonic() + limits.wall_seconds if limits else None
-        return _collect(process, deadline, out_cap, err_cap)
-    finally:
-        _end(process)
 
 
 def _collect(
     process: subprocess.Popen[bytes], deadline: float | None, out_cap: int, err_cap: int
 ) -> Result:
     assert process.stdout and process.stderr
-    with suppress(OSError):  # where others of this user have much memory in pipes
-        fcntl.fcntl(process.stdout, fcntl.F_SETPIPE_SZ, PIPE)
     out, err = process.stdout.fileno(), process.stderr.fileno()
     kept = {out: bytearray(), err: bytearray()}
     caps = {out: out_cap, err: err_cap}
@@ -97,7 +141,7 @@ def _collect(
         while selector.get_map() and not (too_long or flooded):
             left = None if deadline is None else max(0.0, deadline - time.monotonic())
             for key, _ in selector.select(left):
-                chunk = os.read(key.fd, PIPE)
+                chunk = os.read(key.fd, CHUNK)
                 if not chunk:
                     selector.unregister(key.fd)
                     continue

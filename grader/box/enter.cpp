@@ -1,13 +1,31 @@
-// enter run|check|build [--reduced] [--user N] [--in FOLDER] [--see PATH]... -- COMMAND...
+// enter run|check|build [OPTION]... -- COMMAND...
+// enter step COMMAND...
 //
-// The last step into a box, taken inside of it: gives up privileges, sets the limits that count
-// per user, installs the filter of system calls, and becomes COMMAND. With --reduced it makes the
-// box by itself, without namespaces: Landlock hides all files but those beneath the PATHs, the
-// environment is emptied, and what the command leaves behind is killed.
+// The last step into a box, taken inside of it. It stays as the box's first process, which nobody
+// in there can look at, trace or signal, and starts COMMAND as its child: with fewer privileges,
+// limits that count per user, the filter of system calls, and an environment of its own.
+//
+//   --reduced      makes the box by itself, without namespaces: Landlock hides all files but those
+//                  beneath the PATHs, and what the command leaves behind is killed
+//   --open         makes no box at all, for a command that is trusted
+//   --user N       whom the command runs as, where this is started as root
+//   --status N     a descriptor of the kit's: "m" is written to it when the box is made, just
+//   before
+//                  COMMAND begins, and "x" where it doesn't begin. COMMAND doesn't get it
+//   --output N     likewise; the file that COMMAND has made at OUTPUT is written to it
+//   --in FOLDER    where COMMAND starts
+//   --see PATH     what may be read and executed in a reduced box
+//
+// A build's COMMAND may write to one temporary folder. The word OUTPUT in it stands for a file
+// there.
+//
+// step is for g++ -wrapper: it runs COMMAND, and tells of a signal that has ended it by the exit
+// status 128 + n, which g++ hands on (-pass-exit-codes), and not by words.
 #include <fcntl.h>
 #include <sched.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -29,14 +47,17 @@ namespace {
 
 struct Options {
   std::string kind;
-  bool reduced = false;
+  bool reduced = false, open = false;
   uid_t user = 65534;
   std::string folder;  // where the command starts; "" stays
   std::vector<std::string> visible;
   std::vector<std::string> command;
 };
 
-std::string scratch;  // of a reduced build box: its only folder to write to
+// Of this process; a handler and a guard read them, too.
+std::string scratch;  // a build's only folder to write to
+bool scratch_is_ours = false;
+int status = -1, output = -1;
 
 Options parse(const std::vector<std::string>& words) {
   Options options;
@@ -47,14 +68,24 @@ Options parse(const std::vector<std::string>& words) {
   }
   options.kind = *word++;
   for (; word != words.end() && *word != "--"; ++word) {
+    const auto value = [&] {
+      if (word + 1 == words.end()) throw std::runtime_error("a value is missing after " + *word);
+      return *++word;
+    };
     if (*word == "--reduced") {
       options.reduced = true;
-    } else if (*word == "--user" && word + 1 != words.end()) {
-      options.user = static_cast<uid_t>(std::stoul(*++word));
-    } else if (*word == "--in" && word + 1 != words.end()) {
-      options.folder = *++word;
-    } else if (*word == "--see" && word + 1 != words.end()) {
-      options.visible.push_back(*++word);
+    } else if (*word == "--open") {
+      options.open = true;
+    } else if (*word == "--user") {
+      options.user = static_cast<uid_t>(std::stoul(value()));
+    } else if (*word == "--status") {
+      status = std::stoi(value());
+    } else if (*word == "--output") {
+      output = std::stoi(value());
+    } else if (*word == "--in") {
+      options.folder = value();
+    } else if (*word == "--see") {
+      options.visible.push_back(value());
     } else {
       throw std::runtime_error("unknown option " + *word);
     }
@@ -81,38 +112,65 @@ void die_with(pid_t guard) {
   if (::getppid() != guard) ::_exit(1);
 }
 
-void make_scratch(uid_t user) {
+// In the full box nobody else has a /tmp there.
+void make_scratch(const Options& options) {
+  scratch = "/tmp";
+  if (!options.reduced && !options.open) return;
   char name[] = "/tmp/bounce-box-XXXXXX";
   if (!::mkdtemp(name)) throw std::runtime_error("no temporary folder can be made in /tmp");
   scratch = name;
-  if (::geteuid() == 0) require(::chown(name, user, user), "giving away the temporary folder");
+  scratch_is_ours = true;
+  if (::geteuid() == 0 && options.reduced) {
+    require(::chown(name, options.user, options.user), "giving away the temporary folder");
+  }
 }
 
-void remove_scratch() {
+std::string made() { return scratch + "/output"; }
+
+// What was made may be anything: only an ordinary file is handed out.
+void hand_out() {
+  struct stat about = {};
+  const int from = output < 0 ? -1 : ::open(made().c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK);
+  if (from < 0 || ::fstat(from, &about) != 0 || !S_ISREG(about.st_mode)) return;
+  static char chunk[1 << 16];
+  for (ssize_t n = 0; (n = ::read(from, chunk, sizeof chunk)) > 0;) {
+    for (ssize_t at = 0; at < n;) {
+      const ssize_t written = ::write(output, chunk + at, static_cast<std::size_t>(n - at));
+      if (written <= 0) return;
+      at += written;
+    }
+  }
+}
+
+void hand_out_and_clean_up() {
+  hand_out();
   std::error_code ignored;
-  if (!scratch.empty()) std::filesystem::remove_all(scratch, ignored);
+  if (scratch_is_ours) std::filesystem::remove_all(scratch, ignored);
 }
 
-void close_what_was_inherited(bool build) {
-  ::close_range(build ? 3 : 5, ~0U, 0);  // a runner has questions on 3 and answers on 4
+// A runner has questions on 3 and answers on 4.
+void close_when_the_command_begins(bool build) {
+  ::close_range(build ? 3 : 5, ~0U, CLOSE_RANGE_CLOEXEC);
 }
 
-void enclose(const Options& options) {
-  const bool build = options.kind == "build";
-  if (build) make_scratch(options.user);
-  guard_what_follows(remove_scratch);
-  see_only(options.visible, build ? std::vector{scratch} : std::vector<std::string>{});
-  give_up_privileges(options.user);
+void see_only_what_is_named(const Options& options) {
+  const std::vector<std::string> none, own{scratch};
+  see_only(options.visible, scratch.empty() ? none : own);
+}
+
+void tell(char what) {
+  if (status >= 0) [[maybe_unused]]
+    const auto written = ::write(status, &what, 1);
 }
 
 // For a compiler, whose life is short: half of its time in the kernel goes into single pages.
 const char* const kLargePages =
     "GLIBC_TUNABLES=glibc.malloc.hugetlb=1:glibc.malloc.top_pad=33554432";
 
-[[noreturn]] void become(const Options& options) {
-  std::vector<std::string> environment{"PATH=/usr/bin", kLargePages};
-  if (!scratch.empty()) environment.push_back("TMPDIR=" + scratch);
+[[noreturn]] void become(Options options) {
+  std::vector<std::string> environment{"PATH=/usr/bin", kLargePages, "TMPDIR=" + scratch};
   if (options.kind != "build") environment.clear();
+  std::replace(options.command.begin(), options.command.end(), std::string("OUTPUT"), made());
   const auto pointers = [](const std::vector<std::string>& words) {
     std::vector<char*> all;
     for (const std::string& word : words) all.push_back(const_cast<char*>(word.c_str()));
@@ -120,30 +178,36 @@ const char* const kLargePages =
     return all;
   };
   const std::vector<char*> command = pointers(options.command), names = pointers(environment);
+  tell('m');
   ::execve(command[0], command.data(), names.data());
   throw std::runtime_error(options.command[0] + ": " + std::strerror(errno));
 }
 
-void enter(const Options& options) {
-  const bool build = options.kind == "build";
-  const pid_t guard = ::getpid();
-  close_what_was_inherited(build);
-  require(::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0), "no new privileges");
-  if (options.reduced) {
-    enclose(options);
-  } else {
-    if (build) guard_what_follows([] {});  // whose CPU time would be lost with the box
-    give_up_privileges(options.user);
-  }
-  if (!options.folder.empty()) require(::chdir(options.folder.c_str()), options.folder);
+void limit_and_filter(const std::string& kind) {
+  const bool build = kind == "build";
   leave_the_common_user_namespace();
-  if (options.reduced) die_with(guard);
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_NPROC, build ? 128 : 1);
   limit(RLIMIT_NOFILE, build ? 256 : 16);
   if (build) refuse_what_no_compiler_needs();
-  if (options.kind == "check") allow_what_checked_numbers_need();
-  if (options.kind == "run") allow_only_what_numbers_need();
+  if (kind == "check") allow_what_checked_numbers_need();
+  if (kind == "run") allow_only_what_numbers_need();
+}
+
+void enter(const Options& options) {
+  const bool boxed = !options.open, build = options.kind == "build";
+  const pid_t guard = ::getpid();
+  if (boxed) require(::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0), "no new privileges");
+  require(::prctl(PR_SET_DUMPABLE, 0), "hiding this process");
+  if (build) make_scratch(options);
+  const Guarding guarding{boxed ? allow_only_what_a_guard_needs : [] {}, hand_out_and_clean_up};
+  guard_what_follows(guarding, output);
+  close_when_the_command_begins(build);
+  if (options.reduced) see_only_what_is_named(options);
+  if (boxed) give_up_privileges(options.user);
+  if (!options.folder.empty()) require(::chdir(options.folder.c_str()), options.folder);
+  if (options.reduced) die_with(guard);
+  if (boxed) limit_and_filter(options.kind);
   become(options);
 }
 
@@ -151,8 +215,10 @@ void enter(const Options& options) {
 }  // namespace bounce::box
 
 int main(int argc, char** argv) try {
+  if (argc > 2 && std::string(argv[1]) == "step") return bounce::box::status_of(argv + 2);
   bounce::box::enter(bounce::box::parse({argv + 1, argv + argc}));
 } catch (const std::exception& e) {
   std::cerr << "enter: " << e.what() << "\n";
+  bounce::box::tell('x');
   return 125;
 }

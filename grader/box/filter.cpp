@@ -88,6 +88,12 @@ void allow_numbers(Filter& filter) {
   filter.rule(SCMP_ACT_ALLOW, SCMP_SYS(ioctl), SCMP_A1(SCMP_CMP_EQ, TCGETS));
 }
 
+// Of what a process may say of itself to the system, its name.
+void allow_naming_only(Filter& filter) {
+  filter.rule(SCMP_ACT_ALLOW, SCMP_SYS(prctl), SCMP_A0(SCMP_CMP_EQ, PR_SET_NAME));
+  filter.rule(no(EPERM), SCMP_SYS(prctl), SCMP_A0(SCMP_CMP_NE, PR_SET_NAME));
+}
+
 }  // namespace
 
 void allow_only_what_numbers_need() {
@@ -98,8 +104,7 @@ void allow_only_what_numbers_need() {
                             SCMP_SYS(stat), SCMP_SYS(lstat), SCMP_SYS(newfstatat), SCMP_SYS(statx),
                             SCMP_SYS(readlink), SCMP_SYS(readlinkat), SCMP_SYS(getcwd),
                             SCMP_SYS(mkdir), SCMP_SYS(unlink), SCMP_SYS(rename)});
-  filter.rule(SCMP_ACT_ALLOW, SCMP_SYS(prctl), SCMP_A0(SCMP_CMP_EQ, PR_SET_NAME));
-  filter.rule(no(EPERM), SCMP_SYS(prctl), SCMP_A0(SCMP_CMP_NE, PR_SET_NAME));
+  allow_naming_only(filter);
   filter.install();
 }
 
@@ -108,8 +113,23 @@ void allow_what_checked_numbers_need() {
   allow_numbers(filter);
   filter.rules(SCMP_ACT_ALLOW, {SCMP_SYS(open), SCMP_SYS(openat), SCMP_SYS(access), SCMP_SYS(stat),
                                 SCMP_SYS(newfstatat), SCMP_SYS(readlink), SCMP_SYS(readlinkat),
-                                SCMP_SYS(pipe), SCMP_SYS(pipe2), SCMP_SYS(pread64), SCMP_SYS(prctl),
+                                SCMP_SYS(pipe), SCMP_SYS(pipe2), SCMP_SYS(pread64),
                                 SCMP_SYS(getuid), SCMP_SYS(sysinfo), SCMP_SYS(sched_getaffinity)});
+  allow_naming_only(filter);
+  filter.install();
+}
+
+void allow_only_what_a_guard_needs() {
+  Filter filter(SCMP_ACT_KILL_PROCESS);
+  filter.rules(
+      SCMP_ACT_ALLOW,
+      {SCMP_SYS(wait4),          SCMP_SYS(kill),         SCMP_SYS(read),      SCMP_SYS(readv),
+       SCMP_SYS(write),          SCMP_SYS(open),         SCMP_SYS(openat),    SCMP_SYS(close),
+       SCMP_SYS(close_range),    SCMP_SYS(fcntl),        SCMP_SYS(fstat),     SCMP_SYS(newfstatat),
+       SCMP_SYS(lseek),          SCMP_SYS(getdents64),   SCMP_SYS(unlink),    SCMP_SYS(unlinkat),
+       SCMP_SYS(rmdir),          SCMP_SYS(getpid),       SCMP_SYS(brk),       SCMP_SYS(mmap),
+       SCMP_SYS(munmap),         SCMP_SYS(mremap),       SCMP_SYS(mprotect),  SCMP_SYS(futex),
+       SCMP_SYS(rt_sigprocmask), SCMP_SYS(rt_sigreturn), SCMP_SYS(exit_group)});
   filter.install();
 }
 

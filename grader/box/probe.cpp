@@ -12,12 +12,14 @@
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
+#include <sys/uio.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
 #include <iostream>
 #include <map>
 #include <string>
@@ -123,6 +125,61 @@ bool leave_a_daemon(const Arguments&) {
 
 bool see_environment(const Arguments& words) { return std::getenv(words.at(0).c_str()); }
 
+std::string whole(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+// The processes that there may be, without asking a folder that may not be read.
+constexpr int kProcesses = 40'000;
+
+// Whether any other process has the two words, as one, in this file of its folder in /proc.
+bool found_in(const char* file, const Arguments& words) {
+  const std::string canary = words.at(0) + words.at(1);
+  for (int pid = 1; pid < kProcesses; ++pid) {
+    const std::string text = whole("/proc/" + std::to_string(pid) + file);
+    if (pid != ::getpid() && text.find(canary) != std::string::npos) return true;
+  }
+  return false;
+}
+
+bool find_in_environments(const Arguments& words) { return found_in("/environ", words); }
+
+bool find_in_command_lines(const Arguments& words) { return found_in("/cmdline", words); }
+
+// Whether any other process's memory can be read, and has the two words as one in its stack.
+bool find_in_memories(const Arguments& words) {
+  const std::string canary = words.at(0) + words.at(1);
+  for (int pid = 1; pid < kProcesses; ++pid) {
+    const std::string folder = "/proc/" + std::to_string(pid);
+    std::ifstream maps(folder + "/maps"), memory(folder + "/mem", std::ios::binary);
+    for (std::string line; pid != ::getpid() && std::getline(maps, line);) {
+      if (line.find("[stack]") == std::string::npos) continue;
+      const auto begin = std::stoull(line, nullptr, 16);
+      const auto end = std::stoull(line.substr(line.find('-') + 1), nullptr, 16);
+      std::string stack(end - begin, '\0');
+      memory.seekg(static_cast<std::streamoff>(begin));
+      memory.read(stack.data(), static_cast<std::streamsize>(stack.size()));
+      if (stack.find(canary) != std::string::npos) return true;
+    }
+  }
+  return false;
+}
+
+// The box's own, by any of the ways to it; outside of a box, the parent.
+bool reach_the_first_process(const Arguments&) {
+  const pid_t first = ::getppid() > 1 ? ::getppid() : 1;
+  const std::string folder = "/proc/" + std::to_string(first);
+  for (const char* file : {"/mem", "/environ", "/syscall", "/maps", "/fd/0"}) {
+    const int fd = ::open((folder + file).c_str(), O_RDONLY);
+    char byte = 0;
+    if (fd >= 0 && (std::strcmp(file, "/mem") == 0 || ::read(fd, &byte, 1) >= 0)) return true;
+  }
+  iovec own{&errno, 1}, theirs{&errno, 1};
+  return ::process_vm_readv(first, &own, 1, &theirs, 1, 0) == 1 ||
+         ::ptrace(PTRACE_SEIZE, first, nullptr, nullptr) == 0;
+}
+
 // Any from N on.
 bool use_inherited_descriptors(const Arguments& words) {
   struct stat about = {};
@@ -160,6 +217,10 @@ const std::map<std::string, Attempt> kAttempts = {
     {"flood", flood},
     {"daemon", leave_a_daemon},
     {"environment", see_environment},
+    {"environments", find_in_environments},
+    {"command-lines", find_in_command_lines},
+    {"memories", find_in_memories},
+    {"first-process", reach_the_first_process},
     {"descriptors", use_inherited_descriptors},
     {"signal", signal_to},
     {"trace", trace},

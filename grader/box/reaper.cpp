@@ -14,7 +14,14 @@
 namespace bounce::box {
 namespace {
 
+// The first process of a process space: it ends with us, and kill(-1) reaches all of it.
+bool has_its_own_space() { return ::getpid() == 1; }
+
 void kill_all_children() {
+  if (has_its_own_space()) {
+    ::kill(-1, SIGKILL);
+    return;
+  }
   const std::string self = std::to_string(::getpid());
   std::ifstream children("/proc/self/task/" + self + "/children");
   for (pid_t child = 0; children >> child;) ::kill(child, SIGKILL);
@@ -32,12 +39,17 @@ void end_what_is_left() {
 volatile std::sig_atomic_t asked_to_end = 0;
 
 // Whoever started the box is impatient, or has died: what follows still dies, and what was made is
-// taken away.
+// taken away. A process space goes with its first process, at once.
 void hear_when_to_end() {
   struct sigaction action = {};
   action.sa_handler = [](int) { asked_to_end = 1; };  // no SA_RESTART: it ends waitpid
   require(::sigaction(SIGTERM, &action, nullptr), "hearing when to end");
-  require(::prctl(PR_SET_PDEATHSIG, SIGTERM), "ending with who started it");
+  require(::prctl(PR_SET_PDEATHSIG, has_its_own_space() ? SIGKILL : SIGTERM),
+          "ending with who started it");
+}
+
+int as_exit_status(int status) {
+  return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
 }
 
 int end_of(pid_t child) {
@@ -47,22 +59,51 @@ int end_of(pid_t child) {
     if (asked_to_end) return 128 + SIGTERM;
     if (ended < 0 && errno != EINTR) return 1;
   }
-  return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+  return as_exit_status(status);
+}
+
+void close_all_but(int kept) {
+  if (kept < 0) {
+    ::close_range(0, ~0U, 0);
+    return;
+  }
+  const auto number = static_cast<unsigned>(kept);
+  if (number > 0) ::close_range(0, number - 1, 0);
+  ::close_range(number + 1, ~0U, 0);
 }
 
 }  // namespace
 
-void guard_what_follows(void (*afterwards)()) {
+void guard_what_follows(const Guarding& guarding, int kept) {
   require(::prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0), "becoming the reaper");
+  int ready[2];  // is closed when the guard is
+  require(::pipe(ready), "a pipe");
   const pid_t child = require(::fork(), "starting a process");
-  if (child == 0) return;
+  if (child == 0) {
+    ::close(ready[1]);
+    char nothing = 0;
+    require(::read(ready[0], &nothing, 1), "waiting for the guard");
+    ::close(ready[0]);
+    return;
+  }
   hear_when_to_end();
-  // Of what is open, nothing is kept: a pipe is closed when the child closes it.
-  ::close_range(0, ~0U, 0);
+  guarding.before();
+  close_all_but(kept);  // `ready` as well; and a pipe is closed when the child closes it
   const int status = end_of(child);
-  if (::getpid() != 1) end_what_is_left();  // else the namespace ends with this process
-  afterwards();
+  end_what_is_left();
+  guarding.afterwards();
   ::_exit(status);
+}
+
+int status_of(char** command) {
+  const pid_t child = require(::fork(), "starting a process");
+  if (child == 0) {
+    ::execvp(command[0], command);
+    ::_exit(127);
+  }
+  int status = 0;
+  require(::waitpid(child, &status, 0), "waiting for a process");
+  return as_exit_status(status);
 }
 
 }  // namespace bounce::box

@@ -130,9 +130,11 @@ std::string of_other_signal(int signal) {
 Ending of_signal(int signal, const Limits& limits, const std::string& print) {
   if (signal == SIGXCPU) return out_of_cpu_time(limits);
   const std::string cause(line_after(print, runner::kCause));
-  const bool found = cause.rfind(runner::kFound, 0) == 0;
-  Ending ending = found
-                      ? Ending{"crashed", what_was_found(cause.substr(std::strlen(runner::kFound)))}
+  const std::optional<std::string> found =
+      cause.rfind(runner::kFound, 0) == 0
+          ? words_for_finding(std::string_view(cause).substr(std::strlen(runner::kFound)))
+          : std::nullopt;
+  Ending ending = found               ? Ending{"crashed", *found}
                   : signal == SIGABRT ? of_abort(limits, print)
                   : signal == SIGSEGV ? Ending{"crashed", of_segmentation_fault(cause)}
                   : signal == SIGFPE  ? Ending{"crashed", of_arithmetic_error(cause)}

@@ -1,29 +1,12 @@
 #include "finding.hpp"
 
 #include <map>
-#include <sstream>
-
-#include "one_line.hpp"
 
 namespace bounce::judge {
 
-namespace {
-
-// UBSan's message without addresses, which say nothing and differ each time.
-std::string without_addresses(const std::string& message) {
-  std::string kept;
-  std::istringstream words(message);
-  for (std::string word; words >> word;) {
-    if (word.rfind("0x", 0) != 0) kept += " " + word;
-  }
-  return kept;
-}
-
-}  // namespace
-
-// The names are those of LLVM's compiler-rt, lib/asan/asan_errors.h.
-std::string what_was_found(const std::string& finding) {
-  static const std::map<std::string, std::string> kWords = {
+// The names are those of LLVM's compiler-rt, lib/asan/asan_errors.h and lib/ubsan/ubsan_checks.inc.
+std::optional<std::string> words_for_finding(std::string_view kind) {
+  static const std::map<std::string, std::string, std::less<>> kWords = {
       {"heap-buffer-overflow",
        "it reads or writes beyond the end of a std::vector, a matrix of dynamic size, or memory "
        "from new"},
@@ -44,10 +27,37 @@ std::string what_was_found(const std::string& finding) {
       {"calloc-overflow", "it asks for an array of an impossible size"},
       {"allocation-size-too-big", "it asks for more memory than there is: a size is wrong"},
       {"stack-overflow", "its stack is full: a recursion without end, perhaps"},
+      {"signed-integer-overflow", "an integer grows beyond what an int can hold"},
+      {"integer-divide-by-zero", "it divides an integer by zero"},
+      {"float-divide-by-zero", "it divides by zero"},
+      {"float-cast-overflow",
+       "it makes an integer of a number that is none, or too large for one: NaN or infinity, "
+       "perhaps"},
+      {"out-of-bounds-index", "an index is out of the bounds of a C array"},
+      {"invalid-shift-exponent",
+       "it shifts an integer by more bits than it has, or by less than none"},
+      {"shift-out-of-bounds",
+       "it shifts an integer by more bits than it has, or by less than none"},
+      {"null-pointer-use", "it follows a null pointer"},
+      {"misaligned-pointer-use", "it follows a pointer that isn't one to such an object"},
+      {"insufficient-object-size", "it uses memory as an object that doesn't fit in there"},
+      {"nullptr-with-offset", "it counts from a null pointer"},
+      {"nullptr-with-nonzero-offset", "it counts from a null pointer"},
+      {"nullptr-after-nonzero-offset", "it counts from a null pointer"},
+      {"pointer-overflow", "it moves a pointer out of all memory"},
+      {"missing-return", "a function ends without returning a value"},
+      {"unreachable-call", "it reaches what it said can't be reached"},
+      {"non-positive-vla-index", "a local array has a size below 1"},
+      {"invalid-bool-load", "it reads a bool that was never set"},
+      {"invalid-enum-load", "it reads an enumerator that was never set"},
+      {"dynamic-type-mismatch", "it uses an object as one of another class"},
+      {"invalid-null-argument", "it passes a null pointer where none may be"},
+      {"invalid-null-return", "it returns a null pointer where none may be"},
+      {"invalid-builtin-use", "it asks for the leading or trailing zeros of 0"},
   };
-  const auto known = kWords.find(finding);
-  return known != kWords.end() ? known->second
-                               : "undefined behaviour:" + one_line(without_addresses(finding), 160);
+  const auto known = kWords.find(kind);
+  if (known == kWords.end()) return std::nullopt;
+  return known->second;
 }
 
 }  // namespace bounce::judge

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <chrono>
 #include <ctime>
 #include <fstream>
 #include <sstream>
@@ -12,6 +13,20 @@ namespace bounce::judge {
 namespace {
 
 std::string folder_of(pid_t pid) { return "/proc/" + std::to_string(pid); }
+
+struct Scheduled {
+  double run = 0, delay = 0;  // s: CPU time; and ready, but no CPU was free
+};
+
+// /proc/PID/schedstat, of which the first two fields are these, in ns. Where the kernel doesn't
+// count them, a process counts as one that always runs.
+Scheduled scheduled(const std::string& folder) {
+  std::ifstream file(folder + "/schedstat");
+  Scheduled ns;
+  if (file >> ns.run >> ns.delay) return {ns.run * 1e-9, ns.delay * 1e-9};
+  const auto now = std::chrono::steady_clock::now().time_since_epoch();
+  return {std::chrono::duration<double>(now).count(), 0};
+}
 
 // Of /proc/PID/stat: the state, field 3, utime and stime, fields 14 and 15, and resident pages,
 // field 24. Field 2 is a name in parentheses, which may hold anything.
@@ -32,8 +47,9 @@ std::optional<Glance> glance_at_one(pid_t pid) {
   std::size_t pages = 0;
   fields >> pages;
   if (!fields) return std::nullopt;
-  return Glance{state != 'R' && state != 'D', state == 'T' || state == 't',
-                (utime + stime) / static_cast<double>(::sysconf(_SC_CLK_TCK)),
+  const Scheduled all = scheduled(folder_of(pid));
+  return Glance{state == 'D', state == 'T' || state == 't',
+                (utime + stime) / static_cast<double>(::sysconf(_SC_CLK_TCK)), all.run + all.delay,
                 pages * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE))};
 }
 
@@ -54,13 +70,16 @@ std::optional<Glance> glance_at(pid_t pid) {
   for (const pid_t child : *children) {
     const std::optional<Glance> more = glance_at(child);
     if (!more) continue;  // it has just ended
-    all->waits = all->waits && more->waits;
+    all->reads_a_disk = all->reads_a_disk || more->reads_a_disk;
     all->stopped = all->stopped || more->stopped;
     all->cpu_seconds += more->cpu_seconds;
+    all->busy_seconds += more->busy_seconds;
     all->memory += more->memory;
   }
   return all;
 }
+
+double own_delay_seconds() { return scheduled("/proc/self").delay; }
 
 std::optional<double> cpu_ns_of(pid_t pid) {
   clockid_t clock{};

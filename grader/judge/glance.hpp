@@ -11,14 +11,18 @@ namespace bounce::judge {
 
 // What the system says at one moment of a process and all its descendants, taken together.
 struct Glance {
-  bool waits = true;     // none of them runs, or is ready to
-  bool stopped = false;  // one was stopped, as by SIGSTOP
+  bool reads_a_disk = false;  // one of them waits where no signal reaches it
+  bool stopped = false;       // one was stopped, as by SIGSTOP
   double cpu_seconds = 0;
-  std::size_t memory = 0;  // bytes that are really used
+  double busy_seconds = 0;  // CPU time, and time in which a CPU was wanted and not to be had
+  std::size_t memory = 0;   // bytes that are really used
 };
 
 // Empty where this system doesn't tell, or the process is gone.
 std::optional<Glance> glance_at(pid_t pid);
+
+// For how long this process has been ready to run, and no CPU was free, s.
+double own_delay_seconds();
 
 // The CPU time of a process and its descendants, ns, by the system's own clocks. Finer than a
 // glance, which counts in hundredths of a second. Empty as above.

@@ -1,4 +1,5 @@
-// judge --part N [--given] [--checked] [--recognise] --fixtures FOLDER... -- COMMAND...
+// judge --part N [--given] [--checked] [--boxed] [--recognise] [--cpu-seconds S] [--seconds S]
+//       --fixtures FOLDER... -- COMMAND...
 //
 // Runs the tests of part N against the runner that COMMAND starts, and prints one JSON object:
 //   {"checks": [{"id", "passed", "status", "stack", "message", "shown", "revealed"}],
@@ -10,6 +11,9 @@
 //
 // judge --answers --part N ... prints what it answers to the public cases, as answers_json.hpp
 // says.
+//
+// --boxed: COMMAND is a box (grader/box/enter.cpp), which tells when it is made. --seconds and
+// --cpu-seconds are for the whole part; what there is no time for fails.
 //
 // Exit status 0 when every check has a verdict; 3, with a sentence on standard error, when the
 // kit itself failed: that is no verdict about the submission.
@@ -48,7 +52,7 @@ Told told;
 struct Options {
   std::uint32_t part = 0;
   bool given = false;
-  bool checked = false;  // the runner is built with sanitizers
+  Limits limits;
   bool recognise = false;
   bool answers = false;
   std::vector<std::string> command;
@@ -62,7 +66,15 @@ Options read_options(const std::vector<std::string>& arguments) {
     } else if (arguments[i] == "--given") {
       options.given = true;
     } else if (arguments[i] == "--checked") {
-      options.checked = true;
+      options.limits.checked = true;
+    } else if (arguments[i] == "--boxed") {
+      options.limits.boxed = true;
+    } else if (arguments[i] == "--cpu-seconds") {
+      options.limits.session_cpu_seconds = std::stoi(arguments.at(++i));
+    } else if (arguments[i] == "--seconds") {
+      options.limits.session_seconds = std::stoi(arguments.at(++i));
+      options.limits.wall_seconds =
+          std::min(options.limits.wall_seconds, options.limits.session_seconds);
     } else if (arguments[i] == "--recognise") {
       options.recognise = true;
     } else if (arguments[i] == "--answers") {
@@ -123,16 +135,10 @@ class Verdicts : public testing::EmptyTestEventListener {
   }
 };
 
-Limits limits_of(const Options& options) {
-  Limits limits;
-  limits.checked = options.checked;
-  return limits;
-}
-
 // What a runner of its own answers to the public cases: one that knows nothing of other questions.
 std::vector<tests::Answer> fresh_answers(const Options& options,
                                          const std::vector<tests::Case>& questions) {
-  Session fresh(options.command, limits_of(options), options.part, options.given);
+  Session fresh(options.command, options.limits, options.part, options.given);
   session = &fresh;
   const int part = static_cast<int>(options.part);
   return tests::answers(part, questions);
@@ -169,8 +175,7 @@ int print_answers(const Options& options) {
 }
 
 int run(const Options& options) {
-  const Limits limits = limits_of(options);
-  Session asked(options.command, limits, options.part, options.given);
+  Session asked(options.command, options.limits, options.part, options.given);
   session = &asked;
   testing::GTEST_FLAG(filter) = "part" + std::to_string(options.part) + ".*";
   auto& listeners = testing::UnitTest::GetInstance()->listeners();

@@ -16,6 +16,7 @@
 #include <set>
 
 #include "glance.hpp"
+#include "one_line.hpp"
 #include "orphans.hpp"
 
 namespace bounce::judge {
@@ -25,6 +26,7 @@ constexpr std::size_t kKeptPrints = std::size_t{16} << 10;
 constexpr std::chrono::milliseconds kSilence(5);
 constexpr std::chrono::milliseconds kGlance(100);  // between two looks at a silent runner
 constexpr double kCpuGrace = 0.2;                  // s, for SIGXCPU to end a runner by itself
+constexpr int kStatus = frames::kAnswers + 1;      // where a box tells that it is made
 
 std::set<pid_t> started;  // the runners at work
 
@@ -38,26 +40,32 @@ Pipe make_pipe() {
   return {ends[0], ends[1]};
 }
 
+double seconds(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
 void limit(int resource, rlim_t soft, rlim_t hard) {
   const rlimit both{soft, hard};
   ::setrlimit(static_cast<__rlimit_resource_t>(resource), &both);
 }
 
-// In the child: descriptors 0 to 4 and nothing else, limits, and then the command.
+// In the child: descriptors 0 to 4, for a box also 5, and nothing else; limits; then the command.
 [[noreturn]] void become(const std::vector<char*>& argv, const Limits& limits, int questions,
-                         int answers, int prints) {
+                         int answers, int prints, int status) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  // Out of the way of 0 to 4 first, so that no dup2 overwrites what the next one needs.
+  // Out of the way of 0 to 5 first, so that no dup2 overwrites what the next one needs.
   questions = ::fcntl(questions, F_DUPFD, 10);
   answers = ::fcntl(answers, F_DUPFD, 10);
   prints = ::fcntl(prints, F_DUPFD, 10);
+  status = ::fcntl(status, F_DUPFD, 10);
   const int nothing = ::open("/dev/null", O_RDONLY);
   ::dup2(nothing, 0);
   ::dup2(prints, 1);
   ::dup2(prints, 2);
   ::dup2(questions, frames::kQuestions);
   ::dup2(answers, frames::kAnswers);
-  for (int fd = frames::kAnswers + 1; fd < 64; ++fd) ::close(fd);
+  ::dup2(status, kStatus);
+  for (int fd = limits.boxed ? kStatus + 1 : kStatus; fd < 64; ++fd) ::close(fd);
 
   const auto seconds = static_cast<rlim_t>(limits.cpu_seconds);
   limit(RLIMIT_CPU, seconds, seconds + 1);
@@ -84,16 +92,21 @@ RunnerProcess::RunnerProcess(const std::vector<std::string>& command, const Limi
   std::transform(command.begin(), command.end(), argv.begin(),
                  [](const std::string& word) { return const_cast<char*>(word.c_str()); });
 
-  const Pipe questions = make_pipe(), answers = make_pipe(), prints = make_pipe();
+  const Pipe questions = make_pipe(), answers = make_pipe(), prints = make_pipe(),
+             status = make_pipe();
   adopt_orphans();
   pid_ = ::fork();
   if (pid_ < 0) throw std::runtime_error("no process could be started");
-  if (pid_ == 0) become(argv, limits, questions.read, answers.write, prints.write);
+  if (pid_ == 0) {
+    become(argv, limits, questions.read, answers.write, prints.write, status.write);
+  }
   started.insert(pid_);
-  for (const int fd : {questions.read, answers.write, prints.write}) ::close(fd);
+  for (const int fd : {questions.read, answers.write, prints.write, status.write}) ::close(fd);
   questions_ = questions.write;
   answers_ = answers.read;
   prints_ = prints.read;
+  status_ = status.read;
+  made_ = !limits.boxed;
   set_up();
 }
 
@@ -106,11 +119,12 @@ void RunnerProcess::set_up() {
   // Who doesn't read must not make the judge wait.
   ::fcntl(questions_, F_SETFL, O_NONBLOCK);
   ::fcntl(prints_, F_SETFL, O_NONBLOCK);
+  if (status_ >= 0) ::fcntl(status_, F_SETFL, O_NONBLOCK);
 }
 
 RunnerProcess::~RunnerProcess() {
   kill();
-  for (const int fd : {questions_, answers_, prints_}) {
+  for (const int fd : {questions_, answers_, prints_, status_}) {
     if (fd >= 0) ::close(fd);
   }
 }
@@ -129,7 +143,6 @@ void RunnerProcess::send(const frames::Frame& frame) {
 }
 
 frames::Frame RunnerProcess::receive() {
-  last_glance_ = Clock::now();  // it has just been woken
   frames::Frame frame;
   read_exactly(&frame, sizeof frame, false);
   if (frame.magic != frames::kMagic) end({"no_answer", kNotAskedFor});
@@ -158,30 +171,54 @@ void RunnerProcess::read_exactly(void* data, std::size_t size, bool amid_an_answ
 }
 
 // Waits for answers or prints; prints are drained here, so that a runner never blocks on them.
-// A print wakes us just when the runner is awake: so we look at it in a moment of silence.
 bool RunnerProcess::wait_until_readable(bool amid_an_answer) {
   pollfd both[2] = {{answers_, POLLIN, 0}, {prints_, POLLIN, 0}};
   const auto start = Clock::now();
-  const bool due = start - last_glance_ >= kGlance;
-  const int ready = ::poll(both, 2, static_cast<int>((due ? kSilence : kGlance).count()));
+  ::poll(both, 2, static_cast<int>(kGlance.count()));
   waited_ += Clock::now() - start;
   if (both[1].revents != 0) drain_prints();
-  if (due && ready == 0) end_if_it_hangs(amid_an_answer);
+  if (Clock::now() - last_glance_ >= kGlance) end_if_it_hangs(amid_an_answer);
   end_if_late(amid_an_answer);  // though something may come, byte by byte
   return both[0].revents != 0;
 }
 
-// Each glance that finds it asleep stands for the time since the one before. Shorter naps go
-// unseen; the wall clock bounds them. One that ignores SIGXCPU is ended here.
+// "m" when the box is made, and "x" behind it where the program didn't begin all the same.
+bool RunnerProcess::box_is_made() {
+  if (made_) return true;
+  char told[2] = {};
+  made_ = ::read(status_, told, sizeof told) == 1 && told[0] == 'm';
+  return made_;
+}
+
+void RunnerProcess::require_a_box() {
+  if (box_is_made()) return;
+  if (prints_ >= 0) drain_prints();
+  kill();
+  throw std::runtime_error("the box of a program couldn't be made: " + one_line(last_print_, 200));
+}
+
+// Idle is what is left of our waiting when all is taken off in which a CPU was used or wanted, by
+// the runner or by us: neither prints nor short naps hide it, and a busy machine adds nothing to
+// it. While the box is made, and while a page comes from a disk, none counts.
+void RunnerProcess::count_idle_time(const Glance& seen) {
+  const std::chrono::duration<double> busy(seen.busy_seconds + own_delay_seconds());
+  const std::chrono::duration<double> idle = waited_ - busy;
+  if (counts_idle_ && !seen.reads_a_disk) idle_ += std::max(idle - idle_before_, idle.zero());
+  idle_before_ = idle;
+  counts_idle_ = box_is_made();
+}
+
+// One that ignores SIGXCPU is ended here.
 void RunnerProcess::end_if_it_hangs(bool amid_an_answer) {
   last_glance_ = Clock::now();
-  const Glance seen = glance_at(pid_).value_or(Glance{false, false, 0, 0});
-  if (seen.waits) asleep_ += kGlance;
+  if (pid_ < 0) return;
+  const Glance seen = glance_at(pid_).value_or(Glance{});
+  count_idle_time(seen);
   if (seen.memory > limits_.memory) end(out_of_memory(limits_));
   if (seen.cpu_seconds > limits_.cpu_seconds + kCpuGrace) {
     end(out_of_cpu_time(limits_));
   }
-  if (asleep_ < std::chrono::seconds(limits_.idle_seconds)) return;
+  if (idle_.count() < limits_.idle_seconds) return;
   end_without_answer(amid_an_answer,
                      seen.stopped
                          ? ": the program stopped itself, as by SIGSTOP"
@@ -190,6 +227,7 @@ void RunnerProcess::end_if_it_hangs(bool amid_an_answer) {
 
 void RunnerProcess::end_if_late(bool amid_an_answer) {
   if (waited_ < std::chrono::seconds(limits_.wall_seconds)) return;
+  require_a_box();
   end_without_answer(amid_an_answer, " within " + std::to_string(limits_.wall_seconds) + " s");
 }
 
@@ -227,6 +265,7 @@ void RunnerProcess::end_after_close(const std::string& closed) {
         true);
   }
   if (prints_ >= 0) drain_prints();
+  require_a_box();
   throw RunnerEnded(ending_of(status, limits_, last_print_));
 }
 
@@ -240,7 +279,9 @@ int RunnerProcess::wait_for_exit() {
   if (pid_ < 0) return 0;
   for (int tries = 0; tries < 1000; ++tries) {
     int status = 0;
-    if (::waitpid(pid_, &status, WNOHANG) == pid_) {
+    rusage usage = {};
+    if (::wait4(pid_, &status, WNOHANG, &usage) == pid_) {
+      spent_ = seconds(usage.ru_utime) + seconds(usage.ru_stime);
       forget();
       return status;
     }
@@ -252,6 +293,7 @@ int RunnerProcess::wait_for_exit() {
 
 void RunnerProcess::kill() {
   if (pid_ < 0) return;
+  spent_ = glance_at(pid_).value_or(Glance{}).cpu_seconds;
   ::kill(pid_, SIGKILL);
   ::waitpid(pid_, nullptr, 0);
   forget();

@@ -12,6 +12,7 @@
 
 #include "../runner/frame.hpp"
 #include "ending.hpp"
+#include "glance.hpp"
 #include "limits.hpp"
 
 namespace bounce::judge {
@@ -34,8 +35,9 @@ void stay_on_this_cpu();
 
 class RunnerProcess {
  public:
-  // Starts `command` with the questions on descriptor 3 and the answers on 4.
-  // Throws std::runtime_error when it can't be started: a failure of the kit.
+  // Starts `command` with the questions on descriptor 3 and the answers on 4; a box, with 5 to tell
+  // when it is made. Throws std::runtime_error when it can't be started, or the box can't be made,
+  // here or later: a failure of the kit.
   RunnerProcess(const std::vector<std::string>& command, const Limits& limits);
   // Somebody else's pipes, which this closes in the end, and no process: answers may be there
   // before they are asked for.
@@ -53,6 +55,12 @@ class RunnerProcess {
   // Throws std::runtime_error where the system doesn't.
   double cpu_ns() const;
 
+  // What it had used in all when it ended, s of CPU time; 0 while it is at work.
+  double spent() const { return spent_; }
+
+  // How long it waited for anything but a CPU, where it should have answered.
+  std::chrono::duration<double> idle() const { return idle_; }
+
  private:
   using Clock = std::chrono::steady_clock;
 
@@ -60,6 +68,9 @@ class RunnerProcess {
   void read_exactly(void* data, std::size_t size, bool amid_an_answer);
   bool wait_until_readable(bool amid_an_answer);
   void drain_prints();
+  bool box_is_made();
+  void require_a_box();
+  void count_idle_time(const Glance& seen);
   void end_if_it_hangs(bool amid_an_answer);
   void end_if_late(bool amid_an_answer);
   [[noreturn]] void end_without_answer(bool amid_an_answer, const std::string& why);
@@ -73,9 +84,14 @@ class RunnerProcess {
   Limits limits_;
   pid_t pid_ = -1;
   int questions_ = -1, answers_ = -1, prints_ = -1;
+  int status_ = -1;  // what the box tells: enter.cpp
+  bool made_ = true;
   std::size_t printed_ = 0;
   std::string last_print_;  // the end of what was printed: an assertion's text is there
-  Clock::duration waited_{}, asleep_{};
+  Clock::duration waited_{};
+  std::chrono::duration<double> idle_{}, idle_before_{};
+  bool counts_idle_ = false;
+  double spent_ = 0;
   Clock::time_point last_glance_;
 };
 

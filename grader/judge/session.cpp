@@ -1,5 +1,6 @@
 #include "session.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "../../tests/cases.hpp"
@@ -32,8 +33,8 @@ std::string thrown_text(const Frame& answer) {
 Session* session = nullptr;
 
 Session::Session(std::vector<std::string> command, Limits limits, std::uint32_t part, bool given)
-    : Session([command = std::move(command),
-               limits] { return std::make_unique<RunnerProcess>(command, limits); },
+    : Session([command = std::move(command)](
+                  const Limits& now) { return std::make_unique<RunnerProcess>(command, now); },
               limits, part, given) {}
 
 Session::Session(Start start, Limits limits, std::uint32_t part, bool given)
@@ -47,11 +48,13 @@ Session::Session(Start start, Limits limits, std::uint32_t part, bool given)
 std::optional<Session::End> Session::take_end() { return std::exchange(end_, std::nullopt); }
 
 Frame Session::ask(Frame question, Trajectory* columns) {
-  if (hangs_left_ <= 0 || Clock::now() > last_question_) {
+  try {
+    require_time();
+  } catch (const tests::Ended&) {
     end_ = {"no_answer", ""};
-    throw tests::Ended("nothing was asked here: the part hung before, and its time is used up");
+    throw;
   }
-  if (!runner_) runner_ = start_();
+  if (!runner_) runner_ = start_(limits_);
   question.number = ++number_;
   try {
     const Frame answer = answer_of(question, columns);
@@ -60,12 +63,28 @@ Frame Session::ask(Frame question, Trajectory* columns) {
     }
     return answer;
   } catch (const RunnerEnded& ended) {
-    runner_.reset();
+    end_runner();
     end_ = {ended.ending.status, ended.ending.stack};
     if (ended.ending.status == "timed_out") --hangs_left_;
     if (ended.waits) hangs_left_ = 0;
     throw tests::Ended(ended.what());
   }
+}
+
+void Session::require_time() const {
+  const std::string nothing = "nothing was asked here: ";
+  if (hangs_left_ <= 0) {
+    throw tests::Ended(nothing + "the part hung before, and its time is used up");
+  }
+  if (Clock::now() > last_question_ || cpu_seconds_ > limits_.session_cpu_seconds) {
+    throw tests::Ended(nothing + "the time for this part, or for the whole grading, is used up");
+  }
+}
+
+void Session::end_runner() {
+  cpu_seconds_ += runner_->spent();
+  limits_.idle_seconds = std::max(0.0, limits_.idle_seconds - runner_->idle().count());
+  runner_.reset();
 }
 
 Frame Session::answer_of(const Frame& question, Trajectory* columns) {

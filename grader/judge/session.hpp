@@ -20,7 +20,7 @@ class Session {
   Session(std::vector<std::string> command, Limits limits, std::uint32_t part, bool given);
 
   // With runners that are started in another way.
-  using Start = std::function<std::unique_ptr<RunnerProcess>()>;
+  using Start = std::function<std::unique_ptr<RunnerProcess>(const Limits& limits)>;
   Session(Start start, Limits limits, std::uint32_t part, bool given);
 
   // The answer to a question, and the columns of one of part 4, T or one less. Throws tests::Ended
@@ -39,16 +39,19 @@ class Session {
  private:
   frames::Frame answer_of(const frames::Frame& question, Trajectory* columns);
   void read_columns(const frames::Frame& question, const frames::Frame& answer, Trajectory& into);
+  void require_time() const;
+  void end_runner();
 
   using Clock = std::chrono::steady_clock;
 
   Start start_;
-  Limits limits_;
+  Limits limits_;  // idle_seconds: what is left of them
   std::uint32_t part_;
   bool given_;
   std::unique_ptr<RunnerProcess> runner_;
   std::uint64_t number_ = 0;
   int hangs_left_;
+  double cpu_seconds_ = 0;  // of the runners that have ended
   Clock::time_point last_question_;
   std::optional<End> end_;
 };

@@ -1,12 +1,16 @@
-// watch COMMAND...: starts a runner under the judge's limits, and says in one line how the wait
-// for its answer ended. For trying a box out; it has nothing to ask.
+// watch run|check COMMAND...: starts a runner, or one that is built with sanitizers, under the
+// judge's limits, and says in one line how the wait for its answer ended. For trying a box out; it
+// has nothing to ask.
 #include <iostream>
 #include <string>
 
 #include "runner_process.hpp"
 
 int main(int argc, char** argv) try {
-  bounce::judge::RunnerProcess runner({argv + 1, argv + argc}, bounce::judge::Limits{});
+  if (argc < 3) throw std::runtime_error("usage: watch run|check COMMAND...");
+  bounce::judge::Limits limits;
+  limits.checked = std::string(argv[1]) == "check";
+  bounce::judge::RunnerProcess runner({argv + 2, argv + argc}, limits);
   try {
     static_cast<void>(runner.receive());
     std::cout << "answered\n";

@@ -162,9 +162,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size < fuzz::kHead) return 0;
   const fuzz::Input input = fuzz::input_of(data, size);
   const fuzz::Pipe questions = fuzz::make_pipe();
-  const auto start = [&] {
+  const auto start = [&](const judge::Limits& limits) {
     return std::make_unique<judge::RunnerProcess>(::dup(questions.write), fuzz::holding(input.sent),
-                                                  fuzz::holding(input.prints), judge::Limits());
+                                                  fuzz::holding(input.prints), limits);
   };
   int asked = 0;
   {

@@ -109,7 +109,7 @@ def _sim(command: list[str], lines: list[str], folder: Path, box: boxes.Box) -> 
     if not lines:
         return ""
     stdin = "".join(f"{line}\n" for line in lines).encode()
-    command = box.to_build(folder, [Path(PROGRAM)]) + command
+    command = box.to_build(folder, [Path(PROGRAM)], ("sh",)) + command
     result = processes.run(command, LIMITS, stdin=stdin, cwd=folder)
     if not result.ok:
         raise KitError(f"sim_c++ failed: {result.err.strip()[:200] or 'it was ended'}")

@@ -25,10 +25,11 @@ ARRAY = """#!/bin/sh
 #SBATCH --time=01:00:00
 #SBATCH --output={folder}/chunk-%a.log
 # One chunk of the class. Running it again grades only what has no result. Python is isolated from
-# the folder that this starts in, as in ./kit.
+# the folder that this starts in, and has an environment of its own, as in ./kit.
 start='import sys; sys.path.insert(0, sys.argv.pop(1)); import bounce_grader.classroom.chunk as chunk
 sys.exit(chunk.main(sys.argv[1:]))'
-exec /usr/bin/python3 -I -c "$start" {kit}/grader \\
+exec /usr/bin/env -i PATH="$PATH" HOME="$HOME" TMPDIR="${{TMPDIR:-/tmp}}" \\
+  /usr/bin/python3 -I -c "$start" {kit}/grader \\
   {folder}/chunk-"$SLURM_ARRAY_TASK_ID".json --jobs "${{SLURM_CPUS_PER_TASK:-2}}"
 """
 

@@ -1,0 +1,2 @@
+#line 1 "enter: no box today"
+#error bwrap: no box today
