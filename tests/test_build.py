@@ -52,6 +52,12 @@ def test_a_changed_object_of_the_kit_makes_other_runners(
     assert digest() != before
 
 
+def test_a_kit_of_another_user_says_whose_it_is(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(os, "access", lambda *_: False)
+    with pytest.raises(KitError, match="belongs to .*, who alone can grade with it"):
+        kept.toolchain_digest.__wrapped__()
+
+
 def test_objects_of_long_ago_are_forgotten_when_there_are_many(tmp_path: Path) -> None:
     old = [tmp_path / f"old{n}" for n in range(70)]
     for n, file in enumerate(old):

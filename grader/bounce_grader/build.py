@@ -1,5 +1,6 @@
 """Compiles the parts of a submission and the sources beside them, in a box."""
 
+import math
 from pathlib import Path
 from typing import NamedTuple
 
@@ -61,7 +62,7 @@ class _Compiling(NamedTuple):
     work: Path
     box: Box
     timed: bool
-    spent: list[float]  # CPU seconds, to add to
+    spent: list[float]  # CPU seconds of all helpers, to add to; of a part, its own
 
     def built(self) -> Built:
         """Compiles where the object doesn't exist yet. The compiler sees the files that name the
@@ -102,6 +103,8 @@ class _Compiling(NamedTuple):
     def _run(
         self, command: list[str], folder: Path, made: Path, programs: tuple[str, ...]
     ) -> processes.Result:
-        result = compiler.run(command, folder, self.box, made, programs)
+        left = max(1, math.ceil(HELPERS_SECONDS - sum(self.spent)))  # COMPILE's, for a part
+        limits = compiler.COMPILE._replace(cpu_seconds=min(left, compiler.COMPILE.cpu_seconds))
+        result = compiler.run(command, folder, self.box, made, programs, limits)
         self.spent.append(result.cpu_seconds)
         return result

@@ -21,13 +21,18 @@ SOLVERS = re.compile(rb"MatrixXd|VectorXd|LLT|LDLT|L[Uu]\b|Q[Rr]\b|\b(?:llt|ldlt
 
 
 def run(
-    command: list[str], folder: Path, box: Box, made: Path, programs: Iterable[str] = ()
+    command: list[str],
+    folder: Path,
+    box: Box,
+    made: Path,
+    programs: Iterable[str] = (),
+    limits: processes.Limits = COMPILE,
 ) -> processes.Result:
     """In the folder of a submission's sources; the object is written to the file `made`. Raises
     KitError where the box or the machine has failed, and not the submission."""
     prefix = box.to_build(folder, [CONTRACT, RUNNER], programs)
-    result = box.run([*prefix, *command], COMPILE, cwd=folder, output=made)
-    require_a_compiler(result, COMPILE)
+    result = box.run([*prefix, *command], limits, cwd=folder, output=made)
+    require_a_compiler(result, limits)
     return result
 
 

@@ -10,7 +10,7 @@ from pathlib import Path
 
 from bounce_grader.box import Box
 from bounce_grader.errors import KitError
-from bounce_grader.paths import CACHE, RUNNER
+from bounce_grader.paths import BUILD, CACHE, RUNNER
 from bounce_grader.submission import Submission
 
 FORMAT = "a file of its own from a process of its own"  # another one makes another name
@@ -48,6 +48,11 @@ def toolchain_digest() -> bytes:
     """The flags, the precompiled headers and the kit's own objects, which runners are linked with."""
     if not (RUNNER / "prelude.pch").exists():
         raise KitError("the kit isn't built: run it as ./kit, which builds what is missing")
+    if not os.access(BUILD, os.W_OK):
+        raise KitError(
+            f"the kit's folder {BUILD} belongs to {BUILD.owner()}, who alone can grade with it: "
+            "copy the kit to a folder of your own, and run it there"
+        )
     found = hashlib.sha256(str(RUNNER).encode())
     for path in sorted(RUNNER.iterdir()):
         found.update(f"{path.name} {path.stat().st_mtime_ns}\0".encode())
