@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 from bounce_grader import intake
 from bounce_grader.entry import Entry, NotText, text_of
-from bounce_grader.errors import UsageError
+from bounce_grader.errors import UsageError, about_one_submission
 from bounce_grader.escape import name as printable
 from bounce_grader.manifest import Part, parts
 from bounce_grader.paths import HANDOUT
@@ -79,7 +79,7 @@ class Submission(NamedTuple):
 
 def read(path: Path) -> Submission:
     """Raises UsageError, with one sentence, when there is nothing to grade."""
-    with intake.opened(path) as entries:
+    with about_one_submission(f"{path} can't be read"), intake.opened(path) as entries:
         return take(path, entries)
 
 

@@ -11,6 +11,7 @@ from bounce_grader.classroom.log import Log
 from bounce_grader.classroom.similar import Similar
 from bounce_grader.classroom.students import Class, Student
 from bounce_grader.classroom.summary import Summary
+from bounce_grader.errors import UsageError, about_one_submission
 from bounce_grader.files import write_whole
 from bounce_grader.formats import html
 from bounce_grader.manifest import parts
@@ -27,10 +28,8 @@ def write(
     columns: Mapping[int, str],
     near: Similar,
     log: Log,
-    reveal: bool = False,
 ) -> list[str]:
-    """Gives the sentences that a person should read about the grade book. Only where `reveal` is
-    set do pages have the expected answers of hidden cases."""
+    """Gives the sentences that a person should read about the grade book."""
     marks = _marks(summaries)
     if book is None:
         title = columns.get(0, TITLE)
@@ -40,7 +39,6 @@ def write(
         write_whole(out / "gradebook.csv", filled.data)
         said = filled.sentences
     write_whole(out / "grades.csv", "\ufeff" + grades.table(summaries))
-    _feedback(out, found, summaries, reveal)
     write_whole(out / "class.html", page.render(found, summaries, near, said))
     return said
 
@@ -75,12 +73,16 @@ def _make_up_gradebook(path: Path, marks: Mapping[str, Marks], title: str, log: 
     return []
 
 
-def _feedback(out: Path, found: Class, summaries: list[Summary], reveal: bool) -> None:
+def write_feedback(
+    out: Path, found: Class, summaries: list[Summary], reveal: bool = False
+) -> dict[str, str]:
     """One page each; for Canvas all of them in the zip that it takes back, too. Pages of an earlier
-    run, for what isn't there any more, go."""
+    run, for what isn't there any more, go. Gives, by a student's id, why there is no page. Only
+    where `reveal` is set do pages have the expected answers of hidden cases."""
     folder = out / "feedback"
     folder.mkdir(exist_ok=True)
     pages: list[str] = []
+    without: dict[str, str] = {}
     ids = {summary.student.id for summary in summaries}
     for entry in found.unmatched:
         if entry.feedback and entry.user not in ids:
@@ -88,15 +90,21 @@ def _feedback(out: Path, found: Class, summaries: list[Summary], reveal: bool) -
             pages.append(entry.feedback)
     for summary in summaries:
         result = results.load(out / "results", summary.key)
-        if result:
-            write_whole(folder / summary.student.feedback, _page(summary.student, result, reveal))
-            pages.append(summary.student.feedback)
+        try:
+            with about_one_submission("there is no feedback page, as it can't be written"):
+                if result:
+                    text = _page(summary.student, result, reveal)
+                    write_whole(folder / summary.student.feedback, text)
+                    pages.append(summary.student.feedback)
+        except UsageError as error:
+            without[summary.student.id] = str(error)
     for page_file in folder.glob("*.html"):
         if page_file.name not in pages and _is_ours(page_file):
             page_file.unlink()
     if any(summary.student.uploads for summary in summaries):
         taken = [name for name in pages if canvas.parse(name)]
         _zip(folder, taken, out / "feedback.zip")
+    return without
 
 
 def _is_ours(page_file: Path) -> bool:

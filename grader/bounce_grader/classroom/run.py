@@ -69,9 +69,12 @@ def _run(request: Request, found: Class, book: Gradebook | None, log: Log) -> in
     if summaries and all(summary.state == "waiting" for summary in summaries):
         return 0
     near = similar.find(request.out, found.students, tasks, request.trust)
-    said = outputs.write(
-        request.out, found, summaries, book, request.columns, near, log, request.reveal
-    )
+    without_page = outputs.write_feedback(request.out, found, summaries, request.reveal)
+    for notes in (near.left_out, without_page):
+        summaries = [
+            s.with_note(notes[s.student.id]) if s.student.id in notes else s for s in summaries
+        ]
+    said = outputs.write(request.out, found, summaries, book, request.columns, near, log)
     return _say(request, found, summaries, said)
 
 

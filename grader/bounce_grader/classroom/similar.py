@@ -11,7 +11,8 @@ import re
 import statistics
 import tempfile
 from collections import defaultdict
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from pathlib import Path
 from shutil import which
 
@@ -20,7 +21,7 @@ from bounce_grader import processes, submission
 from bounce_grader.classroom import layout
 from bounce_grader.classroom.students import Student
 from bounce_grader.classroom.task import Task
-from bounce_grader.errors import KitError, UsageError
+from bounce_grader.errors import KitError, UsageError, about_one_submission
 from bounce_grader.files import CLASS_FOLDER, write_whole
 from bounce_grader.paths import STUBS
 
@@ -47,6 +48,7 @@ class Similar:
     pairs: tuple[Pair, ...]
     usual: int  # the closest relative of a submission in the middle, per cent
     problem: str = ""  # why it isn't known
+    left_out: Mapping[str, str] = field(default_factory=dict)  # sentences, by a student's id
 
 
 def find(out: Path, students: list[Student], graded: dict[str, Task], trust: bool) -> Similar:
@@ -65,7 +67,7 @@ def find(out: Path, students: list[Student], graded: dict[str, Task], trust: boo
     except KitError as error:
         return Similar((), 0, str(error))
     pairs = [[pair.first, pair.second, pair.share] for pair in found.pairs]
-    whole = {"of": name, "pairs": pairs, "usual": found.usual}
+    whole = {"of": name, "pairs": pairs, "usual": found.usual, "left_out": found.left_out}
     write_whole(out / "similar.json", json.dumps(whole))
     return found
 
@@ -75,17 +77,24 @@ def _read(path: Path, name: str) -> Similar | None:
         kept = json.loads(path.read_bytes())
     except (OSError, ValueError):
         return None
-    if kept.get("of") != name:
+    if kept.get("of") != name or "left_out" not in kept:
         return None
-    return Similar(tuple(Pair(*pair) for pair in kept["pairs"]), kept["usual"])
+    pairs = tuple(Pair(*pair) for pair in kept["pairs"])
+    return Similar(pairs, kept["usual"], left_out=kept["left_out"])
 
 
 def _find(students: list[Student], graded: dict[str, Task], box: boxes.Box) -> Similar:
     with tempfile.TemporaryDirectory(prefix=CLASS_FOLDER) as name:
         folder = Path(name)
-        files = {}
+        files: dict[str, str] = {}
+        left_out: dict[str, str] = {}
         for number, student in enumerate(students):
-            text = own_text(graded[student.id])
+            try:
+                with about_one_submission("it can't be compared with others"):
+                    text = own_text(graded[student.id])
+            except UsageError as error:
+                left_out[student.id] = str(error)
+                continue
             if text.strip():
                 (folder / f"{number:06}.cpp").write_text(text)
                 files[f"{number:06}"] = student.id
@@ -98,7 +107,7 @@ def _find(students: list[Student], graded: dict[str, Task], box: boxes.Box) -> S
     least = max(LEAST, (usual + 100) // 2)  # halfway from the usual to the same
     pairs = [Pair(files[a], files[b], share) for (a, b), share in shares.items() if share >= least]
     pairs.sort(key=lambda pair: (-pair.share, pair.first, pair.second))
-    return Similar(tuple(pairs[:MOST]), usual)
+    return Similar(tuple(pairs[:MOST]), usual, left_out=left_out)
 
 
 def _all_at_once() -> list[str]:

@@ -1,7 +1,7 @@
 """What the grade book, the tables and the class's page need of a result; a record is large."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from bounce_grader import speed
@@ -28,6 +28,7 @@ class Summary:
     curves: Mapping[str, tuple[speed.Point, ...]] = field(default_factory=dict)
     ignored: tuple[str, ...] = ()
     beside: tuple[str, ...] = ()  # sources that are no part
+    notes: tuple[str, ...] = ()  # what else a person should look at
 
     @property
     def unused(self) -> list[str]:
@@ -41,10 +42,13 @@ class Summary:
         for number, status in self.statuses.items():
             if status in odd:
                 reasons.append(f"part {number}: {status.replace('_', ' ')}")
-        reasons += self._misnamed()
+        reasons += [*self._misnamed(), *self.notes]
         if self.box in ("none", "reduced"):
             reasons.append(f"graded with {'no' if self.box == 'none' else 'a reduced'} box")
         return reasons
+
+    def with_note(self, note: str) -> "Summary":
+        return replace(self, notes=(*self.notes, note))
 
     def _misnamed(self) -> list[str]:
         """A part that isn't there may be there under another name, or in what can't be read."""

@@ -11,7 +11,7 @@ from bounce_grader.classroom.archive import Damaged, opened
 from bounce_grader.classroom.canvas import Upload
 from bounce_grader.classroom.students import Student, is_source, is_zip
 from bounce_grader.entry import LARGEST_SOURCE
-from bounce_grader.errors import UsageError
+from bounce_grader.errors import UsageError, about_one_submission
 
 LARGEST_ZIP = 64 * 1024 * 1024
 
@@ -70,19 +70,24 @@ def digest(student: Student) -> str:
     Damaged where the class's download is."""
     found = hashlib.sha256()
     try:
-        if student.uploads:
-            _digest_uploads(student.path, student.uploads, found)
-        elif student.path.is_dir():
-            _digest_folder(student.path, found)
-        else:
-            with student.path.open("rb") as stream:
-                while chunk := stream.read(1 << 20):
-                    found.update(chunk)
+        with about_one_submission("it can't be read"):
+            _digest(student, found)
     except Damaged:
         raise
-    except (UsageError, OSError) as error:
+    except UsageError as error:
         found.update(os.fsencode(f"\0{error}"))
     return found.hexdigest()
+
+
+def _digest(student: Student, found: "hashlib._Hash") -> None:
+    if student.uploads:
+        _digest_uploads(student.path, student.uploads, found)
+    elif student.path.is_dir():
+        _digest_folder(student.path, found)
+    else:
+        with student.path.open("rb") as stream:
+            while chunk := stream.read(1 << 20):
+                found.update(chunk)
 
 
 def _digest_uploads(path: Path, uploads: tuple[Upload, ...], found: "hashlib._Hash") -> None:

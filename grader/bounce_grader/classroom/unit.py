@@ -15,7 +15,7 @@ from typing import Any
 from bounce_grader import submission
 from bounce_grader.classroom import layout
 from bounce_grader.classroom.task import Task
-from bounce_grader.errors import KitError, UsageError
+from bounce_grader.errors import KitError, UsageError, about_one_submission
 from bounce_grader.files import CLASS_FOLDER, write_whole
 
 Record = dict[str, Any]
@@ -66,7 +66,8 @@ def _result(task: Task, grade: Callable[[Path, Task], Record]) -> dict[str, Any]
     with tempfile.TemporaryDirectory(prefix=CLASS_FOLDER) as name:
         path = Path(task.path)
         try:
-            path = layout.prepare(task, Path(name))
+            with about_one_submission(f"{path} can't be read"):
+                path = layout.prepare(task, Path(name))
             record = grade(path, task)
             _require_a_part(record, "folder" if Path(task.path).is_dir() else "zip")
             beside = submission.read(path).helpers

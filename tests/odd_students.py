@@ -1,0 +1,15 @@
+"""What a student can hand in so that reading it goes wrong, for classes in which others are honest."""
+
+import struct
+
+import corpus
+from corpus import Member
+
+PART = b"part2_lcp.cpp"
+LIES = [2**31, 2**32 + 1, 2**62, 2**63, 2**64 - 1]  # of a size, in bytes
+
+
+def zip_that_claims(size: int, name: bytes = PART) -> bytes:
+    """Its table of contents says so in the fields of a large file."""
+    extra = struct.pack("<HHQ", 1, 8, size)
+    return corpus.zip_of([Member(name, b"// odd\n", size=0xFFFFFFFF, extra=extra)])
