@@ -3,9 +3,9 @@
 import zipfile
 from pathlib import Path
 
-from bounce_grader import submission
-from bounce_grader.classroom import layout, students, task
+from bounce_grader.classroom import handed_in, students
 from bounce_grader.classroom.task import Stamp
+from bounce_grader.submission import Submission
 
 STAMP = Stamp("kit", "fixtures", "options")
 
@@ -21,8 +21,5 @@ def inner_zip(tmp_path: Path, files: dict[str, bytes]) -> bytes:
     return download(tmp_path / "inner.zip", files).read_bytes()
 
 
-def files_to_grade(student: students.Student, tmp_path: Path) -> dict[str, bytes]:
-    folder = tmp_path / "laid out"
-    folder.mkdir()
-    made = task.task_of(student, STAMP, tmp_path, speed=False, trust=False)
-    return submission.read(layout.prepare(made, folder)).files
+def to_grade(student: students.Student) -> Submission:
+    return handed_in.read(student.path, student.uploads)

@@ -13,3 +13,9 @@ def zip_that_claims(size: int, name: bytes = PART) -> bytes:
     """Its table of contents says so in the fields of a large file."""
     extra = struct.pack("<HHQ", 1, 8, size)
     return corpus.zip_of([Member(name, b"// odd\n", size=0xFFFFFFFF, extra=extra)])
+
+
+def bomb(sources: int, megabytes: int = 1) -> bytes:
+    """Sources of nothing but spaces: a thousandth of their size as they are handed in."""
+    text = b" " * (megabytes << 20)
+    return corpus.zip_of(Member(b"helper%d.cpp" % i, text) for i in range(sources))

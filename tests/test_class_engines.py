@@ -19,6 +19,7 @@ from bounce_grader.classroom import results, run
 from bounce_grader.classroom.engines import slurm
 from bounce_grader.classroom.request import Request
 from bounce_grader.errors import KitError, UsageError
+from bounce_grader.submission import Submission
 from clusters import Cluster, needs_dask
 from conftest import ROOT, solution_files
 from waiting import wait_for
@@ -205,7 +206,7 @@ def test_an_unknown_failure_of_a_unit_is_the_kits(tmp_path: Path) -> None:
     (student,) = students.read(download(tmp_path / "x.zip", 1)).students
     made = task.task_of(student, results.stamp_now(False), tmp_path / "r", True, False)
 
-    def breaks(path: Path, of: task.Task) -> dict[str, object]:
+    def breaks(taken: Submission, of: task.Task) -> dict[str, object]:
         raise ZeroDivisionError("nobody thought of it")
 
     outcome = partial(unit.run, grade=breaks)(made)

@@ -6,7 +6,7 @@ import pytest
 from bounce_grader.classroom import students
 from bounce_grader.errors import UsageError
 from conftest import write
-from downloads import download, files_to_grade
+from downloads import download, to_grade
 
 
 def test_an_unpacked_download_is_read_as_well(tmp_path: Path) -> None:
@@ -16,7 +16,7 @@ def test_an_unpacked_download_is_read_as_well(tmp_path: Path) -> None:
     assert {s.id for s in found.students} == {"1", "2"}
     linked = next(s for s in found.students if s.id == "2")
     with pytest.raises(UsageError, match="link"):
-        files_to_grade(linked, tmp_path)
+        to_grade(linked).files
 
 
 def test_a_folder_of_folders_and_zips(tmp_path: Path) -> None:
@@ -29,7 +29,7 @@ def test_a_folder_of_folders_and_zips(tmp_path: Path) -> None:
         ("ben", "ben.html"),
     ]
     assert {u.name for u in found.unmatched} == {"notes.txt", ".cache", "__MACOSX"}
-    assert files_to_grade(found.students[1], tmp_path) == {"part2_lcp.cpp": b"// y"}
+    assert to_grade(found.students[1]).files == {"part2_lcp.cpp": b"// y"}
 
 
 @pytest.mark.parametrize("top", ["hw3-submissions", "checkout"])
@@ -58,7 +58,7 @@ def test_a_folder_that_holds_one_zip_is_that_zip(tmp_path: Path) -> None:
     download(tmp_path / "all" / "anna" / "hw.zip", {"part2_lcp.cpp": b"// y"})
     (student,) = students.read(tmp_path / "all").students
     assert student.id == "anna"
-    assert files_to_grade(student, tmp_path) == {"part2_lcp.cpp": b"// y"}
+    assert to_grade(student).files == {"part2_lcp.cpp": b"// y"}
 
 
 def test_folders_that_are_no_class_are_refused(tmp_path: Path) -> None:

@@ -4,12 +4,12 @@ from pathlib import Path
 
 import pytest
 from bounce_grader import submission
-from bounce_grader.classroom import canvas, layout, students, task
+from bounce_grader.classroom import canvas, students, task
 from bounce_grader.classroom.canvas import Upload
 from bounce_grader.classroom.task import Stamp
 from bounce_grader.errors import UsageError
 from conftest import solution_files, write
-from downloads import STAMP, download, files_to_grade, inner_zip
+from downloads import STAMP, download, to_grade, inner_zip
 
 
 @pytest.mark.parametrize(
@@ -44,7 +44,7 @@ def test_the_newest_upload_of_a_file_counts(tmp_path: Path) -> None:
     )
     (student,) = students.read(path).students
     assert student.unused == ("part1_contacts.cpp is older than part1_contacts-1.cpp",)
-    assert files_to_grade(student, tmp_path) == {
+    assert to_grade(student).files == {
         "part1_contacts.cpp": b"// the second",
         "part2_lcp.cpp": b"// two",
     }
@@ -62,7 +62,7 @@ def test_a_helper_has_the_name_that_it_is_included_by(tmp_path: Path) -> None:
         },
     )
     (student,) = students.read(path).students
-    names = set(files_to_grade(student, tmp_path))
+    names = set(to_grade(student).files)
     assert names == {"part1_contacts.cpp", "rotation.hpp", "solver-2.hpp"}
 
 
@@ -79,7 +79,7 @@ def test_a_helper_of_several_dots_has_the_name_that_it_is_included_by(
         },
     )
     (student,) = students.read(path).students
-    assert set(files_to_grade(student, tmp_path)) == {"part1_contacts.cpp", "solve.lcp.hpp"}
+    assert set(to_grade(student).files) == {"part1_contacts.cpp", "solve.lcp.hpp"}
 
 
 def test_of_a_zip_that_is_handed_in_again_the_newest_counts(tmp_path: Path) -> None:
@@ -94,7 +94,7 @@ def test_of_a_zip_that_is_handed_in_again_the_newest_counts(tmp_path: Path) -> N
     )
     (student,) = students.read(path).students
     assert student.unused == ("homework.zip is older than homework-1.zip",)
-    assert files_to_grade(student, tmp_path) == {"part1_contacts.cpp": b"// second"}
+    assert to_grade(student).files == {"part1_contacts.cpp": b"// second"}
 
 
 def test_what_a_zip_beside_files_holds_in_vain_is_listed(tmp_path: Path) -> None:
@@ -103,9 +103,7 @@ def test_what_a_zip_beside_files_holds_in_vain_is_listed(tmp_path: Path) -> None
         tmp_path / "x.zip", {"doe_1_1_hw.zip": zipped, "doe_1_2_part1_contacts.cpp": b"// one"}
     )
     (student,) = students.read(path).students
-    (tmp_path / "laid out").mkdir()
-    made = task.task_of(student, STAMP, tmp_path, speed=False, trust=False)
-    taken = submission.read(layout.prepare(made, tmp_path / "laid out"))
+    taken = to_grade(student)
     assert taken.ignored == ("part1.rar",) and taken.parts.keys() == {1, 2}
 
 
@@ -118,14 +116,14 @@ def test_a_zip_and_a_newer_file_are_one_submission(tmp_path: Path) -> None:
         {"doe_1_1_hw.zip": zipped, "doe_1_2_part1_contacts.cpp": b"// later"},
     )
     (student,) = students.read(path).students
-    files = files_to_grade(student, tmp_path)
+    files = to_grade(student).files
     assert sorted(files.values()) == [b"// later", b"// two"]
 
 
 def test_a_single_zip_is_graded_as_it_is(tmp_path: Path) -> None:
     path = download(tmp_path / "x.zip", {"doe_1_1_hw.zip": inner_zip(tmp_path, solution_files())})
     (student,) = students.read(path).students
-    assert files_to_grade(student, tmp_path) == solution_files()
+    assert to_grade(student).files == solution_files()
 
 
 def test_two_users_of_one_name_are_two(tmp_path: Path) -> None:
@@ -244,8 +242,6 @@ def test_a_file_too_large_keeps_its_size(tmp_path: Path) -> None:
     huge = b" " * (3 << 20)
     path = download(tmp_path / "x.zip", {"doe_1_1_part2_lcp.cpp": huge})
     (student,) = students.read(path).students
-    folder = tmp_path / "laid out"
-    folder.mkdir()
-    made = task.task_of(student, STAMP, tmp_path, speed=False, trust=False)
-    taken = submission.read(layout.prepare(made, folder))
-    assert taken.refused[2] == "part2_lcp.cpp is 3.1 MB large; a source file may have 1 MB"
+    assert (
+        to_grade(student).refused[2] == "part2_lcp.cpp is 3.1 MB large; a source file may have 1 MB"
+    )

@@ -13,18 +13,18 @@ class NotText(Exception):
 
 class Entry(NamedTuple):
     name: str  # relative, with forward slashes, without "..", never empty
-    size: int  # as it says
+    size: int  # as it says: good for words alone
     link: bool  # or anything else that is no ordinary file
     read: Callable[[int], bytes]  # at most so many bytes
 
 
 def text_of(entry: Entry) -> bytes:
     """The source as UTF-8, or what the compiler takes as such. Raises NotText."""
-    if entry.size > LARGEST_SOURCE:
-        raise NotText(f"is {_size(entry.size)} large; a source file may have 1 MB")
     data = entry.read(LARGEST_SOURCE + 1)
     if len(data) > LARGEST_SOURCE:
-        raise NotText("is larger than it says; a source file may have 1 MB")
+        known = entry.size > LARGEST_SOURCE
+        size = f"{_size(entry.size)} large" if known else "larger than it says"
+        raise NotText(f"is {size}; a source file may have 1 MB")
     if data.startswith((b"\xff\xfe", b"\xfe\xff")):
         data = data.decode("utf-16", "replace").encode()
     if b"\0" in data:

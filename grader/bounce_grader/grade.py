@@ -41,11 +41,12 @@ class Options(NamedTuple):
     wall_seconds: float = budget.WALL_SECONDS
 
 
-def grade(path: Path, options: Options = Options()) -> Record:
-    """Raises UsageError where the submission can't be read, KitError where the kit fails."""
+def grade(given: Path | Submission, options: Options = Options()) -> Record:
+    """A submission, or the folder or zip with it. Raises UsageError where it can't be read,
+    KitError where the kit fails."""
     start = time.monotonic()
     within = Budget(options.cpu_seconds, options.wall_seconds)
-    taken = submission.read(path)
+    taken = given if isinstance(given, Submission) else submission.read(given)
     box = boxes.choose(options.boxes)._replace(budget=within)
     hidden = fixtures.hidden_folder()
     jobs = options.jobs or os.cpu_count() or 1

@@ -10,21 +10,22 @@ from bounce_grader.errors import UsageError
 
 
 @contextmanager
-def opened(path: Path) -> Iterator[list[Entry]]:
-    """All files; they can be read while this is open. Raises UsageError where that can't be."""
-    with _opened(path) as entries:
+def opened(path: Path, zipped: bytes | None = None) -> Iterator[list[Entry]]:
+    """All files; they can be read while this is open. `zipped` is a zip in memory, which `path` is
+    the name of. Raises UsageError where they can't be listed."""
+    with _opened(path, zipped) as entries:
         found = list(entries)
         if not found:
             raise UsageError(f"{path} is empty: it should hold part1_contacts.cpp and so on")
         yield found
 
 
-def _opened(path: Path) -> AbstractContextManager[Iterator[Entry]]:
-    if _is_folder(path):
+def _opened(path: Path, zipped: bytes | None) -> AbstractContextManager[Iterator[Entry]]:
+    if zipped is None and _is_folder(path):
         return folders.opened(path)
     from bounce_grader import zips
 
-    return zips.opened(path)
+    return zips.opened(path, zipped)
 
 
 def _is_folder(path: Path) -> bool:

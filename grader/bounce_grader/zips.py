@@ -7,6 +7,7 @@ import zipfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path, PurePosixPath
+from typing import cast
 
 from bounce_grader.entry import MOST_ENTRIES, Entry
 from bounce_grader.errors import UsageError
@@ -19,10 +20,12 @@ METHODS = {zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED}  # the others may ask for g
 
 
 @contextmanager
-def opened(path: Path) -> Iterator[Iterator[Entry]]:
-    """The entries can be read while this is open. Raises UsageError where they can't be listed."""
+def opened(path: Path, zipped: bytes | None = None) -> Iterator[Iterator[Entry]]:
+    """The entries can be read while this is open; of the bytes `zipped`, where these are given.
+    Raises UsageError where they can't be listed."""
     with _readable(path):
-        stream = _Bounded(io.FileIO(path))
+        raw = io.FileIO(path) if zipped is None else cast(io.RawIOBase, io.BytesIO(zipped))
+        stream = _Bounded(raw)
     with stream:
         with _readable(path):
             is_zip = zipfile.is_zipfile(stream)
@@ -30,7 +33,7 @@ def opened(path: Path) -> Iterator[Iterator[Entry]]:
             with _readable(path):
                 archive = zipfile.ZipFile(stream)
             yield _entries(path, archive)
-        elif path.suffix.lower() == ".zip":
+        elif zipped is not None or path.suffix.lower() == ".zip":
             raise UsageError(f"{path} is broken, or no zip: make it anew and submit again")
         else:
             raise UsageError(f"{path} is neither a folder nor a zip")

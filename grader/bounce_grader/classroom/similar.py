@@ -17,8 +17,8 @@ from pathlib import Path
 from shutil import which
 
 from bounce_grader import box as boxes
-from bounce_grader import processes, submission
-from bounce_grader.classroom import layout
+from bounce_grader import processes
+from bounce_grader.classroom import handed_in
 from bounce_grader.classroom.students import Student
 from bounce_grader.classroom.task import Task
 from bounce_grader.errors import KitError, UsageError, about_one_submission
@@ -153,11 +153,10 @@ def _usual(shares: dict[tuple[str, str], int], number: int) -> int:
 
 def own_text(task: Task) -> str:
     """What a student wrote: without the lines that were handed out."""
-    with tempfile.TemporaryDirectory(prefix=CLASS_FOLDER) as name:
-        try:
-            taken = submission.read(layout.prepare(task, Path(name)))
-        except UsageError:
-            return ""
+    try:
+        taken = handed_in.read(Path(task.path), task.uploads)
+    except UsageError:
+        return ""
     handout = _handout()
     lines = []
     for file in sorted(taken.files):

@@ -7,13 +7,12 @@ from pathlib import Path
 from typing import Any
 
 from bounce_grader import intake
+from bounce_grader.classroom import handed_in
 from bounce_grader.classroom.archive import Damaged, opened
 from bounce_grader.classroom.canvas import Upload
-from bounce_grader.classroom.students import Student, is_source, is_zip
+from bounce_grader.classroom.students import Student, is_source
 from bounce_grader.entry import LARGEST_SOURCE
 from bounce_grader.errors import UsageError, about_one_submission
-
-LARGEST_ZIP = 64 * 1024 * 1024
 
 
 @dataclass(frozen=True)
@@ -92,10 +91,9 @@ def _digest(student: Student, found: "hashlib._Hash") -> None:
 
 def _digest_uploads(path: Path, uploads: tuple[Upload, ...], found: "hashlib._Hash") -> None:
     archive = opened(path)
-    for upload in uploads:
-        most = LARGEST_ZIP if is_zip(upload.file) else LARGEST_SOURCE
+    for upload, data in handed_in.contents(archive, uploads):
         heading = f"{upload.file}\0{archive.size(upload.entry)}\0"
-        found.update(os.fsencode(heading) + archive.read(upload.entry, most + 1))
+        found.update(os.fsencode(heading) + data)
 
 
 def _digest_folder(path: Path, found: "hashlib._Hash") -> None:

@@ -5,20 +5,22 @@ from, and the file is there whole or not at all.
 """
 
 import json
-import tempfile
+import os
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from bounce_grader import submission
-from bounce_grader.classroom import layout
+from bounce_grader.classroom import handed_in
 from bounce_grader.classroom.task import Task
-from bounce_grader.errors import KitError, UsageError, about_one_submission
-from bounce_grader.files import CLASS_FOLDER, write_whole
+from bounce_grader.errors import KitError, UsageError
+from bounce_grader.escape import name as printable
+from bounce_grader.files import write_whole
+from bounce_grader.submission import Submission
 
 Record = dict[str, Any]
+Grade = Callable[[Submission, Task], Record]
 
 
 @dataclass(frozen=True)
@@ -31,15 +33,15 @@ class Outcome:
     seconds: float
 
 
-def grade_path(path: Path, task: Task) -> Record:
+def grade_submission(taken: Submission, task: Task) -> Record:
     from bounce_grader import box
     from bounce_grader.grade import Options, grade
 
     wanted = Options(box.kinds(task.trust), task.speed, jobs=1, answers=True)
-    return grade(path, wanted)
+    return grade(taken, wanted)
 
 
-def run(task: Task, grade: Callable[[Path, Task], Record] = grade_path) -> Outcome:
+def run(task: Task, grade: Grade = grade_submission) -> Outcome:
     """Never raises an Exception: a failure of the kit is an outcome, and leaves no file."""
     start = time.monotonic()
     try:
@@ -58,22 +60,19 @@ def result_path(folder: Path, key: str) -> Path:
     return folder / f"{key}.json"
 
 
-def _result(task: Task, grade: Callable[[Path, Task], Record]) -> dict[str, Any]:
+def _result(task: Task, grade: Grade) -> dict[str, Any]:
     """A submission that can't be read is a verdict, too."""
     record: Record | None = None
     message = ""
     beside: list[str] = []
-    with tempfile.TemporaryDirectory(prefix=CLASS_FOLDER) as name:
-        path = Path(task.path)
-        try:
-            with about_one_submission(f"{path} can't be read"):
-                path = layout.prepare(task, Path(name))
-            record = grade(path, task)
-            _require_a_part(record, "folder" if Path(task.path).is_dir() else "zip")
-            beside = submission.read(path).helpers
-        except UsageError as error:
-            record = None
-            message = str(error).replace(str(path), "the submission").replace(name, "")
+    path = Path(task.path)
+    try:
+        taken = handed_in.read(path, task.uploads)
+        _require_a_part(taken, "folder" if os.path.isdir(path) else "zip")
+        record = grade(taken, task)
+        beside = taken.helpers
+    except UsageError as error:
+        message = str(error).replace(str(path), "the submission")
     return {
         "key": task.key,
         "submission": task.submission,
@@ -87,13 +86,13 @@ def _result(task: Task, grade: Callable[[Path, Task], Record]) -> dict[str, Any]
     }
 
 
-def _require_a_part(record: Record, where: str) -> None:
+def _require_a_part(taken: Submission, where: str) -> None:
     """A zip in the zip, or files under other names: for a person to look at, and no zero."""
-    if all(part["status"] == "not_submitted" for part in record["parts"]):
-        names = [name for name in record["ignored"] if not name.startswith("__MACOSX")]
+    if not taken.parts and not taken.refused:
+        names = [name for name in taken.ignored if not name.startswith("__MACOSX")]
         zipped = any(name.lower().endswith(".zip") for name in names)
         raise UsageError(
             "none of the four parts is there under its name"
-            + (f", but {', '.join(names[:3])}" if names else "")
+            + (f", but {', '.join(map(printable, names[:3]))}" if names else "")
             + (f": a zip inside a {where} isn't opened" if zipped else "")
         )
