@@ -19,3 +19,8 @@ def bomb(sources: int, megabytes: int = 1) -> bytes:
     """Sources of nothing but spaces: a thousandth of their size as they are handed in."""
     text = b" " * (megabytes << 20)
     return corpus.zip_of(Member(b"helper%d.cpp" % i, text) for i in range(sources))
+
+
+def repetitive(length: int, unit: bytes = b"{") -> bytes:
+    """Compared with another of its kind, it takes the square of its length."""
+    return (unit * length)[:length]

@@ -6,7 +6,7 @@ from typing import TextIO
 
 from bounce_grader import speed
 from bounce_grader.escape import terminal
-from bounce_grader.formats.words import STATUS_WORDS, where_to_read
+from bounce_grader.formats.words import STATUS_WORDS, some, where_to_read
 from bounce_grader.hints import headings
 from bounce_grader.packages import find_installed
 from bounce_grader.paths import HANDOUT
@@ -36,7 +36,7 @@ def lines(record: Record) -> list[tuple[str, str]]:
         out += _speed(record["speed"])
     unusual = [name for name in record["ignored"] if name not in _handed_out()]
     if unusual:
-        out.append(("dim", f"Not used: {_some(unusual)}"))
+        out.append(("dim", f"Not used: {some(list(map(terminal, unusual)))}"))
     if record["box"] == "none":
         out.append(("yellow", "Graded without a box: this code could do whatever you can."))
     return out
@@ -92,12 +92,6 @@ def _speed(found: Record) -> list[tuple[str, str]]:
         f"{found['ratio']:.2f} times its time"
     )
     return [("", line) for line in (f"Speed: {time}; {accuracy}", *said, "")]
-
-
-def _some(names: list[str], most: int = 5) -> str:
-    rest = len(names) - most
-    shown = ", ".join(map(terminal, names[:most]))
-    return f"{shown} and {rest} more" if rest > 0 else shown
 
 
 def number(x: float) -> str:

@@ -12,6 +12,7 @@ from bounce_grader.classroom.similar import MOST as MOST_PAIRS
 from bounce_grader.classroom.similar import Similar
 from bounce_grader.classroom.students import Class
 from bounce_grader.classroom.summary import Summary
+from bounce_grader.formats import words
 from bounce_grader.manifest import parts
 from bounce_grader.mistakes import for_the_instructor
 
@@ -234,6 +235,9 @@ def _near(near: Similar, names: dict[str, str]) -> str:
         [escape.html(names[p.first]), escape.html(names[p.second]), f"{p.share} %"]
         for p in near.pairs
     ]
+    if near.left_out:
+        left_out = words.some([names[id] for id in near.left_out])
+        said += f"<p>Left out: {escape.html(left_out)}. Needs a look, above, says why.</p>"
     if not rows:
         return said + "<p>None.</p>"
     table = _table(["one", "the other", "in common"], rows, {2})

@@ -2,16 +2,19 @@
 
 It is asked twice, because comparing each with each takes long in a large class: first for each
 submission's closest relatives, all at once, then for the share that those pairs have in common.
+Its time grows with the square of what a text repeats, so a submission that takes long to compare
+with itself is left out before: no pair takes longer than the slower of the two with itself.
 """
 
 import hashlib
+import io
 import json
 import os
 import re
 import statistics
 import tempfile
 from collections import defaultdict
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from shutil import which
@@ -30,10 +33,20 @@ RUN = "16"  # tokens that have to agree one after the other, about two lines
 RELATIVES = 3  # of each submission
 LEAST = 60  # per cent in common
 MOST = 200  # pairs
-LONGEST = 64 * 1024  # characters of each; what repeats itself takes the square of its length
+LONGEST = 64 * 1024  # characters of each
+WITH_ITSELF = 4  # copies, so six comparisons: a limit of CPU time is whole seconds
+SECONDS = 1  # of CPU time, for those six, and for each pair
 LIMITS = processes.Limits(cpu_seconds=900, wall_seconds=1800, memory=2 << 30, file_size=64 << 20)
 FOUND = re.compile(r"^(\d+)\.cpp consists for (\d+) % of (\d+)\.cpp material$", re.MULTILINE)
-IN_PAIRS = f'while read a b; do {PROGRAM} -p -ae -t 1 -r {RUN} -T "$a" "$b"; done'
+ENDED = re.compile(r"^ended (\d+)\.cpp (\d+)\.cpp", re.MULTILINE)
+EACH_LINE = (  # compares the files of a line with each other
+    "while read -r files; do "
+    f"(ulimit -t {SECONDS}; exec {PROGRAM} -p -ae -t 1 -r {RUN} -T $files) || echo ended $files; "
+    "done"
+)
+
+
+TOO_SLOW = "it repeats itself too much to be compared with others: look whether it is a copy"
 
 
 @dataclass(frozen=True)
@@ -57,7 +70,10 @@ def find(out: Path, students: list[Student], graded: dict[str, Task], trust: boo
         return Similar(
             (), 0, "similarity-tester isn't installed: apt-get install similarity-tester"
         )
-    words = [f"{RUN} {RELATIVES} {LEAST}", *(f"{s.id} {graded[s.id].submission}" for s in students)]
+    words = [
+        f"{RUN} {RELATIVES} {LEAST} {SECONDS}",
+        *(f"{s.id} {graded[s.id].submission}" for s in students),
+    ]
     name = hashlib.sha256(os.fsencode("\n".join(words))).hexdigest()
     kept = _read(out / "similar.json", name)
     if kept:
@@ -77,7 +93,7 @@ def _read(path: Path, name: str) -> Similar | None:
         kept = json.loads(path.read_bytes())
     except (OSError, ValueError):
         return None
-    if kept.get("of") != name or "left_out" not in kept:
+    if kept.get("of") != name:
         return None
     pairs = tuple(Pair(*pair) for pair in kept["pairs"])
     return Similar(pairs, kept["usual"], left_out=kept["left_out"])
@@ -99,15 +115,24 @@ def _find(students: list[Student], graded: dict[str, Task], box: boxes.Box) -> S
                 (folder / f"{number:06}.cpp").write_text(text)
                 files[f"{number:06}"] = student.id
         box.give(folder)
+        said = _by_line([[file] * WITH_ITSELF for file in files], folder, box)
+        left_out |= {files.pop(file): TOO_SLOW for file, _ in ENDED.findall(said)}
         names = [f"{file}.cpp" for file in files]
         relatives = _relatives(_sim([PROGRAM, *_all_at_once(), "-i"], names, folder, box))
-        lines = [f"{a}.cpp {b}.cpp" for a, b in sorted(relatives)]
-        shares = _shares(_sim(["/bin/sh", "-c", IN_PAIRS], lines, folder, box))
+        said = _by_line(sorted(relatives), folder, box)
+        left_out |= {files[file]: TOO_SLOW for pair in ENDED.findall(said) for file in pair}
+        shares = _shares(said)
     usual = _usual(shares, len(files))
     least = max(LEAST, (usual + 100) // 2)  # halfway from the usual to the same
     pairs = [Pair(files[a], files[b], share) for (a, b), share in shares.items() if share >= least]
     pairs.sort(key=lambda pair: (-pair.share, pair.first, pair.second))
     return Similar(tuple(pairs[:MOST]), usual, left_out=left_out)
+
+
+def _by_line(lines: Iterable[Iterable[str]], folder: Path, box: boxes.Box) -> str:
+    """What is said of each line's files, compared with each other."""
+    names = [" ".join(f"{file}.cpp" for file in line) for line in lines]
+    return _sim(["/bin/sh", "-c", EACH_LINE], names, folder, box)
 
 
 def _all_at_once() -> list[str]:
@@ -158,11 +183,13 @@ def own_text(task: Task) -> str:
     except UsageError:
         return ""
     handout = _handout()
-    lines = []
+    own = ""
     for file in sorted(taken.files):
-        text = taken.files[file].decode("utf-8", "replace")
-        lines += [line for line in text.splitlines() if line.strip() not in handout]
-    return "\n".join(lines)[:LONGEST] + "\n"
+        text = io.StringIO(taken.files[file].decode("utf-8", "replace"), newline=None)
+        while len(own) < LONGEST and (lines := text.readlines(LONGEST)):
+            own += "".join(line for line in lines if line.strip() not in handout)
+        own += "\n"
+    return own[:LONGEST] + "\n"
 
 
 def _handout() -> set[str]:
