@@ -24,3 +24,9 @@ def bomb(sources: int, megabytes: int = 1) -> bytes:
 def repetitive(length: int, unit: bytes = b"{") -> bytes:
     """Compared with another of its kind, it takes the square of its length."""
     return (unit * length)[:length]
+
+
+def long_names(number: int, suffix: str = ".o") -> bytes:
+    """As many files as that, each with a name as long as a name may be."""
+    names = (f"{i:04}{'n' * (251 - len(suffix))}{suffix}" for i in range(number))
+    return corpus.zip_of(Member(name.encode(), b"") for name in names)

@@ -21,6 +21,7 @@ from bounce_grader.classroom.run import run
 from bounce_grader.classroom.task import Task
 from bounce_grader.errors import KitError
 from bounce_grader.manifest import parts
+from bounce_grader.record import whole
 
 HIDDEN_ANSWER = {
     "message": "1 of 9 cases wrong; the first: x\n  expected phi = 0.8128",
@@ -64,24 +65,15 @@ def record_of(taken: submission.Submission) -> dict[str, Any]:
                 "checks": checks,
             }
         )
-    return {
-        "score": sum(part["score"] for part in part_records),
-        "max_score": 100,
-        "parts": part_records,
-        "box": "full",
-        "seconds": {"compile": 0.0, "run": 0.0, "total": 0.0},
-        "kit": "stand-in",
-        "fixtures_sha256": "0" * 64,
-        "submission_sha256": taken.sha256,
-        "ignored": list(taken.ignored),
-        "speed": {
-            "submission_ns": 200.0 + bits % 300,
-            "solution_ns": 200.0,
-            "ratio": 1 + bits % 300 / 200,
-            "largest_error": 1e-13 if bits % 3 else 0.1,
-            **curves(200.0 + bits % 300, 1.0 if bits % 3 else 20.0),
-        },
+    speed = {
+        "submission_ns": 200.0 + bits % 300,
+        "solution_ns": 200.0,
+        "ratio": 1 + bits % 300 / 200,
+        "largest_error": 1e-13 if bits % 3 else 0.1,
+        **curves(200.0 + bits % 300, 1.0 if bits % 3 else 20.0),
     }
+    seconds = {"compile": 0.0, "run": 0.0, "total": 0.0}
+    return whole(taken, part_records, "full", seconds, "0" * 64, speed)
 
 
 def curves(ns: float, wrong: float) -> dict[str, Any]:

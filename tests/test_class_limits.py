@@ -1,21 +1,27 @@
 """What one student's uploads may cost, all of them together: nothing is written before it is
 counted, and sizes are those that are read."""
 
+import csv
+import io
+import re
 import resource
+import subprocess
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
 import corpus
 import pytest
-from bounce_grader import submission
+from bounce_grader import record, submission
 from bounce_grader.classroom import handed_in, students, task
 from bounce_grader.entry import LARGEST_SOURCE, MOST_ENTRIES
 from bounce_grader.errors import UsageError
-from conftest import solution_files
+from bounce_grader.formats import github
+from classes import grade_class
+from conftest import solution_files, write
 from corpus import Member
 from downloads import STAMP, download, to_grade
-from odd_students import LIES, bomb, zip_that_claims
+from odd_students import LIES, bomb, long_names, zip_that_claims
 
 
 @contextmanager
@@ -93,3 +99,55 @@ def test_a_source_larger_than_it_may_be_is_named(tmp_path: Path) -> None:
     (student,) = students.read(download(tmp_path / "x.zip", large)).students
     refused = to_grade(student).refused
     assert refused == {1: "part1_contacts.cpp is 1.0 MB large; a source file may have 1 MB"}
+
+
+# --- what is said of it ---
+
+
+def cells(out: Path) -> list[str]:
+    rows = csv.reader(io.StringIO((out / "grades.csv").read_text("utf-8-sig")))
+    on_the_page = re.findall(r"<td[^>]*>(.*?)</td>", (out / "class.html").read_text())
+    return [*(cell for row in rows for cell in row), *on_the_page]
+
+
+def test_of_many_files_the_first_are_named(tmp_path: Path) -> None:
+    odd = {
+        "doe_1_1_part2_lcp.cpp": b"// two\n",
+        "doe_1_2_hw.zip": long_names(1900),
+        "roe_2_3_hw.zip": long_names(1900),
+        "poe_3_4_hw.zip": long_names(90, "/part1_contacts.cpp"),
+    }
+    odd |= {f"foe_4_{i}_{'n' * 240}{i}.jpg": b"" for i in range(5, 95)}
+    odd |= {f"moe_5_{i}_{'n' * 240}{i}.jpg": b"" for i in range(105, 195)}
+    odd |= {"moe_5_9_part2_lcp.cpp": b"// two\n"}
+    out = tmp_path / "out"
+    assert grade_class(download(tmp_path / "x.zip", odd), out) == 0
+    assert max(map(len, cells(out))) < 8_000
+    assert all(page.stat().st_size < 40_000 for page in (out / "feedback").iterdir())
+    text = (out / "class.html").read_text()
+    for words in ("and 1895 more", "and 1890 more", "and 85 more", "is there 90 times"):
+        assert words in text
+    assert "and 1880 more" in (out / "grades.csv").read_text()
+
+
+def test_a_record_names_the_first_files_that_were_not_used(tmp_path: Path) -> None:
+    (tmp_path / "x.zip").write_bytes(long_names(1900))
+    taken = submission.read(tmp_path / "x.zip")
+    made = record.whole(taken, [], "full", {"total": 1.0}, "", None)
+    assert (len(made["ignored"]), made["ignored_more"]) == (record.MOST_IGNORED, 1800)
+    few = taken._replace(ignored=taken.ignored[: record.MOST_IGNORED])
+    made = record.whole(few, [], "full", {"total": 1.0}, "", None)
+    assert len(made["ignored"]) == record.MOST_IGNORED and "ignored_more" not in made
+
+
+def test_a_repository_nested_deeply_is_no_obstacle_to_an_annotation(tmp_path: Path) -> None:
+    """Deeper than a function of Python's may call itself."""
+    folder = tmp_path / "x"
+    folder.mkdir()
+    for _ in range(1500):
+        folder = folder / "d"
+        folder.mkdir()
+    try:
+        assert github._in_repository("a.cpp", write(tmp_path, {"hw/a.cpp": b""})) == "hw/a.cpp"
+    finally:
+        subprocess.run(["rm", "-rf", str(tmp_path / "x")], check=True)

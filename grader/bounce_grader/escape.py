@@ -16,7 +16,7 @@ bidirectional overrides, lone surrogates, and what XML 1.0 has no place for.
 
 import math
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 REPLACEMENT = "\N{REPLACEMENT CHARACTER}"
 ZERO_WIDTH_SPACE = "\N{ZERO WIDTH SPACE}"
@@ -46,6 +46,13 @@ def _printable(line: str) -> str:
 def name(text: str) -> str:
     """For the record: a file's name, in one line."""
     return said(text, LONGEST_NAME).replace("\n", REPLACEMENT)
+
+
+def some(items: Sequence[str], most: int = 5, separator: str = ", ", more: int = 0) -> str:
+    """The first few of a list that may be long, as "a, b and 7 more"; `more` aren't in the list."""
+    rest = max(0, len(items) - most) + more
+    shown = separator.join(items[:most])
+    return f"{shown} and {rest} more" if rest > 0 else shown
 
 
 def terminal(text: str) -> str:

@@ -18,6 +18,7 @@ from bounce_grader.submission import Submission
 
 Record = dict[str, Any]
 LONGEST_SENTENCE = 1000
+MOST_IGNORED = 100  # names
 
 
 def part_record(part: Part, judged: Judged) -> Record:
@@ -28,7 +29,7 @@ def part_record(part: Part, judged: Judged) -> Record:
         "score": score,
         "max_score": part.points,
         "status": judged.status,
-        "message": _sentence(_part_message(part, judged)),
+        "message": sentence(_part_message(part, judged)),
         "graded_with": judged.graded_with,
         "mistakes": mistakes,
         "patterns": [said(sentence) for sentence in judged.patterns],
@@ -46,7 +47,7 @@ def failed_part(part: Part, status: str, message: str) -> Record:
         "score": 0,
         "max_score": part.points,
         "status": status,
-        "message": _sentence(message),
+        "message": sentence(message),
         "graded_with": "own",
         "mistakes": [],
         "patterns": [],
@@ -121,7 +122,8 @@ def _end(message: str) -> str:
     return said_last[-1].removeprefix("got").strip()
 
 
-def _sentence(text: str) -> str:
+def sentence(text: str) -> str:
+    """One printable line of bounded length."""
     return said(text, LONGEST_SENTENCE).replace("\n", " ")
 
 
@@ -142,8 +144,10 @@ def whole(
         "kit": __version__,
         "fixtures_sha256": fixtures_sha256,
         "submission_sha256": submission.sha256,
-        "ignored": [name(file) for file in submission.ignored],
+        "ignored": [name(file) for file in submission.ignored[:MOST_IGNORED]],
     }
+    if len(submission.ignored) > MOST_IGNORED:
+        record["ignored_more"] = len(submission.ignored) - MOST_IGNORED
     return {**record, "speed": speed} if speed else record
 
 

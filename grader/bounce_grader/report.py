@@ -5,8 +5,8 @@ from functools import cache
 from typing import TextIO
 
 from bounce_grader import speed
-from bounce_grader.escape import terminal
-from bounce_grader.formats.words import STATUS_WORDS, some, where_to_read
+from bounce_grader.escape import some, terminal
+from bounce_grader.formats.words import STATUS_WORDS, where_to_read
 from bounce_grader.hints import headings
 from bounce_grader.packages import find_installed
 from bounce_grader.paths import HANDOUT
@@ -36,7 +36,12 @@ def lines(record: Record) -> list[tuple[str, str]]:
         out += _speed(record["speed"])
     unusual = [name for name in record["ignored"] if name not in _handed_out()]
     if unusual:
-        out.append(("dim", f"Not used: {some(list(map(terminal, unusual)))}"))
+        out.append(
+            (
+                "dim",
+                f"Not used: {some(list(map(terminal, unusual)), more=record.get('ignored_more', 0))}",
+            )
+        )
     if record["box"] == "none":
         out.append(("yellow", "Graded without a box: this code could do whatever you can."))
     return out

@@ -17,6 +17,7 @@ from bounce_grader import intake
 from bounce_grader.entry import Entry, NotText, text_of
 from bounce_grader.errors import UsageError, about_one_submission
 from bounce_grader.escape import name as printable
+from bounce_grader.escape import some
 from bounce_grader.manifest import Part, parts
 from bounce_grader.paths import HANDOUT
 
@@ -176,7 +177,7 @@ def _choose(part: Part, names: list[str]) -> Iterator[str]:
     nearest = sorted(str(f) for f in found if len(f.parts) == depth)
     if len(nearest) > 1:
         raise UsageError(
-            f"{part.file} is there {len(nearest)} times ({', '.join(map(printable, nearest))}): "
+            f"{part.file} is there {len(nearest)} times ({some(list(map(printable, nearest)))}): "
             "keep one, so that the right one is graded"
         )
     yield nearest[0]

@@ -3,7 +3,8 @@
 from collections.abc import Iterable
 
 from bounce_grader.classroom.summary import Summary
-from bounce_grader.escape import Value, csv_row
+from bounce_grader.escape import Value, csv_row, some
+from bounce_grader.formats.html import MOST_UNUSED
 from bounce_grader.manifest import parts
 
 
@@ -31,7 +32,7 @@ def _row(summary: Summary) -> list[Value]:
         summary.state,
         *map(_number, [summary.score, *points, *checks, summary.ratio, summary.error]),
         "; ".join(summary.needs_a_look),
-        "; ".join([*student.unused, *summary.ignored]),
+        some([*student.unused, *summary.ignored], MOST_UNUSED, "; ", summary.ignored_more),
         summary.key,
     ]
 

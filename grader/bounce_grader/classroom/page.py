@@ -12,11 +12,10 @@ from bounce_grader.classroom.similar import MOST as MOST_PAIRS
 from bounce_grader.classroom.similar import Similar
 from bounce_grader.classroom.students import Class
 from bounce_grader.classroom.summary import Summary
-from bounce_grader.formats import words
 from bounce_grader.manifest import parts
 from bounce_grader.mistakes import for_the_instructor
 
-MOST_UNUSED = 10  # files named of a submission; grades.csv has them all
+MOST_UNUSED = 10  # files named of a submission; grades.csv has some more
 RIGHT = 1e-9  # the tolerance of every comparison
 STYLE = """
 body{font:16px/1.5 system-ui,sans-serif;color:#111;background:#fff;max-width:60rem;margin:0 auto;
@@ -236,7 +235,7 @@ def _near(near: Similar, names: dict[str, str]) -> str:
         for p in near.pairs
     ]
     if near.left_out:
-        left_out = words.some([names[id] for id in near.left_out])
+        left_out = escape.some([names[id] for id in near.left_out])
         said += f"<p>Left out: {escape.html(left_out)}. Needs a look, above, says why.</p>"
     if not rows:
         return said + "<p>None.</p>"
@@ -275,7 +274,7 @@ def _cut(near: Similar) -> str:
 
 def _unmatched(found: Class, said: Sequence[str]) -> str:
     rows = [
-        [escape.html(unmatched.name), escape.html(unmatched.reason)]
+        [escape.html(escape.name(unmatched.name)), escape.html(unmatched.reason)]
         for unmatched in found.unmatched
     ]
     out = _table(["file", "why it isn't graded"], rows) if rows else "<p>Everything is matched.</p>"
@@ -290,7 +289,7 @@ def _all(summaries: Sequence[Summary]) -> str:
     rows = []
     for s in summaries:
         points = [_points(s.score), *(_points(s.parts.get(part.number)) for part in parts())]
-        unused = escape.html("; ".join(s.unused[:MOST_UNUSED]))
+        unused = escape.html(escape.some(s.unused, MOST_UNUSED, "; ", s.ignored_more))
         rows.append([escape.html(_who(s)), *points, "late" if s.student.late else "", unused])
     table = _table(head, rows, set(range(1, 2 + len(parts()))))
     return f"<details><summary>{len(rows)} submissions</summary>{table}</details>"

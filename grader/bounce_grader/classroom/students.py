@@ -12,6 +12,8 @@ from bounce_grader.classroom.archive import Archive, Damaged, opened
 from bounce_grader.classroom.canvas import TextEntry, Upload
 from bounce_grader.entry import LARGEST_SOURCE
 from bounce_grader.errors import UsageError
+from bounce_grader.escape import name as printable
+from bounce_grader.escape import some
 from bounce_grader.files import fitting
 from bounce_grader.submission import HEADERS, SOURCES, part_file
 
@@ -114,9 +116,10 @@ def _canvas(path: Path) -> Class:
         if student.uploads:
             found.students.append(student)
         else:
-            reason = f"holds nothing that can be graded: {'; '.join(student.unused)}"
+            unused = some(student.unused, separator="; ")
+            reason = f"holds nothing that can be graded: {unused}"
             name = student.feedback.removesuffix("_feedback.html")
-            told = f"{'. '.join(student.unused)}. {HAND_IN}"
+            told = f"{some(student.unused, separator='. ')}. {HAND_IN}"
             found.unmatched.append(Unmatched(name, reason, user, student.feedback, told))
     return found
 
@@ -159,9 +162,10 @@ def _newest(archive: Archive, uploads: list[Upload]) -> tuple[list[Upload], list
     for upload in sorted(uploads, key=lambda u: -u.attachment):
         file = canvas.plain_file(upload.file, texts)
         if not is_source(file) and not is_zip(file):
-            unused.append(f"{upload.file} is no C++ source and no zip")
+            unused.append(f"{printable(upload.file)} is no C++ source and no zip")
         elif file in newest:
-            unused.append(f"{upload.file} is older than {newest[file].file}")
+            newer = printable(newest[file].file)
+            unused.append(f"{printable(upload.file)} is older than {newer}")
         else:
             newest[file] = upload
     return sorted(newest.values(), key=lambda u: u.attachment), unused

@@ -6,9 +6,7 @@ from typing import Any
 
 from bounce_grader import speed
 from bounce_grader.classroom.students import Student
-
-
-MOST_NAMED = 5  # files, in one sentence
+from bounce_grader.escape import some
 
 
 @dataclass(frozen=True)
@@ -27,6 +25,7 @@ class Summary:
     error: float | None = None
     curves: Mapping[str, tuple[speed.Point, ...]] = field(default_factory=dict)
     ignored: tuple[str, ...] = ()
+    ignored_more: int = 0  # that aren't named
     beside: tuple[str, ...] = ()  # sources that are no part
     notes: tuple[str, ...] = ()  # what else a person should look at
 
@@ -56,9 +55,8 @@ class Summary:
         others = [*self.unused, *(f"{name} is no part by its name" for name in self.beside)]
         words = "parts" if len(missing) > 1 else "part"
         numbers = " and ".join(map(str, missing))
-        lost = f"{words} {numbers} not there, but {'; '.join(others[:MOST_NAMED])}"
-        more = f" and {len(others) - MOST_NAMED} more" if len(others) > MOST_NAMED else ""
-        return [lost + more] if missing and others else []
+        there = some(others, separator="; ", more=self.ignored_more)
+        return [f"{words} {numbers} not there, but {there}"] if missing and others else []
 
 
 def of_result(student: Student, key: str, result: dict[str, Any]) -> Summary:
@@ -81,5 +79,6 @@ def of_result(student: Student, key: str, result: dict[str, Any]) -> Summary:
         error=found.get("largest_error"),
         curves={whose: tuple(speed.curve(found, whose)) for whose in speed.CURVES},
         ignored=tuple(record["ignored"]),
+        ignored_more=record.get("ignored_more", 0),
         beside=tuple(result.get("beside", ())),
     )

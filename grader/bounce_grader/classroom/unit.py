@@ -17,6 +17,7 @@ from bounce_grader.classroom.task import Task
 from bounce_grader.errors import KitError, UsageError
 from bounce_grader.escape import name as printable
 from bounce_grader.files import write_whole
+from bounce_grader.record import sentence
 from bounce_grader.submission import Submission
 
 Record = dict[str, Any]
@@ -70,9 +71,9 @@ def _result(task: Task, grade: Grade) -> dict[str, Any]:
         taken = handed_in.read(path, task.uploads)
         _require_a_part(taken, "folder" if os.path.isdir(path) else "zip")
         record = grade(taken, task)
-        beside = taken.helpers
+        beside = list(map(printable, taken.helpers))
     except UsageError as error:
-        message = str(error).replace(str(path), "the submission")
+        message = sentence(str(error).replace(str(path), "the submission"))
     return {
         "key": task.key,
         "submission": task.submission,

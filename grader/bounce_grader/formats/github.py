@@ -7,6 +7,7 @@ import os
 from pathlib import Path
 from typing import Any
 
+from bounce_grader import intake
 from bounce_grader.errors import UsageError
 from bounce_grader.escape import workflow
 from bounce_grader.formats import markdown, words
@@ -103,8 +104,17 @@ def _command(
     return workflow(kind, text, **where, title=title)
 
 
+def _files(root: Path) -> list[str]:
+    """Of a folder, as many and as deep as a submission may have them."""
+    try:
+        with intake.opened(root) as entries:
+            return [entry.name for entry in entries] if root.is_dir() else []
+    except UsageError:
+        return []
+
+
 def _in_repository(file: str, root: Path) -> str:
     """The grader names files from a submission's top folder; a repository may have that deeper."""
-    there = [path.relative_to(root).as_posix() for path in root.rglob("*")]
+    there = _files(root)
     deeper = [path for path in there if path.endswith(f"/{file}")]
     return deeper[0] if len(deeper) == 1 and file not in there else file

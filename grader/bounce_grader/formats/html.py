@@ -40,6 +40,7 @@ summary{cursor:pointer}
 """
 
 
+MOST_UNUSED = 20  # files named
 TITLE = "Bouncing: "  # every page's begins so
 
 
@@ -52,7 +53,10 @@ def render(record: Record, name: str = "", unused: tuple[str, ...] = ()) -> str:
         + f'<div class="bar"><div style="width:{share:.1f}%"></div></div>'
         + parts
         + speed_chart.page_section(record.get("speed") or {})
-        + _unused([*unused, *(f"{file} wasn't used" for file in record["ignored"][:20])])
+        + _unused(
+            [*unused, *(f"{file} wasn't used" for file in record["ignored"])],
+            record.get("ignored_more", 0),
+        )
         + f'<p class="small">Graded by kit {escape.html(record["kit"])}; submission '
         f"{record['submission_sha256'][:12]}.</p>"
     )
@@ -111,6 +115,8 @@ def _check(check: Record) -> str:
     return out + "</li>"
 
 
-def _unused(sentences: list[str]) -> str:
-    items = "".join(f"<li>{escape.html(sentence)}</li>" for sentence in sentences)
+def _unused(sentences: list[str], more: int) -> str:
+    rest = max(0, len(sentences) - MOST_UNUSED) + more
+    shown = [*sentences[:MOST_UNUSED], *([f"and {rest} more"] if rest else [])]
+    items = "".join(f"<li>{escape.html(sentence)}</li>" for sentence in shown)
     return f'<p class="small">Not used:</p><ul class="small">{items}</ul>' if items else ""

@@ -1,7 +1,6 @@
 """Sentences and places in a record that several formats use."""
 
 import re
-from collections.abc import Sequence
 from typing import NamedTuple
 
 from bounce_grader.record import Record
@@ -32,13 +31,6 @@ def place_in(message: str) -> Place | None:
         return None
     file, line, column = found.groups()
     return Place(file, int(line), int(column) if column else None)
-
-
-def some(items: Sequence[str], most: int = 5, separator: str = ", ") -> str:
-    """The first few of a list that may be long, as "a, b and 7 more"."""
-    rest = len(items) - most
-    shown = separator.join(items[:most])
-    return f"{shown} and {rest} more" if rest > 0 else shown
 
 
 def points(x: float) -> str:
