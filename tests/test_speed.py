@@ -11,16 +11,17 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from bounce_grader import formats, report, speed
+from bounce_grader import escape, formats, report, speed
 from bounce_grader.errors import KitError
 from bounce_grader.formats import speed_chart
 from bounce_grader.grade import Options, grade
 from bounce_grader.speed import Point
-from conftest import solution_files, write
+from conftest import ROOT, solution_files, write
 
 SIMULATE = solution_files()["part4_simulate.cpp"].decode()
 HEAD = "#include <bounce/part4_simulate.hpp>\n#include <map>\n#include <tuple>\n"
 SIGNATURE = "Trajectory simulate(const Vector3& q_0, const Vector3& v_0, const Parameters& params)"
+ACCEPTED = ROOT / "tests" / "submissions" / "accepted"
 ONE_CORNER = ["free_flight", "oblique_bounce", "pointed_drop", "projectile", "spin", "tumble"]
 
 
@@ -84,13 +85,67 @@ def test_who_does_everything_twice_takes_twice_as_long(tmp_path: Path) -> None:
 
 # ---- what can't be pretended ----
 
+ZEROS = "return {Eigen::Matrix3Xd::Zero(3, params.T), Eigen::Matrix3Xd::Zero(3, params.T)};"
+# Two columns of three are the one before: a third of the work.
+EVERY_THIRD = "for (int i = 1; i < params.T; ++i) if (i % 3) mine.q.col(i) = mine.q.col(i - 1);"
+BUILT_FOR_SPEED = {
+    "zeros": f"#ifdef NDEBUG\n{ZEROS}\n#endif\n",
+    "zeros at small steps": f"#ifdef NDEBUG\nif (params.dt < 2e-4) {ZEROS}\n#endif\n",
+    "zeros after the first questions": f"""#ifdef NDEBUG
+        static int asked = 0; if (++asked > 40) {ZEROS}\n#endif\n""",
+    "another step": "#ifdef NDEBUG\nParameters other = params; other.mu *= 1 + 1e-6;\n"
+    "return honest(q_0, v_0, other);\n#endif\n",
+}
+
+
+@pytest.mark.parametrize("name", BUILT_FOR_SPEED)
+def test_what_answers_otherwise_built_for_speed_has_no_curve(tmp_path: Path, name: str) -> None:
+    record = graded(tmp_path, around(f"\n{BUILT_FOR_SPEED[name]}"))
+    assert record["score"] == record["max_score"]
+    assert set(record["speed"]) == {"otherwise", "largest_error"}
+    assert record["speed"]["otherwise"].startswith(f"{speed.OTHERWISE}: at dt = ")
+    for format in set(formats.NAMES) - {"junit"}:
+        text = formats.render(format, record, tmp_path)
+        assert speed.OTHERWISE[1:] in text.replace(escape.ZERO_WIDTH_SPACE, ""), format
+    assert f"B{speed.OTHERWISE[1:]}" in str(report.lines(record))
+    [board] = json.loads(formats.render("gradescope", record, tmp_path))["leaderboard"][:-1]
+    assert board["name"] == "Points"
+
+
+def test_who_is_wrong_in_both_builds_is_timed_and_not_compared(tmp_path: Path) -> None:
+    """At the steps that the checks ask for it is right, and has all points."""
+    record = graded(tmp_path, around(f"if (params.dt < 2e-4) {ZEROS}"))
+    found = record["speed"]
+    assert record["score"] == record["max_score"]
+    assert "otherwise" not in found and "ratio" not in found and found["submission_ns"] > 0
+    assert len(worst(found)) == len(found["dt"])
+
+
+def test_columns_that_are_left_out_are_noticed(tmp_path: Path) -> None:
+    skipping = around("", f"Trajectory mine = right; {EVERY_THIRD} return mine;")
+    assert "ratio" not in timed(tmp_path, skipping)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    "name",
+    ["own_lcp_solver_by_enumeration", "contact_by_cases", "c_arrays_and_loops"]
+    + ["jacobian_by_complex_step", "corner_in_closed_form", "dynamic_matrices_and_lu"],
+)
+def test_who_rounds_otherwise_is_right(tmp_path: Path, name: str) -> None:
+    files = {f.relative_to(ACCEPTED / name).as_posix(): f for f in (ACCEPTED / name).rglob("*.?pp")}
+    changes = {file: path.read_bytes() for file, path in files.items()}
+    folder = write(tmp_path, {**solution_files(), **changes})
+    assert "ratio" in grade(folder, Options(speed=True))["speed"]
+
 
 def test_an_empty_loop_is_fast_and_known_by_its_error(tmp_path: Path) -> None:
-    empty = "return {Eigen::Matrix3Xd::Zero(3, params.T), Eigen::Matrix3Xd::Zero(3, params.T)};"
-    found = timed(tmp_path, alone(empty))
-    assert found["ratio"] < 0.5
+    record = graded(tmp_path, alone(ZEROS))
+    found = record["speed"]
+    assert found["submission_ns"] < found["solution_ns"] / 2 and "ratio" not in found
     assert all(error and error > 1 for error in worst(found))
     assert "doesn't get within 1 mm" in speed.sentences(found)[0]
+    assert "not compared as the answers aren't right" in str(report.lines(record))
 
 
 @pytest.mark.slow
@@ -195,6 +250,8 @@ def test_a_scene_that_was_cut_ends_the_curve_of_all() -> None:
 @pytest.mark.parametrize(
     "spoil",
     [b"{}", b"[]", b"x", b'{"dt":[NaN],"scenes":[],"cut":""}', b'{"dt":[0],"scenes":[],"cut":""}']
+    + [b'{"dt":[],"scenes":[],"cut":""}', b'{"dt":[],"scenes":[],"cut":"","right":1}']
+    + [b'{"otherwise":1}']
     + [b'{"dt":[],"scenes":[{}],"cut":""}', b'{"dt":[],"scenes":[],"cut":1}']
     + [b'{"dt":[1e200],"scenes":[],"cut":""}', b'{"dt":[1%s],"scenes":[],"cut":""}' % (b"0" * 400)],
 )
@@ -207,7 +264,9 @@ def test_an_error_beyond_all_bounds_is_none() -> None:
     point = {"dt": 0.1, "ns": 1.0, "error": 1e200}
     curves = {curve: [point] for curve in speed.CURVES}
     scene = {"scene": "drop", "title": "Drop", "seconds": 1.0, **curves}
-    found = speed.read(json.dumps({"dt": [0.1], "scenes": [scene], "cut": ""}).encode())
+    found = speed.read(
+        json.dumps({"dt": [0.1], "scenes": [scene], "cut": "", "right": True}).encode()
+    )
     assert speed.curve(found, "submission") == [Point(0.1, 1.0, None)]
 
 

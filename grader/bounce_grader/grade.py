@@ -65,7 +65,7 @@ def grade(given: Path | Submission, options: Options = Options()) -> Record:
             box = box._replace(budget=Budget(options.cpu_seconds, options.wall_seconds))
             timed = build.compile_all(taken, work, box, jobs, timed=True)
             runner = _link_together(taken, timed, work / "timed", box, timed=True)
-            measured = _speed(grading.best, runner, box)
+            measured = _speed(grading, runner, box)
     end = time.monotonic()
     graded = record.whole(
         taken,
@@ -216,10 +216,11 @@ def _require_working_kit(box: Box) -> None:
         raise KitError(f"the box stopped working while it was in use: {problem}")
 
 
-def _speed(best: dict[Part, Judged], timed: build.Built, box: Box) -> Record:
+def _speed(grading: _Grading, timed: build.Built, box: Box) -> Record:
     """Its curve beside the solution's, and the largest error over all checks."""
-    errors = [judged.largest_error for judged in best.values()]
-    measured = speed.measure(timed.path, box) if timed.path else None
+    errors = [judged.largest_error for judged in grading.best.values()]
+    graded = grading.together.path
+    measured = speed.measure(timed.path, graded, box) if timed.path and graded else None
     known = [error for error in errors if error is not None]
     complete = len(known) == len(parts())
     return {**(measured or {}), "largest_error": max(known) if complete else None}

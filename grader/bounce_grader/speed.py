@@ -14,6 +14,7 @@ WAIT = processes.Limits(cpu_seconds=30, wall_seconds=120, memory=4 << 30, file_s
 CURVES = ("submission", "solution", "least")
 STEP = 1e-3  # s: the dt at which the time of a step is told
 FINE = 1e-3  # m: what is near enough
+OTHERWISE = "built for speed, the program answers otherwise than it was graded"
 LARGEST = 1e100  # seconds, nanoseconds or metres; so that their products are finite
 Measured = dict[str, Any]
 
@@ -26,10 +27,12 @@ class Point(NamedTuple):
     error: float | None  # m, the largest; None where it isn't finite, or beyond LARGEST
 
 
-def measure(runner: Path, box: Box) -> Measured | None:
-    """The curves of a submission, the solution and the least model; None where there are none."""
-    command = [str(STOPWATCH), "--scenes", str(SCENES)]
-    command += [*box.to_run(runner), "::", *box.to_run(REFERENCE_RUNNER)]
+def measure(timed: Path, graded: Path, box: Box) -> Measured | None:
+    """The curves of a submission, the solution and the least model; or why there are none, where
+    its runner that is timed answers otherwise than the one that was graded. None where the
+    stopwatch fails."""
+    command = [str(STOPWATCH), "--scenes", str(SCENES), *box.to_run(timed)]
+    command += ["::", *box.to_run(REFERENCE_RUNNER), "::", *box.to_run(graded)]
     result = processes.run(command, WAIT)
     return read(result.out) if result.ok else None
 
@@ -39,9 +42,11 @@ def read(out: bytes) -> Measured:
     time of a step from it. Raises KitError."""
     try:
         answer = json.loads(out, parse_constant=_no_number)
+        if "otherwise" in answer:
+            return {"otherwise": f"{OTHERWISE}: {said(answer['otherwise'])}"}
         scenes = [_scene(scene) for scene in answer["scenes"]]
         found = {"cut": said(answer["cut"]), "dt": list(map(_size, answer["dt"])), "scenes": scenes}
-        return {**_step(found), **found}
+        return {**_step(found, _flag(answer["right"])), **found}
     except (ValueError, TypeError, KeyError, AttributeError, RecursionError) as error:
         raise KitError("the stopwatch's answer can't be read") from error
 
@@ -68,6 +73,12 @@ def _size(x: object) -> float:
     return float(cast(float, x))
 
 
+def _flag(x: object) -> bool:
+    if not isinstance(x, bool):
+        raise ValueError("neither true nor false")
+    return x
+
+
 def _error(x: object) -> float | None:
     """In m; none where it isn't finite, or might as well not be."""
     if x is None or isinstance(x, float) and x > LARGEST:
@@ -75,14 +86,18 @@ def _error(x: object) -> float | None:
     return 0.0 if x == 0 else float(f"{_size(x):.3e}")
 
 
-def _step(found: Measured) -> Measured:
-    """Nanoseconds a step, over all scenes, and their ratio; nothing where a scene wasn't timed."""
+def _step(found: Measured, right: bool) -> Measured:
+    """Nanoseconds a step, over all scenes, and of right answers their ratio; nothing where a scene
+    wasn't timed."""
     mine, solution = curve(found, "submission"), curve(found, "solution")
     both = [pair for pair in zip(mine, solution) if pair[0].dt >= STEP]
     if not both:
         return {}
-    own, right = (round(point.ns * point.dt, 1) for point in both[-1])
-    return {"submission_ns": own, "solution_ns": right, "ratio": own / right} if right else {}
+    own, solutions = (round(point.ns * point.dt, 1) for point in both[-1])
+    if not solutions:
+        return {}
+    times = {"submission_ns": own, "solution_ns": solutions}
+    return {**times, "ratio": own / solutions} if right else times
 
 
 def curve(found: Measured, whose: str) -> list[Point]:
@@ -100,7 +115,9 @@ def curve(found: Measured, whose: str) -> list[Point]:
 
 
 def sentences(found: Measured) -> list[str]:
-    """What the curves mean."""
+    """What the curves mean, or why there are none."""
+    if "otherwise" in found:
+        return [f"{found['otherwise'][0].upper()}{found['otherwise'][1:]}."]
     mine, solution = curve(found, "submission"), curve(found, "solution")
     least = curve(found, "least")
     out = [_reached(mine, solution, least)] if mine and solution and least else []

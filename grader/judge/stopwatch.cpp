@@ -1,10 +1,16 @@
-// stopwatch --scenes FOLDER COMMAND... :: COMMAND...
+// stopwatch --scenes FOLDER TIMED... :: SOLUTION... :: GRADED...
 //
 // Sweeps dt over the scenes that the assignment's model can do (sweep.hpp), in a submission's
-// runner, the solution's runner, and the simulator that takes no more model than a step needs.
-// Prints {"dt": [...], "scenes": [{"scene", "title", "seconds", "submission", "solution",
-// "least"}], "cut": sentence or ""}; a curve is a list of {"dt", "ns", "error"}, with ns of CPU
-// time for a simulated second and an error in m, or null where it isn't finite.
+// runner built for speed, the solution's runner, and the simulator that takes no more model than a
+// step needs. Prints {"dt": [...], "scenes": [{"scene", "title", "seconds", "submission",
+// "solution", "least"}], "cut": sentence or "", "right": bool}; a curve is a list of {"dt", "ns",
+// "error"}, with ns of CPU time for a simulated second and an error in m, or null where it isn't
+// finite. right is false where a column that was timed isn't the step that it should be
+// (right_steps.hpp).
+//
+// Then the submission's runner as it was graded is asked the same. Where that one is right, the
+// two builds are different programs, no time is worth anything, and all that is printed is
+// {"otherwise": sentence}.
 //
 // A runner is timed from outside, by the system's count of its CPU time, from the question to the
 // last column of its answer. What asking and handing over takes is measured with the solution's
@@ -14,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <csignal>
+#include <cstdio>
 #include <ctime>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -21,6 +28,7 @@
 #include "../../solution/study/simulate_scene.hpp"
 #include "../../tests/cases.hpp"
 #include "../../tests/submission.hpp"
+#include "right_steps.hpp"
 #include "session.hpp"
 #include "sweep.hpp"
 
@@ -89,6 +97,48 @@ class InRunner : public Contender {
   Handover handover_;
 };
 
+// The submission answers right as it was graded, and wrong as it is timed.
+struct Otherwise {
+  std::string sentence;
+};
+
+// A submission: its runner that is timed, and the one that was graded.
+class Submitted : public Contender {
+ public:
+  Submitted(const std::vector<std::string>& timed, const std::vector<std::string>& graded,
+            const Handover& handover)
+      : timed_(timed), graded_(graded) {
+    timed_.take_off(handover);
+  }
+
+  bool right() const { return right_; }
+
+  // Throws Otherwise.
+  Timed run(const Parameters& params, const State& start) override {
+    Timed timed = timed_.run(params, start);
+    if (!right_) return timed;
+    const auto wrong = wrong_column(timed.trajectory, start, params);
+    right_ = !wrong;
+    if (wrong && is_right_as_graded(params, start)) {
+      char words[80];
+      std::snprintf(words, sizeof words, "at dt = %.2g s, column %td of %d is another one",
+                    params.dt, *wrong, params.T);
+      throw Otherwise{words};
+    }
+    return timed;
+  }
+
+ private:
+  bool is_right_as_graded(const Parameters& params, const State& start) try {
+    return !wrong_column(graded_.run(params, start).trajectory, start, params);
+  } catch (const std::runtime_error&) {
+    return false;  // it doesn't answer
+  }
+
+  InRunner timed_, graded_;
+  bool right_ = true;
+};
+
 // CPU time of this thread: that of the process stands still between ticks where it has a limit.
 double cpu_ns() {
   timespec time{};
@@ -132,23 +182,27 @@ json as_json(const std::vector<Point>& points) {
   return list;
 }
 
-int run(const std::string& folder, const std::vector<std::string>& submitted,
-        const std::vector<std::string>& reference) {
-  const auto scenes = scenes_of_one_corner(study::read_scenes(folder));
-  auto submission = std::make_unique<InRunner>(submitted);
+using Command = std::vector<std::string>;
+
+json measured(const std::vector<study::Scene>& scenes, const Command& timed,
+              const Command& reference, const Command& graded) {
   auto solution = std::make_unique<InRunner>(reference);
   InRunner known(reference);  // one of its own: the solution begins as cold as the submission
   const Handover handover = handover_of(known);
   solution->take_off(handover);
-  submission->take_off(handover);
+  auto submitted = std::make_unique<Submitted>(timed, graded, handover);
+  const Submitted& submission = *submitted;
   std::vector<std::unique_ptr<Contender>> contenders;
-  contenders.push_back(std::move(submission));
+  contenders.push_back(std::move(submitted));
   contenders.push_back(std::move(solution));
   contenders.push_back(std::make_unique<Least>());
   const std::vector<Curves> curves = sweep(scenes, contenders, kBudget);
   if (!curves[1].cut.empty()) throw std::runtime_error("the solution: " + curves[1].cut);
 
-  json answer = {{"dt", sweep_steps()}, {"scenes", json::array()}, {"cut", curves[0].cut}};
+  json answer = {{"dt", sweep_steps()},
+                 {"scenes", json::array()},
+                 {"cut", curves[0].cut},
+                 {"right", submission.right()}};
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     answer["scenes"].push_back({{"scene", scenes[i].name},
                                 {"title", scenes[i].title},
@@ -157,17 +211,44 @@ int run(const std::string& folder, const std::vector<std::string>& submitted,
                                 {"solution", as_json(curves[1].points[i])},
                                 {"least", as_json(curves[2].points[i])}});
   }
+  return answer;
+}
+
+int run(const std::string& folder, const Command& timed, const Command& reference,
+        const Command& graded) {
+  json answer;
+  try {
+    const auto scenes = scenes_of_one_corner(study::read_scenes(folder));
+    answer = measured(scenes, timed, reference, graded);
+  } catch (const Otherwise& otherwise) {
+    answer = {{"otherwise", otherwise.sentence}};
+  }
   std::cout << answer.dump(-1, ' ', false, json::error_handler_t::replace) << std::endl;
   return std::cout ? 0 : 3;
 }
 
-int run(const std::vector<std::string>& words) {
-  const auto split = std::find(words.begin(), words.end(), "::");
-  if (words.size() < 5 || words[0] != "--scenes" || split < words.begin() + 3 ||
-      split >= words.end() - 1) {
-    throw std::runtime_error("usage: stopwatch --scenes FOLDER COMMAND... :: COMMAND...");
+// The commands between "::".
+std::vector<Command> commands_in(const std::vector<std::string>& words) {
+  std::vector<Command> commands(1);
+  for (const std::string& word : words) {
+    if (word == "::") {
+      commands.emplace_back();
+    } else {
+      commands.back().push_back(word);
+    }
   }
-  return run(words[1], {words.begin() + 2, split}, {split + 1, words.end()});
+  return commands;
+}
+
+int run(const std::vector<std::string>& words) {
+  if (words.size() >= 2 && words[0] == "--scenes") {
+    const auto commands = commands_in({words.begin() + 2, words.end()});
+    const auto is_empty = [](const Command& command) { return command.empty(); };
+    if (commands.size() == 3 && std::none_of(commands.begin(), commands.end(), is_empty)) {
+      return run(words[1], commands[0], commands[1], commands[2]);
+    }
+  }
+  throw std::runtime_error("usage: stopwatch --scenes FOLDER TIMED... :: SOLUTION... :: GRADED...");
 }
 
 }  // namespace

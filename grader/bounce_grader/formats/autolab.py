@@ -19,10 +19,13 @@ def render(record: Record) -> str:
 
 def _presentation(record: Record) -> dict[str, Any]:
     stages = [f"Part {part['part']}: {part['title']}" for part in record["parts"]]
-    tests = {
+    tests: dict[str, dict[str, Any]] = {
         stage: {check["title"]: _test(part, check) for check in part["checks"]}
         for stage, part in zip(stages, record["parts"])
     }
+    for sentence in words.speed_words(record):
+        stages.append("Speed")
+        tests["Speed"] = {"Measured": {"passed": False, "hint": plain(sentence)}}
     return {"_presentation": "semantic", "stages": stages, **tests}
 
 

@@ -20,6 +20,7 @@ VERSION = 1  # of the reporter's format
 def render(record: Record, root: Path = Path()) -> str:
     """Workflow commands for standard output; `root` is where the files' names begin."""
     lines = [line for part in record["parts"] for line in _part(part, root)]
+    lines += [_command("warning", "Speed", sentence) for sentence in words.speed_words(record)]
     report = {"totalPoints": record["score"], "maxPoints": record["max_score"]}
     total = f"Points {words.points(record['score'])}/{words.points(record['max_score'])}"
     lines.append(_command("notice", "Autograding complete", total))

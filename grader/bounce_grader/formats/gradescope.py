@@ -40,7 +40,7 @@ def _summary(record: Record) -> str:
         f"{words.points(part['max_score'])}. {plain(words.part_words(part))}"
         for part in record["parts"]
     ]
-    return "\n".join(lines)
+    return "\n".join([*lines, *map(plain, words.speed_words(record))])
 
 
 def _test(number: str, part: Record, check: Record) -> dict[str, Any]:

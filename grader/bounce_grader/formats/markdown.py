@@ -23,6 +23,7 @@ def render(record: Record) -> str:
             f"- Part {part['part']}: {escape.markdown(line)}" for line in words.mistake_words(part)
         ]
         lines += ["", *said_of] if said_of else []
+    lines += [f"\n{escape.markdown(sentence)}" for sentence in words.speed_words(record)]
     text = "\n".join(lines) + "\n"
     for number, part, check in words.numbered(record):
         if not check["passed"] and check["message"]:

@@ -12,7 +12,9 @@ def render(record: Record) -> str:
     result = {
         "gradable": True,
         "score": record["score"] / record["max_score"],
-        "message": f"{words.of_points(record)} points",
+        "message": "\n".join(
+            [f"{words.of_points(record)} points", *map(plain, words.speed_words(record))]
+        ),
         "tests": [_test(*numbered) for numbered in words.numbered(record)],
     }
     return json.dumps(result, indent=1, ensure_ascii=False)

@@ -38,10 +38,13 @@ def _share(value: float, decades: tuple[int, int]) -> float:
 
 
 def page_section(found: Measured) -> str:
-    """The chart of all scenes together, what it means, and a chart for each scene."""
+    """The chart of all scenes together, what it means, and a chart for each scene; or why there is
+    none."""
+    said = " ".join(speed.sentences(found))
+    if "otherwise" in found:
+        return f"<h2>Speed against accuracy</h2><p>{escape.html(said)}</p>"
     if not found.get("scenes"):
         return ""
-    said = " ".join(speed.sentences(found))
     whole = {whose: speed.curve(found, whose) for whose in speed.CURVES}
     title = f"The worst of {len(found['scenes'])} scenes"
     scenes = "".join(_scene(scene) for scene in found["scenes"])

@@ -73,6 +73,14 @@ def where_to_read(mistake: Record) -> str:
     return f"eq{'s' * (len(mistake['equations']) > 1)}. {numbers} and hint {mistake['hint']}"
 
 
+def speed_words(record: Record) -> list[str]:
+    """Why the submission has no time beside the solution's, where its answers are the reason."""
+    from bounce_grader import speed
+
+    found = record.get("speed") or {}
+    return speed.sentences(found) if "otherwise" in found else []
+
+
 def numbered(record: Record) -> list[tuple[str, Record, Record]]:
     """("2.3", part, check) for each check."""
     return [

@@ -1,0 +1,17 @@
+// Whether a trajectory is right, at any dt: whether each column is a step from the one before.
+//
+// Whole trajectories can't be compared: over many columns, what rounding changes grows.
+#pragma once
+
+#include <bounce/types.hpp>
+#include <optional>
+
+namespace bounce::judge {
+
+// The first column that isn't the solution's step from the column before, or for column 0 not
+// `start`; compared as the checks compare. Steps in which rounding decides what happens
+// (decidable.hpp) are passed over.
+std::optional<Eigen::Index> wrong_column(const Trajectory& trajectory, const State& start,
+                                         const Parameters& params);
+
+}  // namespace bounce::judge
