@@ -94,7 +94,8 @@ Problem both(const Problem& a, const Problem& b);
 // the wrong entries in brackets.
 std::string summary(const Case& c, const Problem& problem);
 
-// The largest error that compare has met so far, in units of max(1, |expected|).
+// The largest error that compare has met so far in public cases, in units of max(1, |expected|).
+// That of a hidden case would tell what is expected to whoever knows the answer.
 double largest_error();
 
 }  // namespace bounce::tests

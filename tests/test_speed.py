@@ -166,6 +166,33 @@ def test_numbers_that_are_none_are_said_to_be(tmp_path: Path) -> None:
     assert "somewhere not finite" in speed.sentences(found)[0]
 
 
+CONTACTS = solution_files()["part1_contacts.cpp"].decode()
+
+
+def far_away_where(condition: str) -> bytes:
+    """Part 1, with a height that is a million where the condition holds."""
+    honest = CONTACTS.replace(" get_contacts(", " honest(")
+    return f"""{honest}
+    namespace bounce {{ Contact get_contacts(const Vector3& q, const Parameters& params) {{
+    Contact contact = honest(q, params); if ({condition}) contact.phi = 1e6; return contact; }} }}
+    """.encode()
+
+
+def test_the_largest_error_tells_no_expected_number(tmp_path: Path) -> None:
+    checks = json.loads((ROOT / "fixtures" / "public" / "part1_contacts.json").read_text())[
+        "checks"
+    ]
+    public = [case for cases in checks.values() for case in cases]
+    hidden = " && ".join(f"q(0) != {case['input']['q'][0]!r}" for case in public)
+    for condition, most in ((hidden, 1e-9), ("true", 1e6)):
+        changes = {"part1_contacts.cpp": far_away_where(condition)}
+        folder = write(tmp_path / str(most), {**solution_files(), **changes})
+        record = grade(folder, Options(speed=True))
+        assert record["parts"][0]["score"] < record["parts"][0]["max_score"]
+        error = record["speed"]["largest_error"]
+        assert error <= most and error == float(f"{error:.1e}")
+
+
 # ---- limits ----
 
 

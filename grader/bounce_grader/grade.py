@@ -217,7 +217,7 @@ def _require_working_kit(box: Box) -> None:
 
 
 def _speed(grading: _Grading, timed: build.Built, box: Box) -> Record:
-    """Its curve beside the solution's, and the largest error over all checks."""
+    """Its curve beside the solution's, and the largest error over all public cases."""
     errors = [judged.largest_error for judged in grading.best.values()]
     graded = grading.together.path
     measured = speed.measure(timed.path, graded, box) if timed.path and graded else None

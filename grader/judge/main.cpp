@@ -4,10 +4,10 @@
 // Runs the tests of part N against the runner that COMMAND starts, and prints one JSON object:
 //   {"checks": [{"id", "passed", "status", "stack", "message", "shown", "revealed"}],
 //    "largest_error": number or null, "mistakes": [name], "patterns": [sentence]}
-// shown is the failed case in numbers, or null; of a hidden one, revealed is {"message", "shown"}
-// with the expected answer, for whoever may see it (shown.hpp). mistakes and patterns are empty
-// unless --recognise is there and a check failed; then a second runner is asked the public cases
-// alone.
+// largest_error is that of the public cases, to two digits. shown is the failed case in numbers, or
+// null; of a hidden one, revealed is {"message", "shown"} with the expected answer, for whoever may
+// see it (shown.hpp). mistakes and patterns are empty unless --recognise is there and a check
+// failed; then a second runner is asked the public cases alone.
 //
 // judge --answers --part N ... prints what it answers to the public cases, as answers_json.hpp
 // says.
@@ -21,6 +21,8 @@
 
 #include <cmath>
 #include <csignal>
+#include <cstdio>
+#include <cstdlib>
 #include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -174,6 +176,14 @@ int print_answers(const Options& options) {
   return std::cout ? 0 : 3;
 }
 
+// To two digits; null where it isn't finite.
+json rounded(double error) {
+  if (!std::isfinite(error)) return nullptr;
+  char digits[16];
+  std::snprintf(digits, sizeof digits, "%.1e", error);
+  return std::strtod(digits, nullptr);
+}
+
 int run(const Options& options) {
   Session asked(options.command, options.limits, options.part, options.given);
   session = &asked;
@@ -187,9 +197,8 @@ int run(const Options& options) {
   }
   if (!verdicts->kit_failure.empty()) throw std::runtime_error(verdicts->kit_failure);
 
-  const double error = tests::largest_error();
   json result = {{"checks", verdicts->checks},
-                 {"largest_error", std::isfinite(error) ? json(error) : json(nullptr)},
+                 {"largest_error", rounded(tests::largest_error())},
                  {"mistakes", json::array()},
                  {"patterns", json::array()}};
   if (options.recognise && may_be_a_mistake(verdicts->checks)) recognise(options, result);
