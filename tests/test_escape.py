@@ -3,11 +3,13 @@ that format which somebody else wrote."""
 
 import csv
 import io
+import json
 import re
 import unicodedata
 from html.parser import HTMLParser
 from xml.etree import ElementTree
 
+import odd_texts
 import pytest
 from bounce_grader import escape
 from hypothesis import example, given
@@ -56,10 +58,10 @@ def test_no_control_reaches_a_terminal(text: str) -> None:
 @example("a##[group]b")
 @example("##vso[task.complete]")
 @example("###[x]")
+@example("a\n::error::b")
+@example("\t ::x")
 def test_no_line_is_a_command_of_ci(text: str) -> None:
-    line = escape.terminal(text)
-    assert not line.lstrip().startswith("::")
-    assert not re.search(r"##\w*\[", line)
+    assert odd_texts.commands_in(escape.terminal(text)) == []
 
 
 def test_words_that_are_no_command_stay_as_they_are() -> None:
@@ -107,6 +109,7 @@ def test_html_is_read_as_the_text_that_it_was(text: str) -> None:
     heard = Heard()
     heard.feed(f'<pre title="{escape.html(text)}">{escape.html(text)}</pre>')
     heard.close()
+    assert odd_texts.commands_in(escape.html(text)) == []
     assert (heard.text, heard.title, heard.others) == (printable(text), printable(text), [""])
 
 
@@ -114,8 +117,17 @@ def test_html_is_read_as_the_text_that_it_was(text: str) -> None:
 def test_a_plain_text_can_stand_in_xml(text: str) -> None:
     written = ElementTree.Element("failure", {"message": escape.plain(text)})
     written.text = escape.plain(text)
-    element = ElementTree.fromstring(ElementTree.tostring(written, encoding="utf-8"))
+    document = escape.xml_document(ElementTree.tostring(written, encoding="unicode"))
+    element = ElementTree.fromstring(document)
     assert (element.text or "") == element.get("message") == printable(text)
+    assert odd_texts.commands_in(document) == []
+
+
+@given(TEXTS, st.sampled_from([None, 1]))
+def test_json_is_read_as_what_it_was(text: str, indent: int | None) -> None:
+    document = escape.json_document({"said": escape.plain(text)}, indent)
+    assert json.loads(document) == {"said": printable(text)}
+    assert odd_texts.commands_in(document) == []
 
 
 def unguarded(cell: str) -> str:
@@ -184,8 +196,16 @@ def test_markdown_is_read_as_the_line_that_it_was(text: str) -> None:
 @example("```\nout")
 @example("````\n~~~\n    x")
 def test_a_block_of_markdown_is_code_and_nothing_else(text: str) -> None:
-    [block] = MARKDOWN.parse(escape.markdown_block(text))
-    assert (block.type, block.info, block.content) == ("fence", "text", f"{printable(text)}\n")
+    block = escape.markdown_block(text)
+    [read] = MARKDOWN.parse(block)
+    assert (read.type, read.info) == ("fence", "text")
+    assert unbroken(read.content) == unbroken(f"{printable(text)}\n")
+    assert odd_texts.commands_in(block) == []
+
+
+def unbroken(text: str) -> str:
+    """Without the spaces that break a command, and all others."""
+    return text.replace(" ", "")
 
 
 def runner_reads(line: str) -> tuple[str, dict[str, str], str]:
@@ -207,11 +227,11 @@ def unescape(text: str) -> str:
 @given(TEXTS, TEXTS.filter(bool))
 def test_a_workflow_command_is_one_command_with_its_own_properties(text: str, file: str) -> None:
     line = escape.workflow("error", text, file=file, line=3)
-    assert runner_reads(line) == (
-        "error",
-        {"file": printable(file), "line": "3"},
-        printable(text),
-    )
+    command, properties, data = runner_reads(line)
+    assert (command, list(properties), properties["line"]) == ("error", ["file", "line"], "3")
+    assert unbroken(properties["file"]) == unbroken(printable(file))
+    assert unbroken(data) == unbroken(printable(text))
+    assert odd_texts.commands_in(line) == [line]
 
 
 def test_a_workflow_command_needs_no_properties() -> None:

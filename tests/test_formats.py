@@ -2,6 +2,7 @@
 compared with a file in tests/formats/ that a person has read."""
 
 import base64
+import copy
 import json
 import os
 import re
@@ -9,11 +10,14 @@ import subprocess
 from pathlib import Path
 from typing import Any
 
+import odd_texts
 import pytest
-from bounce_grader import cli, formats
+from bounce_grader import cli, escape, formats, report
 from bounce_grader.formats import github, html, words
 from bounce_grader.manifest import parts
 from conftest import ROOT, SOLUTION, write
+from hypothesis import example, given
+from odd_texts import TEXTS
 
 FOLDER = ROOT / "tests" / "formats"
 SCHEMA = ROOT / "docs" / "record.schema.json"
@@ -71,6 +75,35 @@ def test_the_schema_refuses_what_is_no_record(
     jsonschema = pytest.importorskip("jsonschema")
     with pytest.raises(jsonschema.ValidationError):
         jsonschema.validate({**record, **spoil}, json.loads(SCHEMA.read_text()))
+
+
+def hostile(record: dict[str, Any], text: str) -> dict[str, Any]:
+    """The record of a submission that says the text wherever one can say something."""
+    said = escape.said(text)
+    changed: dict[str, Any] = copy.deepcopy({**record, "ignored": [escape.name(text)]})
+    changed["speed"] = {"largest_error": None, "otherwise": f"at {said}"}
+    for part in changed["parts"]:
+        part["message"] = said
+        for check in part["checks"]:
+            check["message"] = "" if check["passed"] else said
+            if check.get("shown"):
+                check["shown"]["sentence"] = check["shown"]["input"] = said
+    return changed
+
+
+@given(TEXTS)
+@example("##[group]a\n::error::b")
+@example("a##[add-mask]b\n  ::stop-commands::x")
+def test_nothing_that_is_printed_is_a_command_in_a_log(text: str) -> None:
+    record = hostile(json.loads((FOLDER / "record.json").read_text()), text)
+    for name in formats.NAMES:
+        printed = formats.render(name, record, NOWHERE)
+        ours = printed.split("\n") if name == "github" else []
+        assert odd_texts.commands_in(printed) == ours, name
+        refused = formats.refused(name, escape.said(text))
+        assert odd_texts.commands_in(refused) == ([refused] if ours else []), name
+    shown = "\n".join(line for _, line in report.lines(record))
+    assert odd_texts.commands_in(shown) == []
 
 
 def test_json_is_the_record_itself(record: dict[str, Any]) -> None:

@@ -1,7 +1,6 @@
 """The commands of ./kit."""
 
 import argparse
-import json
 import os
 import sys
 from pathlib import Path
@@ -9,7 +8,7 @@ from pathlib import Path
 from bounce_grader import __version__, formats
 from bounce_grader.classroom import cli as class_cli
 from bounce_grader.errors import KitError, UsageError
-from bounce_grader.escape import said, terminal
+from bounce_grader.escape import json_document, said, terminal
 from bounce_grader.packages import find_installed
 from bounce_grader.study import cli as study_cli
 
@@ -129,7 +128,7 @@ def _grade(options: argparse.Namespace) -> int:
             print(refused)
         raise
     record = with_answers(record) if options.reveal else record
-    text = json.dumps(record, indent=1, ensure_ascii=False)
+    text = json_document(record, indent=1)
     if options.json == "-":
         print(text)
     elif options.format:

@@ -4,16 +4,22 @@ messages of compilers. Each place has one function, and nothing of a submission 
     the score record      said(text), name(text)
     a terminal or a log   terminal(text)
     HTML                  html(text)              between tags, or in a quoted attribute
-    JSON or XML           plain(text)             to a library that writes them
+    JSON or XML           plain(text)             to a library that writes them; then
+                          json_document(value), xml_document(text)
     CSV                   csv_row(values)         a whole line
     Markdown              markdown(text)          inside of a line or a table's cell
                           markdown_block(text)    lines of their own
     GitHub's log          workflow(command, message, file=..., line=...)    a whole line
 
-All begin with the same, plain(text): characters that don't print become U+FFFD. These are controls, C1 controls,
-bidirectional overrides, lone surrogates, and what XML 1.0 has no place for.
+All begin with the same, plain(text): characters that don't print become U+FFFD. These are controls,
+C1 controls, bidirectional overrides, lone surrogates, and what XML 1.0 has no place for.
+
+Whatever is printed may be printed to a log of CI, which takes "::add-mask::" at the start of a line
+or "##[group]" anywhere for a command. So none of these leaves such words whole, except csv_row,
+which is written to files alone.
 """
 
+import json
 import math
 import re
 from collections.abc import Iterable, Sequence
@@ -56,20 +62,39 @@ def some(items: Sequence[str], most: int = 5, separator: str = ", ", more: int =
 
 
 def terminal(text: str) -> str:
-    """One line that moves no cursor. A log of CI is a terminal too: what it would take for a
-    command, as "::add-mask::" at the start or "##[group]" anywhere, is broken by a space.
+    """One line that moves no cursor. What a log would take for a command is broken by a space.
 
     Print it through rich's Text, which reads no markup.
     """
-    line = plain(text).replace("\n", REPLACEMENT)
-    return re.sub(r"^(\s*:)(?=:)|(#)(?=#\w*\[)", r"\1\2 ", line)
+    return _no_command(plain(text).replace("\n", REPLACEMENT))
+
+
+def _no_command(text: str) -> str:
+    """In each line, breaks what a log would take for a command by a space."""
+    return _no_old_command(re.sub(r"^( *:)(?=:)", r"\1 ", text, flags=re.MULTILINE))
+
+
+def _no_old_command(text: str) -> str:
+    return re.sub(r"#(?=#\w*\[)", "# ", text)
 
 
 def html(text: str) -> str:
     """Lines stay lines; a browser shows them as such inside of <pre>."""
     from html import escape
 
-    return escape(plain(text), quote=True)
+    return xml_document(escape(plain(text), quote=True))
+
+
+def xml_document(written: str) -> str:
+    """The same document; what a log would take for a command has a character reference in it."""
+    colons = re.sub(r"^( *):(?=:)", r"\1&#58;", written, flags=re.MULTILINE)
+    return re.sub("#(?=#)", "&#35;", colons)
+
+
+def json_document(value: object, indent: int | None = None) -> str:
+    """None of its lines begins with a colon, and what a log would take for an older command has an
+    escape in it."""
+    return re.sub("#(?=#)", r"\\u0023", json.dumps(value, indent=indent, ensure_ascii=False))
 
 
 def csv_row(values: Iterable[Value]) -> str:
@@ -102,13 +127,13 @@ def markdown(text: str) -> str:
 def markdown_block(text: str) -> str:
     """Lines of code that their content can't leave."""
     fence = "`" * max(3, 1 + max(map(len, re.findall("`+", text)), default=0))
-    return f"{fence}text\n{plain(text)}\n{fence}"
+    return f"{fence}text\n{_no_command(plain(text))}\n{fence}"
 
 
 def workflow(command: str, message: str, **properties: str | int) -> str:
     """One command to GitHub's runner, as workflow("error", "x", file="a.cpp", line=3)."""
     given = ",".join(f"{key}={_property(str(value))}" for key, value in properties.items())
-    return f"::{command}{' ' * bool(given)}{given}::{_data(plain(message))}"
+    return _no_old_command(f"::{command}{' ' * bool(given)}{given}::{_data(plain(message))}")
 
 
 def _data(text: str) -> str:

@@ -1,9 +1,10 @@
 """The score record, said in the words of other programs: one module each, a function of the record
 that starts nothing and writes nothing."""
 
-import json
 from pathlib import Path
 from typing import Any
+
+from bounce_grader.escape import json_document
 
 NAMES = ("gradescope", "prairielearn", "autolab", "github", "html", "junit", "json", "markdown")
 
@@ -25,7 +26,7 @@ def render(name: str, record: dict[str, Any], submission: Path) -> str:
     if name == "html":
         return html.render(record).rstrip("\n")
     if name == "json":
-        return json.dumps(record, indent=1, ensure_ascii=False)
+        return json_document(record, indent=1)
     modules = {
         "gradescope": gradescope,
         "prairielearn": prairielearn,

@@ -1,10 +1,9 @@
 """Autolab's last two lines: the feedback by stages, and the scores by problem. The problems of the
 assessment are named after the parts, part1_contacts to part4_simulate."""
 
-import json
 from typing import Any
 
-from bounce_grader.escape import plain
+from bounce_grader.escape import json_document, plain
 from bounce_grader.formats import words
 from bounce_grader.record import Record
 
@@ -37,4 +36,4 @@ def _test(part: Record, check: Record) -> dict[str, Any]:
 
 def _line(words: dict[str, Any]) -> str:
     """Autolab reads lines, so a line end within is written as \\n."""
-    return json.dumps(words, ensure_ascii=False)
+    return json_document(words)

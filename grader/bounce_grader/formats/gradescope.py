@@ -1,9 +1,8 @@
 """Gradescope's results.json (gradescope-autograders.readthedocs.io/en/latest/specs/)."""
 
-import json
 from typing import Any
 
-from bounce_grader.escape import plain
+from bounce_grader.escape import json_document, plain
 from bounce_grader.formats import words
 from bounce_grader.record import Record
 
@@ -24,14 +23,15 @@ def render(record: Record) -> str:
             name: record[name] for name in ("kit", "box", "fixtures_sha256", "submission_sha256")
         },
     }
-    return json.dumps(result, indent=1, ensure_ascii=False)
+    return json_document(result, indent=1)
 
 
 def refused(sentence: str) -> str:
     """A submission that can't be read: nothing was graded, and the student can hand in again.
     Gradescope takes a result without a score for a failure of the autograder."""
-    result = {"score": 0, "output": plain(sentence), "output_format": "text", "tests": []}
-    return json.dumps({**result, "stdout_visibility": "hidden"}, indent=1, ensure_ascii=False)
+    result: dict[str, Any] = {"score": 0, "output": plain(sentence), "output_format": "text"}
+    result["tests"] = []
+    return json_document({**result, "stdout_visibility": "hidden"}, indent=1)
 
 
 def _summary(record: Record) -> str:

@@ -2,7 +2,7 @@
 
 from xml.etree import ElementTree
 
-from bounce_grader.escape import plain
+from bounce_grader.escape import plain, xml_document
 from bounce_grader.formats import words
 from bounce_grader.record import Record
 
@@ -14,7 +14,7 @@ def render(record: Record) -> str:
     for count in ("tests", "failures", "errors"):
         suites.set(count, str(sum(int(suite.get(count, "0")) for suite in suites)))
     ElementTree.indent(suites)
-    return ElementTree.tostring(suites, encoding="unicode", xml_declaration=False)
+    return xml_document(ElementTree.tostring(suites, encoding="unicode", xml_declaration=False))
 
 
 def _seconds(record: Record) -> str:

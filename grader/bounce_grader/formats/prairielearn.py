@@ -1,9 +1,8 @@
 """PrairieLearn's results.json of an external grader (docs: externalGrading)."""
 
-import json
 from typing import Any
 
-from bounce_grader.escape import plain
+from bounce_grader.escape import json_document, plain
 from bounce_grader.formats import words
 from bounce_grader.record import Record
 
@@ -17,13 +16,13 @@ def render(record: Record) -> str:
         ),
         "tests": [_test(*numbered) for numbered in words.numbered(record)],
     }
-    return json.dumps(result, indent=1, ensure_ascii=False)
+    return json_document(result, indent=1)
 
 
 def refused(sentence: str) -> str:
     """Not gradable: PrairieLearn takes no attempt away."""
     result = {"gradable": False, "format_errors": [plain(sentence)]}
-    return json.dumps(result, indent=1, ensure_ascii=False)
+    return json_document(result, indent=1)
 
 
 def _test(number: str, part: Record, check: Record) -> dict[str, Any]:
