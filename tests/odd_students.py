@@ -1,6 +1,10 @@
 """What a student can hand in so that reading it goes wrong, for classes in which others are honest."""
 
+import os
 import struct
+from collections.abc import Callable
+from functools import partial
+from pathlib import Path
 
 import corpus
 from corpus import Member
@@ -30,3 +34,165 @@ def long_names(number: int, suffix: str = ".o") -> bytes:
     """As many files as that, each with a name as long as a name may be."""
     names = (f"{i:04}{'n' * (251 - len(suffix))}{suffix}" for i in range(number))
     return corpus.zip_of(Member(name.encode(), b"") for name in names)
+
+
+def _with(data: bytes, at: bytes, offset: int, field: bytes) -> bytes:
+    """A zip in which a field of a record is another."""
+    start = data.index(at) + offset
+    return data[:start] + field + data[start + len(field) :]
+
+
+PLAIN = corpus.zip_of([Member(PART, b"// odd\n")])
+DIRECTORY, END = b"PK\1\2", b"PK\5\6"
+ZIPS = {
+    "empty": b"",
+    "no zip": b"Rar!",
+    "cut short": PLAIN[:-30],
+    "nothing in it": corpus.zip_of([]),
+    "claims 65,535 entries": _with(PLAIN, END, 8, b"\xff" * 4),
+    "has 65,535 entries": corpus.many_entries(65535),
+    "a directory before the start": _with(PLAIN, END, 16, b"\xff\xff\xff\x7f"),
+    "a directory of 4 GB": _with(PLAIN, END, 12, b"\xfe\xff\xff\xff"),
+    "a ZIP64 record that isn't there": _with(PLAIN, END, 8, b"\xff" * 12),
+    "sizes of ZIP64": corpus.zip64({"part2_lcp.cpp": b"// odd\n"}),
+    "a ZIP64 field cut short": corpus.zip_of(
+        [Member(PART, b"// odd\n", size=0xFFFFFFFF, extra=struct.pack("<HHB", 1, 8, 1))]
+    ),
+    "an entry beyond the end": corpus.zip_of([Member(PART, b"// odd\n", at=10**6)]),
+    "entries in each other": corpus.overlapping(90, 1 << 19),
+    "encrypted": corpus.zip_of([Member(PART, b"// odd\n", flags=1)]),
+    "a wrong data descriptor": _with(
+        corpus.streamed({"part2_lcp.cpp": b"// odd\n"}), b"PK\7\10", 4, b"\xff" * 12
+    ),
+    "a wrong checksum": _with(PLAIN, DIRECTORY, 16, b"\0" * 4),
+    "a name that isn't UTF-8": corpus.zip_of([Member(b"\xff\xfe.cpp", flags=corpus.UTF8)]),
+    "a name with NUL": corpus.zip_of([Member(b"part2_lcp.cpp\0.txt")]),
+    "a name with line ends": corpus.zip_of([Member(b"a\nb\r\x1b[2J.cpp")]),
+    "a name outside": corpus.zip_of([Member(b"../" * 50 + PART)]),
+    "a name of 65,000 bytes": corpus.zip_of([Member(b"n" * 65_000 + b".cpp")]),
+    "two of a name": corpus.zip_of([Member(PART), Member(PART)]),
+    "a link": corpus.zip_of([Member(PART, b"/etc/passwd", attributes=0o120777 << 16)]),
+    "an unknown compression": corpus.zip_of([Member(PART, method=97)]),
+    "deeply nested": corpus.zip_of([Member(b"d/" * 20_000 + PART)]),
+    "a zip in a zip": corpus.zip_of([Member(b"inner.zip", PLAIN)]),
+    "a picture, too": b"GIF89a" + PLAIN,
+    "a source, too": b"int x; //" + PLAIN,
+    "a bomb": bomb(400),
+    "many long names": long_names(4900),
+    "names as Canvas's": corpus.zip_of(
+        [Member(b"doe_1_2_part1_contacts.cpp"), Member(b"roe_301_text.html"), Member(PART)]
+    ),
+    **{f"claims {size} bytes": zip_that_claims(size) for size in LIES},
+}
+
+
+def _canvas(*files: str, data: bytes = b"// odd\n") -> dict[str, bytes]:
+    return {f"roe_301_{number}_{file}": data for number, file in enumerate(files, 11)}
+
+
+UPLOADS = {
+    **{f"zip: {name}": _canvas("hw.zip", data=data) for name, data in ZIPS.items()},
+    **{
+        f"zip beside a file: {name}": {**_canvas("hw.zip", data=data), "roe_301_9_a.hpp": b""}
+        for name, data in ZIPS.items()
+    },
+    "many": _canvas(*(f"helper{i}.cpp" for i in range(3000))),
+    "many large ones": _canvas(*(f"h{i}.cpp" for i in range(99)), data=b" " * (1 << 20)),
+    "an attachment of 5,000 digits": {f"roe_301_{'9' * 5000}_part2_lcp.cpp": b""},
+    "a user of 5,000 digits": {f"roe_{'301' * 2000}_1_part2_lcp.cpp": b""},
+    "an anonymous user without end": {f"roe_anon_{'301' * 9000}_1_part2_lcp.cpp": b""},
+    "digits of another script": {"roe_\u0663\u0660\u0661_\u0661_part2_lcp.cpp": b"", "roe_x": b""},
+    "nothing but numbers": {"roe_301_" + "1_" * 9000: b""},
+    "a name with line ends": _canvas("part2\n_lcp\r\x1b[2J.cpp"),
+    "a name as an option": _canvas("-o.cpp", "@x.cpp", "..cpp", ".cpp", "-1.cpp", " (1).zip"),
+    "backslashes": _canvas("..\\..\\part2_lcp.cpp"),
+    "two bytes a letter": _canvas("part2_lcp.cpp", data=b"\xff\xfe\x00\xd8" * 1000),
+    "no text": _canvas("part2_lcp.cpp", data=bytes(range(256)) * 100),
+    "repetitive": _canvas("part2_lcp.cpp", data=repetitive(60_000)),
+    "line ends alone": _canvas("part2_lcp.cpp", data=b"\n" * (1 << 20)),
+    "typed": {"roe_301_text.html": b"", "roe_301_link.html": b""},
+}
+
+
+def _sparse(path: Path, size: int) -> None:
+    path.touch()
+    os.truncate(path, size)
+
+
+def _nested(top: Path, depth: int) -> None:
+    for _ in range(depth):
+        top = top / "d"
+        top.mkdir()
+
+
+def _closed(path: Path) -> None:
+    path.write_bytes(b"// odd\n")
+    path.chmod(0)
+
+
+def _listed_alone(top: Path) -> None:
+    _closed(top / "part2_lcp.cpp")
+    top.chmod(0o444)
+
+
+def _link(top: Path, target: str) -> None:
+    top.rmdir()
+    top.symlink_to(target)
+
+
+def _links_inside(top: Path) -> None:
+    for number, target in enumerate(("/etc/passwd", "nowhere", "/proc/self/mem", "/"), 1):
+        (top / f"{number}.cpp").symlink_to(target)
+
+
+def _odd_names(top: Path) -> None:
+    for name in (b"\xff.cpp", b"a\nb.cpp", b"\x1b[2J"):
+        (top / os.fsdecode(name)).write_bytes(b"x")
+
+
+def _many(top: Path) -> None:
+    for number in range(6000):
+        (top / f"{number}.o").touch()
+
+
+def _zip(top: Path, data: bytes) -> None:
+    (top / "hw.zip").write_bytes(data)
+
+
+def _git(top: Path) -> None:
+    (top / ".git" / "hooks").mkdir(parents=True)
+    (top / ".git" / "config").write_text("[core]\n\tfsmonitor = touch /tmp/was-run\n")
+    for name in ("post-checkout", "pre-commit"):
+        (top / ".git" / "hooks" / name).write_text("#!/bin/sh\ntouch /tmp/was-run\n")
+        (top / ".git" / "hooks" / name).chmod(0o755)
+
+
+def _output(top: Path) -> None:
+    (top / "results").mkdir()
+    (top / "log.jsonl").write_text("{")
+
+
+FOLDERS: dict[str, Callable[[Path], None]] = {
+    "empty": lambda top: None,
+    "closed": lambda top: top.chmod(0),
+    "to be listed alone": _listed_alone,
+    "a closed source": lambda top: _closed(top / "part2_lcp.cpp"),
+    "a closed zip": lambda top: _closed(top / "hw.zip"),
+    "a closed folder": lambda top: (top / "src").mkdir(mode=0),
+    "a pipe": lambda top: os.mkfifo(top / "part2_lcp.cpp"),
+    "a pipe as its zip": lambda top: os.mkfifo(top / "hw.zip"),
+    "a link that leads nowhere": lambda top: _link(top, "nowhere"),
+    "a link to itself": lambda top: _link(top, top.name),
+    "a link to all": lambda top: _link(top, "/"),
+    "a link too long": lambda top: _link(top, "n" * 300),
+    "links inside": _links_inside,
+    "deeply nested": lambda top: _nested(top, 1200),
+    "a repository with hooks": _git,
+    "a folder as a part": lambda top: (top / "part2_lcp.cpp").mkdir(),
+    "a terabyte of zip": lambda top: _sparse(top / "hw.zip", 1 << 40),
+    "a terabyte of source": lambda top: _sparse(top / "part2_lcp.cpp", 1 << 40),
+    "an output's files": _output,
+    "odd names": _odd_names,
+    "many files": _many,
+    **{f"zip: {name}": partial(_zip, data=data) for name, data in ZIPS.items()},
+}

@@ -88,3 +88,9 @@ def test_a_folder_and_a_zip_of_one_name_are_refused(tmp_path: Path) -> None:
     download(folder / "anna.zip", {"part2_lcp.cpp": b"// y"})
     with pytest.raises(UsageError, match="keep one of them"):
         students.read(folder)
+
+
+def test_a_students_zip_with_names_as_canvas_gives_them_is_no_download(tmp_path: Path) -> None:
+    folder = write(tmp_path / "all", {"anna/part2_lcp.cpp": b"// x"})
+    download(folder / "ben.zip", {"doe_1_2_part1_contacts.cpp": b"// loaded, and handed in again"})
+    assert [student.id for student in students.read(folder).students] == ["anna", "ben"]

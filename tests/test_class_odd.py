@@ -1,17 +1,27 @@
 """One student's files cost nobody else anything, whatever is in them: the class is graded, and who
 handed them in needs a look."""
 
+import csv
+import io
+import json
+import subprocess
+import time
 import zipfile
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
-import stand_in
-from bounce_grader import cli
+from bounce_grader import cli, submission
 from bounce_grader.classroom import outputs, similar
+from bounce_grader.classroom.engines import local
 from bounce_grader.classroom.students import Student
+from bounce_grader.classroom.task import Task
+from bounce_grader.classroom.unit import Outcome
+from bounce_grader.errors import UsageError
 from classes import column, download, grade_class, points_of
-from odd_students import LIES, PART, zip_that_claims
+from conftest import write
+from odd_students import FOLDERS, LIES, PART, UPLOADS, ZIPS, zip_that_claims
 
 
 def graded_beside(tmp_path: Path, uploads: dict[str, bytes]) -> str:
@@ -92,3 +102,81 @@ def test_a_full_disk_is_no_students_fault(tmp_path: Path, monkeypatch: pytest.Mo
     monkeypatch.setattr(outputs, "_page", full)
     source = download(tmp_path / "x.zip", [101])
     assert cli.main(["class", str(source), "--out", str(tmp_path / "out")]) == 3
+
+
+# --- classes with one oddity each ---
+
+
+@pytest.fixture
+def here(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Graded in this process: what is tested is around it, and it is quick."""
+
+    def run(tasks: list[Task], jobs: int, unit: Any) -> Iterator[tuple[Task, Outcome]]:
+        yield from ((task, unit(task)) for task in tasks)
+
+    monkeypatch.setattr(local, "run", run)
+
+
+def row(out: Path, id: str) -> dict[str, str]:
+    rows = csv.DictReader(io.StringIO((out / "grades.csv").read_text("utf-8-sig")))
+    return next(row for row in rows if row["id"] == id)
+
+
+def check_class(source: Path, alone: Path, honest: str, odd: str, tmp_path: Path) -> None:
+    """The honest one's results are the same as alone; the other is named."""
+    start = time.process_time()
+    assert grade_class(source, tmp_path / "out") == 0
+    assert time.process_time() - start < 10
+    assert grade_class(alone, tmp_path / "alone") == 0
+    assert row(tmp_path / "out", honest) == row(tmp_path / "alone", honest)
+    page = (tmp_path / "out" / "class.html").read_text()
+    assert f"<td>{odd}" in page.replace("<td>&#x27;", "<td>") and len(page) < 100_000
+    for line in (tmp_path / "out" / "log.jsonl").read_bytes().splitlines():
+        json.loads(line)
+
+
+@pytest.mark.parametrize("uploads", UPLOADS.values(), ids=UPLOADS)
+def test_no_upload_costs_anybody_else(
+    tmp_path: Path, here: None, uploads: dict[str, bytes]
+) -> None:
+    source = download(tmp_path / "x.zip", [101], uploads)
+    check_class(source, download(tmp_path / "alone.zip", [101]), "101", "roe", tmp_path)
+
+
+def test_an_upload_that_is_there_twice_costs_nobody_else(tmp_path: Path, here: None) -> None:
+    source = download(tmp_path / "x.zip", [101], {"roe_301_1_part2_lcp.cpp": b"// one"})
+    with zipfile.ZipFile(source, "a") as archive, pytest.warns(UserWarning, match="Duplicate"):
+        archive.writestr("roe_301_1_part2_lcp.cpp", b"// two")
+    check_class(source, download(tmp_path / "alone.zip", [101]), "101", "roe", tmp_path)
+    assert row(tmp_path / "out", "301")["not used"] == ""
+
+
+@pytest.mark.parametrize("make", FOLDERS.values(), ids=FOLDERS)
+def test_no_folder_costs_anybody_else(
+    tmp_path: Path, here: None, make: Callable[[Path], object]
+) -> None:
+    for top in ("all", "alone"):
+        write(tmp_path / f"{top}_" / "anna", {"part2_lcp.cpp": b"// anna"})
+    odd = tmp_path / "all_" / "zoe"
+    odd.mkdir()
+    make(odd)
+    try:
+        check_class(tmp_path / "all_", tmp_path / "alone_", "anna", "zoe", tmp_path)
+        assert not Path("/tmp/was-run").exists()
+    finally:
+        if not odd.is_symlink():
+            odd.chmod(0o755)
+        subprocess.run(["rm", "-rf", str(odd)], check=True)  # however deep
+
+
+@pytest.mark.parametrize("data", ZIPS.values(), ids=ZIPS)
+def test_no_zip_ends_a_grading_without_a_sentence(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], data: bytes
+) -> None:
+    """Those of which something can be taken are graded for real elsewhere."""
+    (tmp_path / "x.zip").write_bytes(data)
+    try:
+        submission.read(tmp_path / "x.zip")
+    except UsageError:
+        assert cli.main(["grade", str(tmp_path / "x.zip")]) == 2
+        assert len(capsys.readouterr().err.splitlines()) == 1

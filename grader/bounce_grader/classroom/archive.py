@@ -1,11 +1,14 @@
 """A flat collection of files: Canvas's zip, or the folder that it was unpacked to."""
 
+import os
+import stat
 import zipfile
 import zlib
 from functools import lru_cache
 from pathlib import Path
 
 from bounce_grader.errors import UsageError
+from bounce_grader.folders import SAFELY
 
 FAILURES = (zipfile.BadZipFile, zlib.error, EOFError, OSError, ValueError, RuntimeError, KeyError)
 
@@ -28,8 +31,9 @@ class Archive:
 
     def names(self) -> list[str]:
         if self._zip:
-            return [info.filename for info in self._zip.infolist() if not info.is_dir()]
-        return sorted(child.name for child in self.path.iterdir() if not child.is_dir())
+            infos = self._zip.infolist()
+            return list(dict.fromkeys(info.filename for info in infos if not info.is_dir()))
+        return sorted(name for name in os.listdir(self.path) if not _is_folder(self.path / name))
 
     def size(self, name: str) -> int:
         if self._zip:
@@ -41,9 +45,11 @@ class Archive:
             if self._zip:
                 with self._zip.open(name) as stream:
                     return stream.read(most)
-            if (self.path / name).is_symlink():
+            if os.path.islink(self.path / name):
                 raise ValueError("it is a link")
-            with (self.path / name).open("rb") as file:
+            with open(os.open(self.path / name, SAFELY), "rb") as file:
+                if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
+                    raise ValueError("it is no ordinary file")
                 return file.read(most)
         except FAILURES as error:
             if self._zip:
@@ -51,6 +57,10 @@ class Archive:
                     f"{self.path} is damaged ({name}: {error}): download it again"
                 ) from error
             raise UsageError(f"{name} can't be read from {self.path.name}: {error}") from error
+
+
+def _is_folder(path: Path) -> bool:
+    return os.path.isdir(path) and not os.path.islink(path)
 
 
 def opened(path: Path) -> Archive:

@@ -12,11 +12,14 @@ import re
 import unicodedata
 from dataclasses import dataclass
 
+from bounce_grader.escape import name as printable
 from bounce_grader.files import fitting
 from bounce_grader.submission import COPY, part_file
 
-WHO = r"(?:(?!LATE_|anon_)(?P<name>.+?)_)?(?:(?P<late>LATE)_)?(?P<user>anon_[^_]+|\d+)"
-UPLOAD = re.compile(rf"{WHO}_(?P<attachment>\d+)_(?P<file>.+)", re.DOTALL)
+ID = "[0-9]{1,20}"
+USER = rf"(?P<user>anon_[A-Za-z0-9]{{1,20}}|{ID})"
+WHO = rf"(?:(?!LATE_|anon_)(?P<name>.+?)_)?(?:(?P<late>LATE)_)?{USER}"
+UPLOAD = re.compile(rf"{WHO}_(?P<attachment>{ID})_(?P<file>.+)", re.DOTALL)
 ENTRY = re.compile(rf"{WHO}_(?P<kind>text|link)\.html", re.DOTALL)
 
 
@@ -56,7 +59,7 @@ def feedback_name(uploads: tuple[Upload, ...]) -> str:
     """The name under which Canvas takes a page back as a comment: the ids of the newest upload."""
     newest = max(uploads, key=lambda upload: upload.attachment)
     ids = newest.entry[len(newest.name) : -len(newest.file)]
-    return f"{fitting(newest.name)}{ids}feedback.html"
+    return f"{printable(fitting(newest.name))}{ids}feedback.html"
 
 
 def sanitized(sortable_name: str) -> str:

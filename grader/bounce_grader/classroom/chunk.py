@@ -6,6 +6,7 @@ from pathlib import Path
 
 from bounce_grader.classroom import results, task
 from bounce_grader.classroom.engines import local
+from bounce_grader.escape import terminal
 
 
 def main(arguments: list[str]) -> int:
@@ -17,6 +18,7 @@ def main(arguments: list[str]) -> int:
     missing = [t for t in tasks if not results.load(Path(t.results), t.key)]
     failed = 0
     for done, outcome in local.run(missing, options.jobs):
-        print(f"{done.key[:12]} {outcome.state} {outcome.seconds} s {outcome.message}", flush=True)
+        said = f"{done.key[:12]} {outcome.state} {outcome.seconds} s {outcome.message}"
+        print(terminal(said), flush=True)
         failed += outcome.state == "failed"
     return 3 if failed else 0

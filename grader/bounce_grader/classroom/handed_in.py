@@ -12,7 +12,7 @@ from bounce_grader import intake, submission
 from bounce_grader.classroom import canvas
 from bounce_grader.classroom.archive import Archive, opened
 from bounce_grader.classroom.canvas import Upload
-from bounce_grader.classroom.students import is_source, is_zip
+from bounce_grader.classroom.students import is_zip, texts_of
 from bounce_grader.entry import LARGEST_SOURCE, MOST_ENTRIES, Entry
 from bounce_grader.errors import UsageError, about_one_submission
 from bounce_grader.submission import Submission
@@ -31,7 +31,7 @@ def read(path: Path, uploads: tuple[Upload, ...]) -> Submission:
     return taken
 
 
-def contents(archive: Archive, uploads: Iterable[Upload]) -> Iterator[tuple[Upload, bytes]]:
+def _contents(archive: Archive, uploads: Iterable[Upload]) -> Iterator[tuple[Upload, bytes]]:
     """Each upload with its bytes; of a source, one more than it may have tells that it is too
     large. Raises UsageError where they are too large together."""
     room = LARGEST
@@ -51,11 +51,10 @@ def _merged(
 ) -> dict[str, Entry]:
     """The files of all uploads. These come oldest first, and a newer one takes the place of a file
     of the same name, or of the same part."""
-    read = list(contents(archive, uploads))
-    texts = [data for upload, data in read if is_source(upload.file)]
+    texts = texts_of(archive, uploads)
     merged: dict[str, Entry] = {}
     listed = 0
-    for upload, data in read:
+    for upload, data in _contents(archive, uploads):
         if is_zip(upload.file):
             name = Path(upload.file) if len(uploads) > 1 else WHOLE
             newer = open_zips.enter_context(intake.opened(name, data))

@@ -28,7 +28,7 @@ class Log:
             words |= {"result": task.key, "submission": task.submission, "kit": task.stamp.kit}
             words |= {"fixtures": task.stamp.fixtures, "options": task.stamp.options}
         line = json.dumps({**words, **more}, ensure_ascii=False) + "\n"
-        os.write(self._file, line.encode())
+        os.write(self._file, line.encode(errors="backslashreplace"))  # as JSON writes surrogates
 
     def graded(self, task: Task, state: str, seconds: float | None) -> None:
         """Once for each grading: one that a killed run had no time to write down is noted later,

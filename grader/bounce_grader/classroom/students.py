@@ -3,6 +3,7 @@ checkout of GitHub Classroom. What belongs to nobody is kept, with its reason.""
 
 import os
 import zipfile
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -11,12 +12,13 @@ from bounce_grader.classroom import canvas
 from bounce_grader.classroom.archive import Archive, Damaged, opened
 from bounce_grader.classroom.canvas import TextEntry, Upload
 from bounce_grader.entry import LARGEST_SOURCE
-from bounce_grader.errors import UsageError
+from bounce_grader.errors import UsageError, about_one_submission
 from bounce_grader.escape import name as printable
 from bounce_grader.escape import some
 from bounce_grader.files import fitting
-from bounce_grader.submission import HEADERS, SOURCES, part_file
+from bounce_grader.submission import HEADERS, MOST_BYTES, SOURCES, part_file
 
+MOST_UPLOADS = 100  # of a student's
 HAND_IN = (
     "Hand in the four parts, part1_contacts.cpp to part4_simulate.cpp, as files or as one zip."
 )
@@ -89,14 +91,18 @@ def _expected(found: Class) -> str:
 
 
 def _is_file(path: Path) -> bool:
-    return path.is_file() and not path.is_symlink()
+    return os.path.isfile(path) and not os.path.islink(path)
+
+
+def _is_folder(path: Path) -> bool:
+    return os.path.isdir(path) and not os.path.islink(path)
 
 
 def _canvas(path: Path) -> Class:
     archive = opened(path)
     found = Class("a Canvas download")
     if path.is_dir():
-        folders = [child.name for child in sorted(path.iterdir()) if child.is_dir()]
+        folders = [child.name for child in sorted(path.iterdir()) if _is_folder(child)]
         found.unmatched += [
             Unmatched(f, "is a folder; Canvas's download has none") for f in folders
         ]
@@ -112,15 +118,22 @@ def _canvas(path: Path) -> Class:
         else:
             found.unmatched.append(Unmatched(name, _no_name(name)))
     for user, uploads in users.items():
-        student = _student(archive, user, uploads)
+        page = canvas.feedback_name(tuple(uploads))
+        name = page.removesuffix("_feedback.html")
+        try:
+            student = _student(archive, user, uploads)
+        except Damaged:
+            raise
+        except UsageError as error:
+            told = f"What you handed in {error}. {HAND_IN}"
+            found.unmatched.append(Unmatched(name, str(error), user, page, told))
+            continue
         if student.uploads:
             found.students.append(student)
         else:
-            unused = some(student.unused, separator="; ")
-            reason = f"holds nothing that can be graded: {unused}"
-            name = student.feedback.removesuffix("_feedback.html")
+            reason = f"holds nothing that can be graded: {some(student.unused, separator='; ')}"
             told = f"{some(student.unused, separator='. ')}. {HAND_IN}"
-            found.unmatched.append(Unmatched(name, reason, user, student.feedback, told))
+            found.unmatched.append(Unmatched(name, reason, user, page, told))
     return found
 
 
@@ -141,7 +154,11 @@ def _no_name(name: str) -> str:
 
 
 def _student(archive: Archive, user: str, uploads: list[Upload]) -> Student:
-    counted, unused = _newest(archive, uploads)
+    """Raises UsageError where these uploads can't be looked through."""
+    if len(uploads) > MOST_UPLOADS:
+        raise UsageError(f"is {len(uploads)} files; a submission may have {MOST_UPLOADS}")
+    with about_one_submission("can't be read"):
+        counted, unused = _newest(archive, uploads)
     newest = max(uploads, key=lambda upload: upload.attachment)
     return Student(
         id=user,
@@ -156,7 +173,7 @@ def _student(archive: Archive, user: str, uploads: list[Upload]) -> Student:
 
 def _newest(archive: Archive, uploads: list[Upload]) -> tuple[list[Upload], list[str]]:
     """Each file once: its newest upload; and a sentence for each that isn't used."""
-    texts = [_text(archive, upload) for upload in uploads if is_source(upload.file)]
+    texts = texts_of(archive, uploads)
     newest: dict[str, Upload] = {}
     unused = []
     for upload in sorted(uploads, key=lambda u: -u.attachment):
@@ -171,14 +188,20 @@ def _newest(archive: Archive, uploads: list[Upload]) -> tuple[list[Upload], list
     return sorted(newest.values(), key=lambda u: u.attachment), unused
 
 
-def _text(archive: Archive, upload: Upload) -> bytes:
-    """One that can't be read is found out when it is graded, and costs nobody else anything."""
-    try:
-        return archive.read(upload.entry, LARGEST_SOURCE)
-    except Damaged:
-        raise
-    except UsageError:
-        return b""
+def texts_of(archive: Archive, uploads: Iterable[Upload]) -> list[bytes]:
+    """What the sources say, as far as it can be used. One that can't be read is found out when it
+    is graded."""
+    texts, room = [], MOST_BYTES
+    for upload in uploads:
+        if is_source(upload.file):
+            try:
+                texts.append(archive.read(upload.entry, min(room, LARGEST_SOURCE)))
+                room -= len(texts[-1])
+            except Damaged:
+                raise
+            except UsageError:
+                continue
+    return texts
 
 
 def is_source(file: str) -> bool:
@@ -191,11 +214,11 @@ def is_zip(file: str) -> bool:
 
 def _folder(path: Path, children: list[Path]) -> Class:
     _require_a_folder_of_submissions(path, children)
-    folders = [c for c in children if c.is_dir() and not c.is_symlink()]
+    folders = [c for c in children if _is_folder(c)]
     folders = [c for c in folders if not c.name.startswith((".", "__MACOSX"))]
     folders = [c for c in folders if not _is_output(c)]
     zips = [c for c in children if _is_file(c) and is_zip(c.name)]
-    cloned = [folder for folder in folders if (folder / ".git").exists()]
+    cloned = [folder for folder in folders if os.path.exists(folder / ".git")]
     found = Class("a folder of submissions")
     cut = 0
     if 2 * len(cloned) > len(folders):
@@ -204,7 +227,7 @@ def _folder(path: Path, children: list[Path]) -> Class:
         found.source = f"a checkout of repositories{before}"
         folders = cloned
     for child in [*folders, *zips]:
-        name = child.name[cut:] if child.is_dir() else child.stem
+        name = child.name[cut:] if _is_folder(child) else child.stem
         submitted = _zip_alone(child) or child
         page = f"{fitting(name)}.html"
         found.students.append(Student(name, name, submitted, feedback=page))
@@ -212,6 +235,7 @@ def _folder(path: Path, children: list[Path]) -> Class:
     found.unmatched += [Unmatched(child.name, _no_submission(child)) for child in left]
     _require_distinct(found.students)
     if found.students and not any(_has_a_part(student.path) for student in found.students):
+        _require_no_download(path, zips)
         raise UsageError(
             f"no folder or zip in {path} holds a part, as part1_contacts.cpp: it should be "
             "Canvas's download, or a folder with one folder or zip a student"
@@ -220,32 +244,32 @@ def _folder(path: Path, children: list[Path]) -> Class:
 
 
 def _require_a_folder_of_submissions(path: Path, children: list[Path]) -> None:
-    """And not the folder around a download, or a submission."""
-    for child in children:
-        if _is_file(child) and is_zip(child.name) and _is_download(child):
-            raise UsageError(f"{path} holds a download of Canvas's: give {child} itself")
+    """And not a submission."""
     inside = [*children, *((path / "src").iterdir() if (path / "src").is_dir() else ())]
     if any(part_file(child.name) and _is_file(child) for child in inside):
         raise UsageError(f"{path} is one submission, and no class: ./kit grade {path}")
 
 
-def _is_download(path: Path) -> bool:
-    if not zipfile.is_zipfile(path):
-        return False
-    try:
-        return any(canvas.parse(name) for name in opened(path).names() if "/" not in name)
-    except UsageError:
-        return False
+def _require_no_download(path: Path, zips: list[Path]) -> None:
+    """Where nobody has a part: a student's own zip may be named, or hold names, as Canvas's."""
+    for child in zips:
+        try:
+            with about_one_submission("it can't be read"):
+                names = [name for name in opened(child).names() if "/" not in name]
+        except UsageError:
+            continue
+        if any(map(canvas.parse, names)):
+            raise UsageError(f"{path} holds a download of Canvas's: give {child} itself")
 
 
 def _is_output(folder: Path) -> bool:
-    return (folder / "log.jsonl").exists() and (folder / "results").is_dir()
+    return os.path.exists(folder / "log.jsonl") and os.path.isdir(folder / "results")
 
 
 def _no_submission(child: Path) -> str:
     if child.name.startswith((".", "__MACOSX")):
         return "is no submission"
-    if not child.is_dir() or child.is_symlink():
+    if not _is_folder(child):
         return "is neither a folder nor a zip"
     if _is_output(child):
         return "was written by ./kit class, and is no submission"
@@ -253,10 +277,12 @@ def _no_submission(child: Path) -> str:
 
 
 def _zip_alone(folder: Path) -> Path | None:
-    """The zip that is all of a student's folder."""
-    if not folder.is_dir():
+    """The zip that is all of a student's folder. One that can't be looked into has none."""
+    try:
+        names = [n for n in os.listdir(folder) if not n.startswith((".", "__MACOSX"))]
+    except OSError:
         return None
-    inside = [child for child in folder.iterdir() if not child.name.startswith((".", "__MACOSX"))]
+    inside = [folder / name for name in names]
     alone = len(inside) == 1 and is_zip(inside[0].name) and _is_file(inside[0])
     return inside[0] if alone else None
 

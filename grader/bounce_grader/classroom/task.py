@@ -6,13 +6,11 @@ from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from bounce_grader import intake
 from bounce_grader.classroom import handed_in
-from bounce_grader.classroom.archive import Damaged, opened
+from bounce_grader.classroom.archive import Damaged
 from bounce_grader.classroom.canvas import Upload
-from bounce_grader.classroom.students import Student, is_source
-from bounce_grader.entry import LARGEST_SOURCE
-from bounce_grader.errors import UsageError, about_one_submission
+from bounce_grader.classroom.students import Student
+from bounce_grader.errors import UsageError
 
 
 @dataclass(frozen=True)
@@ -65,40 +63,14 @@ def _key(submission: str, stamp: Stamp, speed: bool) -> str:
 
 
 def digest(student: Student) -> str:
-    """Of every byte that could be used. One that can't be read is named by its reason. Raises
+    """Of all that is taken from a submission; of one that can't be read, of the reason. Raises
     Damaged where the class's download is."""
-    found = hashlib.sha256()
+    words: list[Any] = [os.path.isdir(student.path)]
     try:
-        with about_one_submission("it can't be read"):
-            _digest(student, found)
+        taken = handed_in.read(student.path, student.uploads)
+        words += [taken.sha256, taken.parts, taken.refused, taken.ignored]
     except Damaged:
         raise
     except UsageError as error:
-        found.update(os.fsencode(f"\0{error}"))
-    return found.hexdigest()
-
-
-def _digest(student: Student, found: "hashlib._Hash") -> None:
-    if student.uploads:
-        _digest_uploads(student.path, student.uploads, found)
-    elif student.path.is_dir():
-        _digest_folder(student.path, found)
-    else:
-        with student.path.open("rb") as stream:
-            while chunk := stream.read(1 << 20):
-                found.update(chunk)
-
-
-def _digest_uploads(path: Path, uploads: tuple[Upload, ...], found: "hashlib._Hash") -> None:
-    archive = opened(path)
-    for upload, data in handed_in.contents(archive, uploads):
-        heading = f"{upload.file}\0{archive.size(upload.entry)}\0"
-        found.update(os.fsencode(heading) + data)
-
-
-def _digest_folder(path: Path, found: "hashlib._Hash") -> None:
-    with intake.opened(path) as entries:
-        for entry in entries:
-            found.update(os.fsencode(f"{entry.name}\0{entry.size}\0{entry.link}\0"))
-            if is_source(entry.name) and not entry.link:
-                found.update(entry.read(LARGEST_SOURCE + 1))
+        words.append(str(error).replace(str(student.path), ""))
+    return hashlib.sha256(repr(words).encode()).hexdigest()
