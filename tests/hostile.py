@@ -5,8 +5,9 @@ import secrets
 from bounce_grader.manifest import parts
 
 
-def part(number: int, body: str) -> bytes:
-    """A part with hostile lines around the stub's answer."""
+def part(number: int, body: str, remark: str = "") -> bytes:
+    """A part with hostile lines around the stub's answer. Where it has no remark of its own, it is
+    compiled anew each time, and not taken from the cache."""
     answers = {
         1: "Contact get_contacts(const Vector3& q, const Parameters&) "
         "{ attack(); return {Jacobian::Constant(q(0)), 0}; }",
@@ -17,6 +18,8 @@ def part(number: int, body: str) -> bytes:
         4: "Trajectory simulate(const Vector3&, const Vector3&, const Parameters& p) "
         "{ attack(); return {Eigen::Matrix3Xd::Zero(3, p.T), Eigen::Matrix3Xd::Zero(3, p.T)}; }",
     }
-    nonce = f"// {secrets.token_hex(8)}\n"  # compiled anew, not taken from the cache
+    remark = remark or secrets.token_hex(8)
     include = f"#include <bounce/{parts()[number - 1].stem}.hpp>\n"
-    return (nonce + include + body + f"\nnamespace bounce {{ {answers[number]} }}\n").encode()
+    return (
+        f"// {remark}\n{include}" + body + f"\nnamespace bounce {{ {answers[number]} }}\n"
+    ).encode()

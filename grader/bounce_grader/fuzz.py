@@ -1,7 +1,9 @@
-"""A million inputs for each reader of what can't be trusted, for ./kit test --long.
+"""A million inputs for each reader of what can't be trusted, and hundreds of submissions that attack,
+for ./kit test --long.
 
-The readers in C++ are in tests/fuzz/, those in Python in tests/fuzzing/. The ordinary run gives
-each a few thousand. An input at which one fails is kept in build/fuzz/inputs/.
+The readers in C++ are in tests/fuzz/, those in Python and the attacks in tests/fuzzing/. The
+ordinary run gives each reader a few thousand. An input at which one fails is kept in
+build/fuzz/inputs/.
 """
 
 import os
@@ -18,6 +20,7 @@ COUNT = 1_000_000
 CPP = ("frames", "fixtures", "endings")
 PYTHON = {"zip": COUNT, "sources": COUNT, "judge": COUNT, "compiler": COUNT}
 PYTHON["folder"] = COUNT // 10  # each is made on disk
+ATTACKS = 500
 FUZZERS = ROOT / "build" / "fuzz"
 INPUTS = FUZZERS / "inputs"
 
@@ -31,7 +34,9 @@ def run() -> int:
     INPUTS.mkdir(exist_ok=True)
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         sound = list(pool.map(_with_libfuzzer, CPP))
-    return int(not all([*sound, *map(_with_python, PYTHON)]))
+    sound += [_with_python(name, str(count)) for name, count in PYTHON.items()]
+    tonight = int(time.time() // 86400) * ATTACKS  # other ones each night
+    return int(not all([*sound, _with_python("attacks", str(ATTACKS), str(tonight))]))
 
 
 def _build() -> str:
@@ -65,7 +70,7 @@ def _with_libfuzzer(name: str) -> bool:
     return False
 
 
-def _with_python(name: str) -> bool:
+def _with_python(*words: str) -> bool:
     environment = {**os.environ, "PYTHONPATH": f"{ROOT / 'grader'}:{ROOT / 'tests'}"}
-    command = [sys.executable, "-m", "fuzzing", name, str(PYTHON[name])]
+    command = [sys.executable, "-m", "fuzzing", *words]
     return subprocess.run(command, cwd=ROOT, env=environment, check=False).returncode == 0

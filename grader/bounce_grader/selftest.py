@@ -67,7 +67,7 @@ def _steps(extent: str) -> list[Step]:
         Step("known mistakes: what the gallery is taken for", confusion.run),
         Step("C++ tests with sanitizers", _sanitized, "long"),
         Step("Python tests, the gallery among them", lambda: _pytest(extent)),
-        Step("readers with a million inputs each", fuzz.run, "long"),
+        Step("readers with a million inputs each, and submissions that attack", fuzz.run, "long"),
     ]
 
 
