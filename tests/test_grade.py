@@ -212,6 +212,11 @@ def test_a_judge_that_leaves_a_check_out_is_no_verdict(
         grade_path(SOLUTION)
 
 
+def test_what_two_helpers_both_define_costs_no_part_that_needs_neither(grade: Grade) -> None:
+    twice = b"int twice() { return 2; }\n"
+    assert points(grade({"a.cpp": twice, "b.cpp": twice})) == [30, 30, 30, 10]
+
+
 def test_a_compiler_that_fails_is_no_verdict(
     monkeypatch: pytest.MonkeyPatch, grade: Grade, tmp_path: Path
 ) -> None:

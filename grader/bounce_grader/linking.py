@@ -43,13 +43,13 @@ def link_alone(part: Part, objects: Objects, runner: Path, box: Box) -> Built:
     """A runner with one part; what earlier parts it calls is asked of the judge.
 
     Helpers that another part's file defines are found in a second try, in which the given parts
-    still come first.
+    still come first; and there, what two helpers both define costs nobody anything.
     """
     own = [objects.parts[part.number].path, *(b.path for b in objects.helpers.values())]
     given, rare = _given(part), _rare(objects)
     alone = _link(own, [*given, *rare], runner, box)
     others = [b.path for number, b in objects.parts.items() if number != part.number and b.path]
-    if alone.path or not others:
+    if alone.path or not (others or objects.helpers):
         return alone
     several = ("--allow-multiple-definition",)
     second = _link(own, [*given, *map(str, others), *rare], runner, box, several)
