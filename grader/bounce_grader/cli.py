@@ -7,10 +7,10 @@ from pathlib import Path
 
 from bounce_grader import __version__, formats
 from bounce_grader.classroom import cli as class_cli
-from bounce_grader.errors import KitError, UsageError
-from bounce_grader.escape import json_document, said, terminal
-from bounce_grader.packages import find_installed
-from bounce_grader.study import cli as study_cli
+from bounce_grader.common.errors import KitError, UsageError
+from bounce_grader.common.escaping import json_document, said, terminal
+from bounce_grader.common.packages import find_installed
+from bounce_grader.develop import study
 
 
 def main(arguments: list[str]) -> int:
@@ -36,6 +36,10 @@ def main(arguments: list[str]) -> int:
         return 141
     except OSError as error:
         print(f"kit: the kit itself failed: {_plain(error)}", file=sys.stderr)
+        return 3
+    except Exception as error:  # a fault that nobody has thought of is no low score
+        kind = type(error).__name__
+        print(f"kit: the kit itself failed: {kind}: {_plain(error)}", file=sys.stderr)
         return 3
 
 
@@ -93,7 +97,7 @@ def _parser() -> argparse.ArgumentParser:
     handout.add_argument("--out", type=Path, required=True, metavar="FILE.zip")
     handout.set_defaults(command=_handout)
 
-    study_cli.add(commands)
+    study.add(commands)
 
     bench = commands.add_parser("bench", help="measure the grader's speed")
     bench.add_argument("what", nargs="?", choices=["grade", "class"], default="grade")
@@ -113,9 +117,9 @@ def _parser() -> argparse.ArgumentParser:
 
 
 def _grade(options: argparse.Namespace) -> int:
-    from bounce_grader import report
-    from bounce_grader.grade import Options, grade
-    from bounce_grader.record import with_answers
+    from bounce_grader.formats import terminal
+    from bounce_grader.grading.grade import grade, Options
+    from bounce_grader.grading.record import with_answers
 
     if options.format and options.json == "-":
         raise UsageError("--format and --json - both write to standard output: give one")
@@ -134,14 +138,14 @@ def _grade(options: argparse.Namespace) -> int:
     elif options.format:
         print(formats.render(options.format, record, options.submission))
     else:
-        report.show(record)
+        terminal.show(record)
     if options.json not in (None, "-"):
         _write(Path(options.json), text + "\n")
     return int(options.min_score is not None and record["score"] < options.min_score)
 
 
 def _boxes(options: argparse.Namespace) -> tuple[str, ...]:
-    from bounce_grader.box import kinds
+    from bounce_grader.sandbox.box import kinds
 
     if options.require_box:
         return (options.require_box,)
@@ -150,7 +154,7 @@ def _boxes(options: argparse.Namespace) -> tuple[str, ...]:
 
 def _write(path: Path, text: str) -> None:
     """Whole or not at all."""
-    from bounce_grader.files import write_whole
+    from bounce_grader.common.files import write_whole
 
     if not path.parent.is_dir():
         raise UsageError(f"{path} can't be written: there is no folder {path.parent}")
@@ -161,14 +165,14 @@ def _write(path: Path, text: str) -> None:
 
 
 def _gradescope(options: argparse.Namespace) -> int:
-    from bounce_grader import gradescope_zip
+    from bounce_grader.publish import gradescope
 
-    gradescope_zip.write(options.out)
+    gradescope.write(options.out)
     return 0
 
 
 def _fixtures(options: argparse.Namespace) -> int:
-    from bounce_grader import fixtures
+    from bounce_grader.publish import fixtures
 
     if not options.check:
         fixtures.write_all()
@@ -180,13 +184,13 @@ def _fixtures(options: argparse.Namespace) -> int:
 
 
 def _doctor(options: argparse.Namespace) -> int:
-    from bounce_grader import doctor
+    from bounce_grader.develop import doctor
 
     return doctor.run()
 
 
 def _handout(options: argparse.Namespace) -> int:
-    from bounce_grader import handout
+    from bounce_grader.publish import handout
 
     print(f"{options.out} holds {handout.write(options.out)} files")
     return 0
@@ -194,15 +198,15 @@ def _handout(options: argparse.Namespace) -> int:
 
 def _bench(options: argparse.Namespace) -> int:
     if options.what == "class":
-        from bounce_grader.classroom import bench as class_bench
+        from bounce_grader.develop import bench_class as class_bench
 
         return class_bench.run(options.submissions)
-    from bounce_grader import bench
+    from bounce_grader.develop import bench
 
     return bench.run()
 
 
 def _test(options: argparse.Namespace) -> int:
-    from bounce_grader import selftest
+    from bounce_grader.develop import selftest
 
     return selftest.run("quick" if options.quick else "long" if options.long else "usual")

@@ -83,12 +83,14 @@ bool start_processes(const Arguments& words) {
   return true;
 }
 
-// N MB that are really used.
+// N MB that are really used, for as long as it takes to see it from outside.
 bool allocate(const Arguments& words) {
   const std::size_t size = std::stoul(words.at(0)) << 20;
   void* memory = ::mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
   if (memory == MAP_FAILED) return false;
   for (std::size_t at = 0; at < size; at += 4096) static_cast<volatile char*>(memory)[at] = 1;
+  const timespec half_a_second{0, 500'000'000};
+  ::nanosleep(&half_a_second, nullptr);
   return true;
 }
 

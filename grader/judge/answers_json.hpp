@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "../../tests/answers.hpp"
+#include "../../tests/parts/answers.hpp"
 
 namespace bounce::judge {
 

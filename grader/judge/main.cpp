@@ -27,8 +27,8 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "../../tests/pattern.hpp"
-#include "../../tests/recognise.hpp"
+#include "../../tests/parts/pattern.hpp"
+#include "../../tests/parts/recognise.hpp"
 #include "answers_json.hpp"
 #include "session.hpp"
 #include "shown.hpp"
@@ -143,7 +143,9 @@ std::vector<tests::Answer> fresh_answers(const Options& options,
   Session fresh(options.command, options.limits, options.part, options.given);
   session = &fresh;
   const int part = static_cast<int>(options.part);
-  return tests::answers(part, questions);
+  auto got = tests::answers(part, questions);
+  if (!fresh.kit_failure().empty()) throw std::runtime_error(fresh.kit_failure());
+  return got;
 }
 
 // A program that ended while it was tested isn't asked again: how it ended says enough.
@@ -195,6 +197,7 @@ int run(const Options& options) {
   if (RUN_ALL_TESTS() != 0 && verdicts->checks.empty()) {
     throw std::runtime_error("no test ran");
   }
+  if (!asked.kit_failure().empty()) throw std::runtime_error(asked.kit_failure());
   if (!verdicts->kit_failure.empty()) throw std::runtime_error(verdicts->kit_failure);
 
   json result = {{"checks", verdicts->checks},

@@ -6,8 +6,8 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "../../tests/pattern.hpp"
-#include "../../tests/recognise.hpp"
+#include "../../tests/parts/pattern.hpp"
+#include "../../tests/parts/recognise.hpp"
 #include "answers_json.hpp"
 
 namespace bounce {

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kTolerance = 1e-9;  // that of the fixtures
 
-// As tests/cases.cpp compares; NaN is never right.
+// As tests/parts/cases.cpp compares; NaN is never right.
 bool is_near(const Vector3& expected, const Vector3& got) {
   return ((got - expected).array().abs() <= kTolerance * expected.array().abs().max(1.0)).all();
 }

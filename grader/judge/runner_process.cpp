@@ -106,7 +106,6 @@ RunnerProcess::RunnerProcess(const std::vector<std::string>& command, const Limi
   answers_ = answers.read;
   prints_ = prints.read;
   status_ = status.read;
-  made_ = !limits.boxed;
   set_up();
 }
 
@@ -182,19 +181,23 @@ bool RunnerProcess::wait_until_readable(bool amid_an_answer) {
   return both[0].revents != 0;
 }
 
-// "m" when the box is made, and "x" behind it where the program didn't begin all the same.
+// "m" when the box is made, and "x" behind it where the program doesn't begin all the same.
+void RunnerProcess::hear_the_box() {
+  char told[2];
+  const ssize_t n = status_ < 0 ? 0 : ::read(status_, told, sizeof told);
+  if (n > 0) told_.append(told, static_cast<std::size_t>(n));
+}
+
 bool RunnerProcess::box_is_made() {
-  if (made_) return true;
-  char told[2] = {};
-  made_ = ::read(status_, told, sizeof told) == 1 && told[0] == 'm';
-  return made_;
+  if (limits_.boxed && told_.empty()) hear_the_box();
+  return !limits_.boxed || told_.rfind('m', 0) == 0;
 }
 
 void RunnerProcess::require_a_box() {
   if (box_is_made()) return;
   if (prints_ >= 0) drain_prints();
   kill();
-  throw std::runtime_error("the box of a program couldn't be made: " + one_line(last_print_, 200));
+  throw NoBox("the box of a program couldn't be made: " + one_line(last_print_, 200));
 }
 
 // Idle is what is left of our waiting when all is taken off in which a CPU was used or wanted, by
@@ -266,6 +269,12 @@ void RunnerProcess::end_after_close(const std::string& closed) {
   }
   if (prints_ >= 0) drain_prints();
   require_a_box();
+  hear_the_box();
+  if (told_ == "mx") {
+    throw RunnerEnded({"no_answer",
+                       "the system can't start the program that the parts were linked to: look for "
+                       "lines of assembler in them"});
+  }
   throw RunnerEnded(ending_of(status, limits_, last_print_));
 }
 

@@ -29,6 +29,11 @@ inline constexpr char kNotAskedFor[] =
     "the program wrote to where answers go (descriptor 4, which is the kit's), and what came isn't "
     "the answer that was asked for";
 
+// The box that a runner was to be in couldn't be made: a failure of the kit.
+struct NoBox : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 // Keeps this process, and the runners it starts, on the CPU it is on. Judge and runner only ever
 // take turns, and waking each other on one CPU takes a fifth of the time that it takes across two.
 void stay_on_this_cpu();
@@ -36,8 +41,8 @@ void stay_on_this_cpu();
 class RunnerProcess {
  public:
   // Starts `command` with the questions on descriptor 3 and the answers on 4; a box, with 5 to tell
-  // when it is made. Throws std::runtime_error when it can't be started, or the box can't be made,
-  // here or later: a failure of the kit.
+  // when it is made. Throws std::runtime_error when it can't be started, and later NoBox when its
+  // box can't be made: failures of the kit.
   RunnerProcess(const std::vector<std::string>& command, const Limits& limits);
   // Somebody else's pipes, which this closes in the end, and no process: answers may be there
   // before they are asked for.
@@ -68,6 +73,7 @@ class RunnerProcess {
   void read_exactly(void* data, std::size_t size, bool amid_an_answer);
   bool wait_until_readable(bool amid_an_answer);
   void drain_prints();
+  void hear_the_box();
   bool box_is_made();
   void require_a_box();
   void count_idle_time(const Glance& seen);
@@ -84,8 +90,8 @@ class RunnerProcess {
   Limits limits_;
   pid_t pid_ = -1;
   int questions_ = -1, answers_ = -1, prints_ = -1;
-  int status_ = -1;  // what the box tells: enter.cpp
-  bool made_ = true;
+  int status_ = -1;   // what the box tells: enter.cpp
+  std::string told_;  // by the box
   std::size_t printed_ = 0;
   std::string last_print_;  // the end of what was printed: an assertion's text is there
   Clock::duration waited_{};

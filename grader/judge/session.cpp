@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "../../tests/cases.hpp"
-#include "../../tests/submission.hpp"
+#include "../../tests/parts/cases.hpp"
+#include "../../tests/parts/submission.hpp"
 #include "given.hpp"
 #include "one_line.hpp"
 
@@ -62,6 +62,9 @@ Frame Session::ask(Frame question, Trajectory* columns) {
       throw std::runtime_error("the program threw " + thrown_text(answer));
     }
     return answer;
+  } catch (const NoBox& failure) {
+    kit_failure_ = failure.what();
+    throw tests::Ended(kit_failure_);
   } catch (const RunnerEnded& ended) {
     end_runner();
     end_ = {ended.ending.status, ended.ending.stack};
@@ -72,6 +75,7 @@ Frame Session::ask(Frame question, Trajectory* columns) {
 }
 
 void Session::require_time() const {
+  if (!kit_failure_.empty()) throw tests::Ended(kit_failure_);
   const std::string nothing = "nothing was asked here: ";
   if (hangs_left_ <= 0) {
     throw tests::Ended(nothing + "the part hung before, and its time is used up");

@@ -30,6 +30,9 @@ class Session {
   // CPU time of the runner at work, ns; 0 where there is none.
   double cpu_ns() const { return runner_ ? runner_->cpu_ns() : 0; }
 
+  // Why the kit has failed, or nothing: then no verdict holds.
+  const std::string& kit_failure() const { return kit_failure_; }
+
   // How the last check's runner ended, if it did: a status, and a crash's stack. Once a check.
   struct End {
     std::string status, stack;
@@ -54,6 +57,7 @@ class Session {
   double cpu_seconds_ = 0;  // of the runners that have ended
   Clock::time_point last_question_;
   std::optional<End> end_;
+  std::string kit_failure_;
 };
 
 // The session that submission_remote.cpp asks; the judge's main sets it.

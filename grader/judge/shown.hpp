@@ -14,7 +14,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "../../tests/cases.hpp"
+#include "../../tests/parts/cases.hpp"
 
 namespace bounce::judge {
 

@@ -25,9 +25,9 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "../../solution/study/simulate_scene.hpp"
-#include "../../tests/cases.hpp"
-#include "../../tests/submission.hpp"
+#include "../../solution/exact/simulate_scene.hpp"
+#include "../../tests/parts/cases.hpp"
+#include "../../tests/parts/submission.hpp"
 #include "right_steps.hpp"
 #include "session.hpp"
 #include "sweep.hpp"

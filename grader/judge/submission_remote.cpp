@@ -1,5 +1,5 @@
 // The submission runs in another process: each function of the tests is a question to it.
-#include "../../tests/submission.hpp"
+#include "../../tests/parts/submission.hpp"
 
 #include "session.hpp"
 

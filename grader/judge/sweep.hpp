@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "../../solution/study/catalog.hpp"
+#include "../../solution/exact/truth.hpp"
 
 namespace bounce::judge {
 

@@ -5,15 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "../methods/impact_laws.hpp"
-#include "scene.hpp"
+#include "../exact/truth.hpp"
 
 namespace bounce::study {
-
-// The square at even times up to scene.until: kSamples of them, unless another number is asked for.
-// Between them an error may be larger.
-inline constexpr int kSamples = 20;
-using Samples = std::vector<methods::Motion<double>>;
 
 // Why an error may stop falling, in words, and what does better where that is so: a method without
 // that limit; or the method itself, measured by the truth under another law of impact.
@@ -33,20 +27,6 @@ struct Method {
 };
 
 std::vector<Method> all_methods();
-
-std::vector<double> sample_times(const Scene& scene, int samples = kSamples);
-
-// The truth: event-driven in long double, with tolerances a thousandth of any method's, so that the
-// event-driven method in double has an error that can be seen. Throws std::runtime_error where the
-// cap on events was reached.
-Samples truth_of(const Scene& scene);
-Samples truth_under(methods::ImpactLaw law, const Scene& scene);
-
-// The largest distance over the samples, m; infinite where some are missing or not finite.
-double error_of(const Scene& scene, const Samples& samples, const Samples& truth);
-
-// The step nearest to dt of which a whole number makes up the time between two samples.
-double fitting_step(const Scene& scene, double dt, int samples = kSamples);
 
 // CPU time of this process, ns.
 double cpu_ns();

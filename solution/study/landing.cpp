@@ -1,9 +1,9 @@
 #include <cmath>
 
+#include "../exact/event_driven.hpp"
 #include "../methods/assignment.hpp"
 #include "../methods/moreau_jean.hpp"
 #include "catalog.hpp"
-#include "event_driven.hpp"
 #include "questions.hpp"
 
 namespace bounce::study {

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "../exact/event_driven.hpp"
+#include "../exact/simulate_scene.hpp"
 #include "catalog.hpp"
-#include "event_driven.hpp"
 #include "questions.hpp"
-#include "simulate_scene.hpp"
 #include "timing.hpp"
 
 namespace bounce::study {

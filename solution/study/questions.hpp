@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "scene.hpp"
+#include "../exact/scene.hpp"
 #include "table.hpp"
 #include "timing.hpp"
 

@@ -51,8 +51,8 @@ def add(commands: Any) -> None:
 
 def _class(options: argparse.Namespace) -> int:
     from bounce_grader.classroom import run
-    from bounce_grader.classroom.request import Request
-    from bounce_grader.errors import UsageError
+    from bounce_grader.classroom.work.request import Request
+    from bounce_grader.common.errors import UsageError
 
     if options.regrade == "":
         raise UsageError("--regrade needs a FILTER, as in --regrade all")
@@ -78,8 +78,8 @@ def _class(options: argparse.Namespace) -> int:
 
 
 def _columns(options: argparse.Namespace) -> dict[int, str]:
-    from bounce_grader.errors import UsageError
-    from bounce_grader.manifest import parts
+    from bounce_grader.common.errors import UsageError
+    from bounce_grader.common.manifest import parts
 
     columns = {0: options.column} if options.column else {}
     known = {str(part.number): part.number for part in parts()}

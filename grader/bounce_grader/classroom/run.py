@@ -8,17 +8,19 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from bounce_grader.classroom import grading, outputs, regrade, results, similar, students
-from bounce_grader.classroom.gradebook import Gradebook
-from bounce_grader.classroom.log import Log
-from bounce_grader.classroom.request import Request
-from bounce_grader.classroom.students import Class, Student
-from bounce_grader.classroom.summary import Summary
-from bounce_grader.classroom.task import Stamp, Task, task_of, with_times
-from bounce_grader.errors import KitError, UsageError
-from bounce_grader.escape import terminal
-from bounce_grader.files import sweep
-from bounce_grader.manifest import parts
+from bounce_grader.classroom.intake import students
+from bounce_grader.classroom.intake.students import Class, Student
+from bounce_grader.classroom.output import outputs
+from bounce_grader.classroom.output.gradebook import Gradebook
+from bounce_grader.classroom.work import grading, near_copies, regrade, results
+from bounce_grader.classroom.work.log import Log
+from bounce_grader.classroom.work.request import Request
+from bounce_grader.classroom.work.summary import Summary
+from bounce_grader.classroom.work.task import task_of, with_times, Stamp, Task
+from bounce_grader.common.errors import KitError, UsageError
+from bounce_grader.common.escaping import terminal
+from bounce_grader.common.files import sweep
+from bounce_grader.common.manifest import parts
 
 MOST_LINES = 40  # on the terminal; class.html has them all
 
@@ -68,7 +70,7 @@ def _run(request: Request, found: Class, book: Gradebook | None, log: Log) -> in
     summaries = grading.summarize(found.students, tasks, folder, failed)
     if summaries and all(summary.state == "waiting" for summary in summaries):
         return 0
-    near = similar.find(request.out, found.students, tasks, request.trust)
+    near = near_copies.find(request.out, found.students, tasks, request.trust)
     without_page = outputs.write_feedback(request.out, found, summaries, request.reveal)
     for notes in (near.left_out, without_page):
         summaries = [

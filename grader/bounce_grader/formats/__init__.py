@@ -1,10 +1,12 @@
-"""The score record, said in the words of other programs: one module each, a function of the record
-that starts nothing and writes nothing."""
+"""Makes a report of the score record: one module for each format, which starts nothing.
+
+Imports: assignment, common, grading, submission.
+"""
 
 from pathlib import Path
 from typing import Any
 
-from bounce_grader.escape import json_document
+from bounce_grader.common.escaping import json_document
 
 NAMES = ("gradescope", "prairielearn", "autolab", "github", "html", "junit", "json", "markdown")
 

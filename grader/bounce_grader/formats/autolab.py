@@ -3,9 +3,9 @@ assessment are named after the parts, part1_contacts to part4_simulate."""
 
 from typing import Any
 
-from bounce_grader.escape import json_document, plain
-from bounce_grader.formats import words
-from bounce_grader.record import Record
+from bounce_grader.common.escaping import json_document, plain
+from bounce_grader.formats import sentences
+from bounce_grader.grading.record import Record
 
 
 def render(record: Record) -> str:
@@ -22,7 +22,7 @@ def _presentation(record: Record) -> dict[str, Any]:
         stage: {check["title"]: _test(part, check) for check in part["checks"]}
         for stage, part in zip(stages, record["parts"])
     }
-    for sentence in words.speed_words(record):
+    for sentence in sentences.speed_words(record):
         stages.append("Speed")
         tests["Speed"] = {"Measured": {"passed": False, "hint": plain(sentence)}}
     return {"_presentation": "semantic", "stages": stages, **tests}
@@ -31,7 +31,7 @@ def _presentation(record: Record) -> dict[str, Any]:
 def _test(part: Record, check: Record) -> dict[str, Any]:
     if check["passed"]:
         return {"passed": True}
-    return {"passed": False, "hint": plain(words.check_words(part, check))}
+    return {"passed": False, "hint": plain(sentences.check_words(part, check))}
 
 
 def _line(words: dict[str, Any]) -> str:

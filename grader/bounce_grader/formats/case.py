@@ -3,9 +3,9 @@ with the wrong entries marked, and a picture."""
 
 from typing import Any
 
-from bounce_grader import escape
-from bounce_grader.formats import picture
-from bounce_grader.shown import Shown
+from bounce_grader.assignment import picture
+from bounce_grader.common import escaping
+from bounce_grader.grading.failed_case import Shown
 
 NOTHING = 1e-14  # what rounding leaves of a 0
 Rows = list[list[Any]]
@@ -13,12 +13,12 @@ Rows = list[list[Any]]
 
 def render(shown: Shown, heading: str) -> str:
     """The heading is the message's first line, as "2 of 9 cases wrong; the first: in flight"."""
-    out = f"<p>{escape.html(heading)}</p>"
+    out = f"<p>{escaping.html(heading)}</p>"
     if "contact" in shown:
-        out += f"<p>{escape.html(_sentence(shown['contact']))}</p>"
-    out += f"<pre>{escape.html(_asked(shown['input']))}</pre>"
+        out += f"<p>{escaping.html(_sentence(shown['contact']))}</p>"
+    out += f"<pre>{escaping.html(_asked(shown['input']))}</pre>"
     if shown["sentence"]:
-        out += f"<p>{escape.html(_sentence(shown['sentence']))}</p>"
+        out += f"<p>{escaping.html(_sentence(shown['sentence']))}</p>"
     out += "".join(_quantity(quantity) for quantity in shown["quantities"])
     if any("expected" not in quantity for quantity in shown["quantities"]):
         out += '<p class="small">This case is hidden, and what is right isn\'t shown.</p>'
@@ -43,7 +43,7 @@ def _quantity(quantity: Shown) -> str:
     both = _matrix("yours", got, digits, by_row, right)
     if expected:
         both += _matrix("right", expected, digits, by_row)
-    return f'<p class="name">{escape.html(caption)}</p><div class="pair">{both}</div>'
+    return f'<p class="name">{escaping.html(caption)}</p><div class="pair">{both}</div>'
 
 
 def _digits(got: Rows, right: Rows, expected: Rows | None) -> int:
@@ -68,7 +68,9 @@ def _matrix(
     body = ""
     for i, row in enumerate(rows):
         cells = [_cell(number(x, digits), right is None or right[i][j]) for j, x in enumerate(row)]
-        unit = f'<td class="unit">{escape.html(units[i])}</td>' if units and units[i] != "1" else ""
+        unit = (
+            f'<td class="unit">{escaping.html(units[i])}</td>' if units and units[i] != "1" else ""
+        )
         body += f"<tr>{''.join(cells)}{unit}</tr>"
     said = ", boxed where wrong" if right else ""
     return f"<table class='matrix'><caption>{title}{said}</caption>{body}</table>"

@@ -7,12 +7,12 @@ import os
 from pathlib import Path
 from typing import Any
 
-from bounce_grader import intake
-from bounce_grader.errors import UsageError
-from bounce_grader.escape import workflow
-from bounce_grader.formats import markdown, words
-from bounce_grader.formats.words import Place
-from bounce_grader.record import Record
+from bounce_grader.common.errors import UsageError
+from bounce_grader.common.escaping import workflow
+from bounce_grader.formats import markdown, sentences
+from bounce_grader.formats.sentences import Place
+from bounce_grader.grading.record import Record
+from bounce_grader.submission import intake
 
 VERSION = 1  # of the reporter's format
 
@@ -20,9 +20,9 @@ VERSION = 1  # of the reporter's format
 def render(record: Record, root: Path = Path()) -> str:
     """Workflow commands for standard output; `root` is where the files' names begin."""
     lines = [line for part in record["parts"] for line in _part(part, root)]
-    lines += [_command("warning", "Speed", sentence) for sentence in words.speed_words(record)]
+    lines += [_command("warning", "Speed", sentence) for sentence in sentences.speed_words(record)]
     report = {"totalPoints": record["score"], "maxPoints": record["max_score"]}
-    total = f"Points {words.points(record['score'])}/{words.points(record['max_score'])}"
+    total = f"Points {sentences.points(record['score'])}/{sentences.points(record['max_score'])}"
     lines.append(_command("notice", "Autograding complete", total))
     lines.append(_command("notice", "Autograding report", json.dumps(report)))
     return "\n".join(lines)
@@ -47,7 +47,9 @@ def result(record: Record) -> str:
 
 def leave(record: Record) -> None:
     """What a step of a workflow hands on, where this is one."""
-    _append("GITHUB_OUTPUT", f"result={result(record)}\nscore={words.points(record['score'])}\n")
+    _append(
+        "GITHUB_OUTPUT", f"result={result(record)}\nscore={sentences.points(record['score'])}\n"
+    )
     _append("GITHUB_STEP_SUMMARY", markdown.render(record) + "\n")
 
 
@@ -61,12 +63,12 @@ def _append(variable: str, text: str) -> None:
 
 
 def _test(part: Record) -> dict[str, Any]:
-    place = words.place_in(words.part_words(part))
+    place = sentences.place_in(sentences.part_words(part))
     return {
         "name": f"Part {part['part']}: {part['title']}",
         "status": "pass" if part["score"] == part["max_score"] else "fail",
         "score": part["score"],
-        "message": "\n".join([words.part_words(part), *words.mistake_words(part)]),
+        "message": "\n".join([sentences.part_words(part), *sentences.mistake_words(part)]),
         "test_code": "",
         "filename": place.file if place else f"{part['stem']}.cpp",
         "line_no": place.line if place else 0,
@@ -78,17 +80,17 @@ def _part(part: Record, root: Path) -> list[str]:
     """One annotation a part, at its line where that is known: GitHub shows ten of a kind a step."""
     if part["score"] == part["max_score"]:
         return []
-    said = words.part_words(part)
-    place = words.place_in(said) or next(
-        (p for p in (words.place_in(check["message"]) for check in part["checks"]) if p), None
+    said = sentences.part_words(part)
+    place = sentences.place_in(said) or next(
+        (p for p in (sentences.place_in(check["message"]) for check in part["checks"]) if p), None
     )
     lost = [check["title"] for check in part["checks"] if not check["passed"]]
-    score = f"{words.points(part['score'])} / {words.points(part['max_score'])}"
+    score = f"{sentences.points(part['score'])} / {sentences.points(part['max_score'])}"
     title = f"Part {part['part']}: {score}"
     kind = "warning" if part["status"] == "graded" else "error"
     text = said if part["status"] == "graded" else f"{said}\n"
     if part["status"] == "graded" or part["score"]:
-        known = words.mistake_words(part)
+        known = sentences.mistake_words(part)
         text = "\n".join([said, *known, *(f"lost: {check}" for check in lost)])
     return [
         _command(kind, title, text.strip(), place or Place(f"{part['stem']}.cpp", 1, None), root)

@@ -2,9 +2,9 @@
 
 from typing import Any
 
-from bounce_grader.escape import json_document, plain
-from bounce_grader.formats import words
-from bounce_grader.record import Record
+from bounce_grader.common.escaping import json_document, plain
+from bounce_grader.formats import sentences
+from bounce_grader.grading.record import Record
 
 
 def render(record: Record) -> str:
@@ -17,7 +17,7 @@ def render(record: Record) -> str:
         "test_name_format": "text",
         "visibility": "visible",
         "stdout_visibility": "hidden",
-        "tests": [_test(*numbered) for numbered in words.numbered(record)],
+        "tests": [_test(*numbered) for numbered in sentences.numbered(record)],
         "leaderboard": _leaderboard(record),
         "extra_data": {
             name: record[name] for name in ("kit", "box", "fixtures_sha256", "submission_sha256")
@@ -36,16 +36,16 @@ def refused(sentence: str) -> str:
 
 def _summary(record: Record) -> str:
     lines = [
-        f"Part {part['part']}, {part['title']}: {words.points(part['score'])} / "
-        f"{words.points(part['max_score'])}. {plain(words.part_words(part))}"
+        f"Part {part['part']}, {part['title']}: {sentences.points(part['score'])} / "
+        f"{sentences.points(part['max_score'])}. {plain(sentences.part_words(part))}"
         for part in record["parts"]
     ]
-    return "\n".join([*lines, *map(plain, words.speed_words(record))])
+    return "\n".join([*lines, *map(plain, sentences.speed_words(record))])
 
 
 def _test(number: str, part: Record, check: Record) -> dict[str, Any]:
-    said = plain(words.check_words(part, check))
-    hint = words.hint(check)
+    said = plain(sentences.check_words(part, check))
+    hint = sentences.hint(check)
     if hint and not check["passed"]:
         said += f"\nhint {hint}"
     return {

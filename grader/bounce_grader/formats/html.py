@@ -1,8 +1,8 @@
 """A page for a student: self-contained, and legible on paper, in the dark and in grey."""
 
-from bounce_grader import escape
-from bounce_grader.formats import case, speed_chart, words
-from bounce_grader.record import Record
+from bounce_grader.common import escaping
+from bounce_grader.formats import case, sentences, speed_chart
+from bounce_grader.grading.record import Record
 
 STYLE = """
 :root{color-scheme:light dark;--ink:#111;--paper:#fff;--soft:#444;--field:#f2f2f2;--line:#ccc}
@@ -48,8 +48,8 @@ def render(record: Record, name: str = "", unused: tuple[str, ...] = ()) -> str:
     share = 100 * record["score"] / record["max_score"]
     parts = "".join(_part(part) for part in record["parts"])
     body = (
-        f"<h1>{words.of_points(record)} points</h1>"
-        + (f"<p>{escape.html(name)}</p>" if name else "")
+        f"<h1>{sentences.of_points(record)} points</h1>"
+        + (f"<p>{escaping.html(name)}</p>" if name else "")
         + f'<div class="bar"><div style="width:{share:.1f}%"></div></div>'
         + parts
         + speed_chart.page_section(record.get("speed") or {})
@@ -57,7 +57,7 @@ def render(record: Record, name: str = "", unused: tuple[str, ...] = ()) -> str:
             [*unused, *(f"{file} wasn't used" for file in record["ignored"])],
             record.get("ignored_more", 0),
         )
-        + f'<p class="small">Graded by kit {escape.html(record["kit"])}; submission '
+        + f'<p class="small">Graded by kit {escaping.html(record["kit"])}; submission '
         f"{record['submission_sha256'][:12]}.</p>"
     )
     return page(f"{TITLE}your points", body)
@@ -65,7 +65,7 @@ def render(record: Record, name: str = "", unused: tuple[str, ...] = ()) -> str:
 
 def refused(sentence: str) -> str:
     """For a submission that can't be read."""
-    body = f"<h1>Not graded</h1><p>{escape.html(sentence)}</p>"
+    body = f"<h1>Not graded</h1><p>{escaping.html(sentence)}</p>"
     return page(f"{TITLE}not graded", body)
 
 
@@ -78,15 +78,15 @@ def page(title: str, body: str) -> str:
 
 
 def _part(part: Record) -> str:
-    score = f"{words.points(part['score'])} / {words.points(part['max_score'])}"
-    heading = f"<h2><span>Part {part['part']}: {escape.html(part['title'])}</span>"
+    score = f"{sentences.points(part['score'])} / {sentences.points(part['max_score'])}"
+    heading = f"<h2><span>Part {part['part']}: {escaping.html(part['title'])}</span>"
     ran = any(check["passed"] or check["message"] for check in part["checks"])
     checks = "".join(_check(check) for check in part["checks"]) if ran else ""
     given = part["graded_with"] == "given" and part["score"] < part["max_score"]
     return (
-        f'{heading}<span class="of">{score}</span></h2><p>{escape.html(words.part_words(part))}</p>'
+        f'{heading}<span class="of">{score}</span></h2><p>{escaping.html(sentences.part_words(part))}</p>'
         + "".join(map(_mistake, part["mistakes"]))
-        + "".join(f'<p class="mistake">{escape.html(said)}</p>' for said in part["patterns"])
+        + "".join(f'<p class="mistake">{escaping.html(said)}</p>' for said in part["patterns"])
         + (f"<ul>{checks}</ul>" if checks else "")
         + ('<p class="small">Judged with the earlier parts given.</p>' if given else "")
     )
@@ -94,29 +94,29 @@ def _part(part: Record) -> str:
 
 def _mistake(mistake: Record) -> str:
     return (
-        f'<p class="mistake">Looks like: <b>{escape.html(mistake["title"])}.</b> '
-        f'{escape.html(mistake["sentence"])} See {escape.html(words.where_to_read(mistake))}.</p>'
+        f'<p class="mistake">Looks like: <b>{escaping.html(mistake["title"])}.</b> '
+        f'{escaping.html(mistake["sentence"])} See {escaping.html(sentences.where_to_read(mistake))}.</p>'
     )
 
 
 def _check(check: Record) -> str:
     mark, kind = ("✓", "passed") if check["passed"] else ("✗", "lost")
-    score = f"{words.points(check['score'])} / {words.points(check['max_score'])}"
+    score = f"{sentences.points(check['score'])} / {sentences.points(check['max_score'])}"
     out = (
         f'<li class="{kind}"><div class="line"><span class="mark">{mark}</span>'
-        f'<span class="title">{escape.html(check["title"])}</span><span class="of">{score}</span></div>'
+        f'<span class="title">{escaping.html(check["title"])}</span><span class="of">{score}</span></div>'
     )
     if check.get("shown", {}).get("quantities"):
         out += case.render(check["shown"], check["message"].partition("\n")[0])
     elif check["message"]:
-        out += f"<pre>{escape.html(check['message'])}</pre>"
-    if not check["passed"] and words.hint(check):
-        out += f'<p class="hint">Hint {escape.html(words.hint(check))}</p>'
+        out += f"<pre>{escaping.html(check['message'])}</pre>"
+    if not check["passed"] and sentences.hint(check):
+        out += f'<p class="hint">Hint {escaping.html(sentences.hint(check))}</p>'
     return out + "</li>"
 
 
 def _unused(sentences: list[str], more: int) -> str:
     rest = max(0, len(sentences) - MOST_UNUSED) + more
     shown = [*sentences[:MOST_UNUSED], *([f"and {rest} more"] if rest else [])]
-    items = "".join(f"<li>{escape.html(sentence)}</li>" for sentence in shown)
+    items = "".join(f"<li>{escaping.html(sentence)}</li>" for sentence in shown)
     return f'<p class="small">Not used:</p><ul class="small">{items}</ul>' if items else ""

@@ -2,9 +2,9 @@
 
 from xml.etree import ElementTree
 
-from bounce_grader.escape import plain, xml_document
-from bounce_grader.formats import words
-from bounce_grader.record import Record
+from bounce_grader.common.escaping import plain, xml_document
+from bounce_grader.formats import sentences
+from bounce_grader.grading.record import Record
 
 
 def render(record: Record) -> str:
@@ -35,7 +35,9 @@ def _suite(part: Record, record: Record) -> ElementTree.Element:
     )
     properties = ElementTree.SubElement(suite, "properties")
     for name in ("score", "max_score"):
-        ElementTree.SubElement(properties, "property", name=name, value=words.points(part[name]))
+        ElementTree.SubElement(
+            properties, "property", name=name, value=sentences.points(part[name])
+        )
     for check in part["checks"]:
         suite.append(_case(part, check))
     return suite
@@ -49,7 +51,7 @@ def _case(part: Record, check: Record) -> ElementTree.Element:
     name = check["id"].partition(".")[2]
     case = ElementTree.Element("testcase", name=name, classname=part["stem"])
     if not check["passed"]:
-        said = plain(words.check_words(part, check))
+        said = plain(sentences.check_words(part, check))
         kind = "error" if _did_not_run(part, check) else "failure"
         verdict = part["status"] if kind == "error" else "wrong"
         fault = ElementTree.SubElement(case, kind, message=check["title"], type=verdict)

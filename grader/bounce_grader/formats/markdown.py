@@ -1,31 +1,32 @@
 """Markdown, for a comment on a pull request or the summary of a workflow."""
 
-from bounce_grader import escape
-from bounce_grader.formats import words
-from bounce_grader.record import Record
+from bounce_grader.common import escaping
+from bounce_grader.formats import sentences
+from bounce_grader.grading.record import Record
 
 LONGEST = 60_000  # characters; a comment on GitHub may have 65,536
 
 
 def render(record: Record) -> str:
     lines = [
-        f"## {words.of_points(record)} points",
+        f"## {sentences.of_points(record)} points",
         "",
         "| part | points | |",
         "| --- | ---: | --- |",
     ]
     for part in record["parts"]:
-        score = f"{words.points(part['score'])} / {words.points(part['max_score'])}"
-        said = escape.markdown(words.part_words(part))
-        lines.append(f"| {part['part']}: {escape.markdown(part['title'])} | {score} | {said} |")
+        score = f"{sentences.points(part['score'])} / {sentences.points(part['max_score'])}"
+        said = escaping.markdown(sentences.part_words(part))
+        lines.append(f"| {part['part']}: {escaping.markdown(part['title'])} | {score} | {said} |")
     for part in record["parts"]:
         said_of = [
-            f"- Part {part['part']}: {escape.markdown(line)}" for line in words.mistake_words(part)
+            f"- Part {part['part']}: {escaping.markdown(line)}"
+            for line in sentences.mistake_words(part)
         ]
         lines += ["", *said_of] if said_of else []
-    lines += [f"\n{escape.markdown(sentence)}" for sentence in words.speed_words(record)]
+    lines += [f"\n{escaping.markdown(sentence)}" for sentence in sentences.speed_words(record)]
     text = "\n".join(lines) + "\n"
-    for number, part, check in words.numbered(record):
+    for number, part, check in sentences.numbered(record):
         if not check["passed"] and check["message"]:
             detail = _check(number, check)
             if len(text) + len(detail) > LONGEST:
@@ -35,10 +36,10 @@ def render(record: Record) -> str:
 
 
 def _check(number: str, check: Record) -> str:
-    heading = f"<details><summary>✗ {number} {escape.html(check['title'])}</summary>"
-    hint = words.hint(check)
+    heading = f"<details><summary>✗ {number} {escaping.html(check['title'])}</summary>"
+    hint = sentences.hint(check)
     return (
-        f"\n{heading}\n\n{escape.markdown_block(check['message'])}\n"
-        + (f"\nHint {escape.markdown(hint)}\n" if hint else "")
+        f"\n{heading}\n\n{escaping.markdown_block(check['message'])}\n"
+        + (f"\nHint {escaping.markdown(hint)}\n" if hint else "")
         + "\n</details>\n"
     )

@@ -2,9 +2,9 @@
 
 from typing import Any
 
-from bounce_grader.escape import json_document, plain
-from bounce_grader.formats import words
-from bounce_grader.record import Record
+from bounce_grader.common.escaping import json_document, plain
+from bounce_grader.formats import sentences
+from bounce_grader.grading.record import Record
 
 
 def render(record: Record) -> str:
@@ -12,9 +12,9 @@ def render(record: Record) -> str:
         "gradable": True,
         "score": record["score"] / record["max_score"],
         "message": "\n".join(
-            [f"{words.of_points(record)} points", *map(plain, words.speed_words(record))]
+            [f"{sentences.of_points(record)} points", *map(plain, sentences.speed_words(record))]
         ),
-        "tests": [_test(*numbered) for numbered in words.numbered(record)],
+        "tests": [_test(*numbered) for numbered in sentences.numbered(record)],
     }
     return json_document(result, indent=1)
 
@@ -32,6 +32,8 @@ def _test(number: str, part: Record, check: Record) -> dict[str, Any]:
         "description": f"Part {part['part']}: {part['title']}",
         "points": check["score"],
         "max_points": check["max_score"],
-        "output": plain(words.check_words(part, check)),
-        "message": f"Hint {words.hint(check)}" if not check["passed"] and words.hint(check) else "",
+        "output": plain(sentences.check_words(part, check)),
+        "message": f"Hint {sentences.hint(check)}"
+        if not check["passed"] and sentences.hint(check)
+        else "",
     }

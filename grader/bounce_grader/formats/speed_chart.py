@@ -5,10 +5,9 @@ import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
-from bounce_grader import speed
-from bounce_grader import escape
-from bounce_grader.formats import svg
-from bounce_grader.speed import Measured, Point
+from bounce_grader.common import escaping, svg
+from bounce_grader.grading import speed
+from bounce_grader.grading.speed import Measured, Point
 
 WIDTH, HEIGHT = 480, 400
 LEFT, RIGHT, TOP, BOTTOM = 80, 28, 66, 52  # around the axes
@@ -42,7 +41,7 @@ def page_section(found: Measured) -> str:
     none."""
     said = " ".join(speed.sentences(found))
     if "otherwise" in found:
-        return f"<h2>Speed against accuracy</h2><p>{escape.html(said)}</p>"
+        return f"<h2>Speed against accuracy</h2><p>{escaping.html(said)}</p>"
     if not found.get("scenes"):
         return ""
     whole = {whose: speed.curve(found, whose) for whose in speed.CURVES}
@@ -50,7 +49,7 @@ def page_section(found: Measured) -> str:
     scenes = "".join(_scene(scene) for scene in found["scenes"])
     return (
         "<h2>Speed against accuracy</h2>"
-        f"<p>{escape.html(said)} This gives and costs no points.</p>"
+        f"<p>{escaping.html(said)} This gives and costs no points.</p>"
         f'<figure class="chart">{chart(whole, title, True)}</figure>'
         '<p class="small">Each point is a time step dt; where a line falls, smaller steps are '
         "worth their time. Further left is faster, further down more exact. The largest error is "
@@ -149,7 +148,7 @@ def _steps(points: Sequence[Point], axes: Axes) -> list[str]:
 
 def _mark(whose: str, x: float, y: float, said: str = "") -> str:
     """A disc, a square and a cross."""
-    title = f"<title>{escape.html(said)}</title>" if said else ""
+    title = f"<title>{escaping.html(said)}</title>" if said else ""
     if whose == "submission":
         return f'<circle cx="{x:.1f}" cy="{y:.1f}" r="5" fill="{svg.INK}">{title}</circle>'
     if whose == "solution":

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "../scene.hpp"
+#include "../../exact/scene.hpp"
 
 namespace bounce::study {
 

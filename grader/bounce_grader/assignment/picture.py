@@ -1,0 +1,216 @@
+"""Small pictures of a failed case: one step, or a trajectory. What is right and what came differ in
+their places, words and dashes, and not in colour."""
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+from bounce_grader.common import escaping, svg
+
+VELOCITY = "v after the step"
+STEP_SIZE, SIDE = (250, 190), 92  # px: a picture of a step, and the square in it
+LONGEST = 70  # px, of an arrow
+PATH_SIZE, ROOM = (480, 300), 24
+FAR = 5000.0  # px: further out nothing is drawn
+OMEGA = "\N{GREEK SMALL LETTER OMEGA}\N{PRIME}"
+Place = tuple[float, float]
+Shown = dict[str, Any]  # a failed case in numbers, as grading/failed_case.py gives it
+
+
+def of(shown: Shown) -> str:
+    """Nothing where there is none to draw."""
+    if "scene" not in shown:
+        return ""
+    if "path" in shown:
+        return of_paths(shown["scene"], shown["path"])
+    after = [q for q in shown["quantities"] if q["name"] == VELOCITY]
+    return of_step(shown["scene"], after[0]) if after else ""
+
+
+def corners(q: Sequence[float], l: float) -> list[Place]:
+    """eq. (3)"""
+    cos, sin = math.cos(q[2]), math.sin(q[2])
+    arms = [(l / 2, l / 2), (-l / 2, l / 2), (-l / 2, -l / 2), (l / 2, -l / 2)]
+    return [(q[0] + cos * x - sin * y, q[1] + sin * x + cos * y) for x, y in arms]
+
+
+# --- one step ---
+
+
+def of_step(scene: Shown, velocity: Shown) -> str:
+    """The square before the step; on it the velocity after it, and the force of the ground that
+    this tells of."""
+    sides = [("yours", _finite(velocity["got"]))]
+    if "expected" in velocity:
+        sides.append(("right", _finite(velocity["expected"])))
+    known = [v for _, v in sides if v]
+    longest = _Longest(
+        max((math.hypot(v[0], v[1]) for v in known), default=0),
+        max((abs(v[2]) for v in known), default=0),
+        max((math.hypot(*_force(scene, v)) for v in known), default=0),
+    )
+    drawn = "".join(_step(scene, title, v, longest) for title, v in sides)
+    return f'<div class="pictures">{drawn}</div>'
+
+
+class _Longest:
+    """What the longest arrows stand for: m/s, rad/s and N."""
+
+    def __init__(self, speed: float, turning: float, force: float) -> None:
+        self.speed, self.turning, self.force = (max(x, 1e-9) for x in (speed, turning, force))
+
+
+def _finite(rows: list[list[float | str]]) -> list[float] | None:
+    """v as three numbers, where they are."""
+    numbers = [row[0] for row in rows]
+    if len(numbers) != 3 or any(isinstance(x, str) or abs(x) > 1e100 for x in numbers):
+        return None
+    return [float(x) for x in numbers]
+
+
+def _force(scene: Shown, v: list[float]) -> Place:
+    """M (v' - v) / dt - f_e, N; no more than rounding is nothing."""
+    m, dt, g = scene["m"], scene["dt"], scene["g"]
+    change = [m * ((v[i] - scene["v"][i]) / dt - g[i]) for i in range(2)]
+    least = 1e-9 * m * (abs(v[0]) + abs(v[1]) + math.hypot(*g[:2]) * dt) / dt
+    f_x, f_y = (x if abs(x) > least else 0.0 for x in change)
+    return f_x, f_y
+
+
+def _step(scene: Shown, title: str, v: list[float] | None, longest: _Longest) -> str:
+    width, height = STEP_SIZE
+    scale = SIDE / scene["l"]
+    q = scene["q"]
+
+    def place(point: Place) -> Place:
+        return width / 2 + scale * (point[0] - q[0]), 95 - scale * (point[1] - q[1])
+
+    square = corners(q, scene["l"])
+    lowest = min(square, key=lambda corner: corner[1])
+    shapes = []
+    ground = place((0, 0))[1]
+    if ground < height:
+        below = f'y="{ground:.1f}" width="{width}" height="{height - ground:.1f}"'
+        shapes = [f'<rect x="0" {below} class="ground"/>']
+        shapes.append(svg.line(0, ground, width, ground, width=2))
+    shapes.append(_closed([place(corner) for corner in square]))
+    centre = place((q[0], q[1]))
+    touches = lowest[1] < scene["delta"]  # eq. (11)
+    if touches:
+        x, y = place(lowest)
+        shapes.append(f'<circle cx="{x:.1f}" cy="{y:.1f}" r="5" fill="{svg.INK}"/>')
+    said = ["not finite"]
+    if v:
+        shapes += _arrow(centre, (v[0], v[1]), LONGEST / longest.speed, "v\N{PRIME}")
+        shapes += _turning((width - 36, 34), v[2] / longest.turning)
+        said = [f"v\N{PRIME} = ({_n(v[0])}, {_n(v[1])}) m/s", f"{OMEGA} = {_n(v[2])} rad/s"]
+    if v and touches:
+        force = _force(scene, v)
+        shapes += _arrow(place(lowest), force, LONGEST / longest.force, "f", "5 3")
+        said.append(f"force of the ground f = ({_n(force[0])}, {_n(force[1])}) N")
+    drawn = svg.svg(shapes, width, height, f"One step, {title}: {', '.join(said)}")
+    words = "<br>".join(map(escaping.html, said))
+    return f"<figure>{drawn}<figcaption><b>{title}</b><br>{words}</figcaption></figure>"
+
+
+def _n(x: float) -> str:
+    return f"{0.0 if abs(x) < 1e-14 else x:.4g}".replace("-", "\N{MINUS SIGN}")
+
+
+def _closed(points: list[Place], dash: str = "", width: float = 1.5) -> str:
+    return svg.path([*points, points[0]], dash, width)
+
+
+def _arrow(start: Place, along: Place, scale: float, words: str, dash: str = "") -> list[str]:
+    """With its words on its left, a little beyond its middle."""
+    x, y = scale * along[0], -scale * along[1]
+    length = math.hypot(x, y)
+    if length < 2:
+        return []
+    tip = (start[0] + x, start[1] + y)
+    beside = (start[0] + 0.6 * x + 13 * y / length, start[1] + 0.6 * y - 13 * x / length + 5)
+    out = [svg.line(*start, *tip, dash, 2), _head(tip, x / length, y / length)]
+    return [*out, svg.text(*beside, words, "middle")]
+
+
+def _head(tip: Place, x: float, y: float) -> str:
+    """Of an arrow in the direction (x, y)."""
+    base = (tip[0] - 9 * x, tip[1] - 9 * y)
+    points = [tip, (base[0] - 4 * y, base[1] + 4 * x), (base[0] + 4 * y, base[1] - 4 * x)]
+    return f'<path d="M{"L".join(f"{a:.1f} {b:.1f}" for a, b in points)}Z" fill="{svg.INK}"/>'
+
+
+def _turning(centre: Place, share: float) -> list[str]:
+    """An arc from the top, counter-clockwise where omega is positive, of up to three quarters of a
+    turn, and never too short for its head."""
+    if share == 0:
+        return []
+    share = math.copysign(max(abs(share), 0.15), share)
+    radius, end = 20, -1.5 * math.pi * share - math.pi / 2
+    tip = (centre[0] + radius * math.cos(end), centre[1] + radius * math.sin(end))
+    large, sweep = int(abs(share) > 2 / 3), int(share < 0)
+    arc = f"M{centre[0]:.1f} {centre[1] - radius:.1f}A{radius} {radius} 0 {large} {sweep} "
+    drawn = f'<path d="{arc}{tip[0]:.1f} {tip[1]:.1f}" fill="none" stroke="{svg.INK}"/>'
+    ahead = math.copysign(1, -share)
+    head = _head(tip, -ahead * math.sin(end), ahead * math.cos(end))
+    return [drawn, head, svg.text(centre[0], centre[1] + 5, OMEGA, "middle")]
+
+
+# --- a trajectory ---
+
+
+def of_paths(scene: Shown, path: Shown) -> str:
+    """The ways of the centre, and the squares where they end."""
+    got = {t: row for t, row in enumerate(path["got"]) if not any(isinstance(x, str) for x in row)}
+    right = dict(zip(path.get("columns", []), path.get("expected", [])))
+    view = _View([*right.values()] or [*got.values()] or [scene["q"]], scene["l"])
+    below = f'y="{view.ground:.1f}" width="{PATH_SIZE[0]}" height="{PATH_SIZE[1]}"'
+    shapes = [f'<rect x="0" {below} class="ground"/>']
+    shapes.append(svg.line(0, view.ground, PATH_SIZE[0], view.ground, width=2))
+    shapes += _way(view, right, "", hollow=True) + _way(view, got, "5 4", hollow=False)
+    last = max(right or got, default=0)
+    for known, dash in ((right, ""), (got, "5 4")):
+        if last in known:
+            square = [view.at(corner) for corner in corners(known[last], scene["l"])]
+            shapes.append(_closed(square, dash))
+    first = path["first"]
+    if first in (right or got):
+        x, y = view.at((right or got)[first])
+        shapes += [svg.line(x + 6, y, x + 26, y), svg.text(x + 30, y + 5, f"column {first}")]
+    words = f"The way of the centre, and the square in column {last}"
+    key = "rings, solid: right; dots, dashed: yours" if right else "dots, dashed: yours"
+    drawn = svg.svg(shapes, *PATH_SIZE, f"{words}; column {first} is the first wrong one; {key}")
+    return f'<figure class="wide">{drawn}<figcaption>{words} ({key}).</figcaption></figure>'
+
+
+class _View:
+    """Where the world is in the picture: as wide as these configurations need."""
+
+    def __init__(self, configurations: list[list[float]], l: float) -> None:
+        near = [q for q in configurations if math.hypot(q[0], q[1]) < 1e6] or [[0.0, 0.0, 0.0]]
+        xs, ys = [q[0] for q in near], [0.0, *(q[1] for q in near)]
+        self.left, self.bottom = min(xs) - l, min(ys)
+        width, height = max(xs) + l - self.left, max(ys) + l - self.bottom
+        room_x, room_y = PATH_SIZE[0], PATH_SIZE[1] - 2 * ROOM
+        self.scale = min(room_x / width, room_y / height)
+        self.left -= (room_x / self.scale - width) / 2
+        self.ground = self.at((0, 0))[1]
+
+    def at(self, point: Sequence[float]) -> Place:
+        x = self.scale * (point[0] - self.left)
+        y = PATH_SIZE[1] - ROOM - self.scale * (point[1] - self.bottom)
+        return min(max(x, -FAR), FAR), min(max(y, -FAR), FAR)
+
+
+def _way(view: _View, known: dict[int, list[float]], dash: str, hollow: bool) -> list[str]:
+    """A line where columns follow each other, and marks."""
+    places = {t: view.at(q) for t, q in known.items()}
+    columns = sorted(places)
+    gapless = len(columns) > 1 and columns[-1] - columns[0] == len(columns) - 1
+    out = [svg.path([places[t] for t in columns], dash)] if gapless else []
+    every = max(1, len(columns) // 20)
+    for x, y in (places[t] for t in columns[::every]):
+        size, fill = (5, "none") if hollow else (2.5, svg.INK)
+        ring = f'<circle cx="{x:.1f}" cy="{y:.1f}" r="{size}" fill="{fill}" stroke="{svg.INK}"/>'
+        out.append(ring)
+    return out

@@ -1,0 +1,4 @@
+"""Compiles and links a submission, and keeps its objects.
+
+Imports: common, sandbox, submission.
+"""

@@ -1,0 +1,111 @@
+"""Compiles the parts of a submission and the sources beside them, in a box."""
+
+import math
+from pathlib import Path
+from typing import NamedTuple
+
+from bounce_grader.build import compiler, object_cache
+from bounce_grader.common.parallel_map import each
+from bounce_grader.common.paths import SOURCES
+from bounce_grader.sandbox import processes
+from bounce_grader.sandbox.box import PROGRAMS, Box
+from bounce_grader.sandbox.budget import Overrun
+from bounce_grader.submission.submission import Submission
+
+HELPERS_SECONDS = 30  # of CPU time, for all helpers of a submission
+
+
+class Built(NamedTuple):
+    """An object file or a runner; or one sentence that says why there is none."""
+
+    path: Path | None
+    problem: str = ""
+
+
+class Objects(NamedTuple):
+    parts: dict[int, Built]
+    helpers: dict[str, Built]
+    solvers: bool = True  # whether one may have been compiled against solvers.hpp
+
+
+def compile_all(
+    submission: Submission, work: Path, box: Box, jobs: int, timed: bool = False
+) -> Objects:
+    """Every part and helper by itself, in folders inside of the folder `work`. What is `timed` is
+    built as a program is that somebody uses, without checks."""
+    helpers, spent = submission.helpers, [0.0]  # by helpers, in seconds
+    named = object_cache.named_sources(submission)
+
+    def compiled(file: str) -> Built:
+        own = [] if file not in helpers else spent
+        if sum(own) > HELPERS_SECONDS:
+            return Built(None, f"{file} wasn't compiled: the helpers took {HELPERS_SECONDS} s")
+        try:
+            return _Compiling(file, submission, named, work, box, timed, own).built()
+        except Overrun as overrun:
+            return Built(None, f"{file} wasn't compiled: {overrun}")
+
+    files = [*submission.parts.values(), *helpers]
+    built = dict(zip(files, each(compiled, files, jobs)))
+    return Objects(
+        {number: built[file] for number, file in submission.parts.items()},
+        {file: built[file] for file in helpers},
+        compiler.header_of(submission.files, submission) == "solvers",
+    )
+
+
+class _Compiling(NamedTuple):
+    """Of one file."""
+
+    file: str
+    submission: Submission
+    named: frozenset[str]  # the sources that some file names
+    work: Path
+    box: Box
+    timed: bool
+    spent: list[float]  # CPU seconds of all helpers, to add to; of a part, its own
+
+    def built(self) -> Built:
+        """Compiles where the object doesn't exist yet. The compiler sees the files that name the
+        object, and no other: first those that a look at the text says it needs, so that an object
+        outlives changes elsewhere; and where it misses one, all."""
+        needed = object_cache.needed(self.file, self.submission, self.named)
+        everything = sorted(self.submission.files)
+        if needed != everything:
+            built = self._seeing(needed, more=True)
+            if built.path or built.problem:
+                return built
+        return self._seeing(everything, more=False)
+
+    def _seeing(self, names: list[str], more: bool) -> Built:
+        """Neither an object nor a problem where a file is missed and `more` could be seen."""
+        name = object_cache.name_of(self.file, names, self.submission, self.box, self.timed)
+        place = object_cache.place(name)
+        if object_cache.is_there(place):
+            return Built(place)
+        folder = self.work / f"{SOURCES}-{name[:16]}"
+        made = self.work / f"{name[:16]}.o"
+        self.submission.write_to(folder, names)
+        self.box.give(folder)
+        header = "speed" if self.timed else compiler.header_of(names, self.submission)
+        clang = compiler.clang(self.file, self.submission, header)
+        first = result = self._run(clang, folder, made, ())
+        if more and compiler.misses_a_file(first):
+            return Built(None)
+        if not first.ok and not compiler.ran_out_of_time(first):
+            gcc = compiler.gcc(self.file, self.submission, self.box, self.timed)
+            result = self._run(gcc, folder, made, PROGRAMS)
+        if not result.ok or not made.stat().st_size:
+            return Built(None, compiler.compile_problem(first, self.file))
+        if made.stat().st_size > compiler.LARGEST_OBJECT:
+            return Built(None, compiler.too_large(self.file))
+        return Built(object_cache.store(made.read_bytes(), place))
+
+    def _run(
+        self, command: list[str], folder: Path, made: Path, programs: tuple[str, ...]
+    ) -> processes.Result:
+        left = max(1, math.ceil(HELPERS_SECONDS - sum(self.spent)))  # COMPILE's, for a part
+        limits = compiler.COMPILE._replace(cpu_seconds=min(left, compiler.COMPILE.cpu_seconds))
+        result = compiler.run(command, folder, self.box, made, programs, limits)
+        self.spent.append(result.cpu_seconds)
+        return result

@@ -1,0 +1,124 @@
+"""The compilers' commands, and what they say, in a box."""
+
+import re
+from collections.abc import Iterable
+from functools import cache
+from pathlib import Path
+
+from bounce_grader.common.errors import KitError
+from bounce_grader.common.escaping import terminal
+from bounce_grader.common.paths import CONTRACT, RUNNER
+from bounce_grader.sandbox import processes
+from bounce_grader.sandbox.box import Box
+from bounce_grader.submission.submission import Submission
+
+COMPILE_MEMORY = 2 << 30
+COMPILE = processes.Limits(15, 120, memory=COMPILE_MEMORY, file_size=64 << 20)
+LARGEST_OBJECT = 8 << 20
+
+# What solvers.hpp is for: it takes longer to read, and shorter than to make what is in it.
+SOLVERS = re.compile(rb"MatrixXd|VectorXd|LLT|LDLT|L[Uu]\b|Q[Rr]\b|\b(?:llt|ldlt|lu)\b")
+
+
+def run(
+    command: list[str],
+    folder: Path,
+    box: Box,
+    made: Path,
+    programs: Iterable[str] = (),
+    limits: processes.Limits = COMPILE,
+) -> processes.Result:
+    """In the folder of a submission's sources; the object is written to the file `made`. Raises
+    KitError where the box or the machine has failed, and not the submission."""
+    prefix = box.to_build(folder, [CONTRACT, RUNNER], programs)
+    result = box.run([*prefix, *command], limits, cwd=folder, output=made)
+    require_a_compiler(result, limits)
+    return result
+
+
+def require_a_compiler(result: processes.Result, limits: processes.Limits) -> None:
+    """Raises KitError where the box or the machine has failed, and not the submission. What tells
+    so is a descriptor that no compiler has, and a signal: a submission can print any text."""
+    if not result.boxed:
+        why = result.err.strip().partition("\n")[0]
+        raise KitError(f"a box couldn't be made: {terminal(why) or 'it ended'}")
+    # The system counts what it limits in ticks, and what it tells in nanoseconds.
+    if result.killed and result.cpu_seconds < 0.7 * limits.cpu_seconds:
+        raise KitError("the compiler was killed from outside; is the machine short of memory?")
+
+
+def misses_a_file(result: processes.Result) -> bool:
+    """As the compilers and their assemblers say it."""
+    says = r"not found|No such file|[Cc]ould not find|can't open"
+    return not result.ok and re.search(says, result.err) is not None
+
+
+def header_of(names: Iterable[str], submission: Submission) -> str:
+    """The name of the precompiled header for a part that is made from these files."""
+    rare = any(SOLVERS.search(submission.files[name]) for name in names)
+    return "solvers" if rare else "prelude"
+
+
+def clang(file: str, submission: Submission, header: str) -> list[str]:
+    flags = "speed_flags" if header == "speed" else "clang_flags"
+    command = [compiler(), f"@{RUNNER / flags}.txt", "-include-pch", str(RUNNER / f"{header}.pch")]
+    return [*command, *_source(file, submission)]
+
+
+def gcc(
+    file: str, submission: Submission, box: Box, timed: bool = False, flags: Iterable[str] = ()
+) -> list[str]:
+    """For what clang refuses: what a student's own compiler takes must count. That a signal has
+    ended one of the programs that g++ starts is told by its exit status."""
+    kind = "gcc_speed_flags" if timed else "gcc_flags"
+    command = ["/usr/bin/g++", "-wrapper", f"{box.enter},step", "-pass-exit-codes"]
+    command += [f"@{RUNNER / kind}.txt", *flags, "-include", str(RUNNER / "prelude.hpp")]
+    return [*command, *_source(file, submission)]
+
+
+def _source(file: str, submission: Submission) -> list[str]:
+    folders = [f"-I{name}" for name in submission.include_folders]
+    return [*folders, "-Dmain=submitted_main", "-x", "c++", "-c", file, "-o", "OUTPUT"]
+
+
+@cache
+def compiler() -> str:
+    return (RUNNER / "compiler.txt").read_text().strip()
+
+
+def ran_out_of_time(result: processes.Result) -> bool:
+    return result.too_long or result.code in (-9, -24, 128 + 9, 128 + 24)
+
+
+def too_large(file: str) -> str:
+    return f"{file} makes an object of more than {LARGEST_OBJECT >> 20} MB"
+
+
+def compile_problem(result: processes.Result, file: str) -> str:
+    """The compiler's first error, in one line, with the submission's own file and line."""
+    if ran_out_of_time(result):
+        return f"{file} took more than {COMPILE.cpu_seconds} s to compile"
+    if result.code in (-25, 128 + 25):
+        return too_large(file)
+    errors = re.findall(r"^(.+?:\d+:\d+): (?:fatal )?error: (.*)$", result.err, re.MULTILINE)
+    if not errors:
+        return f"{file}: {_without_a_place(result)}"
+    where, what = errors[0]
+    said_by_eigen = re.search(r'"([A-Z_0-9]{8,})"$', what)
+    if said_by_eigen:
+        what = said_by_eigen.group(1).replace("_", " ").lower()
+    if where.startswith("/"):
+        instantiated = re.search(rf"^({re.escape(file)}:\d+):\d+: note: ", result.err, re.MULTILINE)
+        asked = f", asked for at {instantiated.group(1)}" if instantiated else f" in {file}"
+        return f"{what}{asked} ({Path(where).name})"
+    return f"{where}: {what}"
+
+
+def _without_a_place(result: processes.Result) -> str:
+    error = re.search(r"^(?:\S+: )?(?:fatal )?error: (.*)$", result.err, re.MULTILINE)
+    if error:
+        return error.group(1)
+    return (
+        f"the compiler gave up on it: it takes more than {COMPILE_MEMORY >> 30} GB of memory, or "
+        "meets a fault of the compiler's own; take lines out until it compiles"
+    )

@@ -1,0 +1,147 @@
+"""Links the objects of a submission with the runner, in a box."""
+
+import re
+from collections.abc import Iterable
+from pathlib import Path
+
+from bounce_grader.build.compile import Built, Objects
+from bounce_grader.build.compiler import COMPILE, compile_problem, gcc, require_a_compiler
+from bounce_grader.common.manifest import Part
+from bounce_grader.common.paths import CACHE, CONTRACT, RUNNER, SOURCES
+from bounce_grader.sandbox import processes
+from bounce_grader.sandbox.box import Box
+from bounce_grader.submission.submission import Submission
+
+LINK = processes.Limits(cpu_seconds=10, wall_seconds=60, memory=2 << 30, file_size=64 << 20)
+RUNNER_OBJECTS = ("runner", "channel", "crash", "solve_lcp", "render")
+# First what is checked: of functions that are in several objects, the linker takes the first.
+KIT_OBJECTS = ("prelude", *RUNNER_OBJECTS)
+# Last, so that it is taken only where something is missing still. To look at it takes a tenth of a
+# link.
+SOLVERS = ("--start-lib", str(RUNNER / "solvers.o"), "--end-lib")
+
+SANITIZERS = ("-fsanitize=address,undefined", "-fno-sanitize-recover=all")
+CHECKED_LINK = (
+    "-no-pie",
+    "-static-libasan",
+    "-static-libubsan",
+    "-static-libstdc++",
+    "-static-libgcc",
+)
+
+
+def link_together(objects: Objects, runner: Path, box: Box, timed: bool = False) -> Built:
+    """One runner with all of the submission's own parts; where it is timed, without the prelude's
+    code, which is checked and so slower than what the parts bring themselves."""
+    own = [b.path for b in _all(objects)]
+    if timed:
+        return _link(own, [], runner, box, kit=RUNNER_OBJECTS)
+    return _link(own, _rare(objects), runner, box)
+
+
+def link_alone(part: Part, objects: Objects, runner: Path, box: Box) -> Built:
+    """A runner with one part; what earlier parts it calls is asked of the judge.
+
+    Helpers that another part's file defines are found in a second try, in which the given parts
+    still come first; and there, what two helpers both define costs nobody anything.
+    """
+    own = [objects.parts[part.number].path, *(b.path for b in objects.helpers.values())]
+    given, rare = _given(part), _rare(objects)
+    alone = _link(own, [*given, *rare], runner, box)
+    others = [b.path for number, b in objects.parts.items() if number != part.number and b.path]
+    if alone.path or not (others or objects.helpers):
+        return alone
+    several = ("--allow-multiple-definition",)
+    second = _link(own, [*given, *map(str, others), *rare], runner, box, several)
+    return second if second.path else alone
+
+
+def checked_alone(part: Part, submission: Submission, work: Path, box: Box) -> Built:
+    """A runner with one part, built with g++'s sanitizers, as link_alone would make it."""
+    sources = work / SOURCES
+    submission.write_to(sources)
+    box.give(sources)
+    objects: list[Path] = []
+    for file in [submission.parts[part.number], *submission.helpers]:
+        objects.append(work / f"checked{part.number}-{len(objects)}.o")
+        result = box.run(
+            [
+                *box.to_build(sources, [CONTRACT, RUNNER]),
+                *gcc(file, submission, box, flags=SANITIZERS),
+            ],
+            COMPILE,
+            cwd=sources,
+            output=objects[-1],
+        )
+        if not result.ok:
+            return Built(None, compile_problem(result, file))
+    kit = [str(RUNNER / f"{name}.o") for name in (*RUNNER_OBJECTS, "sanitizers")]
+    command = ["/usr/bin/g++", *SANITIZERS, *CHECKED_LINK, "-o", "OUTPUT"]
+    command += [*kit, *map(str, objects), *_given(part)]
+    prefix = box.to_build(RUNNER, [RUNNER, *objects])
+    return _linked(prefix + command, work / f"checked{part.number}", box)
+
+
+def _given(part: Part) -> list[str]:
+    if not part.has_earlier_parts:
+        return []
+    return [str(RUNNER / f"given_part{n}.o") for n in range(1, part.number)]
+
+
+def _rare(objects: Objects) -> list[str]:
+    return [*SOLVERS] if objects.solvers else []
+
+
+def _all(objects: Objects) -> Iterable[Built]:
+    return [*objects.parts.values(), *objects.helpers.values()]
+
+
+def _link(
+    own: Iterable[Path | None],
+    more: list[str],
+    runner: Path,
+    box: Box,
+    flags: tuple[str, ...] = (),
+    kit: tuple[str, ...] = KIT_OBJECTS,
+) -> Built:
+    files = [str(path) for path in own if path]
+    given = [str(RUNNER / f"{name}.o") for name in kit]
+    command = _link_command([*flags, *given, *files, *more])
+    visible = [Path(word) for word in files + more if word.startswith(str(CACHE))]
+    return _linked(box.to_build(RUNNER, visible, programs=()) + command, runner, box)
+
+
+def _linked(command: list[str], runner: Path, box: Box) -> Built:
+    result = box.run(command, LINK, cwd=RUNNER, output=runner)
+    require_a_compiler(result, LINK)
+    if not result.ok or not runner.stat().st_size:
+        return Built(None, link_problem(result))
+    runner.chmod(0o755)
+    return Built(runner)
+
+
+def _link_command(words: list[str]) -> list[str]:
+    """What clang would have the linker do with these words."""
+    command = (RUNNER / "link_command.txt").read_text().splitlines()
+    place = command.index("OBJECTS")
+    return [*command[:place], *words, *command[place + 1 :]]
+
+
+def link_problem(result: processes.Result) -> str:
+    """What the linker misses, or has twice, in one line."""
+    missing = _linker(r"undefined symbol: (.*)\n>>> referenced by (.+?):(\d+)", result)
+    if missing:
+        name, file, line = missing.groups()
+        return f"{file}:{line} uses {name}, which no file that compiles defines"
+    missing = _linker(r"undefined symbol: (.*)", result)
+    if missing:
+        return f"{missing.group(1)} is used, but no file that compiles defines it"
+    twice = _linker(r"duplicate symbol: (.*)", result)
+    if twice:
+        return f"{twice.group(1)} is defined in two files"
+    return "the parts can't be linked with each other: look for lines of assembler in them"
+
+
+def _linker(says: str, result: processes.Result) -> re.Match[str] | None:
+    """From the start of a line, so that long lines of a submission's own words are read once."""
+    return re.search(rf"^ld\.lld: error: {says}", result.err, re.MULTILINE)

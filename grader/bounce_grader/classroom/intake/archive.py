@@ -1,0 +1,74 @@
+"""A flat collection of files: Canvas's zip, or the folder that it was unpacked to."""
+
+import os
+import stat
+import zipfile
+import zlib
+from functools import lru_cache
+from pathlib import Path
+
+from bounce_grader.common.errors import UsageError
+from bounce_grader.submission.folders import SAFELY
+
+FAILURES = (zipfile.BadZipFile, zlib.error, EOFError, OSError, ValueError, RuntimeError, KeyError)
+
+
+class Damaged(UsageError):
+    """The download itself is: that is no student's fault."""
+
+
+class Archive:
+    """Reads entries by name; at most so many bytes of each. Raises UsageError."""
+
+    def __init__(self, path: Path) -> None:
+        self.path = path
+        self._zip: zipfile.ZipFile | None = None
+        if not path.is_dir():
+            try:
+                self._zip = zipfile.ZipFile(path)
+            except FAILURES as error:
+                raise Damaged(f"{path} is broken ({error}): download it again") from error
+
+    def names(self) -> list[str]:
+        if self._zip:
+            infos = self._zip.infolist()
+            return list(dict.fromkeys(info.filename for info in infos if not info.is_dir()))
+        return sorted(name for name in os.listdir(self.path) if not _is_folder(self.path / name))
+
+    def size(self, name: str) -> int:
+        if self._zip:
+            return self._zip.getinfo(name).file_size
+        return (self.path / name).lstat().st_size
+
+    def read(self, name: str, most: int) -> bytes:
+        try:
+            if self._zip:
+                with self._zip.open(name) as stream:
+                    return stream.read(most)
+            if os.path.islink(self.path / name):
+                raise ValueError("it is a link")
+            with open(os.open(self.path / name, SAFELY), "rb") as file:
+                if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
+                    raise ValueError("it is no ordinary file")
+                return file.read(most)
+        except FAILURES as error:
+            if self._zip:
+                raise Damaged(
+                    f"{self.path} is damaged ({name}: {error}): download it again"
+                ) from error
+            raise UsageError(f"{name} can't be read from {self.path.name}: {error}") from error
+
+
+def _is_folder(path: Path) -> bool:
+    return os.path.isdir(path) and not os.path.islink(path)
+
+
+def opened(path: Path) -> Archive:
+    """Kept open, for as long as it stays the same: its list of entries may be long."""
+    status = path.stat()
+    return _opened(path, status.st_mtime_ns, status.st_ino)
+
+
+@lru_cache(maxsize=2)
+def _opened(path: Path, changed: int, inode: int) -> Archive:
+    return Archive(path)

@@ -1,0 +1,93 @@
+"""The names in Canvas's bulk download, as its lib/content_zipper.rb writes them.
+
+    {name}[_LATE]_{user id}_{attachment id}_{file}
+    [LATE_]anon_{anonymous id}_{attachment id}_{file}
+    {name}[_LATE]_{user id}_text.html, or _link.html: a text entry, or an address
+
+A name is in lower case, and without anything but letters, digits and "_", so LATE is never a part
+of it.
+"""
+
+import re
+import unicodedata
+from dataclasses import dataclass
+
+from bounce_grader.common.escaping import name as printable
+from bounce_grader.common.files import fitting
+from bounce_grader.submission.submission import COPY, part_file
+
+ID = "[0-9]{1,20}"
+USER = rf"(?P<user>anon_[A-Za-z0-9]{{1,20}}|{ID})"
+WHO = rf"(?:(?!LATE_|anon_)(?P<name>.+?)_)?(?:(?P<late>LATE)_)?{USER}"
+UPLOAD = re.compile(rf"{WHO}_(?P<attachment>{ID})_(?P<file>.+)", re.DOTALL)
+ENTRY = re.compile(rf"{WHO}_(?P<kind>text|link)\.html", re.DOTALL)
+
+
+@dataclass(frozen=True)
+class Upload:
+    """One file that a student, or a group, handed in."""
+
+    entry: str  # its whole name in the archive
+    name: str  # "doejane", or "" where the assignment is anonymous
+    user: str
+    late: bool
+    attachment: int
+    file: str
+
+
+@dataclass(frozen=True)
+class TextEntry:
+    name: str
+    user: str
+    late: bool
+    kind: str  # "text" or "link"
+
+
+def parse(entry: str) -> Upload | TextEntry | None:
+    """None where it isn't a name of Canvas's."""
+    found = ENTRY.fullmatch(entry)
+    if found:
+        return TextEntry(found["name"] or "", found["user"], bool(found["late"]), found["kind"])
+    found = UPLOAD.fullmatch(entry)
+    if not found:
+        return None
+    user, attachment, file = found["user"], int(found["attachment"]), found["file"]
+    return Upload(entry, found["name"] or "", user, bool(found["late"]), attachment, file)
+
+
+def feedback_name(uploads: tuple[Upload, ...]) -> str:
+    """The name under which Canvas takes a page back as a comment: the ids of the newest upload."""
+    newest = max(uploads, key=lambda upload: upload.attachment)
+    ids = newest.entry[len(newest.name) : -len(newest.file)]
+    return f"{printable(fitting(newest.name))}{ids}feedback.html"
+
+
+def sanitized(sortable_name: str) -> str:
+    """What Canvas makes of "Doe, Jane": doejane."""
+    flat = re.sub(r"_(\d+)_", r"\1", sortable_name).lower()
+    return "".join(filter(_in_a_word, flat))
+
+
+def _in_a_word(c: str) -> bool:
+    """Ruby's [[:word:]], which keeps the marks on letters, too."""
+    return unicodedata.category(c)[0] in "LM" or unicodedata.category(c) in ("Nd", "Pc")
+
+
+def plain_file(file: str, texts: list[bytes]) -> str:
+    """A file under the name that the submission's sources know it by: rotation-1.hpp is
+    rotation.hpp, but for a submission that says "rotation-1.hpp" itself."""
+    part = part_file(file)
+    if part:
+        return part
+    names = [file, *_without_number(file)]
+    said = [name for name in names if any(name.encode() in text for text in texts)]
+    return said[0] if said else names[-1]
+
+
+def _without_number(file: str) -> list[str]:
+    """Canvas's number is before the last dot, or, in names of several dots, before the first."""
+    names = []
+    for dot in (file.find("."), file.rfind(".")):
+        name = COPY.sub("", file[:dot]) + file[dot:]
+        names += [name] if dot > 0 and name != file else []
+    return names

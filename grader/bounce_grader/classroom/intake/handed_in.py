@@ -1,0 +1,83 @@
+"""What a student handed in, as one submission: a folder, a zip, or the uploads of a Canvas download.
+
+Everything is read into memory under one budget. Nothing is written, and no size is believed.
+"""
+
+import os
+from collections.abc import Iterable, Iterator
+from contextlib import ExitStack
+from pathlib import Path
+
+from bounce_grader.classroom.intake import canvas
+from bounce_grader.classroom.intake.archive import opened, Archive
+from bounce_grader.classroom.intake.canvas import Upload
+from bounce_grader.classroom.intake.students import is_zip, texts_of
+from bounce_grader.common.errors import about_one_submission, UsageError
+from bounce_grader.submission import intake, submission
+from bounce_grader.submission.entry import LARGEST_SOURCE, MOST_ENTRIES, Entry
+from bounce_grader.submission.submission import Submission
+
+LARGEST = 64 * 1024 * 1024  # of all uploads together
+WHOLE = Path("the submission")  # what messages call it
+
+
+def read(path: Path, uploads: tuple[Upload, ...]) -> Submission:
+    """`path` is the folder or zip, or the download with the uploads. Raises UsageError."""
+    if not uploads:
+        return submission.read(path)
+    with about_one_submission(f"{WHOLE} can't be read"), ExitStack() as open_zips:
+        entries = _merged(opened(path), uploads, open_zips)
+        taken = submission.take(WHOLE, list(entries.values()))
+    return taken
+
+
+def _contents(archive: Archive, uploads: Iterable[Upload]) -> Iterator[tuple[Upload, bytes]]:
+    """Each upload with its bytes; of a source, one more than it may have tells that it is too
+    large. Raises UsageError where they are too large together."""
+    room = LARGEST
+    for upload in uploads:
+        most = room if is_zip(upload.file) else min(room, LARGEST_SOURCE)
+        data = archive.read(upload.entry, most + 1)
+        room -= len(data)
+        if room < 0:
+            raise UsageError(
+                f"{upload.file} is too large: all that is handed in may have {LARGEST >> 20} MB"
+            )
+        yield upload, data
+
+
+def _merged(
+    archive: Archive, uploads: tuple[Upload, ...], open_zips: ExitStack
+) -> dict[str, Entry]:
+    """The files of all uploads. These come oldest first, and a newer one takes the place of a file
+    of the same name, or of the same part."""
+    texts = texts_of(archive, uploads)
+    merged: dict[str, Entry] = {}
+    listed = 0
+    for upload, data in _contents(archive, uploads):
+        if is_zip(upload.file):
+            name = Path(upload.file) if len(uploads) > 1 else WHOLE
+            newer = open_zips.enter_context(intake.opened(name, data))
+        else:
+            newer = [_entry(upload, data, archive.size(upload.entry), texts)]
+        listed += len(newer)
+        if listed > MOST_ENTRIES:
+            raise UsageError(
+                f"{WHOLE} holds more than {MOST_ENTRIES} files: hand in the parts alone"
+            )
+        links = {entry.name: entry for entry in newer if entry.link}  # these take no file's place
+        files = {entry.name: entry for entry in newer if not entry.link}
+        merged = links | _without_parts(set(map(_part, files)), merged) | files
+    return merged
+
+
+def _entry(upload: Upload, data: bytes, size: int, texts: list[bytes]) -> Entry:
+    return Entry(canvas.plain_file(upload.file, texts), size, False, lambda most: data[:most])
+
+
+def _without_parts(parts: set[str | None], older: dict[str, Entry]) -> dict[str, Entry]:
+    return {name: e for name, e in older.items() if _part(name) not in parts - {None}}
+
+
+def _part(name: str) -> str | None:
+    return submission.part_file(os.path.basename(name))

@@ -1,0 +1,313 @@
+"""Whose submissions these are: from Canvas's download, a folder of folders or of zips, or a
+checkout of GitHub Classroom. What belongs to nobody is kept, with its reason."""
+
+import os
+import zipfile
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from bounce_grader.classroom.intake import canvas
+from bounce_grader.classroom.intake.archive import opened, Archive, Damaged
+from bounce_grader.classroom.intake.canvas import TextEntry, Upload
+from bounce_grader.common.errors import about_one_submission, UsageError
+from bounce_grader.common.escaping import name as printable, some
+from bounce_grader.common.files import fitting
+from bounce_grader.submission import submission
+from bounce_grader.submission.entry import LARGEST_SOURCE
+from bounce_grader.submission.submission import HEADERS, MOST_BYTES, SOURCES, part_file
+
+MOST_UPLOADS = 100  # of a student's
+HAND_IN = (
+    "Hand in the four parts, part1_contacts.cpp to part4_simulate.cpp, as files or as one zip."
+)
+
+
+@dataclass(frozen=True)
+class Student:
+    """One submission: a person's, or a group's."""
+
+    id: str  # Canvas's user id, a login, or the name of a folder
+    name: str
+    path: Path  # the folder or zip; of a Canvas download, the whole of it
+    uploads: tuple[Upload, ...] = ()  # in a Canvas download: the files that count
+    late: bool = False
+    feedback: str = ""  # the name of the page that goes back
+    unused: tuple[str, ...] = ()  # a sentence for each file that doesn't count
+
+
+@dataclass(frozen=True)
+class Unmatched:
+    """Something in SUBMISSIONS that can't be graded."""
+
+    name: str
+    reason: str  # a sentence that goes on from the name
+    user: str = ""  # whose it is, where that is known
+    feedback: str = ""  # the name of the page that tells them
+    told: str = ""  # what it says
+
+
+@dataclass
+class Class:
+    source: str  # what SUBMISSIONS was taken for
+    students: list[Student] = field(default_factory=list)
+    unmatched: list[Unmatched] = field(default_factory=list)
+
+    @property
+    def handed_in(self) -> int:
+        """How many handed in something, whatever it is."""
+        return len({s.id for s in self.students} | {u.user for u in self.unmatched if u.user})
+
+
+def read(path: Path) -> Class:
+    """Raises UsageError where there is no class in it."""
+    path = path.absolute()
+    if path.is_dir():
+        children = sorted(path.iterdir())
+        if any(canvas.parse(child.name) and _is_file(child) for child in children):
+            found = _canvas(path)
+        else:
+            found = _folder(path, children)
+    elif not path.exists():
+        raise UsageError(f"there is no file or folder {path}")
+    elif zipfile.is_zipfile(path):
+        found = _canvas(path)
+    else:
+        cut = is_zip(path.name) or not path.stat().st_size
+        reason = "is broken, or was cut short: download it again"
+        other = "is neither a folder nor a zip: give Canvas's download as it is"
+        raise UsageError(f"{path} {reason if cut else other}")
+    if not found.students:
+        raise UsageError(f"no submission is found in {path}: {_expected(found)}")
+    found.students.sort(key=lambda student: (student.name, student.id))
+    return found
+
+
+def _expected(found: Class) -> str:
+    first = found.unmatched[0] if found.unmatched else None
+    seen = f"the first entry, {first.name!r}, {first.reason}" if first else "it is empty"
+    return f"{seen}; it should be Canvas's download, or a folder with one folder or zip a student"
+
+
+def _is_file(path: Path) -> bool:
+    return os.path.isfile(path) and not os.path.islink(path)
+
+
+def _is_folder(path: Path) -> bool:
+    return os.path.isdir(path) and not os.path.islink(path)
+
+
+def _canvas(path: Path) -> Class:
+    archive = opened(path)
+    found = Class("a Canvas download")
+    if path.is_dir():
+        folders = [child.name for child in sorted(path.iterdir()) if _is_folder(child)]
+        found.unmatched += [
+            Unmatched(f, "is a folder; Canvas's download has none") for f in folders
+        ]
+    users: dict[str, list[Upload]] = {}
+    texts: dict[str, list[TextEntry]] = {}
+    for name in archive.names():
+        parsed = canvas.parse(name) if "/" not in name else None
+        if isinstance(parsed, Upload):
+            users.setdefault(parsed.user, []).append(parsed)
+        elif parsed:
+            texts.setdefault(parsed.user, []).append(parsed)
+            found.unmatched.append(_typed(name, parsed))
+        else:
+            found.unmatched.append(Unmatched(name, _no_name(name)))
+    for user, uploads in users.items():
+        page = canvas.feedback_name(tuple(uploads))
+        name = page.removesuffix("_feedback.html")
+        try:
+            student = _student(archive, user, uploads)
+        except Damaged:
+            raise
+        except UsageError as error:
+            told = f"What you handed in {error}. {HAND_IN}"
+            found.unmatched.append(Unmatched(name, str(error), user, page, told))
+            continue
+        if student.uploads:
+            found.students.append(student)
+        else:
+            reason = f"holds nothing that can be graded: {some(student.unused, separator='; ')}"
+            told = f"{some(student.unused, separator='. ')}. {HAND_IN}"
+            found.unmatched.append(Unmatched(name, reason, user, page, told))
+    return found
+
+
+def _typed(name: str, entry: TextEntry) -> Unmatched:
+    """Canvas takes no page back for it: that takes the number of an attachment."""
+    what = "text typed into Canvas" if entry.kind == "text" else "an address typed into Canvas"
+    reason = f"is {what}, with no file to grade: ask for the four files"
+    page = f"{fitting(name.removesuffix('.html'))}_feedback.html"
+    return Unmatched(name, reason, entry.user, page, f"It is {what}. {HAND_IN}")
+
+
+def _no_name(name: str) -> str:
+    if name.startswith("__MACOSX/") or name.endswith(".DS_Store"):
+        return "was made by macOS, and is no submission"
+    if "/" in name:
+        return "is in a folder; Canvas's download has none"
+    return "isn't named as Canvas names submissions (name_user_attachment_file)"
+
+
+def _student(archive: Archive, user: str, uploads: list[Upload]) -> Student:
+    """Raises UsageError where these uploads can't be looked through."""
+    if len(uploads) > MOST_UPLOADS:
+        raise UsageError(f"is {len(uploads)} files; a submission may have {MOST_UPLOADS}")
+    with about_one_submission("can't be read"):
+        counted, unused = _newest(archive, uploads)
+    newest = max(uploads, key=lambda upload: upload.attachment)
+    return Student(
+        id=user,
+        name=newest.name or user,
+        path=archive.path,
+        uploads=tuple(counted),
+        late=any(upload.late for upload in uploads),
+        feedback=canvas.feedback_name(tuple(uploads)),
+        unused=tuple(unused),
+    )
+
+
+def _newest(archive: Archive, uploads: list[Upload]) -> tuple[list[Upload], list[str]]:
+    """Each file once: its newest upload; and a sentence for each that isn't used."""
+    texts = texts_of(archive, uploads)
+    newest: dict[str, Upload] = {}
+    unused = []
+    for upload in sorted(uploads, key=lambda u: -u.attachment):
+        file = canvas.plain_file(upload.file, texts)
+        if not is_source(file) and not is_zip(file):
+            unused.append(f"{printable(upload.file)} is no C++ source and no zip")
+        elif file in newest:
+            newer = printable(newest[file].file)
+            unused.append(f"{printable(upload.file)} is older than {newer}")
+        else:
+            newest[file] = upload
+    return sorted(newest.values(), key=lambda u: u.attachment), unused
+
+
+def texts_of(archive: Archive, uploads: Iterable[Upload]) -> list[bytes]:
+    """What the sources say, as far as it can be used. One that can't be read is found out when it
+    is graded."""
+    texts, room = [], MOST_BYTES
+    for upload in uploads:
+        if is_source(upload.file):
+            try:
+                texts.append(archive.read(upload.entry, min(room, LARGEST_SOURCE)))
+                room -= len(texts[-1])
+            except Damaged:
+                raise
+            except UsageError:
+                continue
+    return texts
+
+
+def is_source(file: str) -> bool:
+    return os.path.splitext(file)[1].lower() in SOURCES | HEADERS
+
+
+def is_zip(file: str) -> bool:
+    return file.lower().endswith(".zip")
+
+
+def _folder(path: Path, children: list[Path]) -> Class:
+    _require_a_folder_of_submissions(path, children)
+    folders = [c for c in children if _is_folder(c)]
+    folders = [c for c in folders if not c.name.startswith((".", "__MACOSX"))]
+    folders = [c for c in folders if not _is_output(c)]
+    zips = [c for c in children if _is_file(c) and is_zip(c.name)]
+    cloned = [folder for folder in folders if os.path.exists(folder / ".git")]
+    found = Class("a folder of submissions")
+    cut = 0
+    if 2 * len(cloned) > len(folders):
+        cut = _common_prefix(path, cloned)
+        before = f", named {cloned[0].name[:cut]!r} and a login" if cut else ""
+        found.source = f"a checkout of repositories{before}"
+        folders = cloned
+    for child in [*folders, *zips]:
+        name = child.name[cut:] if _is_folder(child) else child.stem
+        submitted = _zip_alone(child) or child
+        page = f"{fitting(name)}.html"
+        found.students.append(Student(name, name, submitted, feedback=page))
+    left = [child for child in children if child not in folders and child not in zips]
+    found.unmatched += [Unmatched(child.name, _no_submission(child)) for child in left]
+    _require_distinct(found.students)
+    if found.students and not any(_has_a_part(student.path) for student in found.students):
+        _require_no_download(path, zips)
+        raise UsageError(
+            f"no folder or zip in {path} holds a part, as part1_contacts.cpp: it should be "
+            "Canvas's download, or a folder with one folder or zip a student"
+        )
+    return found
+
+
+def _require_a_folder_of_submissions(path: Path, children: list[Path]) -> None:
+    """And not a submission."""
+    inside = [*children, *((path / "src").iterdir() if (path / "src").is_dir() else ())]
+    if any(part_file(child.name) and _is_file(child) for child in inside):
+        raise UsageError(f"{path} is one submission, and no class: ./kit grade {path}")
+
+
+def _require_no_download(path: Path, zips: list[Path]) -> None:
+    """Where nobody has a part: a student's own zip may be named, or hold names, as Canvas's."""
+    for child in zips:
+        try:
+            with about_one_submission("it can't be read"):
+                names = [name for name in opened(child).names() if "/" not in name]
+        except UsageError:
+            continue
+        if any(map(canvas.parse, names)):
+            raise UsageError(f"{path} holds a download of Canvas's: give {child} itself")
+
+
+def _is_output(folder: Path) -> bool:
+    return os.path.exists(folder / "log.jsonl") and os.path.isdir(folder / "results")
+
+
+def _no_submission(child: Path) -> str:
+    if child.name.startswith((".", "__MACOSX")):
+        return "is no submission"
+    if not _is_folder(child):
+        return "is neither a folder nor a zip"
+    if _is_output(child):
+        return "was written by ./kit class, and is no submission"
+    return "is no repository, as the others are"
+
+
+def _zip_alone(folder: Path) -> Path | None:
+    """The zip that is all of a student's folder. One that can't be looked into has none."""
+    try:
+        names = [n for n in os.listdir(folder) if not n.startswith((".", "__MACOSX"))]
+    except OSError:
+        return None
+    inside = [folder / name for name in names]
+    alone = len(inside) == 1 and is_zip(inside[0].name) and _is_file(inside[0])
+    return inside[0] if alone else None
+
+
+def _has_a_part(path: Path) -> bool:
+    try:
+        return bool(submission.read(path).parts)
+    except UsageError:
+        return False
+
+
+def _common_prefix(path: Path, folders: list[Path]) -> int:
+    """GitHub Classroom names a repository after the assignment and the login."""
+    named = path.name.removesuffix("-submissions") + "-"
+    if all(folder.name.startswith(named) for folder in folders):
+        return len(named)
+    common = os.path.commonprefix([folder.name for folder in folders])
+    return common.rfind("-") + 1 if len(folders) > 1 else 0
+
+
+def _require_distinct(students: list[Student]) -> None:
+    seen: dict[str, Path] = {}
+    for student in students:
+        if student.id in seen:
+            raise UsageError(
+                f"{seen[student.id].name} and {student.path.name} would both be {student.id}: "
+                "keep one of them"
+            )
+        seen[student.id] = student.path

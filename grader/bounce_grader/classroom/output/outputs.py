@@ -1,0 +1,133 @@
+"""The files that a class leaves: grade book, grades, feedback and the page about the class."""
+
+import zipfile
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from bounce_grader.classroom.intake import canvas
+from bounce_grader.classroom.intake.students import Class, Student
+from bounce_grader.classroom.output import gradebook, grades, page
+from bounce_grader.classroom.output.gradebook import Gradebook, Marks
+from bounce_grader.classroom.work import results
+from bounce_grader.classroom.work.log import Log
+from bounce_grader.classroom.work.near_copies import Similar
+from bounce_grader.classroom.work.summary import Summary
+from bounce_grader.common.errors import about_one_submission, UsageError
+from bounce_grader.common.files import write_whole
+from bounce_grader.common.manifest import parts
+from bounce_grader.formats import html
+from bounce_grader.grading.record import with_answers, without_answers
+
+TITLE = "Bouncing"
+
+
+def write(
+    out: Path,
+    found: Class,
+    summaries: list[Summary],
+    book: Gradebook | None,
+    columns: Mapping[int, str],
+    near: Similar,
+    log: Log,
+) -> list[str]:
+    """Gives the sentences that a person should read about the grade book."""
+    marks = _marks(summaries)
+    if book is None:
+        title = columns.get(0, TITLE)
+        said = _make_up_gradebook(out / "gradebook.csv", marks, title, log)
+    else:
+        filled = book.fill(marks, _without_score(found, summaries))
+        write_whole(out / "gradebook.csv", filled.data)
+        said = filled.sentences
+    write_whole(out / "grades.csv", "\ufeff" + grades.table(summaries))
+    write_whole(out / "class.html", page.render(found, summaries, near, said))
+    return said
+
+
+def _marks(summaries: list[Summary]) -> dict[str, Marks]:
+    """Without those that have no score: an absent score is no zero."""
+    return {
+        s.student.id: Marks(
+            s.student.name, {0: s.score, **s.parts}, bool(s.student.uploads and s.student.name)
+        )
+        for s in summaries
+        if s.score is not None
+    }
+
+
+def _without_score(found: Class, summaries: list[Summary]) -> dict[str, str]:
+    """Who handed in something that has no score, and why."""
+    entries = {u.user: f"{u.name} {u.reason}" for u in found.unmatched if u.user}
+    return entries | {s.student.id: s.message for s in summaries if s.score is None}
+
+
+def _make_up_gradebook(path: Path, marks: Mapping[str, Marks], title: str, log: Log) -> list[str]:
+    """One of Canvas's that was filled before stays, and so does whatever a person made of it."""
+    if path.exists() and not log.has_made_up(path.read_bytes()):
+        return [
+            f"{path.name} is one that was filled before, and stays as it was: give --gradebook and "
+            "--column to fill it anew"
+        ]
+    data = gradebook.plain(marks, title, sum(part.points for part in parts()))
+    log.make_up(data)
+    write_whole(path, data)
+    return []
+
+
+def write_feedback(
+    out: Path, found: Class, summaries: list[Summary], reveal: bool = False
+) -> dict[str, str]:
+    """One page each; for Canvas all of them in the zip that it takes back, too. Pages of an earlier
+    run, for what isn't there any more, go. Gives, by a student's id, why there is no page. Only
+    where `reveal` is set do pages have the expected answers of hidden cases."""
+    folder = out / "feedback"
+    folder.mkdir(exist_ok=True)
+    pages: list[str] = []
+    without: dict[str, str] = {}
+    ids = {summary.student.id for summary in summaries}
+    for entry in found.unmatched:
+        if entry.feedback and entry.user not in ids:
+            write_whole(folder / entry.feedback, html.refused(entry.told))
+            pages.append(entry.feedback)
+    for summary in summaries:
+        result = results.load(out / "results", summary.key)
+        try:
+            with about_one_submission("there is no feedback page, as it can't be written"):
+                if result:
+                    text = _page(summary.student, result, reveal)
+                    write_whole(folder / summary.student.feedback, text)
+                    pages.append(summary.student.feedback)
+        except UsageError as error:
+            without[summary.student.id] = str(error)
+    for page_file in folder.glob("*.html"):
+        if page_file.name not in pages and _is_ours(page_file):
+            page_file.unlink()
+    if any(summary.student.uploads for summary in summaries):
+        taken = [name for name in pages if canvas.parse(name)]
+        _zip(folder, taken, out / "feedback.zip")
+    return without
+
+
+def _is_ours(page_file: Path) -> bool:
+    with page_file.open("rb") as stream:
+        return f"<title>{html.TITLE}".encode() in stream.read(200)
+
+
+def _page(student: Student, result: dict[str, Any], reveal: bool) -> str:
+    if result["record"]:
+        record = (with_answers if reveal else without_answers)(result["record"])
+        return html.render(record, student.name, student.unused)
+    return html.refused(result["message"])
+
+
+def _zip(folder: Path, pages: list[str], path: Path) -> None:
+    temporary = path.with_name(f".{path.name}.part")
+    try:
+        with zipfile.ZipFile(temporary, "w", zipfile.ZIP_DEFLATED) as archive:
+            for name in pages:
+                archive.write(folder / name, name)
+        temporary.replace(path)
+    except OSError:
+        temporary.unlink(missing_ok=True)
+        raise

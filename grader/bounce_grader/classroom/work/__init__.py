@@ -1,0 +1,4 @@
+"""Grades each submission of a class once, on whichever engine, and finds near-copies.
+
+Imports: classroom.intake, common, grading, sandbox, submission.
+"""

@@ -1,0 +1,90 @@
+"""Dask: the same unit, as futures of a cluster's scheduler. Workers see the kit, the submissions and
+the results under the same paths; they may come, go and die."""
+
+import sys
+from collections.abc import Callable, Generator
+from concurrent.futures import CancelledError
+from contextlib import suppress
+from typing import Any
+
+from bounce_grader.classroom.work.task import Task
+from bounce_grader.classroom.work.unit import run as run_unit, Outcome
+from bounce_grader.common.errors import KitError, UsageError
+
+LOST_WORKERS = 3  # that a grading may cost before it counts as the kit's failure
+TO_CONNECT = "10s"
+LOST = "the Dask scheduler was lost: start it, and run the same command again"
+
+
+def run(
+    tasks: list[Task], scheduler: str, unit: Callable[[Task], Outcome] = run_unit
+) -> Generator[tuple[Task, Outcome], None, None]:
+    """Raises UsageError where there is no such scheduler, KitError where it is lost."""
+    if not tasks:
+        return
+    client = _client(scheduler)
+    of: dict[Any, Task] = {}
+    try:
+        from distributed import as_completed
+
+        _require_the_kit(client)
+        for task in tasks:
+            of[client.submit(unit, task, pure=False, retries=LOST_WORKERS)] = task
+        for future in as_completed(list(of), loop=client.loop):
+            yield of[future], _outcome(of[future], future)
+    except (OSError, CancelledError) as error:
+        raise KitError(LOST) from error
+    finally:
+        with suppress(OSError, CancelledError):
+            client.cancel(list(of))
+            client.close()
+
+
+def _client(scheduler: str) -> Any:
+    if not scheduler:
+        raise UsageError("--engine dask needs --scheduler ADDRESS, as in tcp://10.0.0.1:8786")
+    try:
+        from distributed import Client
+    except ImportError as error:
+        raise UsageError(
+            "Dask isn't installed here: apt-get install python3-distributed"
+        ) from error
+    try:
+        return Client(scheduler, timeout=TO_CONNECT, set_as_default=False)
+    except (OSError, ValueError) as error:
+        raise UsageError(
+            f"no Dask scheduler answers at {scheduler}: start one with dask-scheduler"
+        ) from error
+
+
+def _require_the_kit(client: Any) -> None:
+    """A worker that can't import the unit would fail on every submission."""
+    try:
+        found = client.run(_try_import)
+    except (OSError, CancelledError):
+        raise
+    except Exception as error:  # Dask wraps what a worker can't even unpickle in one of its own
+        if "bounce_grader" not in repr(error):
+            raise
+        raise UsageError(
+            "the Dask workers don't find the kit: start them with PYTHONPATH=KIT/grader, where KIT "
+            "is this folder under the same path"
+        ) from error
+    if not found:
+        print("kit: the Dask scheduler has no workers yet; waiting for them", file=sys.stderr)
+
+
+def _try_import() -> str:
+    import bounce_grader.classroom.work.unit
+
+    return bounce_grader.classroom.work.unit.__name__
+
+
+def _outcome(task: Task, future: Any) -> Outcome:
+    if future.status in ("cancelled", "lost"):
+        raise KitError(LOST)
+    error = future.exception()
+    if error is None:
+        outcome: Outcome = future.result()
+        return outcome
+    return Outcome(task.key, "failed", f"Dask: {type(error).__name__}: {error}"[:300], 0.0)

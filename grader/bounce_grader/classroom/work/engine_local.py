@@ -1,0 +1,136 @@
+"""The built-in engine: a process for each grading, so that a crash of one costs nothing."""
+
+import multiprocessing
+import os
+import select
+import signal
+import sys
+import threading
+import time
+from collections.abc import Callable, Generator, Iterator
+from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
+from contextlib import contextmanager
+from multiprocessing import forkserver
+from multiprocessing.connection import Connection
+from multiprocessing.context import ForkServerContext
+from multiprocessing.process import BaseProcess
+
+from bounce_grader.classroom.work.task import Task
+from bounce_grader.classroom.work.unit import run as run_unit, Outcome
+
+TO_CLEAN_UP = 3.0  # seconds, for what is ended to take its files away
+LONGEST = 1800.0  # seconds; a grading's own limits are far below
+PRELOADED = [
+    "bounce_grader.grading.grade",
+    "bounce_grader.classroom.work.unit",
+    "bounce_grader.submission.zips",
+    "html",
+]
+
+
+def run(
+    tasks: list[Task], jobs: int, unit: Callable[[Task], Outcome] = run_unit
+) -> Generator[tuple[Task, Outcome], None, None]:
+    """Outcomes as they come. Ended early, it ends what still runs."""
+    context = multiprocessing.get_context("forkserver")
+    context.set_forkserver_preload(PRELOADED)
+    _start_server()
+    running = _Running(context, unit)
+    waiting = iter(tasks)
+    with ThreadPoolExecutor(jobs) as pool, running.ended_at_last():
+        futures: dict[Future[Outcome], Task] = {}
+        for task in waiting:
+            futures[pool.submit(running.one, task)] = task
+            if len(futures) == jobs:
+                break
+        while futures:
+            done, _ = wait(futures, return_when=FIRST_COMPLETED)
+            for future in done:
+                task = futures.pop(future)
+                following = next(waiting, None)
+                if following:
+                    futures[pool.submit(running.one, following)] = following
+                yield task, future.result()
+
+
+def _start_server() -> None:
+    """The process that the others are forked from. Ctrl-C is not for it, not even as it starts."""
+    if threading.current_thread() is not threading.main_thread():
+        forkserver.ensure_running()
+        return
+    before = signal.signal(signal.SIGINT, signal.SIG_IGN)
+    try:
+        forkserver.ensure_running()
+    finally:
+        signal.signal(signal.SIGINT, before)
+
+
+class _Running:
+    """The processes under way."""
+
+    def __init__(self, context: ForkServerContext, unit: Callable[[Task], Outcome]) -> None:
+        self._context = context
+        self._unit = unit
+        self._lock = threading.Lock()
+        self._processes: set[BaseProcess] = set()
+        self._stopped = False
+
+    def one(self, task: Task) -> Outcome:
+        here, there = self._context.Pipe(duplex=False)
+        process = self._context.Process(target=_child, args=(self._unit, task, there))
+        with self._lock:
+            if self._stopped:
+                return Outcome(task.key, "failed", "stopped", 0.0)
+            process.start()
+            self._processes.add(process)
+        there.close()
+        try:
+            return self._outcome(task, process, here)
+        finally:
+            here.close()
+            process.kill()
+            process.join()
+            with self._lock:
+                self._processes.discard(process)
+
+    def _outcome(self, task: Task, process: BaseProcess, here: Connection) -> Outcome:
+        try:
+            if here.poll(LONGEST):
+                outcome: Outcome = here.recv()
+                return outcome
+            reason = f"it took more than {LONGEST / 60:.0f} minutes"
+        except EOFError:
+            process.join()
+            reason = f"its process ended with status {process.exitcode}"
+        return Outcome(task.key, "failed", reason, 0.0)
+
+    @contextmanager
+    def ended_at_last(self) -> Iterator[None]:
+        try:
+            yield
+        finally:
+            with self._lock:
+                self._stopped = True
+                for process in self._processes:
+                    process.terminate()
+                end = time.monotonic() + TO_CLEAN_UP
+                for process in self._processes:
+                    process.join(max(0.0, end - time.monotonic()))
+                    process.kill()
+
+
+def _child(unit: Callable[[Task], Outcome], task: Task, answer: Connection) -> None:
+    """Ctrl-C is the class's; where the class is gone, so is this. Where it is ended, it takes its
+    temporary files away first."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))
+    threading.Thread(target=_end_with_the_reader, args=(answer.fileno(),), daemon=True).start()
+    answer.send(unit(task))
+
+
+def _end_with_the_reader(answer: int) -> None:
+    """A pipe that nobody can read any more is an error at its other end."""
+    poll = select.poll()
+    poll.register(answer, 0)
+    poll.poll()
+    os._exit(1)

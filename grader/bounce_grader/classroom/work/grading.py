@@ -1,0 +1,101 @@
+"""Grades what has no result yet, on whichever engine, and sums up what there is."""
+
+import errno
+import os
+import sys
+from collections.abc import Callable, Generator, Mapping
+from contextlib import closing
+from pathlib import Path
+
+from bounce_grader.classroom.intake.students import Student
+from bounce_grader.classroom.work import results
+from bounce_grader.classroom.work.log import Log
+from bounce_grader.classroom.work.progress import progress
+from bounce_grader.classroom.work.request import Request
+from bounce_grader.classroom.work.summary import of_result, Summary
+from bounce_grader.classroom.work.task import Task
+from bounce_grader.classroom.work.unit import Outcome
+
+TRIES = 3  # of a grading in which the kit fails
+Engine = Callable[[list[Task]], Generator[tuple[Task, Outcome], None, None]]
+
+
+def grade_missing(
+    tasks: Mapping[str, Task], folder: Path, request: Request, log: Log
+) -> dict[str, Outcome]:
+    """Grades what has no valid result, and gives the failures of the kit, by key."""
+    there = results.keys(folder)
+    missing: dict[str, Task] = {}
+    for task in tasks.values():
+        result = results.load(folder, task.key) if task.key in there else None
+        if result:
+            log.graded(task, result["state"], None)
+        else:
+            missing[task.key] = task
+    failed: dict[str, Outcome] = {}
+    try:
+        with progress(len(missing)) as bar:
+            for attempt in range(TRIES):
+                todo = [task for key, task in missing.items() if not attempt or key in failed]
+                failed = {}
+                with closing(_engine(request)(todo)) as outcomes:
+                    for task, outcome in outcomes:
+                        if outcome.state == "failed":
+                            failed[task.key] = outcome
+                        _write_down(log, task, outcome)
+                        if outcome.state != "failed" or attempt == TRIES - 1:
+                            bar.advance()
+                if not failed:
+                    break
+    except KeyboardInterrupt:
+        done = len(missing) - sum(results.load(folder, key) is None for key in missing)
+        whole = len({task.key for task in tasks.values()})
+        print(
+            f"kit: stopped; {whole - len(missing) + done} of {whole} submissions are graded and "
+            "kept. Run the same command again to go on.",
+            file=sys.stderr,
+        )
+        sys.exit(130)
+    return failed
+
+
+def _write_down(log: Log, task: Task, outcome: Outcome) -> None:
+    """A full disk isn't tried again: the others would be graded for nothing."""
+    if outcome.state != "failed":
+        log.graded(task, outcome.state, outcome.seconds)
+        return
+    log.write("failed", task, message=outcome.message)
+    if os.strerror(errno.ENOSPC) in outcome.message:
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+
+def summarize(
+    found: list[Student], tasks: Mapping[str, Task], folder: Path, failed: Mapping[str, Outcome]
+) -> list[Summary]:
+    summaries = []
+    for student in found:
+        key = tasks[student.id].key
+        result = results.load(folder, key)
+        if result:
+            summaries.append(of_result(student, key, result))
+        elif key in failed:
+            message = f"the kit failed: {failed[key].message}"
+            summaries.append(Summary(student, key, "failed", message))
+        else:
+            summaries.append(Summary(student, key, "waiting", "not graded yet"))
+    return summaries
+
+
+def _engine(request: Request) -> Engine:
+    jobs = request.jobs or os.cpu_count() or 1
+    if request.engine == "dask":
+        from bounce_grader.classroom.work import engine_dask
+
+        return lambda tasks: engine_dask.run(tasks, request.scheduler, request.unit)
+    if request.engine == "slurm":
+        from bounce_grader.classroom.work import engine_slurm
+
+        return lambda tasks: engine_slurm.run(tasks, request.out)
+    from bounce_grader.classroom.work import engine_local
+
+    return lambda tasks: engine_local.run(tasks, jobs, request.unit)

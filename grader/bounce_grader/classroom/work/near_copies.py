@@ -1,0 +1,196 @@
+"""Near-copies: sim_c++ compares the structure of the sources, whatever the names in them.
+
+It is asked twice, because comparing each with each takes long in a large class: first for each
+submission's closest relatives, all at once, then for the share that those pairs have in common.
+Its time grows with the square of what a text repeats, so a submission that takes long to compare
+with itself is left out before: no pair takes longer than the slower of the two with itself.
+"""
+
+import hashlib
+import io
+import json
+import os
+import re
+import statistics
+import tempfile
+from collections import defaultdict
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from shutil import which
+
+from bounce_grader.classroom.intake import handed_in
+from bounce_grader.classroom.intake.students import Student
+from bounce_grader.classroom.work.task import Task
+from bounce_grader.common.errors import about_one_submission, KitError, UsageError
+from bounce_grader.common.files import CLASS_FOLDER, write_whole
+from bounce_grader.common.paths import STUBS
+from bounce_grader.sandbox import box as boxes, processes
+
+PROGRAM = "/usr/bin/sim_c++"
+RUN = "16"  # tokens that have to agree one after the other, about two lines
+RELATIVES = 3  # of each submission
+LEAST = 60  # per cent in common
+MOST = 200  # pairs
+LONGEST = 64 * 1024  # characters of each
+WITH_ITSELF = 4  # copies, so six comparisons: a limit of CPU time is whole seconds
+SECONDS = 1  # of CPU time, for those six, and for each pair
+LIMITS = processes.Limits(cpu_seconds=900, wall_seconds=1800, memory=2 << 30, file_size=64 << 20)
+FOUND = re.compile(r"^(\d+)\.cpp consists for (\d+) % of (\d+)\.cpp material$", re.MULTILINE)
+ENDED = re.compile(r"^ended (\d+)\.cpp (\d+)\.cpp", re.MULTILINE)
+EACH_LINE = (  # compares the files of a line with each other
+    "while read -r files; do "
+    f"(ulimit -t {SECONDS}; exec {PROGRAM} -p -ae -t 1 -r {RUN} -T $files) || echo ended $files; "
+    "done"
+)
+
+
+TOO_SLOW = "it repeats itself too much to be compared with others: look whether it is a copy"
+
+
+@dataclass(frozen=True)
+class Pair:
+    first: str  # a student's id
+    second: str
+    share: int  # per cent, of the one of which it is more
+
+
+@dataclass(frozen=True)
+class Similar:
+    pairs: tuple[Pair, ...]
+    usual: int  # the closest relative of a submission in the middle, per cent
+    problem: str = ""  # why it isn't known
+    left_out: Mapping[str, str] = field(default_factory=dict)  # sentences, by a student's id
+
+
+def find(out: Path, students: list[Student], graded: dict[str, Task], trust: bool) -> Similar:
+    """Kept in a file for as long as the submissions stay the same."""
+    if which(PROGRAM) is None:
+        return Similar(
+            (), 0, "similarity-tester isn't installed: apt-get install similarity-tester"
+        )
+    words = [
+        f"{RUN} {RELATIVES} {LEAST} {SECONDS}",
+        *(f"{s.id} {graded[s.id].submission}" for s in students),
+    ]
+    name = hashlib.sha256(os.fsencode("\n".join(words))).hexdigest()
+    kept = _read(out / "similar.json", name)
+    if kept:
+        return kept
+    try:
+        found = _find(students, graded, boxes.choose(boxes.kinds(trust)))
+    except KitError as error:
+        return Similar((), 0, str(error))
+    pairs = [[pair.first, pair.second, pair.share] for pair in found.pairs]
+    whole = {"of": name, "pairs": pairs, "usual": found.usual, "left_out": found.left_out}
+    write_whole(out / "similar.json", json.dumps(whole))
+    return found
+
+
+def _read(path: Path, name: str) -> Similar | None:
+    try:
+        kept = json.loads(path.read_bytes())
+    except (OSError, ValueError):
+        return None
+    if kept.get("of") != name:
+        return None
+    pairs = tuple(Pair(*pair) for pair in kept["pairs"])
+    return Similar(pairs, kept["usual"], left_out=kept["left_out"])
+
+
+def _find(students: list[Student], graded: dict[str, Task], box: boxes.Box) -> Similar:
+    with tempfile.TemporaryDirectory(prefix=CLASS_FOLDER) as name:
+        folder = Path(name)
+        files: dict[str, str] = {}
+        left_out: dict[str, str] = {}
+        for number, student in enumerate(students):
+            try:
+                with about_one_submission("it can't be compared with others"):
+                    text = own_text(graded[student.id])
+            except UsageError as error:
+                left_out[student.id] = str(error)
+                continue
+            if text.strip():
+                (folder / f"{number:06}.cpp").write_text(text)
+                files[f"{number:06}"] = student.id
+        box.give(folder)
+        said = _by_line([[file] * WITH_ITSELF for file in files], folder, box)
+        left_out |= {files.pop(file): TOO_SLOW for file, _ in ENDED.findall(said)}
+        names = [f"{file}.cpp" for file in files]
+        relatives = _relatives(_sim([PROGRAM, *_all_at_once(), "-i"], names, folder, box))
+        said = _by_line(sorted(relatives), folder, box)
+        left_out |= {files[file]: TOO_SLOW for pair in ENDED.findall(said) for file in pair}
+        shares = _shares(said)
+    usual = _usual(shares, len(files))
+    least = max(LEAST, (usual + 100) // 2)  # halfway from the usual to the same
+    pairs = [Pair(files[a], files[b], share) for (a, b), share in shares.items() if share >= least]
+    pairs.sort(key=lambda pair: (-pair.share, pair.first, pair.second))
+    return Similar(tuple(pairs[:MOST]), usual, left_out=left_out)
+
+
+def _by_line(lines: Iterable[Iterable[str]], folder: Path, box: boxes.Box) -> str:
+    """What is said of each line's files, compared with each other."""
+    names = [" ".join(f"{file}.cpp" for file in line) for line in lines]
+    return _sim(["/bin/sh", "-c", EACH_LINE], names, folder, box)
+
+
+def _all_at_once() -> list[str]:
+    return ["-p", "-a", "-t", "10", "-r", RUN, "-T"]
+
+
+def _sim(command: list[str], lines: list[str], folder: Path, box: boxes.Box) -> str:
+    if not lines:
+        return ""
+    stdin = "".join(f"{line}\n" for line in lines).encode()
+    command = box.to_build(folder, [Path(PROGRAM)], ("sh",)) + command
+    result = processes.run(command, LIMITS, stdin=stdin, cwd=folder)
+    if not result.ok:
+        raise KitError(f"sim_c++ failed: {result.err.strip()[:200] or 'it was ended'}")
+    return result.out.decode("utf-8", "replace")
+
+
+def _relatives(said: str) -> set[tuple[str, str]]:
+    """The pairs to look at closely."""
+    of: dict[str, list[tuple[int, str]]] = defaultdict(list)
+    for file, share, other in FOUND.findall(said):
+        of[file].append((-int(share), other))
+    best = [(file, other) for file in of for _, other in sorted(of[file])[:RELATIVES]]
+    return {(min(pair), max(pair)) for pair in best}
+
+
+def _shares(said: str) -> dict[tuple[str, str], int]:
+    shares: dict[tuple[str, str], int] = defaultdict(int)
+    for file, share, other in FOUND.findall(said):
+        pair = (min(file, other), max(file, other))
+        shares[pair] = max(shares[pair], int(share))
+    return shares
+
+
+def _usual(shares: dict[tuple[str, str], int], number: int) -> int:
+    closest: dict[str, int] = defaultdict(int)
+    for pair, share in shares.items():
+        for file in pair:
+            closest[file] = max(closest[file], share)
+    all_closest = [*closest.values(), *([0] * (number - len(closest)))]
+    return round(statistics.median(all_closest)) if all_closest else 0
+
+
+def own_text(task: Task) -> str:
+    """What a student wrote: without the lines that were handed out."""
+    try:
+        taken = handed_in.read(Path(task.path), task.uploads)
+    except UsageError:
+        return ""
+    handout = _handout()
+    own = ""
+    for file in sorted(taken.files):
+        text = io.StringIO(taken.files[file].decode("utf-8", "replace"), newline=None)
+        while len(own) < LONGEST and (lines := text.readlines(LONGEST)):
+            own += "".join(line for line in lines if line.strip() not in handout)
+        own += "\n"
+    return own[:LONGEST] + "\n"
+
+
+def _handout() -> set[str]:
+    lines = {line.strip() for f in STUBS.glob("*.cpp") for line in f.read_text().splitlines()}
+    return lines - {"{", "}", ""}

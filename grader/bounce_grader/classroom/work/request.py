@@ -1,0 +1,26 @@
+"""What ./kit class is asked for."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from bounce_grader.classroom.work import unit as units
+from bounce_grader.classroom.work.task import Task
+from bounce_grader.classroom.work.unit import Outcome
+
+
+@dataclass(frozen=True)
+class Request:
+    submissions: Path
+    out: Path
+    gradebook: Path | None = None
+    columns: Mapping[int, str] = field(default_factory=dict)  # 0: the whole; n: part n
+    engine: str = "local"
+    jobs: int = 0
+    scheduler: str = ""
+    speed: bool = False
+    trust: bool = False
+    reveal: bool = False
+    regrade: str = ""
+    apply: bool = False
+    unit: Callable[[Task], Outcome] = units.run

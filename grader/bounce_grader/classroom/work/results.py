@@ -1,0 +1,95 @@
+"""The folder of results: one file each, and set.json, which says what they all follow from."""
+
+import hashlib
+import json
+from collections.abc import Iterator
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any
+
+from bounce_grader import __version__
+from bounce_grader.classroom.work.task import Stamp
+from bounce_grader.classroom.work.unit import result_path
+from bounce_grader.common.errors import UsageError
+from bounce_grader.common.files import write_whole
+from bounce_grader.common.paths import CONTRACT, HANDOUT, ROOT
+from bounce_grader.grading import fixtures
+from bounce_grader.grading.record import digest_of
+
+SET = "set.json"
+# The rooms that a score depends on. What makes something of records, tests the kit or hands it out
+# changes none.
+PYTHON = ("assignment", "build", "common", "grading", "sandbox", "submission", "classroom/intake")
+UNIT = "classroom/work/unit.py"  # which judges whether a submission can be graded
+CPP = ("grader/judge", "grader/runner", "grader/box", "tests/parts", "solution/src")
+
+
+def stamp_now(trust: bool) -> Stamp:
+    fixture_digest = digest_of([fixtures.PUBLIC, fixtures.hidden_folder()])
+    options = json.dumps({"trust": trust})
+    return Stamp(_kit_digest(), fixture_digest, options)
+
+
+def _kit_digest() -> str:
+    """The sources that a score depends on: the same on every machine of a cluster."""
+    digest = hashlib.sha256(__version__.encode())
+    for file in sorted(_sources()):
+        digest.update(f"\0{file.relative_to(ROOT)}\0".encode() + file.read_bytes())
+    return digest.hexdigest()
+
+
+def _sources() -> Iterator[Path]:
+    package = ROOT / "grader" / "bounce_grader"
+    for folder in [*(package / room for room in PYTHON), *(ROOT / room for room in CPP)]:
+        yield from _files(folder)
+    yield from (*_files(CONTRACT), *_files(HANDOUT / "given"))
+    yield from (package / UNIT, ROOT / "grader" / "parts.json")
+
+
+def _files(folder: Path) -> Iterator[Path]:
+    kinds = {".py", ".cpp", ".hpp", ".json", ".sed", ".txt"}
+    return (file for file in folder.rglob("*") if file.suffix in kinds)
+
+
+def load(folder: Path, key: str) -> dict[str, Any] | None:
+    """A result, where there is a valid one."""
+    try:
+        result: dict[str, Any] = json.loads(result_path(folder, key).read_bytes())
+    except (OSError, ValueError):
+        return None
+    return result if result.get("key") == key and result.get("state") else None
+
+
+def keys(folder: Path) -> set[str]:
+    return {file.stem for file in folder.glob("*.json") if file.name != SET}
+
+
+def stamp_of(folder: Path) -> Stamp | None:
+    """What the results of a folder follow from; None where there are none yet."""
+    try:
+        words = json.loads((folder / SET).read_bytes())
+    except FileNotFoundError:
+        return None
+    except ValueError as error:
+        raise UsageError(f"{folder / SET} is broken: choose another folder for --out") from error
+    return Stamp(words["kit"], words["fixtures"], words["options"])
+
+
+def begin(folder: Path, stamp: Stamp) -> None:
+    """Raises UsageError where the folder holds results of another kit, course or options."""
+    there = stamp_of(folder)
+    if there is None:
+        write_whole(folder / SET, json.dumps({**asdict(stamp), "version": __version__}), True)
+    elif there != stamp:
+        raise UsageError(
+            f"the results in {folder} were made {difference(there, stamp)}: add --regrade all to "
+            "see what would change, or give another folder as --out"
+        )
+
+
+def difference(there: Stamp, now: Stamp) -> str:
+    if there.kit != now.kit:
+        return "by another version of the kit"
+    if there.fixtures != now.fixtures:
+        return "with other fixtures"
+    return f"with other options ({there.options})"

@@ -1,0 +1,84 @@
+"""What the grade book, the tables and the class's page need of a result; a record is large."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+from bounce_grader.classroom.intake.students import Student
+from bounce_grader.common.escaping import some
+from bounce_grader.grading import speed
+
+
+@dataclass(frozen=True)
+class Summary:
+    student: Student
+    key: str
+    state: str  # "graded", "unreadable", "failed" (the kit), or "waiting"
+    message: str = ""
+    score: float | None = None
+    parts: Mapping[int, float] = field(default_factory=dict)
+    checks: Mapping[str, float] = field(default_factory=dict)  # points, by id
+    statuses: Mapping[int, str] = field(default_factory=dict)  # where not "graded"
+    mistakes: Mapping[str, str] = field(default_factory=dict)  # titles, by name
+    box: str = ""
+    ratio: float | None = None  # time of a step, beside the solution's
+    error: float | None = None
+    curves: Mapping[str, tuple[speed.Point, ...]] = field(default_factory=dict)
+    ignored: tuple[str, ...] = ()
+    ignored_more: int = 0  # that aren't named
+    beside: tuple[str, ...] = ()  # sources that are no part
+    notes: tuple[str, ...] = ()  # what else a person should look at
+
+    @property
+    def unused(self) -> list[str]:
+        return [*self.student.unused, *(f"{name} wasn't used" for name in self.ignored)]
+
+    @property
+    def needs_a_look(self) -> list[str]:
+        """Why a person should look at it."""
+        reasons = [] if self.state == "graded" else [self.message]
+        odd = {"timed_out", "out_of_memory", "no_answer", "crashed"}
+        for number, status in self.statuses.items():
+            if status in odd:
+                reasons.append(f"part {number}: {status.replace('_', ' ')}")
+        reasons += [*self._misnamed(), *self.notes]
+        if self.box in ("none", "reduced"):
+            reasons.append(f"graded with {'no' if self.box == 'none' else 'a reduced'} box")
+        return reasons
+
+    def with_note(self, note: str) -> "Summary":
+        return replace(self, notes=(*self.notes, note))
+
+    def _misnamed(self) -> list[str]:
+        """A part that isn't there may be there under another name, or in what can't be read."""
+        missing = [number for number, status in self.statuses.items() if status == "not_submitted"]
+        others = [*self.unused, *(f"{name} is no part by its name" for name in self.beside)]
+        words = "parts" if len(missing) > 1 else "part"
+        numbers = " and ".join(map(str, missing))
+        there = some(others, separator="; ", more=self.ignored_more)
+        return [f"{words} {numbers} not there, but {there}"] if missing and others else []
+
+
+def of_result(student: Student, key: str, result: dict[str, Any]) -> Summary:
+    record = result["record"]
+    if not record:
+        return Summary(student, key, result["state"], result["message"])
+    checks = [check for part in record["parts"] for check in part["checks"]]
+    found = record.get("speed") or {}
+    return Summary(
+        student,
+        key,
+        result["state"],
+        score=record["score"],
+        parts={part["part"]: part["score"] for part in record["parts"]},
+        checks={check["id"]: check["score"] for check in checks},
+        statuses={p["part"]: p["status"] for p in record["parts"] if p["status"] != "graded"},
+        mistakes={m["name"]: m["title"] for part in record["parts"] for m in part["mistakes"]},
+        box=record["box"],
+        ratio=found.get("ratio"),
+        error=found.get("largest_error"),
+        curves={whose: tuple(speed.curve(found, whose)) for whose in speed.CURVES},
+        ignored=tuple(record["ignored"]),
+        ignored_more=record.get("ignored_more", 0),
+        beside=tuple(result.get("beside", ())),
+    )

@@ -1,0 +1,76 @@
+"""One grading of a class: what is graded, and the name of its result."""
+
+import hashlib
+import os
+from dataclasses import asdict, dataclass, replace
+from pathlib import Path
+from typing import Any
+
+from bounce_grader.classroom.intake import handed_in
+from bounce_grader.classroom.intake.archive import Damaged
+from bounce_grader.classroom.intake.canvas import Upload
+from bounce_grader.classroom.intake.students import Student
+from bounce_grader.common.errors import UsageError
+
+
+@dataclass(frozen=True)
+class Stamp:
+    """What a result follows from, but for the submission."""
+
+    kit: str
+    fixtures: str
+    options: str
+
+
+@dataclass(frozen=True)
+class Task:
+    """Everything that a worker needs, as words and numbers: it can be sent anywhere."""
+
+    key: str
+    submission: str  # digest
+    stamp: Stamp
+    path: str
+    uploads: tuple[Upload, ...]
+    results: str  # folder
+    speed: bool
+    trust: bool
+
+    def as_json(self) -> dict[str, Any]:
+        return asdict(self)
+
+
+def from_json(words: dict[str, Any]) -> Task:
+    stamp = Stamp(**words["stamp"])
+    uploads = tuple(Upload(**upload) for upload in words["uploads"])
+    rest = {name: words[name] for name in words.keys() - {"stamp", "uploads"}}
+    return Task(stamp=stamp, uploads=uploads, **rest)
+
+
+def task_of(student: Student, stamp: Stamp, results: Path, speed: bool, trust: bool) -> Task:
+    submission = digest(student)
+    key = _key(submission, stamp, speed)
+    path = str(student.path)
+    return Task(key, submission, stamp, path, student.uploads, str(results), speed, trust)
+
+
+def with_times(task: Task) -> Task:
+    return replace(task, key=_key(task.submission, task.stamp, True), speed=True)
+
+
+def _key(submission: str, stamp: Stamp, speed: bool) -> str:
+    words = [submission, stamp.kit, stamp.fixtures, stamp.options, *(["timed"] if speed else [])]
+    return hashlib.sha256("\0".join(words).encode()).hexdigest()
+
+
+def digest(student: Student) -> str:
+    """Of all that is taken from a submission; of one that can't be read, of the reason. Raises
+    Damaged where the class's download is."""
+    words: list[Any] = [os.path.isdir(student.path)]
+    try:
+        taken = handed_in.read(student.path, student.uploads)
+        words += [taken.sha256, taken.parts, taken.refused, taken.ignored]
+    except Damaged:
+        raise
+    except UsageError as error:
+        words.append(str(error).replace(str(student.path), ""))
+    return hashlib.sha256(repr(words).encode()).hexdigest()

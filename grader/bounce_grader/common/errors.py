@@ -1,0 +1,32 @@
+"""What ends a command: each is one sentence for the user, and an exit status."""
+
+import errno
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+from bounce_grader.common.escaping import name as printable
+
+
+class UsageError(Exception):
+    """Wrong usage, or a submission that can't be read: exit status 2."""
+
+
+class KitError(Exception):
+    """The kit itself failed; it is never a verdict about a submission: exit status 3."""
+
+
+@contextmanager
+def about_one_submission(failure: str) -> Iterator[None]:
+    """For work on one submission whose files decide what happens: turns an error that nobody
+    foresaw into a UsageError, so that other submissions go on. `failure` says what failed. A
+    failure of the kit and a full disk concern them all, and stay what they are."""
+    try:
+        yield
+    except (UsageError, KitError):
+        raise
+    except Exception as error:
+        if isinstance(error, OSError) and error.errno == errno.ENOSPC:
+            raise
+        why = (isinstance(error, OSError) and error.strerror) or str(error)
+        reason = printable(": ".join(filter(None, [type(error).__name__, why])))
+        raise UsageError(f"{failure} ({reason}): look at its files") from error

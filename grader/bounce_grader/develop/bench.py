@@ -1,0 +1,195 @@
+"""./kit bench: what a grading costs. Measured here and now, on a machine that has nothing else to
+do; each goal stands beside what was measured. Ratios within one run are what can be compared
+between machines."""
+
+import json
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from pathlib import Path
+
+from bounce_grader.common.errors import KitError
+from bounce_grader.common.manifest import parts
+from bounce_grader.common.paths import BUILD, CONTRACT, REFERENCE_RUNNER, ROOT
+
+ROUNDS = 9
+MANY = 100
+AT_ONCE = 10
+SHARED_BY_TESTS = (
+    *("answers", "cases", "feedback", "pattern", "picture", "recognise"),
+    *("wrong_numbers", "wrong_rules", "wrong_where"),
+)
+LINKED_TESTS = ("main", "mistake", "time_limit")
+SOLUTION = ROOT / "solution" / "src"
+CHECKS = ROOT / "tests" / "parts"
+PLAIN_GCC = ("g++", "-std=c++20", "-O1", "-isystem", "/usr/include/eigen3", "-I", str(CONTRACT))
+GRADING = "import sys; from bounce_grader.cli import main; main(sys.argv[1:])"
+COMPILING = """
+import sys
+from pathlib import Path
+from bounce_grader.build.compile import compile_all
+from bounce_grader.sandbox.box import Box
+from bounce_grader.submission.submission import read
+compile_all(read(Path(sys.argv[1])), Path(sys.argv[2]), Box("none"), jobs=1)
+"""
+
+
+@dataclass(frozen=True)
+class Line:
+    what: str
+    value: float
+    unit: str
+    goal: str = ""
+    reached: bool = True
+
+    def __str__(self) -> str:
+        verdict = f"   {self.goal}: {'yes' if self.reached else 'NO'}" if self.goal else ""
+        return f"{self.what:<58}{self.value:8.2f} {self.unit:<4}{verdict}"
+
+
+def run() -> int:
+    subprocess.run([str(BUILD / "kit_bench"), str(REFERENCE_RUNNER)], check=True)
+    print()
+    from bounce_grader.develop import bench_methods as methods
+
+    reached = True
+    for line in methods.lines():
+        print(line, flush=True)
+        reached = reached and line.reached
+    print()
+    with tempfile.TemporaryDirectory(prefix="bounce-bench-") as name:
+        for measure in (_one, _plain, _many, _at_once, _memory):
+            for line in measure(Path(name)):
+                print(line, flush=True)
+                reached = reached and line.reached
+    return int(not reached)
+
+
+def _one(folder: Path) -> list[Line]:
+    """One submission: new, the same again, and with one part changed; and beside the new one what
+    the plain compiler takes for its four files, one after the other."""
+    fresh, again, changed, compiler = [], [], [], []
+    for number in range(ROUNDS):
+        submission = _variant(folder / f"one{number}", number)
+        fresh.append(_seconds(_grading(submission)))
+        again.append(_seconds(_grading(submission)))
+        part = submission / parts()[number % 4].file
+        part.write_text(f"// changed {number} {time.time_ns()}\n" + part.read_text())
+        changed.append(_seconds(_grading(submission)))
+        if number < 3:
+            compiler.append(_compiling(submission, folder / "plain.o"))
+    once, ratio = statistics.median(fresh), statistics.median(compiler) / statistics.median(fresh)
+    edit = statistics.median(changed)
+    return [
+        Line("a new submission, ./kit grade", once, "s", "at most 0.9", once <= 0.9),
+        Line("the same again", statistics.median(again), "s"),
+        Line("the same with one part changed", edit, "s", "at most 0.5", edit <= 0.5),
+        Line("g++ -O1 -c of its four files alone", statistics.median(compiler), "s"),
+        Line("  takes as long as new gradings:", ratio, "", "at least 5", ratio >= 5),
+    ]
+
+
+def _many(folder: Path) -> list[Line]:
+    """Different submissions, one after the other."""
+    start = time.monotonic()
+    for number in range(MANY):
+        _seconds(_grading(_variant(folder / f"many{number}", number)))
+    rate = 60 * MANY / (time.monotonic() - start)
+    return [Line(f"{MANY} different ones in a row", rate, "/min", "at least 80", rate >= 80)]
+
+
+def _at_once(folder: Path) -> list[Line]:
+    """Gradings side by side get the scores that they get alone: the limits count CPU time."""
+    submissions = sorted((ROOT / "tests" / "submissions" / "mistakes").iterdir())[::8][:AT_ONCE]
+    alone = [_score(_mistaken(folder / f"alone{n}", s, n)) for n, s in enumerate(submissions)]
+    with ThreadPoolExecutor(AT_ONCE) as pool:
+        variants = [_mistaken(folder / f"beside{n}", s, n) for n, s in enumerate(submissions)]
+        together = list(pool.map(_score, variants))
+    same = sum(a == b for a, b in zip(alone, together))
+    goal = f"all {len(alone)} the same"
+    return [Line(f"{AT_ONCE} at once: scores as one at a time", same, "", goal, alone == together)]
+
+
+def _plain(folder: Path) -> list[Line]:
+    """The usual way: the submission compiled and linked with the tests and GoogleTest, and run."""
+    submission, program = _variant(folder / "plain", 0), folder / "program"
+    tests = [str(CHECKS / f"{part.stem}_test.cpp") for part in parts()]
+    linked = [str(CHECKS / "linked" / f"{part.stem}.cpp") for part in parts()]
+    command = [
+        *PLAIN_GCC,
+        f'-DBOUNCE_FIXTURES="{ROOT / "fixtures" / "public"}"',
+        *(*tests, *linked, *(str(submission / part.file) for part in parts())),
+        *(str(CHECKS / f"{name}.cpp") for name in SHARED_BY_TESTS),
+        *(str(CHECKS / "linked" / f"{name}.cpp") for name in LINKED_TESTS),
+        str(ROOT / "student" / "given" / "solve_lcp.cpp"),
+        *("-lgtest", "-lpthread", "-o", str(program)),
+    ]
+    seconds = _seconds(command) + _seconds([str(program)])
+    return [Line("the plain way: g++ and GoogleTest, linked with it", seconds, "s")]
+
+
+def _memory(folder: Path) -> list[Line]:
+    """Of the grader itself; and of the compiler, without a box, which hides it."""
+    submission = _variant(folder / "memory", 0)
+    own = _largest("SELF", GRADING, "grade", str(submission), "--json", "/dev/null")
+    submission = _variant(folder / "compiled", 1)
+    compiler = _largest("CHILDREN", COMPILING, str(submission), str(folder / "objects"))
+    return [
+        Line("the grader itself", own, "MB", "below 100", own < 100),
+        Line("the compiler, the largest process that it starts", compiler, "MB"),
+    ]
+
+
+def _largest(whose: str, program: str, *words: str) -> float:
+    """The most memory of a Python program with these arguments, or of what it starts, in MB."""
+    said = f"import resource; print(resource.getrusage(resource.RUSAGE_{whose}).ru_maxrss)"
+    command = [sys.executable, "-c", f"{program}\n{said}", *words]
+    folder = ROOT / "grader"  # where the package is
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=True)
+    return int(done.stdout.splitlines()[-1]) / 1024
+
+
+def _variant(folder: Path, number: int) -> Path:
+    """The solution, a comment different, so that no part of it has been compiled before."""
+    folder.mkdir()
+    for file in SOLUTION.glob("*.cpp"):
+        stamp = f"// {time.time_ns()} {number}\n"
+        (folder / file.name).write_text(stamp + file.read_text())
+    return folder
+
+
+def _mistaken(folder: Path, mistake: Path, number: int) -> Path:
+    _variant(folder, number)
+    for file in mistake.glob("*.cpp"):
+        stamp = f"// {time.time_ns()} {number}\n".encode()
+        (folder / file.name).write_bytes(stamp + file.read_bytes())
+    return folder
+
+
+def _grading(submission: Path) -> list[str]:
+    return [str(ROOT / "kit"), "grade", str(submission), "--min-score", "100"]
+
+
+def _score(submission: Path) -> float:
+    command = [str(ROOT / "kit"), "grade", str(submission), "--json", "-"]
+    done = subprocess.run(command, stdout=subprocess.PIPE, check=True)
+    return float(json.loads(done.stdout)["score"])
+
+
+def _compiling(submission: Path, to: Path) -> float:
+    return sum(
+        _seconds([*PLAIN_GCC, "-c", str(submission / part.file), "-o", str(to)]) for part in parts()
+    )
+
+
+def _seconds(command: list[str]) -> float:
+    start = time.monotonic()
+    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
+    if done.returncode != 0:
+        print(done.stdout.decode(), file=sys.stderr)
+        raise KitError(f"{command[0]} ended with status {done.returncode}")
+    return time.monotonic() - start

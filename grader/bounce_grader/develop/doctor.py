@@ -1,0 +1,207 @@
+"""./kit doctor: does each protection hold, here and for this user? Each is tried for real, by a
+program that is let loose in the boxes that submissions are compiled and run in, and in that of what
+is run once more with sanitizers. A canary is on the command line, in the environment and in the
+memory of a process above the box: nothing in there may find it."""
+
+import os
+import secrets
+import socket
+import tempfile
+import sys
+import time
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import IO
+
+from bounce_grader.build.compiler import COMPILE
+from bounce_grader.common.paths import PROBE, ROOT, WATCH
+from bounce_grader.sandbox import processes
+from bounce_grader.sandbox.box import problem_of, Box
+
+Attempt = list[str]
+PLACES = ("compile", "run", "check")
+# A process above the box, with the canary in it.
+ABOVE = ["/bin/sh", "-c", 'BOUNCE_DOCTOR="$0" "$@"; status=$?; kept="$0"; exit $status']
+WATCHING = processes.Limits(cpu_seconds=20, wall_seconds=90, memory=4 << 30, file_size=0)
+COMPILING = COMPILE._replace(cpu_seconds=1)
+
+
+@dataclass(frozen=True)
+class Protection:
+    title: str
+    attempts: list[Attempt]  # words for the probe; none of these may succeed
+    places: tuple[str, ...] = PLACES
+    outside: Callable[[], bool] | None = None  # where what is seen from outside decides, later
+    canary: str = ""  # in a process above the box
+
+
+@dataclass(frozen=True)
+class Finding:
+    """held is None where the box can't be had at all."""
+
+    protection: str
+    box: str  # "full compile", ...
+    held: bool | None
+    detail: str
+
+
+def findings() -> list[Finding]:
+    """Every protection in every box, in the order of the table."""
+    with _bait() as protections, tempfile.TemporaryDirectory(prefix="bounce-doctor-") as name:
+        folder = Path(name)
+        Box("full").give(folder)
+        return [
+            finding
+            for kind, places in (("full", PLACES), ("reduced", PLACES[:2]))
+            for place in places
+            for finding in _in_box(Box(kind), place, folder, protections)
+        ]
+
+
+def _in_box(box: Box, place: str, folder: Path, protections: list[Protection]) -> Iterator[Finding]:
+    """First whether the box can be had, and the probe gets to its attempts there."""
+    problem = problem_of(box)
+    if not problem and not attempt(box, place, folder, ["nothing"])[0]:
+        problem = "the probe doesn't start"
+    for protection in protections:
+        if place not in protection.places:
+            continue
+        if problem:
+            yield Finding(protection.title, f"{box.kind} {place}", None, problem)
+            continue
+        above = [*ABOVE, protection.canary] if protection.canary else []
+        outcomes = [attempt(box, place, folder, words, above) for words in protection.attempts]
+        held = not any(could for could, _ in outcomes)
+        held = protection.outside() if protection.outside else held
+        detail = "; ".join(said for _, said in outcomes)
+        yield Finding(protection.title, f"{box.kind} {place}", held, detail)
+
+
+def attempt(
+    box: Box, place: str, folder: Path, words: Attempt, above: Sequence[str] = ()
+) -> tuple[bool, str]:
+    """Whether the probe could do it, and what was said. What isn't known to have failed could."""
+    if place != "compile":
+        boxed = box.to_run(PROBE) if place == "run" else box.to_check(PROBE)
+        result = processes.run([*above, str(WATCH), place, *boxed, *words], WATCHING)
+        said = result.out.decode("utf-8", "replace").strip()
+        could = not result.ok or said == "answered" or "(exit status 125)" in said
+        return could, said or result.err.strip()
+    command = [*above, *box.to_build(folder, [PROBE]), str(PROBE), *words]
+    result = processes.run(command, COMPILING, cwd=folder, out_cap=1 << 20)
+    stopped = result.flooded or result.too_long or result.code < 0 or result.code > 128
+    said = (result.out[:200].decode("utf-8", "replace") + result.err).strip()
+    return not stopped and result.code != 3, said or f"ended with status {result.code}"
+
+
+@contextmanager
+def _bait() -> Iterator[list[Protection]]:
+    """What must not be reached: a file, a variable, a port, a descriptor, this process; and the
+    protections that keep it."""
+    marker = secrets.token_hex(16)
+    with (
+        tempfile.NamedTemporaryFile("w", prefix="bounce-bait-") as file,
+        tempfile.NamedTemporaryFile("w", prefix="bounce-bait-", dir=_home()) as home,
+        socket.create_server(("127.0.0.1", 0)) as server,
+    ):
+        os.set_inheritable(file.fileno(), True)
+        os.chmod(file.name, 0o644)
+        os.chmod(home.name, 0o644)
+        yield _protections(marker, file, home, server.getsockname()[1])
+
+
+def _protections(marker: str, file: IO[str], home: IO[str], port: int) -> list[Protection]:
+    hidden = [file.name, home.name, str(ROOT / "solution/src/part1_contacts.cpp"), "/etc/passwd"]
+    me = str(os.getpid())
+    return [
+        Protection("sees no file of yours", [["read", path] for path in hidden]),
+        Protection("sees no process of yours", [["read", f"/proc/{me}/environ"]]),
+        Protection(
+            "writes no file of yours",
+            [["write", path] for path in hidden[:2]],
+            outside=lambda: all(os.path.getsize(path) == 0 for path in hidden[:2]),
+        ),
+        Protection("writes no large file", [["fill", "65"]]),
+        Protection("has none of your variables", [["environment", "BOUNCE_DOCTOR"]], canary=marker),
+        # In two halves: the probe's own command line doesn't count.
+        *(
+            Protection(
+                f"finds nothing in {title} above",
+                [[where, marker[:16], marker[16:]]],
+                canary=marker,
+            )
+            for where, title in (
+                ("environments", "environments"),
+                ("command-lines", "command lines"),
+                ("memories", "memory"),
+            )
+        ),
+        Protection("reaches no first process", [["first-process"]]),
+        Protection("has none of your open files", [["descriptors", "5"]]),
+        Protection("connects to nothing", [["connect", str(port)]]),
+        Protection("signals no process of yours", [["signal", me]]),
+        Protection("traces no process of yours", [["trace", me]]),
+        Protection("has no privileges", [["privileges"]]),
+        Protection("makes no namespaces", [["namespace"]]),
+        Protection("starts no process", [["processes", "1"]], ("run", "check")),
+        Protection("starts few processes", [["processes", "200"]], ("compile",)),
+        Protection("leaves nothing behind", [["daemon", marker]], outside=lambda: _gone(marker)),
+        Protection("is held to its memory", [["allocate", "1100"]], ("run", "check")),
+        Protection("is held to its memory", [["allocate", "2200"]], ("compile",)),
+        Protection("is held to its CPU time", [["spin", "3"]]),
+        Protection("is held to its output", [["flood", "20"]]),
+    ]
+
+
+def _home() -> str | None:
+    """Where a file of this user's is at home; None for those who have none."""
+    return str(Path.home()) if os.access(Path.home(), os.W_OK) else None
+
+
+def _gone(marker: str) -> bool:
+    """No process with this word on its command line is there any more, or soon."""
+    for _ in range(20):
+        if not any(marker.encode() in _command_line(p) for p in Path("/proc").glob("[0-9]*")):
+            return True
+        time.sleep(0.05)
+    return False
+
+
+def _command_line(process: Path) -> bytes:
+    try:
+        return (process / "cmdline").read_bytes()
+    except OSError:
+        return b""
+
+
+def run(stream: IO[str] | None = None) -> int:
+    """Prints the table; 0 where everything held."""
+    from rich.console import Console
+    from rich.table import Table
+
+    found = findings()
+    boxes = list(dict.fromkeys(finding.box for finding in found))
+    by_place = {(f.protection, f.box): f for f in found}
+    table = Table(title="What holds here, tried for real")
+    table.add_column("a submission …", no_wrap=True)
+    for box in boxes:
+        table.add_column(box.replace(" ", "\n"))
+    for title in dict.fromkeys(finding.protection for finding in found):
+        cells = [by_place.get((title, box)) for box in boxes]
+        table.add_row(title, *("" if cell is None else _word(cell) for cell in cells))
+    console = Console(file=stream or sys.stdout)
+    console.print(table)
+    for finding in found:
+        if finding.held is False:
+            console.print(
+                f"{finding.box}: {finding.protection}: NO: {finding.detail}", markup=False
+            )
+    for box, why in dict.fromkeys((f.box, f.detail) for f in found if f.held is None):
+        console.print(f"{box}: can't be had here: {why}", markup=False)
+    return int(not all(finding.held for finding in found))
+
+
+def _word(finding: Finding) -> str:
+    return {True: "yes", False: "[bold]NO[/bold]", None: "-"}[finding.held]

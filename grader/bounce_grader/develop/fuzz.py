@@ -1,0 +1,76 @@
+"""A million inputs for each reader of what can't be trusted, and hundreds of submissions that attack,
+for ./kit test --long.
+
+The readers in C++ are in tests/kit/fuzz/, those in Python and the attacks in tests/kit/support/fuzzing/. The
+ordinary run gives each reader a few thousand. An input at which one fails is kept in
+build/fuzz/inputs/.
+"""
+
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import time
+from concurrent.futures import ThreadPoolExecutor
+
+from bounce_grader.common.paths import BUILD, ROOT, SUPPORT
+
+COUNT = 1_000_000
+CPP = ("frames", "fixtures", "endings")
+PYTHON = {"zip": COUNT, "sources": COUNT, "judge": COUNT, "compiler": COUNT}
+PYTHON["folder"] = COUNT // 10  # each is made on disk
+ATTACKS = 500
+FUZZERS = ROOT / "build" / "fuzz"
+INPUTS = FUZZERS / "inputs"
+
+
+def run() -> int:
+    """The exit status: 0 when everything was taken or refused as it should be."""
+    problem = _build()
+    if problem:
+        print(problem, flush=True)
+        return 1
+    INPUTS.mkdir(exist_ok=True)
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        sound = list(pool.map(_with_libfuzzer, CPP))
+    sound += [_with_python(name, str(count)) for name, count in PYTHON.items()]
+    tonight = int(time.time() // 86400) * ATTACKS  # other ones each night
+    return int(not all([*sound, _with_python("attacks", str(ATTACKS), str(tonight))]))
+
+
+def _build() -> str:
+    """What went wrong, or nothing."""
+    for command in (
+        ["cmake", "--preset", "fuzz"],
+        ["ninja", "-C", str(FUZZERS), *(f"fuzz_{name}" for name in CPP)],
+    ):
+        done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
+        if done.returncode != 0:
+            return done.stdout + done.stderr
+    return ""
+
+
+def _with_libfuzzer(name: str) -> bool:
+    """It changes inputs so that they reach lines not reached before; the same ones each time."""
+    start = time.monotonic()
+    options = [f"-runs={COUNT}", "-seed=1", "-timeout=10", "-max_len=8192", "-print_final_stats=1"]
+    options += [f"-artifact_prefix={INPUTS}/{name}-"]
+    with tempfile.TemporaryDirectory() as seeds:  # it adds what it finds
+        subprocess.run([BUILD / f"fuzz_{name}", "--seeds", seeds], check=True)
+        command = [str(FUZZERS / f"fuzz_{name}"), *options, seeds]
+        done = subprocess.run(command, capture_output=True, check=False)
+    said = done.stderr.decode("utf-8", "replace")
+    counted = re.search(r"stat::number_of_executed_units: (\d+)", said)
+    count = int(counted.group(1)) if counted else 0
+    print(f"   {name}: {count} inputs, in {time.monotonic() - start:.0f} s", flush=True)
+    if done.returncode == 0 and count >= COUNT:
+        return True
+    print(said[-4000:], flush=True)
+    return False
+
+
+def _with_python(*words: str) -> bool:
+    environment = {**os.environ, "PYTHONPATH": f"{ROOT / 'grader'}:{SUPPORT}"}
+    command = [sys.executable, "-m", "fuzzing", *words]
+    return subprocess.run(command, cwd=ROOT, env=environment, check=False).returncode == 0

@@ -1,0 +1,136 @@
+"""./kit test: everything that must hold of the kit, in one run."""
+
+import os
+import subprocess
+import sys
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from bounce_grader.common.paths import BUILD, ROOT
+from bounce_grader.develop import confusion, fuzz
+from bounce_grader.grading.fixtures import hidden_folder
+from bounce_grader.publish.fixtures import all_differing
+
+CPP = (
+    "student",
+    "solution",
+    "grader",
+    "tests/parts",
+    "tests/kit",
+)
+PYTHON = ("grader/bounce_grader", "tests", "solution")
+SANITIZED = (
+    "solution_test",
+    "kit_test",
+    "judge_test",
+    "fuzz_frames",
+    "fuzz_fixtures",
+    "fuzz_endings",
+)
+EXTENTS = ("quick", "usual", "long")
+
+
+@dataclass(frozen=True)
+class Step:
+    name: str
+    run: Callable[[], int]
+    least: str = "quick"  # the least extent that it belongs to
+
+
+def run(extent: str) -> int:
+    failed = []
+    for step in _steps(extent):
+        if EXTENTS.index(step.least) > EXTENTS.index(extent):
+            continue
+        start = time.monotonic()
+        print(f"== {step.name}", flush=True)
+        if step.run() != 0:
+            failed.append(step.name)
+        print(f"   {time.monotonic() - start:.1f} s", flush=True)
+    if failed:
+        print(f"failed: {', '.join(failed)}")
+    return int(bool(failed))
+
+
+def _steps(extent: str) -> list[Step]:
+    return [
+        Step("formatting: clang-format", _clang_format),
+        Step("formatting: black", lambda: _command("black", "-q", "--check", *PYTHON)),
+        Step("types: mypy", _mypy),
+        Step("lint: clang-tidy", _clang_tidy, "usual"),
+        Step("fixtures are what the kit writes", _fixtures),
+        Step("C++ tests", _ctest),
+        Step("known mistakes: what the gallery is taken for", confusion.run),
+        Step("C++ tests with sanitizers", _sanitized, "long"),
+        Step("Python tests, the gallery among them", lambda: _pytest(extent)),
+        Step("readers with a million inputs each, and submissions that attack", fuzz.run, "long"),
+    ]
+
+
+def _command(*words: str) -> int:
+    environment = {**os.environ, "PYTHONPATH": str(ROOT / "grader")}
+    return subprocess.run(words, cwd=ROOT, env=environment, check=False).returncode
+
+
+def _quietly(*words: str) -> int:
+    """Says something only where something is wrong."""
+    done = subprocess.run(words, cwd=ROOT, capture_output=True, text=True, check=False)
+    if done.returncode != 0:
+        print(done.stdout, done.stderr, sep="\n", flush=True)
+    return done.returncode
+
+
+def _sources(*patterns: str) -> list[str]:
+    """The C++ files in these folders, or of these names."""
+    found: set[str] = set()
+    for pattern in patterns:
+        path = ROOT / pattern
+        if path.is_dir():
+            found |= {str(f) for suffix in ("cpp", "hpp") for f in path.rglob(f"*.{suffix}")}
+        else:
+            found |= {str(f) for f in ROOT.glob(pattern)}
+    return sorted(found)
+
+
+def _clang_format() -> int:
+    return _command("clang-format", "--dry-run", "-Werror", *_sources(*CPP))
+
+
+def _mypy() -> int:
+    return _command("mypy", "--no-error-summary", "--cache-dir", str(BUILD / "mypy"), *PYTHON)
+
+
+def _clang_tidy() -> int:
+    sources = [f for f in _sources("solution", "grader/judge") if f.endswith(".cpp")]
+    jobs = str(os.cpu_count() or 1)
+    unknown = "-extra-arg=-Wno-unknown-warning-option"  # g++'s own, in the build's flags
+    tidy = [sys.executable, "/usr/bin/run-clang-tidy", "-quiet", "-p", str(BUILD)]
+    return _quietly(*tidy, "-j", jobs, unknown, *sources)
+
+
+def _fixtures() -> int:
+    hidden_folder()  # so that the oracle finds the hidden ones too
+    names = all_differing()
+    for name in names:
+        print(f"fixtures/public/{name} isn't what the kit writes: run ./kit fixtures")
+    return int(bool(names))
+
+
+def _ctest() -> int:
+    return _quietly("ctest", "--test-dir", str(BUILD), "--output-on-failure", "-j", "2")
+
+
+def _sanitized() -> int:
+    """The C++ tests once more, with address and undefined behaviour checked as they run."""
+    folder = str(ROOT / "build" / "sanitize")
+    return (
+        _quietly("cmake", "--preset", "sanitize")
+        or _quietly("ninja", "-C", folder, *SANITIZED)
+        or _quietly("ctest", "--test-dir", folder, "--output-on-failure", "-j", "2")
+    )
+
+
+def _pytest(extent: str) -> int:
+    chosen = {"quick": ["-m", "not slow and not long"], "usual": ["-m", "not long"]}.get(extent, [])
+    return _command(sys.executable, "-m", "pytest", "-q", "-n", str(os.cpu_count() or 1), *chosen)

@@ -1,0 +1,33 @@
+"""./kit study: its options. The study itself is a package beside its C++, in solution/study/."""
+
+import argparse
+import sys
+from pathlib import Path
+from typing import Any
+
+from bounce_grader.common.paths import ROOT
+
+
+def add(commands: Any) -> None:
+    parser = commands.add_parser("study", help="measure the methods: tables, charts and pages")
+    parser.add_argument(
+        "questions", nargs="*", metavar="QUESTION", help="tables to measure; all unless named"
+    )
+    parser.add_argument(
+        "--out", type=Path, metavar="FOLDER", help="what is written (default: docs/studies)"
+    )
+    parser.add_argument("--quick", action="store_true", help="fewer rounds and coarser maps")
+    parser.add_argument(
+        "--peers", action="store_true", help="the engines that people use, too; installs them"
+    )
+    parser.set_defaults(command=_study)
+
+
+def _study(options: argparse.Namespace) -> int:
+    sys.path.insert(0, str(ROOT / "solution" / "study"))
+    from bounce_study import run
+
+    out = options.out or run.STUDIES
+    return run.run(
+        run.Request(out.absolute(), options.quick, options.peers, tuple(options.questions))
+    )

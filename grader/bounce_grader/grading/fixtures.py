@@ -1,0 +1,45 @@
+"""Fixtures: the public ones are committed; the hidden ones are made from the course secret."""
+
+import hashlib
+import tempfile
+from pathlib import Path
+
+from bounce_grader.common.errors import KitError
+from bounce_grader.common.paths import BUILD, FIXTURES, SECRET
+from bounce_grader.sandbox import processes
+
+PUBLIC = FIXTURES / "public"
+HIDDEN = FIXTURES / "hidden"
+WRITER = BUILD / "write_fixtures"
+DEFAULT_SECRET = "the secret of a course that has set none"
+LIMITS = processes.Limits(cpu_seconds=120, wall_seconds=600, memory=4 << 30, file_size=64 << 20)
+
+
+def secret() -> str:
+    """The course's, from the file course-secret; else the default."""
+    if SECRET.exists():
+        return SECRET.read_text().strip()
+    return DEFAULT_SECRET
+
+
+def write(kind: str, folder: Path) -> None:
+    """Writes a set, "public" or "hidden"; each file whole or not at all, so that a grading beside
+    this one never reads half of it."""
+    folder.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory(dir=folder) as name:
+        result = processes.run([str(WRITER), kind, name], LIMITS, stdin=secret().encode())
+        if not result.ok:
+            raise KitError(f"the {kind} fixtures can't be written: {result.err.strip()}")
+        for file in Path(name).iterdir():
+            file.replace(folder / file.name)
+
+
+def hidden_folder() -> Path:
+    """The hidden fixtures of this course's secret, written anew where the secret, or the program
+    that writes them, has changed."""
+    stamp = hashlib.sha256(secret().encode() + WRITER.read_bytes()).hexdigest()
+    noted = HIDDEN / "made-from"
+    if not noted.exists() or noted.read_text() != stamp:
+        write("hidden", HIDDEN)
+        noted.write_text(stamp)
+    return HIDDEN

@@ -1,0 +1,221 @@
+"""From a submission to its score record."""
+
+import os
+import tempfile
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from functools import partial
+from pathlib import Path
+from typing import NamedTuple
+
+from bounce_grader.build import linking
+from bounce_grader.build.compile import compile_all, Built, Objects
+from bounce_grader.common.errors import KitError
+from bounce_grader.common.manifest import parts, Part
+from bounce_grader.common.parallel_map import each
+from bounce_grader.common.paths import STUBS, WORK_FOLDER
+from bounce_grader.grading import fixtures, judging, record, sanitizing, speed
+from bounce_grader.grading.judging import Judged
+from bounce_grader.grading.record import Record
+from bounce_grader.sandbox import box as boxes, budget
+from bounce_grader.sandbox.box import Box
+from bounce_grader.sandbox.budget import Budget, Overrun
+from bounce_grader.submission import submission
+from bounce_grader.submission.submission import Submission
+
+
+class Options(NamedTuple):
+    boxes: tuple[str, ...] = boxes.FULL_OR_REDUCED  # the kinds that will do, the best first
+    speed: bool = False
+    jobs: int = 0  # 0: one a core
+    answers: bool = False  # with the expected answers of hidden cases, for with_answers
+    cpu_seconds: float = budget.CPU_SECONDS  # for the whole grading
+    wall_seconds: float = budget.WALL_SECONDS
+
+
+def grade(given: Path | Submission, options: Options = Options()) -> Record:
+    """A submission, or the folder or zip with it. Raises UsageError where it can't be read,
+    KitError where the kit fails."""
+    start = time.monotonic()
+    within = Budget(options.cpu_seconds, options.wall_seconds)
+    taken = given if isinstance(given, Submission) else submission.read(given)
+    box = boxes.choose(options.boxes)._replace(budget=within)
+    hidden = fixtures.hidden_folder()
+    jobs = options.jobs or os.cpu_count() or 1
+    with _work_folder() as work:
+        box.give(work)
+        objects = compile_all(taken, work, box, jobs)
+        grading = _Grading(taken, objects, work, hidden, box)
+        compiled = time.monotonic()
+        grading.judge_together(jobs)
+        each(grading.judge_alone, parts(), jobs)
+        records = [grading.record_of(part) for part in parts()]
+        if not any(r["score"] for r in records):
+            _require_working_kit(Box(box.kind))
+        measured = None
+        if options.speed:
+            box = box._replace(budget=Budget(options.cpu_seconds, options.wall_seconds))
+            timed = compile_all(taken, work, box, jobs, timed=True)
+            runner = _link_together(taken, timed, work / "timed", box, timed=True)
+            measured = _speed(grading, runner, box)
+    end = time.monotonic()
+    graded = record.whole(
+        taken,
+        records,
+        box.kind,
+        {"compile": compiled - start, "run": end - compiled, "total": end - start},
+        record.digest_of([fixtures.PUBLIC, hidden]),
+        measured,
+    )
+    return graded if options.answers else record.without_answers(graded)
+
+
+@contextmanager
+def _work_folder() -> Iterator[Path]:
+    """For one grading; nobody else on this machine can look into it."""
+    with tempfile.TemporaryDirectory(prefix=WORK_FOLDER) as name:
+        yield Path(name)
+
+
+def _link_together(
+    taken: Submission, objects: Objects, runner: Path, box: Box, timed: bool = False
+) -> Built:
+    if any(part.number not in objects.parts for part in parts()):
+        return Built(None, "not all parts were submitted")
+    broken = [b for b in [*objects.parts.values(), *objects.helpers.values()] if not b.path]
+    return broken[0] if broken else linking.link_together(objects, runner, box, timed)
+
+
+class _Grading:
+    """Judges the parts: all with the submission's own earlier parts, and where that isn't the best
+    that a part could get, alone, with given ones."""
+
+    def __init__(
+        self,
+        taken: Submission,
+        objects: Objects,
+        work: Path,
+        hidden: Path,
+        box: Box,
+    ) -> None:
+        self.taken, self.objects, self.work = taken, objects, work
+        self.hidden, self.box = hidden, box
+        self.together: Path | None = None  # the runner with all parts, where they link
+        self.own: dict[Part, Judged] = {}
+        self.best: dict[Part, Judged] = {}
+        self.failed: dict[Part, Record] = {}  # parts of which no line could be run
+
+    def judge_together(self, jobs: int) -> None:
+        """The parts that call no other first: where one of them hangs, so would those that call
+        it, and they are better off with given parts."""
+        with suppress(Overrun):
+            runner = _link_together(self.taken, self.objects, self.work / "together", self.box).path
+            self.together = runner
+            for calling in (False, True):
+                if not runner or any(j.status == "timed_out" for j in self.own.values()):
+                    return
+                now = [part for part in parts() if part.has_earlier_parts == calling]
+                each(partial(self._judge_own, runner), now, jobs)
+
+    def judge_alone(self, part: Part) -> None:
+        """Takes the better of what the part got with the others and what it gets alone."""
+        try:
+            tries = self._tries(part)
+        except Overrun as overrun:
+            tries = [self.own[part]] if part in self.own else []
+            if not tries and part not in self.failed:
+                self.failed[part] = record.failed_part(part, "timed_out", f"not judged: {overrun}")
+        if tries:
+            # The later one, with the earlier parts given, where both score the same.
+            self.best[part] = max(reversed(tries), key=lambda judged: judged.score(part))
+
+    def record_of(self, part: Part) -> Record:
+        """When all parts are judged: what explains a crash takes only the time that is left."""
+        if part not in self.best:
+            return self.failed[part]
+        best = self.best[part]
+        if best.status == "crashed":
+            best = sanitizing.explained(part, best, self.taken, self.work, self.hidden, self.box)
+        return record.part_record(part, best)
+
+    def _tries(self, part: Part) -> list[Judged]:
+        problem = self._problem(part)
+        if problem:
+            self.failed[part] = record.failed_part(part, *problem)
+            return []
+        tries = [self.own[part]] if part in self.own else []
+        if not tries or self._could_be_better(part, tries[0]):
+            runner = self.work / f"alone{part.number}"
+            alone = linking.link_alone(part, self.objects, runner, self.box)
+            if alone.path:
+                tries.append(self._judge(alone.path, part.has_earlier_parts, part, recognise=True))
+            elif not tries:
+                why = self._why(alone)
+                self.failed[part] = record.failed_part(part, "does_not_compile", why)
+        return tries
+
+    def _judge_own(self, runner: Path, part: Part) -> None:
+        self.own[part] = self._judge(runner, False, part)
+
+    def _judge(self, runner: Path, given: bool, part: Part, recognise: bool = False) -> Judged:
+        files = frozenset(self.taken.files)
+        return judging.judge(
+            part, runner, given, self.hidden, self.box, recognise=recognise, files=files
+        )
+
+    def _could_be_better(self, part: Part, own: Judged) -> bool:
+        """Alone, a part is free of earlier parts, and of what other files do before main. Where
+        other parts could answer, that didn't make this one hang."""
+        if own.score(part) == part.points:
+            return False
+        hangs_by_itself = own.status == "timed_out" and any(
+            other.status == "graded" for other in self.own.values()
+        )
+        return part.has_earlier_parts or not hangs_by_itself
+
+    def _problem(self, part: Part) -> tuple[str, str] | None:
+        if part.number in self.taken.refused:
+            return "does_not_compile", self.taken.refused[part.number]
+        if part.number not in self.objects.parts:
+            return "not_submitted", f"{part.file} isn't among the files submitted"
+        if self.taken.files[self.taken.parts[part.number]].split() == _stub(part):
+            return "graded", f"nothing is filled in yet: start at the TODO in {part.file}"
+        built = self.objects.parts[part.number]
+        return None if built.path else ("does_not_compile", built.problem)
+
+    def _why(self, alone: Built) -> str:
+        """A helper that doesn't compile is the reason behind what is missing."""
+        broken = [built.problem for built in self.objects.helpers.values() if not built.path]
+        return "; ".join([alone.problem, *broken])
+
+
+def _stub(part: Part) -> list[bytes]:
+    """The words of a part as it is handed out."""
+    return (STUBS / part.file).read_bytes().split()
+
+
+def _require_working_kit(box: Box) -> None:
+    """No point at all: make sure that it isn't the kit that fails. A stub compiles and answers."""
+    taken = submission.read(STUBS)
+    with _work_folder() as work:
+        box.give(work)
+        objects = compile_all(taken, work, box, 1)
+        stub = objects.parts[1]
+        linked = linking.link_alone(parts()[0], objects, work / "stub", box) if stub.path else stub
+        if not linked.path:
+            raise KitError(f"a stub can't be built: {linked.problem}")
+    problem = boxes.problem_of(box)
+    if problem:
+        boxes.forget(box.kind)
+        raise KitError(f"the box stopped working while it was in use: {problem}")
+
+
+def _speed(grading: _Grading, timed: Built, box: Box) -> Record:
+    """Its curve beside the solution's, and the largest error over all public cases."""
+    errors = [judged.largest_error for judged in grading.best.values()]
+    graded = grading.together
+    measured = speed.measure(timed.path, graded, box) if timed.path and graded else None
+    known = [error for error in errors if error is not None]
+    complete = len(known) == len(parts())
+    return {**(measured or {}), "largest_error": max(known) if complete else None}

@@ -1,0 +1,168 @@
+"""Runs the judge on a runner, and reads its verdicts."""
+
+import json
+import re
+import sys
+from collections.abc import Callable
+from functools import cache
+from pathlib import Path
+from typing import Any, NamedTuple, cast
+
+from bounce_grader.common.errors import KitError
+from bounce_grader.common.escaping import name
+from bounce_grader.common.manifest import Part
+from bounce_grader.common.paths import FIXTURES, JUDGE, SOURCES, WORK_FOLDER
+from bounce_grader.grading import failed_case
+from bounce_grader.grading.failed_case import Shown
+from bounce_grader.sandbox import processes
+from bounce_grader.sandbox.box import Box
+from bounce_grader.sandbox.budget import Overrun
+
+SYMBOLS = processes.Limits(cpu_seconds=5, wall_seconds=30, memory=1 << 30, file_size=0)
+WAIT = processes.Limits(cpu_seconds=60, wall_seconds=300, memory=4 << 30, file_size=0)
+MOST_CPU_SECONDS, MOST_SECONDS = 30, 200  # of all runners of a part
+STATUSES = {"graded", "does_not_compile", "crashed", "timed_out", "out_of_memory", "no_answer"}
+
+
+class Verdict(NamedTuple):
+    passed: bool
+    status: str
+    message: str
+    shown: Shown | None = None  # the failed case in numbers
+    revealed: Shown | None = None  # of a hidden case, "message" and "shown" with its answer
+
+
+class Judged(NamedTuple):
+    """The verdicts of one part, by check id; graded_with is "own" or "given". Names of the known
+    mistakes that the part makes; or where none is known, what its numbers say."""
+
+    verdicts: dict[str, Verdict]
+    largest_error: float | None
+    graded_with: str
+    mistakes: tuple[str, ...] = ()
+    patterns: tuple[str, ...] = ()
+
+    def score(self, part: Part) -> float:
+        return sum(check.points for check in part.checks if self.verdicts[check.id].passed)
+
+    @property
+    def status(self) -> str:
+        """How the part went: "graded", or how its runner first ended."""
+        ended = [v.status for v in self.verdicts.values() if v.status != "graded"]
+        return ended[0] if ended else "graded"
+
+
+def judge(
+    part: Part,
+    runner: Path,
+    given: bool,
+    hidden: Path,
+    box: Box,
+    checked: bool = False,
+    recognise: bool = False,
+    files: frozenset[str] = frozenset(),
+) -> Judged:
+    """Raises KitError where the judge fails, or doesn't name every check exactly once. A runner
+    that is `checked` is built with sanitizers. What the grading has no time for any more fails. A
+    crash is located in one of the submission's `files`."""
+    cpu, wall = box.budget.left()
+    command = [
+        *(str(JUDGE), "--part", str(part.number)),
+        *(["--given"] if given else []),
+        *(["--checked"] if checked else []),
+        *(["--recognise"] if recognise else []),
+        *(["--boxed"] if box.kind != "none" else []),
+        *("--cpu-seconds", str(max(1, int(min(cpu, MOST_CPU_SECONDS))))),
+        *("--seconds", str(max(1, int(min(wall, MOST_SECONDS))))),
+        *("--fixtures", str(FIXTURES / "public"), "--fixtures", str(hidden)),
+        *("--", *(box.to_check(runner) if checked else box.to_run(runner))),
+    ]
+    box.budget.require()
+    # The judge keeps to its own time, and tells what passed within it.
+    result = processes.run(command, WAIT._replace(memory=None) if checked else WAIT)
+    if not result.ok:
+        raise KitError(f"the judge failed on part {part.number}: {result.err.strip() or 'killed'}")
+    answer = read_answer(result.out, part)
+    verdicts = {
+        check["id"]: Verdict(
+            check["passed"],
+            check["status"],
+            _with_place(check, runner, files, box),
+            check["shown"],
+            check["revealed"],
+        )
+        for check in answer["checks"]
+    }
+    return Judged(
+        verdicts,
+        answer["largest_error"],
+        "given" if given else "own",
+        tuple(answer["mistakes"]),
+        tuple(answer["patterns"]),
+    )
+
+
+def read_answer(out: bytes, part: Part) -> dict[str, Any]:
+    """The judge's answer, if it has the shape that grader/judge/main.cpp says. Raises KitError."""
+    try:
+        answer = json.loads(out, parse_constant=_no_number)
+        sound = all(map(_is_sound, answer["checks"])) and _is_size(answer["largest_error"])
+        for check in answer["checks"]:
+            check["shown"] = failed_case.read(check["shown"])
+            check["revealed"] = failed_case.read_revealed(check["revealed"])
+        sound = sound and all(map(_are_texts, (answer["mistakes"], answer["patterns"])))
+    except (ValueError, TypeError, KeyError, RecursionError) as error:
+        raise KitError(f"the judge's answer on part {part.number} can't be read") from error
+    if not sound:
+        raise KitError(f"the judge's answer on part {part.number} has another shape than it should")
+    ids = [check["id"] for check in answer["checks"]]
+    if sorted(ids) != sorted(check.id for check in part.checks):
+        raise KitError(f"the judge's checks of part {part.number} aren't those of parts.json")
+    return {key: answer[key] for key in ("checks", "largest_error", "mistakes", "patterns")}
+
+
+def _no_number(word: str) -> None:
+    raise ValueError(f"{word} is no JSON")
+
+
+def _is_sound(check: dict[str, Any]) -> bool:
+    texts = all(isinstance(check[key], str) for key in ("id", "status", "stack", "message"))
+    return texts and isinstance(check["passed"], bool) and check["status"] in STATUSES
+
+
+def _are_texts(x: object) -> bool:
+    return isinstance(x, list) and all(isinstance(text, str) for text in x)
+
+
+def _is_size(x: object) -> bool:
+    return x is None or type(x) in (int, float) and 0 <= cast(float, x) <= sys.float_info.max
+
+
+def _with_place(check: dict[str, str], runner: Path, files: frozenset[str], box: Box) -> str:
+    """The check's message; a crash's with the submission's file and line, where that is known."""
+    try:
+        place = _place(check["stack"], runner, files, box) if check["stack"] else None
+    except Overrun:  # a verdict stands without its place
+        place = None
+    return f"{check['message']}, at {place}" if place else check["message"]
+
+
+@cache
+def _place(stack: str, runner: Path, files: frozenset[str], box: Box) -> str | None:
+    """The innermost line of the submission on the stack."""
+    command = ["/usr/bin/addr2line", "-i", "-e", str(runner), *stack.split()]
+    said = box.run(box.to_build(runner.parent, [runner]) + command, SYMBOLS).out
+    return place_in(said, files.__contains__)
+
+
+def place_in(lines: bytes, is_submitted: Callable[[str], bool] = bool) -> str | None:
+    """The first FILE:LINE of a submission's file. What the names of files are in there is up to the
+    submission, by #line."""
+    for line in lines.splitlines():
+        _, _, rest = line.decode("utf-8", "replace").partition(f"/{WORK_FOLDER}")
+        inside = re.match(
+            rf"[^/]{{1,50}}/{SOURCES}(?:-[0-9a-f]{{16}})?/((.{{1,255}}?):\d{{1,9}})(?!\d)", rest
+        )
+        if inside and is_submitted(inside.group(2)):
+            return name(inside.group(1))
+    return None

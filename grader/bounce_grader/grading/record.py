@@ -1,0 +1,159 @@
+"""The score record: one JSON object that every report is made from. Pure functions.
+
+A submission has its say in messages and in names of files: they are printable and of bounded
+length here already, so that the record is valid JSON in UTF-8 whatever they were.
+"""
+
+import hashlib
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import Any
+
+from bounce_grader import __version__
+from bounce_grader.common.escaping import name, said
+from bounce_grader.common.manifest import parts, Check, Part
+from bounce_grader.grading.judging import Judged, Verdict
+from bounce_grader.grading.known_mistakes import known
+from bounce_grader.submission.submission import Submission
+
+Record = dict[str, Any]
+LONGEST_SENTENCE = 1000
+MOST_IGNORED = 100  # names
+
+
+def part_record(part: Part, judged: Judged) -> Record:
+    score = judged.score(part)
+    mistakes = [_mistake_record(name) for name in judged.mistakes]
+    return {
+        **_heading(part),
+        "score": score,
+        "max_score": part.points,
+        "status": judged.status,
+        "message": sentence(_part_message(part, judged)),
+        "graded_with": judged.graded_with,
+        "mistakes": mistakes,
+        "patterns": [said(sentence) for sentence in judged.patterns],
+        "checks": [
+            _check_record(check, verdict.passed, verdict.message, mistakes) | _numbers(verdict)
+            for check, verdict in ((c, judged.verdicts[c.id]) for c in part.checks)
+        ],
+    }
+
+
+def failed_part(part: Part, status: str, message: str) -> Record:
+    """A part of which no line could be run."""
+    return {
+        **_heading(part),
+        "score": 0,
+        "max_score": part.points,
+        "status": status,
+        "message": sentence(message),
+        "graded_with": "own",
+        "mistakes": [],
+        "patterns": [],
+        "checks": [_check_record(check, False, "", []) for check in part.checks],
+    }
+
+
+def _heading(part: Part) -> Record:
+    return {"part": part.number, "stem": part.stem, "title": part.title}
+
+
+def _mistake_record(mistake: str) -> Record:
+    words = known()[mistake]
+    return {key: words[key] for key in ("name", "title", "sentence", "equations", "hint")}
+
+
+def _mistake_of(check: Check, mistakes: list[Record]) -> Record | None:
+    """The first of the part's mistakes that costs this check; one alone costs all that fail."""
+    if len(mistakes) == 1:
+        return mistakes[0]
+    return next((m for m in mistakes if check.id in known()[m["name"]]["checks"]), None)
+
+
+def _check_record(check: Check, passed: bool, message: str, mistakes: list[Record]) -> Record:
+    return {
+        "id": check.id,
+        "title": check.title,
+        "score": check.points if passed else 0,
+        "max_score": check.points,
+        "passed": passed,
+        "message": said(message),
+        "mistake": None if passed else _mistake_of(check, mistakes),
+    }
+
+
+def _numbers(verdict: Verdict) -> Record:
+    """The failed case in numbers; and, for who may see it, a hidden one with its answer."""
+    numbers = {"shown": verdict.shown, "revealed": verdict.revealed}
+    return {key: value for key, value in numbers.items() if value and verdict.status == "graded"}
+
+
+def without_answers(record: Record) -> Record:
+    """What a student may see: no expected answer of a hidden case."""
+    return _with_checks(record, lambda check: {k: v for k, v in check.items() if k != "revealed"})
+
+
+def with_answers(record: Record) -> Record:
+    """The same record with the expected answers in their places."""
+    return without_answers(_with_checks(record, lambda check: check | check.get("revealed", {})))
+
+
+def _with_checks(record: Record, change: Callable[[Record], Record]) -> Record:
+    parts_ = [{**part, "checks": list(map(change, part["checks"]))} for part in record["parts"]]
+    return {**record, "parts": parts_}
+
+
+def _part_message(part: Part, judged: Judged) -> str:
+    lost = [c for c in part.checks if not judged.verdicts[c.id].passed]
+    if not lost:
+        return "everything right"
+    ended = [v for v in judged.verdicts.values() if v.status != "graded"]
+    if ended:
+        return _end(ended[0].message)
+    nothing = len(lost) == len(part.checks)
+    return "no check passed yet" if nothing else f"{len(lost)} of {len(part.checks)} checks failed"
+
+
+def _end(message: str) -> str:
+    """How a runner ended stands behind the last "got" of a check's message."""
+    lines = [line.strip() for line in message.split("\n")]
+    said_last = [line for line in lines if line.startswith("got ")] or lines
+    return said_last[-1].removeprefix("got").strip()
+
+
+def sentence(text: str) -> str:
+    """One printable line of bounded length."""
+    return said(text, LONGEST_SENTENCE).replace("\n", " ")
+
+
+def whole(
+    submission: Submission,
+    part_records: list[Record],
+    box: str,
+    seconds: Mapping[str, float],
+    fixtures_sha256: str,
+    speed: Record | None,
+) -> Record:
+    record: Record = {
+        "score": sum(p["score"] for p in part_records),
+        "max_score": sum(part.points for part in parts()),
+        "parts": part_records,
+        "box": box,
+        "seconds": {phase: round(value, 3) for phase, value in seconds.items()},
+        "kit": __version__,
+        "fixtures_sha256": fixtures_sha256,
+        "submission_sha256": submission.sha256,
+        "ignored": [name(file) for file in submission.ignored[:MOST_IGNORED]],
+    }
+    if len(submission.ignored) > MOST_IGNORED:
+        record["ignored_more"] = len(submission.ignored) - MOST_IGNORED
+    return {**record, "speed": speed} if speed else record
+
+
+def digest_of(folders: list[Path]) -> str:
+    digest = hashlib.sha256()
+    for folder in folders:
+        for file in sorted(folder.glob("*.json")):
+            digest.update(f"{folder.name}/{file.name}\0".encode() + file.read_bytes())
+    return digest.hexdigest()

@@ -1,0 +1,53 @@
+"""What has crashed is built and run once more, with AddressSanitizer and UBSan, which see the first
+wrong access of memory and not the last. For words alone: no score comes of it."""
+
+import re
+from pathlib import Path
+
+from bounce_grader.build import linking
+from bounce_grader.common.errors import KitError
+from bounce_grader.common.manifest import Part
+from bounce_grader.grading import judging
+from bounce_grader.grading.judging import Judged, Verdict
+from bounce_grader.sandbox.box import Box
+from bounce_grader.sandbox.budget import Budget, Overrun
+from bounce_grader.submission.submission import Submission
+
+CPU_SECONDS, WALL_SECONDS = 20.0, 40.0  # for the explanation of one part
+MARGIN = 5.0  # s, that ending it may take
+
+
+def explained(
+    part: Part, judged: Judged, taken: Submission, work: Path, hidden: Path, box: Box
+) -> Judged:
+    """The same verdicts; those of crashes also say what the sanitizers found, if anything."""
+    if box.kind != "full" or not any(map(_is_unclear, judged.verdicts.values())):
+        return judged
+    cpu, wall = box.budget.left()
+    box = box._replace(
+        budget=Budget(min(cpu - MARGIN, CPU_SECONDS), min(wall - MARGIN, WALL_SECONDS))
+    )
+    try:
+        built = linking.checked_alone(part, taken, work, box)
+        if not built.path:
+            return judged
+        given = part.has_earlier_parts
+        again = judging.judge(part, built.path, given, hidden, box, checked=True)
+    except (KitError, Overrun):  # the score stands without the explanation
+        return judged
+    verdicts = {id: _with_finding(v, again.verdicts[id]) for id, v in judged.verdicts.items()}
+    return judged._replace(verdicts=verdicts)
+
+
+def _is_unclear(verdict: Verdict) -> bool:
+    """A crash whose message doesn't give an assertion's own reason."""
+    return verdict.status == "crashed" and "assertion" not in verdict.message
+
+
+def _with_finding(verdict: Verdict, again: Verdict) -> Verdict:
+    found = re.search(r"^  got      (.*)$", again.message, re.MULTILINE)
+    if not _is_unclear(verdict) or again.status != "crashed" or not found:
+        return verdict
+    if found.group(1).startswith("the program"):  # it ended as before, and nothing was found
+        return verdict
+    return verdict._replace(message=f"{verdict.message}\n  checked  {found.group(1)}")

@@ -1,0 +1,176 @@
+"""Speed against accuracy of a submission: what the stopwatch measures, and what follows from it."""
+
+import json
+from pathlib import Path
+from typing import Any, NamedTuple, cast
+
+from bounce_grader.common.errors import KitError
+from bounce_grader.common.escaping import said
+from bounce_grader.common.paths import REFERENCE_RUNNER, SCENES, STOPWATCH
+from bounce_grader.sandbox import processes
+from bounce_grader.sandbox.box import Box
+
+WAIT = processes.Limits(cpu_seconds=30, wall_seconds=120, memory=4 << 30, file_size=0)
+CURVES = ("submission", "solution", "least")
+STEP = 1e-3  # s: the dt at which the time of a step is told
+FINE = 1e-3  # m: what is near enough
+OTHERWISE = "built for speed, the program answers otherwise than it was graded"
+LARGEST = 1e100  # seconds, nanoseconds or metres; so that their products are finite
+Measured = dict[str, Any]
+
+
+class Point(NamedTuple):
+    """Over all scenes, at one dt."""
+
+    dt: float  # s
+    ns: float  # CPU time for a simulated second
+    error: float | None  # m, the largest; None where it isn't finite, or beyond LARGEST
+
+
+def measure(timed: Path, graded: Path, box: Box) -> Measured | None:
+    """The curves of a submission, the solution and the least model; or why there are none, where
+    its runner that is timed answers otherwise than the one that was graded. None where the
+    stopwatch fails."""
+    command = [str(STOPWATCH), "--scenes", str(SCENES), *box.to_run(timed)]
+    command += ["::", *box.to_run(REFERENCE_RUNNER), "::", *box.to_run(graded)]
+    result = processes.run(command, WAIT)
+    return read(result.out) if result.ok else None
+
+
+def read(out: bytes) -> Measured:
+    """The stopwatch's answer, if it has the shape that grader/judge/stopwatch.cpp says, and the
+    time of a step from it. Raises KitError."""
+    try:
+        answer = json.loads(out, parse_constant=_no_number)
+        if "otherwise" in answer:
+            return {"otherwise": f"{OTHERWISE}: {said(answer['otherwise'])}"}
+        scenes = [_scene(scene) for scene in answer["scenes"]]
+        found = {"cut": said(answer["cut"]), "dt": list(map(_size, answer["dt"])), "scenes": scenes}
+        return {**_step(found, _flag(answer["right"])), **found}
+    except (ValueError, TypeError, KeyError, AttributeError, RecursionError) as error:
+        raise KitError("the stopwatch's answer can't be read") from error
+
+
+def _no_number(word: str) -> None:
+    raise ValueError(f"{word} is no JSON")
+
+
+def _scene(scene: Any) -> Measured:
+    curves = {
+        curve: [
+            {"dt": _size(p["dt"]), "ns": _size(p["ns"]), "error": _error(p["error"])}
+            for p in scene[curve]
+        ]
+        for curve in CURVES
+    }
+    names = {"scene": said(scene["scene"]), "title": said(scene["title"])}
+    return {**names, "seconds": _size(scene["seconds"]), **curves}
+
+
+def _size(x: object) -> float:
+    if type(x) not in (int, float) or not 0 < cast(float, x) <= LARGEST:
+        raise ValueError("no positive number")
+    return float(cast(float, x))
+
+
+def _flag(x: object) -> bool:
+    if not isinstance(x, bool):
+        raise ValueError("neither true nor false")
+    return x
+
+
+def _error(x: object) -> float | None:
+    """In m; none where it isn't finite, or might as well not be."""
+    if x is None or isinstance(x, float) and x > LARGEST:
+        return None
+    return 0.0 if x == 0 else float(f"{_size(x):.3e}")
+
+
+def _step(found: Measured, right: bool) -> Measured:
+    """Nanoseconds a step, over all scenes, and of right answers their ratio; nothing where a scene
+    wasn't timed."""
+    mine, solution = curve(found, "submission"), curve(found, "solution")
+    both = [pair for pair in zip(mine, solution) if pair[0].dt >= STEP]
+    if not both:
+        return {}
+    own, solutions = (round(point.ns * point.dt, 1) for point in both[-1])
+    if not solutions:
+        return {}
+    times = {"submission_ns": own, "solution_ns": solutions}
+    return {**times, "ratio": own / solutions} if right else times
+
+
+def curve(found: Measured, whose: str) -> list[Point]:
+    """All scenes together, for each dt at which every one of them was timed."""
+    points = []
+    for k, dt in enumerate(found.get("dt", [])):
+        at = [(s["seconds"], s[whose][k]) for s in found["scenes"] if k < len(s[whose])]
+        if not at or len(at) < len(found["scenes"]):
+            break
+        seconds = sum(s for s, _ in at)
+        errors = [p["error"] for _, p in at]
+        worst = None if None in errors else max(errors)
+        points.append(Point(dt, sum(s * p["ns"] for s, p in at) / seconds, worst))
+    return points
+
+
+def sentences(found: Measured) -> list[str]:
+    """What the curves mean, or why there are none."""
+    if "otherwise" in found:
+        return [f"{found['otherwise'][0].upper()}{found['otherwise'][1:]}."]
+    mine, solution = curve(found, "submission"), curve(found, "solution")
+    least = curve(found, "least")
+    out = [_reached(mine, solution, least)] if mine and solution and least else []
+    return out + ([f"It was cut {found['cut']}."] if found.get("cut") else [])
+
+
+def _reached(mine: list[Point], solution: list[Point], least: list[Point]) -> str:
+    first = next((p for p in mine if p.error is not None and p.error <= FINE), None)
+    right = next((p for p in solution if p.error is not None and p.error <= FINE), None)
+    quick = next((p for p in least if p.error is not None and p.error <= FINE), None)
+    if first is None:
+        last = mine[-1]
+        far = "somewhere not finite" if last.error is None else f"off by {metres(last.error)}"
+        said_so = f"Your program doesn't get within 1 mm: at {step(last)} it is still {far}"
+        return said_so + (f"; the solution does at {step(right)}." if right else ".")
+    out = (
+        f"Your program is within 1 mm of the exact motion from {step(first)} on, and then "
+        f"takes {seconds(first.ns)} for a second of motion"
+    )
+    at_same = next((p for p in solution if p.dt == first.dt), None)
+    if at_same:
+        out += f", {_times(first.ns / at_same.ns)}"
+    if quick:
+        out += f"; no more model than each step needs does that in {seconds(quick.ns)}"
+    return out + "."
+
+
+def step(point: Point) -> str:
+    return f"dt = {seconds(1e9 * point.dt)}"
+
+
+def _times(ratio: float) -> str:
+    same = 0.9 < ratio < 1.1
+    return "about as long as the solution" if same else f"{_two(ratio)} times the solution's time"
+
+
+def metres(x: float) -> str:
+    units = (
+        ("m", 1.0, 0.1),
+        ("mm", 1e-3, 1e-4),
+        ("\N{MICRO SIGN}m", 1e-6, 1e-7),
+        ("nm", 1e-9, 0.0),
+    )
+    return next(f"{_two(x / size)} {unit}" for unit, size, least in units if x >= 0.999 * least)
+
+
+def seconds(ns: float) -> str:
+    for unit, size in (("s", 1e9), ("ms", 1e6), ("\N{MICRO SIGN}s", 1e3)):
+        if ns >= size:
+            return f"{_two(ns / size)} {unit}"
+    return f"{_two(ns)} ns"
+
+
+def _two(x: float) -> str:
+    """Two digits that mean something, and no power of ten."""
+    return f"{float(f'{x:.2g}'):g}"

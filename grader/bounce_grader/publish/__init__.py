@@ -1,0 +1,4 @@
+"""What leaves the kit: fixtures, the handout, and bundles for services.
+
+Imports: common, grading.
+"""

@@ -1,0 +1,92 @@
+"""./kit gradescope: the kit as an autograder for Gradescope, one zip to upload."""
+
+import zipfile
+from collections.abc import Iterator
+from pathlib import Path
+
+from bounce_grader.common.errors import UsageError
+from bounce_grader.common.paths import ROOT
+from bounce_grader.grading import fixtures
+
+# A course may keep its submissions and results in the kit's folder, too.
+PACKED = (
+    *("CMakeLists.txt", "CMakePresets.json", "LICENSE", "README.md", "pyproject.toml", "kit"),
+    *("CHANGELOG.md", "CONTRIBUTING.md", "docs", "fixtures", "grader", "solution", "student"),
+    "tests",
+)
+LEFT_OUT = {
+    "build",
+    "__pycache__",
+    ".pytest_cache",
+    ".mypy_cache",
+    "hidden",
+}
+TIME = (2000, 1, 1, 0, 0, 0)  # the same kit gives the same bytes
+
+# Gradescope runs this once, as root, in a container of Ubuntu 22.04.
+SETUP = """#!/usr/bin/env bash
+# Installs what the kit needs and builds it; the solution has to get all points here.
+set -euo pipefail
+cd /autograder/source
+chmod +x kit run_autograder
+./kit grade solution --min-score 100
+"""
+
+# And this for each submission. Without results.json Gradescope says that the autograder failed:
+# where the kit fails, that is the truth, and nobody gets a zero for it.
+RUN = """#!/usr/bin/env bash
+set -uo pipefail
+cd /autograder/source
+results=/autograder/results/results.json
+./kit grade /autograder/submission --speed --format gradescope >"$results.part"
+status=$?
+# 0: graded; 2: the submission can't be read, and the file says so to the student.
+if [ "$status" -ne 0 ] && [ "$status" -ne 2 ]; then
+  rm -f "$results.part"
+  exit "$status"
+fi
+mv "$results.part" "$results"
+"""
+
+
+def write(path: Path) -> None:
+    """The tree, the course's secret, and the two scripts."""
+    entries = {"setup.sh": SETUP.encode(), "run_autograder": RUN.encode()}
+    entries["course-secret"] = fixtures.secret().encode() + b"\n"
+    temporary = path.with_name(path.name + ".part")
+    try:
+        with zipfile.ZipFile(temporary, "w", zipfile.ZIP_DEFLATED) as archive:
+            for name, data in entries.items():
+                _add(archive, name, data, name != "course-secret")
+            for file in sorted(_packed(ROOT)):
+                name = file.relative_to(ROOT).as_posix()
+                _add(archive, name, file.read_bytes(), bool(file.stat().st_mode & 0o100))
+        temporary.replace(path)
+    except OSError as error:
+        temporary.unlink(missing_ok=True)
+        raise UsageError(f"{path} can't be written: {error.strerror}") from error
+
+
+def _packed(root: Path) -> Iterator[Path]:
+    for name in PACKED:
+        if (root / name).is_dir():
+            yield from _files(root / name)
+        else:
+            yield root / name
+
+
+def _files(folder: Path) -> Iterator[Path]:
+    for child in folder.iterdir():
+        if child.name in LEFT_OUT or child.is_symlink():
+            continue
+        if child.is_dir():
+            yield from _files(child)
+        elif child.suffix != ".zip":
+            yield child
+
+
+def _add(archive: zipfile.ZipFile, name: str, data: bytes, executable: bool) -> None:
+    info = zipfile.ZipInfo(name, TIME)
+    info.compress_type = zipfile.ZIP_DEFLATED
+    info.external_attr = (0o100755 if executable else 0o100644) << 16
+    archive.writestr(info, data)

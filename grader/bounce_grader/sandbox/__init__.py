@@ -1,0 +1,4 @@
+"""Boxes, processes, and what they may use.
+
+Imports: common.
+"""

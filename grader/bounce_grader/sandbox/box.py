@@ -1,0 +1,249 @@
+"""The boxes that untrusted programs are compiled and run in.
+
+The full box is bubblewrap's: nothing to see but what is named here, no network, and a process space
+of its own, with which everything in it ends. The reduced box is for places where namespaces can't
+be had, such as a container: Landlock hides the files, and what is left behind is killed. In both,
+`enter` (grader/box/) takes the last step: privileges, limits, and the filter of system calls. It
+stays as the box's first process, tells the kit over a descriptor of its own whether the box was
+made, and hands out the one file that a build has made.
+"""
+
+import hashlib
+import os
+import stat
+from collections.abc import Iterable
+from contextlib import suppress
+from functools import cache, lru_cache
+from pathlib import Path
+from shutil import which
+from typing import NamedTuple
+
+from bounce_grader.common.errors import KitError
+from bounce_grader.common.files import write_whole
+from bounce_grader.common.paths import BUILD, ENTER, REFERENCE_RUNNER
+from bounce_grader.sandbox import processes
+from bounce_grader.sandbox.budget import UNLIMITED, Budget
+
+FULL_OR_REDUCED = ("full", "reduced")
+NOBODY = "65534"
+# Users that no system hands out. Where processes of several boxes see each other, boxes of gradings
+# side by side belong to different ones.
+FIRST_USER, USERS = 60578, 600
+LIBRARIES = ("/usr/include", "/usr/lib/gcc", "/usr/lib64", "/usr/libexec/gcc")
+PROGRAMS = ("g++", "as", "ld", "addr2line")
+LARGE_PAGES = "/sys/kernel/mm/transparent_hugepage"  # where malloc looks whether there are any
+TEMPORARY = 256 * 1024 * 1024
+TO_KIT = ("--status", processes.STATUS, "--output", processes.OUTPUT)
+TO_JUDGE = ("--status", "5")  # as in grader/judge/runner_process.cpp
+
+
+class Box(NamedTuple):
+    """kind is "full" or "reduced"; or "none", when the instructor trusts the submission. What is
+    run through it counts against the budget of the grading."""
+
+    kind: str
+    budget: Budget = UNLIMITED
+
+    def run(
+        self,
+        command: list[str],
+        limits: processes.Limits,
+        cwd: Path | None = None,
+        output: Path | None = None,
+    ) -> processes.Result:
+        """Runs a command that begins with a box, or starts one. Raises Overrun where the grading
+        has used up what it may take."""
+        result = processes.run(command, self.budget.within(limits), cwd=cwd, output=output)
+        if not result.ok:
+            self.budget.require()
+        return result
+
+    def to_run(self, program: Path) -> list[str]:
+        """The command that runs a statically linked program: it sees itself alone, read-only,
+        and may make the system calls of the filter alone."""
+        if self.kind == "none":
+            return [str(program)]
+        if self.kind == "reduced":
+            entering = [*_enter(ENTER, "run"), *TO_JUDGE, "--reduced", "--see", str(program)]
+            return [*entering, "--", str(program)]
+        command = [*_bubblewrap(), "--ro-bind", str(program), "/runner", "--remount-ro", "/"]
+        return [*command, "--", *_enter(Path("/enter"), "run"), *TO_JUDGE, "--", "/runner"]
+
+    def to_check(self, program: Path) -> list[str]:
+        """Of the full box alone: the command that runs a program built with sanitizers, which need
+        the system's libraries."""
+        libraries = [p for p in toolchain() if p.endswith(("-linux-gnu", "/usr/lib64"))]
+        command = [*_bubblewrap(), *_open_to_all(libraries)]
+        for path in libraries:
+            command += ["--ro-bind", path, path]
+        command += ["--symlink", "usr/lib", "/lib", "--symlink", "usr/lib64", "/lib64"]
+        command += ["--ro-bind", str(program), "/runner", "--remount-ro", "/"]
+        return [*command, "--", *_enter(Path("/enter"), "check"), *TO_JUDGE, "--", "/runner"]
+
+    def to_build(
+        self, folder: Path, visible: Iterable[Path], programs: Iterable[str] = PROGRAMS
+    ) -> list[str]:
+        """A prefix for the toolchain in `folder`, which it can read. It can write to a temporary
+        folder alone, where it makes the file OUTPUT. clang and its linker need none of the other
+        programs."""
+        entering = ["build", *TO_KIT, "--in", str(folder)]
+        if self.kind == "none":
+            return [str(ENTER), *entering, "--open", "--"]
+        used = [f"/usr/bin/{name}" for name in programs]
+        seen = list(dict.fromkeys([*toolchain(), *used, str(folder), *map(str, visible)]))
+        entering += ["--user", str(_user())]
+        if self.kind == "reduced":
+            places = [word for path in [*seen, str(ENTER)] for word in ("--see", path)]
+            return [str(ENTER), *entering, "--reduced", *places, "--"]
+        command = [*_bubblewrap(), *_temporary()]
+        # clang says /usr/bin/../lib of the system's headers, also where it has nothing in /usr/bin.
+        command += _open_to_all(["/dev/null", "/usr/bin/any", *seen])
+        command += ["--dev-bind", "/dev/null", "/dev/null"]
+        for name in ("bin", "lib", "lib64"):
+            command += ["--symlink", f"usr/{name}", f"/{name}"]
+        for path in seen:
+            command += ["--ro-bind", path, path]
+        return [*command, "--remount-ro", "/", "--", "/enter", *entering, "--"]
+
+    @property
+    def enter(self) -> str:
+        """Where `enter` is to be seen in a build's box."""
+        return "/enter" if self.kind == "full" else str(ENTER)
+
+    def give(self, folder: Path) -> None:
+        """A folder of root's, and what is in it, so that whoever root becomes in here can read it
+        and nobody else can."""
+        if self.kind != "none" and os.geteuid() == 0:
+            for path in [folder, *folder.rglob("*")]:
+                os.chown(path, _user(), _user(), follow_symlinks=False)
+
+
+def kinds(trust: bool) -> tuple[str, ...]:
+    """Those that will do, the best first."""
+    return (*FULL_OR_REDUCED, "none") if trust else FULL_OR_REDUCED
+
+
+def choose(kinds: Iterable[str] = FULL_OR_REDUCED) -> Box:
+    """The first of these kinds that holds a program known to be good."""
+    problems = []
+    for kind in kinds:
+        held = _held(kind)
+        problem = None if held.exists() else problem_of(Box(kind))
+        if problem is None:
+            _remember(held)
+            return Box(kind)
+        problems.append(f"{kind}: {problem}")
+    raise KitError(
+        f"no box can be had here ({'; '.join(problems)}); install bubblewrap where user namespaces "
+        "are allowed, or pass --trust-submission for code that you would run yourself"
+    )
+
+
+def forget(kind: str) -> None:
+    """The next grading tries this kind of box anew."""
+    _held(kind).unlink(missing_ok=True)
+
+
+def _held(kind: str) -> Path:
+    """Exists where this kind of box has held before on this machine since it started, for this
+    user in these namespaces, with these programs; trying it anew takes a tenth of a grading."""
+    programs = [ENTER, REFERENCE_RUNNER, Path(which("bwrap") or "/")]
+    known = [Path("/proc/sys/kernel/random/boot_id").read_text(), os.geteuid()]
+    known += [os.readlink(f"/proc/self/ns/{name}") for name in ("user", "mnt", "pid")]
+    known += [path.stat().st_mtime_ns for path in programs if path.exists()]
+    return BUILD / "boxes" / f"{kind}-{hashlib.sha256(repr(known).encode()).hexdigest()}"
+
+
+def _remember(held: Path) -> None:
+    with suppress(OSError):  # where it can't be written down, the box is tried each time
+        held.parent.mkdir(parents=True, exist_ok=True)
+        held.touch()
+
+
+def problem_of(box: Box) -> str | None:
+    """Why the box doesn't hold a program that is known to be good; None when it does."""
+    if box.kind == "none":
+        return None
+    if box.kind == "full" and which("bwrap") is None:
+        return "bubblewrap isn't installed"
+    hidden = _hidden_from_others(REFERENCE_RUNNER)
+    if box.kind == "reduced" and os.geteuid() == 0 and hidden:
+        return f"other users can't enter {hidden}, where the kit is; move it, or chmod o+x {hidden}"
+    limits = processes.Limits(cpu_seconds=5, wall_seconds=20, memory=1 << 30, file_size=0)
+    tried = processes.run(box.to_run(REFERENCE_RUNNER), limits)
+    if tried.ok:
+        return None
+    return tried.err.strip().splitlines()[-1] if tried.err.strip() else "it ended"
+
+
+def _hidden_from_others(path: Path) -> Path | None:
+    """The folder above a path that only its owner can enter."""
+    closed = [p for p in path.resolve().parents if not p.stat().st_mode & stat.S_IXOTH]
+    return closed[0] if closed else None
+
+
+@cache
+def toolchain() -> list[str]:
+    """What the compilers and the linker are made of, but for programs in /usr/bin."""
+    libraries = [path for path in (*LIBRARIES, LARGE_PAGES) if Path(path).exists()]
+    libraries += sorted(str(p) for p in Path("/usr/lib").glob("*-linux-gnu"))
+    libraries += sorted(str(p) for p in Path("/usr/lib").glob("llvm-*"))
+    return libraries
+
+
+def _enter(program: Path, kind: str) -> list[str]:
+    return [str(program), kind, "--user", str(_user())]
+
+
+def _user() -> int:
+    return FIRST_USER + os.getpid() % USERS
+
+
+@cache
+def _help() -> str:
+    """What bubblewrap can do here; asked once, and again when there is another bubblewrap."""
+    program = Path("/usr/bin/bwrap")
+    kept = BUILD / f"bwrap-help-{program.stat().st_mtime_ns}"
+    with suppress(OSError):
+        return kept.read_text()
+    asked = processes.run([str(program), "--help"])
+    if asked.ok:
+        with suppress(OSError):  # where it can't be written down, it is asked each time
+            write_whole(kept, asked.out)
+    return asked.out.decode()
+
+
+def _temporary() -> list[str]:
+    bounded = ["--size", str(TEMPORARY)] if "--size" in _help() else []
+    return ["--perms", "1777", *bounded, "--tmpfs", "/tmp"]
+
+
+def _bubblewrap() -> list[str]:
+    return [
+        *("/usr/bin/bwrap", "--unshare-pid", "--unshare-net", "--unshare-ipc", "--unshare-uts"),
+        *("--die-with-parent", "--new-session", "--clearenv", "--hostname", "box", "--as-pid-1"),
+        *_privileges(),
+        *("--ro-bind", str(ENTER), "/enter"),
+    ]
+
+
+def _open_to_all(paths: Iterable[str]) -> list[str]:
+    """The folders above these paths, which bubblewrap would make for its own user alone."""
+    above = sorted({folder for path in paths for folder in _above(path)})
+    return [word for path in above for word in ("--perms", "0755", "--dir", path)]
+
+
+@lru_cache(maxsize=256)
+def _above(path: str) -> list[str]:
+    return [str(folder) for folder in Path(path).parents if str(folder) != "/"]
+
+
+def _privileges() -> list[str]:
+    """Root needs no user namespace, and in one that bubblewrap makes for it, it would stay root
+    to the limits on processes: it keeps what it takes to become somebody else instead, and to end
+    whoever that is."""
+    if os.geteuid() == 0:
+        kept = ("CAP_SETUID", "CAP_SETGID", "CAP_KILL")
+        return ["--cap-drop", "ALL", *(w for name in kept for w in ("--cap-add", name))]
+    no_more = ["--disable-userns"] if "--disable-userns" in _help() else []
+    return ["--unshare-user", *no_more, "--uid", NOBODY, "--gid", NOBODY, "--cap-drop", "ALL"]

@@ -1,0 +1,190 @@
+"""The one place that starts processes. They get an environment of their own, and none of ours: a
+program in a box may look for the environment of those that started it. Output is capped while it
+streams.
+"""
+
+import os
+import selectors
+import signal
+import subprocess
+import time
+from collections.abc import Mapping
+from contextlib import ExitStack, suppress
+from pathlib import Path
+from typing import NamedTuple
+
+from bounce_grader.common.errors import KitError
+
+DIAGNOSTICS = 64 * 1024
+CHUNK = 64 * 1024
+GRACE = 2.0  # seconds
+ENVIRONMENT = {"PATH": "/usr/bin:/bin", "LC_ALL": "C.UTF-8"}
+
+# Words of a command that stand for descriptors which `run` opens: where a box says that it was made
+# (grader/box/enter.cpp), and where what is made in it goes.
+STATUS, OUTPUT = "<status>", "<output>"
+
+
+class Limits(NamedTuple):
+    """What a process may use; the wall clock is a lax backstop to CPU seconds. These end it by
+    SIGKILL, which it can't answer as a compiler answers SIGXCPU, with a trace that takes longer."""
+
+    cpu_seconds: int
+    wall_seconds: float
+    memory: int | None  # None: counted elsewhere
+    file_size: int
+
+    def prefix(self) -> list[str]:
+        return [
+            "/usr/bin/prlimit",
+            f"--cpu={self.cpu_seconds}",
+            f"--as={'unlimited' if self.memory is None else self.memory}",
+            f"--fsize={self.file_size}",
+            "--core=0",
+            "--",
+        ]
+
+
+class Result(NamedTuple):
+    code: int  # the exit status; -n for signal n
+    cpu_seconds: float  # of it and of what it waited for; 0 where it was stopped
+    out: bytes
+    err: str
+    too_long: bool  # ended because the wall clock ran out
+    flooded: bool  # ended because standard output passed its cap
+    boxed: bool = True  # the box that was asked for was made, and its command has begun
+
+    @property
+    def ok(self) -> bool:
+        return self.code == 0 and not self.too_long and not self.flooded and self.boxed
+
+    @property
+    def killed(self) -> bool:
+        """By SIGKILL, and not by `run`. A box hands a signal on as an exit status."""
+        return self.code in (-9, 128 + 9) and not self.too_long and not self.flooded
+
+
+def run(
+    command: list[str],
+    limits: Limits | None = None,
+    *,
+    stdin: bytes = b"",
+    cwd: Path | None = None,
+    output: Path | None = None,
+    out_cap: int = 64 * 1024 * 1024,
+    err_cap: int = DIAGNOSTICS,
+) -> Result:
+    """Runs a command to its end, with nothing but `stdin` to read. What a box hands out is written
+    to the new file `output`."""
+    with ExitStack() as stack:
+        descriptors = {}
+        if STATUS in command:
+            told, descriptors[STATUS] = os.pipe()
+            stack.callback(os.close, told)
+            stack.callback(os.close, descriptors[STATUS])
+        if OUTPUT in command:
+            descriptors[OUTPUT] = _opened(output) if output else os.open(os.devnull, os.O_WRONLY)
+            stack.callback(os.close, descriptors[OUTPUT])
+        words = [str(descriptors.get(word, word)) for word in command]
+        process = _started((limits.prefix() if limits else []) + words, stdin, cwd, descriptors)
+        try:
+            if process.stdin:
+                with suppress(BrokenPipeError):
+                    process.stdin.write(stdin)
+                    process.stdin.close()
+            deadline = time.monotonic() + limits.wall_seconds if limits else None
+            result = _collect(process, deadline, out_cap, err_cap)
+        finally:
+            _end(process)
+        made = STATUS not in command or _says_that_it_is_made(told)
+    return result._replace(boxed=made)
+
+
+def _says_that_it_is_made(told: int) -> bool:
+    os.set_blocking(told, False)
+    try:
+        return os.read(told, 2) == b"m"
+    except BlockingIOError:
+        return False
+
+
+def _opened(output: Path) -> int:
+    descriptor = os.open(output, os.O_WRONLY | os.O_CREAT | os.O_TRUNC)
+    os.fchmod(descriptor, 0o644)  # whatever the umask: a later box reads it as somebody else
+    return descriptor
+
+
+def _started(
+    command: list[str], stdin: bytes, cwd: Path | None, descriptors: Mapping[str, int]
+) -> subprocess.Popen[bytes]:
+    try:
+        return subprocess.Popen(
+            command,
+            stdin=subprocess.PIPE if stdin else subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            cwd=cwd,
+            env=ENVIRONMENT,
+            pass_fds=tuple(descriptors.values()),
+            start_new_session=True,
+        )
+    except OSError as error:
+        raise KitError(f"{command[0]} could not be started: {error.strerror}") from error
+
+
+def _collect(
+    process: subprocess.Popen[bytes], deadline: float | None, out_cap: int, err_cap: int
+) -> Result:
+    assert process.stdout and process.stderr
+    out, err = process.stdout.fileno(), process.stderr.fileno()
+    kept = {out: bytearray(), err: bytearray()}
+    caps = {out: out_cap, err: err_cap}
+    too_long = flooded = False
+    with selectors.DefaultSelector() as selector:
+        for fd in kept:
+            selector.register(fd, selectors.EVENT_READ)
+        while selector.get_map() and not (too_long or flooded):
+            left = None if deadline is None else max(0.0, deadline - time.monotonic())
+            for key, _ in selector.select(left):
+                chunk = os.read(key.fd, CHUNK)
+                if not chunk:
+                    selector.unregister(key.fd)
+                    continue
+                room = caps[key.fd] - len(kept[key.fd])
+                kept[key.fd] += chunk[: max(0, room)]
+                flooded = flooded or (key.fd == out and len(chunk) > room)
+            too_long = deadline is not None and time.monotonic() >= deadline
+    return Result(
+        *_code_and_seconds(process, stop=too_long or flooded),
+        out=bytes(kept[out]),
+        err=kept[err].decode("utf-8", "replace"),
+        too_long=too_long,
+        flooded=flooded,
+    )
+
+
+def _code_and_seconds(process: subprocess.Popen[bytes], stop: bool) -> tuple[int, float]:
+    if stop:
+        _stop(process)
+        return process.returncode, 0.0
+    _, status, usage = os.wait4(process.pid, 0)
+    process.returncode = os.waitstatus_to_exitcode(status)
+    return process.returncode, usage.ru_utime + usage.ru_stime
+
+
+def _stop(process: subprocess.Popen[bytes]) -> None:
+    """It may take away what it has made, as the reduced box does, if it is quick."""
+    os.killpg(process.pid, signal.SIGTERM)
+    try:
+        process.wait(GRACE)
+    except subprocess.TimeoutExpired:
+        os.killpg(process.pid, signal.SIGKILL)
+        process.wait()
+
+
+def _end(process: subprocess.Popen[bytes]) -> None:
+    if process.poll() is None:
+        _stop(process)
+    for stream in (process.stdout, process.stderr):
+        if stream:
+            stream.close()

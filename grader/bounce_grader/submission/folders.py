@@ -1,0 +1,89 @@
+"""The files of a folder. Links aren't followed, pipes and devices aren't opened, and a folder that
+changes while it is read leads nowhere else."""
+
+import os
+import stat
+from collections.abc import Iterator
+from contextlib import contextmanager
+from itertools import islice
+from pathlib import Path
+
+from bounce_grader.common.errors import UsageError
+from bounce_grader.common.escaping import name as printable
+from bounce_grader.submission.entry import MOST_ENTRIES, Entry
+
+# A pipe that took a file's place mustn't make its reader wait.
+SAFELY = os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC
+DEEPEST = 100
+
+
+@contextmanager
+def opened(path: Path) -> Iterator[Iterator[Entry]]:
+    """The entries can be read while this is open. Raises UsageError where they can't be listed."""
+    with _readable(path):
+        top = os.open(path, os.O_RDONLY | os.O_DIRECTORY | os.O_CLOEXEC)
+    try:
+        yield _entries(path, top)
+    finally:
+        os.close(top)
+
+
+def _entries(path: Path, top: int) -> Iterator[Entry]:
+    folders: list[tuple[str, ...]] = [()]
+    seen = 0
+    while folders:
+        folder = folders.pop()
+        with _readable(path, folder):
+            children = _children(top, folder)
+        for child, status in children:
+            seen += 1
+            if seen > MOST_ENTRIES:
+                raise UsageError(
+                    f"{path} holds more than {MOST_ENTRIES} files: submit the parts alone"
+                )
+            inside = (*folder, child)
+            if not stat.S_ISDIR(status.st_mode):
+                yield _entry(path, top, inside, status)
+            elif not child.startswith(".git") and len(inside) <= DEEPEST:
+                folders.append(inside)
+
+
+def _children(top: int, folder: tuple[str, ...]) -> list[tuple[str, os.stat_result]]:
+    here = _open(top, folder)
+    try:
+        with os.scandir(here) as found:
+            some = islice(found, MOST_ENTRIES + 1)
+            return sorted((child.name, child.stat(follow_symlinks=False)) for child in some)
+    finally:
+        os.close(here)
+
+
+def _entry(path: Path, top: int, inside: tuple[str, ...], status: os.stat_result) -> Entry:
+    def read(most: int) -> bytes:
+        with _readable(path, inside), open(_open(top, inside), "rb") as stream:
+            if not stat.S_ISREG(os.fstat(stream.fileno()).st_mode):
+                raise FileNotFoundError(0, "it changed while it was read")
+            return stream.read(most)
+
+    return Entry("/".join(inside), status.st_size, not stat.S_ISREG(status.st_mode), read)
+
+
+def _open(top: int, inside: tuple[str, ...]) -> int:
+    """Step by step, so that no folder on the way can be a link by now."""
+    here = os.dup(top)
+    for part in inside:
+        try:
+            following = os.open(part, SAFELY, dir_fd=here)
+        finally:
+            os.close(here)
+        here = following
+    return here
+
+
+@contextmanager
+def _readable(path: Path, inside: tuple[str, ...] = ()) -> Iterator[None]:
+    try:
+        yield
+    except OSError as error:
+        where = printable("/".join((str(path), *inside)))
+        raise UsageError(f"{where} can't be read: {error.strerror}") from error

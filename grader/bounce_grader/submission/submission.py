@@ -1,0 +1,191 @@
+"""What is taken from a submission: the four parts, and the sources beside them, as text.
+
+Nothing is extracted or run here, and no name from a submission is ever used as a path outside of
+the work folder. Headers of the contract, given files and everything that isn't source are left
+out; the names left out are kept, to be said.
+"""
+
+import hashlib
+import os
+import re
+import unicodedata
+from collections.abc import Iterable, Iterator
+from pathlib import Path, PurePosixPath
+from typing import NamedTuple
+
+from bounce_grader.common.errors import about_one_submission, UsageError
+from bounce_grader.common.escaping import name as printable, some
+from bounce_grader.common.manifest import parts, Part
+from bounce_grader.common.paths import HANDOUT
+from bounce_grader.submission import intake
+from bounce_grader.submission.entry import text_of, Entry, NotText
+
+SOURCES = {".cpp", ".cc", ".cxx"}
+HEADERS = {".hpp", ".h", ".hh", ".hxx", ".ipp", ".inl"}
+GIVEN = {file.name for file in (HANDOUT / "given").iterdir()} | {"main.cpp"}
+MOST_SOURCES = 100
+MOST_BYTES = 8 * 1024 * 1024
+LONGEST_NAME = 255  # bytes, folders and all
+MAC_FOLDER = "__MACOSX"
+NOT_THEIRS = {"build", MAC_FOLDER, "CMakeFiles", "fixtures", "tests"}
+OF_THE_SOLUTION = (
+    "exact/",
+    "methods/",
+    "study/",
+)  # beside its src/, which is graded as a submission is
+COPY = re.compile(r"(?:-\d+|\s?\(\d+\))$")  # of a file that was handed in, or loaded, again
+
+
+def part_file(file: str) -> str | None:
+    """The part that a file is, however often it was copied: part1_contacts-2.cpp is
+    part1_contacts.cpp."""
+    stem, dot, suffix = file.rpartition(".")
+    plain = COPY.sub("", stem).lower() + dot + suffix.lower()
+    return plain if plain in {part.file for part in parts()} else None
+
+
+class Submission(NamedTuple):
+    name: str
+    files: dict[str, bytes]  # path inside the submission -> text, as it is compiled
+    parts: dict[int, str]  # part number -> path in files
+    refused: dict[int, str]  # part number -> why it isn't used
+    ignored: tuple[str, ...] = ()
+
+    @property
+    def helpers(self) -> list[str]:
+        """The sources beside the parts."""
+        own = set(self.parts.values())
+        return sorted(
+            f for f in self.files if PurePosixPath(f).suffix.lower() in SOURCES and f not in own
+        )
+
+    @property
+    def include_folders(self) -> list[str]:
+        """Where #include "..." is looked for, beside the including file's own folder."""
+        folders = {str(PurePosixPath(file).parent) for file in self.parts.values()}
+        return sorted(folders | {".", "include"})
+
+    @property
+    def sha256(self) -> str:
+        digest = hashlib.sha256()
+        for name in sorted(self.files):
+            digest.update(os.fsencode(f"{name}\0{len(self.files[name])}\0") + self.files[name])
+        return digest.hexdigest()
+
+    def write_to(self, folder: Path, names: Iterable[str] | None = None) -> None:
+        """These files, or all. The folder is made."""
+        folder.mkdir(parents=True, exist_ok=True)
+        for name in self.files if names is None else names:
+            path = folder / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_bytes(self.files[name])
+
+
+def read(path: Path) -> Submission:
+    """Raises UsageError, with one sentence, when there is nothing to grade."""
+    with about_one_submission(f"{path} can't be read"), intake.opened(path) as entries:
+        return take(path, entries)
+
+
+def take(path: Path, entries: list[Entry]) -> Submission:
+    """Chooses among the entries, and reads those that are sources."""
+    top = _common_folder(entries)
+    names = {_inside(top, entry.name): entry for entry in entries}
+    apart = OF_THE_SOLUTION if any(n.startswith("src/") for n in names) else ()
+    wanted = {
+        n: e
+        for n, e in names.items()
+        if not (e.link or n.startswith(apart)) and _wanted(PurePosixPath(n))
+    }
+    if len(wanted) > MOST_SOURCES:
+        raise _too_much(path)
+    files: dict[str, bytes] = {}
+    not_text: dict[str, str] = {}
+    for name, entry in wanted.items():
+        try:
+            files[name] = text_of(entry)
+        except NotText as reason:
+            not_text[name] = str(reason)
+        if sum(map(len, files.values())) > MOST_BYTES:
+            raise _too_much(path)
+    _require_a_place_for_each(path, wanted)
+    chosen = _choose_parts(list(wanted))
+    unused = _other_copies(list(files), chosen)
+    left = (names.keys() - wanted.keys()) | {*unused} | (not_text.keys() - {*chosen.values()})
+    return Submission(
+        name=path.name,
+        files={n: t for n, t in files.items() if n not in unused},
+        parts={number: name for number, name in chosen.items() if name in files},
+        refused={n: f"{name} {not_text[name]}" for n, name in chosen.items() if name in not_text},
+        ignored=tuple(sorted(left)),
+    )
+
+
+def _too_much(path: Path) -> UsageError:
+    return UsageError(
+        f"{path} holds more than {MOST_SOURCES} sources or {MOST_BYTES >> 20} MB of them: "
+        "submit the four parts and their helpers alone"
+    )
+
+
+def _require_a_place_for_each(path: Path, names: Iterable[str]) -> None:
+    """A zip can hold a file a.hpp beside a folder a.hpp."""
+    for name in names:
+        for folder in PurePosixPath(name).parents:
+            if str(folder) in names:
+                shown = printable(str(folder))
+                raise UsageError(f"{path} holds {shown} as a file and as a folder: keep one")
+
+
+def _common_folder(entries: list[Entry]) -> str:
+    """The folder that everything is in, as when a folder was zipped; else '.'."""
+    own = [PurePosixPath(entry.name).parts for entry in entries]
+    own = [parts for parts in own if parts[0] != MAC_FOLDER]
+    tops = {parts[0] for parts in own}
+    nested = all(len(parts) > 1 for parts in own)
+    return tops.pop() if len(tops) == 1 and nested else "."
+
+
+def _inside(top: str, name: str) -> str:
+    return name.removeprefix(f"{top}/")
+
+
+def _wanted(name: PurePosixPath) -> bool:
+    folders = name.parts[:-1]
+    theirs = not any(f in NOT_THEIRS or f.startswith((".", "cmake-build")) for f in folders)
+    contract = folders[-1:] == ("bounce",)  # <bounce/...> always comes from the kit
+    given = name.name in GIVEN or name.name.endswith("_test.cpp")
+    source = name.suffix.lower() in SOURCES | HEADERS and not name.name.startswith(".")
+    return theirs and source and not contract and not given and _usable(str(name))
+
+
+def _usable(name: str) -> bool:
+    """A compiler and a file system take it, and it isn't taken for an option."""
+    spelled = all(c.isprintable() or unicodedata.category(c) == "Zs" for c in name)
+    return spelled and not name.startswith(("-", "@")) and len(name.encode()) <= LONGEST_NAME
+
+
+def _choose_parts(names: list[str]) -> dict[int, str]:
+    return {part.number: name for part in parts() for name in _choose(part, names)}
+
+
+def _choose(part: Part, names: list[str]) -> Iterator[str]:
+    """The file of a part: the one nearest to the top, where there are several. A copy's name counts
+    where the part's own isn't there."""
+    copies = [PurePosixPath(n) for n in names if part_file(PurePosixPath(n).name) == part.file]
+    found = [path for path in copies if path.name.lower() == part.file] or copies
+    if not found:
+        return
+    depth = min(len(f.parts) for f in found)
+    nearest = sorted(str(f) for f in found if len(f.parts) == depth)
+    if len(nearest) > 1:
+        raise UsageError(
+            f"{part.file} is there {len(nearest)} times ({some(list(map(printable, nearest)))}): "
+            "keep one, so that the right one is graded"
+        )
+    yield nearest[0]
+
+
+def _other_copies(names: list[str], chosen: dict[int, str]) -> list[str]:
+    own = set(chosen.values())
+    return [n for n in names if part_file(PurePosixPath(n).name) and n not in own]

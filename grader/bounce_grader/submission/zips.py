@@ -1,0 +1,107 @@
+"""The files of a zip. Nothing is extracted: what a name, a size or a byte says is only ever read."""
+
+import io
+import re
+import stat
+import zipfile
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path, PurePosixPath
+from typing import cast
+
+from bounce_grader.common.errors import UsageError
+from bounce_grader.common.escaping import name as printable, said
+from bounce_grader.submission.entry import MOST_ENTRIES, Entry
+
+ENCRYPTED = 0x1
+LARGEST_DIRECTORY = 2 * 1024 * 1024  # of all names, and more than a source file
+METHODS = {zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED}  # the others may ask for gigabytes
+
+
+@contextmanager
+def opened(path: Path, zipped: bytes | None = None) -> Iterator[Iterator[Entry]]:
+    """The entries can be read while this is open; of the bytes `zipped`, where these are given.
+    Raises UsageError where they can't be listed."""
+    with _readable(path):
+        raw = io.FileIO(path) if zipped is None else cast(io.RawIOBase, io.BytesIO(zipped))
+        stream = _Bounded(raw)
+    with stream:
+        with _readable(path):
+            is_zip = zipfile.is_zipfile(stream)
+        if is_zip:
+            with _readable(path):
+                archive = zipfile.ZipFile(stream)
+            yield _entries(path, archive)
+        elif zipped is not None or path.suffix.lower() == ".zip":
+            raise UsageError(f"{path} is broken, or no zip: make it anew and submit again")
+        else:
+            raise UsageError(f"{path} is neither a folder nor a zip")
+
+
+class _Bounded(io.BufferedReader):
+    """The table of contents is read in one piece, as large as it says that it is."""
+
+    def read(self, size: int | None = -1) -> bytes:
+        if size is not None and size > LARGEST_DIRECTORY:
+            raise _TooMany
+        return super().read(size)
+
+
+class _TooMany(Exception):
+    pass
+
+
+def _entries(path: Path, archive: zipfile.ZipFile) -> Iterator[Entry]:
+    names: set[str] = set()
+    for info in archive.infolist():
+        if info.filename.endswith(("/", "\\")):
+            continue
+        name = _name(path, info)
+        if name in names:
+            raise UsageError(f"{path} holds two entries of the same name: make it anew")
+        names.add(name)
+        if len(names) > MOST_ENTRIES:
+            raise _too_many(path)
+        yield _entry(path, archive, info, name)
+
+
+def _name(path: Path, info: zipfile.ZipInfo) -> str:
+    name = PurePosixPath(info.filename.replace("\\", "/"))
+    if name.is_absolute() or ".." in name.parts or re.match("[A-Za-z]:", str(name)):
+        raise UsageError(
+            f"{path} has an entry that points outside of it ('{printable(str(name))}')"
+        )
+    if not name.parts:
+        raise UsageError(f"{path} has an entry without a name: make it anew and submit again")
+    return str(name)
+
+
+def _entry(path: Path, archive: zipfile.ZipFile, info: zipfile.ZipInfo, name: str) -> Entry:
+    if info.flag_bits & ENCRYPTED:
+        raise UsageError(f"{path} is encrypted: submit it without a password")
+
+    def read(most: int) -> bytes:
+        if info.compress_type not in METHODS:
+            raise UsageError(f"{path} is compressed in an unusual way: make it anew, as plain zip")
+        with _readable(path), archive.open(info) as stream:
+            return stream.read(most)
+
+    kind = stat.S_IFMT(info.external_attr >> 16)  # 0 where the zip comes from no Unix
+    return Entry(name, info.file_size, kind not in (0, stat.S_IFREG), read)
+
+
+@contextmanager
+def _readable(path: Path) -> Iterator[None]:
+    try:
+        yield
+    except _TooMany as error:
+        raise _too_many(path) from error
+    except OSError as error:
+        raise UsageError(f"{path} can't be read: {error.strerror or error}") from error
+    except Exception as error:  # zipfile has a dozen kinds for what a broken zip makes of it
+        reason = said(str(error) or type(error).__name__, 200)
+        raise UsageError(f"{path} is broken ({reason}): make it anew and submit again") from error
+
+
+def _too_many(path: Path) -> UsageError:
+    return UsageError(f"{path} holds more than {MOST_ENTRIES} files: submit the parts alone")

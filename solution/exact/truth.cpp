@@ -1,0 +1,60 @@
+#include "truth.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "event_driven.hpp"
+
+namespace bounce::study {
+
+long steps_between_samples(const Scene& scene, double dt, int samples) {
+  return std::max(1L, std::lround(scene.until / samples / dt));
+}
+
+std::vector<double> sample_times(const Scene& scene, int samples) {
+  std::vector<double> times;
+  for (int i = 1; i <= samples; ++i) times.push_back(scene.until * i / samples);
+  return times;
+}
+
+double fitting_step(const Scene& scene, double dt, int samples) {
+  return scene.until / samples / double(steps_between_samples(scene, dt, samples));
+}
+
+Samples truth_of(const Scene& scene) { return truth_under(methods::ImpactLaw::newton, scene); }
+
+Samples truth_under(methods::ImpactLaw law, const Scene& scene) {
+  EventOptions options;
+  options.law = law;
+  options.tolerance = 1e-18;
+  options.cut = 1e-8;
+  std::vector<long double> times;
+  times.reserve(kSamples);
+  for (int i = 1; i <= kSamples; ++i) times.push_back((long double)(scene.until) * i / kSamples);
+  const auto exact = simulate_events<long double>(
+      scene.params, methods::motion_of<long double>(scene.start), times, options);
+  if (exact.size() != kSamples)
+    throw std::runtime_error(scene.name + ": the truth reached its cap on events");
+  Samples samples;
+  samples.reserve(exact.size());
+  for (const auto& s : exact) {
+    samples.push_back(
+        {double(s.x), double(s.y), double(s.theta), double(s.v_x), double(s.v_y), double(s.omega)});
+  }
+  return samples;
+}
+
+double error_of(const Scene& scene, const Samples& samples, const Samples& truth) {
+  if (samples.size() != truth.size()) return std::numeric_limits<double>::infinity();
+  double worst = 0;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const double error = distance(scene, samples[i], truth[i]);
+    if (!(error <= worst))
+      worst = std::isnan(error) ? std::numeric_limits<double>::infinity() : error;
+  }
+  return worst;
+}
+
+}  // namespace bounce::study

@@ -1,0 +1,33 @@
+// Where the square really is: what methods, and a submission's sweep, are measured by.
+#pragma once
+
+#include <vector>
+
+#include "../methods/impact_laws.hpp"
+#include "scene.hpp"
+
+namespace bounce::study {
+
+// The square at even times up to scene.until: kSamples of them, unless another number is asked for.
+// Between them an error may be larger.
+inline constexpr int kSamples = 20;
+using Samples = std::vector<methods::Motion<double>>;
+
+std::vector<double> sample_times(const Scene& scene, int samples = kSamples);
+
+// The truth: event-driven in long double, with tolerances a thousandth of any method's, so that the
+// event-driven method in double has an error that can be seen. Throws std::runtime_error where the
+// cap on events was reached.
+Samples truth_of(const Scene& scene);
+Samples truth_under(methods::ImpactLaw law, const Scene& scene);
+
+// The largest distance over the samples, m; infinite where some are missing or not finite.
+double error_of(const Scene& scene, const Samples& samples, const Samples& truth);
+
+// How many steps of about dt make up the time between two samples; at least one.
+long steps_between_samples(const Scene& scene, double dt, int samples);
+
+// The step nearest to dt of which a whole number makes up the time between two samples.
+double fitting_step(const Scene& scene, double dt, int samples = kSamples);
+
+}  // namespace bounce::study

@@ -1,0 +1,258 @@
+"""What is compiled, what is kept of it for the next time, and what it may cost."""
+
+import os
+import secrets
+import tempfile
+from pathlib import Path
+
+import pytest
+from bounce_grader.build import compile as compiling, compiler, object_cache
+from bounce_grader.common.errors import KitError
+from bounce_grader.common.manifest import parts
+from bounce_grader.common.paths import CONTRACT, RUNNER, WORK_FOLDER
+from bounce_grader.grading.grade import grade as grade_path
+from bounce_grader.sandbox import processes
+from bounce_grader.sandbox.box import Box
+from bounce_grader.sandbox.processes import run, Limits, Result
+from bounce_grader.submission.submission import read
+from conftest import SOLUTION, Grade, points, solution_files, write
+
+FULL: list[float] = [part.points for part in parts()]
+
+
+def _new() -> bytes:
+    """A line that no earlier compiler has seen."""
+    return f"// {secrets.token_hex(8)}\n".encode()
+
+
+# --- what names an object ---
+
+
+def test_a_changed_helper_is_compiled_anew_also_where_it_is_included_as_a_source(
+    grade: Grade,
+) -> None:
+    """What is kept of an earlier grading must never answer for other code."""
+    including = b'#include "helper.cpp"\n' + solution_files()["part4_simulate.cpp"]
+    assert points(grade({"part4_simulate.cpp": including, "helper.cpp": b"\n"})) == FULL
+    broken = grade({"part4_simulate.cpp": including, "helper.cpp": b"#error changed\n"})
+    assert points(broken) == [30, 30, 30, 0]
+
+
+def test_a_changed_object_of_the_kit_makes_other_runners(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    def digest() -> bytes:
+        return object_cache.toolchain_digest.__wrapped__()
+
+    for name in ("prelude.pch", "solve_lcp.o"):
+        (tmp_path / name).write_bytes(b"")
+    monkeypatch.setattr(object_cache, "RUNNER", tmp_path)
+    before = digest()
+    assert digest() == before
+    os.utime(tmp_path / "solve_lcp.o", ns=(1, 1))
+    assert digest() != before
+
+
+def test_a_kit_of_another_user_says_whose_it_is(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(os, "access", lambda *_: False)
+    with pytest.raises(KitError, match="belongs to .*, who alone can grade with it"):
+        object_cache.toolchain_digest.__wrapped__()
+
+
+def test_objects_of_long_ago_are_forgotten_when_there_are_many(tmp_path: Path) -> None:
+    old = [tmp_path / f"old{n}" for n in range(70)]
+    for n, file in enumerate(old):
+        file.write_bytes(b"")
+        os.utime(file, (n, n))
+    young = [tmp_path / f"young{n}" for n in range(70)]
+    for file in young:
+        file.write_bytes(b"")
+    object_cache.forget_old(tmp_path)
+    assert set(tmp_path.iterdir()) == set(young)
+    object_cache.forget_old(tmp_path)
+    assert set(tmp_path.iterdir()) == set(young)
+
+
+def test_files_that_name_each_other_are_compiled_each(grade: Grade) -> None:
+    all_names = b"// " + b", ".join(name.encode() for name in solution_files()) + b"\n" + _new()
+    named = {name: all_names + text for name, text in solution_files().items()}
+    assert points(grade({**named})) == FULL
+
+
+HIDDEN_INCLUDES = {
+    "over two lines": b'#include "re\\\nal.cpp"\n',
+    "pasted": b"#define J(a, b) a##b\n#define TEXT_(x) #x\n#define TEXT(x) TEXT_(x)\n"
+    b"#include TEXT(J(re, al).cpp)\n",
+}
+
+
+@pytest.mark.parametrize("way", HIDDEN_INCLUDES)
+def test_an_object_never_answers_for_a_file_that_it_was_not_made_from(
+    grade: Grade, way: str
+) -> None:
+    """However the including of a source is hidden from a look at the text."""
+    including = _new() + HIDDEN_INCLUDES[way]
+    real = b"#ifndef DONE\n#define DONE\n" + solution_files()["part1_contacts.cpp"] + b"#endif\n"
+    files = {"part1_contacts.cpp": b"#define INSIDE\n" + including}
+    inside = b"#ifdef INSIDE\n" + real + b"#endif\n"
+    assert points(grade({**files, "real.cpp": inside})) == FULL
+    assert points(grade({**files, "real.cpp": b"\n"})) == [0, 30, 30, 10]
+
+
+def test_a_header_that_only_gcc_has_is_found(grade: Grade) -> None:
+    part = b"#include <quadmath.h>\n" + solution_files()["part1_contacts.cpp"]
+    assert points(grade({"part1_contacts.cpp": part})) == FULL
+
+
+def test_what_was_compiled_without_a_box_is_not_taken_in_one() -> None:
+    taken = read(SOLUTION)
+    names = sorted(taken.files)
+    digests = {
+        object_cache.name_of(names[0], names, taken, Box(kind), False) for kind in ("full", "none")
+    }
+    assert len(digests) == 2
+
+
+# --- what is kept ---
+
+
+def test_an_object_in_use_is_not_forgotten(tmp_path: Path) -> None:
+    files = [tmp_path / f"{n:03}" for n in range(100)]
+    for n, file in enumerate(files):
+        file.write_bytes(b"")
+        os.utime(file, (n, n))
+    assert object_cache.is_there(files[0]) and not object_cache.is_there(tmp_path / "nothing")
+    object_cache.forget_old(tmp_path)
+    assert files[0].exists() and not files[1].exists() and files[-1].exists()
+
+
+def test_large_objects_are_forgotten_earlier(tmp_path: Path) -> None:
+    for n in range(8):
+        file = tmp_path / str(n)
+        file.write_bytes(b"x" * (object_cache.KEPT_BYTES // 4))
+        os.utime(file, (n, n))
+    object_cache.forget_old(tmp_path)
+    assert sorted(file.name for file in tmp_path.iterdir()) == ["4", "5", "6", "7"]
+
+
+# --- what it may cost ---
+
+
+def test_an_object_that_is_too_large_costs_its_part_and_is_not_kept(grade: Grade) -> None:
+    data = b'asm(".data\\n.fill 50000000,1,7\\n.text");\n'
+    part = _new() + data + solution_files()["part1_contacts.cpp"]
+    record = grade({"part1_contacts.cpp": part})
+    assert points(record) == [0, 30, 30, 10]
+    assert "makes an object of more than 8 MB" in record["parts"][0]["message"]
+
+
+@pytest.mark.parametrize("kind", ["full", "reduced", "none"])
+def test_what_a_compiler_takes_is_counted(kind: str) -> None:
+    limits = Limits(cpu_seconds=1, wall_seconds=60, memory=1 << 30, file_size=0)
+    endless = ["/bin/sh", "-c", "while :; do :; done"]
+    assert run([*Box(kind).to_build(RUNNER, [], ("sh",)), *endless], limits).cpu_seconds > 0.7
+
+
+def test_helpers_have_a_limit_in_common(grade: Grade, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(compiling, "HELPERS_SECONDS", 0.02)  # what one of them takes
+    monkeypatch.setattr("os.cpu_count", lambda: 1)
+    helpers = {f"helper{n}.cpp": _new() + b"int helper%d;\n" % n for n in range(3)}
+    missing = b"extern int helper2;\nint use() { return helper2; }\n"
+    part = missing + solution_files()["part1_contacts.cpp"]
+    record = grade({**helpers, "part1_contacts.cpp": part})
+    assert points(record) == [0, 30, 30, 10]
+    assert "helper1.cpp wasn't compiled: the helpers took 0.02 s" in record["parts"][0]["message"]
+
+
+@pytest.mark.parametrize("kind", ["full", "reduced"])
+def test_clang_needs_no_help_in_a_box(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, kind: str
+) -> None:
+    """Where it misses something, g++ would say nothing of it and take five times as long."""
+    files = {name: _new() + text for name, text in solution_files().items()}
+    with tempfile.TemporaryDirectory(prefix=WORK_FOLDER) as work:
+        box = Box(kind)
+        box.give(Path(work))
+        monkeypatch.setattr(compiler, "gcc", lambda *_: ["/nowhere"])
+        built = compiling.compile_all(read(write(tmp_path / "s", files)), Path(work), box, 2)
+    assert all(part.path for part in built.parts.values()), built
+
+
+def test_what_is_timed_is_built_by_gcc_as_a_program_is_too(tmp_path: Path) -> None:
+    """Where clang refuses it."""
+    only = b"#if !defined NDEBUG || !defined __OPTIMIZE__ || defined __clang__\n#error\n#endif\n"
+    write(tmp_path / "s", {"part1_contacts.cpp": _new() + only})
+    taken = read(tmp_path / "s")
+    built = compiling.compile_all(taken, tmp_path, Box("none"), 1, timed=True)
+    assert built.parts[1].path, built.parts[1].problem
+    assert not compiling.compile_all(taken, tmp_path, Box("none"), 1).parts[1].path
+
+
+# --- whose fault it is ---
+
+FAILURES = {
+    "a box that isn't made": Result(1, 0.0, b"", "no namespaces\n", False, False, boxed=False),
+    "a box that is too slow": Result(-9, 0.0, b"", "", True, False, boxed=False),
+    "no memory for a compiler": Result(137, 0.1, b"", "", False, False),
+}
+
+
+@pytest.mark.parametrize("failure", FAILURES)
+def test_a_box_or_a_machine_that_fails_is_no_verdict(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, failure: str
+) -> None:
+    def fails(command: list[str], *others: object, **more: object) -> Result:
+        compiles = any(word.endswith("part2_lcp.cpp") for word in command)
+        return FAILURES[failure] if compiles else run(command, *others, **more)  # type: ignore
+
+    files = {name: _new() + text for name, text in solution_files().items()}
+    monkeypatch.setattr(processes, "run", fails)
+    with pytest.raises(KitError, match="box couldn't be made|killed from outside"):
+        grade_path(write(tmp_path, files))
+
+
+@pytest.mark.parametrize("kind", ["full", "reduced", "none"])
+def test_a_signal_that_ends_what_gcc_starts_is_told(kind: str, tmp_path: Path) -> None:
+    """By the exit status: words could be anybody's."""
+    text = (
+        b"constexpr long f(long n) { long s = 0; while (--n) s += n; return s; }\n"
+        b"static_assert(f(1L << 40) == 0);\n"
+    )
+    box, taken = Box(kind), read(write(tmp_path, {"part1_contacts.cpp": text}))
+    endless = ("-fconstexpr-ops-limit=2000000000000", "-fconstexpr-loop-limit=2000000000")
+    command = compiler.gcc("part1_contacts.cpp", taken, box, flags=endless)
+    limits = Limits(cpu_seconds=1, wall_seconds=60, memory=2 << 30, file_size=1 << 20)
+    with tempfile.TemporaryDirectory(prefix=WORK_FOLDER) as work:
+        taken.write_to(Path(work))
+        box.give(Path(work))
+        prefix = box.to_build(Path(work), [CONTRACT, RUNNER])
+        result = run([*prefix, *command], limits)
+    assert result.boxed and result.code == 128 + 9, result
+
+
+def test_what_an_assembler_prints_is_no_object(grade: Grade) -> None:
+    """Neither of the file that prints nor of another one."""
+    right = solution_files()
+    stolen = object_cache.place(_name_of_part(3, {n: _new() + t for n, t in right.items()}, grade))
+    text = "".join(f"\\\\{byte:03o}" for byte in stolen.read_bytes())
+    printing = b'asm(".print \\"' + text.encode() + b'\\"");\n'
+    files = {"part2_lcp.cpp": printing + _new() + right["part2_lcp.cpp"]}
+    record = grade({**files, "part3_step.cpp": _new()})
+    assert points(record) == [30, 30, 0, 10]
+    assert points(grade({})) == FULL
+
+
+def _name_of_part(number: int, files: dict[str, bytes], grade: Grade) -> str:
+    assert points(grade({**files})) == FULL
+    with tempfile.TemporaryDirectory() as folder:
+        taken = read(write(Path(folder), files))
+    file = taken.parts[number]
+    needed = object_cache.needed(file, taken, object_cache.named_sources(taken))
+    return object_cache.name_of(file, needed, taken, Box("full"), timed=False)
+
+
+def test_words_of_a_submission_are_not_the_boxs(grade: Grade) -> None:
+    forged = b'#line 1 "bwrap: x"\n#error nothing\n'
+    record = grade({"part1_contacts.cpp": _new() + forged})
+    assert points(record) == [0, 30, 30, 10]
+    assert record["parts"][0]["status"] == "does_not_compile"

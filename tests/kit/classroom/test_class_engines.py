@@ -1,0 +1,215 @@
+"""The same class through Dask and Slurm: the same results as with the built-in workers."""
+
+import os
+import random
+import signal
+import subprocess
+import threading
+import time
+import zipfile
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+from shutil import which
+
+import classes
+import pytest
+import stand_in
+from bounce_grader.classroom import run
+from bounce_grader.classroom.work import engine_slurm, results
+from bounce_grader.classroom.work.request import Request
+from bounce_grader.common.errors import KitError, UsageError
+from bounce_grader.submission.submission import Submission
+from clusters import Cluster, needs_dask
+from conftest import ROOT, solution_files
+from waiting import wait_for
+
+NAMES = ("gradebook.csv", "grades.csv", "class.html")
+
+
+def download(path: Path, number: int) -> Path:
+    return classes.download(path, list(range(101, 101 + number)))
+
+
+def solutions(path: Path, number: int, contents: int) -> Path:
+    """The solution itself, so often, in so many different contents; objects that are the same are
+    kept after the first."""
+    with zipfile.ZipFile(path, "w") as archive:
+        for user in range(101, 101 + number):
+            for i, (name, text) in enumerate(solution_files().items()):
+                tail = b"\n" * (user % contents) if name == "part2_lcp.cpp" else b""
+                archive.writestr(f"doejane_{user}_{user}{i}_{name}", text + tail)
+    return path
+
+
+def same(out: Path, source: Path, tmp_path: Path) -> bool:
+    """As if the built-in workers had done it."""
+    assert run.run(stand_in.request(source, tmp_path / "calm")) == 0
+    return all((out / n).read_bytes() == (tmp_path / "calm" / n).read_bytes() for n in NAMES)
+
+
+@needs_dask
+@pytest.mark.slow
+def test_dask_survives_workers_that_are_killed(cluster: Cluster, tmp_path: Path) -> None:
+    source, out = download(tmp_path / "x.zip", 40), tmp_path / "out"
+    first, second = cluster.worker(), cluster.worker()
+    dask = {"engine": "dask", "scheduler": cluster.address}
+    child = os.fork()
+    if child == 0:  # the class, so that this process can kill workers beside it
+        os._exit(run.run(stand_in.request(source, out, 0.2, **dask)))
+    chance = random.Random(1)
+    for worker in (first, second):
+        there = len(results.keys(out / "results")) if out.exists() else 0
+        wait_for(lambda: out.exists() and len(results.keys(out / "results")) >= there + 4)
+        time.sleep(chance.uniform(0, 0.2))
+        worker.send_signal(signal.SIGKILL)
+        cluster.worker()
+    _, status = os.waitpid(child, 0)
+    assert os.waitstatus_to_exitcode(status) == 0
+    assert same(out, source, tmp_path)
+    graded = classes.graded(out)
+    assert len(graded) == len(set(graded)) == 40
+
+
+@needs_dask
+@pytest.mark.slow
+def test_dask_without_a_scheduler_is_said(tmp_path: Path) -> None:
+    source = download(tmp_path / "x.zip", 1)
+    asked = stand_in.request(source, tmp_path / "out", engine="dask")
+    with pytest.raises(UsageError, match="needs --scheduler"):
+        run.run(asked)
+    with pytest.raises(UsageError, match="no Dask scheduler answers at tcp://127.0.0.1:9"):
+        run.run(replace(asked, scheduler="tcp://127.0.0.1:9"))
+
+
+@needs_dask
+@pytest.mark.slow
+def test_dask_workers_without_the_kit_are_said(
+    cluster: Cluster, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    from distributed import Client
+
+    cluster.worker(path="")
+    with Client(cluster.address, set_as_default=False) as client:
+        client.wait_for_workers(1, timeout=60)
+    source = download(tmp_path / "x.zip", 1)
+    asked = Request(source, tmp_path / "out", engine="dask", scheduler=cluster.address)
+    with pytest.raises(UsageError, match="start them with PYTHONPATH=KIT/grader"):
+        run.run(asked)
+
+
+@needs_dask
+@pytest.mark.slow
+def test_dask_without_workers_says_that_it_waits(
+    cluster: Cluster, tmp_path: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    later = threading.Timer(5.0, cluster.worker)
+    later.start()
+    source = download(tmp_path / "x.zip", 1)
+    asked = stand_in.request(source, tmp_path / "out", engine="dask", scheduler=cluster.address)
+    assert run.run(asked) == 0
+    assert "has no workers yet; waiting for them" in capfd.readouterr().err
+
+
+@needs_dask
+@pytest.mark.slow
+def test_a_scheduler_that_dies_is_said_and_costs_nothing(cluster: Cluster, tmp_path: Path) -> None:
+    source, out = download(tmp_path / "x.zip", 20), tmp_path / "out"
+    cluster.worker()
+
+    def kill_scheduler() -> None:
+        wait_for(lambda: len(results.keys(out / "results")) >= 3)
+        cluster.processes[0].kill()
+
+    killer = threading.Thread(target=kill_scheduler)
+    killer.start()
+    asked = stand_in.request(source, out, 0.3, engine="dask", scheduler=cluster.address)
+    with pytest.raises(KitError, match="the Dask scheduler was lost: start it, and run the same"):
+        run.run(asked)
+    killer.join()
+    assert len(results.keys(out / "results")) >= 3
+    assert run.run(stand_in.request(source, out)) == 0
+    assert same(out, source, tmp_path)
+
+
+def by_hand(folder: Path, jobs: range) -> None:
+    """The array's script, as Slurm would run it."""
+    for job in jobs:
+        environment = {**os.environ, "SLURM_ARRAY_TASK_ID": str(job)}
+        script = ["sh", str(folder / "grade.sbatch")]
+        done = subprocess.run(script, env=environment, capture_output=True, text=True, check=False)
+        assert done.returncode == 0, done.stderr
+
+
+@pytest.mark.slow
+def test_slurms_chunks_run_by_hand_give_the_class(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    source, out = solutions(tmp_path / "x.zip", 21, 2), tmp_path / "with a space"
+    asked = Request(source, out, engine="slurm")
+    assert run.run(asked) == 0
+    assert "submit.sh" in capsys.readouterr().err
+    folder = out / "slurm" / "1"
+    assert not (out / "gradebook.csv").exists()
+    assert subprocess.run(["sh", "-n", str(folder / "submit.sh")], check=False).returncode == 0
+    by_hand(folder, range(1, 2))
+    assert run.run(asked) == 0
+    assert not (out / "slurm" / "2").exists()
+    assert (out / "gradebook.csv").read_text().count("100.00") == 1 + 21
+
+
+@pytest.mark.parametrize(
+    "number, sizes", [(1, [1]), (45, [20, 20, 5]), (2000, [32] * 62 + [16]), (9000, [50] * 180)]
+)
+def test_chunks_are_neither_small_nor_large(number: int, sizes: list[int]) -> None:
+    assert [len(chunk) for chunk in engine_slurm.chunks(list(range(number)))] == sizes
+
+
+@pytest.fixture
+def slurm_node(tmp_path: Path) -> Iterator[Path]:
+    if which("slurmctld") is None or os.geteuid() != 0:
+        pytest.skip("a Slurm of one's own needs slurm-wlm and root")
+    started = subprocess.run(
+        ["sh", str(ROOT / "tests" / "kit" / "support" / "slurm_node.sh"), str(tmp_path / "node")],
+        capture_output=True,
+        check=False,
+    )
+    folder = tmp_path / "node"
+    if started.returncode != 0:
+        pytest.skip("Slurm doesn't start here")
+    yield folder
+    for name in ("slurmd", "slurmctld"):
+        pid = folder / f"{name}.pid"
+        if pid.exists():
+            os.kill(int(pid.read_text()), signal.SIGTERM)
+
+
+@pytest.mark.long
+def test_a_real_slurm_grades_the_class_and_collects(slurm_node: Path, tmp_path: Path) -> None:
+    source, out = solutions(tmp_path / "x.zip", 45, 45), tmp_path / "out"
+    environment = {**os.environ, "SLURM_CONF": str(slurm_node / "slurm.conf")}
+    kit = [str(ROOT / "kit"), "class", str(source), "--out", str(out), "--engine", "slurm"]
+    subprocess.run(kit, check=True)
+    submit = ["sh", str(out / "slurm" / "1" / "submit.sh")]
+    subprocess.run(submit, env=environment, check=True)
+    wait_for((out / "class.html").exists, 600)
+    assert (out / "gradebook.csv").read_text().count("100.00") == 1 + 45
+    assert len(list((out / "slurm" / "1").glob("chunk-*.log"))) == 3
+
+
+def test_an_unknown_failure_of_a_unit_is_the_kits(tmp_path: Path) -> None:
+    """Not a student's: no result is left behind."""
+    from functools import partial
+
+    from bounce_grader.classroom.intake import students
+    from bounce_grader.classroom.work import task, unit
+
+    (student,) = students.read(download(tmp_path / "x.zip", 1)).students
+    made = task.task_of(student, results.stamp_now(False), tmp_path / "r", True, False)
+
+    def breaks(taken: Submission, of: task.Task) -> dict[str, object]:
+        raise ZeroDivisionError("nobody thought of it")
+
+    outcome = partial(unit.run, grade=breaks)(made)
+    assert outcome.state == "failed" and "ZeroDivisionError" in outcome.message
+    assert not (tmp_path / "r").exists()

@@ -1,0 +1,155 @@
+"""What one student's uploads may cost, all of them together: nothing is written before it is
+counted, and sizes are those that are read."""
+
+import csv
+import io
+import re
+import resource
+import subprocess
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import corpus
+import pytest
+from bounce_grader.classroom.intake import handed_in, students
+from bounce_grader.classroom.work import task
+from bounce_grader.common.errors import UsageError
+from bounce_grader.formats import github
+from bounce_grader.grading import record
+from bounce_grader.submission import submission
+from bounce_grader.submission.entry import LARGEST_SOURCE, MOST_ENTRIES
+from classes import grade_class
+from conftest import solution_files, write
+from corpus import Member
+from downloads import STAMP, download, to_grade
+from odd_students import LIES, bomb, long_names, zip_that_claims
+
+
+@contextmanager
+def nothing_is_written() -> Iterator[None]:
+    before = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (0, before[1]))
+    try:
+        yield
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, before)
+
+
+def refusal(path: Path) -> str:
+    (student,) = students.read(path).students
+    with nothing_is_written(), pytest.raises(UsageError) as refused:
+        to_grade(student)
+    assert "\n" not in str(refused.value)
+    return str(refused.value)
+
+
+def test_uploads_are_read_without_writing_anything(tmp_path: Path) -> None:
+    files = solution_files()
+    first = download(tmp_path / "hw.zip", {"part2_lcp.cpp": files.pop("part2_lcp.cpp")})
+    uploads = {"doe_1_1_hw.zip": first.read_bytes()}
+    uploads |= {f"doe_1_{i}_{name}": text for i, (name, text) in enumerate(files.items(), 2)}
+    (student,) = students.read(download(tmp_path / "x.zip", uploads)).students
+    with nothing_is_written():
+        assert to_grade(student).files == solution_files()
+
+
+def test_sources_of_all_uploads_are_counted_together(tmp_path: Path) -> None:
+    two = {f"doe_1_{i}_hw{i}a.zip": bomb(60).replace(b"helper", b"help_%d" % i) for i in (1, 2)}
+    assert "more than 100 sources or 8 MB" in refusal(download(tmp_path / "x.zip", two))
+
+
+def test_files_of_all_uploads_are_counted_together(tmp_path: Path) -> None:
+    half = MOST_ENTRIES // 2 + 1
+    zipped = {
+        f"doe_1_{i}_hw{i}a.zip": corpus.zip_of(Member(b"%d_%d.txt" % (i, n)) for n in range(half))
+        for i in (1, 2)
+    }
+    assert "more than 5000 files" in refusal(download(tmp_path / "x.zip", zipped))
+
+
+def test_bytes_of_all_uploads_are_counted_together(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    zipped = bomb(1)
+    monkeypatch.setattr(handed_in, "LARGEST", 2 * len(zipped) - 1)
+    one = download(tmp_path / "one.zip", {"doe_1_1_a.zip": zipped})
+    (student,) = students.read(one).students
+    assert set(to_grade(student).files) == {"helper0.cpp"}
+    two = download(tmp_path / "two.zip", {"doe_1_1_a.zip": zipped, "doe_1_2_b.zip": zipped})
+    assert "b.zip is too large: all that is handed in may have" in refusal(two)
+    (student,) = students.read(two).students
+    task.task_of(student, STAMP, tmp_path, speed=False, trust=False)
+
+
+@pytest.mark.parametrize("size", LIES)
+def test_a_size_is_the_one_that_is_read(tmp_path: Path, size: int) -> None:
+    (tmp_path / "hw.zip").write_bytes(zip_that_claims(size))
+    assert submission.read(tmp_path / "hw.zip").files == {"part2_lcp.cpp": b"// odd\n"}
+
+
+def test_a_link_in_a_zip_takes_no_uploads_place(tmp_path: Path) -> None:
+    link = Member(b"part2_lcp.cpp", b"/etc/passwd", attributes=0o120777 << 16)
+    uploads = {"doe_1_1_part2_lcp.cpp": b"// two", "doe_1_2_hw.zip": corpus.zip_of([link])}
+    (student,) = students.read(download(tmp_path / "x.zip", uploads)).students
+    assert to_grade(student).files == {"part2_lcp.cpp": b"// two"}
+
+
+def test_a_source_larger_than_it_may_be_is_named(tmp_path: Path) -> None:
+    zipped = bomb(1, 3)
+    large = {"doe_1_1_part1_contacts.cpp": b" " * (LARGEST_SOURCE + 1), "doe_1_2_hw.zip": zipped}
+    (student,) = students.read(download(tmp_path / "x.zip", large)).students
+    refused = to_grade(student).refused
+    assert refused == {1: "part1_contacts.cpp is 1.0 MB large; a source file may have 1 MB"}
+
+
+# --- what is said of it ---
+
+
+def cells(out: Path) -> list[str]:
+    rows = csv.reader(io.StringIO((out / "grades.csv").read_text("utf-8-sig")))
+    on_the_page = re.findall(r"<td[^>]*>(.*?)</td>", (out / "class.html").read_text())
+    return [*(cell for row in rows for cell in row), *on_the_page]
+
+
+def test_of_many_files_the_first_are_named(tmp_path: Path) -> None:
+    odd = {
+        "doe_1_1_part2_lcp.cpp": b"// two\n",
+        "doe_1_2_hw.zip": long_names(1900),
+        "roe_2_3_hw.zip": long_names(1900),
+        "poe_3_4_hw.zip": long_names(90, "/part1_contacts.cpp"),
+    }
+    odd |= {f"foe_4_{i}_{'n' * 240}{i}.jpg": b"" for i in range(5, 95)}
+    odd |= {f"moe_5_{i}_{'n' * 240}{i}.jpg": b"" for i in range(105, 195)}
+    odd |= {"moe_5_9_part2_lcp.cpp": b"// two\n"}
+    out = tmp_path / "out"
+    assert grade_class(download(tmp_path / "x.zip", odd), out) == 0
+    assert max(map(len, cells(out))) < 8_000
+    assert all(page.stat().st_size < 40_000 for page in (out / "feedback").iterdir())
+    text = (out / "class.html").read_text()
+    for words in ("and 1895 more", "and 1890 more", "and 85 more", "is there 90 times"):
+        assert words in text
+    assert "and 1880 more" in (out / "grades.csv").read_text()
+
+
+def test_a_record_names_the_first_files_that_were_not_used(tmp_path: Path) -> None:
+    (tmp_path / "x.zip").write_bytes(long_names(1900))
+    taken = submission.read(tmp_path / "x.zip")
+    made = record.whole(taken, [], "full", {"total": 1.0}, "", None)
+    assert (len(made["ignored"]), made["ignored_more"]) == (record.MOST_IGNORED, 1800)
+    few = taken._replace(ignored=taken.ignored[: record.MOST_IGNORED])
+    made = record.whole(few, [], "full", {"total": 1.0}, "", None)
+    assert len(made["ignored"]) == record.MOST_IGNORED and "ignored_more" not in made
+
+
+def test_a_repository_nested_deeply_is_no_obstacle_to_an_annotation(tmp_path: Path) -> None:
+    """Deeper than a function of Python's may call itself."""
+    folder = tmp_path / "x"
+    folder.mkdir()
+    for _ in range(1500):
+        folder = folder / "d"
+        folder.mkdir()
+    try:
+        assert github._in_repository("a.cpp", write(tmp_path, {"hw/a.cpp": b""})) == "hw/a.cpp"
+    finally:
+        subprocess.run(["rm", "-rf", str(tmp_path / "x")], check=True)

@@ -1,0 +1,185 @@
+"""The class's page, the near-copies on it, and what is said while a class is graded."""
+
+import re
+import zipfile
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import pytest
+import stand_in
+from bounce_grader.classroom.intake import students
+from bounce_grader.classroom.intake.students import Class, Student
+from bounce_grader.classroom.output import charts, page
+from bounce_grader.classroom.output.charts import Dot, Way
+from bounce_grader.classroom.work import near_copies, progress
+from bounce_grader.classroom.work.near_copies import Pair, Similar
+from bounce_grader.classroom.work.summary import of_result, Summary
+from bounce_grader.classroom.work.task import task_of, Stamp
+from bounce_grader.common.paths import STUBS
+from bounce_grader.grading.known_mistakes import for_the_instructor
+from bounce_grader.submission import submission
+from conftest import solution_files, write
+
+NOBODY = Similar((), 0)
+
+
+def summary(tmp_path: Path, name: str = "anna", **changes: Any) -> Summary:
+    folder = write(tmp_path / name, {"part2_lcp.cpp": name.encode()})
+    record = {**stand_in.record_of(submission.read(folder)), **changes}
+    result = {"state": "graded", "message": "", "record": record}
+    return of_result(Student(name, name, folder), "0" * 64, result)
+
+
+def shown(*summaries: Summary) -> str:
+    return page.render(Class("a folder"), summaries, NOBODY, [])
+
+
+def test_every_graded_submission_has_a_mark(tmp_path: Path) -> None:
+    speeds = [
+        {"submission_ns": 1.0, "solution_ns": 1.0, "ratio": 1.0, "largest_error": 1e-13},
+        {"submission_ns": 1.0, "solution_ns": 1.0, "ratio": 1e9, "largest_error": 0.0},
+        {"largest_error": None},
+        {"largest_error": 1e300},
+    ]
+    made = [summary(tmp_path, f"s{i}", speed=speed) for i, speed in enumerate(speeds)]
+    text = shown(*made, Summary(Student("x", "x", tmp_path), "k", "failed", "the kit failed"))
+    assert text.count("<title>s") == 4
+
+
+def test_only_what_has_all_points_stands_among_right_answers(tmp_path: Path) -> None:
+    """An answer that never came has no error, however near the others are."""
+    near = {"submission_ns": 1.0, "solution_ns": 1.0, "ratio": 1.0, "largest_error": 4.9e-13}
+    full, lost = summary(tmp_path, "full", speed=near), summary(tmp_path, "lost", speed=near)
+    full, lost = replace(full, score=100.0), replace(lost, score=70.0)
+    heights = re.findall(r'<circle cx="[^"]*" cy="([^"]*)"[^>]*><title>(\w+)', shown(full, lost))
+    at = {name: float(y) for y, name in heights}
+    line = re.search(r'<path d="M90 ([\d.]+)h', shown(full, lost))
+    assert line and at["lost"] < 56 < float(line[1]) < at["full"]
+
+
+def test_many_alike_are_named_together(tmp_path: Path) -> None:
+    made = [summary(tmp_path, name) for name in "abcdef"]
+    linked = [("a", "b"), ("c", "d"), ("b", "c"), ("e", "f")]
+    pairs = tuple(Pair(one, other, 90) for one, other in linked)
+    text = page.render(Class("a folder"), made, Similar(pairs, 40), [])
+    assert re.findall(r"<li>(\d alike: [^<]*)", text) == ["4 alike: a, b, c, d"]
+    assert "pairs with most in common" not in text
+    many = Similar((Pair("a", "b", 90),) * near_copies.MOST, 40)
+    assert "200 pairs with most in common" in page.render(Class("a folder"), made, many, [])
+
+
+def test_the_shapes_differ_without_colour() -> None:
+    drawn = charts.scatter([Dot(1, 1, kind, kind) for kind in ("full", "some", "none")], 1e-9)
+    marks = re.findall(r"<(?:circle|path) [^>]*><title>(\w+)", drawn)
+    assert marks == ["full", "some", "none"]
+    assert drawn.count('fill="none" stroke="#111"><title>some') == 1
+    assert set(re.findall(r"#[0-9a-f]{3,6}", drawn)) <= {"#111", "#444", "#999"}
+
+
+def test_every_timed_submission_has_a_line_beside_the_solutions(tmp_path: Path) -> None:
+    untimed = summary(tmp_path, "slow", speed={"largest_error": 1e-13})
+    text = shown(summary(tmp_path, "anna"), summary(tmp_path, "<b>"), untimed)
+    lines = re.findall(r'<path class="way (\w+)" d="M([^"]*)"><title>([^<]*)', text)
+    assert [title.split(":")[0] for _, _, title in lines[:2]] == ["anna", "&lt;b&gt;"]
+    assert [kind for kind, _, _ in lines[2:]] == ["solution", "least"]
+    assert {places.count("L") for _, places, _ in lines} == {2}  # three time steps
+    assert text.count(">10 ms<") == 1
+
+
+def test_the_lines_differ_without_colour_and_a_thousand_fit_into_the_page() -> None:
+    places = tuple((10.0**-k, 10.0**k) for k in range(7))
+    kinds = ("full", "some", "none", "solution", "least")
+    drawn = charts.ways([Way(places, kind, kind) for kind in kinds], 1e-3)
+    shapes = dict(re.findall(r'<marker id="(\w+)"[^>]*>(<[^>]*>)', drawn))
+    assert set(shapes) == set(kinds) and len(set(shapes.values())) == len(kinds)
+    assert set(re.findall(r"#[0-9a-f]{3,6}\b", drawn)) <= {"#111", "#fff"}
+    odd = Way(((1e-300, None), (1e300, 1e300), (1.0, 0.0)), "none", "<b>")
+    assert "nan" not in charts.ways([odd], 1e-3) and "<b>" not in charts.ways([odd], 1e-3)
+    assert len(charts.ways([Way(places, "full", "a student's name")] * 1000, 1e-3)) < 300_000
+
+
+@pytest.mark.parametrize(
+    "scores, counts",
+    [([0, 9.9, 10, 99.9, 100], ["2", "1", "1", "1"]), ([], []), ([100] * 7, ["7"])],
+)
+def test_the_histogram_counts(scores: list[float], counts: list[str]) -> None:
+    drawn = charts.histogram(scores, 100)
+    assert re.findall(r">(\d+)</text>", drawn.replace(">100</text>", "")) == counts
+
+
+def test_recognised_mistakes_are_counted_with_the_instructors_line(tmp_path: Path) -> None:
+    one = summary(tmp_path, "one")
+    both = {"part1_degrees": "theta is taken for degrees", "part2_dt_squared": "dt twice <in> V"}
+    some = [
+        replace(one, mistakes=both),
+        replace(one, mistakes={"part1_degrees": both["part1_degrees"]}),
+    ]
+    text = shown(*some, one).split("Most frequent mistakes")[1].split("</section>")[0]
+    rows = re.findall(
+        r"<tr><td>(.*?)</td><td>(.*?)</td><td class=\"n\">(.*?)</td><td>(.*?)</td></tr>", text
+    )
+    assert [row[:3] for row in rows] == [
+        ("1", "theta is taken for degrees", "2"),
+        ("2", "dt twice &lt;in&gt; V", "1"),
+    ]
+    assert rows[0][3] == for_the_instructor("part1_degrees") != ""
+    assert "<svg" in text and "No known mistake" not in text
+
+
+def test_without_a_known_mistake_the_checks_that_failed_are_counted(tmp_path: Path) -> None:
+    assert "No known mistake was recognised" in shown(summary(tmp_path, "one"))
+
+
+def test_who_needs_a_look_is_named_with_the_reason(tmp_path: Path) -> None:
+    slow = summary(tmp_path, "slow")
+    record = stand_in.record_of(submission.read(tmp_path / "slow"))
+    record["parts"][2]["status"] = "timed_out"
+    slow = summary(tmp_path, "slow", parts=record["parts"])
+    boxless = summary(tmp_path, "boxless", box="none")
+    failed = Summary(Student("x", "x", tmp_path), "k", "failed", "the kit failed: no compiler")
+    looks = shown(slow, boxless, failed).split("Needs a look")[1].split("Near-copies")[0]
+    assert "part 3: timed out" in looks and "graded with no box" in looks
+    assert "the kit failed: no compiler" in looks
+
+
+def test_nothing_graded_is_a_page_too(tmp_path: Path) -> None:
+    assert "Nothing is graded yet." in shown()
+
+
+def renamed(text: bytes) -> bytes:
+    """As somebody would who copies: other names, other remarks, another layout."""
+    for name in (b"corner", b"params", b"lowest", b"impulse", b"contact_"):
+        text = re.sub(rb"\b" + name + rb"\b", b"my_" + name[::-1], text)
+    return b"// my own work\n\n" + text.replace(b"\n", b"\n\n")
+
+
+def test_a_renamed_copy_is_found_and_the_handout_is_no_copy(tmp_path: Path) -> None:
+    """Two who left the stubs as they were share nothing of their own."""
+    copies = {name: renamed(text) for name, text in solution_files().items()}
+    stubs = {file.name: file.read_bytes() for file in STUBS.glob("*.cpp")}
+    with zipfile.ZipFile(tmp_path / "x.zip", "w") as archive:
+        for user, files in enumerate([solution_files(), copies, stubs, stubs], 1):
+            for i, (name, text) in enumerate(files.items()):
+                archive.writestr(f"doe{user}_{user}_{user}{i}_{name}", text)
+    found = students.read(tmp_path / "x.zip").students
+    stamp = Stamp("kit", "fixtures", "options")
+    tasks = {s.id: task_of(s, stamp, tmp_path, False, False) for s in found}
+    near = near_copies.find(tmp_path, found, tasks, trust=False)
+    assert not near.problem
+    assert [(pair.first, pair.second) for pair in near.pairs] == [("1", "2")]
+    assert near.pairs[0].share >= 90
+    assert near_copies.find(tmp_path, found, tasks, trust=False) == near
+    assert len(near_copies.own_text(tasks["3"]).strip()) < 200
+
+
+def test_progress_is_plain_lines_where_there_is_no_terminal(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(progress, "SECONDS_BETWEEN_LINES", 0.0)
+    with progress.progress(2) as bar:
+        bar.advance()
+        bar.advance()
+    lines = capsys.readouterr().err.splitlines()
+    assert re.fullmatch(r"kit: 1 of 2 graded, \d+ a minute, 0 s left", lines[0])
+    assert re.fullmatch(r"kit: 2 of 2 graded, \d+ a minute", lines[1])

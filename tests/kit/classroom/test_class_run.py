@@ -1,0 +1,123 @@
+"""A class from its download to its grade book, with a stand-in for grading that is quick."""
+
+import csv
+import io
+import zipfile
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from bounce_grader import cli
+from bounce_grader.classroom.work import results
+from classes import COLUMN, book, column, download, grade_class, graded, points_of
+from conftest import solution_files
+
+
+def test_writes_all_that_it_promises(tmp_path: Path, users: list[int]) -> None:
+    source, out = download(tmp_path / "x.zip", users), tmp_path / "out"
+    export = book(tmp_path / "export.csv", [*users, 999])
+    before = export.read_bytes()
+    assert grade_class(source, out, gradebook=export, columns={0: COLUMN}) == 0
+    expected = {str(user): points_of(user, tmp_path) for user in users}
+    assert column(out / "gradebook.csv") == {**expected, "999": ""}
+    assert export.read_bytes() == before
+    rows = list(csv.DictReader(io.StringIO((out / "grades.csv").read_text("utf-8-sig"))))
+    assert {row["id"]: f"{float(row['score']):.2f}" for row in rows} == expected
+    assert len(list((out / "feedback").iterdir())) == len(users)
+    with zipfile.ZipFile(out / "feedback.zip") as archive:
+        assert archive.read("doejane_101_1010_feedback.html").startswith(b"<!doctype html>")
+    assert "Doe, Jane (999) has no submission" in (out / "class.html").read_text()
+    assert sorted(graded(out)) == sorted(results.keys(out / "results"))
+
+
+def test_a_second_run_grades_nothing_and_writes_the_same(
+    tmp_path: Path, users: list[int], capsys: pytest.CaptureFixture[str]
+) -> None:
+    source, out = download(tmp_path / "x.zip", users), tmp_path / "out"
+    grade_class(source, out)
+    names = ("gradebook.csv", "grades.csv", "class.html")
+    first = [(out / name).read_bytes() for name in names]
+    written = {f.name: f.stat().st_mtime_ns for f in (out / "results").iterdir()}
+    capsys.readouterr()
+    grade_class(source, out)
+    assert [(out / name).read_bytes() for name in names] == first
+    assert {f.name: f.stat().st_mtime_ns for f in (out / "results").iterdir()} == written
+    assert len(graded(out)) == len(users)
+
+
+def test_answers_of_hidden_cases_are_on_the_pages_where_that_is_asked_for(
+    tmp_path: Path, users: list[int]
+) -> None:
+    """Later, too, and without grading anything again."""
+    source, out = download(tmp_path / "x.zip", users), tmp_path / "out"
+    answer = "expected phi = 0.8128"
+    for reveal in (False, True, False):
+        grade_class(source, out, reveal=reveal)
+        pages = [page.read_text() for page in (out / "feedback").iterdir()]
+        with zipfile.ZipFile(out / "feedback.zip") as archive:
+            pages += [archive.read(name).decode() for name in archive.namelist()]
+        assert [answer in page for page in pages] == [reveal] * 2 * len(users)
+        others = [out / "class.html", out / "grades.csv", out / "gradebook.csv"]
+        assert not any(answer in file.read_text() for file in others)
+    assert len(graded(out)) == len(users)
+
+
+def test_times_are_added_to_grades_that_are_there(tmp_path: Path, users: list[int]) -> None:
+    source, out = download(tmp_path / "x.zip", users), tmp_path / "out"
+    timed = ["Nothing was timed" not in text for text in _pages_of_three_runs(source, out)]
+    assert timed == [False, True, True]  # times that are there stay
+    assert len(graded(out)) == 2 * len(users)
+    grades = (out / "grades.csv").read_text()
+    grade_class(source, out, regrade="all", speed=True)
+    grade_class(source, out, apply=True)
+    assert (out / "grades.csv").read_text() == grades
+
+
+def _pages_of_three_runs(source: Path, out: Path) -> Iterator[str]:
+    """Without, with, and again without times."""
+    for speed in (False, True, False):
+        grade_class(source, out, speed=speed)
+        yield (out / "class.html").read_text()
+
+
+def test_only_what_is_new_is_graded(tmp_path: Path, users: list[int]) -> None:
+    out = tmp_path / "out"
+    grade_class(download(tmp_path / "x.zip", users[:9]), out)
+    grade_class(download(tmp_path / "x.zip", users), out)
+    assert len(graded(out)) == len(set(graded(out))) == len(users)
+
+
+def test_equal_submissions_share_a_result(tmp_path: Path) -> None:
+    same = {f"roe_{user}_{user}0_part2_lcp.cpp": b"// the same" for user in (201, 202)}
+    out = tmp_path / "out"
+    grade_class(download(tmp_path / "x.zip", [], same), out)
+    assert len(graded(out)) == 1
+    assert len(list((out / "feedback").iterdir())) == 2
+
+
+def test_a_students_failure_is_a_result_and_is_not_tried_again(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    encrypted = {"roe_301_3010_hw.zip": b"PK\x03\x04 and then nothing"}
+    out = tmp_path / "out"
+    source = download(tmp_path / "x.zip", [101], encrypted)
+    assert grade_class(source, out) == 0
+    assert "roe (301): the submission is broken" in capsys.readouterr().out
+    assert "301" not in column(out / "gradebook.csv")
+    page = (out / "feedback" / "roe_301_3010_feedback.html").read_text()
+    assert "Not graded" in page and str(tmp_path) not in page
+    grade_class(source, out)
+    assert len(graded(out)) == 2
+
+
+def test_the_command_takes_it_all(tmp_path: Path, users: list[int]) -> None:
+    """The whole way once, with real gradings of the solution, through ./kit's own options."""
+    with zipfile.ZipFile(tmp_path / "x.zip", "w") as archive:
+        for number, (name, text) in enumerate(solution_files().items()):
+            archive.writestr(f"doejane_12_{number + 1}_{name}", text)
+    export = book(tmp_path / "export.csv", [12])
+    out = tmp_path / "out"
+    arguments = ["class", str(tmp_path / "x.zip"), "--out", str(out), "--gradebook", str(export)]
+    assert cli.main([*arguments, "--column", COLUMN]) == 0
+    assert column(out / "gradebook.csv") == {"12": "100.00"}
+    assert cli.main([*arguments, "--column", COLUMN, "--part-column", "5=x"]) == 2

@@ -1,0 +1,52 @@
+"""Near-copies of a class in which some hand in what takes long to compare."""
+
+import time
+from pathlib import Path
+
+import pytest
+from bounce_grader.classroom.intake import students
+from bounce_grader.classroom.work import near_copies
+from bounce_grader.classroom.work.near_copies import Similar
+from bounce_grader.classroom.work.task import task_of
+from classes import grade_class
+from conftest import solution_files
+from downloads import STAMP, download
+from odd_students import repetitive
+
+
+def compared(source: Path, out: Path) -> Similar:
+    found = students.read(source).students
+    tasks = {s.id: task_of(s, STAMP, out, False, False) for s in found}
+    return near_copies.find(out, found, tasks, trust=False)
+
+
+def class_with(path: Path, odd: list[bytes]) -> Path:
+    """Two who copied, and these."""
+    text = solution_files()["part3_step.cpp"]
+    entries = {f"doe_{user}_{user}_part3_step.cpp": text for user in (1, 2)}
+    entries |= {f"roe_{user}_{user}_part3_step.cpp": text for user, text in enumerate(odd, 3)}
+    return download(path, entries)
+
+
+@pytest.mark.parametrize("unit", [b"{", b"x;\n", b"if(a){b;}\n"])
+def test_what_repeats_itself_is_left_out_and_costs_no_other_pair(
+    tmp_path: Path, unit: bytes
+) -> None:
+    source = class_with(tmp_path / "x.zip", [repetitive(60_000, unit)] * 6)
+    start = time.monotonic()
+    near = compared(source, tmp_path)
+    assert time.monotonic() - start < 60
+    assert not near.problem
+    assert [(pair.first, pair.second, pair.share) for pair in near.pairs] == [("1", "2", 100)]
+    assert set(near.left_out) == {str(user) for user in range(3, 9)}
+    assert compared(source, tmp_path) == near
+
+
+def test_who_is_left_out_needs_a_look(tmp_path: Path) -> None:
+    source, out = class_with(tmp_path / "x.zip", [repetitive(60_000)]), tmp_path / "out"
+    assert grade_class(source, out) == 0
+    page = (out / "class.html").read_text()
+    looks, near = page.split("<h2>Needs a look")[1].split("<h2>Near-copies")
+    assert "roe (3)</td><td>it repeats itself too much to be compared" in looks
+    assert "Left out: roe (3). Needs a look" in near
+    assert "it repeats itself" in (out / "grades.csv").read_text()

@@ -1,0 +1,81 @@
+"""What the Python tests share: the grader on the path, and submissions made from the solution."""
+
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+pytest.register_assert_rewrite("animation_page", "handed_in")  # they check on behalf of tests
+
+import clusters
+from hypothesis import settings
+
+# The same inputs each time, whatever else the machine does.
+settings.register_profile("kit", derandomize=True, deadline=None, database=None, max_examples=200)
+settings.load_profile("kit")
+
+ROOT = Path(__file__).resolve().parents[2]
+SOLUTION = ROOT / "solution" / "src"
+Grade = Callable[..., dict[str, Any]]
+
+
+def solution_files() -> dict[str, bytes]:
+    return {file.name: file.read_bytes() for file in SOLUTION.glob("*.cpp")}
+
+
+def write(folder: Path, files: dict[str, bytes]) -> Path:
+    for name, text in files.items():
+        path = folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(text)
+    return folder
+
+
+@pytest.fixture
+def grade(tmp_path: Path) -> Grade:
+    """Grades the solution with some files replaced, added, or (None) taken away."""
+    from bounce_grader.grading.grade import grade as grade_path
+
+    def graded(changes: dict[str, bytes | None]) -> dict[str, Any]:
+        files: dict[str, bytes | None] = {**solution_files(), **changes}
+        present = {name: text for name, text in files.items() if text is not None}
+        return grade_path(write(tmp_path / "submission", present))
+
+    return graded
+
+
+@pytest.fixture
+def users() -> list[int]:
+    """The students of a small class, by Canvas's ids."""
+    return list(range(101, 111))
+
+
+@pytest.fixture
+def cluster() -> Iterator[clusters.Cluster]:
+    with clusters.started() as made:
+        yield made
+
+
+@pytest.fixture(scope="module")
+def driver(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Any]:
+    import browser
+
+    with browser.started(tmp_path_factory.mktemp("browser")) as made:
+        yield made
+
+
+def points(record: dict[str, Any]) -> list[float]:
+    return [part["score"] for part in record["parts"]]
+
+
+def lost(record: dict[str, Any]) -> list[str]:
+    return sorted(c["id"] for part in record["parts"] for c in part["checks"] if not c["passed"])
+
+
+def pytest_terminal_summary(terminalreporter: Any) -> None:
+    """What tests have to show, such as a table, by record_property("shown", text)."""
+    for report in terminalreporter.getreports("passed") + terminalreporter.getreports("failed"):
+        for name, text in report.user_properties:
+            if name == "shown":
+                terminalreporter.write_line(text)

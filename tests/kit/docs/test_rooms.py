@@ -1,0 +1,64 @@
+"""The rooms of the grader: each says what it may import, and imports run one way."""
+
+import ast
+import re
+from collections.abc import Iterator
+from graphlib import TopologicalSorter
+from pathlib import Path
+
+import pytest
+from conftest import ROOT
+
+PACKAGE = ROOT / "grader" / "bounce_grader"
+ROOMS = sorted(
+    str(folder.parent.relative_to(PACKAGE)).replace("/", ".")
+    for folder in PACKAGE.rglob("__init__.py")
+    if folder.parent != PACKAGE
+)
+
+
+def room_of(module: str) -> str:
+    """The innermost room that a module is in; "" for the command itself."""
+    within = [room for room in ROOMS if module == room or module.startswith(f"{room}.")]
+    return max(within, key=len, default="")
+
+
+def imported(room: str) -> Iterator[str]:
+    for file in (PACKAGE / room.replace(".", "/")).glob("*.py"):
+        for node in ast.walk(ast.parse(file.read_text())):
+            if isinstance(node, ast.ImportFrom) and (node.module or "").startswith(
+                "bounce_grader."
+            ):
+                for name in node.names:
+                    found = room_of(f"{node.module}.{name.name}".removeprefix("bounce_grader."))
+                    if found != room:
+                        yield found
+
+
+def allowed(room: str) -> set[str]:
+    """What the docstring of a room says that it may import."""
+    text = ast.get_docstring(
+        ast.parse((PACKAGE / room.replace(".", "/") / "__init__.py").read_text())
+    )
+    listed = re.search(r"Imports: ([^\n]*?)\.$", text or "", re.MULTILINE)
+    assert listed, f"{room} doesn't say what it may import"
+    return set() if listed[1] == "nothing of ours" else set(listed[1].split(", "))
+
+
+@pytest.mark.parametrize("room", ROOMS)
+def test_a_room_imports_what_it_says_and_nothing_else(room: str) -> None:
+    assert set(imported(room)) == allowed(room)
+
+
+def test_imports_run_one_way() -> None:
+    order = list(TopologicalSorter({room: set(imported(room)) for room in ROOMS}).static_order())
+    assert order.index("common") < order.index("grading") < order.index("classroom")
+
+
+def test_every_module_is_in_a_room() -> None:
+    alone = {file.name for file in PACKAGE.glob("*.py")}
+    assert alone == {"__init__.py", "__main__.py", "cli.py"}
+    assert all(
+        room_of(str(f.relative_to(PACKAGE).parent).replace("/", "."))
+        for f in PACKAGE.glob("*/**/*.py")
+    )

@@ -1,0 +1,35 @@
+// What a program printed before it ended: only words, of bounded length, come of it.
+#include <csignal>
+
+#include "../../../grader/judge/assertion.hpp"
+#include "../../../grader/judge/ending.hpp"
+#include "../../../grader/runner/crash.hpp"
+#include "fuzz.hpp"
+
+namespace bounce::fuzz {
+
+std::vector<std::string> seeds() {
+  const std::string file = "/usr/include/eigen3/Eigen/src/Core/DenseCoeffsBase.h:425: ";
+  return {
+      "runner: " + file + "Scalar& f(Index): Assertion `index >= 0 && index < size()' failed.\n",
+      "/usr/include/c++/12/bits/stl_vector.h:1123: f: Assertion '__n < this->size()' failed.\n",
+      "a print\n" + std::string(runner::kStack) + " 0x40a1b2 0x40a1c3\n",
+      "terminate called after throwing an instance of '" + std::string(200, '\x9a') +
+          "'\n  what():  " + std::string(200, '\x9a') + "\n",
+      std::string(200, ':') + "1: Assertion `Assertion `' failed' failed",
+  };
+}
+
+}  // namespace bounce::fuzz
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using bounce::fuzz::is_sentence, bounce::fuzz::require;
+  const std::string print(reinterpret_cast<const char*>(data), size);
+  for (const int status : {SIGABRT, SIGSEGV, SIGXCPU, 3 << 8, (128 + SIGFPE) << 8}) {
+    const bounce::judge::Ending ending =
+        bounce::judge::ending_of(status, bounce::judge::Limits(), print);
+    require(is_sentence(ending.sentence));
+    require(ending.stack.find_first_not_of(" 0123456789abcdefx") == std::string::npos);
+  }
+  return 0;
+}

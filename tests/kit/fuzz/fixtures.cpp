@@ -1,0 +1,70 @@
+// A file of fixtures: its cases are whole, or it is refused.
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "../../parts/cases.hpp"
+#include "fuzz.hpp"
+
+namespace bounce {
+
+std::vector<std::filesystem::path> tests::fixture_folders() { return {BOUNCE_FIXTURES}; }
+void tests::about_to_ask(const Case&) {}
+std::string tests::in_words(const Case& c, const Problem& problem) { return summary(c, problem); }
+
+namespace fuzz {
+
+// Each check of the public fixtures by itself, with its first case.
+std::vector<std::string> seeds() {
+  std::vector<std::filesystem::path> files;
+  for (const auto& file : std::filesystem::directory_iterator(BOUNCE_FIXTURES)) {
+    if (!file.is_regular_file()) continue;
+    files.push_back(file.path());
+  }
+  std::sort(files.begin(), files.end());
+  std::vector<std::string> all;
+  for (const auto& file : files) {
+    std::ifstream in(file);
+    const nlohmann::json whole = nlohmann::json::parse(in);
+    for (const auto& [check, cases] : whole.at("checks").items()) {
+      all.push_back(nlohmann::json{{"checks", {{check, {cases.at(0)}}}}}.dump());
+    }
+  }
+  return all;
+}
+
+namespace {
+
+// "part3.FallsFreely", where the text holds such a name.
+std::string check_in(const std::string& text) {
+  const std::size_t at = std::min(text.find("\"part"), text.size());
+  return at == text.size() ? "" : text.substr(at + 1, text.find('"', at + 1) - at - 1);
+}
+
+void require_whole(const tests::Case& c) {
+  require(c.params.T >= 1);
+  require(c.trajectory.q.cols() == static_cast<Eigen::Index>(c.columns.size()));
+  require(c.trajectory.v.cols() == c.trajectory.q.cols());
+  for (const int column : c.columns) require(column >= 0 && column < c.params.T);
+  const bool finite = c.q.allFinite() && c.v.allFinite() && c.J.allFinite() &&
+                      c.contact.J.allFinite() && c.lcp.V.allFinite() && c.lcp.p.allFinite() &&
+                      c.state.q.allFinite() && c.trajectory.q.allFinite();
+  require(finite && std::isfinite(c.tolerance));
+}
+
+}  // namespace
+}  // namespace fuzz
+}  // namespace bounce
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string text(reinterpret_cast<const char*>(data), size);
+  std::istringstream file(text);
+  try {
+    const auto cases = bounce::tests::read_cases(file, bounce::fuzz::check_in(text), false);
+    for (const auto& c : cases) bounce::fuzz::require_whole(c);
+  } catch (const std::exception& refused) {
+    bounce::fuzz::require(refused.what()[0] != '\0');
+  }
+  return 0;
+}

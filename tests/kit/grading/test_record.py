@@ -1,0 +1,57 @@
+"""The record, whatever a submission says: valid JSON in UTF-8, printable, of bounded length."""
+
+import json
+from typing import Any
+
+from bounce_grader.common.escaping import LONGEST_NAME, LONGEST_TEXT
+from bounce_grader.common.manifest import parts
+from bounce_grader.grading import record
+from bounce_grader.grading.judging import Judged, Verdict
+from bounce_grader.grading.record import LONGEST_SENTENCE
+from bounce_grader.submission.submission import Submission
+from hypothesis import given
+from hypothesis import strategies as st
+from odd_texts import TEXTS
+
+PART = parts()[0]
+LONG = st.builds(lambda text, times: text * times, TEXTS, st.sampled_from([1, 1, 1, 5000]))
+
+
+def judged(message: str, status: str) -> Judged:
+    return Judged({check.id: Verdict(False, status, message) for check in PART.checks}, 0.5, "own")
+
+
+def written(part: dict[str, Any], names: tuple[str, ...]) -> dict[str, Any]:
+    """As ./kit grade --json writes it, and as a strict reader reads it."""
+    submission = Submission("x", {}, {}, {}, names)
+    whole = record.whole(submission, [part], "full", {"run": 1.0}, "", None)
+    data = json.dumps(whole, ensure_ascii=False, allow_nan=False).encode("utf-8")
+    read: dict[str, Any] = json.loads(data.decode("utf-8"))
+    assert read == whole
+    return read
+
+
+def check_texts(whole: dict[str, Any]) -> None:
+    part = whole["parts"][0]
+    assert part["message"].isprintable() and len(part["message"]) <= LONGEST_SENTENCE
+    for check in part["checks"]:
+        assert len(check["message"]) <= LONGEST_TEXT
+        assert check["message"].replace("\n", "").isprintable()
+    assert all(name.isprintable() and len(name) <= LONGEST_NAME for name in whole["ignored"])
+
+
+@given(LONG, st.lists(LONG, max_size=3), st.sampled_from(["graded", "crashed"]))
+def test_whatever_a_program_says_the_record_stays_json(
+    message: str, names: list[str], status: str
+) -> None:
+    check_texts(written(record.part_record(PART, judged(message, status)), tuple(names)))
+
+
+@given(LONG)
+def test_whatever_a_compiler_says_the_record_stays_json(message: str) -> None:
+    check_texts(written(record.failed_part(PART, "does_not_compile", message), ()))
+
+
+def test_how_a_program_ended_is_the_parts_message() -> None:
+    message = "1 of 1 cases wrong; the first: x\n  got      the program crashed"
+    assert record.part_record(PART, judged(message, "crashed"))["message"] == "the program crashed"

@@ -1,0 +1,309 @@
+"""Speed against accuracy: what the stopwatch can be told, and what it can't be made to believe.
+
+Times are CPU times and ratios of one run, so that these hold on a busy machine, too.
+"""
+
+import json
+import math
+import re
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import pytest
+from bounce_grader import formats
+from bounce_grader.common import escaping
+from bounce_grader.common.errors import KitError
+from bounce_grader.formats import speed_chart, terminal
+from bounce_grader.grading import speed
+from bounce_grader.grading.grade import grade, Options
+from bounce_grader.grading.speed import Point
+from conftest import ROOT, solution_files, write
+
+SIMULATE = solution_files()["part4_simulate.cpp"].decode()
+HEAD = "#include <bounce/part4_simulate.hpp>\n#include <map>\n#include <tuple>\n"
+SIGNATURE = "Trajectory simulate(const Vector3& q_0, const Vector3& v_0, const Parameters& params)"
+ACCEPTED = ROOT / "tests" / "submissions" / "accepted"
+ONE_CORNER = ["free_flight", "oblique_bounce", "pointed_drop", "projectile", "spin", "tumble"]
+
+
+def around(before: str, after: str = "return right;") -> bytes:
+    """The solution's simulate, called `honest`, and one that makes something of it."""
+    honest = SIMULATE.replace(" simulate(", " honest(")
+    body = f"{before} const Trajectory right = honest(q_0, v_0, params); {after}"
+    return f"{HEAD}{honest}\nnamespace bounce {{ {SIGNATURE} {{ {body} }} }}\n".encode()
+
+
+def alone(body: str) -> bytes:
+    return f"{HEAD}namespace bounce {{ {SIGNATURE} {{ {body} }} }}\n".encode()
+
+
+def graded(tmp_path: Path, part4: bytes | None = None) -> dict[str, Any]:
+    changes = {} if part4 is None else {"part4_simulate.cpp": part4}
+    folder = write(tmp_path / "submission", {**solution_files(), **changes})
+    return grade(folder, Options(speed=True))
+
+
+def timed(tmp_path: Path, part4: bytes | None = None) -> dict[str, Any]:
+    found: dict[str, Any] = graded(tmp_path, part4)["speed"]
+    return found
+
+
+def worst(found: dict[str, Any]) -> list[float | None]:
+    return [point.error for point in speed.curve(found, "submission")]
+
+
+# ---- what is measured ----
+
+
+def test_the_solution_is_as_exact_and_as_fast_as_itself(tmp_path: Path) -> None:
+    found = timed(tmp_path)
+    assert [scene["scene"] for scene in found["scenes"]] == ONE_CORNER
+    assert found["cut"] == "" and 0 < found["largest_error"] < 1e-9
+    for scene in found["scenes"]:
+        assert [p["error"] for p in scene["submission"]] == [p["error"] for p in scene["solution"]]
+        assert [p["dt"] for p in scene["submission"]] == pytest.approx(found["dt"], rel=0.3)
+    assert 0.5 < found["ratio"] < 2
+    times = {whose: speed.curve(found, whose)[-1].ns for whose in speed.CURVES}
+    assert times["least"] < times["solution"] / 2
+
+
+@pytest.mark.slow
+def test_the_error_falls_with_the_step_and_is_the_same_each_time(tmp_path: Path) -> None:
+    first, second = timed(tmp_path / "a"), timed(tmp_path / "b")
+    assert worst(first) == worst(second)
+    errors = [error or math.inf for error in worst(first)]
+    assert errors[-1] < errors[0] / 20 and errors[-1] < speed.FINE
+    for scene in first["scenes"]:
+        assert scene["least"][-1]["error"] <= scene["least"][0]["error"] + 1e-14  # rounding
+
+
+@pytest.mark.slow
+def test_who_does_everything_twice_takes_twice_as_long(tmp_path: Path) -> None:
+    found = timed(tmp_path, around("const Trajectory first = honest(q_0, v_0, params);"))
+    assert 1.4 < found["ratio"] < 3
+    assert worst(found) == [p.error for p in speed.curve(found, "solution")]
+
+
+# ---- what can't be pretended ----
+
+ZEROS = "return {Eigen::Matrix3Xd::Zero(3, params.T), Eigen::Matrix3Xd::Zero(3, params.T)};"
+# Two columns of three are the one before: a third of the work.
+EVERY_THIRD = "for (int i = 1; i < params.T; ++i) if (i % 3) mine.q.col(i) = mine.q.col(i - 1);"
+BUILT_FOR_SPEED = {
+    "zeros": f"#ifdef NDEBUG\n{ZEROS}\n#endif\n",
+    "zeros at small steps": f"#ifdef NDEBUG\nif (params.dt < 2e-4) {ZEROS}\n#endif\n",
+    "zeros after the first questions": f"""#ifdef NDEBUG
+        static int asked = 0; if (++asked > 40) {ZEROS}\n#endif\n""",
+    "another step": "#ifdef NDEBUG\nParameters other = params; other.mu *= 1 + 1e-6;\n"
+    "return honest(q_0, v_0, other);\n#endif\n",
+}
+
+
+@pytest.mark.parametrize("name", BUILT_FOR_SPEED)
+def test_what_answers_otherwise_built_for_speed_has_no_curve(tmp_path: Path, name: str) -> None:
+    record = graded(tmp_path, around(f"\n{BUILT_FOR_SPEED[name]}"))
+    assert record["score"] == record["max_score"]
+    assert set(record["speed"]) == {"otherwise", "largest_error"}
+    assert record["speed"]["otherwise"].startswith(f"{speed.OTHERWISE}: at dt = ")
+    for format in set(formats.NAMES) - {"junit"}:
+        text = formats.render(format, record, tmp_path)
+        assert speed.OTHERWISE[1:] in text.replace(escaping.ZERO_WIDTH_SPACE, ""), format
+    assert f"B{speed.OTHERWISE[1:]}" in str(terminal.lines(record))
+    [board] = json.loads(formats.render("gradescope", record, tmp_path))["leaderboard"][:-1]
+    assert board["name"] == "Points"
+
+
+def test_who_is_wrong_in_both_builds_is_timed_and_not_compared(tmp_path: Path) -> None:
+    """At the steps that the checks ask for it is right, and has all points."""
+    record = graded(tmp_path, around(f"if (params.dt < 2e-4) {ZEROS}"))
+    found = record["speed"]
+    assert record["score"] == record["max_score"]
+    assert "otherwise" not in found and "ratio" not in found and found["submission_ns"] > 0
+    assert len(worst(found)) == len(found["dt"])
+
+
+def test_columns_that_are_left_out_are_noticed(tmp_path: Path) -> None:
+    skipping = around("", f"Trajectory mine = right; {EVERY_THIRD} return mine;")
+    assert "ratio" not in timed(tmp_path, skipping)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    "name",
+    ["own_lcp_solver_by_enumeration", "contact_by_cases", "c_arrays_and_loops"]
+    + ["jacobian_by_complex_step", "corner_in_closed_form", "dynamic_matrices_and_lu"],
+)
+def test_who_rounds_otherwise_is_right(tmp_path: Path, name: str) -> None:
+    files = {f.relative_to(ACCEPTED / name).as_posix(): f for f in (ACCEPTED / name).rglob("*.?pp")}
+    changes = {file: path.read_bytes() for file, path in files.items()}
+    folder = write(tmp_path, {**solution_files(), **changes})
+    assert "ratio" in grade(folder, Options(speed=True))["speed"]
+
+
+def test_an_empty_loop_is_fast_and_known_by_its_error(tmp_path: Path) -> None:
+    record = graded(tmp_path, alone(ZEROS))
+    found = record["speed"]
+    assert found["submission_ns"] < found["solution_ns"] / 2 and "ratio" not in found
+    assert all(error and error > 1 for error in worst(found))
+    assert "doesn't get within 1 mm" in speed.sentences(found)[0]
+    assert "not compared as the answers aren't right" in str(terminal.lines(record))
+
+
+@pytest.mark.slow
+def test_an_answer_kept_from_before_is_wrong(tmp_path: Path) -> None:
+    key = "std::tuple(params.T, q_0(1), q_0(2), v_0(0), v_0(1), v_0(2))"
+    kept = f"""static std::map<std::tuple<int, double, double, double, double, double>, Trajectory>
+        known; if (auto k = known.find({key}); k != known.end()) return k->second;"""
+    found = timed(tmp_path, around(kept, f"return known[{key}] = right;"))
+    several_rounds = worst(found)[:-2]  # the finest steps take too long for a second round
+    assert all(error and error > 0.4 for error in several_rounds), worst(found)
+
+
+@pytest.mark.slow
+def test_numbers_that_are_none_are_said_to_be(tmp_path: Path) -> None:
+    spoilt = "Trajectory r = right; r.q.col(r.q.cols() - 1).setConstant(NAN); return r;"
+    found = timed(tmp_path, around("", spoilt))
+    assert set(worst(found)) == {None}
+    assert "somewhere not finite" in speed.sentences(found)[0]
+
+
+CONTACTS = solution_files()["part1_contacts.cpp"].decode()
+
+
+def far_away_where(condition: str) -> bytes:
+    """Part 1, with a height that is a million where the condition holds."""
+    honest = CONTACTS.replace(" get_contacts(", " honest(")
+    return f"""{honest}
+    namespace bounce {{ Contact get_contacts(const Vector3& q, const Parameters& params) {{
+    Contact contact = honest(q, params); if ({condition}) contact.phi = 1e6; return contact; }} }}
+    """.encode()
+
+
+def test_the_largest_error_tells_no_expected_number(tmp_path: Path) -> None:
+    checks = json.loads((ROOT / "fixtures" / "public" / "part1_contacts.json").read_text())[
+        "checks"
+    ]
+    public = [case for cases in checks.values() for case in cases]
+    hidden = " && ".join(f"q(0) != {case['input']['q'][0]!r}" for case in public)
+    for condition, most in ((hidden, 1e-9), ("true", 1e6)):
+        changes = {"part1_contacts.cpp": far_away_where(condition)}
+        folder = write(tmp_path / str(most), {**solution_files(), **changes})
+        record = grade(folder, Options(speed=True))
+        assert record["parts"][0]["score"] < record["parts"][0]["max_score"]
+        error = record["speed"]["largest_error"]
+        assert error <= most and error == float(f"{error:.1e}")
+
+
+# ---- limits ----
+
+
+CUT = {
+    "slow": (
+        around("volatile double x = 1; for (int i = 0; i < 40000 * params.T; ++i) x = x + 1;"),
+        "",
+    ),
+    "empty": (alone("return {};"), "3x0"),
+    "short": (
+        around("", "return {right.q.leftCols(std::max(1, params.T - 1)), right.v};"),
+        "both should be 3x",
+    ),
+    "crashes": (around("if (params.T > 5000) __builtin_trap();"), "crashed"),
+    "throws": (around('if (params.dt < 1e-3) throw std::runtime_error("<b>too small");'), "threw"),
+    "hangs": (around('while (params.T > 5000) asm volatile("");'), "CPU time"),
+}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", CUT)
+def test_who_goes_too_far_is_cut_and_loses_nothing_by_it(tmp_path: Path, name: str) -> None:
+    part4, reason = CUT[name]
+    record = graded(tmp_path, part4)
+    found = record["speed"]
+    assert re.match(r"at dt = [0-9.e-]+ s: ", found["cut"]), found
+    assert reason in found["cut"]
+    assert len(speed.curve(found, "solution")) == len(found["dt"])
+    assert len(speed.curve(found, "submission")) < len(found["dt"])
+    assert record["score"] == grade(tmp_path / "submission")["score"]
+    assert "<b>" not in speed_chart.page_section(found)
+    assert any("It was cut" in line for _, line in terminal.lines(record))
+
+
+def test_parts_that_do_not_run_together_are_not_timed(tmp_path: Path) -> None:
+    record = graded(tmp_path, b"no C++")
+    assert record["speed"] == {"largest_error": None}
+    assert "Speed: not measured (the parts don't run together)" in str(terminal.lines(record))
+    assert "Speed against accuracy" not in formats.render("html", record, tmp_path)
+
+
+# ---- what is said ----
+
+
+def found(*curves: Sequence[tuple[float, float, float | None]], cut: str = "") -> dict[str, Any]:
+    points = [[{"dt": d, "ns": n, "error": e} for d, n, e in curve] for curve in curves]
+    scene = {"scene": "s", "title": "S", "seconds": 0.5, **dict(zip(speed.CURVES, points))}
+    return {"dt": [1e-2, 1e-3, 1e-4], "scenes": [scene], "cut": cut}
+
+
+RIGHT = [(1e-2, 2e4, 0.05), (1e-3, 2e5, 5e-3), (1e-4, 2e6, 5e-4)]
+LEAST = [(1e-2, 1e3, 0.01), (1e-3, 1e4, 5e-4)]
+
+
+def test_the_sentence_says_when_a_millimetre_is_reached_and_what_that_costs() -> None:
+    mine = [(dt, 3 * ns, error) for dt, ns, error in RIGHT]
+    said = speed.sentences(found(mine, RIGHT, LEAST))
+    assert said == [
+        "Your program is within 1 mm of the exact motion from dt = 100 \N{MICRO SIGN}s on, and then takes "
+        "6 ms for a second of motion, 3 times the solution's time; no more model than each step "
+        "needs does that in 10 \N{MICRO SIGN}s."
+    ]
+
+
+def test_the_sentence_says_when_it_never_is() -> None:
+    stuck = [(dt, ns, 0.02) for dt, ns, _ in RIGHT]
+    assert speed.sentences(found(stuck, RIGHT, LEAST, cut="at dt = 1e-05 s: x")) == [
+        "Your program doesn't get within 1 mm: at dt = 100 \N{MICRO SIGN}s it is still off by 20 mm; "
+        "the solution does at dt = 100 \N{MICRO SIGN}s.",
+        "It was cut at dt = 1e-05 s: x.",
+    ]
+
+
+def test_a_scene_that_was_cut_ends_the_curve_of_all() -> None:
+    made = found(RIGHT, RIGHT, LEAST)
+    made["scenes"].append({**made["scenes"][0], "seconds": 1.5})
+    made["scenes"][1]["submission"] = made["scenes"][1]["submission"][:2]
+    curve = speed.curve(made, "submission")
+    assert curve == [Point(1e-2, 2e4, 0.05), Point(1e-3, 2e5, 5e-3)]
+
+
+@pytest.mark.parametrize(
+    "spoil",
+    [b"{}", b"[]", b"x", b'{"dt":[NaN],"scenes":[],"cut":""}', b'{"dt":[0],"scenes":[],"cut":""}']
+    + [b'{"dt":[],"scenes":[],"cut":""}', b'{"dt":[],"scenes":[],"cut":"","right":1}']
+    + [b'{"otherwise":1}']
+    + [b'{"dt":[],"scenes":[{}],"cut":""}', b'{"dt":[],"scenes":[],"cut":1}']
+    + [b'{"dt":[1e200],"scenes":[],"cut":""}', b'{"dt":[1%s],"scenes":[],"cut":""}' % (b"0" * 400)],
+)
+def test_what_is_no_answer_is_the_kits_failure(spoil: bytes) -> None:
+    with pytest.raises(KitError):
+        speed.read(spoil)
+
+
+def test_an_error_beyond_all_bounds_is_none() -> None:
+    point = {"dt": 0.1, "ns": 1.0, "error": 1e200}
+    curves = {curve: [point] for curve in speed.CURVES}
+    scene = {"scene": "drop", "title": "Drop", "seconds": 1.0, **curves}
+    found = speed.read(
+        json.dumps({"dt": [0.1], "scenes": [scene], "cut": "", "right": True}).encode()
+    )
+    assert speed.curve(found, "submission") == [Point(0.1, 1.0, None)]
+
+
+def test_the_chart_is_told_apart_without_colour() -> None:
+    drawn = speed_chart.page_section(found(RIGHT, RIGHT, LEAST))
+    dashes = set(re.findall(r'stroke-dasharray="([^"]*)"', drawn))
+    assert set(filter(None, speed_chart.DASHES.values())) < dashes
+    assert len(set(speed_chart.DASHES.values())) == 3
+    assert not re.findall(r"#[0-9a-f]{3,6}\b", drawn)
+    assert drawn.count("<title>yours, dt = 10 ms: 50 mm in 20") == 2  # whole, and its one scene
+    json.dumps(found(RIGHT, RIGHT, LEAST))

@@ -1,0 +1,161 @@
+// How a program ended, in words.
+#include "../../../grader/judge/ending.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+
+#include <csignal>
+#include <string>
+
+#include "../../../grader/runner/crash.hpp"
+
+namespace bounce::tests {
+namespace {
+
+using judge::Ending;
+
+Ending by_signal(int signal, const std::string& print = "") {
+  return judge::ending_of(W_EXITCODE(0, signal), judge::Limits(), print);
+}
+
+Ending by_exit(int status) { return judge::ending_of(W_EXITCODE(status, 0), judge::Limits(), ""); }
+
+std::string cause(const std::string& words) { return "\n" + (runner::kCause + words) + "\n"; }
+
+void expect(const Ending& ending, const std::string& status, const std::string& words) {
+  EXPECT_EQ(ending.status, status);
+  EXPECT_NE(ending.sentence.find(words), std::string::npos) << ending.sentence;
+  EXPECT_EQ(ending.sentence.find('\n'), std::string::npos) << ending.sentence;
+}
+
+TEST(Ending, EachSignalHasWordsOfItsOwn) {
+  expect(by_signal(SIGSEGV), "crashed", "segmentation fault");
+  expect(by_signal(SIGABRT), "crashed", "aborted");
+  expect(by_signal(SIGFPE), "crashed", "integer division by zero");
+  expect(by_signal(SIGILL), "crashed", "a function that returns no value");
+  expect(by_signal(SIGBUS), "crashed", "bus error");
+  expect(by_signal(SIGTRAP), "crashed", "trap");
+  expect(by_signal(SIGXFSZ), "crashed", "write a file");
+  expect(by_signal(SIGKILL), "crashed",
+         "killed: by itself, or by the system for want of memory or time");
+  expect(by_signal(SIGXCPU), "timed_out", "more than 1 s of CPU time");
+  expect(by_signal(SIGTERM), "crashed", "signal SIGTERM, which it sent itself");
+  expect(by_signal(SIGALRM), "crashed", "signal SIGALRM");
+  expect(by_signal(SIGRTMIN + 1), "crashed", "signal " + std::to_string(SIGRTMIN + 1));
+}
+
+TEST(Ending, TellsASignalThroughABoxAsWell) {
+  for (const int signal : {SIGSEGV, SIGABRT, SIGXCPU, SIGSYS, SIGKILL}) {
+    EXPECT_EQ(by_exit(128 + signal).sentence, by_signal(signal).sentence);
+    EXPECT_EQ(by_exit(128 + signal).status, by_signal(signal).status);
+  }
+}
+
+TEST(Ending, NamesWhatASanitizerFound) {
+  const auto found = [](const std::string& kind) {
+    return by_signal(SIGABRT, cause(runner::kFound + kind));
+  };
+  expect(found("stack-use-after-scope"), "crashed", "a variable that is gone");
+  expect(found("out-of-bounds-index"), "crashed", "out of the bounds of a C array");
+}
+
+TEST(Ending, RepeatsNothingThatIsNoNameOfASanitizers) {
+  const Ending ending = by_signal(SIGABRT, cause(std::string(runner::kFound) + "SECRET=1"));
+  expect(ending, "crashed", "aborted");
+  EXPECT_EQ(ending.sentence.find("SECRET"), std::string::npos);
+}
+
+TEST(Ending, ExitIsNoAnswer) {
+  expect(by_exit(0), "no_answer", "ended by itself (exit status 0)");
+  expect(by_exit(3), "no_answer", "ended by itself (exit status 3)");
+  expect(by_exit(255), "no_answer", "ended by itself (exit status 255)");
+}
+
+TEST(Ending, NamesWhyASegmentationFaultCame) {
+  expect(by_signal(SIGSEGV, cause(runner::kNull)), "crashed", "fault: it followed a null pointer");
+  expect(by_signal(SIGSEGV, cause(runner::kFullStack)), "crashed",
+         "its stack is full: a recursion without end");
+  expect(by_signal(SIGSEGV, cause(runner::kUnknown)), "crashed", "an index out of range");
+}
+
+TEST(Ending, TellsADivisionByZeroFromATrapThatWasAskedFor) {
+  expect(by_signal(SIGFPE, cause(runner::kDivision)), "crashed", "integer division by zero");
+  expect(by_signal(SIGFPE, cause(runner::kFloat)), "crashed", "asked to be ended by inexact");
+}
+
+TEST(Ending, NamesTheRefusedCall) {
+  const auto call = [](long number) {
+    return by_signal(SIGSYS, cause(runner::kCall + std::to_string(number)));
+  };
+  expect(call(SYS_socket), "crashed", "isn't given: a connection (socket)");
+  expect(call(SYS_clone), "crashed", "isn't given: another process or thread (clone)");
+  expect(call(SYS_ptrace), "crashed", "isn't given: another process's memory (ptrace)");
+  expect(call(4000), "crashed", "isn't given: system call 4000");
+  expect(by_signal(SIGSYS), "crashed", "isn't given: a process, a thread, a file, a connection");
+}
+
+TEST(Ending, NamesAnAssertion) {
+  expect(by_signal(SIGABRT,
+                   "runner: /usr/include/eigen3/Eigen/src/Core/DenseCoeffsBase.h:366: Scalar& f() "
+                   "[with T = int]: Assertion `index >= 0 && index < size()' failed.\n"),
+         "crashed",
+         "(DenseCoeffsBase.h:366): index >= 0 && index < size(); an index or a size is out of "
+         "range");
+  expect(by_signal(SIGABRT,
+                   "/usr/include/c++/12/bits/stl_vector.h:1123: reference "
+                   "std::vector<double>::operator[](size_type): Assertion '__n < "
+                   "this->size()' failed.\n" +
+                       cause(runner::kUnknown)),
+         "crashed", "(stl_vector.h:1123): __n < this->size(); an index");
+  expect(by_signal(SIGABRT, "runner: part1.cpp:7: void f(): Assertion `mass > 0' failed."),
+         "crashed", "an assertion failed (part1.cpp:7): mass > 0");
+}
+
+TEST(Ending, NamesAnExceptionThatNothingCaught) {
+  expect(by_signal(SIGABRT,
+                   "hello\nterminate called after throwing an instance of "
+                   "'std::out_of_range'\n  what():  vector::_M_range_check\n" +
+                       cause(runner::kUnknown)),
+         "crashed", "std::out_of_range: vector::_M_range_check");
+  expect(by_signal(SIGABRT, "terminate called after throwing an instance of 'int'\n"), "crashed",
+         "threw where nothing catches it");
+}
+
+TEST(Ending, NamesMemoryThatRanOutBeforeMain) {
+  expect(by_signal(SIGABRT,
+                   "terminate called after throwing an instance of 'std::bad_alloc'\n"
+                   "  what():  std::bad_alloc\n"),
+         "out_of_memory", "ran out of memory (1024 MB)");
+}
+
+TEST(Ending, NamesMemoryThatWasFreedTwice) {
+  expect(by_signal(SIGABRT, "free(): double free detected in tcache 2\n" + cause("unknown")),
+         "crashed", "freed some twice (free(): double free detected in tcache 2)");
+}
+
+TEST(Ending, KeepsTheStackOfACrashAlone) {
+  const std::string stack = "stack of the crash: 0x0000000000401000 0x0000000000402000\n";
+  EXPECT_EQ(by_signal(SIGSEGV, stack).stack, " 0x0000000000401000 0x0000000000402000");
+  EXPECT_EQ(by_signal(SIGSEGV, "stack of the crash: -e /etc/passwd\n").stack, "");
+  EXPECT_EQ(by_signal(SIGXCPU, stack).stack, "");
+}
+
+// What a program prints decides about words, and must not cost the judge its time or its stack.
+TEST(Ending, OutlivesAnyPrint) {
+  const std::string tall(16 * 1024, ':');
+  const std::string wide = "a.b:1: " + std::string(16 * 1024, '`');
+  for (const std::string& print :
+       {tall, wide, ": Assertion " + tall, wide + ": Assertion " + wide + "' failed",
+        std::string(": Assertion "),
+        std::string("terminate called after throwing an instance of '"),
+        std::string("\0\0: Assertion \0", 16), "\x1b[2J" + tall}) {
+    const Ending ending = by_signal(SIGABRT, print);
+    EXPECT_EQ(ending.status, "crashed");
+    EXPECT_LT(ending.sentence.size(), 800u);
+    EXPECT_EQ(ending.sentence.find('\x1b'), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace bounce::tests

@@ -1,0 +1,168 @@
+"""The boxes hold what they promise; and the probe that says so can do, outside, what it tries."""
+
+import os
+import secrets
+import subprocess
+import sys
+from contextlib import suppress
+from pathlib import Path
+
+import pytest
+from bounce_grader.common.errors import KitError
+from bounce_grader.common.paths import RUNNER
+from bounce_grader.develop import doctor
+from bounce_grader.grading import grade
+from bounce_grader.sandbox import box as boxes, processes
+from bounce_grader.sandbox.box import Box
+from conftest import ROOT
+from waiting import wait_for
+
+# What the probe tries, and how it looks where nothing holds it: without a box.
+ATTEMPTS = [
+    ["read", "/etc/passwd"],
+    ["read", f"/proc/{os.getpid()}/environ"],
+    ["write", "/dev/null"],
+    ["environment", "PATH"],
+    ["environments", "a-", "canary"],
+    ["command-lines", "a-", "canary"],
+    ["memories", "a-", "canary"],
+    ["first-process"],
+    ["descriptors", "0"],
+    ["signal", str(os.getpid())],
+    ["processes", "100"],
+    ["allocate", "100"],
+    ["daemon", "a-word"],
+    ["flood", "1"],
+]
+
+
+@pytest.mark.parametrize("words", ATTEMPTS, ids=lambda words: words[0])
+def test_without_a_box_the_probe_can_do_it(words: list[str], tmp_path: Path) -> None:
+    """Else a doctor who finds that it couldn't would have said nothing."""
+    above = [*doctor.ABOVE, "a-canary"]
+    could, said = doctor.attempt(Box("none"), "compile", tmp_path, words, above)
+    assert could and words[0] in said or words[0] == "flood", said
+
+
+def test_the_doctor_finds_that_everything_holds() -> None:
+    found = doctor.findings()
+    assert len(found) >= 95
+    assert not [f for f in found if not f.held]
+
+
+def test_it_holds_for_an_ordinary_user_too() -> None:
+    if os.geteuid() != 0:
+        pytest.skip("only root can become somebody else; the other test is an ordinary user's")
+    if any(not folder.stat().st_mode & 0o001 for folder in ROOT.parents):
+        pytest.skip("the kit lies where others can't go")
+    program = ["/usr/bin/setpriv", "--reuid=65534", "--regid=65534", "--clear-groups"]
+    done = subprocess.run(
+        [*program, sys.executable, "-m", "bounce_grader", "doctor"],
+        env={"PATH": "/usr/bin", "HOME": "/nonexistent", "PYTHONPATH": str(ROOT / "grader")},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 0 and "NO" not in done.stdout, done.stdout + done.stderr
+
+
+def test_a_protection_that_fails_is_said(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    failing = doctor.Protection("says nothing", [["flood", "0"]], ("compile",))
+    monkeypatch.setattr(doctor, "_protections", lambda *bait: [failing])
+    assert doctor.run() == 1
+    assert "full compile: says nothing: NO: could: flood" in capsys.readouterr().out
+
+
+@pytest.fixture(name="tries")
+def _tries(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> list[str]:
+    """The kinds of boxes that were tried out, in a kit that has tried none before."""
+    tried: list[str] = []
+
+    def hold(box: Box) -> str | None:
+        tried.append(box.kind)
+        return "it has no floor" if box.kind == "full" else None
+
+    monkeypatch.setattr(boxes, "problem_of", hold)
+    monkeypatch.setattr(boxes, "BUILD", tmp_path)
+    return tried
+
+
+def test_a_box_that_held_is_not_tried_again_and_one_that_did_not_is(tries: list[str]) -> None:
+    assert [boxes.choose().kind, boxes.choose().kind] == ["reduced", "reduced"]
+    assert tries == ["full", "reduced", "full"]
+
+
+def test_what_held_with_other_programs_or_users_says_nothing(
+    tries: list[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    boxes.choose(["reduced"])
+    (tmp_path / "enter").touch()
+    monkeypatch.setattr(boxes, "ENTER", tmp_path / "enter")
+    boxes.choose(["reduced"])
+    monkeypatch.setattr(os, "geteuid", lambda: 4711)
+    boxes.choose(["reduced"])
+    assert tries == ["reduced"] * 3
+
+
+def test_a_box_that_stops_holding_is_the_kits_fault_and_tried_anew(
+    tries: list[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    """Nobody gets a zero because of what held yesterday."""
+    (tmp_path / "q").mkdir()
+    (tmp_path / "q" / "part1_contacts.cpp").write_text("this is no C++\n")
+    boxes.choose(["reduced"])
+    monkeypatch.setattr(boxes, "problem_of", lambda box: "it has lost its floor")
+    with pytest.raises(KitError, match="it has lost its floor"):
+        grade.grade(tmp_path / "q", grade.Options(boxes=("reduced",)))
+    monkeypatch.undo()
+    monkeypatch.setattr(boxes, "BUILD", tmp_path)
+    assert not list((tmp_path / "boxes").iterdir()) and len(tries) == 1
+
+
+def test_a_reduced_box_that_is_stopped_leaves_nothing() -> None:
+    """Neither what it has written nor a process."""
+    before = set(Path("/tmp").glob("bounce-box-*"))
+    limits = processes.Limits(cpu_seconds=5, wall_seconds=1, memory=1 << 30, file_size=1 << 20)
+    busy = 'echo x >"$TMPDIR/left"; cat "$TMPDIR/left"; while :; do :; done'
+    command = [*Box("reduced").to_build(RUNNER, [], ("sh", "cat")), "/bin/sh", "-c", busy]
+    result = processes.run(command, limits)
+    assert result.too_long and result.out == b"x\n"
+    assert set(Path("/tmp").glob("bounce-box-*")) <= before
+
+
+ENDLESS = """
+import sys
+from bounce_grader.common.paths import RUNNER
+from bounce_grader.sandbox import processes
+from bounce_grader.sandbox.box import Box
+limits = processes.Limits(cpu_seconds=20, wall_seconds=60, memory=1 << 30, file_size=0)
+command = [*Box(sys.argv[1]).to_build(RUNNER, [], ("sh",)), "/bin/sh", "-c", sys.argv[2]]
+processes.run(command, limits)
+"""
+SOON = 10  # s: half of what it would take by itself
+
+
+@pytest.mark.parametrize("kind", ["full", "reduced"])
+def test_a_compiler_ends_with_a_kit_that_is_killed(kind: str) -> None:
+    busy = f"while :; do :; done # {secrets.token_hex(8)}"
+    before = set(Path("/tmp").glob("bounce-box-*"))
+    kit = subprocess.Popen(
+        [sys.executable, "-c", ENDLESS, kind, busy], env={"PYTHONPATH": str(ROOT / "grader")}
+    )
+
+    def is_busy() -> bool:
+        return any(_command(p) == ["/bin/sh", "-c", busy] for p in Path("/proc").glob("[0-9]*"))
+
+    wait_for(is_busy, SOON)
+    kit.kill()
+    kit.wait()
+    wait_for(lambda: not is_busy(), SOON)
+    wait_for(lambda: set(Path("/tmp").glob("bounce-box-*")) <= before, SOON)
+
+
+def _command(process: Path) -> list[str]:
+    with suppress(OSError):
+        return (process / "cmdline").read_bytes().decode(errors="replace").split("\0")[:-1]
+    return []

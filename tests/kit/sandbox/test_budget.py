@@ -1,0 +1,93 @@
+"""What a grading may take as a whole, and what becomes of the parts that are left."""
+
+import time
+from pathlib import Path
+from typing import Any
+
+import hostile
+import pytest
+from bounce_grader.build import object_cache
+from bounce_grader.common.manifest import parts
+from bounce_grader.grading import judging
+from bounce_grader.grading.grade import grade as grade_path, Options
+from bounce_grader.sandbox import budget
+from bounce_grader.sandbox.budget import Budget, Overrun
+from bounce_grader.sandbox.processes import Limits
+from bounce_grader.submission.submission import read
+from conftest import SOLUTION, Grade, points, solution_files, write
+
+LIMITS = Limits(cpu_seconds=10, wall_seconds=60, memory=None, file_size=0)
+
+
+def test_less_is_allowed_where_less_is_left() -> None:
+    assert Budget(100, 100).within(LIMITS) == LIMITS
+    assert budget.UNLIMITED.within(LIMITS) == LIMITS
+    short = Budget(2, 3).within(LIMITS)
+    assert short.cpu_seconds <= 3 and short.wall_seconds < 4
+    with pytest.raises(Overrun, match="0 s of CPU time"):
+        Budget(0, 100).within(LIMITS)
+    with pytest.raises(Overrun, match="taken its 0 s"):
+        Budget(100, 0).within(LIMITS)
+
+
+def test_what_we_use_ourselves_counts() -> None:
+    mine = Budget(0.05, 100)
+    end = time.process_time() + 0.1
+    while time.process_time() < end:
+        pass
+    with pytest.raises(Overrun):
+        mine.require()
+
+
+def test_a_grading_without_time_says_so_of_every_part() -> None:
+    record = grade_path(SOLUTION, Options(wall_seconds=0))
+    assert record["score"] == 0
+    assert all("the grading as a whole had taken its 0 s" in p["message"] for p in record["parts"])
+
+
+def test_points_earned_stay_when_the_time_is_up(
+    grade: Grade, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    judge = judging.judge
+
+    def no_time_for_part_three(part: Any, *others: Any, **more: Any) -> judging.Judged:
+        if part.number == 3:
+            raise Overrun("the grading as a whole had taken its 120 s")
+        return judge(part, *others, **more)
+
+    monkeypatch.setattr(judging, "judge", no_time_for_part_three)
+    record = grade({})
+    assert points(record) == [30, 30, 0, 10]
+    assert record["parts"][2]["status"] == "timed_out"
+    assert "had taken its 120 s" in record["parts"][2]["message"]
+
+
+def test_the_judge_keeps_to_what_is_left(tmp_path: Path) -> None:
+    """Though each answer takes half of what a runner may take, and the next runner begins anew."""
+    works = "#include <ctime>\n#include <cstdlib>\nstatic void attack() "
+    works += "{ while (clock() < CLOCKS_PER_SEC / 2) {} abort(); }"
+    write(tmp_path, {part.file: hostile.part(part.number, works) for part in parts()})
+    record = grade_path(tmp_path, Options(cpu_seconds=4))
+    assert record["score"] == 0
+    assert "whole" in record["parts"][3]["message"], record["parts"][3]
+    assert record["seconds"]["total"] < 30  # and not the 60 that the runners could take
+
+
+def test_names_are_looked_for_once_however_many_helpers_there_are(tmp_path: Path) -> None:
+    """And in time that grows with the text, not with its square."""
+    helpers = {f"{'a' * 200}{n}.cpp": b"a" * 80_000 for n in range(90)}
+    taken = read(write(tmp_path, {**solution_files(), **helpers}))
+    start = time.process_time()
+    assert object_cache.named_sources(taken) == frozenset()
+    assert time.process_time() - start < 20  # some 0.3 s; 200 s when each was searched for each
+
+
+def test_a_source_that_is_named_is_needed(tmp_path: Path) -> None:
+    files = {"part1_contacts.cpp": b'#include "sub/a b.cpp"\n', "sub/a b.cpp": b"", "c.cpp": b""}
+    taken = read(write(tmp_path, files))
+    named = object_cache.named_sources(taken)
+    assert named == {"sub/a b.cpp"}
+    assert object_cache.needed("part1_contacts.cpp", taken, named) == [
+        "part1_contacts.cpp",
+        "sub/a b.cpp",
+    ]

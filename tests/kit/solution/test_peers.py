@@ -1,0 +1,251 @@
+"""The engines beside our methods: the page and its data hold, and each engine that is installed does
+what its settings say."""
+
+import json
+import math
+import re
+import subprocess
+import sys
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from bounce_grader.common.paths import FIXTURES, ROOT
+from bounce_study import peers, peers_data, peers_page, tables
+from studies import STUDIES
+
+COLUMNS = re.compile(r"Table table\(\{([^}]*)\}")
+GRAVITY = 9.81
+
+
+@pytest.fixture(scope="module")
+def data() -> peers_data.Data:
+    return peers_data.read(STUDIES)
+
+
+# --- the page and the tables beside it ---
+
+
+def test_the_page_is_what_the_tables_give() -> None:
+    assert (STUDIES / "peers.md").read_text() == peers_page.page(STUDIES)
+
+
+def test_the_template_has_no_number_of_its_own() -> None:
+    text = peers_page.TEMPLATE.read_text()
+    text = re.sub(r"\{[a-z_]+\}|`[^`]*`|eqs?\. \(\d+\)( and \(\d+\))?|Box2D", "", text)
+    assert re.findall(r".*\d.*", text) == []
+
+
+def test_engines_that_are_not_installed_are_left_out(data: peers_data.Data) -> None:
+    variants = [row for row in data.variants if not row["engine"].startswith(("ode", "dart"))]
+    facts = peers_page.facts_of(replace(data, variants=variants, lcp=[]))
+    assert facts["dantzig_sentence"] == "" and "MuJoCo stays" in facts["soft_sentence"]
+    assert facts["lcp_sentence"] == "Siconos was not installed."
+
+
+def test_a_scene_where_an_engine_is_ahead_is_named(data: peers_data.Data) -> None:
+    ahead = [{**r, "times": "0.9"} if r["scene"] == "spin" else r for r in data.ratios]
+    sentence = peers_page.facts_of(replace(data, ratios=ahead))["lead_sentence"]
+    assert sentence == "in spin; in the others some method of ours is faster."
+
+
+def test_names_with_settings_stand_in_sentences(data: peers_data.Data) -> None:
+    assert data.name("chipmunk") == "Chipmunk"
+    assert data.name("ode_dantzig") == "ODE (dWorldStep)"
+
+
+def test_peers_have_the_columns_of_speed_accuracy() -> None:
+    source = (ROOT / "solution" / "study" / "speed_accuracy.cpp").read_text()
+    table = COLUMNS.search(source)
+    assert table
+    columns = re.findall(r'"(\w+)"', table[1])
+    for name in ("peers", "peers_beside"):
+        found = list(tables.read(STUDIES / f"{name}.csv").rows[0])
+        assert [column for column in found if "quartile" not in column] == [
+            column for column in columns if "quartile" not in column
+        ]
+
+
+def test_every_engine_and_numpy_ran_every_scene(data: peers_data.Data) -> None:
+    scenes = {file.stem for file in (FIXTURES / "scenes").glob("*.json")}
+    names = {"chipmunk", "box2d", "ode", "bullet", "mujoco", "dart", "numpy"}
+    assert {(p.scene, p.method) for p in data.peers} == {(s, n) for s in scenes for n in names}
+
+
+def test_in_each_scene_a_method_of_ours_lies_left_of_and_below_every_engine(
+    data: peers_data.Data,
+) -> None:
+    for scene in data.scenes:
+        assert peers_data.lead(data, scene).lower > 1, scene
+        for tolerance in (1e-3, 1e-6):
+            ours = peers_data.least_time(data.ours, scene, tolerance)
+            theirs = peers_data.least_time(data.peers, scene, tolerance)
+            assert ours and (theirs is None or ours.ns < theirs.ns), (scene, tolerance)
+
+
+def test_a_contact_step_is_thirty_times_as_fast_as_the_fastest_engine(
+    data: peers_data.Data,
+) -> None:
+    contact = {row["engine"]: float(row["ratio"]) for row in data.steps if row["kind"] == "contact"}
+    assert contact.pop("numpy") >= 1500
+    assert contact.pop("assignment_fast") == 1
+    assert contact.pop("assignment") >= 2
+    assert min(contact.values()) >= 30
+
+
+def test_a_step_of_ours_keeps_its_share_of_the_plain_one(data: peers_data.Data) -> None:
+    """Contact, flight and LCP: 12, 3 and 6 where a plain contact step takes 24."""
+    ns = {(row["engine"], row["kind"]): float(row["ns_per_step"]) for row in data.steps}
+    plain = ns["assignment", "contact"]
+    assert ns["assignment_fast", "contact"] <= plain * 12 / 24
+    assert ns["assignment_fast", "flight"] <= plain * 3 / 24
+    assert float(data.lcp[0]["ns_per_lcp"]) <= plain * 6 / 24
+
+
+def test_numpy_is_the_assignments_scheme(data: peers_data.Data) -> None:
+    ours = {(p.scene, p.dt): p.error for p in data.ours if p.method == "assignment"}
+    scenes = ("free_flight", "oblique_bounce", "pointed_drop", "projectile", "spin")
+    theirs = [p for p in data.peers if p.method == "numpy" and p.scene in scenes]
+    assert {point.scene for point in theirs} == set(scenes)
+    for point in theirs:
+        assert point.error == pytest.approx(ours[point.scene, point.dt], rel=1e-4), point
+
+
+# --- engines that are installed ---
+
+
+def scene(name: str, **changes: Any) -> dict[str, Any]:
+    params = {"l": 0.5, "m": 2, "mu": 0.4, "epsilon": 0.8, "g": [0, -GRAVITY, 0]}
+    params |= {"dt": 0.01, "delta": 0.001, "T": 2}
+    return {
+        "name": name,
+        "title": name,
+        "params": params | changes.pop("params", {}),
+        "q": [0, 3, 0.3],
+        "v": [1, 1, 2],
+        "compare": {"quantity": "pose", "until": 0.5},
+        "least_model": "ballistic",
+        "why": "a test",
+        **changes,
+    }
+
+
+SCENES = (
+    scene("flight"),
+    scene("tilted", params={"g": [2, -5, 0]}),
+    scene("bounce", params={"mu": 0}, q=[0, 0.75, 0], v=[0, 0, 0]),
+    scene("friction", q=[0, 0.25, 0], v=[3, 0, 0]),
+    scene("heavy", params={"m": 20, "mu": 0.2}, q=[0, 0.25, 0], v=[-3, 0, 0]),
+)
+
+
+@pytest.fixture(scope="module")
+def errors(tmp_path_factory: pytest.TempPathFactory) -> dict[tuple[str, str], list[float]]:
+    """By scene and engine, for steps of 0.01, 0.003 and 0.001 s."""
+    if not peers.PROGRAM.exists():
+        pytest.skip("no engines are built here: run ./kit study --peers")
+    folder = tmp_path_factory.mktemp("peers")
+    for each in SCENES:
+        (folder / f"{each['name']}.json").write_text(json.dumps(each))
+    program = [str(peers.PROGRAM), str(folder), str(peers.STEPS), str(folder / "out"), "--quick"]
+    subprocess.run(program, check=True, capture_output=True)
+    found: dict[tuple[str, str], list[float]] = {}
+    for row in tables.read(folder / "out" / "peers.csv").rows:
+        found.setdefault((row["scene"], row["method"]), []).append(float(row["error_m"]))
+    return found
+
+
+@pytest.mark.parametrize("name, g", [("flight", GRAVITY), ("tilted", math.hypot(2, 5))])
+def test_free_flight_has_eulers_error(
+    errors: dict[tuple[str, str], list[float]], name: str, g: float
+) -> None:
+    """Either symplectic Euler is off the parabola by g t dt / 2, and by nothing else."""
+    steps = [0.5 / 20 / max(1, round(0.5 / 20 / dt + 1e-9)) for dt in (1e-2, 3e-3, 1e-3)]
+    for engine in engines(errors):
+        for dt, error in zip(steps, errors[name, engine]):
+            # Box2D computes with floats
+            assert error == pytest.approx(g * 0.5 * dt / 2, rel=0.01, abs=2e-5), (engine, dt)
+
+
+def test_restitution_and_friction_mean_the_same(
+    errors: dict[tuple[str, str], list[float]],
+) -> None:
+    """A restitution that is off by 0.05, or friction by 0.02, would be 3 cm off or more."""
+    for engine in engines(errors):
+        soft = engine == "mujoco"
+        assert errors["bounce", engine][-1] < (0.05 if soft else 0.01), engine
+        assert errors["friction", engine][-1] < 0.004, engine
+        assert errors["heavy", engine][-1] < 0.004, engine
+
+
+def test_all_but_the_soft_one_converge(errors: dict[tuple[str, str], list[float]]) -> None:
+    for engine in engines(errors):
+        for each in SCENES:
+            coarse, _, fine = errors[each["name"], engine]
+            assert fine < coarse / 3 or engine == "mujoco", (engine, each["name"])
+
+
+def engines(errors: dict[tuple[str, str], list[float]]) -> list[str]:
+    """Without numpy, which is no engine, but the assignment's scheme."""
+    return sorted({engine for _, engine in errors} - {"numpy"})
+
+
+def test_the_program_says_how_it_is_called(tmp_path: Path) -> None:
+    if not peers.PROGRAM.exists():
+        pytest.skip("no engines are built here: run ./kit study --peers")
+    wrong = subprocess.run([str(peers.PROGRAM), "a", "b"], capture_output=True, text=True)
+    assert wrong.returncode == 2 and wrong.stderr.startswith("usage: bounce_peers")
+    missing = subprocess.run(
+        [str(peers.PROGRAM), str(tmp_path / "none"), str(peers.STEPS), str(tmp_path / "out")],
+        capture_output=True,
+        text=True,
+    )
+    assert missing.returncode == 2 and "is no folder of scenes" in missing.stderr
+
+
+# --- the assignment in numpy ---
+
+
+def test_numpy_falls_with_eulers_error() -> None:
+    pytest.importorskip("numpy", reason="python3-numpy is not installed: run ./kit study --peers")
+    t, dt = 0.5, 0.01
+    line = f"0.5 2 0.4 0.8 0.001 0 {-GRAVITY} 0  0 3 0.3 1 1 2  {dt} 5 10 3\n"
+    done = subprocess.run(
+        [sys.executable, str(peers.NUMPY)],
+        input=line * 2,
+        capture_output=True,
+        check=True,
+        text=True,
+    )
+    version, *answers = done.stdout.splitlines()
+    assert re.match(r"\d+\.\d+", version) and len(answers) == 2
+    for answer in answers:
+        ns, *poses = map(float, answer.split())
+        assert ns > 0 and len(poses) == 30
+        x, y, theta = poses[-3:]
+        assert (x, theta) == pytest.approx((t, 0.3 + 2 * t))
+        assert y == pytest.approx(3 + t - GRAVITY * t * t / 2 - GRAVITY * t * dt / 2)
+
+
+# --- how ratios are taken ---
+
+
+def test_ratios_are_to_ours_of_the_same_rounds(data: peers_data.Data) -> None:
+    ns = {(p.scene, p.method, p.dt): p.ns for p in [*data.peers, *data.ours]}
+    errors = {(p.scene, p.method, p.dt): p.error for p in [*data.peers, *data.ours]}
+    for row in data.ratios:
+        times, lower, upper = (float(row[name]) for name in peers_data.RATIO)
+        assert lower <= times <= upper, row
+        engine = (row["scene"], row["engine"], float(row["engine_dt_s"]))
+        ours = (row["scene"], row["ours"], float(row["ours_setting"]))
+        assert errors[engine] <= float(row["error_m"]) >= errors[ours]
+        assert lower / 3 <= ns[engine] / ns[ours] <= 3 * upper, "the medians are of the same size"
+
+
+def test_variants_are_swept_over_the_step(data: peers_data.Data) -> None:
+    scenes = {row["scene"] for row in data.variants}
+    for scene in scenes:
+        for engine in {row["engine"] for row in data.variants}:
+            assert len(data.variant_errors(scene, engine)) >= 3

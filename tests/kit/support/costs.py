@@ -1,0 +1,54 @@
+"""python -m costs: what each mistake of the gallery costs, the dearest first, part by part.
+
+Read it when points or cases change: mistakes of the same weight should cost about the same.
+"""
+
+import json
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+from bounce_grader.common.manifest import parts, Part
+
+MISTAKES = Path(__file__).parent / "submissions" / "mistakes"
+
+
+@dataclass(frozen=True)
+class Cost:
+    mistake: str
+    part: Part
+    points: float
+    lost: tuple[str, ...]  # the names of the checks, without their part
+
+    @property
+    def share(self) -> float:
+        return self.points / self.part.points
+
+
+def costs() -> list[Cost]:
+    """By part; in a part the dearest first."""
+    found = map(_cost, sorted(folder for folder in MISTAKES.iterdir() if folder.is_dir()))
+    return sorted(found, key=lambda cost: (cost.part.number, -cost.points, cost.mistake))
+
+
+def _cost(folder: Path) -> Cost:
+    expected = json.loads((folder / "expected.json").read_text())
+    part = next(p for p, points in zip(parts(), expected["points"]) if points < p.points)
+    lost = tuple(id.partition(".")[2] for id in expected["lost"])
+    return Cost(folder.name, part, part.points - expected["points"][part.number - 1], lost)
+
+
+def table() -> str:
+    return "\n".join(_lines())
+
+
+def _lines() -> Iterator[str]:
+    for part in parts():
+        yield f"part {part.number}: {part.title}, {part.points} points"
+        for cost in costs():
+            if cost.part == part:
+                yield f"{cost.points:4g}  {cost.mistake:48} {', '.join(cost.lost)}"
+
+
+if __name__ == "__main__":
+    print(table())

@@ -1,0 +1,161 @@
+"""Judges changed parts as the grader judges a submission: the solution with one file changed.
+
+Compiler, runner, judge and box are the grader's. The part is judged with its own earlier parts, and
+where that isn't full with given ones; the better counts. The other parts aren't asked: earlier ones
+don't call it, and later ones have all points with it given. A whole grading of some changes tells.
+"""
+
+import json
+import os
+import tempfile
+from collections.abc import Iterable, Iterator
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+
+from bounce_grader.build import linking
+from bounce_grader.build.compile import compile_all, Built, Objects
+from bounce_grader.common.errors import KitError
+from bounce_grader.common.manifest import parts, Part
+from bounce_grader.common.paths import BUILD, ROOT, WORK_FOLDER
+from bounce_grader.grading import fixtures, judging
+from bounce_grader.grading.judging import Judged
+from bounce_grader.sandbox import box as boxes, processes
+from bounce_grader.sandbox.box import Box
+from bounce_grader.submission.submission import read
+
+from mutation.batch import Batch, compiled
+from mutation.changes import Change, changes
+
+ALIKE = BUILD / "alike"
+SOLUTION = ROOT / "solution" / "src"
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """The checks that a change loses. One that doesn't compile loses its whole part."""
+
+    change: Change
+    compiles: bool
+    lost: tuple[str, ...] = ()
+    lost_in_public: tuple[str, ...] = ()
+
+    @property
+    def is_noticed(self) -> bool:
+        return not self.compiles or bool(self.lost)
+
+
+class Choosing(Box):
+    """Tells the runner which change to make."""
+
+    number: int
+
+    @staticmethod
+    def of(box: Box, number: int) -> "Choosing":
+        chosen = Choosing(box.kind)
+        chosen.number = number
+        return chosen
+
+    def to_run(self, program: Path) -> list[str]:
+        return [*super().to_run(program), str(self.number)]
+
+
+@dataclass(frozen=True)
+class Runners:
+    """Those of a batch: with all parts, and with the changed one alone and earlier ones given."""
+
+    part: Part
+    together: Path
+    alone: Path
+
+
+@cache
+def all_changes() -> tuple[Change, ...]:
+    files = (SOLUTION / part.file for part in parts())
+    return tuple(change for file in files for change in changes(file.name, file.read_text()))
+
+
+def part_of(change: Change) -> Part:
+    return next(part for part in parts() if part.file == change.file)
+
+
+def outcomes(chosen: Iterable[Change]) -> list[Outcome]:
+    """What each of these changes of one part costs."""
+    wanted = list(chosen)
+    hidden = fixtures.hidden_folder()
+    with _built(wanted) as (batch, runners):
+        numbers = {change.name: number for number, change in enumerate(batch.changes)}
+
+        def outcome(change: Change) -> Outcome:
+            if change.name not in numbers:
+                return Outcome(change, compiles=False)
+            box = Choosing.of(_box(), numbers[change.name])
+            lost = _lost(runners, hidden, box)
+            public = _lost(runners, fixtures.PUBLIC, box) if lost else ()
+            return Outcome(change, True, lost, public)
+
+        with ThreadPoolExecutor(os.cpu_count()) as pool:
+            return list(pool.map(outcome, wanted))
+
+
+def differing(chosen: Iterable[Change], count: int) -> dict[str, int]:
+    """How many of `count` random questions each of these changes of one part answers otherwise than
+    the solution does."""
+    with _built(list(chosen)) as (batch, runners):
+        found = {}
+        for number, change in enumerate(batch.changes):
+            asked = ["--part", str(runners.part.number), "--count", str(count)]
+            run = Choosing.of(_box(), number).to_run(runners.together)
+            result = processes.run([str(ALIKE), *asked, "--", *run], judging.WAIT)
+            if not result.ok:
+                raise KitError(f"alike failed: {result.err.strip()}")
+            found[change.name] = int(json.loads(result.out)["differing"])
+        return found
+
+
+def _lost(runners: Runners, folder: Path, box: Box) -> tuple[str, ...]:
+    """The checks that fail, the better of both ways of judging."""
+    part = runners.part
+    own = judging.judge(part, runners.together, False, folder, box)
+    if own.score(part) == part.points or not part.has_earlier_parts:
+        return _failed(own)
+    given = judging.judge(part, runners.alone, True, folder, box)
+    return _failed(max(given, own, key=lambda judged: judged.score(part)))
+
+
+def _failed(judged: Judged) -> tuple[str, ...]:
+    return tuple(sorted(id for id, verdict in judged.verdicts.items() if not verdict.passed))
+
+
+@cache
+def _box() -> Box:
+    return boxes.choose()
+
+
+@cache
+def _solution() -> dict[int, Built]:
+    """The objects of the unchanged parts."""
+    taken, box = read(SOLUTION), _box()
+    with tempfile.TemporaryDirectory(prefix=WORK_FOLDER) as name:
+        box.give(Path(name))
+        return compile_all(taken, Path(name), box, 1).parts
+
+
+@contextmanager
+def _built(wanted: list[Change]) -> Iterator[tuple[Batch, Runners]]:
+    part, box = part_of(wanted[0]), _box()
+    batch = compiled(wanted, box)
+    objects = Objects({**_solution(), part.number: Built(batch.object)}, {})
+    with tempfile.TemporaryDirectory(prefix=WORK_FOLDER) as name:
+        work = Path(name)
+        linked = [
+            linking.link_together(objects, work / "together", box),
+            linking.link_alone(part, objects, work / "alone", box),
+        ]
+        box.give(work)
+        for runner in linked:
+            if not runner.path:
+                raise KitError(f"the changes of {part.file} can't be linked: {runner.problem}")
+        yield batch, Runners(part, work / "together", work / "alone")
