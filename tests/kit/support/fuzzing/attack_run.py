@@ -131,7 +131,7 @@ def _world(seed: int) -> Iterator[World]:
     try:
         yield world
     finally:
-        secrets[1].unlink()
+        secrets[1].unlink(missing_ok=True)
         shutil.rmtree(folder, ignore_errors=True)
 
 

@@ -16,12 +16,16 @@ class Piece(NamedTuple):
     attack: str = ""
 
 
-# What the kit's own code looks for in what compilers, linkers, judges and runners say.
-WORDS = [
-    *("bwrap: ", "enter: ", "bwrap: execvp /enter: No such file or directory", "judge: ", "kit: "),
-    *("error: ", "fatal error: ", "part1_contacts.cpp:1:1: error: ", "x.cpp:3:9: fatal error: "),
+# By these the kit tells its own failures from a submission's.
+DECISIVE = [
+    *("bwrap: x", "enter: x", "bwrap: execvp /enter: No such file or directory"),
     "g++: fatal error: Killed signal terminated program cc1plus",
     "clang: error: unable to execute command: Killed",
+]
+# What it looks for beside them in what compilers, linkers, judges and runners say.
+WORDS = [
+    *("bwrap: ", "enter: ", "judge: ", "kit: ", "stopwatch: "),
+    *("error: ", "fatal error: ", "part1_contacts.cpp:1:1: error: ", "x.cpp:3:9: fatal error: "),
     *("ld.lld: error: undefined symbol: ", "ld.lld: error: duplicate symbol: "),
     "ld.lld: error: undefined symbol: x\n>>> referenced by part1_contacts.cpp:1",
     *("not found", "No such file", "could not find", "can't open", "file not found"),
@@ -89,6 +93,7 @@ def _new(rng: Random, name: str) -> str:
 def some_words(rng: Random) -> str:
     """Often from the start of a line to its end, where programs are told apart from what they say."""
     words = rng.choices(WORDS, k=rng.choice((1, 1, 2, 3)))
+    words = [rng.choice(DECISIVE), *words[1:]] if rng.random() < 0.3 else words
     return rng.choice(("", "", "x\n")) + rng.choice(("", "\n")).join(words)
 
 
@@ -100,7 +105,7 @@ def in_one_line(rng: Random) -> str:
 
 
 def saying(rng: Random, _: list[str]) -> Piece:
-    return Piece("".join(_directive(rng) for _ in range(rng.choice((1, 3, 6)))))
+    return Piece("".join(_directive(rng) for _ in range(rng.choice((1, 3, 9)))))
 
 
 def _directive(rng: Random) -> str:
@@ -115,7 +120,7 @@ def _directive(rng: Random) -> str:
             f"static_assert(false, {quoted(words)});\n",
             f"static_assert(sizeof(int) == 4, {quoted(words)});\n",
             f"[[deprecated({quoted(words)})]] void {name}(); void also{name}() {{ {name}(); }}\n",
-            f"int {name}[] = {{ {quoted(words)} }};\n",
+            f"static int {name}[] = {{ {quoted(words)} }};\n",
             f"#line {rng.choice((0, 1, 7, 2147483647))} {quoted(words)}\nint {name} = ;\n",
             f"#line 3 {quoted(words)}\nint {name}() {{ return missing; }}\n",
             f"#line 3 {quoted(words)}\n",
@@ -158,21 +163,23 @@ def assembling(rng: Random, places: list[str]) -> Piece:
 
 def burning(rng: Random, _: list[str]) -> Piece:
     """Work for a compiler, of some seconds at most; and never much of it in one submission."""
-    depth = rng.choice((50, 400, 1500))
-    tower = "#define A0 1 +\n" + "".join(f"#define A{i} A{i-1} A{i-1}\n" for i in range(1, 14))
+    depth, x = rng.choice((50, 400, 1500)), _new(rng, "x")
+    tower = f"#define {x}0 1 +\n"
+    tower += "".join(f"#define {x}{i} {x}{i - 1} {x}{i - 1}\n" for i in range(1, 14))
+    work = f"int s = 0; for (int i = 0; i < {depth * 100}; ++i) s += i % 7; return s;"
+    below = f"{x}<N - 1> below; static constexpr int n = {x}<N - 1>::n + 1;"
     return Piece(
         rng.choice(
             [
-                "template <int N> struct T { T<N - 1> below; static constexpr int n = "
-                "T<N - 1>::n + 1; };\ntemplate <> struct T<0> { static constexpr int n = 0; };\n"
-                f"static_assert(T<{depth}>::n == {depth});\n",
-                f"constexpr int work() {{ int s = 0; for (int i = 0; i < {depth * 100}; ++i) s += i"
-                " % 7; return s; }\nstatic_assert(work() > 0);\n",
-                f"{tower}int tower = A13 0;\n",
-                f"int nested = {'(' * depth}1{')' * depth};\n",
-                f"char large[{rng.choice((1 << 10, 9 << 20, 1 << 33))}] = {{1}};\n",
-                "".join(f"int v{i} = undeclared{i};\n" for i in range(rng.choice((5, 300)))),
-                "template <class T> auto f(T t) { return f(&t); }\nauto endless = f(1);\n",
+                f"template <int N> struct {x} {{ {below} }};\n"
+                f"template <> struct {x}<0> {{ static constexpr int n = 0; }};\n"
+                f"static_assert({x}<{depth}>::n == {depth});\n",
+                f"constexpr int {x}() {{ {work} }}\nstatic_assert({x}() > 0);\n",
+                f"{tower}static int {x} = {x}13 0;\n",
+                f"static int {x} = {'(' * depth}1{')' * depth};\n",
+                f"static char {x}[{rng.choice((1 << 10, 9 << 20, 1 << 33))}] = {{1}};\n",
+                "".join(f"int {x}{i} = undeclared{i};\n" for i in range(rng.choice((5, 300)))),
+                f"template <class T> auto {x}(T t) {{ return {x}(&t); }}\nauto {x}2 = {x}(1);\n",
             ]
         )
     )
@@ -429,7 +436,7 @@ def early(rng: Random, places: list[str]) -> Piece:
 
 Kinds = list[tuple[Callable[[Random, list[str]], Piece], int]]  # with how often each is drawn
 KINDS: Kinds = [
-    (saying, 10),
+    (saying, 14),
     (assembling, 10),
     (linking, 6),
     (stealing, 10),
