@@ -26,7 +26,7 @@ sys.exit(3)
 UNJUST = """
 import json, re, sys
 parts = [{"part": number, "score": 0, "message": "lost"} for number in range(1, 5)]
-json.dump({"parts": parts}, open(sys.argv[sys.argv.index("--json") + 1], "w"))
+json.dump({"parts": parts, "box": "full"}, open(sys.argv[sys.argv.index("--json") + 1], "w"))
 """
 
 
@@ -68,7 +68,7 @@ def problems_with(kit: str, seed: int) -> str:
     """What is said of a grading by another program."""
     told = f"""
 from fuzzing import attack_run
-attack_run.START = {kit!r}
+attack_run.MAIN = {kit!r}
 attack_run._rendered = lambda name, record, submission: b""
 attack_run._keep = lambda submission, seed, problems: None
 print(*attack_run.attacked({seed}, "full")[1], sep=chr(10))

@@ -37,7 +37,9 @@ WALL_SECONDS = 120
 STUDENTS = 4  # of a class, at most
 INPUTS = ROOT / "build" / "fuzz" / "inputs"
 GRACE = 5.0  # s, for processes that are about to end
-START = "import sys; sys.path.insert(0, sys.argv.pop(1)); import bounce_grader.__main__"
+START = "import sys; sys.path.insert(0, sys.argv.pop(1))\n"
+WITH_A_BOX = "from bounce_grader import box; box.kinds = lambda trust: ({!r},)\n"
+MAIN = "import bounce_grader.__main__\n"
 SUBREAPER = 36  # of prctl(2)
 FULL = {part.number: part.points for part in parts()}
 
@@ -106,7 +108,7 @@ def attacked(seed: int, box: str) -> tuple[bool, list[str]]:
         done = _run(_command(attack, world, seed, box), world, gradings * WALL_SECONDS)
         problems = [*_of_the_run(done, attack, gradings), *_left_behind(world)]
         if not problems:
-            problems = _of_points(done, attack, world)
+            problems = _of_points(done, attack, world, box)
         problems += _of_secrets(done, world)
         if problems:
             _keep(world.submission, seed, problems)
@@ -152,13 +154,13 @@ def _lay_out(attack: Attack, path: Path) -> None:
 
 def _command(attack: Attack, world: World, seed: int, box: str) -> list[str]:
     """A shell that waits has the secret on its command line."""
-    kit = ["/usr/bin/python3", "-IS", "-c", START, str(ROOT / "grader")]
+    start = START + WITH_A_BOX.format(box) + MAIN
+    kit = ["/usr/bin/python3", "-IS", "-c", start, str(ROOT / "grader")]
     shell = ["/bin/sh", "-c", 'shift; "$@"; exit $?', "sh", world.mark, *kit]
     if attack.is_class:
         return [*shell, "class", str(world.submission), "--out", str(world.folder / "out")]
     rng = random.Random(f"options {seed}")
-    command = [*shell, "grade", str(world.submission), "--require-box", box]
-    command += ["--json", str(world.record)]
+    command = [*shell, "grade", str(world.submission), "--json", str(world.record)]
     if rng.random() < 0.5:
         command += ["--format", rng.choice(formats.NAMES)]
     more: list[list[str]] = [[], [], [], ["--min-score", "50"], ["--reveal"]]
@@ -235,13 +237,14 @@ def _children() -> list[int]:
     return list(map(int, Path(f"/proc/self/task/{os.getpid()}/children").read_text().split()))
 
 
-def _of_points(done: Done, attack: Attack, world: World) -> list[str]:
+def _of_points(done: Done, attack: Attack, world: World, box: str) -> list[str]:
     if attack.is_class:
         return _of_the_class(attack, world)
     if done.code == 2:
         return []
     record = json.loads(world.record.read_text())
-    return [
+    wrong = [] if record["box"] == box else [f"it was graded in another box: {record['box']}"]
+    return wrong + [
         f"part {part['part']} is honest, and has {part['score']:g} points: {part['message'][:200]}"
         for part in record["parts"]
         if part["part"] in attack.honest_parts and part["score"] != FULL[part["part"]]
