@@ -152,7 +152,7 @@ def _speed(summaries: Sequence[Summary]) -> str:
     ]
     said = (
         "<p>Each mark is a submission: a disc has all points, a ring some, a cross none. Times are "
-        "measured in the same run as the solution's; the largest error is over all checks. What "
+        "measured in the same run as the solution's; the largest error is over all public cases. What "
         "doesn't run as a whole isn't timed; where an answer is missing, there is no error to show."
         "</p>"
     )
