@@ -10,8 +10,8 @@
 
 #include "../runner/crash.hpp"
 #include "assertion.hpp"
-#include "finding.hpp"
-#include "one_line.hpp"
+#include "sanitize_line.hpp"
+#include "sanitizer_report.hpp"
 #include "system_call.hpp"
 
 namespace bounce::judge {
@@ -60,23 +60,23 @@ std::string_view last_words(std::string_view print) {
 
 Ending of_abort(const Limits& limits, const std::string& print) {
   if (const std::string assertion = assertion_in(print); !assertion.empty()) {
-    return {"crashed", "the program aborted: " + one_line(assertion, 3 * kLongest)};
+    return {"crashed", "the program aborted: " + sanitize_line(assertion, 3 * kLongest)};
   }
   const std::string_view thrown =
       up_to(line_after(print, "terminate called after throwing an instance of '"), "'");
   if (thrown == "std::bad_alloc") return out_of_memory(limits);
   if (!thrown.empty()) {
-    const std::string what = one_line(line_after(print, "  what():  "), kLongest);
+    const std::string what = sanitize_line(line_after(print, "  what():  "), kLongest);
     return {"crashed",
             "the program threw where nothing catches it (before main, in a destructor, in a "
             "noexcept function or in what()): " +
-                one_line(thrown, kLongest) + (what.empty() ? "" : ": " + what)};
+                sanitize_line(thrown, kLongest) + (what.empty() ? "" : ": " + what)};
   }
   const std::string_view words = last_words(print);
   if (is_about_freed_memory(words)) {
     return {"crashed",
             "the program aborted: it wrote beyond the end of its memory, or freed some twice (" +
-                one_line(words, kLongest) + ")"};
+                sanitize_line(words, kLongest) + ")"};
   }
   return {"crashed", "the program aborted: it called abort() or std::terminate(), perhaps"};
 }
@@ -132,7 +132,7 @@ Ending of_signal(int signal, const Limits& limits, const std::string& print) {
   const std::string cause(line_after(print, runner::kCause));
   const std::optional<std::string> found =
       cause.rfind(runner::kFound, 0) == 0
-          ? words_for_finding(std::string_view(cause).substr(std::strlen(runner::kFound)))
+          ? words_for_report(std::string_view(cause).substr(std::strlen(runner::kFound)))
           : std::nullopt;
   Ending ending = found               ? Ending{"crashed", *found}
                   : signal == SIGABRT ? of_abort(limits, print)

@@ -6,7 +6,7 @@
 //    "largest_error": number or null, "mistakes": [name], "patterns": [sentence]}
 // largest_error is that of the public cases, to two digits. shown is the failed case in numbers, or
 // null; of a hidden one, revealed is {"message", "shown"} with the expected answer, for whoever may
-// see it (shown.hpp). mistakes and patterns are empty unless --recognise is there and a check
+// see it (failed_case.hpp). mistakes and patterns are empty unless --recognise is there and a check
 // failed; then a second runner is asked the public cases alone.
 //
 // judge --answers --part N ... prints what it answers to the public cases, as answers_json.hpp
@@ -30,8 +30,8 @@
 #include "../../tests/parts/pattern.hpp"
 #include "../../tests/parts/recognise.hpp"
 #include "answers_json.hpp"
+#include "failed_case.hpp"
 #include "session.hpp"
-#include "shown.hpp"
 
 namespace bounce {
 
@@ -214,11 +214,11 @@ int run(const Options& options) {
 }  // namespace judge
 
 std::string tests::in_words(const Case& c, const Problem& problem) {
-  judge::told = {judge::shown(c, problem), nullptr, summary(c, problem), ""};
+  judge::told = {judge::failed_case(c, problem), nullptr, summary(c, problem), ""};
   if (c.hidden) {
     Case open = c;
     open.hidden = false;
-    judge::told.revealed = judge::shown(open, problem);
+    judge::told.revealed = judge::failed_case(open, problem);
     judge::told.revealed_words = summary(open, problem);
   }
   return judge::told.words;

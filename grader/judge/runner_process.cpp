@@ -15,18 +15,18 @@
 #include <optional>
 #include <set>
 
-#include "glance.hpp"
-#include "one_line.hpp"
 #include "orphans.hpp"
+#include "process_usage.hpp"
+#include "sanitize_line.hpp"
 
 namespace bounce::judge {
 namespace {
 
 constexpr std::size_t kKeptPrints = std::size_t{16} << 10;
 constexpr std::chrono::milliseconds kSilence(5);
-constexpr std::chrono::milliseconds kGlance(100);  // between two looks at a silent runner
-constexpr double kCpuGrace = 0.2;                  // s, for SIGXCPU to end a runner by itself
-constexpr int kStatus = frames::kAnswers + 1;      // where a box tells that it is made
+constexpr std::chrono::milliseconds kBetweenLooks(100);  // between two looks at a silent runner
+constexpr double kCpuGrace = 0.2;                        // s, for SIGXCPU to end a runner by itself
+constexpr int kStatus = frames::kAnswers + 1;            // where a box tells that it is made
 
 std::set<pid_t> started;  // the runners at work
 
@@ -173,10 +173,10 @@ void RunnerProcess::read_exactly(void* data, std::size_t size, bool amid_an_answ
 bool RunnerProcess::wait_until_readable(bool amid_an_answer) {
   pollfd both[2] = {{answers_, POLLIN, 0}, {prints_, POLLIN, 0}};
   const auto start = Clock::now();
-  ::poll(both, 2, static_cast<int>(kGlance.count()));
+  ::poll(both, 2, static_cast<int>(kBetweenLooks.count()));
   waited_ += Clock::now() - start;
   if (both[1].revents != 0) drain_prints();
-  if (Clock::now() - last_glance_ >= kGlance) end_if_it_hangs(amid_an_answer);
+  if (Clock::now() - last_look_ >= kBetweenLooks) end_if_it_hangs(amid_an_answer);
   end_if_late(amid_an_answer);  // though something may come, byte by byte
   return both[0].revents != 0;
 }
@@ -197,13 +197,13 @@ void RunnerProcess::require_a_box() {
   if (box_is_made()) return;
   if (prints_ >= 0) drain_prints();
   kill();
-  throw NoBox("the box of a program couldn't be made: " + one_line(last_print_, 200));
+  throw NoBox("the box of a program couldn't be made: " + sanitize_line(last_print_, 200));
 }
 
 // Idle is what is left of our waiting when all is taken off in which a CPU was used or wanted, by
 // the runner or by us: neither prints nor short naps hide it, and a busy machine adds nothing to
 // it. While the box is made, and while a page comes from a disk, none counts.
-void RunnerProcess::count_idle_time(const Glance& seen) {
+void RunnerProcess::count_idle_time(const ProcessUsage& seen) {
   const std::chrono::duration<double> busy(seen.busy_seconds + own_delay_seconds());
   const std::chrono::duration<double> idle = waited_ - busy;
   if (counts_idle_ && !seen.reads_a_disk) idle_ += std::max(idle - idle_before_, idle.zero());
@@ -213,9 +213,9 @@ void RunnerProcess::count_idle_time(const Glance& seen) {
 
 // One that ignores SIGXCPU is ended here.
 void RunnerProcess::end_if_it_hangs(bool amid_an_answer) {
-  last_glance_ = Clock::now();
+  last_look_ = Clock::now();
   if (pid_ < 0) return;
-  const Glance seen = glance_at(pid_).value_or(Glance{});
+  const ProcessUsage seen = usage_of(pid_).value_or(ProcessUsage{});
   count_idle_time(seen);
   if (seen.memory > limits_.memory) end(out_of_memory(limits_));
   if (seen.cpu_seconds > limits_.cpu_seconds + kCpuGrace) {
@@ -302,7 +302,7 @@ int RunnerProcess::wait_for_exit() {
 
 void RunnerProcess::kill() {
   if (pid_ < 0) return;
-  spent_ = glance_at(pid_).value_or(Glance{}).cpu_seconds;
+  spent_ = usage_of(pid_).value_or(ProcessUsage{}).cpu_seconds;
   ::kill(pid_, SIGKILL);
   ::waitpid(pid_, nullptr, 0);
   forget();

@@ -12,8 +12,8 @@
 
 #include "../runner/frame.hpp"
 #include "ending.hpp"
-#include "glance.hpp"
 #include "limits.hpp"
+#include "process_usage.hpp"
 
 namespace bounce::judge {
 
@@ -76,7 +76,7 @@ class RunnerProcess {
   void hear_the_box();
   bool box_is_made();
   void require_a_box();
-  void count_idle_time(const Glance& seen);
+  void count_idle_time(const ProcessUsage& seen);
   void end_if_it_hangs(bool amid_an_answer);
   void end_if_late(bool amid_an_answer);
   [[noreturn]] void end_without_answer(bool amid_an_answer, const std::string& why);
@@ -98,7 +98,7 @@ class RunnerProcess {
   std::chrono::duration<double> idle_{}, idle_before_{};
   bool counts_idle_ = false;
   double spent_ = 0;
-  Clock::time_point last_glance_;
+  Clock::time_point last_look_;
 };
 
 }  // namespace bounce::judge

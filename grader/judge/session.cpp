@@ -6,7 +6,7 @@
 #include "../../tests/parts/cases.hpp"
 #include "../../tests/parts/submission.hpp"
 #include "given.hpp"
-#include "one_line.hpp"
+#include "sanitize_line.hpp"
 
 namespace bounce::judge {
 
@@ -25,7 +25,7 @@ std::int64_t most_pleas(const Frame& question) { return 1000 + 20 * question.T; 
 std::string thrown_text(const Frame& answer) {
   const std::string text = frames::text(answer);
   const bool cut = text.size() == sizeof answer.text - 1;
-  return one_line(text, sizeof answer.text) + (cut ? "..." : "");
+  return sanitize_line(text, sizeof answer.text) + (cut ? "..." : "");
 }
 
 }  // namespace

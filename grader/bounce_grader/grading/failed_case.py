@@ -1,4 +1,4 @@
-"""A failed case in numbers, as the judge gives it (grader/judge/shown.hpp): read, and made safe."""
+"""A failed case in numbers, as the judge gives it (grader/judge/failed_case.hpp): read, and made safe."""
 
 import sys
 from typing import Any

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "../../../grader/judge/one_line.hpp"
+#include "../../../grader/judge/sanitize_line.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
@@ -25,7 +25,7 @@ inline void require(bool promise) {
 // One line that can be shown anywhere, of bounded length. Counted in characters, since where a byte
 // wasn't text, one of three bytes stands for it.
 inline bool is_sentence(const std::string& text) {
-  return !text.empty() && judge::one_line(text, 600) == text;
+  return !text.empty() && judge::sanitize_line(text, 600) == text;
 }
 
 }  // namespace bounce::fuzz

@@ -10,7 +10,7 @@
 namespace bounce::judge {
 
 // What the system says at one moment of a process and all its descendants, taken together.
-struct Glance {
+struct ProcessUsage {
   bool reads_a_disk = false;  // one of them waits where no signal reaches it
   bool stopped = false;       // one was stopped, as by SIGSTOP
   double cpu_seconds = 0;
@@ -19,13 +19,13 @@ struct Glance {
 };
 
 // Empty where this system doesn't tell, or the process is gone.
-std::optional<Glance> glance_at(pid_t pid);
+std::optional<ProcessUsage> usage_of(pid_t pid);
 
 // For how long this process has been ready to run, and no CPU was free, s.
 double own_delay_seconds();
 
 // The CPU time of a process and its descendants, ns, by the system's own clocks. Finer than a
-// glance, which counts in hundredths of a second. Empty as above.
+// ProcessUsage, which counts in hundredths of a second. Empty as above.
 std::optional<double> cpu_ns_of(pid_t pid);
 
 }  // namespace bounce::judge

@@ -1,4 +1,4 @@
-#include "shown.hpp"
+#include "failed_case.hpp"
 
 #include <cmath>
 #include <cstdio>
@@ -63,7 +63,7 @@ json path(const tests::Case& c, const tests::Problem& problem) {
 
 }  // namespace
 
-json shown(const tests::Case& c, const tests::Problem& problem) {
+json failed_case(const tests::Case& c, const tests::Problem& problem) {
   json all = {{"name", c.name},
               {"input", c.input},
               {"sentence", problem.sentence},

@@ -1,4 +1,4 @@
-#include "glance.hpp"
+#include "process_usage.hpp"
 
 #include <unistd.h>
 
@@ -30,7 +30,7 @@ Scheduled scheduled(const std::string& folder) {
 
 // Of /proc/PID/stat: the state, field 3, utime and stime, fields 14 and 15, and resident pages,
 // field 24. Field 2 is a name in parentheses, which may hold anything.
-std::optional<Glance> glance_at_one(pid_t pid) {
+std::optional<ProcessUsage> usage_of_one(pid_t pid) {
   std::ifstream file(folder_of(pid) + "/stat");
   std::string line;
   std::getline(file, line, '\0');
@@ -48,9 +48,10 @@ std::optional<Glance> glance_at_one(pid_t pid) {
   fields >> pages;
   if (!fields) return std::nullopt;
   const Scheduled all = scheduled(folder_of(pid));
-  return Glance{state == 'D', state == 'T' || state == 't',
-                (utime + stime) / static_cast<double>(::sysconf(_SC_CLK_TCK)), all.run + all.delay,
-                pages * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE))};
+  return ProcessUsage{state == 'D', state == 'T' || state == 't',
+                      (utime + stime) / static_cast<double>(::sysconf(_SC_CLK_TCK)),
+                      all.run + all.delay,
+                      pages * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE))};
 }
 
 std::optional<std::vector<pid_t>> children_of(pid_t pid) {
@@ -63,12 +64,12 @@ std::optional<std::vector<pid_t>> children_of(pid_t pid) {
 
 }  // namespace
 
-std::optional<Glance> glance_at(pid_t pid) {
-  std::optional<Glance> all = glance_at_one(pid);
+std::optional<ProcessUsage> usage_of(pid_t pid) {
+  std::optional<ProcessUsage> all = usage_of_one(pid);
   const auto children = children_of(pid);
   if (!all || !children) return std::nullopt;
   for (const pid_t child : *children) {
-    const std::optional<Glance> more = glance_at(child);
+    const std::optional<ProcessUsage> more = usage_of(child);
     if (!more) continue;  // it has just ended
     all->reads_a_disk = all->reads_a_disk || more->reads_a_disk;
     all->stopped = all->stopped || more->stopped;

@@ -9,6 +9,6 @@ namespace bounce::judge {
 
 // From a sanitizer's name for a kind of error. Empty for any other text: a submission may have
 // written it, and nothing that it writes is repeated here.
-std::optional<std::string> words_for_finding(std::string_view kind);
+std::optional<std::string> words_for_report(std::string_view kind);
 
 }  // namespace bounce::judge

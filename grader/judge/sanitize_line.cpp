@@ -1,4 +1,4 @@
-#include "one_line.hpp"
+#include "sanitize_line.hpp"
 
 #include <array>
 
@@ -47,7 +47,7 @@ bool prints(unsigned number) {
 
 }  // namespace
 
-std::string one_line(std::string_view text, std::size_t most) {
+std::string sanitize_line(std::string_view text, std::size_t most) {
   std::string line;
   for (std::size_t count = 0; !text.empty(); ++count) {
     if (count == most) return line + "...";

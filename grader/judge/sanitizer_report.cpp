@@ -1,11 +1,11 @@
-#include "finding.hpp"
+#include "sanitizer_report.hpp"
 
 #include <map>
 
 namespace bounce::judge {
 
 // The names are those of LLVM's compiler-rt, lib/asan/asan_errors.h and lib/ubsan/ubsan_checks.inc.
-std::optional<std::string> words_for_finding(std::string_view kind) {
+std::optional<std::string> words_for_report(std::string_view kind) {
   static const std::map<std::string, std::string, std::less<>> kWords = {
       {"heap-buffer-overflow",
        "it reads or writes beyond the end of a std::vector, a matrix of dynamic size, or memory "

@@ -18,6 +18,6 @@
 
 namespace bounce::judge {
 
-nlohmann::json shown(const tests::Case& c, const tests::Problem& problem);
+nlohmann::json failed_case(const tests::Case& c, const tests::Problem& problem);
 
 }  // namespace bounce::judge
