@@ -23,7 +23,6 @@ namespace bounce::judge {
 namespace {
 
 constexpr std::size_t kKeptPrints = std::size_t{16} << 10;
-constexpr std::chrono::milliseconds kSilence(5);
 constexpr std::chrono::milliseconds kBetweenLooks(100);  // between two looks at a silent runner
 constexpr double kCpuGrace = 0.2;                        // s, for SIGXCPU to end a runner by itself
 constexpr int kStatus = frames::kAnswers + 1;            // where a box tells that it is made
