@@ -81,7 +81,8 @@ def test_the_same_table_gives_the_same_bytes_in_another_process(quick: Path) -> 
         "known = {f.stem: tables.read(f) for f in folder.glob('*.csv')};"
         "sys.stdout.buffer.write(charts.draw(known)['depth.svg'])"
     )
-    environment = {**os.environ, "PYTHONPATH": str(ROOT / "grader"), "PYTHONHASHSEED": "7"}
+    path = f"{ROOT / 'grader'}:{ROOT / 'solution' / 'study'}"
+    environment = {**os.environ, "PYTHONPATH": path, "PYTHONHASHSEED": "7"}
     command = [sys.executable, "-c", program, str(quick)]
     drawn = subprocess.run(command, env=environment, stdout=subprocess.PIPE, check=True).stdout
     assert drawn == (quick / "depth.svg").read_bytes()
