@@ -56,7 +56,7 @@ def test_ctrl_c_says_how_to_go_on_wherever_it_comes(
         raise KeyboardInterrupt
 
     source, out = download(tmp_path / "x.zip", users), tmp_path / "out"
-    for place in ("similar.find", "task_of", "students.read"):
+    for place in ("near_copies.find", "task_of", "students.read"):
         monkeypatch.setattr(f"bounce_grader.classroom.run.{place}", stop)
         assert grade_class(source, out) == 130
         assert "Run the same command again to go on." in capsys.readouterr().err

@@ -85,7 +85,8 @@ def test_the_workflow_is_one_that_classroom_reads() -> None:
     assert flow["name"] == "Autograding Tests"
     assert list(flow["jobs"]) == ["run-autograding-tests"]
     steps = flow["jobs"]["run-autograding-tests"]["steps"]
-    (graded,) = [step for step in steps if "run" in step]
+    secret, graded = [step for step in steps if "run" in step]
+    assert "kit/course-secret" in secret["run"] and "env" not in graded
     assert graded["run"].startswith("kit/kit grade submission --format github --min-score 70")
     reporter = steps[-1]
     runner = reporter["with"]["runners"]

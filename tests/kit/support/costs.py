@@ -10,7 +10,7 @@ from pathlib import Path
 
 from bounce_grader.common.manifest import parts, Part
 
-MISTAKES = Path(__file__).parent / "submissions" / "mistakes"
+MISTAKES = Path(__file__).resolve().parents[2] / "submissions" / "mistakes"
 
 
 @dataclass(frozen=True)

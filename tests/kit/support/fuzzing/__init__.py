@@ -1,7 +1,7 @@
 """Inputs without number for what reads a submission, or what a submission can put words into.
 
-    PYTHONPATH=grader:tests python3 -m fuzzing READER COUNT
-    PYTHONPATH=grader:tests python3 -m fuzzing attacks COUNT [SEED [full|reduced]]
+    PYTHONPATH=grader:tests/kit/support python3 -m fuzzing READER COUNT
+    PYTHONPATH=grader:tests/kit/support python3 -m fuzzing attacks COUNT [SEED [full|reduced]]
 
 COUNT inputs, made from real ones, each from its own number, so that a run can be repeated. Whatever
 comes must be taken within the limits or refused in one sentence. An input at which that fails is

@@ -38,7 +38,7 @@ STUDENTS = 4  # of a class, at most
 INPUTS = ROOT / "build" / "fuzz" / "inputs"
 GRACE = 5.0  # s, for processes that are about to end
 START = "import sys; sys.path.insert(0, sys.argv.pop(1))\n"
-WITH_A_BOX = "from bounce_grader import box; box.kinds = lambda trust: ({!r},)\n"
+WITH_A_BOX = "from bounce_grader.sandbox import box; box.kinds = lambda trust: ({!r},)\n"
 MAIN = "import bounce_grader.__main__\n"
 SUBREAPER = 36  # of prctl(2)
 FULL = {part.number: part.points for part in parts()}
@@ -299,5 +299,5 @@ def _keep(submission: Path, seed: int, problems: list[str]) -> None:
         shutil.copytree(submission, folder / "submission")
     else:
         shutil.copy(submission, folder / "submission")
-    again = f"PYTHONPATH=grader:tests {sys.executable} -m fuzzing attacks 1 {seed}\n"
+    again = f"PYTHONPATH=grader:tests/kit/support {sys.executable} -m fuzzing attacks 1 {seed}\n"
     (folder / "why.txt").write_text("\n".join([*problems, again]))
