@@ -23,7 +23,7 @@ def render(name: str, record: dict[str, Any], submission: Path) -> str:
     )
 
     if name == "github":
-        github.leave(record)
+        github.leave(record, submission)
         return github.render(record, submission)
     if name == "html":
         return html.render(record).rstrip("\n")

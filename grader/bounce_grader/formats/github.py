@@ -4,6 +4,7 @@ reporter reads."""
 import base64
 import json
 import os
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
@@ -33,23 +34,22 @@ def refused(sentence: str) -> str:
     return _command("error", "Not graded", sentence)
 
 
-def result(record: Record) -> str:
+def result(record: Record, root: Path = Path()) -> str:
     """The reporter's result, in base64: a test for each part."""
     full = record["score"] == record["max_score"]
     report = {
         "version": VERSION,
         "status": "pass" if full else "fail",
         "max_score": record["max_score"],
-        "tests": [_test(part) for part in record["parts"]],
+        "tests": [_test(part, root) for part in record["parts"]],
     }
     return base64.b64encode(json.dumps(report).encode()).decode()
 
 
-def leave(record: Record) -> None:
+def leave(record: Record, root: Path = Path()) -> None:
     """What a step of a workflow hands on, where this is one."""
-    _append(
-        "GITHUB_OUTPUT", f"result={result(record)}\nscore={sentences.points(record['score'])}\n"
-    )
+    score = sentences.points(record["score"])
+    _append("GITHUB_OUTPUT", f"result={result(record, root)}\nscore={score}\n")
     _append("GITHUB_STEP_SUMMARY", markdown.render(record) + "\n")
 
 
@@ -62,8 +62,8 @@ def _append(variable: str, text: str) -> None:
             raise UsageError(f"{variable} names a file that can't be written: {error}") from error
 
 
-def _test(part: Record) -> dict[str, Any]:
-    place = sentences.place_in(sentences.part_words(part))
+def _test(part: Record, root: Path) -> dict[str, Any]:
+    place = _place_in([sentences.part_words(part)], part, root)
     return {
         "name": f"Part {part['part']}: {part['title']}",
         "status": "pass" if part["score"] == part["max_score"] else "fail",
@@ -81,9 +81,7 @@ def _part(part: Record, root: Path) -> list[str]:
     if part["score"] == part["max_score"]:
         return []
     said = sentences.part_words(part)
-    place = sentences.place_in(said) or next(
-        (p for p in (sentences.place_in(check["message"]) for check in part["checks"]) if p), None
-    )
+    place = _place_in([said, *(check["message"] for check in part["checks"])], part, root)
     lost = [check["title"] for check in part["checks"] if not check["passed"]]
     score = f"{sentences.points(part['score'])} / {sentences.points(part['max_score'])}"
     title = f"Part {part['part']}: {score}"
@@ -105,6 +103,16 @@ def _command(
         where = {"file": _in_repository(place.file, root), "line": place.line}
         where |= {"col": place.column} if place.column else {}
     return workflow(kind, text, **where, title=title)
+
+
+def _place_in(texts: Iterable[str], part: Record, root: Path) -> Place | None:
+    """The first in the part's own file or in another of the repository: a submission has its say in
+    these texts, and could name any file."""
+    own, there = f"{part['stem']}.cpp", _files(root)
+    for place in filter(None, map(sentences.place_in, texts)):
+        if Path(place.file).name == own or _in_repository(place.file, root) in there:
+            return place
+    return None
 
 
 def _files(root: Path) -> list[str]:

@@ -16,7 +16,7 @@ import classes
 import pytest
 import stand_in
 from bounce_grader.classroom import run
-from bounce_grader.classroom.work import engine_slurm, results
+from bounce_grader.classroom.work import engine_local, engine_slurm, results
 from bounce_grader.classroom.work.request import Request
 from bounce_grader.common.errors import KitError, UsageError
 from bounce_grader.submission.submission import Submission
@@ -213,3 +213,13 @@ def test_an_unknown_failure_of_a_unit_is_the_kits(tmp_path: Path) -> None:
     outcome = partial(unit.run, grade=breaks)(made)
     assert outcome.state == "failed" and "ZeroDivisionError" in outcome.message
     assert not (tmp_path / "r").exists()
+
+
+def test_a_temporary_folder_too_deep_for_sockets_is_said(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    deep = tmp_path / ("d" * 100)
+    deep.mkdir()
+    monkeypatch.setattr("tempfile.tempdir", str(deep))
+    with pytest.raises(UsageError, match="set TMPDIR to a shorter one"):
+        list(engine_local.run([], 1))

@@ -276,6 +276,19 @@ def test_github_finds_the_file_where_the_repository_has_it(
     assert found[2][1]["file"] == "hw/src/part3_step.cpp"
 
 
+def test_github_is_pointed_at_no_file_that_was_not_handed_in(
+    record: dict[str, Any], tmp_path: Path
+) -> None:
+    write(tmp_path, {"part1_contacts.cpp": b"", "part2_lcp.cpp": b"", "helper.hpp": b""})
+    record["parts"][1]["message"] = "kit/judge.cpp:7: Assertion `forged' failed"
+    record["parts"][2]["message"] = "a crash, at helper.hpp:5"
+    found = commands(github.render(record, tmp_path))
+    assert (found[1][1]["file"], found[1][1]["line"]) == ("part2_lcp.cpp", "1")
+    assert (found[2][1]["file"], found[2][1]["line"]) == ("helper.hpp", "5")
+    tests = json.loads(base64.b64decode(github.result(record, tmp_path)))["tests"]
+    assert [test["filename"] for test in tests[1:3]] == ["part2_lcp.cpp", "helper.hpp"]
+
+
 def test_a_submission_that_cannot_be_read_is_an_error_and_no_points() -> None:
     found = commands(formats.refused("github", "x is empty: hand in the parts"))
     assert found == [("error", {"title": "Not graded"}, "x is empty: hand in the parts")]

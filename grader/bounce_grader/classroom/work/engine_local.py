@@ -5,6 +5,7 @@ import os
 import select
 import signal
 import sys
+import tempfile
 import threading
 import time
 from collections.abc import Callable, Generator, Iterator
@@ -17,8 +18,10 @@ from multiprocessing.process import BaseProcess
 
 from bounce_grader.classroom.work.task import Task
 from bounce_grader.classroom.work.unit import run as run_unit, Outcome
+from bounce_grader.common.errors import UsageError
 
 TO_CLEAN_UP = 3.0  # seconds, for what is ended to take its files away
+LONGEST_TEMPORARY = 75  # bytes: a socket's path has 107, of which multiprocessing takes 32
 LONGEST = 1800.0  # seconds; a grading's own limits are far below
 PRELOADED = [
     "bounce_grader.grading.grade",
@@ -55,6 +58,11 @@ def run(
 
 def _start_server() -> None:
     """The process that the others are forked from. Ctrl-C is not for it, not even as it starts."""
+    if len(os.fsencode(tempfile.gettempdir())) > LONGEST_TEMPORARY:
+        raise UsageError(
+            f"the path of the temporary folder, {tempfile.gettempdir()}, is too long for the sockets "
+            "that a class is graded with: set TMPDIR to a shorter one"
+        )
     if threading.current_thread() is not threading.main_thread():
         forkserver.ensure_running()
         return
