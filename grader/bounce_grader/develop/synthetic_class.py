@@ -2,7 +2,6 @@
 gallery under another name and rewritten, so that nothing of it has been compiled before."""
 
 import io
-import json
 import random
 import zipfile
 from collections.abc import Iterator, Sequence
@@ -11,6 +10,7 @@ from pathlib import Path
 
 from bounce_grader.classroom.intake.canvas import sanitized
 from bounce_grader.common.paths import ROOT
+from bounce_grader.grading.gallery import expected, points
 from bounce_grader.submission.submission import HEADERS, SOURCES
 
 GALLERY = ROOT / "tests" / "submissions"
@@ -47,16 +47,16 @@ def students(number: int, kinds: Sequence[str], first_user: int = 10_001) -> Ite
 
 
 def made(folder: Path, user: int, name: str) -> Made:
-    expected = json.loads((folder / "expected.json").read_text())
+    written = expected(folder)
     files = (
-        {} if expected.get("alone") else {f.name: f.read_bytes() for f in SOLUTION.glob("*.cpp")}
+        {} if written.get("alone") else {f.name: f.read_bytes() for f in SOLUTION.glob("*.cpp")}
     )
     for file in folder.rglob("*"):
         if file.suffix in SOURCES | HEADERS:
             files[file.relative_to(folder).as_posix()] = file.read_bytes()
     kind = f"{folder.parent.name}/{folder.name}"
     rewritten = {file: _rewritten(text, user) for file, text in files.items()}
-    return Made(user, name, kind, rewritten, sum(expected["points"]))
+    return Made(user, name, kind, rewritten, sum(points(written["lost"])))
 
 
 def _rewritten(text: bytes, user: int) -> bytes:

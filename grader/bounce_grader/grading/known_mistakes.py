@@ -30,6 +30,7 @@ from bounce_grader.common.errors import KitError
 from bounce_grader.common.manifest import parts, Part
 from bounce_grader.common.parallel_map import each
 from bounce_grader.common.paths import FIXTURES, JUDGE, REFERENCE_RUNNER, ROOT
+from bounce_grader.grading.gallery import expected
 from bounce_grader.sandbox import processes
 from bounce_grader.sandbox.box import Box
 from bounce_grader.submission import submission
@@ -69,7 +70,8 @@ def gallery() -> list[Mistake]:
 
 def read(folder: Path) -> Mistake:
     words = _text(folder / "mistake.md", "its title, a sentence, equations, hint and a line")
-    expected = json.loads(_text(folder / "expected.json", "its points and the checks it loses"))
+    _text(folder / "expected.json", "the checks that it loses")
+    written = expected(folder)
     found = LAYOUT.fullmatch(words)
     if not found:
         raise KitError(
@@ -91,8 +93,8 @@ def read(folder: Path) -> Mistake:
         numbers,
         found["hint"],
         found["instructor"],
-        tuple(expected["lost"]),
-        expected.get("recognised_as", folder.name),
+        tuple(written["lost"]),
+        written.get("recognised_as", folder.name),
     )
 
 

@@ -34,7 +34,7 @@ ALL = gallery()
 def folder(tmp_path: Path, words: str | None = MISTAKE, name: str = "part1_new") -> Path:
     made = tmp_path / name
     made.mkdir()
-    (made / "expected.json").write_text('{"points": [24, 30, 30, 10], "lost": ["part1.X"]}')
+    (made / "expected.json").write_text('{"lost": ["part1.X"]}')
     if words is not None:
         (made / "mistake.md").write_text(words)
     return made

@@ -3,12 +3,12 @@
 Read it when points or cases change: mistakes of the same weight should cost about the same.
 """
 
-import json
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
 from bounce_grader.common.manifest import parts, Part
+from bounce_grader.grading.gallery import expected, points
 
 MISTAKES = Path(__file__).resolve().parents[2] / "submissions" / "mistakes"
 
@@ -32,10 +32,10 @@ def costs() -> list[Cost]:
 
 
 def _cost(folder: Path) -> Cost:
-    expected = json.loads((folder / "expected.json").read_text())
-    part = next(p for p, points in zip(parts(), expected["points"]) if points < p.points)
-    lost = tuple(id.partition(".")[2] for id in expected["lost"])
-    return Cost(folder.name, part, part.points - expected["points"][part.number - 1], lost)
+    ids = expected(folder)["lost"]
+    part, left = next((p, left) for p, left in zip(parts(), points(ids)) if left < p.points)
+    lost = tuple(id.partition(".")[2] for id in ids)
+    return Cost(folder.name, part, part.points - left, lost)
 
 
 def table() -> str:
