@@ -48,9 +48,7 @@ def students(number: int, kinds: Sequence[str], first_user: int = 10_001) -> Ite
 
 def made(folder: Path, user: int, name: str) -> Made:
     written = expected(folder)
-    files = (
-        {} if written.get("alone") else {f.name: f.read_bytes() for f in SOLUTION.glob("*.cpp")}
-    )
+    files = {} if written.get("alone") else {f.name: f.read_bytes() for f in SOLUTION.glob("*.cpp")}
     for file in folder.rglob("*"):
         if file.suffix in SOURCES | HEADERS:
             files[file.relative_to(folder).as_posix()] = file.read_bytes()
