@@ -8,7 +8,7 @@ from pathlib import Path
 from bounce_grader import __version__, formats
 from bounce_grader.classroom import cli as class_cli
 from bounce_grader.common.errors import KitError, UsageError
-from bounce_grader.common.escaping import json_document, said, terminal
+from bounce_grader.common.escaping import json_document, printable_text, terminal
 from bounce_grader.common.packages import find_installed
 from bounce_grader.develop import study
 
@@ -45,7 +45,7 @@ def main(arguments: list[str]) -> int:
 
 def _plain(error: Exception) -> str:
     """Names of files, and what programs say, are part of some errors."""
-    return "\n".join(map(terminal, said(str(error)).split("\n")))
+    return "\n".join(map(terminal, printable_text(str(error)).split("\n")))
 
 
 def _parser() -> argparse.ArgumentParser:

@@ -6,7 +6,7 @@ from functools import cache
 from pathlib import Path
 
 from bounce_grader.common.errors import KitError
-from bounce_grader.common.escaping import said, terminal
+from bounce_grader.common.escaping import printable_text, terminal
 from bounce_grader.common.paths import CONTRACT, RUNNER
 from bounce_grader.sandbox import processes
 from bounce_grader.sandbox.box import Box
@@ -40,7 +40,7 @@ def require_a_compiler(result: processes.Result, limits: processes.Limits) -> No
     """Raises KitError where the box or the machine has failed, and not the submission. What tells
     so is a descriptor that no compiler has, and a signal: a submission can print any text."""
     if not result.boxed:
-        why = terminal(said(result.err.strip().partition("\n")[0], 200))
+        why = terminal(printable_text(result.err.strip().partition("\n")[0], 200))
         raise KitError(f"a box couldn't be made: {why or 'it ended'}")
     # The system counts what it limits in ticks, and what it tells in nanoseconds.
     if result.killed and result.cpu_seconds < 0.7 * limits.cpu_seconds:

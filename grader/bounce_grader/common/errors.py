@@ -4,7 +4,7 @@ import errno
 from collections.abc import Iterator
 from contextlib import contextmanager
 
-from bounce_grader.common.escaping import name as printable
+from bounce_grader.common.escaping import printable_name
 
 
 class UsageError(Exception):
@@ -28,5 +28,5 @@ def about_one_submission(failure: str) -> Iterator[None]:
         if isinstance(error, OSError) and error.errno == errno.ENOSPC:
             raise
         why = (isinstance(error, OSError) and error.strerror) or str(error)
-        reason = printable(": ".join(filter(None, [type(error).__name__, why])))
+        reason = printable_name(": ".join(filter(None, [type(error).__name__, why])))
         raise UsageError(f"{failure} ({reason}): look at its files") from error

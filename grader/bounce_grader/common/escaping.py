@@ -1,17 +1,17 @@
 """What a submission says, made harmless for where it goes: names of files, texts of exceptions,
 messages of compilers. Each place has one function, and nothing of a submission goes there without:
 
-    the score record      said(text), name(text)
+    the score record      printable_text(text), printable_name(text)
     a terminal or a log   terminal(text)
     HTML                  html(text)              between tags, or in a quoted attribute
-    JSON or XML           plain(text)             to a library that writes them; then
+    JSON or XML           printable(text)             to a library that writes them; then
                           json_document(value), xml_document(text)
     CSV                   csv_row(values)         a whole line
     Markdown              markdown(text)          inside of a line or a table's cell
                           markdown_block(text)    lines of their own
     GitHub's log          workflow(command, message, file=..., line=...)    a whole line
 
-All begin with the same, plain(text): characters that don't print become U+FFFD. These are controls,
+All begin with the same, printable(text): characters that don't print become U+FFFD. These are controls,
 C1 controls, bidirectional overrides, lone surrogates, and what XML 1.0 has no place for.
 
 Whatever is printed may be printed to a log of CI, which takes "::add-mask::" at the start of a line
@@ -31,30 +31,30 @@ LONGEST_NAME = 255
 Value = str | int | float | None
 
 
-def plain(text: str) -> str:
+def printable(text: str) -> str:
     """Lines of printable characters."""
-    return said(text, len(text) + 1)
+    return printable_text(text, len(text) + 1)
 
 
-def said(text: str, most: int = LONGEST_TEXT) -> str:
+def printable_text(text: str, most: int = LONGEST_TEXT) -> str:
     """For the record: lines of printable characters, of bounded length."""
     text = text[: 2 * most + 2].replace("\r\n", "\n").replace("\t", " ")
-    clean = "\n".join(map(_printable, text.split("\n")))
+    clean = "\n".join(map(_printable_line, text.split("\n")))
     return clean if len(clean) <= most else clean[: most - 1] + "…"
 
 
-def _printable(line: str) -> str:
+def _printable_line(line: str) -> str:
     if line.isprintable():
         return line
     return "".join(c if c.isprintable() else REPLACEMENT for c in line)
 
 
-def name(text: str) -> str:
+def printable_name(text: str) -> str:
     """For the record: a file's name, in one line."""
-    return said(text, LONGEST_NAME).replace("\n", REPLACEMENT)
+    return printable_text(text, LONGEST_NAME).replace("\n", REPLACEMENT)
 
 
-def some(items: Sequence[str], most: int = 5, separator: str = ", ", more: int = 0) -> str:
+def first_few(items: Sequence[str], most: int = 5, separator: str = ", ", more: int = 0) -> str:
     """The first few of a list that may be long, as "a, b and 7 more"; `more` aren't in the list."""
     rest = max(0, len(items) - most) + more
     shown = separator.join(items[:most])
@@ -66,7 +66,7 @@ def terminal(text: str) -> str:
 
     Print it through rich's Text, which reads no markup.
     """
-    return _no_command(plain(text).replace("\n", REPLACEMENT))
+    return _no_command(printable(text).replace("\n", REPLACEMENT))
 
 
 def _no_command(text: str) -> str:
@@ -82,7 +82,7 @@ def html(text: str) -> str:
     """Lines stay lines; a browser shows them as such inside of <pre>."""
     from html import escape
 
-    return xml_document(escape(plain(text), quote=True))
+    return xml_document(escape(printable(text), quote=True))
 
 
 def xml_document(written: str) -> str:
@@ -108,7 +108,7 @@ def _csv_field(value: Value) -> str:
         return ""
     if not isinstance(value, str):
         return str(value)
-    text = plain(value)
+    text = printable(value)
     if not re.fullmatch(r"-?\d+(\.\d+)?", text, re.ASCII):
         # Where lists are separated by semicolons, a spreadsheet splits there, quoted or not.
         text = re.sub(r"(^|[;\n])(?= *[=+\-@＝＋－＠])", r"\1'", text)
@@ -119,7 +119,7 @@ def markdown(text: str) -> str:
     """One line, of which nothing is markup; nor, on GitHub, a mention, a reference or a link."""
     from html import escape
 
-    line = escape(plain(text).replace("\n", " "), quote=False)
+    line = escape(printable(text).replace("\n", " "), quote=False)
     marked = re.sub(r"([\\`*_{}\[\]()#+!|~-])", r"\\\1", line)
     return re.sub(r"(@|#|://|www\.)", rf"\1{ZERO_WIDTH_SPACE}", marked)
 
@@ -127,13 +127,13 @@ def markdown(text: str) -> str:
 def markdown_block(text: str) -> str:
     """Lines of code that their content can't leave."""
     fence = "`" * max(3, 1 + max(map(len, re.findall("`+", text)), default=0))
-    return f"{fence}text\n{_no_command(plain(text))}\n{fence}"
+    return f"{fence}text\n{_no_command(printable(text))}\n{fence}"
 
 
 def workflow(command: str, message: str, **properties: str | int) -> str:
     """One command to GitHub's runner, as workflow("error", "x", file="a.cpp", line=3)."""
     given = ",".join(f"{key}={_property(str(value))}" for key, value in properties.items())
-    return _no_old_command(f"::{command}{' ' * bool(given)}{given}::{_data(plain(message))}")
+    return _no_old_command(f"::{command}{' ' * bool(given)}{given}::{_data(printable(message))}")
 
 
 def _data(text: str) -> str:
@@ -141,4 +141,4 @@ def _data(text: str) -> str:
 
 
 def _property(text: str) -> str:
-    return _data(plain(text)).replace(":", "%3A").replace(",", "%2C")
+    return _data(printable(text)).replace(":", "%3A").replace(",", "%2C")

@@ -3,7 +3,7 @@ assessment are named after the parts, part1_contacts to part4_simulate."""
 
 from typing import Any
 
-from bounce_grader.common.escaping import json_document, plain
+from bounce_grader.common.escaping import json_document, printable
 from bounce_grader.formats import sentences
 from bounce_grader.grading.record import Record
 
@@ -24,14 +24,14 @@ def _presentation(record: Record) -> dict[str, Any]:
     }
     for sentence in sentences.speed_words(record):
         stages.append("Speed")
-        tests["Speed"] = {"Measured": {"passed": False, "hint": plain(sentence)}}
+        tests["Speed"] = {"Measured": {"passed": False, "hint": printable(sentence)}}
     return {"_presentation": "semantic", "stages": stages, **tests}
 
 
 def _test(part: Record, check: Record) -> dict[str, Any]:
     if check["passed"]:
         return {"passed": True}
-    return {"passed": False, "hint": plain(sentences.check_words(part, check))}
+    return {"passed": False, "hint": printable(sentences.check_words(part, check))}
 
 
 def _line(words: dict[str, Any]) -> str:

@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from bounce_grader.common.escaping import json_document, plain
+from bounce_grader.common.escaping import json_document, printable
 from bounce_grader.formats import sentences
 from bounce_grader.grading.record import Record
 
@@ -29,7 +29,7 @@ def render(record: Record) -> str:
 def refused(sentence: str) -> str:
     """A submission that can't be read: nothing was graded, and the student can hand in again.
     Gradescope takes a result without a score for a failure of the autograder."""
-    result: dict[str, Any] = {"score": 0, "output": plain(sentence), "output_format": "text"}
+    result: dict[str, Any] = {"score": 0, "output": printable(sentence), "output_format": "text"}
     result["tests"] = []
     return json_document({**result, "stdout_visibility": "hidden"}, indent=1)
 
@@ -37,14 +37,14 @@ def refused(sentence: str) -> str:
 def _summary(record: Record) -> str:
     lines = [
         f"Part {part['part']}, {part['title']}: {sentences.points(part['score'])} / "
-        f"{sentences.points(part['max_score'])}. {plain(sentences.part_words(part))}"
+        f"{sentences.points(part['max_score'])}. {printable(sentences.part_words(part))}"
         for part in record["parts"]
     ]
-    return "\n".join([*lines, *map(plain, sentences.speed_words(record))])
+    return "\n".join([*lines, *map(printable, sentences.speed_words(record))])
 
 
 def _test(number: str, part: Record, check: Record) -> dict[str, Any]:
-    said = plain(sentences.check_words(part, check))
+    said = printable(sentences.check_words(part, check))
     hint = sentences.hint(check)
     if hint and not check["passed"]:
         said += f"\nhint {hint}"

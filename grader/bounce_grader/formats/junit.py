@@ -2,7 +2,7 @@
 
 from xml.etree import ElementTree
 
-from bounce_grader.common.escaping import plain, xml_document
+from bounce_grader.common.escaping import printable, xml_document
 from bounce_grader.formats import sentences
 from bounce_grader.grading.record import Record
 
@@ -51,7 +51,7 @@ def _case(part: Record, check: Record) -> ElementTree.Element:
     name = check["id"].partition(".")[2]
     case = ElementTree.Element("testcase", name=name, classname=part["stem"])
     if not check["passed"]:
-        said = plain(sentences.check_words(part, check))
+        said = printable(sentences.check_words(part, check))
         kind = "error" if _did_not_run(part, check) else "failure"
         verdict = part["status"] if kind == "error" else "wrong"
         fault = ElementTree.SubElement(case, kind, message=check["title"], type=verdict)

@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from bounce_grader.common.escaping import json_document, plain
+from bounce_grader.common.escaping import json_document, printable
 from bounce_grader.formats import sentences
 from bounce_grader.grading.record import Record
 
@@ -12,7 +12,10 @@ def render(record: Record) -> str:
         "gradable": True,
         "score": record["score"] / record["max_score"],
         "message": "\n".join(
-            [f"{sentences.of_points(record)} points", *map(plain, sentences.speed_words(record))]
+            [
+                f"{sentences.of_points(record)} points",
+                *map(printable, sentences.speed_words(record)),
+            ]
         ),
         "tests": [_test(*numbered) for numbered in sentences.numbered(record)],
     }
@@ -21,7 +24,7 @@ def render(record: Record) -> str:
 
 def refused(sentence: str) -> str:
     """Not gradable: PrairieLearn takes no attempt away."""
-    result = {"gradable": False, "format_errors": [plain(sentence)]}
+    result = {"gradable": False, "format_errors": [printable(sentence)]}
     return json_document(result, indent=1)
 
 
@@ -32,7 +35,7 @@ def _test(number: str, part: Record, check: Record) -> dict[str, Any]:
         "description": f"Part {part['part']}: {part['title']}",
         "points": check["score"],
         "max_points": check["max_score"],
-        "output": plain(sentences.check_words(part, check)),
+        "output": printable(sentences.check_words(part, check)),
         "message": f"Hint {sentences.hint(check)}"
         if not check["passed"] and sentences.hint(check)
         else "",

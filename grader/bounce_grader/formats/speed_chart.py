@@ -5,7 +5,7 @@ import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
-from bounce_grader.common import escaping, svg
+from bounce_grader.common import escaping, numbers, svg
 from bounce_grader.grading import speed
 from bounce_grader.grading.speed import Measured, Point
 
@@ -92,11 +92,11 @@ def _frame(axes: Axes) -> list[str]:
     for decade in range(axes.x[0], axes.x[1] + 1):
         x, _ = axes.at(10.0**decade, 1)
         out += [svg.line(x, bottom, x, bottom + 5)]
-        out += [svg.text(x, bottom + 20, speed.seconds(10.0**decade), "middle")]
+        out += [svg.text(x, bottom + 20, numbers.seconds(10.0**decade), "middle")]
     for decade in range(axes.y[0], axes.y[1] + 1):
         _, y = axes.at(1, 10.0**decade)
         out += [svg.line(LEFT - 5, y, LEFT, y)]
-        out += [svg.text(LEFT - 8, y + 5, speed.metres(10.0**decade), "end")]
+        out += [svg.text(LEFT - 8, y + 5, numbers.metres(10.0**decade), "end")]
     if axes.y[0] < -3 < axes.y[1]:
         _, y = axes.at(1, speed.FINE)
         out.append(svg.line(LEFT, y, right, y, "2 3"))
@@ -124,8 +124,8 @@ def _curve(whose: str, points: Sequence[Point], axes: Axes) -> list[str]:
     places = [axes.at(point.ns, point.error) for point in points]
     out = [svg.path(places, DASHES[whose], _thickness(whose))] if places else []
     for point, (x, y) in zip(points, places):
-        error = "not finite" if point.error is None else speed.metres(point.error)
-        said = f"{NAMES[whose]}, {speed.step(point)}: {error} in {speed.seconds(point.ns)}"
+        error = "not finite" if point.error is None else numbers.metres(point.error)
+        said = f"{NAMES[whose]}, {speed.step(point)}: {error} in {numbers.seconds(point.ns)}"
         out.append(_mark(whose, x, y, said))
     return out
 
@@ -138,7 +138,7 @@ def _steps(points: Sequence[Point], axes: Axes) -> list[str]:
         if i == 0:
             out.append(svg.text(x, y + 24, speed.step(point), "middle"))
         else:
-            said = speed.seconds(1e9 * point.dt)
+            said = numbers.seconds(1e9 * point.dt)
             ends = x > WIDTH - RIGHT - 50
             out.append(
                 svg.text(x - 9, y + 16, said, "end") if ends else svg.text(x + 6, y - 8, said)

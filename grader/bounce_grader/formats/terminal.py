@@ -5,7 +5,7 @@ from functools import cache
 from typing import TextIO
 
 from bounce_grader.assignment.hints import headings
-from bounce_grader.common.escaping import some, terminal
+from bounce_grader.common.escaping import first_few, terminal
 from bounce_grader.common.packages import find_installed
 from bounce_grader.common.paths import HANDOUT
 from bounce_grader.formats.sentences import STATUS_WORDS, where_to_read
@@ -39,7 +39,7 @@ def lines(record: Record) -> list[tuple[str, str]]:
         out.append(
             (
                 "dim",
-                f"Not used: {some(list(map(terminal, unusual)), more=record.get('ignored_more', 0))}",
+                f"Not used: {first_few(list(map(terminal, unusual)), more=record.get('ignored_more', 0))}",
             )
         )
     if record["box"] == "none":

@@ -3,7 +3,7 @@
 import sys
 from typing import Any
 
-from bounce_grader.common.escaping import said
+from bounce_grader.common.escaping import printable_text
 
 Shown = dict[str, Any]
 ODD = ("nan", "inf", "-inf")
@@ -35,7 +35,7 @@ def read_revealed(answer: Any) -> Shown | None:
 def _text(x: Any) -> str:
     if not isinstance(x, str):
         raise TypeError("no text")
-    return said(x)
+    return printable_text(x)
 
 
 def _quantity(answer: Any) -> Shown:

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any, NamedTuple, cast
 
 from bounce_grader.common.errors import KitError
-from bounce_grader.common.escaping import name
+from bounce_grader.common.escaping import printable_name
 from bounce_grader.common.manifest import Part
 from bounce_grader.common.paths import FIXTURES, JUDGE, SOURCES, WORK_FOLDER
 from bounce_grader.grading import failed_case
@@ -164,5 +164,5 @@ def place_in(lines: bytes, is_submitted: Callable[[str], bool] = bool) -> str | 
             rf"[^/]{{1,50}}/{SOURCES}(?:-[0-9a-f]{{16}})?/((.{{1,255}}?):\d{{1,9}})(?!\d)", rest
         )
         if inside and is_submitted(inside.group(2)):
-            return name(inside.group(1))
+            return printable_name(inside.group(1))
     return None

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from bounce_grader import __version__
-from bounce_grader.common.escaping import name, said
+from bounce_grader.common.escaping import printable_name, printable_text
 from bounce_grader.common.manifest import parts, Check, Part
 from bounce_grader.grading.judging import Judged, Verdict
 from bounce_grader.grading.known_mistakes import known
@@ -32,7 +32,7 @@ def part_record(part: Part, judged: Judged) -> Record:
         "message": sentence(_part_message(part, judged)),
         "graded_with": judged.graded_with,
         "mistakes": mistakes,
-        "patterns": [said(sentence) for sentence in judged.patterns],
+        "patterns": [printable_text(sentence) for sentence in judged.patterns],
         "checks": [
             _check_record(check, verdict.passed, verdict.message, mistakes) | _numbers(verdict)
             for check, verdict in ((c, judged.verdicts[c.id]) for c in part.checks)
@@ -78,7 +78,7 @@ def _check_record(check: Check, passed: bool, message: str, mistakes: list[Recor
         "score": check.points if passed else 0,
         "max_score": check.points,
         "passed": passed,
-        "message": said(message),
+        "message": printable_text(message),
         "mistake": None if passed else _mistake_of(check, mistakes),
     }
 
@@ -124,7 +124,7 @@ def _end(message: str) -> str:
 
 def sentence(text: str) -> str:
     """One printable line of bounded length."""
-    return said(text, LONGEST_SENTENCE).replace("\n", " ")
+    return printable_text(text, LONGEST_SENTENCE).replace("\n", " ")
 
 
 def whole(
@@ -144,7 +144,7 @@ def whole(
         "kit": __version__,
         "fixtures_sha256": fixtures_sha256,
         "submission_sha256": submission.sha256,
-        "ignored": [name(file) for file in submission.ignored[:MOST_IGNORED]],
+        "ignored": [printable_name(file) for file in submission.ignored[:MOST_IGNORED]],
     }
     if len(submission.ignored) > MOST_IGNORED:
         record["ignored_more"] = len(submission.ignored) - MOST_IGNORED

@@ -5,7 +5,8 @@ from pathlib import Path
 from typing import Any, NamedTuple, cast
 
 from bounce_grader.common.errors import KitError
-from bounce_grader.common.escaping import said
+from bounce_grader.common.escaping import printable_text
+from bounce_grader.common.numbers import metres, seconds, two_digits
 from bounce_grader.common.paths import REFERENCE_RUNNER, SCENES, STOPWATCH
 from bounce_grader.sandbox import processes
 from bounce_grader.sandbox.box import Box
@@ -43,9 +44,13 @@ def read(out: bytes) -> Measured:
     try:
         answer = json.loads(out, parse_constant=_no_number)
         if "otherwise" in answer:
-            return {"otherwise": f"{OTHERWISE}: {said(answer['otherwise'])}"}
+            return {"otherwise": f"{OTHERWISE}: {printable_text(answer['otherwise'])}"}
         scenes = [_scene(scene) for scene in answer["scenes"]]
-        found = {"cut": said(answer["cut"]), "dt": list(map(_size, answer["dt"])), "scenes": scenes}
+        found = {
+            "cut": printable_text(answer["cut"]),
+            "dt": list(map(_size, answer["dt"])),
+            "scenes": scenes,
+        }
         return {**_step(found, _flag(answer["right"])), **found}
     except (ValueError, TypeError, KeyError, AttributeError, RecursionError) as error:
         raise KitError("the stopwatch's answer can't be read") from error
@@ -63,7 +68,7 @@ def _scene(scene: Any) -> Measured:
         ]
         for curve in CURVES
     }
-    names = {"scene": said(scene["scene"]), "title": said(scene["title"])}
+    names = {"scene": printable_text(scene["scene"]), "title": printable_text(scene["title"])}
     return {**names, "seconds": _size(scene["seconds"]), **curves}
 
 
@@ -151,26 +156,8 @@ def step(point: Point) -> str:
 
 def _times(ratio: float) -> str:
     same = 0.9 < ratio < 1.1
-    return "about as long as the solution" if same else f"{_two(ratio)} times the solution's time"
-
-
-def metres(x: float) -> str:
-    units = (
-        ("m", 1.0, 0.1),
-        ("mm", 1e-3, 1e-4),
-        ("\N{MICRO SIGN}m", 1e-6, 1e-7),
-        ("nm", 1e-9, 0.0),
+    return (
+        "about as long as the solution"
+        if same
+        else f"{two_digits(ratio)} times the solution's time"
     )
-    return next(f"{_two(x / size)} {unit}" for unit, size, least in units if x >= 0.999 * least)
-
-
-def seconds(ns: float) -> str:
-    for unit, size in (("s", 1e9), ("ms", 1e6), ("\N{MICRO SIGN}s", 1e3)):
-        if ns >= size:
-            return f"{_two(ns / size)} {unit}"
-    return f"{_two(ns)} ns"
-
-
-def _two(x: float) -> str:
-    """Two digits that mean something, and no power of ten."""
-    return f"{float(f'{x:.2g}'):g}"

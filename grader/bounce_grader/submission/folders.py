@@ -9,7 +9,7 @@ from itertools import islice
 from pathlib import Path
 
 from bounce_grader.common.errors import UsageError
-from bounce_grader.common.escaping import name as printable
+from bounce_grader.common.escaping import printable_name
 from bounce_grader.submission.entry import MOST_ENTRIES, Entry
 
 # A pipe that took a file's place mustn't make its reader wait.
@@ -85,5 +85,5 @@ def _readable(path: Path, inside: tuple[str, ...] = ()) -> Iterator[None]:
     try:
         yield
     except OSError as error:
-        where = printable("/".join((str(path), *inside)))
+        where = printable_name("/".join((str(path), *inside)))
         raise UsageError(f"{where} can't be read: {error.strerror}") from error

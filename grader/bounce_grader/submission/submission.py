@@ -14,7 +14,7 @@ from pathlib import Path, PurePosixPath
 from typing import NamedTuple
 
 from bounce_grader.common.errors import about_one_submission, UsageError
-from bounce_grader.common.escaping import name as printable, some
+from bounce_grader.common.escaping import first_few, printable_name
 from bounce_grader.common.manifest import parts, Part
 from bounce_grader.common.paths import HANDOUT
 from bounce_grader.submission import intake
@@ -133,7 +133,7 @@ def _require_a_place_for_each(path: Path, names: Iterable[str]) -> None:
     for name in names:
         for folder in PurePosixPath(name).parents:
             if str(folder) in names:
-                shown = printable(str(folder))
+                shown = printable_name(str(folder))
                 raise UsageError(f"{path} holds {shown} as a file and as a folder: keep one")
 
 
@@ -180,7 +180,7 @@ def _choose(part: Part, names: list[str]) -> Iterator[str]:
     nearest = sorted(str(f) for f in found if len(f.parts) == depth)
     if len(nearest) > 1:
         raise UsageError(
-            f"{part.file} is there {len(nearest)} times ({some(list(map(printable, nearest)))}): "
+            f"{part.file} is there {len(nearest)} times ({first_few([*map(printable_name, nearest)])}): "
             "keep one, so that the right one is graded"
         )
     yield nearest[0]

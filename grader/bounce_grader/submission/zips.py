@@ -10,7 +10,7 @@ from pathlib import Path, PurePosixPath
 from typing import cast
 
 from bounce_grader.common.errors import UsageError
-from bounce_grader.common.escaping import name as printable, said
+from bounce_grader.common.escaping import printable_name, printable_text
 from bounce_grader.submission.entry import MOST_ENTRIES, Entry
 
 ENCRYPTED = 0x1
@@ -69,7 +69,7 @@ def _name(path: Path, info: zipfile.ZipInfo) -> str:
     name = PurePosixPath(info.filename.replace("\\", "/"))
     if name.is_absolute() or ".." in name.parts or re.match("[A-Za-z]:", str(name)):
         raise UsageError(
-            f"{path} has an entry that points outside of it ('{printable(str(name))}')"
+            f"{path} has an entry that points outside of it ('{printable_name(str(name))}')"
         )
     if not name.parts:
         raise UsageError(f"{path} has an entry without a name: make it anew and submit again")
@@ -99,7 +99,7 @@ def _readable(path: Path) -> Iterator[None]:
     except OSError as error:
         raise UsageError(f"{path} can't be read: {error.strerror or error}") from error
     except Exception as error:  # zipfile has a dozen kinds for what a broken zip makes of it
-        reason = said(str(error) or type(error).__name__, 200)
+        reason = printable_text(str(error) or type(error).__name__, 200)
         raise UsageError(f"{path} is broken ({reason}): make it anew and submit again") from error
 
 

@@ -31,7 +31,7 @@ def _moves(c: str) -> bool:
 
 @given(TEXTS, st.integers(1, 60))
 def test_a_text_of_the_record_is_printable_bounded_and_utf8(text: str, most: int) -> None:
-    said = escaping.said(text, most)
+    said = escaping.printable_text(text, most)
     said.encode("utf-8")
     assert len(said) <= most
     whole = printable(text)
@@ -40,11 +40,14 @@ def test_a_text_of_the_record_is_printable_bounded_and_utf8(text: str, most: int
 
 @given(TEXTS)
 def test_a_name_of_the_record_is_one_line(text: str) -> None:
-    assert "\n" not in escaping.name(text) and len(escaping.name(text)) <= escaping.LONGEST_NAME
+    assert (
+        "\n" not in escaping.printable_name(text)
+        and len(escaping.printable_name(text)) <= escaping.LONGEST_NAME
+    )
 
 
 def test_a_text_of_many_megabytes_is_cut_before_it_is_looked_at() -> None:
-    assert escaping.said("\r\n" * 10_000_000) == "\n" * (escaping.LONGEST_TEXT - 1) + "…"
+    assert escaping.printable_text("\r\n" * 10_000_000) == "\n" * (escaping.LONGEST_TEXT - 1) + "…"
 
 
 @given(TEXTS)
@@ -115,8 +118,8 @@ def test_html_is_read_as_the_text_that_it_was(text: str) -> None:
 
 @given(TEXTS)
 def test_a_plain_text_can_stand_in_xml(text: str) -> None:
-    written = ElementTree.Element("failure", {"message": escaping.plain(text)})
-    written.text = escaping.plain(text)
+    written = ElementTree.Element("failure", {"message": escaping.printable(text)})
+    written.text = escaping.printable(text)
     document = escaping.xml_document(ElementTree.tostring(written, encoding="unicode"))
     element = ElementTree.fromstring(document)
     assert (element.text or "") == element.get("message") == printable(text)
@@ -125,7 +128,7 @@ def test_a_plain_text_can_stand_in_xml(text: str) -> None:
 
 @given(TEXTS, st.sampled_from([None, 1]))
 def test_json_is_read_as_what_it_was(text: str, indent: int | None) -> None:
-    document = escaping.json_document({"said": escaping.plain(text)}, indent)
+    document = escaping.json_document({"said": escaping.printable(text)}, indent)
     assert json.loads(document) == {"said": printable(text)}
     assert odd_texts.commands_in(document) == []
 
@@ -240,4 +243,4 @@ def test_a_workflow_command_needs_no_properties() -> None:
 
 @pytest.mark.parametrize("text", ["", "a", "ä\n界"])
 def test_a_harmless_text_stays_as_it_is(text: str) -> None:
-    assert escaping.said(text) == escaping.html(text) == text
+    assert escaping.printable_text(text) == escaping.html(text) == text

@@ -80,8 +80,8 @@ def test_the_schema_refuses_what_is_no_record(
 
 def hostile(record: dict[str, Any], text: str) -> dict[str, Any]:
     """The record of a submission that says the text wherever one can say something."""
-    said = escaping.said(text)
-    changed: dict[str, Any] = copy.deepcopy({**record, "ignored": [escaping.name(text)]})
+    said = escaping.printable_text(text)
+    changed: dict[str, Any] = copy.deepcopy({**record, "ignored": [escaping.printable_name(text)]})
     changed["speed"] = {"largest_error": None, "otherwise": f"at {said}"}
     for part in changed["parts"]:
         part["message"] = said
@@ -101,7 +101,7 @@ def test_nothing_that_is_printed_is_a_command_in_a_log(text: str) -> None:
         printed = formats.render(name, record, NOWHERE)
         ours = printed.split("\n") if name == "github" else []
         assert odd_texts.commands_in(printed) == ours, name
-        refused = formats.refused(name, escaping.said(text))
+        refused = formats.refused(name, escaping.printable_text(text))
         assert odd_texts.commands_in(refused) == ([refused] if ours else []), name
     shown = "\n".join(line for _, line in terminal.lines(record))
     assert odd_texts.commands_in(shown) == []

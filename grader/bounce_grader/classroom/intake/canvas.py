@@ -12,7 +12,7 @@ import re
 import unicodedata
 from dataclasses import dataclass
 
-from bounce_grader.common.escaping import name as printable
+from bounce_grader.common.escaping import printable_name
 from bounce_grader.common.files import fitting
 from bounce_grader.submission.submission import COPY, part_file
 
@@ -59,7 +59,7 @@ def feedback_name(uploads: tuple[Upload, ...]) -> str:
     """The name under which Canvas takes a page back as a comment: the ids of the newest upload."""
     newest = max(uploads, key=lambda upload: upload.attachment)
     ids = newest.entry[len(newest.name) : -len(newest.file)]
-    return f"{printable(fitting(newest.name))}{ids}feedback.html"
+    return f"{printable_name(fitting(newest.name))}{ids}feedback.html"
 
 
 def sanitized(sortable_name: str) -> str:

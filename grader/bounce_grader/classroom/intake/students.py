@@ -11,7 +11,7 @@ from bounce_grader.classroom.intake import canvas
 from bounce_grader.classroom.intake.archive import opened, Archive, Damaged
 from bounce_grader.classroom.intake.canvas import TextEntry, Upload
 from bounce_grader.common.errors import about_one_submission, UsageError
-from bounce_grader.common.escaping import name as printable, some
+from bounce_grader.common.escaping import first_few, printable_name
 from bounce_grader.common.files import fitting
 from bounce_grader.submission import submission
 from bounce_grader.submission.entry import LARGEST_SOURCE
@@ -130,8 +130,10 @@ def _canvas(path: Path) -> Class:
         if student.uploads:
             found.students.append(student)
         else:
-            reason = f"holds nothing that can be graded: {some(student.unused, separator='; ')}"
-            told = f"{some(student.unused, separator='. ')}. {HAND_IN}"
+            reason = (
+                f"holds nothing that can be graded: {first_few(student.unused, separator='; ')}"
+            )
+            told = f"{first_few(student.unused, separator='. ')}. {HAND_IN}"
             found.unmatched.append(Unmatched(name, reason, user, page, told))
     return found
 
@@ -178,10 +180,10 @@ def _newest(archive: Archive, uploads: list[Upload]) -> tuple[list[Upload], list
     for upload in sorted(uploads, key=lambda u: -u.attachment):
         file = canvas.plain_file(upload.file, texts)
         if not is_source(file) and not is_zip(file):
-            unused.append(f"{printable(upload.file)} is no C++ source and no zip")
+            unused.append(f"{printable_name(upload.file)} is no C++ source and no zip")
         elif file in newest:
-            newer = printable(newest[file].file)
-            unused.append(f"{printable(upload.file)} is older than {newer}")
+            newer = printable_name(newest[file].file)
+            unused.append(f"{printable_name(upload.file)} is older than {newer}")
         else:
             newest[file] = upload
     return sorted(newest.values(), key=lambda u: u.attachment), unused

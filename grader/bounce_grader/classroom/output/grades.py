@@ -3,7 +3,7 @@
 from collections.abc import Iterable
 
 from bounce_grader.classroom.work.summary import Summary
-from bounce_grader.common.escaping import csv_row, some, Value
+from bounce_grader.common.escaping import csv_row, first_few, Value
 from bounce_grader.common.manifest import parts
 from bounce_grader.formats.html import MOST_UNUSED
 
@@ -32,7 +32,7 @@ def _row(summary: Summary) -> list[Value]:
         summary.state,
         *map(_number, [summary.score, *points, *checks, summary.ratio, summary.error]),
         "; ".join(summary.needs_a_look),
-        some([*student.unused, *summary.ignored], MOST_UNUSED, "; ", summary.ignored_more),
+        first_few([*student.unused, *summary.ignored], MOST_UNUSED, "; ", summary.ignored_more),
         summary.key,
     ]
 

@@ -234,7 +234,7 @@ def _near(near: Similar, names: dict[str, str]) -> str:
         for p in near.pairs
     ]
     if near.left_out:
-        left_out = escaping.some([names[id] for id in near.left_out])
+        left_out = escaping.first_few([names[id] for id in near.left_out])
         said += f"<p>Left out: {escaping.html(left_out)}. Needs a look, above, says why.</p>"
     if not rows:
         return said + "<p>None.</p>"
@@ -273,7 +273,7 @@ def _cut(near: Similar) -> str:
 
 def _unmatched(found: Class, said: Sequence[str]) -> str:
     rows = [
-        [escaping.html(escaping.name(unmatched.name)), escaping.html(unmatched.reason)]
+        [escaping.html(escaping.printable_name(unmatched.name)), escaping.html(unmatched.reason)]
         for unmatched in found.unmatched
     ]
     out = _table(["file", "why it isn't graded"], rows) if rows else "<p>Everything is matched.</p>"
@@ -288,7 +288,7 @@ def _all(summaries: Sequence[Summary]) -> str:
     rows = []
     for s in summaries:
         points = [_points(s.score), *(_points(s.parts.get(part.number)) for part in parts())]
-        unused = escaping.html(escaping.some(s.unused, MOST_UNUSED, "; ", s.ignored_more))
+        unused = escaping.html(escaping.first_few(s.unused, MOST_UNUSED, "; ", s.ignored_more))
         rows.append([escaping.html(_who(s)), *points, "late" if s.student.late else "", unused])
     table = _table(head, rows, set(range(1, 2 + len(parts()))))
     return f"<details><summary>{len(rows)} submissions</summary>{table}</details>"

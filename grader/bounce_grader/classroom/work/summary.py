@@ -5,7 +5,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from bounce_grader.classroom.intake.students import Student
-from bounce_grader.common.escaping import some
+from bounce_grader.common.escaping import first_few
 from bounce_grader.grading import speed
 
 
@@ -55,7 +55,7 @@ class Summary:
         others = [*self.unused, *(f"{name} is no part by its name" for name in self.beside)]
         words = "parts" if len(missing) > 1 else "part"
         numbers = " and ".join(map(str, missing))
-        there = some(others, separator="; ", more=self.ignored_more)
+        there = first_few(others, separator="; ", more=self.ignored_more)
         return [f"{words} {numbers} not there, but {there}"] if missing and others else []
 
 

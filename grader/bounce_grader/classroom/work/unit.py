@@ -15,7 +15,7 @@ from typing import Any
 from bounce_grader.classroom.intake import handed_in
 from bounce_grader.classroom.work.task import Task
 from bounce_grader.common.errors import KitError, UsageError
-from bounce_grader.common.escaping import name as printable
+from bounce_grader.common.escaping import printable_name
 from bounce_grader.common.files import write_whole
 from bounce_grader.grading.record import sentence
 from bounce_grader.submission.submission import Submission
@@ -71,7 +71,7 @@ def _result(task: Task, grade: Grade) -> dict[str, Any]:
         taken = handed_in.read(path, task.uploads)
         _require_a_part(taken, "folder" if os.path.isdir(path) else "zip")
         record = grade(taken, task)
-        beside = list(map(printable, taken.helpers))
+        beside = list(map(printable_name, taken.helpers))
     except UsageError as error:
         message = sentence(str(error).replace(str(path), "the submission"))
     return {
@@ -94,6 +94,6 @@ def _require_a_part(taken: Submission, where: str) -> None:
         zipped = any(name.lower().endswith(".zip") for name in names)
         raise UsageError(
             "none of the four parts is there under its name"
-            + (f", but {', '.join(map(printable, names[:3]))}" if names else "")
+            + (f", but {', '.join(map(printable_name, names[:3]))}" if names else "")
             + (f": a zip inside a {where} isn't opened" if zipped else "")
         )

@@ -1,0 +1,54 @@
+"""How numbers are written in every report."""
+
+ROUNDING = 1e-14  # what rounding leaves of a 0
+LENGTHS = (
+    ("m", 1.0, 0.0999),
+    ("mm", 1e-3, 0.999e-4),
+    ("\N{MICRO SIGN}m", 1e-6, 0.999e-7),
+    ("nm", 1e-9, 0.0),
+)  # unit, its size and the least length that is written in it; a tick of an axis may be rounded
+TIMES = (
+    ("s", 1e9, 1e9),
+    ("ms", 1e6, 1e6),
+    ("\N{MICRO SIGN}s", 1e3, 1e3),
+    ("ns", 1.0, 0.0),
+)  # in ns
+
+
+def short(x: float) -> str:
+    """Points, counts and the ticks of an axis: 30, 87.5, 0.001, 1e-09."""
+    return f"{x:g}"
+
+
+def percent(share: float) -> str:
+    """0.667 as "67 %"."""
+    return f"{100 * share:.0f} %"
+
+
+def scientific(x: float) -> str:
+    """An error whose power of ten is what matters: 3.0e-13."""
+    return f"{x:.1e}"
+
+
+def significant(x: float, digits: int) -> str:
+    """A quantity of mechanics, with a true minus sign, and 0 for what rounding leaves of it."""
+    return f"{0.0 if abs(x) < ROUNDING else x:.{digits}g}".replace("-", "\N{MINUS SIGN}")
+
+
+def two_digits(x: float) -> str:
+    """Two significant digits, and no power of ten below a million."""
+    return short(float(f"{x:.2g}"))
+
+
+def metres(x: float) -> str:
+    return _with_unit(x, LENGTHS)
+
+
+def seconds(ns: float) -> str:
+    """Of nanoseconds."""
+    return _with_unit(ns, TIMES)
+
+
+def _with_unit(x: float, units: tuple[tuple[str, float, float], ...]) -> str:
+    unit, size = next((unit, size) for unit, size, least in units if x >= least)
+    return f"{two_digits(x / size)} {unit}"
