@@ -274,12 +274,12 @@ void RunnerProcess::end_after_close(const std::string& closed) {
                        "the system can't start the program that the parts were linked to: look for "
                        "lines of assembler in them"});
   }
-  throw RunnerEnded(ending_of(status, limits_, last_print_));
+  throw RunnerEnded(termination_of(status, limits_, last_print_));
 }
 
-void RunnerProcess::end(const Ending& ending, bool waits) {
+void RunnerProcess::end(const Termination& termination, bool waits) {
   kill();
-  throw RunnerEnded(ending, waits);
+  throw RunnerEnded(termination, waits);
 }
 
 // The wait status, or -1 when it still runs after a while.

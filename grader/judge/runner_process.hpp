@@ -11,17 +11,19 @@
 #include <vector>
 
 #include "../runner/frame.hpp"
-#include "ending.hpp"
 #include "limits.hpp"
 #include "process_usage.hpp"
+#include "termination.hpp"
 
 namespace bounce::judge {
 
 // A runner can't go on.
 struct RunnerEnded : std::runtime_error {
-  explicit RunnerEnded(Ending ending_, bool waits_ = false)
-      : std::runtime_error(ending_.sentence), ending(std::move(ending_)), waits(waits_) {}
-  Ending ending;
+  explicit RunnerEnded(Termination termination_, bool waits_ = false)
+      : std::runtime_error(termination_.sentence),
+        termination(std::move(termination_)),
+        waits(waits_) {}
+  Termination termination;
   bool waits;  // it would do so the next time, too: no more is asked of this part
 };
 
@@ -81,7 +83,7 @@ class RunnerProcess {
   void end_if_late(bool amid_an_answer);
   [[noreturn]] void end_without_answer(bool amid_an_answer, const std::string& why);
   [[noreturn]] void end_after_close(const std::string& closed);
-  [[noreturn]] void end(const Ending& ending, bool waits = false);
+  [[noreturn]] void end(const Termination& termination, bool waits = false);
   void close_prints();
   int wait_for_exit();
   void kill();

@@ -5,7 +5,7 @@
 
 #include "../../tests/parts/cases.hpp"
 #include "../../tests/parts/submission.hpp"
-#include "given.hpp"
+#include "reference_parts.hpp"
 #include "sanitize_line.hpp"
 
 namespace bounce::judge {
@@ -18,8 +18,8 @@ namespace {
 constexpr const char* kFunctions[] = {"bounce::get_contacts", "bounce::form_lcp", "bounce::step",
                                       "bounce::simulate"};
 
-// More than any program needs, so that a plea in an endless loop is told from work.
-std::int64_t most_pleas(const Frame& question) { return 1000 + 20 * question.T; }
+// More than any program needs, so that a callback in an endless loop is told from work.
+std::int64_t most_callbacks(const Frame& question) { return 1000 + 20 * question.T; }
 
 // what() as it arrived: a frame holds so much of it.
 std::string thrown_text(const Frame& answer) {
@@ -67,8 +67,8 @@ Frame Session::ask(Frame question, Trajectory* columns) {
     throw tests::Ended(kit_failure_);
   } catch (const RunnerEnded& ended) {
     end_runner();
-    end_ = {ended.ending.status, ended.ending.stack};
-    if (ended.ending.status == "timed_out") --hangs_left_;
+    end_ = {ended.termination.status, ended.termination.stack};
+    if (ended.termination.status == "timed_out") --hangs_left_;
     if (ended.waits) hangs_left_ = 0;
     throw tests::Ended(ended.what());
   }
@@ -94,12 +94,13 @@ void Session::end_runner() {
 Frame Session::answer_of(const Frame& question, Trajectory* columns) {
   runner_->send(question);
   Frame answer = runner_->receive();
-  for (std::int64_t pleas = 0; answer.kind == Kind::plea; ++pleas) {
+  for (std::int64_t callbacks = 0; answer.kind == Kind::callback; ++callbacks) {
     if (!given_ || answer.part < 1 || answer.part >= part_) {
       throw RunnerEnded({"no_answer", "the program asked for what isn't given to it"});
     }
-    if (pleas > most_pleas(question)) {
-      throw RunnerEnded({"timed_out", "the program called earlier parts " + std::to_string(pleas) +
+    if (callbacks > most_callbacks(question)) {
+      throw RunnerEnded({"timed_out", "the program called earlier parts " +
+                                          std::to_string(callbacks) +
                                           " times for one answer: a loop without end, perhaps"});
     }
     runner_->send(reply_to(answer));

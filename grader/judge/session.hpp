@@ -16,7 +16,7 @@ namespace bounce::judge {
 
 class Session {
  public:
-  // given: pleas for parts before `part` are answered from the solution; else none is.
+  // given: callbacks for parts before `part` are answered from the solution; else none is.
   Session(std::vector<std::string> command, Limits limits, std::uint32_t part, bool given);
 
   // With runners that are started in another way.

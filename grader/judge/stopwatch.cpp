@@ -1,12 +1,12 @@
 // stopwatch --scenes FOLDER TIMED... :: SOLUTION... :: GRADED...
 //
-// Sweeps dt over the scenes that the assignment's model can do (sweep.hpp), in a submission's
-// runner built for speed, the solution's runner, and the simulator that takes no more model than a
-// step needs. Prints {"dt": [...], "scenes": [{"scene", "title", "seconds", "submission",
-// "solution", "least"}], "cut": sentence or "", "right": bool}; a curve is a list of {"dt", "ns",
-// "error"}, with ns of CPU time for a simulated second and an error in m, or null where it isn't
-// finite. right is false where a column that was timed isn't the step that it should be
-// (right_steps.hpp).
+// Measures dt by dt the scenes that the assignment's model can do (speed_curves.hpp), in a
+// submission's runner built for speed, the solution's runner, and the simulator that takes no more
+// model than a step needs. Prints {"dt": [...], "scenes": [{"scene", "title", "seconds",
+// "submission", "solution", "least"}], "cut": sentence or "", "right": bool}; a curve is a list of
+// {"dt", "ns", "error"}, with ns of CPU time for a simulated second and an error in m, or null
+// where it isn't finite. right is false where a column that was timed isn't the step that it should
+// be (right_steps.hpp).
 //
 // Then the submission's runner as it was graded is asked the same. Where that one is right, the
 // two builds are different programs, no time is worth anything, and all that is printed is
@@ -30,7 +30,7 @@
 #include "../../tests/parts/submission.hpp"
 #include "right_steps.hpp"
 #include "session.hpp"
-#include "sweep.hpp"
+#include "speed_curves.hpp"
 
 namespace bounce {
 
@@ -44,7 +44,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double kBudget = 1.5e9;  // ns of CPU time for a whole sweep
+constexpr double kBudget = 1.5e9;  // ns of CPU time for all curves
 constexpr int kManyColumns = 20'001;
 
 // What a question costs that isn't the trajectory: ns, and ns a column.
@@ -150,7 +150,7 @@ class Least : public Contender {
  public:
   Timed run(const Parameters& params, const State& start) override {
     const double before = cpu_ns();
-    Trajectory trajectory = study::simulate_scene(params, start);
+    Trajectory trajectory = exact::simulate_scene(params, start);
     return {std::move(trajectory), std::max(1.0, cpu_ns() - before)};
   }
 };
@@ -184,7 +184,7 @@ json as_json(const std::vector<Point>& points) {
 
 using Command = std::vector<std::string>;
 
-json measured(const std::vector<study::Scene>& scenes, const Command& timed,
+json measured(const std::vector<exact::Scene>& scenes, const Command& timed,
               const Command& reference, const Command& graded) {
   auto solution = std::make_unique<InRunner>(reference);
   InRunner known(reference);  // one of its own: the solution begins as cold as the submission
@@ -196,10 +196,10 @@ json measured(const std::vector<study::Scene>& scenes, const Command& timed,
   contenders.push_back(std::move(submitted));
   contenders.push_back(std::move(solution));
   contenders.push_back(std::make_unique<Least>());
-  const std::vector<Curves> curves = sweep(scenes, contenders, kBudget);
+  const std::vector<Curves> curves = speed_curves(scenes, contenders, kBudget);
   if (!curves[1].cut.empty()) throw std::runtime_error("the solution: " + curves[1].cut);
 
-  json answer = {{"dt", sweep_steps()},
+  json answer = {{"dt", measured_steps()},
                  {"scenes", json::array()},
                  {"cut", curves[0].cut},
                  {"right", submission.right()}};
@@ -218,7 +218,7 @@ int run(const std::string& folder, const Command& timed, const Command& referenc
         const Command& graded) {
   json answer;
   try {
-    const auto scenes = scenes_of_one_corner(study::read_scenes(folder));
+    const auto scenes = scenes_of_one_corner(exact::read_scenes(folder));
     answer = measured(scenes, timed, reference, graded);
   } catch (const Otherwise& otherwise) {
     answer = {{"otherwise", otherwise.sentence}};

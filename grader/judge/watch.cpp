@@ -15,7 +15,7 @@ int main(int argc, char** argv) try {
     static_cast<void>(runner.receive());
     std::cout << "answered\n";
   } catch (const bounce::judge::RunnerEnded& ended) {
-    std::cout << ended.ending.status << ": " << ended.what() << "\n";
+    std::cout << ended.termination.status << ": " << ended.what() << "\n";
   }
   return 0;
 } catch (const std::exception& e) {

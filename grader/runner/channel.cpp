@@ -39,9 +39,9 @@ void send(const Eigen::Matrix3Xd& columns) {
   write_all(columns.data(), sizeof(double) * static_cast<std::size_t>(columns.size()));
 }
 
-frames::Frame plead(frames::Frame plea) {
-  plea.kind = frames::Kind::plea;
-  send(plea);
+frames::Frame plead(frames::Frame callback) {
+  callback.kind = frames::Kind::callback;
+  send(callback);
   const frames::Frame reply = receive();
   if (reply.kind != frames::Kind::answer) throw std::runtime_error(frames::text(reply));
   return reply;

@@ -2,8 +2,8 @@
 // their own. What a submission prints goes elsewhere and is never taken for an answer.
 //
 //   judge -> runner  a question: part, params, arguments
-//   runner -> judge  an answer, or a plea: "what would an earlier part say?" (given parts)
-//   judge -> runner  the reply to a plea
+//   runner -> judge  an answer, or a callback: "what would an earlier part say?" (given parts)
+//   judge -> runner  the reply to a callback
 //
 // Nothing in a frame that comes from a runner is trusted: the judge checks kind, part, number and
 // the counts before it uses them.
@@ -18,10 +18,10 @@
 namespace bounce::frames {
 
 inline constexpr int kQuestions = 3;  // the runner reads questions and replies here
-inline constexpr int kAnswers = 4;    // and writes answers and pleas here
+inline constexpr int kAnswers = 4;    // and writes answers and callbacks here
 inline constexpr std::uint32_t kMagic = 0x31424E42;
 
-enum class Kind : std::uint32_t { question = 1, answer, plea, threw, out_of_memory, absent };
+enum class Kind : std::uint32_t { question = 1, answer, callback, threw, out_of_memory, absent };
 
 struct Frame {
   std::uint32_t magic = kMagic;

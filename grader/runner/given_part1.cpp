@@ -6,11 +6,11 @@
 namespace bounce {
 
 Contact get_contacts(const Vector3& q, const Parameters& params) {
-  frames::Frame plea;
-  plea.part = 1;
-  frames::put(params, plea);
-  frames::put(plea, q);
-  const frames::Frame reply = runner::plead(plea);
+  frames::Frame callback;
+  callback.part = 1;
+  frames::put(params, callback);
+  frames::put(callback, q);
+  const frames::Frame reply = runner::plead(callback);
   Contact contact;
   frames::take(reply, contact.J);
   contact.phi = reply.values[6];

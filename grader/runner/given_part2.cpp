@@ -6,11 +6,11 @@
 namespace bounce {
 
 Lcp form_lcp(const Jacobian& J, const Vector3& v, const Parameters& params) {
-  frames::Frame plea;
-  plea.part = 2;
-  frames::put(params, plea);
-  frames::put(plea, J, v);
-  const frames::Frame reply = runner::plead(plea);
+  frames::Frame callback;
+  callback.part = 2;
+  frames::put(params, callback);
+  frames::put(callback, J, v);
+  const frames::Frame reply = runner::plead(callback);
   Lcp lcp;
   frames::take(reply, lcp.V, lcp.p);
   return lcp;

@@ -6,11 +6,11 @@
 namespace bounce {
 
 State step(const Vector3& q, const Vector3& v, const Parameters& params) {
-  frames::Frame plea;
-  plea.part = 3;
-  frames::put(params, plea);
-  frames::put(plea, q, v);
-  const frames::Frame reply = runner::plead(plea);
+  frames::Frame callback;
+  callback.part = 3;
+  frames::put(params, callback);
+  frames::put(callback, q, v);
+  const frames::Frame reply = runner::plead(callback);
   State next;
   frames::take(reply, next.q, next.v);
   return next;

@@ -7,7 +7,7 @@
 #include "first_contact.hpp"
 #include "series.hpp"
 
-namespace bounce::study {
+namespace bounce::exact {
 namespace {
 
 using methods::CornerImpulse;
@@ -395,4 +395,4 @@ template std::vector<Motion<long double>> simulate_events(const Parameters&,
                                                           const std::vector<long double>&,
                                                           const EventOptions&, EventReport*);
 
-}  // namespace bounce::study
+}  // namespace bounce::exact

@@ -25,7 +25,7 @@
 #include "../methods/impact_laws.hpp"
 #include "../methods/square.hpp"
 
-namespace bounce::study {
+namespace bounce::exact {
 
 // What a method may use of the whole model: `corners` may touch at once, with friction or without.
 // The ladder of models is made of these; 0 corners is free flight through the ground.
@@ -59,4 +59,4 @@ std::vector<methods::Motion<Real>> simulate_events(const Parameters& params,
                                                    const EventOptions& options,
                                                    EventReport* report = nullptr);
 
-}  // namespace bounce::study
+}  // namespace bounce::exact

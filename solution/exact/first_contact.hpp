@@ -14,7 +14,7 @@
 #include "../methods/square.hpp"
 #include "first_root.hpp"
 
-namespace bounce::study {
+namespace bounce::exact {
 
 using methods::Arm;
 using methods::Body;
@@ -79,4 +79,4 @@ Real first_contact(const Motion<Real>& start, const Body<Real>& body, Real t_end
   return std::numeric_limits<Real>::infinity();
 }
 
-}  // namespace bounce::study
+}  // namespace bounce::exact

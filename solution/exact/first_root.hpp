@@ -13,7 +13,7 @@
 #include <cmath>
 #include <limits>
 
-namespace bounce::study {
+namespace bounce::exact {
 
 // The step that is surely free of roots.
 template <class Real>
@@ -24,4 +24,4 @@ Real safe_step(Real f, Real slope, Real K) {
   return K > 0 ? (slope + root) / K : std::numeric_limits<Real>::infinity();
 }
 
-}  // namespace bounce::study
+}  // namespace bounce::exact

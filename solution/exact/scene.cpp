@@ -11,12 +11,12 @@
 #include <sstream>
 #include <stdexcept>
 
-namespace bounce::study {
+namespace bounce::exact {
 namespace {
 
 using nlohmann::json;
 
-constexpr std::array<const char*, kRungs> kRungNames{
+constexpr std::array<const char*, kModelLevels> kModelLevelNames{
     "asleep", "ballistic", "one_normal", "one_friction", "two_normals", "two_frictions"};
 
 [[noreturn]] void refuse(const std::string& field, const std::string& why) {
@@ -170,11 +170,11 @@ Parameters parameters(const json& object) {
   return params;
 }
 
-Rung rung_of(const std::string& name) {
-  const auto found = std::find(kRungNames.begin(), kRungNames.end(), name);
-  if (found == kRungNames.end())
+ModelLevel level_of(const std::string& name) {
+  const auto found = std::find(kModelLevelNames.begin(), kModelLevelNames.end(), name);
+  if (found == kModelLevelNames.end())
     refuse("least_model", "is \"" + name + "\", which is no model; see scene.hpp for the names");
-  return Rung(found - kRungNames.begin());
+  return ModelLevel(found - kModelLevelNames.begin());
 }
 
 void read_comparison(const json& object, Scene& scene) {
@@ -196,7 +196,7 @@ Scene scene_of(const json& whole) {
   scene.params = parameters(fields.get("params"));
   scene.start = {fields.vector("q"), fields.vector("v")};
   read_comparison(fields.get("compare"), scene);
-  scene.least = rung_of(fields.text("least_model"));
+  scene.least = level_of(fields.text("least_model"));
   scene.why = fields.text("why");
   fields.nothing_else();
   check(scene.params, scene.start);
@@ -205,7 +205,7 @@ Scene scene_of(const json& whole) {
 
 }  // namespace
 
-const char* name_of(Rung rung) { return kRungNames[std::size_t(rung)]; }
+const char* name_of(ModelLevel level) { return kModelLevelNames[std::size_t(level)]; }
 
 void check(const Parameters& params, const State& start) {
   check_positive("params.l", params.l);
@@ -264,4 +264,4 @@ double distance(const Scene& scene, const methods::Motion<double>& one,
                    turned * turned);
 }
 
-}  // namespace bounce::study
+}  // namespace bounce::exact

@@ -8,10 +8,10 @@
 
 #include "../methods/square.hpp"
 
-namespace bounce::study {
+namespace bounce::exact {
 
 // The ladder: each model is the least for some scene. The numbers are the sizes of the LCPs.
-enum class Rung {
+enum class ModelLevel {
   asleep,         // nothing at all
   ballistic,      // free flight, in closed form
   one_normal,     // the normal impulse of one corner, 1x1
@@ -19,8 +19,8 @@ enum class Rung {
   two_normals,    // the normal impulses of two corners, 2x2
   two_frictions,  // two corners with friction, 8x8
 };
-inline constexpr int kRungs = 6;
-const char* name_of(Rung rung);
+inline constexpr int kModelLevels = 6;
+const char* name_of(ModelLevel level);
 
 // How far two motions are apart, m.
 enum class Quantity {
@@ -33,8 +33,8 @@ struct Scene {
   Parameters params;
   State start;
   Quantity quantity;
-  double until;  // compare up to this time, s; errors in the start grow too much afterwards
-  Rung least;    // the least model expected to suffice
+  double until;      // compare up to this time, s; errors in the start grow too much afterwards
+  ModelLevel least;  // the least model expected to suffice
   std::string why;
 };
 
@@ -52,4 +52,4 @@ void check(const Parameters& params, const State& start);
 double distance(const Scene& scene, const methods::Motion<double>& one,
                 const methods::Motion<double>& other);
 
-}  // namespace bounce::study
+}  // namespace bounce::exact

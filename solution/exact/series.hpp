@@ -26,7 +26,7 @@
 #include "../methods/square.hpp"
 #include "first_root.hpp"
 
-namespace bounce::study {
+namespace bounce::exact {
 
 using methods::Arm;
 using methods::Body;
@@ -192,4 +192,4 @@ class CornerMotion {
   Series<Real> x_, v_x_, v_t_, e_, press_, inertia_;  // sliding only
 };
 
-}  // namespace bounce::study
+}  // namespace bounce::exact

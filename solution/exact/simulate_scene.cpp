@@ -7,7 +7,7 @@
 #include "../methods/moreau_jean.hpp"
 #include "first_root.hpp"
 
-namespace bounce::study {
+namespace bounce::exact {
 namespace {
 
 using methods::Arm;
@@ -39,9 +39,9 @@ struct Angle {
   double theta, cosine, sine;
 };
 
-class Ladder {
+class LeastModelSimulation {
  public:
-  Ladder(const Parameters& params, const State& start, ModelReport& report)
+  LeastModelSimulation(const Parameters& params, const State& start, ModelReport& report)
       : k_(params),
         g_x_(params.g.x()),
         g_y_(params.g.y()),
@@ -62,13 +62,13 @@ class Ladder {
   }
 
  private:
-  void count(Rung rung, long steps) {
-    report_.steps[std::size_t(rung)] += steps;
-    report_.seconds[std::size_t(rung)] += double(steps) * k_.dt;
+  void count(ModelLevel level, long steps) {
+    report_.steps[std::size_t(level)] += steps;
+    report_.seconds[std::size_t(level)] += double(steps) * k_.dt;
   }
 
   void sleep() {
-    count(Rung::asleep, last_ - now_);
+    count(ModelLevel::asleep, last_ - now_);
     while (now_ < last_) put(trajectory_, ++now_, s_);
   }
 
@@ -122,7 +122,7 @@ class Ladder {
     }
     now_ += n;
     s_ = {q[3 * n], q[3 * n + 1], q[3 * n + 2], v[3 * n], v[3 * n + 1], v[3 * n + 2]};
-    count(Rung::ballistic, n);
+    count(ModelLevel::ballistic, n);
     return true;
   }
 
@@ -132,18 +132,18 @@ class Ladder {
     const Angle& at = angle(s_.theta);
     const LowCorners low = methods::low_corners(k_.half, at.cosine, at.sine, s_.y);
     const bool both = methods::side_touches(low, s_, k_);
-    Rung rung = Rung::ballistic;
+    ModelLevel level = ModelLevel::ballistic;
     if (both) {
-      rung = two(low);
+      level = two(low);
     } else if (low.gap_left <= 0 || low.gap_right <= 0) {
-      rung = one(low.gap_left <= 0 ? low.left : low.right);
+      level = one(low.gap_left <= 0 ? low.left : low.right);
     }
     s_.v_x += k_.dv_x;
     s_.v_y += k_.dv_y;
     if (both) fall_asleep(rested);
     methods::half_step(s_, k_);
     put(trajectory_, ++now_, s_);
-    count(rung, 1);
+    count(level, 1);
   }
 
   double speed() const {
@@ -163,28 +163,28 @@ class Ladder {
     return k_.mu * p_n * 6 * double(last_ - now_) * k_.dt <= kNegligible;
   }
 
-  Rung one(const Arm<double>& r) {
+  ModelLevel one(const Arm<double>& r) {
     const auto problem = methods::corner_problem(s_, r, k_);
-    if (problem.u_n >= 0) return Rung::one_normal;
+    if (problem.u_n >= 0) return ModelLevel::one_normal;
     warn(problem);
     const double p_n = -problem.u_n / problem.a;
     if (problem.u_t + problem.b * p_n == 0 || friction_is_negligible(p_n)) {
       methods::push(s_, r, p_n, 0.0, k_.gyration);
-      return Rung::one_normal;
+      return ModelLevel::one_normal;
     }
     ++report_.raised;
     const auto p = methods::solve_one_corner(problem);
     methods::push(s_, r, p.n, p.t, k_.gyration);
-    return Rung::one_friction;
+    return ModelLevel::one_friction;
   }
 
-  Rung two(const LowCorners& low) {
+  ModelLevel two(const LowCorners& low) {
     TwoCorners<double> problem = methods::side_problem(s_, low, k_);
     if (slides_on_ && k_.mu < 4.0 / 3) {  // as it did a step ago; below 4/3 no other solution
       const auto p = methods::solve_side(problem, problem.u_t > 0 ? 1 : -1, true);
       if (p.violation <= 0) {
         methods::push_side(s_, low, p, k_);
-        return Rung::two_frictions;
+        return ModelLevel::two_frictions;
       }
     }
     problem.mu = 0;
@@ -193,13 +193,13 @@ class Ladder {
     if (slides == 0 || friction_is_negligible(normal.n[0] + normal.n[1])) {
       methods::push_side(s_, low, normal, k_);
       slides_on_ = false;
-      return Rung::two_normals;
+      return ModelLevel::two_normals;
     }
     ++report_.raised;
     problem.mu = k_.mu;
     methods::push_side(s_, low, methods::solve_two_corners(problem), k_);
     slides_on_ = true;
-    return Rung::two_frictions;
+    return ModelLevel::two_frictions;
   }
 
   void warn(const methods::OneCorner<double>& k) {
@@ -260,7 +260,7 @@ void whole_step(Motion<double>& s, const StepConstants& k) {
 
 Trajectory simulate_scene(const Parameters& params, const State& start, ModelReport* report) {
   ModelReport unread;
-  return Ladder(params, start, report ? *report : unread).run();
+  return LeastModelSimulation(params, start, report ? *report : unread).run();
 }
 
 Trajectory simulate_whole(const Parameters& params, const State& start) {
@@ -284,4 +284,4 @@ Trajectory simulate_moreau_jean(const Parameters& params, const State& start) {
   return trajectory;
 }
 
-}  // namespace bounce::study
+}  // namespace bounce::exact

@@ -16,7 +16,7 @@
 //   two_normals     Two corners, friction left out for the same reasons.
 //   two_frictions   Two corners with friction: the whole model.
 //
-// Where a bound is not met the step is done again, one rung or more up.
+// Where a bound is not met the step is done again, one level or more up.
 #pragma once
 
 #include <array>
@@ -25,11 +25,11 @@
 
 #include "scene.hpp"
 
-namespace bounce::study {
+namespace bounce::exact {
 
 struct ModelReport {
-  std::array<long, kRungs> steps{};  // by rung
-  std::array<double, kRungs> seconds{};
+  std::array<long, kModelLevels> steps{};  // by level
+  std::array<double, kModelLevels> seconds{};
   long raised = 0;                    // steps done again with a larger model
   std::vector<std::string> warnings;  // each once, with the time when it was first true
 };
@@ -44,4 +44,4 @@ Trajectory simulate_whole(const Parameters& params, const State& start);
 // The same by MoreauJean<2> as it is: it asks each step whether a corner can touch, and which.
 Trajectory simulate_moreau_jean(const Parameters& params, const State& start);
 
-}  // namespace bounce::study
+}  // namespace bounce::exact

@@ -7,7 +7,7 @@
 
 #include "event_driven.hpp"
 
-namespace bounce::study {
+namespace bounce::exact {
 
 long steps_between_samples(const Scene& scene, double dt, int samples) {
   return std::max(1L, std::lround(scene.until / samples / dt));
@@ -57,4 +57,4 @@ double error_of(const Scene& scene, const Samples& samples, const Samples& truth
   return worst;
 }
 
-}  // namespace bounce::study
+}  // namespace bounce::exact

@@ -6,7 +6,7 @@
 #include "../methods/impact_laws.hpp"
 #include "scene.hpp"
 
-namespace bounce::study {
+namespace bounce::exact {
 
 // The square at even times up to scene.until: kSamples of them, unless another number is asked for.
 // Between them an error may be larger.
@@ -30,4 +30,4 @@ long steps_between_samples(const Scene& scene, double dt, int samples);
 // The step nearest to dt of which a whole number makes up the time between two samples.
 double fitting_step(const Scene& scene, double dt, int samples = kSamples);
 
-}  // namespace bounce::study
+}  // namespace bounce::exact

@@ -1,6 +1,6 @@
 // kit_methods_bench: what one step, one LCP and one second of each method cost, by Google
-// Benchmark. Counters: ns_each is the time of one step, or of one body's step in a batch; residual
-// is what an LCP's answer leaves of it, m/s.
+// Benchmark. Counters: ns_each is the time of one step; residual is what an LCP's answer leaves of
+// it, m/s.
 #include <benchmark/benchmark.h>
 
 #include <bounce/part1_contacts.hpp>
@@ -9,7 +9,6 @@
 #include <bounce/solve_lcp.hpp>
 #include <cmath>
 
-#include "../methods/assignment_batch.hpp"
 #include "../methods/assignment_fast.hpp"
 #include "../methods/gauss_seidel.hpp"
 #include "../methods/lemke.hpp"
@@ -51,14 +50,6 @@ void steps(benchmark::State& state, const Parameters& params, const Motion<doubl
     benchmark::DoNotOptimize(scheme.motion());
   }
   per_item(state, kSteps);
-}
-
-void batch(benchmark::State& state) {
-  std::vector<Motion<double>> starts(1024, kRest);
-  for (std::size_t i = 0; i < starts.size(); ++i) starts[i].theta = 1e-3 * double(i);
-  methods::AssignmentBatch squares(Parameters(), starts);
-  for ([[maybe_unused]] auto _ : state) squares.steps(1);
-  per_item(state, 1024);
 }
 
 void solution_step(benchmark::State& state) {
@@ -202,7 +193,6 @@ void add_all() {
   benchmark::RegisterBenchmark("step: the solution's, contact", solution_step);
   add_scheme<methods::Assignment>("step: assignment");
   add_scheme<methods::AssignmentFast>("step: assignment_fast");
-  benchmark::RegisterBenchmark("step: assignment, batch of 1024, rest", batch);
   add_scheme<methods::MoreauJean<1>>("step: moreau_jean_1");
   add_scheme<methods::MoreauJean<2>>("step: moreau_jean_2");
   add_scheme<methods::Penalty>("step: penalty");

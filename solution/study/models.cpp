@@ -16,14 +16,15 @@ namespace {
 constexpr double kFine = 1e-3;  // m
 
 // The scene with no more than this model, its times of impact exact.
-Samples run_model(const Scene& scene, Rung rung) {
+Samples run_model(const Scene& scene, ModelLevel level) {
   const auto start = methods::motion_of<double>(scene.start);
-  if (rung == Rung::asleep) return Samples(kSamples, start);
+  if (level == ModelLevel::asleep) return Samples(kSamples, start);
   EventOptions options;
-  options.model.corners = rung == Rung::ballistic                                  ? 0
-                          : rung == Rung::one_normal || rung == Rung::one_friction ? 1
-                                                                                   : 2;
-  options.model.friction = rung == Rung::one_friction || rung == Rung::two_frictions;
+  options.model.corners = level == ModelLevel::ballistic ? 0
+                          : level == ModelLevel::one_normal || level == ModelLevel::one_friction
+                              ? 1
+                              : 2;
+  options.model.friction = level == ModelLevel::one_friction || level == ModelLevel::two_frictions;
   return simulate_events<double>(scene.params, start, sample_times(scene), options);
 }
 
@@ -61,17 +62,18 @@ Table least_model(const Scenes& scenes, const Extent& extent) {
   for (const Scene& scene : scenes) {
     const Samples truth = truth_of(scene);
     std::vector<Job> jobs;
-    jobs.reserve(kRungs);
-    for (int i = 0; i < kRungs; ++i) jobs.push_back({[&scene, i] { run_model(scene, Rung(i)); }});
+    jobs.reserve(kModelLevels);
+    for (int i = 0; i < kModelLevels; ++i)
+      jobs.push_back({[&scene, i] { run_model(scene, ModelLevel(i)); }});
     time_in_turn(jobs, extent);
     bool found = false;
-    for (int i = 0; i < kRungs; ++i) {
-      const Rung rung = Rung(i);
-      const double error = error_of(scene, run_model(scene, rung), truth);
+    for (int i = 0; i < kModelLevels; ++i) {
+      const ModelLevel level = ModelLevel(i);
+      const double error = error_of(scene, run_model(scene, level), truth);
       const bool least = !found && error <= kFine;
       found = found || least;
-      table.add(scene.name, name_of(rung), error, quantile(jobs[std::size_t(i)].ns) / scene.until,
-                least, rung == scene.least);
+      table.add(scene.name, name_of(level), error, quantile(jobs[std::size_t(i)].ns) / scene.until,
+                least, level == scene.least);
     }
   }
   return table;
@@ -91,8 +93,8 @@ Table chosen_model(const Scenes& scenes, const Extent& extent) {
       const Trajectory whole = simulate_whole(params, scene.start);
       const double apart = (chosen.q - whole.q).cwiseAbs().maxCoeff();
       const Gain gain = gain_of(params, scene.start, extent);
-      for (int i = 0; i < kRungs; ++i) {
-        table.add(scene.name, dt, name_of(Rung(i)), report.steps[std::size_t(i)],
+      for (int i = 0; i < kModelLevels; ++i) {
+        table.add(scene.name, dt, name_of(ModelLevel(i)), report.steps[std::size_t(i)],
                   report.seconds[std::size_t(i)], apart, gain.whole, gain.moreau_jean,
                   joined(report.warnings));
       }

@@ -10,6 +10,8 @@
 
 namespace bounce::study {
 
+using namespace exact;
+
 using Scenes = std::vector<Scene>;
 
 // How fast, and how exact: every scene, method and setting. CPU time, the median of several rounds

@@ -12,7 +12,6 @@ PLAIN = "step: assignment, contact"
 GOALS = {  # at most so many times the plain contact step
     "step: assignment_fast, contact": 12 / 24,
     "step: assignment_fast, flight": 3 / 24,
-    "step: assignment, batch of 1024, rest": 5 / 24,
     "LCP: closed form": 6 / 24,
 }
 

@@ -17,7 +17,7 @@ from concurrent.futures import ThreadPoolExecutor
 from bounce_grader.common.paths import BUILD, ROOT, SUPPORT
 
 COUNT = 1_000_000
-CPP = ("frames", "fixtures", "endings")
+CPP = ("frames", "fixtures", "terminations")
 PYTHON = {"zip": COUNT, "sources": COUNT, "judge": COUNT, "compiler": COUNT}
 PYTHON["folder"] = COUNT // 10  # each is made on disk
 ATTACKS = 500

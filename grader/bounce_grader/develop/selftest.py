@@ -26,7 +26,7 @@ SANITIZED = (
     "judge_test",
     "fuzz_frames",
     "fuzz_fixtures",
-    "fuzz_endings",
+    "fuzz_terminations",
 )
 EXTENTS = ("quick", "usual", "long")
 

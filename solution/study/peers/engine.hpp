@@ -10,6 +10,8 @@
 
 namespace bounce::study {
 
+using namespace exact;
+
 class Engine {
  public:
   Engine() = default;

@@ -75,7 +75,7 @@ Frame question_of(const Input& input) {
   return question;
 }
 
-void require_an_ending(judge::Session& session) {
+void require_termination(judge::Session& session) {
   static const std::set<std::string> kStatuses = {"does_not_compile", "crashed", "timed_out",
                                                   "out_of_memory", "no_answer"};
   const auto end = session.take_end();
@@ -95,7 +95,7 @@ bool ask(judge::Session& session, const Input& input) {
     }
   } catch (const tests::Ended& ended) {
     require(is_sentence(ended.what()));
-    require_an_ending(session);
+    require_termination(session);
     return false;
   } catch (const std::runtime_error& no_answer) {
     require(is_sentence(no_answer.what()));
@@ -126,10 +126,10 @@ Frame answer_of(std::uint32_t part, std::uint64_t number, Kind kind = Kind::answ
   return frame;
 }
 
-std::string plea_for(std::uint32_t part) {
-  Frame plea = answer_of(part, 0, Kind::plea);
-  frames::put(Parameters(), plea);
-  return bytes_of(plea);
+std::string callback_for(std::uint32_t part) {
+  Frame callback = answer_of(part, 0, Kind::callback);
+  frames::put(Parameters(), callback);
+  return bytes_of(callback);
 }
 
 }  // namespace
@@ -144,9 +144,10 @@ std::vector<std::string> seeds() {
       seed(1, false, bytes_of(answer_of(1, 1)) + bytes_of(answer_of(1, 2))),
       seed(2, false, bytes_of(threw) + bytes_of(answer_of(2, 2)), "a print\n"),
       seed(2, false, bytes_of(nan) + bytes_of(answer_of(2, 2, Kind::out_of_memory))),
-      seed(3, true, plea_for(1) + plea_for(2) + bytes_of(answer_of(3, 1)) + plea_for(3)),
-      seed(3, false, plea_for(1) + bytes_of(answer_of(3, 1))),
-      seed(4, true, plea_for(3) + bytes_of(answer_of(4, 1)) + columns),
+      seed(3, true,
+           callback_for(1) + callback_for(2) + bytes_of(answer_of(3, 1)) + callback_for(3)),
+      seed(3, false, callback_for(1) + bytes_of(answer_of(3, 1))),
+      seed(4, true, callback_for(3) + bytes_of(answer_of(4, 1)) + columns),
       seed(4, false, bytes_of(answer_of(4, 1)) + columns + bytes_of(answer_of(4, 2)) + columns),
       seed(4, false, bytes_of(answer_of(4, 1)) + columns, "", 3),
       seed(4, false, bytes_of(answer_of(4, 1)) + columns, "", 5),

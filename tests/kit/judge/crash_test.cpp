@@ -17,12 +17,12 @@
 #include <string>
 #include <vector>
 
-#include "../../../grader/judge/ending.hpp"
+#include "../../../grader/judge/termination.hpp"
 
 namespace bounce::tests {
 namespace {
 
-judge::Ending after(const std::function<void()>& crash) {
+judge::Termination after(const std::function<void()>& crash) {
   int prints[2];
   EXPECT_EQ(::pipe(prints), 0);
   const pid_t child = ::fork();
@@ -40,13 +40,13 @@ judge::Ending after(const std::function<void()>& crash) {
   ::close(prints[0]);
   int status = 0;
   EXPECT_EQ(::waitpid(child, &status, 0), child);
-  return judge::ending_of(status, judge::Limits(), print);
+  return judge::termination_of(status, judge::Limits(), print);
 }
 
-void expect(const judge::Ending& ending, const std::string& words) {
-  EXPECT_EQ(ending.status, "crashed");
-  EXPECT_NE(ending.sentence.find(words), std::string::npos) << ending.sentence;
-  EXPECT_EQ(ending.stack.substr(0, 3), " 0x");
+void expect(const judge::Termination& termination, const std::string& words) {
+  EXPECT_EQ(termination.status, "crashed");
+  EXPECT_NE(termination.sentence.find(words), std::string::npos) << termination.sentence;
+  EXPECT_EQ(termination.stack.substr(0, 3), " 0x");
 }
 
 int* volatile nowhere = nullptr;

@@ -48,7 +48,7 @@ TEST(RunnerProcess, IsEndedWhenItAsksWithoutReading) {
     for (int i = 0; i < 10000; ++i) runner->send(frames::Frame());
     FAIL() << "the pipe holds more than 10,000 frames";
   } catch (const RunnerEnded& ended) {
-    EXPECT_EQ(ended.ending.status, "no_answer");
+    EXPECT_EQ(ended.termination.status, "no_answer");
     EXPECT_NE(std::string(ended.what()).find("didn't read"), std::string::npos);
   }
 }
@@ -71,7 +71,7 @@ TEST(RunnerProcess, IsEndedWhenItsAnswerComesByteByByte) {
     runner->receive();
     ADD_FAILURE() << "it was waited for";
   } catch (const RunnerEnded& ended) {
-    EXPECT_EQ(ended.ending.status, "timed_out");
+    EXPECT_EQ(ended.termination.status, "timed_out");
     EXPECT_TRUE(ended.waits);
   }
   over = true;
@@ -144,11 +144,11 @@ TEST(Session, TakesTheAnswerToItsQuestionAndNoOther) {
 TEST(Session, AnswersForEarlierPartsAloneAndOnlyWhereTheyAreGiven) {
   using frames::Kind;
   for (const std::uint32_t part : {1U, 2U}) {
-    EXPECT_EQ(end_after({said(Kind::plea, part), said(Kind::answer, 3)}, true), "");
-    EXPECT_EQ(end_after({said(Kind::plea, part), said(Kind::answer, 3)}, false), "no_answer");
+    EXPECT_EQ(end_after({said(Kind::callback, part), said(Kind::answer, 3)}, true), "");
+    EXPECT_EQ(end_after({said(Kind::callback, part), said(Kind::answer, 3)}, false), "no_answer");
   }
   for (const std::uint32_t part : {0U, 3U, 4U}) {
-    EXPECT_EQ(end_after({said(Kind::plea, part), said(Kind::answer, 3)}, true), "no_answer");
+    EXPECT_EQ(end_after({said(Kind::callback, part), said(Kind::answer, 3)}, true), "no_answer");
   }
 }
 

@@ -32,8 +32,9 @@ RunnerEnded end_of(const std::string& script) {
 void expect(const std::string& script, const std::string& status, const std::string& words,
             bool waits = false) {
   const RunnerEnded end = end_of(script);
-  EXPECT_EQ(end.ending.status, status) << script;
-  EXPECT_NE(end.ending.sentence.find(words), std::string::npos) << script << end.ending.sentence;
+  EXPECT_EQ(end.termination.status, status) << script;
+  EXPECT_NE(end.termination.sentence.find(words), std::string::npos)
+      << script << end.termination.sentence;
   EXPECT_EQ(end.waits, waits) << script;
 }
 

@@ -7,7 +7,11 @@
 #include "exact/scene.hpp"
 #include "methods/square.hpp"
 
-namespace bounce::study::tests {
+namespace bounce::study {}
+
+namespace bounce::exact::tests {
+
+using namespace study;
 
 class Random {
  public:
@@ -58,4 +62,4 @@ inline Scene scene_named(const std::string& name) {
   return read_scene(std::string(BOUNCE_SCENES) + "/" + name + ".json");
 }
 
-}  // namespace bounce::study::tests
+}  // namespace bounce::exact::tests

@@ -8,7 +8,7 @@
 #include "methods/impact_laws.hpp"
 #include "methods/two_corners.hpp"
 
-namespace bounce::study::tests {
+namespace bounce::exact::tests {
 namespace {
 
 using methods::Arm;
@@ -185,4 +185,4 @@ TEST(two_corners, ShareAFlatLanding) {
 }
 
 }  // namespace
-}  // namespace bounce::study::tests
+}  // namespace bounce::exact::tests

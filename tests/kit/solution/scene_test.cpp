@@ -7,7 +7,7 @@
 
 #include "common.hpp"
 
-namespace bounce::study::tests {
+namespace bounce::exact::tests {
 namespace {
 
 using nlohmann::json;
@@ -54,7 +54,7 @@ TEST(scenes, AreReadWhole) {
   EXPECT_EQ(scene.start.v, Vector3(20, -60, 5));
   EXPECT_EQ(scene.until, 0.3);
   EXPECT_EQ(scene.params.g, Vector3(0, -9.81, 0));
-  EXPECT_EQ(scene.least, Rung::one_friction);
+  EXPECT_EQ(scene.least, ModelLevel::one_friction);
 }
 
 TEST(scenes, NameAMissingField) {
@@ -128,4 +128,4 @@ TEST(scenes, NameAFileThatIsNotThere) {
 }
 
 }  // namespace
-}  // namespace bounce::study::tests
+}  // namespace bounce::exact::tests

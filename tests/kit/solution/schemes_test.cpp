@@ -8,17 +8,15 @@
 
 #include "common.hpp"
 #include "exact/simulate_scene.hpp"
-#include "methods/assignment_batch.hpp"
 #include "methods/assignment_fast.hpp"
 #include "methods/moreau_jean.hpp"
 #include "methods/penalty.hpp"
 #include "study/catalog.hpp"
 
-namespace bounce::study::tests {
+namespace bounce::exact::tests {
 namespace {
 
 using methods::Assignment;
-using methods::AssignmentBatch;
 using methods::AssignmentFast;
 using methods::MoreauJean;
 using methods::Motion;
@@ -119,28 +117,6 @@ TEST(assignment, CarriesNanOnAndEnds) {
   start.y = std::numeric_limits<double>::quiet_NaN();
   EXPECT_TRUE(std::isnan(after<Assignment>(Parameters(), start, 1).y)) << "falls for ever";
   EXPECT_TRUE(std::isnan(after<AssignmentFast>(Parameters(), start, 1).y));
-}
-
-TEST(assignment, IsTheSameForABatchOfSquares) {
-  Random random(3);
-  const Parameters params;
-  std::vector<Motion<double>> starts(1024);
-  for (Motion<double>& start : starts) {
-    start = {0,
-             random.uniform(0.1, 0.3),
-             random.uniform(-4, 4),
-             random.uniform(-2, 2),
-             random.uniform(-2, 1),
-             random.uniform(-40, 40)};
-  }
-  AssignmentBatch batch(params, starts);
-  batch.steps(30);
-  for (std::size_t i = 0; i < starts.size(); ++i) {
-    Assignment alone(params, starts[i]);
-    alone.steps(30);
-    ASSERT_NEAR(batch.motion(i).y, alone.motion().y, 1e-6) << i;
-    ASSERT_NEAR(batch.motion(i).x, alone.motion().x, 1e-6) << i;
-  }
 }
 
 TEST(assignment, NeverComesToRestAndASmallerStepDoesNotHelp) {
@@ -292,4 +268,4 @@ TEST(penalty, ComesNearerToStrongesLawThanToNewtonsWhereFrictionTurnsTheSquare) 
 }
 
 }  // namespace
-}  // namespace bounce::study::tests
+}  // namespace bounce::exact::tests

@@ -10,7 +10,7 @@
 #include "exact/simulate_scene.hpp"
 #include "study/catalog.hpp"
 
-namespace bounce::study::tests {
+namespace bounce::exact::tests {
 namespace {
 
 double apart(const Parameters& params, const State& start, ModelReport* report = nullptr) {
@@ -19,7 +19,7 @@ double apart(const Parameters& params, const State& start, ModelReport* report =
       .maxCoeff();
 }
 
-long steps(const ModelReport& report, Rung rung) { return report.steps[std::size_t(rung)]; }
+long steps(const ModelReport& report, ModelLevel level) { return report.steps[std::size_t(level)]; }
 
 TEST(simulate_scene, IsTheWholeModelInEveryScene) {
   for (Scene scene : scenes()) {
@@ -72,7 +72,7 @@ TEST(simulate_scene, FallsAsleepWithWhateverStep) {
     scene.params.T = int(std::lround(scene.until / dt)) + 1;
     ModelReport report;
     simulate_scene(scene.params, scene.start, &report);
-    EXPECT_GT(steps(report, Rung::asleep), (scene.params.T - 1) / 2) << dt;
+    EXPECT_GT(steps(report, ModelLevel::asleep), (scene.params.T - 1) / 2) << dt;
   }
 }
 
@@ -82,10 +82,11 @@ TEST(simulate_scene, UsesNoMoreThanTheLeastModelOfAScene) {
     scene.params.T = int(std::lround(scene.until / 1e-4)) + 1;
     ModelReport report;
     simulate_scene(scene.params, scene.start, &report);
-    for (int rung = int(scene.least) + 1; rung < kRungs; ++rung) {
+    for (int level = int(scene.least) + 1; level < kModelLevels; ++level) {
       // The first step of rest is not yet known to be rest; the tumble ends in single corners.
-      const long allowed = scene.least == Rung::asleep ? 1 : 0;
-      EXPECT_LE(report.steps[std::size_t(rung)], allowed) << scene.name << name_of(Rung(rung));
+      const long allowed = scene.least == ModelLevel::asleep ? 1 : 0;
+      EXPECT_LE(report.steps[std::size_t(level)], allowed)
+          << scene.name << name_of(ModelLevel(level));
     }
     EXPECT_EQ(std::accumulate(report.steps.begin(), report.steps.end(), 0L), scene.params.T - 1);
     EXPECT_NEAR(std::accumulate(report.seconds.begin(), report.seconds.end(), 0.0), scene.until,
@@ -100,8 +101,8 @@ TEST(simulate_scene, FallsAsleepAndWakesForNothing) {
   params.T = 10'001;
   ModelReport report;
   const Trajectory trajectory = simulate_scene(params, scene.start, &report);
-  EXPECT_GT(steps(report, Rung::asleep), 9000);
-  EXPECT_GT(steps(report, Rung::two_frictions), 0);
+  EXPECT_GT(steps(report, ModelLevel::asleep), 9000);
+  EXPECT_GT(steps(report, ModelLevel::two_frictions), 0);
   EXPECT_EQ(trajectory.q.col(10'000), trajectory.q.col(5000));
   EXPECT_EQ(trajectory.v.col(10'000), Vector3::Zero());
 }
@@ -114,7 +115,7 @@ TEST(simulate_scene, DoesNotFallAsleepWhereASquareStopsOnASlope) {
   ModelReport report;
   const State up{{0, 0.1, 0}, {1, 0, 0}};
   const Trajectory trajectory = simulate_scene(params, up, &report);
-  EXPECT_EQ(steps(report, Rung::asleep), 0);
+  EXPECT_EQ(steps(report, ModelLevel::asleep), 0);
   EXPECT_LT(trajectory.v(0, 1000), -0.5) << "it slides back down";
   EXPECT_LE(apart(params, up), 1e-9);
 }
@@ -125,9 +126,10 @@ TEST(simulate_scene, GoesUpTheLadderWhereABoundIsNotMet) {
   scene.params.T = 401;
   ModelReport report;
   simulate_scene(scene.params, scene.start, &report);
-  EXPECT_EQ(report.raised, steps(report, Rung::one_friction) + steps(report, Rung::two_frictions));
+  EXPECT_EQ(report.raised,
+            steps(report, ModelLevel::one_friction) + steps(report, ModelLevel::two_frictions));
   EXPECT_GT(report.raised, 0);
-  EXPECT_GT(steps(report, Rung::ballistic), 300);
+  EXPECT_GT(steps(report, ModelLevel::ballistic), 300);
 }
 
 TEST(simulate_scene, WarnsWhereNewtonsLawMayGainEnergy) {
@@ -174,4 +176,4 @@ TEST(simulate_scene, RefusesWhatItCannotSimulate) {
 }
 
 }  // namespace
-}  // namespace bounce::study::tests
+}  // namespace bounce::exact::tests

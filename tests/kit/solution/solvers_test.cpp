@@ -13,7 +13,7 @@
 #include "methods/one_corner.hpp"
 #include "methods/two_corners.hpp"
 
-namespace bounce::study::tests {
+namespace bounce::exact::tests {
 namespace {
 
 using methods::Arm;
@@ -215,4 +215,4 @@ TEST(solvers, LetNanThroughAsNanAndNotAsAnAnswer) {
 }
 
 }  // namespace
-}  // namespace bounce::study::tests
+}  // namespace bounce::exact::tests

@@ -10,7 +10,7 @@
 #include "methods/scheme.hpp"
 #include "study/catalog.hpp"
 
-namespace bounce::study::tests {
+namespace bounce::exact::tests {
 namespace {
 
 using methods::ImpactLaw;
@@ -225,4 +225,4 @@ TEST(truth, JamsWhereAccelerationsHaveNoSolution) {
 }
 
 }  // namespace
-}  // namespace bounce::study::tests
+}  // namespace bounce::exact::tests

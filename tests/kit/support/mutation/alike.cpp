@@ -16,7 +16,7 @@
 
 #include "../../../../grader/judge/session.hpp"
 #include "../../../../solution/fixtures/decidable.hpp"
-#include "../../../../solution/fixtures/draw.hpp"
+#include "../../../../solution/fixtures/random_numbers.hpp"
 #include "../../../parts/cases.hpp"
 #include "../../../parts/submission.hpp"
 
@@ -28,7 +28,7 @@ std::string tests::in_words(const Case& c, const Problem& problem) { return summ
 
 namespace {
 
-using fixtures::Draw;
+using fixtures::RandomNumbers;
 
 constexpr double kTolerance = 1e-9;             // of max(1, |expected|), as the checks have it
 constexpr double kAlongATrajectory = 1e-6;      // rounding grows from step to step
@@ -42,12 +42,12 @@ bool close(const Eigen::MatrixXd& expected, const Eigen::MatrixXd& got, double t
 // --- questions: empty where the one that was drawn is undecidable; else whether it is answered
 // as the solution answers it ---
 
-double power_of_ten(Draw& draw, double low, double high) {
+double power_of_ten(RandomNumbers& draw, double low, double high) {
   return std::pow(10.0, draw.between(low, high));
 }
 
 // The assignment's, others in its neighbourhood, and others far away.
-Parameters any_parameters(Draw& draw) {
+Parameters any_parameters(RandomNumbers& draw) {
   const int kind = draw.below(4);
   if (kind == 0) return Parameters();
   if (kind == 1) return draw.other_parameters();
@@ -62,15 +62,17 @@ Parameters any_parameters(Draw& draw) {
   return params;
 }
 
-double any_angle(Draw& draw) { return draw.either_sign(0, draw.below(2) == 0 ? 4 : 1000, 6); }
+double any_angle(RandomNumbers& draw) {
+  return draw.either_sign(0, draw.below(2) == 0 ? 4 : 1000, 6);
+}
 
-Vector3 any_velocity(Draw& draw) {
+Vector3 any_velocity(RandomNumbers& draw) {
   const double spin = draw.below(4) == 0 ? 300 : 10;
   return {draw.either_sign(0, 4), draw.either_sign(0, 4), draw.either_sign(0, spin)};
 }
 
 // Deep in the ground, about the threshold of contact, or above it.
-Vector3 any_configuration(Draw& draw, const Parameters& params) {
+Vector3 any_configuration(RandomNumbers& draw, const Parameters& params) {
   Vector3 q(draw.either_sign(0, 10), 0, any_angle(draw));
   const int kind = draw.below(4);
   const double phi = kind == 0   ? params.delta * draw.between(0, 4, 6)
@@ -89,7 +91,7 @@ bool decidable(const State& s, const Parameters& params) {
   }
 }
 
-std::optional<bool> same_contact(Draw& draw) {
+std::optional<bool> same_contact(RandomNumbers& draw) {
   const Parameters params = any_parameters(draw);
   const Vector3 q = any_configuration(draw, params);
   if (fixtures::corner_gap(q, params) < 1e-6) return std::nullopt;
@@ -97,7 +99,7 @@ std::optional<bool> same_contact(Draw& draw) {
   return close(expected.J, got.J, kTolerance) && std::abs(got.phi - expected.phi) <= kTolerance;
 }
 
-std::optional<bool> same_lcp(Draw& draw) {
+std::optional<bool> same_lcp(RandomNumbers& draw) {
   const Parameters params = any_parameters(draw);
   Jacobian J = get_contacts(any_configuration(draw, params), params).J;
   if (draw.below(2) == 0) {
@@ -108,7 +110,7 @@ std::optional<bool> same_lcp(Draw& draw) {
   return close(expected.V, got.V, kTolerance) && close(expected.p, got.p, kTolerance);
 }
 
-std::optional<bool> same_step(Draw& draw) {
+std::optional<bool> same_step(RandomNumbers& draw) {
   const Parameters params = any_parameters(draw);
   const Vector3 q = any_configuration(draw, params), v = any_velocity(draw);
   if (!decidable({q, v}, params)) return std::nullopt;
@@ -116,7 +118,7 @@ std::optional<bool> same_step(Draw& draw) {
   return close(expected.q, got.q, kTolerance) && close(expected.v, got.v, kTolerance);
 }
 
-std::optional<bool> same_trajectory(Draw& draw) {
+std::optional<bool> same_trajectory(RandomNumbers& draw) {
   Parameters params = any_parameters(draw);
   params.T = 1 + draw.below(12);
   const Vector3 q = any_configuration(draw, params), v = any_velocity(draw);
@@ -130,7 +132,7 @@ std::optional<bool> same_trajectory(Draw& draw) {
   return close(expected.q, got.q, kAlongATrajectory) && close(expected.v, got.v, kAlongATrajectory);
 }
 
-std::optional<bool> same(std::uint32_t part, Draw& draw) {
+std::optional<bool> same(std::uint32_t part, RandomNumbers& draw) {
   switch (part) {
     case 1:
       return same_contact(draw);
@@ -143,7 +145,7 @@ std::optional<bool> same(std::uint32_t part, Draw& draw) {
   }
 }
 
-bool differs(std::uint32_t part, Draw& draw) {
+bool differs(std::uint32_t part, RandomNumbers& draw) {
   for (std::size_t trial = 0; trial < kMostTrials; ++trial) {
     if (const std::optional<bool> found = same(part, draw)) return !*found;
   }
@@ -180,7 +182,7 @@ int run(const Options& options) {
   limits.cpu_seconds = 60;
   judge::Session asked(options.command, limits, options.part, options.given);
   judge::session = &asked;
-  Draw draw("alike");
+  RandomNumbers draw("alike");
   int differing = 0;
   for (int i = 0; i < options.count; ++i) {
     try {

@@ -1,4 +1,4 @@
-#include "ending.hpp"
+#include "termination.hpp"
 
 #include <sys/wait.h>
 
@@ -58,7 +58,7 @@ std::string_view last_words(std::string_view print) {
 
 // --- the ends ---
 
-Ending of_abort(const Limits& limits, const std::string& print) {
+Termination of_abort(const Limits& limits, const std::string& print) {
   if (const std::string assertion = assertion_in(print); !assertion.empty()) {
     return {"crashed", "the program aborted: " + sanitize_line(assertion, 3 * kLongest)};
   }
@@ -127,26 +127,27 @@ std::string of_other_signal(int signal) {
          (name ? "SIG" + std::string(name) : std::to_string(signal)) + ", which it sent itself";
 }
 
-Ending of_signal(int signal, const Limits& limits, const std::string& print) {
+Termination of_signal(int signal, const Limits& limits, const std::string& print) {
   if (signal == SIGXCPU) return out_of_cpu_time(limits);
   const std::string cause(line_after(print, runner::kCause));
   const std::optional<std::string> found =
       cause.rfind(runner::kFound, 0) == 0
           ? words_for_report(std::string_view(cause).substr(std::strlen(runner::kFound)))
           : std::nullopt;
-  Ending ending = found               ? Ending{"crashed", *found}
-                  : signal == SIGABRT ? of_abort(limits, print)
-                  : signal == SIGSEGV ? Ending{"crashed", of_segmentation_fault(cause)}
-                  : signal == SIGFPE  ? Ending{"crashed", of_arithmetic_error(cause)}
-                  : signal == SIGSYS  ? Ending{"crashed", of_refused_call(cause)}
-                                      : Ending{"crashed", of_other_signal(signal)};
-  if (ending.status == "crashed") ending.stack = stack_in(print);
-  return ending;
+  Termination termination = found               ? Termination{"crashed", *found}
+                            : signal == SIGABRT ? of_abort(limits, print)
+                            : signal == SIGSEGV
+                                ? Termination{"crashed", of_segmentation_fault(cause)}
+                            : signal == SIGFPE ? Termination{"crashed", of_arithmetic_error(cause)}
+                            : signal == SIGSYS ? Termination{"crashed", of_refused_call(cause)}
+                                               : Termination{"crashed", of_other_signal(signal)};
+  if (termination.status == "crashed") termination.stack = stack_in(print);
+  return termination;
 }
 
 }  // namespace
 
-Ending ending_of(int wait_status, const Limits& limits, const std::string& last_print) {
+Termination termination_of(int wait_status, const Limits& limits, const std::string& last_print) {
   if (WIFSIGNALED(wait_status)) return of_signal(WTERMSIG(wait_status), limits, last_print);
   const int code = WEXITSTATUS(wait_status);
   if (code > 128 && code < 128 + 65) return of_signal(code - 128, limits, last_print);
@@ -154,12 +155,12 @@ Ending ending_of(int wait_status, const Limits& limits, const std::string& last_
                            ") in place of an answer: it called exit(), perhaps"};
 }
 
-Ending out_of_cpu_time(const Limits& limits) {
+Termination out_of_cpu_time(const Limits& limits) {
   return {"timed_out", "the program used more than " + std::to_string(limits.cpu_seconds) +
                            " s of CPU time: a loop without end, perhaps"};
 }
 
-Ending out_of_memory(const Limits& limits) {
+Termination out_of_memory(const Limits& limits) {
   return {"out_of_memory", "the program ran out of memory (" + std::to_string(limits.memory >> 20) +
                                " MB): a size that is wrong, or a loop that stores without end, "
                                "perhaps"};

@@ -1,4 +1,4 @@
-#include "sweep.hpp"
+#include "speed_curves.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 namespace bounce::judge {
 namespace {
 
-using study::Scene;
+using exact::Scene;
 
 constexpr double kDeltaSpeed = 0.1;  // m/s, delta over dt: the assignment's 0.001 m for 0.01 s
 constexpr double kShift = 0.5;       // m along the ground, from round to round
@@ -18,7 +18,7 @@ constexpr long kStepsInAll = 25'000;  // that the rounds of a point come to, mor
 // A scene at one dt.
 struct Setting {
   const Scene* scene;
-  study::Samples truth;
+  exact::Samples truth;
   Parameters params;
   long steps_between_samples;
 
@@ -27,24 +27,24 @@ struct Setting {
   }
 };
 
-Setting setting_of(const Scene& scene, const study::Samples& truth, double dt) {
+Setting setting_of(const Scene& scene, const exact::Samples& truth, double dt) {
   Setting setting{&scene, truth, scene.params, 0};
-  setting.params.dt = study::fitting_step(scene, dt);
+  setting.params.dt = exact::fitting_step(scene, dt);
   setting.params.delta = kDeltaSpeed * setting.params.dt;
-  setting.steps_between_samples = std::lround(scene.until / study::kSamples / setting.params.dt);
-  setting.params.T = static_cast<int>(study::kSamples * setting.steps_between_samples) + 1;
+  setting.steps_between_samples = std::lround(scene.until / exact::kSamples / setting.params.dt);
+  setting.params.T = static_cast<int>(exact::kSamples * setting.steps_between_samples) + 1;
   return setting;
 }
 
 // The largest distance to the truth over the samples, m.
 double error_of(const Setting& setting, const Trajectory& trajectory, double shift) {
-  study::Samples samples;
-  for (int i = 1; i <= study::kSamples; ++i) {
+  exact::Samples samples;
+  for (int i = 1; i <= exact::kSamples; ++i) {
     const Eigen::Index column = i * setting.steps_between_samples;
     samples.push_back(methods::motion_of<double>(
         {trajectory.q.col(column) - Vector3(shift, 0, 0), trajectory.v.col(column)}));
   }
-  return study::error_of(*setting.scene, samples, setting.truth);
+  return exact::error_of(*setting.scene, samples, setting.truth);
 }
 
 // One contender at one setting: what its rounds gave so far.
@@ -68,15 +68,15 @@ struct Tally {
   }
 };
 
-// A contender on its way through the sweep.
-class Racer {
+// The measurement of one contender.
+class Measurement {
  public:
-  Racer(Contender& contender, double budget_ns, std::size_t scenes)
+  Measurement(Contender& contender, double budget_ns, std::size_t scenes)
       : contender_(contender), left_ns_(budget_ns) {
     curves_.points.resize(scenes);
   }
 
-  bool in_the_race() const { return curves_.cut.empty(); }
+  bool goes_on() const { return curves_.cut.empty(); }
 
   // Rounds for settings of this dt, as many as the time allows: all, one or none.
   void plan(const std::vector<Setting>& settings, double dt) {
@@ -92,7 +92,7 @@ class Racer {
 
   // A round, unless this contender has no more.
   void ask(const Setting& setting, int round) {
-    if (!in_the_race() || (only_one_ && round > 0)) return;
+    if (!goes_on() || (only_one_ && round > 0)) return;
     try {
       tally_.add(setting, contender_, round);
     } catch (const std::runtime_error& ended) {
@@ -106,7 +106,7 @@ class Racer {
   }
 
   void finish(const Setting& setting, std::size_t scene) {
-    if (in_the_race()) curves_.points[scene].push_back(tally_.point(setting));
+    if (goes_on()) curves_.points[scene].push_back(tally_.point(setting));
     tally_ = {};
   }
 
@@ -130,41 +130,42 @@ class Racer {
 
 std::vector<Scene> scenes_of_one_corner(std::vector<Scene> all) {
   const auto two = [](const Scene& scene) {
-    return scene.least == study::Rung::asleep || scene.least > study::Rung::one_friction;
+    return scene.least == exact::ModelLevel::asleep ||
+           scene.least > exact::ModelLevel::one_friction;
   };
   all.erase(std::remove_if(all.begin(), all.end(), two), all.end());
   return all;
 }
 
-const std::vector<double>& sweep_steps() {
+const std::vector<double>& measured_steps() {
   static const std::vector<double> kSteps{1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 3e-5, 1e-5};
   return kSteps;
 }
 
-std::vector<Curves> sweep(const std::vector<Scene>& scenes,
-                          const std::vector<std::unique_ptr<Contender>>& contenders,
-                          double budget_ns) {
-  std::vector<study::Samples> truths;
-  std::transform(scenes.begin(), scenes.end(), std::back_inserter(truths), study::truth_of);
-  std::vector<Racer> racers;
-  racers.reserve(contenders.size());
+std::vector<Curves> speed_curves(const std::vector<Scene>& scenes,
+                                 const std::vector<std::unique_ptr<Contender>>& contenders,
+                                 double budget_ns) {
+  std::vector<exact::Samples> truths;
+  std::transform(scenes.begin(), scenes.end(), std::back_inserter(truths), exact::truth_of);
+  std::vector<Measurement> measurements;
+  measurements.reserve(contenders.size());
   for (const auto& contender : contenders)
-    racers.emplace_back(*contender, budget_ns, scenes.size());
-  for (const double dt : sweep_steps()) {
+    measurements.emplace_back(*contender, budget_ns, scenes.size());
+  for (const double dt : measured_steps()) {
     std::vector<Setting> settings;
     for (std::size_t i = 0; i < scenes.size(); ++i)
       settings.push_back(setting_of(scenes[i], truths[i], dt));
-    for (Racer& racer : racers)
-      if (racer.in_the_race()) racer.plan(settings, dt);
+    for (Measurement& measurement : measurements)
+      if (measurement.goes_on()) measurement.plan(settings, dt);
     for (std::size_t i = 0; i < scenes.size(); ++i) {
       for (int round = 0; round < settings[i].rounds(); ++round)
-        for (Racer& racer : racers) racer.ask(settings[i], round);
-      for (Racer& racer : racers) racer.finish(settings[i], i);
+        for (Measurement& measurement : measurements) measurement.ask(settings[i], round);
+      for (Measurement& measurement : measurements) measurement.finish(settings[i], i);
     }
   }
-  std::vector<Curves> all(racers.size());
-  std::transform(racers.begin(), racers.end(), all.begin(),
-                 [](const Racer& racer) { return racer.curves(); });
+  std::vector<Curves> all(measurements.size());
+  std::transform(measurements.begin(), measurements.end(), all.begin(),
+                 [](const Measurement& measurement) { return measurement.curves(); });
   return all;
 }
 

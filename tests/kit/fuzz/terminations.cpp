@@ -2,7 +2,7 @@
 #include <csignal>
 
 #include "../../../grader/judge/assertion.hpp"
-#include "../../../grader/judge/ending.hpp"
+#include "../../../grader/judge/termination.hpp"
 #include "../../../grader/runner/crash.hpp"
 #include "fuzz.hpp"
 
@@ -26,10 +26,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using bounce::fuzz::is_sentence, bounce::fuzz::require;
   const std::string print(reinterpret_cast<const char*>(data), size);
   for (const int status : {SIGABRT, SIGSEGV, SIGXCPU, 3 << 8, (128 + SIGFPE) << 8}) {
-    const bounce::judge::Ending ending =
-        bounce::judge::ending_of(status, bounce::judge::Limits(), print);
-    require(is_sentence(ending.sentence));
-    require(ending.stack.find_first_not_of(" 0123456789abcdefx") == std::string::npos);
+    const bounce::judge::Termination termination =
+        bounce::judge::termination_of(status, bounce::judge::Limits(), print);
+    require(is_sentence(termination.sentence));
+    require(termination.stack.find_first_not_of(" 0123456789abcdefx") == std::string::npos);
   }
   return 0;
 }

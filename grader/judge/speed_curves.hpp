@@ -47,15 +47,15 @@ struct Curves {
 
 // The scenes that the assignment's own model can do: one corner with friction, or less, is the
 // least that they need. Two corners at once, a face on the ground at rest among them, it has not.
-std::vector<study::Scene> scenes_of_one_corner(std::vector<study::Scene> all);
+std::vector<exact::Scene> scenes_of_one_corner(std::vector<exact::Scene> all);
 
 // Steps, s: from the assignment's own down.
-const std::vector<double>& sweep_steps();
+const std::vector<double>& measured_steps();
 
 // The curves of each contender. One is cut that throws, or where its next points would take it
 // over `budget_ns` of CPU time in all.
-std::vector<Curves> sweep(const std::vector<study::Scene>& scenes,
-                          const std::vector<std::unique_ptr<Contender>>& contenders,
-                          double budget_ns);
+std::vector<Curves> speed_curves(const std::vector<exact::Scene>& scenes,
+                                 const std::vector<std::unique_ptr<Contender>>& contenders,
+                                 double budget_ns);
 
 }  // namespace bounce::judge

@@ -5,7 +5,7 @@
 
 namespace bounce::judge {
 
-// The reply to a plea. Kind::threw, with the text, where the solution refuses the arguments.
-frames::Frame reply_to(const frames::Frame& plea);
+// The reply to a callback. Kind::threw, with the text, where the solution refuses the arguments.
+frames::Frame reply_to(const frames::Frame& callback);
 
 }  // namespace bounce::judge

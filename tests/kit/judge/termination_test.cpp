@@ -1,5 +1,5 @@
 // How a program ended, in words.
-#include "../../../grader/judge/ending.hpp"
+#include "../../../grader/judge/termination.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/syscall.h>
@@ -13,23 +13,25 @@
 namespace bounce::tests {
 namespace {
 
-using judge::Ending;
+using judge::Termination;
 
-Ending by_signal(int signal, const std::string& print = "") {
-  return judge::ending_of(W_EXITCODE(0, signal), judge::Limits(), print);
+Termination by_signal(int signal, const std::string& print = "") {
+  return judge::termination_of(W_EXITCODE(0, signal), judge::Limits(), print);
 }
 
-Ending by_exit(int status) { return judge::ending_of(W_EXITCODE(status, 0), judge::Limits(), ""); }
+Termination by_exit(int status) {
+  return judge::termination_of(W_EXITCODE(status, 0), judge::Limits(), "");
+}
 
 std::string cause(const std::string& words) { return "\n" + (runner::kCause + words) + "\n"; }
 
-void expect(const Ending& ending, const std::string& status, const std::string& words) {
-  EXPECT_EQ(ending.status, status);
-  EXPECT_NE(ending.sentence.find(words), std::string::npos) << ending.sentence;
-  EXPECT_EQ(ending.sentence.find('\n'), std::string::npos) << ending.sentence;
+void expect(const Termination& termination, const std::string& status, const std::string& words) {
+  EXPECT_EQ(termination.status, status);
+  EXPECT_NE(termination.sentence.find(words), std::string::npos) << termination.sentence;
+  EXPECT_EQ(termination.sentence.find('\n'), std::string::npos) << termination.sentence;
 }
 
-TEST(Ending, EachSignalHasWordsOfItsOwn) {
+TEST(Termination, EachSignalHasWordsOfItsOwn) {
   expect(by_signal(SIGSEGV), "crashed", "segmentation fault");
   expect(by_signal(SIGABRT), "crashed", "aborted");
   expect(by_signal(SIGFPE), "crashed", "integer division by zero");
@@ -45,14 +47,14 @@ TEST(Ending, EachSignalHasWordsOfItsOwn) {
   expect(by_signal(SIGRTMIN + 1), "crashed", "signal " + std::to_string(SIGRTMIN + 1));
 }
 
-TEST(Ending, TellsASignalThroughABoxAsWell) {
+TEST(Termination, TellsASignalThroughABoxAsWell) {
   for (const int signal : {SIGSEGV, SIGABRT, SIGXCPU, SIGSYS, SIGKILL}) {
     EXPECT_EQ(by_exit(128 + signal).sentence, by_signal(signal).sentence);
     EXPECT_EQ(by_exit(128 + signal).status, by_signal(signal).status);
   }
 }
 
-TEST(Ending, NamesWhatASanitizerFound) {
+TEST(Termination, NamesWhatASanitizerFound) {
   const auto found = [](const std::string& kind) {
     return by_signal(SIGABRT, cause(runner::kFound + kind));
   };
@@ -60,31 +62,32 @@ TEST(Ending, NamesWhatASanitizerFound) {
   expect(found("out-of-bounds-index"), "crashed", "out of the bounds of a C array");
 }
 
-TEST(Ending, RepeatsNothingThatIsNoNameOfASanitizers) {
-  const Ending ending = by_signal(SIGABRT, cause(std::string(runner::kFound) + "SECRET=1"));
-  expect(ending, "crashed", "aborted");
-  EXPECT_EQ(ending.sentence.find("SECRET"), std::string::npos);
+TEST(Termination, RepeatsNothingThatIsNoNameOfASanitizers) {
+  const Termination termination =
+      by_signal(SIGABRT, cause(std::string(runner::kFound) + "SECRET=1"));
+  expect(termination, "crashed", "aborted");
+  EXPECT_EQ(termination.sentence.find("SECRET"), std::string::npos);
 }
 
-TEST(Ending, ExitIsNoAnswer) {
+TEST(Termination, ExitIsNoAnswer) {
   expect(by_exit(0), "no_answer", "ended by itself (exit status 0)");
   expect(by_exit(3), "no_answer", "ended by itself (exit status 3)");
   expect(by_exit(255), "no_answer", "ended by itself (exit status 255)");
 }
 
-TEST(Ending, NamesWhyASegmentationFaultCame) {
+TEST(Termination, NamesWhyASegmentationFaultCame) {
   expect(by_signal(SIGSEGV, cause(runner::kNull)), "crashed", "fault: it followed a null pointer");
   expect(by_signal(SIGSEGV, cause(runner::kFullStack)), "crashed",
          "its stack is full: a recursion without end");
   expect(by_signal(SIGSEGV, cause(runner::kUnknown)), "crashed", "an index out of range");
 }
 
-TEST(Ending, TellsADivisionByZeroFromATrapThatWasAskedFor) {
+TEST(Termination, TellsADivisionByZeroFromATrapThatWasAskedFor) {
   expect(by_signal(SIGFPE, cause(runner::kDivision)), "crashed", "integer division by zero");
   expect(by_signal(SIGFPE, cause(runner::kFloat)), "crashed", "asked to be ended by inexact");
 }
 
-TEST(Ending, NamesTheRefusedCall) {
+TEST(Termination, NamesTheRefusedCall) {
   const auto call = [](long number) {
     return by_signal(SIGSYS, cause(runner::kCall + std::to_string(number)));
   };
@@ -95,7 +98,7 @@ TEST(Ending, NamesTheRefusedCall) {
   expect(by_signal(SIGSYS), "crashed", "isn't given: a process, a thread, a file, a connection");
 }
 
-TEST(Ending, NamesAnAssertion) {
+TEST(Termination, NamesAnAssertion) {
   expect(by_signal(SIGABRT,
                    "runner: /usr/include/eigen3/Eigen/src/Core/DenseCoeffsBase.h:366: Scalar& f() "
                    "[with T = int]: Assertion `index >= 0 && index < size()' failed.\n"),
@@ -112,7 +115,7 @@ TEST(Ending, NamesAnAssertion) {
          "crashed", "an assertion failed (part1.cpp:7): mass > 0");
 }
 
-TEST(Ending, NamesAnExceptionThatNothingCaught) {
+TEST(Termination, NamesAnExceptionThatNothingCaught) {
   expect(by_signal(SIGABRT,
                    "hello\nterminate called after throwing an instance of "
                    "'std::out_of_range'\n  what():  vector::_M_range_check\n" +
@@ -122,19 +125,19 @@ TEST(Ending, NamesAnExceptionThatNothingCaught) {
          "threw where nothing catches it");
 }
 
-TEST(Ending, NamesMemoryThatRanOutBeforeMain) {
+TEST(Termination, NamesMemoryThatRanOutBeforeMain) {
   expect(by_signal(SIGABRT,
                    "terminate called after throwing an instance of 'std::bad_alloc'\n"
                    "  what():  std::bad_alloc\n"),
          "out_of_memory", "ran out of memory (1024 MB)");
 }
 
-TEST(Ending, NamesMemoryThatWasFreedTwice) {
+TEST(Termination, NamesMemoryThatWasFreedTwice) {
   expect(by_signal(SIGABRT, "free(): double free detected in tcache 2\n" + cause("unknown")),
          "crashed", "freed some twice (free(): double free detected in tcache 2)");
 }
 
-TEST(Ending, KeepsTheStackOfACrashAlone) {
+TEST(Termination, KeepsTheStackOfACrashAlone) {
   const std::string stack = "stack of the crash: 0x0000000000401000 0x0000000000402000\n";
   EXPECT_EQ(by_signal(SIGSEGV, stack).stack, " 0x0000000000401000 0x0000000000402000");
   EXPECT_EQ(by_signal(SIGSEGV, "stack of the crash: -e /etc/passwd\n").stack, "");
@@ -142,7 +145,7 @@ TEST(Ending, KeepsTheStackOfACrashAlone) {
 }
 
 // What a program prints decides about words, and must not cost the judge its time or its stack.
-TEST(Ending, OutlivesAnyPrint) {
+TEST(Termination, OutlivesAnyPrint) {
   const std::string tall(16 * 1024, ':');
   const std::string wide = "a.b:1: " + std::string(16 * 1024, '`');
   for (const std::string& print :
@@ -150,10 +153,10 @@ TEST(Ending, OutlivesAnyPrint) {
         std::string(": Assertion "),
         std::string("terminate called after throwing an instance of '"),
         std::string("\0\0: Assertion \0", 16), "\x1b[2J" + tall}) {
-    const Ending ending = by_signal(SIGABRT, print);
-    EXPECT_EQ(ending.status, "crashed");
-    EXPECT_LT(ending.sentence.size(), 800u);
-    EXPECT_EQ(ending.sentence.find('\x1b'), std::string::npos);
+    const Termination termination = by_signal(SIGABRT, print);
+    EXPECT_EQ(termination.status, "crashed");
+    EXPECT_LT(termination.sentence.size(), 800u);
+    EXPECT_EQ(termination.sentence.find('\x1b'), std::string::npos);
   }
 }
 
