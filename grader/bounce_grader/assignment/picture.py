@@ -1,11 +1,13 @@
-"""Small pictures of a failed case: one step, or a trajectory. What is right and what came differ in
-their places, words and dashes, and not in colour."""
+"""Small pictures of a failed case: one step, or a trajectory. The right answer and the submission's
+differ in their places, words and dashes, and not in colour."""
 
 import math
 from collections.abc import Sequence
-from typing import Any
+from typing import Any, NamedTuple
 
-from bounce_grader.common import escaping, svg
+from bounce_grader.common import svg
+from bounce_grader.common.numbers import significant
+from bounce_grader.common.svg import Drawing, Place
 
 VELOCITY = "v after the step"
 STEP_SIZE, SIDE = (250, 190), 92  # px: a picture of a step, and the square in it
@@ -13,18 +15,23 @@ LONGEST = 70  # px, of an arrow
 PATH_SIZE, ROOM = (480, 300), 24
 FAR = 5000.0  # px: further out nothing is drawn
 OMEGA = "\N{GREEK SMALL LETTER OMEGA}\N{PRIME}"
-Place = tuple[float, float]
 Shown = dict[str, Any]  # a failed case in numbers, as grading/failed_case.py gives it
 
 
-def of(shown: Shown) -> str:
-    """Nothing where there is none to draw."""
+class Figure(NamedTuple):
+    drawing: Drawing
+    lines: list[str]  # of its caption
+    title: str = ""
+
+
+def of(shown: Shown) -> list[Figure]:
+    """Of a trajectory one; of a step the submission's, and the right one if that may be shown."""
     if "scene" not in shown:
-        return ""
+        return []
     if "path" in shown:
-        return of_paths(shown["scene"], shown["path"])
+        return [_trajectories(shown["scene"], shown["path"])]
     after = [q for q in shown["quantities"] if q["name"] == VELOCITY]
-    return of_step(shown["scene"], after[0]) if after else ""
+    return _steps(shown["scene"], after[0]) if after else []
 
 
 def corners(q: Sequence[float], l: float) -> list[Place]:
@@ -37,7 +44,7 @@ def corners(q: Sequence[float], l: float) -> list[Place]:
 # --- one step ---
 
 
-def of_step(scene: Shown, velocity: Shown) -> str:
+def _steps(scene: Shown, velocity: Shown) -> list[Figure]:
     """The square before the step; on it the velocity after it, and the force of the ground that
     this tells of."""
     sides = [("yours", _finite(velocity["got"]))]
@@ -49,8 +56,7 @@ def of_step(scene: Shown, velocity: Shown) -> str:
         max((abs(v[2]) for v in known), default=0),
         max((math.hypot(*_force(scene, v)) for v in known), default=0),
     )
-    drawn = "".join(_step(scene, title, v, longest) for title, v in sides)
-    return f'<div class="pictures">{drawn}</div>'
+    return [_step(scene, title, v, longest) for title, v in sides]
 
 
 class _Longest:
@@ -77,7 +83,7 @@ def _force(scene: Shown, v: list[float]) -> Place:
     return f_x, f_y
 
 
-def _step(scene: Shown, title: str, v: list[float] | None, longest: _Longest) -> str:
+def _step(scene: Shown, title: str, v: list[float] | None, longest: _Longest) -> Figure:
     width, height = STEP_SIZE
     scale = SIDE / scene["l"]
     q = scene["q"]
@@ -99,26 +105,27 @@ def _step(scene: Shown, title: str, v: list[float] | None, longest: _Longest) ->
     if touches:
         x, y = place(lowest)
         shapes.append(f'<circle cx="{x:.1f}" cy="{y:.1f}" r="5" fill="{svg.INK}"/>')
-    said = ["not finite"]
+    lines = ["not finite"]
     if v:
         shapes += _arrow(centre, (v[0], v[1]), LONGEST / longest.speed, "v\N{PRIME}")
         shapes += _turning((width - 36, 34), v[2] / longest.turning)
-        said = [f"v\N{PRIME} = ({_n(v[0])}, {_n(v[1])}) m/s", f"{OMEGA} = {_n(v[2])} rad/s"]
+        speed = f"v\N{PRIME} = ({_four_digits(v[0])}, {_four_digits(v[1])}) m/s"
+        lines = [speed, f"{OMEGA} = {_four_digits(v[2])} rad/s"]
     if v and touches:
         force = _force(scene, v)
         shapes += _arrow(place(lowest), force, LONGEST / longest.force, "f", "5 3")
-        said.append(f"force of the ground f = ({_n(force[0])}, {_n(force[1])}) N")
-    drawn = svg.svg(shapes, width, height, f"One step, {title}: {', '.join(said)}")
-    words = "<br>".join(map(escaping.html, said))
-    return f"<figure>{drawn}<figcaption><b>{title}</b><br>{words}</figcaption></figure>"
+        pair = f"({_four_digits(force[0])}, {_four_digits(force[1])})"
+        lines.append(f"force of the ground f = {pair} N")
+    drawing = svg.svg(shapes, width, height, f"One step, {title}: {', '.join(lines)}")
+    return Figure(drawing, lines, title)
 
 
-def _n(x: float) -> str:
-    return f"{0.0 if abs(x) < 1e-14 else x:.4g}".replace("-", "\N{MINUS SIGN}")
+def _four_digits(x: float) -> str:
+    return significant(x, 4)
 
 
-def _closed(points: list[Place], dash: str = "", width: float = 1.5) -> str:
-    return svg.path([*points, points[0]], dash, width)
+def _closed(corners: list[Place], dash: str = "") -> str:
+    return svg.path([*corners, corners[0]], dash, 1.5)
 
 
 def _arrow(start: Place, along: Place, scale: float, words: str, dash: str = "") -> list[str]:
@@ -136,8 +143,8 @@ def _arrow(start: Place, along: Place, scale: float, words: str, dash: str = "")
 def _head(tip: Place, x: float, y: float) -> str:
     """Of an arrow in the direction (x, y)."""
     base = (tip[0] - 9 * x, tip[1] - 9 * y)
-    points = [tip, (base[0] - 4 * y, base[1] + 4 * x), (base[0] + 4 * y, base[1] - 4 * x)]
-    return f'<path d="M{"L".join(f"{a:.1f} {b:.1f}" for a, b in points)}Z" fill="{svg.INK}"/>'
+    triangle = [tip, (base[0] - 4 * y, base[1] + 4 * x), (base[0] + 4 * y, base[1] - 4 * x)]
+    return f'<path d="{svg.through(triangle)}Z" fill="{svg.INK}"/>'
 
 
 def _turning(centre: Place, share: float) -> list[str]:
@@ -159,7 +166,7 @@ def _turning(centre: Place, share: float) -> list[str]:
 # --- a trajectory ---
 
 
-def of_paths(scene: Shown, path: Shown) -> str:
+def _trajectories(scene: Shown, path: Shown) -> Figure:
     """The ways of the centre, and the squares where they end."""
     got = {t: row for t, row in enumerate(path["got"]) if not any(isinstance(x, str) for x in row)}
     right = dict(zip(path.get("columns", []), path.get("expected", [])))
@@ -179,8 +186,8 @@ def of_paths(scene: Shown, path: Shown) -> str:
         shapes += [svg.line(x + 6, y, x + 26, y), svg.text(x + 30, y + 5, f"column {first}")]
     words = f"The way of the centre, and the square in column {last}"
     key = "rings, solid: right; dots, dashed: yours" if right else "dots, dashed: yours"
-    drawn = svg.svg(shapes, *PATH_SIZE, f"{words}; column {first} is the first wrong one; {key}")
-    return f'<figure class="wide">{drawn}<figcaption>{words} ({key}).</figcaption></figure>'
+    label = f"{words}; column {first} is the first wrong one; {key}"
+    return Figure(svg.svg(shapes, *PATH_SIZE, label), [f"{words} ({key})."])
 
 
 class _View:

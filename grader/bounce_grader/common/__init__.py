@@ -1,4 +1,4 @@
-"""What every room uses: errors, paths, files, escaping, a parallel map.
+"""What every room uses: errors, paths, files, escaping, numbers, drawings, a parallel map.
 
 Imports: nothing of ours.
 """

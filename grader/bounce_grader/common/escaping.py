@@ -1,18 +1,19 @@
-"""What a submission says, made harmless for where it goes: names of files, texts of exceptions,
-messages of compilers. Each place has one function, and nothing of a submission goes there without:
+"""Makes text of a submission harmless for where it goes: names of files, texts of exceptions,
+messages of compilers. Each place has one function, and no such text goes there without it:
 
     the score record      printable_text(text), printable_name(text)
     a terminal or a log   terminal(text)
-    HTML                  html(text)              between tags, or in a quoted attribute
-    JSON or XML           printable(text)             to a library that writes them; then
+    HTML and SVG          html(text)              between tags, or in a quoted attribute;
+                                                  formats/templates.py calls it for each value
+    JSON or XML           printable(text)         to a library that writes them; then
                           json_document(value), xml_document(text)
     CSV                   csv_row(values)         a whole line
     Markdown              markdown(text)          inside of a line or a table's cell
                           markdown_block(text)    lines of their own
     GitHub's log          workflow(command, message, file=..., line=...)    a whole line
 
-All begin with the same, printable(text): characters that don't print become U+FFFD. These are controls,
-C1 controls, bidirectional overrides, lone surrogates, and what XML 1.0 has no place for.
+All begin with printable(text): characters that don't print become U+FFFD. These are controls, C1
+controls, bidirectional overrides, lone surrogates, and what XML 1.0 has no place for.
 
 Whatever is printed may be printed to a log of CI, which takes "::add-mask::" at the start of a line
 or "##[group]" anywhere for a command. So none of these leaves such words whole, except csv_row,

@@ -1,5 +1,9 @@
 """How numbers are written in every report."""
 
+import math
+from collections.abc import Mapping
+from typing import Any
+
 ROUNDING = 1e-14  # what rounding leaves of a 0
 LENGTHS = (
     ("m", 1.0, 0.0999),
@@ -20,6 +24,11 @@ def short(x: float) -> str:
     return f"{x:g}"
 
 
+def out_of(scored: Mapping[str, Any]) -> str:
+    """The points of a record, a part or a check: 24 / 30."""
+    return f"{short(scored['score'])} / {short(scored['max_score'])}"
+
+
 def percent(share: float) -> str:
     """0.667 as "67 %"."""
     return f"{100 * share:.0f} %"
@@ -28,6 +37,11 @@ def percent(share: float) -> str:
 def scientific(x: float) -> str:
     """An error whose power of ten is what matters: 3.0e-13."""
     return f"{x:.1e}"
+
+
+def scientific_tick(x: float) -> str:
+    """A power of ten: 1e-3."""
+    return f"1e{round(math.log10(x))}"
 
 
 def significant(x: float, digits: int) -> str:

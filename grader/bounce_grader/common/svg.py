@@ -1,15 +1,25 @@
-"""The shapes that drawings are made of. They take the colour of the text around them, so that they
-show on paper, in the dark and in grey."""
+"""Drawings as SVG: single shapes, and charts whose axes are powers of ten. They take the colour of
+the text around them, so that they show on paper, in the dark and in grey."""
 
-from collections.abc import Sequence
+import math
+from collections.abc import Callable, Iterable
+from typing import NamedTuple
 
 from bounce_grader.common import escaping
 
 INK = "currentColor"
+Place = tuple[float, float]  # px, to the right and down
 
 
-def svg(shapes: Sequence[str], width: float, height: float, label: str) -> str:
-    return (
+class Drawing(str):
+    """Finished SVG: a template takes it as it is, whereas it escapes other text."""
+
+    def __html__(self) -> str:
+        return self
+
+
+def svg(shapes: Iterable[str], width: float, height: float, label: str) -> Drawing:
+    return Drawing(
         f'<svg viewBox="0 0 {width:.0f} {height:.0f}" role="img" aria-label="{escaping.html(label)}">'
         f"{''.join(shapes)}</svg>"
     )
@@ -20,26 +30,98 @@ def rect(x: float, y: float, w: float, h: float, fill: str, stroke: str = "none"
     return f'<rect x="{x:.1f}" y="{y:.1f}" {size} fill="{fill}" stroke="{stroke}"/>'
 
 
-def text(x: float, y: float, words: str, anchor: str = "start", weight: str = "normal") -> str:
-    bold = ' style="font-weight:bold"' if weight == "bold" else ""
+def text(x: float, y: float, words: str, anchor: str = "start", attributes: str = "") -> str:
     return (
-        f'<text x="{x:.1f}" y="{y:.1f}" text-anchor="{anchor}"{bold}>{escaping.html(words)}</text>'
+        f'<text x="{x:.1f}" y="{y:.1f}" text-anchor="{anchor}"{attributes}>'
+        f"{escaping.html(words)}</text>"
     )
+
+
+def bold(x: float, y: float, words: str, anchor: str = "start") -> str:
+    return text(x, y, words, anchor, ' style="font-weight:bold"')
 
 
 def upward(x: float, y: float, words: str) -> str:
-    turned = f'transform="rotate(-90 {x:.1f} {y:.1f})"'
-    return (
-        f'<text x="{x:.1f}" y="{y:.1f}" text-anchor="middle" {turned}>{escaping.html(words)}</text>'
-    )
+    return text(x, y, words, "middle", f' transform="rotate(-90 {x:.1f} {y:.1f})"')
 
 
 def line(x1: float, y1: float, x2: float, y2: float, dash: str = "", width: float = 1) -> str:
     return path([(x1, y1), (x2, y2)], dash, width)
 
 
-def path(points: Sequence[tuple[float, float]], dash: str = "", width: float = 1) -> str:
+def path(places: Iterable[Place], dash: str = "", width: float = 1) -> str:
     dashed = f' stroke-dasharray="{dash}"' if dash else ""
     thick = f' stroke-width="{width:g}"' if width != 1 else ""
-    places = "L".join(f"{x:.1f} {y:.1f}" for x, y in points)
-    return f'<path d="M{places}" fill="none" stroke="{INK}"{dashed}{thick}/>'
+    return f'<path d="{through(places)}" fill="none" stroke="{INK}"{dashed}{thick}/>'
+
+
+def through(places: Iterable[Place], decimals: int = 1) -> str:
+    """The straight lines from place to place, as a path's "d"."""
+    return "M" + "L".join(f"{x:.{decimals}f} {y:.{decimals}f}" for x, y in places)
+
+
+def cross(x: float, y: float, arm: int) -> str:
+    """Two diagonals, likewise."""
+    return f"M{x - arm:.1f} {y - arm:.1f}l{2 * arm} {2 * arm}m0-{2 * arm}l-{2 * arm} {2 * arm}"
+
+
+def title(words: str) -> str:
+    """What a browser shows of a shape that the pointer is over."""
+    return f"<title>{escaping.html(words)}</title>"
+
+
+def decades(values: Iterable[float], low: float, high: float) -> tuple[int, int]:
+    """The powers of ten that hold the values, as far as these are between low and high."""
+    logs = [math.log10(min(max(value, low), high)) for value in values] or [0.0]
+    first, last = math.floor(min(logs)), math.ceil(max(logs))
+    return first, max(last, first + 1)
+
+
+class Axes(NamedTuple):
+    """A largest error against a time: the powers of ten at the axes' ends, and the frame in px."""
+
+    x: tuple[int, int]
+    y: tuple[int, int]
+    left: float
+    top: float
+    width: float
+    height: float
+
+    @property
+    def bottom(self) -> float:
+        return self.top + self.height
+
+    def at(self, x: float, y: float | None) -> Place:
+        """Where a point is drawn; at the edge if it is beyond, and at the top if y isn't finite."""
+        across, up = _share(x, self.x), _share(math.inf if y is None else y, self.y)
+        return self.left + self.width * across, self.bottom - self.height * up
+
+    def ticks(
+        self,
+        x_label: Callable[[float], str],
+        y_label: Callable[[float], str],
+        y_ticks: Iterable[int] | None = None,
+        gap: int = 9,
+    ) -> list[str]:
+        """At all powers of ten, but for y where others are given."""
+        out = []
+        for decade in range(self.x[0], self.x[1] + 1):
+            x, bottom = self.at(10.0**decade, 0)
+            out += [line(x, bottom, x, bottom + 5)]
+            out += [text(x, bottom + 20, x_label(10.0**decade), "middle")]
+        for decade in y_ticks or range(self.y[0], self.y[1] + 1):
+            left, y = self.at(0, 10.0**decade)
+            out += [line(left - 5, y, left, y)]
+            out += [text(left - gap, y + 5, y_label(10.0**decade), "end")]
+        return out
+
+    def names(self, time: str, gap: int = 44) -> list[str]:
+        x_name = text(self.left + self.width / 2, self.bottom + gap, time, "middle")
+        return [x_name, upward(16, self.top + self.height / 2, "largest error")]
+
+
+def _share(value: float, decades: tuple[int, int]) -> float:
+    """0 at the lower end of an axis, 1 at the upper one."""
+    low, high = decades
+    log = math.log10(value) if value > 0 else low
+    return (min(max(log, low), high) - low) / (high - low)

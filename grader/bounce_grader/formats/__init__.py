@@ -43,10 +43,6 @@ def refused(name: str | None, sentence: str) -> str:
     """For a submission that can't be read, in the formats that have words for that; else empty."""
     from bounce_grader.formats import github, gradescope, html, prairielearn
 
-    modules = {
-        "gradescope": gradescope,
-        "prairielearn": prairielearn,
-        "github": github,
-        "html": html,
-    }
+    modules = {"gradescope": gradescope, "prairielearn": prairielearn}
+    modules |= {"github": github, "html": html}
     return modules[name].refused(sentence) if name in modules else ""

@@ -1,82 +1,60 @@
-"""A failed case as a student's page shows it: what was asked, the numbers side by side as matrices
-with the wrong entries marked, and a picture."""
+"""The words and numbers of a failed case, as case.html.j2 shows them."""
 
+from collections.abc import Iterator
 from typing import Any
 
-from bounce_grader.assignment import picture
-from bounce_grader.common import escaping
+from bounce_grader.common.numbers import significant
 from bounce_grader.grading.failed_case import Shown
 
-NOTHING = 1e-14  # what rounding leaves of a 0
-Rows = list[list[Any]]
+NOT_FINITE = {"nan": "NaN", "inf": "\N{INFINITY}", "-inf": "\N{MINUS SIGN}\N{INFINITY}"}
+Entry = tuple[str, bool]  # a number, and whether it is right
+Matrix = tuple[str, list[tuple[list[Entry], str]]]  # a title; and each row with its unit
 
 
-def render(shown: Shown, heading: str) -> str:
-    """The heading is the message's first line, as "2 of 9 cases wrong; the first: in flight"."""
-    out = f"<p>{escaping.html(heading)}</p>"
-    if "contact" in shown:
-        out += f"<p>{escaping.html(_sentence(shown['contact']))}</p>"
-    out += f"<pre>{escaping.html(_asked(shown['input']))}</pre>"
-    if shown["sentence"]:
-        out += f"<p>{escaping.html(_sentence(shown['sentence']))}</p>"
-    out += "".join(_quantity(quantity) for quantity in shown["quantities"])
-    if any("expected" not in quantity for quantity in shown["quantities"]):
-        out += '<p class="small">This case is hidden, and what is right isn\'t shown.</p>'
-    return f'<div class="case">{out}{picture.of(shown)}</div>'
-
-
-def _sentence(words: str) -> str:
+def sentence(words: str) -> str:
     return f"{words[0].upper()}{words[1:]}." if words else ""
 
 
-def _asked(words: str) -> str:
-    lines = words.removeprefix("  input    ").split("\n")
-    return "\n".join(line.removeprefix(" " * 11) for line in lines)
+def question(asked: str) -> str:
+    """Without the margin that it has in a terminal."""
+    return asked.removeprefix("  input    ").replace("\n" + " " * 11, "\n")
 
 
-def _quantity(quantity: Shown) -> str:
+def is_hidden(shown: Shown) -> bool:
+    return any("expected" not in quantity for quantity in shown["quantities"])
+
+
+def caption(quantity: Shown) -> str:
+    return quantity["name"] + ("" if _units(quantity) else f", in {quantity['unit']}")
+
+
+def matrices(quantity: Shown) -> Iterator[Matrix]:
+    """The submission's; and beside it the right one, if it may be shown."""
     got, right, expected = quantity["got"], quantity["right"], quantity.get("expected")
-    digits = _digits(got, right, expected)
-    units = quantity["unit"].split(", ")
-    by_row = units if len(units) == len(got) else None
-    caption = quantity["name"] + ("" if by_row else f", in {quantity['unit']}")
-    both = _matrix("yours", got, digits, by_row, right)
+    digits = _digits(quantity)
+    units = _units(quantity) or [""] * len(got)
+    entries = [[(number(x, digits), ok) for x, ok in zip(*rows)] for rows in zip(got, right)]
+    yield "yours" + (", boxed where wrong" if right else ""), list(zip(entries, units))
     if expected:
-        both += _matrix("right", expected, digits, by_row)
-    return f'<p class="name">{escaping.html(caption)}</p><div class="pair">{both}</div>'
+        yield "right", [
+            ([(number(x, digits), True) for x in r], u) for r, u in zip(expected, units)
+        ]
 
 
-def _digits(got: Rows, right: Rows, expected: Rows | None) -> int:
+def _units(quantity: Shown) -> list[str]:
+    """Of each row; of numbers without a unit none. Empty where all have the same."""
+    units = quantity["unit"].split(", ")
+    return ["" if u == "1" else u for u in units] if len(units) == len(quantity["got"]) else []
+
+
+def _digits(quantity: Shown) -> int:
     """Six, or as many as it takes to see that a wrong number is another."""
-    for row, ok, other in zip(got, right, expected or []):
-        for x, is_right, y in zip(row, ok, other):
-            if not is_right and number(x, 6) == number(y, 6):
+    for rows in zip(quantity["got"], quantity["right"], quantity.get("expected") or []):
+        for x, right, y in zip(*rows):
+            if not right and number(x, 6) == number(y, 6):
                 return 12
     return 6
 
 
-def number(x: float | str, digits: int) -> str:
-    if isinstance(x, str):
-        return {"nan": "NaN", "inf": "\N{INFINITY}", "-inf": "\N{MINUS SIGN}\N{INFINITY}"}[x]
-    shown = f"{0.0 if abs(x) < NOTHING else x:.{digits}g}"
-    return shown.replace("-", "\N{MINUS SIGN}")
-
-
-def _matrix(
-    title: str, rows: Rows, digits: int, units: list[str] | None, right: Rows | None = None
-) -> str:
-    body = ""
-    for i, row in enumerate(rows):
-        cells = [_cell(number(x, digits), right is None or right[i][j]) for j, x in enumerate(row)]
-        unit = (
-            f'<td class="unit">{escaping.html(units[i])}</td>' if units and units[i] != "1" else ""
-        )
-        body += f"<tr>{''.join(cells)}{unit}</tr>"
-    said = ", boxed where wrong" if right else ""
-    return f"<table class='matrix'><caption>{title}{said}</caption>{body}</table>"
-
-
-def _cell(shown: str, right: bool) -> str:
-    if right:
-        return f"<td>{shown}</td>"
-    return f'<td class="wrong"><span class="unseen">wrong: </span>{shown}</td>'
+def number(x: Any, digits: int) -> str:
+    return NOT_FINITE[x] if isinstance(x, str) else significant(x, digits)

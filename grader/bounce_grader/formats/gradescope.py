@@ -3,6 +3,7 @@
 from typing import Any
 
 from bounce_grader.common.escaping import json_document, printable
+from bounce_grader.common.numbers import out_of, scientific
 from bounce_grader.formats import sentences
 from bounce_grader.grading.record import Record
 
@@ -29,32 +30,35 @@ def render(record: Record) -> str:
 def refused(sentence: str) -> str:
     """A submission that can't be read: nothing was graded, and the student can hand in again.
     Gradescope takes a result without a score for a failure of the autograder."""
-    result: dict[str, Any] = {"score": 0, "output": printable(sentence), "output_format": "text"}
-    result["tests"] = []
-    return json_document({**result, "stdout_visibility": "hidden"}, indent=1)
+    result = {
+        "score": 0,
+        "output": printable(sentence),
+        "output_format": "text",
+        "tests": [],
+        "stdout_visibility": "hidden",
+    }
+    return json_document(result, indent=1)
 
 
 def _summary(record: Record) -> str:
     lines = [
-        f"Part {part['part']}, {part['title']}: {sentences.points(part['score'])} / "
-        f"{sentences.points(part['max_score'])}. {printable(sentences.part_words(part))}"
+        f"Part {part['part']}, {part['title']}: {out_of(part)}. "
+        + printable(sentences.part_words(part))
         for part in record["parts"]
     ]
     return "\n".join([*lines, *map(printable, sentences.speed_words(record))])
 
 
 def _test(number: str, part: Record, check: Record) -> dict[str, Any]:
-    said = printable(sentences.check_words(part, check))
     hint = sentences.hint(check)
-    if hint and not check["passed"]:
-        said += f"\nhint {hint}"
     return {
         "number": number,
         "name": check["title"],
         "score": check["score"],
         "max_score": check["max_score"],
         "status": "passed" if check["passed"] else "failed",
-        "output": said,
+        "output": printable(sentences.check_words(part, check))
+        + (f"\nhint {hint}" if hint else ""),
         "tags": [part["stem"]],
         "visibility": "visible",
     }
@@ -69,6 +73,6 @@ def _leaderboard(record: Record) -> list[dict[str, Any]]:
         ratio = round(speed["ratio"], 2)
         rows.append({"name": "Time over the solution's", "value": ratio, "order": "asc"})
     if speed.get("largest_error") is not None:
-        error = float(f"{speed['largest_error']:.1e}")
+        error = float(scientific(speed["largest_error"]))
         rows.append({"name": "Largest error", "value": error, "order": "asc"})
     return rows

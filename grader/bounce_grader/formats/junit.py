@@ -3,25 +3,22 @@
 from xml.etree import ElementTree
 
 from bounce_grader.common.escaping import printable, xml_document
+from bounce_grader.common.numbers import short
 from bounce_grader.formats import sentences
 from bounce_grader.grading.record import Record
 
 
 def render(record: Record) -> str:
-    suites = ElementTree.Element("testsuites", name="bouncing", time=_seconds(record))
-    for part in record["parts"]:
-        suites.append(_suite(part, record))
+    time = f"{record['seconds']['total']:.3f}"
+    suites = ElementTree.Element("testsuites", name="bouncing", time=time)
+    suites.extend(map(_suite, record["parts"]))
     for count in ("tests", "failures", "errors"):
         suites.set(count, str(sum(int(suite.get(count, "0")) for suite in suites)))
     ElementTree.indent(suites)
     return xml_document(ElementTree.tostring(suites, encoding="unicode", xml_declaration=False))
 
 
-def _seconds(record: Record) -> str:
-    return f"{record['seconds']['total']:.3f}"
-
-
-def _suite(part: Record, record: Record) -> ElementTree.Element:
+def _suite(part: Record) -> ElementTree.Element:
     """A part that didn't run is an error in each of its checks; a wrong answer is a failure."""
     errors = [c for c in part["checks"] if not c["passed"] and _did_not_run(part, c)]
     failed = [check for check in part["checks"] if not check["passed"]]
@@ -35,11 +32,8 @@ def _suite(part: Record, record: Record) -> ElementTree.Element:
     )
     properties = ElementTree.SubElement(suite, "properties")
     for name in ("score", "max_score"):
-        ElementTree.SubElement(
-            properties, "property", name=name, value=sentences.points(part[name])
-        )
-    for check in part["checks"]:
-        suite.append(_case(part, check))
+        ElementTree.SubElement(properties, "property", name=name, value=short(part[name]))
+    suite.extend(_case(part, check) for check in part["checks"])
     return suite
 
 
@@ -51,9 +45,8 @@ def _case(part: Record, check: Record) -> ElementTree.Element:
     name = check["id"].partition(".")[2]
     case = ElementTree.Element("testcase", name=name, classname=part["stem"])
     if not check["passed"]:
-        said = printable(sentences.check_words(part, check))
         kind = "error" if _did_not_run(part, check) else "failure"
         verdict = part["status"] if kind == "error" else "wrong"
         fault = ElementTree.SubElement(case, kind, message=check["title"], type=verdict)
-        fault.text = said
+        fault.text = printable(sentences.check_words(part, check))
     return case

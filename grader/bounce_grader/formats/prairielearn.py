@@ -3,20 +3,17 @@
 from typing import Any
 
 from bounce_grader.common.escaping import json_document, printable
+from bounce_grader.common.numbers import out_of
 from bounce_grader.formats import sentences
 from bounce_grader.grading.record import Record
 
 
 def render(record: Record) -> str:
+    lines = [f"{out_of(record)} points", *map(printable, sentences.speed_words(record))]
     result = {
         "gradable": True,
         "score": record["score"] / record["max_score"],
-        "message": "\n".join(
-            [
-                f"{sentences.of_points(record)} points",
-                *map(printable, sentences.speed_words(record)),
-            ]
-        ),
+        "message": "\n".join(lines),
         "tests": [_test(*numbered) for numbered in sentences.numbered(record)],
     }
     return json_document(result, indent=1)
@@ -30,13 +27,12 @@ def refused(sentence: str) -> str:
 
 def _test(number: str, part: Record, check: Record) -> dict[str, Any]:
     """Every test has its points, or PrairieLearn shows none."""
+    hint = sentences.hint(check)
     return {
         "name": f"{number} {check['title']}",
         "description": f"Part {part['part']}: {part['title']}",
         "points": check["score"],
         "max_points": check["max_score"],
         "output": printable(sentences.check_words(part, check)),
-        "message": f"Hint {sentences.hint(check)}"
-        if not check["passed"] and sentences.hint(check)
-        else "",
+        "message": f"Hint {hint}" if hint else "",
     }

@@ -26,19 +26,20 @@ class Place(NamedTuple):
 
 
 def place_in(message: str) -> Place | None:
-    found = PLACE.search(message)
-    if not found:
+    match = PLACE.search(message)
+    if not match:
         return None
-    file, line, column = found.groups()
+    file, line, column = match.groups()
     return Place(file, int(line), int(column) if column else None)
 
 
-def points(x: float) -> str:
-    return f"{x:g}"
+def has_run(part: Record) -> bool:
+    return any(check["passed"] or check["message"] for check in part["checks"])
 
 
-def of_points(record: Record) -> str:
-    return f"{points(record['score'])} / {points(record['max_score'])}"
+def had_help(part: Record) -> bool:
+    """Whether it lost points though the earlier parts were given: a mistake there cost none."""
+    return part["graded_with"] == "given" and part["score"] < part["max_score"]
 
 
 def part_words(part: Record) -> str:
@@ -49,22 +50,21 @@ def part_words(part: Record) -> str:
 
 
 def check_words(part: Record, check: Record) -> str:
-    """What there is to say of a check: of a part that never ran, why it didn't. What is known of the
-    part's mistakes is said with the first check that fails, for formats that have no place for it
-    but there."""
-    said = check["message"] or ("" if check["passed"] else part_words(part))
-    first = next((c for c in part["checks"] if not c["passed"]), None)
-    known = mistake_words(part) if check is first else []
-    return "\n".join(filter(None, [*known, said]))
+    """A check's message; if its part never ran, the reason. The first failed check begins with the
+    part's known mistakes, for formats that have no other place for them."""
+    message = check["message"] or ("" if check["passed"] else part_words(part))
+    first_failed = next((c for c in part["checks"] if not c["passed"]), None)
+    mistakes = mistake_words(part) if check is first_failed else []
+    return "\n".join(filter(None, [*mistakes, message]))
 
 
 def mistake_words(part: Record) -> list[str]:
     """A line for each known mistake that the part makes; else for what its numbers say."""
-    return [mistake_line(m) for m in part["mistakes"]] or list(part["patterns"])
-
-
-def mistake_line(mistake: Record) -> str:
-    return f"Looks like: {mistake['title']}. {mistake['sentence']} See {where_to_read(mistake)}."
+    lines = [
+        f"Looks like: {mistake['title']}. {mistake['sentence']} See {where_to_read(mistake)}."
+        for mistake in part["mistakes"]
+    ]
+    return lines or list(part["patterns"])
 
 
 def where_to_read(mistake: Record) -> str:
@@ -77,8 +77,8 @@ def speed_words(record: Record) -> list[str]:
     """Why the submission has no time beside the solution's, where its answers are the reason."""
     from bounce_grader.grading import speed
 
-    found = record.get("speed") or {}
-    return speed.sentences(found) if "otherwise" in found else []
+    measured = record.get("speed") or {}
+    return speed.sentences(measured) if "otherwise" in measured else []
 
 
 def numbered(record: Record) -> list[tuple[str, Record, Record]]:
@@ -91,6 +91,7 @@ def numbered(record: Record) -> list[tuple[str, Record, Record]]:
 
 
 def hint(check: Record) -> str:
+    """The heading of the hints that a failed check leads to; else empty."""
     from bounce_grader.assignment.hints import headings
 
-    return headings().get(check["id"], "")
+    return "" if check["passed"] else headings().get(check["id"], "")

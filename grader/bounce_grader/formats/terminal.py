@@ -4,11 +4,11 @@ import sys
 from functools import cache
 from typing import TextIO
 
-from bounce_grader.assignment.hints import headings
 from bounce_grader.common.escaping import first_few, terminal
+from bounce_grader.common.numbers import out_of, scientific
 from bounce_grader.common.packages import find_installed
 from bounce_grader.common.paths import HANDOUT
-from bounce_grader.formats.sentences import STATUS_WORDS, where_to_read
+from bounce_grader.formats import sentences
 from bounce_grader.grading import speed
 from bounce_grader.grading.record import Record
 
@@ -29,19 +29,15 @@ def show(record: Record, stream: TextIO = sys.stdout) -> None:
 
 def lines(record: Record) -> list[tuple[str, str]]:
     """(style, text) for each line. Whatever comes from a submission is stripped of controls."""
-    out = [("bold", f"Score {number(record['score'])} / {number(record['max_score'])}"), ("", "")]
+    out = [("bold", f"Score {out_of(record)}"), ("", "")]
     for part in record["parts"]:
         out += _part(part)
     if record.get("speed"):
         out += _speed(record["speed"])
     unusual = [name for name in record["ignored"] if name not in _handed_out()]
     if unusual:
-        out.append(
-            (
-                "dim",
-                f"Not used: {first_few(list(map(terminal, unusual)), more=record.get('ignored_more', 0))}",
-            )
-        )
+        files = first_few([*map(terminal, unusual)], more=record.get("ignored_more", 0))
+        out.append(("dim", f"Not used: {files}"))
     if record["box"] == "none":
         out.append(("yellow", "Graded without a box: this code could do whatever you can."))
     return out
@@ -53,22 +49,22 @@ def _handed_out() -> set[str]:
 
 
 def _part(part: Record) -> list[tuple[str, str]]:
-    score = f"{number(part['score'])} / {number(part['max_score'])}"
     heading = f"Part {part['part']}  {part['title']}"
-    out = [("bold", f"{heading:<68}{score:>8}")]
+    out = [("bold", f"{heading:<68}{out_of(part):>8}")]
     if part["status"] != "graded":
-        out.append(("red", f"  {STATUS_WORDS[part['status']]}: {terminal(part['message'])}"))
+        status = sentences.STATUS_WORDS[part["status"]]
+        out.append(("red", f"  {status}: {terminal(part['message'])}"))
     elif part["score"] < part["max_score"]:
         out.append(("", f"  {terminal(part['message'])}"))
     for mistake in part["mistakes"]:
         out.append(("yellow", f"  looks like: {mistake['title']}"))
         out.append(("", f"    {mistake['sentence']}"))
-        out.append(("dim", f"    {where_to_read(mistake)}"))
+        out.append(("dim", f"    {sentences.where_to_read(mistake)}"))
     out += [("", f"  {sentence}") for sentence in part["patterns"]]
-    if any(check["passed"] or check["message"] for check in part["checks"]):
+    if sentences.has_run(part):
         for check in part["checks"]:
             out += _check(check)
-    if part["graded_with"] == "given" and part["score"] < part["max_score"]:
+    if sentences.had_help(part):
         out.append(
             ("dim", "  judged with the earlier parts given: a mistake there costs nothing here")
         )
@@ -77,28 +73,23 @@ def _part(part: Record) -> list[tuple[str, str]]:
 
 def _check(check: Record) -> list[tuple[str, str]]:
     mark, style = ("✓", "green") if check["passed"] else ("✗", "red")
-    score = f"{number(check['score'])} / {number(check['max_score'])}"
-    out = [(style, f"  {mark} {check['title']:<64}{score:>8}")]
+    out = [(style, f"  {mark} {check['title']:<64}{out_of(check):>8}")]
     out += [("", f"      {terminal(line)}") for line in check["message"].split("\n") if line]
     if check["message"]:
-        out.append(("dim", f"      hint {headings()[check['id']]}"))
+        out.append(("dim", f"      hint {sentences.hint(check)}"))
     return out
 
 
-def _speed(found: Record) -> list[tuple[str, str]]:
-    error = found["largest_error"]
-    accuracy = "largest error " + ("not finite" if error is None else f"{error:.1e}")
-    said = [terminal(sentence) for sentence in speed.sentences(found)]
-    if "submission_ns" not in found:
-        why = "" if said else " (the parts don't run together)"
-        return [("", line) for line in (f"Speed: not measured{why}; {accuracy}", *said, "")]
-    time = f"{found['submission_ns']:.0f} ns a step, the solution {found['solution_ns']:.0f} ns"
-    if "ratio" in found:
-        time += f": {found['ratio']:.2f} times its time"
+def _speed(measured: Record) -> list[tuple[str, str]]:
+    error = measured["largest_error"]
+    accuracy = "largest error " + ("not finite" if error is None else scientific(error))
+    curves = [terminal(sentence) for sentence in speed.sentences(measured)]
+    if "submission_ns" not in measured:
+        time = "not measured" + ("" if curves else " (the parts don't run together)")
     else:
-        time += ", not compared as the answers aren't right"
-    return [("", line) for line in (f"Speed: {time}; {accuracy}", *said, "")]
-
-
-def number(x: float) -> str:
-    return f"{x:g}"
+        own, solutions = measured["submission_ns"], measured["solution_ns"]
+        compared = ", not compared as the answers aren't right"
+        if "ratio" in measured:
+            compared = f": {measured['ratio']:.2f} times its time"
+        time = f"{own:.0f} ns a step, the solution {solutions:.0f} ns{compared}"
+    return [("", line) for line in (f"Speed: {time}; {accuracy}", *curves, "")]

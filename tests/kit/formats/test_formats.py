@@ -285,7 +285,7 @@ def test_github_is_pointed_at_no_file_that_was_not_handed_in(
     found = commands(github.render(record, tmp_path))
     assert (found[1][1]["file"], found[1][1]["line"]) == ("part2_lcp.cpp", "1")
     assert (found[2][1]["file"], found[2][1]["line"]) == ("helper.hpp", "5")
-    tests = json.loads(base64.b64decode(github.result(record, tmp_path)))["tests"]
+    tests = json.loads(base64.b64decode(github.reporter_result(record, tmp_path)))["tests"]
     assert [test["filename"] for test in tests[1:3]] == ["part2_lcp.cpp", "helper.hpp"]
 
 
@@ -297,7 +297,7 @@ def test_a_submission_that_cannot_be_read_is_an_error_and_no_points() -> None:
 
 def test_classrooms_reporter_adds_up_the_points(record: dict[str, Any]) -> None:
     """As autograding-grading-reporter does: the sum of the tests' scores, out of max_score."""
-    result = json.loads(base64.b64decode(github.result(record)))
+    result = json.loads(base64.b64decode(github.reporter_result(record)))
     assert result["version"] == 1 and result["status"] == "fail"
     assert result["max_score"] == 100
     assert sum(test["score"] for test in result["tests"]) == 32
@@ -315,7 +315,7 @@ def test_a_step_of_a_workflow_hands_on_its_result(
     monkeypatch.setenv("GITHUB_STEP_SUMMARY", str(tmp_path / "summary"))
     formats.render("github", record, NOWHERE)
     lines = (tmp_path / "output").read_text().splitlines()
-    assert lines == [f"result={github.result(record)}", "score=32"]
+    assert lines == [f"result={github.reporter_result(record)}", "score=32"]
     assert (tmp_path / "summary").read_text().startswith("## 32 / 100 points")
 
 

@@ -356,5 +356,5 @@ def test_a_grading_imports_nothing_that_takes_longer_than_a_judge() -> None:
     assert done.returncode == 0 and "Score 100 / 100" in done.stdout
     imported = set(re.findall(r"^import time:.*\| *(\S+)$", done.stderr, re.MULTILINE))
     assert "bounce_grader.grading.judging" in imported
-    slow = {"dataclasses", "logging", "asyncio", "multiprocessing", "rich", "html", "xml"}
+    slow = {"dataclasses", "logging", "asyncio", "multiprocessing", "rich", "jinja2", "html", "xml"}
     assert not imported & slow
