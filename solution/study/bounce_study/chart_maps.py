@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from bounce_study import look
+from bounce_study import chart_style
 from bounce_study.tables import number, Row, Tables
 
 LEAST_GAIN = 1e-12  # below it is rounding
@@ -14,8 +14,8 @@ def energy_gain(tables: Tables) -> bytes:
 
     table = tables["energy_gain"]
     laws = table.distinct("law")
-    plt = look.pyplot()
-    figure, grid = plt.subplots(1, len(laws), figsize=(look.WIDTH, 3.5), sharey=True)
+    plt = chart_style.pyplot()
+    figure, grid = plt.subplots(1, len(laws), figsize=(chart_style.WIDTH, 3.5), sharey=True)
     norm = plt.matplotlib.colors.BoundaryNorm(GAINS, 256)
     for axes, law in zip(grid, laws):
         x, y, gain = _mesh(table.where(law=law), "mu", "epsilon", "largest_gain")
@@ -25,48 +25,43 @@ def energy_gain(tables: Tables) -> bytes:
         )
         limits = {number(row, "mu"): number(row, "limit_epsilon") for row in table.where(law=law)}
         if law == "newton":
-            axes.plot(
-                list(limits), list(limits.values()), color="black", linestyle=(0, (4, 2)), lw=1.6
-            )
+            dashed = {"color": "black", "linestyle": (0, (4, 2)), "lw": 1.6}
+            axes.plot(list(limits), list(limits.values()), **dashed)
             axes.text(0.04, 0.62, "below the dashed line no gain\nis possible: analytic limit")
         elif not shades.count():
-            look.note(axes, "no gain anywhere")
-        axes.set_title(f"{law.capitalize()}'s law")
-        axes.set_xlabel("μ")
-        axes.set_ylim(0, 1)
+            chart_style.note(axes, "no gain anywhere")
+        axes.set(title=f"{law.capitalize()}'s law", xlabel="μ", ylim=(0, 1))
     grid[0].set_ylabel("ε")
     figure.tight_layout(rect=(0, 0, 0.9, 1))
     bar = figure.add_axes((0.91, 0.18, 0.014, 0.7))
     figure.colorbar(filled, cax=bar, label="largest gain, share of the corner's energy")
-    return look.svg(figure)
+    return chart_style.svg(figure)
 
 
 def solution_count(tables: Tables) -> bytes:
     import numpy as np
 
     table = tables["solution_count"]
-    plt = look.pyplot()
-    figure, axes = plt.subplots(figsize=(look.WIDTH * 0.72, 4.2))
-    one = plt.matplotlib.colors.ListedColormap([look.SKY])
+    plt = chart_style.pyplot()
+    figure, axes = plt.subplots(figsize=(chart_style.WIDTH * 0.72, 4.2))
+    one = plt.matplotlib.colors.ListedColormap([chart_style.SKY])
     x, y, count = _mesh(table.rows, "alpha_rad", "mu", "most_solutions")
     several = np.ma.masked_less(count, 2)
     axes.pcolormesh(x, y, several, cmap=one, shading="nearest", rasterized=True)
     axes.contourf(x, y, count, [2.5, 3.5], colors="none", hatches=["///"])
     stars = {number(row, "alpha_rad"): number(row, "mu_star") for row in table.rows}
     axes.plot(list(stars), list(stars.values()), color="black", label="μ*(α), where a = μ |b|")
-    axes.set_xlim(0, 1.57)
-    axes.set_ylim(0, 4)
-    axes.set_xlabel("α, rad: how far the line from the centre to the corner leans")
-    axes.set_ylabel("μ")
+    leaning = "α, rad: how far the line from the centre to the corner leans"
+    axes.set(xlim=(0, 1.57), ylim=(0, 4), xlabel=leaning, ylabel="μ")
     patches = plt.matplotlib.patches
     handles = [
         patches.Patch(facecolor="white", edgecolor="black", label="one solution always"),
-        patches.Patch(facecolor=look.SKY, hatch="///", label="three for some velocities"),
+        patches.Patch(facecolor=chart_style.SKY, hatch="///", label="three for some velocities"),
         *axes.get_legend_handles_labels()[0],
     ]
     axes.legend(handles=handles, loc="center left", bbox_to_anchor=(1.01, 0.5))
     figure.tight_layout()
-    return look.svg(figure)
+    return chart_style.svg(figure)
 
 
 def _mesh(rows: list[Row], x: str, y: str, value: str) -> tuple[list[float], list[float], Any]:

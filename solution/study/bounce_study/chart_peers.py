@@ -2,10 +2,10 @@
 
 from typing import Any
 
-from bounce_study import look, words
+from bounce_study import chart_style, numbers
 from bounce_study.tables import number, Row, Tables
 
-KINDS = (("contact", look.BLUE, ""), ("flight", look.SKY, "////"))
+KINDS = (("contact", chart_style.BLUE, ""), ("flight", chart_style.SKY, "////"))
 HEIGHT = 0.38  # of a bar; a row is 1
 
 
@@ -15,42 +15,31 @@ def steps(tables: Tables) -> bytes:
     titles = {row["engine"]: row["title"] for row in tables["peers_settings"].rows}
     contact = table.where(kind="contact")
     order = [row["engine"] for row in sorted(contact, key=lambda row: -number(row, "ns_per_step"))]
-    plt = look.pyplot()
-    figure, axes = plt.subplots(figsize=(look.WIDTH * 0.8, 0.42 * len(order) + 0.9))
+    size = (chart_style.WIDTH * 0.8, 0.42 * len(order) + 0.9)
+    figure, axes = chart_style.pyplot().subplots(figsize=size)
     axes.set_xscale("log")
     for i, (kind, color, hatch) in enumerate(KINDS):
         rows = {row["engine"]: row for row in table.where(kind=kind)}
-        at = [place + (0.5 - i) * HEIGHT for place in range(len(order))]
-        _bars(axes, at, [rows[engine] for engine in order], color, hatch, kind)
+        style = {"color": color, "hatch": hatch, "edgecolor": "white", "linewidth": 0}
+        places = [place + (0.5 - i) * HEIGHT for place in range(len(order))]
+        _bars(axes, places, [rows[engine] for engine in order], label=kind, **style)
     axes.set_yticks(range(len(order)))
-    axes.set_yticklabels([titles.get(engine) or words.method(engine) for engine in order])
+    axes.set_yticklabels([titles.get(name) or chart_style.method_label(name) for name in order])
     axes.set_xlim(1, 8 * max(number(row, "ns_per_step") for row in table.rows))
     axes.set_xlabel("CPU time of a step, ns; at the end of a bar: times our fastest form's")
     axes.grid(axis="y", visible=False)
     axes.legend(loc="lower right")
     figure.tight_layout()
-    return look.svg(figure)
+    return chart_style.svg(figure)
 
 
-def _bars(axes: Any, at: list[float], rows: list[Row], color: str, hatch: str, label: str) -> None:
+def _bars(axes: Any, places: list[float], rows: list[Row], **style: Any) -> None:
     ns = [number(row, "ns_per_step") for row in rows]
     below = [x - number(row, "lower_quartile") for x, row in zip(ns, rows)]
     above = [number(row, "upper_quartile") - x for x, row in zip(ns, rows)]
-    axes.barh(
-        at,
-        ns,
-        HEIGHT,
-        xerr=(below, above),
-        color=color,
-        hatch=hatch,
-        edgecolor="white",
-        linewidth=0,
-        error_kw={"elinewidth": 0.8, "capsize": 2},
-        label=label,
-    )
-    for place, x, row in zip(at, ns, rows):
-        spot = max(x, number(row, "upper_quartile"))
-        times = words.times(number(row, "ratio"))
-        axes.annotate(
-            times, (spot, place), (4, 0), textcoords="offset points", va="center", fontsize=7
-        )
+    whiskers = {"xerr": (below, above), "error_kw": {"elinewidth": 0.8, "capsize": 2}}
+    axes.barh(places, ns, HEIGHT, **whiskers, **style)
+    beside = {"textcoords": "offset points", "va": "center", "fontsize": 7}
+    for place, x, row in zip(places, ns, rows):
+        end = max(x, number(row, "upper_quartile"))
+        axes.annotate(numbers.ratio(number(row, "ratio")), (end, place), (4, 0), **beside)

@@ -1,159 +1,150 @@
-"""Speed against accuracy: a panel for each scene, the order of convergence, and the performance
-profile."""
+"""Charts of speed against accuracy: a panel for each scene, the order of convergence, and the
+performance profile."""
 
 import math
 import textwrap
 from typing import Any
 
-from bounce_study import look, placing, runs
-from bounce_study.runs import Run
-from bounce_study.tables import number, Tables
+from bounce_study import chart_style, measurements
+from bounce_study.chart_style import scene_label, Style
+from bounce_study.measurements import Run
+from bounce_study.point_labels import PointLabels
+from bounce_study.tables import number, numbers, Tables
 
 COLUMNS = 2
 LEFT, RIGHT = 1e-8, 30.0  # m: what is more exact lies in a strip at the left edge
 README_SCENE = "oblique_bounce"
+TIME = "CPU time per simulated second, ns"
 
 
 def panels(tables: Tables) -> bytes:
-    all_runs = runs.runs(tables)
-    scenes = runs.scenes(all_runs)
-    plt = look.pyplot()
+    runs = measurements.read(tables)
+    scenes = measurements.scenes(runs)
     rows = math.ceil((len(scenes) + 1) / COLUMNS)
-    size = (look.WIDTH, 4.2 * rows)
-    figure, grid = plt.subplots(rows, COLUMNS, figsize=size, sharex=True, sharey=True)
-    letters = _letters(all_runs)
+    layout = {"figsize": (chart_style.WIDTH, 4.2 * rows), "sharex": True, "sharey": True}
+    figure, grid = chart_style.pyplot().subplots(rows, COLUMNS, **layout)
     for axes, scene in zip(grid.flat, scenes):
-        _lines(axes, all_runs, scene)
-    for axes in grid.flat[len(scenes) :]:
-        axes.axis("off")
-    _label(grid)
-    _legend(grid.flat[len(scenes)], all_runs)
-    _foot(figure, letters, 165)
+        _lines(axes, runs, scene)
+    _label_lowest(grid, len(scenes), "error, m")
+    for axes in grid[:, 0]:
+        axes.set_ylabel(TIME)
+    _legend(grid.flat[len(scenes)], runs)
+    letters = _letters(runs)
+    _explain_marks(figure, letters, 165)
     for axes, scene in zip(grid.flat, scenes):
-        _texts(axes, all_runs, scene, letters)
-    return look.svg(figure)
+        _label_points(axes, runs, scene, letters)
+    return chart_style.svg(figure)
 
 
 def one(tables: Tables) -> bytes:
     """A single panel, for the README."""
-    all_runs = [run for run in runs.runs(tables) if run.scene == README_SCENE]
-    plt = look.pyplot()
-    ratios = {"width_ratios": [2.2, 1]}
-    figure, (axes, key) = plt.subplots(1, 2, figsize=(8.4, 5.2), gridspec_kw=ratios)
-    letters = _letters(all_runs)
-    _lines(axes, all_runs, README_SCENE)
-    axes.set_xlabel("error, m")
-    axes.set_ylabel("CPU time per simulated second, ns")
+    runs = [run for run in measurements.read(tables) if run.scene == README_SCENE]
+    layout = {"figsize": (8.4, 5.2), "gridspec_kw": {"width_ratios": [2.2, 1]}}
+    figure, (axes, key) = chart_style.pyplot().subplots(1, 2, **layout)
+    _lines(axes, runs, README_SCENE)
+    axes.set(xlabel="error, m", ylabel=TIME)
     key.axis("off")
-    _legend(key, all_runs)
-    _foot(figure, letters, 125)
-    _texts(axes, all_runs, README_SCENE, letters)
-    return look.svg(figure)
+    _legend(key, runs)
+    letters = _letters(runs)
+    _explain_marks(figure, letters, 125)
+    _label_points(axes, runs, README_SCENE, letters)
+    return chart_style.svg(figure)
 
 
-def _own(all_runs: list[Run], scene: str, method: str) -> list[Run]:
+def _label_lowest(grid: Any, used: int, label: str) -> None:
+    """Leaves out the panels after the used ones, and labels the abscissa below the others."""
+    for axes in grid.flat[used:]:
+        axes.axis("off")
+    for axes in grid.flat[max(0, used - grid.shape[1]) : used]:
+        axes.tick_params(labelbottom=True)
+        axes.set_xlabel(label)
+
+
+def _line_of(runs: list[Run], scene: str, method: str) -> list[Run]:
     """From the largest step to the smallest."""
-    own = [r for r in all_runs if r.scene == scene and r.method == method]
-    return sorted((r for r in own if math.isfinite(r.error)), key=lambda run: -run.setting)
+    line = [run for run in measurements.of(runs, scene, method) if math.isfinite(run.error)]
+    return sorted(line, key=lambda run: -run.setting)
 
 
-def _spot(run: Run) -> tuple[float, float]:
+def _point(run: Run) -> tuple[float, float]:
     return max(run.error, LEFT), run.ns
 
 
-def _lines(axes: Any, all_runs: list[Run], scene: str) -> None:
-    axes.set_xscale("log")
-    axes.set_yscale("log")
-    axes.set_xlim(LEFT / 3, RIGHT)
+def _lines(axes: Any, runs: list[Run], scene: str) -> None:
+    axes.set(xscale="log", yscale="log", xlim=(LEFT / 3, RIGHT), title=scene_label(scene))
     axes.axvspan(LEFT / 3, LEFT * 3, color="#eeeeee", zorder=0)
-    axes.axvline(look.FINE, color="black", linewidth=0.8, linestyle=(0, (1, 2)))
-    axes.set_title(scene.replace("_", " "))
-    for method in runs.methods(all_runs)[::-1]:
-        own = _own(all_runs, scene, method)
-        if own:
-            _line(axes, own, look.style(method, runs.peers(all_runs)))
+    axes.axvline(chart_style.FINE, color="black", linewidth=0.8, linestyle=(0, (1, 2)))
+    for method in measurements.methods(runs)[::-1]:
+        line = _line_of(runs, scene, method)
+        if line:
+            _draw_line(axes, line, chart_style.style(method, measurements.peers(runs)))
 
 
-def _line(axes: Any, own: list[Run], style: look.Style) -> None:
-    x, y = zip(*map(_spot, own))
-    axes.plot(x, y, **style.line(), zorder=2 if own[0].peer else 3)
-    if not _fails(own):
+def _draw_line(axes: Any, line: list[Run], style: Style) -> None:
+    x, y = zip(*map(_point, line))
+    axes.plot(x, y, **style.line(), zorder=2 if line[0].peer else 3)
+    if not measurements.failure(line, chart_style.FINE):
         return
-    if look.is_letter(style):  # the letter stays, within an open mark
+    if chart_style.is_letter(style):  # the letter stays, within an open mark
         axes.plot(x[-1:], y[-1:], "o", mfc="none", mec="black", mew=0.8, ms=10, zorder=4)
     else:
         axes.plot(x[-1:], y[-1:], style.marker, mfc="white", mec=style.color, ms=8, zorder=4)
 
 
-def _fails(own: list[Run]) -> bool:
-    return min(run.error for run in own) > look.FINE
-
-
-def _texts(axes: Any, all_runs: list[Run], scene: str, letters: dict[str, str]) -> None:
+def _label_points(axes: Any, runs: list[Run], scene: str, letters: dict[str, str]) -> None:
     """Reasons first, then settings where there is room."""
-    room = placing.Places(axes)
-    by_method = {method: _own(all_runs, scene, method) for method in runs.methods(all_runs)}
-    lines = {method: own for method, own in by_method.items() if own}
-    for own in lines.values():
-        for run in own:
-            room.keep(*_spot(run), 4)
-    for method, own in lines.items():
-        if _fails(own):
-            letter = letters[runs.reason(own)]
-            room.put(letter, *_spot(own[-1]), 8, 5, fontweight="bold", zorder=6)
-    for method, own in lines.items():
-        if not own[0].peer:
-            _settings(room, own, look.style(method, []))
+    labels = PointLabels(axes)
+    lines = [_line_of(runs, scene, method) for method in measurements.methods(runs)]
+    lines = [line for line in lines if line]
+    for line in lines:
+        for run in line:
+            labels.occupy(*_point(run), 4)
+    for line in lines:
+        reason = measurements.failure(line, chart_style.FINE)
+        if reason:
+            labels.add(letters[reason], *_point(line[-1]), 8, 5, fontweight="bold", zorder=6)
+    for line in lines:
+        if not line[0].peer:
+            _label_settings(labels, line)
 
 
-def _settings(room: placing.Places, own: list[Run], style: look.Style) -> None:
+def _label_settings(labels: PointLabels, line: list[Run]) -> None:
     """The steps or the tolerances that are powers of ten."""
-    color = style.color if style.color != look.ORANGE else "#9a6a00"
-    for run in own:
+    color = chart_style.style(line[0].method, []).color
+    for run in line:
         power = math.log10(run.setting)
         if abs(power - round(power)) < 1e-4:
-            room.put(f"1e{round(power)}", *_spot(run), 6, 3, color=color, zorder=5)
+            readable = color if color != chart_style.ORANGE else "#9a6a00"
+            labels.add(f"1e{round(power)}", *_point(run), 6, 3, color=readable, zorder=5)
 
 
-def _letters(all_runs: list[Run]) -> dict[str, str]:
-    """A letter for each reason for which a method stays above the line."""
-    reasons: list[str] = []
-    for scene in runs.scenes(all_runs):
-        for method in runs.methods(all_runs):
-            own = [r for r in all_runs if r.scene == scene and r.method == method]
-            if own and min(r.error for r in own) > look.FINE:
-                reasons.append(runs.reason(own))
-    return {text: look.letter(i) for i, text in enumerate(sorted(set(reasons)))}
+def _letters(runs: list[Run]) -> dict[str, str]:
+    """A letter for each reason for which a method doesn't come within the tolerance."""
+    reasons = {
+        measurements.failure(measurements.of(runs, scene, method), chart_style.FINE)
+        for scene in measurements.scenes(runs)
+        for method in measurements.methods(runs)
+    }
+    return dict(zip(sorted(reasons - {""}), "abcdefghijklmnopqrstuvwxyz"))
 
 
-def _label(grid: Any) -> None:
-    for axes in grid[-1]:
-        axes.set_xlabel("error, m")
-    last = [axes for axes in grid.flat if axes.axison][-COLUMNS:]
-    for axes in last:
-        axes.tick_params(labelbottom=True)
-        axes.set_xlabel("error, m")
-    for axes in grid[:, 0]:
-        axes.set_ylabel("CPU time per simulated second, ns")
-
-
-def _legend(axes: Any, all_runs: list[Run]) -> None:
-    others = runs.peers(all_runs)
-    plt = look.pyplot()
-    shown = [look.style(method, others) for method in runs.methods(all_runs)]
-    handles = [plt.Line2D([], [], label=style.label, **style.line()) for style in shown]
-    handles.append(plt.Line2D([], [], color="black", linewidth=0.8, ls=(0, (1, 2)), label="1 mm"))
+def _legend(axes: Any, runs: list[Run]) -> None:
+    peers = measurements.peers(runs)
+    line = chart_style.pyplot().Line2D
+    styles = [chart_style.style(method, peers) for method in measurements.methods(runs)]
+    handles = [line([], [], label=style.label, **style.line()) for style in styles]
+    handles.append(line([], [], color="black", linewidth=0.8, ls=(0, (1, 2)), label="1 mm"))
     axes.legend(handles=handles, loc="upper left", handlelength=3.2, labelspacing=0.35)
 
 
-def _foot(figure: Any, letters: dict[str, str], width: int) -> None:
-    """What the marks mean, below the panels."""
-    words = "At points: Δt in s, where there is room; event-driven: the tolerance."
-    words += " Grey strip: 1e-8 m or less."
+def _explain_marks(figure: Any, letters: dict[str, str], width: int) -> None:
+    """Says below the panels what the marks mean."""
+    text = "At points: Δt in s, where there is room; event-driven: the tolerance."
+    text += " Grey strip: 1e-8 m or less."
     if letters:
-        words += " An open mark ends a line that is never within 1 mm, because "
-        words += "; ".join(f"({letters[text]}) {text}" for text in letters) + "."
-    lines = textwrap.wrap(words, width)
+        text += " An open mark ends a line that is never within 1 mm, because "
+        text += "; ".join(f"({letter}) {reason}" for reason, letter in letters.items()) + "."
+    lines = textwrap.wrap(text, width)
     room = (len(lines) + 0.5) * 0.155 / figure.get_figheight()
     figure.text(0.02, 0.1 / figure.get_figheight(), "\n".join(lines), va="bottom", fontsize=7.5)
     figure.tight_layout(rect=(0, room, 1, 1))
@@ -163,88 +154,78 @@ def order(tables: Tables) -> bytes:
     """error / dt over dt: level where the order is one, rising to the left where there is a floor."""
     table = tables["order"]
     scenes = table.distinct("scene")
-    plt = look.pyplot()
+    lines = {method: _order_line(method) for method in table.distinct("method")}
     rows = math.ceil((len(scenes) + 1) / 3)
-    figure, grid = plt.subplots(rows, 3, figsize=(look.WIDTH, 2.6 * rows), sharex=True)
+    layout = {"figsize": (chart_style.WIDTH, 2.6 * rows), "sharex": True}
+    figure, grid = chart_style.pyplot().subplots(rows, 3, **layout)
     for axes, scene in zip(grid.flat, scenes):
-        axes.set_xscale("log")
-        axes.set_yscale("log")
-        axes.set_title(scene.replace("_", " "))
-        for method in table.distinct("method"):
-            own = [row for row in table.where(scene=scene, method=method)]
-            x = [number(row, "dt_s") for row in own]
-            y = [number(row, "error_m") / step for row, step in zip(own, x)]
-            kept = [(a, b) for a, b in zip(x, y) if math.isfinite(b) and b > 1e-7]
-            if kept:
-                line = look.style(method, []).line()
-                axes.plot(*zip(*kept), **{**line, **_order_look(method, line)})
+        axes.set(xscale="log", yscale="log", title=scene_label(scene))
+        for method, line in lines.items():
+            own = table.where(scene=scene, method=method)
+            ratios = [(dt, number(r, "error_m") / dt) for r, dt in zip(own, numbers(own, "dt_s"))]
+            points = [(x, y) for x, y in ratios if math.isfinite(y) and y > 1e-7]
+            if points:
+                axes.plot(*zip(*points), **line)
         if not axes.lines:
-            look.note(axes, "every method is exact here")
-    for axes in grid.flat[len(scenes) :]:
-        axes.axis("off")
-    for axes in [a for a in grid.flat if a.axison][-3:]:
-        axes.tick_params(labelbottom=True)
-        axes.set_xlabel("Δt, s")
+            chart_style.note(axes, "every method is exact here")
+    _label_lowest(grid, len(scenes), "Δt, s")
     for axes in grid[:, 0]:
         axes.set_ylabel("error / Δt, m/s")
-    styles = [look.style(method, []) for method in table.distinct("method")]
+    line2d = chart_style.pyplot().Line2D
     handles = [
-        plt.Line2D(
-            [], [], label=style.label, **{**style.line(), **_order_look(method, style.line())}
-        )
-        for method, style in zip(table.distinct("method"), styles)
+        line2d([], [], label=chart_style.method_label(method), **line)
+        for method, line in lines.items()
     ]
     grid.flat[len(scenes)].legend(handles=handles, loc="center left", handlelength=3.2)
     figure.tight_layout()
-    return look.svg(figure)
+    return chart_style.svg(figure)
 
 
-def _order_look(method: str, line: dict[str, Any]) -> dict[str, Any]:
+def _order_line(method: str) -> dict[str, Any]:
     """The plain form lies upon the fast one, which is drawn wide and pale below it."""
+    line = chart_style.style(method, []).line()
     if method == "assignment_fast":
-        return {"linewidth": 4.0, "markersize": 5.5, "alpha": 0.55, "zorder": 1}
+        return line | {"linewidth": 4.0, "markersize": 5.5, "alpha": 0.55, "zorder": 1}
     if method == "assignment":
-        return {"linewidth": 0.9, "markersize": 2.5, "zorder": 2.5}
-    return {"linewidth": 1.0, "markersize": 0.8 * line["markersize"]}
+        return line | {"linewidth": 0.9, "markersize": 2.5, "zorder": 2.5}
+    return line | {"linewidth": 1.0, "markersize": 0.8 * line["markersize"]}
 
 
 def profile(tables: Tables) -> bytes:
     """Dolan and Moré: the share of problems that a method solves within a factor of the fastest.
     Ours and the others in a panel each, every line to where it stays level, and named there."""
-    all_runs = runs.runs(tables)
-    shares = profiles(all_runs)
-    peers = runs.peers(all_runs)
-    groups = {"our methods": [m for m in shares if m not in peers], "engines and numpy": peers}
-    shown = {title: group for title, group in groups.items() if group}
-    plt = look.pyplot()
-    size = (look.WIDTH, 4.2)
-    figure, row = plt.subplots(1, len(shown), figsize=size, squeeze=False)
-    for axes, (title, group) in zip(row[0], shown.items()):
+    runs = measurements.read(tables)
+    ratios = profiles(runs)
+    peers = measurements.peers(runs)
+    groups = [("our methods", [m for m in ratios if m not in peers])]
+    groups += [("engines and numpy", peers)] if peers else []
+    layout = {"figsize": (chart_style.WIDTH, 4.2), "squeeze": False}
+    figure, grid = chart_style.pyplot().subplots(1, len(groups), **layout)
+    for axes, (title, group) in zip(grid[0], groups):
         axes.set_title(title)
-        _profile_panel(axes, {m: shares[m] for m in group}, peers)
-    row[0][0].set_ylabel("share of the problems")
+        _profile_panel(axes, {method: ratios[method] for method in group}, peers)
+    grid[0][0].set_ylabel("share of the problems")
     figure.tight_layout()
-    return look.svg(figure)
+    return chart_style.svg(figure)
 
 
-def _profile_panel(axes: Any, shares: dict[str, list[float]], peers: list[str]) -> None:
-    solved = [r for own in shares.values() for r in own if math.isfinite(r)]
+def _profile_panel(axes: Any, ratios: dict[str, list[float]], peers: list[str]) -> None:
+    solved = [r for own in ratios.values() for r in own if math.isfinite(r)]
     first, last = min(solved, default=1.0), max(solved, default=1.0)
     end = last * (last / first) ** 0.08
-    styles = {method: look.style(method, peers) for method in shares}
-    for method, ratios in shares.items():
-        _profile_line(axes, ratios, styles[method], end)
-    top = max(_share(ratios) for ratios in shares.values())
+    styles = [chart_style.style(method, peers) for method in ratios]
+    shares = [_share(own) for own in ratios.values()]
+    for style, own in zip(styles, ratios.values()):
+        _profile_line(axes, own, style, end)
     axes.set_xscale("log")
     axes.set_xlim(first * 0.9, end * (end / first) ** 0.6)
-    axes.set_ylim(0, 1.15 * top)
+    axes.set_ylim(0, 1.15 * max(shares))
     axes.set_xlabel("times the time of the fastest method of the problem")
-    heights = _apart([_share(ratios) for ratios in shares.values()], 0.045 * top)
-    for (method, ratios), height in zip(shares.items(), heights):
+    for style, share, height in zip(styles, shares, _apart(shares, 0.045 * max(shares))):
         beside = {"textcoords": "data", "va": "center", "fontsize": 7.5}
-        line = {"arrowprops": {"arrowstyle": "-", "linewidth": 0.5, "color": look.GREY}}
+        line = {"arrowprops": {"arrowstyle": "-", "linewidth": 0.5, "color": chart_style.GREY}}
         name = (end * (end / first) ** 0.04, height)
-        axes.annotate(styles[method].label, (end, _share(ratios)), name, **beside, **line)
+        axes.annotate(style.label, (end, share), name, **beside, **line)
 
 
 def _share(ratios: list[float]) -> float:
@@ -260,20 +241,20 @@ def _apart(heights: list[float], gap: float) -> list[float]:
     return moved
 
 
-def _profile_line(axes: Any, ratios: list[float], style: look.Style, end: float) -> None:
+def _profile_line(axes: Any, ratios: list[float], style: Style, end: float) -> None:
     solved = sorted(ratio for ratio in ratios if math.isfinite(ratio))
     x = [*solved[:1], *solved, end]
     y = [0.0, *(sum(r <= t for r in ratios) / len(ratios) for t in x[1:])]
     axes.step(x, y, where="post", **{**style.line(), "markevery": max(1, len(x) // 5)})
 
 
-def profiles(all_runs: list[Run]) -> dict[str, list[float]]:
+def profiles(runs: list[Run]) -> dict[str, list[float]]:
     """By method, its time over that of the fastest, for each scene and tolerance."""
-    ratios: dict[str, list[float]] = {method: [] for method in runs.methods(all_runs)}
-    for scene in runs.scenes(all_runs):
-        for tolerance in runs.TOLERANCES:
-            times = {m: runs.least_time(all_runs, scene, m, tolerance) for m in ratios}
-            best = min(times.values())
-            for method, time in times.items():
-                ratios[method].append(time / best if math.isfinite(time) else math.inf)
+    ratios: dict[str, list[float]] = {method: [] for method in measurements.methods(runs)}
+    for scene in measurements.scenes(runs):
+        for tolerance in measurements.TOLERANCES:
+            ranking = measurements.ranking(runs, scene, tolerance)
+            times = {run.method: run.ns / ranking[0].ns for run in ranking}
+            for method, own in ratios.items():
+                own.append(times.get(method, math.inf))
     return ratios

@@ -1,4 +1,5 @@
-"""The pages: a template's {names} stand for facts, each worked out from the tables beside the page.
+"""Fills the pages: their sentences are templates in pages/, and every number in them is worked out from
+the tables beside the page.
 
 So a page holds when it is measured again, and a number can't be typed wrong:
 tests/kit/solution/test_study_pages.py checks that the templates have none of their own.
@@ -8,22 +9,26 @@ import re
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
-from bounce_grader.common.errors import KitError
-from bounce_study import facts_models, facts_speed, facts_stability
+import jinja2
+
+from bounce_grader.common.errors import UsageError
+from bounce_study import (
+    chart_style,
+    facts_models,
+    facts_peers,
+    facts_speed,
+    facts_stability,
+    numbers,
+)
 from bounce_study.tables import Tables
 
 TEMPLATES = Path(__file__).parent / "pages"
-NAME = re.compile(r"\{([a-z0-9_]+)\}")
 IMAGE = re.compile(r"\]\(([a-z_]+\.svg)\)")
-Facts = dict[str, str]
 # What the README of the kit says under its panel, in the line after the next.
 PANEL = re.compile(r"(?<=speed_accuracy_one\.svg\)\n\n).+")
-README_SENTENCE = (
-    "In the scene {one_scene}, the fastest method within a millimetre ({one_first}) takes "
-    "{one_first_time} per simulated second; the fastest of those that step {one_second_time}; "
-    "with fixed δ the assignment's scheme never gets closer than {one_fixed}."
-)
+Facts = dict[str, Any]
 
 
 @dataclass(frozen=True)
@@ -33,7 +38,7 @@ class Page:
     facts: tuple[Callable[[Tables], Facts], ...]
 
 
-SPEED_PAGE = "speed_accuracy.md"
+SPEED_PAGE, PEERS_PAGE = "speed_accuracy.md", "peers.md"
 SPEED = ("speed_accuracy", "speed_ratios", "order", "truth")
 STABILITY = (
     "energy_gain",
@@ -49,6 +54,7 @@ STABILITY = (
     "bad_input",
 )
 MODELS = ("least_model", "chosen_model")
+PEERS = tuple(f"peers{name}" for name in ("", "_beside", "_ratios", "_settings", "_steps"))
 PAGES = (
     Page(SPEED_PAGE, SPEED, (facts_speed.facts,)),
     Page("stability.md", STABILITY, (facts_stability.facts,)),
@@ -58,49 +64,76 @@ PAGES = (
         SPEED + STABILITY + MODELS,
         (facts_speed.facts, facts_stability.facts, facts_models.facts),
     ),
+    Page(PEERS_PAGE, (*PEERS, "peers_variants"), (facts_peers.facts,)),
 )
+
+
+def _environment() -> jinja2.Environment:
+    environment = jinja2.Environment(
+        loader=jinja2.FileSystemLoader(TEMPLATES),
+        undefined=jinja2.StrictUndefined,
+        trim_blocks=True,
+        keep_trailing_newline=True,
+    )
+    environment.filters |= {
+        "short": _filter(numbers.short),
+        "plain": _filter(numbers.plain),
+        "ratio": _filter(numbers.ratio),
+        "percent": _filter(numbers.percent),
+        "metres": _filter(numbers.metres),
+        "plain_metres": _filter(numbers.plain_metres),
+        "time": _filter(numbers.time),
+        "plain_time": _filter(numbers.plain_time),
+        "number_word": numbers.number_word,
+        "listed": numbers.listed,
+        "method": chart_style.method_label,
+        "scene": chart_style.scene_label,
+        "in_sentence": facts_peers.in_sentence,
+        "cell": lambda text: text.replace("|", "\\|"),  # of a Markdown table
+    }
+    return environment
+
+
+def _filter(write: Callable[..., str]) -> Callable[..., str]:
+    """The same for a number as a table has it, in letters."""
+
+    def written(value: float | str, *digits: int) -> str:
+        try:
+            return write(float(value), *digits)
+        except ValueError as error:
+            raise UsageError(f"{value!r} is no number; measure it again") from error
+
+    return written
 
 
 def fill(tables: Tables, charts: set[str]) -> dict[str, str]:
     """The pages of which all tables and charts are there."""
-    filled = {}
-    for page in PAGES:
-        template = (TEMPLATES / page.name).read_text(encoding="utf-8")
-        if all(t in tables for t in page.needs) and set(IMAGE.findall(template)) <= charts:
-            filled[page.name] = _fill(page, template, tables)
-    return filled
+    return {
+        page.name: render(page.name, tables)
+        for page in PAGES
+        if all(name in tables for name in page.needs)
+        and charts.issuperset(IMAGE.findall((TEMPLATES / page.name).read_text(encoding="utf-8")))
+    }
 
 
-def _fill(page: Page, template: str, tables: Tables) -> str:
-    facts = _facts(page, tables)
-
-    def fact(match: re.Match[str]) -> str:
-        if match[1] not in facts:
-            raise KitError(f"{page.name}: there is no fact {match[1]}")
-        return facts[match[1]]
-
-    return NAME.sub(fact, template)
+def render(name: str, tables: Tables) -> str:
+    return _environment().get_template(name).render(facts_of(name, tables))
 
 
 def with_panel(readme: str, tables: Tables) -> str:
     """The kit's README with the sentence under its panel as the tables have it now."""
-    sentence = README_SENTENCE.format(**facts_of(SPEED_PAGE, tables))
-    return PANEL.sub(lambda _: sentence, readme)
+    sentence = _environment().get_template("panel.md").render(facts_of(SPEED_PAGE, tables))
+    return PANEL.sub(lambda _: sentence.rstrip("\n"), readme)
 
 
 def facts_of(name: str, tables: Tables) -> Facts:
     """All that the page may name."""
-    return _facts(next(page for page in PAGES if page.name == name), tables)
-
-
-def _facts(page: Page, tables: Tables) -> Facts:
-    facts = origin(tables[page.needs[0]].origin)
-    for work_out in page.facts:
-        facts |= work_out(tables)
-    return facts
-
-
-def origin(comments: dict[str, str]) -> Facts:
-    return {
-        name: comments.get(name, "?") for name in ("machine", "compiler", "flags", "times", "date")
+    page = next(page for page in PAGES if page.name == name)
+    origin = tables[page.needs[0]].origin
+    facts: Facts = {
+        name: origin.get(name, "?") for name in ("machine", "compiler", "flags", "times", "date")
     }
+    facts |= {"fine": chart_style.FINE, "finest": chart_style.FINEST}
+    for facts_from in page.facts:
+        facts |= facts_from(tables)
+    return facts

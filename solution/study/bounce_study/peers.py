@@ -10,7 +10,7 @@ from bounce_grader.common.errors import KitError
 from bounce_grader.common.files import write_whole
 from bounce_grader.common.paths import BUILD, FIXTURES, ROOT
 from bounce_grader.sandbox import processes
-from bounce_study import peers_page
+from bounce_study import pages, tables
 
 PROGRAM = BUILD / "bounce_peers"
 SCENES = FIXTURES / "scenes"
@@ -31,7 +31,8 @@ def run(out: Path, quick: bool) -> None:
         done = processes.run([str(PROGRAM), str(SCENES), str(STEPS), name, *extent])
         if not done.ok:
             raise KitError(f"bounce_peers failed: {done.err.strip()}")
-        page = peers_page.page(folder)
+        measured = {file.stem: tables.read(file) for file in folder.glob("peers*.csv")}
+        page = pages.render(pages.PEERS_PAGE, measured)
         for table in sorted(folder.glob("peers*.csv")):
             os.replace(table, out / table.name)
-    write_whole(out / "peers.md", page)
+    write_whole(out / pages.PEERS_PAGE, page)

@@ -1,4 +1,4 @@
-"""The tables that bounce_study writes, read: comments above the header say where they are from."""
+"""Reads the tables that bounce_study writes: CSV below comments that say where they are from."""
 
 import csv
 from dataclasses import dataclass
@@ -19,7 +19,7 @@ class Table:
         return [row for row in self.rows if all(row[k] == v for k, v in values.items())]
 
     def distinct(self, column: str) -> list[str]:
-        """In the order in which they come."""
+        """In the order of their first rows."""
         return list(dict.fromkeys(row[column] for row in self.rows))
 
     def require(self, columns: tuple[str, ...]) -> None:
@@ -38,8 +38,7 @@ def read(file: Path) -> Table:
     except (OSError, UnicodeDecodeError) as error:
         raise UsageError(f"{file} can't be read: {error}") from error
     comments = [line[2:].partition(": ") for line in lines if line.startswith("# ")]
-    body = csv.DictReader(line for line in lines if not line.startswith("#"))
-    rows = list(body)
+    rows = list(csv.DictReader(line for line in lines if not line.startswith("#")))
     if any(None in row or None in row.values() for row in rows):
         raise UsageError(f"{file}: a row has another number of fields; measure it again")
     return Table(file.stem, {name: value for name, _, value in comments}, rows)

@@ -6,54 +6,57 @@ import math
 import re
 import subprocess
 import sys
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 from bounce_grader.common.paths import FIXTURES, ROOT
-from bounce_study import peers, peers_data, peers_page, tables
-from studies import STUDIES
+from bounce_study import facts_peers, measurements, pages, peers, tables
+from bounce_study.tables import Row, Table, Tables
+from studies import committed, STUDIES
 
 COLUMNS = re.compile(r"Table table\(\{([^}]*)\}")
 GRAVITY = 9.81
 
 
 @pytest.fixture(scope="module")
-def data() -> peers_data.Data:
-    return peers_data.read(STUDIES)
+def known() -> Tables:
+    return committed()
+
+
+@pytest.fixture(scope="module")
+def facts(known: Tables) -> pages.Facts:
+    return pages.facts_of(pages.PEERS_PAGE, known)
 
 
 # --- the page and the tables beside it ---
 
 
-def test_the_page_is_what_the_tables_give() -> None:
-    assert (STUDIES / "peers.md").read_text() == peers_page.page(STUDIES)
+def _page_with(known: Tables, name: str, rows: list[Row]) -> str:
+    return pages.render(pages.PEERS_PAGE, {**known, name: Table(name, {}, rows)})
 
 
-def test_the_template_has_no_number_of_its_own() -> None:
-    text = peers_page.TEMPLATE.read_text()
-    text = re.sub(r"\{[a-z_]+\}|`[^`]*`|eqs?\. \(\d+\)( and \(\d+\))?|Box2D", "", text)
-    assert re.findall(r".*\d.*", text) == []
+def test_engines_that_are_not_installed_are_left_out(known: Tables) -> None:
+    rows = known["peers_variants"].rows
+    installed = [row for row in rows if not row["engine"].startswith(("ode", "dart"))]
+    page = _page_with(
+        {**known, "peers_lcp": Table("peers_lcp", {}, [])}, "peers_variants", installed
+    )
+    assert "ODE (dWorldStep) stays" not in page and "MuJoCo stays" in page
+    assert "Siconos was not installed." in page
 
 
-def test_engines_that_are_not_installed_are_left_out(data: peers_data.Data) -> None:
-    variants = [row for row in data.variants if not row["engine"].startswith(("ode", "dart"))]
-    facts = peers_page.facts_of(replace(data, variants=variants, lcp=[]))
-    assert facts["dantzig_sentence"] == "" and "MuJoCo stays" in facts["soft_sentence"]
-    assert facts["lcp_sentence"] == "Siconos was not installed."
+def test_a_scene_where_an_engine_is_ahead_is_named(known: Tables) -> None:
+    rows = known["peers_ratios"].rows
+    ahead = [{**row, "times": "0.9"} if row["scene"] == "spin" else row for row in rows]
+    page = _page_with(known, "peers_ratios", ahead)
+    assert "scenes, in spin; in the others some method of ours is faster." in page
 
 
-def test_a_scene_where_an_engine_is_ahead_is_named(data: peers_data.Data) -> None:
-    ahead = [{**r, "times": "0.9"} if r["scene"] == "spin" else r for r in data.ratios]
-    sentence = peers_page.facts_of(replace(data, ratios=ahead))["lead_sentence"]
-    assert sentence == "in spin; in the others some method of ours is faster."
-
-
-def test_names_with_settings_stand_in_sentences(data: peers_data.Data) -> None:
-    assert data.name("chipmunk") == "Chipmunk"
-    assert data.name("ode_dantzig") == "ODE (dWorldStep)"
+def test_names_with_settings_stand_in_sentences() -> None:
+    assert facts_peers.in_sentence("Chipmunk") == "Chipmunk"
+    assert facts_peers.in_sentence("ODE, dWorldStep") == "ODE (dWorldStep)"
 
 
 def test_peers_have_the_columns_of_speed_accuracy() -> None:
@@ -62,55 +65,57 @@ def test_peers_have_the_columns_of_speed_accuracy() -> None:
     assert table
     columns = re.findall(r'"(\w+)"', table[1])
     for name in ("peers", "peers_beside"):
-        found = list(tables.read(STUDIES / f"{name}.csv").rows[0])
-        assert [column for column in found if "quartile" not in column] == [
+        header = list(tables.read(STUDIES / f"{name}.csv").rows[0])
+        assert [column for column in header if "quartile" not in column] == [
             column for column in columns if "quartile" not in column
         ]
 
 
-def test_every_engine_and_numpy_ran_every_scene(data: peers_data.Data) -> None:
+def test_every_engine_and_numpy_ran_every_scene(known: Tables) -> None:
     scenes = {file.stem for file in (FIXTURES / "scenes").glob("*.json")}
     names = {"chipmunk", "box2d", "ode", "bullet", "mujoco", "dart", "numpy"}
-    assert {(p.scene, p.method) for p in data.peers} == {(s, n) for s in scenes for n in names}
+    runs = {(row["scene"], row["method"]) for row in known["peers"].rows}
+    assert runs == {(scene, name) for scene in scenes for name in names}
 
 
 def test_in_each_scene_a_method_of_ours_lies_left_of_and_below_every_engine(
-    data: peers_data.Data,
+    facts: pages.Facts,
 ) -> None:
-    for scene in data.scenes:
-        assert peers_data.lead(data, scene).lower > 1, scene
-        for tolerance in (1e-3, 1e-6):
-            ours = peers_data.least_time(data.ours, scene, tolerance)
-            theirs = peers_data.least_time(data.peers, scene, tolerance)
-            assert ours and (theirs is None or ours.ns < theirs.ns), (scene, tolerance)
+    for lead in facts["leads"]:
+        assert lead["lower"] > 1, lead
+        ours, theirs, ours_finest, theirs_finest = lead["fastest"]
+        assert ours and (theirs is None or ours.ns < theirs.ns), lead
+        assert ours_finest and (theirs_finest is None or ours_finest.ns < theirs_finest.ns), lead
 
 
-def test_a_contact_step_is_thirty_times_as_fast_as_the_fastest_engine(
-    data: peers_data.Data,
-) -> None:
-    contact = {row["engine"]: float(row["ratio"]) for row in data.steps if row["kind"] == "contact"}
+def test_a_contact_step_is_thirty_times_as_fast_as_the_fastest_engine(known: Tables) -> None:
+    rows = known["peers_steps"].where(kind="contact")
+    contact = {row["engine"]: float(row["ratio"]) for row in rows}
     assert contact.pop("numpy") >= 1500
     assert contact.pop("assignment_fast") == 1
     assert contact.pop("assignment") >= 2
     assert min(contact.values()) >= 30
 
 
-def test_a_step_of_ours_keeps_its_share_of_the_plain_one(data: peers_data.Data) -> None:
+def test_a_step_of_ours_keeps_its_share_of_the_plain_one(known: Tables) -> None:
     """Contact, flight and LCP: 12, 3 and 6 where a plain contact step takes 24."""
-    ns = {(row["engine"], row["kind"]): float(row["ns_per_step"]) for row in data.steps}
+    rows = known["peers_steps"].rows
+    ns = {(row["engine"], row["kind"]): float(row["ns_per_step"]) for row in rows}
     plain = ns["assignment", "contact"]
     assert ns["assignment_fast", "contact"] <= plain * 12 / 24
     assert ns["assignment_fast", "flight"] <= plain * 3 / 24
-    assert float(data.lcp[0]["ns_per_lcp"]) <= plain * 6 / 24
+    assert float(known["peers_lcp"].rows[0]["ns_per_lcp"]) <= plain * 6 / 24
 
 
-def test_numpy_is_the_assignments_scheme(data: peers_data.Data) -> None:
-    ours = {(p.scene, p.dt): p.error for p in data.ours if p.method == "assignment"}
-    scenes = ("free_flight", "oblique_bounce", "pointed_drop", "projectile", "spin")
-    theirs = [p for p in data.peers if p.method == "numpy" and p.scene in scenes]
-    assert {point.scene for point in theirs} == set(scenes)
-    for point in theirs:
-        assert point.error == pytest.approx(ours[point.scene, point.dt], rel=1e-4), point
+def test_numpy_is_the_assignments_scheme(known: Tables) -> None:
+    plain = known["peers_beside"].where(method="assignment")
+    ours = {(row["scene"], row["setting"]): float(row["error_m"]) for row in plain}
+    scenes = {"free_flight", "oblique_bounce", "pointed_drop", "projectile", "spin"}
+    theirs = [row for row in known["peers"].where(method="numpy") if row["scene"] in scenes]
+    assert {row["scene"] for row in theirs} == scenes
+    for row in theirs:
+        error = ours[row["scene"], row["setting"]]
+        assert float(row["error_m"]) == pytest.approx(error, rel=1e-4), row
 
 
 # --- engines that are installed ---
@@ -147,14 +152,14 @@ def errors(tmp_path_factory: pytest.TempPathFactory) -> dict[tuple[str, str], li
     if not peers.PROGRAM.exists():
         pytest.skip("no engines are built here: run ./kit study --peers")
     folder = tmp_path_factory.mktemp("peers")
-    for each in SCENES:
-        (folder / f"{each['name']}.json").write_text(json.dumps(each))
+    for data in SCENES:
+        (folder / f"{data['name']}.json").write_text(json.dumps(data))
     program = [str(peers.PROGRAM), str(folder), str(peers.STEPS), str(folder / "out"), "--quick"]
     subprocess.run(program, check=True, capture_output=True)
-    found: dict[tuple[str, str], list[float]] = {}
+    by_engine: dict[tuple[str, str], list[float]] = {}
     for row in tables.read(folder / "out" / "peers.csv").rows:
-        found.setdefault((row["scene"], row["method"]), []).append(float(row["error_m"]))
-    return found
+        by_engine.setdefault((row["scene"], row["method"]), []).append(float(row["error_m"]))
+    return by_engine
 
 
 @pytest.mark.parametrize("name, g", [("flight", GRAVITY), ("tilted", math.hypot(2, 5))])
@@ -182,9 +187,9 @@ def test_restitution_and_friction_mean_the_same(
 
 def test_all_but_the_soft_one_converge(errors: dict[tuple[str, str], list[float]]) -> None:
     for engine in engines(errors):
-        for each in SCENES:
-            coarse, _, fine = errors[each["name"], engine]
-            assert fine < coarse / 3 or engine == "mujoco", (engine, each["name"])
+        for data in SCENES:
+            coarse, _, fine = errors[data["name"], engine]
+            assert fine < coarse / 3 or engine == "mujoco", (engine, data["name"])
 
 
 def engines(errors: dict[tuple[str, str], list[float]]) -> list[str]:
@@ -232,20 +237,23 @@ def test_numpy_falls_with_eulers_error() -> None:
 # --- how ratios are taken ---
 
 
-def test_ratios_are_to_ours_of_the_same_rounds(data: peers_data.Data) -> None:
-    ns = {(p.scene, p.method, p.dt): p.ns for p in [*data.peers, *data.ours]}
-    errors = {(p.scene, p.method, p.dt): p.error for p in [*data.peers, *data.ours]}
-    for row in data.ratios:
-        times, lower, upper = (float(row[name]) for name in peers_data.RATIO)
+def test_ratios_are_to_ours_of_the_same_rounds(known: Tables) -> None:
+    rows = known["peers"].rows + known["peers_beside"].rows
+    runs = {
+        (run.scene, run.method, run.setting): run
+        for run in (measurements.run_of(row, True) for row in rows)
+    }
+    for row in known["peers_ratios"].rows:
+        times, lower, upper = (float(row[name]) for name in facts_peers.RATIO)
         assert lower <= times <= upper, row
-        engine = (row["scene"], row["engine"], float(row["engine_dt_s"]))
-        ours = (row["scene"], row["ours"], float(row["ours_setting"]))
-        assert errors[engine] <= float(row["error_m"]) >= errors[ours]
-        assert lower / 3 <= ns[engine] / ns[ours] <= 3 * upper, "the medians are of the same size"
+        engine = runs[row["scene"], row["engine"], float(row["engine_dt_s"])]
+        ours = runs[row["scene"], row["ours"], float(row["ours_setting"])]
+        assert engine.error <= float(row["error_m"]) >= ours.error
+        assert lower / 3 <= engine.ns / ours.ns <= 3 * upper, "the medians are of the same size"
 
 
-def test_variants_are_swept_over_the_step(data: peers_data.Data) -> None:
-    scenes = {row["scene"] for row in data.variants}
-    for scene in scenes:
-        for engine in {row["engine"] for row in data.variants}:
-            assert len(data.variant_errors(scene, engine)) >= 3
+def test_variants_are_swept_over_the_step(known: Tables) -> None:
+    table = known["peers_variants"]
+    for scene in table.distinct("scene"):
+        for engine in table.distinct("engine"):
+            assert len(facts_peers.variant_errors(known, scene, engine)) >= 3

@@ -14,7 +14,7 @@ import pytest
 from bounce_grader.cli import main
 from bounce_grader.common.errors import UsageError
 from bounce_grader.common.paths import ROOT
-from bounce_study import charts, pages, run, runs, tables
+from bounce_study import charts, measurements, pages, run, tables
 from bounce_study.run import QUESTIONS, Request
 from studies import SCENES, STUDIES, committed
 from waiting import wait_for
@@ -118,7 +118,7 @@ def test_the_quick_study_is_whole(tmp_path: Path) -> None:
     assert run.run(Request(tmp_path, quick=True)) == 0
     drawn = {chart.name for chart in charts.CHARTS if "peers_steps" not in chart.needs}
     expected = {f"{name}.csv" for name in QUESTIONS} | drawn
-    expected |= {page.name for page in pages.PAGES}
+    expected |= {page.name for page in pages.PAGES} - {pages.PEERS_PAGE}
     assert {file.name for file in tmp_path.iterdir()} == expected
 
 
@@ -190,7 +190,7 @@ def _spoil(file: Path, path: str, value: Any) -> None:
 
 
 @pytest.mark.parametrize(
-    "path, value, said",
+    "path, value, message",
     [
         ("params.mu", None, "params.mu is missing"),
         ("params.my", 0.3, "params.my is unknown; take it out or correct its name"),
@@ -202,22 +202,22 @@ def _spoil(file: Path, path: str, value: Any) -> None:
     ],
 )
 def test_a_bad_scene_is_one_sentence_that_names_file_and_field(
-    tmp_path: Path, path: str, value: Any, said: str
+    tmp_path: Path, path: str, value: Any, message: str
 ) -> None:
     scenes = _scenes(tmp_path, {path: value})
     out = tmp_path / "out"
     with pytest.raises(UsageError) as refusal:
         run.run(Request(out, quick=True, questions=("examples",), scenes=scenes))
     sentence = str(refusal.value)
-    assert sentence.startswith(f"{scenes / 'rest.json'}: {said}")
+    assert sentence.startswith(f"{scenes / 'rest.json'}: {message}")
     assert "\n" not in sentence
     assert not list(out.glob("*.*v*"))
 
 
 def test_an_unknown_question_is_named(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["study", "--quick", "--out", str(tmp_path / "out"), "speed"]) == 2
-    said = capsys.readouterr().err
-    assert said.startswith("kit: there is no question 'speed'; there are almost_flat,")
+    message = capsys.readouterr().err
+    assert message.startswith("kit: there is no question 'speed'; there are almost_flat,")
     assert not (tmp_path / "out").exists()
 
 
@@ -230,15 +230,15 @@ def test_a_folder_that_can_not_be_written_is_named(
 
 
 @pytest.mark.parametrize(
-    "text, said",
+    "text, message",
     [
         ("scene,method\nrest,box2d\n", "peers.csv has no column setting"),
         ("scene,method\nrest\n", "peers.csv: a row has another number of fields"),
     ],
 )
-def test_a_table_of_another_form_is_named(tmp_path: Path, text: str, said: str) -> None:
+def test_a_table_of_another_form_is_named(tmp_path: Path, text: str, message: str) -> None:
     (tmp_path / "peers.csv").write_text(text)
     with pytest.raises(UsageError) as refusal:
         known = {**committed(), "peers": tables.read(tmp_path / "peers.csv")}
-        runs.runs(known)
-    assert said in str(refusal.value)
+        measurements.read(known)
+    assert message in str(refusal.value)

@@ -1,5 +1,6 @@
-"""How charts look: Okabe and Ito's colours, which the colour-blind can tell apart, and for each line
-a marker and a dash of its own, so that grey is enough. The same numbers give the same bytes."""
+"""Colours, marks and labels: Okabe and Ito's colours, which the colour-blind can tell apart, and for
+each line a marker and a dash of its own, so that grey is enough. The same numbers give the same
+bytes."""
 
 import io
 from dataclasses import dataclass
@@ -8,8 +9,8 @@ from typing import Any
 BLACK, GREY, INK = "#000000", "#8a8a8a", "#333333"
 ORANGE, SKY, GREEN, BLUE = "#E69F00", "#56B4E9", "#009E73", "#0072B2"
 VERMILION, PURPLE = "#D55E00", "#CC79A7"
-FINE = 1e-3  # m: the line in the charts of error
-WIDTH = 10.0  # inches; 96 to each on a screen
+FINE, FINEST = 1e-3, 1e-6  # m: the tolerances that pages speak of; the first is a line in charts
+WIDTH = 10.0  # inches; 96 pixels to each on a screen
 SETTINGS = {
     "svg.hashsalt": "bounce",
     "svg.fonttype": "path",
@@ -63,33 +64,44 @@ METHODS = {
 }
 # Engines: grey, with a letter as the mark, so that every point names its line.
 PEERS = {
-    "chipmunk": Style("Chipmunk", GREY, r"$\mathbf{C}$"),
-    "box2d": Style("Box2D", GREY, r"$\mathbf{X}$"),
-    "ode": Style("ODE", GREY, r"$\mathbf{O}$"),
-    "bullet": Style("Bullet", GREY, r"$\mathbf{B}$"),
-    "mujoco": Style("MuJoCo", GREY, r"$\mathbf{M}$"),
-    "dart": Style("DART", GREY, r"$\mathbf{D}$"),
-    "numpy": Style("numpy", GREY, r"$\mathbf{N}$"),
+    name: Style(label, GREY, rf"$\mathbf{{{mark}}}$", "-", 6.0, 0.7)
+    for name, label, mark in (
+        ("chipmunk", "Chipmunk", "C"),
+        ("box2d", "Box2D", "X"),
+        ("ode", "ODE", "O"),
+        ("bullet", "Bullet", "B"),
+        ("mujoco", "MuJoCo", "M"),
+        ("dart", "DART", "D"),
+        ("numpy", "numpy", "N"),
+    )
 }
-OTHER_PEERS = "EFGHIJKL"
+OTHER_PEERS = "EFGHIJKL"  # marks of engines that aren't listed above
 
 
-def style(method: str, others: list[str]) -> Style:
-    """Of one of our methods, or of one of the others: all grey, a letter each."""
-    if method in METHODS:
-        return METHODS[method]
-    known = PEERS.get(method)
-    letter = OTHER_PEERS[others.index(method) % len(OTHER_PEERS)]
-    mark = known.marker if known else rf"$\mathbf{{{letter}}}$"
-    return Style(known.label if known else method, GREY, mark, "-", 6.0, 0.7)
+def style(method: str, peers: list[str]) -> Style:
+    """The style of one of our methods, or of one of the peers."""
+    known = METHODS.get(method) or PEERS.get(method)
+    if known:
+        return known
+    mark = OTHER_PEERS[peers.index(method) % len(OTHER_PEERS)]
+    return Style(method, GREY, rf"$\mathbf{{{mark}}}$", "-", 6.0, 0.7)
 
 
 def is_letter(style: Style) -> bool:
     return style.marker.startswith("$")
 
 
+def method_label(name: str) -> str:
+    known = METHODS.get(name) or PEERS.get(name)
+    return known.label if known else name
+
+
+def scene_label(name: str) -> str:
+    return name.replace("_", " ")
+
+
 def pyplot() -> Any:
-    """matplotlib, set up; imported where a chart is drawn only."""
+    """matplotlib's pyplot, set up; it is imported only where a chart is drawn."""
     import matplotlib
 
     matplotlib.use("svg")
@@ -101,16 +113,20 @@ def pyplot() -> Any:
 
 
 def svg(figure: Any) -> bytes:
-    """Without the date and the version, and with ids that depend on what is drawn only."""
+    """The drawing, without a date or a version, and with ids that depend on nothing but itself."""
     out = io.BytesIO()
     figure.savefig(out, format="svg", metadata={"Date": None, "Creator": None})
     pyplot().close(figure)
     return out.getvalue()
 
 
-def note(axes: Any, text: str, x: float = 0.5, y: float = 0.5) -> None:
-    axes.text(x, y, text, transform=axes.transAxes, ha="center", va="center", wrap=True)
+def note(axes: Any, text: str) -> None:
+    """Writes the text in the middle of the panel."""
+    axes.text(0.5, 0.5, text, transform=axes.transAxes, ha="center", va="center", wrap=True)
 
 
-def letter(i: int) -> str:
-    return "abcdefghijklmnopqrstuvwxyz"[i % 26]
+def legend_below(figure: Any, axes: Any, panels: tuple[float, ...], **more: Any) -> None:
+    """Puts the legend of these axes below the panels, which fill this rectangle of the figure."""
+    figure.tight_layout(rect=panels)
+    handles, labels = axes.get_legend_handles_labels()
+    figure.legend(handles, labels, loc="lower center", **more)

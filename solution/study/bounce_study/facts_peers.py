@@ -1,0 +1,160 @@
+"""What the page on the engines says, from its tables."""
+
+from typing import Any
+
+from bounce_study import measurements
+from bounce_study.chart_style import FINE, FINEST, METHODS
+from bounce_study.measurements import Run
+from bounce_study.tables import number, numbers, Row, Table, Tables
+
+RATIO = ("times", "lower_quartile", "upper_quartile")
+NO_ENGINES = ("numpy", "assignment", "assignment_fast")
+DIFFERS = 3.0  # times: what a setting has to change to be worth a row
+Facts = dict[str, Any]
+
+
+def facts(tables: Tables) -> Facts:
+    peers = [measurements.run_of(row, True) for row in tables["peers"].rows]
+    ours = [measurements.run_of(row, False) for row in tables["peers_beside"].rows]
+    engines = [run for run in peers if run.method != "numpy"]
+    scenes = measurements.scenes(ours)
+    swept = [row["engine"] for row in tables["peers_settings"].where(swept="1")]
+    names = [name for name in swept if name not in NO_ENGINES]
+    leads = [_lead(tables, ours, engines, scene) for scene in scenes]
+    dantzig = [name for name in _variant_names(tables) if "_dantzig" in name]
+    return {
+        "scenes": scenes,
+        "engines": names,
+        "titles": _titles(tables),
+        "settings": tables["peers_settings"].rows,
+        "steps": _steps(tables["peers_steps"]),
+        **_contact_step(tables["peers_steps"]),
+        "leads": leads,
+        "closest": min(leads, key=lambda lead: lead["times"]),
+        "ahead": [lead["scene"] for lead in leads if lead["times"] <= 1],
+        "least_dt": min(run.setting for run in engines),
+        "numpy_dt": min((r.setting for r in peers if r.method == "numpy"), default=float("inf")),
+        **_errors(engines, scenes, names),
+        "failures": [_failure(peers, name) for name in names],
+        "variant_steps": numbers(tables["peers_variants"].rows, "dt_s"),
+        "variants": _variants(tables, scenes),
+        "dantzig": _over_steps(tables, "oblique_bounce", dantzig),
+        "soft": _over_steps(tables, "flat_drop", ["mujoco", "mujoco_5"]),
+        **_lcp(tables),
+    }
+
+
+def _titles(tables: Tables) -> dict[str, str]:
+    """Of the engines, and of our methods."""
+    titles = {row["engine"]: row["title"] for row in tables["peers_settings"].rows if row["title"]}
+    return {name: style.label for name, style in METHODS.items()} | titles
+
+
+def in_sentence(title: str) -> str:
+    """The title where its comma would be taken for the sentence's."""
+    name, _, settings = title.partition(", ")
+    return f"{name} ({settings})" if settings else name
+
+
+def _steps(table: Table) -> list[Facts]:
+    """Of each engine the rows of its steps in flight and in contact."""
+    flight = {row["engine"]: row for row in table.where(kind="flight")}
+    contact = sorted(table.where(kind="contact"), key=lambda row: number(row, "ns_per_step"))
+    return [{"engine": row["engine"], "kinds": [flight[row["engine"]], row]} for row in contact]
+
+
+def _contact_step(table: Table) -> Facts:
+    contact = {row["engine"]: row for row in table.where(kind="contact")}
+    engines = [row for name, row in contact.items() if name not in NO_ENGINES]
+    return {
+        "ours_contact": contact["assignment_fast"],
+        "numpy_contact": contact.get("numpy"),
+        "fastest_contact": min(engines, key=lambda row: number(row, "ns_per_step")),
+        "most_exact_contact": min(engines, key=lambda row: number(row, "error_m")),
+    }
+
+
+def _lead(tables: Tables, ours: list[Run], engines: list[Run], scene: str) -> Facts:
+    """How many times as long an engine takes as ours at the same error or less, by the closest; 0
+    where none of ours is as good. And the fastest of ours and of the engines by tolerance."""
+    rows = tables["peers_ratios"].where(scene=scene, within="peer's own")
+    rows = [row for row in rows if row["engine"] != "numpy"]
+    closest = min(rows, key=lambda row: float(row["times"] or 0))
+    fastest = [
+        next(iter(measurements.ranking(runs, scene, tolerance)), None)
+        for tolerance in (FINE, FINEST)
+        for runs in (ours, engines)
+    ]
+    times, lower, upper = (float(closest[column] or 0) for column in RATIO)
+    lead = {"times": times, "lower": lower, "upper": upper, "engine": closest["engine"]}
+    return {"scene": scene, "fastest": fastest, **lead}
+
+
+def _errors(engines: list[Run], scenes: list[str], names: list[str]) -> Facts:
+    least = {
+        scene: [min(run.error for run in measurements.of(engines, scene, name)) for name in names]
+        for scene in scenes
+    }
+    agreeing = {scene: sum(error <= FINE for error in errors) for scene, errors in least.items()}
+    return {
+        "least_errors": least,
+        "reached": [
+            (
+                tolerance,
+                [sum(error <= tolerance for error in errors) for errors in zip(*least.values())],
+            )
+            for tolerance in (FINE, FINEST)
+        ],
+        "agreeing": min(agreeing.values()),
+        "hardest_scene": min(agreeing, key=lambda scene: agreeing[scene]),
+    }
+
+
+def _failure(peers: list[Run], engine: str) -> Facts:
+    """Where the engine has stalled, and where it still converges and needs a smaller step."""
+    notes = {run.scene: run.note for run in peers if run.method == engine and run.note}
+    stalled = [scene for scene, note in notes.items() if note.startswith("stalls")]
+    return {
+        "engine": engine,
+        "stalled": stalled,
+        "reason": notes[stalled[0]].partition(": ")[2] if stalled else "",
+        "slow": [{"scene": s, "note": note} for s, note in notes.items() if s not in stalled],
+    }
+
+
+def _variant_names(tables: Tables) -> list[str]:
+    return list(dict.fromkeys(row["engine"] for row in tables["peers_variants"].where(swept="0")))
+
+
+def variant_errors(tables: Tables, scene: str, engine: str) -> list[float]:
+    """From the largest step to the smallest."""
+    rows = tables["peers_variants"].where(scene=scene, engine=engine)
+    return numbers(sorted(rows, key=lambda row: -number(row, "dt_s")), "error_m")
+
+
+def _variants(tables: Tables, scenes: list[str]) -> list[tuple[str, str, float, float]]:
+    """The title, the scene, and the errors of the variant and of the settings in the sweep."""
+    titles, rows = _titles(tables), []
+    for scene in scenes:
+        for engine in _variant_names(tables):
+            error = variant_errors(tables, scene, engine)[-1]
+            best = variant_errors(tables, scene, engine.partition("_")[0])[-1]
+            if error > DIFFERS * best and error > FINE:
+                rows.append((titles[engine], scene, error, best))
+    return sorted(rows)
+
+
+def _over_steps(tables: Tables, scene: str, engines: list[str]) -> list[Facts]:
+    errors = {engine: variant_errors(tables, scene, engine) for engine in engines}
+    return [{"engine": engine, "errors": own} for engine, own in errors.items() if own]
+
+
+def _lcp(tables: Tables) -> Facts:
+    """Nothing of Siconos where it was not installed."""
+    rows = tables["peers_lcp"].rows if "peers_lcp" in tables else []
+    siconos = [row for row in rows if row["solver"].startswith("Siconos")]
+    return {
+        "lcp": rows,
+        "siconos_apart": max(numbers(siconos, "difference_m_per_s"), default=0.0),
+        "siconos_best": min(siconos, key=lambda row: number(row, "ns_per_lcp"), default=None),
+    }

@@ -1,0 +1,124 @@
+"""Speed against accuracy, as charts and pages read it: the runs of our table alone; or, where engines
+were measured, theirs and those of our methods in the same rounds. Times of two measurements are never
+mixed."""
+
+import math
+from dataclasses import dataclass, replace
+
+from bounce_study.tables import number, Row, Tables
+
+COLUMNS = ("scene", "method", "setting", "setting_is", "ns_per_simulated_second", "error_m", "note")
+PEERS = ("peers", "peers_beside", "peers_ratios")  # of one measurement
+SAME_SCHEME = {"numpy": "assignment"}
+TOLERANCES = (1e-2, 1e-3, 1e-4, 1e-5, 1e-6)
+
+
+@dataclass(frozen=True)
+class Run:
+    """A timed simulation of a scene."""
+
+    scene: str
+    method: str
+    setting: float
+    step: bool  # the setting is a time step; otherwise a tolerance
+    ns: float  # per simulated second
+    error: float  # m
+    note: str
+    peer: bool
+
+
+def read(tables: Tables) -> list[Run]:
+    for name in ("speed_accuracy", *PEERS[:2]):
+        if name in tables:
+            tables[name].require(COLUMNS)
+    alone = [run_of(row, False) for row in tables["speed_accuracy"].rows]
+    if not compared(tables):
+        return alone
+    known = {run.scene for run in alone}
+    notes = {(run.scene, run.method): run.note for run in alone}
+    ours = [run_of(row, False) for row in tables["peers_beside"].rows]
+    engines = [run_of(row, True) for row in tables["peers"].rows]
+    return [_with_note(run, notes) for run in ours + engines if run.scene in known]
+
+
+def compared(tables: Tables) -> bool:
+    """Whether engines were measured beside the methods as they are now. Errors don't depend on the
+    machine's load: others than in speed_accuracy.csv are those of another program."""
+    if not all(name in tables for name in PEERS):
+        return False
+    now = {_key(row): number(row, "error_m") for row in tables["speed_accuracy"].rows}
+    return all(
+        math.isclose(number(row, "error_m"), now[_key(row)], rel_tol=1e-3, abs_tol=1e-12)
+        for row in tables["peers_beside"].rows
+        if _key(row) in now
+    )
+
+
+def _key(row: Row) -> tuple[str, str, str]:
+    return row["scene"], row["method"], row["setting"]
+
+
+def _with_note(run: Run, notes: dict[tuple[str, str], str]) -> Run:
+    """With the note in speed_accuracy.csv for this method, or for one of the same scheme."""
+    scheme = SAME_SCHEME.get(run.method, run.method)
+    return replace(run, note=run.note or notes.get((run.scene, scheme), ""))
+
+
+def run_of(row: Row, peer: bool) -> Run:
+    return Run(
+        scene=row["scene"],
+        method=row["method"],
+        setting=number(row, "setting"),
+        step=row["setting_is"] == "dt_s",
+        ns=number(row, "ns_per_simulated_second"),
+        error=number(row, "error_m"),
+        note=row["note"],
+        peer=peer,
+    )
+
+
+def scenes(runs: list[Run]) -> list[str]:
+    return list(dict.fromkeys(run.scene for run in runs))
+
+
+def methods(runs: list[Run]) -> list[str]:
+    return list(dict.fromkeys(run.method for run in runs))
+
+
+def peers(runs: list[Run]) -> list[str]:
+    return methods([run for run in runs if run.peer])
+
+
+def of(runs: list[Run], scene: str, method: str) -> list[Run]:
+    return [run for run in runs if run.scene == scene and run.method == method]
+
+
+def ranking(runs: list[Run], scene: str, tolerance: float) -> list[Run]:
+    """The fastest run of each method with an error of at most `tolerance`, from the fastest on."""
+    exact = [run for run in runs if run.scene == scene and run.error <= tolerance]
+    fastest: dict[str, Run] = {}
+    for run in sorted(exact, key=lambda run: (run.ns, run.method)):
+        fastest.setdefault(run.method, run)
+    return list(fastest.values())
+
+
+def least_time(runs: list[Run], scene: str, method: str, tolerance: float) -> float:
+    """The least ns per simulated second with an error of at most `tolerance`; infinite where no
+    setting that was tried gets there."""
+    return min((r.ns for r in of(runs, scene, method) if r.error <= tolerance), default=math.inf)
+
+
+def failure(runs: list[Run], tolerance: float) -> str:
+    """Why a method never comes within the tolerance in a scene, without the numbers of this scene: by
+    its note, or by its last two steps where a table has none. Empty where it does."""
+    if not runs or min(run.error for run in runs) <= tolerance:
+        return ""
+    note = runs[-1].note
+    if note.startswith("stalls"):
+        return note.partition(": ")[2].replace("delta ", "δ ").replace(" dt ", " Δt ")
+    if note and not note.startswith("order"):
+        return note
+    finest = sorted(runs, key=lambda run: run.setting)[:2]
+    if note or (len(finest) == 2 and finest[0].error < 0.7 * finest[1].error):
+        return "still converges: needs a smaller Δt than was tried"
+    return "stalls: a smaller Δt does not help"
