@@ -224,7 +224,7 @@ def test_a_book_that_is_not_there_is_said(tmp_path: Path) -> None:
 
 def test_a_book_of_its_own_is_one_that_canvas_takes() -> None:
     """Canvas's importer asks for these headings (lib/gradebook_importer.rb)."""
-    data = gradebook.plain(
+    data = gradebook.of_marks(
         {"12": Marks("doejane", {0: 87.5}), "jroe": Marks("=1+1", {0: 5.0})}, "HW3 (98765)", 100
     )
     rows = list(csv.reader(io.StringIO(data.decode())))

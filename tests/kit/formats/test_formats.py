@@ -16,6 +16,7 @@ from bounce_grader import cli, formats
 from bounce_grader.common import escaping
 from bounce_grader.common.manifest import parts
 from bounce_grader.formats import github, html, sentences, terminal
+from bounce_grader.formats.templates import fill
 from conftest import ROOT, SOLUTION, write
 from hypothesis import example, given
 from odd_texts import TEXTS
@@ -64,7 +65,7 @@ def test_records_follow_the_published_schema(record: dict[str, Any], tmp_path: P
     "spoil",
     [
         {"score": "32"},
-        {"box": "leaky"},
+        {"box": "x"},
         {"parts": []},
         {"submission_sha256": "5"},
         {"speed": {"ratio": 2}},
@@ -80,15 +81,15 @@ def test_the_schema_refuses_what_is_no_record(
 
 def hostile(record: dict[str, Any], text: str) -> dict[str, Any]:
     """The record of a submission that says the text wherever one can say something."""
-    said = escaping.printable_text(text)
+    words = escaping.printable_text(text)
     changed: dict[str, Any] = copy.deepcopy({**record, "ignored": [escaping.printable_name(text)]})
-    changed["speed"] = {"largest_error": None, "otherwise": f"at {said}"}
+    changed["speed"] = {"largest_error": None, "otherwise": f"at {words}"}
     for part in changed["parts"]:
-        part["message"] = said
+        part["message"] = words
         for check in part["checks"]:
-            check["message"] = "" if check["passed"] else said
+            check["message"] = "" if check["passed"] else words
             if check.get("shown"):
-                check["shown"]["sentence"] = check["shown"]["input"] = said
+                check["shown"]["sentence"] = check["shown"]["input"] = words
     return changed
 
 
@@ -107,62 +108,42 @@ def test_nothing_that_is_printed_is_a_command_in_a_log(text: str) -> None:
     assert odd_texts.commands_in(shown) == []
 
 
+def test_a_name_that_a_template_lacks_is_an_error() -> None:
+    with pytest.raises(Exception, match="'title' is undefined"):
+        fill("formats/page.html.j2")
+
+
 def test_json_is_the_record_itself(record: dict[str, Any]) -> None:
     assert json.loads(formats.render("json", record, NOWHERE)) == record
 
 
 # gradescope-autograders.readthedocs.io/en/latest/specs: the fields and their values.
+def an_object(required: tuple[str, ...] = (), **properties: Any) -> dict[str, Any]:
+    known = {"properties": properties, "additionalProperties": False}
+    return {"type": "object", "required": list(required), **known}
+
+
+def a_list(items: dict[str, Any]) -> dict[str, Any]:
+    return {"type": "array", "items": items}
+
+
 VISIBILITY = {"enum": ["hidden", "after_due_date", "after_published", "visible"]}
 TEXT = {"enum": ["text", "html", "simple_format", "md", "ansi"]}
 NUMBER, STRING = {"type": "number"}, {"type": "string"}
-GRADESCOPE = {
-    "type": "object",
-    "additionalProperties": False,
-    "required": ["tests"],
-    "properties": {
-        "score": NUMBER,
-        "execution_time": NUMBER,
-        "output": STRING,
-        "output_format": TEXT,
-        "test_output_format": TEXT,
-        "test_name_format": TEXT,
-        "visibility": VISIBILITY,
-        "stdout_visibility": VISIBILITY,
-        "extra_data": {"type": "object"},
-        "tests": {
-            "type": "array",
-            "items": {
-                "type": "object",
-                "additionalProperties": False,
-                "properties": {
-                    "score": NUMBER,
-                    "max_score": NUMBER,
-                    "status": {"enum": ["passed", "failed"]},
-                    "name": STRING,
-                    "name_format": TEXT,
-                    "number": STRING,
-                    "output": STRING,
-                    "output_format": TEXT,
-                    "tags": {"type": "array", "items": STRING},
-                    "visibility": VISIBILITY,
-                },
-            },
-        },
-        "leaderboard": {
-            "type": "array",
-            "items": {
-                "type": "object",
-                "additionalProperties": False,
-                "required": ["name", "value"],
-                "properties": {
-                    "name": STRING,
-                    "value": {"type": ["number", "string"]},
-                    "order": {"enum": ["asc", "desc"]},
-                },
-            },
-        },
-    },
-}
+TEST = an_object(
+    **{"score": NUMBER, "max_score": NUMBER, "status": {"enum": ["passed", "failed"]}},
+    **{"name": STRING, "name_format": TEXT, "number": STRING, "visibility": VISIBILITY},
+    **{"output": STRING, "output_format": TEXT, "tags": a_list(STRING)},
+)
+VALUE = {"type": ["number", "string"]}
+ROW = an_object(("name", "value"), name=STRING, value=VALUE, order={"enum": ["asc", "desc"]})
+GRADESCOPE = an_object(
+    ("tests",),
+    **{"score": NUMBER, "execution_time": NUMBER, "output": STRING, "output_format": TEXT},
+    **{"test_output_format": TEXT, "test_name_format": TEXT, "extra_data": {"type": "object"}},
+    **{"visibility": VISIBILITY, "stdout_visibility": VISIBILITY},
+    **{"tests": a_list(TEST), "leaderboard": a_list(ROW)},
+)
 
 
 def test_gradescope_gets_its_fields_and_the_right_sum(record: dict[str, Any]) -> None:
@@ -229,23 +210,24 @@ def test_junit_is_read_by_another_reader(record: dict[str, Any], tmp_path: Path)
 def commands(text: str) -> list[tuple[str, dict[str, str], str]]:
     """As actions/runner reads them (ActionCommand.TryParseV2): "::name k=v,k=v::data"."""
 
-    def unescaped(escaped: str, pairs: dict[str, str]) -> str:
-        for code, sign in pairs.items():
-            escaped = escaped.replace(code, sign)
-        return escaped.replace("%25", "%")
+    def unescaped(escaped: str, *codes: str) -> str:
+        for code in (*codes, "%0D", "%0A", "%25"):
+            escaped = escaped.replace(code, chr(int(code[1:], 16)))
+        return escaped
 
-    data = {"%0D": "\r", "%0A": "\n"}
-    found = []
-    for line in text.split("\n"):
-        match = re.fullmatch(r"::(\w+) ?([^:]*)::(.*)", line)
-        assert match, line
-        properties = dict(pair.split("=", 1) for pair in match[2].split(",") if pair)
-        properties = {
-            name: unescaped(value, {**data, "%3A": ":", "%2C": ","})
-            for name, value in properties.items()
-        }
-        found.append((match[1], properties, unescaped(match[3], data)))
-    return found
+    matches = [re.fullmatch(r"::(\w+) ?([^:]*)::(.*)", line) for line in text.split("\n")]
+    assert all(matches), text
+    return [
+        (
+            match[1],
+            {
+                name: unescaped(value, "%3A", "%2C")
+                for name, value in (pair.split("=", 1) for pair in match[2].split(",") if pair)
+            },
+            unescaped(match[3]),
+        )
+        for match in filter(None, matches)
+    ]
 
 
 def test_github_annotates_the_students_lines(record: dict[str, Any]) -> None:
@@ -302,10 +284,8 @@ def test_classrooms_reporter_adds_up_the_points(record: dict[str, Any]) -> None:
     assert result["max_score"] == 100
     assert sum(test["score"] for test in result["tests"]) == 32
     assert {test["status"] for test in result["tests"]} <= {"pass", "fail", "error"}
-    assert (result["tests"][1]["filename"], result["tests"][1]["line_no"]) == (
-        "src/part2_lcp.cpp",
-        12,
-    )
+    second = result["tests"][1]
+    assert (second["filename"], second["line_no"]) == ("src/part2_lcp.cpp", 12)
 
 
 def test_a_step_of_a_workflow_hands_on_its_result(
@@ -352,6 +332,11 @@ def test_a_place_is_found_in_a_message(message: str, place: tuple[str, int, int 
 
 def test_no_place_is_found_where_there_is_none() -> None:
     assert sentences.place_in("got phi = 1.5:2, nothing.cpp") is None
+
+
+def test_two_equations_are_both_named() -> None:
+    place = sentences.where_to_read({"equations": [5, 6], "hint": "1.2 The moment arm r"})
+    assert place == "eqs. (5), (6) and hint 1.2 The moment arm r"
 
 
 def kit(*arguments: str, **environment: str) -> "subprocess.CompletedProcess[str]":

@@ -1,113 +1,67 @@
-"""The report, from records written by hand: no process is started."""
+"""The report, from the record written by hand: no process is started."""
 
 import io
+import json
 from typing import Any
 
 from bounce_grader.build.compiler import compile_problem
 from bounce_grader.build.linking import link_problem
 from bounce_grader.formats import terminal
 from bounce_grader.sandbox.processes import Result
+from conftest import ROOT
+
+FOLDER = ROOT / "tests" / "kit" / "formats" / "expected"
+RECORD = json.loads((FOLDER / "record.json").read_text())
+PART = RECORD["parts"][0]
 
 
-def check(passed: bool, message: str = "") -> dict[str, Any]:
-    return {
-        "id": "part1.GivesTheNormalColumn",
-        "title": "the second column of J is J_n",
-        "score": 6 if passed else 0,
-        "max_score": 6,
-        "passed": passed,
-        "message": message,
-        "mistake": None,
-    }
-
-
-def record(part: dict[str, Any], **changes: Any) -> dict[str, Any]:
-    usual = {
-        "part": 1,
-        "title": "Contact distance and Jacobian",
-        "score": 0,
-        "max_score": 6,
-        "status": "graded",
-        "message": "1 of 1 checks failed",
-        "graded_with": "own",
-        "mistakes": [],
-        "patterns": [],
-        "checks": [check(False, "got phi = 1")],
-    }
-    whole = {"score": 0, "max_score": 6, "ignored": [], "box": "full"}
-    return {**whole, "parts": [{**usual, **part}], **changes}
-
-
-def shown(of: dict[str, Any]) -> str:
+def shown(**changes: Any) -> str:
     stream = io.StringIO()
-    terminal.show(of, stream)
+    terminal.show({**RECORD, **changes}, stream)
     return stream.getvalue()
 
 
-def test_begins_with_the_score_and_ends_a_failed_check_with_its_hint() -> None:
-    text = shown(record({}))
-    assert text.startswith("Score 0 / 6\n")
-    assert "✗ the second column of J is J_n" in text
-    assert "got phi = 1\n      hint 1.2" in text
+def test_is_what_a_person_has_read() -> None:
+    assert shown() == (FOLDER / "terminal.txt").read_text()
 
 
 def test_a_right_part_shows_its_checks_and_no_message() -> None:
-    part = {"score": 6, "checks": [check(True)], "message": "everything right"}
-    text = shown(record(part, score=6))
-    assert "✓ the second column of J is J_n" in text and "hint" not in text
-
-
-MISTAKE = {
-    "name": "part1_columns_swapped",
-    "title": "The columns of J are exchanged",
-    "sentence": "Both columns of J are right.",
-    "equations": [5, 6],
-    "hint": "1.2 The moment arm r",
-}
-
-
-def test_a_known_mistake_is_said_once_with_where_to_read() -> None:
-    checks = [check(False, "got phi = 1"), check(False, "got phi = 2")]
-    text = shown(record({"checks": checks, "mistakes": [MISTAKE]}))
-    assert text.count("looks like: The columns of J are exchanged\n") == 1
-    assert "Both columns of J are right.\n    eqs. (5), (6) and hint 1.2 The moment arm r\n" in text
-
-
-def test_what_the_numbers_say_stands_above_the_checks() -> None:
-    text = shown(record({"patterns": ["Every wrong number is -1 times the right one."]}))
-    assert text.index("-1 times the right one") < text.index("✗")
+    checks = [{**check, "passed": True, "message": ""} for check in PART["checks"]]
+    right = {"score": 30, "checks": checks, "message": "everything right", "mistakes": []}
+    text = shown(parts=[{**PART, **right}])
+    assert "✓ the second column of J is J_n" in text
+    assert "hint" not in text and "everything right" not in text
 
 
 def test_half_points_are_written_without_zeros() -> None:
-    assert "Score 87.5 / 100\n" in shown(record({}, score=87.5, max_score=100.0))
+    assert "Score 87.5 / 100\n" in shown(score=87.5, max_score=100.0)
 
 
 def test_control_characters_and_markup_are_only_text() -> None:
     wild = "\x1b[2J\x07 [bold red]not markup[/] \u202e \x9b31m"
-    text = shown(record({"checks": [check(False, wild)], "message": wild, "status": "crashed"}))
-    assert "[bold red]not markup[/]" in text
+    check = {**PART["checks"][0], "message": wild}
+    text = shown(parts=[{**PART, "checks": [check], "message": wild, "status": "crashed"}])
+    assert text.count("[bold red]not markup[/]") == 2
     assert not any(c in text for c in "\x1b\x07\u202e\x9b")
 
 
 def test_files_that_were_not_used_are_named_but_not_all() -> None:
-    names = [f"old{i}.o" for i in range(9)]
-    assert "Not used: old0.o, old1.o, old2.o, old3.o, old4.o and 4 more" in shown(
-        record({}, ignored=names)
-    )
+    text = shown(ignored=[f"old{i}.o" for i in range(9)])
+    assert "Not used: old0.o, old1.o, old2.o, old3.o, old4.o and 4 more" in text
 
 
 def test_what_the_kit_hands_out_is_not_worth_a_word() -> None:
-    assert "Not used" not in shown(record({}, ignored=["README.md", "given/render.cpp"]))
+    assert "Not used" not in shown(ignored=["README.md", "given/render.cpp"])
 
 
 def test_speed_is_said_beside_the_solutions() -> None:
     speed = {"submission_ns": 400.0, "solution_ns": 200.0, "ratio": 2.0, "largest_error": 3e-13}
-    text = shown(record({}, speed=speed))
-    assert "400 ns a step, the solution 200 ns: 2.00 times its time; largest error 3.0e-13" in text
+    line = "400 ns a step, the solution 200 ns: 2.00 times its time; largest error 3.0e-13"
+    assert line in shown(speed=speed)
 
 
 def test_grading_without_a_box_is_said() -> None:
-    assert "without a box" in shown(record({}, box="none"))
+    assert "without a box" in shown(box="none")
 
 
 def failed(err: str, code: int = 1, too_long: bool = False) -> Result:

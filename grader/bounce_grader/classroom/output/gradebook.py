@@ -4,13 +4,15 @@ import difflib
 import re
 import unicodedata
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 
 from bounce_grader.classroom.intake.canvas import sanitized
 from bounce_grader.classroom.output import table as tables
 from bounce_grader.classroom.output.table import Row
 from bounce_grader.common.errors import UsageError
+from bounce_grader.common.escaping import csv_row
+from bounce_grader.common.numbers import short
 
 NAME_COLUMNS = ("SIS User ID", "SIS Login ID", "Integration ID")
 NEVER_FILLED = ("EX", "N/A")
@@ -30,7 +32,7 @@ class Marks:
 @dataclass
 class Filled:
     data: bytes
-    sentences: list[str] = field(default_factory=list)  # whatever a person should know
+    sentences: list[str]  # whatever a person should know
 
 
 class Gradebook:
@@ -54,47 +56,41 @@ class Gradebook:
     def fill(self, marks: Mapping[str, Marks], without: Mapping[str, str] = {}) -> Filled:
         """`marks` by Canvas's user id, a SIS id, or a login; `without` says, by the same, why there
         is no score."""
-        filled = Filled(b"")
         reasons = self._by_line(without)
         rows = self._rows_by_id()
-        given = self._by_line(marks)
+        graded = self._by_line(marks)
+        sentences = self._points_possible()
         for row in self._students():
-            id = given.get(row.line)
+            id = graded.get(row.line)
             if id is None:
                 reason = reasons.get(row.line)
                 nothing = f"no score, because {without[reason]}" if reason else "no submission"
-                nothing = f"{self._who(row)} has {nothing}: the cell stays as it was"
-                filled.sentences.append(nothing)
+                sentences.append(f"{self._who(row)} has {nothing}: the cell stays as it was")
             elif len(rows[id]) > 1:
-                twice = f"{self._name} has {len(rows[id])} rows for {id}: none is filled"
-                filled.sentences.append(twice)
+                sentences.append(f"{self._name} has {len(rows[id])} rows for {id}: none is filled")
             else:
-                filled.sentences += self._fill_row(row, marks[id])
-        for id in sorted(marks.keys() - set(given.values())):
-            unknown = f"{marks[id].name} ({id}) is graded, but isn't in {self._name}"
-            filled.sentences.append(unknown)
-        filled.sentences = [*self._points_possible(), *dict.fromkeys(filled.sentences)]
-        filled.data = self._table.bytes()
-        return filled
+                sentences += self._fill_row(row, marks[id])
+        for id in sorted(marks.keys() - set(graded.values())):
+            sentences.append(f"{marks[id].name} ({id}) is graded, but isn't in {self._name}")
+        return Filled(self._table.bytes(), list(dict.fromkeys(sentences)))
 
     def _fill_row(self, row: Row, marks: Marks) -> list[str]:
-        said = []
-        named = False
+        sentences, is_filled = [], False
         for part, column in self._columns.items():
             cell = row.cells[column]
-            if cell.text.strip().upper() in NEVER_FILLED:
-                said.append(f"{self._who(row)} stays {cell.text.strip()} in {self._header[column]}")
+            text = cell.text.strip()
+            if text.upper() in NEVER_FILLED:
+                sentences.append(f"{self._who(row)} stays {text} in {self._header[column]}")
             else:
-                named = marks.of_canvas
+                is_filled = True
                 number = f"{marks.points[part]:.2f}"
-                text = number.replace(".", ",") if self._comma else number
-                cell.put(text, self._table.delimiter)
-        if named and not _same_name(self._person(row), marks.name):
-            said.append(
+                cell.put(number.replace(".", ",") if self._comma else number, self._table.delimiter)
+        if is_filled and marks.of_canvas and not _same_name(self._person(row), marks.name):
+            sentences.append(
                 f"{self._who(row)} has the points of {marks.name}: if that is a group, give its other "
                 "members the same"
             )
-        return said
+        return sentences
 
     def _who(self, row: Row) -> str:
         ids = [row.cells[column].text.strip() for column in self._id_columns()]
@@ -102,8 +98,8 @@ class Gradebook:
 
     def _person(self, row: Row) -> str:
         """As Canvas sorts it: "Doe, Jane"."""
-        names = [cell.text.strip() for cell in row.cells[: self._header.index("ID")]]
-        return ", ".join(names)
+        names = row.cells[: self._header.index("ID")]
+        return ", ".join(cell.text.strip() for cell in names)
 
     def _by_line(self, ids: Iterable[str]) -> dict[int, str]:
         rows = self._rows_by_id()
@@ -111,14 +107,13 @@ class Gradebook:
 
     def _rows_by_id(self) -> dict[str, list[Row]]:
         """Canvas's own ids first, as its importer does."""
-        found: dict[str, list[Row]] = {}
+        rows: dict[str, list[Row]] = {}
         for column in self._id_columns():
-            here: dict[str, list[Row]] = {}
+            in_column: dict[str, list[Row]] = {}
             for row in self._students():
-                if row.cells[column].text.strip():
-                    here.setdefault(row.cells[column].text.strip(), []).append(row)
-            found = {**here, **found}
-        return found
+                in_column.setdefault(row.cells[column].text.strip(), []).append(row)
+            rows = {**in_column, **rows}
+        return {id: rows[id] for id in rows if id}
 
     def _students(self) -> list[Row]:
         """The rows that Canvas takes for students."""
@@ -158,16 +153,13 @@ class Gradebook:
 
     def _has_decimal_comma(self) -> bool:
         """Where scores are written 87,5 and none 87.5."""
-        scores = {
-            i
-            for i, text in enumerate(self._header)
-            if ASSIGNMENT.search(text) or TOTAL.search(text)
-        }
-        scores |= {*self._columns.values()}
-        rows = [row for row in self._table.rows[1:] if len(row.cells) == len(self._header)]
-        cells = [row.cells[column].text.strip() for row in rows for column in scores]
-        points = any(re.fullmatch(r"\d+\.\d+", text) for text in cells)
-        return not points and any(re.fullmatch(r"\d+,\d+", text) for text in cells)
+        scores = {*self._columns.values()}
+        for i, title in enumerate(self._header):
+            if ASSIGNMENT.search(title) or TOTAL.search(title):
+                scores.add(i)
+        cells = [row.cells[i].text.strip() for row in self._whole_rows() for i in scores]
+        with_points = any(re.fullmatch(r"\d+\.\d+", text) for text in cells)
+        return not with_points and any(re.fullmatch(r"\d+,\d+", text) for text in cells)
 
     def _require_whole_rows(self) -> None:
         for row in [self._table.rows[0], *self._students()]:
@@ -178,24 +170,25 @@ class Gradebook:
                 )
 
     def _column(self, title: str) -> int:
-        found = [i for i, text in enumerate(self._header) if text == title]
-        found = found or [i for i, text in enumerate(self._header) if _title(text) == title]
-        if len(found) > 1:
+        columns = [i for i, text in enumerate(self._header) if text == title]
+        columns = columns or [i for i, text in enumerate(self._header) if _title(text) == title]
+        if len(columns) > 1:
             raise UsageError(
-                f"{self._name} has {len(found)} columns named {title!r}: name the one you mean "
+                f"{self._name} has {len(columns)} columns named {title!r}: name the one you mean "
                 "with its number, as in 'HW3 (98765)', and rename the other if they are the same"
             )
-        if not found:
+        if not columns:
             raise UsageError(f"{self._name} has no column {title!r}: {self._suggestion(title)}")
-        if found[0] < self._first_score():
+        column = columns[0]
+        if column < self._first_score():
             raise UsageError(
                 f"{title!r} in {self._name} says who a student is, and takes no points: "
                 f"{self._suggestion(title)}"
             )
-        worked_out = TOTAL.search(self._header[found[0]])
-        if worked_out or any("read only" in r.cells[found[0]].text for r in self._points_rows()):
+        read_only = any("read only" in row.cells[column].text for row in self._points_rows())
+        if read_only or TOTAL.search(self._header[column]):
             raise UsageError(f"Canvas doesn't import {title!r}, which is read only")
-        return found[0]
+        return column
 
     def _suggestion(self, title: str) -> str:
         titles = [text for text in self._header if ASSIGNMENT.search(text)]
@@ -203,21 +196,22 @@ class Gradebook:
         return f"it has {', '.join(map(repr, near))}" if near else "it has no assignment at all"
 
     def _points_rows(self) -> list[Row]:
-        rows = self._table.rows[1:]
-        whole = [row for row in rows if len(row.cells) == len(self._header)]
-        return [row for row in whole if "Points Possible" in row.cells[0].text]
+        return [row for row in self._whole_rows() if "Points Possible" in row.cells[0].text]
+
+    def _whole_rows(self) -> list[Row]:
+        return [row for row in self._table.rows[1:] if len(row.cells) == len(self._header)]
 
     def _points_possible(self) -> list[str]:
-        said = []
+        sentences = []
         for row in self._points_rows():
             for part, column in self._columns.items():
                 points = _number(row.cells[column].text)
                 if points is not None and points != self._most[part]:
-                    said.append(
-                        f"Canvas has {points:g} points possible for {self._header[column]}, the "
-                        f"kit {self._most[part]:g}: change it in Canvas, or scale there"
+                    sentences.append(
+                        f"Canvas has {short(points)} points possible for {self._header[column]}, the "
+                        f"kit {short(self._most[part])}: change it in Canvas, or scale there"
                     )
-        return said
+        return sentences
 
 
 def _same_name(person: str, canvas_name: str) -> bool:
@@ -238,10 +232,8 @@ def _number(text: str) -> float | None:
         return None
 
 
-def plain(marks: Mapping[str, Marks], title: str, most: float) -> bytes:
+def of_marks(marks: Mapping[str, Marks], title: str, most: float) -> bytes:
     """A grade book of its own, where Canvas's wasn't given: Canvas knows the students by ID."""
-    from bounce_grader.common.escaping import csv_row
-
     header = ["Student", "ID", "SIS Login ID", "Section", title]
     rows = [header, ["    Points Possible", "", "", "", f"{most:.2f}"]]
     for id, mark in sorted(marks.items(), key=lambda item: (item[1].name, item[0])):

@@ -69,7 +69,7 @@ def _make_up_gradebook(path: Path, marks: Mapping[str, Marks], title: str, log: 
             f"{path.name} is one that was filled before, and stays as it was: give --gradebook and "
             "--column to fill it anew"
         ]
-    data = gradebook.plain(marks, title, sum(part.points for part in parts()))
+    data = gradebook.of_marks(marks, title, sum(part.points for part in parts()))
     log.make_up(data)
     write_whole(path, data)
     return []
