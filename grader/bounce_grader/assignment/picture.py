@@ -52,18 +52,19 @@ def _steps(scene: Shown, velocity: Shown) -> list[Figure]:
         sides.append(("right", _finite(velocity["expected"])))
     known = [v for _, v in sides if v]
     longest = _Longest(
-        max((math.hypot(v[0], v[1]) for v in known), default=0),
-        max((abs(v[2]) for v in known), default=0),
-        max((math.hypot(*_force(scene, v)) for v in known), default=0),
+        max([1e-9, *(math.hypot(v[0], v[1]) for v in known)]),
+        max([1e-9, *(abs(v[2]) for v in known)]),
+        max([1e-9, *(math.hypot(*_force(scene, v)) for v in known)]),
     )
     return [_step(scene, title, v, longest) for title, v in sides]
 
 
-class _Longest:
-    """What the longest arrows stand for: m/s, rad/s and N."""
+class _Longest(NamedTuple):
+    """What the longest arrows stand for."""
 
-    def __init__(self, speed: float, turning: float, force: float) -> None:
-        self.speed, self.turning, self.force = (max(x, 1e-9) for x in (speed, turning, force))
+    speed: float  # m/s
+    turning: float  # rad/s
+    force: float  # N
 
 
 def _finite(rows: list[list[float | str]]) -> list[float] | None:
@@ -88,26 +89,21 @@ def _step(scene: Shown, title: str, v: list[float] | None, longest: _Longest) ->
     scale = SIDE / scene["l"]
     q = scene["q"]
 
-    def place(point: Place) -> Place:
+    def place(point: Sequence[float]) -> Place:
         return width / 2 + scale * (point[0] - q[0]), 95 - scale * (point[1] - q[1])
 
     square = corners(q, scene["l"])
     lowest = min(square, key=lambda corner: corner[1])
-    shapes = []
     ground = place((0, 0))[1]
-    if ground < height:
-        below = f'y="{ground:.1f}" width="{width}" height="{height - ground:.1f}"'
-        shapes = [f'<rect x="0" {below} class="ground"/>']
-        shapes.append(svg.line(0, ground, width, ground, width=2))
+    shapes = _ground(ground, width, f"{height - ground:.1f}") if ground < height else []
     shapes.append(_closed([place(corner) for corner in square]))
-    centre = place((q[0], q[1]))
     touches = lowest[1] < scene["delta"]  # eq. (11)
     if touches:
         x, y = place(lowest)
         shapes.append(f'<circle cx="{x:.1f}" cy="{y:.1f}" r="5" fill="{svg.INK}"/>')
     lines = ["not finite"]
     if v:
-        shapes += _arrow(centre, (v[0], v[1]), LONGEST / longest.speed, "v\N{PRIME}")
+        shapes += _arrow(place(q), (v[0], v[1]), LONGEST / longest.speed, "v\N{PRIME}")
         shapes += _turning((width - 36, 34), v[2] / longest.turning)
         speed = f"v\N{PRIME} = ({_four_digits(v[0])}, {_four_digits(v[1])}) m/s"
         lines = [speed, f"{OMEGA} = {_four_digits(v[2])} rad/s"]
@@ -122,6 +118,11 @@ def _step(scene: Shown, title: str, v: list[float] | None, longest: _Longest) ->
 
 def _four_digits(x: float) -> str:
     return significant(x, 4)
+
+
+def _ground(y: float, width: int, height: str) -> list[str]:
+    below = f'<rect x="0" y="{y:.1f}" width="{width}" height="{height}" class="ground"/>'
+    return [below, svg.line(0, y, width, y, width=2)]
 
 
 def _closed(corners: list[Place], dash: str = "") -> str:
@@ -171,9 +172,7 @@ def _trajectories(scene: Shown, path: Shown) -> Figure:
     got = {t: row for t, row in enumerate(path["got"]) if not any(isinstance(x, str) for x in row)}
     right = dict(zip(path.get("columns", []), path.get("expected", [])))
     view = _View([*right.values()] or [*got.values()] or [scene["q"]], scene["l"])
-    below = f'y="{view.ground:.1f}" width="{PATH_SIZE[0]}" height="{PATH_SIZE[1]}"'
-    shapes = [f'<rect x="0" {below} class="ground"/>']
-    shapes.append(svg.line(0, view.ground, PATH_SIZE[0], view.ground, width=2))
+    shapes = _ground(view.ground, PATH_SIZE[0], str(PATH_SIZE[1]))
     shapes += _way(view, right, "", hollow=True) + _way(view, got, "5 4", hollow=False)
     last = max(right or got, default=0)
     for known, dash in ((right, ""), (got, "5 4")):
@@ -218,6 +217,6 @@ def _way(view: _View, known: dict[int, list[float]], dash: str, hollow: bool) ->
     every = max(1, len(columns) // 20)
     for x, y in (places[t] for t in columns[::every]):
         size, fill = (5, "none") if hollow else (2.5, svg.INK)
-        ring = f'<circle cx="{x:.1f}" cy="{y:.1f}" r="{size}" fill="{fill}" stroke="{svg.INK}"/>'
-        out.append(ring)
+        place = f'cx="{x:.1f}" cy="{y:.1f}"'
+        out.append(f'<circle {place} r="{size}" fill="{fill}" stroke="{svg.INK}"/>')
     return out

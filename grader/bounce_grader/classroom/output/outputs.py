@@ -1,5 +1,6 @@
 """The files that a class leaves: grade book, grades, feedback and the page about the class."""
 
+import io
 import zipfile
 from collections.abc import Mapping
 from pathlib import Path
@@ -24,7 +25,7 @@ TITLE = "Bouncing"
 
 def write(
     out: Path,
-    found: Class,
+    submitted: Class,
     summaries: list[Summary],
     book: Gradebook | None,
     columns: Mapping[int, str],
@@ -35,14 +36,14 @@ def write(
     marks = _marks(summaries)
     if book is None:
         title = columns.get(0, TITLE)
-        said = _make_up_gradebook(out / "gradebook.csv", marks, title, log)
+        sentences = _make_up_gradebook(out / "gradebook.csv", marks, title, log)
     else:
-        filled = book.fill(marks, _without_score(found, summaries))
+        filled = book.fill(marks, _without_score(submitted, summaries))
         write_whole(out / "gradebook.csv", filled.data)
-        said = filled.sentences
+        sentences = filled.sentences
     write_whole(out / "grades.csv", "\ufeff" + grades.table(summaries))
-    write_whole(out / "class.html", page.render(found, summaries, near, said))
-    return said
+    write_whole(out / "class.html", page.render(submitted, summaries, near, sentences))
+    return sentences
 
 
 def _marks(summaries: list[Summary]) -> dict[str, Marks]:
@@ -56,9 +57,9 @@ def _marks(summaries: list[Summary]) -> dict[str, Marks]:
     }
 
 
-def _without_score(found: Class, summaries: list[Summary]) -> dict[str, str]:
+def _without_score(submitted: Class, summaries: list[Summary]) -> dict[str, str]:
     """Who handed in something that has no score, and why."""
-    entries = {u.user: f"{u.name} {u.reason}" for u in found.unmatched if u.user}
+    entries = {u.user: f"{u.name} {u.reason}" for u in submitted.unmatched if u.user}
     return entries | {s.student.id: s.message for s in summaries if s.score is None}
 
 
@@ -76,7 +77,7 @@ def _make_up_gradebook(path: Path, marks: Mapping[str, Marks], title: str, log: 
 
 
 def write_feedback(
-    out: Path, found: Class, summaries: list[Summary], reveal: bool = False
+    out: Path, submitted: Class, summaries: list[Summary], reveal: bool = False
 ) -> dict[str, str]:
     """One page each; for Canvas all of them in the zip that it takes back, too. Pages of an earlier
     run, for what isn't there any more, go. Gives, by a student's id, why there is no page. Only
@@ -86,7 +87,7 @@ def write_feedback(
     pages: list[str] = []
     without: dict[str, str] = {}
     ids = {summary.student.id for summary in summaries}
-    for entry in found.unmatched:
+    for entry in submitted.unmatched:
         if entry.feedback and entry.user not in ids:
             write_whole(folder / entry.feedback, html.refused(entry.told))
             pages.append(entry.feedback)
@@ -104,8 +105,8 @@ def write_feedback(
         if page_file.name not in pages and _is_ours(page_file):
             page_file.unlink()
     if any(summary.student.uploads for summary in summaries):
-        taken = [name for name in pages if canvas.parse(name)]
-        _zip(folder, taken, out / "feedback.zip")
+        accepted = [name for name in pages if canvas.parse(name)]
+        write_whole(out / "feedback.zip", _zip(folder, accepted))
     return without
 
 
@@ -121,13 +122,9 @@ def _page(student: Student, result: dict[str, Any], reveal: bool) -> str:
     return html.refused(result["message"])
 
 
-def _zip(folder: Path, pages: list[str], path: Path) -> None:
-    temporary = path.with_name(f".{path.name}.part")
-    try:
-        with zipfile.ZipFile(temporary, "w", zipfile.ZIP_DEFLATED) as archive:
-            for name in pages:
-                archive.write(folder / name, name)
-        temporary.replace(path)
-    except OSError:
-        temporary.unlink(missing_ok=True)
-        raise
+def _zip(folder: Path, pages: list[str]) -> bytes:
+    data = io.BytesIO()
+    with zipfile.ZipFile(data, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name in pages:
+            archive.write(folder / name, name)
+    return data.getvalue()
