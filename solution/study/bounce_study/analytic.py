@@ -1,5 +1,5 @@
-"""The truth against what is known of it by other means: closed forms, and flights between impacts
-of single corners in forty digits. Nothing here is shared with the program that is checked."""
+"""Checks the truth against closed forms, and against flights between impacts of single corners in
+forty digits. Nothing here is shared with the program that is checked."""
 
 import json
 import math
@@ -13,7 +13,7 @@ from bounce_study.tables import number, Tables
 
 DIGITS = 40
 HALVINGS = 110
-LOOK = 1e-4  # s: contacts are looked for so often, which finds those of these scenes
+SAMPLING = 1e-4  # s: between samples, which are enough to find the contacts of these scenes
 
 Pose = tuple[Decimal, Decimal, Decimal]
 Motion = list[Decimal]  # x, y, theta, v_x, v_y, omega
@@ -39,17 +39,17 @@ class Scene:
         return self.l / 2
 
 
-Known = Callable[[Scene, list[Decimal]], list[Pose]]
+Solution = Callable[[Scene, list[Decimal]], list[Pose]]  # the poses at these times
 
 
 def checks(tables: Tables) -> list[Check]:
-    """Of each scene of which something is known."""
+    """One for each scene whose motion is known by other means."""
     with localcontext() as context:
         context.prec = DIGITS
-        return [Check(name, how, _error(name, known, tables)) for name, how, known in KNOWN]
+        return [Check(name, how, _error(name, solve, tables)) for name, how, solve in SOLUTIONS]
 
 
-def _error(name: str, known: Known, tables: Tables) -> float:
+def _error(name: str, solve: Solution, tables: Tables) -> float:
     """The largest distance over the samples, as distance() in solution/exact/scene.cpp."""
     data = json.loads((FIXTURES / "scenes" / f"{name}.json").read_text(encoding="utf-8"))
     rows = tables["truth"].where(scene=name)
@@ -57,9 +57,9 @@ def _error(name: str, known: Known, tables: Tables) -> float:
     times = [until * (i + 1) / len(rows) for i in range(len(rows))]
     arm = data["params"]["l"] / math.sqrt(2)
     worst = 0.0
-    for row, (x, y, theta) in zip(rows, known(scene, times)):
-        there = [Decimal(number(row, column)) for column in ("x_m", "y_m", "theta_rad")]
-        dx, dy, turn = (float(a - b) for a, b in zip(there, (x, y, theta)))
+    for row, (x, y, theta) in zip(rows, solve(scene, times)):
+        truth = [Decimal(number(row, column)) for column in ("x_m", "y_m", "theta_rad")]
+        dx, dy, turn = (float(a - b) for a, b in zip(truth, (x, y, theta)))
         worst = max(worst, math.hypot(dx, dy, arm * turn))
     return worst
 
@@ -86,8 +86,8 @@ def _slide(scene: Scene, times: list[Decimal]) -> list[Pose]:
     """Friction brakes at mu g until nothing moves."""
     x, y, theta, v = scene.start[:4]
     rate = scene.mu * scene.g
-    ends = v / rate if rate else Decimal(0)
-    return [(x + v * s - rate * s * s / 2, y, theta) for s in (min(t, ends) for t in times)]
+    end = v / rate if rate else Decimal(0)
+    return [(x + v * s - rate * s * s / 2, y, theta) for s in (min(t, end) for t in times)]
 
 
 def _bounces(scene: Scene, times: list[Decimal]) -> list[Pose]:
@@ -98,13 +98,13 @@ def _bounces(scene: Scene, times: list[Decimal]) -> list[Pose]:
 
 
 def _height(scene: Scene, drop: Decimal, t: Decimal) -> Decimal:
-    falls = (2 * drop / scene.g).sqrt()
-    if t >= falls * (1 + scene.epsilon) / (1 - scene.epsilon):
+    fall = (2 * drop / scene.g).sqrt()
+    if t >= fall * (1 + scene.epsilon) / (1 - scene.epsilon):
         return Decimal(0)
-    if t < falls:
+    if t < fall:
         return drop - scene.g * t * t / 2
-    t -= falls
-    speed = scene.epsilon * scene.g * falls
+    t -= fall
+    speed = scene.epsilon * scene.g * fall
     while t >= 2 * speed / scene.g:
         t -= 2 * speed / scene.g
         speed *= scene.epsilon
@@ -121,19 +121,20 @@ def _impacts(scene: Scene, times: list[Decimal]) -> list[Pose]:
         lands = now + _contact(scene, motion, times[-1] - now)
         poses += [_pose(_fly(scene, motion, t - now)) for t in times if now <= t < lands]
         if lands <= times[-1]:
-            motion, now = _struck(scene, _fly(scene, motion, lands - now)), lands
+            motion, now = _after_impact(scene, _fly(scene, motion, lands - now)), lands
     return poses
 
 
 def _contact(scene: Scene, motion: Motion, within: Decimal) -> Decimal:
-    """When the lowest corner lands: by looking, then by halving. Past `within` where it doesn't."""
+    """When the lowest corner lands, found by sampling, then by halving; past `within` where it
+    doesn't."""
     steps = 1
-    while _looks_above(scene, motion, steps * LOOK):
+    while _is_in_the_air(scene, motion, steps * SAMPLING):
         steps += 1
-        if (steps - 1) * LOOK > within:
+        if (steps - 1) * SAMPLING > within:
             return within + 1
-    high = steps * Decimal(LOOK)
-    low = high - Decimal(LOOK)
+    high = steps * Decimal(SAMPLING)
+    low = high - Decimal(SAMPLING)
     for _ in range(HALVINGS):
         middle = (low + high) / 2
         above = _lowest(scene, _fly(scene, motion, middle)) > 0
@@ -141,15 +142,15 @@ def _contact(scene: Scene, motion: Motion, within: Decimal) -> Decimal:
     return high
 
 
-def _looks_above(scene: Scene, motion: Motion, t: float) -> bool:
-    """With floats, which is enough to look."""
+def _is_in_the_air(scene: Scene, motion: Motion, t: float) -> bool:
+    """Whether the square is in the air, in double precision, which is enough for a sample."""
     _, y, theta, _, v_y, omega = map(float, motion)
     angle = theta + omega * t
     reach = float(scene.half) * (abs(math.cos(angle)) + abs(math.sin(angle)))
     return y + v_y * t - float(scene.g) * t * t / 2 > reach
 
 
-def _struck(scene: Scene, motion: Motion) -> Motion:
+def _after_impact(scene: Scene, motion: Motion) -> Motion:
     """Newton's restitution and Coulomb's friction: it sticks, or slides on either way."""
     x, y, theta, v_x, v_y, omega = motion
     r_x, r_y = min(_arms(scene, theta), key=lambda arm: arm[1])
@@ -200,7 +201,7 @@ def _sum_of(x: Decimal, power: int) -> Decimal:
     return total
 
 
-KNOWN: tuple[tuple[str, str, Known], ...] = (
+SOLUTIONS: tuple[tuple[str, str, Solution], ...] = (
     ("rest", "nothing moves", _slide),
     ("free_flight", "a parabola", _parabola),
     ("slide", "braked at μ g", _slide),

@@ -71,7 +71,7 @@ def _times(axes: Any, models: list[Row]) -> None:
 
 
 def chosen(tables: Tables) -> bytes:
-    """The share of the steps in each model, and how much faster than Moreau–Jean that is, by scene."""
+    """By scene, the shares of the models in the steps, and how much faster than Moreau–Jean it is."""
     table = tables["chosen_model"]
     step = table.distinct("dt_s")[1]
     scenes = table.distinct("scene")

@@ -130,11 +130,15 @@ def _letters(runs: list[Run]) -> dict[str, str]:
 
 def _legend(axes: Any, runs: list[Run]) -> None:
     peers = measurements.peers(runs)
-    line = chart_style.pyplot().Line2D
     styles = [chart_style.style(method, peers) for method in measurements.methods(runs)]
-    handles = [line([], [], label=style.label, **style.line()) for style in styles]
-    handles.append(line([], [], color="black", linewidth=0.8, ls=(0, (1, 2)), label="1 mm"))
+    handles = [_handle(style.label, style.line()) for style in styles]
+    handles.append(_handle("1 mm", {"color": "black", "linewidth": 0.8, "ls": (0, (1, 2))}))
     axes.legend(handles=handles, loc="upper left", handlelength=3.2, labelspacing=0.35)
+
+
+def _handle(label: str, line: dict[str, Any]) -> Any:
+    """An entry of a legend."""
+    return chart_style.pyplot().Line2D([], [], label=label, **line)
 
 
 def _explain_marks(figure: Any, letters: dict[str, str], width: int) -> None:
@@ -151,7 +155,7 @@ def _explain_marks(figure: Any, letters: dict[str, str], width: int) -> None:
 
 
 def order(tables: Tables) -> bytes:
-    """error / dt over dt: level where the order is one, rising to the left where there is a floor."""
+    """error / dt over dt: level where the order is one, rising to the left where it has a floor."""
     table = tables["order"]
     scenes = table.distinct("scene")
     lines = {method: _order_line(method) for method in table.distinct("method")}
@@ -171,11 +175,7 @@ def order(tables: Tables) -> bytes:
     _label_lowest(grid, len(scenes), "Δt, s")
     for axes in grid[:, 0]:
         axes.set_ylabel("error / Δt, m/s")
-    line2d = chart_style.pyplot().Line2D
-    handles = [
-        line2d([], [], label=chart_style.method_label(method), **line)
-        for method, line in lines.items()
-    ]
+    handles = [_handle(chart_style.method_label(name), line) for name, line in lines.items()]
     grid.flat[len(scenes)].legend(handles=handles, loc="center left", handlelength=3.2)
     figure.tight_layout()
     return chart_style.svg(figure)

@@ -1,6 +1,6 @@
-"""Colours, marks and labels: Okabe and Ito's colours, which the colour-blind can tell apart, and for
-each line a marker and a dash of its own, so that grey is enough. The same numbers give the same
-bytes."""
+"""Colours, marks and labels of the charts. The colours are Okabe and Ito's, which the colour-blind can
+tell apart; each line has a marker and a dash of its own, so that grey is enough. The same numbers give
+the same bytes."""
 
 import io
 from dataclasses import dataclass
@@ -92,8 +92,7 @@ def is_letter(style: Style) -> bool:
 
 
 def method_label(name: str) -> str:
-    known = METHODS.get(name) or PEERS.get(name)
-    return known.label if known else name
+    return style(name, [name]).label
 
 
 def scene_label(name: str) -> str:

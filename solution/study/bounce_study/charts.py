@@ -1,4 +1,4 @@
-"""Which charts there are, and the tables that each is drawn from."""
+"""The charts, and the tables that each is drawn from."""
 
 from collections.abc import Callable
 from dataclasses import dataclass

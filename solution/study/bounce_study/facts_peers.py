@@ -75,8 +75,8 @@ def _contact_step(table: Table) -> Facts:
 
 
 def _lead(tables: Tables, ours: list[Run], engines: list[Run], scene: str) -> Facts:
-    """How many times as long an engine takes as ours at the same error or less, by the closest; 0
-    where none of ours is as good. And the fastest of ours and of the engines by tolerance."""
+    """How many times as long the closest engine takes as ours at the same error or less (0: none of
+    ours is as good), and the fastest of ours and of the engines, for both tolerances."""
     rows = tables["peers_ratios"].where(scene=scene, within="peer's own")
     rows = [row for row in rows if row["engine"] != "numpy"]
     closest = min(rows, key=lambda row: float(row["times"] or 0))
@@ -85,9 +85,8 @@ def _lead(tables: Tables, ours: list[Run], engines: list[Run], scene: str) -> Fa
         for tolerance in (FINE, FINEST)
         for runs in (ours, engines)
     ]
-    times, lower, upper = (float(closest[column] or 0) for column in RATIO)
-    lead = {"times": times, "lower": lower, "upper": upper, "engine": closest["engine"]}
-    return {"scene": scene, "fastest": fastest, **lead}
+    ratio = {column: float(closest[column] or 0) for column in RATIO}
+    return {"scene": scene, "engine": closest["engine"], "fastest": fastest, **ratio}
 
 
 def _errors(engines: list[Run], scenes: list[str], names: list[str]) -> Facts:
@@ -98,13 +97,10 @@ def _errors(engines: list[Run], scenes: list[str], names: list[str]) -> Facts:
     agreeing = {scene: sum(error <= FINE for error in errors) for scene, errors in least.items()}
     return {
         "least_errors": least,
-        "reached": [
-            (
-                tolerance,
-                [sum(error <= tolerance for error in errors) for errors in zip(*least.values())],
-            )
+        "reached": {
+            tolerance: [sum(e <= tolerance for e in errors) for errors in zip(*least.values())]
             for tolerance in (FINE, FINEST)
-        ],
+        },
         "agreeing": min(agreeing.values()),
         "hardest_scene": min(agreeing, key=lambda scene: agreeing[scene]),
     }

@@ -55,22 +55,17 @@ def _reached(runs: list[Run], method: str, tolerance: float) -> int:
 def _fastest(ours: list[Run]) -> Facts:
     """The first and the second method in each scene, for two tolerances."""
 
-    def first_two(scene: str, tolerance: float) -> tuple[Run | None, ...]:
-        return (*measurements.ranking(ours, scene, tolerance), None, None)[:2]
+    def fastest(scene: str, tolerance: float) -> list[Run | None]:
+        return [*measurements.ranking(ours, scene, tolerance), None, None][:2]
+
+    def others(place: int) -> list[Facts]:
+        firsts = [(scene, runs[place]) for scene, runs in rows]
+        methods = [(scene, run.method if run else "no method") for scene, run in firsts]
+        return [{"scene": s, "method": m} for s, m in methods if m != "event_driven"]
 
     scenes = measurements.scenes(ours)
-    fine = {scene: first_two(scene, FINE) for scene in scenes}
-    finest = {scene: first_two(scene, FINEST) for scene in scenes}
-    first = {scene: runs[0].method if runs[0] else "no method" for scene, runs in fine.items()}
-    others = {scene: method for scene, method in first.items() if method != "event_driven"}
-    return {
-        "fastest": [(scene, fine[scene] + finest[scene]) for scene in scenes],
-        "event_wins": len(scenes) - len(others),
-        "event_wins_finest": sum(
-            run is not None and run.method == "event_driven" for run, _ in finest.values()
-        ),
-        "other_wins": [{"scene": scene, "method": method} for scene, method in others.items()],
-    }
+    rows = [(scene, fastest(scene, FINE) + fastest(scene, FINEST)) for scene in scenes]
+    return {"fastest": rows, "other_wins": others(0), "other_wins_finest": others(2)}
 
 
 def _peer_leads(tables: Tables, scenes: list[str]) -> list[Facts]:
@@ -126,7 +121,7 @@ def _failures(runs: list[Run]) -> list[Facts]:
 
 
 def _truth_apart(ours: list[Run]) -> float:
-    """The largest distance of the tightest event-driven run in double to the truth in long double."""
+    """How far the tightest event-driven run in double gets from the truth in long double."""
     event_driven = [run for run in ours if run.method == "event_driven"]
     tightest = min(run.setting for run in event_driven)
     return max(run.error for run in event_driven if run.setting == tightest)

@@ -55,24 +55,15 @@ def _energy(tables: Tables) -> Facts:
 
 def _rest(tables: Tables) -> Facts:
     table = tables["rest_and_drift"]
-    rows = {method: table.where(method=method) for method in table.distinct("method")}
-    steps = numbers(rows["assignment"], "setting")
-
-    def place(row: Row) -> dict[str, float]:
-        return {"away": distance(row), "drift": number(row, "drift_m")}
-
-    def is_still(row: Row) -> bool:
-        return not any(place(row).values())
-
-    return {
-        "rest": {
-            method: {"coarse": place(own[0]), "fine": place(own[-1])}
-            for method, own in rows.items()
-        },
-        "rest_coarse": steps[0],
-        "rest_fine": steps[-1],
-        "rest_still": [method for method, own in rows.items() if all(map(is_still, own))],
+    rest = {
+        method: [
+            {"away": distance(row), "drift": number(row, "drift_m"), "setting": row["setting"]}
+            for row in table.where(method=method)
+        ]
+        for method in table.distinct("method")
     }
+    moved = {name for name, rows in rest.items() if any(r["away"] or r["drift"] for r in rows)}
+    return {"rest": rest, "rest_still": [method for method in rest if method not in moved]}
 
 
 def _landing(tables: Tables) -> Facts:

@@ -1,5 +1,5 @@
-"""Speed against accuracy, as charts and pages read it: the runs of our table alone; or, where engines
-were measured, theirs and those of our methods in the same rounds. Times of two measurements are never
+"""The timed runs, as charts and pages read them: those of our table alone; or, where engines were
+measured, theirs and those of our methods in the same rounds. Times of two measurements are never
 mixed."""
 
 import math
@@ -65,16 +65,10 @@ def _with_note(run: Run, notes: dict[tuple[str, str], str]) -> Run:
 
 
 def run_of(row: Row, peer: bool) -> Run:
-    return Run(
-        scene=row["scene"],
-        method=row["method"],
-        setting=number(row, "setting"),
-        step=row["setting_is"] == "dt_s",
-        ns=number(row, "ns_per_simulated_second"),
-        error=number(row, "error_m"),
-        note=row["note"],
-        peer=peer,
-    )
+    names = ("setting", "ns_per_simulated_second", "error_m")
+    setting, ns, error = (number(row, name) for name in names)
+    step = row["setting_is"] == "dt_s"
+    return Run(row["scene"], row["method"], setting, step, ns, error, row["note"], peer)
 
 
 def scenes(runs: list[Run]) -> list[str]:
@@ -109,8 +103,8 @@ def least_time(runs: list[Run], scene: str, method: str, tolerance: float) -> fl
 
 
 def failure(runs: list[Run], tolerance: float) -> str:
-    """Why a method never comes within the tolerance in a scene, without the numbers of this scene: by
-    its note, or by its last two steps where a table has none. Empty where it does."""
+    """Why a method never comes within the tolerance in a scene, without the numbers of this scene:
+    by its note, or by its last two steps where a table has none. Empty where it does."""
     if not runs or min(run.error for run in runs) <= tolerance:
         return ""
     note = runs[-1].note

@@ -1,4 +1,4 @@
-"""Fills the pages: their sentences are templates in pages/, and every number in them is worked out from
+"""Fills the pages. Their sentences are templates in pages/; every number in them is worked out from
 the tables beside the page.
 
 So a page holds when it is measured again, and a number can't be typed wrong:
@@ -14,14 +14,8 @@ from typing import Any
 import jinja2
 
 from bounce_grader.common.errors import UsageError
-from bounce_study import (
-    chart_style,
-    facts_models,
-    facts_peers,
-    facts_speed,
-    facts_stability,
-    numbers,
-)
+from bounce_study import chart_style, numbers
+from bounce_study import facts_models, facts_peers, facts_speed, facts_stability
 from bounce_study.tables import Tables
 
 TEMPLATES = Path(__file__).parent / "pages"
@@ -40,18 +34,9 @@ class Page:
 
 SPEED_PAGE, PEERS_PAGE = "speed_accuracy.md", "peers.md"
 SPEED = ("speed_accuracy", "speed_ratios", "order", "truth")
-STABILITY = (
-    "energy_gain",
-    "examples",
-    "rest_and_drift",
-    "flat_landing",
-    "depth",
-    "order",
-    "gauss_seidel",
-    "solution_count",
-    "almost_flat",
-    "scaling",
-    "bad_input",
+STABILITY = tuple(
+    "energy_gain examples rest_and_drift flat_landing depth order gauss_seidel solution_count "
+    "almost_flat scaling bad_input".split()
 )
 MODELS = ("least_model", "chosen_model")
 PEERS = tuple(f"peers{name}" for name in ("", "_beside", "_ratios", "_settings", "_steps"))
@@ -66,6 +51,7 @@ PAGES = (
     ),
     Page(PEERS_PAGE, (*PEERS, "peers_variants"), (facts_peers.facts,)),
 )
+NUMBERS = "short plain ratio percent metres plain_metres time plain_time".split()
 
 
 def _environment() -> jinja2.Environment:
@@ -76,14 +62,7 @@ def _environment() -> jinja2.Environment:
         keep_trailing_newline=True,
     )
     environment.filters |= {
-        "short": _filter(numbers.short),
-        "plain": _filter(numbers.plain),
-        "ratio": _filter(numbers.ratio),
-        "percent": _filter(numbers.percent),
-        "metres": _filter(numbers.metres),
-        "plain_metres": _filter(numbers.plain_metres),
-        "time": _filter(numbers.time),
-        "plain_time": _filter(numbers.plain_time),
+        **{name: _filter(getattr(numbers, name)) for name in NUMBERS},
         "number_word": numbers.number_word,
         "listed": numbers.listed,
         "method": chart_style.method_label,
@@ -95,7 +74,7 @@ def _environment() -> jinja2.Environment:
 
 
 def _filter(write: Callable[..., str]) -> Callable[..., str]:
-    """The same for a number as a table has it, in letters."""
+    """Also takes a number as a table has it, as text."""
 
     def written(value: float | str, *digits: int) -> str:
         try:

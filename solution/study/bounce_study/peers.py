@@ -1,5 +1,5 @@
-"""The engines that people use, and numpy, beside our methods: `./kit study --peers`, which installs
-and builds what is needed, runs this."""
+"""Measures the engines that people use, and numpy, beside our methods, for `./kit study --peers`,
+which installs and builds what is needed."""
 
 import os
 import sys

@@ -36,7 +36,7 @@ class PointLabels:
             dx = to_x * width + gap * _sign(to_x)
             dy = to_y * height + gap * _sign(to_y) * (to_x == 0)
             box = _box(center_x + dx, center_y + dy, width, height)
-            if self._is_inside(box) and not any(_overlap(box, other) for other in self._occupied):
+            if self._is_free(box):
                 self._occupied.append(box)
                 place = {"textcoords": "offset points", "ha": "center", "va": "center"}
                 self._axes.annotate(text, (x, y), (dx, dy), fontsize=size, **place, **font)
@@ -47,9 +47,10 @@ class PointLabels:
         at_x, at_y = self._axes.transData.transform((x, y))
         return at_x * self._scale, at_y * self._scale
 
-    def _is_inside(self, box: Box) -> bool:
+    def _is_free(self, box: Box) -> bool:
         left, lower, right, upper = (edge * self._scale for edge in self._axes.bbox.extents)
-        return box[0] > left and box[1] > lower and box[2] < right and box[3] < upper
+        inside = box[0] > left and box[1] > lower and box[2] < right and box[3] < upper
+        return inside and not any(_overlap(box, other) for other in self._occupied)
 
 
 def _box(x: float, y: float, width: float, height: float) -> Box:

@@ -1,8 +1,8 @@
-"""Measures what was asked, draws the charts and fills the pages.
+"""Measures the tables that were asked for, draws the charts and fills the pages.
 
-What is measured is kept in FOLDER/.unfinished until all of it is there, each table under a name with
-the hash of program, scenes and extent. So a study that was stopped goes on from the tables that
-still hold, and the folder itself never shows half of a study. A study that has ended measures anew.
+Tables stay in FOLDER/.unfinished until all of them are measured, each under a name with the hash of
+program, scenes and extent. So a study that was stopped goes on from the tables that still hold, and
+the folder itself never shows half of a study. A study that has ended measures anew.
 """
 
 import hashlib
@@ -23,23 +23,10 @@ PROGRAM = BUILD / "bounce_study"
 SCENES = FIXTURES / "scenes"
 STUDIES = ROOT / "docs" / "studies"  # their panel is in the README too
 UNFINISHED = ".unfinished"
-QUESTIONS = (
-    "examples",
-    "bad_input",
-    "depth",
-    "scaling",
-    "flat_landing",
-    "almost_flat",
-    "gauss_seidel",
-    "solution_count",
-    "energy_gain",
-    "rest_and_drift",
-    "order",
-    "truth",
-    "chosen_model",
-    "least_model",
-    "speed_ratios",
-    "speed_accuracy",
+QUESTIONS = tuple(
+    "examples bad_input depth scaling flat_landing almost_flat gauss_seidel solution_count "
+    "energy_gain rest_and_drift order truth chosen_model least_model speed_ratios "
+    "speed_accuracy".split()
 )
 
 
@@ -60,39 +47,34 @@ def run(request: Request) -> int:
             raise UsageError(f"there is no question {name!r}; there are {known}")
     if not PROGRAM.exists():
         raise KitError("bounce_study is not built: run ./kit study")
-    unfinished = _folder(request.out)
+    unfinished = request.out / UNFINISHED
+    try:
+        unfinished.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise UsageError(f"{request.out} can't be written: {error.strerror}") from error
     if request.peers:  # first, since the charts show them
         peers.run(request.out, request.quick)
     version = _version(request)
-    kept = {name: unfinished / f"{name}-{version}.csv" for name in questions}
-    with progress(len(questions) + 1) as say:
-        for name, file in kept.items():
-            say(name)
+    measured = {name: unfinished / f"{name}-{version}.csv" for name in questions}
+    with progress(len(questions) + 1) as begin:
+        for name, file in measured.items():
+            begin(name)
             if not file.exists():
                 _measure(name, request, file)
-        say("charts and pages")
-        written = _publish(request.out, kept)
+        begin("charts and pages")
+        written = _publish(request.out, measured)
     shutil.rmtree(unfinished, ignore_errors=True)
     print(f"{request.out} holds {', '.join(written)}")
     return 0
 
 
-def _folder(out: Path) -> Path:
-    unfinished = out / UNFINISHED
-    try:
-        unfinished.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise UsageError(f"{out} can't be written: {error.strerror}") from error
-    return unfinished
-
-
 def _version(request: Request) -> str:
-    """Of all that a table depends on."""
-    whole = hashlib.sha256(b"quick" if request.quick else b"whole")
+    """A hash of all that a table depends on."""
+    version = hashlib.sha256(b"quick" if request.quick else b"whole")
     scenes = sorted(request.scenes.glob("*.json")) if request.scenes.is_dir() else []
     for file in (PROGRAM, *scenes):
-        whole.update(file.name.encode() + b"\0" + hashlib.sha256(file.read_bytes()).digest())
-    return whole.hexdigest()[:16]
+        version.update(file.name.encode() + b"\0" + hashlib.sha256(file.read_bytes()).digest())
+    return version.hexdigest()[:16]
 
 
 def _measure(name: str, request: Request, file: Path) -> None:
@@ -101,22 +83,22 @@ def _measure(name: str, request: Request, file: Path) -> None:
     with tempfile.TemporaryDirectory(prefix="measuring-", dir=file.parent) as folder:
         done = processes.run([str(PROGRAM), *extent, str(request.scenes), folder, name])
         if not done.ok:
-            said = done.err.strip().removeprefix("bounce_study: ") or f"status {done.code}"
-            raise (UsageError if done.code == 2 else KitError)(said)
+            message = done.err.strip().removeprefix("bounce_study: ") or f"status {done.code}"
+            raise (UsageError if done.code == 2 else KitError)(message)
         os.replace(Path(folder) / f"{name}.csv", file)
 
 
-def _publish(out: Path, kept: dict[str, Path]) -> list[str]:
-    """The tables, and the charts and pages of which all tables are there; drawn before anything is
-    written, and each written whole or not at all."""
+def _publish(out: Path, measured: dict[str, Path]) -> list[str]:
+    """Writes the tables, and the charts and pages of which all tables are there. All are drawn
+    before anything is written, and each is written whole or not at all."""
     from bounce_study import charts, pages
 
-    there = [out / f"{name}.csv" for name in QUESTIONS] + sorted(out.glob("peers*.csv"))
-    known = {file.stem: tables.read(file) for file in there if file.exists()}
-    known |= {name: tables.read(file) for name, file in kept.items()}
+    older = [out / f"{name}.csv" for name in QUESTIONS] + sorted(out.glob("peers*.csv"))
+    known = {file.stem: tables.read(file) for file in older if file.exists()}
+    known |= {name: tables.read(file) for name, file in measured.items()}
     drawn = charts.draw(known)
     filled = pages.fill(known, {file.name for file in out.glob("*.svg")} | set(drawn))
-    for name, file in kept.items():
+    for name, file in measured.items():
         write_whole(out / f"{name}.csv", file.read_bytes())
     for name, svg in drawn.items():
         write_whole(out / name, svg)
@@ -125,4 +107,4 @@ def _publish(out: Path, kept: dict[str, Path]) -> list[str]:
     if out == STUDIES and pages.SPEED_PAGE in filled:
         readme = ROOT / "README.md"
         write_whole(readme, pages.with_panel(readme.read_text(encoding="utf-8"), known))
-    return [f"{len(kept)} new tables", f"{len(drawn)} charts", f"{len(filled)} pages"]
+    return [f"{len(measured)} new tables", f"{len(drawn)} charts", f"{len(filled)} pages"]

@@ -3,6 +3,7 @@
 import json
 import os
 import re
+import shutil
 import signal
 import subprocess
 import sys
@@ -158,7 +159,7 @@ def test_kept_tables_of_other_scenes_are_measured_again(
     assert measured == ["examples", "examples"]
 
 
-def _stop(out: Path, kept: dict[str, Path]) -> list[str]:
+def _stop(out: Path, measured: dict[str, Path]) -> list[str]:
     raise KeyboardInterrupt
 
 
@@ -166,10 +167,7 @@ def _stop(out: Path, kept: dict[str, Path]) -> list[str]:
 
 
 def _scenes(folder: Path, changes: dict[str, Any]) -> Path:
-    copy = folder / "scenes"
-    copy.mkdir()
-    for file in SCENES.glob("*.json"):
-        (copy / file.name).write_text(file.read_text())
+    copy = shutil.copytree(SCENES, folder / "scenes")
     for path, value in changes.items():
         _spoil(copy / "rest.json", path, value)
     return copy

@@ -65,11 +65,8 @@ def test_engines_are_drawn_in_grey_with_a_letter() -> None:
 def test_beside_engines_our_times_are_those_of_the_same_rounds() -> None:
     known = _with_an_engine()
     rows = known["speed_accuracy"].rows
-    known["peers_beside"] = Table(
-        "peers_beside",
-        {"times": "other"},
-        [{**row, "ns_per_simulated_second": "7"} for row in rows],
-    )
+    timed = [{**row, "ns_per_simulated_second": "7"} for row in rows]
+    known["peers_beside"] = Table("peers_beside", {"times": "other"}, timed)
     ours = [run for run in measurements.read(known) if not run.peer]
     assert {run.ns for run in ours} == {7.0}
     assert [run.note for run in ours] == [row["note"] for row in rows], "reasons stay"
