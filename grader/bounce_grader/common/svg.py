@@ -8,6 +8,7 @@ from typing import NamedTuple
 from bounce_grader.common import escaping
 
 INK = "currentColor"
+BOLD = ' style="font-weight:bold"'  # an attribute of a text
 Place = tuple[float, float]  # px, to the right and down
 
 
@@ -35,10 +36,6 @@ def text(x: float, y: float, words: str, anchor: str = "start", attributes: str 
         f'<text x="{x:.1f}" y="{y:.1f}" text-anchor="{anchor}"{attributes}>'
         f"{escaping.html(words)}</text>"
     )
-
-
-def bold(x: float, y: float, words: str, anchor: str = "start") -> str:
-    return text(x, y, words, anchor, ' style="font-weight:bold"')
 
 
 def upward(x: float, y: float, words: str) -> str:

@@ -3,6 +3,7 @@
 Imports: assignment, common, grading, submission.
 """
 
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -12,37 +13,19 @@ NAMES = ("gradescope", "prairielearn", "autolab", "github", "html", "junit", "js
 
 
 def render(name: str, record: dict[str, Any], submission: Path) -> str:
-    from bounce_grader.formats import (
-        autolab,
-        github,
-        gradescope,
-        html,
-        junit,
-        markdown,
-        prairielearn,
-    )
-
-    if name == "github":
-        github.leave(record, submission)
-        return github.render(record, submission)
-    if name == "html":
-        return html.render(record).rstrip("\n")
     if name == "json":
         return json_document(record, indent=1)
-    modules = {
-        "gradescope": gradescope,
-        "prairielearn": prairielearn,
-        "autolab": autolab,
-        "junit": junit,
-        "markdown": markdown,
-    }
-    return modules[name].render(record)
+    module = import_module(f"{__name__}.{name}")
+    if name == "github":
+        module.leave(record, submission)
+        return str(module.render(record, submission))
+    report: str = module.render(record)
+    return report.rstrip("\n") if name == "html" else report
 
 
 def refused(name: str | None, sentence: str) -> str:
     """For a submission that can't be read, in the formats that have words for that; else empty."""
-    from bounce_grader.formats import github, gradescope, html, prairielearn
-
-    modules = {"gradescope": gradescope, "prairielearn": prairielearn}
-    modules |= {"github": github, "html": html}
-    return modules[name].refused(sentence) if name in modules else ""
+    if name not in NAMES or name == "json":
+        return ""
+    module = import_module(f"{__name__}.{name}")
+    return str(module.refused(sentence)) if hasattr(module, "refused") else ""

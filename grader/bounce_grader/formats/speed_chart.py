@@ -38,7 +38,7 @@ def _chart(curves: Curves, title: str, labelled: bool) -> Drawing:
         svg.decades((LARGEST if p.error is None else p.error for p in points), LEAST, LARGEST),
         *(LEFT, TOP, WIDTH - LEFT - RIGHT, HEIGHT - TOP - BOTTOM),
     )
-    shapes = [svg.bold(WIDTH / 2, 16, title, "middle"), *_frame(axes), *_legend(curves)]
+    shapes = [svg.text(WIDTH / 2, 16, title, "middle", svg.BOLD), *_frame(axes), *_legend(curves)]
     for whose in reversed(speed.CURVES):
         shapes += _curve(whose, curves[whose], axes)
     if labelled:

@@ -87,10 +87,13 @@ class Heard(HTMLParser):
     def handle_data(self, data: str) -> None:
         self.text += data
 
-    def handle_other(self, data: str) -> None:
+    def handle_decl(self, decl: str) -> None:
+        self.others.append(decl)
+
+    def handle_comment(self, data: str) -> None:
         self.others.append(data)
 
-    handle_comment = handle_decl = handle_pi = unknown_decl = handle_other
+    handle_pi = unknown_decl = handle_comment
 
 
 @given(TEXTS)

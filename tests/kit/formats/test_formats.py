@@ -118,7 +118,7 @@ def test_json_is_the_record_itself(record: dict[str, Any]) -> None:
 
 
 # gradescope-autograders.readthedocs.io/en/latest/specs: the fields and their values.
-def an_object(required: tuple[str, ...] = (), **properties: Any) -> dict[str, Any]:
+def an_object(properties: dict[str, Any], *required: str) -> dict[str, Any]:
     known = {"properties": properties, "additionalProperties": False}
     return {"type": "object", "required": list(required), **known}
 
@@ -128,22 +128,17 @@ def a_list(items: dict[str, Any]) -> dict[str, Any]:
 
 
 VISIBILITY = {"enum": ["hidden", "after_due_date", "after_published", "visible"]}
-TEXT = {"enum": ["text", "html", "simple_format", "md", "ansi"]}
+FORMAT = {"enum": ["text", "html", "simple_format", "md", "ansi"]}
 NUMBER, STRING = {"type": "number"}, {"type": "string"}
-TEST = an_object(
-    **{"score": NUMBER, "max_score": NUMBER, "status": {"enum": ["passed", "failed"]}},
-    **{"name": STRING, "name_format": TEXT, "number": STRING, "visibility": VISIBILITY},
-    **{"output": STRING, "output_format": TEXT, "tags": a_list(STRING)},
-)
-VALUE = {"type": ["number", "string"]}
-ROW = an_object(("name", "value"), name=STRING, value=VALUE, order={"enum": ["asc", "desc"]})
-GRADESCOPE = an_object(
-    ("tests",),
-    **{"score": NUMBER, "execution_time": NUMBER, "output": STRING, "output_format": TEXT},
-    **{"test_output_format": TEXT, "test_name_format": TEXT, "extra_data": {"type": "object"}},
-    **{"visibility": VISIBILITY, "stdout_visibility": VISIBILITY},
-    **{"tests": a_list(TEST), "leaderboard": a_list(ROW)},
-)
+OUTPUT = {"output": STRING, "output_format": FORMAT, "visibility": VISIBILITY}
+TEST = OUTPUT | {"score": NUMBER, "max_score": NUMBER, "status": {"enum": ["passed", "failed"]}}
+TEST |= {"name": STRING, "name_format": FORMAT, "number": STRING, "tags": a_list(STRING)}
+ROW = {"name": STRING, "value": {"type": ["number", "string"]}, "order": {"enum": ["asc", "desc"]}}
+RESULT = OUTPUT | {"score": NUMBER, "execution_time": NUMBER, "extra_data": {"type": "object"}}
+RESULT |= dict.fromkeys(("test_output_format", "test_name_format"), FORMAT)
+RESULT["stdout_visibility"] = VISIBILITY
+RESULT |= {"tests": a_list(an_object(TEST)), "leaderboard": a_list(an_object(ROW, "name", "value"))}
+GRADESCOPE = an_object(RESULT, "tests")
 
 
 def test_gradescope_gets_its_fields_and_the_right_sum(record: dict[str, Any]) -> None:

@@ -5,21 +5,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from bounce_grader.common.numbers import scientific_tick, short
-from bounce_grader.common.svg import (
-    Axes,
-    bold,
-    cross,
-    decades,
-    Drawing,
-    INK,
-    line,
-    Place,
-    rect,
-    svg,
-    text,
-    through,
-    title,
-)
+from bounce_grader.common.svg import Axes, BOLD, cross, decades, Drawing, INK, line, Place, rect
+from bounce_grader.common.svg import svg, text, through, title
 
 WIDTH = 720
 
@@ -77,11 +64,11 @@ def bars(rows: Sequence[Bar], label: str) -> Drawing:
     out = []
     for i, row in enumerate(rows):
         y = i * tall + 6
-        write = bold if row.heading else text
-        out.append(write(0 if row.heading else 14, y + 14, row.label))
+        start_of_label, weight = (0, BOLD) if row.heading else (14, "")
+        out.append(text(start_of_label, y + 14, row.label, "start", weight))
         out.append(rect(start, y + 2, end - start, 14, "none", "#999"))
         out.append(rect(start, y + 2, (end - start) * row.share, 14, "#444"))
-        out.append(write(end + 8, y + 14, row.note))
+        out.append(text(end + 8, y + 14, row.note, "start", weight))
     return svg(out, WIDTH, len(rows) * tall + 12, label)
 
 
