@@ -1,1 +1,1 @@
-"""./kit study: what bounce_study measures, as tables, charts and pages."""
+"""Runs the study of ./kit study, and makes its tables, charts and pages."""

@@ -43,14 +43,14 @@ Solution = Callable[[Scene, list[Decimal]], list[Pose]]  # the poses at these ti
 
 
 def checks(tables: Tables) -> list[Check]:
-    """One for each scene whose motion is known by other means."""
+    """Checks each scene whose motion is known by other means."""
     with localcontext() as context:
         context.prec = DIGITS
         return [Check(name, how, _error(name, solve, tables)) for name, how, solve in SOLUTIONS]
 
 
 def _error(name: str, solve: Solution, tables: Tables) -> float:
-    """The largest distance over the samples, as distance() in solution/exact/scene.cpp."""
+    """Gives the largest distance, measured as by distance() in solution/exact/scene.cpp."""
     data = json.loads((FIXTURES / "scenes" / f"{name}.json").read_text(encoding="utf-8"))
     rows = tables["truth"].where(scene=name)
     scene, until = _scene(data), Decimal(data["compare"]["until"])
@@ -83,7 +83,7 @@ def _parabola(scene: Scene, times: list[Decimal]) -> list[Pose]:
 
 
 def _slide(scene: Scene, times: list[Decimal]) -> list[Pose]:
-    """Friction brakes at mu g until nothing moves."""
+    """Friction brakes the square at mu g until nothing moves."""
     x, y, theta, v = scene.start[:4]
     rate = scene.mu * scene.g
     end = v / rate if rate else Decimal(0)
@@ -126,8 +126,8 @@ def _impacts(scene: Scene, times: list[Decimal]) -> list[Pose]:
 
 
 def _contact(scene: Scene, motion: Motion, within: Decimal) -> Decimal:
-    """When the lowest corner lands, found by sampling, then by halving; past `within` where it
-    doesn't."""
+    """Finds when the lowest corner lands, by sampling, then by halving; gives a time past `within`
+    where it doesn't land."""
     steps = 1
     while _is_in_the_air(scene, motion, steps * SAMPLING):
         steps += 1
@@ -143,7 +143,7 @@ def _contact(scene: Scene, motion: Motion, within: Decimal) -> Decimal:
 
 
 def _is_in_the_air(scene: Scene, motion: Motion, t: float) -> bool:
-    """Whether the square is in the air, in double precision, which is enough for a sample."""
+    """Computes in double precision, which is enough for a sample."""
     _, y, theta, _, v_y, omega = map(float, motion)
     angle = theta + omega * t
     reach = float(scene.half) * (abs(math.cos(angle)) + abs(math.sin(angle)))
@@ -151,7 +151,7 @@ def _is_in_the_air(scene: Scene, motion: Motion, t: float) -> bool:
 
 
 def _after_impact(scene: Scene, motion: Motion) -> Motion:
-    """Newton's restitution and Coulomb's friction: it sticks, or slides on either way."""
+    """Applies Newton's restitution and Coulomb's friction: the corner sticks or slides."""
     x, y, theta, v_x, v_y, omega = motion
     r_x, r_y = min(_arms(scene, theta), key=lambda arm: arm[1])
     gyration = scene.l**2 / 6
@@ -191,7 +191,7 @@ def _arms(scene: Scene, theta: Decimal) -> list[tuple[Decimal, Decimal]]:
 
 
 def _sum_of(x: Decimal, power: int) -> Decimal:
-    """The series of the cosine, which begins with power 0, or of the sine, with 1."""
+    """Sums the series of the cosine, which begins with power 0, or of the sine, with 1."""
     term = x ** power if power else Decimal(1)
     total = term
     while abs(term) > Decimal(10) ** -(DIGITS + 2):

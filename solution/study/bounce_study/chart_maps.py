@@ -1,4 +1,4 @@
-"""Maps over two parameters: the energy that an impact gains, and how many solutions it has."""
+"""Charts over two parameters: the energy that an impact gains, and how many solutions it has."""
 
 from typing import Any
 

@@ -19,7 +19,7 @@ EXACT = 1e-16
 
 
 def ladder(tables: Tables) -> bytes:
-    """Error above, time below, for each scene; the least model within the tolerance is black."""
+    """Draws error above time for each scene; the least model within the tolerance is black."""
     table = tables["least_model"]
     scenes = table.distinct("scene")
     columns = 4
@@ -71,7 +71,7 @@ def _times(axes: Any, models: list[Row]) -> None:
 
 
 def chosen(tables: Tables) -> bytes:
-    """By scene, the shares of the models in the steps, and how much faster than Moreau–Jean it is."""
+    """Draws each model's share of the steps by scene, and the gain over Moreau–Jean."""
     table = tables["chosen_model"]
     step = table.distinct("dt_s")[1]
     scenes = table.distinct("scene")

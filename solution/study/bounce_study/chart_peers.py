@@ -1,4 +1,4 @@
-"""One step of each engine, in flight and in contact."""
+"""The chart of one step of each engine, in flight and in contact."""
 
 from typing import Any
 
@@ -10,7 +10,7 @@ HEIGHT = 0.38  # of a bar; a row is 1
 
 
 def steps(tables: Tables) -> bytes:
-    """Bars of the time, with quartiles, and beside each its ratio to our fastest form."""
+    """Draws the times as bars, with quartiles, and beside each its ratio to our fastest form."""
     table = tables["peers_steps"]
     titles = {row["engine"]: row["title"] for row in tables["peers_settings"].rows}
     contact = table.where(kind="contact")

@@ -37,7 +37,7 @@ def panels(tables: Tables) -> bytes:
 
 
 def one(tables: Tables) -> bytes:
-    """A single panel, for the README."""
+    """Draws a single panel, for the README."""
     runs = [run for run in measurements.read(tables) if run.scene == README_SCENE]
     layout = {"figsize": (8.4, 5.2), "gridspec_kw": {"width_ratios": [2.2, 1]}}
     figure, (axes, key) = chart_style.pyplot().subplots(1, 2, **layout)
@@ -61,7 +61,7 @@ def _label_lowest(grid: Any, used: int, label: str) -> None:
 
 
 def _line_of(runs: list[Run], scene: str, method: str) -> list[Run]:
-    """From the largest step to the smallest."""
+    """Gives the runs of a line, from the largest step to the smallest."""
     line = [run for run in measurements.of(runs, scene, method) if math.isfinite(run.error)]
     return sorted(line, key=lambda run: -run.setting)
 
@@ -92,7 +92,7 @@ def _draw_line(axes: Any, line: list[Run], style: Style) -> None:
 
 
 def _label_points(axes: Any, runs: list[Run], scene: str, letters: dict[str, str]) -> None:
-    """Reasons first, then settings where there is room."""
+    """Writes the reasons of failures first, then settings where there is room."""
     labels = PointLabels(axes)
     lines = [_line_of(runs, scene, method) for method in measurements.methods(runs)]
     lines = [line for line in lines if line]
@@ -109,7 +109,7 @@ def _label_points(axes: Any, runs: list[Run], scene: str, letters: dict[str, str
 
 
 def _label_settings(labels: PointLabels, line: list[Run]) -> None:
-    """The steps or the tolerances that are powers of ten."""
+    """Writes the steps or the tolerances that are powers of ten."""
     color = chart_style.style(line[0].method, []).color
     for run in line:
         power = math.log10(run.setting)
@@ -119,7 +119,7 @@ def _label_settings(labels: PointLabels, line: list[Run]) -> None:
 
 
 def _letters(runs: list[Run]) -> dict[str, str]:
-    """A letter for each reason for which a method doesn't come within the tolerance."""
+    """Gives a letter to each reason for which a method doesn't come within the tolerance."""
     reasons = {
         measurements.failure(measurements.of(runs, scene, method), chart_style.FINE)
         for scene in measurements.scenes(runs)
@@ -137,7 +137,7 @@ def _legend(axes: Any, runs: list[Run]) -> None:
 
 
 def _handle(label: str, line: dict[str, Any]) -> Any:
-    """An entry of a legend."""
+    """Makes an entry of a legend."""
     return chart_style.pyplot().Line2D([], [], label=label, **line)
 
 
@@ -155,7 +155,7 @@ def _explain_marks(figure: Any, letters: dict[str, str], width: int) -> None:
 
 
 def order(tables: Tables) -> bytes:
-    """error / dt over dt: level where the order is one, rising to the left where it has a floor."""
+    """Draws error / dt over dt: level where the order is one, rising to the left at a floor."""
     table = tables["order"]
     scenes = table.distinct("scene")
     lines = {method: _order_line(method) for method in table.distinct("method")}
@@ -192,8 +192,9 @@ def _order_line(method: str) -> dict[str, Any]:
 
 
 def profile(tables: Tables) -> bytes:
-    """Dolan and Moré: the share of problems that a method solves within a factor of the fastest.
-    Ours and the others in a panel each, every line to where it stays level, and named there."""
+    """Draws Dolan and Moré's profile: the share of problems that a method solves within a factor of
+    the fastest. Our methods and the peers have a panel each; every line ends, and is named, where
+    it stays level."""
     runs = measurements.read(tables)
     ratios = profiles(runs)
     peers = measurements.peers(runs)
@@ -233,7 +234,7 @@ def _share(ratios: list[float]) -> float:
 
 
 def _apart(heights: list[float], gap: float) -> list[float]:
-    """The same heights, moved up where two would be closer than the gap."""
+    """Moves heights up where two would be closer than the gap."""
     moved = list(heights)
     below = 0.0
     for i in sorted(range(len(heights)), key=lambda i: heights[i]):
@@ -249,7 +250,7 @@ def _profile_line(axes: Any, ratios: list[float], style: Style, end: float) -> N
 
 
 def profiles(runs: list[Run]) -> dict[str, list[float]]:
-    """By method, its time over that of the fastest, for each scene and tolerance."""
+    """Divides each method's time by that of the fastest, for each scene and tolerance."""
     ratios: dict[str, list[float]] = {method: [] for method in measurements.methods(runs)}
     for scene in measurements.scenes(runs):
         for tolerance in measurements.TOLERANCES:

@@ -11,7 +11,7 @@ SMALLEST = 1e-17
 
 
 def _loglog(axes: Any, x: list[float], y: list[float], style: Style) -> None:
-    """A zero lies on the lower edge."""
+    """Draws a line; a zero lies on the lower edge."""
     axes.set(xscale="log", yscale="log")
     axes.plot(x, [max(value, SMALLEST) for value in y], label=style.label, **style.line())
 
@@ -116,7 +116,7 @@ def rest_and_drift(tables: Tables) -> bytes:
 
 
 def distance(row: Row) -> float:
-    """From the height at which the square was laid."""
+    """The largest distance from the height at which the square was laid."""
     return max(number(row, "height_m"), number(row, "depth_m"))
 
 

@@ -1,6 +1,6 @@
-"""Colours, marks and labels of the charts. The colours are Okabe and Ito's, which the colour-blind can
-tell apart; each line has a marker and a dash of its own, so that grey is enough. The same numbers give
-the same bytes."""
+"""Colours, marks and labels of the charts. The colours are Okabe and Ito's, which the colour-blind
+can tell apart; each line has a marker and a dash of its own, so that grey is enough. The same
+numbers give the same bytes."""
 
 import io
 from dataclasses import dataclass
@@ -79,7 +79,7 @@ OTHER_PEERS = "EFGHIJKL"  # marks of engines that aren't listed above
 
 
 def style(method: str, peers: list[str]) -> Style:
-    """The style of one of our methods, or of one of the peers."""
+    """Gives the style of one of our methods, or of one of the peers."""
     known = METHODS.get(method) or PEERS.get(method)
     if known:
         return known
@@ -100,7 +100,7 @@ def scene_label(name: str) -> str:
 
 
 def pyplot() -> Any:
-    """matplotlib's pyplot, set up; it is imported only where a chart is drawn."""
+    """Sets up matplotlib's pyplot, which is imported only where a chart is drawn."""
     import matplotlib
 
     matplotlib.use("svg")
@@ -112,7 +112,7 @@ def pyplot() -> Any:
 
 
 def svg(figure: Any) -> bytes:
-    """The drawing, without a date or a version, and with ids that depend on nothing but itself."""
+    """Writes the figure without a date or a version, and with ids that depend on nothing else."""
     out = io.BytesIO()
     figure.savefig(out, format="svg", metadata={"Date": None, "Creator": None})
     pyplot().close(figure)

@@ -34,7 +34,7 @@ CHARTS = (
 
 
 def draw(tables: Tables) -> dict[str, bytes]:
-    """The charts of which all tables are there."""
+    """Draws the charts whose tables are all there."""
     return {
         chart.name: chart.draw(tables)
         for chart in CHARTS

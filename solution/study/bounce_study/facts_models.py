@@ -1,4 +1,4 @@
-"""What the page on the least model says, from its tables."""
+"""Works out the facts of the page on the least model from its tables."""
 
 import math
 from statistics import median_high
@@ -43,7 +43,7 @@ def facts(tables: Tables) -> dict[str, Any]:
 
 
 def _ladder(rungs: list[Row]) -> dict[str, Any]:
-    """The rungs of one scene. What the least model saves of the whole one's time is its gain."""
+    """Describes the rungs of one scene; the gain is the whole model's time over the least one's."""
     least = next(i for i, row in enumerate(rungs) if row["least"] == "1")
     time, whole = number(rungs[least], TIME), number(rungs[-1], TIME)
     return {
@@ -58,7 +58,7 @@ def _ladder(rungs: list[Row]) -> dict[str, Any]:
 
 
 def _chosen(rows: list[Row]) -> dict[str, Any]:
-    """A run, from its rows, which are one for each model."""
+    """Describes a run, which has one row for each model."""
     used = [row for row in rows if number(row, "steps") > 0]
     return {
         "scene": rows[0]["scene"],

@@ -1,4 +1,4 @@
-"""What the page on the engines says, from its tables."""
+"""Works out the facts of the page on the engines from its tables."""
 
 from typing import Any
 
@@ -45,19 +45,19 @@ def facts(tables: Tables) -> Facts:
 
 
 def _titles(tables: Tables) -> dict[str, str]:
-    """Of the engines, and of our methods."""
+    """Names the engines, and our methods."""
     titles = {row["engine"]: row["title"] for row in tables["peers_settings"].rows if row["title"]}
     return {name: style.label for name, style in METHODS.items()} | titles
 
 
 def in_sentence(title: str) -> str:
-    """The title where its comma would be taken for the sentence's."""
+    """Writes a title without its comma, which would be taken for the sentence's."""
     name, _, settings = title.partition(", ")
     return f"{name} ({settings})" if settings else name
 
 
 def _steps(table: Table) -> list[Facts]:
-    """Of each engine the rows of its steps in flight and in contact."""
+    """Gives for each engine the rows of its steps in flight and in contact."""
     flight = {row["engine"]: row for row in table.where(kind="flight")}
     contact = sorted(table.where(kind="contact"), key=lambda row: number(row, "ns_per_step"))
     return [{"engine": row["engine"], "kinds": [flight[row["engine"]], row]} for row in contact]
@@ -75,8 +75,8 @@ def _contact_step(table: Table) -> Facts:
 
 
 def _lead(tables: Tables, ours: list[Run], engines: list[Run], scene: str) -> Facts:
-    """How many times as long the closest engine takes as ours at the same error or less (0: none of
-    ours is as good), and the fastest of ours and of the engines, for both tolerances."""
+    """Says how many times as long the closest engine takes as ours at the same error or less (0:
+    none of ours is as good), and the fastest of ours and of the engines, for both tolerances."""
     rows = tables["peers_ratios"].where(scene=scene, within="peer's own")
     rows = [row for row in rows if row["engine"] != "numpy"]
     closest = min(rows, key=lambda row: float(row["times"] or 0))
@@ -107,7 +107,7 @@ def _errors(engines: list[Run], scenes: list[str], names: list[str]) -> Facts:
 
 
 def _failure(peers: list[Run], engine: str) -> Facts:
-    """Where the engine has stalled, and where it still converges and needs a smaller step."""
+    """Says where the engine has stalled, and where it still converges and needs a smaller step."""
     notes = {run.scene: run.note for run in peers if run.method == engine and run.note}
     stalled = [scene for scene, note in notes.items() if note.startswith("stalls")]
     return {
@@ -123,13 +123,13 @@ def _variant_names(tables: Tables) -> list[str]:
 
 
 def variant_errors(tables: Tables, scene: str, engine: str) -> list[float]:
-    """From the largest step to the smallest."""
+    """Gives the errors from the largest step to the smallest."""
     rows = tables["peers_variants"].where(scene=scene, engine=engine)
     return numbers(sorted(rows, key=lambda row: -number(row, "dt_s")), "error_m")
 
 
 def _variants(tables: Tables, scenes: list[str]) -> list[tuple[str, str, float, float]]:
-    """The title, the scene, and the errors of the variant and of the settings in the sweep."""
+    """Lists title, scene, and the errors of the variant and of the settings in the sweep."""
     titles, rows = _titles(tables), []
     for scene in scenes:
         for engine in _variant_names(tables):
@@ -146,7 +146,7 @@ def _over_steps(tables: Tables, scene: str, engines: list[str]) -> list[Facts]:
 
 
 def _lcp(tables: Tables) -> Facts:
-    """Nothing of Siconos where it was not installed."""
+    """Leaves Siconos out where it was not installed."""
     rows = tables["peers_lcp"].rows if "peers_lcp" in tables else []
     siconos = [row for row in rows if row["solver"].startswith("Siconos")]
     return {

@@ -1,4 +1,4 @@
-"""What the page on speed and accuracy says, from its tables."""
+"""Works out the facts of the page on speed and accuracy from its tables."""
 
 import math
 from statistics import linear_regression, median_high
@@ -48,12 +48,12 @@ def facts(tables: Tables) -> Facts:
 
 
 def _reached(runs: list[Run], method: str, tolerance: float) -> int:
-    """The number of scenes in which the method comes within the tolerance."""
+    """Counts the scenes in which the method comes within the tolerance."""
     return len({run.scene for run in runs if run.method == method and run.error <= tolerance})
 
 
 def _fastest(ours: list[Run]) -> Facts:
-    """The first and the second method in each scene, for two tolerances."""
+    """Finds the fastest and the second method in each scene, for both tolerances."""
 
     def fastest(scene: str, tolerance: float) -> list[Run | None]:
         return [*measurements.ranking(ours, scene, tolerance), None, None][:2]
@@ -69,7 +69,7 @@ def _fastest(ours: list[Run]) -> Facts:
 
 
 def _peer_leads(tables: Tables, scenes: list[str]) -> list[Facts]:
-    """How our best compares with the best of the engines, for two tolerances."""
+    """Compares our best with the best of the engines, for both tolerances."""
     leads = []
     for tolerance, name in ((FINE, "a millimetre"), (FINEST, "a micrometre")):
         ratios = [_least_ratio(tables, scene, tolerance) for scene in scenes]
@@ -81,15 +81,15 @@ def _peer_leads(tables: Tables, scenes: list[str]) -> list[Facts]:
 
 
 def _least_ratio(tables: Tables, scene: str, tolerance: float) -> float:
-    """How many times as long the closest engine takes to come within the tolerance, by the median
-    over the rounds; infinite where none does, 0 where none of ours does."""
+    """Says how many times as long the closest engine takes to come within the tolerance, by the
+    median over the rounds; infinite where none does, 0 where none of ours does."""
     rows = tables["peers_ratios"].where(scene=scene, within="tolerance")
     own = [row for row in rows if math.isclose(number(row, "error_m"), tolerance)]
     return min((number(row, "times") if row["times"] else 0.0 for row in own), default=math.inf)
 
 
 def _ratios(ours: list[Run], tables: Tables) -> Facts:
-    """How long each method takes for a step, over the plain scheme's time."""
+    """Divides the time of each method by the plain scheme's."""
     ratios = tables["speed_ratios"]
     rows = []
     for method in measurements.methods(ours):
@@ -105,7 +105,7 @@ def _ratios(ours: list[Run], tables: Tables) -> Facts:
 
 
 def _failures(runs: list[Run]) -> list[Facts]:
-    """For each method and reason, the scenes in which the method stays above the tolerance."""
+    """Lists for each method and reason the scenes in which it stays above the tolerance."""
     failures: dict[tuple[str, str], list[Run]] = {}
     for method in measurements.methods(runs):
         for scene in measurements.scenes(runs):
@@ -121,15 +121,15 @@ def _failures(runs: list[Run]) -> list[Facts]:
 
 
 def _truth_apart(ours: list[Run]) -> float:
-    """How far the tightest event-driven run in double gets from the truth in long double."""
+    """Says how far the tightest event-driven run in double gets from the truth in long double."""
     event_driven = [run for run in ours if run.method == "event_driven"]
     tightest = min(run.setting for run in event_driven)
     return max(run.error for run in event_driven if run.setting == tightest)
 
 
 def _low_orders(tables: Tables) -> list[Facts]:
-    """Where delta in proportion to dt converges more slowly than with order one, and with which,
-    over the finer half of the steps."""
+    """Finds the scenes where delta in proportion to dt converges with an order below one, over the
+    finer half of the steps."""
     table, low = tables["order"], []
     for scene in table.distinct("scene"):
         rows = table.where(scene=scene, method="assignment_delta_dt")
@@ -144,7 +144,7 @@ def _low_orders(tables: Tables) -> list[Facts]:
 
 
 def _order(tables: Tables) -> Facts:
-    """Convergence to the truth by a scheme that shares nothing with it but the model."""
+    """Measures how a scheme that shares only the model with the truth converges to it."""
     table = tables["order"]
     slopes, last = {}, {}
     for scene in table.distinct("scene"):
@@ -165,7 +165,7 @@ def _order(tables: Tables) -> Facts:
 
 
 def _panel(ours: list[Run]) -> Facts:
-    """The panel that the README shows."""
+    """Describes the panel that the README shows."""
     ranking = measurements.ranking(ours, README_SCENE, FINE)
     fixed = measurements.of(ours, README_SCENE, "assignment_fast")
     return {
@@ -177,8 +177,8 @@ def _panel(ours: list[Run]) -> Facts:
 
 
 def _profile(runs: list[Run]) -> list[tuple[str, list[float]]]:
-    """By method, the shares of the problems in which it is the fastest, takes at most ten times as
-    long as the fastest, and gets there at all."""
+    """Gives for each method the shares of the problems in which it is the fastest, takes at most
+    ten times as long as the fastest, and gets there at all."""
     return [
         (method, [sum(r <= most for r in ratios) / len(ratios) for most in (1, 10, ENDS)])
         for method, ratios in chart_speed.profiles(runs).items()

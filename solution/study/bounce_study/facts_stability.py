@@ -1,4 +1,4 @@
-"""What the page on stability says, from its tables."""
+"""Works out the facts of the page on stability from its tables."""
 
 from statistics import median_high
 from typing import Any
@@ -110,7 +110,7 @@ def _depth(tables: Tables) -> Facts:
 
 
 def _floor(tables: Tables) -> Facts:
-    """The error of the fixed delta at the finest step, in units of delta, by scene."""
+    """Compares a fixed delta with one in proportion to dt, at the finest step, by scene."""
     table, delta = tables["order"], 1e-3
     rows = []
     cured: list[str] = []

@@ -1,6 +1,5 @@
-"""The timed runs, as charts and pages read them: those of our table alone; or, where engines were
-measured, theirs and those of our methods in the same rounds. Times of two measurements are never
-mixed."""
+"""Reads the timed runs: those of our table alone; or, where engines were measured, theirs and those
+of our methods in the same rounds. Times of two measurements are never mixed."""
 
 import math
 from dataclasses import dataclass, replace
@@ -42,8 +41,8 @@ def read(tables: Tables) -> list[Run]:
 
 
 def compared(tables: Tables) -> bool:
-    """Whether engines were measured beside the methods as they are now. Errors don't depend on the
-    machine's load: others than in speed_accuracy.csv are those of another program."""
+    """Says whether engines were measured beside the methods as they are now. Errors don't depend on
+    the machine's load: if they differ from speed_accuracy.csv, the program was another."""
     if not all(name in tables for name in PEERS):
         return False
     now = {_key(row): number(row, "error_m") for row in tables["speed_accuracy"].rows}
@@ -59,7 +58,7 @@ def _key(row: Row) -> tuple[str, str, str]:
 
 
 def _with_note(run: Run, notes: dict[tuple[str, str], str]) -> Run:
-    """With the note in speed_accuracy.csv for this method, or for one of the same scheme."""
+    """Adds the note in speed_accuracy.csv for this method, or for one of the same scheme."""
     scheme = SAME_SCHEME.get(run.method, run.method)
     return replace(run, note=run.note or notes.get((run.scene, scheme), ""))
 
@@ -88,7 +87,7 @@ def of(runs: list[Run], scene: str, method: str) -> list[Run]:
 
 
 def ranking(runs: list[Run], scene: str, tolerance: float) -> list[Run]:
-    """The fastest run of each method with an error of at most `tolerance`, from the fastest on."""
+    """Lists each method's fastest run with an error of at most `tolerance`, fastest first."""
     exact = [run for run in runs if run.scene == scene and run.error <= tolerance]
     fastest: dict[str, Run] = {}
     for run in sorted(exact, key=lambda run: (run.ns, run.method)):
@@ -97,14 +96,14 @@ def ranking(runs: list[Run], scene: str, tolerance: float) -> list[Run]:
 
 
 def least_time(runs: list[Run], scene: str, method: str, tolerance: float) -> float:
-    """The least ns per simulated second with an error of at most `tolerance`; infinite where no
-    setting that was tried gets there."""
+    """Gives the least ns per simulated second with an error of at most `tolerance`; infinite where
+    no setting that was tried gets there."""
     return min((r.ns for r in of(runs, scene, method) if r.error <= tolerance), default=math.inf)
 
 
 def failure(runs: list[Run], tolerance: float) -> str:
-    """Why a method never comes within the tolerance in a scene, without the numbers of this scene:
-    by its note, or by its last two steps where a table has none. Empty where it does."""
+    """Says why a method never comes within the tolerance in a scene, without the numbers of this
+    scene: by its note, or by its last two steps where a table has none. Empty where it does."""
     if not runs or min(run.error for run in runs) <= tolerance:
         return ""
     note = runs[-1].note

@@ -74,7 +74,7 @@ def _environment() -> jinja2.Environment:
 
 
 def _filter(write: Callable[..., str]) -> Callable[..., str]:
-    """Also takes a number as a table has it, as text."""
+    """Makes a filter that also takes a number as the text that a table has."""
 
     def written(value: float | str, *digits: int) -> str:
         try:
@@ -86,7 +86,7 @@ def _filter(write: Callable[..., str]) -> Callable[..., str]:
 
 
 def fill(tables: Tables, charts: set[str]) -> dict[str, str]:
-    """The pages of which all tables and charts are there."""
+    """Fills the pages whose tables and charts are all there."""
     return {
         page.name: render(page.name, tables)
         for page in PAGES
@@ -100,13 +100,13 @@ def render(name: str, tables: Tables) -> str:
 
 
 def with_panel(readme: str, tables: Tables) -> str:
-    """The kit's README with the sentence under its panel as the tables have it now."""
+    """Replaces the sentence under the panel of the kit's README."""
     sentence = _environment().get_template("panel.md").render(facts_of(SPEED_PAGE, tables))
     return PANEL.sub(lambda _: sentence.rstrip("\n"), readme)
 
 
 def facts_of(name: str, tables: Tables) -> Facts:
-    """All that the page may name."""
+    """Gives all that the page's template may name."""
     page = next(page for page in PAGES if page.name == name)
     origin = tables[page.needs[0]].origin
     facts: Facts = {

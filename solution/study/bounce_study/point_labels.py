@@ -1,4 +1,4 @@
-"""Puts short texts beside points, where neither other texts nor points are in the way."""
+"""Writes short texts beside points, where neither other texts nor points are in the way."""
 
 from typing import Any
 

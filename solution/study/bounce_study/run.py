@@ -69,7 +69,7 @@ def run(request: Request) -> int:
 
 
 def _version(request: Request) -> str:
-    """A hash of all that a table depends on."""
+    """Hashes all that a table depends on."""
     version = hashlib.sha256(b"quick" if request.quick else b"whole")
     scenes = sorted(request.scenes.glob("*.json")) if request.scenes.is_dir() else []
     for file in (PROGRAM, *scenes):
@@ -78,7 +78,7 @@ def _version(request: Request) -> str:
 
 
 def _measure(name: str, request: Request, file: Path) -> None:
-    """Raises UsageError with the program's sentence where a scene is bad."""
+    """Writes a table; raises UsageError with the program's sentence where a scene is bad."""
     extent = ["--quick"] if request.quick else []
     with tempfile.TemporaryDirectory(prefix="measuring-", dir=file.parent) as folder:
         done = processes.run([str(PROGRAM), *extent, str(request.scenes), folder, name])
@@ -89,7 +89,7 @@ def _measure(name: str, request: Request, file: Path) -> None:
 
 
 def _publish(out: Path, measured: dict[str, Path]) -> list[str]:
-    """Writes the tables, and the charts and pages of which all tables are there. All are drawn
+    """Writes the tables, and the charts and pages whose tables are all there. All are drawn
     before anything is written, and each is written whole or not at all."""
     from bounce_study import charts, pages
 

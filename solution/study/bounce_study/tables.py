@@ -19,7 +19,7 @@ class Table:
         return [row for row in self.rows if all(row[k] == v for k, v in values.items())]
 
     def distinct(self, column: str) -> list[str]:
-        """In the order of their first rows."""
+        """Lists the values of a column in the order of their first rows."""
         return list(dict.fromkeys(row[column] for row in self.rows))
 
     def require(self, columns: tuple[str, ...]) -> None:
@@ -32,7 +32,7 @@ Tables = dict[str, Table]
 
 
 def read(file: Path) -> Table:
-    """Raises UsageError, naming the file, where it isn't such a table."""
+    """Reads a table; raises UsageError, naming the file, where it isn't one."""
     try:
         lines = file.read_text(encoding="utf-8").splitlines()
     except (OSError, UnicodeDecodeError) as error:
