@@ -41,7 +41,10 @@ def test_who_handed_in_no_file_to_grade_gets_a_page(tmp_path: Path) -> None:
         "roe_301_text_feedback.html",
         "poe_302_3020_feedback.html",
     }
-    assert "Hand in the four parts" in pages["roe_301_text_feedback.html"]
+    assert (
+        "Hand in the parts, part1_contacts.cpp to part4_simulate.cpp"
+        in pages["roe_301_text_feedback.html"]
+    )
     assert "photo.jpg is no C++ source and no zip" in pages["poe_302_3020_feedback.html"]
     with zipfile.ZipFile(out / "feedback.zip") as archive:
         assert set(archive.namelist()) == pages.keys() - {"roe_301_text_feedback.html"}
