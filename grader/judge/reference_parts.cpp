@@ -5,35 +5,11 @@
 #include <bounce/part3_step.hpp>
 #include <exception>
 
+#include "../runner/messages.hpp"
+
 namespace bounce::judge {
-namespace {
 
 using frames::Frame;
-
-void reply_part1(const Frame& callback, Frame& reply) {
-  Vector3 q;
-  frames::take(callback, q);
-  const Contact contact = get_contacts(q, frames::parameters(callback));
-  frames::put(reply, contact.J);
-  reply.values[6] = contact.phi;
-}
-
-void reply_part2(const Frame& callback, Frame& reply) {
-  Jacobian J;
-  Vector3 v;
-  frames::take(callback, J, v);
-  const Lcp lcp = form_lcp(J, v, frames::parameters(callback));
-  frames::put(reply, lcp.V, lcp.p);
-}
-
-void reply_part3(const Frame& callback, Frame& reply) {
-  Vector3 q, v;
-  frames::take(callback, q, v);
-  const State next = step(q, v, frames::parameters(callback));
-  frames::put(reply, next.q, next.v);
-}
-
-}  // namespace
 
 Frame reply_to(const Frame& callback) {
   Frame reply;
@@ -41,9 +17,9 @@ Frame reply_to(const Frame& callback) {
   reply.part = callback.part;
   reply.number = callback.number;
   try {
-    if (callback.part == 1) reply_part1(callback, reply);
-    if (callback.part == 2) reply_part2(callback, reply);
-    if (callback.part == 3) reply_part3(callback, reply);
+    if (callback.part == 1) frames::answer(callback, reply, get_contacts);
+    if (callback.part == 2) frames::answer(callback, reply, form_lcp);
+    if (callback.part == 3) frames::answer(callback, reply, step);
   } catch (const std::exception& refused) {
     reply.kind = frames::Kind::threw;
     frames::put_text(reply, refused.what());

@@ -128,9 +128,6 @@ RunnerProcess::~RunnerProcess() {
 }
 
 void RunnerProcess::send(const frames::Frame& frame) {
-  pollfd early{answers_, POLLIN, 0};
-  if (pid_ >= 0) ::poll(&early, 1, 0);
-  if (early.revents & POLLIN) end({"no_answer", kNotAskedFor});
   const ssize_t n = ::write(questions_, &frame, sizeof frame);
   if (n == static_cast<ssize_t>(sizeof frame)) return;
   if (errno == EAGAIN) {

@@ -1,10 +1,13 @@
 #include "session.hpp"
 
+#include <sys/random.h>
+
 #include <algorithm>
 #include <utility>
 
 #include "../../tests/parts/cases.hpp"
 #include "../../tests/parts/submission.hpp"
+#include "../runner/messages.hpp"
 #include "reference_parts.hpp"
 #include "sanitize_line.hpp"
 
@@ -15,8 +18,14 @@ using frames::Kind;
 
 namespace {
 
-constexpr const char* kFunctions[] = {"bounce::get_contacts", "bounce::form_lcp", "bounce::step",
-                                      "bounce::simulate"};
+// A number that no program can write into an answer before it has the question.
+std::uint64_t unforeseen() {
+  std::uint64_t number = 0;
+  if (::getrandom(&number, sizeof number, 0) != sizeof number) {
+    throw std::runtime_error("the system gives no random numbers");
+  }
+  return number;
+}
 
 // More than any program needs, so that a callback in an endless loop is told from work.
 std::int64_t most_callbacks(const Frame& question) { return 1000 + 20 * question.T; }
@@ -35,13 +44,14 @@ Session* session = nullptr;
 Session::Session(std::vector<std::string> command, Limits limits, std::uint32_t part, bool given)
     : Session([command = std::move(command)](
                   const Limits& now) { return std::make_unique<RunnerProcess>(command, now); },
-              limits, part, given) {}
+              limits, part, given, unforeseen) {}
 
-Session::Session(Start start, Limits limits, std::uint32_t part, bool given)
+Session::Session(Start start, Limits limits, std::uint32_t part, bool given, Numbers numbers)
     : start_(std::move(start)),
       limits_(limits),
       part_(part),
       given_(given),
+      numbers_(std::move(numbers)),
       hangs_left_(given ? 1 : 2),
       last_question_(Clock::now() + std::chrono::seconds(limits.session_seconds)) {}
 
@@ -55,7 +65,7 @@ Frame Session::ask(Frame question, Trajectory* columns) {
     throw;
   }
   if (!runner_) runner_ = start_(limits_);
-  question.number = ++number_;
+  question.number = numbers_();
   try {
     const Frame answer = answer_of(question, columns);
     if (answer.kind == Kind::threw) {
@@ -108,9 +118,8 @@ Frame Session::answer_of(const Frame& question, Trajectory* columns) {
   }
   if (answer.kind == Kind::absent) {
     throw RunnerEnded(
-        {"does_not_compile", "the file defines no " + std::string(kFunctions[part_ - 1]) +
-                                 " with the arguments, and in the namespace, that its header "
-                                 "declares"});
+        {"does_not_compile", "the file defines no " + std::string(frames::kFunctions[part_ - 1]) +
+                                 " with the namespace and the arguments of its header"});
   }
   if (answer.kind == Kind::out_of_memory) throw RunnerEnded(out_of_memory(limits_));
   const bool known = answer.kind == Kind::answer || answer.kind == Kind::threw;

@@ -19,9 +19,10 @@ class Session {
   // given: callbacks for parts before `part` are answered from the solution; else none is.
   Session(std::vector<std::string> command, Limits limits, std::uint32_t part, bool given);
 
-  // With runners that are started in another way.
+  // With runners that are started, and questions that are numbered, in another way.
   using Start = std::function<std::unique_ptr<RunnerProcess>(const Limits& limits)>;
-  Session(Start start, Limits limits, std::uint32_t part, bool given);
+  using Numbers = std::function<std::uint64_t()>;
+  Session(Start start, Limits limits, std::uint32_t part, bool given, Numbers numbers);
 
   // The answer to a question, and the columns of one of part 4, T or one less. Throws tests::Ended
   // when the check can't go on, std::runtime_error when this question has no answer.
@@ -52,7 +53,7 @@ class Session {
   std::uint32_t part_;
   bool given_;
   std::unique_ptr<RunnerProcess> runner_;
-  std::uint64_t number_ = 0;
+  Numbers numbers_;
   int hangs_left_;
   double cpu_seconds_ = 0;  // of the runners that have ended
   Clock::time_point last_question_;

@@ -1,54 +1,41 @@
 // The submission runs in another process: each function of the tests is a question to it.
 #include "../../tests/parts/submission.hpp"
 
+#include "../runner/messages.hpp"
 #include "session.hpp"
 
 namespace bounce::submission {
 namespace {
 
-template <class... Matrices>
-frames::Frame question(std::uint32_t part, const Parameters& params, const Matrices&... arguments) {
-  frames::Frame frame;
-  frame.part = part;
-  frames::put(params, frame);
-  frames::put(frame, arguments...);
-  return frame;
+template <class Result, class... Arguments>
+Result ask(std::uint32_t part, const Parameters& params, const Arguments&... arguments) {
+  return frames::result<Result>(judge::session->ask(frames::question(part, params, arguments...)));
 }
 
 }  // namespace
 
 Contact get_contacts(const Vector3& q, const Parameters& params) {
-  const frames::Frame answer = judge::session->ask(question(1, params, q));
-  Contact contact;
-  frames::take(answer, contact.J);
-  contact.phi = answer.values[6];
-  return contact;
+  return ask<Contact>(1, params, q);
 }
 
 Lcp form_lcp(const Jacobian& J, const Vector3& v, const Parameters& params) {
-  const frames::Frame answer = judge::session->ask(question(2, params, J, v));
-  Lcp lcp;
-  frames::take(answer, lcp.V, lcp.p);
-  return lcp;
+  return ask<Lcp>(2, params, J, v);
 }
 
 State step(const Vector3& q, const Vector3& v, const Parameters& params) {
-  const frames::Frame answer = judge::session->ask(question(3, params, q, v));
-  State next;
-  frames::take(answer, next.q, next.v);
-  return next;
+  return ask<State>(3, params, q, v);
 }
 
 Trajectory simulate(const Vector3& q_0, const Vector3& v_0, const Parameters& params) {
   Trajectory trajectory;
-  const frames::Frame answer = judge::session->ask(question(4, params, q_0, v_0), &trajectory);
+  const auto answer = judge::session->ask(frames::question(4, params, q_0, v_0), &trajectory);
   require_columns(answer.q_columns, answer.v_columns, params.T);
   return trajectory;
 }
 
 Trajectory first_columns(const Vector3& q_0, const Vector3& v_0, const Parameters& params) {
   Trajectory trajectory;
-  judge::session->ask(question(4, params, q_0, v_0), &trajectory);
+  judge::session->ask(frames::question(4, params, q_0, v_0), &trajectory);
   return trajectory;
 }
 

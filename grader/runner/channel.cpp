@@ -39,7 +39,7 @@ void send(const Eigen::Matrix3Xd& columns) {
   write_all(columns.data(), sizeof(double) * static_cast<std::size_t>(columns.size()));
 }
 
-frames::Frame plead(frames::Frame callback) {
+frames::Frame call_back(frames::Frame callback) {
   callback.kind = frames::Kind::callback;
   send(callback);
   const frames::Frame reply = receive();

@@ -3,7 +3,7 @@
 
 #include <bounce/types.hpp>
 
-#include "frame.hpp"
+#include "messages.hpp"
 
 namespace bounce::runner {
 
@@ -15,6 +15,6 @@ void send(const Eigen::Matrix3Xd& columns);
 
 // Asks the judge what an earlier part answers to this frame's arguments. Rethrows what the given
 // part threw as std::runtime_error.
-frames::Frame plead(frames::Frame callback);
+frames::Frame call_back(frames::Frame callback);
 
 }  // namespace bounce::runner

@@ -6,14 +6,7 @@
 namespace bounce {
 
 Lcp form_lcp(const Jacobian& J, const Vector3& v, const Parameters& params) {
-  frames::Frame callback;
-  callback.part = 2;
-  frames::put(params, callback);
-  frames::put(callback, J, v);
-  const frames::Frame reply = runner::plead(callback);
-  Lcp lcp;
-  frames::take(reply, lcp.V, lcp.p);
-  return lcp;
+  return frames::result<Lcp>(runner::call_back(frames::question(2, params, J, v)));
 }
 
 }  // namespace bounce

@@ -24,29 +24,6 @@ namespace {
 using frames::Frame;
 using frames::Kind;
 
-void answer_part1(const Frame& question, Frame& answer) {
-  Vector3 q;
-  frames::take(question, q);
-  const Contact contact = get_contacts(q, frames::parameters(question));
-  frames::put(answer, contact.J);
-  answer.values[6] = contact.phi;
-}
-
-void answer_part2(const Frame& question, Frame& answer) {
-  Jacobian J;
-  Vector3 v;
-  frames::take(question, J, v);
-  const Lcp lcp = form_lcp(J, v, frames::parameters(question));
-  frames::put(answer, lcp.V, lcp.p);
-}
-
-void answer_part3(const Frame& question, Frame& answer) {
-  Vector3 q, v;
-  frames::take(question, q, v);
-  const State next = step(q, v, frames::parameters(question));
-  frames::put(answer, next.q, next.v);
-}
-
 Trajectory answer_part4(const Frame& question, Frame& answer) {
   Vector3 q_0, v_0;
   frames::take(question, q_0, v_0);
@@ -56,11 +33,6 @@ Trajectory answer_part4(const Frame& question, Frame& answer) {
   return trajectory;
 }
 
-bool present(std::uint32_t part) {
-  return (part == 1 && get_contacts) || (part == 2 && form_lcp) || (part == 3 && step) ||
-         (part == 4 && simulate);
-}
-
 // The answer, and the trajectory that goes with one of part 4.
 Frame answer_to(const Frame& question, Trajectory& trajectory) {
   Frame answer;
@@ -68,16 +40,16 @@ Frame answer_to(const Frame& question, Trajectory& trajectory) {
   answer.part = question.part;
   answer.number = question.number;
   try {
-    if (!present(question.part)) {
-      answer.kind = Kind::absent;
-    } else if (question.part == 1) {
-      answer_part1(question, answer);
-    } else if (question.part == 2) {
-      answer_part2(question, answer);
-    } else if (question.part == 3) {
-      answer_part3(question, answer);
-    } else {
+    if (question.part == 1 && get_contacts) {
+      frames::answer(question, answer, get_contacts);
+    } else if (question.part == 2 && form_lcp) {
+      frames::answer(question, answer, form_lcp);
+    } else if (question.part == 3 && step) {
+      frames::answer(question, answer, step);
+    } else if (question.part == 4 && simulate) {
       trajectory = answer_part4(question, answer);
+    } else {
+      answer.kind = Kind::absent;
     }
   } catch (const ChannelClosed&) {
     throw;

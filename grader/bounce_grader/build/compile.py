@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from bounce_grader.build import compiler, object_cache
-from bounce_grader.common.parallel_map import each
+from bounce_grader.common.parallel_map import parallel_map
 from bounce_grader.common.paths import SOURCES
 from bounce_grader.sandbox import processes
 from bounce_grader.sandbox.box import PROGRAMS, Box
@@ -46,7 +46,7 @@ def compile_all(
             return Built(None, f"{file} wasn't compiled: {overrun}")
 
     files = [*submission.parts.values(), *helpers]
-    built = dict(zip(files, each(compiled, files, jobs)))
+    built = dict(zip(files, parallel_map(compiled, files, jobs)))
     return Objects(
         {number: built[file] for number, file in submission.parts.items()},
         {file: built[file] for file in helpers},

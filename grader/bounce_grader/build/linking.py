@@ -83,9 +83,7 @@ def checked_alone(part: Part, submission: Submission, work: Path, box: Box) -> B
 
 
 def _given(part: Part) -> list[str]:
-    if not part.has_earlier_parts:
-        return []
-    return [str(RUNNER / f"given_part{n}.o") for n in range(1, part.number)]
+    return [str(RUNNER / f"given_part{number}.o") for number in part.calls]
 
 
 def _rare(objects: Objects) -> list[str]:

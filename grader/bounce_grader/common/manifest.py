@@ -20,15 +20,11 @@ class Part(NamedTuple):
     function: str
     points: float
     checks: tuple[Check, ...]
+    calls: tuple[int, ...]  # numbers of the earlier parts that it calls
 
     @property
     def file(self) -> str:
         return f"{self.stem}.cpp"
-
-    @property
-    def has_earlier_parts(self) -> bool:
-        """Parts 3 and 4 call earlier ones, which can be given to them."""
-        return self.number >= 3
 
 
 @cache
@@ -42,6 +38,13 @@ def parts() -> tuple[Part, ...]:
             function=part["function"],
             points=part["points"],
             checks=tuple(Check(**check) for check in part["checks"]),
+            calls=tuple(part.get("calls", ())),
         )
         for part in manifest["parts"]
     )
+
+
+def part_of(name: str) -> Part:
+    """The part that a name such as part2_without_dt begins with. Raises StopIteration where there is
+    none."""
+    return next(part for part in parts() if name.startswith(f"part{part.number}_"))

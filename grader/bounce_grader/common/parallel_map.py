@@ -1,5 +1,8 @@
-"""The same for several things, a few at a time. What the library has for it takes longer to import
-than a part to judge: it brings the modules for logging and for tracebacks."""
+"""The same function for several items, a few at a time.
+
+ThreadPoolExecutor doesn't do here: a signal that comes while it starts a thread leaves that thread
+out of those that it waits for, and so a compiler at work in a folder that is being removed.
+"""
 
 from collections.abc import Callable, Iterable
 from threading import Event, Thread
@@ -9,7 +12,7 @@ X = TypeVar("X")
 Y = TypeVar("Y")
 
 
-def each(function: Callable[[X], Y], items: Iterable[X], jobs: int) -> list[Y]:
+def parallel_map(function: Callable[[X], Y], items: Iterable[X], jobs: int) -> list[Y]:
     """function(item) for all items, in their order, in as many threads as there are jobs. After an
     error no other item is begun; it is raised when those that were have ended."""
     given = list(items)

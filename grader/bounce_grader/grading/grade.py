@@ -13,7 +13,7 @@ from bounce_grader.build import linking
 from bounce_grader.build.compile import compile_all, Built, Objects
 from bounce_grader.common.errors import KitError
 from bounce_grader.common.manifest import parts, Part
-from bounce_grader.common.parallel_map import each
+from bounce_grader.common.parallel_map import parallel_map
 from bounce_grader.common.paths import STUBS, WORK_FOLDER
 from bounce_grader.grading import fixtures, judging, record, sanitizing, speed
 from bounce_grader.grading.judging import Judged
@@ -49,7 +49,7 @@ def grade(given: Path | Submission, options: Options = Options()) -> Record:
         grading = _Grading(taken, objects, work, hidden, box)
         compiled = time.monotonic()
         grading.judge_together(jobs)
-        each(grading.judge_alone, parts(), jobs)
+        parallel_map(grading.judge_alone, parts(), jobs)
         records = [grading.record_of(part) for part in parts()]
         if not any(r["score"] for r in records):
             _require_working_kit(Box(box.kind))
@@ -115,8 +115,8 @@ class _Grading:
             for calling in (False, True):
                 if not runner or any(j.status == "timed_out" for j in self.own.values()):
                     return
-                now = [part for part in parts() if part.has_earlier_parts == calling]
-                each(partial(self._judge_own, runner), now, jobs)
+                now = [part for part in parts() if bool(part.calls) == calling]
+                parallel_map(partial(self._judge_own, runner), now, jobs)
 
     def judge_alone(self, part: Part) -> None:
         """Takes the better of what the part got with the others and what it gets alone."""
@@ -149,7 +149,7 @@ class _Grading:
             runner = self.work / f"alone{part.number}"
             alone = linking.link_alone(part, self.objects, runner, self.box)
             if alone.path:
-                tries.append(self._judge(alone.path, part.has_earlier_parts, part, recognise=True))
+                tries.append(self._judge(alone.path, bool(part.calls), part, recognise=True))
             elif not tries:
                 why = self._why(alone)
                 self.failed[part] = record.failed_part(part, "does_not_compile", why)
@@ -172,7 +172,7 @@ class _Grading:
         hangs_by_itself = own.status == "timed_out" and any(
             other.status == "graded" for other in self.own.values()
         )
-        return part.has_earlier_parts or not hangs_by_itself
+        return bool(part.calls) or not hangs_by_itself
 
     def _problem(self, part: Part) -> tuple[str, str] | None:
         if part.number in self.taken.refused:

@@ -27,8 +27,8 @@ from bounce_grader.assignment.hints import headings
 from bounce_grader.build import linking
 from bounce_grader.build.compile import compile_all
 from bounce_grader.common.errors import KitError
-from bounce_grader.common.manifest import parts, Part
-from bounce_grader.common.parallel_map import each
+from bounce_grader.common.manifest import part_of, parts, Part
+from bounce_grader.common.parallel_map import parallel_map
 from bounce_grader.common.paths import FIXTURES, JUDGE, REFERENCE_RUNNER, ROOT
 from bounce_grader.grading.gallery import expected
 from bounce_grader.sandbox import processes
@@ -60,7 +60,7 @@ class Mistake(NamedTuple):
 
     @property
     def part(self) -> Part:
-        return parts()[int(self.name[4]) - 1]
+        return part_of(self.name)
 
 
 def gallery() -> list[Mistake]:
@@ -77,7 +77,7 @@ def read(folder: Path) -> Mistake:
         raise KitError(
             f"{folder.name}/mistake.md isn't laid out as tests/submissions/README.md says"
         )
-    if not re.match(r"part[1-4]_", folder.name):
+    if not re.match(r"part\d+_", folder.name):
         raise KitError(f"{folder.name}: the name must begin with its part, as in part2_without_dt")
     if found["hint"] not in headings().values():
         raise KitError(
@@ -117,7 +117,7 @@ def answers(part: Part, runner: Path) -> Answers:
     """What a runner answers to the public cases of a part, with the earlier parts given. Raises
     KitError where it ends before it has answered them."""
     command = [str(JUDGE), "--answers", "--part", str(part.number)]
-    command += [*(["--given"] if part.has_earlier_parts else [])]
+    command += [*(["--given"] if part.calls else [])]
     command += ["--fixtures", str(FIXTURES / "public"), "--", str(runner)]
     result = processes.run(command, LIMITS)
     if not result.ok:
@@ -149,7 +149,7 @@ def _all_answers(mistakes: list[Mistake]) -> dict[str, Answers]:
         def asked(m: Mistake) -> Answers:
             return answers_of(GALLERY / m.name, m.part, Path(name) / m.name)
 
-        got = each(asked, mistakes, os.cpu_count() or 1)
+        got = parallel_map(asked, mistakes, os.cpu_count() or 1)
     return {m.name: answers for m, answers in zip(mistakes, got)}
 
 

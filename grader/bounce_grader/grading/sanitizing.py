@@ -31,7 +31,7 @@ def explained(
         built = linking.checked_alone(part, taken, work, box)
         if not built.path:
             return judged
-        given = part.has_earlier_parts
+        given = bool(part.calls)
         again = judging.judge(part, built.path, given, hidden, box, checked=True)
     except (KitError, Overrun):  # the score stands without the explanation
         return judged

@@ -5,6 +5,7 @@ from contextlib import AbstractContextManager, contextmanager
 from pathlib import Path
 
 from bounce_grader.common.errors import UsageError
+from bounce_grader.common.manifest import parts
 from bounce_grader.submission import folders
 from bounce_grader.submission.entry import Entry
 
@@ -16,7 +17,7 @@ def opened(path: Path, zipped: bytes | None = None) -> Iterator[list[Entry]]:
     with _opened(path, zipped) as entries:
         found = list(entries)
         if not found:
-            raise UsageError(f"{path} is empty: it should hold part1_contacts.cpp and so on")
+            raise UsageError(f"{path} is empty: it should hold {parts()[0].file} and so on")
         yield found
 
 

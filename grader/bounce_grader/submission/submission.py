@@ -1,4 +1,4 @@
-"""What is taken from a submission: the four parts, and the sources beside them, as text.
+"""What is taken from a submission: the parts, and the sources beside them, as text.
 
 Nothing is extracted or run here, and no name from a submission is ever used as a path outside of
 the work folder. Headers of the contract, given files and everything that isn't source are left
@@ -124,7 +124,7 @@ def take(path: Path, entries: list[Entry]) -> Submission:
 def _too_much(path: Path) -> UsageError:
     return UsageError(
         f"{path} holds more than {MOST_SOURCES} sources or {MOST_BYTES >> 20} MB of them: "
-        "submit the four parts and their helpers alone"
+        "submit the parts and their helpers alone"
     )
 
 

@@ -5,22 +5,22 @@ import threading
 import time
 
 import pytest
-from bounce_grader.common.parallel_map import each
+from bounce_grader.common.parallel_map import parallel_map
 
 
 @pytest.mark.parametrize("jobs", [1, 2, 9])
 @pytest.mark.parametrize("number", [0, 1, 50])
 def test_results_come_in_the_order_of_the_items(jobs: int, number: int) -> None:
-    assert each(lambda x: x * x, range(number), jobs) == [x * x for x in range(number)]
+    assert parallel_map(lambda x: x * x, range(number), jobs) == [x * x for x in range(number)]
 
 
 def test_as_many_run_at_once_as_there_are_jobs() -> None:
     all_here = threading.Barrier(3, timeout=60)  # is broken where a third one never comes
-    assert each(lambda x: all_here.wait() * 0 + x, range(6), 3) == list(range(6))
+    assert parallel_map(lambda x: all_here.wait() * 0 + x, range(6), 3) == list(range(6))
 
 
 def test_one_job_runs_in_the_thread_that_asks() -> None:
-    assert each(lambda _: threading.get_ident(), "ab", 1) == [threading.get_ident()] * 2
+    assert parallel_map(lambda _: threading.get_ident(), "ab", 1) == [threading.get_ident()] * 2
 
 
 @pytest.mark.parametrize("jobs", [1, 3])
@@ -42,7 +42,7 @@ def test_the_first_error_is_raised_and_no_other_item_is_begun(jobs: int) -> None
         ended.append(x)
 
     with pytest.raises(ValueError, match="the third"):
-        each(one, range(100), jobs)
+        parallel_map(one, range(100), jobs)
     assert len(begun) <= 2 + jobs and sorted([*ended, 2]) == sorted(begun)
 
 
@@ -68,7 +68,7 @@ def test_an_interruption_waits_for_what_has_begun_and_begins_nothing_more() -> N
     before = signal.signal(signal.SIGUSR1, interrupt)
     try:
         with pytest.raises(KeyboardInterrupt):
-            each(one, range(10), 2)
+            parallel_map(one, range(10), 2)
     finally:
         signal.signal(signal.SIGUSR1, before)
     assert sorted(begun) == sorted(ended) == [0, 1]

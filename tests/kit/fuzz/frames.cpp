@@ -169,7 +169,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   };
   int asked = 0;
   {
-    judge::Session session(start, judge::Limits(), input.part, input.given);
+    std::uint64_t number = 0;
+    judge::Session session(start, judge::Limits(), input.part, input.given,
+                           [&number] { return ++number; });
     do {
       ++asked;
     } while (fuzz::ask(session, input) && asked < 3);

@@ -13,14 +13,13 @@ from bounce_grader.classroom.intake.canvas import TextEntry, Upload
 from bounce_grader.common.errors import about_one_submission, UsageError
 from bounce_grader.common.escaping import first_few, printable_name
 from bounce_grader.common.files import fitting
+from bounce_grader.common.manifest import parts
 from bounce_grader.submission import submission
 from bounce_grader.submission.entry import LARGEST_SOURCE
 from bounce_grader.submission.submission import HEADERS, MOST_BYTES, SOURCES, part_file
 
 MOST_UPLOADS = 100  # of a student's
-HAND_IN = (
-    "Hand in the four parts, part1_contacts.cpp to part4_simulate.cpp, as files or as one zip."
-)
+HAND_IN = f"Hand in the parts, {parts()[0].file} to {parts()[-1].file}, as files or as one zip."
 
 
 @dataclass(frozen=True)
@@ -141,7 +140,7 @@ def _canvas(path: Path) -> Class:
 def _typed(name: str, entry: TextEntry) -> Unmatched:
     """Canvas takes no page back for it: that takes the number of an attachment."""
     what = "text typed into Canvas" if entry.kind == "text" else "an address typed into Canvas"
-    reason = f"is {what}, with no file to grade: ask for the four files"
+    reason = f"is {what}, with no file to grade: ask for the files of the parts"
     page = f"{fitting(name.removesuffix('.html'))}_feedback.html"
     return Unmatched(name, reason, entry.user, page, f"It is {what}. {HAND_IN}")
 
@@ -238,7 +237,7 @@ def _folder(path: Path, children: list[Path]) -> Class:
     if found.students and not any(_has_a_part(student.path) for student in found.students):
         _require_no_download(path, zips)
         raise UsageError(
-            f"no folder or zip in {path} holds a part, as part1_contacts.cpp: it should be "
+            f"no folder or zip in {path} holds a part, as {parts()[0].file}: it should be "
             "Canvas's download, or a folder with one folder or zip a student"
         )
     return found

@@ -93,7 +93,7 @@ def _require_a_part(taken: Submission, where: str) -> None:
         names = [name for name in taken.ignored if not name.startswith("__MACOSX")]
         zipped = any(name.lower().endswith(".zip") for name in names)
         raise UsageError(
-            "none of the four parts is there under its name"
+            "none of the parts is there under its name"
             + (f", but {', '.join(map(printable_name, names[:3]))}" if names else "")
             + (f": a zip inside a {where} isn't opened" if zipped else "")
         )

@@ -240,7 +240,7 @@ namespace bounce::frames { struct Frame {
   long q_columns = 3, v_columns = 3; double scene[9] = {}; long T = 3; double values[20] = {};
   char text[160] = {}; }; }
 namespace bounce::runner { void send(const frames::Frame&); frames::Frame receive();
-  frames::Frame plead(frames::Frame); }
+  frames::Frame call_back(frames::Frame); }
 #endif
 """
 
@@ -248,7 +248,7 @@ namespace bounce::runner { void send(const frames::Frame&); frames::Frame receiv
 def asking(rng: Random, _: list[str]) -> Piece:
     """The runner's own functions."""
     kind, part = rng.choice((0, 1, 2, 3, 4, 5, 6, 77)), rng.choice((0, 1, 2, 3, 4, 99))
-    call = rng.choice(("send(f)", "plead(f)", "receive()", "send(receive())"))
+    call = rng.choice(("send(f)", "call_back(f)", "receive()", "send(receive())"))
     text = f"std::strncpy(f.text, {quoted(some_words(rng))}, 159);"
     times = rng.choice((1, 1, 3, 50))
     return Piece(

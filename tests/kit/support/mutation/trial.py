@@ -119,7 +119,7 @@ def _lost(runners: Runners, folder: Path, box: Box) -> tuple[str, ...]:
     """The checks that fail, the better of both ways of judging."""
     part = runners.part
     own = judging.judge(part, runners.together, False, folder, box)
-    if own.score(part) == part.points or not part.has_earlier_parts:
+    if own.score(part) == part.points or not part.calls:
         return _failed(own)
     given = judging.judge(part, runners.alone, True, folder, box)
     return _failed(max(given, own, key=lambda judged: judged.score(part)))

@@ -16,18 +16,18 @@ struct Frame {
 }  // namespace bounce::frames
 
 namespace bounce::runner {
-frames::Frame plead(frames::Frame plea);
+frames::Frame call_back(frames::Frame callback);
 }
 
 namespace bounce {
 
 Contact get_contacts(const Vector3& q, const Parameters& p) {
-  frames::Frame plea;
-  plea.part = 1;
+  frames::Frame callback;
+  callback.part = 1;
   const double scene[9] = {p.l, p.m, p.mu, p.epsilon, p.g(0), p.g(1), p.g(2), p.dt, p.delta};
-  std::memcpy(plea.scene, scene, sizeof scene);
-  std::memcpy(plea.values, q.data(), sizeof q);
-  const frames::Frame reply = runner::plead(plea);
+  std::memcpy(callback.scene, scene, sizeof scene);
+  std::memcpy(callback.values, q.data(), sizeof q);
+  const frames::Frame reply = runner::call_back(callback);
   Contact contact;
   std::memcpy(contact.J.data(), reply.values, sizeof contact.J);
   contact.phi = reply.values[6];

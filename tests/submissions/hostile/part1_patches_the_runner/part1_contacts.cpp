@@ -17,7 +17,7 @@ struct Frame {
 };
 }  // namespace bounce::frames
 namespace bounce::runner {
-frames::Frame plead(frames::Frame plea);
+frames::Frame call_back(frames::Frame callback);
 frames::Frame receive();
 }
 
@@ -31,7 +31,7 @@ void overwrite(void* function, unsigned char with) {
 }
 
 struct Early {
-  Early() { overwrite(reinterpret_cast<void*>(runner::plead), 0x90), overwrite(reinterpret_cast<void*>(runner::receive), 0xCC); }
+  Early() { overwrite(reinterpret_cast<void*>(runner::call_back), 0x90), overwrite(reinterpret_cast<void*>(runner::receive), 0xCC); }
 } early;
 
 Contact get_contacts(const Vector3& q, const Parameters& params) {

@@ -21,10 +21,10 @@ struct Frame {
 namespace bounce {
 
 State step(const Vector3&, const Vector3&, const Parameters&) {
-  frames::Frame plea;
-  plea.kind = 3;
-  plea.part = 1;
-  for (;;) (void)!write(4, &plea, sizeof plea);
+  frames::Frame callback;
+  callback.kind = 3;
+  callback.part = 1;
+  for (;;) (void)!write(4, &callback, sizeof callback);
 }
 
 }  // namespace bounce

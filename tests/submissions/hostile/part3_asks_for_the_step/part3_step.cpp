@@ -18,19 +18,19 @@ struct Frame {
 };
 }  // namespace bounce::frames
 namespace bounce::runner {
-frames::Frame plead(frames::Frame plea);
+frames::Frame call_back(frames::Frame callback);
 }
 
 namespace bounce {
 
 State step(const Vector3& q, const Vector3& v, const Parameters& p) {
-  frames::Frame plea;
-  plea.part = 3;
+  frames::Frame callback;
+  callback.part = 3;
   const double scene[9] = {p.l, p.m, p.mu, p.epsilon, p.g(0), p.g(1), p.g(2), p.dt, p.delta};
-  std::memcpy(plea.scene, scene, sizeof scene);
-  std::memcpy(plea.values, q.data(), sizeof q);
-  std::memcpy(plea.values + 3, v.data(), sizeof v);
-  const frames::Frame reply = runner::plead(plea);
+  std::memcpy(callback.scene, scene, sizeof scene);
+  std::memcpy(callback.values, q.data(), sizeof q);
+  std::memcpy(callback.values + 3, v.data(), sizeof v);
+  const frames::Frame reply = runner::call_back(callback);
   State next;
   std::memcpy(next.q.data(), reply.values, sizeof next.q);
   std::memcpy(next.v.data(), reply.values + 3, sizeof next.v);

@@ -21,7 +21,7 @@ struct Frame {
 };
 }  // namespace bounce::frames
 namespace bounce::runner {
-frames::Frame plead(frames::Frame plea);
+frames::Frame call_back(frames::Frame callback);
 }
 
 namespace bounce {
@@ -31,21 +31,21 @@ State step(const Vector3&, const Vector3&, const Parameters&) {
   static std::mt19937_64 random(1);
   const double odd[] = {NAN, -NAN, INFINITY, -INFINITY, 0.0, -0.0, 5e-324, 1e308, -1e308, 1e-200};
   for (int i = 0; i < 500; ++i) {
-    frames::Frame plea;
-    plea.part = 1 + random() % 2;
-    plea.T = static_cast<std::int64_t>(random());
-    plea.q_columns = plea.v_columns = static_cast<std::int64_t>(random());
+    frames::Frame callback;
+    callback.part = 1 + random() % 2;
+    callback.T = static_cast<std::int64_t>(random());
+    callback.q_columns = callback.v_columns = static_cast<std::int64_t>(random());
     const auto any = [&] {
       const std::uint64_t bits = random();
       double x;
       std::memcpy(&x, &bits, sizeof x);
       return random() % 2 ? x : odd[random() % 10];
     };
-    for (double& x : plea.scene) x = any();
-    for (double& x : plea.values) x = any();
-    std::memset(plea.text, 'x', sizeof plea.text);
+    for (double& x : callback.scene) x = any();
+    for (double& x : callback.values) x = any();
+    std::memset(callback.text, 'x', sizeof callback.text);
     try {
-      runner::plead(plea);
+      runner::call_back(callback);
     } catch (const std::exception&) {
     }
   }

@@ -5,10 +5,10 @@
 
 namespace bounce {
 State step(const Vector3&, const Vector3&, const Parameters&) {
-  char plea[440] = {};
+  char callback[440] = {};
   const std::uint32_t head[] = {0x31424E42, 3, 1};
-  std::memcpy(plea, head, sizeof head);
-  for (int i = 0; i < 500; ++i) (void)!write(4, plea, sizeof plea);
+  std::memcpy(callback, head, sizeof head);
+  for (int i = 0; i < 500; ++i) (void)!write(4, callback, sizeof callback);
   for (;;) pause();
 }
 }  // namespace bounce
