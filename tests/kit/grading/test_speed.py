@@ -14,7 +14,7 @@ import pytest
 from bounce_grader import formats
 from bounce_grader.common import escaping
 from bounce_grader.common.errors import KitError
-from bounce_grader.formats import speed_chart, terminal
+from bounce_grader.formats import html, speed_chart, terminal
 from bounce_grader.grading import speed
 from bounce_grader.grading.grade import grade, Options
 from bounce_grader.grading.speed import Point
@@ -225,7 +225,7 @@ def test_who_goes_too_far_is_cut_and_loses_nothing_by_it(tmp_path: Path, name: s
     assert len(speed.curve(found, "solution")) == len(found["dt"])
     assert len(speed.curve(found, "submission")) < len(found["dt"])
     assert record["score"] == grade(tmp_path / "submission")["score"]
-    assert "<b>" not in speed_chart.page_section(found)
+    assert "<b>" not in html.render(record)
     assert any("It was cut" in line for _, line in terminal.lines(record))
 
 
@@ -300,7 +300,7 @@ def test_an_error_beyond_all_bounds_is_none() -> None:
 
 
 def test_the_chart_is_told_apart_without_colour() -> None:
-    drawn = speed_chart.page_section(found(RIGHT, RIGHT, LEAST))
+    drawn = speed_chart.of_all(found(RIGHT, RIGHT, LEAST))
     dashes = set(re.findall(r'stroke-dasharray="([^"]*)"', drawn))
     assert set(filter(None, speed_chart.DASHES.values())) < dashes
     assert len(set(speed_chart.DASHES.values())) == 3
