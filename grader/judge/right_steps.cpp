@@ -30,6 +30,7 @@ std::optional<Eigen::Index> wrong_column(const Trajectory& trajectory, const Sta
   for (Eigen::Index column = 0; column < trajectory.q.cols(); ++column) {
     const State now{trajectory.q.col(column), trajectory.v.col(column)};
     const State expected = column == 0 ? start : step(before.q, before.v, params);
+    if (!now.q.allFinite() || !now.v.allFinite()) return column;
     if (!are_same(expected, now) && (column == 0 || is_decidable(before, params))) return column;
     before = now;
   }

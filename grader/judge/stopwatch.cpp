@@ -44,7 +44,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double kBudget = 1.5e9;  // ns of CPU time for all curves
+constexpr double kBudget = 2e9;  // ns of CPU time for all curves
 constexpr int kManyColumns = 20'001;
 
 // What a question costs that isn't the trajectory: ns, and ns a column.
@@ -87,7 +87,7 @@ class InRunner : public Contender {
  private:
   static Limits limits() {
     Limits limits;
-    limits.cpu_seconds = 3;
+    limits.cpu_seconds = 4;
     limits.wall_seconds = 20;
     return limits;
   }

@@ -92,7 +92,7 @@ class _Compiling(NamedTuple):
         first = result = self._run(clang, folder, made, ())
         if more and compiler.misses_a_file(first):
             return Built(None)
-        if not first.ok and not compiler.ran_out_of_time(first):
+        if not first.ok and not compiler.ran_out_of_time(first) and not first.flooded:
             gcc = compiler.gcc(self.file, self.submission, self.box, self.timed)
             result = self._run(gcc, folder, made, PROGRAMS)
         if not result.ok or not made.stat().st_size:

@@ -100,6 +100,8 @@ def compile_problem(result: processes.Result, file: str) -> str:
         return f"{file} took more than {COMPILE.cpu_seconds} s to compile"
     if result.code in (-25, 128 + 25):
         return too_large(file)
+    if result.flooded:
+        return f"{file} makes the compiler print without end: look for lines of assembler in it"
     errors = re.findall(r"^(.+?:\d+:\d+): (?:fatal )?error: (.*)$", result.err, re.MULTILINE)
     if not errors:
         return f"{file}: {_without_a_place(result)}"

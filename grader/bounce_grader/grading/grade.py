@@ -18,7 +18,7 @@ from bounce_grader.common.paths import STUBS, WORK_FOLDER
 from bounce_grader.grading import fixtures, judging, record, sanitizing, speed
 from bounce_grader.grading.judging import Judged
 from bounce_grader.grading.record import Record
-from bounce_grader.sandbox import box as boxes, budget
+from bounce_grader.sandbox import box as boxes
 from bounce_grader.sandbox.box import Box
 from bounce_grader.sandbox.budget import Budget, Overrun
 from bounce_grader.submission import submission
@@ -30,15 +30,14 @@ class Options(NamedTuple):
     speed: bool = False
     jobs: int = 0  # 0: one a core
     answers: bool = False  # with the expected answers of hidden cases, for with_answers
-    cpu_seconds: float = budget.CPU_SECONDS  # for the whole grading
-    wall_seconds: float = budget.WALL_SECONDS
+    within: Budget | None = None  # of the whole grading; None: from its beginning on
 
 
 def grade(given: Path | Submission, options: Options = Options()) -> Record:
     """A submission, or the folder or zip with it. Raises UsageError where it can't be read,
     KitError where the kit fails."""
     start = time.monotonic()
-    within = Budget(options.cpu_seconds, options.wall_seconds)
+    within = options.within or Budget()
     taken = given if isinstance(given, Submission) else submission.read(given)
     box = boxes.choose(options.boxes)._replace(budget=within)
     hidden = fixtures.hidden_folder()
@@ -55,10 +54,7 @@ def grade(given: Path | Submission, options: Options = Options()) -> Record:
             _require_working_kit(Box(box.kind))
         measured = None
         if options.speed:
-            box = box._replace(budget=Budget(options.cpu_seconds, options.wall_seconds))
-            timed = compile_all(taken, work, box, jobs, timed=True)
-            runner = _link_together(taken, timed, work / "timed", box, timed=True)
-            measured = _speed(grading, runner, box)
+            measured = _speed(grading, jobs)
     end = time.monotonic()
     graded = record.whole(
         taken,
@@ -211,11 +207,22 @@ def _require_working_kit(box: Box) -> None:
         raise KitError(f"the box stopped working while it was in use: {problem}")
 
 
-def _speed(grading: _Grading, timed: Built, box: Box) -> Record:
-    """Its curve beside the solution's, and the largest error over all public cases."""
+def _speed(grading: _Grading, jobs: int) -> Record:
+    """Its curve beside the solution's, where its parts run together and the grading has time left
+    for it; and the largest error over all public cases."""
     errors = [judged.largest_error for judged in grading.best.values()]
-    graded = grading.together
-    measured = speed.measure(timed.path, graded, box) if timed.path and graded else None
     known = [error for error in errors if error is not None]
     complete = len(known) == len(parts())
+    measured: Record | None = None
+    with suppress(Overrun):
+        measured = _measured(grading, jobs) if grading.together else None
     return {**(measured or {}), "largest_error": max(known) if complete else None}
+
+
+def _measured(grading: _Grading, jobs: int) -> Record | None:
+    taken, work, box = grading.taken, grading.work, grading.box
+    objects = compile_all(taken, work, box, jobs, timed=True)
+    timed = _link_together(taken, objects, work / "timed", box, timed=True)
+    if not timed.path or not grading.together:
+        return None
+    return speed.measure(timed.path, grading.together, box)

@@ -23,6 +23,10 @@ class Budget:
         self._cpu_end = _cpu() + cpu_seconds
         self._wall_end = time.monotonic() + wall_seconds
 
+    def charge(self, cpu_seconds: float) -> None:
+        """For what the system doesn't count: processes that were stopped."""
+        self._cpu_end -= cpu_seconds
+
     def left(self) -> tuple[float, float]:
         """CPU seconds and seconds on the wall; below 0 where they are used up."""
         return self._cpu_end - _cpu(), self._wall_end - time.monotonic()

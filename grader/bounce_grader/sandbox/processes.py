@@ -47,7 +47,7 @@ class Limits(NamedTuple):
 
 class Result(NamedTuple):
     code: int  # the exit status; -n for signal n
-    cpu_seconds: float  # of it and of what it waited for; 0 where it was stopped
+    cpu_seconds: float  # of it and of what it waited for; where it was stopped, of all below it
     out: bytes
     err: str
     too_long: bool  # ended because the wall clock ran out
@@ -57,6 +57,11 @@ class Result(NamedTuple):
     @property
     def ok(self) -> bool:
         return self.code == 0 and not self.too_long and not self.flooded and self.boxed
+
+    @property
+    def stopped(self) -> bool:
+        """By `run`: what it took isn't in the system's count of what we have waited for."""
+        return self.too_long or self.flooded
 
     @property
     def killed(self) -> bool:
@@ -165,11 +170,28 @@ def _collect(
 
 def _code_and_seconds(process: subprocess.Popen[bytes], stop: bool) -> tuple[int, float]:
     if stop:
+        seconds = _seconds_of_all_below(process.pid)  # which nobody waits for in a box of its own
         _stop(process)
-        return process.returncode, 0.0
+        return process.returncode, seconds
     _, status, usage = os.wait4(process.pid, 0)
     process.returncode = os.waitstatus_to_exitcode(status)
     return process.returncode, usage.ru_utime + usage.ru_stime
+
+
+def _seconds_of_all_below(root: int) -> float:
+    """CPU time of a process and its descendants, and of what these have waited for."""
+    parent_of: dict[int, int] = {}
+    ticks_of: dict[int, int] = {}
+    for entry in filter(str.isdigit, os.listdir("/proc")):
+        with suppress(OSError):  # it has ended
+            stat = Path("/proc", entry, "stat").read_text(errors="replace")
+            fields = stat.rpartition(")")[2].split()
+            parent_of[int(entry)] = int(fields[1])
+            ticks_of[int(entry)] = sum(map(int, fields[11:15]))
+    below = {root}
+    while more := {pid for pid, parent in parent_of.items() if parent in below} - below:
+        below |= more
+    return sum(ticks_of.get(pid, 0) for pid in below) / os.sysconf("SC_CLK_TCK")
 
 
 def _stop(process: subprocess.Popen[bytes]) -> None:

@@ -53,6 +53,8 @@ class _TooMany(Exception):
 
 def _entries(path: Path, archive: zipfile.ZipFile) -> Iterator[Entry]:
     names: set[str] = set()
+    if len(archive.infolist()) > MOST_ENTRIES:  # folders among them
+        raise _too_many(path)
     for info in archive.infolist():
         if info.filename.endswith(("/", "\\")):
             continue
@@ -60,8 +62,6 @@ def _entries(path: Path, archive: zipfile.ZipFile) -> Iterator[Entry]:
         if name in names:
             raise UsageError(f"{path} holds two entries of the same name: make it anew")
         names.add(name)
-        if len(names) > MOST_ENTRIES:
-            raise _too_many(path)
         yield _entry(path, archive, info, name)
 
 

@@ -26,6 +26,30 @@ def test_reads_the_names_that_canvas_writes(
     assert canvas.parse(entry) == Upload(entry, name, user, late, attachment, file)
 
 
+def users(*entries: str) -> list[str | None]:
+    return [upload.user if upload else None for upload in canvas.read_all(entries).values()]
+
+
+def test_a_name_that_ends_in_a_number_puts_no_file_into_anothers_submission() -> None:
+    victim = "victimvera_123_5001_part1_contacts.cpp"
+    assert users(victim, "mallory_123_99_6000_x.zip") == ["123", "99"]
+    assert users("mallory_123_99_6000_x.zip", victim) == ["99", "123"]
+    assert users("victimvera_LATE_123_5001_x.zip", "mallory_123_99_6000_x.zip") == ["123", "99"]
+    assert users("vera_123_text.html", "mallory_123_99_6000_x.zip") == ["123", "99"]
+    # Where both could be another's, a person has to look.
+    assert users("vera_123_5001_7_x.zip", "mallory_123_99_6000_x.zip") == [None, None]
+    # And where the alternative is somebody else's as well.
+    assert users(victim, "doe_99_5000_x.zip", "mallory_123_99_6000_x.zip") == ["123", "99", None]
+
+
+def test_a_groups_number_and_a_files_are_told_apart_by_what_else_there_is() -> None:
+    assert users("team_7_99_6000_part1.cpp", "team_7_99_6001_part2.cpp") == ["99", "99"]
+    near = ("doe_1_5990_x.zip", "roe_2_6010_x.zip")
+    assert users(*near, "team_7_99_6000_x.zip")[2] == "99"
+    assert users(*near, "poe_3_6001_20240001_hw.zip")[2] == "3"
+    assert users("poe_3_6001_20240001_hw.zip", "noe_4_6002_20240002_hw.zip") == ["3", "4"]
+
+
 @pytest.mark.parametrize("kind", ["text", "link"])
 def test_knows_what_was_typed_into_canvas(kind: str) -> None:
     assert canvas.parse(f"doe_LATE_12_{kind}.html") == TextEntry("doe", "12", True, kind)

@@ -8,10 +8,11 @@ from typing import Any
 import hostile
 import pytest
 from bounce_grader.build import object_cache
+from bounce_grader.build.compile import compile_all
 from bounce_grader.common.manifest import parts
 from bounce_grader.grading import judging
 from bounce_grader.grading.grade import grade as grade_path, Options
-from bounce_grader.sandbox import budget
+from bounce_grader.sandbox import box as boxes, budget
 from bounce_grader.sandbox.budget import Budget, Overrun
 from bounce_grader.sandbox.processes import Limits
 from bounce_grader.submission.submission import read
@@ -41,7 +42,7 @@ def test_what_we_use_ourselves_counts() -> None:
 
 
 def test_a_grading_without_time_says_so_of_every_part() -> None:
-    record = grade_path(SOLUTION, Options(wall_seconds=0))
+    record = grade_path(SOLUTION, Options(within=Budget(60, 0)))
     assert record["score"] == 0
     assert all("the grading as a whole had taken its 0 s" in p["message"] for p in record["parts"])
 
@@ -69,10 +70,31 @@ def test_the_judge_keeps_to_what_is_left(tmp_path: Path) -> None:
     works += "{ while (clock() < CLOCKS_PER_SEC / 2) {} abort(); }"
     write(tmp_path, {part.file: hostile.part(part.number, works) for part in parts()})
     before = _cpu_seconds_of_children()
-    record = grade_path(tmp_path, Options(cpu_seconds=4))
+    record = grade_path(tmp_path, Options(within=Budget(4, 120)))
     assert record["score"] == 0
     assert "whole" in record["parts"][3]["message"], record["parts"][3]
     assert _cpu_seconds_of_children() - before < 20  # and not the 60 that the runners could take
+
+
+PRINTS = """constexpr long spend() { long x = 0; for (long i = 0; i < 900000; ++i) x += i & 7; return x; }
+static_assert(spend() > 0);
+asm(".rept 2000000\\n.print \\"a line of some forty characters, and again\\"\\n.endr");
+"""
+
+
+def test_a_compiler_that_is_stopped_counts(tmp_path: Path) -> None:
+    """Nobody waits for the processes of a box that is ended, so the system counts them nowhere."""
+    box = boxes.choose(boxes.FULL_OR_REDUCED)._replace(budget=Budget(50, 100))
+    taken = read(write(tmp_path / "s", {"part1_contacts.cpp": PRINTS.encode()}))
+    work = tmp_path / "work"
+    work.mkdir()
+    box.give(work)
+    before = _cpu_seconds_of_children()
+    left = box.budget.left()[0]
+    built = compile_all(taken, work, box, 1).parts[1]
+    assert not built.path and "makes the compiler print without end" in built.problem
+    uncounted = left - box.budget.left()[0] - (_cpu_seconds_of_children() - before)
+    assert uncounted > 0.1
 
 
 def _cpu_seconds_of_children() -> float:

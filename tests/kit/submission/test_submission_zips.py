@@ -52,6 +52,11 @@ def test_too_many_files_are_refused(tmp_path: Path) -> None:
     assert "more than" in refusal(zip_of(tmp_path / "x.zip", files))
 
 
+def test_too_many_folders_are_refused_too(tmp_path: Path) -> None:
+    files = {f"{i}/": b"" for i in range(entry.MOST_ENTRIES)}
+    assert "more than" in refusal(zip_of(tmp_path / "x.zip", {**files, "part1_contacts.cpp": b""}))
+
+
 def test_a_zip_that_lies_about_a_size_is_no_source(tmp_path: Path) -> None:
     path = zip_of(tmp_path / "x.zip", {"part1_contacts.cpp": b" " * 2 * entry.LARGEST_SOURCE})
     data = bytearray(path.read_bytes())

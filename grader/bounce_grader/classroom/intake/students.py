@@ -20,6 +20,7 @@ from bounce_grader.submission.submission import HEADERS, MOST_BYTES, SOURCES, pa
 
 MOST_UPLOADS = 100  # of a student's
 HAND_IN = f"Hand in the parts, {parts()[0].file} to {parts()[-1].file}, as files or as one zip."
+EITHER = "could be either of two users', by its name: look in Canvas whose it is"
 
 
 @dataclass(frozen=True)
@@ -106,15 +107,18 @@ def _canvas(path: Path) -> Class:
         ]
     users: dict[str, list[Upload]] = {}
     texts: dict[str, list[TextEntry]] = {}
-    for name in archive.names():
-        parsed = canvas.parse(name) if "/" not in name else None
+    entries = archive.names()
+    read_as = canvas.read_all(name for name in entries if "/" not in name)
+    for name in entries:
+        parsed = read_as.get(name)
         if isinstance(parsed, Upload):
             users.setdefault(parsed.user, []).append(parsed)
         elif parsed:
             texts.setdefault(parsed.user, []).append(parsed)
             found.unmatched.append(_typed(name, parsed))
         else:
-            found.unmatched.append(Unmatched(name, _no_name(name)))
+            either = canvas.parse(name) and "/" not in name
+            found.unmatched.append(Unmatched(name, EITHER if either else _no_name(name)))
     for user, uploads in users.items():
         page = canvas.feedback_name(tuple(uploads))
         name = page.removesuffix("_feedback.html")

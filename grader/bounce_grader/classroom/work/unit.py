@@ -9,6 +9,7 @@ import os
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -18,6 +19,7 @@ from bounce_grader.common.errors import KitError, UsageError
 from bounce_grader.common.escaping import printable_name
 from bounce_grader.common.files import write_whole
 from bounce_grader.grading.record import sentence
+from bounce_grader.sandbox.budget import Budget
 from bounce_grader.submission.submission import Submission
 
 Record = dict[str, Any]
@@ -34,17 +36,18 @@ class Outcome:
     seconds: float
 
 
-def grade_submission(taken: Submission, task: Task) -> Record:
+def grade_submission(taken: Submission, task: Task, within: Budget) -> Record:
     from bounce_grader.grading.grade import grade, Options
     from bounce_grader.sandbox import box
 
-    wanted = Options(box.kinds(task.trust), task.speed, jobs=1, answers=True)
+    wanted = Options(box.kinds(task.trust), task.speed, jobs=1, answers=True, within=within)
     return grade(taken, wanted)
 
 
-def run(task: Task, grade: Grade = grade_submission) -> Outcome:
+def run(task: Task, grade: Grade | None = None) -> Outcome:
     """Never raises an Exception: a failure of the kit is an outcome, and leaves no file."""
     start = time.monotonic()
+    grade = grade or partial(grade_submission, within=Budget())  # reading it takes of it, too
     try:
         result = _result(task, grade)
         path = result_path(Path(task.results), task.key)
