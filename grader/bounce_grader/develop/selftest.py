@@ -8,7 +8,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from bounce_grader.common.paths import BUILD, ROOT
-from bounce_grader.develop import confusion, fuzz
+from bounce_grader.develop import confusion, fuzz, tidy
 from bounce_grader.grading.fixtures import hidden_folder
 from bounce_grader.publish.fixtures import all_differing
 
@@ -58,7 +58,7 @@ def _steps(extent: str) -> list[Step]:
         Step("formatting: clang-format", _clang_format),
         Step("formatting: black", lambda: _command("black", "-q", "--check", *PYTHON)),
         Step("types: mypy", _mypy),
-        Step("lint: clang-tidy", _clang_tidy, "usual"),
+        Step("lint: clang-tidy", lambda: tidy.run(all_files=extent == "long"), "usual"),
         Step("fixtures are what the kit writes", _fixtures),
         Step("C++ tests", _ctest),
         Step("known mistakes: what the gallery is taken for", confusion.run),
@@ -99,14 +99,6 @@ def _clang_format() -> int:
 
 def _mypy() -> int:
     return _command("mypy", "--no-error-summary", "--cache-dir", str(BUILD / "mypy"), *PYTHON)
-
-
-def _clang_tidy() -> int:
-    sources = [f for f in _sources("solution", "grader/judge") if f.endswith(".cpp")]
-    jobs = str(os.cpu_count() or 1)
-    unknown = "-extra-arg=-Wno-unknown-warning-option"  # g++'s own, in the build's flags
-    tidy = [sys.executable, "/usr/bin/run-clang-tidy", "-quiet", "-p", str(BUILD)]
-    return _quietly(*tidy, "-j", jobs, unknown, *sources)
 
 
 def _fixtures() -> int:

@@ -125,7 +125,7 @@ def answers(part: Part, runner: Path) -> Answers:
     return list(json.loads(result.out))
 
 
-def answers_of(folder: Path, part: Part, work: Path) -> Answers:
+def runner_of(folder: Path, part: Part, work: Path) -> Path:
     """Of a folder's file for a part, built alone."""
     taken = submission.read(folder)
     work.mkdir(parents=True, exist_ok=True)
@@ -133,7 +133,11 @@ def answers_of(folder: Path, part: Part, work: Path) -> Answers:
     linked = linking.link_alone(part, objects, work / "runner", TRUSTED)
     if not linked.path:
         raise KitError(f"{folder.name} can't be built: {linked.problem}")
-    got = answers(part, linked.path)
+    return linked.path
+
+
+def answers_of(folder: Path, part: Part, work: Path) -> Answers:
+    got = answers(part, runner_of(folder, part, work))
     if not got:
         raise KitError(f"{folder.name} ends before it has answered; such ones belong into broken/")
     return got

@@ -12,8 +12,10 @@ import pytest
 from bounce_grader.common.manifest import parts
 from bounce_grader.formats import terminal
 from bounce_grader.grading import gallery, known_mistakes
+from bounce_grader.grading.fixtures import hidden_folder
 from bounce_grader.grading.gallery import expected, Expected, in_reduced_box
 from bounce_grader.grading.grade import grade, Options
+from bounce_grader.grading.judging import judge
 from bounce_grader.grading.known_mistakes import known
 from conftest import ROOT, SOLUTION, lost, points
 
@@ -26,6 +28,7 @@ def folders(kind: str) -> list[Path]:
 
 
 ALL = [folder for kind in KINDS for folder in folders(kind)]
+MISTAKES = folders("mistakes")
 
 
 def name_of(folder: Path) -> str:
@@ -58,22 +61,43 @@ def known_as(folder: Path) -> list[str]:
     return [expected(folder).get("recognised_as", name) for name in own]
 
 
-# One in twelve, and the rest in the whole run.
-SOME = [pytest.param(f, marks=[pytest.mark.slow] if i % 12 else []) for i, f in enumerate(ALL)]
+def run_of(number: int, folder: Path) -> list[pytest.MarkDecorator]:
+    """One in twelve is in the quick run. Of the mistakes, which differ in their numbers and not in
+    how they run, one in six is in the usual one; the judge sees all of them there."""
+    if number % 12 == 0:
+        return []
+    return [pytest.mark.long if folder in MISTAKES and number % 6 else pytest.mark.slow]
 
 
-@pytest.mark.parametrize("folder", SOME, ids=name_of)
+@pytest.mark.parametrize(
+    "folder", [pytest.param(f, marks=run_of(i, f)) for i, f in enumerate(ALL)], ids=name_of
+)
 def test_gets_what_it_should(folder: Path, tmp_path: Path) -> None:
     record = grade(submission_of(folder, tmp_path / "submission"))
     gets(expected(folder), record)
     assert named(record) == known_as(folder), shown(record)
 
 
-IN_BOTH = [folder for folder in folders("hostile") if "reduced" in expected(folder)]
-
-
 @pytest.mark.slow
-@pytest.mark.parametrize("folder", IN_BOTH, ids=name_of)
+@pytest.mark.parametrize("folder", MISTAKES, ids=lambda folder: folder.name)
+def test_a_mistake_costs_its_checks_and_is_named(folder: Path, tmp_path: Path) -> None:
+    """By the judge, of the mistaken part alone, in no box."""
+    mistake = known_mistakes.read(folder)
+    runner = known_mistakes.runner_of(folder, mistake.part, tmp_path)
+    given, box = bool(mistake.part.calls), known_mistakes.TRUSTED
+    judged = judge(mistake.part, runner, given, hidden_folder(), box, recognise=True)
+    assert sorted(id for id, v in judged.verdicts.items() if not v.passed) == sorted(mistake.lost)
+    assert judged.mistakes == (mistake.recognised_as,)
+
+
+IN_BOTH = [folder for folder in folders("hostile") if "reduced" in expected(folder)]
+IN_REDUCED = [
+    pytest.param(f, marks=pytest.mark.long if i % 4 else pytest.mark.slow)
+    for i, f in enumerate(IN_BOTH)
+]
+
+
+@pytest.mark.parametrize("folder", IN_REDUCED, ids=name_of)
 def test_gets_what_it_should_in_the_reduced_box(folder: Path, tmp_path: Path) -> None:
     """Those whose attack is on what a box holds."""
     submission = submission_of(folder, tmp_path / "submission")

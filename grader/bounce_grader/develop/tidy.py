@@ -1,0 +1,63 @@
+"""clang-tidy over our own C++. A file takes it several seconds, most of them for the headers of Eigen
+and of the library, so that only a whole run looks at every file."""
+
+import hashlib
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+from bounce_grader.common.files import write_whole
+from bounce_grader.common.paths import BUILD, ROOT
+
+FOLDERS = ("solution", "grader/judge")
+HEADERS = ("solution", "grader", "student", "tests")
+MOST = 12  # files of a usual run
+CLEAN = BUILD / "tidied.json"  # {file: digest} of what was found clean
+
+
+def run(all_files: bool) -> int:
+    """Tidies every file that isn't known to be clean; in a usual run, those that changed last."""
+    digests = _digests()
+    clean = json.loads(CLEAN.read_text()) if CLEAN.exists() else {}
+    waiting = [file for file in _latest_first(digests) if clean.get(file) != digests[file]]
+    chosen = waiting if all_files else waiting[:MOST]
+    if not chosen:
+        return 0
+    unknown = "-extra-arg=-Wno-unknown-warning-option"  # g++'s own, in the build's flags
+    command = [sys.executable, "/usr/bin/run-clang-tidy", "-quiet", "-p", str(BUILD), unknown]
+    command += ["-j", str(os.cpu_count() or 1), *(f"^{ROOT / file}$" for file in chosen)]
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
+    if done.returncode:
+        print(done.stdout, done.stderr, sep="\n", flush=True)
+        return done.returncode
+    write_whole(CLEAN, json.dumps(clean | {file: digests[file] for file in chosen}))
+    if len(chosen) < len(waiting):
+        print(f"   the {len(chosen)} files that changed last; --long looks at {len(waiting)}")
+    return 0
+
+
+def _digests() -> dict[str, str]:
+    """Of each file with everything of ours that it could include, and the checks."""
+    shared = hashlib.sha256((ROOT / ".clang-tidy").read_bytes())
+    for header in sorted(h for folder in HEADERS for h in (ROOT / folder).rglob("*.hpp")):
+        shared.update(header.read_bytes())
+    sources = [f for folder in FOLDERS for f in sorted((ROOT / folder).rglob("*.cpp"))]
+    return {str(f.relative_to(ROOT)): _with(shared.hexdigest(), f) for f in sources}
+
+
+def _with(shared: str, file: Path) -> str:
+    return hashlib.sha256(shared.encode() + file.read_bytes()).hexdigest()
+
+
+def _latest_first(files: dict[str, str]) -> list[str]:
+    """By git's history, where there is one; what isn't committed yet comes first."""
+    log = ["git", "log", "--name-only", "--format=", "-n", "200", "--", *FOLDERS]
+    changed = [*_lines(["git", "diff", "--name-only", "HEAD"]), *_lines(log), *files]
+    return [file for file in dict.fromkeys(changed) if file in files]
+
+
+def _lines(command: list[str]) -> list[str]:
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
+    return done.stdout.splitlines()
