@@ -26,7 +26,7 @@ class Tidy:
 def stand_in(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Tidy:
     made = Tidy()
     monkeypatch.setattr(tidy, "CLEAN", tmp_path / "tidied.json")
-    monkeypatch.setattr(tidy.subprocess, "run", made.run)
+    monkeypatch.setattr(subprocess, "run", made.run)
     return made
 
 
