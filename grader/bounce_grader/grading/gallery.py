@@ -31,5 +31,7 @@ def points(lost: list[str]) -> list[float]:
 
 
 def _checks(lost: list[str]) -> list[str]:
-    whole = {f"part{part.number}": [check.id for check in part.checks] for part in parts()}
-    return [check for name in lost for check in whole.get(name, [name])]
+    """In the manifest's order; what the manifest doesn't have stays at the end."""
+    known = [(f"part{part.number}", check.id) for part in parts() for check in part.checks]
+    named = [check for part, check in known if part in lost or check in lost]
+    return named + [name for name in lost if all(name not in words for words in known)]

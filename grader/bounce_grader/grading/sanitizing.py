@@ -24,9 +24,8 @@ def explained(
     if box.kind != "full" or not any(map(_is_unclear, judged.verdicts.values())):
         return judged
     cpu, wall = box.budget.left()
-    box = box._replace(
-        budget=Budget(min(cpu - MARGIN, CPU_SECONDS), min(wall - MARGIN, WALL_SECONDS))
-    )
+    cpu, wall = min(cpu - MARGIN, CPU_SECONDS), min(wall - MARGIN, WALL_SECONDS)
+    box = box._replace(budget=Budget(cpu, wall, part_of=box.budget))
     try:
         built = linking.checked_alone(part, taken, work, box)
         if not built.path:

@@ -18,7 +18,13 @@ class Budget:
     """CPU seconds, of this process and of all that it has started and waited for, and seconds on
     the wall, from now on."""
 
-    def __init__(self, cpu_seconds: float = CPU_SECONDS, wall_seconds: float = WALL_SECONDS):
+    def __init__(
+        self,
+        cpu_seconds: float = CPU_SECONDS,
+        wall_seconds: float = WALL_SECONDS,
+        part_of: "Budget | None" = None,
+    ):
+        self._part_of = part_of
         self._limits = cpu_seconds, wall_seconds
         self._cpu_end = _cpu() + cpu_seconds
         self._wall_end = time.monotonic() + wall_seconds
@@ -26,6 +32,8 @@ class Budget:
     def charge(self, cpu_seconds: float) -> None:
         """For what the system doesn't count: processes that were stopped."""
         self._cpu_end -= cpu_seconds
+        if self._part_of:
+            self._part_of.charge(cpu_seconds)
 
     def left(self) -> tuple[float, float]:
         """CPU seconds and seconds on the wall; below 0 where they are used up."""

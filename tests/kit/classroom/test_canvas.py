@@ -30,24 +30,31 @@ def users(*entries: str) -> list[str | None]:
     return [upload.user if upload else None for upload in canvas.read_all(entries).values()]
 
 
-def test_a_name_that_ends_in_a_number_puts_no_file_into_anothers_submission() -> None:
-    victim = "victimvera_123_5001_part1_contacts.cpp"
-    assert users(victim, "mallory_123_99_6000_x.zip") == ["123", "99"]
-    assert users("mallory_123_99_6000_x.zip", victim) == ["99", "123"]
-    assert users("victimvera_LATE_123_5001_x.zip", "mallory_123_99_6000_x.zip") == ["123", "99"]
-    assert users("vera_123_text.html", "mallory_123_99_6000_x.zip") == ["123", "99"]
-    # Where both could be another's, a person has to look.
-    assert users("vera_123_5001_7_x.zip", "mallory_123_99_6000_x.zip") == [None, None]
-    # And where the alternative is somebody else's as well.
-    assert users(victim, "doe_99_5000_x.zip", "mallory_123_99_6000_x.zip") == ["123", "99", None]
+@pytest.mark.parametrize(
+    "attack",
+    [
+        "mallory_123_99_6000_x.zip",  # of user 99
+        "victimvera_123_99_6000_x.zip",
+        "victimvera_123_5999_99_6000_x.zip",
+        "victimvera_123_99_6000_99_6000_x.zip",
+        "mallory_123_5999_LATE_99_6000_x.zip",
+        "mallory_LATE_123_5999_99_6000_x.zip",
+    ],
+)
+def test_no_name_puts_a_file_into_anothers_submission(attack: str) -> None:
+    """A person has to look at it; what can be read in one way alone stays its user's."""
+    victim = ["victimvera_123_5001_part1_contacts.cpp", "victimvera_123_5002_part2_lcp.cpp"]
+    assert users(*victim, attack) == ["123", "123", None]
+    assert users(attack, *victim) == [None, "123", "123"]
+    assert users("victimvera_LATE_123_5001_x.zip", attack) == ["123", None]
+    assert users("victimvera_123_text.html", attack) == ["123", None]
 
 
-def test_a_groups_number_and_a_files_are_told_apart_by_what_else_there_is() -> None:
-    assert users("team_7_99_6000_part1.cpp", "team_7_99_6001_part2.cpp") == ["99", "99"]
-    near = ("doe_1_5990_x.zip", "roe_2_6010_x.zip")
-    assert users(*near, "team_7_99_6000_x.zip")[2] == "99"
-    assert users(*near, "poe_3_6001_20240001_hw.zip")[2] == "3"
-    assert users("poe_3_6001_20240001_hw.zip", "noe_4_6002_20240002_hw.zip") == ["3", "4"]
+def test_a_number_before_a_files_name_is_the_files() -> None:
+    files = ("poe_3_6001_20240001_hw.zip", "noe_4_6002_20240002_hw.zip")
+    assert users(*files) == ["3", "4"]
+    assert users("anon_abc_5_6_a.zip", "anon_abc_6_7_b.zip") == ["anon_abc", "anon_abc"]
+    assert users("poe_3_6001_part1.cpp", "poe_3_6002_2024_notes.txt") == ["3", None]
 
 
 @pytest.mark.parametrize("kind", ["text", "link"])

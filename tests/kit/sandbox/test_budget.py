@@ -32,6 +32,12 @@ def test_less_is_allowed_where_less_is_left() -> None:
         Budget(100, 0).within(LIMITS)
 
 
+def test_what_is_charged_to_a_part_of_a_budget_is_charged_to_the_whole() -> None:
+    whole = Budget(100, 100)
+    Budget(20, 20, part_of=whole).charge(15)
+    assert 84 < whole.left()[0] < 85.1
+
+
 def test_what_we_use_ourselves_counts() -> None:
     mine = Budget(0.05, 100)
     end = time.process_time() + 0.1

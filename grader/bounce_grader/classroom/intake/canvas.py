@@ -6,7 +6,7 @@
 
 A name is in lower case, and without anything but letters, digits and "_", so LATE is never a part
 of it. It may end in "_12", as that of a group does, and a file's name may begin with "12_": such an
-entry can be read in two ways, and the other entries decide (`read_all`).
+entry can be read in several ways (`read_all`).
 """
 
 import re
@@ -59,53 +59,22 @@ def parse(entry: str) -> Upload | TextEntry | None:
 
 
 def read_all(entries: Iterable[str]) -> dict[str, Upload | TextEntry | None]:
-    """Each entry as it fits to the others: a user has one name, and an attachment one file. None
-    where it isn't a name of Canvas's, or where it could be either of two users'."""
-    first = {entry: parse(entry) for entry in entries}
-    second = {entry: _with_a_longer_name(upload) for entry, upload in first.items()}
-    certain = [upload for entry, upload in first.items() if upload and not second[entry]]
-    name_of = {upload.user: upload.name for upload in certain}
-    attachments = [upload.attachment for upload in certain if isinstance(upload, Upload)]
-    times = Counter(upload.attachment for upload in first.values() if isinstance(upload, Upload))
-
-    def fits(upload: Upload) -> bool:
-        return name_of.get(upload.user, upload.name) == upload.name
-
-    def is_near(upload: Upload) -> bool:
-        return bool(attachments) and min(attachments) <= upload.attachment <= max(attachments)
-
-    for entry, other in second.items():
-        one = first[entry]
-        if not other or not isinstance(one, Upload):
-            continue
-        if not fits(one) or times[one.attachment] > 1 or (is_near(other) and not is_near(one)):
-            first[entry] = other if fits(other) else None
-    return _without_two_names(first, second)
-
-
-def _with_a_longer_name(upload: Upload | TextEntry | None) -> Upload | None:
-    """The other reading of an upload, in which what was taken for the user belongs to the name."""
-    if not isinstance(upload, Upload) or not upload.name or upload.late:
-        return None
-    found = re.fullmatch(rf"({ID})_(.+)", upload.file, re.DOTALL)
-    if not found or not upload.user.isdigit():
-        return None
-    name = f"{upload.name}_{upload.user}"
-    return Upload(upload.entry, name, str(upload.attachment), False, int(found[1]), found[2])
-
-
-def _without_two_names(
-    chosen: dict[str, Upload | TextEntry | None], second: dict[str, Upload | None]
-) -> dict[str, Upload | TextEntry | None]:
-    """Where a user would have two names still, what could be another's is nobody's."""
-    names: dict[str, set[str]] = {}
-    for upload in chosen.values():
-        if upload:
-            names.setdefault(upload.user, set()).add(upload.name)
+    """Each entry; None where it isn't a name of Canvas's, or where it could be of several users and
+    would go to one who has handed in something else: a student chooses a name, and a file's."""
+    read = {entry: parse(entry) for entry in entries}
+    number_of = Counter(upload.user for upload in read.values() if upload)
     return {
-        entry: None if upload and second[entry] and len(names[upload.user]) > 1 else upload
-        for entry, upload in chosen.items()
+        entry: None if upload and number_of[upload.user] > 1 and readings(entry) > 1 else upload
+        for entry, upload in read.items()
     }
+
+
+def readings(entry: str) -> int:
+    """In how many ways an entry could be read, with a shorter name or a longer one."""
+    if entry.startswith(("anon_", "LATE_anon_")):
+        return 1
+    uploads = re.findall(rf"(?<!_LATE)(?=(?:^|_)(?:LATE_)?{ID}_{ID}_.)", entry, re.DOTALL)
+    return len(uploads) + bool(ENTRY.fullmatch(entry))
 
 
 def feedback_name(uploads: tuple[Upload, ...]) -> str:

@@ -17,6 +17,7 @@ from bounce_grader.submission import intake, submission
 from bounce_grader.submission.entry import LARGEST_SOURCE, MOST_ENTRIES, Entry
 from bounce_grader.submission.submission import Submission
 
+MOST_ZIPS = 10
 LARGEST = 64 * 1024 * 1024  # of all uploads together
 WHOLE = Path("the submission")  # what messages call it
 
@@ -54,6 +55,8 @@ def _merged(
     texts = texts_of(archive, uploads)
     merged: dict[str, Entry] = {}
     listed = 0
+    if sum(is_zip(upload.file) for upload in uploads) > MOST_ZIPS:
+        raise UsageError(f"{WHOLE} holds more than {MOST_ZIPS} zips: hand in one")
     for upload, data in _contents(archive, uploads):
         if is_zip(upload.file):
             name = Path(upload.file) if len(uploads) > 1 else WHOLE

@@ -20,7 +20,7 @@ from bounce_grader.submission.submission import HEADERS, MOST_BYTES, SOURCES, pa
 
 MOST_UPLOADS = 100  # of a student's
 HAND_IN = f"Hand in the parts, {parts()[0].file} to {parts()[-1].file}, as files or as one zip."
-EITHER = "could be either of two users', by its name: look in Canvas whose it is"
+EITHER = "could be one of several users', by its name: look in Canvas who handed it in"
 
 
 @dataclass(frozen=True)

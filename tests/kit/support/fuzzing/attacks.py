@@ -167,7 +167,8 @@ def _class(rng: Random, places: list[str]) -> Attack:
     with zipfile.ZipFile(stream, "w") as archive:
         for user, uploads in entries:
             for number, (name, data) in enumerate(uploads):
-                archive.writestr(f"doejane_{user}_{user}{number:02}_{name}", data)
+                entry = f"doejane_{user}_{user}{number:02}_{name}"
+                archive.writestr(zipfile.ZipInfo(entry), data)
     return Attack({}, stream.getvalue(), frozenset(), frozenset(honest))
 
 
