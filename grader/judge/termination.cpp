@@ -108,7 +108,7 @@ std::string of_refused_call(const std::string& cause) {
 std::string of_arithmetic_error(const std::string& cause) {
   const std::string what = "the program crashed with an arithmetic error: ";
   return what + (cause == runner::kFloat
-                     ? "it asked to be ended by inexact, infinite or invalid numbers, and made one"
+                     ? "it turned floating-point traps on, and an operation set one off"
                      : "an integer division by zero");
 }
 

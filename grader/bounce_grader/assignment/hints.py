@@ -10,12 +10,12 @@ from bounce_grader.common.paths import ROOT
 @cache
 def headings() -> dict[str, str]:
     """Check id -> "1.2 The moment arm r"."""
-    found: dict[str, str] = {}
+    heading_of: dict[str, str] = {}
     for part in parts():
         heading = ""
         for line in (ROOT / "student" / "hints" / f"{part.stem}.md").read_text().splitlines():
             if line.startswith("## "):
                 heading = line[3:]
             if line.startswith("Checks: "):
-                found |= {check: heading for check in re.findall(r"part\d\.\w+", line)}
-    return found
+                heading_of |= {check: heading for check in re.findall(r"part\d\.\w+", line)}
+    return heading_of

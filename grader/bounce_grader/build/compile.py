@@ -78,7 +78,8 @@ class _Compiling(NamedTuple):
         return self._seeing(everything, more=False)
 
     def _seeing(self, names: list[str], more: bool) -> Built:
-        """Neither an object nor a problem where a file is missed and `more` could be seen."""
+        """Built with these files to see. It has neither an object nor a problem if the compiler missed
+        a file and `more` files could be shown to it."""
         name = object_cache.name_of(self.file, names, self.submission, self.box, self.timed)
         place = object_cache.place(name)
         if object_cache.is_there(place):

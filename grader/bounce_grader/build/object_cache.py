@@ -36,11 +36,11 @@ def name_of(file: str, names: Iterable[str], submission: Submission, box: Box, t
     """Names an object: the file, what can be included, and what it is built with, and where, and
     how it is taken from its compiler."""
     words = [FORMAT, file, box.kind, str(timed), *submission.include_folders]
-    found = hashlib.sha256(toolchain_digest() + os.fsencode("\0".join(words)))
+    hasher = hashlib.sha256(toolchain_digest() + os.fsencode("\0".join(words)))
     for name in names:
         text = submission.files[name]
-        found.update(os.fsencode(f"\0{name}\0{len(text)}\0") + text)
-    return found.hexdigest()
+        hasher.update(os.fsencode(f"\0{name}\0{len(text)}\0") + text)
+    return hasher.hexdigest()
 
 
 @cache
@@ -53,10 +53,10 @@ def toolchain_digest() -> bytes:
             f"the kit's folder {BUILD} belongs to {BUILD.owner()}, who alone can grade with it: "
             "copy the kit to a folder of your own, and run it there"
         )
-    found = hashlib.sha256(str(RUNNER).encode())
+    hasher = hashlib.sha256(str(RUNNER).encode())
     for path in sorted(RUNNER.iterdir()):
-        found.update(f"{path.name} {path.stat().st_mtime_ns}\0".encode())
-    return found.digest()
+        hasher.update(f"{path.name} {path.stat().st_mtime_ns}\0".encode())
+    return hasher.digest()
 
 
 def place(name: str) -> Path:

@@ -38,13 +38,13 @@ def run(request: Request) -> int:
 
 
 def _whole(request: Request) -> int:
-    found = students.read(request.submissions)
+    intake = students.read(request.submissions)
     book = _gradebook(request)
     with _alone(request.out):
         sweep(request.out)
         log = Log(request.out / "log.jsonl")
         try:
-            return _run(request, found, book, log)
+            return _run(request, intake, book, log)
         except OSError as error:
             if error.errno != errno.ENOSPC:
                 raise
@@ -56,28 +56,28 @@ def _whole(request: Request) -> int:
             log.close()
 
 
-def _run(request: Request, found: Class, book: Gradebook | None, log: Log) -> int:
+def _run(request: Request, intake: Class, book: Gradebook | None, log: Log) -> int:
     folder = request.out / "results"
     regrade.finish(request.out)
     stamp = results.stamp_now(request.trust)
     if request.regrade:
-        return _regrade(request, found, stamp, log)
+        return _regrade(request, intake, stamp, log)
     if request.apply:
-        regrade.apply(request.out, found, stamp, log)
+        regrade.apply(request.out, intake, stamp, log)
     results.begin(folder, stamp)
-    tasks = _tasks(request, found.students, stamp, folder)
+    tasks = _tasks(request, intake.students, stamp, folder)
     failed = grading.grade_missing(tasks, folder, request, log)
-    summaries = grading.summarize(found.students, tasks, folder, failed)
+    summaries = grading.summarize(intake.students, tasks, folder, failed)
     if summaries and all(summary.state == "waiting" for summary in summaries):
         return 0
-    near = near_copies.find(request.out, found.students, tasks, request.trust)
-    without_page = outputs.write_feedback(request.out, found, summaries, request.reveal)
+    near = near_copies.find(request.out, intake.students, tasks, request.trust)
+    without_page = outputs.write_feedback(request.out, intake, summaries, request.reveal)
     for notes in (near.left_out, without_page):
         summaries = [
             s.with_note(notes[s.student.id]) if s.student.id in notes else s for s in summaries
         ]
-    said = outputs.write(request.out, found, summaries, book, request.columns, near, log)
-    return _say(request, found, summaries, said)
+    remarks = outputs.write(request.out, intake, summaries, book, request.columns, near, log)
+    return _say(request, intake, summaries, remarks)
 
 
 def _tasks(request: Request, chosen: list[Student], stamp: Stamp, folder: Path) -> dict[str, Task]:
@@ -119,9 +119,9 @@ def _alone(out: Path) -> Iterator[None]:
         os.close(lock)
 
 
-def _regrade(request: Request, found: Class, stamp: Stamp, log: Log) -> int:
+def _regrade(request: Request, intake: Class, stamp: Stamp, log: Log) -> int:
     folder = regrade.begin(request.out, request.regrade, stamp)
-    chosen = regrade.choose(request.out, found, request.regrade)
+    chosen = regrade.choose(request.out, intake, request.regrade)
     tasks = _tasks(request, chosen, stamp, folder)
     failed = grading.grade_missing(tasks, folder, request, log)
     if failed:
@@ -135,16 +135,16 @@ def _regrade(request: Request, found: Class, stamp: Stamp, log: Log) -> int:
     return 0
 
 
-def _say(request: Request, found: Class, summaries: list[Summary], said: list[str]) -> int:
+def _say(request: Request, intake: Class, summaries: list[Summary], remarks: list[str]) -> int:
     graded = [s for s in summaries if s.state == "graded"]
     looks = sum(bool(s.needs_a_look) for s in summaries)
-    print(f"{len(graded)} of {found.handed_in} submissions graded ({found.source}).")
-    if looks or found.unmatched:
+    print(f"{len(graded)} of {intake.handed_in} submissions graded ({intake.source}).")
+    if looks or intake.unmatched:
         print(
-            f"{looks} need a look, {len(found.unmatched)} can't be graded or aren't matched; "
+            f"{looks} need a look, {len(intake.unmatched)} can't be graded or aren't matched; "
             f"{request.out / 'class.html'} says which, and why."
         )
-    lines = [f"{unmatched.name!r} {unmatched.reason}" for unmatched in found.unmatched]
+    lines = [f"{unmatched.name!r} {unmatched.reason}" for unmatched in intake.unmatched]
     lines += [
         f"{s.student.name} ({s.student.id}): {'; '.join(s.needs_a_look)}"
         for s in summaries
@@ -152,7 +152,7 @@ def _say(request: Request, found: Class, summaries: list[Summary], said: list[st
     ]
     waiting = sum(s.state == "waiting" for s in summaries)
     lines += [f"{waiting} wait for a grading"] if waiting else []
-    lines += said
+    lines += remarks
     for line in lines[:MOST_LINES]:
         print(f"  {terminal(line)}")
     if len(lines) > MOST_LINES:

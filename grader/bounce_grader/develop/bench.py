@@ -146,8 +146,8 @@ def _memory(folder: Path) -> list[Line]:
 
 def _largest(whose: str, program: str, *words: str) -> float:
     """The most memory of a Python program with these arguments, or of what it starts, in MB."""
-    said = f"import resource; print(resource.getrusage(resource.RUSAGE_{whose}).ru_maxrss)"
-    command = [sys.executable, "-c", f"{program}\n{said}", *words]
+    report = f"import resource; print(resource.getrusage(resource.RUSAGE_{whose}).ru_maxrss)"
+    command = [sys.executable, "-c", f"{program}\n{report}", *words]
     folder = ROOT / "grader"  # where the package is
     done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=True)
     return int(done.stdout.splitlines()[-1]) / 1024

@@ -22,13 +22,13 @@ def lines() -> list[Line]:
     )
     all_runs = json.loads(done.stdout)["benchmarks"]
     ns = {run["name"]: float(run["ns_each"]) for run in all_runs}
-    found = []
+    rows = []
     for run in all_runs:
         name = run["name"]
         left = f"  residual {run['residual']:.1e} m/s" if "residual" in run else ""
-        found.append(Line(name + left, ns[name], "ns"))
+        rows.append(Line(name + left, ns[name], "ns"))
         if name in GOALS:
             ratio, goal = ns[name] / ns[PLAIN], GOALS[name]
             words = f"at most {goal:.2g}"
-            found.append(Line("  times the plain contact step", ratio, "", words, ratio <= goal))
-    return found
+            rows.append(Line("  times the plain contact step", ratio, "", words, ratio <= goal))
+    return rows

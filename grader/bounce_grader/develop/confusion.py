@@ -28,18 +28,18 @@ class Row:
     name: str
     part: int
     expected: tuple[str, ...]
-    said: tuple[str, ...]
+    named: tuple[str, ...]
     patterns: tuple[str, ...]
 
     @property
     def words(self) -> str:
         """What it was taken for."""
-        if self.said == self.expected:
-            twin = self.kind == "mistake" and self.said != (self.name,)
+        if self.named == self.expected:
+            twin = self.kind == "mistake" and self.named != (self.name,)
             return (
                 "itself" if self.kind == "mistake" and not twin else "its twin" if twin else "right"
             )
-        return " + ".join(self.said) or "NOT RECOGNISED"
+        return " + ".join(self.named) or "NOT RECOGNISED"
 
 
 def run() -> int:
@@ -47,7 +47,7 @@ def run() -> int:
     rows = table()
     TABLE.write_text("".join(f"{row.name:<48} part {row.part}  {row.words}\n" for row in rows))
     counts = Counter(row.words for row in rows)
-    wrong = [row for row in rows if row.said != row.expected]
+    wrong = [row for row in rows if row.named != row.expected]
     known = sum(row.kind == "mistake" for row in rows)
     print(
         f"   {known} mistakes: {counts['itself']} recognised as themselves, {counts['its twin']} as "
@@ -66,10 +66,10 @@ def table() -> list[Row]:
         answers = pool.map(
             lambda job, work: known_mistakes.answers_of(job[1], job[2], work), asked, works
         )
-        told = recognised((job[2], got) for job, got in zip(asked, answers))
+        judged = recognised((job[2], got) for job, got in zip(asked, answers))
     return [
         Row(kind, folder.name, part.number, expected, *what)
-        for (kind, folder, part, expected), what in zip(asked, told)
+        for (kind, folder, part, expected), what in zip(asked, judged)
     ]
 
 
@@ -99,5 +99,5 @@ def recognised(
     result = processes.run(command, known_mistakes.LIMITS, stdin="\n".join(lines).encode())
     if not result.ok:
         raise KitError(f"nothing could be recognised: {result.err.strip()}")
-    told = [json.loads(line) for line in result.out.splitlines()]
-    return [(tuple(t["mistakes"]), tuple(t["patterns"])) for t in told]
+    judged = [json.loads(line) for line in result.out.splitlines()]
+    return [(tuple(t["mistakes"]), tuple(t["patterns"])) for t in judged]

@@ -75,7 +75,7 @@ def _in_box(box: Box, place: str, folder: Path, protections: list[Protection]) -
         outcomes = [attempt(box, place, folder, words, above) for words in protection.attempts]
         held = not any(could for could, _ in outcomes)
         held = protection.outside() if protection.outside else held
-        detail = "; ".join(said for _, said in outcomes)
+        detail = "; ".join(answer for _, answer in outcomes)
         yield Finding(protection.title, f"{box.kind} {place}", held, detail)
 
 
@@ -86,14 +86,14 @@ def attempt(
     if place != "compile":
         boxed = box.to_run(PROBE) if place == "run" else box.to_check(PROBE)
         result = processes.run([*above, str(WATCH), place, *boxed, *words], WATCHING)
-        said = result.out.decode("utf-8", "replace").strip()
-        could = not result.ok or said == "answered" or "(exit status 125)" in said
-        return could, said or result.err.strip()
+        answer = result.out.decode("utf-8", "replace").strip()
+        could = not result.ok or answer == "answered" or "(exit status 125)" in answer
+        return could, answer or result.err.strip()
     command = [*above, *box.to_build(folder, [PROBE]), str(PROBE), *words]
     result = processes.run(command, COMPILING, cwd=folder, out_cap=1 << 20)
     stopped = result.flooded or result.too_long or result.code < 0 or result.code > 128
-    said = (result.out[:200].decode("utf-8", "replace") + result.err).strip()
-    return not stopped and result.code != 3, said or f"ended with status {result.code}"
+    answer = (result.out[:200].decode("utf-8", "replace") + result.err).strip()
+    return not stopped and result.code != 3, answer or f"ended with status {result.code}"
 
 
 @contextmanager
@@ -181,26 +181,26 @@ def run(stream: IO[str] | None = None) -> int:
     from rich.console import Console
     from rich.table import Table
 
-    found = findings()
-    boxes = list(dict.fromkeys(finding.box for finding in found))
-    by_place = {(f.protection, f.box): f for f in found}
+    all_findings = findings()
+    boxes = list(dict.fromkeys(finding.box for finding in all_findings))
+    by_place = {(f.protection, f.box): f for f in all_findings}
     table = Table(title="What holds here, tried for real")
     table.add_column("a submission …", no_wrap=True)
     for box in boxes:
         table.add_column(box.replace(" ", "\n"))
-    for title in dict.fromkeys(finding.protection for finding in found):
+    for title in dict.fromkeys(finding.protection for finding in all_findings):
         cells = [by_place.get((title, box)) for box in boxes]
         table.add_row(title, *("" if cell is None else _word(cell) for cell in cells))
     console = Console(file=stream or sys.stdout)
     console.print(table)
-    for finding in found:
+    for finding in all_findings:
         if finding.held is False:
             console.print(
                 f"{finding.box}: {finding.protection}: NO: {finding.detail}", markup=False
             )
-    for box, why in dict.fromkeys((f.box, f.detail) for f in found if f.held is None):
+    for box, why in dict.fromkeys((f.box, f.detail) for f in all_findings if f.held is None):
         console.print(f"{box}: can't be had here: {why}", markup=False)
-    return int(not all(finding.held for finding in found))
+    return int(not all(finding.held for finding in all_findings))
 
 
 def _word(finding: Finding) -> str:

@@ -60,13 +60,13 @@ def _with_libfuzzer(name: str) -> bool:
         subprocess.run([BUILD / f"fuzz_{name}", "--seeds", seeds], check=True)
         command = [str(FUZZERS / f"fuzz_{name}"), *options, seeds]
         done = subprocess.run(command, capture_output=True, check=False)
-    said = done.stderr.decode("utf-8", "replace")
-    counted = re.search(r"stat::number_of_executed_units: (\d+)", said)
+    output = done.stderr.decode("utf-8", "replace")
+    counted = re.search(r"stat::number_of_executed_units: (\d+)", output)
     count = int(counted.group(1)) if counted else 0
     print(f"   {name}: {count} inputs, in {time.monotonic() - start:.0f} s", flush=True)
     if done.returncode == 0 and count >= COUNT:
         return True
-    print(said[-4000:], flush=True)
+    print(output[-4000:], flush=True)
     return False
 
 

@@ -83,14 +83,14 @@ def _quietly(*words: str) -> int:
 
 def _sources(*patterns: str) -> list[str]:
     """The C++ files in these folders, or of these names."""
-    found: set[str] = set()
+    sources: set[str] = set()
     for pattern in patterns:
         path = ROOT / pattern
         if path.is_dir():
-            found |= {str(f) for suffix in ("cpp", "hpp") for f in path.rglob(f"*.{suffix}")}
+            sources |= {str(f) for suffix in ("cpp", "hpp") for f in path.rglob(f"*.{suffix}")}
         else:
-            found |= {str(f) for f in ROOT.glob(pattern)}
-    return sorted(found)
+            sources |= {str(f) for f in ROOT.glob(pattern)}
+    return sorted(sources)
 
 
 def _clang_format() -> int:

@@ -132,7 +132,7 @@ class _Grading:
             return self.failed[part]
         best = self.best[part]
         if best.status == "crashed":
-            best = sanitizing.explained(part, best, self.taken, self.work, self.hidden, self.box)
+            best = sanitizing.with_cause(part, best, self.taken, self.work, self.hidden, self.box)
         return record.part_record(part, best)
 
     def _tries(self, part: Part) -> list[Judged]:

@@ -151,8 +151,8 @@ def _with_place(check: dict[str, str], runner: Path, files: frozenset[str], box:
 def _place(stack: str, runner: Path, files: frozenset[str], box: Box) -> str | None:
     """The innermost line of the submission on the stack."""
     command = ["/usr/bin/addr2line", "-i", "-e", str(runner), *stack.split()]
-    said = box.run(box.to_build(runner.parent, [runner]) + command, SYMBOLS).out
-    return place_in(said, files.__contains__)
+    lines = box.run(box.to_build(runner.parent, [runner]) + command, SYMBOLS).out
+    return place_in(lines, files.__contains__)
 
 
 def place_in(lines: bytes, is_submitted: Callable[[str], bool] = bool) -> str | None:

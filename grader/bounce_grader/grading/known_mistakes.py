@@ -72,27 +72,27 @@ def read(folder: Path) -> Mistake:
     words = _text(folder / "mistake.md", "its title, a sentence, equations, hint and a line")
     _text(folder / "expected.json", "the checks that it loses")
     written = expected(folder)
-    found = LAYOUT.fullmatch(words)
-    if not found:
+    match = LAYOUT.fullmatch(words)
+    if not match:
         raise KitError(
             f"{folder.name}/mistake.md isn't laid out as tests/submissions/README.md says"
         )
     if not re.match(r"part\d+_", folder.name):
         raise KitError(f"{folder.name}: the name must begin with its part, as in part2_without_dt")
-    if found["hint"] not in headings().values():
+    if match["hint"] not in headings().values():
         raise KitError(
             f"{folder.name}/mistake.md names a hint that isn't a heading in student/hints"
         )
-    numbers = tuple(int(number) for number in found["equations"].split(", "))
+    numbers = tuple(int(number) for number in match["equations"].split(", "))
     if not set(numbers) <= _equations():
         raise KitError(f"{folder.name}/mistake.md names an equation that student/README.md hasn't")
     return Mistake(
         folder.name,
-        found["title"],
-        found["sentence"],
+        match["title"],
+        match["sentence"],
         numbers,
-        found["hint"],
-        found["instructor"],
+        match["hint"],
+        match["instructor"],
         tuple(written["lost"]),
         written.get("recognised_as", folder.name),
     )
@@ -291,17 +291,17 @@ def _check_twins(mistakes: list[Mistake], got: Mapping[str, Answers]) -> None:
 @cache
 def known() -> dict[str, dict[str, Any]]:
     """What students are told of each mistake, and which checks it costs, by its name."""
-    found = {}
+    match = {}
     for part in parts():
         file = KNOWN / f"{part.stem}.json"
         for entry in json.loads(file.read_text(encoding="utf-8"))["mistakes"]:
-            found[entry["name"]] = {key: entry[key] for key in entry if key != "answers"}
-    return found
+            match[entry["name"]] = {key: entry[key] for key in entry if key != "answers"}
+    return match
 
 
 @cache
 def for_the_instructor(name: str) -> str:
     """The line for the instructor; empty where the gallery isn't at hand."""
     file = GALLERY / name / "mistake.md"
-    found = LAYOUT.fullmatch(file.read_text(encoding="utf-8")) if file.exists() else None
-    return found["instructor"] if found else ""
+    match = LAYOUT.fullmatch(file.read_text(encoding="utf-8")) if file.exists() else None
+    return match["instructor"] if match else ""

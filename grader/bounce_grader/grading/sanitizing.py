@@ -17,7 +17,7 @@ CPU_SECONDS, WALL_SECONDS = 20.0, 40.0  # for the explanation of one part
 MARGIN = 5.0  # s, that ending it may take
 
 
-def explained(
+def with_cause(
     part: Part, judged: Judged, taken: Submission, work: Path, hidden: Path, box: Box
 ) -> Judged:
     """The same verdicts; those of crashes also say what the sanitizers found, if anything."""
@@ -44,9 +44,9 @@ def _is_unclear(verdict: Verdict) -> bool:
 
 
 def _with_finding(verdict: Verdict, again: Verdict) -> Verdict:
-    found = re.search(r"^  got      (.*)$", again.message, re.MULTILINE)
-    if not _is_unclear(verdict) or again.status != "crashed" or not found:
+    finding = re.search(r"^  got      (.*)$", again.message, re.MULTILINE)
+    if not _is_unclear(verdict) or again.status != "crashed" or not finding:
         return verdict
-    if found.group(1).startswith("the program"):  # it ended as before, and nothing was found
+    if finding.group(1).startswith("the program"):  # it ended as before, and nothing was found
         return verdict
-    return verdict._replace(message=f"{verdict.message}\n  checked  {found.group(1)}")
+    return verdict._replace(message=f"{verdict.message}\n  checked  {finding.group(1)}")

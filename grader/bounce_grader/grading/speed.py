@@ -47,12 +47,12 @@ def read(out: bytes) -> Measured:
         if "otherwise" in answer:
             return {"otherwise": f"{OTHERWISE}: {printable_text(answer['otherwise'])}"}
         scenes = [_scene(scene) for scene in answer["scenes"]]
-        found = {
+        measured = {
             "cut": printable_text(answer["cut"]),
             "dt": list(map(_size, answer["dt"])),
             "scenes": scenes,
         }
-        return {**_step(found, _flag(answer["right"])), **found}
+        return {**_step(measured, _flag(answer["right"])), **measured}
     except (ValueError, TypeError, KeyError, AttributeError, RecursionError) as error:
         raise KitError("the stopwatch's answer can't be read") from error
 
@@ -92,10 +92,10 @@ def _error(x: object) -> float | None:
     return 0.0 if x == 0 else float(f"{_size(x):.3e}")
 
 
-def _step(found: Measured, right: bool) -> Measured:
+def _step(measured: Measured, right: bool) -> Measured:
     """Nanoseconds a step, over all scenes, and of right answers their ratio; nothing where a scene
     wasn't timed."""
-    mine, solution = curve(found, "submission"), curve(found, "solution")
+    mine, solution = curve(measured, "submission"), curve(measured, "solution")
     both = [pair for pair in zip(mine, solution) if pair[0].dt >= STEP]
     if not both:
         return {}
@@ -106,12 +106,12 @@ def _step(found: Measured, right: bool) -> Measured:
     return {**times, "ratio": own / solutions} if right else times
 
 
-def curve(found: Measured, whose: str) -> list[Point]:
+def curve(measured: Measured, whose: str) -> list[Point]:
     """All scenes together, for each dt at which every one of them was timed."""
     points = []
-    for k, dt in enumerate(found.get("dt", [])):
-        at = [(s["seconds"], s[whose][k]) for s in found["scenes"] if k < len(s[whose])]
-        if not at or len(at) < len(found["scenes"]):
+    for k, dt in enumerate(measured.get("dt", [])):
+        at = [(s["seconds"], s[whose][k]) for s in measured["scenes"] if k < len(s[whose])]
+        if not at or len(at) < len(measured["scenes"]):
             break
         seconds = sum(s for s, _ in at)
         errors = [p["error"] for _, p in at]
@@ -120,14 +120,14 @@ def curve(found: Measured, whose: str) -> list[Point]:
     return points
 
 
-def sentences(found: Measured) -> list[str]:
+def sentences(measured: Measured) -> list[str]:
     """What the curves mean, or why there are none."""
-    if "otherwise" in found:
-        return [f"{found['otherwise'][0].upper()}{found['otherwise'][1:]}."]
-    mine, solution = curve(found, "submission"), curve(found, "solution")
-    least = curve(found, "least")
+    if "otherwise" in measured:
+        return [f"{measured['otherwise'][0].upper()}{measured['otherwise'][1:]}."]
+    mine, solution = curve(measured, "submission"), curve(measured, "solution")
+    least = curve(measured, "least")
     out = [_reached(mine, solution, least)] if mine and solution and least else []
-    return out + ([f"It was cut {found['cut']}."] if found.get("cut") else [])
+    return out + ([f"It was cut {measured['cut']}."] if measured.get("cut") else [])
 
 
 def _reached(mine: list[Point], solution: list[Point], least: list[Point]) -> str:

@@ -33,13 +33,13 @@ EPOCH = (1980, 1, 1, 0, 0, 0)
 
 def files() -> dict[str, Path]:
     """Path inside the handout -> the kit's file, in order."""
-    found = {str(f.relative_to(HANDOUT)): f for f in _regular(HANDOUT)}
+    chosen = {str(f.relative_to(HANDOUT)): f for f in _regular(HANDOUT)}
     tests = ROOT / "tests" / "parts"
     for pattern in TESTS:
-        found |= {f"tests/{f.relative_to(tests)}": f for f in tests.glob(pattern) if f.is_file()}
-    found |= {f"fixtures/public/{f.relative_to(PUBLIC)}": f for f in PUBLIC.rglob("*.json")}
-    found["tests/parts.json"] = ROOT / "grader" / "parts.json"
-    return dict(sorted(found.items()))
+        chosen |= {f"tests/{f.relative_to(tests)}": f for f in tests.glob(pattern) if f.is_file()}
+    chosen |= {f"fixtures/public/{f.relative_to(PUBLIC)}": f for f in PUBLIC.rglob("*.json")}
+    chosen["tests/parts.json"] = ROOT / "grader" / "parts.json"
+    return dict(sorted(chosen.items()))
 
 
 def _regular(folder: Path) -> Iterator[Path]:

@@ -84,8 +84,8 @@ def run(
     with ExitStack() as stack:
         descriptors = {}
         if STATUS in command:
-            told, descriptors[STATUS] = os.pipe()
-            stack.callback(os.close, told)
+            status, descriptors[STATUS] = os.pipe()
+            stack.callback(os.close, status)
             stack.callback(os.close, descriptors[STATUS])
         if OUTPUT in command:
             descriptors[OUTPUT] = _opened(output) if output else os.open(os.devnull, os.O_WRONLY)
@@ -101,14 +101,14 @@ def run(
             result = _collect(process, deadline, out_cap, err_cap)
         finally:
             _end(process)
-        made = STATUS not in command or _says_that_it_is_made(told)
+        made = STATUS not in command or _says_that_it_is_made(status)
     return result._replace(boxed=made)
 
 
-def _says_that_it_is_made(told: int) -> bool:
-    os.set_blocking(told, False)
+def _says_that_it_is_made(status: int) -> bool:
+    os.set_blocking(status, False)
     try:
-        return os.read(told, 2) == b"m"
+        return os.read(status, 2) == b"m"
     except BlockingIOError:
         return False
 

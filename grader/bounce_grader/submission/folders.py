@@ -51,8 +51,8 @@ def _entries(path: Path, top: int) -> Iterator[Entry]:
 def _children(top: int, folder: tuple[str, ...]) -> list[tuple[str, os.stat_result]]:
     here = _open(top, folder)
     try:
-        with os.scandir(here) as found:
-            some = islice(found, MOST_ENTRIES + 1)
+        with os.scandir(here) as scan:
+            some = islice(scan, MOST_ENTRIES + 1)
             return sorted((child.name, child.stat(follow_symlinks=False)) for child in some)
     finally:
         os.close(here)

@@ -15,10 +15,10 @@ def opened(path: Path, zipped: bytes | None = None) -> Iterator[list[Entry]]:
     """All files; they can be read while this is open. `zipped` is a zip in memory, which `path` is
     the name of. Raises UsageError where they can't be listed."""
     with _opened(path, zipped) as entries:
-        found = list(entries)
-        if not found:
+        listed = list(entries)
+        if not listed:
             raise UsageError(f"{path} is empty: it should hold {parts()[0].file} and so on")
-        yield found
+        yield listed
 
 
 def _opened(path: Path, zipped: bytes | None) -> AbstractContextManager[Iterator[Entry]]:

@@ -173,11 +173,11 @@ def _choose(part: Part, names: list[str]) -> Iterator[str]:
     """The file of a part: the one nearest to the top, where there are several. A copy's name counts
     where the part's own isn't there."""
     copies = [PurePosixPath(n) for n in names if part_file(PurePosixPath(n).name) == part.file]
-    found = [path for path in copies if path.name.lower() == part.file] or copies
-    if not found:
+    named = [path for path in copies if path.name.lower() == part.file] or copies
+    if not named:
         return
-    depth = min(len(f.parts) for f in found)
-    nearest = sorted(str(f) for f in found if len(f.parts) == depth)
+    depth = min(len(f.parts) for f in named)
+    nearest = sorted(str(f) for f in named if len(f.parts) == depth)
     if len(nearest) > 1:
         raise UsageError(
             f"{part.file} is there {len(nearest)} times ({first_few([*map(printable_name, nearest)])}): "

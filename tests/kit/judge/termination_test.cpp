@@ -84,7 +84,7 @@ TEST(Termination, NamesWhyASegmentationFaultCame) {
 
 TEST(Termination, TellsADivisionByZeroFromATrapThatWasAskedFor) {
   expect(by_signal(SIGFPE, cause(runner::kDivision)), "crashed", "integer division by zero");
-  expect(by_signal(SIGFPE, cause(runner::kFloat)), "crashed", "asked to be ended by inexact");
+  expect(by_signal(SIGFPE, cause(runner::kFloat)), "crashed", "turned floating-point traps on");
 }
 
 TEST(Termination, NamesTheRefusedCall) {

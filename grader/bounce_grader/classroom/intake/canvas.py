@@ -48,14 +48,14 @@ class TextEntry:
 
 def parse(entry: str) -> Upload | TextEntry | None:
     """None where it isn't a name of Canvas's."""
-    found = ENTRY.fullmatch(entry)
-    if found:
-        return TextEntry(found["name"] or "", found["user"], bool(found["late"]), found["kind"])
-    found = UPLOAD.fullmatch(entry)
-    if not found:
+    match = ENTRY.fullmatch(entry)
+    if match:
+        return TextEntry(match["name"] or "", match["user"], bool(match["late"]), match["kind"])
+    match = UPLOAD.fullmatch(entry)
+    if not match:
         return None
-    user, attachment, file = found["user"], int(found["attachment"]), found["file"]
-    return Upload(entry, found["name"] or "", user, bool(found["late"]), attachment, file)
+    user, attachment, file = match["user"], int(match["attachment"]), match["file"]
+    return Upload(entry, match["name"] or "", user, bool(match["late"]), attachment, file)
 
 
 def read_all(entries: Iterable[str]) -> dict[str, Upload | TextEntry | None]:
@@ -102,8 +102,8 @@ def plain_file(file: str, texts: list[bytes]) -> str:
     if part:
         return part
     names = [file, *_without_number(file)]
-    said = [name for name in names if any(name.encode() in text for text in texts)]
-    return said[0] if said else names[-1]
+    named = [name for name in names if any(name.encode() in text for text in texts)]
+    return named[0] if named else names[-1]
 
 
 def _without_number(file: str) -> list[str]:

@@ -44,7 +44,7 @@ class Unmatched:
     reason: str  # a sentence that goes on from the name
     user: str = ""  # whose it is, where that is known
     feedback: str = ""  # the name of the page that tells them
-    told: str = ""  # what it says
+    page_text: str = ""  # what it says
 
 
 @dataclass
@@ -65,26 +65,26 @@ def read(path: Path) -> Class:
     if path.is_dir():
         children = sorted(path.iterdir())
         if any(canvas.parse(child.name) and _is_file(child) for child in children):
-            found = _canvas(path)
+            intake = _canvas(path)
         else:
-            found = _folder(path, children)
+            intake = _folder(path, children)
     elif not path.exists():
         raise UsageError(f"there is no file or folder {path}")
     elif zipfile.is_zipfile(path):
-        found = _canvas(path)
+        intake = _canvas(path)
     else:
         cut = is_zip(path.name) or not path.stat().st_size
         reason = "is broken, or was cut short: download it again"
         other = "is neither a folder nor a zip: give Canvas's download as it is"
         raise UsageError(f"{path} {reason if cut else other}")
-    if not found.students:
-        raise UsageError(f"no submission is found in {path}: {_expected(found)}")
-    found.students.sort(key=lambda student: (student.name, student.id))
-    return found
+    if not intake.students:
+        raise UsageError(f"no submission is found in {path}: {_expected(intake)}")
+    intake.students.sort(key=lambda student: (student.name, student.id))
+    return intake
 
 
-def _expected(found: Class) -> str:
-    first = found.unmatched[0] if found.unmatched else None
+def _expected(intake: Class) -> str:
+    first = intake.unmatched[0] if intake.unmatched else None
     seen = f"the first entry, {first.name!r}, {first.reason}" if first else "it is empty"
     return f"{seen}; it should be Canvas's download, or a folder with one folder or zip a student"
 
@@ -99,10 +99,10 @@ def _is_folder(path: Path) -> bool:
 
 def _canvas(path: Path) -> Class:
     archive = opened(path)
-    found = Class("a Canvas download")
+    intake = Class("a Canvas download")
     if path.is_dir():
         folders = [child.name for child in sorted(path.iterdir()) if _is_folder(child)]
-        found.unmatched += [
+        intake.unmatched += [
             Unmatched(f, "is a folder; Canvas's download has none") for f in folders
         ]
     users: dict[str, list[Upload]] = {}
@@ -115,10 +115,10 @@ def _canvas(path: Path) -> Class:
             users.setdefault(parsed.user, []).append(parsed)
         elif parsed:
             texts.setdefault(parsed.user, []).append(parsed)
-            found.unmatched.append(_typed(name, parsed))
+            intake.unmatched.append(_typed(name, parsed))
         else:
             either = canvas.parse(name) and "/" not in name
-            found.unmatched.append(Unmatched(name, EITHER if either else _no_name(name)))
+            intake.unmatched.append(Unmatched(name, EITHER if either else _no_name(name)))
     for user, uploads in users.items():
         page = canvas.feedback_name(tuple(uploads))
         name = page.removesuffix("_feedback.html")
@@ -127,18 +127,18 @@ def _canvas(path: Path) -> Class:
         except Damaged:
             raise
         except UsageError as error:
-            told = f"What you handed in {error}. {HAND_IN}"
-            found.unmatched.append(Unmatched(name, str(error), user, page, told))
+            page_text = f"What you handed in {error}. {HAND_IN}"
+            intake.unmatched.append(Unmatched(name, str(error), user, page, page_text))
             continue
         if student.uploads:
-            found.students.append(student)
+            intake.students.append(student)
         else:
             reason = (
                 f"holds nothing that can be graded: {first_few(student.unused, separator='; ')}"
             )
-            told = f"{first_few(student.unused, separator='. ')}. {HAND_IN}"
-            found.unmatched.append(Unmatched(name, reason, user, page, told))
-    return found
+            page_text = f"{first_few(student.unused, separator='. ')}. {HAND_IN}"
+            intake.unmatched.append(Unmatched(name, reason, user, page, page_text))
+    return intake
 
 
 def _typed(name: str, entry: TextEntry) -> Unmatched:
@@ -223,28 +223,28 @@ def _folder(path: Path, children: list[Path]) -> Class:
     folders = [c for c in folders if not _is_output(c)]
     zips = [c for c in children if _is_file(c) and is_zip(c.name)]
     cloned = [folder for folder in folders if os.path.exists(folder / ".git")]
-    found = Class("a folder of submissions")
+    intake = Class("a folder of submissions")
     cut = 0
     if 2 * len(cloned) > len(folders):
         cut = _common_prefix(path, cloned)
         before = f", named {cloned[0].name[:cut]!r} and a login" if cut else ""
-        found.source = f"a checkout of repositories{before}"
+        intake.source = f"a checkout of repositories{before}"
         folders = cloned
     for child in [*folders, *zips]:
         name = child.name[cut:] if _is_folder(child) else child.stem
         submitted = _zip_alone(child) or child
         page = f"{fitting(name)}.html"
-        found.students.append(Student(name, name, submitted, feedback=page))
+        intake.students.append(Student(name, name, submitted, feedback=page))
     left = [child for child in children if child not in folders and child not in zips]
-    found.unmatched += [Unmatched(child.name, _no_submission(child)) for child in left]
-    _require_distinct(found.students)
-    if found.students and not any(_has_a_part(student.path) for student in found.students):
+    intake.unmatched += [Unmatched(child.name, _no_submission(child)) for child in left]
+    _require_distinct(intake.students)
+    if intake.students and not any(_has_a_part(student.path) for student in intake.students):
         _require_no_download(path, zips)
         raise UsageError(
             f"no folder or zip in {path} holds a part, as {parts()[0].file}: it should be "
             "Canvas's download, or a folder with one folder or zip a student"
         )
-    return found
+    return intake
 
 
 def _require_a_folder_of_submissions(path: Path, children: list[Path]) -> None:

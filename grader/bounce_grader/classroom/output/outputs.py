@@ -89,7 +89,7 @@ def write_feedback(
     ids = {summary.student.id for summary in summaries}
     for entry in submitted.unmatched:
         if entry.feedback and entry.user not in ids:
-            write_whole(folder / entry.feedback, html.refused(entry.told))
+            write_whole(folder / entry.feedback, html.refused(entry.page_text))
             pages.append(entry.feedback)
     for summary in summaries:
         result = results.load(out / "results", summary.key)

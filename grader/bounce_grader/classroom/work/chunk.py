@@ -17,7 +17,7 @@ def main(arguments: list[str]) -> int:
     missing = [t for t in tasks if not results.load(Path(t.results), t.key)]
     failed = 0
     for done, outcome in engine_local.run(missing, options.jobs):
-        said = f"{done.key[:12]} {outcome.state} {outcome.seconds} s {outcome.message}"
-        print(terminal(said), flush=True)
+        line = f"{done.key[:12]} {outcome.state} {outcome.seconds} s {outcome.message}"
+        print(terminal(line), flush=True)
         failed += outcome.state == "failed"
     return 3 if failed else 0

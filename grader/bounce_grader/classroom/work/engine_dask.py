@@ -60,7 +60,7 @@ def _client(scheduler: str) -> Any:
 def _require_the_kit(client: Any) -> None:
     """A worker that can't import the unit would fail on every submission."""
     try:
-        found = client.run(_try_import)
+        importable = client.run(_try_import)
     except (OSError, CancelledError):
         raise
     except Exception as error:  # Dask wraps what a worker can't even unpickle in one of its own
@@ -70,7 +70,7 @@ def _require_the_kit(client: Any) -> None:
             "the Dask workers don't find the kit: start them with PYTHONPATH=KIT/grader, where KIT "
             "is this folder under the same path"
         ) from error
-    if not found:
+    if not importable:
         print("kit: the Dask scheduler has no workers yet; waiting for them", file=sys.stderr)
 
 

@@ -128,8 +128,8 @@ class _Running:
 
 
 def _child(unit: Callable[[Task], Outcome], task: Task, answer: Connection) -> None:
-    """Ctrl-C is the class's; where the class is gone, so is this. Where it is ended, it takes its
-    temporary files away first."""
+    """The process of one grading. It ignores Ctrl-C, which the class handles, and ends when the class
+    has ended. When it is terminated, it removes its temporary files first."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))
     threading.Thread(target=_end_with_the_reader, args=(answer.fileno(),), daemon=True).start()

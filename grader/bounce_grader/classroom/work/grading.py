@@ -70,10 +70,10 @@ def _write_down(log: Log, task: Task, outcome: Outcome) -> None:
 
 
 def summarize(
-    found: list[Student], tasks: Mapping[str, Task], folder: Path, failed: Mapping[str, Outcome]
+    students: list[Student], tasks: Mapping[str, Task], folder: Path, failed: Mapping[str, Outcome]
 ) -> list[Summary]:
     summaries = []
-    for student in found:
+    for student in students:
         key = tasks[student.id].key
         result = results.load(folder, key)
         if result:

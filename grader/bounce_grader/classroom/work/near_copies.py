@@ -78,13 +78,13 @@ def find(out: Path, students: list[Student], graded: dict[str, Task], trust: boo
     if kept:
         return kept
     try:
-        found = _find(students, graded, boxes.choose(boxes.kinds(trust)))
+        similar = _find(students, graded, boxes.choose(boxes.kinds(trust)))
     except KitError as error:
         return Similar((), 0, str(error))
-    pairs = [[pair.first, pair.second, pair.share] for pair in found.pairs]
-    whole = {"of": name, "pairs": pairs, "usual": found.usual, "left_out": found.left_out}
+    pairs = [[pair.first, pair.second, pair.share] for pair in similar.pairs]
+    whole = {"of": name, "pairs": pairs, "usual": similar.usual, "left_out": similar.left_out}
     write_whole(out / "similar.json", json.dumps(whole))
-    return found
+    return similar
 
 
 def _read(path: Path, name: str) -> Similar | None:
@@ -114,13 +114,13 @@ def _find(students: list[Student], graded: dict[str, Task], box: boxes.Box) -> S
                 (folder / f"{number:06}.cpp").write_text(text)
                 files[f"{number:06}"] = student.id
         box.give(folder)
-        said = _by_line([[file] * WITH_ITSELF for file in files], folder, box)
-        left_out |= {files.pop(file): TOO_SLOW for file, _ in ENDED.findall(said)}
+        output = _by_line([[file] * WITH_ITSELF for file in files], folder, box)
+        left_out |= {files.pop(file): TOO_SLOW for file, _ in ENDED.findall(output)}
         names = [f"{file}.cpp" for file in files]
         relatives = _relatives(_sim([PROGRAM, *_all_at_once(), "-i"], names, folder, box))
-        said = _by_line(sorted(relatives), folder, box)
-        left_out |= {files[file]: TOO_SLOW for pair in ENDED.findall(said) for file in pair}
-        shares = _shares(said)
+        output = _by_line(sorted(relatives), folder, box)
+        left_out |= {files[file]: TOO_SLOW for pair in ENDED.findall(output) for file in pair}
+        shares = _shares(output)
     usual = _usual(shares, len(files))
     least = max(LEAST, (usual + 100) // 2)  # halfway from the usual to the same
     pairs = [Pair(files[a], files[b], share) for (a, b), share in shares.items() if share >= least]
@@ -149,18 +149,18 @@ def _sim(command: list[str], lines: list[str], folder: Path, box: boxes.Box) -> 
     return result.out.decode("utf-8", "replace")
 
 
-def _relatives(said: str) -> set[tuple[str, str]]:
+def _relatives(output: str) -> set[tuple[str, str]]:
     """The pairs to look at closely."""
     of: dict[str, list[tuple[int, str]]] = defaultdict(list)
-    for file, share, other in FOUND.findall(said):
+    for file, share, other in FOUND.findall(output):
         of[file].append((-int(share), other))
     best = [(file, other) for file in of for _, other in sorted(of[file])[:RELATIVES]]
     return {(min(pair), max(pair)) for pair in best}
 
 
-def _shares(said: str) -> dict[tuple[str, str], int]:
+def _shares(output: str) -> dict[tuple[str, str], int]:
     shares: dict[tuple[str, str], int] = defaultdict(int)
-    for file, share, other in FOUND.findall(said):
+    for file, share, other in FOUND.findall(output):
         pair = (min(file, other), max(file, other))
         shares[pair] = max(shares[pair], int(share))
     return shares

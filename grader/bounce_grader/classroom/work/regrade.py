@@ -49,11 +49,11 @@ def begin(out: Path, chosen: str, stamp: Stamp) -> Path:
     return folder
 
 
-def choose(out: Path, found: Class, chosen: str) -> list[Student]:
+def choose(out: Path, intake: Class, chosen: str) -> list[Student]:
     there = results.stamp_of(out / "results")
     assert there
     wanted = _filter(chosen)
-    students = [s for s in found.students if wanted(_summary(out / "results", s, there))]
+    students = [s for s in intake.students if wanted(_summary(out / "results", s, there))]
     if not students:
         raise UsageError(f"--regrade {chosen} chooses no submission")
     return students
@@ -120,14 +120,14 @@ def _points(summary: Summary) -> str:
     return summary.state if summary.score is None else f"{summary.score:g}"
 
 
-def apply(out: Path, found: Class, stamp: Stamp, log: Log) -> None:
+def apply(out: Path, intake: Class, stamp: Stamp, log: Log) -> None:
     """Exchanges the sets; the old one is kept under a number."""
     new, old = out / "regrade", out / "results"
     if not (new / FILTER).exists():
         raise UsageError(f"{out} holds nothing to take over: run with --regrade FILTER first")
     if results.stamp_of(new) != stamp:
         raise UsageError("the kit or its fixtures changed since --regrade: run that again")
-    chosen = choose(out, found, (new / FILTER).read_text())
+    chosen = choose(out, intake, (new / FILTER).read_text())
     missing = [s.name for s in chosen if not _result(new, s, stamp)[1]]
     if missing:
         raise UsageError(f"--regrade hasn't graded all ({missing[0]} is missing): run that again")

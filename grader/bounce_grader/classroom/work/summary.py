@@ -64,7 +64,7 @@ def of_result(student: Student, key: str, result: dict[str, Any]) -> Summary:
     if not record:
         return Summary(student, key, result["state"], result["message"])
     checks = [check for part in record["parts"] for check in part["checks"]]
-    found = record.get("speed") or {}
+    measured = record.get("speed") or {}
     return Summary(
         student,
         key,
@@ -75,9 +75,9 @@ def of_result(student: Student, key: str, result: dict[str, Any]) -> Summary:
         statuses={p["part"]: p["status"] for p in record["parts"] if p["status"] != "graded"},
         mistakes={m["name"]: m["title"] for part in record["parts"] for m in part["mistakes"]},
         box=record["box"],
-        ratio=found.get("ratio"),
-        error=found.get("largest_error"),
-        curves={whose: tuple(speed.curve(found, whose)) for whose in speed.CURVES},
+        ratio=measured.get("ratio"),
+        error=measured.get("largest_error"),
+        curves={whose: tuple(speed.curve(measured, whose)) for whose in speed.CURVES},
         ignored=tuple(record["ignored"]),
         ignored_more=record.get("ignored_more", 0),
         beside=tuple(result.get("beside", ())),
