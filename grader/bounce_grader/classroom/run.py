@@ -38,8 +38,8 @@ def run(request: Request) -> int:
 
 
 def _whole(request: Request) -> int:
-    intake = students.read(request.submissions)
     book = _gradebook(request)
+    intake = students.read(request.submissions, book.canvas_ids() if book else frozenset())
     with _alone(request.out):
         sweep(request.out)
         log = Log(request.out / "log.jsonl")

@@ -234,3 +234,21 @@ def test_a_book_of_its_own_is_one_that_canvas_takes() -> None:
         ["'=1+1", "", "jroe", "", "5.00"],
         ["doejane", "12", "", "", "87.50"],
     ]
+
+
+def test_a_row_that_two_submissions_mean_is_filled_by_none(tmp_path: Path) -> None:
+    both = {"jdoe": Marks("jane", {0: 100.0}), "12": Marks("enaj", {0: 0.0})}
+    filled = fill(tmp_path, EXPORT, both)
+    assert filled.data.decode() == EXPORT
+    assert any("is meant by jane (jdoe) and enaj (12): none" in line for line in filled.sentences)
+
+
+def test_canvas_names_students_by_its_own_ids_alone(tmp_path: Path) -> None:
+    """A login in its place is what a student has written into a name."""
+    graded = {
+        "12": Marks("doejane", {0: 100.0}, of_canvas=True),
+        "u12": Marks("oejaned", {0: 0.0}, of_canvas=True),
+    }
+    filled = fill(tmp_path, EXPORT, graded)
+    assert filled.data.decode() == EXPORT.replace("7.50,,81.2", "7.50,100.00,81.2")
+    assert any("oejaned (u12) is graded, but isn't in" in line for line in filled.sentences)

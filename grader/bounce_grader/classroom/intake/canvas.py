@@ -11,7 +11,6 @@ entry can be read in several ways (`read_all`).
 
 import re
 import unicodedata
-from collections import Counter
 from collections.abc import Iterable
 from dataclasses import dataclass
 
@@ -58,23 +57,33 @@ def parse(entry: str) -> Upload | TextEntry | None:
     return Upload(entry, match["name"] or "", user, bool(match["late"]), attachment, file)
 
 
-def read_all(entries: Iterable[str]) -> dict[str, Upload | TextEntry | None]:
-    """Each entry; None where it isn't a name of Canvas's, or where it could be of several users and
-    would go to one who has handed in something else: a student chooses a name, and a file's."""
-    read = {entry: parse(entry) for entry in entries}
-    number_of = Counter(upload.user for upload in read.values() if upload)
-    return {
-        entry: None if upload and number_of[upload.user] > 1 and readings(entry) > 1 else upload
-        for entry, upload in read.items()
-    }
+def read_all(
+    entries: Iterable[str], ids: frozenset[str] = frozenset()
+) -> dict[str, Upload | TextEntry | None]:
+    """Each entry; None where it isn't a name of Canvas's, or where it could be of several users: a
+    student chooses a name, and a file's. Who handed it in is in the grade book, which has these
+    `ids`: so it is known where only one of the readings is of somebody there."""
+    read: dict[str, Upload | TextEntry | None] = {}
+    for entry in entries:
+        possible = readings(entry)
+        if len(possible) > 1:
+            possible = [reading for reading in possible if reading.user in ids]
+        read[entry] = possible[0] if len(possible) == 1 else None
+    return read
 
 
-def readings(entry: str) -> int:
-    """In how many ways an entry could be read, with a shorter name or a longer one."""
-    if entry.startswith(("anon_", "LATE_anon_")):
-        return 1
-    uploads = re.findall(rf"(?<!_LATE)(?=(?:^|_)(?:LATE_)?{ID}_{ID}_.)", entry, re.DOTALL)
-    return len(uploads) + bool(ENTRY.fullmatch(entry))
+def readings(entry: str) -> list[Upload | TextEntry]:
+    """All ways to read an entry, with a shorter name or a longer one."""
+    first = parse(entry)
+    if first is None or first.user.startswith("anon_"):
+        return [first] if first else []
+    possible: list[Upload | TextEntry] = [first] if isinstance(first, TextEntry) else []
+    ids = re.compile(rf"(?<!_LATE)(?=(?:^|_)(?P<late>LATE_)?({ID})_({ID})_(.+))", re.DOTALL)
+    for match in ids.finditer(entry):
+        late, user, attachment, file = match.groups()
+        name = entry[: match.start()]
+        possible.append(Upload(entry, name, user, bool(late), int(attachment), file))
+    return possible
 
 
 def feedback_name(uploads: tuple[Upload, ...]) -> str:

@@ -20,7 +20,10 @@ from bounce_grader.submission.submission import HEADERS, MOST_BYTES, SOURCES, pa
 
 MOST_UPLOADS = 100  # of a student's
 HAND_IN = f"Hand in the parts, {parts()[0].file} to {parts()[-1].file}, as files or as one zip."
-EITHER = "could be one of several users', by its name: look in Canvas who handed it in"
+EITHER = (
+    "could be one of several users', by its name: give Canvas's grade book with --gradebook, or look "
+    "in Canvas who handed it in"
+)
 
 
 @dataclass(frozen=True)
@@ -59,19 +62,20 @@ class Class:
         return len({s.id for s in self.students} | {u.user for u in self.unmatched if u.user})
 
 
-def read(path: Path) -> Class:
-    """Raises UsageError where there is no class in it."""
+def read(path: Path, ids: frozenset[str] = frozenset()) -> Class:
+    """`ids` are Canvas's of all students, where they are known. Raises UsageError where there is no
+    class in it."""
     path = path.absolute()
     if path.is_dir():
         children = sorted(path.iterdir())
         if any(canvas.parse(child.name) and _is_file(child) for child in children):
-            intake = _canvas(path)
+            intake = _canvas(path, ids)
         else:
             intake = _folder(path, children)
     elif not path.exists():
         raise UsageError(f"there is no file or folder {path}")
     elif zipfile.is_zipfile(path):
-        intake = _canvas(path)
+        intake = _canvas(path, ids)
     else:
         cut = is_zip(path.name) or not path.stat().st_size
         reason = "is broken, or was cut short: download it again"
@@ -97,7 +101,7 @@ def _is_folder(path: Path) -> bool:
     return os.path.isdir(path) and not os.path.islink(path)
 
 
-def _canvas(path: Path) -> Class:
+def _canvas(path: Path, ids: frozenset[str]) -> Class:
     archive = opened(path)
     intake = Class("a Canvas download")
     if path.is_dir():
@@ -108,7 +112,7 @@ def _canvas(path: Path) -> Class:
     users: dict[str, list[Upload]] = {}
     texts: dict[str, list[TextEntry]] = {}
     entries = archive.names()
-    read_as = canvas.read_all(name for name in entries if "/" not in name)
+    read_as = canvas.read_all((name for name in entries if "/" not in name), ids)
     for name in entries:
         parsed = read_as.get(name)
         if isinstance(parsed, Upload):

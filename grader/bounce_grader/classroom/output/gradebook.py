@@ -56,21 +56,26 @@ class Gradebook:
     def fill(self, marks: Mapping[str, Marks], without: Mapping[str, str] = {}) -> Filled:
         """`marks` by Canvas's user id, a SIS id, or a login; `without` says, by the same, why there
         is no score."""
-        reasons = self._by_line(without)
-        rows = self._rows_by_id()
-        graded = self._by_line(marks)
+        of_canvas = any(mark.of_canvas for mark in marks.values())
+        rows = self._rows_by_id(of_canvas)
+        reasons = _by_line(rows, without)
+        graded = _by_line(rows, marks)
         sentences = self._points_possible()
         for row in self._students():
-            id = graded.get(row.line)
-            if id is None:
-                reason = reasons.get(row.line)
-                nothing = f"no score, because {without[reason]}" if reason else "no submission"
+            ids = graded.get(row.line, [])
+            id = ids[0] if ids else ""
+            if not ids:
+                reason = reasons.get(row.line, [])
+                nothing = f"no score, because {without[reason[0]]}" if reason else "no submission"
                 sentences.append(f"{self._who(row)} has {nothing}: the cell stays as it was")
+            elif len(ids) > 1:
+                several = " and ".join(f"{marks[i].name} ({i})" for i in ids)
+                sentences.append(f"{self._who(row)} is meant by {several}: none is filled in")
             elif len(rows[id]) > 1:
                 sentences.append(f"{self._name} has {len(rows[id])} rows for {id}: none is filled")
             else:
                 sentences += self._fill_row(row, marks[id])
-        for id in sorted(marks.keys() - set(graded.values())):
+        for id in sorted(marks.keys() - {id for ids in graded.values() for id in ids}):
             sentences.append(f"{marks[id].name} ({id}) is graded, but isn't in {self._name}")
         return Filled(self._table.bytes(), list(dict.fromkeys(sentences)))
 
@@ -101,14 +106,15 @@ class Gradebook:
         names = row.cells[: self._header.index("ID")]
         return ", ".join(cell.text.strip() for cell in names)
 
-    def _by_line(self, ids: Iterable[str]) -> dict[int, str]:
-        rows = self._rows_by_id()
-        return {row.line: id for id in ids for row in rows.get(id, [])}
+    def canvas_ids(self) -> frozenset[str]:
+        """Canvas's ids of all students."""
+        return frozenset(self._rows_by_id(of_canvas=True))
 
-    def _rows_by_id(self) -> dict[str, list[Row]]:
-        """Canvas's own ids first, as its importer does."""
+    def _rows_by_id(self, of_canvas: bool) -> dict[str, list[Row]]:
+        """Canvas's own ids first, as its importer does. A download of Canvas's names no others, and a
+        number of another kind in it is what a student has put there."""
         rows: dict[str, list[Row]] = {}
-        for column in self._id_columns():
+        for column in self._id_columns()[: 1 if of_canvas else None]:
             in_column: dict[str, list[Row]] = {}
             for row in self._students():
                 in_column.setdefault(row.cells[column].text.strip(), []).append(row)
@@ -212,6 +218,15 @@ class Gradebook:
                         f"kit {short(self._most[part])}: change it in Canvas, or scale there"
                     )
         return sentences
+
+
+def _by_line(rows: Mapping[str, list[Row]], ids: Iterable[str]) -> dict[int, list[str]]:
+    """The ids that mean each row."""
+    lines: dict[int, list[str]] = {}
+    for id in ids:
+        for row in rows.get(id, []):
+            lines.setdefault(row.line, []).append(id)
+    return lines
 
 
 def _same_name(person: str, canvas_name: str) -> bool:
