@@ -23,6 +23,14 @@ double energy(const Vector3& q, const Vector3& v, const Parameters& params);
 
 }  // namespace bounce
 """,
+    "student/src/part5_energy.cpp": """#include <bounce/part5_energy.hpp>
+
+namespace bounce {
+
+double energy(const Vector3&, const Vector3&, const Parameters&) { return 0; }
+
+}  // namespace bounce
+""",
     "solution/src/part5_energy.cpp": """#include <bounce/part5_energy.hpp>
 
 namespace bounce {
@@ -53,6 +61,18 @@ TEST(part5, AddsKineticAndPotentialEnergy) {
 
 }  // namespace
 }  // namespace bounce::tests
+""",
+    "tests/parts/linked/part5_energy.cpp": """#include <bounce/part5_energy.hpp>
+
+#include "../submission.hpp"
+
+namespace bounce::submission {
+
+double energy(const Vector3& q, const Vector3& v, const Parameters& params) {
+  return bounce::energy(q, v, params);
+}
+
+}  // namespace bounce::submission
 """,
     "solution/fixtures/part5_cases.cpp": """#include <bounce/part5_energy.hpp>
 
