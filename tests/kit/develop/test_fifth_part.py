@@ -23,6 +23,12 @@ double energy(const Vector3& q, const Vector3& v, const Parameters& params);
 
 }  // namespace bounce
 """,
+    "student/hints/part5_energy.md": """# Hints for part 5
+
+## 5.1 Both kinds of energy
+
+Checks: part5.AddsKineticAndPotentialEnergy
+""",
     "student/src/part5_energy.cpp": """#include <bounce/part5_energy.hpp>
 
 namespace bounce {
