@@ -10,7 +10,7 @@ Expected = dict[str, Any]
 
 
 def expected(folder: Path) -> Expected:
-    """With every lost check by its id; the file names a part for all of its checks. A right
+    """With every lost check by its id; the file names a part for all of its checks. A
     submission that loses nothing needs no file."""
     file = folder / "expected.json"
     words: Expected = json.loads(file.read_text()) if file.exists() else {}

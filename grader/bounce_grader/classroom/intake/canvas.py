@@ -78,7 +78,7 @@ def readings(entry: str) -> list[Upload | TextEntry]:
     if first is None or first.user.startswith("anon_"):
         return [first] if first else []
     possible: list[Upload | TextEntry] = [first] if isinstance(first, TextEntry) else []
-    ids = re.compile(rf"(?<!_LATE)(?=(?:^|_)(?P<late>LATE_)?({ID})_({ID})_(.+))", re.DOTALL)
+    ids = re.compile(rf"(?<!_LATE)(?=(?:^|_)(LATE_)?({ID})_({ID})_(.+))", re.DOTALL)
     for match in ids.finditer(entry):
         late, user, attachment, file = match.groups()
         name = entry[: match.start()]
