@@ -106,7 +106,7 @@ def _parser() -> argparse.ArgumentParser:
 
     test = commands.add_parser("test", help="run every test of the kit")
     extent = test.add_mutually_exclusive_group()
-    extent.add_argument("--quick", action="store_true", help="what can be said in two minutes")
+    extent.add_argument("--quick", action="store_true", help="the short tests alone")
     extent.add_argument(
         "--long",
         action="store_true",
