@@ -19,7 +19,7 @@ from bounce_grader.classroom.work.summary import Summary
 from bounce_grader.classroom.work.task import task_of, with_times, Stamp, Task
 from bounce_grader.common.errors import KitError, UsageError
 from bounce_grader.common.escaping import terminal
-from bounce_grader.common.files import sweep
+from bounce_grader.common.files import remove_abandoned
 from bounce_grader.common.manifest import parts
 
 MOST_LINES = 40  # on the terminal; class.html has them all
@@ -41,7 +41,7 @@ def _whole(request: Request) -> int:
     book = _gradebook(request)
     intake = students.read(request.submissions, book.canvas_ids() if book else frozenset())
     with _alone(request.out):
-        sweep(request.out)
+        remove_abandoned(request.out)
         log = Log(request.out / "log.jsonl")
         try:
             return _run(request, intake, book, log)

@@ -49,7 +49,7 @@ def fitting(name: str, most: int = 200) -> str:
     return name if cut == os.fsencode(name) else cut.decode(errors="ignore")
 
 
-def sweep(folder: Path) -> None:
+def remove_abandoned(folder: Path) -> None:
     """Takes away what writers and gradings that were killed have left; others may be at work beside
     this, and what they take away themselves is gone."""
     for part in folder.rglob(".*.part"):

@@ -96,7 +96,7 @@ def test_a_page_of_a_thousand_is_small(tmp_path: Path) -> None:
     assert len(text.encode()) < 3_000_000
     assert "http" not in text.replace("http-equiv", "")
     assert text.count("<circle cx=") + text.count("l8 8m0-8l-8 8") == 1000
-    assert text.count('<path class="way ') == 1002
+    assert text.count('<path class="curve ') == 1002
 
 
 # --- names ---

@@ -11,7 +11,7 @@ import stand_in
 from bounce_grader.classroom.intake import students
 from bounce_grader.classroom.intake.students import Class, Student
 from bounce_grader.classroom.output import charts, page
-from bounce_grader.classroom.output.charts import Dot, Way
+from bounce_grader.classroom.output.charts import Point, Curve
 from bounce_grader.classroom.work import near_copies, progress
 from bounce_grader.classroom.work.near_copies import Pair, Similar
 from bounce_grader.classroom.work.summary import of_result, Summary
@@ -70,7 +70,7 @@ def test_many_alike_are_named_together(tmp_path: Path) -> None:
 
 
 def test_the_shapes_differ_without_colour() -> None:
-    drawn = charts.scatter([Dot(1, 1, kind, kind) for kind in ("full", "some", "none")], 1e-9)
+    drawn = charts.scatter([Point(1, 1, kind, kind) for kind in ("full", "some", "none")], 1e-9)
     marks = re.findall(r"<(?:circle|path) [^>]*><title>(\w+)", drawn)
     assert marks == ["full", "some", "none"]
     assert drawn.count('fill="none" stroke="#111"><title>some') == 1
@@ -80,7 +80,7 @@ def test_the_shapes_differ_without_colour() -> None:
 def test_every_timed_submission_has_a_line_beside_the_solutions(tmp_path: Path) -> None:
     untimed = summary(tmp_path, "slow", speed={"largest_error": 1e-13})
     text = shown(summary(tmp_path, "anna"), summary(tmp_path, "<b>"), untimed)
-    lines = re.findall(r'<path class="way (\w+)" d="M([^"]*)"><title>([^<]*)', text)
+    lines = re.findall(r'<path class="curve (\w+)" d="M([^"]*)"><title>([^<]*)', text)
     assert [title.split(":")[0] for _, _, title in lines[:2]] == ["anna", "&lt;b&gt;"]
     assert [kind for kind, _, _ in lines[2:]] == ["solution", "least"]
     assert {places.count("L") for _, places, _ in lines} == {2}  # three time steps
@@ -90,13 +90,17 @@ def test_every_timed_submission_has_a_line_beside_the_solutions(tmp_path: Path) 
 def test_the_lines_differ_without_colour_and_a_thousand_fit_into_the_page() -> None:
     places = tuple((10.0**-k, 10.0**k) for k in range(7))
     kinds = ("full", "some", "none", "solution", "least")
-    drawn = charts.ways([Way(places, kind, kind) for kind in kinds], 1e-3)
+    drawn = charts.error_against_time([Curve(places, kind, kind) for kind in kinds], 1e-3)
     shapes = dict(re.findall(r'<marker id="(\w+)"[^>]*>(<[^>]*>)', drawn))
     assert set(shapes) == set(kinds) and len(set(shapes.values())) == len(kinds)
     assert set(re.findall(r"#[0-9a-f]{3,6}\b", drawn)) <= {"#111", "#fff"}
-    odd = Way(((1e-300, None), (1e300, 1e300), (1.0, 0.0)), "none", "<b>")
-    assert "nan" not in charts.ways([odd], 1e-3) and "<b>" not in charts.ways([odd], 1e-3)
-    assert len(charts.ways([Way(places, "full", "a student's name")] * 1000, 1e-3)) < 300_000
+    odd = Curve(((1e-300, None), (1e300, 1e300), (1.0, 0.0)), "none", "<b>")
+    drawn = charts.error_against_time([odd], 1e-3)
+    assert "nan" not in drawn and "<b>" not in drawn
+    assert (
+        len(charts.error_against_time([Curve(places, "full", "a student's name")] * 1000, 1e-3))
+        < 300_000
+    )
 
 
 @pytest.mark.parametrize(

@@ -20,7 +20,7 @@ class Bar:
 
 
 @dataclass(frozen=True)
-class Dot:
+class Point:
     x: float | None  # None: not measured
     y: float | None  # None: not finite
     kind: str  # "full", "some" or "none" of the points
@@ -28,11 +28,11 @@ class Dot:
 
 
 @dataclass(frozen=True)
-class Way:
+class Curve:
     """A curve: at each time step, the time over the solution's at 1 ms, and the error in m."""
 
     places: tuple[tuple[float, float | None], ...]
-    kind: str  # as a Dot's, or "solution" or "least"
+    kind: str  # as a Point's, or "solution" or "least"
     title: str
     labels: tuple[str, ...] = ()  # of the places
 
@@ -72,10 +72,10 @@ def bars(rows: Sequence[Bar], label: str) -> Drawing:
     return svg(out, WIDTH, len(rows) * tall + 12, label)
 
 
-def scatter(dots: Sequence[Dot], right: float) -> Drawing:
+def scatter(points: Sequence[Point], right: float) -> Drawing:
     """Both axes are powers of ten; a line at the tolerance, below which answers are right. A strip
     on the right holds what wasn't timed, one at the top what isn't finite."""
-    x_decades = decades([1.0, *(dot.x for dot in dots if dot.x)], 1e-3, 1e3)
+    x_decades = decades([1.0, *(point.x for point in points if point.x)], 1e-3, 1e3)
     axes = Axes(x_decades, (-17, 3), left=90, top=56, width=WIDTH - 200, height=330)
     end = axes.left + axes.width
     solution, limit = axes.at(1.0, right)
@@ -90,25 +90,27 @@ def scatter(dots: Sequence[Dot], right: float) -> Drawing:
         text(axes.left - 9, axes.top - 26, "not finite,", "end"),
         text(axes.left - 9, axes.top - 10, "or missing", "end"),
     ]
-    for i, dot in enumerate(dots):
-        x, y = axes.at(dot.x or 0, dot.y)
+    for i, point in enumerate(points):
+        x, y = axes.at(point.x or 0, point.y)
         not_timed, not_finite = end + 20 + 7 * (i % 10), axes.top - 12 - 5 * (i % 5)
-        out.append(_dot(not_timed if dot.x is None else x, not_finite if dot.y is None else y, dot))
+        out.append(
+            _point(not_timed if point.x is None else x, not_finite if point.y is None else y, point)
+        )
     out += axes.names("time of a step, over the solution's")
     label = "Speed against accuracy, one mark for each submission"
     return svg(out, WIDTH, axes.bottom + 54, label)
 
 
-def _dot(x: float, y: float, dot: Dot) -> str:
+def _point(x: float, y: float, point: Point) -> str:
     """Three shapes, which grey doesn't take apart: a disc, a ring and a cross."""
-    words = title(dot.title)
-    if dot.kind == "none":
+    words = title(point.title)
+    if point.kind == "none":
         return f'<path d="{cross(x, y, 4)}" stroke="#111" stroke-width="1.5">{words}</path>'
-    fill = 'fill="#111" fill-opacity=".55"' if dot.kind == "full" else 'fill="none"'
+    fill = 'fill="#111" fill-opacity=".55"' if point.kind == "full" else 'fill="none"'
     return f'<circle cx="{x:.1f}" cy="{y:.1f}" r="4" {fill} stroke="#111">{words}</circle>'
 
 
-def ways(curves: Sequence[Way], fine: float) -> Drawing:
+def error_against_time(curves: Sequence[Curve], fine: float) -> Drawing:
     """The error against the time, both in powers of ten, with a line at an error that is fine."""
     places = [place for curve in curves for place in curve.places]
     axes = Axes(
@@ -122,7 +124,7 @@ def ways(curves: Sequence[Way], fine: float) -> Drawing:
         rect(axes.left, axes.top, axes.width, axes.height, "none", INK),
         *axes.ticks(short, lambda error: f"{scientific_tick(error)} m"),
         line(axes.left, limit, axes.left + axes.width, limit, "2 3"),
-        *(_way(curve, [axes.at(*place) for place in curve.places]) for curve in curves),
+        *(_curve(curve, [axes.at(*place) for place in curve.places]) for curve in curves),
         *axes.names("CPU time for a second of motion, over the solution's at dt = 1 ms"),
     ]
     label = "Speed against accuracy, one line for each submission"
@@ -145,14 +147,14 @@ def _markers(number: int) -> str:
         for kind, shape in shapes.items()
     )
     rules = "".join(f".{kind}{{marker:url(#{kind})}}" for kind in shapes)
-    lines = f".way{{fill:none;stroke:#111;stroke-width:.8;stroke-opacity:{faint:.2f}}}"
+    lines = f".curve{{fill:none;stroke:#111;stroke-width:.8;stroke-opacity:{faint:.2f}}}"
     bold = ".solution{stroke-width:2.5;stroke-opacity:1;stroke-dasharray:6 4}"
     dots = ".least{stroke-width:2;stroke-opacity:1;stroke-dasharray:1.5 4}"
     dots += ".label{paint-order:stroke;stroke:#fff;stroke-width:4}"
     return f"<defs>{drawn}</defs><style>{rules}{lines}{bold}{dots}</style>"
 
 
-def _way(curve: Way, places: Sequence[Place]) -> str:
+def _curve(curve: Curve, places: Sequence[Place]) -> str:
     labels = "".join(text(x + 8, y - 8, label) for (x, y), label in zip(places, curve.labels))
-    drawn = f'<path class="way {curve.kind}" d="{through(places, 0)}">{title(curve.title)}</path>'
+    drawn = f'<path class="curve {curve.kind}" d="{through(places, 0)}">{title(curve.title)}</path>'
     return drawn + (f'<g class="label">{labels}</g>' if labels else "")

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from bounce_grader.classroom.intake.students import Class
 from bounce_grader.classroom.output import charts
-from bounce_grader.classroom.output.charts import Bar, Dot, Way
+from bounce_grader.classroom.output.charts import Bar, Point, Curve
 from bounce_grader.classroom.work.near_copies import MOST as MOST_PAIRS, Similar
 from bounce_grader.classroom.work.summary import Summary
 from bounce_grader.common.escaping import first_few, printable_name
@@ -50,9 +50,9 @@ def render(
         failed_checks=_failed_checks(graded),
         timed=any(s.ratio is not None for s in summaries),
         scatter=charts.scatter(
-            [Dot(s.ratio, _error(s), _kind(s), _label(s)) for s in graded], RIGHT
+            [Point(s.ratio, _error(s), _kind(s), _label(s)) for s in graded], RIGHT
         ),
-        ways=_ways(summaries, graded),
+        curves=_curves(summaries, graded),
         looks=[[_who(s), "; ".join(s.needs_a_look)] for s in summaries if s.needs_a_look],
         near=near,
         left_out=first_few([names[id] for id in near.left_out]),
@@ -125,12 +125,14 @@ def _error(summary: Summary) -> float | None:
     return summary.error if summary.score >= _full() or summary.error > RIGHT else None
 
 
-def _ways(summaries: Sequence[Summary], graded: Sequence[Summary]) -> Drawing | None:
+def _curves(summaries: Sequence[Summary], graded: Sequence[Summary]) -> Drawing | None:
     """All submissions' curves in one chart. Each has its own run's solution as its unit of time."""
     own = [(s, _over_solution(s, "submission")) for s in graded]
-    curves = [Way(places, _kind(s), _label(s)) for s, places in own if places]
+    curves = [Curve(places, _kind(s), _label(s)) for s, places in own if places]
     usual = [_median(summaries, whose) for whose in ("solution", "least")]
-    return charts.ways([*curves, *filter(None, usual)], speed.FINE) if curves else None
+    return (
+        charts.error_against_time([*curves, *filter(None, usual)], speed.FINE) if curves else None
+    )
 
 
 def _over_solution(summary: Summary, whose: str) -> tuple[tuple[float, float | None], ...]:
@@ -138,7 +140,7 @@ def _over_solution(summary: Summary, whose: str) -> tuple[tuple[float, float | N
     return tuple((p.ns / unit[-1], p.error) for p in summary.curves.get(whose, ()) if unit)
 
 
-def _median(summaries: Sequence[Summary], whose: str) -> Way | None:
+def _median(summaries: Sequence[Summary], whose: str) -> Curve | None:
     """The usual curve of the class's runs."""
     runs = [(s, places) for s in summaries if (places := _over_solution(s, whose))]
     if not runs:
@@ -147,9 +149,9 @@ def _median(summaries: Sequence[Summary], whose: str) -> Way | None:
     times = [statistics.median(step) for step in zip(*([x for x, _ in run] for _, run in runs))]
     places = tuple((x, error) for x, (_, error) in zip(times, errors))
     if whose == "least":
-        return Way(places, whose, "no more model than each step needs")
+        return Curve(places, whose, "no more model than each step needs")
     steps = tuple(f"{short(1000 * point.dt)} ms" for point in first.curves[whose])
-    return Way(places, whose, "the solution", steps)
+    return Curve(places, whose, "the solution", steps)
 
 
 def _together(near: Similar) -> list[list[str]]:
