@@ -9,8 +9,8 @@
 namespace bounce::judge {
 
 // The first column that isn't the solution's step from the column before, or for column 0 not
-// `start`; compared as the checks compare. Steps in which rounding decides what happens
-// (decidable.hpp) are passed over.
+// `start`; compared as the checks compare. Where rounding decides what happens in a
+// step (decidable.hpp), it may be what follows from a start a little beside.
 std::optional<Eigen::Index> wrong_column(const Trajectory& trajectory, const State& start,
                                          const Parameters& params);
 

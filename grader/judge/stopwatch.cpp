@@ -111,7 +111,7 @@ class Submitted : public Contender {
     timed_.take_off(handover);
   }
 
-  bool right() const { return right_; }
+  bool is_right() const override { return right_; }
 
   // Throws Otherwise.
   Timed run(const Parameters& params, const State& start) override {
@@ -202,7 +202,7 @@ json measured(const std::vector<exact::Scene>& scenes, const Command& timed,
   json answer = {{"dt", measured_steps()},
                  {"scenes", json::array()},
                  {"cut", curves[0].cut},
-                 {"right", submission.right()}};
+                 {"right", submission.is_right()}};
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     answer["scenes"].push_back({{"scene", scenes[i].name},
                                 {"title", scenes[i].title},

@@ -1,6 +1,5 @@
 """Compiles the parts of a submission and the sources beside them, in a box."""
 
-import math
 from pathlib import Path
 from typing import NamedTuple
 
@@ -9,7 +8,7 @@ from bounce_grader.common.parallel_map import parallel_map
 from bounce_grader.common.paths import SOURCES
 from bounce_grader.sandbox import processes
 from bounce_grader.sandbox.box import PROGRAMS, Box
-from bounce_grader.sandbox.budget import Overrun
+from bounce_grader.sandbox.budget import Overrun, Shares
 from bounce_grader.submission.submission import Submission
 
 HELPERS_SECONDS = 30  # of CPU time, for all helpers of a submission
@@ -33,12 +32,12 @@ def compile_all(
 ) -> Objects:
     """Every part and helper by itself, in folders inside of the folder `work`. What is `timed` is
     built as a program is that somebody uses, without checks."""
-    helpers, spent = submission.helpers, [0.0]  # by helpers, in seconds
+    helpers, spent = submission.helpers, _Spent()
     named = object_cache.named_sources(submission)
 
     def compiled(file: str) -> Built:
-        own = [] if file not in helpers else spent
-        if sum(own) > HELPERS_SECONDS:
+        own = spent if file in helpers else _Spent()
+        if own.left() < 0:
             return Built(None, f"{file} wasn't compiled: the helpers took {HELPERS_SECONDS} s")
         try:
             return _Compiling(file, submission, named, work, box, timed, own).built()
@@ -54,6 +53,17 @@ def compile_all(
     )
 
 
+class _Spent:
+    """CPU seconds of compilers, which may be at work side by side."""
+
+    def __init__(self) -> None:
+        self.seconds = 0.0
+        self.shares = Shares(self.left)
+
+    def left(self) -> float:
+        return HELPERS_SECONDS - self.seconds
+
+
 class _Compiling(NamedTuple):
     """Of one file."""
 
@@ -63,7 +73,7 @@ class _Compiling(NamedTuple):
     work: Path
     box: Box
     timed: bool
-    spent: list[float]  # CPU seconds of all helpers, to add to; of a part, its own
+    spent: _Spent  # by all helpers together, or by this part
 
     def built(self) -> Built:
         """Compiles where the object doesn't exist yet. The compiler sees the files that name the
@@ -105,8 +115,8 @@ class _Compiling(NamedTuple):
     def _run(
         self, command: list[str], folder: Path, made: Path, programs: tuple[str, ...]
     ) -> processes.Result:
-        left = max(1, math.ceil(HELPERS_SECONDS - sum(self.spent)))  # COMPILE's, for a part
-        limits = compiler.COMPILE._replace(cpu_seconds=min(left, compiler.COMPILE.cpu_seconds))
-        result = compiler.run(command, folder, self.box, made, programs, limits)
-        self.spent.append(result.cpu_seconds)
+        with self.spent.shares.take(compiler.COMPILE.cpu_seconds) as seconds:
+            limits = compiler.COMPILE._replace(cpu_seconds=seconds)
+            result = compiler.run(command, folder, self.box, made, programs, limits)
+            self.spent.seconds += result.cpu_seconds
         return result

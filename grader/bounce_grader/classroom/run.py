@@ -39,7 +39,12 @@ def run(request: Request) -> int:
 
 def _whole(request: Request) -> int:
     book = _gradebook(request)
-    intake = students.read(request.submissions, book.canvas_ids() if book else frozenset())
+    intake = students.read(request.submissions, book.canvas_people() if book else {})
+    if book and intake.logins:
+        raise UsageError(
+            f"{request.gradebook} can't be matched with logins of GitHub's, which students choose: "
+            "leave --gradebook out, and take the points from grades.csv"
+        )
     with _alone(request.out):
         remove_abandoned(request.out)
         log = Log(request.out / "log.jsonl")

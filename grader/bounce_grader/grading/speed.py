@@ -34,8 +34,8 @@ def measure(timed: Path, graded: Path, box: Box) -> Measured | None:
     stopwatch fails."""
     command = [str(STOPWATCH), "--scenes", str(SCENES), *box.to_run(timed)]
     command += ["::", *box.to_run(REFERENCE_RUNNER), "::", *box.to_run(graded)]
-    box.budget.require()
-    result = processes.run(command, box.budget.within(WAIT))
+    with box.budget.within(WAIT) as limits:
+        result = processes.run(command, limits)
     return read(result.out) if result.ok else None
 
 

@@ -53,9 +53,10 @@ class Box(NamedTuple):
     ) -> processes.Result:
         """Runs a command that begins with a box, or starts one. Raises Overrun where the grading
         has used up what it may take."""
-        result = processes.run(command, self.budget.within(limits), cwd=cwd, output=output)
-        if result.stopped:
-            self.budget.charge(result.cpu_seconds)
+        with self.budget.within(limits) as lower:
+            result = processes.run(command, lower, cwd=cwd, output=output)
+            if result.stopped:
+                self.budget.charge(result.cpu_seconds)
         if not result.ok:
             self.budget.require()
         return result

@@ -3,11 +3,44 @@ linkers and judges together."""
 
 import resource
 import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from threading import Condition
 
 from bounce_grader.sandbox.processes import Limits
 
 CPU_SECONDS = 60.0
 WALL_SECONDS = 120.0
+
+
+SPARE = 5  # CPU seconds that a process may get less than it asks for, rather than wait
+
+
+class Shares:
+    """CPU seconds that processes side by side may use together: each takes what it may need, and
+    gives back what it didn't use. `left` says how many are left."""
+
+    def __init__(self, left: Callable[[], float]) -> None:
+        self._left = left
+        self._taken: list[int] = []
+        self._given_back = Condition()
+
+    @contextmanager
+    def take(self, most: int) -> Iterator[int]:
+        """Waits while others have taken too much. At least 1, for what is left is counted late."""
+        with self._given_back:
+            self._given_back.wait_for(lambda: not self._taken or self._free() >= most - SPARE)
+            taken = int(max(1, min(most, self._free() + 1)))
+            self._taken.append(taken)
+        try:
+            yield taken
+        finally:
+            with self._given_back:
+                self._taken.remove(taken)
+                self._given_back.notify_all()
+
+    def _free(self) -> float:
+        return self._left() - sum(self._taken)
 
 
 class Overrun(Exception):
@@ -25,6 +58,7 @@ class Budget:
         part_of: "Budget | None" = None,
     ):
         self._part_of = part_of
+        self._shares: Shares = part_of._shares if part_of else Shares(lambda: self.left()[0])
         self._limits = cpu_seconds, wall_seconds
         self._cpu_end = _cpu() + cpu_seconds
         self._wall_end = time.monotonic() + wall_seconds
@@ -47,14 +81,17 @@ class Budget:
         if wall <= 0:
             raise Overrun(f"the grading as a whole had taken its {self._limits[1]:g} s")
 
-    def within(self, limits: Limits) -> Limits:
-        """The same limits, or less where less is left. Raises Overrun where nothing is."""
-        self.require()
-        cpu, wall = self.left()
-        return limits._replace(
-            cpu_seconds=int(min(limits.cpu_seconds, cpu + 1)),
-            wall_seconds=min(limits.wall_seconds, wall + 0.01),
-        )
+    @contextmanager
+    def within(self, limits: Limits) -> Iterator[Limits]:
+        """The same limits, or less where less is left, for a process that runs meanwhile. Raises
+        Overrun where nothing is left."""
+        with self._shares.take(limits.cpu_seconds) as free:
+            self.require()
+            cpu, wall = self.left()
+            yield limits._replace(
+                cpu_seconds=int(min(free, cpu + 1)),
+                wall_seconds=min(limits.wall_seconds, wall + 0.01),
+            )
 
 
 def _cpu() -> float:

@@ -1,5 +1,7 @@
 """The names of files in Canvas's download."""
 
+from collections.abc import Mapping
+
 import pytest
 from bounce_grader.classroom.intake import canvas
 from bounce_grader.classroom.intake.canvas import TextEntry, Upload
@@ -26,11 +28,11 @@ def test_reads_the_names_that_canvas_writes(
     assert canvas.parse(entry) == Upload(entry, name, user, late, attachment, file)
 
 
-BOOK = frozenset({"99", "123", "3", "4"})
+BOOK = {"99": "Mallory", "123": "Victim, Vera", "3": "Poe", "4": "Noe"}
 
 
-def users(*entries: str, ids: frozenset[str] = BOOK) -> list[str | None]:
-    read = canvas.read_all(entries, ids).values()
+def users(*entries: str, people: Mapping[str, str] = BOOK) -> list[str | None]:
+    read = canvas.read_all(entries, people).values()
     return [upload.user if upload else None for upload in read]
 
 
@@ -45,24 +47,26 @@ def users(*entries: str, ids: frozenset[str] = BOOK) -> list[str | None]:
         "mallory_LATE_123_5999_99_6000_x.zip",
         "123_5999_99_6000_x.zip",
         "mallory_99_6000_123_text.html",
+        # Of users who aren't in the grade book.
+        "eve_100_6000_123_7000_evil.cpp",
+        "victimvera_123_100_6000_x.zip",
     ],
 )
 def test_no_name_puts_a_file_into_anothers_submission(attack: str) -> None:
-    """Two of its readings are of students in the grade book: a person has to look at it."""
+    """It could be of several: a person has to look at it."""
     victim = ["victimvera_123_5001_part1_contacts.cpp", "victimvera_123_5002_part2_lcp.cpp"]
     assert users(*victim, attack) == ["123", "123", None]
-    assert users(attack) == [None] and users(attack, ids=frozenset()) == [None]
+    assert users(attack, people={}) == [None]
 
 
 def test_the_grade_book_tells_whose_it_is() -> None:
     files = ("poe_3_6001_20240001_hw.zip", "noe_4_6002_20240002_hw.zip", "team_7_99_6000_x.zip")
-    assert users(*files) == ["3", "4", "99"]
-    assert users(*files, ids=frozenset()) == [None, None, None]
+    assert users(*files) == ["3", "4", None]
+    assert users(*files, people={}) == [None, None, None]
     assert users("anon_abc_5_6_a.zip", "anon_abc_6_7_b.zip") == ["anon_abc", "anon_abc"]
-    [upload] = canvas.read_all(["mal_LATE_99_6000_20240001_x.zip"], BOOK).values()
-    assert upload == Upload(
-        "mal_LATE_99_6000_20240001_x.zip", "mal", "99", True, 6000, "20240001_x.zip"
-    )
+    late = "mallory_LATE_99_6000_20240001_x.zip"
+    [upload] = canvas.read_all([late], BOOK).values()
+    assert upload == Upload(late, "mallory", "99", True, 6000, "20240001_x.zip")
 
 
 @pytest.mark.parametrize("kind", ["text", "link"])
@@ -80,3 +84,11 @@ def test_a_name_as_canvas_writes_it() -> None:
     assert canvas.sanitized("Doe, Jane") == "doejane"
     assert canvas.sanitized("O'Brien-Müller, Ana_12_x") == "obrienmüllerana12x"
     assert canvas.sanitized("कुमार, संजय") == "कुमारसंजय"
+
+
+def test_the_name_of_a_page_fits_into_a_file_system() -> None:
+    ids = f"{'9' * 20}_{'8' * 20}"
+    upload = canvas.parse(f"{'ä' * 110}_LATE_{ids}_photo.jpg")
+    assert isinstance(upload, Upload)
+    page = canvas.feedback_name((upload,))
+    assert len(page.encode()) < 240 and page.endswith(f"_LATE_{ids}_feedback.html")

@@ -52,6 +52,17 @@ def test_fills_the_cells_and_nothing_else(tmp_path: Path) -> None:
     assert "Moe, Sam (15) has no submission: the cell stays as it was" in filled.sentences
 
 
+def test_a_student_chooses_no_name_that_changes_the_grade_book(tmp_path: Path) -> None:
+    odd = '"Points Possible, Eve",16,u16,eve,S,,,\n'
+    text = EXPORT.replace('"Moe, Sam"', odd + '"Moe, Sam"')
+    assert b",S,,3.00," in fill(tmp_path, text, marks(u16=3)).data
+    book = Gradebook(tmp_path / "export.csv", {0: COLUMN}, MOST)
+    assert book.canvas_people()["16"] == "Points Possible, Eve"
+    header, _, _, first, *others = EXPORT.splitlines(keepends=True)
+    lines = header + first.replace("Doe, Jane", "Aaa\nEve; a; b") + "".join(others)
+    assert b",S,,3.00," in fill(tmp_path, lines, marks(u15=3)).data
+
+
 @pytest.mark.parametrize("start", [b"", b"\xef\xbb\xbf"])
 @pytest.mark.parametrize("end", ["\n", "\r\n"])
 @pytest.mark.parametrize("last", [True, False])

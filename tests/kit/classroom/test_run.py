@@ -9,8 +9,9 @@ from pathlib import Path
 import pytest
 from bounce_grader import cli
 from bounce_grader.classroom.work import results
+from bounce_grader.common.errors import UsageError
 from classes import COLUMN, book, column, download, grade_class, graded, points_of
-from conftest import solution_files
+from conftest import solution_files, write
 
 
 def test_writes_all_that_it_promises(tmp_path: Path, users: list[int]) -> None:
@@ -28,6 +29,15 @@ def test_writes_all_that_it_promises(tmp_path: Path, users: list[int]) -> None:
         assert archive.read("doejane_101_1010_feedback.html").startswith(b"<!doctype html>")
     assert "Doe, Jane (999) has no submission" in (out / "class.html").read_text()
     assert sorted(graded(out)) == sorted(results.keys(out / "results"))
+
+
+def test_no_row_of_the_grade_book_is_found_by_a_login_that_students_choose(tmp_path: Path) -> None:
+    checkout = tmp_path / "hw3-submissions"
+    for login in ("101", "jdoe"):
+        write(checkout / f"hw3-{login}", {**solution_files(), ".git/HEAD": b""})
+    export = book(tmp_path / "export.csv", [101])
+    with pytest.raises(UsageError, match="can't be matched with logins of GitHub's"):
+        grade_class(checkout, tmp_path / "out", gradebook=export, columns={0: COLUMN})
 
 
 def test_a_second_run_grades_nothing_and_writes_the_same(

@@ -38,6 +38,7 @@ def test_a_checkout_is_named_by_login(tmp_path: Path, top: str) -> None:
         write(tmp_path / top / f"hw3-{login}", {"part2_lcp.cpp": b"// x", ".git/HEAD": b""})
     found = students.read(tmp_path / top)
     assert [s.id for s in found.students] == ["anna", "anton", "ben-w"]
+    assert found.logins
 
 
 def test_a_folder_without_a_repository_is_listed_in_a_checkout(tmp_path: Path) -> None:

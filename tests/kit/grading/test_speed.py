@@ -162,6 +162,33 @@ def test_an_answer_kept_from_before_and_moved_to_the_new_start_is_wrong(tmp_path
     assert "ratio" not in found
 
 
+ROUND = "std::round(1e4 * v_0(0)) == 1e4 * v_0(0) && std::round(1e4 * v_0(1)) == 1e4 * v_0(1)"
+OFTEN = "params.dt < 0.0035 && std::abs(params.delta - 0.1 * params.dt) < 1e-12"  # only when timed
+
+
+@pytest.mark.slow
+def test_what_is_wrong_in_the_timed_rounds_alone_has_their_error(tmp_path: Path) -> None:
+    found = timed(tmp_path, around(f"if ({OFTEN} && !({ROUND})) {ZEROS}"))
+    assert "ratio" not in found
+    assert all(error and error > 0.1 for error in worst(found)[2:])
+    assert "doesn't get within 1 mm" in speed.sentences(found)[0]
+
+
+@pytest.mark.slow
+def test_a_step_that_rounding_decides_excuses_no_other_motion(tmp_path: Path) -> None:
+    """Without friction, too; and from a state at delta itself no other is reached than by a step."""
+    floating = """Trajectory r = right;
+        for (int i = 1; i < params.T; ++i) if (r.v(1, i) > r.v(1, i - 1) + 1e-3) {
+          for (; i < params.T; ++i) {
+            r.q.col(i) << 0, params.l / 2 + params.delta, 0;
+            r.v.col(i).setZero();
+          }
+        }
+        return r;"""
+    fast = around("", f"if (!({OFTEN}) || params.mu != 0 || {ROUND}) return right; {floating}")
+    assert "ratio" not in timed(tmp_path, fast)
+
+
 def test_a_program_that_does_not_compile_is_not_compiled_to_be_timed(tmp_path: Path) -> None:
     files = {**solution_files(), "part2_lcp.cpp": b"#error no\n"}
     record = grade(write(tmp_path, files), Options(speed=True))

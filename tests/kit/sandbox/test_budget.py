@@ -3,6 +3,7 @@
 import resource
 import time
 from pathlib import Path
+from threading import Lock
 from typing import Any
 
 import hostile
@@ -10,6 +11,7 @@ import pytest
 from bounce_grader.build import object_cache
 from bounce_grader.build.compile import compile_all
 from bounce_grader.common.manifest import parts
+from bounce_grader.common.parallel_map import parallel_map
 from bounce_grader.grading import judging
 from bounce_grader.grading.grade import grade as grade_path, Options
 from bounce_grader.sandbox import box as boxes, budget
@@ -22,14 +24,36 @@ LIMITS = Limits(cpu_seconds=10, wall_seconds=60, memory=None, file_size=0)
 
 
 def test_less_is_allowed_where_less_is_left() -> None:
-    assert Budget(100, 100).within(LIMITS) == LIMITS
-    assert budget.UNLIMITED.within(LIMITS) == LIMITS
-    short = Budget(2, 3).within(LIMITS)
-    assert short.cpu_seconds <= 3 and short.wall_seconds < 4
-    with pytest.raises(Overrun, match="0 s of CPU time"):
-        Budget(0, 100).within(LIMITS)
-    with pytest.raises(Overrun, match="taken its 0 s"):
-        Budget(100, 0).within(LIMITS)
+    for enough in (Budget(100, 100), budget.UNLIMITED):
+        with enough.within(LIMITS) as limits:
+            assert limits == LIMITS
+    with Budget(2, 3).within(LIMITS) as short:
+        assert short.cpu_seconds <= 3 and short.wall_seconds < 4
+    with pytest.raises(Overrun, match="0 s of CPU time"), Budget(0, 100).within(LIMITS):
+        pass
+    with pytest.raises(Overrun, match="taken its 0 s"), Budget(100, 0).within(LIMITS):
+        pass
+
+
+def test_processes_side_by_side_may_not_use_the_rest_each(tmp_path: Path) -> None:
+    """Twelve at once of which each would use 10 s: they wait for one another."""
+    mine, most, running = Budget(30, 100), [0], [0]
+    lock = Lock()
+
+    def one(_: int) -> None:
+        with mine.within(LIMITS) as limits:
+            with lock:
+                running[0] += limits.cpu_seconds
+                most[0] = max(most[0], running[0])
+            time.sleep(0.01)
+            with lock:
+                running[0] -= limits.cpu_seconds
+
+    parallel_map(one, range(12), 12)
+    assert 20 <= most[0] <= 31 and running[0] == 0
+    part = Budget(20, 20, part_of=mine)
+    with mine.within(LIMITS), mine.within(LIMITS), part.within(LIMITS) as limits:
+        assert limits.cpu_seconds in range(5, 11)
 
 
 def test_what_is_charged_to_a_part_of_a_budget_is_charged_to_the_whole() -> None:

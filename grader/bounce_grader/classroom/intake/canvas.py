@@ -11,7 +11,8 @@ entry can be read in several ways (`read_all`).
 
 import re
 import unicodedata
-from collections.abc import Iterable
+from collections import Counter
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 from bounce_grader.common.escaping import printable_name
@@ -58,17 +59,20 @@ def parse(entry: str) -> Upload | TextEntry | None:
 
 
 def read_all(
-    entries: Iterable[str], ids: frozenset[str] = frozenset()
+    entries: Iterable[str], people: Mapping[str, str] = {}
 ) -> dict[str, Upload | TextEntry | None]:
     """Each entry; None where it isn't a name of Canvas's, or where it could be of several users: a
-    student chooses a name, and a file's. Who handed it in is in the grade book, which has these
-    `ids`: so it is known where only one of the readings is of somebody there."""
-    read: dict[str, Upload | TextEntry | None] = {}
-    for entry in entries:
-        possible = readings(entry)
-        if len(possible) > 1:
-            possible = [reading for reading in possible if reading.user in ids]
-        read[entry] = possible[0] if len(possible) == 1 else None
+    student chooses a name, and a file's. `people` are those of the grade book, by Canvas's ids: an
+    entry is of the one among them whose id and name it has, if nothing else is."""
+    possible = {entry: readings(entry) for entry in entries}
+    read = {entry: found[0] if len(found) == 1 else None for entry, found in possible.items()}
+    doubtful = {entry: found for entry, found in possible.items() if len(found) > 1}
+    users = Counter(r.user for found in possible.values() for r in found if r.user in people)
+    for entry, found in doubtful.items():
+        known = [reading for reading in found if reading.user in people]
+        if len(known) == 1 and users[known[0].user] == 1:
+            if is_name_of(people[known[0].user], known[0].name):
+                read[entry] = known[0]
     return read
 
 
@@ -90,13 +94,20 @@ def feedback_name(uploads: tuple[Upload, ...]) -> str:
     """The name under which Canvas takes a page back as a comment: the ids of the newest upload."""
     newest = max(uploads, key=lambda upload: upload.attachment)
     ids = newest.entry[len(newest.name) : -len(newest.file)]
-    return f"{printable_name(fitting(newest.name))}{ids}feedback.html"
+    return f"{printable_name(fitting(newest.name, 150))}{ids}feedback.html"
 
 
 def sanitized(sortable_name: str) -> str:
     """What Canvas makes of "Doe, Jane": doejane."""
     flat = re.sub(r"_(\d+)_", r"\1", sortable_name).lower()
     return "".join(filter(_in_a_word, flat))
+
+
+def is_name_of(person: str, canvas_name: str) -> bool:
+    """Letter for letter, in whichever order and however an accent is written."""
+    names = (sanitized(person), canvas_name)
+    one, other = (sorted(unicodedata.normalize("NFC", name)) for name in names)
+    return one == other
 
 
 def _in_a_word(c: str) -> bool:

@@ -3,7 +3,7 @@ checkout of GitHub Classroom. What belongs to nobody is kept, with its reason.""
 
 import os
 import zipfile
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -21,8 +21,8 @@ from bounce_grader.submission.submission import HEADERS, MOST_BYTES, SOURCES, pa
 MOST_UPLOADS = 100  # of a student's
 HAND_IN = f"Hand in the parts, {parts()[0].file} to {parts()[-1].file}, as files or as one zip."
 EITHER = (
-    "could be one of several users', by its name: give Canvas's grade book with --gradebook, or look "
-    "in Canvas who handed it in"
+    "could be one of several users', by its name: look in Canvas who handed it in, and grade it by "
+    "itself with ./kit grade"
 )
 
 
@@ -55,6 +55,7 @@ class Class:
     source: str  # what SUBMISSIONS was taken for
     students: list[Student] = field(default_factory=list)
     unmatched: list[Unmatched] = field(default_factory=list)
+    logins: bool = False  # whether a student's id is a login of GitHub's, which students choose
 
     @property
     def handed_in(self) -> int:
@@ -62,20 +63,20 @@ class Class:
         return len({s.id for s in self.students} | {u.user for u in self.unmatched if u.user})
 
 
-def read(path: Path, ids: frozenset[str] = frozenset()) -> Class:
-    """`ids` are Canvas's of all students, where they are known. Raises UsageError where there is no
+def read(path: Path, people: Mapping[str, str] = {}) -> Class:
+    """`people` are those of the grade book, by Canvas's ids. Raises UsageError where there is no
     class in it."""
     path = path.absolute()
     if path.is_dir():
         children = sorted(path.iterdir())
         if any(canvas.parse(child.name) and _is_file(child) for child in children):
-            intake = _canvas(path, ids)
+            intake = _canvas(path, people)
         else:
             intake = _folder(path, children)
     elif not path.exists():
         raise UsageError(f"there is no file or folder {path}")
     elif zipfile.is_zipfile(path):
-        intake = _canvas(path, ids)
+        intake = _canvas(path, people)
     else:
         cut = is_zip(path.name) or not path.stat().st_size
         reason = "is broken, or was cut short: download it again"
@@ -101,7 +102,7 @@ def _is_folder(path: Path) -> bool:
     return os.path.isdir(path) and not os.path.islink(path)
 
 
-def _canvas(path: Path, ids: frozenset[str]) -> Class:
+def _canvas(path: Path, people: Mapping[str, str]) -> Class:
     archive = opened(path)
     intake = Class("a Canvas download")
     if path.is_dir():
@@ -112,7 +113,7 @@ def _canvas(path: Path, ids: frozenset[str]) -> Class:
     users: dict[str, list[Upload]] = {}
     texts: dict[str, list[TextEntry]] = {}
     entries = archive.names()
-    read_as = canvas.read_all((name for name in entries if "/" not in name), ids)
+    read_as = canvas.read_all((name for name in entries if "/" not in name), people)
     for name in entries:
         parsed = read_as.get(name)
         if isinstance(parsed, Upload):
@@ -233,6 +234,7 @@ def _folder(path: Path, children: list[Path]) -> Class:
         cut = _common_prefix(path, cloned)
         before = f", named {cloned[0].name[:cut]!r} and a login" if cut else ""
         intake.source = f"a checkout of repositories{before}"
+        intake.logins = True
         folders = cloned
     for child in [*folders, *zips]:
         name = child.name[cut:] if _is_folder(child) else child.stem

@@ -2,12 +2,11 @@
 
 import difflib
 import re
-import unicodedata
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from bounce_grader.classroom.intake.canvas import sanitized
+from bounce_grader.classroom.intake.canvas import is_name_of
 from bounce_grader.classroom.output import table as tables
 from bounce_grader.classroom.output.table import Row
 from bounce_grader.common.errors import UsageError
@@ -90,7 +89,7 @@ class Gradebook:
                 is_filled = True
                 number = f"{marks.points[part]:.2f}"
                 cell.put(number.replace(".", ",") if self._comma else number, self._table.delimiter)
-        if is_filled and marks.of_canvas and not _same_name(self._person(row), marks.name):
+        if is_filled and marks.of_canvas and not is_name_of(self._person(row), marks.name):
             sentences.append(
                 f"{self._who(row)} has the points of {marks.name}: if that is a group, give its other "
                 "members the same"
@@ -106,9 +105,10 @@ class Gradebook:
         names = row.cells[: self._header.index("ID")]
         return ", ".join(cell.text.strip() for cell in names)
 
-    def canvas_ids(self) -> frozenset[str]:
-        """Canvas's ids of all students."""
-        return frozenset(self._rows_by_id(of_canvas=True))
+    def canvas_people(self) -> dict[str, str]:
+        """By Canvas's ids, the names of all students, as "Doe, Jane"."""
+        rows = self._rows_by_id(of_canvas=True)
+        return {id: self._person(of_id[0]) for id, of_id in rows.items()}
 
     def _rows_by_id(self, of_canvas: bool) -> dict[str, list[Row]]:
         """Canvas's own ids first, as its importer does. A download of Canvas's names no others, and a
@@ -127,7 +127,8 @@ class Gradebook:
         for row in self._table.rows[1:]:
             texts = [cell.text for cell in row.cells]
             posting = all(re.fullmatch(r"\s*(Muted|Manual Posting.*)?\s*", t, re.I) for t in texts)
-            if "Points Possible" not in texts[0] and not posting:
+            points = "Points Possible" in texts[0] and not texts[self._header.index("ID")].strip()
+            if not points and not posting:
                 rows.append(row)
         return rows
 
@@ -227,13 +228,6 @@ def _by_line(rows: Mapping[str, list[Row]], ids: Iterable[str]) -> dict[int, lis
         for row in rows.get(id, []):
             lines.setdefault(row.line, []).append(id)
     return lines
-
-
-def _same_name(person: str, canvas_name: str) -> bool:
-    """Letter for letter, in whichever order and however an accent is written."""
-    names = (sanitized(person), canvas_name)
-    one, other = (sorted(unicodedata.normalize("NFC", name)) for name in names)
-    return one == other
 
 
 def _title(text: str) -> str:

@@ -3,6 +3,7 @@
 import io
 import zipfile
 from collections.abc import Mapping
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -89,8 +90,9 @@ def write_feedback(
     ids = {summary.student.id for summary in summaries}
     for entry in submitted.unmatched:
         if entry.feedback and entry.user not in ids:
-            write_whole(folder / entry.feedback, html.refused(entry.page_text))
-            pages.append(entry.feedback)
+            with suppress(UsageError), about_one_submission("there is no page"):
+                write_whole(folder / entry.feedback, html.refused(entry.page_text))
+                pages.append(entry.feedback)
     for summary in summaries:
         result = results.load(out / "results", summary.key)
         try:

@@ -3,6 +3,7 @@
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from itertools import islice
 
 from bounce_grader.common.errors import UsageError
 
@@ -57,18 +58,18 @@ def parse(data: bytes, name: str) -> Table:
         )
     start = BOM if data.startswith(BOM) else b""
     body = data[len(start) :]
-    table = Table(start, _delimiter(body))
+    table = Table(start, _delimiter(body, name))
     table.rows = list(_rows(body, table.delimiter, name))
     if not table.rows:
         raise UsageError(f"{name} is empty: export the grade book from Canvas again")
     return table
 
 
-def _delimiter(body: bytes) -> bytes:
-    """As Canvas finds it: whichever gives the first three lines the same, larger number of cells."""
+def _delimiter(body: bytes, name: str) -> bytes:
+    """As Canvas finds it: whichever gives the first three rows the same, larger number of cells."""
     counts = {}
     for delimiter in (b",", b";"):
-        numbers = {len(_cells(line, delimiter)) for line in body.splitlines()[:3]}
+        numbers = {len(row.cells) for row in islice(_rows(body, delimiter, name), 3)}
         counts[delimiter] = numbers.pop() if len(numbers) == 1 else 0
     return b";" if counts[b";"] > counts[b","] else b","
 
