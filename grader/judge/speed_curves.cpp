@@ -41,8 +41,7 @@ Setting setting_of(const Scene& scene, const exact::Samples& truth, double dt) {
 }
 
 // The largest distance to the truth over the samples, m.
-double error_of(const Setting& setting, const Trajectory& trajectory,
-                const exact::Samples& truth) {
+double error_of(const Setting& setting, const Trajectory& trajectory, const exact::Samples& truth) {
   exact::Samples samples;
   for (int i = 1; i <= exact::kSamples; ++i) {
     const Eigen::Index column = i * setting.steps_between_samples;

@@ -79,3 +79,12 @@ def pytest_terminal_summary(terminalreporter: Any) -> None:
         for name, text in report.user_properties:
             if name == "shown":
                 terminalreporter.write_line(text)
+
+
+@pytest.fixture(scope="session")
+def home(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A student's folder, for all tests that drive ./check: its first build takes longer than they
+    do."""
+    import handed_out
+
+    return handed_out.unzipped(tmp_path_factory.mktemp("student"))

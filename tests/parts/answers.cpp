@@ -77,12 +77,6 @@ bool is_asked_by(int part, const std::function<Eigen::VectorXd(const Case&)>& as
   return true;
 }
 
-std::vector<int> parts_at_hand() {
-  std::vector<int> parts;
-  for (const auto& [part, ask] : functions()) parts.push_back(part);
-  return parts;
-}
-
 std::vector<Answer> answers(int part, const std::vector<Case>& questions) {
   std::vector<Answer> all;
   try {

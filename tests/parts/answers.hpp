@@ -42,9 +42,6 @@ std::vector<Case> questions(int part);
 // How a part's function is asked; the part's tests say it. Returns true.
 bool is_asked_by(int part, const std::function<Eigen::VectorXd(const Case&)>& ask);
 
-// Parts of which is_asked_by was told.
-std::vector<int> parts_at_hand();
-
 // The answers to all questions. Empty where the program ends before it has answered.
 std::vector<Answer> answers(int part, const std::vector<Case>& questions);
 

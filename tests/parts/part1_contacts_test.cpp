@@ -14,7 +14,7 @@ Problem compare_contact(const Case& c) {
               compare(c, "J = [J_t J_n]", "1, 1, m", c.contact.J, got.J));
 }
 
-[[maybe_unused]] const bool kAsked = is_asked_by(1, [](const Case& c) {
+[[maybe_unused]] const bool kPart1IsAsked = is_asked_by(1, [](const Case& c) {
   const Contact got = submission::get_contacts(c.q, c.params);
   Eigen::VectorXd numbers(7);
   numbers << got.J.reshaped(), got.phi;

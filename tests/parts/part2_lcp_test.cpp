@@ -8,7 +8,7 @@
 namespace bounce::tests {
 namespace {
 
-[[maybe_unused]] const bool kAsked = is_asked_by(2, [](const Case& c) {
+[[maybe_unused]] const bool kPart2IsAsked = is_asked_by(2, [](const Case& c) {
   const Lcp got = submission::form_lcp(c.J, c.v, c.params);
   Eigen::VectorXd numbers(20);
   numbers << got.V.reshaped(), got.p;

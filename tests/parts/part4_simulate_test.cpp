@@ -9,7 +9,7 @@
 namespace bounce::tests {
 namespace {
 
-Problem saying(const std::string& sentence) { return {sentence, {}, {}, -1}; }
+Problem problem(const std::string& sentence) { return {sentence, {}, {}, -1}; }
 
 // One wrong step makes everything after it wrong, so the first wrong column is the one to name.
 Problem compare_columns(const Case& c) {
@@ -17,7 +17,7 @@ Problem compare_columns(const Case& c) {
   for (std::size_t i = 0; i < c.columns.size(); ++i) {
     const auto known = static_cast<Eigen::Index>(i);
     const std::string column = "column " + std::to_string(c.columns[i]);
-    if (c.columns[i] >= got.q.cols()) return saying(column + " is missing");
+    if (c.columns[i] >= got.q.cols()) return problem(column + " is missing");
     Problem wrong = both(compare(c, "q in " + column, kConfiguration, c.trajectory.q.col(known),
                                  got.q.col(c.columns[i])),
                          compare(c, "v in " + column, kVelocity, c.trajectory.v.col(known),
@@ -31,7 +31,7 @@ Problem compare_columns(const Case& c) {
   return {};
 }
 
-[[maybe_unused]] const bool kAsked = is_asked_by(
+[[maybe_unused]] const bool kPart4IsAsked = is_asked_by(
     4, [](const Case& c) { return numbers_of(submission::simulate(c.q, c.v, c.params)); });
 
 TEST(part4, HasTColumns) {
@@ -57,14 +57,14 @@ TEST(part4, StaysFiniteOnALongRun) {
   for_each_case([](const Case& c) {
     const Trajectory first = submission::first_columns(c.q, c.v, c.params);
     if (!first.q.allFinite() || !first.v.allFinite()) {
-      return saying("NaN or infinity in some column: was each one set?");
+      return problem("NaN or infinity in some column: was each one set?");
     }
     if (first.q.leftCols(1) == first.q.rightCols(1) || first.q.cwiseAbs().maxCoeff() > 1e6) {
-      return saying("a square that stands still, or is further than 1e6 away");
+      return problem("a square that stands still, or is further than 1e6 away");
     }
     const Trajectory second = submission::first_columns(c.q, c.v, c.params);
     if (first.q != second.q || first.v != second.v) {
-      return saying("another trajectory when asked the same a second time");
+      return problem("another trajectory when asked the same a second time");
     }
     return Problem();
   });

@@ -7,6 +7,7 @@ import time
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from bounce_grader.common.parallel_map import parallel_map
 from bounce_grader.common.paths import BUILD, ROOT
 from bounce_grader.develop import confusion, fuzz, tidy
 from bounce_grader.grading.fixtures import hidden_folder
@@ -36,35 +37,47 @@ class Step:
     name: str
     run: Callable[[], int]
     least: str = "quick"  # the least extent that it belongs to
+    parallel: bool = False  # whether it uses all cores
 
 
 def run(extent: str) -> int:
-    failed = []
+    """The steps that keep one core busy two at a time, and then those that use all of them."""
+    single: list[Step] = []
+    parallel: list[Step] = []
     for step in _steps(extent):
-        if EXTENTS.index(step.least) > EXTENTS.index(extent):
-            continue
-        start = time.monotonic()
-        print(f"== {step.name}", flush=True)
-        if step.run() != 0:
-            failed.append(step.name)
-        print(f"   {time.monotonic() - start:.1f} s", flush=True)
+        if EXTENTS.index(step.least) <= EXTENTS.index(extent):
+            (parallel if step.parallel else single).append(step)
+    passed = [*parallel_map(_passes, single, 2), *map(_passes, parallel)]
+    failed = [step.name for step, ok in zip([*single, *parallel], passed) if not ok]
     if failed:
         print(f"failed: {', '.join(failed)}")
     return int(bool(failed))
 
 
+def _passes(step: Step) -> bool:
+    start = time.monotonic()
+    passed = step.run() == 0
+    print(f"== {step.name}: {time.monotonic() - start:.1f} s", flush=True)
+    return passed
+
+
 def _steps(extent: str) -> list[Step]:
     return [
+        Step("types: mypy", _mypy),
         Step("formatting: clang-format", _clang_format),
         Step("formatting: black", lambda: _command("black", "-q", "--check", *PYTHON)),
-        Step("types: mypy", _mypy),
-        Step("lint: clang-tidy", lambda: tidy.run(all_files=extent == "long"), "usual"),
         Step("fixtures are what the kit writes", _fixtures),
         Step("C++ tests", _ctest),
-        Step("known mistakes: what the gallery is taken for", confusion.run),
-        Step("C++ tests with sanitizers", _sanitized, "long"),
-        Step("Python tests, the gallery among them", lambda: _pytest(extent)),
-        Step("readers with a million inputs each, and submissions that attack", fuzz.run, "long"),
+        Step("lint: clang-tidy", lambda: tidy.run(all_files=extent == "long"), "usual", True),
+        Step("known mistakes: what the gallery is taken for", confusion.run, parallel=True),
+        Step("C++ tests with sanitizers", _sanitized, "long", True),
+        Step("Python tests, the gallery among them", lambda: _pytest(extent), parallel=True),
+        Step(
+            "readers with a million inputs each, and submissions that attack",
+            fuzz.run,
+            "long",
+            True,
+        ),
     ]
 
 
@@ -110,7 +123,7 @@ def _fixtures() -> int:
 
 
 def _ctest() -> int:
-    return _quietly("ctest", "--test-dir", str(BUILD), "--output-on-failure", "-j", "2")
+    return _quietly("ctest", "--test-dir", str(BUILD), "--output-on-failure")
 
 
 def _sanitized() -> int:
@@ -125,4 +138,5 @@ def _sanitized() -> int:
 
 def _pytest(extent: str) -> int:
     chosen = {"quick": ["-m", "not slow and not long"], "usual": ["-m", "not long"]}.get(extent, [])
-    return _command(sys.executable, "-m", "pytest", "-q", "-n", str(os.cpu_count() or 1), *chosen)
+    workers = ["-n", str(os.cpu_count() or 1), "--dist", "loadgroup"]
+    return _command(sys.executable, "-m", "pytest", "-q", *workers, *chosen)

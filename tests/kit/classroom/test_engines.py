@@ -72,7 +72,7 @@ def test_dask_survives_workers_that_are_killed(cluster: Cluster, tmp_path: Path)
 
 
 @needs_dask
-@pytest.mark.slow
+@pytest.mark.long
 def test_dask_without_a_scheduler_is_said(tmp_path: Path) -> None:
     source = download(tmp_path / "x.zip", 1)
     asked = stand_in.request(source, tmp_path / "out", engine="dask")
@@ -112,7 +112,7 @@ def test_dask_without_workers_says_that_it_waits(
 
 
 @needs_dask
-@pytest.mark.slow
+@pytest.mark.long
 def test_a_scheduler_that_dies_is_said_and_costs_nothing(cluster: Cluster, tmp_path: Path) -> None:
     source, out = download(tmp_path / "x.zip", 20), tmp_path / "out"
     cluster.worker()

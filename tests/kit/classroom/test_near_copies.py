@@ -28,7 +28,9 @@ def class_with(path: Path, odd: list[bytes]) -> Path:
     return download(path, entries)
 
 
-@pytest.mark.parametrize("unit", [b"{", b"x;\n", b"if(a){b;}\n"])
+@pytest.mark.parametrize(
+    "unit", [b"{", *(pytest.param(u, marks=pytest.mark.long) for u in (b"x;\n", b"if(a){b;}\n"))]
+)
 def test_what_repeats_itself_is_left_out_and_costs_no_other_pair(
     tmp_path: Path, unit: bytes
 ) -> None:

@@ -58,7 +58,7 @@ namespace {
 
 double asked(const Case& c) { return submission::energy(c.q, c.v, c.params); }
 
-[[maybe_unused]] const bool kAsked =
+[[maybe_unused]] const bool kPart5IsAsked =
     is_asked_by(5, [](const Case& c) { return Eigen::VectorXd::Constant(1, asked(c)); });
 
 TEST(part5, AddsKineticAndPotentialEnergy) {
@@ -70,15 +70,13 @@ TEST(part5, AddsKineticAndPotentialEnergy) {
 """,
     "tests/parts/linked/part5_energy.cpp": """#include <bounce/part5_energy.hpp>
 
-#include "../submission.hpp"
+#include "linked.hpp"
 
-namespace bounce::submission {
+namespace bounce::tests {
 
-double energy(const Vector3& q, const Vector3& v, const Parameters& params) {
-  return bounce::energy(q, v, params);
-}
+[[maybe_unused]] const bool part5_is_linked = enter('5', &Linked::energy, &bounce::energy);
 
-}  // namespace bounce::submission
+}  // namespace bounce::tests
 """,
     "solution/fixtures/part5_cases.cpp": """#include <bounce/part5_energy.hpp>
 
@@ -132,6 +130,17 @@ LINES = [
         "Trajectory simulate(",
         "double energy(const Vector3& q, const Vector3& v, const Parameters& params) {\n"
         "  return ask<double>(5, params, q, v);\n}\n\n",
+    ),
+    (
+        "tests/parts/linked/linked.hpp",
+        "  std::string parts;",
+        "  double (*energy)(const Vector3& q, const Vector3& v, const Parameters& params) = nullptr;\n",
+    ),
+    (
+        "tests/parts/linked/submission_linked.cpp",
+        "Trajectory simulate(",
+        "double energy(const Vector3& q, const Vector3& v, const Parameters& params) {\n"
+        '  return naming_the_part("part 5", [&] { return linked().energy(q, v, params); });\n}\n\n',
     ),
     (
         "tests/parts/submission.hpp",

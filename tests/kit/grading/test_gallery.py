@@ -61,9 +61,24 @@ def known_as(folder: Path) -> list[str]:
     return [expected(folder).get("recognised_as", name) for name in own]
 
 
+# A grading takes several seconds of CPU time, and another entry of the usual run is graded the same
+# way: it hangs, crashes in all parts at once, or is compiled for long.
+TAKES_LONG = {
+    *("broken/part3_null_pointer_in_contact", "broken/part3_throws_where_it_must_not"),
+    *("broken/part4_integer_division_by_zero", "broken/part4_recursion_without_end"),
+    *("hostile/part1_constant_without_end", "hostile/part1_goes_on_after_the_cpu_limit"),
+    *("hostile/part1_hangs_before_main", "hostile/part1_ignores_its_cpu_limit"),
+    *("hostile/part1_prints_without_pause_and_aborts", "hostile/part1_tower_of_macros"),
+    *("hostile/part2_traps_every_rounding", "hostile/part3_indirect_function_traps"),
+    *("hostile/part4_constructor_crashes", "hostile/part4_sends_half_of_its_columns"),
+}
+
+
 def run_of(number: int, folder: Path) -> list[pytest.MarkDecorator]:
     """One in twelve is in the quick run. Of the mistakes, which differ in their numbers and not in
     how they run, one in six is in the usual one; the judge sees all of them there."""
+    if name_of(folder) in TAKES_LONG:
+        return [pytest.mark.long]
     if number % 12 == 0:
         return []
     return [pytest.mark.long if folder in MISTAKES and number % 6 else pytest.mark.slow]
@@ -92,7 +107,9 @@ def test_a_mistake_costs_its_checks_and_is_named(folder: Path, tmp_path: Path) -
 
 IN_BOTH = [folder for folder in folders("hostile") if "reduced" in expected(folder)]
 IN_REDUCED = [
-    pytest.param(f, marks=pytest.mark.long if i % 4 else pytest.mark.slow)
+    pytest.param(
+        f, marks=pytest.mark.long if i % 4 or name_of(f) in TAKES_LONG else pytest.mark.slow
+    )
     for i, f in enumerate(IN_BOTH)
 ]
 

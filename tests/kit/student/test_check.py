@@ -5,30 +5,17 @@ import re
 import shutil
 import subprocess
 import time
-import zipfile
 from pathlib import Path
 
 import pytest
-from bounce_grader.publish import handout as kit_handout
 from conftest import ROOT, SOLUTION
+from handed_out import unzipped
+
+pytestmark = pytest.mark.xdist_group("student")
 
 MISTAKES = ROOT / "tests/submissions/mistakes"
 BROKEN = ROOT / "tests/submissions/broken"
 SYSTEM = {"PATH": "/usr/bin:/bin", "HOME": "/nonexistent", "LANG": "C.UTF-8", "TERM": "xterm"}
-
-
-def unzipped(folder: Path) -> Path:
-    kit_handout.write(folder / "handout.zip")
-    with zipfile.ZipFile(folder / "handout.zip") as archive:
-        for entry in archive.infolist():
-            path = Path(archive.extract(entry, folder))
-            path.chmod(entry.external_attr >> 16 & 0o777)
-    return folder / "bounce"
-
-
-@pytest.fixture(scope="module")
-def home(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return unzipped(tmp_path_factory.mktemp("student"))
 
 
 def check(home: Path, *arguments: str, **environment: str) -> subprocess.CompletedProcess[str]:

@@ -5,14 +5,9 @@ from pathlib import Path
 
 import pytest
 from conftest import SOLUTION
-from test_check import MISTAKES, check, first, put, score, unzipped
+from test_check import check, first, MISTAKES, put, score
 
-pytestmark = pytest.mark.slow
-
-
-@pytest.fixture(scope="module")
-def home(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return unzipped(tmp_path_factory.mktemp("student"))
+pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("student")]
 
 
 def change(home: Path, stem: str, old: str, new: str) -> None:

@@ -4,6 +4,7 @@
 
 #include "../pattern.hpp"
 #include "../recognise.hpp"
+#include "linked.hpp"
 
 namespace bounce::tests {
 namespace {
@@ -44,7 +45,7 @@ std::string told(int part) {
 
 std::string mistakes_in_words() {
   std::string text;
-  for (const int part : parts_at_hand()) text += told(part);
+  for (const char part : linked().parts) text += told(part - '0');
   return text;
 }
 

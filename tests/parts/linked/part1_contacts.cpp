@@ -1,13 +1,10 @@
-// The submission is linked into the test program: part 1.
 #include <bounce/part1_contacts.hpp>
 
-#include "../submission.hpp"
-#include "thrown.hpp"
+#include "linked.hpp"
 
-namespace bounce::submission {
+namespace bounce::tests {
 
-Contact get_contacts(const Vector3& q, const Parameters& params) {
-  return tests::naming_the_part("part 1", [&] { return bounce::get_contacts(q, params); });
-}
+[[maybe_unused]] const bool part1_is_linked =
+    enter('1', &Linked::get_contacts, &bounce::get_contacts);
 
-}  // namespace bounce::submission
+}  // namespace bounce::tests

@@ -1,14 +1,9 @@
-// The submission is linked into the test program: part 3.
 #include <bounce/part3_step.hpp>
 
-#include "../submission.hpp"
-#include "thrown.hpp"
+#include "linked.hpp"
 
-namespace bounce::submission {
+namespace bounce::tests {
 
-State step(const Vector3& q, const Vector3& v, const Parameters& params) {
-  return tests::naming_the_part("part 3, or what it calls,",
-                                [&] { return bounce::step(q, v, params); });
-}
+[[maybe_unused]] const bool part3_is_linked = enter('3', &Linked::step, &bounce::step);
 
-}  // namespace bounce::submission
+}  // namespace bounce::tests
