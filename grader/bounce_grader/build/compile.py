@@ -1,4 +1,4 @@
-"""Compiles the parts of a submission and the sources beside them, in a box."""
+"""Compiles the parts of a submission and its helpers (its other sources), in a box."""
 
 import math
 from pathlib import Path
@@ -12,7 +12,7 @@ from bounce_grader.sandbox.box import PROGRAMS, Box
 from bounce_grader.sandbox.budget import Overrun
 from bounce_grader.submission.submission import Submission
 
-HELPERS_SECONDS = 30  # of CPU time, for all helpers of a submission
+HELPERS_SECONDS = 30  # of CPU time, for all helpers of a submission together
 
 
 class Built(NamedTuple):
@@ -25,15 +25,15 @@ class Built(NamedTuple):
 class Objects(NamedTuple):
     parts: dict[int, Built]
     helpers: dict[str, Built]
-    solvers: bool = True  # whether one may have been compiled against solvers.hpp
+    solvers: bool = True  # whether one of them may need what solvers.hpp precompiles
 
 
 def compile_all(
     submission: Submission, work: Path, box: Box, jobs: int, timed: bool = False
 ) -> Objects:
-    """Every part and helper by itself, in folders inside of the folder `work`. What is `timed` is
-    built as a program is that somebody uses, without checks."""
-    helpers, spent = submission.helpers, [0.0]  # by helpers, in seconds
+    """Compiles each part and helper by itself, in folders inside the folder `work`. If `timed`, it
+    builds optimised code without run-time checks."""
+    helpers, spent = submission.helpers, [0.0]  # CPU seconds of the helpers so far
     named = object_cache.named_sources(submission)
 
     def compiled(file: str) -> Built:
@@ -55,20 +55,20 @@ def compile_all(
 
 
 class _Compiling(NamedTuple):
-    """Of one file."""
+    """Compiles one file."""
 
     file: str
     submission: Submission
-    named: frozenset[str]  # the sources that some file names
+    named: frozenset[str]  # the sources whose names occur in some file
     work: Path
     box: Box
     timed: bool
-    spent: list[float]  # CPU seconds of all helpers, to add to; of a part, its own
+    spent: list[float]  # CPU seconds so far: of all helpers together, or of this part alone
 
     def built(self) -> Built:
-        """Compiles where the object doesn't exist yet. The compiler sees the files that name the
-        object, and no other: first those that a look at the text says it needs, so that an object
-        outlives changes elsewhere; and where it misses one, all."""
+        """Compiles the file, unless its object is in the cache. The cache key covers every file
+        that the compiler can see. So it first sees only the files that the text seems to need, and
+        the object stays valid when other files change; if the compiler misses one, it sees all."""
         needed = object_cache.needed(self.file, self.submission, self.named)
         everything = sorted(self.submission.files)
         if needed != everything:
@@ -78,8 +78,8 @@ class _Compiling(NamedTuple):
         return self._seeing(everything, more=False)
 
     def _seeing(self, names: list[str], more: bool) -> Built:
-        """Built with these files to see. It has neither an object nor a problem if the compiler missed
-        a file and `more` files could be shown to it."""
+        """Compiles while only these files are visible. Returns neither an object nor a problem if
+        the compiler missed a file and `more` files are left to show."""
         name = object_cache.name_of(self.file, names, self.submission, self.box, self.timed)
         place = object_cache.place(name)
         if object_cache.is_there(place):
@@ -105,7 +105,7 @@ class _Compiling(NamedTuple):
     def _run(
         self, command: list[str], folder: Path, made: Path, programs: tuple[str, ...]
     ) -> processes.Result:
-        left = max(1, math.ceil(HELPERS_SECONDS - sum(self.spent)))  # COMPILE's, for a part
+        left = max(1, math.ceil(HELPERS_SECONDS - sum(self.spent)))  # COMPILE's is less for a part
         limits = compiler.COMPILE._replace(cpu_seconds=min(left, compiler.COMPILE.cpu_seconds))
         result = compiler.run(command, folder, self.box, made, programs, limits)
         self.spent.append(result.cpu_seconds)
