@@ -25,8 +25,7 @@ class Figure(NamedTuple):
 
 
 def of(shown: Shown) -> list[Figure]:
-    """One picture of a trajectory; of a step, the submission's, and the right one if it may be
-    shown."""
+    """One picture of a trajectory; of a step, one or two: the right one only if it may be shown."""
     if "scene" not in shown:
         return []
     if "path" in shown:

@@ -1,4 +1,4 @@
-"""./kit test: everything that must hold of the kit, in one run."""
+"""./kit test: runs all tests of the kit."""
 
 import os
 import subprocess
@@ -35,7 +35,7 @@ EXTENTS = ("quick", "usual", "long")
 class Step:
     name: str
     run: Callable[[], int]
-    least: str = "quick"  # the least extent that it belongs to
+    least: str = "quick"  # the smallest extent that includes it
 
 
 def run(extent: str) -> int:
@@ -74,7 +74,7 @@ def _command(*words: str) -> int:
 
 
 def _quietly(*words: str) -> int:
-    """Says something only where something is wrong."""
+    """Runs a command, and prints its output only if it fails."""
     done = subprocess.run(words, cwd=ROOT, capture_output=True, text=True, check=False)
     if done.returncode != 0:
         print(done.stdout, done.stderr, sep="\n", flush=True)
@@ -82,7 +82,7 @@ def _quietly(*words: str) -> int:
 
 
 def _sources(*patterns: str) -> list[str]:
-    """The C++ files in these folders, or of these names."""
+    """The C++ files in these folders, or that match these patterns."""
     sources: set[str] = set()
     for pattern in patterns:
         path = ROOT / pattern
@@ -114,7 +114,7 @@ def _ctest() -> int:
 
 
 def _sanitized() -> int:
-    """The C++ tests once more, with address and undefined behaviour checked as they run."""
+    """Runs the C++ tests again, with AddressSanitizer and UBSan."""
     folder = str(ROOT / "build" / "sanitize")
     return (
         _quietly("cmake", "--preset", "sanitize")

@@ -1,4 +1,4 @@
-"""A CSV file as Canvas exports it, in which single cells change and every other byte stays."""
+"""Edits single cells of a CSV file from Canvas, and keeps every other byte."""
 
 import re
 from collections.abc import Iterator
@@ -11,7 +11,7 @@ BOM = b"\xef\xbb\xbf"
 
 @dataclass
 class Cell:
-    raw: bytes  # with its quotes
+    raw: bytes  # including quotes
 
     @property
     def quoted(self) -> bool:
@@ -26,7 +26,7 @@ class Cell:
             return raw.decode("latin-1")
 
     def put(self, text: str, delimiter: bytes) -> None:
-        """Quoted where it was, and where it has to be."""
+        """Replaces the text, quoted if it was before or if it has to be."""
         raw = text.encode()
         self.raw = b'"' + raw + b'"' if self.quoted or delimiter in raw else raw
 
@@ -50,7 +50,7 @@ class Table:
 
 
 def parse(data: bytes, name: str) -> Table:
-    """Raises UsageError where it is no CSV file."""
+    """Parses a CSV file. Raises UsageError if it isn't one."""
     if data.startswith((b"\xff\xfe", b"\xfe\xff")) or b"\0" in data:
         raise UsageError(
             f"{name} isn't UTF-8: export it from Canvas again, or save it as CSV UTF-8"
@@ -65,7 +65,8 @@ def parse(data: bytes, name: str) -> Table:
 
 
 def _delimiter(body: bytes) -> bytes:
-    """As Canvas finds it: whichever gives the first three lines the same, larger number of cells."""
+    """The delimiter, chosen as in Canvas: the one that splits the first three lines into equally
+    many cells; if both do, into more."""
     counts = {}
     for delimiter in (b",", b";"):
         numbers = {len(_cells(line, delimiter)) for line in body.splitlines()[:3]}
