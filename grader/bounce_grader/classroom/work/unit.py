@@ -48,7 +48,7 @@ def run(task: Task, grade: Grade | None = None) -> Outcome:
     """Grades a submission. Never raises an Exception: a failure of the kit is an outcome, too, but
     leaves no file."""
     start = time.monotonic()
-    grade = grade or partial(grade_submission, within=Budget())  # from before the submission is read
+    grade = grade or partial(grade_submission, within=Budget())  # reading counts, too
     try:
         result = _result(task, grade)
         path = result_path(Path(task.results), task.key)
