@@ -7,9 +7,9 @@
 namespace bounce::judge {
 namespace {
 
-constexpr double kTolerance = 1e-9;  // that of the fixtures
+constexpr double kTolerance = 1e-9;  // as in the fixtures
 
-// As tests/parts/cases.cpp compares; NaN is never right.
+// Compares as tests/parts/cases.cpp does; NaN is never right.
 bool is_near(const Vector3& expected, const Vector3& got) {
   return ((got - expected).array().abs() <= kTolerance * expected.array().abs().max(1.0)).all();
 }

@@ -1,6 +1,6 @@
-// Whether a trajectory is right, at any dt: whether each column is a step from the one before.
+// Checks a trajectory at any dt: each column must be the solution's step from the column before.
 //
-// Whole trajectories can't be compared: over many columns, what rounding changes grows.
+// Whole trajectories can't be compared, because rounding errors grow over many columns.
 #pragma once
 
 #include <bounce/types.hpp>
@@ -8,9 +8,8 @@
 
 namespace bounce::judge {
 
-// The first column that isn't the solution's step from the column before, or for column 0 not
-// `start`; compared as the checks compare. Steps in which rounding decides what happens
-// (decidable.hpp) are passed over.
+// The first column that isn't the solution's step from the column before (for column 0: `start`),
+// with the tolerance of the checks. Skips steps that rounding decides (decidable.hpp).
 std::optional<Eigen::Index> wrong_column(const Trajectory& trajectory, const State& start,
                                          const Parameters& params);
 
