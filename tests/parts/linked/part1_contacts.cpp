@@ -1,4 +1,4 @@
-// The submission is linked into the test program: part 1.
+// Calls part 1 of a submission that is linked into the test program.
 #include <bounce/part1_contacts.hpp>
 
 #include "../submission.hpp"

@@ -1,4 +1,4 @@
-// The submission is linked into the test program: part 2.
+// Calls part 2 of a submission that is linked into the test program.
 #include <bounce/part2_lcp.hpp>
 
 #include "../submission.hpp"

@@ -1,4 +1,4 @@
-// The submission is linked into the test program: part 3.
+// Calls part 3 of a submission that is linked into the test program.
 #include <bounce/part3_step.hpp>
 
 #include "../submission.hpp"

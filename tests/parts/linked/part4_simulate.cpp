@@ -1,4 +1,4 @@
-// The submission is linked into the test program: part 4.
+// Calls part 4 of a submission that is linked into the test program.
 #include <bounce/part4_simulate.hpp>
 
 #include "../submission.hpp"
