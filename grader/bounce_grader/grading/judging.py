@@ -48,7 +48,7 @@ class Judged(NamedTuple):
 
     @property
     def status(self) -> str:
-        """"graded" if its runner answered every question; else the way in which it first ended."""
+        """The way in which its runner first ended; "graded" if it answered every question."""
         ended = [v.status for v in self.verdicts.values() if v.status != "graded"]
         return ended[0] if ended else "graded"
 

@@ -48,7 +48,7 @@ def users(*entries: str, ids: frozenset[str] = BOOK) -> list[str | None]:
     ],
 )
 def test_no_name_puts_a_file_into_anothers_submission(attack: str) -> None:
-    """Two of its readings are of students in the grade book: a person has to look at it."""
+    """If two of its readings are of students in the grade book, a person has to look at it."""
     victim = ["victimvera_123_5001_part1_contacts.cpp", "victimvera_123_5002_part2_lcp.cpp"]
     assert users(*victim, attack) == ["123", "123", None]
     assert users(attack) == [None] and users(attack, ids=frozenset()) == [None]

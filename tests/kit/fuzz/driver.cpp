@@ -1,4 +1,4 @@
-// fuzz_NAME COUNT           takes so many mutations of the seeds, the same each time
+// fuzz_NAME COUNT           tries COUNT mutations of the seeds, the same each time
 // fuzz_NAME --seeds FOLDER  writes the seeds, for libFuzzer to begin with
 #include <filesystem>
 #include <fstream>

@@ -1,4 +1,5 @@
-"""The record, whatever a submission says: valid JSON in UTF-8, printable, of bounded length."""
+"""The record is valid JSON in UTF-8, printable and of bounded length, whatever a submission
+does."""
 
 import json
 from typing import Any

@@ -12,7 +12,7 @@ DEFLATED = 8
 
 @dataclass(frozen=True)
 class Member:
-    """One entry. What it says of itself is said twice, beside the data and in the directory."""
+    """One entry. A zip stores its properties twice, beside the data and in the directory."""
 
     name: bytes
     data: bytes = b"int x;"
@@ -22,7 +22,7 @@ class Member:
     extra: bytes = b""
     local_name: bytes | None = None  # None: the same
     size: int | None = None  # None: the truth
-    at: int | None = None  # where the directory says that it begins
+    at: int | None = None  # where it begins, according to the directory
 
 
 def zip_of(members: Iterable[Member], comment: bytes = b"") -> bytes:

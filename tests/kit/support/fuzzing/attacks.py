@@ -56,7 +56,7 @@ def _solution() -> Files:
 
 
 def _honest(rng: Random) -> Files:
-    """Half of them are compiled anew, beside what attacks; the others are among the kept objects."""
+    """Half of them are compiled again, beside the attack; the objects of the others are cached."""
     remark = f"// {rng.getrandbits(64):x}\n".encode() if rng.random() < 0.5 else b""
     return {name: remark + text for name, text in _solution().items()}
 
@@ -117,7 +117,7 @@ def _some_name(rng: Random, suffix: str) -> str:
 
 
 def _zipped(rng: Random, files: Files, honest: frozenset[int]) -> Attack:
-    """One whose entries lie; or which is damaged, so that nothing in it is sure to be read."""
+    """A zip with misleading entries; or a damaged one, of which perhaps nothing can be read."""
     data = _lying_zip(rng, files)
     if rng.random() < 0.3:
         return Attack({}, mutated(rng, [data], 6))
@@ -134,7 +134,7 @@ def _lying_zip(rng: Random, files: Files) -> bytes:
 
 
 def _lie(rng: Random, member: Member) -> Member:
-    """A further entry, under another name or the same one, of which something isn't true."""
+    """A further entry with a false property, under another name or the same one."""
     words = nasty.some_words(rng).encode()[:200]
     # No source: its copy of a part would be linked beside the part itself.
     names = [b"x.hpp", b"x.txt", b"x/", b"", member.name, words + b".hpp", b"../x.cpp", b"/x.cpp"]

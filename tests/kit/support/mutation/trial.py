@@ -1,8 +1,9 @@
 """Judges changed parts as the grader judges a submission: the solution with one file changed.
 
-Compiler, runner, judge and box are the grader's. The part is judged with its own earlier parts, and
-where that isn't full with given ones; the better counts. The other parts aren't asked: earlier ones
-don't call it, and later ones have all points with it given. A whole grading of some changes tells.
+Compiler, runner, judge and box are the grader's. The part is judged with its own earlier parts and,
+if it doesn't get full points, with given ones; the better result counts. The other parts aren't
+judged: earlier ones don't call it, and later ones get full points with it given. Whole gradings of
+some changes confirm this.
 """
 
 import json
