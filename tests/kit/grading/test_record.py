@@ -23,7 +23,7 @@ def judged(message: str, status: str) -> Judged:
 
 
 def written(part: dict[str, Any], names: tuple[str, ...]) -> dict[str, Any]:
-    """As ./kit grade --json writes it, and as a strict reader reads it."""
+    """Writes a record as ./kit grade --json does, and reads it with a strict reader."""
     submission = Submission("x", {}, {}, {}, names)
     whole = record.whole(submission, [part], "full", {"run": 1.0}, "", None)
     data = json.dumps(whole, ensure_ascii=False, allow_nan=False).encode("utf-8")

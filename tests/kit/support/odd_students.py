@@ -31,7 +31,7 @@ def repetitive(length: int, unit: bytes = b"{") -> bytes:
 
 
 def long_names(number: int, suffix: str = ".o") -> bytes:
-    """As many files as that, each with a name as long as a name may be."""
+    """A zip of this many files, each with a name of the greatest length."""
     names = (f"{i:04}{'n' * (251 - len(suffix))}{suffix}" for i in range(number))
     return corpus.zip_of(Member(name.encode(), b"") for name in names)
 

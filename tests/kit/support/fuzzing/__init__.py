@@ -59,7 +59,8 @@ def run(name: str, first: int, count: int) -> int:
 
 
 def _set_timers(seconds: int) -> None:
-    """Of CPU time; and more of the wall clock, for what only waits."""
+    """Sets a limit on CPU time, and a larger one on wall-clock time for inputs that make it
+    wait."""
     signal.setitimer(signal.ITIMER_PROF, seconds)
     signal.setitimer(signal.ITIMER_REAL, 6 * seconds)
 

@@ -230,7 +230,7 @@ def _left_behind(world: World) -> list[str]:
 
 
 def _children() -> list[int]:
-    """Those that haven't ended, of this process."""
+    """The children of this process that haven't ended."""
     with contextlib.suppress(ChildProcessError):
         while os.waitpid(-1, os.WNOHANG)[0]:
             pass

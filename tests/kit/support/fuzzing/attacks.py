@@ -98,7 +98,7 @@ def _nasty_part(rng: Random, number: int, headers: list[str], places: list[str])
     return part(number, head + function, f"{rng.getrandbits(64):x}")
 
 
-# Of files beside the parts. A header of the system's name would be one that honest parts include.
+# Names of files beside the parts. None is a system header's, which honest parts would include.
 STEMS = ["helper", "part1", "part1_contacts.o", "part9_contacts", "prelude", "runner", "solvers"]
 STEMS += ["a b", "é界", "=1+1", "a;b", "a'b", "$(id)", "`id`", "<b>", "%s", "a\\b", "x" * 200, "a&b"]
 STEMS += ["-O2", "@x", "--", "-", "a\nb", "a\x1b[2J", "a\u202eb", "..", "a:1:1: error: b", "##[x]"]

@@ -65,7 +65,7 @@ class Choosing(Box):
 
 @dataclass(frozen=True)
 class Runners:
-    """Those of a batch: with all parts, and with the changed one alone and earlier ones given."""
+    """The runners of a batch: one with all parts, and one with the changed part and given parts."""
 
     part: Part
     together: Path
@@ -117,7 +117,7 @@ def differing(chosen: Iterable[Change], count: int) -> dict[str, int]:
 
 
 def _lost(runners: Runners, folder: Path, box: Box) -> tuple[str, ...]:
-    """The checks that fail, the better of both ways of judging."""
+    """The checks that fail, in the better of both ways of judging."""
     part = runners.part
     own = judging.judge(part, runners.together, False, folder, box)
     if own.score(part) == part.points or not part.calls:
