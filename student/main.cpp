@@ -2,7 +2,7 @@
 //
 //   bounce [--compare] [PAGE]
 //
-// PAGE is the file to write; animation.html in this folder if left out. With --compare the scene is
+// PAGE is the file to write (default: animation.html in this folder). With --compare the scene is
 // one of the public fixtures, and the right square is shown beside yours.
 #include <bounce/part4_simulate.hpp>
 #include <bounce/render.hpp>
@@ -23,11 +23,11 @@ const bounce::Vector3 q_0(0.0, 1.5, 30 * degree);  // x in m, y in m, theta in r
 const bounce::Vector3 v_0(0.0, -0.2, 0.0);         // v_x in m/s, v_y in m/s, omega in rad/s
 
 bounce::Parameters scene_parameters() {
-  bounce::Parameters params;  // any number of it may be changed here: params.mu = 0.6, for example
+  bounce::Parameters params;  // change any number of it here: params.mu = 0.6, for example
   return params;
 }
 
-// What keeps q from being shown, as a sentence; empty when nothing does.
+// Why q can't be shown, as a sentence; empty if it can.
 std::string missing(const Eigen::Matrix3Xd& q, const bounce::Parameters& params) {
   if (q.cols() != params.T) {
     const std::string advice = q.cols() == 0 ? "fill in" : "look at the size in";
@@ -47,7 +47,7 @@ std::string missing(const Eigen::Matrix3Xd& q, const bounce::Parameters& params)
   return "";
 }
 
-// `right` has no column where nothing is compared.
+// `right` has no column if nothing is compared.
 int animate(const bounce::StoredScene& scene, const std::filesystem::path& page) {
   const auto& [q, v, params, right] = scene;
   const bounce::Trajectory trajectory = bounce::simulate(q, v, params);

@@ -1,5 +1,5 @@
-// kit_bench RUNNER: what a question to a runner costs, beside the same call without a process
-// between, and the solver alone. RUNNER is a runner of the solution.
+// kit_bench RUNNER: times a question to a runner, the same call within this process, and the solver
+// alone. RUNNER is a runner of the solution.
 #include <benchmark/benchmark.h>
 
 #include <bounce/part1_contacts.hpp>

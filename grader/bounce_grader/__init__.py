@@ -5,5 +5,5 @@ import sys
 
 __version__ = "0.1.0"
 
-# What Python compiles is kept with what is built, also by the processes that the kit starts.
+# Bytecode goes to the build folder, also from the processes that the kit starts.
 sys.pycache_prefix = os.path.abspath(f"{__file__}/../../../build/kit/python")

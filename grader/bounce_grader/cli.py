@@ -31,20 +31,20 @@ def main(arguments: list[str]) -> int:
     except KeyboardInterrupt:
         print("kit: stopped", file=sys.stderr)
         return 130
-    except BrokenPipeError:  # whoever read the report has seen enough, as with `| head`
+    except BrokenPipeError:  # the reader closed the pipe, as `| head` does
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 141
     except OSError as error:
         print(f"kit: the kit itself failed: {_plain(error)}", file=sys.stderr)
         return 3
-    except Exception as error:  # a fault that nobody has thought of is no low score
+    except Exception as error:  # an unforeseen fault of the kit must not end as a low score
         kind = type(error).__name__
         print(f"kit: the kit itself failed: {kind}: {_plain(error)}", file=sys.stderr)
         return 3
 
 
 def _plain(error: Exception) -> str:
-    """Names of files, and what programs say, are part of some errors."""
+    """Escapes an error's message, which may hold names of files and output of programs."""
     return "\n".join(map(terminal, printable_text(str(error)).split("\n")))
 
 
@@ -153,7 +153,7 @@ def _boxes(options: argparse.Namespace) -> tuple[str, ...]:
 
 
 def _write(path: Path, text: str) -> None:
-    """Whole or not at all."""
+    """Writes a file whole or not at all."""
     from bounce_grader.common.files import write_whole
 
     if not path.parent.is_dir():

@@ -1,17 +1,16 @@
 // enter run|check|build [OPTION]... -- COMMAND...
 // enter step COMMAND...
 //
-// The last step into a box, taken inside of it. It stays as the box's first process, which nobody
-// in there can look at, trace or signal, and starts COMMAND as its child: with fewer privileges,
-// limits that count per user, the filter of system calls, and an environment of its own.
+// Does the last steps into a box, from inside. It stays as the box's first process, which no other
+// process in the box can inspect, trace or signal, and starts COMMAND as its child: with fewer
+// privileges, limits that count per user, the filter of system calls, and its own environment.
 //
-//   --reduced      makes the box by itself, without namespaces: Landlock hides all files but those
-//                  beneath the PATHs, and what the command leaves behind is killed
+//   --reduced      makes the box without namespaces: Landlock hides all files but those beneath
+//                  the PATHs, and processes that the command leaves behind are killed
 //   --open         makes no box at all, for a command that is trusted
-//   --user N       whom the command runs as, where this is started as root
-//   --status N     a descriptor of the kit's: "m" is written to it when the box is made, just
-//   before
-//                  COMMAND begins, and "x" where it doesn't begin. COMMAND doesn't get it
+//   --user N       the user that the command runs as, if this is started as root
+//   --status N     a descriptor of the kit, which COMMAND doesn't get: "m" is written to it when
+//                  the box is made, just before COMMAND begins, and "x" if COMMAND can't begin
 //   --output N     likewise; the file that COMMAND has made at OUTPUT is written to it
 //   --in FOLDER    where COMMAND starts
 //   --see PATH     what may be read and executed in a reduced box
@@ -19,8 +18,8 @@
 // A build's COMMAND may write to one temporary folder. The word OUTPUT in it stands for a file
 // there.
 //
-// step is for g++ -wrapper: it runs COMMAND, and tells of a signal that has ended it by the exit
-// status 128 + n, which g++ hands on (-pass-exit-codes), and not by words.
+// step is for g++ -wrapper: it runs COMMAND, and if a signal n ends it, exits with status 128 + n,
+// which g++ passes on (-pass-exit-codes).
 #include <fcntl.h>
 #include <sched.h>
 #include <sys/prctl.h>
@@ -49,13 +48,13 @@ struct Options {
   std::string kind;
   bool reduced = false, open = false;
   uid_t user = 65534;
-  std::string folder;  // where the command starts; "" stays
+  std::string folder;  // where the command starts; "": the current folder
   std::vector<std::string> visible;
   std::vector<std::string> command;
 };
 
-// Of this process; a handler and a guard read them, too.
-std::string scratch;  // a build's only folder to write to
+// Global, because a signal handler and the guard read them, too.
+std::string scratch;  // the only folder that a build may write to
 bool scratch_is_ours = false;
 int status = -1, output = -1;
 
@@ -103,16 +102,16 @@ void limit(__rlimit_resource resource, rlim_t value) {
   require(::setrlimit(resource, &now), "a limit");
 }
 
-// A user namespace of its own counts its processes by itself. It maps nobody, and gives no right.
+// A new user namespace counts its processes separately. It maps no user, and gives no rights.
 void leave_the_common_user_namespace() { static_cast<void>(::unshare(CLONE_NEWUSER)); }
 
-// After all changes of rights, each of which would undo it.
+// To be called after all changes of privileges, each of which would undo it.
 void die_with(pid_t guard) {
   require(::prctl(PR_SET_PDEATHSIG, SIGKILL), "dying with the box");
   if (::getppid() != guard) ::_exit(1);
 }
 
-// In the full box nobody else has a /tmp there.
+// In the full box, /tmp is the box's own.
 void make_scratch(const Options& options) {
   scratch = "/tmp";
   if (!options.reduced && !options.open) return;
@@ -127,7 +126,7 @@ void make_scratch(const Options& options) {
 
 std::string made() { return scratch + "/output"; }
 
-// What was made may be anything: only an ordinary file is handed out.
+// Passes out the file that was made, but only if it is a regular file.
 void hand_out() {
   struct stat about = {};
   const int from = output < 0 ? -1 : ::open(made().c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK);
@@ -163,7 +162,7 @@ void tell(char what) {
     const auto written = ::write(status, &what, 1);
 }
 
-// For a compiler, whose life is short: half of its time in the kernel goes into single pages.
+// Large pages, for compilers: they spend half of their time in the kernel on mapping single pages.
 const char* const kLargePages =
     "GLIBC_TUNABLES=glibc.malloc.hugetlb=1:glibc.malloc.top_pad=33554432";
 

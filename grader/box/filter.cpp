@@ -14,7 +14,7 @@
 namespace bounce::box {
 namespace {
 
-// Of libseccomp's own: each failure is an exception, and nothing leaks when one is thrown.
+// Wraps a filter of libseccomp: each failure is an exception, and nothing leaks if one is thrown.
 class Filter {
  public:
   explicit Filter(std::uint32_t otherwise) : context_(seccomp_init(otherwise)) {
@@ -42,7 +42,7 @@ class Filter {
 constexpr std::uint32_t no(int why) { return SCMP_ACT_ERRNO(static_cast<std::uint16_t>(why)); }
 
 void allow_numbers(Filter& filter) {
-  // execve is how the box starts the program; it finds nothing else there to start.
+  // The box starts the program with execve; there is no other program in it to start.
   filter.rules(SCMP_ACT_ALLOW, {SCMP_SYS(read),
                                 SCMP_SYS(write),
                                 SCMP_SYS(readv),
@@ -80,7 +80,7 @@ void allow_numbers(Filter& filter) {
                                 SCMP_SYS(execve),
                                 SCMP_SYS(exit),
                                 SCMP_SYS(exit_group)});
-  // Signals to itself (abort and raise), limits to be read, and whether it prints to a terminal.
+  // Signals to itself (abort and raise), reading limits, and asking whether output is a terminal.
   const auto self = static_cast<scmp_datum_t>(::getpid());
   filter.rule(SCMP_ACT_ALLOW, SCMP_SYS(tgkill), SCMP_A0(SCMP_CMP_EQ, self));
   filter.rule(SCMP_ACT_ALLOW, SCMP_SYS(kill), SCMP_A0(SCMP_CMP_EQ, self));
@@ -88,7 +88,7 @@ void allow_numbers(Filter& filter) {
   filter.rule(SCMP_ACT_ALLOW, SCMP_SYS(ioctl), SCMP_A1(SCMP_CMP_EQ, TCGETS));
 }
 
-// Of what a process may say of itself to the system, its name.
+// Of all prctl operations, allows only setting the process's name.
 void allow_naming_only(Filter& filter) {
   filter.rule(SCMP_ACT_ALLOW, SCMP_SYS(prctl), SCMP_A0(SCMP_CMP_EQ, PR_SET_NAME));
   filter.rule(no(EPERM), SCMP_SYS(prctl), SCMP_A0(SCMP_CMP_NE, PR_SET_NAME));
@@ -99,7 +99,7 @@ void allow_naming_only(Filter& filter) {
 void allow_only_what_numbers_need() {
   Filter filter(SCMP_ACT_TRAP);
   allow_numbers(filter);
-  // What a program may try without harm: it is told no, as if there were no such file.
+  // Harmless attempts fail as if there were no such file.
   filter.rules(no(ENOENT), {SCMP_SYS(open), SCMP_SYS(openat), SCMP_SYS(access), SCMP_SYS(faccessat),
                             SCMP_SYS(stat), SCMP_SYS(lstat), SCMP_SYS(newfstatat), SCMP_SYS(statx),
                             SCMP_SYS(readlink), SCMP_SYS(readlinkat), SCMP_SYS(getcwd),

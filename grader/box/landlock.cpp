@@ -13,15 +13,15 @@
 namespace bounce::box {
 namespace {
 
-// As of Landlock's version 6; a distribution's header may know the first field only.
+// As in version 6 of Landlock; a distribution's header may declare only the first field.
 struct Rules {
   std::uint64_t files = 0, connections = 0, scopes = 0;
 };
 
 struct Version {
   int number;
-  std::uint64_t files;  // how many kinds of access to files it knows, from bit 0
-  std::size_t size;     // how much of Rules it takes
+  std::uint64_t files;  // the number of file access rights that it knows, from bit 0
+  std::size_t size;     // how many bytes of Rules it accepts
 };
 
 constexpr Version kVersions[] = {{1, 13, 8},  {2, 14, 8},  {3, 15, 8},
@@ -45,7 +45,7 @@ Version version() {
 
 void add(int ruleset, const std::string& path, std::uint64_t access) {
   const int fd = ::open(path.c_str(), O_PATH | O_CLOEXEC);
-  if (fd < 0) return;  // what isn't there needs no rule
+  if (fd < 0) return;  // a missing file needs no rule
   struct stat about = {};
   ::fstat(fd, &about);
   landlock_path_beneath_attr rule = {};

@@ -1,12 +1,12 @@
-// Whom a box's program acts for.
+// Drops privileges.
 #pragma once
 
 #include <sys/types.h>
 
 namespace bounce::box {
 
-// Gives up root for `user`, for good. Throws std::runtime_error where it can't. Who isn't root
-// stays who he is.
+// If run by root, becomes `user` for good; otherwise changes nothing. Throws std::runtime_error if
+// it fails.
 void give_up_privileges(uid_t user);
 
 }  // namespace bounce::box

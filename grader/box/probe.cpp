@@ -1,7 +1,7 @@
-// probe ATTEMPT [ARGUMENT...]: tries, in a box, what a box must not allow.
+// probe ATTEMPT [ARGUMENT...]: attempts, from inside a box, what the box must not allow.
 //
-// Exit status 0 and "could: ..." when the attempt succeeded, 3 and "could not: ..." when it was
-// refused. Where there is a pipe for answers, success is an answer there, too.
+// Exit status 0 and "could: ..." if the attempt succeeded, 3 and "could not: ..." if it was
+// refused. If there is a pipe for answers, a success also sends an answer.
 #include <arpa/inet.h>
 #include <fcntl.h>
 #include <linux/capability.h>
@@ -46,7 +46,7 @@ bool write_file(const Arguments& words) {
   return fd >= 0 && ::write(fd, "x", 1) == 1;
 }
 
-// More than N MB, to one file in the folder for temporary ones.
+// Writes more than N MB to one file in the temporary folder.
 bool fill(const Arguments& words) {
   ::signal(SIGXFSZ, SIG_IGN);
   const char* folder = std::getenv("TMPDIR");
@@ -68,7 +68,7 @@ bool connect_to(const Arguments& words) {
   return fd >= 0 && ::connect(fd, reinterpret_cast<sockaddr*>(&address), sizeof address) == 0;
 }
 
-// N processes at once.
+// Starts N processes at once.
 bool start_processes(const Arguments& words) {
   const pid_t self = ::getpid();
   for (int left = std::stoi(words.at(0)); left > 0; --left) {
@@ -83,7 +83,7 @@ bool start_processes(const Arguments& words) {
   return true;
 }
 
-// N MB that are really used, for as long as it takes to see it from outside.
+// Uses N MB, long enough to be noticed from outside.
 bool allocate(const Arguments& words) {
   const std::size_t size = std::stoul(words.at(0)) << 20;
   void* memory = ::mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
@@ -94,7 +94,7 @@ bool allocate(const Arguments& words) {
   return true;
 }
 
-// N seconds of CPU time.
+// Uses N seconds of CPU time.
 bool spin(const Arguments& words) {
   const auto enough = static_cast<clock_t>(std::stol(words.at(0)) * CLOCKS_PER_SEC);
   while (::clock() < enough) {
@@ -102,7 +102,7 @@ bool spin(const Arguments& words) {
   return true;
 }
 
-// N MB of prints.
+// Prints N MB.
 bool flood(const Arguments& words) {
   const std::string line(1 << 20, 'x');
   for (int left = std::stoi(words.at(0)); left > 0; --left) {
@@ -111,8 +111,7 @@ bool flood(const Arguments& words) {
   return true;
 }
 
-// Leaves a process behind that nobody waits for, in a session of its own. Whether it outlives the
-// box is seen from outside.
+// Leaves a process behind, in its own session. Whether it outlives the box is checked from outside.
 bool leave_a_daemon(const Arguments&) {
   const pid_t child = ::fork();
   if (child < 0) return false;
@@ -132,10 +131,10 @@ std::string whole(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-// The processes that there may be, without asking a folder that may not be read.
+// Process ids to try, because /proc may not be listable.
 constexpr int kProcesses = 40'000;
 
-// Whether any other process has the two words, as one, in this file of its folder in /proc.
+// Whether this file in the /proc folder of any other process contains the two words joined.
 bool found_in(const char* file, const Arguments& words) {
   const std::string canary = words.at(0) + words.at(1);
   for (int pid = 1; pid < kProcesses; ++pid) {
@@ -149,7 +148,7 @@ bool find_in_environments(const Arguments& words) { return found_in("/environ", 
 
 bool find_in_command_lines(const Arguments& words) { return found_in("/cmdline", words); }
 
-// Whether any other process's memory can be read, and has the two words as one in its stack.
+// Whether any other process's stack can be read, and contains the two words joined.
 bool find_in_memories(const Arguments& words) {
   const std::string canary = words.at(0) + words.at(1);
   for (int pid = 1; pid < kProcesses; ++pid) {
@@ -168,7 +167,7 @@ bool find_in_memories(const Arguments& words) {
   return false;
 }
 
-// The box's own, by any of the ways to it; outside of a box, the parent.
+// Tries all ways to reach the box's first process; without a box, the parent.
 bool reach_the_first_process(const Arguments&) {
   const pid_t first = ::getppid() > 1 ? ::getppid() : 1;
   const std::string folder = "/proc/" + std::to_string(first);
@@ -182,7 +181,7 @@ bool reach_the_first_process(const Arguments&) {
          ::ptrace(PTRACE_SEIZE, first, nullptr, nullptr) == 0;
 }
 
-// Any from N on.
+// Tries every descriptor from N on.
 bool use_inherited_descriptors(const Arguments& words) {
   struct stat about = {};
   for (int fd = std::stoi(words.at(0)); fd < 1024; ++fd) {

@@ -14,7 +14,8 @@
 namespace bounce::box {
 namespace {
 
-// The first process of a process space: it ends with us, and kill(-1) reaches all of it.
+// Whether this is the first process of a PID namespace: that ends with us, and kill(-1) reaches all
+// of it.
 bool has_its_own_space() { return ::getpid() == 1; }
 
 void kill_all_children() {
@@ -27,8 +28,8 @@ void kill_all_children() {
   for (pid_t child = 0; children >> child;) ::kill(child, SIGKILL);
 }
 
-// Orphans become children of this process, which is their subreaper. One that starts others
-// faster than they are found is stopped by the limit on processes.
+// Kills all orphans: they become children of this process, their subreaper. The limit on processes
+// stops one that starts others faster than they are killed.
 void end_what_is_left() {
   while (true) {
     kill_all_children();
@@ -38,11 +39,11 @@ void end_what_is_left() {
 
 volatile std::sig_atomic_t asked_to_end = 0;
 
-// Whoever started the box is impatient, or has died: what follows still dies, and what was made is
-// taken away. A process space goes with its first process, at once.
+// Handles being told to end, because whoever started the box gave up or died: processes are still
+// killed, and files removed. A PID namespace needs no handler; it ends with its first process.
 void hear_when_to_end() {
   struct sigaction action = {};
-  action.sa_handler = [](int) { asked_to_end = 1; };  // no SA_RESTART: it ends waitpid
+  action.sa_handler = [](int) { asked_to_end = 1; };  // no SA_RESTART: interrupts waitpid
   require(::sigaction(SIGTERM, &action, nullptr), "hearing when to end");
   require(::prctl(PR_SET_PDEATHSIG, has_its_own_space() ? SIGKILL : SIGTERM),
           "ending with who started it");
@@ -76,7 +77,7 @@ void close_all_but(int kept) {
 
 void guard_what_follows(const Guarding& guarding, int kept) {
   require(::prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0), "becoming the reaper");
-  int ready[2];  // is closed when the guard is
+  int ready[2];  // closed once the guard is ready
   require(::pipe(ready), "a pipe");
   const pid_t child = require(::fork(), "starting a process");
   if (child == 0) {
@@ -88,7 +89,7 @@ void guard_what_follows(const Guarding& guarding, int kept) {
   }
   hear_when_to_end();
   guarding.before();
-  close_all_but(kept);  // `ready` as well; and a pipe is closed when the child closes it
+  close_all_but(kept);  // also `ready`, and pipes, so that only the child keeps them open
   const int status = end_of(child);
   end_what_is_left();
   guarding.afterwards();

@@ -1,5 +1,6 @@
-// The guard of a box: a process of our own that stays outside of what it guards. It waits for it,
-// counts its CPU time, ends what it leaves behind, and hands out the file that it has made.
+// The guard of a box: our own process, which stays unrestricted while its child runs the command.
+// It waits for the child, counts its CPU time, kills what it leaves behind, and passes out the file
+// that it has made.
 #pragma once
 
 #include <sys/types.h>
@@ -7,17 +8,17 @@
 namespace bounce::box {
 
 struct Guarding {
-  void (*before)();      // called in the guard before the child may go on: its filter, or nothing
-  void (*afterwards)();  // called in the guard when the child and all that it left are gone
+  void (*before)();      // called in the guard before the child goes on: its filter, or nothing
+  void (*afterwards)();  // called in the guard once the child and all its processes are gone
 };
 
-// Forks. Returns in the child, once the guard is ready. In the guard: ends when the child does,
-// with its exit status, or 128 + n after signal n; `kept` is the one descriptor that it keeps, or
-// -1. When whoever started this process ends, so does the child.
+// Forks, and returns in the child once the guard is ready. The guard ends when the child does, with
+// its exit status, or 128 + n after signal n; `kept` is the only descriptor that it keeps, or -1.
+// If the process that started this one ends, so does the child.
 void guard_what_follows(const Guarding& guarding, int kept);
 
-// For a program that starts others and would only print that a signal ended one of them: starts a
-// command, waits, and gives its exit status, or 128 + n after signal n.
+// Starts a command, waits, and returns its exit status, or 128 + n after signal n. For programs
+// such as g++, which would only print that a signal ended a child.
 int status_of(char** command);
 
 }  // namespace bounce::box

@@ -1,4 +1,4 @@
-// A failed call of the system is an exception with its reason.
+// Turns a failed system call into an exception with the reason.
 #pragma once
 
 #include <cerrno>
@@ -8,7 +8,7 @@
 
 namespace bounce::box {
 
-// libseccomp returns -errno, where the system's own calls return -1 and set errno.
+// libseccomp returns -errno, whereas system calls return -1 and set errno.
 template <class Result>
 Result require(Result result, const std::string& what) {
   if (result >= 0) return result;

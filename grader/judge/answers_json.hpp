@@ -1,5 +1,5 @@
-// A part's answers to its public cases as JSON: a list, of which each is a list of numbers, where
-// NaN and infinity are null, or the words of what was thrown.
+// A part's answers to its public cases as a JSON list. Each is a list of numbers, with null for NaN
+// and infinity, or the text of an exception.
 #pragma once
 
 #include <cmath>

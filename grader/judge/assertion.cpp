@@ -14,7 +14,7 @@ bool of_a_name(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) || View("_.+-").find(c) != View::npos;
 }
 
-// "File.h:12" in "program: /path/File.h:12: function: "; empty where there is none.
+// "File.h:12" from "program: /path/File.h:12: function: "; empty if there is none.
 View place_in(View line) {
   for (std::size_t colon = line.find(':'); colon != View::npos; colon = line.find(':', colon + 1)) {
     std::size_t end = colon + 1;
@@ -27,7 +27,7 @@ View place_in(View line) {
   return {};
 }
 
-// One line as assert() and __glibcxx_assert write it: place: function: Assertion `what' failed.
+// Parses a line of assert() or __glibcxx_assert: place: function: Assertion `what' failed.
 std::string in_line(View line) {
   const View word = "Assertion ";
   const std::size_t at = line.find(word), quote = at + word.size();

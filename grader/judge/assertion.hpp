@@ -1,4 +1,4 @@
-// What a failed assertion of Eigen's or libstdc++'s says, found in the end of what was printed.
+// Finds the message of a failed assertion of Eigen or libstdc++ in the last printed text.
 #pragma once
 
 #include <string>
@@ -6,8 +6,8 @@
 
 namespace bounce::judge {
 
-// "an assertion failed (File.h:12): what", or nothing. A submission may have printed anything, so
-// each character is looked at a bounded number of times.
+// "an assertion failed (File.h:12): what", or empty. Takes linear time, whatever a submission has
+// printed.
 std::string assertion_in(std::string_view print);
 
 }  // namespace bounce::judge

@@ -15,7 +15,7 @@ json number(double x) {
   return x;
 }
 
-// Six digits, which are more than a picture shows.
+// Rounds to six digits, more than a picture shows.
 json drawn(double x) {
   char text[32];
   std::snprintf(text, sizeof text, "%.6g", x);

@@ -2,14 +2,14 @@
 //
 //   "name", "input", "sentence"   as in the message
 //   "contact"    what the corner does, in words
-//   "quantities" what came out wrong: {"name", "unit", "got", "right", "expected"}, matrices by
-//                rows; "right" says of each entry whether it is
-//   "scene"      where a picture needs it: {"l", "m", "g", "dt", "delta", "q", "v"}
-//   "path"       part 4: {"first", "got", "expected"}, a configuration each column from 0 on (the
-//                expected one of "columns" alone); first is the first wrong column
+//   "quantities" the wrong ones: {"name", "unit", "got", "right", "expected"}, matrices by rows;
+//                "right" has a bool for each entry
+//   "scene"      if a picture needs it: {"l", "m", "g", "dt", "delta", "q", "v"}
+//   "path"       part 4: {"first", "got", "expected"}, configurations by column from 0 on
+//                ("expected" only those of "columns"); first is the first wrong column
 //
-// Of a hidden case there is no "contact", which tells the answer, and nothing that is expected. A
-// number that isn't finite is "nan", "inf" or "-inf".
+// A hidden case has no "contact", which would reveal the answer, and no "expected". A number that
+// isn't finite is "nan", "inf" or "-inf".
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -1,21 +1,20 @@
-// What a runner may use.
+// The limits on a runner.
 #pragma once
 
 #include <cstddef>
 
 namespace bounce::judge {
 
-// Of a runner's life, all its questions together, but where it says otherwise.
+// Each holds for the whole life of a runner, unless it says otherwise.
 struct Limits {
   int cpu_seconds = 1;
-  double idle_seconds =
-      2;  // without a wish to run, where it should answer; for all runners of a part
-  int wall_seconds = 30;         // of our waiting for answers: lax, for a machine that is very busy
-  int session_seconds = 200;     // on the wall, for all runners of a part
-  int session_cpu_seconds = 30;  // likewise, of CPU time
+  double idle_seconds = 2;       // asleep while it should answer; for all runners of a part
+  int wall_seconds = 30;         // that we wait for answers: loose, for very busy machines
+  int session_seconds = 200;     // wall clock, for all runners of a part
+  int session_cpu_seconds = 30;  // CPU time, for all runners of a part
   std::size_t memory = std::size_t{1} << 30;
-  bool checked = false;  // the memory is counted as it is used: sanitizers reserve terabytes
-  bool boxed = false;    // the command is a box, which tells when it is made
+  bool checked = false;  // memory is limited as it is used, because sanitizers reserve terabytes
+  bool boxed = false;    // the command is a box, which reports when it is made
   std::size_t prints = std::size_t{8} << 20;  // bytes
 };
 

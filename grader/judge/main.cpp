@@ -4,19 +4,18 @@
 // Runs the tests of part N against the runner that COMMAND starts, and prints one JSON object:
 //   {"checks": [{"id", "passed", "status", "stack", "message", "shown", "revealed"}],
 //    "largest_error": number or null, "mistakes": [name], "patterns": [sentence]}
-// largest_error is that of the public cases, to two digits. shown is the failed case in numbers, or
-// null; of a hidden one, revealed is {"message", "shown"} with the expected answer, for whoever may
-// see it (failed_case.hpp). mistakes and patterns are empty unless --recognise is there and a check
-// failed; then a second runner is asked the public cases alone.
+// largest_error is the largest in public cases, to two digits. shown is the failed case in numbers,
+// or null (failed_case.hpp). For a hidden case, revealed is {"message", "shown"} with the expected
+// answer, which students must not see. mistakes and patterns are empty unless --recognise is given
+// and a check failed; then a second runner is asked the public cases.
 //
-// judge --answers --part N ... prints what it answers to the public cases, as answers_json.hpp
-// says.
+// judge --answers --part N ... prints the runner's answers to the public cases (answers_json.hpp).
 //
-// --boxed: COMMAND is a box (grader/box/enter.cpp), which tells when it is made. --seconds and
-// --cpu-seconds are for the whole part; what there is no time for fails.
+// --boxed: COMMAND is a box (grader/box/enter.cpp), which reports when it is made. --seconds and
+// --cpu-seconds are for the whole part; checks that there is no time left for fail.
 //
-// Exit status 0 when every check has a verdict; 3, with a sentence on standard error, when the
-// kit itself failed: that is no verdict about the submission.
+// Exit status: 0 if every check has a verdict; 3, with a sentence on standard error, if the kit
+// itself failed, which is no verdict about the submission.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -44,7 +43,7 @@ namespace {
 
 using nlohmann::json;
 
-// The case that was told last, and the words about it that a message ends with.
+// The case that was reported last, and the text about it, with which the message ends.
 struct Told {
   json shown, revealed;
   std::string words, revealed_words;
@@ -97,15 +96,15 @@ Options read_options(const std::vector<std::string>& arguments) {
   return options;
 }
 
-// For who may see the answer of a hidden case: the message, with other words at its end.
+// The message with the expected answer of a hidden case in it.
 json revealed_in(const std::string& message) {
   if (told.revealed.is_null()) return nullptr;
   const std::string same = message.substr(0, message.size() - told.words.size());
   return {{"message", same + told.revealed_words}, {"shown", told.revealed}};
 }
 
-// Collects a verdict a check. A test that fails in any other way than through a case's report
-// is a fault of the kit.
+// Collects a verdict for each check. A test that fails other than by reporting a case is a fault of
+// the kit.
 class Verdicts : public testing::EmptyTestEventListener {
  public:
   json checks = json::array();
@@ -137,7 +136,7 @@ class Verdicts : public testing::EmptyTestEventListener {
   }
 };
 
-// What a runner of its own answers to the public cases: one that knows nothing of other questions.
+// The answers of a new runner to the public cases. It has been asked nothing else before.
 std::vector<tests::Answer> fresh_answers(const Options& options,
                                          const std::vector<tests::Case>& questions) {
   Session fresh(options.command, options.limits, options.part, options.given);
@@ -148,7 +147,8 @@ std::vector<tests::Answer> fresh_answers(const Options& options,
   return got;
 }
 
-// A program that ended while it was tested isn't asked again: how it ended says enough.
+// Whether to look for known mistakes: not if the program ended while it was tested, as that says
+// enough.
 bool may_be_a_mistake(const json& checks) {
   bool failed = false;
   for (const json& check : checks) {
@@ -178,7 +178,7 @@ int print_answers(const Options& options) {
   return std::cout ? 0 : 3;
 }
 
-// To two digits; null where it isn't finite.
+// Rounds to two digits; null if it isn't finite.
 json rounded(double error) {
   if (!std::isfinite(error)) return nullptr;
   char digits[16];
@@ -205,7 +205,7 @@ int run(const Options& options) {
                  {"mistakes", json::array()},
                  {"patterns", json::array()}};
   if (options.recognise && may_be_a_mistake(verdicts->checks)) recognise(options, result);
-  // A message may hold what a submission's exception said: not always valid UTF-8.
+  // A message may hold the text of a submission's exception, which may be invalid UTF-8.
   std::cout << result.dump(-1, ' ', false, json::error_handler_t::replace) << std::endl;
   return std::cout ? 0 : 3;
 }
@@ -227,7 +227,7 @@ std::string tests::in_words(const Case& c, const Problem& problem) {
 }  // namespace bounce
 
 int main(int argc, char** argv) try {
-  std::signal(SIGPIPE, SIG_IGN);  // a runner that has ended shows when it is read
+  std::signal(SIGPIPE, SIG_IGN);  // that a runner has ended is noticed by reading from it
   bounce::judge::stay_on_this_cpu();
   int one = 1;
   testing::InitGoogleTest(&one, argv);

@@ -1,5 +1,5 @@
-// Processes that outlive the one that started them. A box ends with its first process; but one that
-// is ended while it is still being set up can leave what it has started behind.
+// Ends processes that outlive their parent. A box's processes end with its first one; but a box
+// that is ended while it is set up can leave processes behind.
 #pragma once
 
 #include <sys/types.h>
@@ -8,10 +8,10 @@
 
 namespace bounce::judge {
 
-// From here on, the orphans of this process's descendants become its own children.
+// From here on, orphans among this process's descendants become its children.
 void adopt_orphans();
 
-// Ends and waits for every child of this process but `started`.
+// Ends and waits for every child of this process except `started`.
 void end_orphans(const std::set<pid_t>& started);
 
 }  // namespace bounce::judge

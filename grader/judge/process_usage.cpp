@@ -15,11 +15,11 @@ namespace {
 std::string folder_of(pid_t pid) { return "/proc/" + std::to_string(pid); }
 
 struct Scheduled {
-  double run = 0, delay = 0;  // s: CPU time; and ready, but no CPU was free
+  double run = 0, delay = 0;  // s: CPU time; time ready to run while no CPU was free
 };
 
-// /proc/PID/schedstat, of which the first two fields are these, in ns. Where the kernel doesn't
-// count them, a process counts as one that always runs.
+// Reads the first two fields of /proc/PID/schedstat, in ns. If the kernel doesn't count them, the
+// process is taken to run always.
 Scheduled scheduled(const std::string& folder) {
   std::ifstream file(folder + "/schedstat");
   Scheduled ns;
@@ -28,8 +28,8 @@ Scheduled scheduled(const std::string& folder) {
   return {std::chrono::duration<double>(now).count(), 0};
 }
 
-// Of /proc/PID/stat: the state, field 3, utime and stime, fields 14 and 15, and resident pages,
-// field 24. Field 2 is a name in parentheses, which may hold anything.
+// Reads /proc/PID/stat: the state (field 3), utime and stime (14 and 15), and resident pages (24).
+// Field 2 is a name in parentheses, which may hold anything.
 std::optional<ProcessUsage> usage_of_one(pid_t pid) {
   std::ifstream file(folder_of(pid) + "/stat");
   std::string line;

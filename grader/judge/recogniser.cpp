@@ -1,6 +1,6 @@
 // recogniser FIXTURES: reads lines {"part": N, "answers": [...]}, with answers as the judge prints
-// them, and prints for each {"mistakes": [name], "patterns": [sentence]}. No program runs: this is
-// how the tests measure what is recognised.
+// them, and prints for each {"mistakes": [name], "patterns": [sentence]}. The tests use it to
+// measure the recognition of mistakes without running submissions.
 #include <fstream>
 #include <iostream>
 #include <map>

@@ -1,6 +1,6 @@
-// Whether a trajectory is right, at any dt: whether each column is a step from the one before.
+// Checks a trajectory at any dt: each column must be the solution's step from the column before.
 //
-// Whole trajectories can't be compared: over many columns, what rounding changes grows.
+// Whole trajectories can't be compared, because rounding errors grow over many columns.
 #pragma once
 
 #include <bounce/types.hpp>

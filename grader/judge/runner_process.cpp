@@ -23,11 +23,11 @@ namespace bounce::judge {
 namespace {
 
 constexpr std::size_t kKeptPrints = std::size_t{16} << 10;
-constexpr std::chrono::milliseconds kBetweenLooks(100);  // between two looks at a silent runner
+constexpr std::chrono::milliseconds kBetweenLooks(100);  // between two checks of a silent runner
 constexpr double kCpuGrace = 0.2;                        // s, for SIGXCPU to end a runner by itself
-constexpr int kStatus = frames::kAnswers + 1;            // where a box tells that it is made
+constexpr int kStatus = frames::kAnswers + 1;            // where a box reports that it is made
 
-std::set<pid_t> started;  // the runners at work
+std::set<pid_t> started;  // the running runners
 
 struct Pipe {
   int read = -1, write = -1;
@@ -48,11 +48,12 @@ void limit(int resource, rlim_t soft, rlim_t hard) {
   ::setrlimit(static_cast<__rlimit_resource_t>(resource), &both);
 }
 
-// In the child: descriptors 0 to 4, for a box also 5, and nothing else; limits; then the command.
+// In the child: sets up descriptors 0 to 4 (for a box also 5) and no others, and the limits; then
+// starts the command.
 [[noreturn]] void become(const std::vector<char*>& argv, const Limits& limits, int questions,
                          int answers, int prints, int status) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  // Out of the way of 0 to 5 first, so that no dup2 overwrites what the next one needs.
+  // First moves them away from 0 to 5, so that no dup2 overwrites a descriptor still needed.
   questions = ::fcntl(questions, F_DUPFD, 10);
   answers = ::fcntl(answers, F_DUPFD, 10);
   prints = ::fcntl(prints, F_DUPFD, 10);
@@ -114,7 +115,7 @@ RunnerProcess::RunnerProcess(int questions, int answers, int prints, const Limit
 }
 
 void RunnerProcess::set_up() {
-  // Who doesn't read must not make the judge wait.
+  // A runner that doesn't read must not block the judge.
   ::fcntl(questions_, F_SETFL, O_NONBLOCK);
   ::fcntl(prints_, F_SETFL, O_NONBLOCK);
   if (status_ >= 0) ::fcntl(status_, F_SETFL, O_NONBLOCK);
@@ -165,7 +166,8 @@ void RunnerProcess::read_exactly(void* data, std::size_t size, bool amid_an_answ
   }
 }
 
-// Waits for answers or prints; prints are drained here, so that a runner never blocks on them.
+// Waits for answers or printed text. It reads printed text at once, so that a runner never blocks
+// on printing.
 bool RunnerProcess::wait_until_readable(bool amid_an_answer) {
   pollfd both[2] = {{answers_, POLLIN, 0}, {prints_, POLLIN, 0}};
   const auto start = Clock::now();
@@ -173,11 +175,11 @@ bool RunnerProcess::wait_until_readable(bool amid_an_answer) {
   waited_ += Clock::now() - start;
   if (both[1].revents != 0) drain_prints();
   if (Clock::now() - last_look_ >= kBetweenLooks) end_if_it_hangs(amid_an_answer);
-  end_if_late(amid_an_answer);  // though something may come, byte by byte
+  end_if_late(amid_an_answer);  // even if it answers byte by byte
   return both[0].revents != 0;
 }
 
-// "m" when the box is made, and "x" behind it where the program doesn't begin all the same.
+// Reads the box's status: "m" when it is made, then "x" if the program can't be started.
 void RunnerProcess::hear_the_box() {
   char told[2];
   const ssize_t n = status_ < 0 ? 0 : ::read(status_, told, sizeof told);
@@ -196,9 +198,9 @@ void RunnerProcess::require_a_box() {
   throw NoBox("the box of a program couldn't be made: " + sanitize_line(last_print_, 200));
 }
 
-// Idle is what is left of our waiting when all is taken off in which a CPU was used or wanted, by
-// the runner or by us: neither prints nor short naps hide it, and a busy machine adds nothing to
-// it. While the box is made, and while a page comes from a disk, none counts.
+// Idle time is the time that we waited, minus the time in which the runner or we used or wanted a
+// CPU. So neither printing nor short sleeps hide it, and a busy machine doesn't add to it. None
+// counts while the box is set up or a page is read from disk.
 void RunnerProcess::count_idle_time(const ProcessUsage& seen) {
   const std::chrono::duration<double> busy(seen.busy_seconds + own_delay_seconds());
   const std::chrono::duration<double> idle = waited_ - busy;
@@ -207,7 +209,7 @@ void RunnerProcess::count_idle_time(const ProcessUsage& seen) {
   counts_idle_ = box_is_made();
 }
 
-// One that ignores SIGXCPU is ended here.
+// Ends a runner that ignores SIGXCPU, too.
 void RunnerProcess::end_if_it_hangs(bool amid_an_answer) {
   last_look_ = Clock::now();
   if (pid_ < 0) return;
@@ -239,7 +241,7 @@ void RunnerProcess::drain_prints() {
   char chunk[65536];
   const ssize_t n = ::read(prints_, chunk, sizeof chunk);
   if (n <= 0) {
-    if (n == 0) close_prints();  // a closed pipe would be readable for ever
+    if (n == 0) close_prints();  // poll would report a closed pipe for ever
     return;
   }
   printed_ += static_cast<std::size_t>(n);
@@ -253,10 +255,10 @@ void RunnerProcess::drain_prints() {
 
 void RunnerProcess::close_prints() {
   ::close(prints_);
-  prints_ = -1;  // poll passes over it
+  prints_ = -1;  // poll ignores it
 }
 
-// A pipe was closed: by the program's end, or by the program itself.
+// A pipe was closed: the program ended, or closed it itself.
 void RunnerProcess::end_after_close(const std::string& closed) {
   const int status = wait_for_exit();
   if (status < 0) {
@@ -279,7 +281,7 @@ void RunnerProcess::end(const Termination& termination, bool waits) {
   throw RunnerEnded(termination, waits);
 }
 
-// The wait status, or -1 when it still runs after a while.
+// The wait status, or -1 if it still runs after a while.
 int RunnerProcess::wait_for_exit() {
   if (pid_ < 0) return 0;
   for (int tries = 0; tries < 1000; ++tries) {
@@ -304,7 +306,7 @@ void RunnerProcess::kill() {
   forget();
 }
 
-// The process has ended; so does what it may have left.
+// The process has ended; also ends processes that it left.
 void RunnerProcess::forget() {
   started.erase(pid_);
   pid_ = -1;

@@ -1,5 +1,5 @@
-// A runner in another process: started, asked, watched and ended. Everything that comes from it
-// is untrusted; what it prints is drained, counted and cut, and never read as an answer.
+// Starts, asks, watches and ends a runner, which is another process. Everything that it sends is
+// untrusted; printed text is counted and cut, and never read as an answer.
 #pragma once
 
 #include <sys/types.h>
@@ -24,48 +24,48 @@ struct RunnerEnded : std::runtime_error {
         termination(std::move(termination_)),
         waits(waits_) {}
   Termination termination;
-  bool waits;  // it would do so the next time, too: no more is asked of this part
+  bool waits;  // it waits for ever, and would do so again: no more is asked of this part
 };
 
 inline constexpr char kNotAskedFor[] =
     "the program wrote to where answers go (descriptor 4, which is the kit's), and what came isn't "
     "the answer that was asked for";
 
-// The box that a runner was to be in couldn't be made: a failure of the kit.
+// A runner's box couldn't be made: a failure of the kit.
 struct NoBox : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// Keeps this process, and the runners it starts, on the CPU it is on. Judge and runner only ever
-// take turns, and waking each other on one CPU takes a fifth of the time that it takes across two.
+// Pins this process and the runners it starts to the current CPU. Judge and runner take turns, and
+// on one CPU they wake each other in a fifth of the time.
 void stay_on_this_cpu();
 
 class RunnerProcess {
  public:
-  // Starts `command` with the questions on descriptor 3 and the answers on 4; a box, with 5 to tell
-  // when it is made. Throws std::runtime_error when it can't be started, and later NoBox when its
-  // box can't be made: failures of the kit.
+  // Starts `command` with the questions on descriptor 3 and the answers on 4; a box reports on 5
+  // that it is made. Failures of the kit: throws std::runtime_error if the command can't be
+  // started, and later NoBox if its box can't be made.
   RunnerProcess(const std::vector<std::string>& command, const Limits& limits);
-  // Somebody else's pipes, which this closes in the end, and no process: answers may be there
-  // before they are asked for.
+  // For tests: uses the given pipes, which it closes in the end, and starts no process. Answers may
+  // be there before the questions.
   RunnerProcess(int questions, int answers, int prints, const Limits& limits);
   ~RunnerProcess();
   RunnerProcess(const RunnerProcess&) = delete;
   RunnerProcess& operator=(const RunnerProcess&) = delete;
 
-  // Throw RunnerEnded when the runner has ended, hangs, floods or doesn't keep to the frames.
+  // Throw RunnerEnded if the runner has ended, hangs, floods or breaks the protocol.
   void send(const frames::Frame& frame);
   frames::Frame receive();
   void receive(Eigen::Matrix3Xd& columns);
 
-  // What it has used so far, and nobody can tell us otherwise: CPU time as the system counts it.
-  // Throws std::runtime_error where the system doesn't.
+  // The CPU time that it has used so far, counted by the system, so the runner can't falsify it.
+  // Throws std::runtime_error if the system doesn't count it.
   double cpu_ns() const;
 
-  // What it had used in all when it ended, s of CPU time; 0 while it is at work.
+  // The CPU time that it had used when it ended, s; 0 while it runs.
   double spent() const { return spent_; }
 
-  // How long it waited for anything but a CPU, where it should have answered.
+  // How long it waited for anything but a CPU while it should have answered.
   std::chrono::duration<double> idle() const { return idle_; }
 
  private:
@@ -92,10 +92,10 @@ class RunnerProcess {
   Limits limits_;
   pid_t pid_ = -1;
   int questions_ = -1, answers_ = -1, prints_ = -1;
-  int status_ = -1;   // what the box tells: enter.cpp
-  std::string told_;  // by the box
+  int status_ = -1;   // descriptor of the box's status, as in enter.cpp
+  std::string told_;  // the status so far
   std::size_t printed_ = 0;
-  std::string last_print_;  // the end of what was printed: an assertion's text is there
+  std::string last_print_;  // the end of the printed text, which holds an assertion's message
   Clock::duration waited_{};
   std::chrono::duration<double> idle_{}, idle_before_{};
   bool counts_idle_ = false;

@@ -9,7 +9,7 @@ constexpr std::string_view kReplacement = "\xEF\xBF\xBD";  // U+FFFD
 
 unsigned byte(std::string_view text, std::size_t i) { return static_cast<unsigned char>(text[i]); }
 
-// The bytes that a character takes which begins so; 0 where none does.
+// The length in bytes of a character with this first byte; 0 if no character begins so.
 std::size_t length_from(unsigned first) {
   if (first < 0x80) return 1;
   if (first >= 0xC2 && first < 0xE0) return 2;
@@ -17,7 +17,7 @@ std::size_t length_from(unsigned first) {
   return first >= 0xF0 && first < 0xF5 ? 4 : 0;
 }
 
-// A character at the front of the text: its bytes and its number; no bytes where it isn't UTF-8.
+// The first character of a text: its bytes and its code point; no bytes if it isn't UTF-8.
 struct Character {
   std::string_view bytes;
   unsigned number = 0;

@@ -1,4 +1,4 @@
-// What a submission says, as it goes into a message: one line of printable characters.
+// Turns a submission's text into one line of printable characters for a message.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,8 @@
 
 namespace bounce::judge {
 
-// At most so many characters, with "..." behind what was cut. Line breaks and tabs become blanks;
-// other controls, marks that change the direction of writing and what isn't UTF-8 become U+FFFD.
+// Cuts the text to `most` characters and marks the cut by "...". Line breaks and tabs become
+// blanks; other control characters, bidirectional marks and invalid UTF-8 become U+FFFD.
 std::string sanitize_line(std::string_view text, std::size_t most);
 
 }  // namespace bounce::judge

@@ -1,4 +1,4 @@
-// What a run under AddressSanitizer and UBSan found, in a student's words.
+// Explains what AddressSanitizer and UBSan found, in words that a student knows.
 #pragma once
 
 #include <optional>
@@ -7,8 +7,8 @@
 
 namespace bounce::judge {
 
-// From a sanitizer's name for a kind of error. Empty for any other text: a submission may have
-// written it, and nothing that it writes is repeated here.
+// The words for a sanitizer's name of an error. Empty for any other text, which a submission may
+// have written, so that nothing of it is repeated.
 std::optional<std::string> words_for_report(std::string_view kind);
 
 }  // namespace bounce::judge

@@ -18,7 +18,7 @@ using frames::Kind;
 
 namespace {
 
-// A number that no program can write into an answer before it has the question.
+// A random number, so that no program can write an answer before it has the question.
 std::uint64_t unforeseen() {
   std::uint64_t number = 0;
   if (::getrandom(&number, sizeof number, 0) != sizeof number) {
@@ -27,10 +27,10 @@ std::uint64_t unforeseen() {
   return number;
 }
 
-// More than any program needs, so that a callback in an endless loop is told from work.
+// More than any correct program needs; stops a program that calls back in an endless loop.
 std::int64_t most_callbacks(const Frame& question) { return 1000 + 20 * question.T; }
 
-// what() as it arrived: a frame holds so much of it.
+// The text of what(), as much of it as fits into a frame.
 std::string thrown_text(const Frame& answer) {
   const std::string text = frames::text(answer);
   const bool cut = text.size() == sizeof answer.text - 1;

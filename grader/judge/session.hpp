@@ -1,6 +1,6 @@
-// The questions of one part's checks to one submission. A runner that ended is started anew for
-// the next check, so that a crash costs one check. A part that hangs twice is asked no more; nor is
-// one that waits for ever, or that hangs once with the earlier parts given, its second chance.
+// Asks one submission the questions of one part's checks. If a runner ends, a new one is started
+// for the next check, so that a crash costs one check. A part is asked no more if it hangs twice,
+// if it waits for ever, or if it hangs once with given parts, which was its second chance.
 #pragma once
 
 #include <chrono>
@@ -16,25 +16,26 @@ namespace bounce::judge {
 
 class Session {
  public:
-  // given: callbacks for parts before `part` are answered from the solution; else none is.
+  // given: answers callbacks for parts before `part` with the solution; otherwise answers none.
   Session(std::vector<std::string> command, Limits limits, std::uint32_t part, bool given);
 
-  // With runners that are started, and questions that are numbered, in another way.
+  // For tests: another way to start runners and to number questions.
   using Start = std::function<std::unique_ptr<RunnerProcess>(const Limits& limits)>;
   using Numbers = std::function<std::uint64_t()>;
   Session(Start start, Limits limits, std::uint32_t part, bool given, Numbers numbers);
 
-  // The answer to a question, and the columns of one of part 4, T or one less. Throws tests::Ended
-  // when the check can't go on, std::runtime_error when this question has no answer.
+  // The answer to a question; for part 4 also the columns, T or one less. Throws tests::Ended if
+  // the check can't go on, std::runtime_error if this question has no answer.
   frames::Frame ask(frames::Frame question, Trajectory* columns = nullptr);
 
-  // CPU time of the runner at work, ns; 0 where there is none.
+  // CPU time of the current runner, ns; 0 if there is none.
   double cpu_ns() const { return runner_ ? runner_->cpu_ns() : 0; }
 
-  // Why the kit has failed, or nothing: then no verdict holds.
+  // Why the kit has failed, in which case no verdict is valid; empty if it hasn't.
   const std::string& kit_failure() const { return kit_failure_; }
 
-  // How the last check's runner ended, if it did: a status, and a crash's stack. Once a check.
+  // How the last check's runner ended, if it did: a status, and the stack of a crash. To be called
+  // once for each check.
   struct End {
     std::string status, stack;
   };
@@ -49,13 +50,13 @@ class Session {
   using Clock = std::chrono::steady_clock;
 
   Start start_;
-  Limits limits_;  // idle_seconds: what is left of them
+  Limits limits_;  // its idle_seconds are those that are left
   std::uint32_t part_;
   bool given_;
   std::unique_ptr<RunnerProcess> runner_;
   Numbers numbers_;
   int hangs_left_;
-  double cpu_seconds_ = 0;  // of the runners that have ended
+  double cpu_seconds_ = 0;  // used by the runners that have ended
   Clock::time_point last_question_;
   std::optional<End> end_;
   std::string kit_failure_;

@@ -15,9 +15,9 @@ namespace {
 using exact::Scene;
 
 constexpr double kDeltaSpeed = 0.1;  // m/s, delta over dt: the assignment's 0.001 m for 0.01 s
-constexpr double kNudge = 1e-3;      // m/s and rad/s: a thousandth of what a scene is about
+constexpr double kNudge = 1e-3;      // m/s and rad/s: a thousandth of typical velocities
 constexpr int kFewest = 2, kMost = 15;
-constexpr long kStepsInAll = 25'000;  // that the rounds of a point come to, more or less
+constexpr long kStepsInAll = 25'000;  // of all rounds of a point, roughly
 
 // A scene at one dt.
 struct Setting {
@@ -51,7 +51,7 @@ double error_of(const Setting& setting, const Trajectory& trajectory, const exac
   return exact::error_of(*setting.scene, samples, truth);
 }
 
-// The scene's start with other velocities, which nobody can foresee.
+// The scene's start with random changes to the velocities.
 State nudged(State start) {
   std::array<std::uint32_t, 3> random;
   if (::getrandom(random.data(), sizeof random, 0) != sizeof random) {
@@ -75,7 +75,7 @@ struct Tally {
   std::vector<double> ns;
   double error = 0;
 
-  // Gives the time that it took, ns.
+  // Runs a round, and returns the time that it took, ns.
   double add(const Setting& setting, Contender& contender, const State& start, int round) {
     const Timed timed = contender.run(setting.params, start);
     if (round == 0) error = error_of(setting, timed.trajectory, setting.truth);
@@ -87,14 +87,14 @@ struct Tally {
     return timed.ns;
   }
 
-  // The least of the rounds: the system only ever counts too much for a program.
+  // The least time of the rounds, because disturbances only add time.
   Point point(const Setting& setting) const {
     return {setting.params.dt, *std::min_element(ns.begin(), ns.end()) / setting.scene->until,
             error};
   }
 };
 
-// The measurement of one contender.
+// Measures one contender.
 class Measurement {
  public:
   Measurement(Contender& contender, double budget_ns, std::size_t scenes)
@@ -104,7 +104,7 @@ class Measurement {
 
   bool goes_on() const { return curves_.cut.empty(); }
 
-  // Rounds for settings of this dt, as many as the time allows: all, the fewest or none.
+  // Decides how many rounds the time allows at this dt: all, the fewest or none.
   void plan(const std::vector<Setting>& settings, double dt) {
     double all = 0, fewest = 0;
     for (const Setting& setting : settings) {
@@ -116,7 +116,7 @@ class Measurement {
     ns_ = steps_ = 0;
   }
 
-  // A round, unless this contender has no more.
+  // Runs a round, unless the plan has no more for this contender.
   void ask(const Setting& setting, const State& start, int round) {
     if (!goes_on() || (only_fewest_ && round >= kFewest)) return;
     double spent = 0;

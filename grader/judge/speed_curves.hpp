@@ -1,4 +1,5 @@
-// Speed against accuracy: the scenes at ever smaller steps, in several programs by turns.
+// Measures speed against accuracy: several programs take turns at scenes with smaller and smaller
+// steps.
 //
 // The error is that of the columns that were timed, against the truth (event_driven.hpp), which is
 // worked out here and is the same each time. It is that of the first round, the scene itself. The
@@ -6,8 +7,8 @@
 // answer that was kept, known by heart or worked out beforehand is right there. A program that
 // isn't known to be right has the error of its first timed round where that is larger.
 //
-// delta is in proportion to dt, and at dt = 0.01 s the assignment's: with a fixed one the error of
-// any right program stops falling at about 1.5 delta, which says nothing about the program.
+// delta is proportional to dt, and the assignment's at dt = 0.01 s. With a fixed delta, the error
+// of any correct program stops falling at about 1.5 delta, which says nothing about the program.
 #pragma once
 
 #include <memory>
@@ -24,8 +25,7 @@ struct Timed {
   double ns;
 };
 
-// A program that answers trajectories. Throws std::runtime_error, with a sentence, where it
-// doesn't.
+// A program that computes trajectories. Throws std::runtime_error, with a sentence, if it fails.
 class Contender {
  public:
   Contender() = default;
@@ -44,21 +44,21 @@ struct Point {
   double error;          // m; infinite where a number is missing
 };
 
-// The points of one contender, by scene and then by dt; fewer where it was cut.
+// The points of one contender, by scene and then by dt; fewer if it was cut off.
 struct Curves {
   std::vector<std::vector<Point>> points;
-  std::string cut;  // why it was cut, or empty
+  std::string cut;  // why it was cut off, or empty
 };
 
-// The scenes that the assignment's own model can do: one corner with friction, or less, is the
-// least that they need. Two corners at once, a face on the ground at rest among them, it has not.
+// The scenes that the assignment's model can simulate: those that need at most one corner with
+// friction. It has no two corners at once, as in a square that rests on a face.
 std::vector<exact::Scene> scenes_of_one_corner(std::vector<exact::Scene> all);
 
-// Steps, s: from the assignment's own down.
+// Time steps, s, from the assignment's downwards.
 const std::vector<double>& measured_steps();
 
-// The curves of each contender. One is cut that throws, or where its next points would take it
-// over `budget_ns` of CPU time in all.
+// The curves of each contender. A contender is cut off if it throws, or if its next points would
+// exceed `budget_ns` of CPU time in total.
 std::vector<Curves> speed_curves(const std::vector<exact::Scene>& scenes,
                                  const std::vector<std::unique_ptr<Contender>>& contenders,
                                  double budget_ns);

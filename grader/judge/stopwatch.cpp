@@ -1,22 +1,21 @@
 // stopwatch --scenes FOLDER TIMED... :: SOLUTION... :: GRADED...
 //
-// Measures dt by dt the scenes that the assignment's model can do (speed_curves.hpp), in a
-// submission's runner built for speed, the solution's runner, and the simulator that takes no more
-// model than a step needs. Prints {"dt": [...], "scenes": [{"scene", "title", "seconds",
+// Measures, for each dt, the scenes that the assignment's model can simulate (speed_curves.hpp),
+// with a submission's runner built for speed, the solution's runner, and the simulator that uses
+// the least model for each step. Prints {"dt": [...], "scenes": [{"scene", "title", "seconds",
 // "submission", "solution", "least"}], "cut": sentence or "", "right": bool}; a curve is a list of
-// {"dt", "ns", "error"}, with ns of CPU time for a simulated second and an error in m, or null
-// where it isn't finite. right is false where a column that was timed isn't the step that it should
-// be (right_steps.hpp).
+// {"dt", "ns", "error"}, with ns of CPU time for a simulated second and an error in m, or null if
+// it isn't finite. right is false if a timed column is wrong (right_steps.hpp).
 //
-// Then the submission's runner as it was graded is asked the same. Where that one is right, the
-// two builds are different programs, no time is worth anything, and all that is printed is
-// {"otherwise": sentence}.
+// In that case the submission's graded runner is asked the same. If its answer is right, the two
+// builds are different programs and the times mean nothing; then it prints only {"otherwise":
+// sentence}.
 //
 // A runner is timed from outside, by the system's count of its CPU time, from the question to the
-// last column of its answer. What asking and handing over takes is measured with the solution's
-// runner, whose code is known, and taken off both.
+// last column of its answer. The cost of communication is measured with the solution's runner,
+// which is trusted, and subtracted from both.
 //
-// Exit status 3 when the solution's runner ends, or CPU time can't be told.
+// Exit status 3 if the solution's runner ends, or if CPU time can't be measured.
 #include <algorithm>
 #include <cmath>
 #include <csignal>
@@ -34,7 +33,7 @@
 
 namespace bounce {
 
-// It reads no fixtures.
+// The stopwatch reads no fixtures.
 std::vector<std::filesystem::path> tests::fixture_folders() { return {}; }
 void tests::about_to_ask(const Case&) {}
 std::string tests::in_words(const Case&, const Problem&) { return {}; }
@@ -47,7 +46,7 @@ using nlohmann::json;
 constexpr double kBudget = 2e9;  // ns of CPU time for all curves
 constexpr int kManyColumns = 20'001;
 
-// What a question costs that isn't the trajectory: ns, and ns a column.
+// The cost of communication, without computing: ns per question, and ns per column.
 struct Handover {
   double question = 0, column = 0;
 };
@@ -71,7 +70,7 @@ class InRunner : public Contender {
     return {trajectory, std::max(1.0, ns - handover_.question - handover_.column * params.T)};
   }
 
-  // CPU time of an answer, ns; of one without its columns where none are wanted.
+  // The CPU time of an answer, ns; without sending columns if `columns` is null.
   double ask(const Parameters& params, const State& start, Trajectory* columns) {
     frames::Frame question;
     question.part = 4;
@@ -93,16 +92,16 @@ class InRunner : public Contender {
   }
 
   Session session_;
-  bool started_ = false;  // the first question takes the program's start, too
+  bool started_ = false;  // else the first question would include the program's start
   Handover handover_;
 };
 
-// The submission answers right as it was graded, and wrong as it is timed.
+// The submission's graded build answers right, and its timed build wrong.
 struct Otherwise {
   std::string sentence;
 };
 
-// A submission: its runner that is timed, and the one that was graded.
+// A submission: its timed runner, and its graded one.
 class Submitted : public Contender {
  public:
   Submitted(const std::vector<std::string>& timed, const std::vector<std::string>& graded,
@@ -132,14 +131,14 @@ class Submitted : public Contender {
   bool is_right_as_graded(const Parameters& params, const State& start) try {
     return !wrong_column(graded_.run(params, start).trajectory, start, params);
   } catch (const std::runtime_error&) {
-    return false;  // it doesn't answer
+    return false;  // it gave no answer
   }
 
   InRunner timed_, graded_;
   bool right_ = true;
 };
 
-// CPU time of this thread: that of the process stands still between ticks where it has a limit.
+// CPU time of this thread. That of the process only advances in ticks if it has a limit.
 double cpu_ns() {
   timespec time{};
   ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
@@ -155,7 +154,7 @@ class Least : public Contender {
   }
 };
 
-// The least of several askings: what is more is a disturbance.
+// The least of several measurements, because disturbances only add time.
 Handover handover_of(InRunner& known) {
   const State in_flight{{0, 1e9, 0}, {0, 0, 0}};
   const auto least = [&](int T, bool with_columns) {
@@ -187,7 +186,7 @@ using Command = std::vector<std::string>;
 json measured(const std::vector<exact::Scene>& scenes, const Command& timed,
               const Command& reference, const Command& graded) {
   auto solution = std::make_unique<InRunner>(reference);
-  InRunner known(reference);  // one of its own: the solution begins as cold as the submission
+  InRunner known(reference);  // its own runner, so that the solution starts cold, too
   const Handover handover = handover_of(known);
   solution->take_off(handover);
   auto submitted = std::make_unique<Submitted>(timed, graded, handover);
@@ -227,7 +226,7 @@ int run(const std::string& folder, const Command& timed, const Command& referenc
   return std::cout ? 0 : 3;
 }
 
-// The commands between "::".
+// The commands, which "::" separates.
 std::vector<Command> commands_in(const std::vector<std::string>& words) {
   std::vector<Command> commands(1);
   for (const std::string& word : words) {

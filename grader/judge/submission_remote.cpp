@@ -1,4 +1,4 @@
-// The submission runs in another process: each function of the tests is a question to it.
+// Calls the submission in another process: each function that the tests call asks it a question.
 #include "../../tests/parts/submission.hpp"
 
 #include "../runner/messages.hpp"

@@ -49,7 +49,7 @@ const std::map<long, std::string> kAsked = {
     {SYS_io_uring_setup, "the kernel's queues (io_uring_setup)"},
     {SYS_userfaultfd, "the faults of its memory (userfaultfd)"},
     {SYS_sched_setaffinity, "another CPU (sched_setaffinity)"},
-#ifdef SYS_fork  // the old calls, which newer machines have no numbers for
+#ifdef SYS_fork  // old calls, which newer architectures don't have
     {SYS_fork, "another process (fork)"},
     {SYS_vfork, "another process (vfork)"},
     {SYS_pipe, "a pipe (pipe)"},

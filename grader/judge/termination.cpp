@@ -17,29 +17,29 @@
 namespace bounce::judge {
 namespace {
 
-constexpr std::size_t kLongest = 120;  // characters of what a program said, in a sentence
+constexpr std::size_t kLongest = 120;  // characters of a program's text in a sentence
 
-// --- what a program printed at its end; it may have printed anything ---
+// --- the text that a program printed last; it may be anything ---
 
 std::string_view up_to(std::string_view text, std::string_view end) {
   return text.substr(0, text.find(end));
 }
 
-// What follows the last `mark` on its line; empty where there is none.
+// The rest of the line after the last `mark`; empty if there is none.
 std::string_view line_after(std::string_view print, std::string_view mark) {
   const std::size_t at = print.rfind(mark);
   if (at == std::string_view::npos) return "";
   return up_to(print.substr(at + mark.size()), "\n");
 }
 
-// The submission may print such a line too, but not after it has crashed.
+// The last such line counts: a submission can print one, too, but not after it has crashed.
 std::string stack_in(std::string_view print) {
   const std::string_view line = line_after(print, runner::kStack);
   const bool addresses = line.find_first_not_of(" 0123456789abcdefx") == std::string_view::npos;
   return addresses ? std::string(line) : "";
 }
 
-// glibc's own words when it finds its book-keeping of memory overwritten.
+// Whether glibc reports that its heap data were overwritten.
 bool is_about_freed_memory(std::string_view line) {
   for (const char* word : {"free(): ", "malloc(): ", "realloc(): ", "malloc_consolidate(): ",
                            "double free or corruption", "corrupted size", "corrupted double-linked",
@@ -49,14 +49,14 @@ bool is_about_freed_memory(std::string_view line) {
   return false;
 }
 
-// The last line of a print that isn't the runner's own.
+// The last line of the text that isn't the runner's.
 std::string_view last_words(std::string_view print) {
   print = print.substr(0, print.rfind(runner::kCause));
   while (!print.empty() && print.back() == '\n') print.remove_suffix(1);
   return print.substr(print.rfind('\n') + 1);
 }
 
-// --- the ends ---
+// --- how it ended ---
 
 Termination of_abort(const Limits& limits, const std::string& print) {
   if (const std::string assertion = assertion_in(print); !assertion.empty()) {

@@ -1,4 +1,4 @@
-// How a program ended, in words: what happened, and what is likely the cause.
+// Describes how a program ended: what happened, and the likely cause.
 #pragma once
 
 #include <string>
@@ -10,11 +10,11 @@ namespace bounce::judge {
 struct Termination {
   std::string status;  // of the score record: crashed, timed_out, out_of_memory, no_answer
   std::string sentence;
-  std::string stack = {};  // of a crash: addresses in hexadecimal, with a space before each
+  std::string stack = {};  // of a crash: hexadecimal addresses, each after a space
 };
 
-// From a wait status and the end of what the program printed, which decides about words alone.
-// A box's exit status of 128 + n stands for signal n, as a shell's does.
+// From a wait status, and from the last text that the program printed, which changes only the
+// message. As with a shell, a box's exit status of 128 + n stands for signal n.
 Termination termination_of(int wait_status, const Limits& limits, const std::string& last_print);
 
 Termination out_of_cpu_time(const Limits& limits);

@@ -1,6 +1,6 @@
-// watch run|check COMMAND...: starts a runner, or one that is built with sanitizers, under the
-// judge's limits, and says in one line how the wait for its answer ended. For trying a box out; it
-// has nothing to ask.
+// watch run|check COMMAND...: starts a runner (check: one built with sanitizers) under the judge's
+// limits, and prints in one line how the wait for an answer ended. It asks nothing; it is for
+// testing boxes.
 #include <iostream>
 #include <string>
 

@@ -1,4 +1,4 @@
-// The runner's end of the two descriptors. Throws ChannelClosed when the judge is gone.
+// The runner's end of the two pipes to the judge. Throws ChannelClosed when the judge is gone.
 #pragma once
 
 #include <bounce/types.hpp>
@@ -13,8 +13,8 @@ frames::Frame receive();
 void send(const frames::Frame& frame);
 void send(const Eigen::Matrix3Xd& columns);
 
-// Asks the judge what an earlier part answers to this frame's arguments. Rethrows what the given
-// part threw as std::runtime_error.
+// Asks the judge for an earlier part's result with this frame's arguments. If the given part threw,
+// throws std::runtime_error with its text.
 frames::Frame call_back(frames::Frame callback);
 
 }  // namespace bounce::runner

@@ -15,7 +15,7 @@ namespace {
 constexpr int kFrames = 40;
 constexpr std::size_t kLongestText = 200;
 constexpr std::uintptr_t kNearNull = 64 * 1024;
-constexpr std::uintptr_t kBelowTheStack = 64 * 1024;  // what a call may touch below its pointer
+constexpr std::uintptr_t kBelowTheStack = 64 * 1024;  // that a call may touch below its pointer
 
 std::uintptr_t stack_begin = 0;  // the stack grows down from here
 const char* finding = nullptr;
@@ -25,7 +25,7 @@ struct Stack {
   int size = 0;
 };
 
-// The address of the call, not of what comes after it, so that its line is the call's.
+// Notes the address of the call, not the return address, so that the line is the call's.
 _Unwind_Reason_Code note_frame(_Unwind_Context* context, void* to) {
   Stack& stack = *static_cast<Stack*>(to);
   int before = 0;
@@ -34,7 +34,7 @@ _Unwind_Reason_Code note_frame(_Unwind_Context* context, void* to) {
   return stack.size < kFrames ? _URC_NO_REASON : _URC_END_OF_STACK;
 }
 
-// In a signal handler only write() may be called: hexadecimal digits by hand.
+// Writes hexadecimal digits by hand: a signal handler may not call printf.
 char* put_hexadecimal(char* to, std::uintptr_t x) {
   *to++ = ' ';
   *to++ = '0';
@@ -65,8 +65,8 @@ std::uintptr_t stack_pointer([[maybe_unused]] void* context) {
 #endif
 }
 
-// Memory from the stack pointer up to where the stack begins is always there, unless it couldn't
-// grow so far.
+// The likely cause of a fault at an address. Memory between the stack pointer and the stack's
+// beginning always exists, unless the stack couldn't grow that far.
 const char* cause_of_fault(std::uintptr_t address, std::uintptr_t pointer) {
   if (address < kNearNull) return kNull;
   return address >= pointer - kBelowTheStack && address < stack_begin ? kFullStack : kUnknown;
@@ -78,7 +78,7 @@ char* put_cause(char* to, int signal, const siginfo_t& info, void* context) {
     to = put_text(put_text(to, kFound), finding);
   } else if (signal == SIGSYS) {
     to = put_decimal(put_text(to, kCall), static_cast<unsigned>(info.si_syscall));
-  } else if (info.si_code <= 0) {  // no fault, but a signal that was sent
+  } else if (info.si_code <= 0) {  // a signal that was sent, no fault
     to = put_text(to, kUnknown);
   } else if (signal == SIGSEGV) {
     const auto address = reinterpret_cast<std::uintptr_t>(info.si_addr);
@@ -100,18 +100,18 @@ void tell(int signal, siginfo_t* info, void* context) {
   *end++ = '\n';
   [[maybe_unused]] const auto written =
       ::write(STDERR_FILENO, lines, static_cast<std::size_t>(end - lines));
-  ::raise(signal);  // a refused call or a signal that was sent doesn't come back by itself
+  ::raise(signal);  // unlike a fault, a refused call or a sent signal isn't repeated
 }
 
-// Before the submission's constructors: 101 is the first that isn't the compiler's own.
+// Runs before the submission's constructors: 101 is the first priority that isn't reserved.
 [[gnu::constructor(101)]] void tell_where_it_crashes() {
   stack_begin = reinterpret_cast<std::uintptr_t>(__builtin_frame_address(0));
-  static char other_stack[64 * 1024];  // the usual one may be what has overflowed
+  static char other_stack[64 * 1024];  // the usual stack may have overflowed
   const stack_t alternative{other_stack, 0, sizeof other_stack};
   ::sigaltstack(&alternative, nullptr);
   struct sigaction action = {};
   action.sa_sigaction = tell;
-  action.sa_flags = SA_SIGINFO | SA_ONSTACK | SA_RESETHAND;  // the second time it ends the program
+  action.sa_flags = SA_SIGINFO | SA_ONSTACK | SA_RESETHAND;  // a second signal ends the program
   for (const int signal : {SIGSEGV, SIGABRT, SIGFPE, SIGILL, SIGBUS, SIGSYS}) {
     ::sigaction(signal, &action, nullptr);
   }

@@ -1,20 +1,20 @@
-// Where and why a program crashed, as two lines on standard error, which are written before a
-// signal ends it. The grader turns them into words, and into the submission's file and line.
+// Reports where and why a program crashes, in two lines on standard error before a signal ends it.
+// The grader turns them into a message, and into the submission's file and line.
 #pragma once
 
 namespace bounce::runner {
 
-inline constexpr char kCause[] = "cause of the crash: ";  // and one of these
+inline constexpr char kCause[] = "cause of the crash: ";  // followed by one of these
 inline constexpr char kNull[] = "null pointer";           // an address near 0
-inline constexpr char kFullStack[] = "full stack";        // an address where it should grow to
-inline constexpr char kCall[] = "system call ";           // and its number
+inline constexpr char kFullStack[] = "full stack";        // an address below the stack
+inline constexpr char kCall[] = "system call ";           // and the call's number
 inline constexpr char kDivision[] = "integer division";   // by zero
-inline constexpr char kFloat[] = "floating point";        // an exception that was asked for
-inline constexpr char kFound[] = "found: ";               // and what the sanitizers call it
+inline constexpr char kFloat[] = "floating point";        // an exception that the program enabled
+inline constexpr char kFound[] = "found: ";               // and the sanitizers' name for it
 inline constexpr char kUnknown[] = "unknown";             // anything else
-inline constexpr char kStack[] = "stack of the crash:";   // and the addresses on it
+inline constexpr char kStack[] = "stack of the crash:";   // and the addresses on the stack
 
-// What the next crash is because of; `what` stays where it is.
+// Sets the cause of the next crash; `what` must stay valid.
 void note_finding(const char* what);
 
 }  // namespace bounce::runner

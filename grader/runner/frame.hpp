@@ -1,12 +1,12 @@
-// What the judge and a runner say to each other: frames of one fixed size, on two descriptors of
-// their own. What a submission prints goes elsewhere and is never taken for an answer.
+// The protocol between the judge and a runner: frames of a fixed size, on two pipes of their own.
+// What a submission prints goes elsewhere and is never taken for an answer.
 //
 //   judge -> runner  a question: part, params, arguments
-//   runner -> judge  an answer, or a callback: "what would an earlier part say?" (given parts)
+//   runner -> judge  an answer, or a callback: the arguments of a call to a given part
 //   judge -> runner  the reply to a callback
 //
-// Nothing in a frame that comes from a runner is trusted: the judge checks kind, part, number and
-// the counts before it uses them.
+// The judge trusts nothing in a runner's frame: it checks kind, part, number and the counts before
+// it uses them.
 #pragma once
 
 #include <bounce/types.hpp>
@@ -27,13 +27,13 @@ struct Frame {
   std::uint32_t magic = kMagic;
   Kind kind = Kind::question;
   std::uint32_t part = 0;    // 1 to 4
-  std::uint32_t silent = 0;  // in a question of part 4: answer the shapes, not the columns
+  std::uint32_t silent = 0;  // in a question of part 4: answer with the shapes only
   std::uint64_t number = 0;  // an answer carries the number of its question
   std::int64_t q_columns = 0, v_columns = 0;  // part 4; see columns_at_hand
   double scene[9] = {};                       // l, m, mu, epsilon, g, dt, delta
   std::int64_t T = 0;
   double values[20] = {};  // arguments or results, column by column
-  char text[160] = {};     // what(), where the submission threw
+  char text[160] = {};     // what(), if the submission threw
 };
 static_assert(std::is_trivially_copyable_v<Frame>);
 
@@ -48,7 +48,7 @@ inline Parameters parameters(const Frame& frame) {
   return {s[0], s[1], s[2], s[3], {s[4], s[5], s[6]}, s[7], s[8], static_cast<int>(frame.T)};
 }
 
-// Matrices one after the other: put(frame, J, v) and then take(frame, J, v).
+// Write and read matrices one after the other: put(frame, J, v), then take(frame, J, v).
 template <class... Matrices>
 void put(Frame& frame, const Matrices&... matrices) {
   double* to = frame.values;

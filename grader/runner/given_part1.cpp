@@ -1,4 +1,4 @@
-// Part 1, given: the judge answers.
+// The given part 1, which asks the judge.
 #include <bounce/part1_contacts.hpp>
 
 #include "channel.hpp"

@@ -1,4 +1,4 @@
-// Part 2, given: the judge answers.
+// The given part 2, which asks the judge.
 #include <bounce/part2_lcp.hpp>
 
 #include "channel.hpp"

@@ -1,4 +1,4 @@
-// Part 3, given: the judge answers.
+// The given part 3, which asks the judge.
 #include <bounce/part3_step.hpp>
 
 #include "channel.hpp"

@@ -1,6 +1,5 @@
-// What each part is asked and what it answers, laid out in a frame: for the runner, for the parts
-// that are given there, and for the judge. A new part adds its function's name, and how its result
-// is put and taken.
+// The layout in a frame of each part's arguments and result, for the runner, its given parts and
+// the judge. A new part adds its function's name, and put and take for its result.
 #pragma once
 
 #include "frame.hpp"
@@ -46,7 +45,7 @@ Result result(const Frame& answer) {
   return result;
 }
 
-// Puts into `answer` what a part's function gives for the question's arguments.
+// Calls a part's function with the question's arguments, and puts the result into `answer`.
 template <class Result, class A>
 void answer(const Frame& question, Frame& answer, Result (*function)(const A&, const Parameters&)) {
   A a;

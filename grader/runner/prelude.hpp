@@ -1,6 +1,6 @@
-// Precompiled for every submission: what nearly each part includes, and the instances of Eigen's
-// templates that small programs are made of, so that they aren't made anew for every part.
-// No line of the solution.
+// Precompiled for every submission: the headers that nearly every part includes, and the instances
+// of Eigen's templates that small programs need, so that not every part instantiates them again.
+// Holds no line of the solution.
 #pragma once
 
 #include <bounce/part1_contacts.hpp>
@@ -22,13 +22,13 @@
 #include <string>
 #include <vector>
 
-// g++ reads instances back more slowly than it makes the few that a part needs.
+// Only for clang: g++ takes longer to read all instances than to make the few that a part needs.
 #ifdef __clang__
 namespace bounce::prelude {
 
-// Never called: that these lines compile makes the instances. Each costs every part about 0.3 ms to
-// read, and about 15 ms a part that makes it anew: so those are here that one part in sixty uses,
-// of the right and the mistaken ones of the gallery.
+// Never called; compiling these lines makes the instances. Reading one costs every part about 0.3
+// ms, and making one costs a part about 15 ms. So an instance is here if at least one in sixty
+// parts of the gallery uses it.
 template <class Matrix, class Vector>
 void square_of(Matrix& A, Matrix& B, Vector& a, double s) {
   A = B.transpose() * A * B;
@@ -136,7 +136,7 @@ inline void instances(Eigen::Matrix2d& A2, Eigen::Vector2d& a2, Eigen::Matrix3d&
   points.push_back(a2);
 }
 
-// What is given to a part is const, and the instances for it are others. The names mean nothing.
+// The arguments of a part are const, which needs other instances. The names mean nothing.
 inline Vector3 instances(const Vector3& a, const Vector3& b, const Vector3& c, const Jacobian& J,
                          const Parameters& params, const Eigen::Matrix<double, 2, 4>& S,
                          const Eigen::Matrix2d& R, const Eigen::Matrix3d& A,

@@ -1,4 +1,4 @@
-// The program that carries a submission: reads a question, calls the submission, writes the
+// The program that a submission is linked into: reads a question, calls the submission, writes the
 // answer, until the judge closes the pipe. It knows no right answer and decides nothing.
 #include <sys/prctl.h>
 #include <unistd.h>
@@ -10,7 +10,7 @@
 
 #include "channel.hpp"
 
-// A runner is linked from the parts at hand; a function that isn't there is null.
+// Weak, because a runner need not hold every part; a missing function is null.
 namespace bounce {
 [[gnu::weak]] Contact get_contacts(const Vector3& q, const Parameters& params);
 [[gnu::weak]] Lcp form_lcp(const Jacobian& J, const Vector3& v, const Parameters& params);
@@ -33,7 +33,7 @@ Trajectory answer_part4(const Frame& question, Frame& answer) {
   return trajectory;
 }
 
-// The answer, and the trajectory that goes with one of part 4.
+// The answer; for part 4 also the trajectory.
 Frame answer_to(const Frame& question, Trajectory& trajectory) {
   Frame answer;
   answer.kind = Kind::answer;
@@ -65,7 +65,7 @@ Frame answer_to(const Frame& question, Trajectory& trajectory) {
   return answer;
 }
 
-// The first T, or one less: as many as the judge then reads.
+// Sends the first T columns, or one less: as many as the judge will read.
 void send_columns(const Frame& question, const Frame& answer, const Trajectory& trajectory) {
   const std::int64_t columns = std::min({answer.q_columns, answer.v_columns, question.T});
   if (columns < 1 || columns < question.T - 1) return;
@@ -87,7 +87,7 @@ void serve() {
 }  // namespace bounce::runner
 
 int main() {
-  ::prctl(PR_SET_PDEATHSIG, 9);  // without a box, too, nothing outlives the judge
+  ::prctl(PR_SET_PDEATHSIG, 9);  // so that it doesn't outlive the judge, even without a box
   try {
     bounce::runner::serve();
   } catch (const bounce::runner::ChannelClosed&) {

@@ -1,10 +1,10 @@
-// Linked with a submission that is built to check itself: what g++'s sanitizers find is told as the
-// cause of the crash that they end it with.
+// Linked with a submission that is built with g++'s sanitizers: reports what they find as the cause
+// of the crash with which they end it.
 #include "crash.hpp"
 
 extern "C" {
 
-// Of the sanitizers' own interface, and called by them.
+// The sanitizers' interface: we call the first two functions, and they call the others.
 const char* __asan_get_report_description();
 void __ubsan_get_current_report_data(const char** kind, const char** message, const char** file,
                                      unsigned* line, unsigned* column, char** address);
@@ -16,10 +16,10 @@ void __ubsan_on_report() {
   unsigned line = 0, column = 0;
   char* address = nullptr;
   __ubsan_get_current_report_data(&kind, &message, &file, &line, &column, &address);
-  bounce::runner::note_finding(kind);  // a name that stays where it is
+  bounce::runner::note_finding(kind);  // a name that stays valid
 }
 
-// Faults are left to the runner, which tells where; leaks are nobody's business here.
+// The runner's handler gets the faults, because it reports the place; leaks aren't checked.
 const char* __asan_default_options() {
   return "abort_on_error=1:handle_segv=0:handle_sigbus=0:handle_sigfpe=0:handle_sigill=0:"
          "disable_coredump=0:detect_leaks=0:symbolize=0:allocator_may_return_null=0:max_allocation_"

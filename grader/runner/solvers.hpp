@@ -1,6 +1,6 @@
 // Precompiled on top of the prelude, for the few parts whose text mentions a decomposition or a
-// matrix of any size: what these are made of takes seconds to make anew, and too long to read
-// for those that don't need it. No line of the solution.
+// matrix of dynamic size. Their instances take seconds to make, and too long to read for parts that
+// don't need them. Holds no line of the solution.
 #pragma once
 
 #include "prelude.hpp"

@@ -85,7 +85,7 @@ class Engine {
     return found;
   }
 
-  // Of these, as many as the model has: one where two touch is the one that comes faster.
+  // As many of these as the model allows: of two, the corner that approaches faster.
   Corners within_model(Corners hit, const Row<Arm<Real>, 4>& r) const {
     if (hit.count == 2 && options_.model.corners < 2) {
       const Real first = methods::normal_velocity(s_, r[hit.index[0]]);
@@ -146,11 +146,11 @@ class Engine {
             body_.epsilon};
   }
 
-  // Two corners. Restitution belongs to what approaches: the other's v_n only must not become
-  // negative. Newton: one LCP. Poisson (Glocker & Pfeiffer 1995, "Multiple impacts with friction in
-  // rigid multibody systems", Nonlinear Dynamics 7): compression, then expansion with at least
-  // epsilon p_i at each corner. Stronge's law is the same as Poisson's here: while both corners
-  // stay pressed and the side goes on sliding or sticking, v_n is linear in P.
+  // Two corners. Restitution applies to corners that approach; the v_n of the other just must not
+  // become negative. Newton: one LCP. Poisson (Glocker & Pfeiffer 1995, "Multiple impacts with
+  // friction in rigid multibody systems", Nonlinear Dynamics 7): compression, then expansion with
+  // at least epsilon p_i at each corner. Stronge's law is the same as Poisson's here: while both
+  // corners stay pressed and the side goes on sliding or sticking, v_n is linear in P.
   void collide_side(const Corners& hit, const Row<Arm<Real>, 4>& r) {
     const Arm<Real>&r_1 = r[hit.index[0]], &r_2 = r[hit.index[1]];
     Row<Real, 2> before{methods::normal_velocity(s_, r_1), methods::normal_velocity(s_, r_2)};
@@ -173,7 +173,7 @@ class Engine {
       closed_ = hit;
       return;
     }
-    // A corner stays closed where it was pressed with nothing to bounce with.
+    // A corner stays closed if it was pressed without enough speed to bounce.
     const auto stays = [&](int i, Real after) {
       return after < cut_ && (approach >= 0 || (pressed[i] > 0 && after < cut_ / 100));
     };
@@ -221,7 +221,7 @@ class Engine {
     return true;
   }
 
-  // Takes out what cut has left of v_y and omega, of theta and y.
+  // Removes what cut has left of v_y and omega, and of theta and y.
   void lay_flat(Real v_t) {
     const Real quarter = std::numbers::pi_v<Real> / 2;
     s_.theta = std::round(s_.theta / quarter) * quarter;
@@ -243,7 +243,7 @@ class Engine {
     return methods::solve_side(k, v_t > 0 ? 1 : -1, false);
   }
 
-  // Sliding slower than this is none: some roundings of what an impact leaves.
+  // Slower sliding than this is only the rounding error of an impact, and counts as none.
   Real slow() const { return 1000 * std::numeric_limits<Real>::epsilon(); }
 
   // Closes one corner: v_n is 0 from now on, and the mode is still to be found.
@@ -272,7 +272,7 @@ class Engine {
     if (ends) leave_mode(guard, k);
   }
 
-  // Finds the mode by the LCP in accelerations; false where the corner doesn't stay.
+  // Finds the mode by the LCP in accelerations; false if the corner doesn't stay.
   bool find_mode(const Arm<Real>& r) {
     const Real v_t = methods::sliding_velocity(s_, r);
     auto forces =

@@ -1,4 +1,4 @@
-// The truth: from event to event, each phase between two in closed form or as a power series.
+// The exact motion, from event to event; each phase in between in closed form or as a power series.
 //
 //   flight      exact parabola; the first contact guaranteed                    first_contact.hpp
 //   impact      of one corner or of two, by the law of impact                   ../methods/
@@ -27,8 +27,9 @@
 
 namespace bounce::exact {
 
-// What a method may use of the whole model: `corners` may touch at once, with friction or without.
-// The ladder of models is made of these; 0 corners is free flight through the ground.
+// The part of the whole model that a method may use: at most `corners` touch at once, with or
+// without friction. The ladder of models consists of these; 0 corners is free flight through the
+// ground.
 struct Model {
   int corners = 2;
   bool friction = true;
@@ -39,7 +40,7 @@ struct EventOptions {
   Model model;
   double cut = 1e-6;               // m/s
   double tolerance = 1e-15;        // of one step of a series, rad and l / sqrt 2
-  double touching = 1e-13;         // m: corners so near the ground touch together
+  double touching = 1e-13;         // m: corners this near the ground touch together
   long events_a_second = 100'000;  // of simulated time; never less than 1000 in all
 };
 
@@ -50,7 +51,7 @@ struct EventReport {
   double flight = 0, corner = 0, flat = 0;
 };
 
-// The motion at each of the times, which ascend from >= 0. Shorter than `times` where the cap was
+// The motion at each of the times, which ascend from >= 0. Shorter than `times` if the cap was
 // reached. Real is double or long double.
 template <class Real>
 std::vector<methods::Motion<Real>> simulate_events(const Parameters& params,

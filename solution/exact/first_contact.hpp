@@ -30,13 +30,13 @@ Motion<Real> fly(const Motion<Real>& s, const Body<Real>& body, Real t) {
           s.omega};
 }
 
-// How far from 0 a height may be to count as 0, m: some rounding errors of y and r_y.
+// A height this near 0 counts as 0, m: a few rounding errors of y and r_y.
 template <class Real>
 Real height_rounding(const Body<Real>& body) {
   return 32 * std::numeric_limits<Real>::epsilon() * body.rho;
 }
 
-// The time until y can reach rho, s: 0 where it is below, infinite where it never does.
+// The time until y can reach rho, s: 0 if it is below, infinite if it never does.
 template <class Real>
 Real time_above(const Motion<Real>& s, const Body<Real>& body) {
   const Real height = s.y - body.rho * (1 + 8 * std::numeric_limits<Real>::epsilon());
@@ -50,8 +50,8 @@ Real time_above(const Motion<Real>& s, const Body<Real>& body) {
 
 // The time of the first contact: a corner at height 0 that comes down. Infinite if there is none
 // before t_end. A corner at 0 that does not come down has just left the ground, perhaps without
-// velocity yet. It is passed by steps that double from 1e-10 s and are at most so long that nothing
-// sinks by 1e-14 m in one.
+// velocity yet. The search passes it by steps that double from 1e-10 s, each so short that nothing
+// sinks by 1e-14 m.
 template <class Real>
 Real first_contact(const Motion<Real>& start, const Body<Real>& body, Real t_end) {
   const Real K = std::max(-body.g_y, Real(0)) + body.rho * start.omega * start.omega;

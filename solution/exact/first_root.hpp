@@ -1,4 +1,4 @@
-// The first root of a function that comes down to 0, and none before it missed.
+// Finds the first root of a function that falls to 0, and misses none before it.
 //
 // With f(t) >= 0 and f'' >= -K from t on, f(t + s) >= f + f' s - K s^2 / 2, so that nothing happens
 // before the positive root of that parabola,
@@ -15,7 +15,7 @@
 
 namespace bounce::exact {
 
-// The step that is surely free of roots.
+// A step in which there is certainly no root.
 template <class Real>
 Real safe_step(Real f, Real slope, Real K) {
   f = std::max(f, Real(0));

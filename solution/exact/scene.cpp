@@ -36,8 +36,9 @@ std::string text_of(double x) {
 
 bool is_usual(double x) { return x == 0 || std::isnormal(x); }
 
-// Finite and normal: on some processors each operation on a denormal number takes a hundred times
-// as long. The field is made a string only to be named: this runs before every simulation.
+// Requires finite and normal numbers: on some processors an operation on a denormal one takes a
+// hundred times as long. Makes the field a string only for an error, because this runs before every
+// simulation.
 void check_number(const char* field, double x) {
   if (!is_usual(x)) refuse_number(field, x);
 }
@@ -57,7 +58,7 @@ void check_columns(int T) {
   if (T < 1) refuse("params.T", "is " + std::to_string(T) + "; it must be 1 or more");
   const double needed = 48.0 * T;
   static const double memory =
-      double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGESIZE));  // asking takes a while
+      double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGESIZE));  // cached: sysconf is slow
   if (needed > memory / 2) {
     refuse("params.T", "is " + std::to_string(T) + ": the columns need " + text_of(needed / 1e9) +
                            " GB, and there are " + text_of(memory / 1e9) + "; take fewer");

@@ -1,4 +1,4 @@
-// A scene of the study: where the square starts, and what a comparison of methods means there.
+// A scene of the study: its parameters, its start, and how methods are compared in it.
 #pragma once
 
 #include <bounce/types.hpp>
@@ -38,15 +38,15 @@ struct Scene {
   std::string why;
 };
 
-// Reads a scene; throws std::invalid_argument with one sentence that names the file and the field
-// where a field is missing, unknown, of the wrong kind, out of range or not finite, and where T
-// columns would not fit into memory.
+// Reads a scene. Throws std::invalid_argument, with a sentence that names the file and the field,
+// if a field is missing, unknown, of the wrong kind, out of range or not finite, or if T columns
+// would not fit into memory.
 Scene read_scene(const std::filesystem::path& file);
 
 // Every scene of a folder, by name of the file.
 std::vector<Scene> read_scenes(const std::filesystem::path& folder);
 
-// Throws std::invalid_argument, naming the field, where numbers can't be simulated.
+// Throws std::invalid_argument, naming the field, if these numbers can't be simulated.
 void check(const Parameters& params, const State& start);
 
 double distance(const Scene& scene, const methods::Motion<double>& one,

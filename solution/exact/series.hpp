@@ -53,8 +53,8 @@ Real value(const Series<Real>& f, int order, Real t) {
 }
 
 // The first time in [0, end] at which a guard becomes negative, or infinity. A guard that is 0 at
-// the start counts if it falls, and not if it only seems to, by less than `still` a second: that is
-// how modes begin. It is passed by steps that double from 1e-12 s.
+// the start, as when a mode begins, counts only if it falls by at least `still` per second.
+// Otherwise the search passes it by steps that double from 1e-12 s.
 template <class Real>
 Real first_fall(const Series<Real>& f, int order, Real end) {
   constexpr Real never = std::numeric_limits<Real>::infinity(), still = Real(1e-9);
@@ -144,7 +144,7 @@ class CornerMotion {
   }
 
  private:
-  // What both modes share once omega' is known to order n: f_n, and the next orders.
+  // The part that both modes share, once omega' is known to order n: f_n, and the next orders.
   void advance(int n) {
     f_n_[n] = -product(r_x_, alpha_, n) + r_y_omega2_[n] - (n ? Real(0) : body_.g_y);
     if (n == order_) return;

@@ -17,9 +17,9 @@ using methods::SideImpulse;
 using methods::StepConstants;
 using methods::TwoCorners;
 
-// What friction could still move the square by, where it is left out for being small, m.
+// Friction is left out if it could move the square by no more than this, m.
 constexpr double kNegligible = 1e-12;
-// A velocity that counts as 0 where the square falls asleep, m/s.
+// Velocities up to this count as 0 when the square falls asleep, m/s.
 constexpr double kStill = 1e-13;
 
 void put(Trajectory& trajectory, Eigen::Index column, const Motion<double>& s) {
@@ -79,7 +79,7 @@ class LeastModelSimulation {
     return angle_;
   }
 
-  // The number of steps whose middles are surely without contact.
+  // The number of steps whose midpoints are certainly without contact.
   long steps_without_contact() {
     const double most = double(last_ - now_);
     Motion<double> middle = s_;
@@ -111,7 +111,7 @@ class LeastModelSimulation {
     double* v = trajectory_.v.data() + 3 * now_;
     const Motion<double> from = s_;
     const double half_x = g_x_ / 2, half_y = g_y_ / 2, dt = k_.dt;
-    for (long i = 1; i <= n; ++i) {  // no column waits for the one before
+    for (long i = 1; i <= n; ++i) {  // no column depends on the one before
       const double t = double(i) * dt;
       q[3 * i] = from.x + t * (from.v_x + half_x * t);
       q[3 * i + 1] = from.y + t * (from.v_y + half_y * t);
@@ -150,8 +150,8 @@ class LeastModelSimulation {
     return std::max({std::abs(s_.v_x), std::abs(s_.v_y), k_.rho * std::abs(s_.omega)});
   }
 
-  // A step from rest to rest is what all later ones are. One that only ends at rest may be where a
-  // square stops before it slides back down.
+  // After a step from rest to rest, all later steps are the same. After one that only ends at rest,
+  // the square may still slide back down.
   void fall_asleep(bool rested) {
     if (!rested || speed() > kStill) return;
     s_.v_x = s_.v_y = s_.omega = 0;
@@ -230,8 +230,8 @@ class LeastModelSimulation {
   bool asleep_ = false, slides_on_ = false, several_ = false, gains_ = false;
 };
 
-// One step of the whole model: the LCP of two corners with friction, whatever touches. A corner
-// that doesn't touch has a u so large that no impulse is needed there.
+// One step of the whole model: always the LCP of two corners with friction. A corner that doesn't
+// touch gets a u so large that it needs no impulse.
 void whole_step(Motion<double>& s, const StepConstants& k) {
   constexpr double kFar = 1e9;  // m/s
   methods::half_step(s, k);

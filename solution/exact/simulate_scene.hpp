@@ -1,7 +1,7 @@
-// A simulator that uses no more model than each step needs, and says which.
+// A simulator that uses the least model that each step needs, and reports which.
 //
-// The scheme is Moreau-Jean's (../methods/moreau_jean.hpp). For each step it goes up a ladder of
-// models until one is proved to give what the whole model would:
+// The scheme is Moreau-Jean's (../methods/moreau_jean.hpp). For each step it climbs a ladder of
+// models, until one provably gives the same as the whole model:
 //
 //   asleep          Both low corners are in contact, and the step before began and ended at rest.
 //                   Gravity doesn't change, so neither will anything else: all other columns are
@@ -16,7 +16,7 @@
 //   two_normals     Two corners, friction left out for the same reasons.
 //   two_frictions   Two corners with friction: the whole model.
 //
-// Where a bound is not met the step is done again, one level or more up.
+// If a bound is not met, the step is done again, one level or more up.
 #pragma once
 
 #include <array>
@@ -31,17 +31,17 @@ struct ModelReport {
   std::array<long, kModelLevels> steps{};  // by level
   std::array<double, kModelLevels> seconds{};
   long raised = 0;                    // steps done again with a larger model
-  std::vector<std::string> warnings;  // each once, with the time when it was first true
+  std::vector<std::string> warnings;  // each once, with the time when it first applied
 };
 
-// params.T columns. Throws std::invalid_argument where check() does.
+// params.T columns. Throws std::invalid_argument if check() does.
 Trajectory simulate_scene(const Parameters& params, const State& start,
                           ModelReport* report = nullptr);
 
-// The same with the whole model in every step: the LCP of two corners, whether they touch or not.
+// The same, with the whole model in every step: the LCP of two corners, whether they touch or not.
 Trajectory simulate_whole(const Parameters& params, const State& start);
 
-// The same by MoreauJean<2> as it is: it asks each step whether a corner can touch, and which.
+// The same by the plain MoreauJean<2>, which tests in each step which corners can touch.
 Trajectory simulate_moreau_jean(const Parameters& params, const State& start);
 
 }  // namespace bounce::exact

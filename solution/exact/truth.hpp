@@ -1,4 +1,4 @@
-// Where the square really is: what methods, and a submission's sweep, are measured by.
+// The exact motion, against which methods and submissions are measured.
 #pragma once
 
 #include <vector>
@@ -8,20 +8,20 @@
 
 namespace bounce::exact {
 
-// The square at even times up to scene.until: kSamples of them, unless another number is asked for.
-// Between them an error may be larger.
+// The square at evenly spaced times up to scene.until, kSamples by default. Between them an error
+// may be larger.
 inline constexpr int kSamples = 20;
 using Samples = std::vector<methods::Motion<double>>;
 
 std::vector<double> sample_times(const Scene& scene, int samples = kSamples);
 
-// The truth: event-driven in long double, with tolerances a thousandth of any method's, so that the
-// event-driven method in double has an error that can be seen. Throws std::runtime_error where the
-// cap on events was reached.
+// The truth: event-driven in long double, with tolerances a thousandth of any method's, so that
+// even the error of the event-driven method in double can be measured. Throws std::runtime_error if
+// the cap on events was reached.
 Samples truth_of(const Scene& scene);
 Samples truth_under(methods::ImpactLaw law, const Scene& scene);
 
-// The largest distance over the samples, m; infinite where some are missing or not finite.
+// The largest distance over the samples, m; infinite if some are missing or not finite.
 double error_of(const Scene& scene, const Samples& samples, const Samples& truth);
 
 // How many steps of about dt make up the time between two samples; at least one.

@@ -3,13 +3,13 @@
 //
 //     contact:  v' = v + dt g + M^-1 J p,   q' = q + dt v' + (0, delta, 0)
 //
-// with p of one_corner.hpp. With delta fixed it converges to something that bounces delta too high
-// and hovers at rest; with delta in proportion to dt, here delta = speed dt, it converges to the
+// with p of one_corner.hpp. With a fixed delta it converges to a motion that bounces delta too high
+// and hovers at rest; with delta proportional to dt, here delta = speed dt, it converges to the
 // motion itself: with order 1 where contacts are impacts, and
 // about 1/2 where they last.
 //
-// The lowest corner without a search: the four arms turn into each other by right angles, so that
-// r_y = -(|cos| + |sin|) l / 2, and r_x has the signs that belong to it.
+// The lowest corner is found without a search: the four arms differ by right angles, so that r_y =
+// -(|cos| + |sin|) l / 2, and the signs of r_x follow.
 #pragma once
 
 #include "one_corner.hpp"
@@ -17,7 +17,7 @@
 
 namespace bounce::methods {
 
-// The numbers of a scheme that do not change.
+// The constants of a scheme.
 struct StepConstants {
   double half, rho, gyration, mu, epsilon, dt, delta, dv_x, dv_y;
 
@@ -38,7 +38,7 @@ inline Arm<double> lowest_arm(double half, double cosine, double sine) {
           -half * (std::abs(cosine) + std::abs(sine))};
 }
 
-// What a contact adds to v, before gravity's part.
+// Adds a contact's impulse to v, before gravity.
 inline void strike(Motion<double>& s, const Arm<double>& r, const StepConstants& k) {
   const double u_n = (1 + k.epsilon) * normal_velocity(s, r) + k.dv_y;
   const double u_t = sliding_velocity(s, r) + k.dv_x;

@@ -80,7 +80,7 @@ class AssignmentFast {
     now_.s.omega *= k_.dt;
   }
 
-  // On copies, which the compiler can keep in registers.
+  // Works on copies, which the compiler can keep in registers.
   void steps(long n) {
     const AssignmentFast scheme = *this;
     Carried c = now_;
@@ -99,7 +99,7 @@ class AssignmentFast {
   }
 
  private:
-  // What goes from step to step.
+  // The state that is passed from step to step.
   struct Carried {
     Motion<double> s;  // with the turn of a step, x, in place of omega
     Turn turn;         // cos theta and sin theta, times l / 2 r_g

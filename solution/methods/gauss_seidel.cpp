@@ -8,7 +8,7 @@ namespace {
 
 using Eigen::Index;
 
-// Repeats sweeps until one changes little; sweep(p) returns the largest change, as a velocity.
+// Repeats sweeps until the largest change, which sweep(p) returns as a velocity, is small.
 template <class Sweep>
 GaussSeidel repeat(Index size, double tolerance, int most_sweeps, const Sweep& sweep) {
   GaussSeidel result{Eigen::VectorXd::Zero(size), 0, false, 0};

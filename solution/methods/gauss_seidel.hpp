@@ -1,5 +1,5 @@
-// Projected Gauss-Seidel for contacts with friction (Jean 1999; Moreau's own solver): one row after
-// the other, the impulse that solves the row alone, projected to where it may be,
+// Projected Gauss-Seidel for contacts with friction (Jean 1999; Moreau's own solver): for one row
+// after the other, it takes the impulse that solves this row alone, projected to its bounds,
 //
 //     p_n <- max(0, p_n - w / a),    p_t <- p_t - v_t / c  within +-mu p_n.
 //
@@ -27,7 +27,7 @@ struct GaussSeidel {
 GaussSeidel gauss_seidel(const Eigen::MatrixXd& G, const Eigen::VectorXd& u, double mu,
                          double tolerance, int most_sweeps);
 
-// On any LCP, row by row: z_i <- max(0, z_i - w_i / V_ii). Empty where a V_ii is 0.
+// On any LCP, row by row: z_i <- max(0, z_i - w_i / V_ii). Empty if a V_ii is 0.
 std::optional<GaussSeidel> gauss_seidel_lcp(const Eigen::MatrixXd& V, const Eigen::VectorXd& p,
                                             double tolerance, int most_sweeps);
 

@@ -61,7 +61,7 @@ int direction(const Collision<Real>& k, Real v_t) {
   return k.b > 0 ? 1 : -1;
 }
 
-// Routh's impact; restitution(P_c, W_c, v_n, slope, P, W) is how much longer it lasts.
+// Routh's impact; restitution(P_c, W_c, v_n, slope, P, W) gives how much longer it lasts.
 template <class Real>
 CornerImpulse<Real> follow_impact(const Collision<Real>& k, ImpactLaw law) {
   constexpr Real never = std::numeric_limits<Real>::infinity();
@@ -100,7 +100,7 @@ CornerImpulse<Real> follow_impact(const Collision<Real>& k, ImpactLaw law) {
 
 }  // namespace detail
 
-// The impulse of an impact. There is none where the corner does not approach.
+// The impulse of an impact; 0 if the corner does not approach.
 template <class Real>
 CornerImpulse<Real> impact(const Collision<Real>& k, ImpactLaw law) {
   if (k.v_n >= 0) return {0, 0, Case::separates};

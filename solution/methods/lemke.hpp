@@ -3,9 +3,9 @@
 // Pang & Stone 1992, "The linear complementarity problem", sections 4.4 and 4.9): the dense
 // tableau, the covering vector of ones, ties broken lexicographically, and pivots no smaller than a
 // tolerance. For contacts with friction in this form it ends in a solution, but for rounding
-// (Stewart & Trinkle 1996; Anitescu & Potra 1997, Nonlinear Dynamics 14). It is here to be
-// compared, and to show where it fails; student/given/solve_lcp.cpp derives the method and scales
-// the problem first, which this one does not.
+// (Stewart & Trinkle 1996; Anitescu & Potra 1997, Nonlinear Dynamics 14). It is here for
+// comparison, and to show where it fails. student/given/solve_lcp.cpp derives the method and first
+// scales the problem, which this one does not.
 #pragma once
 
 #include <Eigen/Dense>
@@ -24,8 +24,8 @@ struct LemkeResult {
 // 0 <= V z + p perpendicular to z >= 0. Numbers below `pivot` count as 0, absolutely.
 LemkeResult lemke(const Eigen::MatrixXd& V, const Eigen::VectorXd& p, double pivot = 1e-12);
 
-// max_i |min(z_i, w_i)| with w = V z + p, and the largest of the negative w_i, in p's unit: what is
-// left of the problem, whatever a solver says. NaN counts as infinite.
+// max_i |min(z_i, w_i)| with w = V z + p, and the largest of the negative w_i, in p's unit: how far
+// z is from a solution, whatever a solver says. NaN counts as infinite.
 double lcp_residual(const Eigen::MatrixXd& V, const Eigen::VectorXd& p, const Eigen::VectorXd& z);
 
 // The LCP of eqs. (9) and (10) for two corners, literally: z = (f_n, f_t1, f_t2, lambda) of the

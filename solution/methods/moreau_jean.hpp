@@ -6,14 +6,15 @@
 //     0 <= p_n  perpendicular to  v_n' + epsilon min(v_n, 0) >= 0,   Coulomb with v_t'
 //     q'  = q_m + dt v' / 2                         the other half with the new one
 //
-// Free flight is exact. There is no delta, rest is exact rest, and impacts come up to a step too
-// late: order 1, and a depth up to v dt. Restitution belongs to corners that approach: epsilon v_n
-// of one that leaves would let it come back through the ground.
+// Free flight is exact. There is no delta, rest is exact, and impacts come up to a step too late:
+// order 1, and a depth up to v dt. Restitution applies only to corners that approach: for one that
+// leaves, epsilon v_n would let it come back through the ground.
 //
 // A corner that is held turns on a circle, which its tangent leaves upward, by less than rho
 // omega^2 dt^2 from one q_m to the next; then it falls free for a step, by g dt^2. So it is in
-// contact in some steps only, and where its neighbour lands, chance would say whether the impact is
-// one of one corner or of two. Hence a corner as low as that is in contact while the other touches.
+// contact only in some steps, and when its neighbour lands, it would be chance whether the impact
+// is one of one corner or of two. Hence a corner this low counts as in contact while the other
+// touches.
 //
 // kCorners 1 takes the lowest corner only. kCorners 2 takes the two lowest, with merged friction.
 #pragma once

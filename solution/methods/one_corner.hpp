@@ -17,11 +17,11 @@
 //
 // For a > mu |b| exactly one case holds (Lotstedt 1981, "Coulomb friction in two-dimensional rigid
 // body systems", ZAMM 61). Cases 3 and 4 exclude each other, since together they need N < 0 and
-// b^2 > ac. Otherwise there may be two more solutions: Painleve's paradox in velocities. At least
-// one there always is (Stewart & Trinkle 1996, theorem 3.1).
+// b^2 > ac. Otherwise there may be two more solutions: Painleve's paradox in velocities. There is
+// always at least one (Stewart & Trinkle 1996, theorem 3.1).
 //
-// One division does for all cases, and the tests are free of division, so that this form is also
-// the fast one; max(0, NaN) is avoided: a NaN comes out as NaN.
+// One division is enough for all cases, and the tests need none, so that this form is also fast. It
+// avoids max(0, NaN), so that a NaN stays NaN.
 #pragma once
 
 #include <cmath>
@@ -63,7 +63,7 @@ CornerImpulse<Real> solve_one_corner(const OneCorner<Real>& k) {
   return {n, -sigma * k.mu * n, sigma > 0 ? Case::slides_right : Case::slides_left};
 }
 
-// Every solution there is, and how many. For a > mu |b| it is one.
+// All solutions, and their number. For a > mu |b| there is one.
 template <class Real>
 struct CornerSolutions {
   Row<CornerImpulse<Real>, 4> all;

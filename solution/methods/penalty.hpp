@@ -3,15 +3,16 @@
 //
 //     f_n = max(0, -stiffness phi - damping v_n),   f_t = -v_t damping_t within +-mu f_n,
 //
-// and semi-implicit Euler. Corners that touch and come at the same v_n are as a mass 1 / a on such
-// a spring, a_i = sum_j (1 + r_ix r_jx / r_g^2) over them. With damping = 2 zeta sqrt(stiffness /
-// a) and a spring that doesn't pull, contact ends where f_n does, and restitution is (Schwager &
-// Poschel 2007, "Coefficient of restitution and linear-dashpot model revisited", Granular Matter 9)
+// and semi-implicit Euler. Corners that touch and approach at the same v_n act like a mass 1 / a on
+// such a spring, a_i = sum_j (1 + r_ix r_jx / r_g^2) over them. With damping = 2 zeta
+// sqrt(stiffness / a) and a spring that doesn't pull, contact ends where f_n does, and restitution
+// is (Schwager & Poschel 2007, "Coefficient of restitution and linear-dashpot model revisited",
+// Granular Matter 9)
 //
 //     epsilon = exp(-2 zeta arccos zeta / sqrt(1 - zeta^2)) = exp(-2 beta cot beta),
 //     zeta = cos beta.
 //
-// A contact lasts about sqrt(kLasting dt): with dt it gets shorter, and has ever more steps,
+// A contact lasts about sqrt(kLasting dt): as dt shrinks it gets shorter but has more steps,
 // without which restitution would stay wrong. Corners sink in, and friction creeps at rest.
 #pragma once
 
@@ -21,8 +22,8 @@
 
 namespace bounce::methods {
 
-// A damper's part of the critical one, zeta. Where epsilon is below e^-2 it is 1: one beyond that
-// would need a shorter step.
+// The damping ratio zeta. For epsilon below e^-2 it is 1, because a larger one would need a shorter
+// step.
 inline double damping_ratio(double epsilon) {
   const double target = -std::log(std::max(epsilon, std::exp(-2.0))) / 2;  // beta cot beta
   if (target >= 1) return 1;
@@ -74,7 +75,8 @@ class Penalty {
       if (touches(arm)) press(before, arm, count + arm.x * sum / k_.gyration);
   }
 
-  // Corners that come at different speeds may give any a: at least that of a free mass is taken.
+  // Corners that approach at different speeds may give any a, so it is at least that of a free
+  // mass.
   void press(const Motion<double>& before, const Arm<double>& r, double a) {
     const double damping = damping_ / std::sqrt(std::max(a, 1.0));
     const double depth = -(before.y + r.y);

@@ -1,6 +1,7 @@
-// What every scheme is: a class that is made of the parameters and the start, with
+// The interface of every scheme: a class that is constructed from the parameters and the start,
+// with
 //
-//     void steps(long n);               n steps of dt
+//     void steps(long n);               makes n steps of dt
 //     Motion<double> motion() const;    where the square is, and how it moves
 //
 // so that a sweep runs all of them with one loop. params.dt is the step.

@@ -21,7 +21,7 @@
 
 namespace bounce::methods {
 
-// A few things in a row, counted by int.
+// A fixed-size array with an int index.
 template <class T, int n>
 struct Row {
   T items[n];

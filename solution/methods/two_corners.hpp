@@ -69,7 +69,7 @@ struct TwoByTwo {
   Real B[2][2], u[2];
 };
 
-// How much x lacks to x >= 0; infinite for NaN, which std::max would hide.
+// By how much x violates x >= 0; infinite for NaN, which std::max would hide.
 template <class Real>
 Real lack(Real x) {
   if (x >= 0) return 0;

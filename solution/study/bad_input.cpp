@@ -23,7 +23,7 @@ struct Spoilt {
   std::function<void(Given&)> spoil;
 };
 
-// A NaN has no sign worth writing.
+// Writes NaN without its sign, which means nothing.
 std::string words(double x) {
   if (std::isnan(x)) return "NaN";
   std::ostringstream text;
@@ -32,7 +32,7 @@ std::string words(double x) {
   return text.str();
 }
 
-// Where the assignment's scheme takes it in a hundred steps, unless it is checked.
+// What the assignment's scheme makes of the input in a hundred steps, without a check.
 std::string unchecked(const Given& given) {
   methods::Assignment scheme(given.params, methods::motion_of<double>(given.start));
   scheme.steps(100);
@@ -65,8 +65,8 @@ std::string lemke_on_nan() {
   return text.str();
 }
 
-// How many times as long a step takes, contact and all, where every velocity is denormal. Each step
-// is the first of its square, since a corner that leaves is not pressed again.
+// How many times as long a step with contact takes if every velocity is denormal. Each step is the
+// first of its square, since a corner that leaves is not pressed again.
 double denormal_cost(const Extent& extent) {
   Parameters params;
   params.g.setZero();

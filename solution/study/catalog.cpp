@@ -25,7 +25,7 @@ Samples run_scheme(const Scene& scene, double dt, int samples, double delta_spee
                          steps_between_samples(scene, dt, samples));
 }
 
-// Bounces may end the sooner, the less exact the rest is.
+// The less exact the rest is, the sooner bounces may end.
 EventOptions options_for(double tolerance) {
   EventOptions options;
   options.tolerance = tolerance;

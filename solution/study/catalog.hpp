@@ -11,8 +11,8 @@ namespace bounce::study {
 
 using namespace exact;
 
-// Why an error may stop falling, in words, and what does better where that is so: a method without
-// that limit; or the method itself, measured by the truth under another law of impact.
+// Why an error may stop falling, in words, and a cure that then does better: a method without that
+// limit, or the method itself, measured against the truth under another law of impact.
 struct Limit {
   std::string cure, words;
   methods::ImpactLaw law = methods::ImpactLaw::newton;

@@ -1,6 +1,6 @@
 // bounce_study [--quick] SCENES FOLDER [QUESTION ...]: reads the scenes of a folder, answers the
-// questions, all of them unless some are named, and writes a CSV for each into FOLDER. --quick
-// measures fewer rounds and coarser maps.
+// named questions (by default all), and writes a CSV for each into FOLDER. --quick measures fewer
+// rounds and coarser maps.
 #include <algorithm>
 #include <functional>
 #include <iostream>
@@ -21,7 +21,7 @@ Question timed(Table (*answer)(const Scenes&, const Extent&)) { return {answer, 
 Question timed(Table (*answer)(const Extent&)) {
   return {[answer](const Scenes&, const Extent& extent) { return answer(extent); }, true};
 }
-// Of the scenes, of the extent, and of neither.
+// An untimed question depends on the scenes, on the extent, or on neither.
 Question untimed(Table (*answer)(const Scenes&)) {
   return {[answer](const Scenes& scenes, const Extent&) { return answer(scenes); }};
 }

@@ -1,6 +1,5 @@
 // kit_methods_bench: what one step, one LCP and one second of each method cost, by Google
-// Benchmark. Counters: ns_each is the time of one step; residual is what an LCP's answer leaves of
-// it, m/s.
+// Benchmark. Counters: ns_each is the time of one step; residual is that of an LCP's answer, m/s.
 #include <benchmark/benchmark.h>
 
 #include <bounce/part1_contacts.hpp>
@@ -29,8 +28,8 @@ void per_item(benchmark::State& state, double items) {
       items * 1e-9, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
-// Without restitution and with a small delta a square that slides down a slope sinks in, and the
-// ground pushes in every step.
+// Without restitution and with a small delta, a square that slides down a slope sinks in, so that
+// every step has a contact.
 Parameters contact_parameters() {
   Parameters params;
   params.epsilon = 0;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kFine = 1e-3;  // m
 
-// The scene with no more than this model, its times of impact exact.
+// Simulates the scene with at most this model, with exact times of impact.
 Samples run_model(const Scene& scene, ModelLevel level) {
   const auto start = methods::motion_of<double>(scene.start);
   if (level == ModelLevel::asleep) return Samples(kSamples, start);
@@ -28,15 +28,15 @@ Samples run_model(const Scene& scene, ModelLevel level) {
   return simulate_events<double>(scene.params, start, sample_times(scene), options);
 }
 
-// Memory that is given back stays with this process, so that none of the times is that of the
-// system handing out pages, which is longer than a flight.
+// Keeps freed memory in this process, so that no time includes the system's allocation of pages,
+// which takes longer than a flight.
 void keep_memory() {
   mallopt(M_MMAP_THRESHOLD, 1 << 28);
   mallopt(M_TRIM_THRESHOLD, 1 << 29);
 }
 
-// How many times as fast simulate_scene is as the same scheme with the whole model in every step,
-// and as that scheme as it is.
+// How many times as fast simulate_scene is as its scheme with the whole model in every step, and as
+// the plain scheme.
 struct Gain {
   double whole, moreau_jean;
 };

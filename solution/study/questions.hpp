@@ -1,5 +1,4 @@
-// The questions of the study; each answers with one table. Beside each, the page of the reference
-// that it reproduces: nothing is copied from there, all is measured.
+// The questions of the study. Each returns one table.
 #pragma once
 
 #include <vector>
@@ -14,8 +13,8 @@ using namespace exact;
 
 using Scenes = std::vector<Scene>;
 
-// How fast, and how exact: every scene, method and setting. CPU time, the median of several rounds
-// in which all methods take turns; ns per simulated second. A note says why a method does not get
+// Speed and error for every scene, method and setting. CPU time, the median of several rounds in
+// which all methods take turns; ns per simulated second. A note says why a method does not get
 // below 1 mm in a scene.
 Table speed_accuracy(const Scenes& scenes, const Extent& extent);
 // How many times as long as the assignment's scheme each method takes, with dt 0.001 s and
@@ -41,9 +40,9 @@ Table almost_flat();
 Table flat_landing();
 // Height and drift in ten seconds of rest, after each step, by method and dt.
 Table rest_and_drift(const Scenes& scenes);
-// What scaling m and dt does to solvers.
+// The effect of scaling m and dt on solvers.
 Table scaling();
-// What bad input does where nobody checks it, and what is said where somebody does.
+// The effect of bad input without checks, and the messages of the checks.
 Table bad_input(const Extent& extent);
 // Single numbers that the pages name: Kane's paradox, Painleve's, and others.
 Table examples();

@@ -32,7 +32,7 @@ Job job_of(const Scene& scene, const Method& method, double setting) {
   return {[&scene, &method, setting] { method.run(scene, setting); }};
 }
 
-// The setting as it was run, and what it is.
+// The setting as it was run, and its kind.
 std::pair<double, const char*> setting_of(const Scene& scene, const Method& method,
                                           double setting) {
   if (method.has_step) return {fitting_step(scene, setting), "dt_s"};

@@ -50,7 +50,7 @@ double largest_gain(ImpactLaw law, double mu, double epsilon) {
   return largest;
 }
 
-// The least epsilon that can gain, over the same angles; 1 where none can.
+// The least epsilon that can gain energy, over the same angles; 1 if none can.
 double least_limit(double mu) {
   double least = 1;
   for (int i = 0; i <= 45; ++i) {
@@ -82,7 +82,7 @@ methods::GaussSeidel stack(double R, double tolerance) {
   return methods::gauss_seidel(G, u, 0, tolerance, 100'000'000);
 }
 
-// What Lemke's method needs for the same two contacts: its pivots.
+// The number of pivots of Lemke's method for the same two contacts.
 int lemke_pivots(double R) {
   Eigen::Matrix2d G;
   G << 1, -1, -1, 1 + 1 / R;
@@ -93,7 +93,7 @@ int lemke_pivots(double R) {
 
 constexpr int kMostSweeps = 10'000;
 
-// The share of one-corner contacts with random arms and velocities that don't converge by then.
+// The share of one-corner contacts with random arms and velocities that don't converge.
 double share_without_end(double mu) {
   std::mt19937_64 random(1);
   const auto uniform = [&](double low, double high) {
@@ -112,8 +112,8 @@ double share_without_end(double mu) {
   return double(endless) / kContacts;
 }
 
-// How deep the lowest corner gets in the first steps: the deepest over starts whose heights are
-// spread evenly over what it falls in one step, so that no method is lucky.
+// How deep the lowest corner gets in the first steps: the maximum over starts whose heights are
+// spread evenly over the fall of one step, so that no method is lucky.
 template <class Scheme>
 double deepest(double speed, double dt) {
   Parameters params;
@@ -135,10 +135,10 @@ double deepest(double speed, double dt) {
 constexpr double kLeastPivot = 1e-12;
 
 struct Residuals {
-  double lemke;          // of the 8x8, where Lemke says "solved", m/s
-  double merged;         // of the merged problem, m/s
-  double merged_in_8x8;  // what the merged impulses leave of the 8x8, m/s
-  int wrong;             // how often Lemke says "solved" with more than 1e-6
+  double lemke;          // residual of the 8x8 if Lemke says "solved", m/s
+  double merged;         // residual of the merged problem, m/s
+  double merged_in_8x8;  // residual of the merged impulses in the 8x8, m/s
+  int wrong;             // how often Lemke says "solved" with a residual above 1e-6
   int rays;              // and how often it finds none
 };
 
@@ -158,8 +158,8 @@ Eigen::VectorXd as_forces(const methods::Lcp8& lcp, const methods::SideImpulse<d
   return z;
 }
 
-// What impulses leave of the merged problem, m/s: how far p is from its projection onto what is
-// allowed, one step against w and v_t away. 0 for a solution, and for nothing else.
+// The residual of impulses in the merged problem, m/s: the distance from p to the projection of p -
+// (w, v_t) onto the allowed impulses. 0 for a solution, and for nothing else.
 double residual_of(const methods::TwoCorners<double>& k, const methods::SideImpulse<double>& p) {
   const double friction = k.mu * (k.P_0 + p.n[0] + p.n[1]);
   const double v_t = k.b(0) * p.n[0] + k.b(1) * p.n[1] + k.c() * p.t + k.u_t;
@@ -171,8 +171,8 @@ double residual_of(const methods::TwoCorners<double>& k, const methods::SideImpu
   return worst;
 }
 
-// The worst over random velocities of a square turned by theta to 1.8 theta, both low corners in
-// contact.
+// The worst residuals over random velocities, of a square turned by theta to 1.8 theta with both
+// low corners in contact.
 Residuals residuals_at(double theta) {
   const Parameters params;
   const auto jacobian = [](const Arm<double>& arm) {

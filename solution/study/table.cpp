@@ -35,7 +35,7 @@ std::string line(const std::vector<std::string>& values) {
   return text + "\n";
 }
 
-// The value of the first line of /proc/cpuinfo that begins so.
+// The value of the first line of /proc/cpuinfo with this name.
 std::string cpu(const std::string& name) {
   std::ifstream in("/proc/cpuinfo");
   for (std::string text; std::getline(in, text);) {

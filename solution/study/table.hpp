@@ -30,7 +30,7 @@ class Table {
   static std::string text(const std::string& value) { return value; }
   static std::string text(const char* value) { return value; }
   static std::string text(double value);
-  // Empty where there is no number to write.
+  // Empty if there is no number to write.
   static std::string text(const std::optional<double>& value) { return value ? text(*value) : ""; }
   static std::string text(long value) { return std::to_string(value); }
   static std::string text(int value) { return std::to_string(value); }
@@ -41,7 +41,7 @@ class Table {
   std::vector<std::vector<std::string>> rows_;
 };
 
-// Where the numbers come from: "# machine: ...", and so on; "# times: ..." where there are any.
+// Where the numbers come from: "# machine: ...", and so on; "# times: ..." if there are any.
 std::vector<std::string> origin(const std::string& times = "");
 
 // How times are taken: on the core that the process is pinned to, or -1.

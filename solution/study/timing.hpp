@@ -1,6 +1,6 @@
-// CPU time of several jobs, taken in turn: each round runs every job once, so that what disturbs
-// the machine for a while disturbs all of them. Medians over the rounds; two jobs are compared by
-// the median of their ratios within a round.
+// CPU time of several jobs, taken in turn: each round runs every job once, so that a temporary
+// disturbance affects all of them. Medians over the rounds; two jobs are compared by the median of
+// their ratios within a round.
 #pragma once
 
 #include <functional>
@@ -8,10 +8,10 @@
 
 namespace bounce::study {
 
-// How much a question measures. The charts of ./kit study are of the whole extent.
+// How much a question measures. The charts of ./kit study use the whole extent.
 struct Extent {
   int rounds = 21;
-  double least_ns = 1e6;  // a timing repeats its job for at least so long
+  double least_ns = 1e6;  // a timing repeats its job for at least this long
   int fineness = 2;       // of the maps
 };
 inline constexpr Extent kQuick{3, 1e5, 1};
@@ -28,10 +28,10 @@ void time_in_turn(std::vector<Job>& jobs, const Extent& extent);
 // The value below which a share of the sorted values lies; 0.5 is the median.
 double quantile(std::vector<double> values, double share = 0.5);
 
-// Of each round, how many times as long the job took as the other.
+// For each round, how many times as long the job took as the other.
 std::vector<double> ratios(const Job& job, const Job& other);
 
-// Keeps this process on the core it runs on, where the system allows it; -1 where it doesn't.
+// Pins this process to its current core; returns -1 if the system doesn't allow it.
 int pin_to_one_core();
 
 }  // namespace bounce::study

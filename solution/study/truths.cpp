@@ -6,7 +6,7 @@
 namespace bounce::study {
 namespace {
 
-// Digits that give the same double again.
+// Enough digits to read back the same double.
 std::string exactly(double x) {
   char text[40];
   std::snprintf(text, sizeof text, "%.17g", x);

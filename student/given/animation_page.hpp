@@ -1,7 +1,7 @@
-// The page that render writes, but for its data: head, style and body around a script that draws
-// `animation` = {l, dt, delta, q, motion, right}. q is three rows; motion is {m, g, v}, or null
-// where velocities aren't known; right is another q to compare with, or null. It asks for nothing
-// from anywhere.
+// The page that render writes, without its data: head, style and body around a script that draws
+// `animation` = {l, dt, delta, q, motion, right}. q is three rows; motion is {m, g, v}, or null if
+// velocities aren't known; right is another q to compare with, or null. The page loads nothing
+// else.
 #pragma once
 
 #include <string_view>

@@ -1,4 +1,4 @@
-// The script's second part: the stage with the square, its way, its forces and the right one.
+// The script's second part draws the stage: the square, its path, its forces, and the right square.
 #pragma once
 
 #include <string_view>
@@ -12,7 +12,7 @@ let whole = null; // the view of the whole trajectory
 const wide = () => stage.clientWidth;
 const high = () => stage.clientHeight;
 const comparing = () => right !== null && compare.checked;
-const small = () => l * whole.scale < 16; // too small a square to be seen in the whole
+const small = () => l * whole.scale < 16; // the square is too small in the whole view
 
 // A view shows the world's point (x, y), m, at the stage's (X, Y), pixels, with `scale` pixels a metre.
 const view = (scale, x, y, X, Y) => ({
@@ -36,19 +36,20 @@ function fit() {
   const scale = Math.min(
     width / (rightmost - leftmost + 2 * reach),
     height / (top - bottom + 2 * reach),
-    (0.3 * Math.min(width, height)) / l, // a square that hardly moves need not fill the stage
+    (0.3 * Math.min(width, height)) / l, // a square that hardly moves doesn't fill the stage
   );
   const spare = height - (top - bottom + 2 * reach) * scale;
   return view(scale, (leftmost + rightmost) / 2, bottom - reach, margin.left + width / 2, high() - margin.bottom - spare / 4);
 }
 
-// The least of 1, 2, 5, 10, 20, ... that is not below `least`.
+// The smallest of 1, 2, 5, 10, 20, ... that is at least `least`.
 function round125(least) {
   const power = 10 ** Math.floor(Math.log10(least));
   return [1, 2, 5, 10].map((n) => n * power).find((n) => n >= least * (1 - 1e-9));
 }
 
-// The multiples of `step` from a to b. They are counted, since far from 0 a sum may stand still.
+// The multiples of `step` from a to b. They are counted: far from 0, adding a step may change
+// nothing.
 function multiples(step, a, b) {
   const first = Math.ceil(a / step);
   const count = Math.min(Math.floor(b / step) - first + 1, 200) || 0;
@@ -101,8 +102,8 @@ function drawGround(at) {
   ctx.fillRect(0, at.Y(0), wide(), 1.5);
 }
 
-// The way of the lowest corner up to s, with dots at the columns in contact. Points that would fall
-// on the last one are left out, and so are those too far off for a canvas to draw.
+// The path of the lowest corner up to s, with dots at the columns in contact. Points that would
+// fall on the last one are left out, and so are those too far off for a canvas to draw.
 function drawTrace(at, s, of = q, points = lows, name = "corner") {
   const nowhere = { k: -1, X: Infinity, Y: 0 };
   const off = (a, b) => Math.abs(a.X - b.X) + Math.abs(a.Y - b.Y);
@@ -127,7 +128,7 @@ function drawTrace(at, s, of = q, points = lows, name = "corner") {
   for (const { X, Y } of dots) disc(X, Y, name === "corner" ? 3 : 2, name);
 }
 
-// Lays the square's outline as the path, and gives its corners on the stage.
+// Makes the square's outline the current path, and returns its corners on the stage.
 function outline(at, [x, y, theta]) {
   const c = corners(theta).map(([r_x, r_y]) => [at.X(x) + r_x * at.scale, at.Y(y) - r_y * at.scale]);
   ctx.beginPath();
@@ -136,7 +137,7 @@ function outline(at, [x, y, theta]) {
   return c;
 }
 
-// Where the square was at equal steps of time, as a stroboscope shows it.
+// Past positions of the square at equal steps of time, as under a stroboscope.
 function drawPast(at, s) {
   const every = round125(Math.max(T / 20, 1));
   ctx.globalAlpha = 0.28;
@@ -171,11 +172,12 @@ function drawRight(at, s) {
   ctx.setLineDash([]);
 }
 
-const echo = 0.15; // s on the reader's clock: a bounce lasts one step, too short to be seen
+const echo = 0.15; // s of real time: a bounce lasts one step, too short to be seen
 const strongest = forces.reduce((most, f) => (f ? Math.max(most, Math.hypot(...f)) : most), 0);
 
-// The force of the ground at its corner, the longest arrow a quarter of the stage. While playing,
-// those of the columns just gone are seen pale; one that stands shows what acts in it and no more.
+// The force of the ground at its corner; the longest arrow is a quarter of the stage. While
+// playing, forces of the previous columns stay visible in a pale colour; a paused picture shows
+// only its own.
 function drawForces(at) {
   const now = columnShown();
   const pixels = Math.min(high() / 4, 120) / strongest;
@@ -205,7 +207,7 @@ function arrow(X, Y, toX, toY) {
   stroke("force", 3);
 }
 
-// A small square is ringed, and shown under a lens as well.
+// Rings a small square, and shows it under a lens.
 function drawLens() {
   const [x, y] = pose(shown());
   const radius = Math.min(72, high() / 5);

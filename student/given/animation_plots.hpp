@@ -1,4 +1,4 @@
-// The script's third part: phi and the energies over time, with a cursor at the time shown.
+// The script's third part plots phi and the energies over time, with a cursor at the time shown.
 #pragma once
 
 #include <string_view>
@@ -10,7 +10,7 @@ inline constexpr std::string_view page_plots = R"js(// ---- plots ----
 const plotting = plots.getContext("2d");
 let still = null; // the plots without their cursor, drawn once for each size and colour
 
-// Each line has a dash and a name of its own, so that it needs no colour.
+// Each line has its own dash and name, so that no colour is needed.
 function panels() {
   const height = [{ name: "\u03c6", values: lows.map(({ y }) => y), colour: "corner", dash: [], width: 2 }];
   if (comparing()) height.push({ name: "right", values: lowsRight.map(({ y }) => y), colour: "right", dash: [6, 4], width: 1.5 });
@@ -25,7 +25,7 @@ function panels() {
 const edges = { left: 54, right: 84, top: 20, bottom: 20, gap: 26 };
 const timeX = (s) => edges.left + (s / Math.max(T - 1, 1)) * (plots.clientWidth - edges.left - edges.right);
 
-// Names at the lines' ends, moved apart where they would cover each other.
+// Names at the lines' ends, moved apart if they would overlap.
 function drawNames(on, lines, Y, low, high) {
   const ends = lines.map((line) => ({ line, at: Y(line.values[line.values.length - 1]) || low }));
   ends.sort((a, b) => a.at - b.at);

@@ -1,4 +1,4 @@
-// The script's last part: what the reader does, and how the page begins.
+// The script's last part: buttons and keys, and how the page begins.
 #pragma once
 
 #include <string_view>
@@ -49,7 +49,7 @@ const keys = {
   c: () => right && compare.click(),
 };
 
-// What already answers a key by itself is left to do so.
+// Whether the focused control handles this key itself.
 const answers = (target, key) =>
   target === speed || (target === slider && key !== " ") || ((target === play || target === compare) && key === " ");
 

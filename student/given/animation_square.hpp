@@ -1,4 +1,4 @@
-// The script's first part: where the square is, what pushes it, what time it is, and the text.
+// The script's first part: the square's pose, its forces, the time, and the text.
 #pragma once
 
 #include <string_view>
@@ -32,8 +32,7 @@ function lowest([x, y, theta]) {
 const column = (t, of = q) => of.map((row) => row[t]);
 const lows = q[0].map((_, t) => lowest(column(t)));
 
-// Where the square is drawn, s columns on: between two columns, on the straight way from one to the
-// other. At a whole s it is the column itself.
+// The square's pose at column s, interpolated linearly between two columns if s isn't whole.
 function pose(s, of = q) {
   const last = of[0].length - 1;
   const t = Math.min(Math.floor(s), last);
@@ -43,8 +42,8 @@ function pose(s, of = q) {
 
 // ---- forces and energies ----
 
-// The force of the ground in the step from column t, (f_t, f_n) in N: eq. (13), solved for it,
-// f = M ((v' - v) / dt - g). None without contact at the start of the step, eq. (11).
+// The force of the ground in the step from column t, (f_t, f_n) in N: eq. (13) solved for the
+// force, f = M ((v' - v) / dt - g). Null without contact at the start of the step, eq. (11).
 function force(t) {
   if (!motion || t + 1 >= T || !(lows[t].y < delta)) return null;
   const { m, g, v } = motion;
@@ -53,7 +52,7 @@ function force(t) {
 
 const forces = q[0].map((_, t) => force(t));
 
-// Kinetic, potential and both, in J; a potential of 0 is at the world's origin.
+// Kinetic and potential energy and their sum, J; the potential is 0 at the world's origin.
 function energies(t) {
   const { m, g, v } = motion;
   const kinetic = (m / 2) * (v[0][t] ** 2 + v[1][t] ** 2 + ((l * l) / 6) * v[2][t] ** 2);
@@ -65,20 +64,20 @@ function energies(t) {
 
 const lowsRight = right ? right[0].map((_, t) => lowest(column(t, right))) : [];
 
-// The first column that differs by more than rounding; -1 where none does.
+// The first column that differs by more than rounding; -1 if none does.
 const parted = right ? q[0].findIndex((_, t) => !column(t).every((x, i) => Math.abs(x - right[i][t]) <= 1e-6 * Math.max(1, Math.abs(x)))) : -1;
 
 // ---- time ----
 
-const rest = 0.8; // s to look at the last column before the loop starts again
-let position = 0; // in columns, from 0 to T - 1 and on through the rest
+const rest = 0.8; // s that the last column is shown before the loop starts again
+let position = 0; // in columns, from 0 to T - 1 and beyond during the rest
 let playing = false;
 let clock = null; // ms, when the position was last moved on
 let frame = 0; // the next frame's handle
 
 const shown = () => Math.min(position, T - 1);
 const columnShown = () => Math.floor(shown());
-// Columns a second. The bound keeps it finite for the tiniest dt.
+// Columns per second. The bound keeps it finite for the tiniest dt.
 const rate = () => Math.min(speed.value === "fit" ? Math.max(T - 1, 1) / 10 : Number(speed.value) / dt, 1e12);
 
 function tick(now) {

@@ -5,8 +5,9 @@
 
 namespace bounce {
 
-// Blue, vermilion, bluish green and reddish purple are told apart by every kind of colour vision
-// (Okabe and Ito's palette, darker or lighter for contrast). Dashes and words say the same again.
+// With every kind of colour vision, one can tell blue, vermilion, bluish green and reddish purple
+// apart (Okabe and Ito's palette, darker or lighter for contrast). Dashes and words repeat the
+// information.
 inline constexpr std::string_view page_style = R"css(<style>
 :root {
   --paper: #f6f5f1; --card: #ffffff; --text: #22252a; --quiet: #646a73; --edge: #dcdad3; --grid: rgba(0, 0, 0, 0.07);

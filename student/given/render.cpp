@@ -77,7 +77,7 @@ std::string html(const Trajectory& trajectory, const Parameters& params,
   throw std::runtime_error("cannot write " + page.string() + ": " + reason);
 }
 
-// A file changes its name in one go, so a reader sees the old page or the new one, never a half.
+// Renaming a file is atomic, so a reader sees the old page or the new one, never half of one.
 void replace(const fs::path& page, std::string_view text) {
   if (fs::exists(page) && !fs::is_regular_file(page))
     fail_to_write(page, "it is there already and is not a file");

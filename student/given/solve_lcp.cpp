@@ -48,7 +48,7 @@ constexpr double kTolerance = 1e-12;  // of the problem's scale, see residual()
 constexpr double kRounding = 16.0 * std::numeric_limits<double>::epsilon();
 constexpr int kMaxPivots = 50;  // only 32 bases hold z_0, and most contacts take 3 or 4 pivots
 
-// The scaling, with the way in for w and p, and for z.
+// The scaling, with functions that scale w, p and z.
 struct Scaling {
   Vector4d d;
   double s;
@@ -60,7 +60,7 @@ double power_of_two(double x) { return std::ldexp(1.0, std::ilogb(x)); }  // in 
 
 double inverse_of_size(double x) { return x > 0.0 ? 1.0 / power_of_two(x) : 1.0; }
 
-// The largest |V_ij| or |V_ji| over j, each times its weight.
+// The largest |V_ij| or |V_ji| over j, each times the weight of j.
 double largest(const Matrix4d& V, Index i, const Vector4d& weights) {
   double size = 0.0;
   for (Index j = 0; j < 4; ++j)
@@ -86,7 +86,7 @@ struct Lemke {
   Tableau T;
   Eigen::Matrix<Index, 4, 1> basic{kW, kW + 1, kW + 2, kW + 3};
 
-  // Lets a variable enter the basis, and returns the one that leaves it, that of the row.
+  // Lets a variable enter the basis in a row, and returns the one that leaves it.
   Index pivot(Index row, Index entering) {
     const Vector4d column = T.col(entering);
     for (Index k = 0; k < T.cols(); ++k) {
@@ -97,7 +97,8 @@ struct Lemke {
     return std::exchange(basic(row), entering);
   }
 
-  // Whether row i blocks the entering variable before row j does: ratios, multiplied out.
+  // Whether row i blocks the entering variable before row j does. Compares ratios by
+  // cross-multiplication.
   bool blocks_before(Index i, Index j, Index entering) const {
     const double t_i = T(i, entering), t_j = T(j, entering);
     for (Index k = 0; k < kZ; ++k) {
@@ -131,8 +132,8 @@ struct Lemke {
   }
 };
 
-// z' of the basis B where Lemke's path ends. B x = p' is solved anew from the numbers the path
-// began with, by the inverse in the tableau and a step of refinement. On a ray z_0 counts as 0.
+// z' of the basis B where Lemke's path ends. Solves B x = p' again from the original numbers, by
+// the inverse in the tableau and a step of refinement. On a ray z_0 counts as 0.
 Vector4d follow_path(const Matrix4d& V, const Vector4d& p) {
   Tableau start;
   start << p, Matrix4d::Identity(), -V, -Vector4d::Ones();

@@ -1,4 +1,4 @@
-// Given: a scene of the public fixtures whose right trajectory is known.
+// Given: reads a scene of the public fixtures whose right trajectory is stored.
 #pragma once
 
 #include <bounce/types.hpp>

@@ -1,4 +1,5 @@
-"""What the Python tests share: the grader on the path, and submissions made from the solution."""
+"""Shared by the Python tests: puts the grader on the path, and makes submissions from the
+solution."""
 
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -34,7 +35,7 @@ def write(folder: Path, files: dict[str, bytes]) -> Path:
 
 @pytest.fixture
 def grade(tmp_path: Path) -> Grade:
-    """Grades the solution with some files replaced, added, or (None) taken away."""
+    """Grades the solution with some files replaced, added, or (None) removed."""
     from bounce_grader.grading.grade import grade as grade_path
 
     def graded(changes: dict[str, bytes | None]) -> dict[str, Any]:
@@ -74,7 +75,7 @@ def lost(record: dict[str, Any]) -> list[str]:
 
 
 def pytest_terminal_summary(terminalreporter: Any) -> None:
-    """What tests have to show, such as a table, by record_property("shown", text)."""
+    """Prints what tests report by record_property("shown", text), such as a table."""
     for report in terminalreporter.getreports("passed") + terminalreporter.getreports("failed"):
         for name, text in report.user_properties:
             if name == "shown":

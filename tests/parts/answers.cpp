@@ -7,7 +7,7 @@
 namespace bounce::tests {
 namespace {
 
-constexpr int kShort = 40;  // columns of a trajectory that is known to its end
+constexpr int kShort = 40;  // columns; of a shorter trajectory, the last column is compared
 
 std::map<int, std::function<Eigen::VectorXd(const Case&)>>& functions() {
   static std::map<int, std::function<Eigen::VectorXd(const Case&)>> by_part;

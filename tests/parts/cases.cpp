@@ -48,7 +48,7 @@ Eigen::Matrix3Xd columns(const json& list) {
   return m;
 }
 
-// A whole number; what else JSON has for numbers would be rounded, or wrapped around.
+// Reads an integer; other JSON numbers would be rounded or overflow.
 int whole(const json& number, int least, int most) {
   if (!number.is_number_integer() || number < least || number > most) refuse("an odd number");
   return number.get<int>();
@@ -99,7 +99,7 @@ Eigen::ArrayXXd errors(const Eigen::MatrixXd& expected, const Eigen::MatrixXd& g
 // --- words ---
 
 std::string number(double x) {
-  if (std::isnan(x)) return "nan";  // its sign means nothing
+  if (std::isnan(x)) return "nan";  // without its sign
   std::ostringstream out;
   out << std::setprecision(12) << x;
   return out.str();
@@ -107,13 +107,13 @@ std::string number(double x) {
 
 using Marks = Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic>;
 
-// A scalar, (a, b, c), or the rows of a matrix one below the other; what isn't right in brackets.
+// A scalar, (a, b, c), or the rows of a matrix below each other, with wrong entries in brackets.
 std::string words(const Eigen::MatrixXd& m, const std::string& indent, const Marks& right) {
   if (m.size() == 1) return number(m(0));
   const auto entry = [&](Eigen::Index i, Eigen::Index j) {
     return right(i, j) ? number(m(i, j)) : "[" + number(m(i, j)) + "]";
   };
-  const bool column = m.cols() == 1;  // is written in a line
+  const bool column = m.cols() == 1;  // a vector is written in one line
   std::string text = "(";
   for (Eigen::Index i = 0; i < m.rows(); ++i) {
     if (i > 0) text += column ? ", " : ")\n" + indent + "(";
@@ -132,7 +132,7 @@ std::string unit_of(const std::string& input) {
   return "  1, 1, m";
 }
 
-// The parameters that aren't the assignment's: those that a reader needs beside the question.
+// The parameters that differ from the assignment's, which a reader needs to know.
 std::string other_parameters(const Parameters& p) {
   const Parameters usual;
   std::string text;
@@ -195,7 +195,7 @@ std::vector<Case> read_cases(const json& checks, const std::string& check, bool 
   return cases;
 }
 
-// Read once, since every check of a part is in the same files.
+// Caches each file, since all checks of a part are in the same files.
 const json& checks_in(const std::filesystem::path& file) {
   static std::map<std::filesystem::path, json> read;
   auto known = read.find(file);
@@ -206,7 +206,7 @@ const json& checks_in(const std::filesystem::path& file) {
   return known->second;
 }
 
-// "part3.FallsFreely" is in the file whose stem begins with "part3".
+// The cases of a check. Those of "part3.FallsFreely" are in files whose stem begins with "part3".
 std::vector<Case> cases_of(const std::string& check) {
   std::vector<Case> cases;
   for (const auto& folder : fixture_folders()) {
@@ -243,7 +243,7 @@ std::vector<Case> read_all_cases(std::istream& file) {
 
 void for_each_case(const std::function<Problem(const Case&)>& ask) {
   const std::vector<Case> cases = cases_of(running_check());
-  std::string told;  // the first wrong case, unless the program ended on another one
+  std::string told;  // the first wrong case, or the one at which the program ended
   std::size_t wrong = 0;
   for (const Case& c : cases) {
     bool ended = false;

@@ -15,11 +15,11 @@ namespace {
 using Eigen::Index;
 using Marks = Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic>;
 
-constexpr double kNothing = 1e-14;   // what rounding leaves of a 0
-constexpr double kNeverSet = 1e300;  // g++ fills a lone number with -5e303, clang with NaN
+constexpr double kNothing = 1e-14;   // numbers below this are rounding errors of 0
+constexpr double kNeverSet = 1e300;  // g++ fills an unset number with -5e303, clang with NaN
 
 std::string number(double x, int digits) {
-  if (std::isnan(x)) return "nan";  // its sign means nothing
+  if (std::isnan(x)) return "nan";  // without its sign
   char text[32];
   std::snprintf(text, sizeof text, "%.*g", digits, std::abs(x) < kNothing ? 0.0 : x);
   return text;
@@ -29,7 +29,7 @@ std::string padded(const std::string& text, std::size_t width) {
   return text.size() < width ? text + std::string(width - text.size(), ' ') : text;
 }
 
-// Six digits, or as many as it takes to see that a wrong number is another.
+// Six digits, or more if a wrong number would look the same as the right one.
 int digits_for(const Difference& d, const Marks& right) {
   for (Index i = 0; i < d.got.size(); ++i) {
     if (!right(i) && number(d.got(i), 6) == number(d.expected(i), 6)) return 12;
@@ -59,7 +59,7 @@ Rows rows_of(const Eigen::MatrixXd& m, const Marks* right, int digits) {
   return rows;
 }
 
-// Side by side where that fits into a line, else one below the other.
+// Both matrices, side by side if that fits into a line, else one below the other.
 std::string side_by_side(const Case& c, const Difference& d) {
   const Marks right = agrees(c, d.expected, d.got);
   const int digits = digits_for(d, right);
@@ -76,8 +76,8 @@ std::string side_by_side(const Case& c, const Difference& d) {
   return text;
 }
 
-// What can't be the answer to any question; empty where each number could be. A student's build
-// fills what is never set, so that it shows every time.
+// Describes a number that can't be an answer to any question, such as one that was never set, which
+// a student's build fills with an odd value. Empty if there is none.
 std::string odd_number(const Eigen::MatrixXd& got) {
   const std::string subject = got.size() > 1 ? "  an entry is " : "  it is ";
   for (const double x : got.reshaped()) {
@@ -89,7 +89,7 @@ std::string odd_number(const Eigen::MatrixXd& got) {
   return "";
 }
 
-// What may have gone wrong, where one thing explains every wrong entry; else empty.
+// What may have gone wrong, if one reason explains every wrong entry; else empty.
 std::string explanation(const Case& c, const Difference& d) {
   if (const std::string odd = odd_number(d.got); !odd.empty()) return odd;
   if (d.got.isZero(0)) {
@@ -104,15 +104,15 @@ std::string explanation(const Case& c, const Difference& d) {
   return "";
 }
 
-// The force that a velocity after the step tells of: M (v' - v) / dt - f_e.
+// The force that follows from a velocity after the step: M (v' - v) / dt - f_e.
 std::string forces(const Case& c, const Vector3& v) {
   const Vector3 f = c.params.M() * ((v - c.v) / c.params.dt - c.params.g);
-  const double zero = 1e-9 * f.norm();  // rounding is nothing to wonder about
+  const double zero = 1e-9 * f.norm();  // rounding errors are shown as 0
   const auto said = [&](double x) { return number(std::abs(x) < zero ? 0 : x, 6); };
   return "(" + said(f.x()) + ", " + said(f.y()) + ") N";
 }
 
-// How the corner moves before the step, from the J that the question gives.
+// How the corner moves before the step, from the question's J.
 std::string corner_before(const Case& c) {
   const double v_t = c.J.col(0).dot(c.v), v_n = c.J.col(1).dot(c.v);
   return "  before the step the corner slides to the " + std::string(v_t > 0 ? "right" : "left") +

@@ -26,8 +26,8 @@ TEST(part3, LetsACornerGo) { for_each_case(compare_velocity); }
 
 TEST(part3, TouchesBelowDelta) { for_each_case(compare_velocity); }
 
-// Judged beside the velocity that was returned, so that a wrong velocity isn't paid for again:
-// expected is what the right q owes to anything but the new velocity, 0 or (0, delta, 0).
+// Judged with the velocity that was returned, so that a wrong velocity costs no more points.
+// Expected is the part of q' - q that doesn't come from the new velocity: 0 or (0, delta, 0).
 TEST(part3, MovesWithTheNewVelocity) {
   for_each_case([](const Case& c) {
     const bool contact = (c.state.q - c.q - c.params.dt * c.state.v).y() > c.params.delta / 2;

@@ -1,5 +1,5 @@
-// Part 4: simulate. Each test is a fact about a whole trajectory, eq. (15). How many columns it
-// has is one of them; the others look at those of the first T that are there.
+// Part 4: simulate. Each test is a fact about a whole trajectory, eq. (15). One checks the number
+// of columns; the others check those of the first T that are there.
 #include <gtest/gtest.h>
 
 #include "answers.hpp"
@@ -11,7 +11,7 @@ namespace {
 
 Problem problem(const std::string& sentence) { return {sentence, {}, {}, -1}; }
 
-// One wrong step makes everything after it wrong, so the first wrong column is the one to name.
+// Reports only the first wrong column, because one wrong step makes everything after it wrong.
 Problem compare_columns(const Case& c) {
   const Trajectory got = submission::first_columns(c.q, c.v, c.params);
   for (std::size_t i = 0; i < c.columns.size(); ++i) {

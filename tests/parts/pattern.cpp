@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::Index;
 
-// "J_t (third entry)", or the name alone where all entries are wrong.
+// "J_t (third entry)", or the name alone if all entries are wrong.
 std::string with_entries(const Quantity& quantity, const std::set<Index>& wrong) {
   Words names;
   for (std::size_t i = 0; i < quantity.names.size(); ++i) {
@@ -51,7 +51,7 @@ std::string first_wrong_column(const std::vector<Case>& cases, const Wrong& wron
              : "Column 0 is right in every public case; the first wrong one comes after it.";
 }
 
-// A stub's answers: the checks say enough of them.
+// Whether these are a stub's answers, which need no description.
 bool nothing_is_filled_in(const std::vector<Answer>& got) {
   return std::all_of(got.begin(), got.end(), [](const Answer& a) { return a.numbers.isZero(0); });
 }

@@ -1,4 +1,4 @@
-// What the numbers themselves say of wrong answers that no known mistake explains.
+// Describes patterns in wrong answers that no known mistake explains.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace bounce::tests {
 
-// Up to four sentences, the first of which say what is right: which quantities are wrong; in which
-// cases; where it is so, that one factor, one difference, an exchange of places or too few digits
-// explain every wrong number. Empty where nothing can be said, or nothing is wrong. The cases are
-// public ones, in the order of the answers.
+// Up to four sentences: which quantities are right and which wrong; in which cases; and whether one
+// factor, one difference, exchanged places or too few digits explain every wrong number. Empty if
+// there is nothing to say, or if nothing is wrong. The cases are public ones, in the order of the
+// answers.
 std::vector<std::string> patterns(int part, const std::vector<Case>& cases,
                                   const std::vector<Answer>& right, const std::vector<Answer>& got);
 

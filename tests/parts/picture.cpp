@@ -10,10 +10,10 @@ namespace {
 using Point = Eigen::Vector2d;
 
 constexpr int kWidth = 58, kHeight = 17;  // fits a terminal of 64 columns
-constexpr double kAspect = 2.0;           // a letter is about twice as high as it is wide
+constexpr double kAspect = 2.0;           // a character is about twice as high as wide
 constexpr const char* kMargin = "    | ";
 
-// Letters over a part of the world; (x, y) in m, and one scale for both.
+// A picture of a part of the world, made of letters; x and y in m, with one scale.
 class Canvas {
  public:
   Canvas(const Point& low, const Point& high) {
@@ -24,7 +24,7 @@ class Canvas {
     rows_.assign(kHeight, std::string(kWidth, ' '));
   }
 
-  // The point in the middle of a letter.
+  // The point at the middle of a letter.
   Point at(int column, int row) const {
     return {left_ + metres_ * column, bottom_ + kAspect * metres_ * row};
   }
@@ -36,7 +36,7 @@ class Canvas {
     }
   }
 
-  // A point outside of the picture isn't drawn, nor one that isn't a number.
+  // Draws a letter, unless the point is outside the picture or not a number.
   void put(const Point& point, char letter) {
     const double column = std::round((point.x() - left_) / metres_);
     const double row = std::round((point.y() - bottom_) / (kAspect * metres_));
@@ -62,20 +62,20 @@ class Canvas {
  private:
   std::string& letters(int row) { return rows_[static_cast<std::size_t>(row)]; }
 
-  double metres_, left_, bottom_;  // metres a letter, and where the picture begins
+  double metres_, left_, bottom_;  // metres per letter, and the picture's lower left corner
   std::vector<std::string> rows_;  // from the bottom up
 };
 
 bool touches(const Case& c) { return c.corner.rfind("corner", 0) == 0; }
 
-// How far inside of the square a point is, m; negative outside.
+// How far inside the square a point is, m; negative outside.
 double inside(const Point& point, const Vector3& q, double l) {
   const double x = point.x() - q.x(), y = point.y() - q.y();
   const double c = std::cos(q.z()), s = std::sin(q.z());
   return l / 2 - std::max(std::abs(c * x + s * y), std::abs(c * y - s * x));
 }
 
-// Its outline, and returns its lowest letter's place.
+// Draws the outline of the square, and returns the position of its lowest letter.
 Point draw_square(Canvas& canvas, const Vector3& q, double l) {
   Point lowest = q.head<2>();
   for (int row = kHeight - 1; row >= 0; --row) {

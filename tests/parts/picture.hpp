@@ -1,14 +1,14 @@
-// Small pictures made of letters, for a terminal of any kind.
+// Draws small pictures made of letters, for any terminal.
 #pragma once
 
 #include "cases.hpp"
 
 namespace bounce::tests {
 
-// The square before the step, and the velocities of its centre after it, the right one and another.
+// The square before the step, and the right and another velocity of its centre after the step.
 std::string picture_of_step(const Case& c, const Vector3& got_v);
 
-// The way of the centre: the right one, and another.
+// The right path of the centre, and another.
 std::string picture_of_paths(const Case& c, const Eigen::Matrix3Xd& got_q);
 
 }  // namespace bounce::tests

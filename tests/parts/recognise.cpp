@@ -18,9 +18,9 @@ using nlohmann::json;
 
 constexpr double kTolerance = 1e-9;
 
-// A number agrees by chance once in a billion, but a mistake that shows in one number or in one
-// question alone could be many others: a constant, a branch. So it has to show in four numbers at
-// least, and in two questions or columns of a trajectory.
+// A number agrees by chance once in a billion. But many mistakes, such as a constant or a branch,
+// can cause the same wrong number, or the same wrong answer to one question. So a mistake must show
+// in at least four numbers, and in two questions or columns of a trajectory.
 constexpr int kNumbers = 4, kQuestions = 2;
 
 // --- reading ---
@@ -36,7 +36,8 @@ Answer read_answer(const json& words) {
   return answer;
 }
 
-// {question: {entry: number}}, or {question: what was thrown}, where it isn't the right answer.
+// Reads the wrong answers, {question: {entry: number}} or {question: text of an exception}, and
+// fills in the right ones.
 std::vector<Answer> read_differences(const json& differences, std::vector<Answer> answers) {
   for (const auto& [question, words] : differences.items()) {
     Answer& answer = answers.at(std::stoul(question));
@@ -55,7 +56,7 @@ std::vector<Answer> read_differences(const json& differences, std::vector<Answer
 
 // --- comparing ---
 
-// How often, and where, something shows.
+// How often, and where, a mistake shows.
 struct Evidence {
   int numbers = 0;
   std::set<std::pair<std::size_t, Index>> questions;
@@ -68,8 +69,8 @@ struct Evidence {
   }
 };
 
-// Where a mistake shows by itself: it isn't right, and what another one answers is. What isn't
-// finite shows nothing, since it comes about in many ways.
+// Where a mistake shows by itself: its number is wrong, and the other answer's is right. Numbers
+// that aren't finite don't count, since they have many causes.
 Evidence evidence(const std::vector<Answer>& mistaken, const std::vector<Answer>& other,
                   const KnownMistakes& known) {
   Evidence found;
@@ -85,7 +86,7 @@ Evidence evidence(const std::vector<Answer>& mistaken, const std::vector<Answer>
   return found;
 }
 
-// Where what came can't be this mistake alone.
+// Where this mistake alone doesn't explain the answers.
 Evidence beyond(const std::vector<Answer>& mistaken, const std::vector<Answer>& got,
                 const KnownMistakes& known) {
   Evidence found;
@@ -101,7 +102,7 @@ Evidence beyond(const std::vector<Answer>& mistaken, const std::vector<Answer>& 
 
 // --- composing ---
 
-// What an entry is when two mistakes change it, from the right one and theirs.
+// The value of an entry that two mistakes a and b both change.
 using Rule = double (*)(double right, double a, double b);
 constexpr Rule kRules[] = {
     [](double right, double a, double b) { return right + (a - right) + (b - right); },
@@ -110,13 +111,14 @@ constexpr Rule kRules[] = {
     [](double, double, double b) { return b; },
 };
 
-// The entry of an answer with both mistakes.
+// The value of an entry with both mistakes.
 double composed(double right, double a, double b, Rule rule) {
   if (same(a, right)) return b;
   return same(b, right) ? a : rule(right, a, b);
 }
 
-// What threw gives no numbers, so that the other mistake doesn't show.
+// The answer with both mistakes. If one of them throws, there are no numbers, so the other doesn't
+// show.
 std::optional<Answer> composed(const Answer& right, const Answer& a, const Answer& b, Rule rule) {
   if (!a.thrown.empty() && !b.thrown.empty() && a.thrown != b.thrown) return std::nullopt;
   if (!a.thrown.empty() || !b.thrown.empty()) return a.thrown.empty() ? b : a;
@@ -127,8 +129,8 @@ std::optional<Answer> composed(const Answer& right, const Answer& a, const Answe
   return both;
 }
 
-// Whether each of the two shows by itself; or, where that is enough, one of them, and the other
-// one makes a difference beside it.
+// Whether each of the two shows by itself; or, if that is enough, whether one of them does and the
+// other changes something in addition.
 bool both_show(const KnownMistakes& known, const Mistake& a, const Mistake& b,
                const std::vector<Answer>& got) {
   const bool a_alone = evidence(a.answers, b.answers, known).enough();
@@ -138,7 +140,7 @@ bool both_show(const KnownMistakes& known, const Mistake& a, const Mistake& b,
          (b_alone && beyond(b.answers, got, known).enough());
 }
 
-// Whether both together explain what came, and neither of them could be left out.
+// Whether both together explain the answers, and both are needed.
 bool explain(const KnownMistakes& known, const Mistake& a, const Mistake& b, Rule rule,
              const std::vector<Answer>& got) {
   for (std::size_t k = 0; k < got.size(); ++k) {
@@ -148,7 +150,7 @@ bool explain(const KnownMistakes& known, const Mistake& a, const Mistake& b, Rul
   return both_show(known, a, b, got);
 }
 
-using Names = std::set<std::size_t>;  // of mistakes, by their place
+using Names = std::set<std::size_t>;  // of mistakes, by index
 
 bool explain(const std::vector<Answer>& mistaken, const std::vector<Answer>& got) {
   return std::equal(got.begin(), got.end(), mistaken.begin(),

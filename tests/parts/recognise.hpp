@@ -1,4 +1,4 @@
-// Known mistakes, and which of them a part's answers tell of.
+// Recognises known mistakes by a part's answers.
 #pragma once
 
 #include <iosfwd>
@@ -9,7 +9,7 @@
 
 namespace bounce::tests {
 
-// What is known of a mistake, and what it answers to the part's questions.
+// A known mistake, and its answers to the part's questions.
 struct Mistake {
   std::string name, title, sentence, hint;
   std::vector<int> equations;
@@ -21,23 +21,23 @@ struct KnownMistakes {
   std::vector<Answer> right;
   std::vector<Mistake> mistakes;
 
-  // Whether both of a pair have to show by themselves. In part 1 they have to: its numbers are made
-  // of three alone, r_x, r_y and phi, so that two mistakes at one place are easily two others.
+  // Whether both of a pair must show by themselves. In part 1 they must: all of its numbers are
+  // made of r_x, r_y and phi, so that two mistakes in the same one often look like two others.
   bool each_by_itself = false;
 };
 
-// Those of a part, from its file in fixtures/public/mistakes. Throws std::exception where it isn't
-// one.
+// Reads a part's known mistakes from its file in fixtures/public/mistakes. Throws std::exception if
+// the file is invalid.
 KnownMistakes read_mistakes(std::istream& file, int part);
 
-// None, one, or two that the answers are a mixture of. A mistake is named when it explains every
-// answer of the part, the right ones among them, and shows in enough of them to be sure; a pair,
-// when one rule for all entries composes the two, one of them shows by itself in as many, and so
-// does the other, or it makes a difference there. Of explanations that say different things, only
-// what they have in common is said.
+// The mistakes that explain the answers: none, one, or two together. One mistake must explain every
+// answer of the part, including the right ones, and show in enough of them to be sure. A pair must
+// explain every answer by one rule that combines the two; one of them must show by itself in as
+// many answers, and the other must, too, or must at least change something. If several explanations
+// fit, returns only what they have in common.
 std::vector<Mistake> recognise(const KnownMistakes& known, const std::vector<Answer>& got);
 
-// Whether two answers are the same: 1e-9, absolute or relative. NaN and infinity are one.
+// Whether two answers agree to 1e-9, absolute or relative. NaN and infinity agree with each other.
 bool same(double a, double b);
 bool same(const Answer& a, const Answer& b);
 

@@ -1,4 +1,4 @@
-// The wrong numbers among a part's answers, and the names of what they belong to.
+// Collects the wrong numbers among a part's answers, and names their quantities.
 #pragma once
 
 #include <set>
@@ -11,17 +11,17 @@ namespace bounce::tests {
 
 using Words = std::vector<std::string>;
 
-// Numbers or cases, below which a rule may be chance.
+// A rule that holds for fewer numbers or cases may be chance.
 inline constexpr std::size_t kEnough = 3;
 
-// A name and the entries of an answer that it stands for.
+// A quantity: its name, and its entries in an answer.
 struct Quantity {
   std::string name;
   std::vector<Eigen::Index> entries;
-  Words names;  // of the entries, where a name alone says too little
+  Words names;  // of the entries, if the quantity's name isn't enough
 };
 
-// All that a part answers; for parts 1 to 3.
+// The quantities of a part's answer; for parts 1 to 3.
 std::vector<Quantity> quantities(int part);
 
 bool is_touched(const Quantity& quantity, const std::set<Eigen::Index>& entries);
@@ -34,7 +34,7 @@ struct Number {
   double right, got;
 };
 
-// Wrong answers beside right ones. What threw isn't among them.
+// Wrong answers and the right ones. Answers that threw aren't included.
 struct Wrong {
   std::vector<Number> numbers;
   std::set<std::size_t> questions;

@@ -12,7 +12,7 @@ namespace {
 using Eigen::Index;
 
 constexpr double kFewDigits = 1e-4;
-constexpr double kRounding = 1e-9;  // below which a number stands for 0
+constexpr double kRounding = 1e-9;  // numbers below this count as 0
 
 // --- words ---
 
@@ -24,13 +24,13 @@ std::string capital(std::string text) {
 
 std::string digits(double x) {
   if (std::isnan(x)) return "not a number";
-  if (x == 0) return "0";  // without the sign that zero may have
+  if (x == 0) return "0";  // without the sign of -0
   char text[32];
   std::snprintf(text, sizeof text, "%.6g", x);
   return text;
 }
 
-// --- by what rule ---
+// --- rules ---
 
 bool is_rule(const std::vector<Number>& numbers, const std::function<double(const Number&)>& rule) {
   return numbers.size() >= kEnough && std::all_of(numbers.begin(), numbers.end(), [&](auto& n) {
@@ -89,7 +89,7 @@ bool few_digits(const std::vector<Number>& numbers) {
 struct Exchange {
   int part;
   std::string words;
-  std::vector<Index> from;  // where each entry comes from
+  std::vector<Index> from;  // the place that each entry comes from
 };
 
 std::vector<Exchange> exchanges() {
@@ -135,7 +135,7 @@ std::vector<std::pair<std::string, double>> factors(const Parameters& p) {
           {"1/(1 + epsilon)", 1 / (1 + p.epsilon)}};
 }
 
-// One rule for every wrong number, or one for each quantity that has its own.
+// One rule for all wrong numbers, or one for each quantity that has its own.
 Words rules(int part, const std::vector<Case>& cases, const Wrong& wrong) {
   if (few_digits(wrong.numbers)) {
     return {

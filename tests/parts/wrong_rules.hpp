@@ -1,4 +1,5 @@
-// By what rule numbers are wrong: a factor, a difference, a constant, few digits, exchanged places.
+// Finds rules behind wrong numbers: a factor, a difference, a constant, few digits, exchanged
+// places.
 #pragma once
 
 #include <string>
@@ -9,14 +10,14 @@
 
 namespace bounce::tests {
 
-// Factors by which a number may be wrong, by the names of the assignment.
+// Factors by which a number may be wrong, with their names in the assignment.
 std::vector<std::pair<std::string, double>> factors(const Parameters& params);
 
-// One sentence where one rule explains every wrong number; or up to two, each for a quantity that
-// has a rule of its own; or none.
+// One sentence if one rule explains every wrong number; else up to two, each for a quantity with
+// its own rule; else none.
 Words rules(int part, const std::vector<Case>& cases, const Wrong& wrong);
 
-// A sentence where an exchange of places explains every answer; or an empty one.
+// A sentence if exchanged places explain every answer; else empty.
 std::string exchanged(int part, const std::vector<Answer>& right, const std::vector<Answer>& got);
 
 }  // namespace bounce::tests

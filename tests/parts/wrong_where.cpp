@@ -11,7 +11,7 @@
 namespace bounce::tests {
 namespace {
 
-// Something that some cases have and others haven't.
+// A property that some cases have and others don't.
 struct Trait {
   std::string words;  // follows "where"
   std::function<bool(const Case&)> has;
@@ -83,7 +83,7 @@ bool includes(const std::set<std::size_t>& all, const std::set<std::size_t>& som
   return std::includes(all.begin(), all.end(), some.begin(), some.end());
 }
 
-// The traits that fit best: those that the fewest cases have which are right.
+// The traits that fit best: those that the fewest right cases have.
 struct Fit {
   Words words;
   std::set<std::size_t> cases;
@@ -114,7 +114,7 @@ bool are_nearly_all(const std::set<std::size_t>& wrong, const std::set<std::size
   return 4 * wrong.size() >= 3 * cases.size();
 }
 
-// Which a law of its own explains better than that some number is another.
+// Tried first: it is a better explanation than a parameter that isn't the assignment's.
 std::string where_gravity_is_not_vertical(const std::vector<Case>& cases,
                                           const std::set<std::size_t>& wrong) {
   const Trait sideways{"gravity has an x part", [](const Case& c) { return c.params.g(0) != 0; }};
@@ -125,7 +125,7 @@ std::string where_gravity_is_not_vertical(const std::vector<Case>& cases,
 
 }  // namespace
 
-// The other cases are right; a trait has to set apart more than chance would.
+// Empty if few cases are right: a trait that separates only these may be chance.
 std::string where(int part, const std::vector<Case>& cases, const std::set<std::size_t>& wrong) {
   if (wrong.empty() || cases.size() - wrong.size() < kEnough) return "";
   const std::string sideways = where_gravity_is_not_vertical(cases, wrong);

@@ -1,4 +1,4 @@
-// In which cases answers are wrong: what these have, and the right ones haven't.
+// Finds what wrong cases have in common, and right ones don't have.
 #pragma once
 
 #include <set>
@@ -9,8 +9,8 @@
 
 namespace bounce::tests {
 
-// "Wrong only where ...", of the cases with these indices; empty where all or too few are right, or
-// where nothing sets the wrong ones apart.
+// "Wrong only where ...", for the cases with these indices. Empty if all or too few are right, or
+// if nothing sets the wrong ones apart.
 std::string where(int part, const std::vector<Case>& cases, const std::set<std::size_t>& wrong);
 
 }  // namespace bounce::tests

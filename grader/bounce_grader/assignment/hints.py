@@ -1,4 +1,4 @@
-"""Which heading of the student's hints belongs to a check."""
+"""Finds the heading in the student's hints that belongs to a check."""
 
 import re
 from functools import cache

@@ -1,5 +1,5 @@
-"""Small pictures of a failed case: one step, or a trajectory. The right answer and the submission's
-differ in their places, words and dashes, and not in colour."""
+"""Draws small pictures of a failed case: one step, or a trajectory. Position, labels and dashes
+tell the right answer from the submission's; colour doesn't."""
 
 import math
 from collections.abc import Sequence
@@ -13,19 +13,19 @@ VELOCITY = "v after the step"
 STEP_SIZE, SIDE = (250, 190), 92  # px: a picture of a step, and the square in it
 LONGEST = 70  # px, of an arrow
 PATH_SIZE, ROOM = (480, 300), 24
-FAR = 5000.0  # px: further out nothing is drawn
+FAR = 5000.0  # px: points further out are moved to this distance
 OMEGA = "\N{GREEK SMALL LETTER OMEGA}\N{PRIME}"
 Shown = dict[str, Any]  # a failed case in numbers, as grading/failed_case.py gives it
 
 
 class Figure(NamedTuple):
     drawing: Drawing
-    lines: list[str]  # of its caption
+    lines: list[str]  # lines of the caption
     title: str = ""
 
 
 def of(shown: Shown) -> list[Figure]:
-    """Of a trajectory one; of a step the submission's, and the right one if that may be shown."""
+    """One picture of a trajectory; of a step, one or two: the right one only if it may be shown."""
     if "scene" not in shown:
         return []
     if "path" in shown:
@@ -45,8 +45,8 @@ def corners(q: Sequence[float], l: float) -> list[Place]:
 
 
 def _steps(scene: Shown, velocity: Shown) -> list[Figure]:
-    """The square before the step; on it the velocity after it, and the force of the ground that
-    this tells of."""
+    """The square before the step, with the velocity after the step, and the force of the ground
+    that follows from that velocity."""
     sides = [("yours", _finite(velocity["got"]))]
     if "expected" in velocity:
         sides.append(("right", _finite(velocity["expected"])))
@@ -68,7 +68,7 @@ class _Longest(NamedTuple):
 
 
 def _finite(rows: list[list[float | str]]) -> list[float] | None:
-    """v as three numbers, where they are."""
+    """v as three numbers; None unless all three are finite."""
     numbers = [row[0] for row in rows]
     if len(numbers) != 3 or any(isinstance(x, str) or abs(x) > 1e100 for x in numbers):
         return None
@@ -76,7 +76,7 @@ def _finite(rows: list[list[float | str]]) -> list[float] | None:
 
 
 def _force(scene: Shown, v: list[float]) -> Place:
-    """M (v' - v) / dt - f_e, N; no more than rounding is nothing."""
+    """M (v' - v) / dt - f_e, in N; a component within rounding of 0 is 0."""
     m, dt, g = scene["m"], scene["dt"], scene["g"]
     change = [m * ((v[i] - scene["v"][i]) / dt - g[i]) for i in range(2)]
     least = 1e-9 * m * (abs(v[0]) + abs(v[1]) + math.hypot(*g[:2]) * dt) / dt
@@ -130,7 +130,7 @@ def _closed(corners: list[Place], dash: str = "") -> str:
 
 
 def _arrow(start: Place, along: Place, scale: float, words: str, dash: str = "") -> list[str]:
-    """With its words on its left, a little beyond its middle."""
+    """An arrow with its label to its left, a little beyond its middle."""
     x, y = scale * along[0], -scale * along[1]
     length = math.hypot(x, y)
     if length < 2:
@@ -142,15 +142,15 @@ def _arrow(start: Place, along: Place, scale: float, words: str, dash: str = "")
 
 
 def _head(tip: Place, x: float, y: float) -> str:
-    """Of an arrow in the direction (x, y)."""
+    """The head of an arrow in the direction (x, y)."""
     base = (tip[0] - 9 * x, tip[1] - 9 * y)
     triangle = [tip, (base[0] - 4 * y, base[1] + 4 * x), (base[0] + 4 * y, base[1] - 4 * x)]
     return f'<path d="{svg.through(triangle)}Z" fill="{svg.INK}"/>'
 
 
 def _turning(centre: Place, share: float) -> list[str]:
-    """An arc from the top, counter-clockwise where omega is positive, of up to three quarters of a
-    turn, and never too short for its head."""
+    """An arc that starts at the top, counter-clockwise if omega is positive. It spans at most three
+    quarters of a turn, and is always long enough for its head."""
     if share == 0:
         return []
     share = math.copysign(max(abs(share), 0.15), share)
@@ -168,7 +168,7 @@ def _turning(centre: Place, share: float) -> list[str]:
 
 
 def _trajectories(scene: Shown, path: Shown) -> Figure:
-    """The ways of the centre, and the squares where they end."""
+    """The paths of the centre, and the squares at their ends."""
     got = {t: row for t, row in enumerate(path["got"]) if not any(isinstance(x, str) for x in row)}
     right = dict(zip(path.get("columns", []), path.get("expected", [])))
     view = _View([*right.values()] or [*got.values()] or [scene["q"]], scene["l"])
@@ -190,7 +190,7 @@ def _trajectories(scene: Shown, path: Shown) -> Figure:
 
 
 class _View:
-    """Where the world is in the picture: as wide as these configurations need."""
+    """Maps the world to the picture, at a scale at which these configurations fit."""
 
     def __init__(self, configurations: list[list[float]], l: float) -> None:
         near = [q for q in configurations if math.hypot(q[0], q[1]) < 1e6] or [[0.0, 0.0, 0.0]]
@@ -209,7 +209,7 @@ class _View:
 
 
 def _way(view: _View, known: dict[int, list[float]], dash: str, hollow: bool) -> list[str]:
-    """A line where columns follow each other, and marks."""
+    """A mark at each column, or at every few; and a line if no column is missing in between."""
     places = {t: view.at(q) for t, q in known.items()}
     columns = sorted(places)
     gapless = len(columns) > 1 and columns[-1] - columns[0] == len(columns) - 1

@@ -1,4 +1,4 @@
-"""Compiles and links a submission, and keeps its objects.
+"""Compiles and links a submission, and caches its object files.
 
 Imports: common, sandbox, submission.
 """

@@ -1,4 +1,4 @@
-"""Compiles the parts of a submission and the sources beside them, in a box."""
+"""Compiles the parts of a submission and its helpers (its other sources), in a box."""
 
 from pathlib import Path
 from typing import NamedTuple
@@ -11,7 +11,7 @@ from bounce_grader.sandbox.box import PROGRAMS, Box
 from bounce_grader.sandbox.budget import Overrun, Shares
 from bounce_grader.submission.submission import Submission
 
-HELPERS_SECONDS = 30  # of CPU time, for all helpers of a submission
+HELPERS_SECONDS = 30  # of CPU time, for all helpers of a submission together
 
 
 class Built(NamedTuple):
@@ -24,7 +24,7 @@ class Built(NamedTuple):
 class Objects(NamedTuple):
     parts: dict[int, Built]
     helpers: dict[str, Built]
-    solvers: bool = True  # whether one may have been compiled against solvers.hpp
+    solvers: bool = True  # whether one of them may need what solvers.hpp precompiles
 
 
 def compile_all(
@@ -65,20 +65,20 @@ class _Spent:
 
 
 class _Compiling(NamedTuple):
-    """Of one file."""
+    """Compiles one file."""
 
     file: str
     submission: Submission
-    named: frozenset[str]  # the sources that some file names
+    named: frozenset[str]  # the sources whose names occur in some file
     work: Path
     box: Box
     timed: bool
     spent: _Spent  # by all helpers together, or by this part
 
     def built(self) -> Built:
-        """Compiles where the object doesn't exist yet. The compiler sees the files that name the
-        object, and no other: first those that a look at the text says it needs, so that an object
-        outlives changes elsewhere; and where it misses one, all."""
+        """Compiles the file, unless its object is in the cache. The cache key covers every file
+        that the compiler can see. So it first sees only the files that the text seems to need, and
+        the object stays valid when other files change; if the compiler misses one, it sees all."""
         needed = object_cache.needed(self.file, self.submission, self.named)
         everything = sorted(self.submission.files)
         if needed != everything:
@@ -88,8 +88,8 @@ class _Compiling(NamedTuple):
         return self._seeing(everything, more=False)
 
     def _seeing(self, names: list[str], more: bool) -> Built:
-        """Built with these files to see. It has neither an object nor a problem if the compiler missed
-        a file and `more` files could be shown to it."""
+        """Compiles while only these files are visible. Returns neither an object nor a problem if
+        the compiler missed a file and `more` files are left to show."""
         name = object_cache.name_of(self.file, names, self.submission, self.box, self.timed)
         place = object_cache.place(name)
         if object_cache.is_there(place):

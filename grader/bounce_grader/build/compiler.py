@@ -1,4 +1,4 @@
-"""The compilers' commands, and what they say, in a box."""
+"""Runs the compilers in a box, and turns their errors into one line."""
 
 import re
 from collections.abc import Iterable
@@ -16,7 +16,8 @@ COMPILE_MEMORY = 2 << 30
 COMPILE = processes.Limits(15, 120, memory=COMPILE_MEMORY, file_size=64 << 20)
 LARGEST_OBJECT = 8 << 20
 
-# What solvers.hpp is for: it takes longer to read, and shorter than to make what is in it.
+# The names that solvers.hpp instantiates. It takes longer to load than prelude.hpp, but less time
+# than instantiating them again.
 SOLVERS = re.compile(rb"MatrixXd|VectorXd|LLT|LDLT|L[Uu]\b|Q[Rr]\b|\b(?:llt|ldlt|lu)\b")
 
 
@@ -28,8 +29,8 @@ def run(
     programs: Iterable[str] = (),
     limits: processes.Limits = COMPILE,
 ) -> processes.Result:
-    """In the folder of a submission's sources; the object is written to the file `made`. Raises
-    KitError where the box or the machine has failed, and not the submission."""
+    """Runs a compiler in the folder of a submission's sources; it writes the object to the file
+    `made`. Raises KitError if the box or the machine failed, and not the submission."""
     prefix = box.to_build(folder, [CONTRACT, RUNNER], programs)
     result = box.run([*prefix, *command], limits, cwd=folder, output=made)
     require_a_compiler(result, limits)
@@ -37,24 +38,25 @@ def run(
 
 
 def require_a_compiler(result: processes.Result, limits: processes.Limits) -> None:
-    """Raises KitError where the box or the machine has failed, and not the submission. What tells
-    so is a descriptor that no compiler has, and a signal: a submission can print any text."""
+    """Raises KitError if the box or the machine failed, and not the submission. It decides by a
+    descriptor that no compiler has and by a signal, not by text: a submission can print any
+    text."""
     if not result.boxed:
         why = terminal(printable_text(result.err.strip().partition("\n")[0], 200))
         raise KitError(f"a box couldn't be made: {why or 'it ended'}")
-    # The system counts what it limits in ticks, and what it tells in nanoseconds.
+    # The system enforces the limit in ticks but reports in nanoseconds, so the two can differ.
     if result.killed and result.cpu_seconds < 0.7 * limits.cpu_seconds:
         raise KitError("the compiler was killed from outside; is the machine short of memory?")
 
 
 def misses_a_file(result: processes.Result) -> bool:
-    """As the compilers and their assemblers say it."""
+    """Whether the compiler or its assembler failed because a file wasn't there."""
     says = r"not found|No such file|[Cc]ould not find|can't open"
     return not result.ok and re.search(says, result.err) is not None
 
 
 def header_of(names: Iterable[str], submission: Submission) -> str:
-    """The name of the precompiled header for a part that is made from these files."""
+    """The precompiled header for a source that is compiled with these files."""
     rare = any(SOLVERS.search(submission.files[name]) for name in names)
     return "solvers" if rare else "prelude"
 
@@ -68,8 +70,8 @@ def clang(file: str, submission: Submission, header: str) -> list[str]:
 def gcc(
     file: str, submission: Submission, box: Box, timed: bool = False, flags: Iterable[str] = ()
 ) -> list[str]:
-    """For what clang refuses: what a student's own compiler takes must count. That a signal has
-    ended one of the programs that g++ starts is told by its exit status."""
+    """Used for what clang rejects: code that a student's own compiler accepts must count. If a
+    signal ends a program that g++ starts, the exit status tells which."""
     kind = "gcc_speed_flags" if timed else "gcc_flags"
     command = ["/usr/bin/g++", "-wrapper", f"{box.enter},step", "-pass-exit-codes"]
     command += [f"@{RUNNER / kind}.txt", *flags, "-include", str(RUNNER / "prelude.hpp")]
@@ -95,7 +97,7 @@ def too_large(file: str) -> str:
 
 
 def compile_problem(result: processes.Result, file: str) -> str:
-    """The compiler's first error, in one line, with the submission's own file and line."""
+    """The compiler's first error in one line, with the submission's file and line."""
     if ran_out_of_time(result):
         return f"{file} took more than {COMPILE.cpu_seconds} s to compile"
     if result.code in (-25, 128 + 25):

@@ -14,10 +14,11 @@ from bounce_grader.submission.submission import Submission
 
 LINK = processes.Limits(cpu_seconds=10, wall_seconds=60, memory=2 << 30, file_size=64 << 20)
 RUNNER_OBJECTS = ("runner", "channel", "crash", "solve_lcp", "render")
-# First what is checked: of functions that are in several objects, the linker takes the first.
+# The checked code comes first: if several objects define an inline function, the linker takes the
+# first.
 KIT_OBJECTS = ("prelude", *RUNNER_OBJECTS)
-# Last, so that it is taken only where something is missing still. To look at it takes a tenth of a
-# link.
+# Last, so that the linker uses it only for symbols that are still missing. Reading it takes a tenth
+# of a link.
 SOLVERS = ("--start-lib", str(RUNNER / "solvers.o"), "--end-lib")
 
 SANITIZERS = ("-fsanitize=address,undefined", "-fno-sanitize-recover=all")
@@ -31,8 +32,8 @@ CHECKED_LINK = (
 
 
 def link_together(objects: Objects, runner: Path, box: Box, timed: bool = False) -> Built:
-    """One runner with all of the submission's own parts; where it is timed, without the prelude's
-    code, which is checked and so slower than what the parts bring themselves."""
+    """Links one runner with all of the submission's own parts. If `timed`, it leaves out the
+    prelude's code, which has run-time checks and is slower than the code in the parts."""
     own = [b.path for b in _all(objects)]
     if timed:
         return _link(own, [], runner, box, kit=RUNNER_OBJECTS)
@@ -40,10 +41,10 @@ def link_together(objects: Objects, runner: Path, box: Box, timed: bool = False)
 
 
 def link_alone(part: Part, objects: Objects, runner: Path, box: Box) -> Built:
-    """A runner with one part; what earlier parts it calls is asked of the judge.
+    """Links a runner with one part; calls to earlier parts go to the judge, which answers them.
 
-    Helpers that another part's file defines are found in a second try, in which the given parts
-    still come first; and there, what two helpers both define costs nobody anything.
+    If that fails, a second try adds the files of the other parts, which may define what this part
+    needs. The given parts still come first, and duplicate definitions are allowed.
     """
     own = [objects.parts[part.number].path, *(b.path for b in objects.helpers.values())]
     given, rare = _given(part), _rare(objects)
@@ -57,7 +58,7 @@ def link_alone(part: Part, objects: Objects, runner: Path, box: Box) -> Built:
 
 
 def checked_alone(part: Part, submission: Submission, work: Path, box: Box) -> Built:
-    """A runner with one part, built with g++'s sanitizers, as link_alone would make it."""
+    """Like link_alone, but compiles and links with g++'s sanitizers."""
     sources = work / SOURCES
     submission.write_to(sources)
     box.give(sources)
@@ -119,14 +120,14 @@ def _linked(command: list[str], runner: Path, box: Box) -> Built:
 
 
 def _link_command(words: list[str]) -> list[str]:
-    """What clang would have the linker do with these words."""
+    """The linker command that clang would run for these words."""
     command = (RUNNER / "link_command.txt").read_text().splitlines()
     place = command.index("OBJECTS")
     return [*command[:place], *words, *command[place + 1 :]]
 
 
 def link_problem(result: processes.Result) -> str:
-    """What the linker misses, or has twice, in one line."""
+    """The linker's missing or duplicate symbol, in one line."""
     missing = _linker(r"undefined symbol: (.*)\n>>> referenced by (.+?):(\d+)", result)
     if missing:
         name, file, line = missing.groups()
@@ -141,5 +142,5 @@ def link_problem(result: processes.Result) -> str:
 
 
 def _linker(says: str, result: processes.Result) -> re.Match[str] | None:
-    """From the start of a line, so that long lines of a submission's own words are read once."""
+    """Searches at line starts only, so that a submission's long lines don't make it slow."""
     return re.search(rf"^ld\.lld: error: {says}", result.err, re.MULTILINE)

@@ -1,4 +1,4 @@
-"""The objects of earlier gradings, each under a name that says all that it was made from."""
+"""A cache of object files. Each is stored under a hash of everything that it was made from."""
 
 import hashlib
 import os
@@ -13,28 +13,28 @@ from bounce_grader.common.paths import BUILD, CACHE, RUNNER
 from bounce_grader.sandbox.box import Box
 from bounce_grader.submission.submission import Submission
 
-FORMAT = "a file of its own from a process of its own"  # another one makes another name
-KEPT_IN_A_FOLDER = 64  # objects, in each of 256 folders
-KEPT_BYTES = 16 << 20  # likewise
-IN_USE = 3600  # seconds, in which every grading comes to its end
+FORMAT = "a file of its own from a process of its own"  # change it to invalidate all objects
+KEPT_IN_A_FOLDER = 64  # objects in each of the 256 folders
+KEPT_BYTES = 16 << 20  # bytes in each folder
+IN_USE = 3600  # seconds; every grading is over by then
 
 
 def named_sources(submission: Submission) -> frozenset[str]:
-    """The sources that some file names, as in #include "helper.cpp"."""
+    """The sources whose names occur in some file, as in #include "helper.cpp"."""
     text = b"\0".join(submission.files.values())
     sources = {*submission.helpers, *submission.parts.values()}
     return frozenset(name for name in sources if os.fsencode(Path(name).name) in text)
 
 
 def needed(file: str, submission: Submission, named: frozenset[str]) -> list[str]:
-    """The file, all headers, and the sources that some file names."""
+    """The file itself, all headers, and the sources whose names occur in some file."""
     sources = {*submission.helpers, *submission.parts.values()} - named
     return sorted(n for n in submission.files if n == file or n not in sources)
 
 
 def name_of(file: str, names: Iterable[str], submission: Submission, box: Box, timed: bool) -> str:
-    """Names an object: the file, what can be included, and what it is built with, and where, and
-    how it is taken from its compiler."""
+    """The cache key of an object: a hash of the file, of all that it can include, of the toolchain,
+    of the box, and of FORMAT."""
     words = [FORMAT, file, box.kind, str(timed), *submission.include_folders]
     hasher = hashlib.sha256(toolchain_digest() + os.fsencode("\0".join(words)))
     for name in names:
@@ -45,7 +45,7 @@ def name_of(file: str, names: Iterable[str], submission: Submission, box: Box, t
 
 @cache
 def toolchain_digest() -> bytes:
-    """The flags, the precompiled headers and the kit's own objects, which runners are linked with."""
+    """A digest of the flags, the precompiled headers and the kit's own objects."""
     if not (RUNNER / "prelude.pch").exists():
         raise KitError("the kit isn't built: run it as ./kit, which builds what is missing")
     if not os.access(BUILD, os.W_OK):
@@ -64,7 +64,7 @@ def place(name: str) -> Path:
 
 
 def is_there(object_file: Path) -> bool:
-    """And stays so for as long as a grading takes."""
+    """Whether the object exists. Marks it as used, so that it stays for this grading."""
     try:
         os.utime(object_file)
     except FileNotFoundError:
@@ -73,23 +73,23 @@ def is_there(object_file: Path) -> bool:
 
 
 def store(data: bytes, path: Path) -> Path:
-    """Written whole or not at all, so that gradings side by side can share it."""
+    """Writes an object, whole or not at all, so that concurrent gradings can share it."""
     path.parent.mkdir(parents=True, exist_ok=True)
     forget_old(path.parent)
     temporary = path.with_suffix(f".{os.getpid()}.{id(data)}")
     temporary.write_bytes(data)
-    temporary.chmod(0o644)  # whatever the umask: a box reads it as somebody else
+    temporary.chmod(0o644)  # whatever the umask: a box reads it as another user
     temporary.replace(path)
     return path
 
 
 def forget_old(folder: Path) -> None:
-    """Keeps the newest objects, and those that a grading side by side may be about to link."""
+    """Removes old objects, but none that a concurrent grading may be about to link."""
     kept = bytes_kept = 0
     for _, size, file in sorted(_used(folder), reverse=True):
         kept, bytes_kept = kept + 1, bytes_kept + size
         if kept > KEPT_IN_A_FOLDER or bytes_kept > KEPT_BYTES:
-            with suppress(FileNotFoundError):  # where another grading was quicker
+            with suppress(FileNotFoundError):  # another grading removed it first
                 if time.time() - os.stat(file).st_mtime > IN_USE:
                     os.unlink(file)
 

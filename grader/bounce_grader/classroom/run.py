@@ -1,4 +1,4 @@
-"""./kit class: the order of things."""
+"""./kit class: grades a class, step by step."""
 
 import errno
 import fcntl
@@ -26,7 +26,7 @@ MOST_LINES = 40  # on the terminal; class.html has them all
 
 
 def run(request: Request) -> int:
-    """0; or 3 where the kit failed on some submission, which then has no score."""
+    """Returns 0, or 3 if the kit failed on a submission, which then has no score."""
     try:
         return _whole(request)
     except KeyboardInterrupt:
@@ -86,7 +86,8 @@ def _run(request: Request, intake: Class, book: Gradebook | None, log: Log) -> i
 
 
 def _tasks(request: Request, chosen: list[Student], stamp: Stamp, folder: Path) -> dict[str, Task]:
-    """What was timed stays timed: that changes no score."""
+    """The task of each student, by id. A timed result is used even if no times are asked for:
+    timing changes no score."""
     there = results.keys(request.out / "results")
     tasks = {s.id: task_of(s, stamp, folder, request.speed, request.trust) for s in chosen}
     timed = {id: with_times(task) for id, task in tasks.items()}
@@ -94,7 +95,7 @@ def _tasks(request: Request, chosen: list[Student], stamp: Stamp, folder: Path) 
 
 
 def _gradebook(request: Request) -> Gradebook | None:
-    """Read and checked before anything is graded or written."""
+    """The grade book, which is read and checked before anything is graded or written."""
     if request.gradebook is None:
         return None
     if 0 not in request.columns:
@@ -107,7 +108,8 @@ def _gradebook(request: Request) -> Gradebook | None:
 
 @contextmanager
 def _alone(out: Path) -> Iterator[None]:
-    """One run at a time in a folder; the lock goes with the process."""
+    """Locks the output folder, so that only one run writes to it. The lock ends with the
+    process."""
     try:
         out.mkdir(parents=True, exist_ok=True)
         lock = os.open(out / ".lock", os.O_CREAT | os.O_RDWR, 0o644)

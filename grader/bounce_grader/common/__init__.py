@@ -1,4 +1,4 @@
-"""What every room uses: errors, paths, files, escaping, numbers, drawings, a parallel map.
+"""Shared by all packages: errors, paths, files, escaping, numbers, drawings, a parallel map.
 
 Imports: nothing of ours.
 """

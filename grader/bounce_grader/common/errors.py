@@ -1,4 +1,4 @@
-"""What ends a command: each is one sentence for the user, and an exit status."""
+"""The errors that end a command. Each has one sentence for the user, and an exit status."""
 
 import errno
 from collections.abc import Iterator
@@ -12,14 +12,14 @@ class UsageError(Exception):
 
 
 class KitError(Exception):
-    """The kit itself failed; it is never a verdict about a submission: exit status 3."""
+    """The kit itself failed, which says nothing about a submission: exit status 3."""
 
 
 @contextmanager
 def about_one_submission(failure: str) -> Iterator[None]:
-    """For work on one submission whose files decide what happens: turns an error that nobody
-    foresaw into a UsageError, so that other submissions go on. `failure` says what failed. A
-    failure of the kit and a full disk concern them all, and stay what they are."""
+    """Wraps work on one submission: turns an unexpected error into a UsageError, so that the other
+    submissions go on. `failure` says what failed. A KitError and a full disk concern every
+    submission, and pass through unchanged."""
     try:
         yield
     except (UsageError, KitError):

@@ -1,23 +1,23 @@
-"""Makes text of a submission harmless for where it goes: names of files, texts of exceptions,
-messages of compilers. Each place has one function, and no such text goes there without it:
+"""Makes text from a submission (names of files, texts of exceptions, messages of compilers)
+harmless for its destination. Each destination has one function, and all such text goes through it:
 
     the score record      printable_text(text), printable_name(text)
     a terminal or a log   terminal(text)
     HTML and SVG          html(text)              between tags, or in a quoted attribute;
                                                   formats/templates.py calls it for each value
-    JSON or XML           printable(text)         to a library that writes them; then
+    JSON or XML           printable(text)         before a library writes them; then
                           json_document(value), xml_document(text)
     CSV                   csv_row(values)         a whole line
-    Markdown              markdown(text)          inside of a line or a table's cell
+    Markdown              markdown(text)          within a line or a table's cell
                           markdown_block(text)    lines of their own
     GitHub's log          workflow(command, message, file=..., line=...)    a whole line
 
-All begin with printable(text): characters that don't print become U+FFFD. These are controls, C1
-controls, bidirectional overrides, lone surrogates, and what XML 1.0 has no place for.
+All begin with printable(text), which replaces unprintable characters by U+FFFD: C0 and C1 controls,
+bidirectional overrides, lone surrogates, and what XML 1.0 can't hold.
 
-Whatever is printed may be printed to a log of CI, which takes "::add-mask::" at the start of a line
-or "##[group]" anywhere for a command. So none of these leaves such words whole, except csv_row,
-which is written to files alone.
+Whatever is printed may end up in a CI log, which treats "::add-mask::" at the start of a line and
+"##[group]" anywhere as commands. So all of these break such words up, except csv_row, whose output
+only goes to files.
 """
 
 import json
@@ -33,12 +33,12 @@ Value = str | int | float | None
 
 
 def printable(text: str) -> str:
-    """Lines of printable characters."""
+    """Replaces what isn't printable; keeps the lines."""
     return printable_text(text, len(text) + 1)
 
 
 def printable_text(text: str, most: int = LONGEST_TEXT) -> str:
-    """For the record: lines of printable characters, of bounded length."""
+    """For the record: printable characters and line ends, of bounded length."""
     text = text[: 2 * most + 2].replace("\r\n", "\n").replace("\t", " ")
     clean = "\n".join(map(_printable_line, text.split("\n")))
     return clean if len(clean) <= most else clean[: most - 1] + "…"
@@ -51,19 +51,20 @@ def _printable_line(line: str) -> str:
 
 
 def printable_name(text: str) -> str:
-    """For the record: a file's name, in one line."""
+    """For the record: the name of a file, in one line."""
     return printable_text(text, LONGEST_NAME).replace("\n", REPLACEMENT)
 
 
 def first_few(items: Sequence[str], most: int = 5, separator: str = ", ", more: int = 0) -> str:
-    """The first few of a list that may be long, as "a, b and 7 more"; `more` aren't in the list."""
+    """Joins the first few items of a list, as "a, b and 7 more"; counts `more` on top of the
+    list."""
     rest = max(0, len(items) - most) + more
     shown = separator.join(items[:most])
     return f"{shown} and {rest} more" if rest > 0 else shown
 
 
 def terminal(text: str) -> str:
-    """One line that moves no cursor. What a log would take for a command is broken by a space.
+    """One line without control characters. A space breaks up what a CI log would run as a command.
 
     Print it through rich's Text, which reads no markup.
     """
@@ -71,7 +72,7 @@ def terminal(text: str) -> str:
 
 
 def _no_command(text: str) -> str:
-    """In each line, breaks what a log would take for a command by a space."""
+    """Breaks up, by a space, what a CI log would run as a command."""
     return _no_old_command(re.sub(r"^( *:)(?=:)", r"\1 ", text, flags=re.MULTILINE))
 
 
@@ -80,27 +81,26 @@ def _no_old_command(text: str) -> str:
 
 
 def html(text: str) -> str:
-    """Lines stay lines; a browser shows them as such inside of <pre>."""
+    """Escapes text for HTML. Line ends stay; a browser shows them within <pre>."""
     from html import escape
 
     return xml_document(escape(printable(text), quote=True))
 
 
 def xml_document(written: str) -> str:
-    """The same document; what a log would take for a command has a character reference in it."""
+    """The same document, with a character reference in what a CI log would run as a command."""
     colons = re.sub(r"^( *):(?=:)", r"\1&#58;", written, flags=re.MULTILINE)
     return re.sub("#(?=#)", "&#35;", colons)
 
 
 def json_document(value: object, indent: int | None = None) -> str:
-    """None of its lines begins with a colon, and what a log would take for an older command has an
-    escape in it."""
+    """JSON in which a CI log finds no command: no line begins with a colon, and "##" is escaped."""
     return re.sub("#(?=#)", r"\\u0023", json.dumps(value, indent=indent, ensure_ascii=False))
 
 
 def csv_row(values: Iterable[Value]) -> str:
-    """A line that ends in CRLF. Numbers stay numbers, and None, NaN and infinity are empty. A text
-    that a spreadsheet would calculate begins with an apostrophe instead."""
+    """A line that ends in CRLF. Numbers stay numbers; None, NaN and infinity become empty. Text
+    that a spreadsheet would take for a formula gets an apostrophe in front."""
     return ",".join(_csv_field(value) for value in values) + "\r\n"
 
 
@@ -111,13 +111,14 @@ def _csv_field(value: Value) -> str:
         return str(value)
     text = printable(value)
     if not re.fullmatch(r"-?\d+(\.\d+)?", text, re.ASCII):
-        # Where lists are separated by semicolons, a spreadsheet splits there, quoted or not.
+        # With a locale that separates by semicolons, a spreadsheet splits there, even within
+        # quotes.
         text = re.sub(r"(^|[;\n])(?= *[=+\-@＝＋－＠])", r"\1'", text)
     return '"' + text.replace('"', '""') + '"'
 
 
 def markdown(text: str) -> str:
-    """One line, of which nothing is markup; nor, on GitHub, a mention, a reference or a link."""
+    """One line without markup; on GitHub, also without a mention, a reference or a link."""
     from html import escape
 
     line = escape(printable(text).replace("\n", " "), quote=False)
@@ -126,13 +127,13 @@ def markdown(text: str) -> str:
 
 
 def markdown_block(text: str) -> str:
-    """Lines of code that their content can't leave."""
+    """A code block that its content can't close."""
     fence = "`" * max(3, 1 + max(map(len, re.findall("`+", text)), default=0))
     return f"{fence}text\n{_no_command(printable(text))}\n{fence}"
 
 
 def workflow(command: str, message: str, **properties: str | int) -> str:
-    """One command to GitHub's runner, as workflow("error", "x", file="a.cpp", line=3)."""
+    """One workflow command for GitHub's runner, as workflow("error", "x", file="a.cpp", line=3)."""
     given = ",".join(f"{key}={_property(str(value))}" for key, value in properties.items())
     return _no_old_command(f"::{command}{' ' * bool(given)}{given}::{_data(printable(message))}")
 

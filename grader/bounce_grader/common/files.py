@@ -1,4 +1,4 @@
-"""Writing files whole or not at all, and on the disk before they have their name."""
+"""Writes files atomically, and removes temporary ones that a killed process left."""
 
 import os
 import shutil
@@ -8,14 +8,15 @@ from pathlib import Path
 
 from bounce_grader.common.paths import WORK_FOLDER
 
-CLASS_FOLDER = "bounce-class-"  # the prefix of a temporary one
-BOX_FOLDER = "bounce-box-"  # likewise, of a reduced box, as in grader/box/enter.cpp
-ABANDONED = 3600.0  # seconds after which nobody is writing a file any more
+CLASS_FOLDER = "bounce-class-"  # prefix of the temporary folders of ./kit class
+BOX_FOLDER = "bounce-box-"  # prefix of those of a reduced box, as in grader/box/enter.cpp
+ABANDONED = 3600.0  # seconds after which a temporary file counts as abandoned
 
 
 def write_whole(path: Path, data: str | bytes, durable: bool = False) -> None:
-    """Under a temporary name first; `durable` survives a loss of power as well. Raises OSError,
-    and then leaves what was there. A device or a pipe is written to, and never replaced."""
+    """Writes a file whole or not at all, by renaming a temporary one. If `durable`, the file also
+    survives a power loss. If it raises OSError, the old file stays. A device or a pipe is written
+    to directly."""
     if path.exists() and not path.is_file() and not path.is_dir():
         path.write_bytes(data.encode() if isinstance(data, str) else data)
         return
@@ -44,14 +45,14 @@ def _flush_folder(folder: Path) -> None:
 
 
 def fitting(name: str, most: int = 200) -> str:
-    """The beginning of a name, in so many bytes; a file system takes 255."""
+    """Cuts a name to at most so many bytes; a file system allows 255."""
     cut = os.fsencode(name)[:most]
     return name if cut == os.fsencode(name) else cut.decode(errors="ignore")
 
 
 def remove_abandoned(folder: Path) -> None:
-    """Takes away what writers and gradings that were killed have left; others may be at work beside
-    this, and what they take away themselves is gone."""
+    """Removes what killed writers and gradings left behind. Other gradings may be running, and may
+    remove their own files at the same time."""
     for part in folder.rglob(".*.part"):
         if _abandoned(part):
             part.unlink(missing_ok=True)

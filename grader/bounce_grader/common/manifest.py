@@ -1,4 +1,4 @@
-"""The parts and their checks, from grader/parts.json: the one place where points stand."""
+"""The parts and their checks, from grader/parts.json, the only place that defines points."""
 
 import json
 from functools import cache
@@ -45,6 +45,5 @@ def parts() -> tuple[Part, ...]:
 
 
 def part_of(name: str) -> Part:
-    """The part that a name such as part2_without_dt begins with. Raises StopIteration where there is
-    none."""
+    """The part of a name such as part2_without_dt. Raises StopIteration if there is none."""
     return next(part for part in parts() if name.startswith(f"part{part.number}_"))

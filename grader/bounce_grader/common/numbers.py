@@ -1,16 +1,16 @@
-"""How numbers are written in every report."""
+"""Formats numbers, in the same way in every report."""
 
 import math
 from collections.abc import Mapping
 from typing import Any
 
-ROUNDING = 1e-14  # what rounding leaves of a 0
+ROUNDING = 1e-14  # numbers below this are rounding errors of 0
 LENGTHS = (
     ("m", 1.0, 0.0999),
     ("mm", 1e-3, 0.999e-4),
     ("\N{MICRO SIGN}m", 1e-6, 0.999e-7),
     ("nm", 1e-9, 0.0),
-)  # unit, its size and the least length that is written in it; a tick of an axis may be rounded
+)  # unit, its size, and the least length written in it; a tick may be rounded down
 TIMES = (
     ("s", 1e9, 1e9),
     ("ms", 1e6, 1e6),
@@ -35,7 +35,7 @@ def percent(share: float) -> str:
 
 
 def scientific(x: float) -> str:
-    """An error whose power of ten is what matters: 3.0e-13."""
+    """For an error, of which mostly the power of ten matters: 3.0e-13."""
     return f"{x:.1e}"
 
 
@@ -45,12 +45,12 @@ def scientific_tick(x: float) -> str:
 
 
 def significant(x: float, digits: int) -> str:
-    """A quantity of mechanics, with a true minus sign, and 0 for what rounding leaves of it."""
+    """For a mechanical quantity: with a true minus sign, and 0 for a rounding error of 0."""
     return f"{0.0 if abs(x) < ROUNDING else x:.{digits}g}".replace("-", "\N{MINUS SIGN}")
 
 
 def two_digits(x: float) -> str:
-    """Two significant digits, and no power of ten below a million."""
+    """Two significant digits; no exponent below a million."""
     return short(float(f"{x:.2g}"))
 
 
@@ -59,7 +59,7 @@ def metres(x: float) -> str:
 
 
 def seconds(ns: float) -> str:
-    """Of nanoseconds."""
+    """Writes a time given in nanoseconds."""
     return _with_unit(ns, TIMES)
 
 

@@ -1,10 +1,11 @@
-"""Python packages of the distribution, which ./kit starts without: see there."""
+"""Makes the distribution's Python packages importable; ./kit starts Python without them, as it
+explains."""
 
 import sys
 
 
 def find_installed() -> None:
-    """From here on they can be imported."""
+    """Makes them importable from here on."""
     if sys.flags.no_site:
         import site
 

@@ -1,7 +1,7 @@
-"""The same function for several items, a few at a time.
+"""Applies a function to several items in parallel, in threads.
 
-ThreadPoolExecutor doesn't do here: a signal that comes while it starts a thread leaves that thread
-out of those that it waits for, and so a compiler at work in a folder that is being removed.
+ThreadPoolExecutor won't do: if a signal arrives while it starts a thread, it never waits for that
+thread, whose compiler is then still running while its folder is removed.
 """
 
 from collections.abc import Callable, Iterable
@@ -13,10 +13,10 @@ Y = TypeVar("Y")
 
 
 def parallel_map(function: Callable[[X], Y], items: Iterable[X], jobs: int) -> list[Y]:
-    """function(item) for all items, in their order, in as many threads as there are jobs. After an
-    error no other item is begun; it is raised when those that were have ended."""
+    """Returns function(item) for all items, in their order, computed in `jobs` threads. After an
+    error it starts no other item, and raises the error once the running ones have ended."""
     given = list(items)
-    waiting = enumerate(given)  # whose next() no other thread can come between
+    waiting = enumerate(given)  # its next() is atomic among threads
     done: dict[int, Y] = {}
     errors: list[BaseException] = []
 
@@ -30,7 +30,7 @@ def parallel_map(function: Callable[[X], Y], items: Iterable[X], jobs: int) -> l
 
     if min(jobs, len(given)) > 1:
         _in_threads(work, min(jobs, len(given)), waiting)
-    else:  # here, so that a signal stops what runs
+    else:  # in this thread, so that a signal interrupts the function
         work()
     if errors:
         raise errors[0]
@@ -38,8 +38,8 @@ def parallel_map(function: Callable[[X], Y], items: Iterable[X], jobs: int) -> l
 
 
 class _Worker(Thread):
-    """Says when it has ended. After a signal in the midst of join(), a thread that still runs would
-    be taken for one that has."""
+    """Sets an event when it has ended. join() isn't reliable: if a signal interrupts it, a running
+    thread can count as ended."""
 
     def __init__(self, work: Callable[[], None]) -> None:
         super().__init__(target=work)
@@ -53,7 +53,8 @@ class _Worker(Thread):
 
 
 def _in_threads(work: Callable[[], None], number: int, waiting: Iterable[object]) -> None:
-    """Whatever is raised here, by a signal or for want of threads, what has begun ends first."""
+    """Waits for every started thread, even if an exception is raised here, by a signal or because
+    no thread can be started."""
     workers = [_Worker(work) for _ in range(number)]
     try:
         for worker in workers:

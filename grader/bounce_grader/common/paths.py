@@ -1,4 +1,4 @@
-"""Where things are."""
+"""Paths of the kit's files and folders."""
 
 from pathlib import Path
 
@@ -15,9 +15,9 @@ CACHE = BUILD / "cache"
 CONTRACT = ROOT / "student" / "include"
 HANDOUT = ROOT / "student"
 STUBS = HANDOUT / "src"
-WORK_FOLDER = "bounce-submission-"  # the prefix of a temporary one
-SOURCES = "sources"  # in it, what was submitted
+WORK_FOLDER = "bounce-submission-"  # prefix of the temporary folder of a grading
+SOURCES = "sources"  # the folder in it with the submission's files
 FIXTURES = ROOT / "fixtures"
 SCENES = FIXTURES / "scenes"
-SUPPORT = ROOT / "tests" / "kit" / "support"  # what the kit's tests share
+SUPPORT = ROOT / "tests" / "kit" / "support"  # shared by the kit's tests
 SECRET = ROOT / "course-secret"

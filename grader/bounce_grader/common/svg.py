@@ -1,5 +1,5 @@
-"""Drawings as SVG: single shapes, and charts whose axes are powers of ten. They take the colour of
-the text around them, so that they show on paper, in the dark and in grey."""
+"""Draws SVG: single shapes, and charts with logarithmic axes. Drawings use the colour of the
+surrounding text, so they work on paper, in dark mode and in grey."""
 
 import math
 from collections.abc import Callable, Iterable
@@ -8,12 +8,12 @@ from typing import NamedTuple
 from bounce_grader.common import escaping
 
 INK = "currentColor"
-BOLD = ' style="font-weight:bold"'  # an attribute of a text
+BOLD = ' style="font-weight:bold"'  # an attribute for text()
 Place = tuple[float, float]  # px, to the right and down
 
 
 class Drawing(str):
-    """Finished SVG: a template takes it as it is, whereas it escapes other text."""
+    """Finished SVG, which a template inserts without escaping."""
 
     def __html__(self) -> str:
         return self
@@ -58,24 +58,26 @@ def through(places: Iterable[Place], decimals: int = 1) -> str:
 
 
 def cross(x: float, y: float, arm: int) -> str:
-    """Two diagonals, likewise."""
+    """Two diagonals, as a path's "d"."""
     return f"M{x - arm:.1f} {y - arm:.1f}l{2 * arm} {2 * arm}m0-{2 * arm}l-{2 * arm} {2 * arm}"
 
 
 def title(words: str) -> str:
-    """What a browser shows of a shape that the pointer is over."""
+    """The tooltip that a browser shows for a shape."""
     return f"<title>{escaping.html(words)}</title>"
 
 
 def decades(values: Iterable[float], low: float, high: float) -> tuple[int, int]:
-    """The powers of ten that hold the values, as far as these are between low and high."""
+    """The exponents of the powers of ten around the values; values are clamped to low and high
+    first."""
     logs = [math.log10(min(max(value, low), high)) for value in values] or [0.0]
     first, last = math.floor(min(logs)), math.ceil(max(logs))
     return first, max(last, first + 1)
 
 
 class Axes(NamedTuple):
-    """A largest error against a time: the powers of ten at the axes' ends, and the frame in px."""
+    """Logarithmic axes for error over time: the exponents at the ends of the axes, and the frame in
+    px."""
 
     x: tuple[int, int]
     y: tuple[int, int]
@@ -89,7 +91,8 @@ class Axes(NamedTuple):
         return self.top + self.height
 
     def at(self, x: float, y: float | None) -> Place:
-        """Where a point is drawn; at the edge if it is beyond, and at the top if y isn't finite."""
+        """The position of a point in px. A point outside goes to the edge, and to the top if y is
+        None."""
         across, up = _share(x, self.x), _share(math.inf if y is None else y, self.y)
         return self.left + self.width * across, self.bottom - self.height * up
 
@@ -100,7 +103,7 @@ class Axes(NamedTuple):
         y_ticks: Iterable[int] | None = None,
         gap: int = 9,
     ) -> list[str]:
-        """At all powers of ten, but for y where others are given."""
+        """Ticks at all powers of ten; on the y axis, only at `y_ticks` if given."""
         out = []
         for decade in range(self.x[0], self.x[1] + 1):
             x, bottom = self.at(10.0**decade, 0)

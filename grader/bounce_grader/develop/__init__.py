@@ -1,4 +1,4 @@
-"""For those who work on the kit: tests, benchmarks, fuzzing, doctor, the study.
+"""Tools for developing the kit: tests, benchmarks, fuzzing, doctor, the study.
 
 Imports: build, classroom.intake, common, grading, publish, sandbox, submission.
 """

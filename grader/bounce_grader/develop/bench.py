@@ -1,6 +1,5 @@
-"""./kit bench: what a grading costs. Measured here and now, on a machine that has nothing else to
-do; each goal stands beside what was measured. Ratios within one run are what can be compared
-between machines."""
+"""./kit bench: measures what a grading costs, and compares it with goals. Run it on an idle
+machine. Only the ratios within one run can be compared between machines."""
 
 import json
 import statistics
@@ -70,8 +69,8 @@ def run() -> int:
 
 
 def _one(folder: Path) -> list[Line]:
-    """One submission: new, the same again, and with one part changed; and beside the new one what
-    the plain compiler takes for its four files, one after the other."""
+    """Times one submission: new, the same again, and with one part changed; and, for comparison,
+    the plain compiler on its four files, one after the other."""
     fresh, again, changed, compiler = [], [], [], []
     for number in range(ROUNDS):
         submission = _variant(folder / f"one{number}", number)
@@ -94,7 +93,7 @@ def _one(folder: Path) -> list[Line]:
 
 
 def _many(folder: Path) -> list[Line]:
-    """Different submissions, one after the other."""
+    """Grades different submissions, one after the other."""
     start = time.monotonic()
     for number in range(MANY):
         _seconds(_grading(_variant(folder / f"many{number}", number)))
@@ -103,7 +102,8 @@ def _many(folder: Path) -> list[Line]:
 
 
 def _at_once(folder: Path) -> list[Line]:
-    """Gradings side by side get the scores that they get alone: the limits count CPU time."""
+    """Compares the scores of concurrent gradings with those of single ones: they must be the same,
+    because the limits count CPU time."""
     submissions = sorted((ROOT / "tests" / "submissions" / "mistakes").iterdir())[::8][:AT_ONCE]
     alone = [_score(_mistaken(folder / f"alone{n}", s, n)) for n, s in enumerate(submissions)]
     with ThreadPoolExecutor(AT_ONCE) as pool:
@@ -115,7 +115,8 @@ def _at_once(folder: Path) -> list[Line]:
 
 
 def _plain(folder: Path) -> list[Line]:
-    """The usual way: the submission compiled and linked with the tests and GoogleTest, and run."""
+    """Times the usual way: compile the submission, link it with the tests and GoogleTest, and run
+    it."""
     submission, program = _variant(folder / "plain", 0), folder / "program"
     tests = [str(CHECKS / f"{part.stem}_test.cpp") for part in parts()]
     linked = [str(CHECKS / "linked" / f"{part.stem}.cpp") for part in parts()]
@@ -133,7 +134,8 @@ def _plain(folder: Path) -> list[Line]:
 
 
 def _memory(folder: Path) -> list[Line]:
-    """Of the grader itself; and of the compiler, without a box, which hides it."""
+    """Peak memory of the grader itself; and of the compiler, run without a box, which would hide
+    it."""
     submission = _variant(folder / "memory", 0)
     own = _largest("SELF", GRADING, "grade", str(submission), "--json", "/dev/null")
     submission = _variant(folder / "compiled", 1)
@@ -145,7 +147,7 @@ def _memory(folder: Path) -> list[Line]:
 
 
 def _largest(whose: str, program: str, *words: str) -> float:
-    """The most memory of a Python program with these arguments, or of what it starts, in MB."""
+    """The peak memory, in MB, of a Python program with these arguments, or of its largest child."""
     report = f"import resource; print(resource.getrusage(resource.RUSAGE_{whose}).ru_maxrss)"
     command = [sys.executable, "-c", f"{program}\n{report}", *words]
     folder = ROOT / "grader"  # where the package is
@@ -154,7 +156,7 @@ def _largest(whose: str, program: str, *words: str) -> float:
 
 
 def _variant(folder: Path, number: int) -> Path:
-    """The solution, a comment different, so that no part of it has been compiled before."""
+    """A copy of the solution with a new comment in each part, so that no object is in the cache."""
     folder.mkdir()
     for file in SOLUTION.glob("*.cpp"):
         stamp = f"// {time.time_ns()} {number}\n"

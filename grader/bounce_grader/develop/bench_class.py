@@ -1,5 +1,5 @@
-"""./kit bench class: made-up classes of growing size, from nothing and again. Measured here and now,
-on whatever else this machine does; the seconds of a submission can be compared between sizes."""
+"""./kit bench class: times made-up classes of growing size, first from nothing and then again.
+Other programs on the machine disturb it; compare the seconds per submission between sizes."""
 
 import os
 import subprocess
@@ -13,14 +13,14 @@ from bounce_grader.common.errors import KitError
 from bounce_grader.common.paths import ROOT
 from bounce_grader.develop import synthetic_class
 
-KINDS = ("accepted", "mistakes")  # what most of a class hands in
+KINDS = ("accepted", "mistakes")  # the folders of the gallery that most of a class is like
 FIRST_USER = 1_000_000
 
 
 @dataclass(frozen=True)
 class Measured:
     seconds: float
-    megabytes: float  # the orchestrating process at its largest
+    megabytes: float  # peak memory of the process that runs the class
 
 
 def run(largest: int) -> int:
@@ -36,7 +36,7 @@ def run(largest: int) -> int:
 
 def _size(folder: Path, size: int) -> None:
     folder.mkdir()
-    users = FIRST_USER + time.time_ns() % 10**9  # a remark that no cache has seen
+    users = FIRST_USER + time.time_ns() % 10**9  # in comments, so that the cache has no object
     of = list(synthetic_class.students(size, KINDS, users))
     synthetic_class.canvas_zip(folder / "submissions.zip", of)
     first, again = _class(folder), _class(folder)

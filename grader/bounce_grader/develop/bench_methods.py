@@ -1,5 +1,5 @@
-"""What a step and an LCP of each method cost, for ./kit bench: ns and residual, and the goals as
-ratios to the plain form of the assignment's contact step, measured in the same run."""
+"""Times a step and an LCP of each contact method, for ./kit bench. Goals are ratios to the plain
+form of the assignment's contact step, measured in the same run."""
 
 import json
 import subprocess
@@ -9,7 +9,7 @@ from bounce_grader.develop.bench import Line
 
 PROGRAM = BUILD / "kit_methods_bench"
 PLAIN = "step: assignment, contact"
-GOALS = {  # at most so many times the plain contact step
+GOALS = {  # the largest allowed ratio to the plain contact step
     "step: assignment_fast, contact": 12 / 24,
     "step: assignment_fast, flight": 3 / 24,
     "LCP: closed form": 6 / 24,

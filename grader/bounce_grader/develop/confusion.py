@@ -1,5 +1,5 @@
-"""What each submission of the gallery is taken for: every mistake for itself, or for its twin with
-the same numbers, and nothing right for a mistake."""
+"""Checks the recognition of mistakes on the gallery: each mistake must be recognised as itself, or
+as its twin with the same answers, and no right part as a mistake."""
 
 import json
 import os
@@ -33,7 +33,7 @@ class Row:
 
     @property
     def words(self) -> str:
-        """What it was taken for."""
+        """What it was recognised as."""
         if self.named == self.expected:
             twin = self.kind == "mistake" and self.named != (self.name,)
             return (
@@ -43,7 +43,8 @@ class Row:
 
 
 def run() -> int:
-    """Prints a summary, and the whole table into a file; 1 where a name is wrong or missing."""
+    """Prints a summary, and writes the whole table to a file. Returns 1 if a name is wrong or
+    missing."""
     rows = table()
     TABLE.write_text("".join(f"{row.name:<48} part {row.part}  {row.words}\n" for row in rows))
     counts = Counter(row.words for row in rows)
@@ -93,7 +94,7 @@ def _right_parts() -> list[tuple[str, Path, Part, tuple[str, ...]]]:
 def recognised(
     asked: Iterable[tuple[Part, Answers]], fixtures: Path = FIXTURES / "public"
 ) -> list[tuple[tuple[str, ...], tuple[str, ...]]]:
-    """Names and patterns of each list of answers."""
+    """The mistakes and patterns that are recognised in each list of answers."""
     lines = [json.dumps({"part": part.number, "answers": answers}) for part, answers in asked]
     command = [str(BUILD / "recogniser"), str(fixtures)]
     result = processes.run(command, known_mistakes.LIMITS, stdin="\n".join(lines).encode())

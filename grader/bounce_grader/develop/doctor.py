@@ -1,7 +1,7 @@
-"""./kit doctor: does each protection hold, here and for this user? Each is tried for real, by a
-program that is let loose in the boxes that submissions are compiled and run in, and in that of what
-is run once more with sanitizers. A canary is on the command line, in the environment and in the
-memory of a process above the box: nothing in there may find it."""
+"""./kit doctor: tests each protection for real, on this machine and for this user. A program, the
+probe, tries to break out of the boxes for compiling, for running, and for running with sanitizers.
+A process above the box has a canary on its command line, in its environment and in its memory; the
+probe must not find it."""
 
 import os
 import secrets
@@ -22,7 +22,7 @@ from bounce_grader.sandbox.box import problem_of, Box
 
 Attempt = list[str]
 PLACES = ("compile", "run", "check")
-# A process above the box, with the canary in it.
+# A process above the box that holds the canary.
 ABOVE = ["/bin/sh", "-c", 'BOUNCE_DOCTOR="$0" "$@"; status=$?; kept="$0"; exit $status']
 WATCHING = processes.Limits(cpu_seconds=20, wall_seconds=90, memory=4 << 30, file_size=0)
 COMPILING = COMPILE._replace(cpu_seconds=1)
@@ -31,15 +31,15 @@ COMPILING = COMPILE._replace(cpu_seconds=1)
 @dataclass(frozen=True)
 class Protection:
     title: str
-    attempts: list[Attempt]  # words for the probe; none of these may succeed
+    attempts: list[Attempt]  # arguments for the probe; none of these attempts may succeed
     places: tuple[str, ...] = PLACES
-    outside: Callable[[], bool] | None = None  # where what is seen from outside decides, later
+    outside: Callable[[], bool] | None = None  # if given, this check from outside decides
     canary: str = ""  # in a process above the box
 
 
 @dataclass(frozen=True)
 class Finding:
-    """held is None where the box can't be had at all."""
+    """The result of one protection in one box; held is None if the box can't be made here."""
 
     protection: str
     box: str  # "full compile", ...
@@ -61,7 +61,8 @@ def findings() -> list[Finding]:
 
 
 def _in_box(box: Box, place: str, folder: Path, protections: list[Protection]) -> Iterator[Finding]:
-    """First whether the box can be had, and the probe gets to its attempts there."""
+    """Tries the protections in one box, after checking that the box can be made and the probe
+    starts."""
     problem = problem_of(box)
     if not problem and not attempt(box, place, folder, ["nothing"])[0]:
         problem = "the probe doesn't start"
@@ -82,7 +83,8 @@ def _in_box(box: Box, place: str, folder: Path, protections: list[Protection]) -
 def attempt(
     box: Box, place: str, folder: Path, words: Attempt, above: Sequence[str] = ()
 ) -> tuple[bool, str]:
-    """Whether the probe could do it, and what was said. What isn't known to have failed could."""
+    """Runs one attempt of the probe: whether it succeeded, and the output. Unless it is known to
+    have failed, it counts as a success."""
     if place != "compile":
         boxed = box.to_run(PROBE) if place == "run" else box.to_check(PROBE)
         result = processes.run([*above, str(WATCH), place, *boxed, *words], WATCHING)
@@ -98,8 +100,8 @@ def attempt(
 
 @contextmanager
 def _bait() -> Iterator[list[Protection]]:
-    """What must not be reached: a file, a variable, a port, a descriptor, this process; and the
-    protections that keep it."""
+    """Sets up bait that the probe must not reach (files, a variable, a port, an open descriptor),
+    and gives the protections to test."""
     marker = secrets.token_hex(16)
     with (
         tempfile.NamedTemporaryFile("w", prefix="bounce-bait-") as file,
@@ -125,7 +127,7 @@ def _protections(marker: str, file: IO[str], home: IO[str], port: int) -> list[P
         ),
         Protection("writes no large file", [["fill", "65"]]),
         Protection("has none of your variables", [["environment", "BOUNCE_DOCTOR"]], canary=marker),
-        # In two halves: the probe's own command line doesn't count.
+        # In two halves, so that the probe doesn't find its own command line.
         *(
             Protection(
                 f"finds nothing in {title} above",
@@ -156,12 +158,12 @@ def _protections(marker: str, file: IO[str], home: IO[str], port: int) -> list[P
 
 
 def _home() -> str | None:
-    """Where a file of this user's is at home; None for those who have none."""
+    """The user's home folder; None if it can't be written to."""
     return str(Path.home()) if os.access(Path.home(), os.W_OK) else None
 
 
 def _gone(marker: str) -> bool:
-    """No process with this word on its command line is there any more, or soon."""
+    """Whether, within a second, no process has this word on its command line."""
     for _ in range(20):
         if not any(marker.encode() in _command_line(p) for p in Path("/proc").glob("[0-9]*")):
             return True
@@ -177,7 +179,7 @@ def _command_line(process: Path) -> bytes:
 
 
 def run(stream: IO[str] | None = None) -> int:
-    """Prints the table; 0 where everything held."""
+    """Prints the table. Returns 0 if everything held."""
     from rich.console import Console
     from rich.table import Table
 

@@ -1,9 +1,9 @@
-"""A million inputs for each reader of what can't be trusted, and hundreds of submissions that attack,
-for ./kit test --long.
+"""Fuzzing for ./kit test --long: a million inputs for each reader of untrusted data, and hundreds
+of submissions that attack.
 
-The readers in C++ are in tests/kit/fuzz/, those in Python and the attacks in tests/kit/support/fuzzing/. The
-ordinary run gives each reader a few thousand. An input at which one fails is kept in
-build/fuzz/inputs/.
+The fuzzers of C++ readers are in tests/kit/fuzz/, those of Python readers and the attacks in
+tests/kit/support/fuzzing/. The usual test run gives each reader a few thousand inputs. An input
+that makes one fail is stored in build/fuzz/inputs/.
 """
 
 import os
@@ -19,14 +19,14 @@ from bounce_grader.common.paths import BUILD, ROOT, SUPPORT
 COUNT = 1_000_000
 CPP = ("frames", "fixtures", "terminations")
 PYTHON = {"zip": COUNT, "sources": COUNT, "judge": COUNT, "compiler": COUNT}
-PYTHON["folder"] = COUNT // 10  # each is made on disk
+PYTHON["folder"] = COUNT // 10  # fewer, because each is made on disk
 ATTACKS = 500
 FUZZERS = ROOT / "build" / "fuzz"
 INPUTS = FUZZERS / "inputs"
 
 
 def run() -> int:
-    """The exit status: 0 when everything was taken or refused as it should be."""
+    """Returns the exit status: 0 if each input was accepted or rejected as it should be."""
     problem = _build()
     if problem:
         print(problem, flush=True)
@@ -35,12 +35,12 @@ def run() -> int:
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         sound = list(pool.map(_with_libfuzzer, CPP))
     sound += [_with_python(name, str(count)) for name, count in PYTHON.items()]
-    tonight = int(time.time() // 86400) * ATTACKS  # other ones each night
+    tonight = int(time.time() // 86400) * ATTACKS  # the first seed, which differs each day
     return int(not all([*sound, _with_python("attacks", str(ATTACKS), str(tonight))]))
 
 
 def _build() -> str:
-    """What went wrong, or nothing."""
+    """Builds the fuzzers. Returns the error, or ""."""
     for command in (
         ["cmake", "--preset", "fuzz"],
         ["ninja", "-C", str(FUZZERS), *(f"fuzz_{name}" for name in CPP)],
@@ -52,11 +52,11 @@ def _build() -> str:
 
 
 def _with_libfuzzer(name: str) -> bool:
-    """It changes inputs so that they reach lines not reached before; the same ones each time."""
+    """Runs a fuzzer with libFuzzer, which mutates inputs to reach new code. The seed is fixed."""
     start = time.monotonic()
     options = [f"-runs={COUNT}", "-seed=1", "-timeout=10", "-max_len=8192", "-print_final_stats=1"]
     options += [f"-artifact_prefix={INPUTS}/{name}-"]
-    with tempfile.TemporaryDirectory() as seeds:  # it adds what it finds
+    with tempfile.TemporaryDirectory() as seeds:  # libFuzzer adds inputs to it
         subprocess.run([BUILD / f"fuzz_{name}", "--seeds", seeds], check=True)
         command = [str(FUZZERS / f"fuzz_{name}"), *options, seeds]
         done = subprocess.run(command, capture_output=True, check=False)

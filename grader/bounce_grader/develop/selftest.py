@@ -1,4 +1,4 @@
-"""./kit test: everything that must hold of the kit, in one run."""
+"""./kit test: runs all tests of the kit."""
 
 import os
 import subprocess
@@ -87,7 +87,7 @@ def _command(*words: str) -> int:
 
 
 def _quietly(*words: str) -> int:
-    """Says something only where something is wrong."""
+    """Runs a command, and prints its output only if it fails."""
     done = subprocess.run(words, cwd=ROOT, capture_output=True, text=True, check=False)
     if done.returncode != 0:
         print(done.stdout, done.stderr, sep="\n", flush=True)
@@ -95,7 +95,7 @@ def _quietly(*words: str) -> int:
 
 
 def _sources(*patterns: str) -> list[str]:
-    """The C++ files in these folders, or of these names."""
+    """The C++ files in these folders, or that match these patterns."""
     sources: set[str] = set()
     for pattern in patterns:
         path = ROOT / pattern
@@ -127,7 +127,7 @@ def _ctest() -> int:
 
 
 def _sanitized() -> int:
-    """The C++ tests once more, with address and undefined behaviour checked as they run."""
+    """Runs the C++ tests again, with AddressSanitizer and UBSan."""
     folder = str(ROOT / "build" / "sanitize")
     return (
         _quietly("cmake", "--preset", "sanitize")

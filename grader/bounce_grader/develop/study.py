@@ -1,4 +1,5 @@
-"""./kit study: its options. The study itself is a package beside its C++, in solution/study/."""
+"""./kit study: its options. The study itself is a package in solution/study/, beside its C++
+sources."""
 
 import argparse
 import sys

@@ -1,5 +1,5 @@
-"""Classes made up from the gallery, for tests and for measuring: each submission is one of the
-gallery under another name and rewritten, so that nothing of it has been compiled before."""
+"""Makes up classes from the gallery, for tests and benchmarks. Each submission is one of the
+gallery's under another name, with a comment added so that no object is in the cache."""
 
 import io
 import random
@@ -21,22 +21,23 @@ FIRST = ("Jane", "Jürgen", "Aoife", "José", "Anh", "Saskia", "Ольга", "�
 
 @dataclass(frozen=True)
 class Made:
-    """One student of a made-up class; names as Canvas sorts them."""
+    """One student of a made-up class, with a name in Canvas's order, "Doe, Jane"."""
 
     user: int
     sortable_name: str
     kind: str  # the folder of the gallery
     files: dict[str, bytes]
-    points: float  # that it should get
+    points: float  # that the submission should get
 
 
 def gallery(kinds: Sequence[str]) -> list[Path]:
-    """The folders whose points don't depend on how busy the machine is."""
+    """The gallery's folders of these kinds."""
     return [f for kind in kinds for f in sorted((GALLERY / kind).iterdir()) if f.is_dir()]
 
 
 def students(number: int, kinds: Sequence[str], first_user: int = 10_001) -> Iterator[Made]:
-    """Going through the gallery again and again, in a mixed order; user ids count up."""
+    """Makes students with submissions from the gallery, in a shuffled order and repeated if need
+    be. User ids count up."""
     folders = gallery(kinds)
     random.Random(1).shuffle(folders)
     for i in range(number):
@@ -58,15 +59,15 @@ def made(folder: Path, user: int, name: str) -> Made:
 
 
 def _rewritten(text: bytes, user: int) -> bytes:
-    """A remark more; but for text in two bytes a letter, or with a mark at its start."""
+    """Adds a comment, unless the text is UTF-16 or begins with a byte order mark."""
     if not text.strip() or b"\0" in text or text.startswith((b"\xff", b"\xfe", b"\xef")):
         return text
     return text + f"\n// handed in by {user}\n".encode()
 
 
 def canvas_zip(path: Path, of: Sequence[Made], late: int = 7, zipped: int = 3) -> Path:
-    """As Canvas writes it; every `late`th is late, and every `zipped`th handed in a zip. So does
-    whoever has folders."""
+    """Writes a download as Canvas does. Every `late`-th submission is late, and every `zipped`-th
+    is a zip, as is each with folders."""
     attachment = 500_000
     with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
         for i, student in enumerate(of):
@@ -91,7 +92,7 @@ def zip_bytes(files: dict[str, bytes]) -> bytes:
 
 
 def gradebook_csv(of: Sequence[Made], column: str = "HW3 (98765)") -> str:
-    """Canvas's export of the class."""
+    """The class's grade book, as Canvas exports it."""
     lines = [f"Student,ID,SIS User ID,SIS Login ID,Section,Quiz 1 (1111),{column},Final Score"]
     lines += ["    Points Possible,,,,,10.00,100.00,(read only)"]
     for i, student in enumerate(of):

@@ -1,5 +1,5 @@
-"""clang-tidy over our own C++. A file takes it several seconds, most of them for the headers of Eigen
-and of the library, so that only a whole run looks at every file."""
+"""Runs clang-tidy on our C++. It takes several seconds per file, mostly for headers of Eigen and
+the standard library, so only a long run checks every file."""
 
 import hashlib
 import json
@@ -18,7 +18,8 @@ CLEAN = BUILD / "tidied.json"  # {file: digest} of what was found clean
 
 
 def run(all_files: bool) -> int:
-    """Tidies every file that isn't known to be clean; in a usual run, those that changed last."""
+    """Checks the files that aren't known to be clean: all of them, or in a usual run those that
+    changed last."""
     digests = _digests()
     clean = json.loads(CLEAN.read_text()) if CLEAN.exists() else {}
     waiting = [file for file in _latest_first(digests) if clean.get(file) != digests[file]]
@@ -39,7 +40,8 @@ def run(all_files: bool) -> int:
 
 
 def _digests() -> dict[str, str]:
-    """Of each file with everything of ours that it could include, and the checks."""
+    """A digest for each file, over its text, all headers of ours, and clang-tidy's
+    configuration."""
     shared = hashlib.sha256((ROOT / ".clang-tidy").read_bytes())
     for header in sorted(h for folder in HEADERS for h in (ROOT / folder).rglob("*.hpp")):
         shared.update(header.read_bytes())
@@ -52,7 +54,8 @@ def _with(shared: str, file: Path) -> str:
 
 
 def _latest_first(files: dict[str, str]) -> list[str]:
-    """By git's history, where there is one; what isn't committed yet comes first."""
+    """Sorts the files by their last change in git's history, if there is one. Uncommitted changes
+    come first."""
     log = ["git", "log", "--name-only", "--format=", "-n", "200", "--", *FOLDERS]
     changed = [*_lines(["git", "diff", "--name-only", "HEAD"]), *_lines(log), *files]
     return [file for file in dict.fromkeys(changed) if file in files]

@@ -1,4 +1,4 @@
-"""Makes a report of the score record: one module for each format, which starts nothing.
+"""Makes reports from the score record: one module for each format, none of which starts a process.
 
 Imports: assignment, common, grading, submission.
 """
@@ -24,7 +24,7 @@ def render(name: str, record: dict[str, Any], submission: Path) -> str:
 
 
 def refused(name: str | None, sentence: str) -> str:
-    """For a submission that can't be read, in the formats that have words for that; else empty."""
+    """The report on a submission that can't be read; empty for formats without one."""
     if name not in NAMES or name == "json":
         return ""
     module = import_module(f"{__name__}.{name}")

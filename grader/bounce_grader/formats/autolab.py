@@ -1,5 +1,5 @@
-"""Autolab's last two lines: the feedback by stages, and the scores by problem. The problems of the
-assessment are named after the parts, part1_contacts to part4_simulate."""
+"""The last two lines of output that Autolab reads: feedback by stages, and scores by problem. The
+assessment's problems have the names of the parts, part1_contacts to part4_simulate."""
 
 from typing import Any
 

@@ -1,4 +1,4 @@
-"""The words and numbers of a failed case, as case.html.j2 shows them."""
+"""Prepares the text and numbers of a failed case for case.html.j2."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -8,7 +8,7 @@ from bounce_grader.grading.failed_case import Shown
 
 NOT_FINITE = {"nan": "NaN", "inf": "\N{INFINITY}", "-inf": "\N{MINUS SIGN}\N{INFINITY}"}
 Entry = tuple[str, bool]  # a number, and whether it is right
-Matrix = tuple[str, list[tuple[list[Entry], str]]]  # a title; and each row with its unit
+Matrix = tuple[str, list[tuple[list[Entry], str]]]  # a title, and the rows, each with its unit
 
 
 def sentence(words: str) -> str:
@@ -16,7 +16,7 @@ def sentence(words: str) -> str:
 
 
 def question(asked: str) -> str:
-    """Without the margin that it has in a terminal."""
+    """The input of a case, without the indentation for a terminal."""
     return asked.removeprefix("  input    ").replace("\n" + " " * 11, "\n")
 
 
@@ -29,7 +29,7 @@ def caption(quantity: Shown) -> str:
 
 
 def matrices(quantity: Shown) -> Iterator[Matrix]:
-    """The submission's; and beside it the right one, if it may be shown."""
+    """The submission's matrix, and the right one if it may be shown."""
     got, right, expected = quantity["got"], quantity["right"], quantity.get("expected")
     digits = _digits(quantity)
     units = _units(quantity) or [""] * len(got)
@@ -42,13 +42,13 @@ def matrices(quantity: Shown) -> Iterator[Matrix]:
 
 
 def _units(quantity: Shown) -> list[str]:
-    """Of each row; of numbers without a unit none. Empty where all have the same."""
+    """The unit of each row, "" for dimensionless ones. Empty if one unit holds for all rows."""
     units = quantity["unit"].split(", ")
     return ["" if u == "1" else u for u in units] if len(units) == len(quantity["got"]) else []
 
 
 def _digits(quantity: Shown) -> int:
-    """Six, or as many as it takes to see that a wrong number is another."""
+    """Six digits; twelve if a wrong number and the right one look the same with six."""
     for rows in zip(quantity["got"], quantity["right"], quantity.get("expected") or []):
         for x, right, y in zip(*rows):
             if not right and number(x, 6) == number(y, 6):

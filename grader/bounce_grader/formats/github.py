@@ -1,5 +1,5 @@
-"""GitHub Actions: annotations at the student's files and lines, and what GitHub Classroom's
-reporter reads."""
+"""GitHub Actions: annotations at files and lines of the submission, and the result that GitHub
+Classroom's reporter reads."""
 
 import base64
 import json
@@ -20,7 +20,8 @@ VERSION = 1  # of the reporter's format
 
 
 def render(record: Record, root: Path = Path()) -> str:
-    """Workflow commands for standard output; `root` is where the files' names begin."""
+    """Workflow commands for standard output. `root` is the folder that was graded, as in the
+    repository."""
     lines = [line for part in record["parts"] for line in _part(part, root)]
     lines += [_command("warning", "Speed", sentence) for sentence in sentences.speed_words(record)]
     report = {"totalPoints": record["score"], "maxPoints": record["max_score"]}
@@ -31,12 +32,12 @@ def render(record: Record, root: Path = Path()) -> str:
 
 
 def refused(sentence: str) -> str:
-    """For a submission that can't be read: no points are reported."""
+    """The report on a submission that can't be read, without points."""
     return _command("error", "Not graded", sentence)
 
 
 def reporter_result(record: Record, root: Path = Path()) -> str:
-    """The reporter's result, in base64: a test for each part."""
+    """The result for the reporter, in base64, with a test for each part."""
     full = record["score"] == record["max_score"]
     report = {
         "version": VERSION,
@@ -48,7 +49,7 @@ def reporter_result(record: Record, root: Path = Path()) -> str:
 
 
 def leave(record: Record, root: Path = Path()) -> None:
-    """What a step of a workflow hands on, where this is one."""
+    """Writes the outputs and the summary of a workflow's step, if this runs in one."""
     result = f"result={reporter_result(record, root)}\nscore={short(record['score'])}\n"
     _append("GITHUB_OUTPUT", result)
     _append("GITHUB_STEP_SUMMARY", markdown.render(record) + "\n")
@@ -81,7 +82,8 @@ def _test(part: Record, root: Path) -> dict[str, Any]:
 
 
 def _part(part: Record, root: Path) -> list[str]:
-    """One annotation a part, at its line where that is known: GitHub shows ten of a kind a step."""
+    """At most one annotation for a part, because GitHub shows only ten of each kind in a step. It
+    points to a line if one is known."""
     if part["score"] == part["max_score"]:
         return []
     lines = [sentences.part_words(part)]
@@ -106,8 +108,8 @@ def _command(
 
 
 def _place_in(texts: Iterable[str], part: Record, root: Path) -> Place | None:
-    """The first in the part's own file or in another of the repository: these texts come from the
-    submission, which could name any file."""
+    """The first place that is in the part's own file or in another file of the repository. The
+    texts come from the submission, which could name any file."""
     own, files = f"{part['stem']}.cpp", _files(root)
     for place in filter(None, map(sentences.place_in, texts)):
         if Path(place.file).name == own or _in_repository(place.file, root) in files:
@@ -116,7 +118,7 @@ def _place_in(texts: Iterable[str], part: Record, root: Path) -> Place | None:
 
 
 def _files(root: Path) -> list[str]:
-    """Of a folder, as many and as deep as a submission may have them."""
+    """The names of the files in a folder; empty if it can't be read as a submission."""
     try:
         with intake.opened(root) as entries:
             return [entry.name for entry in entries] if root.is_dir() else []
@@ -125,7 +127,8 @@ def _files(root: Path) -> list[str]:
 
 
 def _in_repository(file: str, root: Path) -> str:
-    """The grader names files from a submission's top folder; a repository may have that deeper."""
+    """The path of a file in the repository. The grader's paths begin at the submission's top
+    folder, which may be deeper in the repository."""
     files = _files(root)
     deeper = [path for path in files if path.endswith(f"/{file}")]
     return deeper[0] if len(deeper) == 1 and file not in files else file

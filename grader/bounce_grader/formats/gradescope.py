@@ -9,7 +9,7 @@ from bounce_grader.grading.record import Record
 
 
 def render(record: Record) -> str:
-    """No score at the top: it would override the sum of the tests."""
+    """The report. It has no score at the top level, which would override the sum of the tests."""
     result: dict[str, Any] = {
         "execution_time": record["seconds"]["total"],
         "output": _summary(record),
@@ -28,8 +28,8 @@ def render(record: Record) -> str:
 
 
 def refused(sentence: str) -> str:
-    """A submission that can't be read: nothing was graded, and the student can hand in again.
-    Gradescope takes a result without a score for a failure of the autograder."""
+    """The report on a submission that can't be read. Its score is 0, because Gradescope takes a
+    result without a score for a failure of the autograder; the student can submit again."""
     result = {
         "score": 0,
         "output": printable(sentence),
@@ -65,7 +65,8 @@ def _test(number: str, part: Record, check: Record) -> dict[str, Any]:
 
 
 def _leaderboard(record: Record) -> list[dict[str, Any]]:
-    """Speed and error are those of right answers: returning zeros is quicker than any."""
+    """The leaderboard. Speed and error count only with full points: a program that returns zeros is
+    fastest."""
     rows: list[dict[str, Any]] = [{"name": "Points", "value": record["score"]}]
     right = record["score"] == record["max_score"]
     speed = (record.get("speed") or {}) if right else {}

@@ -1,4 +1,4 @@
-"""A page for a student."""
+"""The feedback page for a student."""
 
 from bounce_grader.assignment import picture
 from bounce_grader.common import numbers
@@ -7,8 +7,8 @@ from bounce_grader.formats.templates import fill
 from bounce_grader.grading import speed
 from bounce_grader.grading.record import Record
 
-MOST_UNUSED = 20  # files named
-TITLE = "Bouncing: "  # every page's begins so
+MOST_UNUSED = 20  # names of unused files on a page
+TITLE = "Bouncing: "  # every page's title begins with it
 PAGE = "formats/feedback.html.j2"
 
 
@@ -32,7 +32,7 @@ def render(record: Record, name: str = "", unused: tuple[str, ...] = ()) -> str:
 
 
 def refused(sentence: str) -> str:
-    """For a submission that can't be read."""
+    """The page about a submission that can't be read."""
     return fill(PAGE, title=f"{TITLE}not graded", refusal=sentence)
 
 

@@ -1,4 +1,4 @@
-"""JUnit's XML: a suite for each part, a case for each check."""
+"""JUnit's XML: a test suite for each part, a test case for each check."""
 
 from xml.etree import ElementTree
 
@@ -19,7 +19,8 @@ def render(record: Record) -> str:
 
 
 def _suite(part: Record) -> ElementTree.Element:
-    """A part that didn't run is an error in each of its checks; a wrong answer is a failure."""
+    """The suite of a part. A check that didn't run counts as an error, a wrong answer as a
+    failure."""
     errors = [c for c in part["checks"] if not c["passed"] and _did_not_run(part, c)]
     failed = [check for check in part["checks"] if not check["passed"]]
     suite = ElementTree.Element(

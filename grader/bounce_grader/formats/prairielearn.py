@@ -20,13 +20,13 @@ def render(record: Record) -> str:
 
 
 def refused(sentence: str) -> str:
-    """Not gradable: PrairieLearn takes no attempt away."""
+    """The report on a submission that can't be read: not gradable, so that it costs no attempt."""
     result = {"gradable": False, "format_errors": [printable(sentence)]}
     return json_document(result, indent=1)
 
 
 def _test(number: str, part: Record, check: Record) -> dict[str, Any]:
-    """Every test has its points, or PrairieLearn shows none."""
+    """A test with its points; PrairieLearn shows points only if every test has them."""
     hint = sentences.hint(check)
     return {
         "name": f"{number} {check['title']}",

@@ -1,4 +1,4 @@
-"""Sentences and places in a record that several formats use."""
+"""Sentences about a record, and places in the submission's files, for several formats."""
 
 import re
 from typing import NamedTuple
@@ -18,7 +18,7 @@ PLACE = re.compile(r"([\w./-]+\.(?:cpp|cc|cxx|hpp|hh|hxx|h|ipp|inl)):(\d+)(?::(\
 
 
 class Place(NamedTuple):
-    """Where in the submission a fault is."""
+    """A line of the submission's files."""
 
     file: str
     line: int
@@ -38,20 +38,21 @@ def has_run(part: Record) -> bool:
 
 
 def had_help(part: Record) -> bool:
-    """Whether it lost points though the earlier parts were given: a mistake there cost none."""
+    """Whether the part lost points even with given earlier parts, so that mistakes there cost
+    nothing."""
     return part["graded_with"] == "given" and part["score"] < part["max_score"]
 
 
 def part_words(part: Record) -> str:
-    """What there is to say of a part as a whole, in one sentence."""
+    """One sentence about a part as a whole."""
     if part["status"] == "graded":
         return str(part["message"])
     return f"{STATUS_WORDS.get(part['status'], part['status'])}: {part['message']}"
 
 
 def check_words(part: Record, check: Record) -> str:
-    """A check's message; if its part never ran, the reason. The first failed check begins with the
-    part's known mistakes, for formats that have no other place for them."""
+    """A check's message, or why its part never ran. The first failed check begins with the part's
+    known mistakes, for formats that have no other place for them."""
     message = check["message"] or ("" if check["passed"] else part_words(part))
     first_failed = next((c for c in part["checks"] if not c["passed"]), None)
     mistakes = mistake_words(part) if check is first_failed else []
@@ -59,7 +60,7 @@ def check_words(part: Record, check: Record) -> str:
 
 
 def mistake_words(part: Record) -> list[str]:
-    """A line for each known mistake that the part makes; else for what its numbers say."""
+    """A line for each known mistake that the part makes; if there is none, its patterns."""
     lines = [
         f"Looks like: {mistake['title']}. {mistake['sentence']} See {where_to_read(mistake)}."
         for mistake in part["mistakes"]
@@ -68,13 +69,13 @@ def mistake_words(part: Record) -> list[str]:
 
 
 def where_to_read(mistake: Record) -> str:
-    """eq. (6) and hint 1.2 The moment arm r"""
+    """The references, as "eq. (6) and hint 1.2 The moment arm r"."""
     numbers = ", ".join(f"({number})" for number in mistake["equations"])
     return f"eq{'s' * (len(mistake['equations']) > 1)}. {numbers} and hint {mistake['hint']}"
 
 
 def speed_words(record: Record) -> list[str]:
-    """Why the submission has no time beside the solution's, where its answers are the reason."""
+    """Why the submission wasn't timed, if different answers are the reason."""
     from bounce_grader.grading import speed
 
     measured = record.get("speed") or {}
@@ -82,7 +83,7 @@ def speed_words(record: Record) -> list[str]:
 
 
 def numbered(record: Record) -> list[tuple[str, Record, Record]]:
-    """("2.3", part, check) for each check."""
+    """Each check with its number and part, as ("2.3", part, check)."""
     return [
         (f"{part['part']}.{number}", part, check)
         for part in record["parts"]
@@ -91,7 +92,7 @@ def numbered(record: Record) -> list[tuple[str, Record, Record]]:
 
 
 def hint(check: Record) -> str:
-    """The heading of the hints that a failed check leads to; else empty."""
+    """The heading of the hint for a failed check; empty for a passed one."""
     from bounce_grader.assignment.hints import headings
 
     return "" if check["passed"] else headings().get(check["id"], "")

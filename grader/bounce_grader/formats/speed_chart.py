@@ -1,5 +1,5 @@
-"""Speed against accuracy, drawn: the error against the time that a second of motion takes, both in
-powers of ten. The curves differ in their marks and dashes, so that no colour is needed."""
+"""Draws the error over the CPU time for a second of motion, on logarithmic axes. The curves differ
+in marks and dashes, so that no colour is needed."""
 
 from collections.abc import Sequence
 
@@ -10,8 +10,8 @@ from bounce_grader.grading import speed
 from bounce_grader.grading.speed import Measured, Point
 
 WIDTH, HEIGHT = 480, 400
-LEFT, RIGHT, TOP, BOTTOM = 80, 28, 66, 52  # around the axes
-LARGEST, LEAST = 1e2, 1e-9  # m: what is beyond is drawn at the edge
+LEFT, RIGHT, TOP, BOTTOM = 80, 28, 66, 52  # px around the axes
+LARGEST, LEAST = 1e2, 1e-9  # m: errors beyond are drawn at the edge
 NAMES = {"submission": "yours", "solution": "the solution", "least": "least model"}
 DASHES = {"submission": "", "solution": "6 4", "least": "1.5 4"}
 THICKNESSES = {"submission": 2.5, "solution": 1.5, "least": 1.5}
@@ -19,7 +19,7 @@ Curves = dict[str, list[Point]]
 
 
 def of_all(measured: Measured) -> Drawing:
-    """All scenes together, with the time steps at the submission's points."""
+    """The chart for all scenes together, with time steps written at the submission's points."""
     curves = {whose: speed.curve(measured, whose) for whose in speed.CURVES}
     return _chart(curves, f"The worst of {len(measured['scenes'])} scenes", labelled=True)
 
@@ -75,7 +75,7 @@ def _curve(whose: str, points: Sequence[Point], axes: Axes) -> list[str]:
 
 
 def _steps(points: Sequence[Point], axes: Axes) -> list[str]:
-    """The time steps, at their points: the first one below, out of the way of the next."""
+    """The labels of the time steps: the first one below its point, out of the way of the second."""
     out = []
     for i, point in enumerate(points):
         x, y = axes.at(point.ns, point.error)
@@ -89,7 +89,7 @@ def _steps(points: Sequence[Point], axes: Axes) -> list[str]:
 
 
 def _mark(whose: str, x: float, y: float, title: str = "") -> str:
-    """A disc, a square and a cross."""
+    """The mark of a curve: a disc, a square or a cross."""
     if whose == "submission":
         return f'<circle cx="{x:.1f}" cy="{y:.1f}" r="5" fill="{svg.INK}">{title}</circle>'
     if whose == "solution":

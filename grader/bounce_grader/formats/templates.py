@@ -1,4 +1,4 @@
-"""Pages from Jinja2 templates. Whatever a page is given is escaped where it is printed."""
+"""Fills Jinja2 templates. Every value is escaped when it is printed."""
 
 from functools import cache
 from pathlib import Path
@@ -11,7 +11,8 @@ PACKAGE = Path(__file__).resolve().parents[1]
 
 
 def fill(template: str, **values: Any) -> str:
-    """`template` is a path in this package; a name that it lacks raises jinja2.UndefinedError."""
+    """Fills a template, given by its path in this package. A missing value raises
+    jinja2.UndefinedError."""
     return str(_environment().get_template(template).render(values))
 
 
@@ -32,8 +33,8 @@ def _environment() -> Any:
 
 
 def _escaped(value: Any) -> Any:
-    """Jinja asks this for every printed value, and would itself leave controls and commands in it.
-    A drawing and a macro's markup have __html__, and stay."""
+    """Escapes each printed value; Jinja's own escaping would leave control characters and commands
+    to CI in it. Drawings and markup of macros have __html__, and stay as they are."""
     from markupsafe import Markup
 
     return value if hasattr(value, "__html__") else Markup(html(str(value)))

@@ -28,7 +28,8 @@ def show(record: Record, stream: TextIO = sys.stdout) -> None:
 
 
 def lines(record: Record) -> list[tuple[str, str]]:
-    """(style, text) for each line. Whatever comes from a submission is stripped of controls."""
+    """The report's lines, as (style, text). Text from a submission is stripped of control
+    characters."""
     out = [("bold", f"Score {out_of(record)}"), ("", "")]
     for part in record["parts"]:
         out += _part(part)

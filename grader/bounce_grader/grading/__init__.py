@@ -1,4 +1,4 @@
-"""From a submission to its record, with known mistakes and speed.
+"""Grades a submission into its score record, with known mistakes and speed.
 
 Imports: assignment, build, common, sandbox, submission.
 """

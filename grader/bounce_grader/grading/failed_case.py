@@ -1,4 +1,5 @@
-"""A failed case in numbers, as the judge gives it (grader/judge/failed_case.hpp): read, and made safe."""
+"""Reads and validates a failed case in numbers, as the judge writes it
+(grader/judge/failed_case.hpp)."""
 
 import sys
 from typing import Any
@@ -11,7 +12,8 @@ MOST = 2000  # rows, or entries of a row
 
 
 def read(answer: Any) -> Shown | None:
-    """Only what is known to it. Raises ValueError, TypeError or KeyError."""
+    """Copies the fields that are documented, and no others. Raises ValueError, TypeError or
+    KeyError."""
     if answer is None:
         return None
     out: Shown = {key: _text(answer[key]) for key in ("name", "input", "sentence")}
@@ -26,7 +28,7 @@ def read(answer: Any) -> Shown | None:
 
 
 def read_revealed(answer: Any) -> Shown | None:
-    """The same of a hidden case with its answer, and the message that goes with it."""
+    """A hidden case with its expected answers, and the message that shows them."""
     if answer is None:
         return None
     return {"message": _text(answer["message"]), "shown": read(answer["shown"])}

@@ -1,4 +1,5 @@
-"""Fixtures: the public ones are committed; the hidden ones are made from the course secret."""
+"""Writes the fixtures: public ones, which are committed, and hidden ones, made from the course
+secret."""
 
 import hashlib
 import tempfile
@@ -16,15 +17,15 @@ LIMITS = processes.Limits(cpu_seconds=120, wall_seconds=600, memory=4 << 30, fil
 
 
 def secret() -> str:
-    """The course's, from the file course-secret; else the default."""
+    """The course's secret, from the file course-secret; without that file, a default."""
     if SECRET.exists():
         return SECRET.read_text().strip()
     return DEFAULT_SECRET
 
 
 def write(kind: str, folder: Path) -> None:
-    """Writes a set, "public" or "hidden"; each file whole or not at all, so that a grading beside
-    this one never reads half of it."""
+    """Writes a set, "public" or "hidden". It replaces each file at once, so that a concurrent
+    grading never reads half of one."""
     folder.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=folder) as name:
         result = processes.run([str(WRITER), kind, name], LIMITS, stdin=secret().encode())
@@ -35,8 +36,8 @@ def write(kind: str, folder: Path) -> None:
 
 
 def hidden_folder() -> Path:
-    """The hidden fixtures of this course's secret, written anew where the secret, or the program
-    that writes them, has changed."""
+    """The folder of the hidden fixtures. They are written again if the course's secret or the
+    program that writes them has changed."""
     stamp = hashlib.sha256(secret().encode() + WRITER.read_bytes()).hexdigest()
     noted = HIDDEN / "made-from"
     if not noted.exists() or noted.read_text() != stamp:

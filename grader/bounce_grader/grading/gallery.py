@@ -1,4 +1,4 @@
-"""What a person wrote down of a submission of the gallery, in its expected.json."""
+"""Reads expected.json, in which a person wrote what a submission of the gallery should get."""
 
 import json
 from pathlib import Path
@@ -10,7 +10,7 @@ Expected = dict[str, Any]
 
 
 def expected(folder: Path) -> Expected:
-    """With every lost check by its id; the file names a part for all of its checks. A
+    """The content of expected.json, with parts in "lost" replaced by the ids of their checks. A
     submission that loses nothing needs no file."""
     file = folder / "expected.json"
     words: Expected = json.loads(file.read_text()) if file.exists() else {}
@@ -18,7 +18,7 @@ def expected(folder: Path) -> Expected:
 
 
 def in_reduced_box(words: Expected) -> Expected:
-    """The same submission, with what is written down of the reduced box in place of the rest."""
+    """What is expected in the reduced box: the entries under "reduced" replace the others."""
     other = dict(words["reduced"])
     if "lost" in other:
         other["lost"] = _checks(other["lost"])
@@ -26,12 +26,13 @@ def in_reduced_box(words: Expected) -> Expected:
 
 
 def points(lost: list[str]) -> list[float]:
-    """What is left of each part's points without these checks."""
+    """The points of each part without these checks."""
     return [sum(c.points for c in part.checks if c.id not in lost) for part in parts()]
 
 
 def _checks(lost: list[str]) -> list[str]:
-    """In the manifest's order; what the manifest doesn't have stays at the end."""
+    """The ids of these checks and parts' checks, in the manifest's order; unknown names come
+    last."""
     known = [(f"part{part.number}", check.id) for part in parts() for check in part.checks]
     named = [check for part, check in known if part in lost or check in lost]
     return named + [name for name in lost if all(name not in words for words in known)]

@@ -1,4 +1,4 @@
-"""From a submission to its score record."""
+"""Grades a submission, and makes its score record."""
 
 import os
 import tempfile
@@ -26,16 +26,16 @@ from bounce_grader.submission.submission import Submission
 
 
 class Options(NamedTuple):
-    boxes: tuple[str, ...] = boxes.FULL_OR_REDUCED  # the kinds that will do, the best first
+    boxes: tuple[str, ...] = boxes.FULL_OR_REDUCED  # the acceptable kinds, best first
     speed: bool = False
-    jobs: int = 0  # 0: one a core
-    answers: bool = False  # with the expected answers of hidden cases, for with_answers
-    within: Budget | None = None  # of the whole grading; None: from its beginning on
+    jobs: int = 0  # 0: one per core
+    answers: bool = False  # keep the expected answers of hidden cases, for with_answers
+    within: Budget | None = None  # the grading's budget; None: a new one from its start on
 
 
 def grade(given: Path | Submission, options: Options = Options()) -> Record:
-    """A submission, or the folder or zip with it. Raises UsageError where it can't be read,
-    KitError where the kit fails."""
+    """Grades a submission, or a folder or zip that holds one. Raises UsageError if it can't be
+    read, KitError if the kit fails."""
     start = time.monotonic()
     within = options.within or Budget()
     taken = given if isinstance(given, Submission) else submission.read(given)
@@ -69,7 +69,7 @@ def grade(given: Path | Submission, options: Options = Options()) -> Record:
 
 @contextmanager
 def _work_folder() -> Iterator[Path]:
-    """For one grading; nobody else on this machine can look into it."""
+    """A temporary folder for one grading, which other users can't enter."""
     with tempfile.TemporaryDirectory(prefix=WORK_FOLDER) as name:
         yield Path(name)
 
@@ -84,8 +84,8 @@ def _link_together(
 
 
 class _Grading:
-    """Judges the parts: all with the submission's own earlier parts, and where that isn't the best
-    that a part could get, alone, with given ones."""
+    """Judges the parts. First all parts linked together; then, if a part could score better, this
+    part alone, with the given earlier parts. The better score counts."""
 
     def __init__(
         self,
@@ -97,14 +97,14 @@ class _Grading:
     ) -> None:
         self.taken, self.objects, self.work = taken, objects, work
         self.hidden, self.box = hidden, box
-        self.together: Path | None = None  # the runner with all parts, where they link
+        self.together: Path | None = None  # the runner with all parts, if they link
         self.own: dict[Part, Judged] = {}
         self.best: dict[Part, Judged] = {}
         self.failed: dict[Part, Record] = {}  # parts of which no line could be run
 
     def judge_together(self, jobs: int) -> None:
-        """The parts that call no other first: where one of them hangs, so would those that call
-        it, and they are better off with given parts."""
+        """Judges the parts in the runner that holds them all. Parts that call no other come first:
+        if one of them hangs, its callers would hang, too, and are judged with given parts."""
         with suppress(Overrun):
             runner = _link_together(self.taken, self.objects, self.work / "together", self.box).path
             self.together = runner
@@ -115,7 +115,7 @@ class _Grading:
                 parallel_map(partial(self._judge_own, runner), now, jobs)
 
     def judge_alone(self, part: Part) -> None:
-        """Takes the better of what the part got with the others and what it gets alone."""
+        """Judges a part alone if that could score better, and takes the better result."""
         try:
             tries = self._tries(part)
         except Overrun as overrun:
@@ -123,11 +123,12 @@ class _Grading:
             if not tries and part not in self.failed:
                 self.failed[part] = record.failed_part(part, "timed_out", f"not judged: {overrun}")
         if tries:
-            # The later one, with the earlier parts given, where both score the same.
+            # If both score the same, the later one, with the given parts.
             self.best[part] = max(reversed(tries), key=lambda judged: judged.score(part))
 
     def record_of(self, part: Part) -> Record:
-        """When all parts are judged: what explains a crash takes only the time that is left."""
+        """The record of a part. Called once all parts are judged, because explaining a crash may
+        take only the time that is left."""
         if part not in self.best:
             return self.failed[part]
         best = self.best[part]
@@ -161,8 +162,9 @@ class _Grading:
         )
 
     def _could_be_better(self, part: Part, own: Judged) -> bool:
-        """Alone, a part is free of earlier parts, and of what other files do before main. Where
-        other parts could answer, that didn't make this one hang."""
+        """Whether the part might score more alone: there, neither earlier parts nor code that other
+        files run before main can harm it. If it hung while another part answered, code before main
+        wasn't the reason."""
         if own.score(part) == part.points:
             return False
         hangs_by_itself = own.status == "timed_out" and any(
@@ -181,18 +183,19 @@ class _Grading:
         return None if built.path else ("does_not_compile", built.problem)
 
     def _why(self, alone: Built) -> str:
-        """A helper that doesn't compile is the reason behind what is missing."""
+        """Why the part doesn't link; with the errors of helpers, which may be the reason."""
         broken = [built.problem for built in self.objects.helpers.values() if not built.path]
         return "; ".join([alone.problem, *broken])
 
 
 def _stub(part: Part) -> list[bytes]:
-    """The words of a part as it is handed out."""
+    """The words of a part's stub."""
     return (STUBS / part.file).read_bytes().split()
 
 
 def _require_working_kit(box: Box) -> None:
-    """No point at all: make sure that it isn't the kit that fails. A stub compiles and answers."""
+    """Called if a submission scores 0: raises KitError unless a stub compiles and runs, so that a
+    broken kit isn't taken for a bad submission."""
     taken = submission.read(STUBS)
     with _work_folder() as work:
         box.give(work)
@@ -208,8 +211,8 @@ def _require_working_kit(box: Box) -> None:
 
 
 def _speed(grading: _Grading, jobs: int) -> Record:
-    """Its curve beside the solution's, where its parts run together and the grading has time left
-    for it; and the largest error over all public cases."""
+    """Times the submission beside the solution, if its parts link together and the grading has time
+    left; and adds the largest error over all public cases."""
     errors = [judged.largest_error for judged in grading.best.values()]
     known = [error for error in errors if error is not None]
     complete = len(known) == len(parts())

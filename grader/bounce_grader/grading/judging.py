@@ -20,7 +20,7 @@ from bounce_grader.sandbox.budget import Overrun
 
 SYMBOLS = processes.Limits(cpu_seconds=5, wall_seconds=30, memory=1 << 30, file_size=0)
 WAIT = processes.Limits(cpu_seconds=60, wall_seconds=300, memory=4 << 30, file_size=0)
-MOST_CPU_SECONDS, MOST_SECONDS = 30, 200  # of all runners of a part
+MOST_CPU_SECONDS, MOST_SECONDS = 30, 200  # for all runners of a part together
 STATUSES = {"graded", "does_not_compile", "crashed", "timed_out", "out_of_memory", "no_answer"}
 
 
@@ -29,12 +29,13 @@ class Verdict(NamedTuple):
     status: str
     message: str
     shown: Shown | None = None  # the failed case in numbers
-    revealed: Shown | None = None  # of a hidden case, "message" and "shown" with its answer
+    revealed: Shown | None = None  # for a hidden case: "message" and "shown" with its answer
 
 
 class Judged(NamedTuple):
-    """The verdicts of one part, by check id; graded_with is "own" or "given". Names of the known
-    mistakes that the part makes; or where none is known, what its numbers say."""
+    """The verdicts of one part, by check id. graded_with is "own" or "given" (earlier parts).
+    `mistakes` names the known mistakes that it makes; if there is none, `patterns` describes its
+    numbers."""
 
     verdicts: dict[str, Verdict]
     largest_error: float | None
@@ -47,7 +48,7 @@ class Judged(NamedTuple):
 
     @property
     def status(self) -> str:
-        """How the part went: "graded", or how its runner first ended."""
+        """The way in which its runner first ended; "graded" if it answered every question."""
         ended = [v.status for v in self.verdicts.values() if v.status != "graded"]
         return ended[0] if ended else "graded"
 
@@ -62,9 +63,10 @@ def judge(
     recognise: bool = False,
     files: frozenset[str] = frozenset(),
 ) -> Judged:
-    """Raises KitError where the judge fails, or doesn't name every check exactly once. A runner
-    that is `checked` is built with sanitizers. What the grading has no time for any more fails. A
-    crash is located in one of the submission's `files`."""
+    """Judges a part. `given`: with given earlier parts; `checked`: the runner has sanitizers;
+    `files`: the submission's files, in which a crash is located. Checks that the grading has no
+    time left for fail. Raises KitError if the judge fails or doesn't name every check exactly
+    once."""
     cpu, wall = box.budget.left()
     command = [
         *(str(JUDGE), "--part", str(part.number)),
@@ -78,7 +80,7 @@ def judge(
         *("--", *(box.to_check(runner) if checked else box.to_run(runner))),
     ]
     box.budget.require()
-    # The judge keeps to its own time, and tells what passed within it.
+    # Not limited by the budget: the judge keeps to the seconds above, and reports what passed.
     result = processes.run(command, WAIT._replace(memory=None) if checked else WAIT)
     if not result.ok:
         raise KitError(f"the judge failed on part {part.number}: {result.err.strip() or 'killed'}")
@@ -103,7 +105,8 @@ def judge(
 
 
 def read_answer(out: bytes, part: Part) -> dict[str, Any]:
-    """The judge's answer, if it has the shape that grader/judge/main.cpp says. Raises KitError."""
+    """Parses and validates the judge's answer, which grader/judge/main.cpp describes. Raises
+    KitError."""
     try:
         answer = json.loads(out, parse_constant=_no_number)
         sound = all(map(_is_sound, answer["checks"])) and _is_size(answer["largest_error"])
@@ -139,25 +142,25 @@ def _is_size(x: object) -> bool:
 
 
 def _with_place(check: dict[str, str], runner: Path, files: frozenset[str], box: Box) -> str:
-    """The check's message; a crash's with the submission's file and line, where that is known."""
+    """The check's message; for a crash, with the submission's file and line if they are known."""
     try:
         place = _place(check["stack"], runner, files, box) if check["stack"] else None
-    except Overrun:  # a verdict stands without its place
+    except Overrun:  # the verdict is valid without its line
         place = None
     return f"{check['message']}, at {place}" if place else check["message"]
 
 
 @cache
 def _place(stack: str, runner: Path, files: frozenset[str], box: Box) -> str | None:
-    """The innermost line of the submission on the stack."""
+    """The innermost line on the stack that is in the submission's own files."""
     command = ["/usr/bin/addr2line", "-i", "-e", str(runner), *stack.split()]
     lines = box.run(box.to_build(runner.parent, [runner]) + command, SYMBOLS).out
     return place_in(lines, files.__contains__)
 
 
 def place_in(lines: bytes, is_submitted: Callable[[str], bool] = bool) -> str | None:
-    """The first FILE:LINE of a submission's file. What the names of files are in there is up to the
-    submission, by #line."""
+    """The first FILE:LINE in a file of the submission. The submission can put any name there by
+    #line, so `is_submitted` checks it."""
     for line in lines.splitlines():
         _, _, rest = line.decode("utf-8", "replace").partition(f"/{WORK_FOLDER}")
         inside = re.match(

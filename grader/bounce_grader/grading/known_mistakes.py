@@ -1,4 +1,4 @@
-"""The known mistakes: what the gallery says of each, and what each answers to the public cases.
+"""The known mistakes: their descriptions in the gallery, and their answers to the public cases.
 
 A folder of tests/submissions/mistakes/ holds a wrong file, expected.json and mistake.md:
 
@@ -10,8 +10,9 @@ A folder of tests/submissions/mistakes/ holds a wrong file, expected.json and mi
     - Hint: 1.2 The moment arm r
     - For the instructor: one line
 
-From these and from the answers of the built files come fixtures/public/mistakes/*.json, which the
-judge and a student's own build recognise mistakes by. The instructor's line is not in them.
+This module builds the wrong files, and writes the descriptions and the files' answers to
+fixtures/public/mistakes/*.json, by which the judge and a student's own build recognise mistakes.
+The line for the instructor is left out there.
 """
 
 import json
@@ -45,7 +46,7 @@ LAYOUT = re.compile(
     r"- Hint: (?P<hint>.+)\n- For the instructor: (?P<instructor>.+)\n"
 )
 
-Answers = list[Any]  # of each question: a list of numbers, or the words of what was thrown
+Answers = list[Any]  # for each question: a list of numbers, or the text of an exception
 
 
 class Mistake(NamedTuple):
@@ -56,7 +57,7 @@ class Mistake(NamedTuple):
     hint: str
     instructor: str
     lost: tuple[str, ...]  # ids of checks
-    recognised_as: str  # itself, or the one whose numbers are the same
+    recognised_as: str  # itself, or the mistake with the same answers
 
     @property
     def part(self) -> Part:
@@ -64,7 +65,7 @@ class Mistake(NamedTuple):
 
 
 def gallery() -> list[Mistake]:
-    """Raises KitError with what is missing, and where."""
+    """All mistakes of the gallery. Raises KitError that says what is missing, and where."""
     return [read(folder) for folder in sorted(GALLERY.iterdir()) if folder.is_dir()]
 
 
@@ -114,8 +115,8 @@ def _equations() -> set[int]:
 
 
 def answers(part: Part, runner: Path) -> Answers:
-    """What a runner answers to the public cases of a part, with the earlier parts given. Raises
-    KitError where it ends before it has answered them."""
+    """A runner's answers to the public cases of a part, with given earlier parts. Empty if it ends
+    before it has answered them all. Raises KitError if the judge fails."""
     command = [str(JUDGE), "--answers", "--part", str(part.number)]
     command += [*(["--given"] if part.calls else [])]
     command += ["--fixtures", str(FIXTURES / "public"), "--", str(runner)]
@@ -126,7 +127,7 @@ def answers(part: Part, runner: Path) -> Answers:
 
 
 def runner_of(folder: Path, part: Part, work: Path) -> Path:
-    """Of a folder's file for a part, built alone."""
+    """Builds a runner with a folder's file for this part alone."""
     taken = submission.read(folder)
     work.mkdir(parents=True, exist_ok=True)
     objects = compile_all(taken, work, TRUSTED, 1)
@@ -161,8 +162,9 @@ def _all_answers(mistakes: list[Mistake]) -> dict[str, Answers]:
 
 
 def texts() -> dict[str, str]:
-    """The files of fixtures/public/mistakes by name. Raises KitError where the gallery isn't whole,
-    or two of its mistakes have the same numbers and don't say so."""
+    """The files of fixtures/public/mistakes, as name -> text. Raises KitError if the gallery is
+    incomplete, or if two mistakes have the same answers and neither names the other in
+    "recognised_as"."""
     mistakes = gallery()
     got = _all_answers(mistakes)
     _check_twins(mistakes, got)
@@ -170,8 +172,8 @@ def texts() -> dict[str, str]:
 
 
 def write(folder: Path = KNOWN) -> None:
-    """Files that say the same already stay as they are: another machine's libm gives other last
-    digits."""
+    """Writes the files. One that differs only by rounding stays as it is: the libm of another
+    machine gives other last digits."""
     folder.mkdir(parents=True, exist_ok=True)
     for name, text in texts().items():
         file = folder / name
@@ -182,7 +184,7 @@ def write(folder: Path = KNOWN) -> None:
 
 
 def differing(folder: Path = KNOWN) -> list[str]:
-    """The files that say something else than the gallery."""
+    """The names of the files that don't match the gallery."""
     fresh = texts()
     names = {file.name for file in folder.glob("*")} | set(fresh)
     return sorted(name for name in names if not _is_fresh(folder / name, fresh.get(name)))
@@ -195,7 +197,7 @@ def _is_fresh(file: Path, text: str | None) -> bool:
 
 
 def say_the_same(a: Any, b: Any) -> bool:
-    """Whether two JSON values are equal but for the rounding of numbers."""
+    """Whether two JSON values are equal, up to the rounding of numbers."""
     if isinstance(a, dict) and isinstance(b, dict):
         return list(a) == list(b) and all(say_the_same(a[key], b[key]) for key in a)
     if isinstance(a, list) and isinstance(b, list):
@@ -206,7 +208,7 @@ def say_the_same(a: Any, b: Any) -> bool:
 
 
 def _file(part: Part, mistakes: list[Mistake], got: Mapping[str, Answers]) -> str:
-    """One mistake a line."""
+    """The JSON text for a part, with one mistake on each line."""
     right = _rounded(right_answers(part))
     lines = [
         _line(_entry(m, _differences(right, _rounded(got[m.name]))))
@@ -246,7 +248,7 @@ def _shorter(x: float) -> float:
 
 
 def _differences(right: Answers, mistaken: Answers) -> dict[str, Any]:
-    """{question: {entry: number}}, or {question: what was thrown}, where it isn't right."""
+    """The wrong answers: {question: {entry: number}}, or {question: text of the exception}."""
     return {str(k): what for k, what in _differing_answers(right, mistaken)}
 
 
@@ -290,7 +292,7 @@ def _check_twins(mistakes: list[Mistake], got: Mapping[str, Answers]) -> None:
 
 @cache
 def known() -> dict[str, dict[str, Any]]:
-    """What students are told of each mistake, and which checks it costs, by its name."""
+    """What students are told about each mistake, and the checks that it costs, by its name."""
     match = {}
     for part in parts():
         file = KNOWN / f"{part.stem}.json"
@@ -301,7 +303,7 @@ def known() -> dict[str, dict[str, Any]]:
 
 @cache
 def for_the_instructor(name: str) -> str:
-    """The line for the instructor; empty where the gallery isn't at hand."""
+    """The line for the instructor; empty if the gallery isn't there."""
     file = GALLERY / name / "mistake.md"
     match = LAYOUT.fullmatch(file.read_text(encoding="utf-8")) if file.exists() else None
     return match["instructor"] if match else ""

@@ -1,7 +1,7 @@
-"""The score record: one JSON object that every report is made from. Pure functions.
+"""Builds the score record: one JSON object, from which every report is made. Pure functions.
 
-A submission has its say in messages and in names of files: they are printable and of bounded
-length here already, so that the record is valid JSON in UTF-8 whatever they were.
+Messages and names of files can hold text from a submission. They are made printable and cut to a
+bounded length here, so that the record is always valid JSON in UTF-8.
 """
 
 import hashlib
@@ -41,7 +41,7 @@ def part_record(part: Part, judged: Judged) -> Record:
 
 
 def failed_part(part: Part, status: str, message: str) -> Record:
-    """A part of which no line could be run."""
+    """The record of a part that couldn't be run at all."""
     return {
         **_heading(part),
         "score": 0,
@@ -65,7 +65,8 @@ def _mistake_record(mistake: str) -> Record:
 
 
 def _mistake_of(check: Check, mistakes: list[Record]) -> Record | None:
-    """The first of the part's mistakes that costs this check; one alone costs all that fail."""
+    """The mistake to name for a failed check: the part's only one, or the first that costs this
+    check."""
     if len(mistakes) == 1:
         return mistakes[0]
     return next((m for m in mistakes if check.id in known()[m["name"]]["checks"]), None)
@@ -84,18 +85,19 @@ def _check_record(check: Check, passed: bool, message: str, mistakes: list[Recor
 
 
 def _numbers(verdict: Verdict) -> Record:
-    """The failed case in numbers; and, for who may see it, a hidden one with its answer."""
+    """The failed case in numbers; for a hidden case also with its answer, which only some may
+    see."""
     numbers = {"shown": verdict.shown, "revealed": verdict.revealed}
     return {key: value for key, value in numbers.items() if value and verdict.status == "graded"}
 
 
 def without_answers(record: Record) -> Record:
-    """What a student may see: no expected answer of a hidden case."""
+    """What a student may see: the record without the expected answers of hidden cases."""
     return _with_checks(record, lambda check: {k: v for k, v in check.items() if k != "revealed"})
 
 
 def with_answers(record: Record) -> Record:
-    """The same record with the expected answers in their places."""
+    """The record with the expected answers of hidden cases put in."""
     return without_answers(_with_checks(record, lambda check: check | check.get("revealed", {})))
 
 
@@ -116,7 +118,7 @@ def _part_message(part: Part, judged: Judged) -> str:
 
 
 def _end(message: str) -> str:
-    """How a runner ended stands behind the last "got" of a check's message."""
+    """How a runner ended, which follows the last "got" in a check's message."""
     lines = [line.strip() for line in message.split("\n")]
     said_last = [line for line in lines if line.startswith("got ")] or lines
     return said_last[-1].removeprefix("got").strip()

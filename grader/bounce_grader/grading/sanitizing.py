@@ -1,5 +1,5 @@
-"""What has crashed is built and run once more, with AddressSanitizer and UBSan, which see the first
-wrong access of memory and not the last. For words alone: no score comes of it."""
+"""Builds and runs a part that crashed again, with AddressSanitizer and UBSan, which report the
+first wrong memory access, not the last. This explains the crash and never changes the score."""
 
 import re
 from pathlib import Path
@@ -14,13 +14,13 @@ from bounce_grader.sandbox.budget import Budget, Overrun
 from bounce_grader.submission.submission import Submission
 
 CPU_SECONDS, WALL_SECONDS = 20.0, 40.0  # for the explanation of one part
-MARGIN = 5.0  # s, that ending it may take
+MARGIN = 5.0  # s, to stop it
 
 
 def with_cause(
     part: Part, judged: Judged, taken: Submission, work: Path, hidden: Path, box: Box
 ) -> Judged:
-    """The same verdicts; those of crashes also say what the sanitizers found, if anything."""
+    """The same verdicts; those about crashes also say what the sanitizers found, if anything."""
     if box.kind != "full" or not any(map(_is_unclear, judged.verdicts.values())):
         return judged
     cpu, wall = box.budget.left()
@@ -32,14 +32,14 @@ def with_cause(
             return judged
         given = bool(part.calls)
         again = judging.judge(part, built.path, given, hidden, box, checked=True)
-    except (KitError, Overrun):  # the score stands without the explanation
+    except (KitError, Overrun):  # the score is valid without the explanation
         return judged
     verdicts = {id: _with_finding(v, again.verdicts[id]) for id, v in judged.verdicts.items()}
     return judged._replace(verdicts=verdicts)
 
 
 def _is_unclear(verdict: Verdict) -> bool:
-    """A crash whose message doesn't give an assertion's own reason."""
+    """Whether it is a crash that no assertion explains."""
     return verdict.status == "crashed" and "assertion" not in verdict.message
 
 
@@ -47,6 +47,6 @@ def _with_finding(verdict: Verdict, again: Verdict) -> Verdict:
     finding = re.search(r"^  got      (.*)$", again.message, re.MULTILINE)
     if not _is_unclear(verdict) or again.status != "crashed" or not finding:
         return verdict
-    if finding.group(1).startswith("the program"):  # it ended as before, and nothing was found
+    if finding.group(1).startswith("the program"):  # the sanitizers found nothing
         return verdict
     return verdict._replace(message=f"{verdict.message}\n  checked  {finding.group(1)}")

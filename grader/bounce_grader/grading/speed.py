@@ -1,4 +1,5 @@
-"""Speed against accuracy of a submission: what the stopwatch measures, and what follows from it."""
+"""Measures a submission's speed and accuracy with the stopwatch, and puts the results into
+words."""
 
 import json
 from pathlib import Path
@@ -13,25 +14,25 @@ from bounce_grader.sandbox.box import Box
 
 WAIT = processes.Limits(cpu_seconds=30, wall_seconds=120, memory=4 << 30, file_size=0)
 CURVES = ("submission", "solution", "least")
-STEP = 1e-3  # s: the dt at which the time of a step is told
-FINE = 1e-3  # m: what is near enough
+STEP = 1e-3  # s: the dt at which the time of a step is reported
+FINE = 1e-3  # m: errors up to this are near enough
 OTHERWISE = "built for speed, the program answers otherwise than it was graded"
-LARGEST = 1e100  # seconds, nanoseconds or metres; so that their products are finite
+LARGEST = 1e100  # bounds seconds, nanoseconds and metres, so that products are finite
 Measured = dict[str, Any]
 
 
 class Point(NamedTuple):
-    """Over all scenes, at one dt."""
+    """Time and error at one dt, over one or all scenes."""
 
     dt: float  # s
     ns: float  # CPU time for a simulated second
-    error: float | None  # m, the largest; None where it isn't finite, or beyond LARGEST
+    error: float | None  # m, the largest; None if it isn't finite, or above LARGEST
 
 
 def measure(timed: Path, graded: Path, box: Box) -> Measured | None:
-    """The curves of a submission, the solution and the least model; or why there are none, where
-    its runner that is timed answers otherwise than the one that was graded. None where the
-    stopwatch fails."""
+    """Measures the curves of a submission, of the solution and of the least model. If the runner
+    built for timing answers differently than the graded one, the result says so and has no curves.
+    None if the stopwatch fails."""
     command = [str(STOPWATCH), "--scenes", str(SCENES), *box.to_run(timed)]
     command += ["::", *box.to_run(REFERENCE_RUNNER), "::", *box.to_run(graded)]
     with box.budget.within(WAIT) as limits:
@@ -40,8 +41,8 @@ def measure(timed: Path, graded: Path, box: Box) -> Measured | None:
 
 
 def read(out: bytes) -> Measured:
-    """The stopwatch's answer, if it has the shape that grader/judge/stopwatch.cpp says, and the
-    time of a step from it. Raises KitError."""
+    """Parses and validates the stopwatch's answer, which grader/judge/stopwatch.cpp describes, and
+    adds the time of a step. Raises KitError."""
     try:
         answer = json.loads(out, parse_constant=_no_number)
         if "otherwise" in answer:
@@ -86,15 +87,15 @@ def _flag(x: object) -> bool:
 
 
 def _error(x: object) -> float | None:
-    """In m; none where it isn't finite, or might as well not be."""
+    """An error in m; None if it isn't finite, or huge."""
     if x is None or isinstance(x, float) and x > LARGEST:
         return None
     return 0.0 if x == 0 else float(f"{_size(x):.3e}")
 
 
 def _step(measured: Measured, right: bool) -> Measured:
-    """Nanoseconds a step, over all scenes, and of right answers their ratio; nothing where a scene
-    wasn't timed."""
+    """Nanoseconds per step over all scenes, and the ratio to the solution's if the answers are
+    right. Empty if a scene wasn't timed."""
     mine, solution = curve(measured, "submission"), curve(measured, "solution")
     both = [pair for pair in zip(mine, solution) if pair[0].dt >= STEP]
     if not both:
@@ -107,7 +108,7 @@ def _step(measured: Measured, right: bool) -> Measured:
 
 
 def curve(measured: Measured, whose: str) -> list[Point]:
-    """All scenes together, for each dt at which every one of them was timed."""
+    """One curve over all scenes, with a point for each dt at which every scene was timed."""
     points = []
     for k, dt in enumerate(measured.get("dt", [])):
         at = [(s["seconds"], s[whose][k]) for s in measured["scenes"] if k < len(s[whose])]
@@ -121,7 +122,7 @@ def curve(measured: Measured, whose: str) -> list[Point]:
 
 
 def sentences(measured: Measured) -> list[str]:
-    """What the curves mean, or why there are none."""
+    """Sentences that say what the curves mean, or why there are none."""
     if "otherwise" in measured:
         return [f"{measured['otherwise'][0].upper()}{measured['otherwise'][1:]}."]
     mine, solution = curve(measured, "submission"), curve(measured, "solution")

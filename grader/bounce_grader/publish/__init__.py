@@ -1,4 +1,4 @@
-"""What leaves the kit: fixtures, the handout, and bundles for services.
+"""Writes what is published: fixtures, the handout, and bundles for services.
 
 Imports: common, grading.
 """

@@ -1,4 +1,4 @@
-"""./kit fixtures: writes the cases and the known mistakes' answers anew, and compares them with the
+"""./kit fixtures: writes the cases and the answers of known mistakes, or compares them with the
 committed ones."""
 
 import tempfile
@@ -15,7 +15,8 @@ def write_all() -> None:
 
 
 def differing() -> list[str]:
-    """The committed files that differ by a byte from what the solution writes."""
+    """The names of the committed files that differ, by even a byte, from what the solution
+    writes."""
     with tempfile.TemporaryDirectory() as name:
         fresh = Path(name)
         write("public", fresh)
@@ -24,7 +25,7 @@ def differing() -> list[str]:
 
 
 def all_differing() -> list[str]:
-    """The same, and the answers of known mistakes that aren't those of the gallery."""
+    """These, and the files of known mistakes that don't match the gallery."""
     return [*differing(), *(f"mistakes/{name}" for name in known_mistakes.differing())]
 
 

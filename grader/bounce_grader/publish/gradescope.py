@@ -1,4 +1,4 @@
-"""./kit gradescope: the kit as an autograder for Gradescope, one zip to upload."""
+"""./kit gradescope: packs the kit into one zip, an autograder to upload to Gradescope."""
 
 import zipfile
 from collections.abc import Iterator
@@ -8,7 +8,7 @@ from bounce_grader.common.errors import UsageError
 from bounce_grader.common.paths import ROOT
 from bounce_grader.grading import fixtures
 
-# A course may keep its submissions and results in the kit's folder, too.
+# Only these: a course may keep submissions and results in the kit's folder, too.
 PACKED = (
     *("CMakeLists.txt", "CMakePresets.json", "LICENSE", "README.md", "pyproject.toml", "kit"),
     *("CHANGELOG.md", "CONTRIBUTING.md", "docs", "fixtures", "grader", "solution", "student"),
@@ -21,7 +21,7 @@ LEFT_OUT = {
     ".mypy_cache",
     "hidden",
 }
-TIME = (2000, 1, 1, 0, 0, 0)  # the same kit gives the same bytes
+TIME = (2000, 1, 1, 0, 0, 0)  # fixed, so that the same kit gives the same bytes
 
 # Gradescope runs this once, as root, in a container of Ubuntu 22.04.
 SETUP = """#!/usr/bin/env bash
@@ -32,8 +32,8 @@ chmod +x kit run_autograder
 ./kit grade solution --min-score 100
 """
 
-# And this for each submission. Without results.json Gradescope says that the autograder failed:
-# where the kit fails, that is the truth, and nobody gets a zero for it.
+# Gradescope runs this for each submission. If the kit fails, it leaves no results.json; Gradescope
+# then reports a failure of the autograder, and nobody gets a zero.
 RUN = """#!/usr/bin/env bash
 set -uo pipefail
 cd /autograder/source
@@ -50,7 +50,7 @@ mv "$results.part" "$results"
 
 
 def write(path: Path) -> None:
-    """The tree, the course's secret, and the two scripts."""
+    """Writes the zip: the kit's files, the course's secret, and the two scripts."""
     entries = {"setup.sh": SETUP.encode(), "run_autograder": RUN.encode()}
     entries["course-secret"] = fixtures.secret().encode() + b"\n"
     temporary = path.with_name(path.name + ".part")

@@ -1,8 +1,8 @@
-"""The handout: one zip with all that a student needs, and nothing else.
+"""Writes the handout: one zip with all that a student needs, and nothing else.
 
-It holds the folder student/, the tests that a student's build runs, the public fixtures, the
-answers of known mistakes among them, and the manifest of checks. Times and permissions are fixed,
-so the same kit gives the same bytes.
+It holds the folder student/, the tests that a student's build runs, the public fixtures with the
+answers of known mistakes, and the manifest of checks. Times and permissions are fixed, so that the
+same kit gives the same bytes.
 """
 
 import zipfile
@@ -26,13 +26,13 @@ TESTS = (
     "part?_*_test.cpp",
     "linked/*.?pp",
 )
-SKIPPED = {"build", "animation.html", "__pycache__"}  # what working in student/ leaves there
+SKIPPED = {"build", "animation.html", "__pycache__"}  # made by working in student/
 PROGRAMS = {"check"}
 EPOCH = (1980, 1, 1, 0, 0, 0)
 
 
 def files() -> dict[str, Path]:
-    """Path inside the handout -> the kit's file, in order."""
+    """The files of the handout, as path in the zip -> file of the kit, in order."""
     chosen = {str(f.relative_to(HANDOUT)): f for f in _regular(HANDOUT)}
     tests = ROOT / "tests" / "parts"
     for pattern in TESTS:

@@ -1,4 +1,4 @@
-"""Boxes, processes, and what they may use.
+"""Boxes, processes, and limits on their resources.
 
 Imports: common.
 """

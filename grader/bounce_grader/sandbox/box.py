@@ -1,11 +1,11 @@
 """The boxes that untrusted programs are compiled and run in.
 
-The full box is bubblewrap's: nothing to see but what is named here, no network, and a process space
-of its own, with which everything in it ends. The reduced box is for places where namespaces can't
-be had, such as a container: Landlock hides the files, and what is left behind is killed. In both,
-`enter` (grader/box/) takes the last step: privileges, limits, and the filter of system calls. It
-stays as the box's first process, tells the kit over a descriptor of its own whether the box was
-made, and hands out the one file that a build has made.
+The full box uses bubblewrap: a program sees only the files named here, has no network, and runs in
+its own PID namespace, so that all its processes end with it. The reduced box is for places without
+namespaces, such as a container: Landlock hides the files, and leftover processes are killed. In
+both, `enter` (grader/box/) does the last steps: it drops privileges, sets limits and installs the
+filter of system calls. It stays as the box's first process, reports over its own descriptor whether
+the box was made, and passes out the one file that a build has made.
 """
 
 import hashlib
@@ -26,20 +26,20 @@ from bounce_grader.sandbox.budget import UNLIMITED, Budget
 
 FULL_OR_REDUCED = ("full", "reduced")
 NOBODY = "65534"
-# Users that no system hands out. Where processes of several boxes see each other, boxes of gradings
-# side by side belong to different ones.
+# User ids that no system assigns. In the reduced box, processes of different boxes see each other,
+# so concurrent gradings run as different users.
 FIRST_USER, USERS = 60578, 600
 LIBRARIES = ("/usr/include", "/usr/lib/gcc", "/usr/lib64", "/usr/libexec/gcc")
 PROGRAMS = ("g++", "as", "ld", "addr2line")
-LARGE_PAGES = "/sys/kernel/mm/transparent_hugepage"  # where malloc looks whether there are any
+LARGE_PAGES = "/sys/kernel/mm/transparent_hugepage"  # malloc reads it
 TEMPORARY = 256 * 1024 * 1024
 TO_KIT = ("--status", processes.STATUS, "--output", processes.OUTPUT)
 TO_JUDGE = ("--status", "5")  # as in grader/judge/runner_process.cpp
 
 
 class Box(NamedTuple):
-    """kind is "full" or "reduced"; or "none", when the instructor trusts the submission. What is
-    run through it counts against the budget of the grading."""
+    """kind is "full" or "reduced"; or "none" if the instructor trusts the submission. All that runs
+    in it counts against the grading's budget."""
 
     kind: str
     budget: Budget = UNLIMITED
@@ -62,8 +62,8 @@ class Box(NamedTuple):
         return result
 
     def to_run(self, program: Path) -> list[str]:
-        """The command that runs a statically linked program: it sees itself alone, read-only,
-        and may make the system calls of the filter alone."""
+        """The command that runs a statically linked program. The program sees only its own file,
+        read-only, and may make only the system calls that the filter allows."""
         if self.kind == "none":
             return [str(program)]
         if self.kind == "reduced":
@@ -73,8 +73,8 @@ class Box(NamedTuple):
         return [*command, "--", *_enter(Path("/enter"), "run"), *TO_JUDGE, "--", "/runner"]
 
     def to_check(self, program: Path) -> list[str]:
-        """Of the full box alone: the command that runs a program built with sanitizers, which need
-        the system's libraries."""
+        """The command that runs a program built with sanitizers, which also sees the system's
+        libraries. Only for the full box."""
         libraries = [p for p in toolchain() if p.endswith(("-linux-gnu", "/usr/lib64"))]
         command = [*_bubblewrap(), *_open_to_all(libraries)]
         for path in libraries:
@@ -86,9 +86,9 @@ class Box(NamedTuple):
     def to_build(
         self, folder: Path, visible: Iterable[Path], programs: Iterable[str] = PROGRAMS
     ) -> list[str]:
-        """A prefix for the toolchain in `folder`, which it can read. It can write to a temporary
-        folder alone, where it makes the file OUTPUT. clang and its linker need none of the other
-        programs."""
+        """A prefix that runs a compiler or linker in `folder`, which it can only read. It can write
+        only to a temporary folder, where it makes the file OUTPUT. clang and its linker need none
+        of `programs`."""
         entering = ["build", *TO_KIT, "--in", str(folder)]
         if self.kind == "none":
             return [str(ENTER), *entering, "--open", "--"]
@@ -99,7 +99,7 @@ class Box(NamedTuple):
             places = [word for path in [*seen, str(ENTER)] for word in ("--see", path)]
             return [str(ENTER), *entering, "--reduced", *places, "--"]
         command = [*_bubblewrap(), *_temporary()]
-        # clang says /usr/bin/../lib of the system's headers, also where it has nothing in /usr/bin.
+        # clang looks for the system's headers in /usr/bin/../lib, even if /usr/bin is empty.
         command += _open_to_all(["/dev/null", "/usr/bin/any", *seen])
         command += ["--dev-bind", "/dev/null", "/dev/null"]
         for name in ("bin", "lib", "lib64"):
@@ -110,24 +110,24 @@ class Box(NamedTuple):
 
     @property
     def enter(self) -> str:
-        """Where `enter` is to be seen in a build's box."""
+        """The path of `enter` inside the box of a build."""
         return "/enter" if self.kind == "full" else str(ENTER)
 
     def give(self, folder: Path) -> None:
-        """A folder of root's, and what is in it, so that whoever root becomes in here can read it
-        and nobody else can."""
+        """If root runs the kit, gives the folder and all in it to the user that the box runs as:
+        that user can read it, and no other."""
         if self.kind != "none" and os.geteuid() == 0:
             for path in [folder, *folder.rglob("*")]:
                 os.chown(path, _user(), _user(), follow_symlinks=False)
 
 
 def kinds(trust: bool) -> tuple[str, ...]:
-    """Those that will do, the best first."""
+    """The kinds of box that are acceptable, best first."""
     return (*FULL_OR_REDUCED, "none") if trust else FULL_OR_REDUCED
 
 
 def choose(kinds: Iterable[str] = FULL_OR_REDUCED) -> Box:
-    """The first of these kinds that holds a program known to be good."""
+    """Chooses the first of these kinds in which a program known to be good runs."""
     problems = []
     for kind in kinds:
         held = _held(kind)
@@ -143,13 +143,13 @@ def choose(kinds: Iterable[str] = FULL_OR_REDUCED) -> Box:
 
 
 def forget(kind: str) -> None:
-    """The next grading tries this kind of box anew."""
+    """Makes the next grading test this kind of box again."""
     _held(kind).unlink(missing_ok=True)
 
 
 def _held(kind: str) -> Path:
-    """Exists where this kind of box has held before on this machine since it started, for this
-    user in these namespaces, with these programs; trying it anew takes a tenth of a grading."""
+    """A file that exists if this kind of box has worked since the machine started, for this user,
+    in these namespaces, with these programs. Testing it again takes a tenth of a grading."""
     programs = [ENTER, REFERENCE_RUNNER, Path(which("bwrap") or "/")]
     known = [Path("/proc/sys/kernel/random/boot_id").read_text(), os.geteuid()]
     known += [os.readlink(f"/proc/self/ns/{name}") for name in ("user", "mnt", "pid")]
@@ -158,13 +158,13 @@ def _held(kind: str) -> Path:
 
 
 def _remember(held: Path) -> None:
-    with suppress(OSError):  # where it can't be written down, the box is tried each time
+    with suppress(OSError):  # if the file can't be written, the box is tested each time
         held.parent.mkdir(parents=True, exist_ok=True)
         held.touch()
 
 
 def problem_of(box: Box) -> str | None:
-    """Why the box doesn't hold a program that is known to be good; None when it does."""
+    """Why a program known to be good doesn't run in the box; None if it does."""
     if box.kind == "none":
         return None
     if box.kind == "full" and which("bwrap") is None:
@@ -180,14 +180,14 @@ def problem_of(box: Box) -> str | None:
 
 
 def _hidden_from_others(path: Path) -> Path | None:
-    """The folder above a path that only its owner can enter."""
+    """The innermost folder above a path that other users can't enter."""
     closed = [p for p in path.resolve().parents if not p.stat().st_mode & stat.S_IXOTH]
     return closed[0] if closed else None
 
 
 @cache
 def toolchain() -> list[str]:
-    """What the compilers and the linker are made of, but for programs in /usr/bin."""
+    """The files and folders of the compilers and the linker, except programs in /usr/bin."""
     libraries = [path for path in (*LIBRARIES, LARGE_PAGES) if Path(path).exists()]
     libraries += sorted(str(p) for p in Path("/usr/lib").glob("*-linux-gnu"))
     libraries += sorted(str(p) for p in Path("/usr/lib").glob("llvm-*"))
@@ -204,14 +204,14 @@ def _user() -> int:
 
 @cache
 def _help() -> str:
-    """What bubblewrap can do here; asked once, and again when there is another bubblewrap."""
+    """bubblewrap's help text, which lists its options. Cached until bubblewrap changes."""
     program = Path("/usr/bin/bwrap")
     kept = BUILD / f"bwrap-help-{program.stat().st_mtime_ns}"
     with suppress(OSError):
         return kept.read_text()
     asked = processes.run([str(program), "--help"])
     if asked.ok:
-        with suppress(OSError):  # where it can't be written down, it is asked each time
+        with suppress(OSError):  # if it can't be cached, bubblewrap is asked each time
             write_whole(kept, asked.out)
     return asked.out.decode()
 
@@ -231,7 +231,8 @@ def _bubblewrap() -> list[str]:
 
 
 def _open_to_all(paths: Iterable[str]) -> list[str]:
-    """The folders above these paths, which bubblewrap would make for its own user alone."""
+    """Makes the folders above these paths readable for all; bubblewrap's default is its own user
+    only."""
     above = sorted({folder for path in paths for folder in _above(path)})
     return [word for path in above for word in ("--perms", "0755", "--dir", path)]
 
@@ -242,9 +243,9 @@ def _above(path: str) -> list[str]:
 
 
 def _privileges() -> list[str]:
-    """Root needs no user namespace, and in one that bubblewrap makes for it, it would stay root
-    to the limits on processes: it keeps what it takes to become somebody else instead, and to end
-    whoever that is."""
+    """Options that drop privileges. Root needs no user namespace, and in one it would still count
+    as root, whose processes aren't limited. So it keeps just the capabilities to become another
+    user and to end that user's processes."""
     if os.geteuid() == 0:
         kept = ("CAP_SETUID", "CAP_SETGID", "CAP_KILL")
         return ["--cap-drop", "ALL", *(w for name in kept for w in ("--cap-add", name))]

@@ -1,5 +1,5 @@
-"""What one grading may take in all, whatever it does: our own reading of a submission, compilers,
-linkers and judges together."""
+"""The time that one grading may take in total: reading the submission, compilers, linkers and
+judges together."""
 
 import resource
 import time
@@ -44,12 +44,12 @@ class Shares:
 
 
 class Overrun(Exception):
-    """A grading has used up its time: what is left of it has no result. Says why."""
+    """A grading has used up its time, and what isn't done yet gets no result. Says why."""
 
 
 class Budget:
-    """CPU seconds, of this process and of all that it has started and waited for, and seconds on
-    the wall, from now on."""
+    """A limit, counted from now on, on the wall-clock time and on the CPU time of this process and
+    of all children that it has waited for."""
 
     def __init__(
         self,
@@ -64,17 +64,17 @@ class Budget:
         self._wall_end = time.monotonic() + wall_seconds
 
     def charge(self, cpu_seconds: float) -> None:
-        """For what the system doesn't count: processes that were stopped."""
+        """Adds CPU time that the system doesn't count: that of stopped processes."""
         self._cpu_end -= cpu_seconds
         if self._part_of:
             self._part_of.charge(cpu_seconds)
 
     def left(self) -> tuple[float, float]:
-        """CPU seconds and seconds on the wall; below 0 where they are used up."""
+        """The CPU seconds and wall-clock seconds that are left; negative if overdrawn."""
         return self._cpu_end - _cpu(), self._wall_end - time.monotonic()
 
     def require(self) -> None:
-        """Raises Overrun where nothing is left."""
+        """Raises Overrun if nothing is left."""
         cpu, wall = self.left()
         if cpu <= 0:
             raise Overrun(f"the grading as a whole had used its {self._limits[0]:g} s of CPU time")

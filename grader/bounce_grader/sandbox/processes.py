@@ -1,6 +1,6 @@
-"""The one place that starts processes. They get an environment of their own, and none of ours: a
-program in a box may look for the environment of those that started it. Output is capped while it
-streams.
+"""The only module of the grader that starts processes. They get a fixed environment and not ours,
+because a program in a box may look for the environments of the processes above it. Output is capped
+while it streams.
 """
 
 import os
@@ -20,18 +20,18 @@ CHUNK = 64 * 1024
 GRACE = 2.0  # seconds
 ENVIRONMENT = {"PATH": "/usr/bin:/bin", "LC_ALL": "C.UTF-8"}
 
-# Words of a command that stand for descriptors which `run` opens: where a box says that it was made
-# (grader/box/enter.cpp), and where what is made in it goes.
+# Placeholders in a command for descriptors that `run` opens: on STATUS a box reports that it was
+# made (grader/box/enter.cpp); OUTPUT receives the file that a build made.
 STATUS, OUTPUT = "<status>", "<output>"
 
 
 class Limits(NamedTuple):
-    """What a process may use; the wall clock is a lax backstop to CPU seconds. These end it by
-    SIGKILL, which it can't answer as a compiler answers SIGXCPU, with a trace that takes longer."""
+    """What a process may use. The CPU limit decides; the wall-clock limit is a loose backstop. The
+    CPU limit ends it by SIGKILL, because a compiler answers SIGXCPU with a long stack trace."""
 
     cpu_seconds: int
     wall_seconds: float
-    memory: int | None  # None: counted elsewhere
+    memory: int | None  # None: limited elsewhere
     file_size: int
 
     def prefix(self) -> list[str]:
@@ -47,12 +47,12 @@ class Limits(NamedTuple):
 
 class Result(NamedTuple):
     code: int  # the exit status; -n for signal n
-    cpu_seconds: float  # of it and of what it waited for; where it was stopped, of all below it
+    cpu_seconds: float  # of it and children it waited for; if stopped, of all its descendants
     out: bytes
     err: str
     too_long: bool  # ended because the wall clock ran out
     flooded: bool  # ended because standard output passed its cap
-    boxed: bool = True  # the box that was asked for was made, and its command has begun
+    boxed: bool = True  # the box was made, if one was asked for, and its command was started
 
     @property
     def ok(self) -> bool:
@@ -60,12 +60,14 @@ class Result(NamedTuple):
 
     @property
     def stopped(self) -> bool:
-        """By `run`: what it took isn't in the system's count of what we have waited for."""
+        """Whether `run` stopped it. Then the system's count of our children's time lacks its
+        time."""
         return self.too_long or self.flooded
 
     @property
     def killed(self) -> bool:
-        """By SIGKILL, and not by `run`. A box hands a signal on as an exit status."""
+        """Whether SIGKILL ended it, and `run` didn't. A box passes a signal on as an exit
+        status."""
         return self.code in (-9, 128 + 9) and not self.too_long and not self.flooded
 
 
@@ -79,8 +81,8 @@ def run(
     out_cap: int = 64 * 1024 * 1024,
     err_cap: int = DIAGNOSTICS,
 ) -> Result:
-    """Runs a command to its end, with nothing but `stdin` to read. What a box hands out is written
-    to the new file `output`."""
+    """Runs a command to its end, with `stdin` as its standard input. The file that a box passes out
+    is written to the new file `output`."""
     with ExitStack() as stack:
         descriptors = {}
         if STATUS in command:
@@ -115,7 +117,7 @@ def _says_that_it_is_made(status: int) -> bool:
 
 def _opened(output: Path) -> int:
     descriptor = os.open(output, os.O_WRONLY | os.O_CREAT | os.O_TRUNC)
-    os.fchmod(descriptor, 0o644)  # whatever the umask: a later box reads it as somebody else
+    os.fchmod(descriptor, 0o644)  # whatever the umask: a later box reads it as another user
     return descriptor
 
 
@@ -170,7 +172,7 @@ def _collect(
 
 def _code_and_seconds(process: subprocess.Popen[bytes], stop: bool) -> tuple[int, float]:
     if stop:
-        seconds = _seconds_of_all_below(process.pid)  # which nobody waits for in a box of its own
+        seconds = _seconds_of_all_below(process.pid)  # wait4 wouldn't count them all
         _stop(process)
         return process.returncode, seconds
     _, status, usage = os.wait4(process.pid, 0)
@@ -179,7 +181,7 @@ def _code_and_seconds(process: subprocess.Popen[bytes], stop: bool) -> tuple[int
 
 
 def _seconds_of_all_below(root: int) -> float:
-    """CPU time of a process and its descendants, and of what these have waited for."""
+    """CPU time of a process, its descendants, and all children that these have waited for."""
     parent_of: dict[int, int] = {}
     ticks_of: dict[int, int] = {}
     for entry in filter(str.isdigit, os.listdir("/proc")):
@@ -195,7 +197,8 @@ def _seconds_of_all_below(root: int) -> float:
 
 
 def _stop(process: subprocess.Popen[bytes]) -> None:
-    """It may take away what it has made, as the reduced box does, if it is quick."""
+    """Ends a process group: by SIGTERM, so that the reduced box can remove its files, and after a
+    grace period by SIGKILL."""
     os.killpg(process.pid, signal.SIGTERM)
     try:
         process.wait(GRACE)

@@ -1,4 +1,4 @@
-"""One file of a submission, still unread, and how a source is read from it."""
+"""One unread file of a submission, and how to read a source from it."""
 
 from collections.abc import Callable
 from typing import NamedTuple
@@ -8,18 +8,19 @@ LARGEST_SOURCE = 1024 * 1024
 
 
 class NotText(Exception):
-    """Why a file can't be used as a source; the sentence goes on from its name."""
+    """A file can't be used as a source. The message continues a sentence that begins with its
+    name."""
 
 
 class Entry(NamedTuple):
     name: str  # relative, with forward slashes, without "..", never empty
-    size: int  # as it says: good for words alone
-    link: bool  # or anything else that is no ordinary file
+    size: int  # claimed, not checked; only for messages
+    link: bool  # a link, or anything else that is no regular file
     read: Callable[[int], bytes]  # at most so many bytes
 
 
 def text_of(entry: Entry) -> bytes:
-    """The source as UTF-8, or what the compiler takes as such. Raises NotText."""
+    """The source's bytes, converted from UTF-16 if need be. Raises NotText."""
     data = entry.read(LARGEST_SOURCE + 1)
     if len(data) > LARGEST_SOURCE:
         known = entry.size > LARGEST_SOURCE

@@ -1,5 +1,5 @@
-"""The files of a folder. Links aren't followed, pipes and devices aren't opened, and a folder that
-changes while it is read leads nowhere else."""
+"""Lists and reads the files of a folder. It follows no link, opens no pipe or device, and can't be
+led elsewhere if the folder changes meanwhile."""
 
 import os
 import stat
@@ -12,14 +12,15 @@ from bounce_grader.common.errors import UsageError
 from bounce_grader.common.escaping import printable_name
 from bounce_grader.submission.entry import MOST_ENTRIES, Entry
 
-# A pipe that took a file's place mustn't make its reader wait.
+# Non-blocking: a pipe that replaced a file must not make us wait.
 SAFELY = os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC
 DEEPEST = 100
 
 
 @contextmanager
 def opened(path: Path) -> Iterator[Iterator[Entry]]:
-    """The entries can be read while this is open. Raises UsageError where they can't be listed."""
+    """The entries, which can be read while this is open. Raises UsageError if they can't be
+    listed."""
     with _readable(path):
         top = os.open(path, os.O_RDONLY | os.O_DIRECTORY | os.O_CLOEXEC)
     try:
@@ -69,7 +70,7 @@ def _entry(path: Path, top: int, inside: tuple[str, ...], status: os.stat_result
 
 
 def _open(top: int, inside: tuple[str, ...]) -> int:
-    """Step by step, so that no folder on the way can be a link by now."""
+    """Opens folder by folder, so that no folder on the path can have become a link."""
     here = os.dup(top)
     for part in inside:
         try:

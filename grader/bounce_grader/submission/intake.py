@@ -1,4 +1,5 @@
-"""The files of a submission, a folder or a zip, without trusting a name, a size or a byte."""
+"""Lists the files of a submission, a folder or a zip, without trusting its names, sizes or
+bytes."""
 
 from collections.abc import Iterator
 from contextlib import AbstractContextManager, contextmanager
@@ -12,8 +13,8 @@ from bounce_grader.submission.entry import Entry
 
 @contextmanager
 def opened(path: Path, zipped: bytes | None = None) -> Iterator[list[Entry]]:
-    """All files; they can be read while this is open. `zipped` is a zip in memory, which `path` is
-    the name of. Raises UsageError where they can't be listed."""
+    """All files, which can be read while this is open. `zipped` is a zip in memory; then `path` is
+    only its name. Raises UsageError if they can't be listed."""
     with _opened(path, zipped) as entries:
         listed = list(entries)
         if not listed:

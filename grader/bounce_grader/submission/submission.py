@@ -1,8 +1,8 @@
-"""What is taken from a submission: the parts, and the sources beside them, as text.
+"""A submission's source files: the parts, and the helpers beside them, as text.
 
-Nothing is extracted or run here, and no name from a submission is ever used as a path outside of
-the work folder. Headers of the contract, given files and everything that isn't source are left
-out; the names left out are kept, to be said.
+Nothing is extracted or run here, and no name from a submission is ever used as a path outside the
+work folder. Headers of the contract, given files and everything that isn't source are left out;
+reports list the names of what was left out.
 """
 
 import hashlib
@@ -32,13 +32,13 @@ OF_THE_SOLUTION = (
     "exact/",
     "methods/",
     "study/",
-)  # beside its src/, which is graded as a submission is
-COPY = re.compile(r"(?:-\d+|\s?\(\d+\))$")  # of a file that was handed in, or loaded, again
+)  # other folders of solution/, whose src/ can be graded like a submission
+COPY = re.compile(r"(?:-\d+|\s?\(\d+\))$")  # the suffix of a file uploaded or downloaded again
 
 
 def part_file(file: str) -> str | None:
-    """The part that a file is, however often it was copied: part1_contacts-2.cpp is
-    part1_contacts.cpp."""
+    """The part's file name, without the suffix of a copy: part1_contacts-2.cpp is
+    part1_contacts.cpp. None if the file is no part."""
     stem, dot, suffix = file.rpartition(".")
     plain = COPY.sub("", stem).lower() + dot + suffix.lower()
     return plain if plain in {part.file for part in parts()} else None
@@ -46,7 +46,7 @@ def part_file(file: str) -> str | None:
 
 class Submission(NamedTuple):
     name: str
-    files: dict[str, bytes]  # path inside the submission -> text, as it is compiled
+    files: dict[str, bytes]  # path in the submission -> text to compile
     parts: dict[int, str]  # part number -> path in files
     refused: dict[int, str]  # part number -> why it isn't used
     ignored: tuple[str, ...] = ()
@@ -73,7 +73,7 @@ class Submission(NamedTuple):
         return digest.hexdigest()
 
     def write_to(self, folder: Path, names: Iterable[str] | None = None) -> None:
-        """These files, or all. The folder is made."""
+        """Writes these files, or all, into the folder, which it creates."""
         folder.mkdir(parents=True, exist_ok=True)
         for name in self.files if names is None else names:
             path = folder / name
@@ -88,7 +88,7 @@ def read(path: Path) -> Submission:
 
 
 def take(path: Path, entries: list[Entry]) -> Submission:
-    """Chooses among the entries, and reads those that are sources."""
+    """Chooses the sources among the entries, and reads them."""
     top = _common_folder(entries)
     names = {_inside(top, entry.name): entry for entry in entries}
     apart = OF_THE_SOLUTION if any(n.startswith("src/") for n in names) else ()
@@ -129,7 +129,7 @@ def _too_much(path: Path) -> UsageError:
 
 
 def _require_a_place_for_each(path: Path, names: Iterable[str]) -> None:
-    """A zip can hold a file a.hpp beside a folder a.hpp."""
+    """Raises UsageError for a file and a folder of the same name, which a zip can hold."""
     for name in names:
         for folder in PurePosixPath(name).parents:
             if str(folder) in names:
@@ -138,7 +138,7 @@ def _require_a_place_for_each(path: Path, names: Iterable[str]) -> None:
 
 
 def _common_folder(entries: list[Entry]) -> str:
-    """The folder that everything is in, as when a folder was zipped; else '.'."""
+    """The one folder that holds everything, as when a folder was zipped; else '.'."""
     own = [PurePosixPath(entry.name).parts for entry in entries]
     own = [parts for parts in own if parts[0] != MAC_FOLDER]
     tops = {parts[0] for parts in own}
@@ -160,7 +160,7 @@ def _wanted(name: PurePosixPath) -> bool:
 
 
 def _usable(name: str) -> bool:
-    """A compiler and a file system take it, and it isn't taken for an option."""
+    """Whether compilers and file systems accept the name, and no program takes it for an option."""
     spelled = all(c.isprintable() or unicodedata.category(c) == "Zs" for c in name)
     return spelled and not name.startswith(("-", "@")) and len(name.encode()) <= LONGEST_NAME
 
@@ -170,8 +170,8 @@ def _choose_parts(names: list[str]) -> dict[int, str]:
 
 
 def _choose(part: Part, names: list[str]) -> Iterator[str]:
-    """The file of a part: the one nearest to the top, where there are several. A copy's name counts
-    where the part's own isn't there."""
+    """The file of a part; of several, the one nearest to the top. A copy's name counts only if no
+    file has the part's own name."""
     copies = [PurePosixPath(n) for n in names if part_file(PurePosixPath(n).name) == part.file]
     named = [path for path in copies if path.name.lower() == part.file] or copies
     if not named:

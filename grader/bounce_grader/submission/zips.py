@@ -1,4 +1,4 @@
-"""The files of a zip. Nothing is extracted: what a name, a size or a byte says is only ever read."""
+"""Lists and reads the files of a zip, in memory. Nothing is extracted to disk."""
 
 import io
 import re
@@ -14,14 +14,14 @@ from bounce_grader.common.escaping import printable_name, printable_text
 from bounce_grader.submission.entry import MOST_ENTRIES, Entry
 
 ENCRYPTED = 0x1
-LARGEST_DIRECTORY = 2 * 1024 * 1024  # of all names, and more than a source file
-METHODS = {zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED}  # the others may ask for gigabytes
+LARGEST_DIRECTORY = 2 * 1024 * 1024  # of a table of contents, or a single read
+METHODS = {zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED}  # others may need gigabytes
 
 
 @contextmanager
 def opened(path: Path, zipped: bytes | None = None) -> Iterator[Iterator[Entry]]:
-    """The entries can be read while this is open; of the bytes `zipped`, where these are given.
-    Raises UsageError where they can't be listed."""
+    """The entries of the zip at `path`, or of the bytes `zipped`; they can be read while this is
+    open. Raises UsageError if they can't be listed."""
     with _readable(path):
         raw = io.FileIO(path) if zipped is None else cast(io.RawIOBase, io.BytesIO(zipped))
         stream = _Bounded(raw)
@@ -39,7 +39,8 @@ def opened(path: Path, zipped: bytes | None = None) -> Iterator[Iterator[Entry]]
 
 
 class _Bounded(io.BufferedReader):
-    """The table of contents is read in one piece, as large as it says that it is."""
+    """Limits one read: zipfile reads the table of contents in one piece, of the size that the zip
+    claims."""
 
     def read(self, size: int | None = -1) -> bytes:
         if size is not None and size > LARGEST_DIRECTORY:
@@ -53,7 +54,7 @@ class _TooMany(Exception):
 
 def _entries(path: Path, archive: zipfile.ZipFile) -> Iterator[Entry]:
     names: set[str] = set()
-    if len(archive.infolist()) > MOST_ENTRIES:  # folders among them
+    if len(archive.infolist()) > MOST_ENTRIES:  # folders count, too
         raise _too_many(path)
     for info in archive.infolist():
         if info.filename.endswith(("/", "\\")):
@@ -86,7 +87,7 @@ def _entry(path: Path, archive: zipfile.ZipFile, info: zipfile.ZipInfo, name: st
         with _readable(path), archive.open(info) as stream:
             return stream.read(most)
 
-    kind = stat.S_IFMT(info.external_attr >> 16)  # 0 where the zip comes from no Unix
+    kind = stat.S_IFMT(info.external_attr >> 16)  # 0 if the zip wasn't made on Unix
     return Entry(name, info.file_size, kind not in (0, stat.S_IFREG), read)
 
 
@@ -98,7 +99,7 @@ def _readable(path: Path) -> Iterator[None]:
         raise _too_many(path) from error
     except OSError as error:
         raise UsageError(f"{path} can't be read: {error.strerror or error}") from error
-    except Exception as error:  # zipfile has a dozen kinds for what a broken zip makes of it
+    except Exception as error:  # a broken zip makes zipfile raise a dozen kinds
         reason = printable_text(str(error) or type(error).__name__, 200)
         raise UsageError(f"{path} is broken ({reason}): make it anew and submit again") from error
 

@@ -1,5 +1,5 @@
-// What every engine is here: a world with one square and the ground, made of a scene and a step.
-// One file per engine, with its settings above the code.
+// The interface of every engine: a world with one square and the ground, made from a scene and a
+// step. There is one file per engine, with its settings above the code.
 #pragma once
 
 #include <memory>
@@ -24,21 +24,21 @@ class Engine {
   virtual methods::Motion<double> motion() const = 0;
 };
 
-// What a reader wants to know before believing a comparison, in a few words each.
+// The settings that a reader must know to judge a comparison, in a few words each.
 struct Settings {
   std::string numbers;      // the precision
   std::string planar;       // how the motion is kept in the plane
-  std::string restitution;  // how epsilon is said
-  std::string friction;     // how mu is said
+  std::string restitution;  // how epsilon is set
+  std::string friction;     // how mu is set
   std::string contact;      // margins, corrections, iterations
-  std::string order;        // which Euler: "velocity first" or "position first"
+  std::string order;        // the kind of Euler step: "velocity first" or "position first"
 };
 
 class Numpy;  // numpy.hpp
 
 struct Peer {
   std::string name, title, version;
-  bool swept;  // else only its steps are timed, and its errors compared with those that are
+  bool swept;  // else it is only a variant: its steps are timed, and its errors compared
   Settings settings;
   std::string limit;  // why its error may stop falling, in words
   std::unique_ptr<Engine> (*make)(const Scene& scene, double dt);
@@ -46,11 +46,10 @@ struct Peer {
   double least_dt = 0;                     // s; smaller steps would take too long
 };
 
-// The ground reaches so far to either side, m, and so deep where it is a box.
+// How far the ground reaches to either side, and how deep if it is a box, m.
 inline constexpr double kGroundHalf = 50, kGroundDepth = 10;
 
-// An engine with the settings that suit it best, and where they differ much, with those it has by
-// itself.
+// Each engine with the settings that suit it best; and with its defaults, if these differ much.
 using Peers = std::vector<Peer>;
 Peers chipmunk();
 Peers box2d();
@@ -58,10 +57,10 @@ Peers ode();
 Peers bullet();
 Peers mujoco();
 Peers dart();
-// None where Python has no numpy.
+// Empty if Python has no numpy.
 Peers numpy();
 
-// Those that were found when this was built.
+// The engines that were found when this was built.
 Peers all_peers();
 
 }  // namespace bounce::study

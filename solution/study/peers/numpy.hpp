@@ -1,5 +1,5 @@
-// The assignment in numpy, in a process of its own that waits for its turns: so it is timed in the
-// same rounds as all others, and on the same core, which a child takes from its parent.
+// The assignment in numpy, in a separate process that waits for its turns. So it is timed in the
+// same rounds as all others, and on the same core, which it inherits.
 #pragma once
 
 #include <sys/types.h>
@@ -12,16 +12,16 @@ namespace bounce::study {
 
 class Numpy {
  public:
-  // Throws std::runtime_error where the process can't be started.
+  // Throws std::runtime_error if the process can't be started.
   Numpy();
   Numpy(const Numpy&) = delete;
   Numpy& operator=(const Numpy&) = delete;
   ~Numpy();
 
-  // Empty where Python has no numpy.
+  // Empty if Python has no numpy.
   const std::string& version() const { return version_; }
 
-  // The square at kSamples even times up to scene.until. dt must fit, as by fitting_step().
+  // The square at kSamples evenly spaced times up to scene.until. dt must come from fitting_step().
   Samples samples(const Scene& scene, double dt) { return run(scene, dt, 1).samples; }
 
   // CPU time of so many runs together, ns, as its process counts it.

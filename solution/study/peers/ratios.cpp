@@ -5,7 +5,7 @@ namespace {
 
 constexpr double kTolerances[] = {1e-2, 1e-3, 1e-4, 1e-5, 1e-6};  // m
 
-// The fastest within an error, of those that `may` be; null where there is none.
+// The fastest point within an error for which `may` holds; null if there is none.
 template <class May>
 const Point* fastest(const std::vector<Point>& points, double error, const May& may) {
   const Point* best = nullptr;

@@ -1,5 +1,4 @@
-// The LCP of part 2 alone, by Siconos's solvers and by ours: ns for one, and what its answer
-// leaves.
+// Compares Siconos's solvers with ours on the LCP of part 2 alone: ns per LCP, and residual.
 //
 // The contacts slide, stick and separate; Siconos gets V and p of eqs. (9) and (10) as they are,
 // through its driver, with each solver's default options and z = 0 to begin with, and its options
@@ -69,7 +68,7 @@ double residual_of(const methods::OneCorner<double>& k, const Impulse& p) {
   return std::isnan(residual) ? std::numeric_limits<double>::infinity() : residual;
 }
 
-// Contact i's impulse, or nothing where the solver says that it failed.
+// The impulse of contact i; empty if the solver reports a failure.
 using Solve = std::function<std::optional<Impulse>(const Contacts&, std::size_t i)>;
 
 struct Solver {
@@ -114,7 +113,7 @@ std::vector<Solver> all_solvers() {
 
 struct Outcome {
   double residual = 0, difference = 0;  // the worst, m/s
-  int refused = 0, wrong = 0;           // says that it failed; says it solved, and has not
+  int refused = 0, wrong = 0;           // reported a failure; reported success wrongly
 };
 
 Outcome outcome_of(const Contacts& contacts, const Solver& solver) {
@@ -135,7 +134,7 @@ Outcome outcome_of(const Contacts& contacts, const Solver& solver) {
   return outcome;
 }
 
-// Of all the contacts, so many times, ns.
+// The time to solve all contacts `repeats` times, ns.
 double time_of(const Contacts& contacts, const Solver& solver, long repeats) {
   double sum = 0;
   const double start = cpu_ns();

@@ -27,7 +27,7 @@ double time_of_all(long repeats, const Run& run) {
   return cpu_ns() - start;
 }
 
-// What reading the clock costs, ns.
+// The cost of reading the clock, ns.
 double clock_ns() {
   std::vector<double> times;
   for (int i = 0; i < 1001; ++i) {

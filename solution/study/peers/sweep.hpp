@@ -1,4 +1,4 @@
-// How peers are run and timed, and the tables that come of it.
+// Runs and times the engines, and makes their tables.
 #pragma once
 
 #include "../catalog.hpp"
@@ -16,7 +16,7 @@ struct PeerExtent {
 // The square at the sample times of a scene, with theta unwound to whole turns; not timed.
 Samples samples_of(const Peer& peer, const Scene& scene, double dt);
 
-// CPU time of so many runs of the steps up to scene.until, ns: making the world is not in it.
+// CPU time of `repeats` runs of the steps up to scene.until, ns, without making the world.
 double time_of(const Peer& peer, const Scene& scene, double dt, long repeats);
 
 // Every scene, peer and step, and the same of our own methods, timed in turns: peers and ours with
@@ -32,8 +32,8 @@ Table single_steps(const Scenes& kinds, const Peers& peers, const PeerExtent& ex
 
 Table settings(const Peers& peers);
 
-// What an engine's own settings change: the errors of those that are not swept and of those that
-// are, over the step.
+// The effect of an engine's settings: errors over the step, of the variants and of the settings in
+// the sweep.
 Table variants(const Scenes& scenes, const Peers& peers, const PeerExtent& extent);
 
 // The LCP alone, by Siconos's solvers and ours.

@@ -9,7 +9,8 @@
 
 namespace bounce::study {
 
-// What takes longer than this plays in every third round only, so that the rest has many.
+// A point that takes longer than this runs only in every third round, so that there are many rounds
+// for the others.
 inline constexpr double kLongNs = 5e7;
 inline constexpr int kLongEvery = 3;
 
@@ -18,8 +19,8 @@ struct Point {
   bool is_peer;
   double setting, error;
   const char* setting_is;
-  std::function<double(long repeats)> time;  // of all of them together, ns
-  std::vector<double> ns = {};               // of one, by round; NaN where it didn't play
+  std::function<double(long repeats)> time;  // of all repeats together, ns
+  std::vector<double> ns = {};               // of one run, by round; NaN if it didn't run
 };
 
 // Fills `ns`. Every point is run once before it is timed.
@@ -29,10 +30,10 @@ struct Quartiles {
   double lower, median, upper;
 };
 
-// Of one run, ns.
+// The times of one run, ns.
 Quartiles times_of(const Point& point);
 
-// Of the ratios within the rounds in which both played.
+// The ratios within the rounds in which both ran.
 Quartiles ratios_of(const Point& point, const Point& other);
 
 }  // namespace bounce::study

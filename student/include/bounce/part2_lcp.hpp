@@ -7,7 +7,7 @@ namespace bounce {
 
 // The LCP whose solution is the contact force over one time step.
 //
-//   J       [J_t J_n], 3x2, as part 1 returns it; any 3x2 matrix is a legal question.
+//   J       [J_t J_n], 3x2, as part 1 returns it; any 3x2 matrix is allowed.
 //   v       (v_x, v_y, omega) before the step: m/s, m/s, rad/s.
 //   params  l, m, mu, epsilon, g and dt are all needed.
 //   returns V, 4x4, and p, 4, in the order z = (f_n, f_t1, f_t2, lambda).

@@ -29,7 +29,7 @@ struct Parameters {
   Eigen::Matrix3d M() const { return Vector3(m, m, m * l * l / 6.0).asDiagonal(); }
 };
 
-// Part 1: what the lowest corner of the square has to do with the ground.
+// Part 1: how the lowest corner of the square is related to the ground.
 struct Contact {
   Jacobian J;  // 3x2; rows x and y have no unit, row theta is in m
   double phi;  // height of the lowest corner, m; negative below the ground, eq. (4)
@@ -47,7 +47,7 @@ struct State {
   Vector3 v;  // (v_x, v_y, omega): m/s, m/s, rad/s
 };
 
-// Part 4: one state a column; column 0 is the initial state.
+// Part 4: one state per column; column 0 is the initial state.
 struct Trajectory {
   Eigen::Matrix3Xd q;  // 3xT: m, m, rad
   Eigen::Matrix3Xd v;  // 3xT: m/s, m/s, rad/s

@@ -1,4 +1,4 @@
-"""What is compiled, what is kept of it for the next time, and what it may cost."""
+"""Compiling submissions: the objects, their cache, and limits."""
 
 import os
 import secrets
@@ -21,7 +21,7 @@ FULL: list[float] = [part.points for part in parts()]
 
 
 def _new() -> bytes:
-    """A line that no earlier compiler has seen."""
+    """A comment that makes the source new to the cache."""
     return f"// {secrets.token_hex(8)}\n".encode()
 
 
@@ -31,7 +31,7 @@ def _new() -> bytes:
 def test_a_changed_helper_is_compiled_anew_also_where_it_is_included_as_a_source(
     grade: Grade,
 ) -> None:
-    """What is kept of an earlier grading must never answer for other code."""
+    """A cached object of an earlier grading must never be used for other code."""
     including = b'#include "helper.cpp"\n' + solution_files()["part4_simulate.cpp"]
     assert points(grade({"part4_simulate.cpp": including, "helper.cpp": b"\n"})) == FULL
     broken = grade({"part4_simulate.cpp": including, "helper.cpp": b"#error changed\n"})
@@ -90,7 +90,7 @@ HIDDEN_INCLUDES = {
 def test_an_object_never_answers_for_a_file_that_it_was_not_made_from(
     grade: Grade, way: str
 ) -> None:
-    """However the including of a source is hidden from a look at the text."""
+    """Even if a macro hides the including of a source."""
     including = _new() + HIDDEN_INCLUDES[way]
     real = b"#ifndef DONE\n#define DONE\n" + solution_files()["part1_contacts.cpp"] + b"#endif\n"
     files = {"part1_contacts.cpp": b"#define INSIDE\n" + including}
@@ -168,7 +168,7 @@ def test_helpers_have_a_limit_in_common(grade: Grade, monkeypatch: pytest.Monkey
 def test_clang_needs_no_help_in_a_box(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, kind: str
 ) -> None:
-    """Where it misses something, g++ would say nothing of it and take five times as long."""
+    """If clang missed a file, g++ would compile instead, silently and five times as slowly."""
     files = {name: _new() + text for name, text in solution_files().items()}
     with tempfile.TemporaryDirectory(prefix=WORK_FOLDER) as work:
         box = Box(kind)
@@ -179,7 +179,7 @@ def test_clang_needs_no_help_in_a_box(
 
 
 def test_what_is_timed_is_built_by_gcc_as_a_program_is_too(tmp_path: Path) -> None:
-    """Where clang refuses it."""
+    """For code that clang rejects."""
     only = b"#if !defined NDEBUG || !defined __OPTIMIZE__ || defined __clang__\n#error\n#endif\n"
     write(tmp_path / "s", {"part1_contacts.cpp": _new() + only})
     taken = read(tmp_path / "s")
@@ -213,7 +213,7 @@ def test_a_box_or_a_machine_that_fails_is_no_verdict(
 
 @pytest.mark.parametrize("kind", ["full", "reduced", "none"])
 def test_a_signal_that_ends_what_gcc_starts_is_told(kind: str, tmp_path: Path) -> None:
-    """By the exit status: words could be anybody's."""
+    """By the exit status, because a submission can print any text."""
     text = (
         b"constexpr long f(long n) { long s = 0; while (--n) s += n; return s; }\n"
         b"static_assert(f(1L << 40) == 0);\n"
@@ -231,7 +231,7 @@ def test_a_signal_that_ends_what_gcc_starts_is_told(kind: str, tmp_path: Path) -
 
 
 def test_what_an_assembler_prints_is_no_object(grade: Grade) -> None:
-    """Neither of the file that prints nor of another one."""
+    """Neither for the file that prints it nor for another."""
     right = solution_files()
     stolen = object_cache.place(_name_of_part(3, {n: _new() + t for n, t in right.items()}, grade))
     text = "".join(f"\\\\{byte:03o}" for byte in stolen.read_bytes())

@@ -23,7 +23,7 @@ STAND_IN = ROOT / "tests" / "kit" / "support" / "stand_in.py"
 
 def started(source: Path, out: Path, seconds: float = 0.0) -> Any:
     environment = {**os.environ, "PYTHONPATH": f"{ROOT / 'grader'}:{ROOT / 'tests/kit/support'}"}
-    # Who runs the tests in the background may have Ctrl-C ignored, and so would its children.
+    # If the tests run in the background, Ctrl-C may be ignored, and children would inherit that.
     command = ["env", "--default-signal=INT", sys.executable]
     command += [str(STAND_IN), str(source), str(out), str(seconds)]
     return subprocess.Popen(
@@ -33,7 +33,7 @@ def started(source: Path, out: Path, seconds: float = 0.0) -> Any:
 
 @pytest.fixture
 def short_folder() -> Iterator[Path]:
-    """Sockets are made in TMPDIR, and their paths may have a hundred letters."""
+    """A short TMPDIR: sockets are made there, and their paths may have about a hundred bytes."""
     with tempfile.TemporaryDirectory() as name:
         yield Path(name)
 
@@ -81,7 +81,7 @@ def test_ctrl_c_stops_and_says_how_to_go_on(
 
 
 def test_gradings_end_with_the_class(tmp_path: Path, users: list[int]) -> None:
-    """Where it is killed, nothing goes on behind its back."""
+    """If the class is killed, no grading goes on."""
     source, out = download(tmp_path / "x.zip", users), tmp_path / "out"
     process = started(source, out, seconds=2.0)
     wait_for(lambda: len(results.keys(out / "results")) >= 1)

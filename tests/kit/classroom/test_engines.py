@@ -32,8 +32,7 @@ def download(path: Path, number: int) -> Path:
 
 
 def solutions(path: Path, number: int, contents: int) -> Path:
-    """The solution itself, so often, in so many different contents; objects that are the same are
-    kept after the first."""
+    """Copies of the solution with several different contents; equal objects are cached."""
     with zipfile.ZipFile(path, "w") as archive:
         for user in range(101, 101 + number):
             for i, (name, text) in enumerate(solution_files().items()):
@@ -43,7 +42,7 @@ def solutions(path: Path, number: int, contents: int) -> Path:
 
 
 def same(out: Path, source: Path, tmp_path: Path) -> bool:
-    """As if the built-in workers had done it."""
+    """Whether the results are those of the built-in engine."""
     assert run.run(stand_in.request(source, tmp_path / "calm")) == 0
     return all((out / n).read_bytes() == (tmp_path / "calm" / n).read_bytes() for n in NAMES)
 
@@ -55,7 +54,7 @@ def test_dask_survives_workers_that_are_killed(cluster: Cluster, tmp_path: Path)
     first, second = cluster.worker(), cluster.worker()
     dask = {"engine": "dask", "scheduler": cluster.address}
     child = os.fork()
-    if child == 0:  # the class, so that this process can kill workers beside it
+    if child == 0:  # runs the class, so that the parent can kill workers meanwhile
         os._exit(run.run(stand_in.request(source, out, 0.2, **dask)))
     chance = random.Random(1)
     for worker in (first, second):
@@ -198,7 +197,7 @@ def test_a_real_slurm_grades_the_class_and_collects(slurm_node: Path, tmp_path: 
 
 
 def test_an_unknown_failure_of_a_unit_is_the_kits(tmp_path: Path) -> None:
-    """Not a student's: no result is left behind."""
+    """It isn't the student's fault: no result is stored."""
     from functools import partial
 
     from bounce_grader.classroom.intake import students

@@ -255,7 +255,7 @@ def test_a_row_that_two_submissions_mean_is_filled_by_none(tmp_path: Path) -> No
 
 
 def test_canvas_names_students_by_its_own_ids_alone(tmp_path: Path) -> None:
-    """A login in its place is what a student has written into a name."""
+    """A login in the place of an id comes from a name that a student chose."""
     graded = {
         "12": Marks("doejane", {0: 100.0}, of_canvas=True),
         "u12": Marks("oejaned", {0: 0.0}, of_canvas=True),

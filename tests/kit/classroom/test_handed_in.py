@@ -1,5 +1,5 @@
-"""What one student's uploads may cost, all of them together: nothing is written before it is
-counted, and sizes are those that are read."""
+"""Limits on all uploads of one student together: nothing is written to disk, and sizes are
+measured, not believed."""
 
 import csv
 import io
@@ -143,7 +143,7 @@ def test_a_record_names_the_first_files_that_were_not_used(tmp_path: Path) -> No
 
 
 def test_a_repository_nested_deeply_is_no_obstacle_to_an_annotation(tmp_path: Path) -> None:
-    """Deeper than a function of Python's may call itself."""
+    """Deeper than Python's limit on recursion."""
     folder = tmp_path / "x"
     folder.mkdir()
     for _ in range(1500):

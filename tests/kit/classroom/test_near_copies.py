@@ -1,4 +1,4 @@
-"""Near-copies of a class in which some hand in what takes long to compare."""
+"""Near-copies in a class with submissions that take long to compare."""
 
 import time
 from pathlib import Path
@@ -21,7 +21,7 @@ def compared(source: Path, out: Path) -> Similar:
 
 
 def class_with(path: Path, odd: list[bytes]) -> Path:
-    """Two who copied, and these."""
+    """A class of two students who copied, and these."""
     text = solution_files()["part3_step.cpp"]
     entries = {f"doe_{user}_{user}_part3_step.cpp": text for user in (1, 2)}
     entries |= {f"roe_{user}_{user}_part3_step.cpp": text for user, text in enumerate(odd, 3)}

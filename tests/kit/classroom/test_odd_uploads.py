@@ -1,5 +1,5 @@
-"""One student's files cost nobody else anything, whatever is in them: the class is graded, and who
-handed them in needs a look."""
+"""Whatever one student's files contain, nobody else loses anything: the class is graded, and that
+student is listed as needing a look."""
 
 import csv
 import io
@@ -26,7 +26,8 @@ from odd_students import FOLDERS, LIES, PART, UPLOADS, ZIPS, zip_that_claims
 
 
 def graded_beside(tmp_path: Path, uploads: dict[str, bytes]) -> str:
-    """The class's page, where an honest student got the points that they get alone."""
+    """Grades an honest student beside this one, checks the honest one's points, and returns the
+    class's page."""
     out = tmp_path / "out"
     assert grade_class(download(tmp_path / "x.zip", [101], uploads), out) == 0
     assert column(out / "gradebook.csv")["101"] == points_of(101, tmp_path)
@@ -110,7 +111,7 @@ def test_a_full_disk_is_no_students_fault(tmp_path: Path, monkeypatch: pytest.Mo
 
 @pytest.fixture
 def here(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Graded in this process: what is tested is around it, and it is quick."""
+    """Grades in this process, which is quicker; these tests are about the code around it."""
 
     def run(tasks: list[Task], jobs: int, unit: Any) -> Iterator[tuple[Task, Outcome]]:
         yield from ((task, unit(task)) for task in tasks)
@@ -174,7 +175,7 @@ def test_no_folder_costs_anybody_else(
 def test_no_zip_ends_a_grading_without_a_sentence(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], data: bytes
 ) -> None:
-    """Those of which something can be taken are graded for real elsewhere."""
+    """Zips that hold something usable are graded for real elsewhere."""
     (tmp_path / "x.zip").write_bytes(data)
     try:
         submission.read(tmp_path / "x.zip")

@@ -1,4 +1,4 @@
-"""What a class writes for whom: pages, names and the grade book, and options that would spoil them."""
+"""The outputs of a class: pages, names and the grade book, and options that would spoil them."""
 
 import csv
 import io
@@ -30,7 +30,7 @@ def test_pages_of_what_is_gone_go(tmp_path: Path) -> None:
 
 
 def test_who_handed_in_no_file_to_grade_gets_a_page(tmp_path: Path) -> None:
-    """Canvas takes back those that have the number of an attachment."""
+    """Canvas imports only pages whose names have the id of an attachment."""
     odd = {"roe_301_text.html": b"see my mail", "poe_302_3020_photo.jpg": b""}
     odd |= {"roe_101_text.html": b"and a remark"}
     out = tmp_path / "out"

@@ -1,4 +1,4 @@
-"""The class's page, the near-copies on it, and what is said while a class is graded."""
+"""The class's page, the near-copies on it, and the progress messages."""
 
 import re
 import zipfile
@@ -48,7 +48,7 @@ def test_every_graded_submission_has_a_mark(tmp_path: Path) -> None:
 
 
 def test_only_what_has_all_points_stands_among_right_answers(tmp_path: Path) -> None:
-    """An answer that never came has no error, however near the others are."""
+    """A missing answer has no error, however small the errors of the others are."""
     near = {"submission_ns": 1.0, "solution_ns": 1.0, "ratio": 1.0, "largest_error": 4.9e-13}
     full, lost = summary(tmp_path, "full", speed=near), summary(tmp_path, "lost", speed=near)
     full, lost = replace(full, score=100.0), replace(lost, score=70.0)
@@ -152,14 +152,14 @@ def test_nothing_graded_is_a_page_too(tmp_path: Path) -> None:
 
 
 def renamed(text: bytes) -> bytes:
-    """As somebody would who copies: other names, other remarks, another layout."""
+    """Disguises a copy: other names, other comments, another layout."""
     for name in (b"corner", b"params", b"lowest", b"impulse", b"contact_"):
         text = re.sub(rb"\b" + name + rb"\b", b"my_" + name[::-1], text)
     return b"// my own work\n\n" + text.replace(b"\n", b"\n\n")
 
 
 def test_a_renamed_copy_is_found_and_the_handout_is_no_copy(tmp_path: Path) -> None:
-    """Two who left the stubs as they were share nothing of their own."""
+    """Two students who left the stubs unchanged share nothing of their own."""
     copies = {name: renamed(text) for name, text in solution_files().items()}
     stubs = {file.name: file.read_bytes() for file in STUBS.glob("*.cpp")}
     with zipfile.ZipFile(tmp_path / "x.zip", "w") as archive:

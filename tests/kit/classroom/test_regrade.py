@@ -1,4 +1,4 @@
-"""Grading a class again: what would change is shown first, and taken over when that is asked for."""
+"""Grading a class again: the changes are shown first, and applied on request."""
 
 import json
 from pathlib import Path
@@ -35,7 +35,7 @@ def test_results_of_another_kit_are_refused_and_kept(
 def test_another_kit_is_known_wherever_it_lies(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, changed: str
 ) -> None:
-    """As in a folder that is named like one of its own."""
+    """Even in a folder with the name of one of the kit's own."""
     root = tmp_path / "classroom" / "formats"
     folders = {"ROOT": root, "CONTRACT": root / "student/include", "HANDOUT": root / "student"}
     for name, folder in folders.items():

@@ -1,4 +1,4 @@
-"""A class from its download to its grade book, with a stand-in for grading that is quick."""
+"""A class from its download to its grade book, with a quick stand-in for grading."""
 
 import csv
 import io
@@ -75,7 +75,7 @@ def test_answers_of_hidden_cases_are_on_the_pages_where_that_is_asked_for(
 def test_times_are_added_to_grades_that_are_there(tmp_path: Path, users: list[int]) -> None:
     source, out = download(tmp_path / "x.zip", users), tmp_path / "out"
     timed = ["Nothing was timed" not in text for text in _pages_of_three_runs(source, out)]
-    assert timed == [False, True, True]  # times that are there stay
+    assert timed == [False, True, True]  # existing times are kept
     assert len(graded(out)) == 2 * len(users)
     grades = (out / "grades.csv").read_text()
     grade_class(source, out, regrade="all", speed=True)
@@ -121,7 +121,7 @@ def test_a_students_failure_is_a_result_and_is_not_tried_again(
 
 
 def test_the_command_takes_it_all(tmp_path: Path, users: list[int]) -> None:
-    """The whole way once, with real gradings of the solution, through ./kit's own options."""
+    """One complete run, with real gradings of the solution, through the options of ./kit."""
     with zipfile.ZipFile(tmp_path / "x.zip", "w") as archive:
         for number, (name, text) in enumerate(solution_files().items()):
             archive.writestr(f"doejane_12_{number + 1}_{name}", text)

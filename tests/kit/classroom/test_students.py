@@ -1,4 +1,4 @@
-"""Whose submissions these are, and what becomes of everything else in the download."""
+"""Finding each student's submission, and what happens to everything else in the download."""
 
 from pathlib import Path
 
@@ -84,7 +84,7 @@ def test_a_helper_of_several_dots_has_the_name_that_it_is_included_by(
 
 
 def test_of_a_zip_that_is_handed_in_again_the_newest_counts(tmp_path: Path) -> None:
-    """Nothing of the older one is left: neither its parts nor its helpers."""
+    """Nothing of the older one is used: neither its parts nor its helpers."""
     first = {"part1_contacts.cpp": b"// first", "arm.cpp": b"// stale"}
     path = download(
         tmp_path / "x.zip",

@@ -29,7 +29,7 @@ ODD_NAMES = {
 
 
 def solution(user: int) -> dict[str, bytes]:
-    """All points; the remark is the same for all, so that it is compiled once."""
+    """The solution with full points; all have the same comment, so that it is compiled once."""
     return solution_files()
 
 
@@ -80,7 +80,8 @@ def odd_entries(archive: zipfile.ZipFile) -> dict[int, float | None]:
 
 
 def book_of(users: dict[int, float | None], names: dict[int, str]) -> str:
-    """With a student who handed in nothing, one who is excused, and one who isn't assigned."""
+    """The grade book, also with a student without a submission, an excused one, and one without the
+    assignment."""
     lines = [f"Student,ID,SIS Login ID,Section,{COLUMN},Note", "    Points Possible,,,,100.00,"]
     for user in users:
         name = names.get(user, "Roe, Ann").replace('"', '""')
@@ -102,7 +103,7 @@ def kit_class(folder: Path) -> dict[str, str]:
 
 
 def class_of_forty(folder: Path) -> dict[int, float | None]:
-    """Writes its download and its export, and gives the points of each."""
+    """Writes the download and the export, and returns the points of each student."""
     made = list(synthetic_class.students(22, ("accepted", "mistakes", "broken"), 6001))
     source = synthetic_class.canvas_zip(folder / "submissions.zip", made)
     with zipfile.ZipFile(source, "a") as archive:

@@ -1,5 +1,5 @@
-"""What a submission says never means anything where it is shown: each escape against a reader of
-that format which somebody else wrote."""
+"""Text from a submission never acts as markup or as a command: each escape is checked with an
+independent reader of its format."""
 
 import csv
 import io
@@ -19,7 +19,7 @@ from odd_texts import TEXTS
 
 
 def printable(text: str) -> str:
-    """What is left of a text, said by the Unicode database rather than by str.isprintable."""
+    """The printable text, computed with the Unicode database instead of str.isprintable."""
     kept = text.replace("\r\n", "\n").replace("\t", " ")
     return "".join(escaping.REPLACEMENT if _moves(c) else c for c in kept)
 
@@ -71,7 +71,8 @@ def test_words_that_are_no_command_stay_as_they_are() -> None:
 
 
 class Heard(HTMLParser):
-    """The text between <pre title="..."> and </pre>, its attribute, and whatever else came."""
+    """Collects the text between <pre title="..."> and </pre>, the attribute, and any other
+    markup."""
 
     def __init__(self, document: str) -> None:
         super().__init__(convert_charrefs=True)
@@ -195,12 +196,13 @@ def test_a_block_of_markdown_is_code_and_nothing_else(text: str) -> None:
 
 
 def unbroken(text: str) -> str:
-    """Without the spaces that break a command, and all others."""
+    """The text without spaces, including those that break up commands."""
     return text.replace(" ", "")
 
 
 def runner_reads(line: str) -> tuple[str, dict[str, str], str]:
-    """As GitHub's runner does: https://github.com/actions/toolkit documents these escapes."""
+    """Decodes as GitHub's runner does: https://github.com/actions/toolkit documents these
+    escapes."""
     assert "\n" not in line and "\r" not in line
     match = re.fullmatch(r"::(\w+)(?: (.*?))?::(.*)", line)
     assert match

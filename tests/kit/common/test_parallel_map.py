@@ -1,4 +1,4 @@
-"""The same for several things at once."""
+"""parallel_map: results, errors and interruptions."""
 
 import signal
 import threading
@@ -47,7 +47,7 @@ def test_the_first_error_is_raised_and_no_other_item_is_begun(jobs: int) -> None
 
 
 def test_an_interruption_waits_for_what_has_begun_and_begins_nothing_more() -> None:
-    """As when Ctrl-C is pressed, and the folder that they work in is about to be removed."""
+    """As with Ctrl-C, after which the folder that they work in is removed."""
     begun: list[int] = []
     ended: list[int] = []
     both = threading.Barrier(2, timeout=60)
@@ -58,7 +58,7 @@ def test_an_interruption_waits_for_what_has_begun_and_begins_nothing_more() -> N
         if both.wait() == 0:
             signal.pthread_kill(threading.main_thread().ident or 0, signal.SIGUSR1)
         assert interrupted.wait(60)
-        time.sleep(0.05)  # for the one that waits to go on, where it shouldn't
+        time.sleep(0.05)  # time for the next item to begin, which it must not
         ended.append(x)
 
     def interrupt(*_: object) -> None:

@@ -1,7 +1,7 @@
-"""Random submissions that attack: some twenty in each run, the same each time. ./kit test --long has
-five hundred, and other ones each night.
+"""Random submissions that attack: some twenty in each run, the same each time. ./kit test --long
+runs five hundred, different ones each day.
 
-That a grading keeps its promises means something only where a broken one is noticed.
+It also tests that a broken promise is noticed.
 """
 
 import random
@@ -14,7 +14,7 @@ from fuzzing import nasty
 from fuzzing.attacks import some_attack
 
 COUNT, FIRST = 20, 7040
-# In place of the kit.
+# Programs that replace the kit.
 LEAKING = """
 import os, subprocess, sys
 print(os.environ["BOUNCE_CANARY"])
@@ -65,7 +65,7 @@ def test_a_string_of_cpp_is_one_whatever_is_in_it() -> None:
 
 
 def problems_with(kit: str, seed: int) -> str:
-    """What is said of a grading by another program."""
+    """The problems that are found if another program replaces the kit."""
     told = f"""
 from fuzzing import attack_run
 attack_run.MAIN = {kit!r}
@@ -79,7 +79,7 @@ print(*attack_run.attacked({seed}, "full")[1], sep=chr(10))
 
 
 def seed_of(kind: str) -> int:
-    """Of a folder with an honest part, or of a class."""
+    """The seed of an attack: a folder with an honest part, or a class."""
     made = ((seed, some_attack(random.Random(f"attacks {seed}"), [])) for seed in range(99))
     if kind == "class":
         return next(seed for seed, attack in made if attack.is_class)

@@ -1,4 +1,4 @@
-"""What mistakes cost: about the same where they weigh the same. `python -m costs` prints it all."""
+"""Mistakes of the same weight cost about the same. `python -m costs` prints all costs."""
 
 from collections.abc import Callable
 

@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 from conftest import ROOT
 
-# What the recipe writes anew, and where. The part is the energy of the square, in ten lines.
+# The new files of the recipe. The part computes the energy of the square, in ten lines.
 NEW = {
     "student/include/bounce/part5_energy.hpp": """// Part 5: the energy of the square, J.
 #pragma once
@@ -101,7 +101,7 @@ json part5_cases(const std::string& set, const std::string& secret) {
 }  // namespace bounce::fixtures
 """,
 }
-# One line each, before the line that it is given with.
+# New lines: file, the line before which it is inserted, and the new line.
 LINES = [
     (
         "grader/runner/messages.hpp",

@@ -1,5 +1,5 @@
-"""A few thousand inputs for each reader of fuzzing/, and by hand what takes a mutation too long
-to find. ./kit test --long has a million of each."""
+"""A few thousand inputs for each reader of fuzzing/, and handmade inputs that mutation rarely
+finds. ./kit test --long takes a million for each."""
 
 import json
 import time
@@ -52,7 +52,7 @@ TOWERS = {
 
 @pytest.mark.parametrize("tower", TOWERS)
 def test_what_a_compiler_says_is_read_in_no_time(tower: str) -> None:
-    """A submission chooses these words, by #error, #line and its names."""
+    """A submission can put text there by #error, #line and its names."""
     start = time.process_time()
     answers.check_compiler(TOWERS[tower].encode())
     assert time.process_time() - start < 0.5

@@ -1,4 +1,4 @@
-"""The checks, measured: every small change of the solution loses points, in its own part alone.
+"""Measures the checks: every mutation of the solution must lose points, and only in its own part.
 
 `PYTHONPATH=grader:tests /usr/bin/python3 -m mutation` prints each change and what it costs.
 """
@@ -12,7 +12,7 @@ from mutation.changes import OPERATORS, Change, changes
 from mutation.table import counts, faults, is_alike, reasons, table
 from mutation.trial import all_changes, differing, outcomes
 
-EVERY = 5  # of the changes, one in so many is tried in the ordinary run
+EVERY = 5  # the usual run tries one in this many changes
 QUESTIONS = {1: 20000, 2: 20000, 3: 20000, 4: 2000}
 TOLD_APART = {
     "return {J, q(1) [-+-]{+-+} r.y()};",

@@ -1,4 +1,4 @@
-"""Whoever starts the kit may stand among strangers' files: nothing of them is run outside of a box."""
+"""If the kit is started in a folder of strangers' files, it runs none of them outside a box."""
 
 import json
 import subprocess

@@ -1,4 +1,4 @@
-"""What clang-tidy is asked to look at: clang-tidy itself is stood in for."""
+"""Which files clang-tidy checks; a stand-in replaces clang-tidy itself."""
 
 import subprocess
 from pathlib import Path
@@ -9,7 +9,7 @@ from bounce_grader.develop import tidy
 
 
 class Tidy:
-    """Remembers the files that it was asked for."""
+    """Records the files that it was asked to check."""
 
     def __init__(self) -> None:
         self.asked: list[str] = []

@@ -1,4 +1,5 @@
-"""docs/instructors.md: its commands are run as they stand there, and its files are what it says."""
+"""docs/instructors.md: runs its commands as they are written, and checks the files that it
+names."""
 
 import csv
 import os
@@ -20,7 +21,7 @@ NOT_HERE = ("SCHEDULER", "course-secret", "./kit fixtures")  # a cluster; this c
 
 @pytest.fixture
 def place(tmp_path: Path) -> Path:
-    """Where the page's paths lead: the kit's folder, and ../hw3 beside it."""
+    """The folders that the page's paths refer to: the kit's folder, and ../hw3 beside it."""
     here = tmp_path / "kit"
     here.mkdir()
     wrapper = here / "kit"
@@ -96,7 +97,7 @@ def test_the_workflow_is_one_that_classroom_reads() -> None:
 
 
 def test_the_autograder_for_gradescope_grades(tmp_path: Path) -> None:
-    """Unpacked and run where Gradescope has it, /autograder, with its own build."""
+    """Unpacks it where Gradescope does, in /autograder, builds and runs it."""
     packed = tmp_path / "autograder.zip"
     for name in ("autograder.zip", "again.zip"):
         command = [str(ROOT / "kit"), "gradescope", "--out", str(tmp_path / name)]
@@ -131,7 +132,7 @@ def test_the_autograder_holds_the_kit_and_nothing_that_lies_beside_it(tmp_path: 
 
 
 def in_a_container(root: Path, *command: str) -> "subprocess.CompletedProcess[str]":
-    """With `root` as /autograder, as a container of Gradescope's would have it."""
+    """Runs a command with `root` as /autograder, as in Gradescope's container."""
     box = ["bwrap", "--dev-bind", "/", "/", "--tmpfs", "/autograder"]
     box += ["--bind", str(root), "/autograder", "--"]
     environment = {**os.environ, "KIT_NO_INSTALL": "1"}

@@ -1,4 +1,5 @@
-"""The rooms of the grader: each says what it may import, and imports run one way."""
+"""The packages (rooms) of the grader: each declares what it may import, and imports form no
+cycle."""
 
 import ast
 import re
@@ -36,7 +37,7 @@ def imported(room: str) -> Iterator[str]:
 
 
 def allowed(room: str) -> set[str]:
-    """What the docstring of a room says that it may import."""
+    """The imports that a room's docstring allows."""
     text = ast.get_docstring(
         ast.parse((PACKAGE / room.replace(".", "/") / "__init__.py").read_text())
     )
@@ -65,7 +66,7 @@ def test_every_module_is_in_a_room() -> None:
 
 
 def rows(page: str, heading: str) -> dict[str, str]:
-    """The folders in a page's tables below a heading, and what is said of each."""
+    """The folders in a page's tables below a heading, with their descriptions."""
     text = (ROOT / page).read_text().split(f"## {heading}\n")[1].split("\n## ")[0]
     return dict(re.findall(r"^\| `([a-z_/]+)/` \| (.+) \|$", text, re.MULTILINE))
 

@@ -1,4 +1,4 @@
-"""The formats of other services: each read by a reader that isn't ours where there is one, and
+"""The formats of other services: each is read by an independent reader, if there is one, and
 compared with a file in tests/kit/formats/expected/ that a person has read."""
 
 import base64
@@ -80,7 +80,7 @@ def test_the_schema_refuses_what_is_no_record(
 
 
 def hostile(record: dict[str, Any], text: str) -> dict[str, Any]:
-    """The record of a submission that says the text wherever one can say something."""
+    """The record of a submission that puts this text wherever it can."""
     words = escaping.printable_text(text)
     changed: dict[str, Any] = copy.deepcopy({**record, "ignored": [escaping.printable_name(text)]})
     changed["speed"] = {"largest_error": None, "otherwise": f"at {words}"}

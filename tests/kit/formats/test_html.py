@@ -1,5 +1,5 @@
-"""The student's page in a real browser: matrices, pictures and the chart, on a desk, on a phone and
-in the dark; and that no answer of a hidden case is on it unless that is asked for."""
+"""The student's page in a real browser: matrices, pictures and the chart, on a desktop, on a phone
+and in dark mode; and that it shows no answer of a hidden case unless asked."""
 
 from __future__ import annotations
 
@@ -189,7 +189,7 @@ def test_what_a_submission_says_is_text(show: Show, record: dict[str, Any]) -> N
 
 @pytest.fixture(scope="module")
 def secret(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
-    """Wrong on a hidden case alone: right for the angles of the public ones."""
+    """A part that is right for the angles of the public cases, and wrong only on a hidden one."""
     public = (fixtures.PUBLIC / "part1_contacts.json").read_text()
     angles = [c["input"]["q"][2] for cs in json.loads(public)["checks"].values() for c in cs]
     known = " || ".join(f"q(2) == {angle!r}" for angle in angles)

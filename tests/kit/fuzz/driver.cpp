@@ -1,4 +1,4 @@
-// fuzz_NAME COUNT           takes so many mutations of the seeds, the same each time
+// fuzz_NAME COUNT           tries COUNT mutations of the seeds, the same each time
 // fuzz_NAME --seeds FOLDER  writes the seeds, for libFuzzer to begin with
 #include <filesystem>
 #include <fstream>
@@ -13,7 +13,7 @@ namespace {
 
 using Random = std::mt19937_64;
 
-// The same with every standard library, unlike std::uniform_int_distribution.
+// Gives the same with every standard library, unlike std::uniform_int_distribution.
 std::size_t below(Random& random, std::size_t n) { return n == 0 ? 0 : random() % n; }
 
 void change(std::string& data, const std::vector<std::string>& all, Random& random) {

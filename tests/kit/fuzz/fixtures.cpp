@@ -1,4 +1,4 @@
-// A file of fixtures: its cases are whole, or it is refused.
+// Fuzzes the reader of fixtures: it returns complete cases, or refuses the file.
 #include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>

@@ -1,5 +1,5 @@
-// What a runner sends: an answer to the question comes of it, or a status and a sentence. Nothing
-// is told to a runner that may not ask.
+// Fuzzes the reader of a runner's frames: the result is an answer to the question, or a status and
+// a sentence. A runner that may not call given parts gets no answers from them.
 //
 // An input: the part, whether earlier parts are given, T, how much of the rest is printed, and
 // then what is printed and what is sent.

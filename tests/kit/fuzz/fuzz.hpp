@@ -1,6 +1,6 @@
-// One input for a reader of the judge's, whatever its bytes are. Each program of this folder is a
-// reader: with driver.cpp it takes a few thousand mutations of its seeds, the same each time; with
-// libFuzzer (cmake --preset fuzz) as many as one likes.
+// The interface of the fuzzers, each of which tests one reader of the judge on arbitrary bytes.
+// With driver.cpp, it tries a few thousand mutations of its seeds, the same each time; with
+// libFuzzer (cmake --preset fuzz), any number.
 #pragma once
 
 #include <cstddef>
@@ -14,10 +14,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 
 namespace bounce::fuzz {
 
-// Real inputs, to be changed.
+// Real inputs, to be mutated.
 std::vector<std::string> seeds();
 
-// Ends the program, so that the input is kept, where something isn't as promised.
+// Ends the program if a promise is broken, so that the input is kept.
 inline void require(bool promise) {
   if (!promise) __builtin_trap();
 }

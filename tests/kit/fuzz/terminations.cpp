@@ -1,4 +1,4 @@
-// What a program printed before it ended: only words, of bounded length, come of it.
+// Fuzzes the reader of a program's last text: the result is only a message of bounded length.
 #include <csignal>
 
 #include "../../../grader/judge/assertion.hpp"

@@ -1,4 +1,4 @@
-"""The fixtures: the same secret gives the same bytes, another one other hidden cases."""
+"""The fixtures: the same secret gives the same bytes, another secret gives other hidden cases."""
 
 import json
 from pathlib import Path
@@ -97,7 +97,7 @@ def test_another_threshold_than_delta_gets_a_case_wrong(tmp_path: Path, factor: 
 
 
 def test_a_threshold_that_is_written_down_gets_a_case_wrong(tmp_path: Path) -> None:
-    """A corner above 0.001 m, and in contact, where delta is another one."""
+    """A corner above 0.001 m is in contact if delta is larger."""
     fixtures.write("hidden", tmp_path)
     for folder in (tmp_path, fixtures.PUBLIC):
         file = json.loads((folder / "part3_step.json").read_text())

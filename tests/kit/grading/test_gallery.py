@@ -36,7 +36,7 @@ def name_of(folder: Path) -> str:
 
 
 def submission_of(folder: Path, to: Path) -> Path:
-    """The folder over the solution; or the folder alone, where it says so."""
+    """The solution with the folder's files laid over it; or the folder alone, if it says so."""
     if not expected(folder).get("alone"):
         shutil.copytree(SOLUTION, to)
     ignore = shutil.ignore_patterns("expected.json", "*.md")
@@ -56,7 +56,8 @@ def named(record: dict[str, Any]) -> list[str]:
 
 
 def known_as(folder: Path) -> list[str]:
-    """A mistake is named as itself, or as the twin that has the same numbers; nothing else is."""
+    """A mistake is named as itself, or as its twin with the same answers; no other folder is
+    named."""
     own = [folder.name] if folder.parent.name == "mistakes" else []
     return [expected(folder).get("recognised_as", name) for name in own]
 
@@ -96,7 +97,7 @@ def test_gets_what_it_should(folder: Path, tmp_path: Path) -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("folder", MISTAKES, ids=lambda folder: folder.name)
 def test_a_mistake_costs_its_checks_and_is_named(folder: Path, tmp_path: Path) -> None:
-    """By the judge, of the mistaken part alone, in no box."""
+    """Judges only the mistaken part, without a box."""
     mistake = known_mistakes.read(folder)
     runner = known_mistakes.runner_of(folder, mistake.part, tmp_path)
     given, box = bool(mistake.part.calls), known_mistakes.TRUSTED
@@ -116,7 +117,7 @@ IN_REDUCED = [
 
 @pytest.mark.parametrize("folder", IN_REDUCED, ids=name_of)
 def test_gets_what_it_should_in_the_reduced_box(folder: Path, tmp_path: Path) -> None:
-    """Those whose attack is on what a box holds."""
+    """For submissions that attack the box."""
     submission = submission_of(folder, tmp_path / "submission")
     record = grade(submission, Options(boxes=("reduced",)))
     assert record["box"] == "reduced"

@@ -1,4 +1,4 @@
-"""Grading as a whole: what a fault costs, what it never costs, and what the record says."""
+"""Whole gradings: what a fault costs, what it never costs, and the content of the record."""
 
 import json
 import os
@@ -179,7 +179,7 @@ def test_the_same_submission_gives_the_same_record(grade: Grade) -> None:
 
 
 def test_a_hidden_answer_is_never_shown(grade: Grade) -> None:
-    """Right on the public cases alone: what is left to say must not hold an expected number."""
+    """For a part that is right only on public cases: its report must hold no expected number."""
     public = json.loads((fixtures.PUBLIC / "part1_contacts.json").read_text())["checks"]
     angles = sorted({case["input"]["q"][2] for cases in public.values() for case in cases})
     known = " || ".join(f"q(2) == {angle!r}" for angle in angles)
@@ -280,7 +280,7 @@ def test_without_bubblewrap_the_reduced_box_is_used_and_said(
 
 
 def test_what_the_compiler_can_see_was_made_without_the_solution() -> None:
-    """Precompiled headers and objects keep the paths of what they were made from."""
+    """Precompiled headers and objects store the paths of their sources."""
     names = {file.name for file in RUNNER.iterdir()}
     assert not any(name.startswith("part") for name in names), names
     for file in RUNNER.iterdir():
@@ -309,7 +309,7 @@ def test_exit_status_and_json(tmp_path: Path) -> None:
 
 
 def test_a_pipe_is_written_to_and_stays_one(tmp_path: Path) -> None:
-    """As a device is: --json /dev/null must not make a file of it."""
+    """And so does a device: --json /dev/null must not replace it by a file."""
     pipe = tmp_path / "pipe"
     os.mkfifo(pipe)
     reader = subprocess.Popen(["/bin/cat", str(pipe)], stdout=subprocess.PIPE)
@@ -349,7 +349,7 @@ def test_missing_packages_are_named_and_not_installed_where_that_is_refused(tmp_
 
 
 def test_a_grading_imports_nothing_that_takes_longer_than_a_judge() -> None:
-    """Each of these takes 10 to 50 ms to import, of some 300 in all."""
+    """Each of these takes 10 to 50 ms to import; a grading takes some 300 ms in all."""
     (start,) = re.findall(r"^start='(.+)'$", (ROOT / "kit").read_text(), re.MULTILINE)
     command = ["/usr/bin/python3", "-IS", "-X", "importtime", "-c", start, str(ROOT / "grader")]
     done = subprocess.run([*command, "grade", str(SOLUTION)], capture_output=True, text=True)

@@ -1,4 +1,4 @@
-"""Known mistakes: how the gallery is read, what its files hold, and how a mistake is told."""
+"""Known mistakes: reading the gallery, the content of the files, and the report of a mistake."""
 
 import json
 import re

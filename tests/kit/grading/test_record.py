@@ -1,4 +1,5 @@
-"""The record, whatever a submission says: valid JSON in UTF-8, printable, of bounded length."""
+"""The record is valid JSON in UTF-8, printable and of bounded length, whatever a submission
+does."""
 
 import json
 from typing import Any
@@ -22,7 +23,7 @@ def judged(message: str, status: str) -> Judged:
 
 
 def written(part: dict[str, Any], names: tuple[str, ...]) -> dict[str, Any]:
-    """As ./kit grade --json writes it, and as a strict reader reads it."""
+    """Writes a record as ./kit grade --json does, and reads it with a strict reader."""
     submission = Submission("x", {}, {}, {}, names)
     whole = record.whole(submission, [part], "full", {"run": 1.0}, "", None)
     data = json.dumps(whole, ensure_ascii=False, allow_nan=False).encode("utf-8")

@@ -1,6 +1,6 @@
-"""Speed against accuracy: what the stopwatch can be told, and what it can't be made to believe.
+"""Speed against accuracy: what the stopwatch measures, and which tricks can't deceive it.
 
-Times are CPU times and ratios of one run, so that these hold on a busy machine, too.
+Times are CPU times and ratios within one run, so that the tests hold on a busy machine, too.
 """
 
 import json
@@ -28,7 +28,7 @@ ONE_CORNER = ["free_flight", "oblique_bounce", "pointed_drop", "projectile", "sp
 
 
 def around(before: str, after: str = "return right;") -> bytes:
-    """The solution's simulate, called `honest`, and one that makes something of it."""
+    """The solution's simulate, renamed `honest`, and a simulate that modifies its result."""
     honest = SIMULATE.replace(" simulate(", " honest(")
     body = f"{before} const Trajectory right = honest(q_0, v_0, params); {after}"
     return f"{HEAD}{honest}\nnamespace bounce {{ {SIGNATURE} {{ {body} }} }}\n".encode()
@@ -115,7 +115,7 @@ def test_what_answers_otherwise_built_for_speed_has_no_curve(tmp_path: Path, nam
 
 
 def test_who_is_wrong_in_both_builds_is_timed_and_not_compared(tmp_path: Path) -> None:
-    """At the steps that the checks ask for it is right, and has all points."""
+    """It is right at the steps that the checks ask for, and has all points."""
     record = graded(tmp_path, around(f"if (params.dt < 2e-4) {ZEROS}"))
     found = record["speed"]
     assert record["score"] == record["max_score"]

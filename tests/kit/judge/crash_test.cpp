@@ -1,4 +1,4 @@
-// What a program says of its own crash, and what becomes of it: a child of this one crashes.
+// The report of a crash, and the message made from it. A child of this process crashes.
 #include "../../../grader/runner/crash.hpp"
 
 #include <fenv.h>
@@ -59,7 +59,7 @@ int deeper(volatile int* depth) {
   return deeper(here) + here[7];
 }
 
-// As the run box's filter does it: the call isn't made, and a signal comes in its place.
+// As in the box's filter: a signal replaces the call.
 void trap_sockets() {
   sock_filter rules[] = {
       BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)),

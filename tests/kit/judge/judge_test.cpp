@@ -1,4 +1,4 @@
-// The judge against runners that don't play by the rules, with pipes in place of processes.
+// The judge against runners that break the protocol, with pipes instead of processes.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -121,7 +121,7 @@ frames::Frame said(frames::Kind kind, std::uint32_t part, std::uint64_t number =
   return frame;
 }
 
-// How the first question of part 3 ends where this is said; empty where it is answered.
+// How the first question of part 3 ends if a runner sends these frames; empty if it is answered.
 std::string end_after(const std::vector<frames::Frame>& frames, bool given) {
   const Pipes pipes;
   Session session([&](const Limits& now) { return pipes.runner(now); }, Limits(), 3, given,
@@ -240,7 +240,7 @@ double cpu_seconds_to_read(const std::string& print) {
   return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
-// A megabyte, 250 times of what is ever kept; each is quadratic, or worse, for a careless reader.
+// A megabyte, far more than is ever kept. A careless reader takes quadratic time, or worse.
 TEST(Assertion, IsFoundInNoTimeWhateverWasPrinted) {
   for (const std::string word : {"a", ":1", "a:1: ", "1:", "Assertion `", "a:1: Assertion `", "\n",
                                  "' failed", "a:1: Assertion `x' faile"}) {

@@ -1,4 +1,4 @@
-// What the judge makes of runners that don't keep to the frames: shell commands stand for them.
+// How the judge treats runners that break the protocol; shell commands stand in for them.
 #include "../../../grader/judge/runner_process.hpp"
 
 #include <gtest/gtest.h>

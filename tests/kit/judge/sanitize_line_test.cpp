@@ -1,4 +1,4 @@
-// What a submission says, made one line of printable characters.
+// Turning a submission's text into one line of printable characters.
 #include "../../../grader/judge/sanitize_line.hpp"
 
 #include <gtest/gtest.h>

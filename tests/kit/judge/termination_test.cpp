@@ -1,4 +1,4 @@
-// How a program ended, in words.
+// The description of how a program ended.
 #include "../../../grader/judge/termination.hpp"
 
 #include <gtest/gtest.h>
@@ -144,7 +144,7 @@ TEST(Termination, KeepsTheStackOfACrashAlone) {
   EXPECT_EQ(by_signal(SIGXCPU, stack).stack, "");
 }
 
-// What a program prints decides about words, and must not cost the judge its time or its stack.
+// A program's text must not cost the judge much time or overflow its stack.
 TEST(Termination, OutlivesAnyPrint) {
   const std::string tall(16 * 1024, ':');
   const std::string wide = "a.b:1: " + std::string(16 * 1024, '`');

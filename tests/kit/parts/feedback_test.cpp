@@ -1,4 +1,4 @@
-// What a student is told of a wrong answer.
+// The feedback on a wrong answer in a student's own build.
 #include "../../parts/feedback.hpp"
 
 #include <gtest/gtest.h>

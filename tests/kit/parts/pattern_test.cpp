@@ -1,4 +1,4 @@
-// What is said of wrong answers that no known mistake explains, from made-up ones.
+// The patterns found in made-up wrong answers.
 #include "../../parts/pattern.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Which mistakes are named, from made-up answers.
+// The mistakes recognised in made-up answers.
 #include "../../parts/recognise.hpp"
 
 #include <gtest/gtest.h>
@@ -118,7 +118,7 @@ TEST(recognise, TakesOneRuleForAllEntriesOfAPair) {
   EXPECT_TRUE(names(two, got).empty());
 }
 
-// Two that only show together could be many others.
+// A pair that shows only together could be many others.
 TEST(recognise, IsSilentOnAPairOfWhichOneNeverShowsByItself) {
   std::vector<Answer> got = changed(0, negated);
   for (Answer& answer : got) answer.numbers(0) = doubled(answer.numbers(0));

@@ -1,5 +1,5 @@
-// The four parts written a second time, with a switch for each known mistake: so that a mistake is
-// seen in other code than the gallery's, and two of them in one program.
+// The four parts written again, with a switch for each known mistake, to test recognition in code
+// other than the gallery's, and with two mistakes in one program.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
-// How well mistakes are recognised: in other code than the gallery's, with rounding noise, and two
-// in one program. A wrong name is worse than none, and there has to be none.
+// How well mistakes are recognised in code other than the gallery's, with rounding noise, and two
+// in one program. A wrong name is worse than none, so there must be no wrong one.
 #include "rewritten.hpp"
 
 #include <gtest/gtest.h>
@@ -201,7 +201,8 @@ struct Count {
   int pairs = 0, named = 0, one_hides = 0, same_numbers = 0, unnamed = 0;
 };
 
-// Whether what is said is true of a program with both. One name is, where the other doesn't show.
+// Whether the names are true of a program with both mistakes. One name is enough if the other
+// doesn't show.
 void judge_pair(const Part& part, const Names& both, int way, Count& count) {
   const Names said = named(part, answers_of(part, both, way));
   const bool one_of_them =
@@ -215,7 +216,7 @@ void judge_pair(const Part& part, const Names& both, int way, Count& count) {
       << text(both) << " is taken for " << text(said);
 }
 
-// What a pair is named as, by part: no more than this is missed.
+// How many pairs must be named as such, by part.
 constexpr int kLeastNamed[] = {100, 561, 286, 47};
 
 TEST(rewritten, NoPairIsGivenAWrongName) {

@@ -1,4 +1,4 @@
-// What is told of a part that throws, in a student's own build.
+// The message about a part that throws, in a student's own build.
 #include <gtest/gtest.h>
 
 #include <stdexcept>

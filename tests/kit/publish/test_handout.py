@@ -38,7 +38,7 @@ def fenced(text: str) -> list[str]:
 
 
 def sections(text: str, title: str) -> list[str]:
-    """What stands under each heading that matches, up to the next heading."""
+    """The text under each matching heading, up to the next heading."""
     return re.findall(rf"^#+ {title}$\n(.*?)(?=^#+ |\Z)", text, re.M | re.S)
 
 

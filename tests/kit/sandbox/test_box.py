@@ -1,4 +1,4 @@
-"""The boxes hold what they promise; and the probe that says so can do, outside, what it tries."""
+"""The boxes keep their promises; and without a box, the probe's attempts succeed."""
 
 import os
 import secrets
@@ -17,7 +17,7 @@ from bounce_grader.sandbox.box import Box
 from conftest import ROOT
 from waiting import wait_for
 
-# What the probe tries, and how it looks where nothing holds it: without a box.
+# The probe's attempts, and their output if they succeed, without a box.
 ATTEMPTS = [
     ["read", "/etc/passwd"],
     ["read", f"/proc/{os.getpid()}/environ"],
@@ -38,7 +38,7 @@ ATTEMPTS = [
 
 @pytest.mark.parametrize("words", ATTEMPTS, ids=lambda words: words[0])
 def test_without_a_box_the_probe_can_do_it(words: list[str], tmp_path: Path) -> None:
-    """Else a doctor who finds that it couldn't would have said nothing."""
+    """Otherwise a failed attempt in a box would prove nothing."""
     above = [*doctor.ABOVE, "a-canary"]
     could, said = doctor.attempt(Box("none"), "compile", tmp_path, words, above)
     assert could and words[0] in said or words[0] == "flood", said
@@ -79,7 +79,7 @@ def test_a_protection_that_fails_is_said(
 
 @pytest.fixture(name="tries")
 def _tries(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> list[str]:
-    """The kinds of boxes that were tried out, in a kit that has tried none before."""
+    """The kinds of box that are tested, in a kit that has tested none before."""
     tried: list[str] = []
 
     def hold(box: Box) -> str | None:
@@ -111,7 +111,7 @@ def test_what_held_with_other_programs_or_users_says_nothing(
 def test_a_box_that_stops_holding_is_the_kits_fault_and_tried_anew(
     tries: list[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    """Nobody gets a zero because of what held yesterday."""
+    """Nobody gets a zero because a box stopped working."""
     (tmp_path / "q").mkdir()
     (tmp_path / "q" / "part1_contacts.cpp").write_text("this is no C++\n")
     boxes.choose(["reduced"])
@@ -124,7 +124,7 @@ def test_a_box_that_stops_holding_is_the_kits_fault_and_tried_anew(
 
 
 def test_a_reduced_box_that_is_stopped_leaves_nothing() -> None:
-    """Neither what it has written nor a process."""
+    """Neither files nor a process."""
     limits = processes.Limits(cpu_seconds=5, wall_seconds=1, memory=1 << 30, file_size=1 << 20)
     busy = 'echo x >"$TMPDIR/left"; cat "$TMPDIR/left"; echo "$TMPDIR"; while :; do :; done'
     command = [*Box("reduced").to_build(RUNNER, [], ("sh", "cat")), "/bin/sh", "-c", busy]

@@ -1,4 +1,4 @@
-"""What a grading may take as a whole, and what becomes of the parts that are left."""
+"""The budget of a whole grading, and what happens to the remaining parts."""
 
 import resource
 import time
@@ -95,7 +95,7 @@ def test_points_earned_stay_when_the_time_is_up(
 
 
 def test_the_judge_keeps_to_what_is_left(tmp_path: Path) -> None:
-    """Though each answer takes half of what a runner may take, and the next runner begins anew."""
+    """Even if each answer takes half of a runner's limit, and each new runner starts from 0."""
     works = "#include <ctime>\n#include <cstdlib>\nstatic void attack() "
     works += "{ while (clock() < CLOCKS_PER_SEC / 2) {} abort(); }"
     write(tmp_path, {part.file: hostile.part(part.number, works) for part in parts()})
@@ -113,7 +113,7 @@ asm(".rept 2000000\\n.print \\"a line of some forty characters, and again\\"\\n.
 
 
 def test_a_compiler_that_is_stopped_counts(tmp_path: Path) -> None:
-    """Nobody waits for the processes of a box that is ended, so the system counts them nowhere."""
+    """Nobody waits for the processes of a box that is stopped, so the system doesn't count them."""
     box = boxes.choose(boxes.FULL_OR_REDUCED)._replace(budget=Budget(50, 100))
     taken = read(write(tmp_path / "s", {"part1_contacts.cpp": PRINTS.encode()}))
     work = tmp_path / "work"
@@ -133,7 +133,7 @@ def _cpu_seconds_of_children() -> float:
 
 
 def test_names_are_looked_for_once_however_many_helpers_there_are(tmp_path: Path) -> None:
-    """And in time that grows with the text, not with its square."""
+    """In time that grows linearly with the text."""
     helpers = {f"{'a' * 200}{n}.cpp": b"a" * 80_000 for n in range(90)}
     taken = read(write(tmp_path, {**solution_files(), **helpers}))
     start = time.process_time()

@@ -1,8 +1,8 @@
 """What hostile submissions must never do, beside losing their points (the gallery sees to those):
 bring a secret out of a box, or read what isn't theirs.
 
-Secrets are random marks. A mark must be in no record, report or kept object; without a box the same
-submissions do bring it out, so the search finds what it looks for.
+Secrets are random marks. A mark must be in no record, report or cached object; without a box the
+same submissions do bring it out, which shows that the search works.
 """
 
 import io
@@ -49,14 +49,14 @@ def world(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[World]:
     monkeypatch.setenv("BOUNCE_CANARY", mark)
     for file in files:
         file.parent.mkdir(parents=True, exist_ok=True)
-        # Read as a string, as an error, as anything: the mark shows.
+        # However it is read, as a string or in an error, the mark shows.
         file.write_text(f'"{mark}"\n')
     yield World(mark, files, tmp_path / "submissions" / "mine")
     hidden.unlink()
 
 
 def everything_said(submission: Path) -> str:
-    """The record as JSON, the report, and the objects and runners that were kept."""
+    """The record as JSON, the report, and the cached objects and runners."""
     before = set(CACHE.rglob("*"))
     record = grade(submission)
     stream = io.StringIO()
@@ -95,7 +95,7 @@ def embedding(world: World) -> dict[str, bytes]:
 
 
 def erring(world: World) -> dict[str, bytes]:
-    """An error with a secret as its text; the second part's by g++ alone."""
+    """Compile errors with a secret as their text; that of the second part only with g++."""
     attack = (
         f"static_assert(false,\n#include {quoted(world.files[0])}\n);\nstatic void attack() {{}}"
     )
@@ -196,7 +196,7 @@ def test_without_a_box_a_running_program_would(
 
 
 def test_links_and_pipes_in_a_submission_are_not_read(world: World) -> None:
-    """Through a link, the grader itself would carry a secret into the box."""
+    """If it followed a link, the grader itself would carry a secret into the box."""
     folder = write(world.submission, solution_files())
     (folder / "part1_contacts.cpp").unlink()
     (folder / "part1_contacts.cpp").symlink_to(world.files[0])

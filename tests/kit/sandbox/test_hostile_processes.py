@@ -19,7 +19,7 @@ TICKS = os.sysconf("SC_CLK_TCK")
 
 
 class Watch:
-    """Looks at all processes of a name, again and again, for their number and CPU time."""
+    """Repeatedly counts the processes of a name and their CPU time."""
 
     def __init__(self, name: str) -> None:
         self.name = name
@@ -81,7 +81,8 @@ def test_nothing_outlives_its_box(tmp_path: Path) -> None:
 
 
 def test_nothing_outlives_a_box_that_is_ended_at_once(tmp_path: Path) -> None:
-    """What is no answer comes first of all, some fifty times, so that a box may not be set up yet."""
+    """Some fifty times, a runner sends garbage at once, so that its box may still be set up when it
+    is ended."""
     name = secrets.token_hex(7)
     attack = (
         named(name, "")

@@ -11,7 +11,7 @@ from conftest import ROOT
 
 PAGE = ROOT / "docs" / "security-trust.md"
 PACKAGE = ROOT / "grader" / "bounce_grader"
-# Of what a process leaves (processes.Result), and of what is read without asking anybody.
+# The fields of processes.Result, and the names that such results have in the code.
 RESULT = {"out", "err", "code", "ok", "killed", "boxed", "too_long", "flooded", "cpu_seconds"}
 RESULTS = {"result", "first", "done", "tried", "asked", "said", "usage", "self", "process"}
 ELSEWHERE = {

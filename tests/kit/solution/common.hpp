@@ -1,4 +1,4 @@
-// What the study's tests share: random scenes, the same on every machine, and the scenes' folder.
+// Shared by the study's tests: random scenes, the same on every machine, and the scenes' folder.
 #pragma once
 
 #include <random>

@@ -1,4 +1,4 @@
-// The schemes: what each gets right, and the failures that belong to it.
+// The schemes: what each gets right, and its typical failures.
 #include <gtest/gtest.h>
 
 #include <bounce/part3_step.hpp>

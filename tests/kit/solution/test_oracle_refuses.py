@@ -1,4 +1,4 @@
-"""What the oracle confirms, and what it has to refuse."""
+"""Which fixtures the oracle confirms, and which it must refuse."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def rounded(tree: Any) -> Any:
 
 
 def slots(tree: Any) -> list[tuple[Any, int | str]]:
-    """Every place of a number: what holds it, and its key there."""
+    """Every place of a number: its container, and the key there."""
     items = list(tree.items() if isinstance(tree, dict) else enumerate(tree))
     here = [(tree, key) for key, branch in items if isinstance(branch, float)]
     inner = [slots(branch) for _, branch in items if isinstance(branch, (dict, list))]

@@ -148,7 +148,7 @@ SCENES = (
 
 @pytest.fixture(scope="module")
 def errors(tmp_path_factory: pytest.TempPathFactory) -> dict[tuple[str, str], list[float]]:
-    """By scene and engine, for steps of 0.01, 0.003 and 0.001 s."""
+    """The errors by scene and engine, for steps of 0.01, 0.003 and 0.001 s."""
     if not peers.PROGRAM.exists():
         pytest.skip("no engines are built here: run ./kit study --peers")
     folder = tmp_path_factory.mktemp("peers")
@@ -193,7 +193,7 @@ def test_all_but_the_soft_one_converge(errors: dict[tuple[str, str], list[float]
 
 
 def engines(errors: dict[tuple[str, str], list[float]]) -> list[str]:
-    """Without numpy, which is no engine, but the assignment's scheme."""
+    """The engines without numpy, which runs the assignment's scheme."""
     return sorted({engine for _, engine in errors} - {"numpy"})
 
 

@@ -1,4 +1,4 @@
-"""./kit study: what it measures is whole or not there, and what it can't read it names."""
+"""./kit study writes complete results or none, and names files that it can't read."""
 
 import json
 import os

@@ -1,5 +1,5 @@
-// What is right for a contact's forces: by the residual they leave, and by a second opinion, in
-// closed form, case by case.
+// Judges a contact's forces by their residual, and by a second solution, in closed form, case by
+// case.
 #pragma once
 
 #include "random_contacts.hpp"

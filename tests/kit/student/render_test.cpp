@@ -1,4 +1,4 @@
-// The given render: what the page that it writes holds, and what it leaves when it can't write one.
+// The given render: the content of its page, and the state that it leaves if it can't write one.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/stat.h>

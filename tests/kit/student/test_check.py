@@ -30,7 +30,7 @@ def check(home: Path, *arguments: str, **environment: str) -> subprocess.Complet
 
 
 def timed(home: Path) -> tuple[subprocess.CompletedProcess[str], float]:
-    """./check, and the processor's time that it took."""
+    """Runs ./check, and returns its output and CPU time."""
     before = os.times()
     run = check(home)
     after = os.times()
@@ -52,7 +52,7 @@ def score(run: subprocess.CompletedProcess[str]) -> str:
 
 
 def first(run: subprocess.CompletedProcess[str]) -> str:
-    """What stands under the first thing to do."""
+    """The text under the first thing to do."""
     return run.stdout.partition("\nFirst: ")[2].partition("\nScore on")[0]
 
 

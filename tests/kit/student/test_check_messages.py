@@ -1,4 +1,5 @@
-"""What ./check says of numbers never set, warnings, exceptions and prints, and how hints follow."""
+"""The messages of ./check about unset numbers, warnings, exceptions and printed text, and its
+hints."""
 
 import re
 from pathlib import Path
@@ -11,7 +12,7 @@ pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("student")]
 
 
 def change(home: Path, stem: str, old: str, new: str) -> None:
-    """The solution's part with one thing another."""
+    """The solution's part with one change."""
     text = (SOLUTION / f"{stem}.cpp").read_text()
     assert text.count(old) == 1
     (home / f"src/{stem}.cpp").write_text(text.replace(old, new))

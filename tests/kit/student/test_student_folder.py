@@ -18,7 +18,7 @@ def run(*command: str, cwd: Path) -> subprocess.CompletedProcess[str]:
 
 @pytest.fixture(scope="module")
 def handout(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """As it is handed out: the folder, with the public tests and fixtures inside."""
+    """The folder as it is handed out, with the public tests and fixtures inside."""
     folder = tmp_path_factory.mktemp("handout") / "bounce"
     for name, file in kit_handout.files().items():
         (folder / name).parent.mkdir(parents=True, exist_ok=True)

@@ -1,4 +1,4 @@
-"""What is taken from a submission: parts and helpers by their names, and text."""
+"""Which files of a submission are used: parts and helpers by their names, if they are text."""
 
 import os
 import subprocess

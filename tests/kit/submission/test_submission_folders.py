@@ -1,4 +1,5 @@
-"""Submissions that aren't what they seem: links, pipes, depths, and what changes while it is read."""
+"""Folders that aren't what they seem: links, pipes, deep folders, and changes while they are
+read."""
 
 import os
 import shutil

@@ -12,7 +12,7 @@ DEFLATED = 8
 
 @dataclass(frozen=True)
 class Member:
-    """One entry. What it says of itself is said twice, beside the data and in the directory."""
+    """One entry. A zip stores its properties twice, beside the data and in the directory."""
 
     name: bytes
     data: bytes = b"int x;"
@@ -22,7 +22,7 @@ class Member:
     extra: bytes = b""
     local_name: bytes | None = None  # None: the same
     size: int | None = None  # None: the truth
-    at: int | None = None  # where the directory says that it begins
+    at: int | None = None  # where it begins, according to the directory
 
 
 def zip_of(members: Iterable[Member], comment: bytes = b"") -> bytes:
@@ -73,7 +73,7 @@ def streamed(files: dict[str, bytes]) -> bytes:
 
 
 def zip64(files: dict[str, bytes]) -> bytes:
-    """With sizes in the extra field and the directory's place in a record of its own."""
+    """A zip64: sizes are in the extra field, and the directory's place in its own record."""
     plain = zip_of(
         Member(n.encode(), data, extra=struct.pack("<HHQQ", 1, 16, len(data), 0), size=0xFFFFFFFF)
         for n, data in files.items()
@@ -91,7 +91,7 @@ def renamed(name: str) -> bytes:
 
 
 def many_entries(count: int) -> bytes:
-    """Empty files that share one place."""
+    """A zip of empty files that share one place."""
     first = Member(b"0", b"", 0)
     directory = b"".join(_in_the_directory(Member(b"%x" % i, b"", 0), 0) for i in range(count))
     data = _beside_the_data(first)
@@ -100,7 +100,7 @@ def many_entries(count: int) -> bytes:
 
 
 def overlapping(count: int, size: int) -> bytes:
-    """Stored sources that hold one another: the last has `size` bytes, and all before have more."""
+    """A zip of stored sources, each inside the one before; the last has `size` bytes."""
     data, places = b" " * size, []
     for i in reversed(range(count)):
         member = Member(b"%05d.cpp" % i, data, method=0)

@@ -1,4 +1,5 @@
-"""python -m costs: what each mistake of the gallery costs, the dearest first, part by part.
+"""python -m costs: prints what each mistake of the gallery costs, by part, the most expensive
+first.
 
 Read it when points or cases change: mistakes of the same weight should cost about the same.
 """
@@ -26,7 +27,7 @@ class Cost:
 
 
 def costs() -> list[Cost]:
-    """By part; in a part the dearest first."""
+    """The costs by part; within a part, the most expensive first."""
     found = map(_cost, sorted(folder for folder in MISTAKES.iterdir() if folder.is_dir()))
     return sorted(found, key=lambda cost: (cost.part.number, -cost.points, cost.mistake))
 

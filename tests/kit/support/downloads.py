@@ -1,4 +1,4 @@
-"""Downloads as Canvas makes them, and what is graded of them."""
+"""Makes downloads as Canvas does, and grades them."""
 
 import zipfile
 from pathlib import Path

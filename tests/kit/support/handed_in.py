@@ -1,4 +1,4 @@
-"""Submissions for the tests of what is taken from them, and the sentence that refuses one."""
+"""Makes submissions for the tests of reading them, and returns the sentence that refuses one."""
 
 import zipfile
 from pathlib import Path

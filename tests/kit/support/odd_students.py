@@ -1,4 +1,4 @@
-"""What a student can hand in so that reading it goes wrong, for classes in which others are honest."""
+"""Submissions that are hard to read, for classes in which the others are honest."""
 
 import os
 import struct
@@ -14,7 +14,7 @@ LIES = [2**31, 2**32 + 1, 2**62, 2**63, 2**64 - 1]  # of a size, in bytes
 
 
 def zip_that_claims(size: int, name: bytes = PART) -> bytes:
-    """Its table of contents says so in the fields of a large file."""
+    """A zip whose table of contents claims these sizes, in the fields for large files."""
     extra = struct.pack("<HHQ", 1, 8, size)
     return corpus.zip_of([Member(name, b"// odd\n", size=0xFFFFFFFF, extra=extra)])
 
@@ -26,12 +26,12 @@ def bomb(sources: int, megabytes: int = 1) -> bytes:
 
 
 def repetitive(length: int, unit: bytes = b"{") -> bytes:
-    """Compared with another of its kind, it takes the square of its length."""
+    """A text whose comparison with another like it takes time quadratic in its length."""
     return (unit * length)[:length]
 
 
 def long_names(number: int, suffix: str = ".o") -> bytes:
-    """As many files as that, each with a name as long as a name may be."""
+    """A zip of this many files, each with a name of the greatest length."""
     names = (f"{i:04}{'n' * (251 - len(suffix))}{suffix}" for i in range(number))
     return corpus.zip_of(Member(name.encode(), b"") for name in names)
 

@@ -1,10 +1,10 @@
-"""Texts as somebody would write them who wants to be more than text."""
+"""Texts that try to act as markup, formulas or commands."""
 
 import re
 
 from hypothesis import strategies as st
 
-# What is special somewhere, far more often than chance would have it.
+# Characters with a special meaning somewhere, which are drawn often.
 SPECIAL = (
     ["\x1b[2J", "\x9b31m", "\x00", "\r", "\r\n", "\n", "\t", "\x07", "\x7f", "\x85", "\ufffe"]
     + ["\u2028", "\u202e", "\u2066", "\ud800", "\udcff", "é", "e\u0301", "界", "\U0001f4a5", " "]

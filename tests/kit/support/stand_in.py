@@ -1,5 +1,5 @@
-"""A stand-in for grading that is quick, where the process around it is what is tested: the points
-of a submission follow from its bytes.
+"""A quick stand-in for grading, for tests of the process around it: the points of a submission
+follow from its bytes.
 
 As a program it grades a class: stand_in.py SUBMISSIONS OUT [SECONDS OF EACH GRADING].
 """
@@ -89,7 +89,7 @@ def curves(ns: float, wrong: float) -> dict[str, Any]:
 
 
 def grade(taken: submission.Submission, task: Task, seconds: float = 0.0) -> dict[str, Any]:
-    """What a submission says of itself is done to the worker that grades it."""
+    """Grades a submission. Its text can ask for a fault of the worker, such as a crash."""
     time.sleep(seconds)
     text = b"".join(taken.files.values())
     if b"kills its grader" in text:

@@ -1,13 +1,13 @@
-// The tests of a build that has the code under test linked in: public fixtures only.
+// Runs the tests with the code under test linked in, on the public fixtures only.
 //
 //   part1_contacts_test [--notes FOLDER PRINTED | --mistake FILE]
 //
-// With --notes a file is written for each check, named as the check is: "running" while it runs,
-// then "passed" or "failed", and what there is to say. Beside the word stand the bytes of PRINTED,
-// the file of what is printed, before and after the case that is told of. A check that has its note
-// already isn't run again, so that after a crash a second run goes on with the next one; and one
-// that takes too long ends the program. With --mistake no test runs: the file gets what the answers
-// to all public cases tell of the mistake behind them.
+// With --notes, it writes a file for each check, named after the check: "running" while it runs,
+// then "passed" or "failed" and the feedback. After this word come the sizes of PRINTED, the file
+// of standard output, before and after the reported case. A check that already has its file isn't
+// run again, so that after a crash a second run continues with the next one. A check that takes too
+// long ends the program. With --mistake no test runs: it writes to FILE which mistakes the answers
+// to all public cases point to.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -28,10 +28,10 @@ namespace {
 
 std::filesystem::path notes;    // the folder; empty without --notes
 std::filesystem::path printed;  // where standard output goes
-std::string check;              // the one that runs
+std::string check;              // the running one
 std::string asked;              // the question that is being answered
-std::string from;               // the bytes that were printed before it
-std::string from_to;            // before and after the case that is told of
+std::string from;               // the size of standard output before it
+std::string from_to;            // these sizes before and after the reported case
 
 std::string bytes_printed() {
   std::cout.flush();
@@ -88,7 +88,7 @@ std::string those_left() {
 void take_notes(const std::string& folder, const std::string& file) {
   notes = folder;
   printed = file;
-  std::setvbuf(stdout, nullptr, _IONBF, 0);  // so that a crash takes nothing along
+  std::setvbuf(stdout, nullptr, _IONBF, 0);  // so that a crash loses no output
   testing::GTEST_FLAG(filter) = those_left();
   auto& listeners = testing::UnitTest::GetInstance()->listeners();
   delete listeners.Release(listeners.default_result_printer());

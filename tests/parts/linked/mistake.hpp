@@ -1,12 +1,12 @@
-// What is told of the mistakes of the part that is linked in, beside its failed checks.
+// Describes the mistakes of the linked part, in addition to its failed checks.
 #pragma once
 
 #include <string>
 
 namespace bounce::tests {
 
-// A paragraph a line: the known mistakes that the answers to the public cases tell of; else what
-// the numbers say by themselves. Empty where there is nothing to say.
+// One paragraph per line: the known mistakes that the answers to the public cases point to; or, if
+// there are none, the patterns in the numbers. Empty if there is nothing to say.
 std::string mistakes_in_words();
 
 }  // namespace bounce::tests

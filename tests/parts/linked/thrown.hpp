@@ -1,5 +1,5 @@
-// What a part throws, in words that name the part: an exception's text alone doesn't say whether a
-// student's program or the tests said it.
+// Adds the part to an exception's text, which alone doesn't say whether it comes from the student's
+// program or from the tests.
 #pragma once
 
 #include <exception>
@@ -8,8 +8,8 @@
 
 namespace bounce::tests {
 
-// What `ask` returns. Throws std::runtime_error, as "part 1 threw an exception: oh", for whatever
-// it throws.
+// Returns what `ask` returns. Turns any exception of it into std::runtime_error, such as "part 1
+// threw an exception: oh".
 template <class Ask>
 auto naming_the_part(const std::string& part, const Ask& ask) {
   try {

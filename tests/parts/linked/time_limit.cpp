@@ -13,10 +13,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double kWork = 3;  // s of the processor, so that a busy machine makes no difference
+constexpr double kWork = 3;  // s of CPU time, so that a busy machine makes no difference
 constexpr auto kWait = std::chrono::seconds(60);
 constexpr auto kLook = std::chrono::milliseconds(100);
-constexpr int kTooLong = 124;  // the exit status, that of the command timeout
+constexpr int kTooLong = 124;  // the exit status, as of the command timeout
 
 double worked() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 

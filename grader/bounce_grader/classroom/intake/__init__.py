@@ -1,4 +1,4 @@
-"""Whose submissions these are, in a download of Canvas or a folder.
+"""Finds the students' submissions in a download from Canvas or a folder.
 
 Imports: common, submission.
 """

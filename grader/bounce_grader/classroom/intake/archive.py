@@ -1,4 +1,4 @@
-"""A flat collection of files: Canvas's zip, or the folder that it was unpacked to."""
+"""Reads a flat collection of files: Canvas's zip, or the folder that it was unpacked to."""
 
 import os
 import stat
@@ -14,11 +14,11 @@ FAILURES = (zipfile.BadZipFile, zlib.error, EOFError, OSError, ValueError, Runti
 
 
 class Damaged(UsageError):
-    """The download itself is: that is no student's fault."""
+    """The whole download is damaged, which is no student's fault."""
 
 
 class Archive:
-    """Reads entries by name; at most so many bytes of each. Raises UsageError."""
+    """Reads entries by name, at most `most` bytes of each. Raises UsageError."""
 
     def __init__(self, path: Path) -> None:
         self.path = path
@@ -64,7 +64,7 @@ def _is_folder(path: Path) -> bool:
 
 
 def opened(path: Path) -> Archive:
-    """Kept open, for as long as it stays the same: its list of entries may be long."""
+    """Opens an archive, and caches it until the file changes: its list of entries may be long."""
     status = path.stat()
     return _opened(path, status.st_mtime_ns, status.st_ino)
 

@@ -1,12 +1,12 @@
-"""The names in Canvas's bulk download, as its lib/content_zipper.rb writes them.
+"""Parses the names in Canvas's bulk download, which its lib/content_zipper.rb writes.
 
     {name}[_LATE]_{user id}_{attachment id}_{file}
     [LATE_]anon_{anonymous id}_{attachment id}_{file}
-    {name}[_LATE]_{user id}_text.html, or _link.html: a text entry, or an address
+    {name}[_LATE]_{user id}_text.html, or _link.html: a text entry, or a web address
 
-A name is in lower case, and without anything but letters, digits and "_", so LATE is never a part
-of it. It may end in "_12", as that of a group does, and a file's name may begin with "12_": such an
-entry can be read in several ways (`read_all`).
+A name is in lower case and holds only letters, digits and "_", so LATE is never part of it. A name
+may end in "_12", as a group's does, and a file name may begin with "12_"; such an entry is
+ambiguous (`read_all`).
 """
 
 import re
@@ -28,10 +28,10 @@ ENTRY = re.compile(rf"{WHO}_(?P<kind>text|link)\.html", re.DOTALL)
 
 @dataclass(frozen=True)
 class Upload:
-    """One file that a student, or a group, handed in."""
+    """One file that a student or a group submitted."""
 
     entry: str  # its whole name in the archive
-    name: str  # "doejane", or "" where the assignment is anonymous
+    name: str  # "doejane", or "" if the assignment is anonymous
     user: str
     late: bool
     attachment: int
@@ -47,7 +47,7 @@ class TextEntry:
 
 
 def parse(entry: str) -> Upload | TextEntry | None:
-    """None where it isn't a name of Canvas's."""
+    """Parses an entry's name; None if Canvas doesn't write such names."""
     match = ENTRY.fullmatch(entry)
     if match:
         return TextEntry(match["name"] or "", match["user"], bool(match["late"]), match["kind"])
@@ -77,7 +77,7 @@ def read_all(
 
 
 def readings(entry: str) -> list[Upload | TextEntry]:
-    """All ways to read an entry, with a shorter name or a longer one."""
+    """All ways to split an entry's name into its fields."""
     first = parse(entry)
     if first is None or first.user.startswith("anon_"):
         return [first] if first else []
@@ -91,7 +91,8 @@ def readings(entry: str) -> list[Upload | TextEntry]:
 
 
 def feedback_name(uploads: tuple[Upload, ...]) -> str:
-    """The name under which Canvas takes a page back as a comment: the ids of the newest upload."""
+    """The name for a feedback page that Canvas accepts as a comment: it has the ids of the newest
+    upload."""
     newest = max(uploads, key=lambda upload: upload.attachment)
     ids = newest.entry[len(newest.name) : -len(newest.file)]
     return f"{printable_name(fitting(newest.name, 150))}{ids}feedback.html"
@@ -111,13 +112,13 @@ def is_name_of(person: str, canvas_name: str) -> bool:
 
 
 def _in_a_word(c: str) -> bool:
-    """Ruby's [[:word:]], which keeps the marks on letters, too."""
+    """Whether Ruby's [[:word:]] matches it, which includes combining marks."""
     return unicodedata.category(c)[0] in "LM" or unicodedata.category(c) in ("Nd", "Pc")
 
 
 def plain_file(file: str, texts: list[bytes]) -> str:
-    """A file under the name that the submission's sources know it by: rotation-1.hpp is
-    rotation.hpp, but for a submission that says "rotation-1.hpp" itself."""
+    """The original name of an uploaded file, without the number that Canvas adds: rotation-1.hpp
+    becomes rotation.hpp, unless the sources themselves mention "rotation-1.hpp"."""
     part = part_file(file)
     if part:
         return part
@@ -127,7 +128,7 @@ def plain_file(file: str, texts: list[bytes]) -> str:
 
 
 def _without_number(file: str) -> list[str]:
-    """Canvas's number is before the last dot, or, in names of several dots, before the first."""
+    """The names without Canvas's number, which may be before the first dot or before the last."""
     names = []
     for dot in (file.find("."), file.rfind(".")):
         name = COPY.sub("", file[:dot]) + file[dot:]

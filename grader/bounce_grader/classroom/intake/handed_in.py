@@ -1,6 +1,8 @@
-"""What a student handed in, as one submission: a folder, a zip, or the uploads of a Canvas download.
+"""Reads what a student submitted (a folder, a zip, or uploads in a Canvas download) as one
+submission.
 
-Everything is read into memory under one budget. Nothing is written, and no size is believed.
+Everything is read into memory, up to a limit on the total. Nothing is written, and no claimed size
+is trusted.
 """
 
 import os
@@ -18,12 +20,13 @@ from bounce_grader.submission.entry import LARGEST_SOURCE, MOST_ENTRIES, Entry
 from bounce_grader.submission.submission import Submission
 
 MOST_ZIPS = 10
-LARGEST = 64 * 1024 * 1024  # of all uploads together
-WHOLE = Path("the submission")  # what messages call it
+LARGEST = 64 * 1024 * 1024  # bytes of all uploads together
+WHOLE = Path("the submission")  # its name in messages
 
 
 def read(path: Path, uploads: tuple[Upload, ...]) -> Submission:
-    """`path` is the folder or zip, or the download with the uploads. Raises UsageError."""
+    """Reads a submission. `path` is its folder or zip; or, with `uploads`, the download that holds
+    them. Raises UsageError."""
     if not uploads:
         return submission.read(path)
     with about_one_submission(f"{WHOLE} can't be read"), ExitStack() as open_zips:
@@ -33,8 +36,8 @@ def read(path: Path, uploads: tuple[Upload, ...]) -> Submission:
 
 
 def _contents(archive: Archive, uploads: Iterable[Upload]) -> Iterator[tuple[Upload, bytes]]:
-    """Each upload with its bytes; of a source, one more than it may have tells that it is too
-    large. Raises UsageError where they are too large together."""
+    """Each upload with its bytes. Of a source, at most one byte more than allowed is read, which is
+    enough to see that it is too large. Raises UsageError if all together are too large."""
     room = LARGEST
     for upload in uploads:
         most = room if is_zip(upload.file) else min(room, LARGEST_SOURCE)
@@ -50,8 +53,8 @@ def _contents(archive: Archive, uploads: Iterable[Upload]) -> Iterator[tuple[Upl
 def _merged(
     archive: Archive, uploads: tuple[Upload, ...], open_zips: ExitStack
 ) -> dict[str, Entry]:
-    """The files of all uploads. These come oldest first, and a newer one takes the place of a file
-    of the same name, or of the same part."""
+    """The files of all uploads, which are given oldest first. A newer file replaces an older one of
+    the same name or the same part."""
     texts = texts_of(archive, uploads)
     merged: dict[str, Entry] = {}
     listed = 0
@@ -68,7 +71,7 @@ def _merged(
             raise UsageError(
                 f"{WHOLE} holds more than {MOST_ENTRIES} files: hand in the parts alone"
             )
-        links = {entry.name: entry for entry in newer if entry.link}  # these take no file's place
+        links = {entry.name: entry for entry in newer if entry.link}  # links replace no file
         files = {entry.name: entry for entry in newer if not entry.link}
         merged = links | _without_parts(set(map(_part, files)), merged) | files
     return merged

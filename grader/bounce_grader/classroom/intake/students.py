@@ -1,5 +1,5 @@
-"""Whose submissions these are: from Canvas's download, a folder of folders or of zips, or a
-checkout of GitHub Classroom. What belongs to nobody is kept, with its reason."""
+"""Finds each student's submission in Canvas's download, in a folder of folders or zips, or in a
+checkout of GitHub Classroom. What can't be matched is listed, with the reason."""
 
 import os
 import zipfile
@@ -32,10 +32,10 @@ class Student:
 
     id: str  # Canvas's user id, a login, or the name of a folder
     name: str
-    path: Path  # the folder or zip; of a Canvas download, the whole of it
-    uploads: tuple[Upload, ...] = ()  # in a Canvas download: the files that count
+    path: Path  # the folder or zip; for Canvas, the whole download
+    uploads: tuple[Upload, ...] = ()  # for Canvas: the files that count
     late: bool = False
-    feedback: str = ""  # the name of the page that goes back
+    feedback: str = ""  # the name of the feedback page
     unused: tuple[str, ...] = ()  # a sentence for each file that doesn't count
 
 
@@ -44,22 +44,22 @@ class Unmatched:
     """Something in SUBMISSIONS that can't be graded."""
 
     name: str
-    reason: str  # a sentence that goes on from the name
-    user: str = ""  # whose it is, where that is known
-    feedback: str = ""  # the name of the page that tells them
-    page_text: str = ""  # what it says
+    reason: str  # continues a sentence that begins with the name
+    user: str = ""  # the user's id, if known
+    feedback: str = ""  # the name of the feedback page
+    page_text: str = ""  # the text of that page
 
 
 @dataclass
 class Class:
-    source: str  # what SUBMISSIONS was taken for
+    source: str  # what kind of folder or zip SUBMISSIONS is
     students: list[Student] = field(default_factory=list)
     unmatched: list[Unmatched] = field(default_factory=list)
     logins: bool = False  # whether a student's id is a login of GitHub's, which students choose
 
     @property
     def handed_in(self) -> int:
-        """How many handed in something, whatever it is."""
+        """How many students or groups submitted something, whatever it is."""
         return len({s.id for s in self.students} | {u.user for u in self.unmatched if u.user})
 
 
@@ -147,7 +147,8 @@ def _canvas(path: Path, people: Mapping[str, str]) -> Class:
 
 
 def _typed(name: str, entry: TextEntry) -> Unmatched:
-    """Canvas takes no page back for it: that takes the number of an attachment."""
+    """A text entry or address, which can't be graded. Canvas can't import its feedback page, whose
+    name would need the id of an attachment."""
     what = "text typed into Canvas" if entry.kind == "text" else "an address typed into Canvas"
     reason = f"is {what}, with no file to grade: ask for the files of the parts"
     page = f"{fitting(name.removesuffix('.html'))}_feedback.html"
@@ -163,7 +164,7 @@ def _no_name(name: str) -> str:
 
 
 def _student(archive: Archive, user: str, uploads: list[Upload]) -> Student:
-    """Raises UsageError where these uploads can't be looked through."""
+    """The student who submitted these uploads. Raises UsageError if they can't be read."""
     if len(uploads) > MOST_UPLOADS:
         raise UsageError(f"is {len(uploads)} files; a submission may have {MOST_UPLOADS}")
     with about_one_submission("can't be read"):
@@ -181,7 +182,7 @@ def _student(archive: Archive, user: str, uploads: list[Upload]) -> Student:
 
 
 def _newest(archive: Archive, uploads: list[Upload]) -> tuple[list[Upload], list[str]]:
-    """Each file once: its newest upload; and a sentence for each that isn't used."""
+    """The newest upload of each file, and a sentence for each upload that isn't used."""
     texts = texts_of(archive, uploads)
     newest: dict[str, Upload] = {}
     unused = []
@@ -198,8 +199,8 @@ def _newest(archive: Archive, uploads: list[Upload]) -> tuple[list[Upload], list
 
 
 def texts_of(archive: Archive, uploads: Iterable[Upload]) -> list[bytes]:
-    """What the sources say, as far as it can be used. One that can't be read is found out when it
-    is graded."""
+    """The text of the sources, as far as they may be read. One that can't be read is reported
+    later, by the grading."""
     texts, room = [], MOST_BYTES
     for upload in uploads:
         if is_source(upload.file):
@@ -254,14 +255,15 @@ def _folder(path: Path, children: list[Path]) -> Class:
 
 
 def _require_a_folder_of_submissions(path: Path, children: list[Path]) -> None:
-    """And not a submission."""
+    """Raises UsageError if the folder is itself a submission."""
     inside = [*children, *((path / "src").iterdir() if (path / "src").is_dir() else ())]
     if any(part_file(child.name) and _is_file(child) for child in inside):
         raise UsageError(f"{path} is one submission, and no class: ./kit grade {path}")
 
 
 def _require_no_download(path: Path, zips: list[Path]) -> None:
-    """Where nobody has a part: a student's own zip may be named, or hold names, as Canvas's."""
+    """Raises UsageError if a zip here is Canvas's download. Called only if no submission has a
+    part, because a student's own zip may hold names like Canvas's."""
     for child in zips:
         try:
             with about_one_submission("it can't be read"):
@@ -287,7 +289,7 @@ def _no_submission(child: Path) -> str:
 
 
 def _zip_alone(folder: Path) -> Path | None:
-    """The zip that is all of a student's folder. One that can't be looked into has none."""
+    """The zip, if it is all that a student's folder holds. None if the folder can't be listed."""
     try:
         names = [n for n in os.listdir(folder) if not n.startswith((".", "__MACOSX"))]
     except OSError:
@@ -305,7 +307,8 @@ def _has_a_part(path: Path) -> bool:
 
 
 def _common_prefix(path: Path, folders: list[Path]) -> int:
-    """GitHub Classroom names a repository after the assignment and the login."""
+    """The length of the assignment's name, with which GitHub Classroom begins each repository's
+    name; the login follows."""
     named = path.name.removesuffix("-submissions") + "-"
     if all(folder.name.startswith(named) for folder in folders):
         return len(named)

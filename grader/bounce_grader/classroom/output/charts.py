@@ -1,5 +1,4 @@
-"""The drawings of the class's page, as SVG: black, white and one grey, so that no colour is needed
-to read them."""
+"""Draws the charts of the class page as SVG, in black, white and grey."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -23,13 +22,14 @@ class Bar:
 class Point:
     x: float | None  # None: not measured
     y: float | None  # None: not finite
-    kind: str  # "full", "some" or "none" of the points
+    kind: str  # whether it got "full", "some" or no ("none") points
     title: str
 
 
 @dataclass(frozen=True)
 class Curve:
-    """A curve: at each time step, the time over the solution's at 1 ms, and the error in m."""
+    """A curve with a point for each time step: CPU time as a multiple of the solution's at 1 ms,
+    and error in m."""
 
     places: tuple[tuple[float, float | None], ...]
     kind: str  # as a Point's, or "solution" or "least"
@@ -38,7 +38,7 @@ class Curve:
 
 
 def histogram(scores: Sequence[float], most: float) -> Drawing:
-    """How many have how many points, in ten columns; full marks have a column of their own."""
+    """The distribution of points, in ten columns, and one more for full points."""
     counts = [0] * 11
     for score in scores:
         counts[10 if score >= most else min(9, int(10 * score / most))] += 1
@@ -59,7 +59,7 @@ def histogram(scores: Sequence[float], most: float) -> Drawing:
 
 
 def bars(rows: Sequence[Bar], label: str) -> Drawing:
-    """One line each: the words, a bar, and the number."""
+    """Horizontal bars, each with its label and its number."""
     tall, start, end = 26, 445, 625
     out = []
     for i, row in enumerate(rows):
@@ -73,8 +73,8 @@ def bars(rows: Sequence[Bar], label: str) -> Drawing:
 
 
 def scatter(points: Sequence[Point], right: float) -> Drawing:
-    """Both axes are powers of ten; a line at the tolerance, below which answers are right. A strip
-    on the right holds what wasn't timed, one at the top what isn't finite."""
+    """Error over time, on logarithmic axes, with a line at the tolerance `right`. Submissions that
+    weren't timed are in a strip on the right, those with an infinite error in one at the top."""
     x_decades = decades([1.0, *(point.x for point in points if point.x)], 1e-3, 1e3)
     axes = Axes(x_decades, (-17, 3), left=90, top=56, width=WIDTH - 200, height=330)
     end = axes.left + axes.width
@@ -102,7 +102,7 @@ def scatter(points: Sequence[Point], right: float) -> Drawing:
 
 
 def _point(x: float, y: float, point: Point) -> str:
-    """Three shapes, which grey doesn't take apart: a disc, a ring and a cross."""
+    """The mark of a submission: a disc, a ring or a cross, which differ even in grey."""
     words = title(point.title)
     if point.kind == "none":
         return f'<path d="{cross(x, y, 4)}" stroke="#111" stroke-width="1.5">{words}</path>'
@@ -111,7 +111,7 @@ def _point(x: float, y: float, point: Point) -> str:
 
 
 def error_against_time(curves: Sequence[Curve], fine: float) -> Drawing:
-    """The error against the time, both in powers of ten, with a line at an error that is fine."""
+    """The curves on logarithmic axes, with a line at the error `fine`, which is near enough."""
     places = [place for curve in curves for place in curve.places]
     axes = Axes(
         decades((x for x, _ in places), 1e-4, 1e5),
@@ -132,7 +132,7 @@ def error_against_time(curves: Sequence[Curve], fine: float) -> Drawing:
 
 
 def _markers(number: int) -> str:
-    """What stands at each place of a curve, by its kind. The more curves, the fainter each is."""
+    """The styles of curves and of their marks, by kind. The more curves, the fainter each is."""
     faint = min(0.5, max(0.07, 20 / number))
     shapes = {
         "full": f'<circle r="3" cx="5" cy="5" fill="#111" fill-opacity="{faint:.2f}"/>',

@@ -15,27 +15,27 @@ from bounce_grader.common.numbers import short
 
 NAME_COLUMNS = ("SIS User ID", "SIS Login ID", "Integration ID")
 NEVER_FILLED = ("EX", "N/A")
-TOTAL = re.compile(r"(Current|Final|Override).*(Score|Points|Grade|Status)")  # worked out by Canvas
+TOTAL = re.compile(r"(Current|Final|Override).*(Score|Points|Grade|Status)")  # computed by Canvas
 ASSIGNMENT = re.compile(r"\(\d+\)$")
 
 
 @dataclass(frozen=True)
 class Marks:
-    """A student's points: 0 is the whole, n is part n."""
+    """A student's points: the total under 0, those of part n under n."""
 
     name: str
     points: Mapping[int, float]
-    of_canvas: bool = False  # the name is what Canvas made of a person's, or a group's
+    of_canvas: bool = False  # the name was made by Canvas from a person's or a group's
 
 
 @dataclass
 class Filled:
     data: bytes
-    sentences: list[str]  # whatever a person should know
+    sentences: list[str]  # what the instructor should know
 
 
 class Gradebook:
-    """Raises UsageError where the file isn't one that could be filled."""
+    """A grade book that Canvas exported. Raises UsageError if it can't be filled in."""
 
     def __init__(self, path: Path, columns: Mapping[int, str], most: Mapping[int, float]) -> None:
         try:
@@ -53,8 +53,8 @@ class Gradebook:
         self._require_whole_rows()
 
     def fill(self, marks: Mapping[str, Marks], without: Mapping[str, str] = {}) -> Filled:
-        """`marks` by Canvas's user id, a SIS id, or a login; `without` says, by the same, why there
-        is no score."""
+        """Fills in the points. The keys of `marks` and `without` are Canvas's user ids, SIS ids or
+        logins; `without` says why a student has no score."""
         of_canvas = any(mark.of_canvas for mark in marks.values())
         rows = self._rows_by_id(of_canvas)
         reasons = _by_line(rows, without)
@@ -101,7 +101,7 @@ class Gradebook:
         return f"{self._person(row)} ({next(filter(None, ids), 'without an ID')})"
 
     def _person(self, row: Row) -> str:
-        """As Canvas sorts it: "Doe, Jane"."""
+        """The name in Canvas's order: "Doe, Jane"."""
         names = row.cells[: self._header.index("ID")]
         return ", ".join(cell.text.strip() for cell in names)
 
@@ -111,8 +111,8 @@ class Gradebook:
         return {id: self._person(of_id[0]) for id, of_id in rows.items()}
 
     def _rows_by_id(self, of_canvas: bool) -> dict[str, list[Row]]:
-        """Canvas's own ids first, as its importer does. A download of Canvas's names no others, and a
-        number of another kind in it is what a student has put there."""
+        """The rows of each id. Canvas's own ids take precedence, as in its importer. With marks
+        `of_canvas`, only these count: another number in a download comes from a student."""
         rows: dict[str, list[Row]] = {}
         for column in self._id_columns()[: 1 if of_canvas else None]:
             in_column: dict[str, list[Row]] = {}
@@ -122,7 +122,7 @@ class Gradebook:
         return {id: rows[id] for id in rows if id}
 
     def _students(self) -> list[Row]:
-        """The rows that Canvas takes for students."""
+        """The rows that Canvas's importer takes for students."""
         rows = []
         for row in self._table.rows[1:]:
             texts = [cell.text for cell in row.cells]
@@ -146,7 +146,8 @@ class Gradebook:
             )
 
     def _first_score(self) -> int:
-        """The column after those that say who a student is, the last of which is the section."""
+        """The first column that can hold points, after those that identify a student; the last of
+        these is the section."""
         ids = self._id_columns()
         sections = [i for i, text in enumerate(self._header) if i > ids[0] and "Section" in text]
         return max([*ids, *sections[:1]]) + 1
@@ -159,7 +160,7 @@ class Gradebook:
             )
 
     def _has_decimal_comma(self) -> bool:
-        """Where scores are written 87,5 and none 87.5."""
+        """Whether scores are written as 87,5, and none as 87.5."""
         scores = {*self._columns.values()}
         for i, title in enumerate(self._header):
             if ASSIGNMENT.search(title) or TOTAL.search(title):
@@ -222,7 +223,7 @@ class Gradebook:
 
 
 def _by_line(rows: Mapping[str, list[Row]], ids: Iterable[str]) -> dict[int, list[str]]:
-    """The ids that mean each row."""
+    """The ids that refer to each row, by its line."""
     lines: dict[int, list[str]] = {}
     for id in ids:
         for row in rows.get(id, []):
@@ -242,7 +243,8 @@ def _number(text: str) -> float | None:
 
 
 def of_marks(marks: Mapping[str, Marks], title: str, most: float) -> bytes:
-    """A grade book of its own, where Canvas's wasn't given: Canvas knows the students by ID."""
+    """Makes a grade book that Canvas can import, if none was given; Canvas matches students by
+    ID."""
     header = ["Student", "ID", "SIS Login ID", "Section", title]
     rows = [header, ["    Points Possible", "", "", "", f"{most:.2f}"]]
     for id, mark in sorted(marks.items(), key=lambda item: (item[1].name, item[0])):

@@ -1,4 +1,4 @@
-"""grades.csv: every submission with its parts and checks."""
+"""Writes grades.csv: every submission with its points by part and check."""
 
 from collections.abc import Iterable
 

@@ -1,4 +1,4 @@
-"""The files that a class leaves: grade book, grades, feedback and the page about the class."""
+"""Writes the results of a class: grade book, grades, feedback and the page about the class."""
 
 import io
 import zipfile
@@ -33,7 +33,8 @@ def write(
     near: Similar,
     log: Log,
 ) -> list[str]:
-    """Gives the sentences that a person should read about the grade book."""
+    """Writes everything but the feedback. Returns sentences about the grade book for the
+    instructor."""
     marks = _marks(summaries)
     if book is None:
         title = columns.get(0, TITLE)
@@ -48,7 +49,7 @@ def write(
 
 
 def _marks(summaries: list[Summary]) -> dict[str, Marks]:
-    """Without those that have no score: an absent score is no zero."""
+    """The points of those that have a score; a missing score must not become a zero."""
     return {
         s.student.id: Marks(
             s.student.name, {0: s.score, **s.parts}, bool(s.student.uploads and s.student.name)
@@ -59,13 +60,14 @@ def _marks(summaries: list[Summary]) -> dict[str, Marks]:
 
 
 def _without_score(submitted: Class, summaries: list[Summary]) -> dict[str, str]:
-    """Who handed in something that has no score, and why."""
+    """Who submitted something without getting a score, and why, by id."""
     entries = {u.user: f"{u.name} {u.reason}" for u in submitted.unmatched if u.user}
     return entries | {s.student.id: s.message for s in summaries if s.score is None}
 
 
 def _make_up_gradebook(path: Path, marks: Mapping[str, Marks], title: str, log: Log) -> list[str]:
-    """One of Canvas's that was filled before stays, and so does whatever a person made of it."""
+    """Writes a new grade book, but never over one that this module didn't make: it may be Canvas's,
+    or edited by a person."""
     if path.exists() and not log.has_made_up(path.read_bytes()):
         return [
             f"{path.name} is one that was filled before, and stays as it was: give --gradebook and "
@@ -80,9 +82,10 @@ def _make_up_gradebook(path: Path, marks: Mapping[str, Marks], title: str, log: 
 def write_feedback(
     out: Path, submitted: Class, summaries: list[Summary], reveal: bool = False
 ) -> dict[str, str]:
-    """One page each; for Canvas all of them in the zip that it takes back, too. Pages of an earlier
-    run, for what isn't there any more, go. Gives, by a student's id, why there is no page. Only
-    where `reveal` is set do pages have the expected answers of hidden cases."""
+    """Writes a feedback page for each submission, and for Canvas a zip of the pages that it can
+    import. Removes pages of earlier runs whose submissions are gone. Only with `reveal` do pages
+    hold the expected answers of hidden cases. Returns the reasons for missing pages, by student's
+    id."""
     folder = out / "feedback"
     folder.mkdir(exist_ok=True)
     pages: list[str] = []

@@ -1,4 +1,4 @@
-"""class.html: the numbers and drawings that class.html.j2 shows the teacher."""
+"""Writes class.html, the instructor's page: the numbers and charts for class.html.j2."""
 
 import statistics
 from collections import Counter
@@ -17,7 +17,7 @@ from bounce_grader.formats.templates import fill
 from bounce_grader.grading import speed
 from bounce_grader.grading.known_mistakes import for_the_instructor
 
-MOST_UNUSED = 10  # files named of a submission; grades.csv has some more
+MOST_UNUSED = 10  # names of unused files of one submission; grades.csv has more
 RIGHT = 1e-9  # the tolerance of every comparison
 Row = list[str]
 
@@ -80,7 +80,7 @@ def _label(summary: Summary) -> str:
 
 
 def _kind(summary: Summary) -> str:
-    """Which mark it has in the charts."""
+    """The kind of its mark in the charts."""
     score = summary.score or 0
     return "full" if score >= _full() else "some" if score else "none"
 
@@ -119,14 +119,16 @@ def _failed_checks(graded: Sequence[Summary]) -> list[Row]:
 
 
 def _error(summary: Summary) -> float | None:
-    """Where points are lost though every answer that came is near, one is missing."""
+    """The error for the chart; None also if points were lost though every error is tiny, because
+    then an answer is missing."""
     if summary.error is None or summary.score is None:
         return None
     return summary.error if summary.score >= _full() or summary.error > RIGHT else None
 
 
 def _curves(summaries: Sequence[Summary], graded: Sequence[Summary]) -> Drawing | None:
-    """All submissions' curves in one chart. Each has its own run's solution as its unit of time."""
+    """All submissions' curves in one chart. Each one's unit of time is the solution's, measured in
+    the same run."""
     own = [(s, _over_solution(s, "submission")) for s in graded]
     curves = [Curve(places, _kind(s), _label(s)) for s, places in own if places]
     usual = [_median(summaries, whose) for whose in ("solution", "least")]
@@ -141,7 +143,7 @@ def _over_solution(summary: Summary, whose: str) -> tuple[tuple[float, float | N
 
 
 def _median(summaries: Sequence[Summary], whose: str) -> Curve | None:
-    """The usual curve of the class's runs."""
+    """The median over all runs of the solution's or the least model's curve."""
     runs = [(s, places) for s in summaries if (places := _over_solution(s, whose))]
     if not runs:
         return None
@@ -155,8 +157,8 @@ def _median(summaries: Sequence[Summary], whose: str) -> Curve | None:
 
 
 def _together(near: Similar) -> list[list[str]]:
-    """Of many alike, each is compared with its closest relatives only: these belong together. The
-    largest group first."""
+    """Groups of similar submissions, largest first. Each submission is compared only with its
+    closest relatives, so a group joins all that pairs connect."""
     groups: dict[str, list[str]] = {}
     for pair in near.pairs:
         one = groups.setdefault(pair.first, [pair.first])

@@ -1,4 +1,4 @@
-"""A CSV file as Canvas exports it, in which single cells change and every other byte stays."""
+"""Edits single cells of a CSV file from Canvas, and keeps every other byte."""
 
 import re
 from collections.abc import Iterator
@@ -12,7 +12,7 @@ BOM = b"\xef\xbb\xbf"
 
 @dataclass
 class Cell:
-    raw: bytes  # with its quotes
+    raw: bytes  # including quotes
 
     @property
     def quoted(self) -> bool:
@@ -27,7 +27,7 @@ class Cell:
             return raw.decode("latin-1")
 
     def put(self, text: str, delimiter: bytes) -> None:
-        """Quoted where it was, and where it has to be."""
+        """Replaces the text, quoted if it was before or if it has to be."""
         raw = text.encode()
         self.raw = b'"' + raw + b'"' if self.quoted or delimiter in raw else raw
 
@@ -51,7 +51,7 @@ class Table:
 
 
 def parse(data: bytes, name: str) -> Table:
-    """Raises UsageError where it is no CSV file."""
+    """Parses a CSV file. Raises UsageError if it isn't one."""
     if data.startswith((b"\xff\xfe", b"\xfe\xff")) or b"\0" in data:
         raise UsageError(
             f"{name} isn't UTF-8: export it from Canvas again, or save it as CSV UTF-8"

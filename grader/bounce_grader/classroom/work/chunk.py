@@ -1,4 +1,4 @@
-"""One chunk of a class, on a node of a cluster: main([FILE, "--jobs", N])."""
+"""Grades one chunk of a class on a cluster's node: main([FILE, "--jobs", N])."""
 
 import argparse
 import json

@@ -1,5 +1,5 @@
-"""Dask: the same unit, as futures of a cluster's scheduler. Workers see the kit, the submissions and
-the results under the same paths; they may come, go and die."""
+"""Grades on a Dask cluster: each task is a future. Workers must see the kit, the submissions and
+the results under the same paths; they may join, leave and crash."""
 
 import sys
 from collections.abc import Callable, Generator
@@ -11,7 +11,7 @@ from bounce_grader.classroom.work.task import Task
 from bounce_grader.classroom.work.unit import run as run_unit, Outcome
 from bounce_grader.common.errors import KitError, UsageError
 
-LOST_WORKERS = 3  # that a grading may cost before it counts as the kit's failure
+LOST_WORKERS = 3  # that a grading may crash before it counts as a failure of the kit
 TO_CONNECT = "10s"
 LOST = "the Dask scheduler was lost: start it, and run the same command again"
 
@@ -19,7 +19,8 @@ LOST = "the Dask scheduler was lost: start it, and run the same command again"
 def run(
     tasks: list[Task], scheduler: str, unit: Callable[[Task], Outcome] = run_unit
 ) -> Generator[tuple[Task, Outcome], None, None]:
-    """Raises UsageError where there is no such scheduler, KitError where it is lost."""
+    """Yields outcomes as they come. Raises UsageError if there is no such scheduler, KitError if it
+    is lost."""
     if not tasks:
         return
     client = _client(scheduler)
@@ -58,12 +59,12 @@ def _client(scheduler: str) -> Any:
 
 
 def _require_the_kit(client: Any) -> None:
-    """A worker that can't import the unit would fail on every submission."""
+    """Raises UsageError if workers can't import the unit: they would fail on every submission."""
     try:
         importable = client.run(_try_import)
     except (OSError, CancelledError):
         raise
-    except Exception as error:  # Dask wraps what a worker can't even unpickle in one of its own
+    except Exception as error:  # Dask raises its own kind if a worker can't unpickle
         if "bounce_grader" not in repr(error):
             raise
         raise UsageError(

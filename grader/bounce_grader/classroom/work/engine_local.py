@@ -1,4 +1,4 @@
-"""The built-in engine: a process for each grading, so that a crash of one costs nothing."""
+"""The built-in engine. Each grading is a process of its own, so that a crash harms no other."""
 
 import multiprocessing
 import os
@@ -20,7 +20,7 @@ from bounce_grader.classroom.work.task import Task
 from bounce_grader.classroom.work.unit import run as run_unit, Outcome
 from bounce_grader.common.errors import UsageError
 
-TO_CLEAN_UP = 3.0  # seconds, for what is ended to take its files away
+TO_CLEAN_UP = 3.0  # seconds in which a terminated grading can remove its files
 LONGEST_TEMPORARY = 75  # bytes: a socket's path has 107, of which multiprocessing takes 32
 LONGEST = 1800.0  # seconds; a grading's own limits are far below
 PRELOADED = [
@@ -34,7 +34,7 @@ PRELOADED = [
 def run(
     tasks: list[Task], jobs: int, unit: Callable[[Task], Outcome] = run_unit
 ) -> Generator[tuple[Task, Outcome], None, None]:
-    """Outcomes as they come. Ended early, it ends what still runs."""
+    """Yields outcomes as they come. If the caller stops early, ends the gradings under way."""
     context = multiprocessing.get_context("forkserver")
     context.set_forkserver_preload(PRELOADED)
     _start_server()
@@ -57,7 +57,8 @@ def run(
 
 
 def _start_server() -> None:
-    """The process that the others are forked from. Ctrl-C is not for it, not even as it starts."""
+    """Starts the server process that gradings are forked from. It must ignore Ctrl-C, even while it
+    starts."""
     if len(os.fsencode(tempfile.gettempdir())) > LONGEST_TEMPORARY:
         raise UsageError(
             f"the path of the temporary folder, {tempfile.gettempdir()}, is too long for the sockets "
@@ -74,7 +75,7 @@ def _start_server() -> None:
 
 
 class _Running:
-    """The processes under way."""
+    """Runs gradings in processes, and keeps track of those under way."""
 
     def __init__(self, context: ForkServerContext, unit: Callable[[Task], Outcome]) -> None:
         self._context = context
@@ -137,7 +138,7 @@ def _child(unit: Callable[[Task], Outcome], task: Task, answer: Connection) -> N
 
 
 def _end_with_the_reader(answer: int) -> None:
-    """A pipe that nobody can read any more is an error at its other end."""
+    """Ends this process when the pipe's reader is gone, which poll reports as an error."""
     poll = select.poll()
     poll.register(answer, 0)
     poll.poll()

@@ -1,5 +1,5 @@
-"""Slurm: an array script over chunks of submissions, and a step that collects. The queue is
-Slurm's; this writes files, and grades nothing itself."""
+"""Writes scripts for Slurm: an array job over chunks of submissions, and a job that collects the
+results. It grades nothing itself."""
 
 import json
 import math
@@ -14,8 +14,8 @@ from bounce_grader.classroom.work.unit import Outcome
 from bounce_grader.common.files import write_whole
 from bounce_grader.common.paths import ROOT
 
-FEWEST, MOST = 20, 50  # submissions in a chunk: a job should last minutes, and a lost one cost few
-CHUNKS = 64  # that a class is cut into, where its chunks stay within these
+FEWEST, MOST = 20, 50  # submissions per chunk: minutes of work, and little lost with a job
+CHUNKS = 64  # the number of chunks, as far as these bounds allow
 
 ARRAY = """#!/bin/sh
 #SBATCH --job-name=bounce
@@ -50,7 +50,7 @@ sbatch --dependency=afterany:"$array" {folder}/collect.sbatch
 
 
 def run(tasks: list[Task], out: Path) -> Generator[tuple[Task, Outcome], None, None]:
-    """Yields nothing: the results come later, as files."""
+    """Writes the scripts. Yields nothing: the results come later, as files."""
     if tasks:
         folder = _new_folder(out / "slurm")
         _write(tasks, folder)
@@ -63,7 +63,7 @@ def run(tasks: list[Task], out: Path) -> Generator[tuple[Task, Outcome], None, N
 
 
 def _new_folder(parent: Path) -> Path:
-    """Beside those of earlier runs, whose logs may say what went wrong."""
+    """A new numbered folder. Those of earlier runs stay: their logs may say what went wrong."""
     number = 1
     while (parent / str(number)).exists():
         number += 1

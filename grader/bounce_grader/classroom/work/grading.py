@@ -1,4 +1,4 @@
-"""Grades what has no result yet, on whichever engine, and sums up what there is."""
+"""Grades the submissions without a result, on any engine, and summarizes all results."""
 
 import errno
 import os
@@ -16,14 +16,14 @@ from bounce_grader.classroom.work.summary import of_result, Summary
 from bounce_grader.classroom.work.task import Task
 from bounce_grader.classroom.work.unit import Outcome
 
-TRIES = 3  # of a grading in which the kit fails
+TRIES = 3  # of a grading if the kit fails
 Engine = Callable[[list[Task]], Generator[tuple[Task, Outcome], None, None]]
 
 
 def grade_missing(
     tasks: Mapping[str, Task], folder: Path, request: Request, log: Log
 ) -> dict[str, Outcome]:
-    """Grades what has no valid result, and gives the failures of the kit, by key."""
+    """Grades the submissions without a valid result. Returns the kit's failures, by key."""
     there = results.keys(folder)
     missing: dict[str, Task] = {}
     for task in tasks.values():
@@ -60,7 +60,7 @@ def grade_missing(
 
 
 def _write_down(log: Log, task: Task, outcome: Outcome) -> None:
-    """A full disk isn't tried again: the others would be graded for nothing."""
+    """Logs an outcome. Raises OSError if the disk is full: no further result could be stored."""
     if outcome.state != "failed":
         log.graded(task, outcome.state, outcome.seconds)
         return

@@ -1,5 +1,5 @@
-"""log.jsonl: what was graded when, from what, and which grade books were made up. Lines are only
-ever added."""
+"""Writes log.jsonl: what was graded, when and from what, and which grade books were made up. Lines
+are only ever appended."""
 
 import hashlib
 import json
@@ -28,17 +28,18 @@ class Log:
             words |= {"result": task.key, "submission": task.submission, "kit": task.stamp.kit}
             words |= {"fixtures": task.stamp.fixtures, "options": task.stamp.options}
         line = json.dumps({**words, **more}, ensure_ascii=False) + "\n"
-        os.write(self._file, line.encode(errors="backslashreplace"))  # as JSON writes surrogates
+        os.write(self._file, line.encode(errors="backslashreplace"))  # surrogates, as in JSON
 
     def graded(self, task: Task, state: str, seconds: float | None) -> None:
-        """Once for each grading: one that a killed run had no time to write down is noted later,
-        without its seconds."""
+        """Logs each grading once. If a run was killed before it logged one, the next run does,
+        without the seconds."""
         if seconds is not None or task.key not in self._known:
             self._known.add(task.key)
             self.write("graded", task, state=state, seconds=seconds)
 
     def make_up(self, gradebook: bytes) -> None:
-        """Before it is written, so that it is known even where the run ends in between."""
+        """Logs a made-up grade book. Called before it is written, in case the run ends in
+        between."""
         if not self.has_made_up(gradebook):
             self._made_up.add(_digest(gradebook))
             self.write("gradebook", sha256=_digest(gradebook))
@@ -51,7 +52,7 @@ class Log:
         os.close(self._file)
 
     def _end_a_torn_line(self) -> None:
-        """What a full disk has cut off."""
+        """Ends the last line, if a full disk cut it off."""
         size = os.fstat(self._file).st_size
         if size and os.pread(self._file, 1, size - 1) != b"\n":
             os.write(self._file, b"\n")
@@ -62,7 +63,7 @@ def _digest(data: bytes) -> str:
 
 
 def read(path: Path) -> list[dict[str, Any]]:
-    """The lines that are whole."""
+    """The complete lines, parsed."""
     lines = []
     for line in path.read_bytes().splitlines() if path.exists() else []:
         try:

@@ -1,9 +1,10 @@
-"""Near-copies: sim_c++ compares the structure of the sources, whatever the names in them.
+"""Finds near-copies with sim_c++, which compares the structure of sources and ignores names.
 
-It is asked twice, because comparing each with each takes long in a large class: first for each
-submission's closest relatives, all at once, then for the share that those pairs have in common.
-Its time grows with the square of what a text repeats, so a submission that takes long to compare
-with itself is left out before: no pair takes longer than the slower of the two with itself.
+Comparing every pair in detail would take long in a large class. So sim_c++ runs twice: first on all
+at once, to find each submission's closest relatives; then on these pairs alone, for the share that
+they have in common. Its time grows with the square of the repetition in a text. So submissions that
+take long to compare with themselves are left out first: no pair takes longer than the slower of the
+two with itself.
 """
 
 import hashlib
@@ -28,17 +29,17 @@ from bounce_grader.common.paths import STUBS
 from bounce_grader.sandbox import box as boxes, processes
 
 PROGRAM = "/usr/bin/sim_c++"
-RUN = "16"  # tokens that have to agree one after the other, about two lines
+RUN = "16"  # consecutive tokens that have to match, about two lines
 RELATIVES = 3  # of each submission
 LEAST = 60  # per cent in common
 MOST = 200  # pairs
-LONGEST = 64 * 1024  # characters of each
-WITH_ITSELF = 4  # copies, so six comparisons: a limit of CPU time is whole seconds
-SECONDS = 1  # of CPU time, for those six, and for each pair
+LONGEST = 64 * 1024  # characters that are compared of each
+WITH_ITSELF = 4  # copies, which make six pairs; ulimit can only limit whole seconds
+SECONDS = 1  # of CPU time, for those six, and later for each pair
 LIMITS = processes.Limits(cpu_seconds=900, wall_seconds=1800, memory=2 << 30, file_size=64 << 20)
 FOUND = re.compile(r"^(\d+)\.cpp consists for (\d+) % of (\d+)\.cpp material$", re.MULTILINE)
 ENDED = re.compile(r"^ended (\d+)\.cpp (\d+)\.cpp", re.MULTILINE)
-EACH_LINE = (  # compares the files of a line with each other
+EACH_LINE = (  # compares the files named on a line with each other
     "while read -r files; do "
     f"(ulimit -t {SECONDS}; exec {PROGRAM} -p -ae -t 1 -r {RUN} -T $files) || echo ended $files; "
     "done"
@@ -52,19 +53,19 @@ TOO_SLOW = "it repeats itself too much to be compared with others: look whether 
 class Pair:
     first: str  # a student's id
     second: str
-    share: int  # per cent, of the one of which it is more
+    share: int  # per cent, of the submission of which it is more
 
 
 @dataclass(frozen=True)
 class Similar:
     pairs: tuple[Pair, ...]
-    usual: int  # the closest relative of a submission in the middle, per cent
-    problem: str = ""  # why it isn't known
+    usual: int  # per cent: the median share with the closest relative
+    problem: str = ""  # why there is no result
     left_out: Mapping[str, str] = field(default_factory=dict)  # sentences, by a student's id
 
 
 def find(out: Path, students: list[Student], graded: dict[str, Task], trust: bool) -> Similar:
-    """Kept in a file for as long as the submissions stay the same."""
+    """Finds near-copies. The result is cached in a file until the submissions change."""
     if which(PROGRAM) is None:
         return Similar(
             (), 0, "similarity-tester isn't installed: apt-get install similarity-tester"
@@ -122,14 +123,14 @@ def _find(students: list[Student], graded: dict[str, Task], box: boxes.Box) -> S
         left_out |= {files[file]: TOO_SLOW for pair in ENDED.findall(output) for file in pair}
         shares = _shares(output)
     usual = _usual(shares, len(files))
-    least = max(LEAST, (usual + 100) // 2)  # halfway from the usual to the same
+    least = max(LEAST, (usual + 100) // 2)  # halfway between the usual share and 100
     pairs = [Pair(files[a], files[b], share) for (a, b), share in shares.items() if share >= least]
     pairs.sort(key=lambda pair: (-pair.share, pair.first, pair.second))
     return Similar(tuple(pairs[:MOST]), usual, left_out=left_out)
 
 
 def _by_line(lines: Iterable[Iterable[str]], folder: Path, box: boxes.Box) -> str:
-    """What is said of each line's files, compared with each other."""
+    """The output of sim_c++ on the files of each line, compared with each other."""
     names = [" ".join(f"{file}.cpp" for file in line) for line in lines]
     return _sim(["/bin/sh", "-c", EACH_LINE], names, folder, box)
 
@@ -150,7 +151,7 @@ def _sim(command: list[str], lines: list[str], folder: Path, box: boxes.Box) -> 
 
 
 def _relatives(output: str) -> set[tuple[str, str]]:
-    """The pairs to look at closely."""
+    """The pairs to compare closely: each submission with its closest relatives."""
     of: dict[str, list[tuple[int, str]]] = defaultdict(list)
     for file, share, other in FOUND.findall(output):
         of[file].append((-int(share), other))
@@ -176,7 +177,7 @@ def _usual(shares: dict[tuple[str, str], int], number: int) -> int:
 
 
 def own_text(task: Task) -> str:
-    """What a student wrote: without the lines that were handed out."""
+    """The text that a student wrote, without lines of the handout."""
     try:
         taken = handed_in.read(Path(task.path), task.uploads)
     except UsageError:

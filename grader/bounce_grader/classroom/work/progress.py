@@ -1,4 +1,4 @@
-"""How far it is: a bar with rate and time left on a terminal, plain lines elsewhere."""
+"""Shows progress: a bar with rate and time left on a terminal, plain lines elsewhere."""
 
 import sys
 import time

@@ -1,4 +1,5 @@
-"""Grading again: a new set of results beside the old one, the differences, and the exchange."""
+"""Grades again: makes a new set of results beside the old one, shows the differences, and exchanges
+the sets."""
 
 import os
 import re
@@ -25,7 +26,7 @@ KINDS = "all, student=NAME (with * for any letters), status=STATUS, or score<POI
 
 
 def begin(out: Path, chosen: str, stamp: Stamp) -> Path:
-    """The folder of the new set; one that another kit began is begun anew."""
+    """The folder of the new set. A set begun by another version of the kit is discarded."""
     _filter(chosen)
     there = results.stamp_of(out / "results")
     if there is None:
@@ -83,7 +84,7 @@ def _summary(folder: Path, student: Student, stamp: Stamp) -> Summary:
 
 
 def _result(folder: Path, student: Student, stamp: Stamp) -> tuple[str, dict[str, Any] | None]:
-    """Timed or not: that changes no score."""
+    """The key and the result, timed or not: timing changes no score."""
     for speed in (True, False):
         key = task_of(student, stamp, Path(), speed, trust=False).key
         result = results.load(folder, key)
@@ -121,7 +122,7 @@ def _points(summary: Summary) -> str:
 
 
 def apply(out: Path, intake: Class, stamp: Stamp, log: Log) -> None:
-    """Exchanges the sets; the old one is kept under a number."""
+    """Exchanges the sets; the old one is kept in a numbered folder."""
     new, old = out / "regrade", out / "results"
     if not (new / FILTER).exists():
         raise UsageError(f"{out} holds nothing to take over: run with --regrade FILTER first")
@@ -140,7 +141,7 @@ def apply(out: Path, intake: Class, stamp: Stamp, log: Log) -> None:
 
 
 def finish(out: Path) -> None:
-    """The exchange, which a run that was killed within it left to the next."""
+    """Finishes an exchange that was begun, perhaps by a run that was killed meanwhile."""
     new, old = out / "regrade", out / "results"
     if not (new / MARKER).exists():
         return

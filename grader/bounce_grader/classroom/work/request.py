@@ -1,4 +1,4 @@
-"""What ./kit class is asked for."""
+"""The options of one run of ./kit class."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
@@ -14,7 +14,7 @@ class Request:
     submissions: Path
     out: Path
     gradebook: Path | None = None
-    columns: Mapping[int, str] = field(default_factory=dict)  # 0: the whole; n: part n
+    columns: Mapping[int, str] = field(default_factory=dict)  # 0: the total; n: part n
     engine: str = "local"
     jobs: int = 0
     scheduler: str = ""

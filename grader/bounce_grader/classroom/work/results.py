@@ -1,4 +1,5 @@
-"""The folder of results: one file each, and set.json, which says what they all follow from."""
+"""The folder of results: a file for each, and set.json, which says by which kit, fixtures and
+options they were made."""
 
 import hashlib
 import json
@@ -17,10 +18,10 @@ from bounce_grader.grading import fixtures
 from bounce_grader.grading.record import digest_of
 
 SET = "set.json"
-# The rooms that a score depends on. What makes something of records, tests the kit or hands it out
-# changes none.
+# The folders that a score depends on. Those that report on records, test the kit or publish it can
+# change no score.
 PYTHON = ("assignment", "build", "common", "grading", "sandbox", "submission", "classroom/intake")
-UNIT = "classroom/work/unit.py"  # which judges whether a submission can be graded
+UNIT = "classroom/work/unit.py"  # it decides whether a submission can be graded
 CPP = ("grader/judge", "grader/runner", "grader/box", "tests/parts", "solution/src")
 
 
@@ -31,7 +32,7 @@ def stamp_now(trust: bool) -> Stamp:
 
 
 def _kit_digest() -> str:
-    """The sources that a score depends on: the same on every machine of a cluster."""
+    """A digest of the sources that a score depends on, the same on every machine of a cluster."""
     digest = hashlib.sha256(__version__.encode())
     for file in sorted(_sources()):
         digest.update(f"\0{file.relative_to(ROOT)}\0".encode() + file.read_bytes())
@@ -52,7 +53,7 @@ def _files(folder: Path) -> Iterator[Path]:
 
 
 def load(folder: Path, key: str) -> dict[str, Any] | None:
-    """A result, where there is a valid one."""
+    """A result; None if there is no valid one."""
     try:
         result: dict[str, Any] = json.loads(result_path(folder, key).read_bytes())
     except (OSError, ValueError):
@@ -65,7 +66,7 @@ def keys(folder: Path) -> set[str]:
 
 
 def stamp_of(folder: Path) -> Stamp | None:
-    """What the results of a folder follow from; None where there are none yet."""
+    """The stamp of a folder's results; None if there are none yet."""
     try:
         words = json.loads((folder / SET).read_bytes())
     except FileNotFoundError:
@@ -76,7 +77,8 @@ def stamp_of(folder: Path) -> Stamp | None:
 
 
 def begin(folder: Path, stamp: Stamp) -> None:
-    """Raises UsageError where the folder holds results of another kit, course or options."""
+    """Prepares a folder for results. Raises UsageError if it holds results of another kit, course
+    or options."""
     there = stamp_of(folder)
     if there is None:
         write_whole(folder / SET, json.dumps({**asdict(stamp), "version": __version__}), True)

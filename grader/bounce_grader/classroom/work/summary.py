@@ -1,4 +1,5 @@
-"""What the grade book, the tables and the class's page need of a result; a record is large."""
+"""A summary of a result, with what the grade book, the tables and the class page need; a whole
+record is large."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
@@ -18,15 +19,15 @@ class Summary:
     score: float | None = None
     parts: Mapping[int, float] = field(default_factory=dict)
     checks: Mapping[str, float] = field(default_factory=dict)  # points, by id
-    statuses: Mapping[int, str] = field(default_factory=dict)  # where not "graded"
+    statuses: Mapping[int, str] = field(default_factory=dict)  # only those that aren't "graded"
     mistakes: Mapping[str, str] = field(default_factory=dict)  # titles, by name
     box: str = ""
-    ratio: float | None = None  # time of a step, beside the solution's
+    ratio: float | None = None  # time of a step over the solution's
     error: float | None = None
     curves: Mapping[str, tuple[speed.Point, ...]] = field(default_factory=dict)
     ignored: tuple[str, ...] = ()
-    ignored_more: int = 0  # that aren't named
-    beside: tuple[str, ...] = ()  # sources that are no part
+    ignored_more: int = 0  # the number of others
+    beside: tuple[str, ...] = ()  # sources that aren't parts
     notes: tuple[str, ...] = ()  # what else a person should look at
 
     @property
@@ -35,7 +36,7 @@ class Summary:
 
     @property
     def needs_a_look(self) -> list[str]:
-        """Why a person should look at it."""
+        """The reasons for which a person should look at it."""
         reasons = [] if self.state == "graded" else [self.message]
         odd = {"timed_out", "out_of_memory", "no_answer", "crashed"}
         for number, status in self.statuses.items():
@@ -50,7 +51,7 @@ class Summary:
         return replace(self, notes=(*self.notes, note))
 
     def _misnamed(self) -> list[str]:
-        """A part that isn't there may be there under another name, or in what can't be read."""
+        """A missing part may be there under another name, or in a file that can't be read."""
         missing = [number for number, status in self.statuses.items() if status == "not_submitted"]
         others = [*self.unused, *(f"{name} is no part by its name" for name in self.beside)]
         words = "parts" if len(missing) > 1 else "part"

@@ -1,4 +1,4 @@
-"""One grading of a class: what is graded, and the name of its result."""
+"""A task: one submission to grade, and the key of its result."""
 
 import hashlib
 import os
@@ -15,7 +15,7 @@ from bounce_grader.common.errors import UsageError
 
 @dataclass(frozen=True)
 class Stamp:
-    """What a result follows from, but for the submission."""
+    """Digests of all that a result depends on, except the submission."""
 
     kit: str
     fixtures: str
@@ -24,7 +24,7 @@ class Stamp:
 
 @dataclass(frozen=True)
 class Task:
-    """Everything that a worker needs, as words and numbers: it can be sent anywhere."""
+    """Everything that a worker needs, in plain values that can be sent to any machine."""
 
     key: str
     submission: str  # digest
@@ -63,8 +63,8 @@ def _key(submission: str, stamp: Stamp, speed: bool) -> str:
 
 
 def digest(student: Student) -> str:
-    """Of all that is taken from a submission; of one that can't be read, of the reason. Raises
-    Damaged where the class's download is."""
+    """A digest of all that is used of a submission, or of the reason if it can't be read. Raises
+    Damaged if the class's download is damaged."""
     words: list[Any] = [os.path.isdir(student.path)]
     try:
         taken = handed_in.read(student.path, student.uploads)

@@ -1,7 +1,7 @@
-"""The one unit of work: grade one submission and leave its result as one file.
+"""The unit of work of every engine: grades one submission, and writes its result to one file.
 
-It can be run any number of times, anywhere, by anything: the file's name says what it follows
-from, and the file is there whole or not at all.
+It can be run any number of times and anywhere: the name of the file is a hash of all that the
+result depends on, and the file is written whole or not at all.
 """
 
 import json
@@ -28,10 +28,10 @@ Grade = Callable[[Submission, Task], Record]
 
 @dataclass(frozen=True)
 class Outcome:
-    """What a worker says about a task; the record itself is in the file."""
+    """What a worker returns about a task; the record itself is in the file."""
 
     key: str
-    state: str  # "graded", "unreadable", or "failed", where the kit did
+    state: str  # "graded", "unreadable", or "failed" if the kit did
     message: str
     seconds: float
 
@@ -45,9 +45,10 @@ def grade_submission(taken: Submission, task: Task, within: Budget) -> Record:
 
 
 def run(task: Task, grade: Grade | None = None) -> Outcome:
-    """Never raises an Exception: a failure of the kit is an outcome, and leaves no file."""
+    """Grades a submission. Never raises an Exception: a failure of the kit is an outcome, too, but
+    leaves no file."""
     start = time.monotonic()
-    grade = grade or partial(grade_submission, within=Budget())  # reading it takes of it, too
+    grade = grade or partial(grade_submission, within=Budget())  # reading counts, too
     try:
         result = _result(task, grade)
         path = result_path(Path(task.results), task.key)
@@ -55,7 +56,7 @@ def run(task: Task, grade: Grade | None = None) -> Outcome:
         state, message = result["state"], result["message"]
     except (KitError, OSError) as error:
         state, message = "failed", str(error)
-    except Exception as error:  # a fault of the kit's that nobody has thought of
+    except Exception as error:  # an unforeseen fault of the kit
         state, message = "failed", f"{type(error).__name__}: {error}"
     return Outcome(task.key, state, message, round(time.monotonic() - start, 3))
 
@@ -65,7 +66,7 @@ def result_path(folder: Path, key: str) -> Path:
 
 
 def _result(task: Task, grade: Grade) -> dict[str, Any]:
-    """A submission that can't be read is a verdict, too."""
+    """The content of the result's file. A submission that can't be read has a result, too."""
     record: Record | None = None
     message = ""
     beside: list[str] = []
@@ -91,7 +92,8 @@ def _result(task: Task, grade: Grade) -> dict[str, Any]:
 
 
 def _require_a_part(taken: Submission, where: str) -> None:
-    """A zip in the zip, or files under other names: for a person to look at, and no zero."""
+    """Raises UsageError if no part is found, as with a zip in the zip or with other names: a person
+    should look at it, rather than it getting a zero."""
     if not taken.parts and not taken.refused:
         names = [name for name in taken.ignored if not name.startswith("__MACOSX")]
         zipped = any(name.lower().endswith(".zip") for name in names)

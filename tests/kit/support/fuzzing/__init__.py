@@ -1,4 +1,4 @@
-"""Inputs without number for what reads a submission, or what a submission can put words into.
+"""Fuzzes the readers of submissions, and of text that submissions can influence.
 
     PYTHONPATH=grader:tests/kit/support python3 -m fuzzing READER COUNT
     PYTHONPATH=grader:tests/kit/support python3 -m fuzzing attacks COUNT [SEED [full|reduced]]
@@ -29,7 +29,7 @@ MOST_SECONDS = 10  # of CPU time, for one input
 class Reader:
     make: Callable[[Random], Any]
     check: Callable[[Any], bool]  # whether the input was taken; raises AssertionError
-    least_taken: float  # of the inputs: else they don't get far enough to show anything
+    least_taken: float  # the least share of inputs that must be taken, else they test too little
 
 
 READERS = {
@@ -59,7 +59,8 @@ def run(name: str, first: int, count: int) -> int:
 
 
 def _set_timers(seconds: int) -> None:
-    """Of CPU time; and more of the wall clock, for what only waits."""
+    """Sets a limit on CPU time, and a larger one on wall-clock time for inputs that make it
+    wait."""
     signal.setitimer(signal.ITIMER_PROF, seconds)
     signal.setitimer(signal.ITIMER_REAL, 6 * seconds)
 

@@ -1,4 +1,4 @@
-"""What the judge and the compiler say, where a submission can put words into it."""
+"""Fuzzes the judge's and the compiler's output, which a submission can influence."""
 
 import json
 from collections.abc import Callable

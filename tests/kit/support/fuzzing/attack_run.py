@@ -1,8 +1,7 @@
 """Grades submissions that attack, as a user would, and says which promise a grading broke.
 
 Each has a secret of its own: in the environment, on command lines, in the home folder, beside the
-hidden fixtures, and in the name of the temporary folder. Nothing that comes of a grading may hold
-it.
+hidden fixtures, and in the name of the temporary folder. No output of a grading may contain it.
 """
 
 import contextlib
@@ -54,7 +53,8 @@ class World:
 
     @property
     def temporary(self) -> Path:
-        """Its name is a secret that a kept object may hold, among what a debugger reads."""
+        """The temporary folder. Its name is a secret, but a cached object may hold it in debug
+        information."""
         return self.folder / f"t{self.mark[::-1]}"
 
     @property
@@ -68,7 +68,7 @@ class World:
 
 @dataclass(frozen=True)
 class Done:
-    """What a start of the kit has left."""
+    """The outcome of one run of the kit."""
 
     code: int
     too_long: bool
@@ -153,7 +153,7 @@ def _lay_out(attack: Attack, path: Path) -> None:
 
 
 def _command(attack: Attack, world: World, seed: int, box: str) -> list[str]:
-    """A shell that waits has the secret on its command line."""
+    """Runs the kit below a waiting shell that has the secret on its command line."""
     start = START + WITH_A_BOX.format(box) + MAIN
     kit = ["/usr/bin/python3", "-IS", "-c", start, str(ROOT / "grader")]
     shell = ["/bin/sh", "-c", 'shift; "$@"; exit $?', "sh", world.mark, *kit]
@@ -230,7 +230,7 @@ def _left_behind(world: World) -> list[str]:
 
 
 def _children() -> list[int]:
-    """Those that haven't ended, of this process."""
+    """The children of this process that haven't ended."""
     with contextlib.suppress(ChildProcessError):
         while os.waitpid(-1, os.WNOHANG)[0]:
             pass

@@ -56,7 +56,7 @@ def _solution() -> Files:
 
 
 def _honest(rng: Random) -> Files:
-    """Half of them are compiled anew, beside what attacks; the others are among the kept objects."""
+    """Half of them are compiled again, beside the attack; the objects of the others are cached."""
     remark = f"// {rng.getrandbits(64):x}\n".encode() if rng.random() < 0.5 else b""
     return {name: remark + text for name, text in _solution().items()}
 
@@ -98,7 +98,7 @@ def _nasty_part(rng: Random, number: int, headers: list[str], places: list[str])
     return part(number, head + function, f"{rng.getrandbits(64):x}")
 
 
-# Of files beside the parts. A header of the system's name would be one that honest parts include.
+# Names of files beside the parts. None is a system header's, which honest parts would include.
 STEMS = ["helper", "part1", "part1_contacts.o", "part9_contacts", "prelude", "runner", "solvers"]
 STEMS += ["a b", "é界", "=1+1", "a;b", "a'b", "$(id)", "`id`", "<b>", "%s", "a\\b", "x" * 200, "a&b"]
 STEMS += ["-O2", "@x", "--", "-", "a\nb", "a\x1b[2J", "a\u202eb", "..", "a:1:1: error: b", "##[x]"]
@@ -117,7 +117,7 @@ def _some_name(rng: Random, suffix: str) -> str:
 
 
 def _zipped(rng: Random, files: Files, honest: frozenset[int]) -> Attack:
-    """One whose entries lie; or which is damaged, so that nothing in it is sure to be read."""
+    """A zip with misleading entries; or a damaged one, of which perhaps nothing can be read."""
     data = _lying_zip(rng, files)
     if rng.random() < 0.3:
         return Attack({}, mutated(rng, [data], 6))
@@ -134,7 +134,7 @@ def _lying_zip(rng: Random, files: Files) -> bytes:
 
 
 def _lie(rng: Random, member: Member) -> Member:
-    """A further entry, under another name or the same one, of which something isn't true."""
+    """A further entry with a false property, under another name or the same one."""
     words = nasty.some_words(rng).encode()[:200]
     # No source: its copy of a part would be linked beside the part itself.
     names = [b"x.hpp", b"x.txt", b"x/", b"", member.name, words + b".hpp", b"../x.cpp", b"/x.cpp"]

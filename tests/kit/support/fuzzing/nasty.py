@@ -16,13 +16,13 @@ class Piece(NamedTuple):
     attack: str = ""
 
 
-# By these the kit tells its own failures from a submission's.
+# Texts by which the kit might take a submission's failure for its own.
 DECISIVE = [
     *("bwrap: x", "enter: x", "bwrap: execvp /enter: No such file or directory"),
     "g++: fatal error: Killed signal terminated program cc1plus",
     "clang: error: unable to execute command: Killed",
 ]
-# What it looks for beside them in what compilers, linkers, judges and runners say.
+# Other texts that the kit looks for in the output of compilers, linkers, judges and runners.
 WORDS = [
     *("bwrap: ", "enter: ", "judge: ", "kit: ", "stopwatch: "),
     *("error: ", "fatal error: ", "part1_contacts.cpp:1:1: error: ", "x.cpp:3:9: fatal error: "),
@@ -55,7 +55,7 @@ PLACES = [f"/proc/{who}/{what}" for who in ("self", "1", "2") for what in ("envi
 PLACES += [f"/proc/self/{what}" for what in ("maps", "syscall", "mem", "fd/3", "cwd", "comm")]
 PLACES += ["/proc/1/environ", "/proc/1/cmdline", "/etc/passwd", "/proc/version", "/tmp", "."]
 
-FOR_GCC = "#ifdef __clang__\n#error for g++ alone\n#endif\n"  # what clang refuses, g++ is given
+FOR_GCC = "#ifdef __clang__\n#error for g++ alone\n#endif\n"  # what clang rejects goes to g++
 HEADERS = """
 #include <cerrno>
 #include <csignal>
@@ -88,7 +88,7 @@ def _new(rng: Random, name: str) -> str:
 
 
 def some_words(rng: Random) -> str:
-    """Often from the start of a line to its end, where programs are told apart from what they say."""
+    """Texts, often as a whole line, as programs print their own messages."""
     words = rng.choices(WORDS, k=rng.choice((1, 1, 2, 3)))
     words = [rng.choice(DECISIVE), *words[1:]] if rng.random() < 0.3 else words
     return rng.choice(("", "", "x\n")) + rng.choice(("", "\n")).join(words)
@@ -259,7 +259,7 @@ def asking(rng: Random, _: list[str]) -> Piece:
 
 
 def stolen(rng: Random, places: list[str], name: str) -> str:
-    """A function that looks at some places, for a secret's name (attack_run.py) first of all."""
+    """A function that looks for secrets in some places, first for the variable of attack_run.py."""
     some = ", ".join(quoted(place) for place in rng.sample(places, min(6, len(places))))
     how = rng.choice(
         (

@@ -1,4 +1,4 @@
-"""Zips, folders and sources, and what must hold of whatever is taken from them."""
+"""Fuzzes zips, folders and sources, and checks what is taken from them."""
 
 import os
 import shutil
@@ -185,7 +185,7 @@ def _taken_or_refused(read: Callable[[], Submission]) -> bool:
 
 
 def check_submission(taken: Submission) -> None:
-    """Within the limits, and nowhere but inside."""
+    """Checks that what was taken is within the limits, and that no path leads outside."""
     assert len(taken.files) <= submission.MOST_SOURCES
     assert sum(map(len, taken.files.values())) <= submission.MOST_BYTES
     for name, text in taken.files.items():

@@ -202,7 +202,7 @@ int run(const Options& options) {
 }  // namespace bounce
 
 int main(int argc, char** argv) try {
-  std::signal(SIGPIPE, SIG_IGN);  // a runner that has ended shows when it is read
+  std::signal(SIGPIPE, SIG_IGN);  // that a runner has ended is noticed by reading from it
   bounce::judge::stay_on_this_cpu();
   return bounce::run(bounce::read_options({argv + 1, argv + argc}));
 } catch (const std::exception& e) {

@@ -50,7 +50,7 @@ class Batch:
 
 
 def compiled(changes: list[Change], box: Box) -> Batch:
-    """Those of one file's changes that compile."""
+    """The changes of one file that compile, in one object."""
     left = list(changes)
     for _ in range(MOST_ROUNDS):
         refused = _refused(left, box)

@@ -212,7 +212,7 @@ def _neighbours(
 
 
 def _conditions(source: Source) -> Iterator[Edit]:
-    """A condition turned round, so that the branches change places; or always the same."""
+    """A condition negated, so that the branches change places; or always true or false."""
     for i, token in _body(source):
         if token.text == "if":
             start, end = source.tokens[i + 2].start, source.tokens[source.partner[i + 1] - 1].end
@@ -251,7 +251,8 @@ def _single_precision(source: Source) -> Iterator[Edit]:
 
 
 def _absolute(source: Source) -> Iterator[Edit]:
-    """Of a number, or of a vector's entries. The numbers of params are positive."""
+    """The absolute value of a number, or of a vector's entries. Skips params, which are
+    positive."""
     number, vector = "std::abs({})", "Vector3({}.cwiseAbs())"
     return _wrapped(source, {"Vector3": [vector], None: [number, vector]})
 

@@ -35,7 +35,7 @@ def pieces(source: Source, first: int, last: int, operators: tuple[str, ...]) ->
 
 
 def statements(source: Source, first: int, last: int) -> Iterator[Range]:
-    """Those of a block, and those inside of them."""
+    """The statements of a block, and those nested in them."""
     i = first
     while i < last:
         end = _end_of_statement(source, i, last)

@@ -42,7 +42,7 @@ class Names:
                 self._known.append((known, found.group(2), _short(found.group(1))))
 
     def type_of(self, expression: str) -> str | None:
-        """Of a variable, or of a variable's member."""
+        """The type of a variable, or of a variable's member."""
         name, _, member = expression.partition(".")
         for _, known, type_name in self._known:
             if known == name:
@@ -50,7 +50,7 @@ class Names:
         return None
 
     def others(self, expression: str, place: int) -> list[str]:
-        """What else of the same type there is at a place of the text."""
+        """The other names of the same type that are known at a place in the text."""
         wanted = self.type_of(expression)
         seen = [(name, t) for known, name, t in self._known if known < place]
         parts = [(f"{n}.{m}", of) for n, t in seen for m, of in members().get(t, {}).items()]

@@ -1,4 +1,4 @@
-"""What came of the changes, counted by part and kind."""
+"""Counts the outcomes of the changes by part and kind."""
 
 import json
 from collections.abc import Iterable
@@ -14,7 +14,7 @@ COLUMNS = ("made", "compiled", "noticed", "alike", "left", "left by public cases
 
 @cache
 def reasons() -> dict[str, dict[str, str]]:
-    """By file and change, why it can't be told from the solution."""
+    """For each file and change, the reason why it can't be told from the solution."""
     return json.loads(REASONS.read_text())
 
 
@@ -30,7 +30,8 @@ def described(outcome: Outcome) -> str:
 
 
 def faults(outcomes: Iterable[Outcome]) -> list[str]:
-    """What must not be: changes that cost nothing, and alike ones that cost something."""
+    """The faults: changes that cost nothing, and changes listed as equivalent that cost
+    something."""
     return [described(o) for o in outcomes if o.is_noticed == is_alike(o.change)]
 
 

@@ -1,8 +1,9 @@
 """Judges changed parts as the grader judges a submission: the solution with one file changed.
 
-Compiler, runner, judge and box are the grader's. The part is judged with its own earlier parts, and
-where that isn't full with given ones; the better counts. The other parts aren't asked: earlier ones
-don't call it, and later ones have all points with it given. A whole grading of some changes tells.
+Compiler, runner, judge and box are the grader's. The part is judged with its own earlier parts and,
+if it doesn't get full points, with given ones; the better result counts. The other parts aren't
+judged: earlier ones don't call it, and later ones get full points with it given. Whole gradings of
+some changes confirm this.
 """
 
 import json
@@ -64,7 +65,7 @@ class Choosing(Box):
 
 @dataclass(frozen=True)
 class Runners:
-    """Those of a batch: with all parts, and with the changed one alone and earlier ones given."""
+    """The runners of a batch: one with all parts, and one with the changed part and given parts."""
 
     part: Part
     together: Path
@@ -116,7 +117,7 @@ def differing(chosen: Iterable[Change], count: int) -> dict[str, int]:
 
 
 def _lost(runners: Runners, folder: Path, box: Box) -> tuple[str, ...]:
-    """The checks that fail, the better of both ways of judging."""
+    """The checks that fail, in the better of both ways of judging."""
     part = runners.part
     own = judging.judge(part, runners.together, False, folder, box)
     if own.score(part) == part.points or not part.calls:
