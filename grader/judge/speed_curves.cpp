@@ -79,7 +79,7 @@ struct Tally {
   double add(const Setting& setting, Contender& contender, const State& start, int round) {
     const Timed timed = contender.run(setting.params, start);
     if (round == 0) error = error_of(setting, timed.trajectory, setting.truth);
-    if (round == 1 && !contender.is_right()) {
+    if (round > 0 && !contender.is_right()) {
       const exact::Samples truth = truth_from(*setting.scene, start);
       error = std::max(error, error_of(setting, timed.trajectory, truth));
     }

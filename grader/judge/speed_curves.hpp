@@ -5,7 +5,7 @@
 // worked out here and is the same each time. It is that of the first round, the scene itself. The
 // time is that of the other rounds, which begin with velocities drawn anew, a thousandth away: no
 // answer that was kept, known by heart or worked out beforehand is right there. A program that
-// isn't known to be right has the error of its first timed round where that is larger.
+// isn't known to be right has the largest error of all its rounds.
 //
 // delta is proportional to dt, and the assignment's at dt = 0.01 s. With a fixed delta, the error
 // of any correct program stops falling at about 1.5 delta, which says nothing about the program.

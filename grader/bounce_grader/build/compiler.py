@@ -33,11 +33,11 @@ def run(
     `made`. Raises KitError if the box or the machine failed, and not the submission."""
     prefix = box.to_build(folder, [CONTRACT, RUNNER], programs)
     result = box.run([*prefix, *command], limits, cwd=folder, output=made)
-    require_a_compiler(result, limits)
+    require_a_compiler(result)
     return result
 
 
-def require_a_compiler(result: processes.Result, limits: processes.Limits) -> None:
+def require_a_compiler(result: processes.Result) -> None:
     """Raises KitError if the box or the machine failed, and not the submission. It decides by a
     descriptor that no compiler has and by a signal, not by text: a submission can print any
     text."""
@@ -45,7 +45,7 @@ def require_a_compiler(result: processes.Result, limits: processes.Limits) -> No
         why = terminal(printable_text(result.err.strip().partition("\n")[0], 200))
         raise KitError(f"a box couldn't be made: {why or 'it ended'}")
     # The system enforces the limit in ticks but reports in nanoseconds, so the two can differ.
-    if result.killed and result.cpu_seconds < 0.7 * limits.cpu_seconds:
+    if result.killed and result.cpu_seconds < 0.7 * result.cpu_limit:
         raise KitError("the compiler was killed from outside; is the machine short of memory?")
 
 

@@ -112,7 +112,7 @@ def _link(
 
 def _linked(command: list[str], runner: Path, box: Box) -> Built:
     result = box.run(command, LINK, cwd=RUNNER, output=runner)
-    require_a_compiler(result, LINK)
+    require_a_compiler(result)
     if not result.ok or not runner.stat().st_size:
         return Built(None, link_problem(result))
     runner.chmod(0o755)

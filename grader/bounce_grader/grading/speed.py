@@ -127,11 +127,15 @@ def sentences(measured: Measured) -> list[str]:
         return [f"{measured['otherwise'][0].upper()}{measured['otherwise'][1:]}."]
     mine, solution = curve(measured, "submission"), curve(measured, "solution")
     least = curve(measured, "least")
-    out = [_reached(mine, solution, least)] if mine and solution and least else []
+    out = (
+        [_reached(mine, solution, least, "ratio" in measured)]
+        if mine and solution and least
+        else []
+    )
     return out + ([f"It was cut {measured['cut']}."] if measured.get("cut") else [])
 
 
-def _reached(mine: list[Point], solution: list[Point], least: list[Point]) -> str:
+def _reached(mine: list[Point], solution: list[Point], least: list[Point], compared: bool) -> str:
     first = next((p for p in mine if p.error is not None and p.error <= FINE), None)
     right = next((p for p in solution if p.error is not None and p.error <= FINE), None)
     quick = next((p for p in least if p.error is not None and p.error <= FINE), None)
@@ -145,7 +149,7 @@ def _reached(mine: list[Point], solution: list[Point], least: list[Point]) -> st
         f"takes {seconds(first.ns)} for a second of motion"
     )
     at_same = next((p for p in solution if p.dt == first.dt), None)
-    if at_same:
+    if at_same and compared:
         out += f", {_times(first.ns / at_same.ns)}"
     if quick:
         out += f"; no more model than each step needs does that in {seconds(quick.ns)}"

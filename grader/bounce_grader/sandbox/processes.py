@@ -53,6 +53,7 @@ class Result(NamedTuple):
     too_long: bool  # ended because the wall clock ran out
     flooded: bool  # ended because standard output passed its cap
     boxed: bool = True  # the box was made, if one was asked for, and its command was started
+    cpu_limit: float = 0.0  # CPU seconds that it was given
 
     @property
     def ok(self) -> bool:
@@ -104,7 +105,7 @@ def run(
         finally:
             _end(process)
         made = STATUS not in command or _says_that_it_is_made(status)
-    return result._replace(boxed=made)
+    return result._replace(boxed=made, cpu_limit=limits.cpu_seconds if limits else 0.0)
 
 
 def _says_that_it_is_made(status: int) -> bool:

@@ -193,7 +193,7 @@ def test_what_is_timed_is_built_by_gcc_as_a_program_is_too(tmp_path: Path) -> No
 FAILURES = {
     "a box that isn't made": Result(1, 0.0, b"", "no namespaces\n", False, False, boxed=False),
     "a box that is too slow": Result(-9, 0.0, b"", "", True, False, boxed=False),
-    "no memory for a compiler": Result(137, 0.1, b"", "", False, False),
+    "no memory for a compiler": Result(137, 0.1, b"", "", False, False, cpu_limit=15),
 }
 
 
@@ -209,6 +209,14 @@ def test_a_box_or_a_machine_that_fails_is_no_verdict(
     monkeypatch.setattr(processes, "run", fails)
     with pytest.raises(KitError, match="box couldn't be made|killed from outside"):
         grade_path(write(tmp_path, files))
+
+
+def test_a_compiler_that_was_given_less_time_is_no_failure_of_the_machine() -> None:
+    """Where the grading as a whole had little left: it is ended at that limit."""
+    ended = Result(137, 1.9, b"", "", False, False, cpu_limit=2)
+    compiler.require_a_compiler(ended)
+    with pytest.raises(KitError, match="killed from outside"):
+        compiler.require_a_compiler(ended._replace(cpu_limit=15))
 
 
 @pytest.mark.parametrize("kind", ["full", "reduced", "none"])

@@ -175,6 +175,16 @@ def test_what_is_wrong_in_the_timed_rounds_alone_has_their_error(tmp_path: Path)
 
 
 @pytest.mark.slow
+def test_what_is_wrong_in_later_rounds_has_their_error(tmp_path: Path) -> None:
+    """Each round that is timed is looked at, where some answer wasn't the solution's."""
+    shifted = "Trajectory r = right; r.q(0, r.q.cols() - 1) += 1e-6; return r;"
+    later = f"static int round = 0; if ({OFTEN} && ++round % 8 > 2) {ZEROS}"
+    found = timed(tmp_path, around(later, f"if (!({OFTEN})) return right; {shifted}"))
+    assert "ratio" not in found
+    assert all(error and error > 0.1 for error in worst(found)[2:4])
+
+
+@pytest.mark.slow
 def test_a_step_that_rounding_decides_excuses_no_other_motion(tmp_path: Path) -> None:
     """Without friction, too; and from a state at delta itself no other is reached than by a step."""
     floating = """Trajectory r = right;
@@ -277,7 +287,7 @@ def test_parts_that_do_not_run_together_are_not_timed(tmp_path: Path) -> None:
 def found(*curves: Sequence[tuple[float, float, float | None]], cut: str = "") -> dict[str, Any]:
     points = [[{"dt": d, "ns": n, "error": e} for d, n, e in curve] for curve in curves]
     scene = {"scene": "s", "title": "S", "seconds": 0.5, **dict(zip(speed.CURVES, points))}
-    return {"dt": [1e-2, 1e-3, 1e-4], "scenes": [scene], "cut": cut}
+    return {"dt": [1e-2, 1e-3, 1e-4], "scenes": [scene], "cut": cut, "ratio": 3.0}
 
 
 RIGHT = [(1e-2, 2e4, 0.05), (1e-3, 2e5, 5e-3), (1e-4, 2e6, 5e-4)]
@@ -292,6 +302,12 @@ def test_the_sentence_says_when_a_millimetre_is_reached_and_what_that_costs() ->
         "6 ms for a second of motion, 3 times the solution's time; no more model than each step "
         "needs does that in 10 \N{MICRO SIGN}s."
     ]
+
+
+def test_an_answer_that_is_not_right_is_not_compared() -> None:
+    measured = found(RIGHT, RIGHT, LEAST)
+    del measured["ratio"]
+    assert "the solution's time" not in speed.sentences(measured)[0]
 
 
 def test_the_sentence_says_when_it_never_is() -> None:
