@@ -55,7 +55,7 @@ def test_holds_the_folder_the_tests_and_the_public_fixtures(tmp_path: Path) -> N
     assert folders == {"fixtures", "given", "hints", "include", "src", "tests"}
     assert {n for n in names if n.count("/") == 1} == {
         f"bounce/{name}"
-        for name in ("CMakeLists.txt", "README.md", "check", "figure.svg", "main.cpp")
+        for name in ("CMakeLists.txt", "README.md", "check", "check.cmd", "figure.svg", "main.cpp")
     }
     modes = {info.filename: info.external_attr >> 16 for info in archive.infolist()}
     assert [name for name, mode in modes.items() if mode & 0o111] == ["bounce/check"]

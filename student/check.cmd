@@ -1,0 +1,13 @@
+@echo off
+rem Builds the program that checks (given\check\), where it isn't there yet, and starts it.
+setlocal
+cd /d "%~dp0"
+where cmake >nul 2>nul || (echo check: CMake is missing; it comes with Visual Studio, or: winget install cmake>&2 & exit /b 3)
+set toolchain=
+if defined VCPKG_ROOT set toolchain="-DCMAKE_TOOLCHAIN_FILE=%VCPKG_ROOT%/scripts/buildsystems/vcpkg.cmake"
+if not exist build mkdir build
+if not exist build\check_program.exe (
+  echo check: building for the first time; this takes about a minute>&2
+  cmake -S . -B build %toolchain% >build\prepare.txt 2>&1 && cmake --build build --config Debug --parallel --target check_program checks given >>build\prepare.txt 2>&1 || (type build\prepare.txt >&2 & exit /b 3)
+)
+build\check_program.exe %*

@@ -1,0 +1,145 @@
+#include "build.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <functional>
+#include <map>
+#include <set>
+#include <thread>
+
+#include "compiler_words.hpp"
+#include "files.hpp"
+#include "process.hpp"
+
+namespace bounce::check {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kBuild = kWork / "build.txt", kWarnings = kWork / "warnings",
+               kSources = kWork / "sources";
+
+std::map<std::string, std::string> sources() {
+  std::map<std::string, std::string> digests;
+  std::error_code gone;
+  for (const char* folder : {"src", "include"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(folder, gone)) {
+      const std::string ending = entry.path().extension().string();
+      if (ending != ".cpp" && ending != ".hpp" && ending != ".tpp" && ending != ".h") continue;
+      const std::string text = read(entry.path());
+      digests[entry.path().generic_string()] =
+          std::to_string(std::hash<std::string>{}(text)) + "-" + std::to_string(text.size());
+    }
+  }
+  return digests;
+}
+
+// Those of what this build compiled are new; those of other files still stand.
+void remember_warnings(const std::vector<std::string>& said) {
+  std::set<std::string> now, compiled;
+  for (const std::string& line : said) {
+    if (const std::string file = compiled_file(line); !file.empty()) compiled.insert(file);
+    if (is_warning_of_own_file(line)) now.insert(line);
+  }
+  for (const std::string& line : lines_of(read(kWarnings))) {
+    if (!compiled.count(file_of(line))) now.insert(line);
+  }
+  std::string text;
+  for (const std::string& line : now) text += line + "\n";
+  write(kWarnings, text);
+}
+
+void forget_warnings(const std::string& file) {
+  std::string text;
+  for (const std::string& line : lines_of(read(kWarnings))) {
+    if (file_of(line) != file) text += line + "\n";
+  }
+  write(kWarnings, text);
+}
+
+// A build looks at times alone, and a file may come back with an old one, as from a zip.
+void touch_what_changed() {
+  std::map<std::string, std::string> before;
+  for (const std::string& line : lines_of(read(kSources))) {
+    const std::size_t blank = line.find(' ');
+    before[line.substr(blank + 1)] = line.substr(0, blank);
+  }
+  const auto now = sources();
+  std::string text;
+  for (const auto& [file, digest] : now) {
+    text += digest + " " + file + "\n";
+    std::error_code gone;
+    if (!before.empty() && before[file] != digest) {
+      fs::last_write_time(file, fs::file_time_type::clock::now(), gone);
+    }
+  }
+  for (const auto& [file, digest] : before) {
+    const auto found = now.find(file);
+    if (found == now.end() || found->second != digest) forget_warnings(file);
+  }
+  write(kSources, text);
+}
+
+bool build_targets(const std::vector<std::string>& targets) {
+  const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
+  std::vector<std::string> command{
+      "cmake",   "--build", "build", "--config", "Debug", "--parallel", std::to_string(cores),
+      "--target"};
+  command.insert(command.end(), targets.begin(), targets.end());
+  fs::remove(kBuild);
+  const auto ended = run(command, kBuild, Limits::none);
+  if (!ended) throw Failure("CMake isn't found any more: install it again");
+  remember_warnings(own_lines(read(kBuild)));
+  return ended->code == 0 && ended->signal == 0;
+}
+
+fs::path error_file(int part) { return kWork / ("error_" + std::to_string(part) + ".txt"); }
+
+void build_part(Run& run, const Part& part) {
+  for (const int earlier : part.calls) {
+    if (run.unbuilt.count(earlier)) {
+      run.unbuilt[part.number] = run.unbuilt[earlier];
+      return;
+    }
+  }
+  if (build_targets({part.stem + "_test"})) return;
+  run.unbuilt[part.number] = part.number;
+  write(error_file(part.number), first_error(own_lines(read(kBuild))));
+}
+
+}  // namespace
+
+void build_parts(Run& run) {
+  touch_what_changed();
+  std::vector<std::string> targets;
+  std::set<int> needed;
+  for (const int number : run.chosen) {
+    targets.push_back(run.part(number).stem + "_test");
+    needed.insert(number);
+    needed.insert(run.part(number).calls.begin(), run.part(number).calls.end());
+  }
+  if (build_targets(targets)) return;
+  const std::string said = read(kBuild);
+  if (said.find("CMake Error") != std::string::npos) {
+    throw Failure("CMake could not prepare the build:\n" + said);
+  }
+  for (const int number : needed) build_part(run, run.part(number));
+}
+
+std::string first_error_of(int part) { return read(error_file(part)); }
+
+std::vector<std::string> warnings() {
+  std::vector<std::string> all = lines_of(read(kWarnings));
+  std::stable_sort(all.begin(), all.end(), [](const std::string& a, const std::string& b) {
+    return std::pair(file_of(a), line_of(a)) < std::pair(file_of(b), line_of(b));
+  });
+  return all;
+}
+
+std::string state_of_sources() {
+  std::string text;
+  for (const auto& [file, digest] : sources()) text += file + digest + "\n";
+  return text;
+}
+
+}  // namespace bounce::check

@@ -1,0 +1,23 @@
+// Builds what has changed, and says what is wrong where that fails.
+#pragma once
+
+#include "parts.hpp"
+
+namespace bounce::check {
+
+// Every chosen part whose file compiles, with the earlier parts that it calls. Fills in
+// run.unbuilt, and leaves the first error of each file that doesn't compile. Throws Failure where
+// CMake itself fails.
+void build_parts(Run& run);
+
+// The first error in a part's file, indented: file and line, and two lines more.
+std::string first_error_of(int part);
+
+// The compiler's warnings about the student's own files, of this build or an earlier one of what
+// didn't change since; one a line, by file and line.
+std::vector<std::string> warnings();
+
+// A text that changes whenever a file in src/ or include/ does.
+std::string state_of_sources();
+
+}  // namespace bounce::check

@@ -1,0 +1,105 @@
+#include "compiler_words.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <regex>
+
+#include "files.hpp"
+
+namespace bounce::check {
+namespace {
+
+constexpr std::size_t kLongest = 200;  // characters of a line
+
+// ".dir/src/part1_contacts.cpp.o" in the lines of Ninja and Make; Visual Studio says nothing.
+const std::regex kCompiled(R"(\.dir/(src/.*)\.o(bj)?$)");
+const std::regex kVisual(R"(^ *(.*)\((\d+)(,\d+)?\) ?: (fatal )?(error|warning) \w+: (.*)$)");
+const std::regex kOwnPlace(R"((^|[ \t])((src|include)/[^ :]*:\d+))");
+const std::regex kError(R"(: (fatal )?error: )");
+const std::regex kFromLinker("^(collect2|clang[^ ]*|ld[^ ]*): ");
+const std::regex kMissing(
+    "undefined reference to|Undefined symbols|undefined symbol|multiple definition of|"
+    "duplicate symbol|unresolved external symbol|already defined in");
+
+bool has(const std::string& line, const std::regex& what) { return std::regex_search(line, what); }
+
+bool is_own(const std::string& line) {
+  return line.rfind("src/", 0) == 0 || line.rfind("include/", 0) == 0;
+}
+
+// "YOU_MIXED_MATRICES_OF_DIFFERENT_SIZES" as words; other texts without what says nothing.
+std::string inside_a_library(std::string said) {
+  said = std::regex_replace(said, std::regex("^.*error: "), "");
+  said = std::regex_replace(said, std::regex("^static assertion failed:? *"), "");
+  std::smatch shouted;
+  if (!std::regex_search(said, shouted, std::regex("[A-Z]+_[A-Z]+_[A-Z_0-9]+"))) return said;
+  std::string words = shouted.str();
+  std::transform(words.begin(), words.end(), words.begin(), [](unsigned char c) {
+    return c == '_' ? ' ' : static_cast<char>(std::tolower(c));
+  });
+  return words;
+}
+
+}  // namespace
+
+std::vector<std::string> own_lines(const std::string& printed) {
+  const std::string here = std::filesystem::current_path().generic_string() + "/";
+  std::vector<std::string> lines = lines_of(printed);
+  for (std::string& line : lines) {
+    std::smatch visual;
+    if (std::regex_match(line, visual, kVisual)) {
+      std::string file = visual[1];
+      std::replace(file.begin(), file.end(), '\\', '/');
+      line = file + ":" + visual[2].str() + ": " + visual[5].str() + ": " + visual[6].str();
+    }
+    if (const std::size_t at = line.find(here); at != std::string::npos)
+      line.erase(at, here.size());
+  }
+  return lines;
+}
+
+std::string compiled_file(const std::string& line) {
+  std::smatch found;
+  return std::regex_search(line, found, kCompiled) ? found[1].str() : "";
+}
+
+bool is_warning_of_own_file(const std::string& line) {
+  static const std::regex kWarning(R"(^src/[^:]*:\d+:(\d+:)? warning: )");
+  return has(line, kWarning);
+}
+
+std::string file_of(const std::string& line) { return line.substr(0, line.find(':')); }
+
+int line_of(const std::string& line) { return std::atoi(line.c_str() + file_of(line).size() + 1); }
+
+std::string first_error(const std::vector<std::string>& lines) {
+  std::string said, own, rest, missing;
+  int more = 0;
+  for (const std::string& line : lines) {
+    std::smatch place;
+    const bool leads_here = line.find("required from") != std::string::npos ||
+                            line.find("instantiation of") != std::string::npos;
+    if (own.empty() && (!said.empty() || leads_here) && std::regex_search(line, place, kOwnPlace)) {
+      own = place[2];
+    }
+    if (said.empty() && has(line, kError) && !has(line, kFromLinker)) {
+      said = line;
+      more = 2;
+      continue;
+    }
+    if (more-- > 0) rest += "\n  " + line.substr(0, kLongest);
+    if (missing.empty() && has(line, kMissing)) {
+      missing = std::regex_replace(line, std::regex(R"(^.*(\(.*\): |ld: ))"), "");
+    }
+  }
+  const auto shown = [](const std::string& line) { return "  " + line.substr(0, kLongest); };
+  if (!said.empty() && is_own(said)) {
+    return shown(std::regex_replace(said, std::regex(R"(:\d+: (fatal )?error: )"), ": ")) + rest;
+  }
+  if (!said.empty()) return shown((own.empty() ? "a header" : own) + ": " + inside_a_library(said));
+  if (!missing.empty()) return shown(missing);
+  return "  the build failed; what it says is in " + (kWork / "build.txt").generic_string();
+}
+
+}  // namespace bounce::check

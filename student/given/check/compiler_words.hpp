@@ -1,0 +1,26 @@
+// What g++, clang and Visual C++ print, and how builds name the file that they compile.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace bounce::check {
+
+// The lines, with files of this folder named from it ("src/part1_contacts.cpp"), and errors of
+// Visual C++ written as the others do: "file:12: error: what".
+std::vector<std::string> own_lines(const std::string& printed);
+
+// "src/part1_contacts.cpp" of a line of the build that says that it is compiled; else empty.
+std::string compiled_file(const std::string& line);
+
+bool is_warning_of_own_file(const std::string& line);
+
+// Of "src/helper.hpp:12:3: warning: what".
+std::string file_of(const std::string& line);
+int line_of(const std::string& line);
+
+// The first error with the file and line that it comes from, indented, and two lines more. Where it
+// is inside of a library, with the student's own line that asked for it.
+std::string first_error(const std::vector<std::string>& lines);
+
+}  // namespace bounce::check

@@ -1,0 +1,110 @@
+#include "hints.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <iostream>
+#include <regex>
+
+#include "files.hpp"
+#include "report.hpp"
+#include "run.hpp"
+
+namespace bounce::check {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kStages = 3;
+
+std::string page_of(const Part& part) { return "hints/" + part.stem + ".md"; }
+
+// What the check and the answers tell of the mistake, but for its numbers: another try at the same
+// mistake goes on with the next stage, and another mistake starts at the first.
+std::string mistake_in_short(const Note& note, const std::string& mistake) {
+  std::string said;
+  for (const std::string& line : lines_of(note.status + "\n" + note.text)) {
+    if (line.rfind("    |", 0) != 0) said += line + "\n";
+  }
+  said = std::regex_replace(said, std::regex(R"(-*\d[\d.]*(e[-+]\d*)* *)"), "");
+  said.erase(std::remove(said.begin(), said.end(), ' '), said.end());
+  return std::to_string(std::hash<std::string>{}(said + mistake));
+}
+
+// The one after the last that was opened for this mistake; build/check/hint remembers it.
+int next_stage(const std::string& mistake) {
+  const fs::path file = kWork / "hint";
+  const std::vector<std::string> last = lines_of(read(file));
+  const bool same = last.size() == 2 && last[1] == mistake;
+  const int stage = same ? std::stoi(last[0]) + 1 : 1;
+  write(file, std::to_string(stage) + "\n" + mistake + "\n");
+  return stage;
+}
+
+// The stage's text below the heading; the last begins with the state of its worked numbers.
+void print_stage(const std::string& page, const std::string& heading, int stage) {
+  const std::vector<std::string> lines = lines_of(read(page));
+  std::string state;
+  if (lines.size() > 2) {
+    state = std::regex_replace(lines[2], std::regex("^.*Unless said otherwise, t"), "T");
+  }
+  bool here = false, fenced = false;
+  int n = 0;
+  for (const std::string& line : lines) {
+    if (line.rfind("## ", 0) == 0) {
+      here = line == "## " + heading;
+      n = 0;
+    }
+    if (here && line.rfind("### ", 0) == 0) {
+      if (++n != stage) continue;
+      std::cout << folded(
+          "Hint " + heading + ", stage " + std::to_string(n) + " of 3: " + line.substr(4), 78, "");
+      if (n == kStages) std::cout << "\n" << folded(state, 78, "");
+    } else if (line.rfind("```", 0) == 0) {
+      fenced = !fenced;
+    } else if (here && n == stage) {
+      std::cout << (line.empty() ? "\n" : folded((fenced ? "    " : "") + line, 78, ""));
+    }
+  }
+}
+
+}  // namespace
+
+std::string heading_of(const Check& check) {
+  for (const auto& page : fs::directory_iterator("hints")) {
+    std::string heading;
+    for (const std::string& line : lines_of(read(page.path()))) {
+      if (line.rfind("## ", 0) == 0) heading = line.substr(3);
+      if (line.rfind("Checks: ", 0) != 0) continue;
+      if ((line.substr(8) + ",").find(check.id + ",") != std::string::npos) return heading;
+    }
+  }
+  return "";
+}
+
+void hint(const Run& run) {
+  if (!run.first_part) {
+    std::cout << "Every public check passes: no hint is needed.\n";
+    return;
+  }
+  if (!run.first_check) {
+    print_what_does_not_compile(run);
+    return;
+  }
+  const std::string heading = heading_of(*run.first_check);
+  const std::string number = heading.substr(0, heading.find(' '));
+  const Note note = note_of(*run.first_part, *run.first_check);
+  const int stage = next_stage(number + " " + mistake_in_short(note, mistake_of(*run.first_part)));
+  const std::string page = page_of(*run.first_part);
+  std::cout << "For: " << run.first_check->title << "\n";
+  print_stage(page, heading, std::min(stage, kStages));
+  if (stage == kStages) {
+    std::cout << "That was the last stage. All are in " << page << ".\n";
+  } else if (stage > kStages) {
+    std::cout << "That was the last stage again; there is no further one. Work its numbers out by\n"
+                 "hand, print the same ones in your program, and see where they part. All stages\n"
+                 "are in "
+              << page << ".\n";
+  }
+}
+
+}  // namespace bounce::check

@@ -1,0 +1,44 @@
+// The parts and their checks, as parts.json says; and what this run knows of them.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace bounce::check {
+
+struct Check {
+  std::string id, title;
+  int points = 0;
+};
+
+struct Part {
+  int number = 0;
+  std::string stem, title;
+  int points = 0;
+  std::vector<int> calls;  // earlier parts
+  std::vector<Check> checks;
+
+  std::string file() const { return "src/" + stem + ".cpp"; }
+  std::string program() const { return "build/" + stem + "_test"; }
+};
+
+// From build/checks.txt, which CMake writes. Throws Failure.
+std::vector<Part> read_parts();
+
+// What one run of the checks is about, and what came out.
+struct Run {
+  std::vector<Part> all;
+  std::vector<int> chosen;      // numbers of the parts to check
+  std::map<int, int> unbuilt;   // a part that wasn't built: by the part whose file has the error
+  int score = 0, possible = 0;  // of the chosen parts
+  const Part* first_part = nullptr;    // where the first thing to do is, if there is one
+  const Check* first_check = nullptr;  // null where that part isn't built
+
+  const Part& part(int number) const { return all.at(static_cast<std::size_t>(number) - 1); }
+  bool is_one_part() const { return chosen.size() == 1; }
+  // " 2" where part 2 alone is checked: for commands that are named to the student.
+  std::string option() const { return is_one_part() ? " " + std::to_string(chosen[0]) : ""; }
+};
+
+}  // namespace bounce::check

@@ -1,0 +1,60 @@
+// Starts another program and waits until it ends; in process_posix.cpp and process_windows.cpp.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace bounce::check {
+
+// How a program ended: with an exit code, or by a signal. On Windows, an exception has the signal's
+// number that it would have elsewhere.
+struct Termination {
+  int code = 0;
+  int signal = 0;
+};
+
+enum class Limits { none, of_a_part };  // of a part: memory and the size of what it prints
+
+// Runs the command. What it prints is added to `output`. It reads nothing. Empty where the program
+// can't be started.
+std::optional<Termination> run(const std::vector<std::string>& command,
+                               const std::filesystem::path& output, Limits limits);
+
+// Held by one check at a time in this folder; the system takes it back however the program ends.
+class Lock {
+ public:
+  // Says so and waits where another check has it. Throws Failure.
+  explicit Lock(const std::filesystem::path& file);
+  ~Lock();
+  Lock(const Lock&) = delete;
+  Lock& operator=(const Lock&) = delete;
+
+ private:
+#ifdef _WIN32
+  void* handle_;
+#else
+  int handle_;
+#endif
+};
+
+// Of the terminal that standard output is; 80 columns where it is none.
+bool is_terminal();
+int columns();
+
+// Waits half a second for a key, while keys come one at a time and aren't shown. 0: none came.
+// 'q' where standard input ends or isn't a terminal any more.
+class Keys {
+ public:
+  Keys();
+  ~Keys();
+  Keys(const Keys&) = delete;
+  Keys& operator=(const Keys&) = delete;
+  char next();
+
+ private:
+  bool from_terminal_;
+};
+
+}  // namespace bounce::check

@@ -1,0 +1,131 @@
+#define NOMINMAX
+#define WIN32_LEAN_AND_MEAN
+#include <conio.h>
+#include <io.h>
+#include <windows.h>
+
+#include <csignal>
+#include <iostream>
+
+#include "files.hpp"
+#include "process.hpp"
+
+namespace bounce::check {
+namespace {
+
+constexpr SIZE_T kMemory = SIZE_T{4} << 30;  // bytes
+
+// As the program's own start takes the line apart again.
+std::string quoted(const std::string& word) {
+  if (!word.empty() && word.find_first_of(" \t\"") == std::string::npos) return word;
+  std::string line = "\"";
+  std::size_t backslashes = 0;
+  for (const char c : word) {
+    if (c == '"') line.append(backslashes + 1, '\\');
+    backslashes = c == '\\' ? backslashes + 1 : 0;
+    line += c;
+  }
+  return line.append(backslashes, '\\') + "\"";
+}
+
+Termination termination_of(DWORD code) {
+  switch (code) {
+    case EXCEPTION_ACCESS_VIOLATION:
+    case EXCEPTION_STACK_OVERFLOW:
+    case EXCEPTION_ARRAY_BOUNDS_EXCEEDED:
+      return {0, SIGSEGV};
+    case EXCEPTION_INT_DIVIDE_BY_ZERO:
+    case EXCEPTION_FLT_DIVIDE_BY_ZERO:
+      return {0, SIGFPE};
+    case 3:  // abort(), in Microsoft's library
+    case 0xC0000409:
+      return {0, SIGABRT};
+    default:
+      return {static_cast<int>(code), 0};
+  }
+}
+
+}  // namespace
+
+std::optional<Termination> run(const std::vector<std::string>& command,
+                               const std::filesystem::path& output, Limits limits) {
+  std::string line;
+  for (const std::string& word : command) line += (line.empty() ? "" : " ") + quoted(word);
+  SECURITY_ATTRIBUTES inherited{sizeof(SECURITY_ATTRIBUTES), nullptr, TRUE};
+  const HANDLE out =
+      CreateFileW(output.wstring().c_str(), FILE_APPEND_DATA, FILE_SHARE_READ | FILE_SHARE_WRITE,
+                  &inherited, OPEN_ALWAYS, FILE_ATTRIBUTE_NORMAL, nullptr);
+  const HANDLE in = CreateFileW(L"NUL", GENERIC_READ, FILE_SHARE_READ, &inherited, OPEN_EXISTING,
+                                FILE_ATTRIBUTE_NORMAL, nullptr);
+  STARTUPINFOA start{};
+  start.cb = sizeof start;
+  start.dwFlags = STARTF_USESTDHANDLES;
+  start.hStdInput = in;
+  start.hStdOutput = start.hStdError = out;
+  PROCESS_INFORMATION process{};
+  SetErrorMode(SEM_FAILCRITICALERRORS | SEM_NOGPFAULTERRORBOX);  // no window when it crashes
+  const BOOL started = CreateProcessA(nullptr, line.data(), nullptr, nullptr, TRUE,
+                                      CREATE_SUSPENDED, nullptr, nullptr, &start, &process);
+  CloseHandle(in);
+  CloseHandle(out);
+  if (!started) return std::nullopt;
+  const HANDLE job = CreateJobObjectA(nullptr, nullptr);
+  JOBOBJECT_EXTENDED_LIMIT_INFORMATION most{};
+  most.BasicLimitInformation.LimitFlags = JOB_OBJECT_LIMIT_KILL_ON_JOB_CLOSE;
+  if (limits == Limits::of_a_part) {
+    most.BasicLimitInformation.LimitFlags |= JOB_OBJECT_LIMIT_PROCESS_MEMORY;
+    most.ProcessMemoryLimit = kMemory;
+  }
+  SetInformationJobObject(job, JobObjectExtendedLimitInformation, &most, sizeof most);
+  AssignProcessToJobObject(job, process.hProcess);
+  ResumeThread(process.hThread);
+  WaitForSingleObject(process.hProcess, INFINITE);
+  DWORD code = 0;
+  GetExitCodeProcess(process.hProcess, &code);
+  CloseHandle(process.hThread);
+  CloseHandle(process.hProcess);
+  CloseHandle(job);
+  return termination_of(code);
+}
+
+Lock::Lock(const std::filesystem::path& file)
+    : handle_(CreateFileW(file.wstring().c_str(), GENERIC_READ | GENERIC_WRITE,
+                          FILE_SHARE_READ | FILE_SHARE_WRITE, nullptr, OPEN_ALWAYS, 0, nullptr)) {
+  if (handle_ == INVALID_HANDLE_VALUE) {
+    throw Failure("the folder build can't be written here: move the handout to your own files");
+  }
+  OVERLAPPED at{};
+  const DWORD now = LOCKFILE_EXCLUSIVE_LOCK | LOCKFILE_FAIL_IMMEDIATELY;
+  if (LockFileEx(handle_, now, 0, 1, 0, &at)) return;
+  std::cerr << "check: another check is running in this folder; this one waits for it" << std::endl;
+  LockFileEx(handle_, LOCKFILE_EXCLUSIVE_LOCK, 0, 1, 0, &at);
+}
+
+Lock::~Lock() { CloseHandle(handle_); }
+
+bool is_terminal() {
+  if (!_isatty(_fileno(stdout))) return false;
+  SetConsoleOutputCP(CP_UTF8);
+  const HANDLE out = GetStdHandle(STD_OUTPUT_HANDLE);
+  DWORD mode = 0;
+  return GetConsoleMode(out, &mode) && SetConsoleMode(out, mode | 0x4);  // it understands colours
+}
+
+int columns() {
+  CONSOLE_SCREEN_BUFFER_INFO info;
+  const HANDLE out = GetStdHandle(STD_OUTPUT_HANDLE);
+  return GetConsoleScreenBufferInfo(out, &info) ? info.srWindow.Right - info.srWindow.Left + 1 : 80;
+}
+
+Keys::Keys() : from_terminal_(_isatty(_fileno(stdin)) != 0) {}
+Keys::~Keys() = default;
+
+char Keys::next() {
+  for (int i = 0; i < 10; ++i) {
+    if (from_terminal_ && _kbhit()) return static_cast<char>(_getch());
+    Sleep(50);
+  }
+  return 0;
+}
+
+}  // namespace bounce::check

@@ -1,0 +1,151 @@
+#include "report.hpp"
+
+#include <cstdio>
+#include <iostream>
+
+#include "build.hpp"
+#include "compiler_words.hpp"
+#include "files.hpp"
+#include "hints.hpp"
+#include "process.hpp"
+#include "run.hpp"
+#include "style.hpp"
+
+namespace bounce::check {
+namespace {
+
+constexpr std::size_t kMostPrinted = 10, kMostWarnings = 3;  // lines
+
+std::string in_columns(const std::string& text, int width, int points) {
+  char line[200];
+  std::snprintf(line, sizeof line, "%-*s%4d", width, text.c_str(), points);
+  return line;
+}
+
+void print_checks(const Part& part) {
+  for (const Check& check : part.checks) {
+    const std::string status = note_of(part, check).status;
+    const bool passed = status == "passed", unknown = status == "unknown";
+    std::cout << "  "
+              << (passed    ? style().green
+                  : unknown ? style().dim
+                            : style().red)
+              << (passed    ? style().right
+                  : unknown ? "?"
+                            : style().wrong)
+              << " " << in_columns(check.title, 62, passed ? check.points : 0) << style().plain
+              << "\n";
+  }
+}
+
+void print_part(const Run& run, const Part& part) {
+  const auto unbuilt = run.unbuilt.find(part.number);
+  int points = 0;
+  for (const Check& check : part.checks) {
+    const bool passed = unbuilt == run.unbuilt.end() && note_of(part, check).status == "passed";
+    points += passed ? check.points : 0;
+  }
+  const bool is_needed = unbuilt != run.unbuilt.end() && unbuilt->second != part.number;
+  const std::string what =
+      unbuilt == run.unbuilt.end() ? part.title
+      : is_needed
+          ? "not run: it needs part " + std::to_string(unbuilt->second) + ", which does not compile"
+          : "does not compile";
+  const std::string heading = "Part " + std::to_string(part.number) + "  " + what;
+  std::cout << (is_needed ? style().dim : style().bold) << in_columns(heading, 61, points) << " / "
+            << part.points << style().plain << "\n";
+  if (&part == run.first_part && run.first_check) print_checks(part);
+}
+
+// Those of the case that is told of, and not of those before and after it.
+void print_what_was_printed(const Part& part, const Note& note) {
+  const std::string file = prints_file(part.number);
+  if (!note.has_prints || without_last_words(read(file)).empty()) return;
+  const auto lines = lines_of(without_last_words(read(file, note.from, note.to)));
+  if (lines.empty()) {
+    std::cout << "  Your program printed nothing in this case; all that it printed is in " << file
+              << ".\n";
+    return;
+  }
+  std::cout << "  Your program printed in this case (all that it printed is in " << file << "):\n";
+  for (std::size_t i = 0; i < lines.size() && i < kMostPrinted; ++i) {
+    std::cout << "    " << printable(lines[i].substr(0, 100)) << "\n";
+  }
+  if (lines.size() > kMostPrinted) std::cout << "    ...\n";
+}
+
+void print_first(const Run& run) {
+  const Part& part = *run.first_part;
+  if (!run.first_check) {
+    print_what_does_not_compile(run);
+    return;
+  }
+  std::cout << "\n"
+            << style().bold << "First: " << run.first_check->title << style().plain << "  "
+            << style().dim << "(" << part.file() << ")" << style().plain << "\n";
+  const Note note = note_of(part, *run.first_check);
+  const bool draws = columns() >= 64 && style().has_pictures;
+  for (const std::string& line : lines_of(note.text)) {
+    if (!line.empty() && (draws || line.rfind("    |", 0) != 0)) std::cout << "  " << line << "\n";
+  }
+  print_what_was_printed(part, note);
+  if (const std::string mistake = mistake_of(part); !mistake.empty()) {
+    std::cout << "\n" << folded(mistake, 74, "  ") << "\n";
+  }
+  std::cout << "  Hint " << heading_of(*run.first_check) << ": ./check" << run.option()
+            << " --hint opens it, stage by stage.\n";
+}
+
+void print_warnings() {
+  const std::vector<std::string> all = warnings();
+  if (all.empty()) return;
+  std::cout << style().bold << "The compiler warns" << style().plain
+            << " of what is often a mistake:\n";
+  for (std::size_t i = 0; i < all.size() && i < kMostWarnings; ++i) {
+    const std::string text = all[i].substr(0, 200);
+    const std::size_t mark = text.find(" warning: ");
+    const std::size_t flag = text.rfind(" [-W");
+    std::cout << "  " << file_of(text) << ":" << line_of(text) << ": "
+              << text.substr(mark + 10, flag == std::string::npos ? flag : flag - mark - 10)
+              << "\n";
+  }
+  if (all.size() > kMostWarnings) {
+    std::cout << "  and " << all.size() - kMostWarnings << " more, in "
+              << (kWork / "warnings").generic_string() << "\n";
+  }
+}
+
+}  // namespace
+
+void print_what_does_not_compile(const Run& run) {
+  const int broken = run.unbuilt.at(run.first_part->number);
+  std::cout << "\n"
+            << style().bold << "First: make " << run.part(broken).stem << ".cpp compile"
+            << style().plain << "\n"
+            << first_error_of(broken) << "\n";
+}
+
+void report(const Run& run) {
+  for (const int number : run.chosen) print_part(run, run.part(number));
+  const bool calls = !run.part(run.chosen.back()).calls.empty();
+  if (run.first_part && !run.is_one_part() && run.first_part != &run.part(run.chosen.back())) {
+    std::cout << style().dim << "Parts 3 and 4 call earlier ones, so part "
+              << run.first_part->number << " comes first." << style().plain << "\n";
+  } else if (run.first_part && run.is_one_part() && calls) {
+    std::cout << style().dim << "Part " << run.chosen[0]
+              << " calls earlier ones; where ./check finds one of them wrong, mend that first."
+              << style().plain << "\n";
+  }
+  if (run.first_part) print_first(run);
+  std::cout << "\n"
+            << style().bold << "Score on the public checks: " << run.score << " / " << run.possible
+            << "." << style().plain << " There are hidden ones as well, with other numbers.\n";
+  print_warnings();
+  if (!run.first_part && !run.is_one_part()) {
+    std::cout
+        << "Watch it: cmake --build build && ./build/bounce. Then submit the files of src/.\n";
+  }
+  std::cout << std::flush;
+}
+
+}  // namespace bounce::check

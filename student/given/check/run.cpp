@@ -1,0 +1,219 @@
+#include "run.hpp"
+
+#include <csignal>
+#include <filesystem>
+#include <regex>
+
+#include "files.hpp"
+#include "process.hpp"
+
+namespace bounce::check {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kTooLong = 124;  // a test program's exit code where a check takes too long
+constexpr int kMostHung = 2;   // checks of a part that may hang
+#ifdef SIGXFSZ
+constexpr int kPrintedTooMuch = SIGXFSZ;
+#else
+constexpr int kPrintedTooMuch = -1;
+#endif
+
+fs::path notes_of(const Part& part) {
+  return kWork / "notes" / ("part" + std::to_string(part.number));
+}
+
+// The last line in which a program says why it stops.
+std::string last_reason(const std::string& printed) {
+  std::string last;
+  for (const std::string& line : lines_of(printed)) {
+    const bool says =
+        line.find("Assertion") != std::string::npos || line.find("what():") != std::string::npos;
+    if (says) last = printable(line);
+  }
+  return last;
+}
+
+std::string why_aborted(const std::string& said) {
+  static const std::regex kSize(R"(Eigen/.*(rows\(\)|cols\(\)|size\(\)|index))");
+  static const std::regex kMatrix(R"(Eigen::Matrix<double, (\d+), (\d+))");
+  static const std::string kAborted = "the program was aborted: ";
+  if (const std::size_t at = said.find("what():"); at != std::string::npos) {
+    return "the program threw " + said.substr(said.find_first_not_of(' ', at + 7)) +
+           ", and nobody caught it";
+  }
+  if (said.find("comma initializer") != std::string::npos) {
+    return kAborted + "too few or too many numbers after <<";
+  }
+  if (std::regex_search(said, kSize)) {
+    std::smatch size;
+    const std::string of = std::regex_search(said, size, kMatrix)
+                               ? " of a " + size[1].str() + "x" + size[2].str() + " matrix"
+                               : "";
+    return kAborted + "an index or a size" + of + " is out of range, says Eigen";
+  }
+  if (said.find("__n < this->size()") != std::string::npos) {
+    return kAborted + "an index beyond the end of a std::vector or std::array";
+  }
+  if (const std::size_t at = said.find("Assertion"); at != std::string::npos) {
+    return kAborted + "a failed assertion: " + said.substr(at + 9).substr(0, 100);
+  }
+  return kAborted + "a failed assertion, or an exception nobody caught";
+}
+
+std::string reason_of(const Termination& ended, const std::string& printed) {
+  if (ended.signal == kPrintedTooMuch) return "the program printed without end";
+  switch (ended.signal) {
+    case 0:
+      break;
+    case SIGABRT:
+      return why_aborted(last_reason(printed));
+    case SIGFPE:
+      return "the program crashed: a division by zero";
+#ifdef SIGBUS
+    case SIGBUS:
+#endif
+    case SIGSEGV:
+      return "the program crashed: an index or a pointer out of bounds, or recursion without end";
+#ifdef SIGKILL
+    case SIGKILL:
+      return "the program was ended, perhaps for want of memory";
+#endif
+    default:
+      return "the program was ended by signal " + std::to_string(ended.signal);
+  }
+  if (ended.code == kTooLong) return "no answer within 3 s of work: an endless loop?";
+  return "the program ended by itself, with status " + std::to_string(ended.code) +
+         ": does it call exit?";
+}
+
+struct Noted {
+  std::string status, from, text;  // the first line's words, and the rest
+};
+
+Noted read_note(const fs::path& file) {
+  const std::string text = read(file);
+  const std::size_t end = text.find('\n');
+  const std::vector<std::string> words = split(text.substr(0, end), ' ');
+  return {words.empty() ? "" : words[0], words.size() > 1 ? words[1] : "0",
+          end == std::string::npos ? "" : text.substr(end + 1)};
+}
+
+void say_how_it_ended(const fs::path& file, const Noted& note, const Termination& ended,
+                      const std::string& printed) {
+  const bool hung = ended.signal == 0 && ended.code == kTooLong;
+  write(file, (hung ? "hung " : "crashed ") + note.from + " " + std::to_string(printed.size()) +
+                  "\n" + reason_of(ended, printed) + "\nIt was asked: " + note.text);
+}
+
+std::vector<fs::path> files_in(const fs::path& folder) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(folder)) files.push_back(entry.path());
+  return files;
+}
+
+// A check that crashes or hangs costs itself alone: the program is started again for the others.
+void run_part(const Part& part) {
+  const fs::path notes = notes_of(part), prints = prints_file(part.number);
+  fs::remove_all(notes);
+  fs::create_directories(notes);
+  fs::remove(prints);
+  write(prints, "");
+  const std::vector<std::string> command{part.program(), "--notes", notes.string(),
+                                         prints.string()};
+  int hung = 0;
+  for (bool again = true; again;) {
+    again = false;
+    const auto ended = run(command, prints, Limits::of_a_part);
+    if (!ended) throw Failure(part.program() + " can't be started: remove the folder build");
+    const std::string printed = read(prints);
+    for (const fs::path& file : files_in(notes)) {
+      const Noted note = read_note(file);
+      const bool is_new_hang = note.status == "hung" && note.text.rfind("no answer", 0) != 0;
+      if (note.status != "running" && !is_new_hang) continue;
+      say_how_it_ended(file, note, is_new_hang ? Termination{kTooLong, 0} : *ended, printed);
+      hung += is_new_hang;
+      again = hung < kMostHung && ended->signal != kPrintedTooMuch;
+    }
+  }
+}
+
+}  // namespace
+
+std::string prints_file(int part) {
+  return (kWork / ("printed_" + std::to_string(part) + ".txt")).generic_string();
+}
+
+Note note_of(const Part& part, const Check& check) {
+  const std::string text = read(notes_of(part) / check.id);
+  if (text.empty()) return {"unknown", 0, 0, false, ""};
+  const std::size_t end = text.find('\n');
+  const std::vector<std::string> words = split(text.substr(0, end), ' ');
+  Note note{words[0], 0, 0, words.size() == 3, text.substr(std::min(end, text.size() - 1) + 1)};
+  if (note.has_prints) {
+    note.from = std::stoul(words[1]);
+    note.to = std::stoul(words[2]);
+  }
+  return note;
+}
+
+void run_parts(Run& run) {
+  run.score = run.possible = 0;
+  run.first_part = nullptr;
+  run.first_check = nullptr;
+  for (const int number : run.chosen) {
+    const Part& part = run.part(number);
+    run.possible += part.points;
+    if (run.unbuilt.count(number)) {
+      if (!run.first_part) run.first_part = &part;
+      continue;
+    }
+    run_part(part);
+    for (const Check& check : part.checks) {
+      if (note_of(part, check).status == "passed") {
+        run.score += check.points;
+      } else if (!run.first_part) {
+        run.first_part = &part;
+        run.first_check = &check;
+      }
+    }
+  }
+}
+
+std::string without_last_words(const std::string& printed) {
+  std::string kept;
+  for (std::string line : lines_of(printed)) {
+    if (line.rfind("  what():", 0) == 0) continue;
+    const bool asserts =
+        line.find("Assertion") != std::string::npos && line.find("failed") != std::string::npos;
+    std::size_t end = std::string::npos;
+    if (asserts) {
+      static const std::regex kStart(
+          R"(part\d_\w+_test(\.exe)?: |/[^ ]*:\d+: |Assertion failed: )");
+      std::smatch at;
+      if (std::regex_search(line, at, kStart)) end = static_cast<std::size_t>(at.position());
+    }
+    end = std::min(end, line.find("terminate called"));
+    if (end != std::string::npos) {
+      line.erase(end);
+      if (line.empty()) continue;
+    }
+    kept += line + "\n";
+  }
+  return kept;
+}
+
+std::string mistake_of(const Part& part) {
+  for (const fs::path& file : files_in(notes_of(part))) {
+    const std::string status = read_note(file).status;
+    if (status == "crashed" || status == "hung") return "";
+  }
+  const fs::path told = kWork / ("mistake_" + std::to_string(part.number) + ".txt");
+  fs::remove(told);
+  run({part.program(), "--mistake", told.string()}, kWork / "nobody_reads.txt", Limits::of_a_part);
+  fs::remove(kWork / "nobody_reads.txt");
+  return read(told);
+}
+
+}  // namespace bounce::check

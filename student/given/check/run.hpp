@@ -1,0 +1,32 @@
+// Runs the checks of the parts, each part in a process of its own.
+#pragma once
+
+#include <string>
+
+#include "parts.hpp"
+
+namespace bounce::check {
+
+// Runs the chosen parts that are built, adds up the points, and finds the first thing to do.
+void run_parts(Run& run);
+
+// What is known of a check.
+struct Note {
+  std::string status;            // passed, failed, crashed or hung; unknown: it wasn't run
+  std::size_t from = 0, to = 0;  // bytes of what the program printed, around the case
+  bool has_prints = false;       // whether these are known
+  std::string text;              // what there is to say
+};
+Note note_of(const Part& part, const Check& check);
+
+// The file with all that a part's program printed.
+std::string prints_file(int part);
+
+// What a program's output holds that the program said itself: without what ended it.
+std::string without_last_words(const std::string& printed);
+
+// What the answers to all public cases tell of the mistake, a paragraph a line. Empty where that
+// is nothing, or where the part's program crashes or hangs.
+std::string mistake_of(const Part& part);
+
+}  // namespace bounce::check

@@ -1,0 +1,16 @@
+// Colours and signs, as far as the terminal has them.
+#pragma once
+
+#include <string>
+
+namespace bounce::check {
+
+struct Style {
+  std::string bold, red, green, dim, plain;
+  std::string right, wrong;
+  bool has_pictures;  // whether lines of the picture may be drawn
+};
+
+const Style& style();
+
+}  // namespace bounce::check
