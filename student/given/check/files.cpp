@@ -1,5 +1,6 @@
 #include "files.hpp"
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <sstream>
@@ -10,7 +11,9 @@ namespace fs = std::filesystem;
 
 std::string read(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
+  std::string text{std::istreambuf_iterator<char>(in), {}};
+  text.erase(std::remove(text.begin(), text.end(), '\r'), text.end());
+  return text;
 }
 
 std::string read(const fs::path& file, std::size_t begin, std::size_t end) {

@@ -15,7 +15,7 @@ struct Failure : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// The whole file; empty where it can't be read.
+// The whole file without carriage returns, as a text of any system; empty where it can't be read.
 std::string read(const std::filesystem::path& file);
 
 // The bytes from `begin` to before `end`.

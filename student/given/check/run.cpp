@@ -101,10 +101,10 @@ Noted read_note(const fs::path& file) {
 }
 
 void say_how_it_ended(const fs::path& file, const Noted& note, const Termination& ended,
-                      const std::string& printed) {
+                      const std::string& printed, std::uintmax_t size) {
   const bool hung = ended.signal == 0 && ended.code == kTooLong;
-  write(file, (hung ? "hung " : "crashed ") + note.from + " " + std::to_string(printed.size()) +
-                  "\n" + reason_of(ended, printed) + "\nIt was asked: " + note.text);
+  write(file, (hung ? "hung " : "crashed ") + note.from + " " + std::to_string(size) + "\n" +
+                  reason_of(ended, printed) + "\nIt was asked: " + note.text);
 }
 
 std::vector<fs::path> files_in(const fs::path& folder) {
@@ -132,7 +132,8 @@ void run_part(const Part& part) {
       const Noted note = read_note(file);
       const bool is_new_hang = note.status == "hung" && note.text.rfind("no answer", 0) != 0;
       if (note.status != "running" && !is_new_hang) continue;
-      say_how_it_ended(file, note, is_new_hang ? Termination{kTooLong, 0} : *ended, printed);
+      say_how_it_ended(file, note, is_new_hang ? Termination{kTooLong, 0} : *ended, printed,
+                       fs::file_size(prints));
       hung += is_new_hang;
       again = hung < kMostHung && ended->signal != kPrintedTooMuch;
     }

@@ -1,6 +1,7 @@
 """The handout as a student meets it: unzipped into an empty folder, and driven by ./check alone."""
 
 import os
+import pty
 import re
 import shutil
 import subprocess
@@ -216,6 +217,63 @@ def test_watches_until_it_is_stopped(home: Path) -> None:
     finally:
         watch.terminate()
         watch.wait()
+
+
+@pytest.mark.slow
+def test_keys_while_watching_open_hints_choose_parts_and_end_it(home: Path) -> None:
+    put(home, MISTAKES / "part1_turned_clockwise")
+    (home / "build/check/hint").unlink(missing_ok=True)
+    terminal, of_check = pty.openpty()
+    watch = subprocess.Popen(
+        ["./check", "1", "--watch"],
+        cwd=home,
+        env=SYSTEM,
+        stdin=of_check,
+        stdout=subprocess.PIPE,
+        text=True,
+    )
+    assert watch.stdout
+
+    def shown() -> str:
+        lines: list[str] = []
+        while not (lines and "Waiting" in lines[-1]):
+            lines.append(watch.stdout.readline())  # type: ignore[union-attr]
+            assert lines[-1], "".join(lines)
+        return "".join(lines)
+
+    try:
+        assert "Part 2" not in shown()
+        os.write(terminal, b"h")
+        said = shown()
+        assert "the result above is the last one" in said and "stage 1 of 3" in said
+        os.write(terminal, b"a")
+        assert "Part 2" in shown()
+        os.write(terminal, b"q")
+        assert watch.wait(timeout=30) == 0
+    finally:
+        watch.kill()
+        watch.wait()
+        os.close(terminal)
+        os.close(of_check)
+
+
+@pytest.mark.slow
+def test_checks_at_the_same_time_give_one_score(home: Path) -> None:
+    put(home, MISTAKES / "part3_friction_sign")
+    several = [
+        subprocess.Popen(
+            ["./check"],
+            cwd=home,
+            env=SYSTEM,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+        )
+        for _ in range(3)
+    ]
+    said = [check.communicate() for check in several]
+    assert len({out for out, _ in said}) == 1 and "Score on the public checks: 76" in said[0][0]
+    assert sum("this one waits for it" in err for _, err in said) == 2, said
 
 
 def test_an_unknown_option_is_answered_with_the_known_ones(home: Path) -> None:

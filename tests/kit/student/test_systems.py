@@ -1,0 +1,128 @@
+"""The handout with another compiler, and as built for Windows, where Wine runs it."""
+
+import os
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+from conftest import ROOT, SOLUTION
+from handed_out import unzipped
+
+SYSTEM = {"PATH": "/usr/bin:/bin", "HOME": "/nonexistent", "LANG": "C.UTF-8", "TERM": "xterm"}
+WINE = Path("/usr/lib/wine/wine64")
+MINGW = "x86_64-w64-mingw32-g++-posix"
+TOOLCHAIN = f"""set(CMAKE_SYSTEM_NAME Windows)
+set(CMAKE_C_COMPILER x86_64-w64-mingw32-gcc-posix)
+set(CMAKE_CXX_COMPILER {MINGW})
+set(CMAKE_EXE_LINKER_FLAGS -static)
+"""
+SUBMISSIONS = ROOT / "tests/submissions"
+# What is said of each on Windows, where there are no signals.
+FAILURES = {
+    "mistakes/part3_friction_sign": "Friction pushes the wrong way",
+    "broken/part2_aborts": "the program was aborted",
+    "broken/part3_null_pointer": "an index or a pointer out of bounds",
+    "broken/part4_counter_stands_still": "no answer within 3 s of work: an endless loop?",
+    "broken/part3_exits": "ended by itself, with status 0",
+}
+
+
+def run(*command: str | Path, cwd: Path, **environment: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        list(map(str, command)),
+        cwd=cwd,
+        env={**os.environ, **environment},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+
+
+def put(home: Path, *folders: Path) -> None:
+    for folder in (SOLUTION, *folders):
+        for file in folder.glob("part*.cpp"):
+            shutil.copyfile(file, home / "src" / file.name)
+
+
+@pytest.mark.long
+def test_with_clang_a_check_says_the_same(tmp_path: Path) -> None:
+    if not shutil.which("clang++"):
+        pytest.skip("there is no clang++ here")
+    home = unzipped(tmp_path)
+    for name, said in FAILURES.items():
+        put(home, SUBMISSIONS / name)
+        done = subprocess.run(
+            ["./check"],
+            cwd=home,
+            env={**SYSTEM, "CXX": "clang++"},
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+        assert said in done.stdout, done.stdout + done.stderr
+    put(home)
+    part2 = home / "src/part2_lcp.cpp"
+    part2.write_text(part2.read_text().replace("{", "{ int x = ;", 1))
+    broken = subprocess.run(
+        ["./check", "2"],
+        cwd=home,
+        env={**SYSTEM, "CXX": "clang++"},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert "  src/part2_lcp.cpp:" in broken.stdout and "expected expression" in broken.stdout
+
+
+def built_for_windows(home: Path, prefix: Path) -> None:
+    """With GoogleTest made for it, too; Eigen and nlohmann-json are headers alone."""
+    prefix.mkdir()
+    (prefix / "windows.cmake").write_text(TOOLCHAIN)
+    for_windows = f"-DCMAKE_TOOLCHAIN_FILE={prefix / 'windows.cmake'}"
+    gtest = shutil.copytree("/usr/src/googletest", prefix / "googletest")
+    to = [f"-DCMAKE_INSTALL_PREFIX={prefix}", "-DBUILD_GMOCK=OFF"]
+    shutil.copytree("/usr/include/nlohmann", prefix / "include/nlohmann")
+    [config] = Path("/usr").rglob("nlohmann_jsonConfig.cmake")
+    own = shutil.copytree(config.parent, prefix / config.parent.relative_to("/usr"))
+    found = [
+        f"-DGTest_DIR={prefix}/lib/cmake/GTest",
+        "-DEigen3_DIR=/usr/share/eigen3/cmake",
+        f"-Dnlohmann_json_DIR={own}",
+    ]
+    for command in (
+        ["cmake", "-S", gtest, "-B", prefix / "gtest", for_windows, *to],
+        ["cmake", "--build", prefix / "gtest", "--parallel", "--target", "install"],
+        ["cmake", "-S", ".", "-B", "build", for_windows, *found],
+    ):
+        done = run(*command, cwd=home)
+        assert done.returncode == 0, done.stdout + done.stderr
+
+
+@pytest.mark.long
+def test_on_windows_a_check_says_the_same(tmp_path: Path) -> None:
+    if not shutil.which(MINGW) or not WINE.exists():
+        pytest.skip("g++-mingw-w64-x86-64-posix and wine64 aren't installed")
+    home = unzipped(tmp_path)
+    built_for_windows(home, tmp_path / "prefix")
+    # The check itself starts a build; here it has been built already, by a CMake that isn't Windows'.
+    (tmp_path / "cmake.cpp").write_text("int main() { return 0; }\n")
+    nothing = tmp_path / "cmake.exe"
+    assert run(MINGW, "-static", "-o", nothing, "cmake.cpp", cwd=tmp_path).returncode == 0
+    wine = {"WINEPREFIX": str(tmp_path / "wine"), "WINEDEBUG": "-all"}
+
+    def check(*options: str) -> subprocess.CompletedProcess[str]:
+        built = run("cmake", "--build", "build", "--parallel", cwd=home)
+        assert built.returncode == 0 and "warning" not in built.stdout, built.stdout
+        program = home / "build/check_program.exe"
+        return run(WINE, program, *options, cwd=home, WINEPATH=f"Z:{tmp_path}", **wine)
+
+    put(home)
+    right = check()
+    assert right.returncode == 0 and "Score on the public checks: 100 / 100." in right.stdout
+    for name, said in FAILURES.items():
+        put(home, SUBMISSIONS / name)
+        done = check()
+        assert done.returncode == 1 and said in done.stdout, done.stdout + done.stderr
+    assert "stage 1 of 3: A nudge" in check("3", "--hint").stdout
+    assert check("--nonsense").returncode == 2
