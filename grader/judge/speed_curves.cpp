@@ -41,14 +41,14 @@ Setting setting_of(const Scene& scene, const exact::Samples& truth, double dt) {
 }
 
 // The largest distance to the truth over the samples, m.
-double error_of(const Setting& setting, const Trajectory& trajectory, const exact::Samples& truth) {
+double error_of(const Setting& setting, const Trajectory& trajectory) {
   exact::Samples samples;
   for (int i = 1; i <= exact::kSamples; ++i) {
     const Eigen::Index column = i * setting.steps_between_samples;
     samples.push_back(
         methods::motion_of<double>({trajectory.q.col(column), trajectory.v.col(column)}));
   }
-  return exact::error_of(*setting.scene, samples, truth);
+  return exact::error_of(*setting.scene, samples, setting.truth);
 }
 
 // The scene's start with random changes to the velocities.
@@ -63,12 +63,6 @@ State nudged(State start) {
   return start;
 }
 
-// The motion from another start.
-exact::Samples truth_from(exact::Scene scene, const State& start) {
-  scene.start = start;
-  return exact::truth_of(scene);
-}
-
 // One contender at one setting: what its rounds gave so far. The first is the scene itself, which
 // gives the error, and could be known by heart; the others give the time.
 struct Tally {
@@ -78,11 +72,7 @@ struct Tally {
   // Runs a round, and returns the time that it took, ns.
   double add(const Setting& setting, Contender& contender, const State& start, int round) {
     const Timed timed = contender.run(setting.params, start);
-    if (round == 0) error = error_of(setting, timed.trajectory, setting.truth);
-    if (round > 0 && !contender.is_right()) {
-      const exact::Samples truth = truth_from(*setting.scene, start);
-      error = std::max(error, error_of(setting, timed.trajectory, truth));
-    }
+    if (round == 0) error = error_of(setting, timed.trajectory);
     if (round > 0) ns.push_back(timed.ns);
     return timed.ns;
   }

@@ -96,9 +96,11 @@ class InRunner : public Contender {
   Handover handover_;
 };
 
-// The submission's graded build answers right, and its timed build wrong.
-struct Otherwise {
-  std::string sentence;
+// Some column isn't a step of the solution's from the one before: the time of such answers says
+// nothing.
+struct Wrong {
+  bool right_as_graded;  // the graded build answers right there
+  std::string place;
 };
 
 // A submission: its timed runner, and its graded one.
@@ -110,19 +112,14 @@ class Submitted : public Contender {
     timed_.take_off(handover);
   }
 
-  bool is_right() const override { return right_; }
-
-  // Throws Otherwise.
+  // Throws Wrong.
   Timed run(const Parameters& params, const State& start) override {
     Timed timed = timed_.run(params, start);
-    if (!right_) return timed;
-    const auto wrong = wrong_column(timed.trajectory, start, params);
-    right_ = !wrong;
-    if (wrong && is_right_as_graded(params, start)) {
+    if (const auto wrong = wrong_column(timed.trajectory, start, params)) {
       char words[80];
-      std::snprintf(words, sizeof words, "at dt = %.2g s, column %td of %d is another one",
-                    params.dt, *wrong, params.T);
-      throw Otherwise{words};
+      std::snprintf(words, sizeof words, "at dt = %.2g s, column %td of %d", params.dt, *wrong,
+                    params.T);
+      throw Wrong{is_right_as_graded(params, start), words};
     }
     return timed;
   }
@@ -135,7 +132,6 @@ class Submitted : public Contender {
   }
 
   InRunner timed_, graded_;
-  bool right_ = true;
 };
 
 // CPU time of this thread. That of the process only advances in ticks if it has a limit.
@@ -189,19 +185,14 @@ json measured(const std::vector<exact::Scene>& scenes, const Command& timed,
   InRunner known(reference);  // its own runner, so that the solution starts cold, too
   const Handover handover = handover_of(known);
   solution->take_off(handover);
-  auto submitted = std::make_unique<Submitted>(timed, graded, handover);
-  const Submitted& submission = *submitted;
   std::vector<std::unique_ptr<Contender>> contenders;
-  contenders.push_back(std::move(submitted));
+  contenders.push_back(std::make_unique<Submitted>(timed, graded, handover));
   contenders.push_back(std::move(solution));
   contenders.push_back(std::make_unique<Least>());
   const std::vector<Curves> curves = speed_curves(scenes, contenders, kBudget);
   if (!curves[1].cut.empty()) throw std::runtime_error("the solution: " + curves[1].cut);
 
-  json answer = {{"dt", measured_steps()},
-                 {"scenes", json::array()},
-                 {"cut", curves[0].cut},
-                 {"right", submission.is_right()}};
+  json answer = {{"dt", measured_steps()}, {"scenes", json::array()}, {"cut", curves[0].cut}};
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     answer["scenes"].push_back({{"scene", scenes[i].name},
                                 {"title", scenes[i].title},
@@ -219,8 +210,8 @@ int run(const std::string& folder, const Command& timed, const Command& referenc
   try {
     const auto scenes = scenes_of_one_corner(exact::read_scenes(folder));
     answer = measured(scenes, timed, reference, graded);
-  } catch (const Otherwise& otherwise) {
-    answer = {{"otherwise", otherwise.sentence}};
+  } catch (const Wrong& wrong) {
+    answer = {{wrong.right_as_graded ? "otherwise" : "wrong", wrong.place}};
   }
   std::cout << answer.dump(-1, ' ', false, json::error_handler_t::replace) << std::endl;
   return std::cout ? 0 : 3;

@@ -16,6 +16,7 @@ WAIT = processes.Limits(cpu_seconds=30, wall_seconds=120, memory=4 << 30, file_s
 CURVES = ("submission", "solution", "least")
 STEP = 1e-3  # s: the dt at which the time of a step is reported
 FINE = 1e-3  # m: errors up to this are near enough
+WRONG = "a trajectory is timed only where every column is right, and one is not"
 OTHERWISE = "built for speed, the program answers otherwise than it was graded"
 LARGEST = 1e100  # bounds seconds, nanoseconds and metres, so that products are finite
 Measured = dict[str, Any]
@@ -45,15 +46,16 @@ def read(out: bytes) -> Measured:
     adds the time of a step. Raises KitError."""
     try:
         answer = json.loads(out, parse_constant=_no_number)
-        if "otherwise" in answer:
-            return {"otherwise": f"{OTHERWISE}: {printable_text(answer['otherwise'])}"}
+        for key, sentence in (("otherwise", OTHERWISE), ("wrong", WRONG)):
+            if key in answer:
+                return {"otherwise": f"{sentence}: {printable_text(answer[key])}"}
         scenes = [_scene(scene) for scene in answer["scenes"]]
         measured = {
             "cut": printable_text(answer["cut"]),
             "dt": list(map(_size, answer["dt"])),
             "scenes": scenes,
         }
-        return {**_step(measured, _flag(answer["right"])), **measured}
+        return {**_step(measured), **measured}
     except (ValueError, TypeError, KeyError, AttributeError, RecursionError) as error:
         raise KitError("the stopwatch's answer can't be read") from error
 
@@ -80,12 +82,6 @@ def _size(x: object) -> float:
     return float(cast(float, x))
 
 
-def _flag(x: object) -> bool:
-    if not isinstance(x, bool):
-        raise ValueError("neither true nor false")
-    return x
-
-
 def _error(x: object) -> float | None:
     """An error in m; None if it isn't finite, or huge."""
     if x is None or isinstance(x, float) and x > LARGEST:
@@ -93,9 +89,9 @@ def _error(x: object) -> float | None:
     return 0.0 if x == 0 else float(f"{_size(x):.3e}")
 
 
-def _step(measured: Measured, right: bool) -> Measured:
-    """Nanoseconds per step over all scenes, and the ratio to the solution's if the answers are
-    right. Empty if a scene wasn't timed."""
+def _step(measured: Measured) -> Measured:
+    """Nanoseconds per step over all scenes, and the ratio to the solution's. Empty if
+    a scene wasn't timed."""
     mine, solution = curve(measured, "submission"), curve(measured, "solution")
     both = [pair for pair in zip(mine, solution) if pair[0].dt >= STEP]
     if not both:
@@ -103,8 +99,7 @@ def _step(measured: Measured, right: bool) -> Measured:
     own, solutions = (round(point.ns * point.dt, 1) for point in both[-1])
     if not solutions:
         return {}
-    times = {"submission_ns": own, "solution_ns": solutions}
-    return {**times, "ratio": own / solutions} if right else times
+    return {"submission_ns": own, "solution_ns": solutions, "ratio": own / solutions}
 
 
 def curve(measured: Measured, whose: str) -> list[Point]:
@@ -127,15 +122,11 @@ def sentences(measured: Measured) -> list[str]:
         return [f"{measured['otherwise'][0].upper()}{measured['otherwise'][1:]}."]
     mine, solution = curve(measured, "submission"), curve(measured, "solution")
     least = curve(measured, "least")
-    out = (
-        [_reached(mine, solution, least, "ratio" in measured)]
-        if mine and solution and least
-        else []
-    )
+    out = [_reached(mine, solution, least)] if mine and solution and least else []
     return out + ([f"It was cut {measured['cut']}."] if measured.get("cut") else [])
 
 
-def _reached(mine: list[Point], solution: list[Point], least: list[Point], compared: bool) -> str:
+def _reached(mine: list[Point], solution: list[Point], least: list[Point]) -> str:
     first = next((p for p in mine if p.error is not None and p.error <= FINE), None)
     right = next((p for p in solution if p.error is not None and p.error <= FINE), None)
     quick = next((p for p in least if p.error is not None and p.error <= FINE), None)
@@ -149,7 +140,7 @@ def _reached(mine: list[Point], solution: list[Point], least: list[Point], compa
         f"takes {seconds(first.ns)} for a second of motion"
     )
     at_same = next((p for p in solution if p.dt == first.dt), None)
-    if at_same and compared:
+    if at_same:
         out += f", {_times(first.ns / at_same.ns)}"
     if quick:
         out += f"; no more model than each step needs does that in {seconds(quick.ns)}"

@@ -50,6 +50,7 @@ def users(*entries: str, people: Mapping[str, str] = BOOK) -> list[str | None]:
         # Of users who aren't in the grade book.
         "eve_100_6000_123_7000_evil.cpp",
         "victimvera_123_100_6000_x.zip",
+        "lorymal_anon_7_200_9011_part1_contacts.cpp",
     ],
 )
 def test_no_name_puts_a_file_into_anothers_submission(attack: str) -> None:

@@ -44,8 +44,10 @@ def graded(tmp: Path, *mistakes: str, options: tuple[str, ...] = ()) -> dict[str
 
 @pytest.fixture(scope="module")
 def record(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
-    """A mistake in each part, and a curve."""
-    return graded(tmp_path_factory.mktemp("wrong"), *WRONG.values(), options=("--speed",))
+    """A mistake in each part, and the solution's curve."""
+    wrong = graded(tmp_path_factory.mktemp("wrong"), *WRONG.values())
+    right = graded(tmp_path_factory.mktemp("right"), options=("--speed",))
+    return {**wrong, "speed": right["speed"]}
 
 
 Show = Callable[..., Any]
@@ -139,7 +141,7 @@ def test_the_chart_stands_on_the_page_with_what_it_means(
     page = show(record)
     chart = page.find_element(By.CSS_SELECTOR, ".chart svg")
     assert chart.size["width"] > 400
-    assert "doesn't get within 1 mm" in page.find_element(By.TAG_NAME, "body").text
+    assert "of the exact motion from dt = " in page.find_element(By.TAG_NAME, "body").text
     page.find_element(By.TAG_NAME, "summary").click()
     charts = page.find_elements(By.CSS_SELECTOR, ".charts svg")
     assert len(charts) == len(record["speed"]["scenes"]) and charts[0].is_displayed()

@@ -79,9 +79,10 @@ def read_all(
 def readings(entry: str) -> list[Upload | TextEntry]:
     """All ways to split an entry's name into its fields."""
     first = parse(entry)
-    if first is None or first.user.startswith("anon_"):
+    if first is None or (first.user.startswith("anon_") and not first.name):
         return [first] if first else []
-    possible: list[Upload | TextEntry] = [first] if isinstance(first, TextEntry) else []
+    typed_or_anonymous = isinstance(first, TextEntry) or first.user.startswith("anon_")
+    possible: list[Upload | TextEntry] = [first] if typed_or_anonymous else []
     ids = re.compile(rf"(?<!_LATE)(?=(?:^|_)(LATE_)?({ID})_({ID})_(.+))", re.DOTALL)
     for match in ids.finditer(entry):
         late, user, attachment, file = match.groups()
