@@ -24,6 +24,9 @@ def add(commands: Any) -> None:
         metavar="N=TITLE",
         help="a column for part N; may be given for each part",
     )
+    parser.add_argument(
+        "--overwrite", action="store_true", help="replace other points that stand in the columns"
+    )
     parser.add_argument("--jobs", type=int, default=0, metavar="N", help="gradings side by side")
     parser.add_argument("--engine", choices=["local", "dask", "slurm"], default="local")
     parser.add_argument("--scheduler", default="", metavar="ADDRESS", help="of Dask")
@@ -65,6 +68,7 @@ def _class(options: argparse.Namespace) -> int:
         out=options.out.absolute(),
         gradebook=options.gradebook,
         columns=_columns(options),
+        overwrite=options.overwrite,
         engine=options.engine,
         jobs=options.jobs,
         scheduler=options.scheduler,

@@ -45,6 +45,8 @@ def _whole(request: Request) -> int:
             f"{request.gradebook} can't be matched with logins of GitHub's, which students choose: "
             "leave --gradebook out, and take the points from grades.csv"
         )
+    if book:
+        _require_students_of(book, request, intake)
     with _alone(request.out):
         remove_abandoned(request.out)
         log = Log(request.out / "log.jsonl")
@@ -81,7 +83,9 @@ def _run(request: Request, intake: Class, book: Gradebook | None, log: Log) -> i
         summaries = [
             s.with_note(notes[s.student.id]) if s.student.id in notes else s for s in summaries
         ]
-    remarks = outputs.write(request.out, intake, summaries, book, request.columns, near, log)
+    remarks = outputs.write(
+        request.out, intake, summaries, book, request.columns, near, log, request.overwrite
+    )
     return _say(request, intake, summaries, remarks)
 
 
@@ -104,6 +108,16 @@ def _gradebook(request: Request) -> Gradebook | None:
         raise UsageError(f"{request.gradebook} would be overwritten: give another folder as --out")
     most = {0: sum(part.points for part in parts()), **{p.number: p.points for p in parts()}}
     return Gradebook(request.gradebook, request.columns, most)
+
+
+def _require_students_of(book: Gradebook, request: Request, intake: Class) -> None:
+    ids = [student.id for student in intake.students]
+    if all(id.startswith("anon_") for id in ids):
+        raise UsageError(
+            f"{request.submissions} is of an anonymous assignment, whose names are in no grade book: "
+            "post the grades in Canvas, and download the submissions again; or leave --gradebook out"
+        )
+    book.require_some_of(ids, of_canvas=any(student.uploads for student in intake.students))
 
 
 @contextmanager

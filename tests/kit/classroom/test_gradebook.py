@@ -34,7 +34,7 @@ def fill(
 ) -> Filled:
     path = tmp_path / "export.csv"
     path.write_bytes(text.encode() if isinstance(text, str) else text)
-    return Gradebook(path, columns or {0: COLUMN}, MOST).fill(given)
+    return Gradebook(path, columns or {0: COLUMN}, MOST).fill(given, overwrite=True)
 
 
 def refusal(tmp_path: Path, text: str | bytes, column: str = COLUMN) -> str:
@@ -45,11 +45,39 @@ def refusal(tmp_path: Path, text: str | bytes, column: str = COLUMN) -> str:
 
 
 def test_fills_the_cells_and_nothing_else(tmp_path: Path) -> None:
-    filled = fill(tmp_path, EXPORT, marks(u12=87.5, u13=60, u14=10))
-    expected = EXPORT.replace("7.50,,81.2", "7.50,87.50,81.2").replace('"55.00"', '"60.00"')
-    assert filled.data.decode() == expected
+    filled = fill(tmp_path, EXPORT, marks(u12=87.5, u13=55, u14=10))
+    assert filled.data.decode() == EXPORT.replace("7.50,,81.2", "7.50,87.50,81.2")
+    assert filled.written == {COLUMN: {"12": "87.50", "13": "55.00"}}
     assert "Poe, Ann (14) stays EX in HW3 (98765)" in filled.sentences
     assert "Moe, Sam (15) has no submission: the cell stays as it was" in filled.sentences
+
+
+def test_points_that_a_person_has_changed_are_kept(tmp_path: Path) -> None:
+    path = tmp_path / "export.csv"
+    path.write_text(EXPORT)
+    book = {0: COLUMN}
+    kept = Gradebook(path, book, MOST).fill(marks(u13=60))
+    assert kept.data.decode() == EXPORT and kept.written == {}
+    assert (
+        f"Roe, Jörg (13) keeps 55.00 in {COLUMN}, where the grading gives 60.00; "
+        "--overwrite replaces it" in kept.sentences
+    )
+    after = EXPORT.replace('"55.00"', '"60.00"')
+    replaced = Gradebook(path, book, MOST).fill(marks(u13=60), overwrite=True)
+    assert replaced.data.decode() == after
+    ours = {COLUMN: {"13": "55.0"}}
+    again = Gradebook(path, book, MOST).fill(marks(u13=60), written=ours)
+    assert again.data.decode() == after and again.written == {COLUMN: {"13": "60.00"}}
+
+
+def test_a_grade_book_without_one_of_the_students_is_refused(tmp_path: Path) -> None:
+    path = tmp_path / "export.csv"
+    path.write_text(EXPORT)
+    book = Gradebook(path, {0: COLUMN}, MOST)
+    book.require_some_of(["12", "99"], of_canvas=True)
+    with pytest.raises(UsageError, match="none of the 2 students who handed in is in export.csv"):
+        book.require_some_of(["jdoe", "99"], of_canvas=True)
+    book.require_some_of(["jdoe", "99"], of_canvas=False)
 
 
 def test_a_student_chooses_no_name_that_changes_the_grade_book(tmp_path: Path) -> None:

@@ -40,6 +40,59 @@ def test_no_row_of_the_grade_book_is_found_by_a_login_that_students_choose(tmp_p
         grade_class(checkout, tmp_path / "out", gradebook=export, columns={0: COLUMN})
 
 
+def test_corrections_in_the_grade_book_outlive_the_next_weeks(
+    tmp_path: Path, users: list[int]
+) -> None:
+    """One is corrected in Canvas, one hands in anew; both exports come from Canvas again."""
+    source, out = download(tmp_path / "x.zip", users), tmp_path / "out"
+    book(tmp_path / "export.csv", users)
+    grade_class(source, out, gradebook=tmp_path / "export.csv", columns={0: COLUMN})
+    filled = (out / "gradebook.csv").read_text()
+    first = column(out / "gradebook.csv")
+    corrected = filled.replace(f",{first['101']}", ",12.34", 1)
+    assert corrected != filled
+    (tmp_path / "export.csv").write_text(corrected)
+    for _ in range(2):
+        grade_class(source, out, gradebook=tmp_path / "export.csv", columns={0: COLUMN})
+        assert column(out / "gradebook.csv") == {**first, "101": "12.34"}
+    assert "keeps 12.34 in" in (out / "class.html").read_text()
+    more = {"gradebook": tmp_path / "export.csv", "columns": {0: COLUMN}, "overwrite": True}
+    grade_class(source, out, **more)
+    assert column(out / "gradebook.csv") == first
+
+
+def test_only_pages_that_changed_go_back_again(tmp_path: Path, users: list[int]) -> None:
+    out = tmp_path / "out"
+    grade_class(download(tmp_path / "x.zip", users[:-1]), out)
+    assert not (out / "feedback-new.zip").exists()
+    for _ in range(2):
+        grade_class(download(tmp_path / "y.zip", users), out)
+        with zipfile.ZipFile(out / "feedback-new.zip") as archive:
+            assert archive.namelist() == ["doejane_110_1100_feedback.html"]
+        with zipfile.ZipFile(out / "feedback.zip") as archive:
+            assert len(archive.namelist()) == len(users)
+
+
+def test_an_anonymous_download_and_anothers_grade_book_are_refused(
+    tmp_path: Path, users: list[int]
+) -> None:
+    text = solution_files()["part2_lcp.cpp"]
+    with zipfile.ZipFile(tmp_path / "anonymous.zip", "w") as archive:
+        archive.writestr("anon_a1B2c_9_part2_lcp.cpp", text)
+    export = book(tmp_path / "export.csv", [999])
+    with pytest.raises(UsageError, match="is of an anonymous assignment"):
+        grade_class(
+            tmp_path / "anonymous.zip", tmp_path / "a", gradebook=export, columns={0: COLUMN}
+        )
+    with pytest.raises(UsageError, match="none of the 10 students"):
+        grade_class(
+            download(tmp_path / "x.zip", users),
+            tmp_path / "b",
+            gradebook=export,
+            columns={0: COLUMN},
+        )
+
+
 def test_a_second_run_grades_nothing_and_writes_the_same(
     tmp_path: Path, users: list[int], capsys: pytest.CaptureFixture[str]
 ) -> None:

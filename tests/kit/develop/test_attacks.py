@@ -86,7 +86,8 @@ def seed_of(kind: str) -> int:
     return next(seed for seed, attack in made if attack.files and attack.honest_parts)
 
 
-@pytest.mark.parametrize("kind", ["folder", "class"])
+@pytest.mark.slow
+@pytest.mark.parametrize("kind", ["folder", pytest.param("class", marks=pytest.mark.long)])
 def test_what_a_grading_gives_away_or_leaves_behind_is_noticed(kind: str) -> None:
     said = problems_with(LEAKING, seed_of(kind))
     for problem in (

@@ -80,7 +80,7 @@ def test_stubs_with_a_comment_are_run_and_get_none(tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("part", [1, 2, 3, 4])
+@pytest.mark.parametrize("part", [1, *(pytest.param(n, marks=pytest.mark.long) for n in (2, 4)), 3])
 @pytest.mark.parametrize("fault", FAULTS)
 def test_a_fault_costs_its_own_part_alone(grade: Grade, part: int, fault: str) -> None:
     body, status, sentence = FAULTS[fault]

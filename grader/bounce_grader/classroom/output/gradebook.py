@@ -3,7 +3,7 @@
 import difflib
 import re
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from bounce_grader.classroom.intake.canvas import is_name_of
@@ -28,10 +28,14 @@ class Marks:
     of_canvas: bool = False  # the name was made by Canvas from a person's or a group's
 
 
+Written = Mapping[str, Mapping[str, str]]  # a column's title -> Canvas's id -> its points
+
+
 @dataclass
 class Filled:
     data: bytes
     sentences: list[str]  # what the instructor should know
+    written: Written = field(default_factory=dict)
 
 
 class Gradebook:
@@ -52,14 +56,32 @@ class Gradebook:
         self._comma = self._has_decimal_comma()
         self._require_whole_rows()
 
-    def fill(self, marks: Mapping[str, Marks], without: Mapping[str, str] = {}) -> Filled:
+    def require_some_of(self, ids: Iterable[str], of_canvas: bool) -> None:
+        """Raises UsageError if no student with one of these ids is in the grade book."""
+        known = self._rows_by_id(of_canvas)
+        handed_in = list(ids)
+        if handed_in and not any(id in known for id in handed_in):
+            raise UsageError(
+                f"none of the {len(handed_in)} students who handed in is in {self._name}: is it the grade "
+                "book of another course?"
+            )
+
+    def fill(
+        self,
+        marks: Mapping[str, Marks],
+        without: Mapping[str, str] = {},
+        written: Written = {},
+        overwrite: bool = False,
+    ) -> Filled:
         """Fills in the points. The keys of `marks` and `without` are Canvas's user ids, SIS ids or
-        logins; `without` says why a student has no score."""
+        logins; `without` says why a student has no score. Points that already stand in a column
+        are kept, unless earlier runs have `written` them, or if `overwrite` is set."""
         of_canvas = any(mark.of_canvas for mark in marks.values())
         rows = self._rows_by_id(of_canvas)
         reasons = _by_line(rows, without)
         graded = _by_line(rows, marks)
         sentences = self._points_possible()
+        now = {title: dict(by_id) for title, by_id in written.items()}
         for row in self._students():
             ids = graded.get(row.line, [])
             id = ids[0] if ids else ""
@@ -73,22 +95,32 @@ class Gradebook:
             elif len(rows[id]) > 1:
                 sentences.append(f"{self._name} has {len(rows[id])} rows for {id}: none is filled")
             else:
-                sentences += self._fill_row(row, marks[id])
+                sentences += self._fill_row(row, marks[id], now, overwrite)
         for id in sorted(marks.keys() - {id for ids in graded.values() for id in ids}):
             sentences.append(f"{marks[id].name} ({id}) is graded, but isn't in {self._name}")
-        return Filled(self._table.bytes(), list(dict.fromkeys(sentences)))
+        return Filled(self._table.bytes(), list(dict.fromkeys(sentences)), now)
 
-    def _fill_row(self, row: Row, marks: Marks) -> list[str]:
+    def _fill_row(
+        self, row: Row, marks: Marks, written: dict[str, dict[str, str]], overwrite: bool
+    ) -> list[str]:
         sentences, is_filled = [], False
+        id = row.cells[self._header.index("ID")].text.strip()
         for part, column in self._columns.items():
-            cell = row.cells[column]
-            text = cell.text.strip()
+            cell, title = row.cells[column], self._header[column]
+            text, number = cell.text.strip(), f"{marks.points[part]:.2f}"
+            before = written.get(title, {}).get(id)
+            ours = not text or _number(text) in (_number(number), before and _number(before))
             if text.upper() in NEVER_FILLED:
-                sentences.append(f"{self._who(row)} stays {text} in {self._header[column]}")
-            else:
+                sentences.append(f"{self._who(row)} stays {text} in {title}")
+            elif ours or overwrite:
                 is_filled = True
-                number = f"{marks.points[part]:.2f}"
+                written.setdefault(title, {})[id] = number
                 cell.put(number.replace(".", ",") if self._comma else number, self._table.delimiter)
+            else:
+                sentences.append(
+                    f"{self._who(row)} keeps {text} in {title}, where the grading gives {number}; "
+                    "--overwrite replaces it"
+                )
         if is_filled and marks.of_canvas and not is_name_of(self._person(row), marks.name):
             sentences.append(
                 f"{self._who(row)} has the points of {marks.name}: if that is a group, give its other "

@@ -1,6 +1,7 @@
 """Writes the results of a class: grade book, grades, feedback and the page about the class."""
 
 import io
+import json
 import zipfile
 from collections.abc import Mapping
 from contextlib import suppress
@@ -22,6 +23,8 @@ from bounce_grader.formats import html
 from bounce_grader.grading.record import with_answers, without_answers
 
 TITLE = "Bouncing"
+NEW_PAGES = "feedback-new.zip"
+WRITTEN = "written.json"  # the points that runs have filled in: what differs, a person has changed
 
 
 def write(
@@ -32,6 +35,7 @@ def write(
     columns: Mapping[int, str],
     near: Similar,
     log: Log,
+    overwrite: bool = False,
 ) -> list[str]:
     """Writes everything but the feedback. Returns sentences about the grade book for the
     instructor."""
@@ -40,12 +44,25 @@ def write(
         title = columns.get(0, TITLE)
         sentences = _make_up_gradebook(out / "gradebook.csv", marks, title, log)
     else:
-        filled = book.fill(marks, _without_score(submitted, summaries))
+        written = _read_written(out / WRITTEN)
+        filled = book.fill(marks, _without_score(submitted, summaries), written, overwrite)
         write_whole(out / "gradebook.csv", filled.data)
+        write_whole(out / WRITTEN, json.dumps(filled.written, indent=1, sort_keys=True))
         sentences = filled.sentences
     write_whole(out / "grades.csv", "\ufeff" + grades.table(summaries))
     write_whole(out / "class.html", page.render(submitted, summaries, near, sentences))
     return sentences
+
+
+def _read_written(path: Path) -> gradebook.Written:
+    try:
+        written = json.loads(path.read_text())
+        return {
+            str(title): {str(id): str(points) for id, points in by_id.items()}
+            for title, by_id in written.items()
+        }
+    except (OSError, ValueError, AttributeError):
+        return {}  # then what stands in the grade book is kept, and listed
 
 
 def _marks(summaries: list[Summary]) -> dict[str, Marks]:
@@ -110,9 +127,21 @@ def write_feedback(
         if page_file.name not in pages and _is_ours(page_file):
             page_file.unlink()
     if any(summary.student.uploads for summary in summaries):
-        accepted = [name for name in pages if canvas.parse(name)]
-        write_whole(out / "feedback.zip", _zip(folder, accepted))
+        _write_zips(out, folder, [name for name in pages if canvas.parse(name)])
     return without
+
+
+def _write_zips(out: Path, folder: Path, pages: list[str]) -> None:
+    """All pages; and those that changed since the last time, because Canvas adds a comment for each
+    page that it is given."""
+    whole = out / "feedback.zip"
+    before: dict[str, bytes] = {}
+    with suppress(OSError, zipfile.BadZipFile), zipfile.ZipFile(whole) as archive:
+        before = {name: archive.read(name) for name in archive.namelist()}
+    changed = [name for name in pages if before.get(name) != (folder / name).read_bytes()]
+    if before and changed:
+        write_whole(out / NEW_PAGES, _zip(folder, changed))
+    write_whole(whole, _zip(folder, pages))
 
 
 def _is_ours(page_file: Path) -> bool:

@@ -21,6 +21,7 @@ class Request:
     speed: bool = False
     trust: bool = False
     reveal: bool = False
+    overwrite: bool = False
     regrade: str = ""
     apply: bool = False
     unit: Callable[[Task], Outcome] = units.run
