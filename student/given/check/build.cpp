@@ -102,7 +102,7 @@ void build_part(Run& run, const Part& part) {
       return;
     }
   }
-  if (build_targets({part.stem + "_test"})) return;
+  if (build_targets({run.target(part)})) return;
   run.unbuilt[part.number] = part.number;
   write(error_file(part.number), first_error(own_lines(read(kBuild))));
 }
@@ -114,7 +114,7 @@ void build_parts(Run& run) {
   std::vector<std::string> targets;
   std::set<int> needed;
   for (const int number : run.chosen) {
-    targets.push_back(run.part(number).stem + "_test");
+    targets.push_back(run.target(run.part(number)));
     needed.insert(number);
     needed.insert(run.part(number).calls.begin(), run.part(number).calls.end());
   }

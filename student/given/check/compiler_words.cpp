@@ -102,4 +102,27 @@ std::string first_error(const std::vector<std::string>& lines) {
   return "  the build failed; what it says is in " + (kWork / "build.txt").generic_string();
 }
 
+bool is_of_sanitizers(const std::string& line) {
+  return line.rfind("==========", 0) == 0 || line.find(": runtime error: ") != std::string::npos ||
+         line.find("ERROR: AddressSanitizer: ") != std::string::npos;
+}
+
+std::string found_by_sanitizers(const std::vector<std::string>& lines) {
+  static const std::regex kUndefined(R"(((src|include)/[^ :]*:\d+)\S*: runtime error: (.*))");
+  static const std::regex kAddress("ERROR: AddressSanitizer: ([a-zA-Z-]+)");
+  static const std::regex kPlace(R"(((src|include)/[^ :]*:\d+))");
+  std::string kind;
+  for (const std::string& line : lines) {
+    std::smatch found;
+    if (std::regex_search(line, found, kUndefined)) {
+      return "UBSan found this at " + found[1].str() + ": " + found[3].str().substr(0, kLongest);
+    }
+    if (kind.empty() && std::regex_search(line, found, kAddress)) kind = found[1];
+    if (!kind.empty() && std::regex_search(line, found, kPlace)) {
+      return "AddressSanitizer found " + kind + ", at " + found[1].str();
+    }
+  }
+  return kind.empty() ? "" : "AddressSanitizer found " + kind;
+}
+
 }  // namespace bounce::check

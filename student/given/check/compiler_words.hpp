@@ -1,4 +1,4 @@
-// What g++, clang and Visual C++ print, and how builds name the file that they compile.
+// What g++, clang, Visual C++ and sanitizers print, and how builds name the file that they compile.
 #pragma once
 
 #include <string>
@@ -22,5 +22,12 @@ int line_of(const std::string& line);
 // The first error with the file and line that it comes from, indented, and two lines more. Where it
 // is inside of a library, with the student's own line that asked for it.
 std::string first_error(const std::vector<std::string>& lines);
+
+// Whether a line begins a report of AddressSanitizer or UBSan.
+bool is_of_sanitizers(const std::string& line);
+
+// "AddressSanitizer found stack-use-after-scope, at src/part3_step.cpp:12"; empty if they found
+// nothing.
+std::string found_by_sanitizers(const std::vector<std::string>& lines);
 
 }  // namespace bounce::check

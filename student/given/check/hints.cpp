@@ -93,7 +93,8 @@ void hint(const Run& run) {
   const std::string heading = heading_of(*run.first_check);
   const std::string number = heading.substr(0, heading.find(' '));
   const Note note = note_of(*run.first_part, *run.first_check);
-  const int stage = next_stage(number + " " + mistake_in_short(note, mistake_of(*run.first_part)));
+  const int stage =
+      next_stage(number + " " + mistake_in_short(note, mistake_of(run, *run.first_part)));
   const std::string page = page_of(*run.first_part);
   std::cout << "For: " << run.first_check->title << "\n";
   print_stage(page, heading, std::min(stage, kStages));

@@ -22,12 +22,13 @@ constexpr const char* kKnown =
     "./check 2          part 2 alone\n"
     "./check --hint     the next stage of the hint for the first check that fails; or ./check 2 "
     "--hint\n"
+    "./check --sanitize finds wrong uses of memory, too; slower\n"
     "./check --watch    again whenever you save a file; h is the next hint, 1 to 4 a part, a all, "
     "q the end\n";
 
 struct Options {
   int part = 0;  // 0: all
-  bool hints = false, watches = false;
+  bool hints = false, watches = false, sanitized = false;
 };
 
 struct Usage : std::runtime_error {
@@ -45,6 +46,8 @@ Options read_options(const std::vector<std::string>& words, std::size_t parts) {
       options.part = word[0] - '0';
     } else if (word == "--hint") {
       options.hints = true;
+    } else if (word == "--sanitize") {
+      options.sanitized = true;
     } else if (word == "--watch") {
       options.watches = true;
     } else {
@@ -57,6 +60,7 @@ Options read_options(const std::vector<std::string>& words, std::size_t parts) {
 Run run_of(const Options& options) {
   Run run;
   run.all = read_parts();
+  run.sanitized = options.sanitized;
   for (const Part& part : run.all) {
     if (!options.part || options.part == part.number) run.chosen.push_back(part.number);
   }

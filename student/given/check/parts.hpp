@@ -20,7 +20,6 @@ struct Part {
   std::vector<Check> checks;
 
   std::string file() const { return "src/" + stem + ".cpp"; }
-  std::string program() const { return "build/" + stem + "_test"; }
 };
 
 // From build/checks.txt, which CMake writes. Throws Failure.
@@ -31,11 +30,16 @@ struct Run {
   std::vector<Part> all;
   std::vector<int> chosen;      // numbers of the parts to check
   std::map<int, int> unbuilt;   // a part that wasn't built: by the part whose file has the error
+  bool sanitized = false;       // whether the parts are built with sanitizers
   int score = 0, possible = 0;  // of the chosen parts
   const Part* first_part = nullptr;    // where the first thing to do is, if there is one
   const Check* first_check = nullptr;  // null where that part isn't built
 
   const Part& part(int number) const { return all.at(static_cast<std::size_t>(number) - 1); }
+  // The program that runs a part's checks, as CMake calls it; it is in the folder build.
+  std::string target(const Part& part) const {
+    return part.stem + (sanitized ? "_sanitized_test" : "_test");
+  }
   bool is_one_part() const { return chosen.size() == 1; }
   // " 2" where part 2 alone is checked: for commands that are named to the student.
   std::string option() const { return is_one_part() ? " " + std::to_string(chosen[0]) : ""; }

@@ -9,7 +9,6 @@
 
 #include <cerrno>
 #include <csignal>
-#include <cstdlib>
 #include <iostream>
 
 #include "files.hpp"
@@ -57,8 +56,7 @@ std::optional<Termination> run(const std::vector<std::string>& command,
     limit(RLIMIT_CORE, 0);
     if (limits == Limits::of_a_part) {
       limit(RLIMIT_FSIZE, kLargestFile);
-      // AddressSanitizer reserves far more than it uses.
-      if (!std::getenv("BOUNCE_SANITIZED")) limit(RLIMIT_AS, kMemory);
+      limit(RLIMIT_AS, kMemory);
     }
     ::execvp(words[0], words.data());
     ::_exit(kNotStarted);

@@ -89,7 +89,7 @@ void print_first(const Run& run) {
     if (!line.empty() && (draws || line.rfind("    |", 0) != 0)) std::cout << "  " << line << "\n";
   }
   print_what_was_printed(part, note);
-  if (const std::string mistake = mistake_of(part); !mistake.empty()) {
+  if (const std::string mistake = mistake_of(run, part); !mistake.empty()) {
     std::cout << "\n" << folded(mistake, 74, "  ") << "\n";
   }
   std::cout << "  Hint " << heading_of(*run.first_check) << ": ./check" << run.option()

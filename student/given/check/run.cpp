@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <regex>
 
+#include "compiler_words.hpp"
 #include "files.hpp"
 #include "process.hpp"
 
@@ -63,6 +64,9 @@ std::string why_aborted(const std::string& said) {
 }
 
 std::string reason_of(const Termination& ended, const std::string& printed) {
+  if (const std::string found = found_by_sanitizers(own_lines(printed)); !found.empty()) {
+    return found;
+  }
   if (ended.signal == kPrintedTooMuch) return "the program printed without end";
   switch (ended.signal) {
     case 0:
@@ -113,20 +117,25 @@ std::vector<fs::path> files_in(const fs::path& folder) {
   return files;
 }
 
+std::string program_of(const Run& run, const Part& part) { return "build/" + run.target(part); }
+
+// AddressSanitizer reserves far more memory than it uses.
+Limits limits_of(const Run& run) { return run.sanitized ? Limits::none : Limits::of_a_part; }
+
 // A check that crashes or hangs costs itself alone: the program is started again for the others.
-void run_part(const Part& part) {
+void run_part(const Run& run, const Part& part) {
   const fs::path notes = notes_of(part), prints = prints_file(part.number);
   fs::remove_all(notes);
   fs::create_directories(notes);
   fs::remove(prints);
   write(prints, "");
-  const std::vector<std::string> command{part.program(), "--notes", notes.string(),
+  const std::vector<std::string> command{program_of(run, part), "--notes", notes.string(),
                                          prints.string()};
   int hung = 0;
   for (bool again = true; again;) {
     again = false;
-    const auto ended = run(command, prints, Limits::of_a_part);
-    if (!ended) throw Failure(part.program() + " can't be started: remove the folder build");
+    const auto ended = check::run(command, prints, limits_of(run));
+    if (!ended) throw Failure(program_of(run, part) + " can't be started: remove the folder build");
     const std::string printed = read(prints);
     for (const fs::path& file : files_in(notes)) {
       const Noted note = read_note(file);
@@ -170,7 +179,7 @@ void run_parts(Run& run) {
       if (!run.first_part) run.first_part = &part;
       continue;
     }
-    run_part(part);
+    run_part(run, part);
     for (const Check& check : part.checks) {
       if (note_of(part, check).status == "passed") {
         run.score += check.points;
@@ -185,6 +194,7 @@ void run_parts(Run& run) {
 std::string without_last_words(const std::string& printed) {
   std::string kept;
   for (std::string line : lines_of(printed)) {
+    if (is_of_sanitizers(line)) break;  // a report is the last that a program says
     if (line.rfind("  what():", 0) == 0) continue;
     const bool asserts =
         line.find("Assertion") != std::string::npos && line.find("failed") != std::string::npos;
@@ -205,14 +215,15 @@ std::string without_last_words(const std::string& printed) {
   return kept;
 }
 
-std::string mistake_of(const Part& part) {
+std::string mistake_of(const Run& run, const Part& part) {
   for (const fs::path& file : files_in(notes_of(part))) {
     const std::string status = read_note(file).status;
     if (status == "crashed" || status == "hung") return "";
   }
   const fs::path told = kWork / ("mistake_" + std::to_string(part.number) + ".txt");
   fs::remove(told);
-  run({part.program(), "--mistake", told.string()}, kWork / "nobody_reads.txt", Limits::of_a_part);
+  check::run({program_of(run, part), "--mistake", told.string()}, kWork / "nobody_reads.txt",
+             limits_of(run));
   fs::remove(kWork / "nobody_reads.txt");
   return read(told);
 }

@@ -27,6 +27,6 @@ std::string without_last_words(const std::string& printed);
 
 // What the answers to all public cases tell of the mistake, a paragraph a line. Empty where that
 // is nothing, or where the part's program crashes or hangs.
-std::string mistake_of(const Part& part);
+std::string mistake_of(const Run& run, const Part& part);
 
 }  // namespace bounce::check

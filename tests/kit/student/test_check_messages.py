@@ -144,6 +144,23 @@ def test_an_index_out_of_range_is_told_with_its_matrix_and_once(home: Path) -> N
     assert "an index beyond the end of a std::vector or std::array" in told
 
 
+@pytest.mark.long
+def test_sanitizers_find_what_a_right_answer_hides(home: Path) -> None:
+    """The product refers to M, which is gone when it is worked out; the numbers may still be there."""
+    put(home)
+    assert score(check(home, "2", "--sanitize")) == "30 / 30"
+    force = "const Vector3 f_e = M * params.g;"
+    change(home, "part2_lcp", force, "const auto f_e = params.M() * params.g;")
+    told = first(check(home, "2", "--sanitize"))
+    assert "AddressSanitizer found stack-use-after-scope, at src/part2_lcp.cpp:22" in told
+    assert "=====" not in told and "It was asked: " in told
+    change(home, "part2_lcp", force, f"{force}\n  const int half = 1 << (33 + int(params.m));")
+    part2 = home / "src/part2_lcp.cpp"
+    part2.write_text(part2.read_text().replace("lcp.p <<", "lcp.V(3, 3) = 0 * half;\n  lcp.p <<"))
+    told = first(check(home, "2", "--sanitize"))
+    assert "UBSan found this at src/part2_lcp.cpp:14: shift exponent" in told
+
+
 def stage(home: Path) -> tuple[str, str]:
     """The heading and the stage of the hint that --hint opens."""
     said = check(home, "1", "--hint").stdout
