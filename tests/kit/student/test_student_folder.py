@@ -80,6 +80,25 @@ def test_says_what_to_install(
         assert hint in done.stderr
 
 
+EIGEN = Path("/usr/share/eigen3/cmake")
+
+
+@pytest.mark.parametrize("version, is_taken", [("3.3.9", False), ("3.4.1", True), ("5.0.1", True)])
+def test_takes_an_eigen_of_any_later_version(
+    handout: Path, tmp_path: Path, version: str, is_taken: bool
+) -> None:
+    """Its package refuses whoever asks for another major version."""
+    folder = shutil.copytree(handout, tmp_path / "bounce", ignore=shutil.ignore_patterns("build"))
+    eigen = shutil.copytree(EIGEN, tmp_path / "share/eigen3/cmake")
+    (tmp_path / "include").mkdir()
+    (tmp_path / "include/eigen3").symlink_to("/usr/include/eigen3")
+    [says] = eigen.glob("*ConfigVersion.cmake")
+    says.write_text(says.read_text().replace("3.4.0", version))
+    done = configure(folder, f"-DEigen3_DIR={eigen}")
+    assert (done.returncode == 0) == is_taken, done.stderr
+    assert is_taken or "Missing:         Eigen3-3.4" in done.stderr, done.stderr
+
+
 def test_says_what_is_gone_when_the_tests_are(handout: Path, tmp_path: Path) -> None:
     ignore = shutil.ignore_patterns("build", "tests")
     folder = shutil.copytree(handout, tmp_path / "bounce", ignore=ignore)
