@@ -293,7 +293,10 @@ int RunnerProcess::wait_for_exit() {
       return status;
     }
     if (prints_ >= 0) drain_prints();
+    const auto start = Clock::now();
     ::poll(nullptr, 0, 1);
+    waited_ += Clock::now() - start;
+    if (Clock::now() - last_look_ >= kBetweenLooks) end_if_it_hangs(false);
   }
   return -1;
 }

@@ -104,7 +104,10 @@ void build_part(Run& run, const Part& part) {
   }
   if (build_targets({run.target(part)})) return;
   run.unbuilt[part.number] = part.number;
-  write(error_file(part.number), first_error(own_lines(read(kBuild))));
+  const std::vector<std::string> said = own_lines(read(kBuild));
+  const std::string meaning = meaning_of(said);
+  write(error_file(part.number),
+        first_error(said) + (meaning.empty() ? "" : "\n" + folded(meaning, 74, "  ")));
 }
 
 }  // namespace

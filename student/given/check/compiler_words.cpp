@@ -28,6 +28,38 @@ bool is_own(const std::string& line) {
   return line.rfind("src/", 0) == 0 || line.rfind("include/", 0) == 0;
 }
 
+// What an error of this assignment's usually means, by what the compilers say of it.
+const std::vector<std::pair<std::regex, std::string>>& meanings() {
+  static const std::vector<std::pair<std::regex, std::string>> kMeanings = {
+      {std::regex("INVALID_VECTOR_VECTOR_PRODUCT"),
+       "Two columns can't be multiplied with *: a.dot(b) is the scalar product."},
+      {std::regex("INVALID_MATRIX_PRODUCT"),
+       "The left one needs as many columns as the right one has rows: is a transpose() missing?"},
+      {std::regex("YOU_MIXED_MATRICES_OF_DIFFERENT_SIZES"),
+       "Write down rows x columns of both sides: is a transpose() missing, or a block too large?"},
+      {std::regex("YOU_MIXED_DIFFERENT_NUMERIC_TYPES"),
+       "Every number in these matrices has to be a double."},
+      {std::regex(
+           "(cannot|could not) convert.*(Matrix|Product|Eigen)|no (viable|known) conversion.*"
+           "(Matrix|Product|Eigen)"),
+       "A matrix stands where another type is expected; of a 1x1 product take (0), or use dot()."},
+      {std::regex("discards qualifiers|read-only|const-qualified|is const|marked const"),
+       "It is const, as what comes in is: change a copy of your own."},
+      {std::regex("expected ('|\u2018)?[;,)}]|expected ('|\u2018)?[,;]"),
+       "Often the line before lacks its semicolon or bracket."},
+      {std::regex(
+           "not declared|undeclared identifier|not a member of|has no member|no member named"),
+       "Is the name spelled as where it comes from, and its header included?"},
+      {std::regex("undefined reference|[Uu]ndefined symbols?|unresolved external"),
+       "Compare the function's line with its header in include/bounce/: its name, its arguments, "
+       "and "
+       "that it is inside of namespace bounce."},
+      {std::regex("multiple definition|duplicate symbol|already defined"),
+       "Two files define it: keep one, or make the other static."},
+  };
+  return kMeanings;
+}
+
 // "YOU_MIXED_MATRICES_OF_DIFFERENT_SIZES" as words; other texts without what says nothing.
 std::string inside_a_library(std::string said) {
   said = std::regex_replace(said, std::regex("^.*error: "), "");
@@ -72,6 +104,17 @@ bool is_warning_of_own_file(const std::string& line) {
 std::string file_of(const std::string& line) { return line.substr(0, line.find(':')); }
 
 int line_of(const std::string& line) { return std::atoi(line.c_str() + file_of(line).size() + 1); }
+
+std::string meaning_of(const std::vector<std::string>& lines) {
+  for (const std::string& line : lines) {
+    if (!has(line, kError) && !has(line, kMissing)) continue;
+    for (const auto& [pattern, sentence] : meanings()) {
+      if (has(line, pattern)) return sentence;
+    }
+    if (has(line, kError)) return "";  // the first error alone
+  }
+  return "";
+}
 
 std::string first_error(const std::vector<std::string>& lines) {
   std::string said, own, rest, missing;

@@ -23,6 +23,9 @@ int line_of(const std::string& line);
 // is inside of a library, with the student's own line that asked for it.
 std::string first_error(const std::vector<std::string>& lines);
 
+// What the first error usually means, in a sentence; empty where that isn't known.
+std::string meaning_of(const std::vector<std::string>& lines);
+
 // Whether a line begins a report of AddressSanitizer or UBSan.
 bool is_of_sanitizers(const std::string& line);
 

@@ -144,6 +144,45 @@ def test_an_index_out_of_range_is_told_with_its_matrix_and_once(home: Path) -> N
     assert "an index beyond the end of a std::vector or std::array" in told
 
 
+LAST = "lcp.p <<"
+ERRORS = {  # what stands before the last statement of part 2, and what is said of it
+    "a vector times a vector": ("v_free * v;", "a.dot(b) is the scalar product"),
+    "a product of other sizes": ("J_hat * lcp.p;", "is a transpose() missing"),
+    "two sizes": ("v_free + J_hat;", "rows x columns of both sides"),
+    "a matrix for a number": ("double x = J_n.transpose() * J_hat;", "A matrix stands where"),
+    "a const": ("params.mu = 0;", "It is const"),
+    "no semicolon": ("int n = 3", "the line before lacks its semicolon"),
+    "no such name": ("v_fre(0);", "Is the name spelled"),
+    "no such member": ("params.nu;", "Is the name spelled"),
+}
+
+
+@pytest.mark.parametrize(
+    "error", ["two sizes", *(pytest.param(e, marks=pytest.mark.long) for e in ERRORS)]
+)
+def test_an_error_of_the_compiler_is_told_in_words(home: Path, error: str) -> None:
+    put(home)
+    wrong, said = ERRORS[error]
+    change(home, "part2_lcp", LAST, f"{wrong}\n  {LAST}")
+    told = first(check(home, "2"))
+    assert "  src/part2_lcp.cpp:2" in told and said in " ".join(told.split()), told
+
+
+@pytest.mark.long
+@pytest.mark.parametrize(
+    "old, new",
+    [
+        ("const Vector3& v,", "Vector3& v,"),
+        ("namespace bounce {", "using namespace bounce;\nnamespace bouncy {"),
+    ],
+)
+def test_another_function_than_the_declared_one_is_told(home: Path, old: str, new: str) -> None:
+    put(home)
+    change(home, "part2_lcp", old, new)
+    told = first(check(home, "2"))
+    assert "Compare the function's line with its header" in " ".join(told.split()), told
+
+
 @pytest.mark.long
 def test_sanitizers_find_what_a_right_answer_hides(home: Path) -> None:
     """The product refers to M, which is gone when it is worked out; the numbers may still be there."""
