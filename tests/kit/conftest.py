@@ -16,6 +16,13 @@ from hypothesis import settings
 settings.register_profile("kit", derandomize=True, deadline=None, database=None, max_examples=200)
 settings.load_profile("kit")
 
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Puts the tests that share one worker first: it takes them long, and the others have the rest
+    to do meanwhile."""
+    items.sort(key=lambda item: "xdist_group" not in item.keywords)
+
+
 ROOT = Path(__file__).resolve().parents[2]
 SOLUTION = ROOT / "solution" / "src"
 Grade = Callable[..., dict[str, Any]]
