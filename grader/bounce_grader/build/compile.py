@@ -12,6 +12,7 @@ from bounce_grader.sandbox.budget import Overrun, Shares
 from bounce_grader.submission.submission import Submission
 
 HELPERS_SECONDS = 30  # of CPU time, for all helpers of a submission together
+HELPERS_BYTES = 32 << 20  # of objects, likewise; one more may be under way
 
 
 class Built(NamedTuple):
@@ -39,10 +40,15 @@ def compile_all(
         own = spent if file in helpers else _Spent()
         if own.left() < 0:
             return Built(None, f"{file} wasn't compiled: the helpers took {HELPERS_SECONDS} s")
+        if own.bytes > HELPERS_BYTES:
+            most = f"{HELPERS_BYTES >> 20} MB"
+            return Built(None, f"{file} wasn't compiled: the helpers' objects take more than {most}")
         try:
-            return _Compiling(file, submission, named, work, box, timed, own).built()
+            built = _Compiling(file, submission, named, work, box, timed, own).built()
         except Overrun as overrun:
             return Built(None, f"{file} wasn't compiled: {overrun}")
+        own.bytes += built.path.stat().st_size if built.path else 0
+        return built
 
     files = [*submission.parts.values(), *helpers]
     built = dict(zip(files, parallel_map(compiled, files, jobs)))
@@ -54,10 +60,11 @@ def compile_all(
 
 
 class _Spent:
-    """CPU seconds of compilers, which may be at work side by side."""
+    """CPU seconds of compilers, which may be at work side by side, and bytes of their objects."""
 
     def __init__(self) -> None:
         self.seconds = 0.0
+        self.bytes = 0
         self.shares = Shares(self.left)
 
     def left(self) -> float:

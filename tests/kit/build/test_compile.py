@@ -188,6 +188,18 @@ def test_what_is_timed_is_built_by_gcc_as_a_program_is_too(tmp_path: Path) -> No
     assert not compiling.compile_all(taken, tmp_path, Box("none"), 1).parts[1].path
 
 
+@pytest.mark.slow
+def test_helpers_fill_no_disk(tmp_path: Path) -> None:
+    zeros = 'asm(".section .data.h,\\"aw\\"\\n.zero 8000000\\n.text\\n");\n'
+    files = {f"helper{n}.cpp": f"// {secrets.token_hex()}\n{zeros}".encode() for n in range(8)}
+    taken = read(write(tmp_path / "in", {**solution_files(), **files}))
+    (tmp_path / "work").mkdir()
+    made = compiling.compile_all(taken, tmp_path / "work", Box("none"), 1)
+    problems = [built.problem for built in made.helpers.values() if not built.path]
+    assert len(problems) == 3 and all("take more than 32 MB" in p for p in problems)
+    assert all(built.path for built in made.parts.values())
+
+
 # --- whose fault it is ---
 
 FAILURES = {

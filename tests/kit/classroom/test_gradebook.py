@@ -47,7 +47,7 @@ def refusal(tmp_path: Path, text: str | bytes, column: str = COLUMN) -> str:
 def test_fills_the_cells_and_nothing_else(tmp_path: Path) -> None:
     filled = fill(tmp_path, EXPORT, marks(u12=87.5, u13=55, u14=10))
     assert filled.data.decode() == EXPORT.replace("7.50,,81.2", "7.50,87.50,81.2")
-    assert filled.written == {COLUMN: {"12": "87.50", "13": "55.00"}}
+    assert filled.written == {COLUMN: {"12": ["87.50"], "13": ["55.00"], "14": []}}
     assert "Poe, Ann (14) stays EX in HW3 (98765)" in filled.sentences
     assert "Moe, Sam (15) has no submission: the cell stays as it was" in filled.sentences
 
@@ -57,7 +57,7 @@ def test_points_that_a_person_has_changed_are_kept(tmp_path: Path) -> None:
     path.write_text(EXPORT)
     book = {0: COLUMN}
     kept = Gradebook(path, book, MOST).fill(marks(u13=60))
-    assert kept.data.decode() == EXPORT and kept.written == {}
+    assert kept.data.decode() == EXPORT and kept.written == {COLUMN: {"13": []}}
     assert (
         f"Roe, Jörg (13) keeps 55.00 in {COLUMN}, where the grading gives 60.00; "
         "--overwrite replaces it" in kept.sentences
@@ -65,9 +65,27 @@ def test_points_that_a_person_has_changed_are_kept(tmp_path: Path) -> None:
     after = EXPORT.replace('"55.00"', '"60.00"')
     replaced = Gradebook(path, book, MOST).fill(marks(u13=60), overwrite=True)
     assert replaced.data.decode() == after
-    ours = {COLUMN: {"13": "55.0"}}
+    ours = {COLUMN: {"13": ["55.0"]}}
     again = Gradebook(path, book, MOST).fill(marks(u13=60), written=ours)
-    assert again.data.decode() == after and again.written == {COLUMN: {"13": "60.00"}}
+    assert again.data.decode() == after and again.written == {COLUMN: {"13": ["55.0", "60.00"]}}
+
+
+@pytest.mark.parametrize("text", ["85%", "B+", "MI", "excused", "nan"])
+def test_words_in_a_cell_are_kept(tmp_path: Path, text: str) -> None:
+    path = tmp_path / "export.csv"
+    path.write_text(EXPORT.replace('"55.00"', text))
+    filled = Gradebook(path, {0: COLUMN}, MOST).fill(marks(u13=50))
+    assert filled.data == path.read_bytes()
+    assert any(f"keeps {text} in {COLUMN}" in sentence for sentence in filled.sentences)
+
+
+def test_points_of_any_earlier_run_are_replaced(tmp_path: Path) -> None:
+    """The export is of before the last run, as where a command is repeated."""
+    path = tmp_path / "export.csv"
+    path.write_text(EXPORT)
+    written = {COLUMN: {"13": ["55.00", "100.00"]}}
+    again = Gradebook(path, {0: COLUMN}, MOST).fill(marks(u13=100), written=written)
+    assert again.data.decode() == EXPORT.replace('"55.00"', '"100.00"')
 
 
 def test_a_grade_book_without_one_of_the_students_is_refused(tmp_path: Path) -> None:

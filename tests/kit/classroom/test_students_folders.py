@@ -1,5 +1,6 @@
 """Submissions in folders: unpacked, side by side, or as checkouts."""
 
+import zipfile
 from pathlib import Path
 
 import pytest
@@ -39,6 +40,15 @@ def test_a_checkout_is_named_by_login(tmp_path: Path, top: str) -> None:
     found = students.read(tmp_path / top)
     assert [s.id for s in found.students] == ["anna", "anton", "ben-w"]
     assert found.logins
+
+
+def test_a_students_own_repository_makes_no_checkout_of_a_class(tmp_path: Path) -> None:
+    write(tmp_path / "hw/103", {"part2_lcp.cpp": b"// x", ".git/HEAD": b""})
+    for id in ("100", "101"):
+        with zipfile.ZipFile(tmp_path / f"hw/{id}.zip", "w") as archive:
+            archive.writestr("part2_lcp.cpp", "// x")
+    found = students.read(tmp_path / "hw")
+    assert [s.id for s in found.students] == ["100", "101", "103"] and not found.logins
 
 
 def test_a_folder_without_a_repository_is_listed_in_a_checkout(tmp_path: Path) -> None:

@@ -231,7 +231,7 @@ def _folder(path: Path, children: list[Path]) -> Class:
     cloned = [folder for folder in folders if os.path.exists(folder / ".git")]
     intake = Class("a folder of submissions")
     cut = 0
-    if 2 * len(cloned) > len(folders):
+    if 2 * len(cloned) > len(folders) + len(zips):
         cut = _common_prefix(path, cloned)
         before = f", named {cloned[0].name[:cut]!r} and a login" if cut else ""
         intake.source = f"a checkout of repositories{before}"

@@ -28,7 +28,8 @@ class Marks:
     of_canvas: bool = False  # the name was made by Canvas from a person's or a group's
 
 
-Written = Mapping[str, Mapping[str, str]]  # a column's title -> Canvas's id -> its points
+# A column's title -> Canvas's id -> all points that runs have filled in there.
+Written = Mapping[str, Mapping[str, list[str]]]
 
 
 @dataclass
@@ -81,7 +82,10 @@ class Gradebook:
         reasons = _by_line(rows, without)
         graded = _by_line(rows, marks)
         sentences = self._points_possible()
-        now = {title: dict(by_id) for title, by_id in written.items()}
+        now = {
+            title: {id: list(points) for id, points in by_id.items()}
+            for title, by_id in written.items()
+        }
         for row in self._students():
             ids = graded.get(row.line, [])
             id = ids[0] if ids else ""
@@ -101,20 +105,21 @@ class Gradebook:
         return Filled(self._table.bytes(), list(dict.fromkeys(sentences)), now)
 
     def _fill_row(
-        self, row: Row, marks: Marks, written: dict[str, dict[str, str]], overwrite: bool
+        self, row: Row, marks: Marks, written: dict[str, dict[str, list[str]]], overwrite: bool
     ) -> list[str]:
         sentences, is_filled = [], False
         id = row.cells[self._header.index("ID")].text.strip()
         for part, column in self._columns.items():
             cell, title = row.cells[column], self._header[column]
             text, number = cell.text.strip(), f"{marks.points[part]:.2f}"
-            before = written.get(title, {}).get(id)
-            ours = not text or _number(text) in (_number(number), before and _number(before))
+            before = written.setdefault(title, {}).setdefault(id, [])
+            there = _number(text)
+            ours = there is not None and there in map(_number, [number, *before])
             if text.upper() in NEVER_FILLED:
                 sentences.append(f"{self._who(row)} stays {text} in {title}")
-            elif ours or overwrite:
+            elif ours or not text or overwrite:
                 is_filled = True
-                written.setdefault(title, {})[id] = number
+                before += [number] if number not in before else []
                 cell.put(number.replace(".", ",") if self._comma else number, self._table.delimiter)
             else:
                 sentences.append(

@@ -58,10 +58,10 @@ def _read_written(path: Path) -> gradebook.Written:
     try:
         written = json.loads(path.read_text())
         return {
-            str(title): {str(id): str(points) for id, points in by_id.items()}
+            str(title): {str(id): list(map(str, points)) for id, points in by_id.items()}
             for title, by_id in written.items()
         }
-    except (OSError, ValueError, AttributeError):
+    except (OSError, ValueError, AttributeError, TypeError):
         return {}  # then what stands in the grade book is kept, and listed
 
 
