@@ -12,6 +12,9 @@ constexpr double kTolerance = 1e-9;  // that of the fixtures
 // starts so near differ by some hundred times that, or belong to another contact.
 constexpr double kAside = 2e-6;
 constexpr double kLoose = 2e-4;
+// Columns of a trajectory that may come about in this way. A program that rounds otherwise has one
+// now and then; more of them in a row would be a motion of its own.
+constexpr int kMostAside = 3;
 
 // As tests/parts/cases.cpp compares; NaN is never right.
 bool is_near(const Vector3& expected, const Vector3& got, double tolerance) {
@@ -43,13 +46,15 @@ bool may_lead_to(const State& now, const State& from, const Parameters& params) 
 std::optional<Eigen::Index> wrong_column(const Trajectory& trajectory, const State& start,
                                          const Parameters& params) {
   State before = start;
+  int aside = 0;
   for (Eigen::Index column = 0; column < trajectory.q.cols(); ++column) {
     const State now{trajectory.q.col(column), trajectory.v.col(column)};
     const State expected = column == 0 ? start : step(before.q, before.v, params);
     if (!now.q.allFinite() || !now.v.allFinite()) return column;
-    if (!are_same(expected, now) &&
-        (column == 0 || is_decidable(before, params) || !may_lead_to(now, before, params))) {
-      return column;
+    if (!are_same(expected, now)) {
+      const bool may_be = column > 0 && !is_decidable(before, params) &&
+                          may_lead_to(now, before, params) && ++aside <= kMostAside;
+      if (!may_be) return column;
     }
     before = now;
   }

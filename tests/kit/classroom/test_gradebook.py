@@ -99,10 +99,11 @@ def test_a_grade_book_without_one_of_the_students_is_refused(tmp_path: Path) -> 
 
 
 def test_a_student_chooses_no_name_that_changes_the_grade_book(tmp_path: Path) -> None:
-    odd = '"Points Possible, Eve",16,u16,eve,S,,,\n'
+    odd = '"Points Possible, Eve",16,u16,eve,S,,3.00,\n'
     text = EXPORT.replace('"Moe, Sam"', odd + '"Moe, Sam"')
     assert b",S,,3.00," in fill(tmp_path, text, marks(u16=3)).data
     book = Gradebook(tmp_path / "export.csv", {0: COLUMN}, MOST)
+    assert not any("points possible" in sentence for sentence in book.fill({}).sentences)
     assert book.canvas_people()["16"] == "Points Possible, Eve"
     header, _, _, first, *others = EXPORT.splitlines(keepends=True)
     lines = header + first.replace("Doe, Jane", "Aaa\nEve; a; b") + "".join(others)

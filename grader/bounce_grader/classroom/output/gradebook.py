@@ -164,8 +164,7 @@ class Gradebook:
         for row in self._table.rows[1:]:
             texts = [cell.text for cell in row.cells]
             posting = all(re.fullmatch(r"\s*(Muted|Manual Posting.*)?\s*", t, re.I) for t in texts)
-            points = "Points Possible" in texts[0] and not texts[self._header.index("ID")].strip()
-            if not points and not posting:
+            if not self._has_points(row) and not posting:
                 rows.append(row)
         return rows
 
@@ -241,7 +240,12 @@ class Gradebook:
         return f"it has {', '.join(map(repr, near))}" if near else "it has no assignment at all"
 
     def _points_rows(self) -> list[Row]:
-        return [row for row in self._whole_rows() if "Points Possible" in row.cells[0].text]
+        return [row for row in self._whole_rows() if self._has_points(row)]
+
+    def _has_points(self, row: Row) -> bool:
+        """Whether it is Canvas's own row, and not a student with such a name."""
+        id = row.cells[self._header.index("ID")].text.strip()
+        return "Points Possible" in row.cells[0].text and not id
 
     def _whole_rows(self) -> list[Row]:
         return [row for row in self._table.rows[1:] if len(row.cells) == len(self._header)]
