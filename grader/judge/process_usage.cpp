@@ -28,6 +28,16 @@ Scheduled scheduled(const std::string& folder) {
   return {std::chrono::duration<double>(now).count(), 0};
 }
 
+// Field 8 of the first line of /proc/stat, of all CPUs together: at least what one has lost.
+double stolen_seconds() {
+  std::ifstream file("/proc/stat");
+  std::string skipped;
+  for (int field = 0; field < 8; ++field) file >> skipped;
+  double ticks = 0;
+  file >> ticks;
+  return ticks / static_cast<double>(::sysconf(_SC_CLK_TCK));
+}
+
 // Reads /proc/PID/stat: the state (field 3), utime and stime (14 and 15), and resident pages (24).
 // Field 2 is a name in parentheses, which may hold anything.
 std::optional<ProcessUsage> usage_of_one(pid_t pid) {
@@ -80,7 +90,7 @@ std::optional<ProcessUsage> usage_of(pid_t pid) {
   return all;
 }
 
-double own_delay_seconds() { return scheduled("/proc/self").delay; }
+double own_delay_seconds() { return scheduled("/proc/self").delay + stolen_seconds(); }
 
 std::optional<double> cpu_ns_of(pid_t pid) {
   clockid_t clock{};

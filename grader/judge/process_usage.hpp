@@ -21,7 +21,8 @@ struct ProcessUsage {
 // Empty if the system doesn't report it, or the process is gone.
 std::optional<ProcessUsage> usage_of(pid_t pid);
 
-// For how long this process was ready to run while no CPU was free, s.
+// For how long this process was ready to run while no CPU was free, and for how long the host of a
+// virtual machine gave its CPUs to others, s. The kernel counts the latter as nobody's time.
 double own_delay_seconds();
 
 // The CPU time of a process and its descendants, ns, by the system's CPU clocks. Finer than
