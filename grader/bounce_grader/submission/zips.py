@@ -56,6 +56,9 @@ def _entries(path: Path, archive: zipfile.ZipFile) -> Iterator[Entry]:
     names: set[str] = set()
     if len(archive.infolist()) > MOST_ENTRIES:  # folders count, too
         raise _too_many(path)
+    # Entries that share their bytes would be unpacked from them again and again.
+    if sum(info.compress_size for info in archive.infolist()) > archive.start_dir:
+        raise UsageError(f"{path} is broken (its entries overlap): make it anew and submit again")
     for info in archive.infolist():
         if info.filename.endswith(("/", "\\")):
             continue

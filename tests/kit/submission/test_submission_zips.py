@@ -1,6 +1,7 @@
 """Zips as other programs write them, and as nobody should: what is read, and what is refused."""
 
 import resource
+import secrets
 import time
 import zipfile
 from collections.abc import Iterator
@@ -150,3 +151,19 @@ def limited_memory(more: int) -> Iterator[None]:
         yield
     finally:
         resource.setrlimit(resource.RLIMIT_AS, before)
+
+
+def test_entries_that_share_their_bytes_are_refused(tmp_path: Path) -> None:
+    """Each would be unpacked from the same bytes: a small zip that takes minutes to read."""
+    path = tmp_path / "x.zip"
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
+        archive.writestr("part1_contacts.cpp", secrets.token_bytes(5000))
+        for n in range(3):
+            again = zipfile.ZipInfo(f"helper{n}.cpp")
+            again.compress_type = zipfile.ZIP_DEFLATED
+            first = archive.infolist()[0]
+            again.compress_size, again.file_size = first.compress_size, first.file_size
+            again.CRC, again.header_offset = first.CRC, first.header_offset
+            archive.filelist.append(again)
+    with pytest.raises(UsageError, match="its entries overlap"):
+        submission.read(path)
