@@ -18,11 +18,6 @@ from bounce_grader.common.paths import BUILD, CONTRACT, REFERENCE_RUNNER, ROOT
 ROUNDS = 9
 MANY = 100
 AT_ONCE = 10
-SHARED_BY_TESTS = (
-    *("answers", "cases", "feedback", "pattern", "picture", "recognise"),
-    *("wrong_numbers", "wrong_rules", "wrong_where"),
-)
-LINKED_TESTS = ("main", "mistake", "time_limit")
 SOLUTION = ROOT / "solution" / "src"
 CHECKS = ROOT / "tests" / "parts"
 PLAIN_GCC = ("g++", "-std=c++20", "-O1", "-isystem", "/usr/include/eigen3", "-I", str(CONTRACT))
@@ -118,14 +113,11 @@ def _plain(folder: Path) -> list[Line]:
     """Times the usual way: compile the submission, link it with the tests and GoogleTest, and run
     it."""
     submission, program = _variant(folder / "plain", 0), folder / "program"
-    tests = [str(CHECKS / f"{part.stem}_test.cpp") for part in parts()]
-    linked = [str(CHECKS / "linked" / f"{part.stem}.cpp") for part in parts()]
     command = [
         *PLAIN_GCC,
         f'-DBOUNCE_FIXTURES="{ROOT / "fixtures" / "public"}"',
-        *(*tests, *linked, *(str(submission / part.file) for part in parts())),
-        *(str(CHECKS / f"{name}.cpp") for name in SHARED_BY_TESTS),
-        *(str(CHECKS / "linked" / f"{name}.cpp") for name in LINKED_TESTS),
+        *map(str, (*CHECKS.glob("*.cpp"), *(CHECKS / "linked").glob("*.cpp"))),
+        *(str(submission / part.file) for part in parts()),
         str(ROOT / "student" / "given" / "solve_lcp.cpp"),
         *("-lgtest", "-lpthread", "-o", str(program)),
     ]

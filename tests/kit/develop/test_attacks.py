@@ -10,7 +10,7 @@ import sys
 
 import pytest
 from conftest import ROOT
-from fuzzing import nasty
+from fuzzing import nasty_words
 from fuzzing.attacks import some_attack
 
 COUNT, FIRST = 20, 7040
@@ -58,8 +58,8 @@ def test_an_attack_depends_on_its_seed_alone() -> None:
 
 
 def test_a_string_of_cpp_is_one_whatever_is_in_it() -> None:
-    for words in (*nasty.DECISIVE, *nasty.WORDS, "".join(map(chr, range(1, 256)))):
-        spelled = nasty.quoted(words)
+    for words in (*nasty_words.DECISIVE, *nasty_words.WORDS, "".join(map(chr, range(1, 256)))):
+        spelled = nasty_words.quoted(words)
         assert spelled.isascii() and spelled.isprintable()
         assert spelled.count('"') == 2
 

@@ -16,7 +16,7 @@ import corpus
 from bounce_grader.common.manifest import parts
 from bounce_grader.common.paths import ROOT
 from corpus import Member
-from fuzzing import nasty
+from fuzzing import nasty, nasty_words
 from fuzzing.mutation import EDGES, Random, mutated
 from hostile import part
 
@@ -39,7 +39,7 @@ class Attack:
 
 def some_attack(rng: Random, secrets: list[str]) -> Attack:
     """`secrets` are files that a submission must not read."""
-    places = [*secrets, *nasty.PLACES]
+    places = [*secrets, *nasty_words.PLACES]
     kind = rng.choices(("folder", "zip", "class"), (64, 18, 18))[0]
     if kind == "class":
         return _class(rng, places)
@@ -82,14 +82,16 @@ def _submission(rng: Random, places: list[str]) -> tuple[Files, frozenset[int]]:
     return files, frozenset(numbers) - broken
 
 
-def _text(pieces: list[nasty.Piece]) -> bytes:
-    return (nasty.HEADERS + "".join(piece.head for piece in pieces)).encode()
+def _text(pieces: list[nasty_words.Piece]) -> bytes:
+    return (nasty_words.HEADERS + "".join(piece.head for piece in pieces)).encode()
 
 
 def _nasty_part(rng: Random, number: int, headers: list[str], places: list[str]) -> bytes:
     pieces = [nasty.some_piece(rng, places, nasty.KINDS) for _ in range(rng.choice((1, 1, 2, 3)))]
-    head = nasty.FOR_GCC if rng.random() < 0.2 else ""
-    head += nasty.HEADERS + "".join(f"#include {nasty.quoted(name)}\n" for name in headers)
+    head = nasty_words.FOR_GCC if rng.random() < 0.2 else ""
+    head += nasty_words.HEADERS + "".join(
+        f"#include {nasty_words.quoted(name)}\n" for name in headers
+    )
     head += "".join(piece.head for piece in dict.fromkeys(pieces))
     attack = "".join(f"{{ {piece.attack} }}\n" for piece in pieces)
     if rng.random() < 0.3:  # right answers
@@ -130,12 +132,12 @@ def _lying_zip(rng: Random, files: Files) -> bytes:
     ]
     members += [_lie(rng, rng.choice(members)) for _ in range(rng.randrange(4))]
     rng.shuffle(members)
-    return corpus.zip_of(members, rng.choice((b"", b"", nasty.some_words(rng).encode())))
+    return corpus.zip_of(members, rng.choice((b"", b"", nasty_words.some_words(rng).encode())))
 
 
 def _lie(rng: Random, member: Member) -> Member:
     """A further entry with a false property, under another name or the same one."""
-    words = nasty.some_words(rng).encode()[:200]
+    words = nasty_words.some_words(rng).encode()[:200]
     # No source: its copy of a part would be linked beside the part itself.
     names = [b"x.hpp", b"x.txt", b"x/", b"", member.name, words + b".hpp", b"../x.cpp", b"/x.cpp"]
     names += [b"d/" * 99 + b"x.hpp", b"\xff\0.hpp", b"n" * 999 + b".hpp", member.name + b"/x.hpp"]
