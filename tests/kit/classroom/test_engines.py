@@ -82,7 +82,7 @@ def test_dask_without_a_scheduler_is_said(tmp_path: Path) -> None:
 
 
 @needs_dask
-@pytest.mark.slow
+@pytest.mark.long
 def test_dask_workers_without_the_kit_are_said(
     cluster: Cluster, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -98,7 +98,7 @@ def test_dask_workers_without_the_kit_are_said(
 
 
 @needs_dask
-@pytest.mark.slow
+@pytest.mark.long
 def test_dask_without_workers_says_that_it_waits(
     cluster: Cluster, tmp_path: Path, capfd: pytest.CaptureFixture[str]
 ) -> None:

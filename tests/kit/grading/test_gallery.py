@@ -80,13 +80,13 @@ def test_entries_that_take_long_are_in_the_gallery() -> None:
 
 
 def run_of(number: int, folder: Path) -> list[pytest.MarkDecorator]:
-    """One in twelve is in the quick run. Of the mistakes, which differ in their numbers and not in
-    how they run, one in six is in the usual one; the judge sees all of them there."""
+    """One in twelve is in the quick run. The usual one grades every second; of the mistakes, which
+    differ in their numbers and not in how they run, one in six, and there the judge sees all."""
     if name_of(folder) in TAKES_LONG:
         return [pytest.mark.long]
     if number % 12 == 0:
         return []
-    return [pytest.mark.long if folder in MISTAKES and number % 6 else pytest.mark.slow]
+    return [pytest.mark.long if number % (6 if folder in MISTAKES else 2) else pytest.mark.slow]
 
 
 @pytest.mark.parametrize(
@@ -114,7 +114,7 @@ IN_BOTH = [folder for folder in folders("hostile") if "reduced" in expected(fold
 
 
 def run_in_reduced_box(number: int, folder: Path) -> pytest.MarkDecorator:
-    return pytest.mark.long if number % 4 or name_of(folder) in TAKES_LONG else pytest.mark.slow
+    return pytest.mark.long if number % 8 or name_of(folder) in TAKES_LONG else pytest.mark.slow
 
 
 IN_REDUCED = [pytest.param(f, marks=run_in_reduced_box(i, f)) for i, f in enumerate(IN_BOTH)]

@@ -35,7 +35,7 @@ def failed_tests(folder: Path) -> list[str]:
     return [stem for stem in STEMS if f"{stem} (Failed)" in out]
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_builds_without_a_warning_and_goes_from_no_part_to_all(handout: Path) -> None:
     assert configure(handout, "-DCMAKE_CXX_FLAGS=-Werror").returncode == 0
     built = run("cmake", "--build", "build", cwd=handout)
