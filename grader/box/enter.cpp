@@ -10,7 +10,8 @@
 //   --open         makes no box at all, for a command that is trusted
 //   --user N       the user that the command runs as, if this is started as root
 //   --status N     a descriptor of the kit, which COMMAND doesn't get: "m" is written to it when
-//                  the box is made, just before COMMAND begins, and "x" if COMMAND can't begin
+//                  the box is made, just before COMMAND begins, "x" if COMMAND can't begin, and "s"
+//                  if the file that it has made is longer than what could be written to --output
 //   --output N     likewise; the file that COMMAND has made at OUTPUT is written to it
 //   --in FOLDER    where COMMAND starts
 //   --see PATH     what may be read and executed in a reduced box
@@ -126,23 +127,36 @@ void make_scratch(const Options& options) {
 
 std::string made() { return scratch + "/output"; }
 
-// Passes out the file that was made, but only if it is a regular file.
-void hand_out() {
+void tell(char what) {
+  if (status >= 0) [[maybe_unused]]
+    const auto written = ::write(status, &what, 1);
+}
+
+bool write_all(const char* data, ssize_t size) {
+  for (ssize_t at = 0; at < size;) {
+    const ssize_t written = ::write(output, data + at, static_cast<std::size_t>(size - at));
+    if (written <= 0) return false;
+    at += written;
+  }
+  return true;
+}
+
+// Passes out the file that was made, but only if it is a regular file. Returns whether all of it
+// could be written, which a full disk prevents.
+bool hand_out() {
   struct stat about = {};
   const int from = output < 0 ? -1 : ::open(made().c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK);
-  if (from < 0 || ::fstat(from, &about) != 0 || !S_ISREG(about.st_mode)) return;
+  if (from < 0 || ::fstat(from, &about) != 0 || !S_ISREG(about.st_mode)) return true;
   static char chunk[1 << 16];
-  for (ssize_t n = 0; (n = ::read(from, chunk, sizeof chunk)) > 0;) {
-    for (ssize_t at = 0; at < n;) {
-      const ssize_t written = ::write(output, chunk + at, static_cast<std::size_t>(n - at));
-      if (written <= 0) return;
-      at += written;
-    }
+  ssize_t n = 0;
+  while ((n = ::read(from, chunk, sizeof chunk)) > 0) {
+    if (!write_all(chunk, n)) return false;
   }
+  return n == 0;
 }
 
 void hand_out_and_clean_up() {
-  hand_out();
+  if (!hand_out()) tell('s');
   std::error_code ignored;
   if (scratch_is_ours) std::filesystem::remove_all(scratch, ignored);
 }
@@ -155,11 +169,6 @@ void close_when_the_command_begins(bool build) {
 void see_only_what_is_named(const Options& options) {
   const std::vector<std::string> none, own{scratch};
   see_only(options.visible, scratch.empty() ? none : own);
-}
-
-void tell(char what) {
-  if (status >= 0) [[maybe_unused]]
-    const auto written = ::write(status, &what, 1);
 }
 
 // Large pages, for compilers: they spend half of their time in the kernel on mapping single pages.
@@ -200,7 +209,8 @@ void enter(const Options& options) {
   require(::prctl(PR_SET_DUMPABLE, 0), "hiding this process");
   if (build) make_scratch(options);
   const Guarding guarding{boxed ? allow_only_what_a_guard_needs : [] {}, hand_out_and_clean_up};
-  guard_what_follows(guarding, output);
+  // Of a run, the judge waits until every process has closed the status.
+  guard_what_follows(guarding, build ? std::vector{status, output} : std::vector<int>{});
   close_when_the_command_begins(build);
   if (options.reduced) see_only_what_is_named(options);
   if (boxed) give_up_privileges(options.user);

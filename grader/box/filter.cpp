@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <climits>
 #include <initializer_list>
 
 #include "require.hpp"
@@ -62,8 +63,6 @@ void allow_numbers(Filter& filter) {
                                 SCMP_SYS(sigaltstack),
                                 SCMP_SYS(futex),
                                 SCMP_SYS(getrandom),
-                                SCMP_SYS(clock_gettime),
-                                SCMP_SYS(clock_nanosleep),
                                 SCMP_SYS(nanosleep),
                                 SCMP_SYS(gettimeofday),
                                 SCMP_SYS(time),
@@ -80,6 +79,11 @@ void allow_numbers(Filter& filter) {
                                 SCMP_SYS(execve),
                                 SCMP_SYS(exit),
                                 SCMP_SYS(exit_group)});
+  // Clocks of the system, and its own. Those below zero belong to other processes.
+  for (const int call : {SCMP_SYS(clock_gettime), SCMP_SYS(clock_nanosleep)}) {
+    filter.rule(SCMP_ACT_ALLOW, call, SCMP_A0(SCMP_CMP_LE, INT_MAX));
+    filter.rule(no(EINVAL), call, SCMP_A0(SCMP_CMP_GT, INT_MAX));
+  }
   // Signals to itself (abort and raise), reading limits, and asking whether output is a terminal.
   const auto self = static_cast<scmp_datum_t>(::getpid());
   filter.rule(SCMP_ACT_ALLOW, SCMP_SYS(tgkill), SCMP_A0(SCMP_CMP_EQ, self));

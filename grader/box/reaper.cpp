@@ -4,10 +4,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <string>
+#include <utility>
 
 #include "require.hpp"
 
@@ -63,19 +65,21 @@ int end_of(pid_t child) {
   return as_exit_status(status);
 }
 
-void close_all_but(int kept) {
-  if (kept < 0) {
-    ::close_range(0, ~0U, 0);
-    return;
+void close_all_but(std::vector<int> kept) {
+  std::sort(kept.begin(), kept.end());
+  unsigned next = 0;
+  for (const int fd : kept) {
+    const auto number = static_cast<unsigned>(fd);
+    if (fd < 0) continue;
+    if (number > next) ::close_range(next, number - 1, 0);
+    next = number + 1;
   }
-  const auto number = static_cast<unsigned>(kept);
-  if (number > 0) ::close_range(0, number - 1, 0);
-  ::close_range(number + 1, ~0U, 0);
+  ::close_range(next, ~0U, 0);
 }
 
 }  // namespace
 
-void guard_what_follows(const Guarding& guarding, int kept) {
+void guard_what_follows(const Guarding& guarding, std::vector<int> kept) {
   require(::prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0), "becoming the reaper");
   int ready[2];  // closed once the guard is ready
   require(::pipe(ready), "a pipe");
@@ -89,7 +93,8 @@ void guard_what_follows(const Guarding& guarding, int kept) {
   }
   hear_when_to_end();
   guarding.before();
-  close_all_but(kept);  // also `ready`, and pipes, so that only the child keeps them open
+  close_all_but(
+      std::move(kept));  // also `ready`, and pipes, so that only the child keeps them open
   const int status = end_of(child);
   end_what_is_left();
   guarding.afterwards();

@@ -5,6 +5,8 @@
 
 #include <sys/types.h>
 
+#include <vector>
+
 namespace bounce::box {
 
 struct Guarding {
@@ -13,9 +15,9 @@ struct Guarding {
 };
 
 // Forks, and returns in the child once the guard is ready. The guard ends when the child does, with
-// its exit status, or 128 + n after signal n; `kept` is the only descriptor that it keeps, or -1.
+// its exit status, or 128 + n after signal n. It keeps the descriptors `kept` and no others.
 // If the process that started this one ends, so does the child.
-void guard_what_follows(const Guarding& guarding, int kept);
+void guard_what_follows(const Guarding& guarding, std::vector<int> kept);
 
 // Starts a command, waits, and returns its exit status, or 128 + n after signal n. For programs
 // such as g++, which would only print that a signal ended a child.

@@ -64,8 +64,12 @@ Frame Session::ask(Frame question, Trajectory* columns) {
     end_ = {"no_answer", ""};
     throw;
   }
-  if (!runner_) runner_ = start_(limits_);
-  question.number = numbers_();
+  try {
+    if (!runner_) runner_ = start_(limits_);
+    question.number = numbers_();
+  } catch (const std::exception& failure) {
+    fail(failure);
+  }
   try {
     const Frame answer = answer_of(question, columns);
     if (answer.kind == Kind::threw) {
@@ -73,8 +77,7 @@ Frame Session::ask(Frame question, Trajectory* columns) {
     }
     return answer;
   } catch (const NoBox& failure) {
-    kit_failure_ = failure.what();
-    throw tests::Ended(kit_failure_);
+    fail(failure);
   } catch (const RunnerEnded& ended) {
     end_runner();
     end_ = {ended.termination.status, ended.termination.stack};
@@ -82,6 +85,11 @@ Frame Session::ask(Frame question, Trajectory* columns) {
     if (ended.waits) hangs_left_ = 0;
     throw tests::Ended(ended.what());
   }
+}
+
+void Session::fail(const std::exception& failure) {
+  kit_failure_ = failure.what();
+  throw tests::Ended(kit_failure_);
 }
 
 void Session::require_time() const {

@@ -44,6 +44,7 @@ class Session {
  private:
   frames::Frame answer_of(const frames::Frame& question, Trajectory* columns);
   void read_columns(const frames::Frame& question, const frames::Frame& answer, Trajectory& into);
+  [[noreturn]] void fail(const std::exception& failure);  // of the kit
   void require_time() const;
   void end_runner();
 

@@ -1,5 +1,6 @@
 """Compiles the parts of a submission and its helpers (its other sources), in a box."""
 
+import shutil
 from pathlib import Path
 from typing import NamedTuple
 
@@ -12,7 +13,7 @@ from bounce_grader.sandbox.budget import Overrun, Shares
 from bounce_grader.submission.submission import Submission
 
 HELPERS_SECONDS = 30  # of CPU time, for all helpers of a submission together
-HELPERS_BYTES = 32 << 20  # of objects, likewise; one more may be under way
+HELPERS_BYTES = 32 << 20  # of objects, likewise, refused ones too; one more may be under way
 
 
 class Built(NamedTuple):
@@ -47,7 +48,6 @@ def compile_all(
             built = _Compiling(file, submission, named, work, box, timed, own).built()
         except Overrun as overrun:
             return Built(None, f"{file} wasn't compiled: {overrun}")
-        own.bytes += built.path.stat().st_size if built.path else 0
         return built
 
     files = [*submission.parts.values(), *helpers]
@@ -100,11 +100,20 @@ class _Compiling(NamedTuple):
         name = object_cache.name_of(self.file, names, self.submission, self.box, self.timed)
         place = object_cache.place(name)
         if object_cache.is_there(place):
+            self.spent.bytes += place.stat().st_size
             return Built(place)
         folder = self.work / f"{SOURCES}-{name[:16]}"
         made = self.work / f"{name[:16]}.o"
         self.submission.write_to(folder, names)
         self.box.give(folder)
+        try:
+            return self._made(names, more, folder, made, place)
+        finally:
+            # At once: those of all files together may not fit into the temporary folder.
+            shutil.rmtree(folder)
+            made.unlink(missing_ok=True)
+
+    def _made(self, names: list[str], more: bool, folder: Path, made: Path, place: Path) -> Built:
         header = "speed" if self.timed else compiler.header_of(names, self.submission)
         clang = compiler.clang(self.file, self.submission, header)
         first = result = self._run(clang, folder, made, ())
@@ -113,9 +122,11 @@ class _Compiling(NamedTuple):
         if not first.ok and not compiler.ran_out_of_time(first) and not first.flooded:
             gcc = compiler.gcc(self.file, self.submission, self.box, self.timed)
             result = self._run(gcc, folder, made, PROGRAMS)
-        if not result.ok or not made.stat().st_size:
+        size = made.stat().st_size
+        self.spent.bytes += size
+        if not result.ok or not size:
             return Built(None, compiler.compile_problem(first, self.file))
-        if made.stat().st_size > compiler.LARGEST_OBJECT:
+        if size > compiler.LARGEST_OBJECT:
             return Built(None, compiler.too_large(self.file))
         return Built(object_cache.store(made.read_bytes(), place))
 

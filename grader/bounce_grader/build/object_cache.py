@@ -13,7 +13,7 @@ from bounce_grader.common.paths import BUILD, CACHE, RUNNER
 from bounce_grader.sandbox.box import Box
 from bounce_grader.submission.submission import Submission
 
-FORMAT = "a file of its own from a process of its own"  # change it to invalidate all objects
+FORMAT = "a file of its own from a process of its own, whole"  # change it to invalidate all objects
 KEPT_IN_A_FOLDER = 64  # objects in each of the 256 folders
 KEPT_BYTES = 16 << 20  # bytes in each folder
 IN_USE = 3600  # seconds; every grading is over by then

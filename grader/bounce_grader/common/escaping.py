@@ -98,6 +98,9 @@ def json_document(value: object, indent: int | None = None) -> str:
     return re.sub("#(?=#)", r"\\u0023", json.dumps(value, indent=indent, ensure_ascii=False))
 
 
+FORMULA = r"[=+\-@＝＋－＠]"  # how one begins
+
+
 def csv_row(values: Iterable[Value]) -> str:
     """A line that ends in CRLF. Numbers stay numbers; None, NaN and infinity become empty. Text
     that a spreadsheet would take for a formula gets an apostrophe in front."""
@@ -113,7 +116,7 @@ def _csv_field(value: Value) -> str:
     if not re.fullmatch(r"-?\d+(\.\d+)?", text, re.ASCII):
         # With a locale that separates by semicolons, a spreadsheet splits there, even within
         # quotes.
-        text = re.sub(r"(^|[;\n])(?= *[=+\-@＝＋－＠])", r"\1'", text)
+        text = re.sub(rf"(^|\n)(?= *{FORMULA})|;(?=[ \"']*{FORMULA})", r"\g<0>'", text)
     return '"' + text.replace('"', '""') + '"'
 
 

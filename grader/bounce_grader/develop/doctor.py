@@ -144,6 +144,7 @@ def _protections(marker: str, file: IO[str], home: IO[str], port: int) -> list[P
         Protection("has none of your open files", [["descriptors", "5"]]),
         Protection("connects to nothing", [["connect", str(port)]]),
         Protection("signals no process of yours", [["signal", me]]),
+        Protection("sees no clock of your processes", [["clock", me]], ("run", "check")),
         Protection("traces no process of yours", [["trace", me]]),
         Protection("has no privileges", [["privileges"]]),
         Protection("makes no namespaces", [["namespace"]]),

@@ -3,6 +3,7 @@ because a program in a box may look for the environments of the processes above 
 while it streams.
 """
 
+import errno
 import os
 import selectors
 import signal
@@ -23,6 +24,7 @@ ENVIRONMENT = {"PATH": "/usr/bin:/bin", "LC_ALL": "C.UTF-8"}
 # Placeholders in a command for descriptors that `run` opens: on STATUS a box reports that it was
 # made (grader/box/enter.cpp); OUTPUT receives the file that a build made.
 STATUS, OUTPUT = "<status>", "<output>"
+MADE, SHORT = b"m", b"s"  # what a box reports on STATUS
 
 
 class Limits(NamedTuple):
@@ -104,16 +106,18 @@ def run(
             result = _collect(process, deadline, out_cap, err_cap)
         finally:
             _end(process)
-        made = STATUS not in command or _says_that_it_is_made(status)
-    return result._replace(boxed=made, cpu_limit=limits.cpu_seconds if limits else 0.0)
+        told = _told(status) if STATUS in command else MADE
+    if SHORT in told:
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), str(output))
+    return result._replace(boxed=told == MADE, cpu_limit=limits.cpu_seconds if limits else 0.0)
 
 
-def _says_that_it_is_made(status: int) -> bool:
+def _told(status: int) -> bytes:
     os.set_blocking(status, False)
     try:
-        return os.read(status, 2) == b"m"
+        return os.read(status, 8)
     except BlockingIOError:
-        return False
+        return b""
 
 
 def _opened(output: Path) -> int:

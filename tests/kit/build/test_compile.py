@@ -2,7 +2,9 @@
 
 import os
 import secrets
+import subprocess
 import tempfile
+from contextlib import suppress
 from pathlib import Path
 
 import pytest
@@ -189,14 +191,18 @@ def test_what_is_timed_is_built_by_gcc_as_a_program_is_too(tmp_path: Path) -> No
 
 
 @pytest.mark.slow
-def test_helpers_fill_no_disk(tmp_path: Path) -> None:
-    zeros = 'asm(".section .data.h,\\"aw\\"\\n.zero 8000000\\n.text\\n");\n'
+@pytest.mark.parametrize("size, kept", [(8_000_000, 5), (30_000_000, 0)])
+def test_helpers_fill_no_disk(tmp_path: Path, size: int, kept: int) -> None:
+    """Neither by what is kept nor by what is refused."""
+    zeros = 'asm(".section .data.h,\\"aw\\"\\n.zero %d\\n.text\\n");\n' % size
     files = {f"helper{n}.cpp": f"// {secrets.token_hex()}\n{zeros}".encode() for n in range(8)}
     taken = read(write(tmp_path / "in", {**solution_files(), **files}))
     (tmp_path / "work").mkdir()
     made = compiling.compile_all(taken, tmp_path / "work", Box("none"), 1)
     problems = [built.problem for built in made.helpers.values() if not built.path]
-    assert len(problems) == 3 and all("take more than 32 MB" in p for p in problems)
+    assert len(problems) == 8 - kept
+    assert sum("take more than 32 MB" in problem for problem in problems) == (3 if kept else 6)
+    assert not list((tmp_path / "work").iterdir())
     assert all(built.path for built in made.parts.values())
 
 
@@ -276,3 +282,26 @@ def test_words_of_a_submission_are_not_the_boxs(grade: Grade) -> None:
     record = grade({"part1_contacts.cpp": _new() + forged})
     assert points(record) == [0, 30, 30, 10]
     assert record["parts"][0]["status"] == "does_not_compile"
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    "room", [100, *(pytest.param(kb, marks=pytest.mark.long) for kb in range(20, 2000, 30))]
+)
+def test_a_full_disk_costs_no_points_now_or_later(
+    room: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Half of an object was once kept as if it were whole."""
+    disk, files = tmp_path / "disk", tmp_path / "files"
+    disk.mkdir()
+    write(files, {name: _new() + text for name, text in solution_files().items()})
+    mount = ["mount", "-t", "tmpfs", "-o", f"size={room}k", "tmpfs", str(disk)]
+    if subprocess.run(mount, capture_output=True, check=False).returncode != 0:
+        pytest.skip("mounting needs root")
+    try:
+        with monkeypatch.context() as patch, suppress(OSError):
+            patch.setattr(tempfile, "tempdir", str(disk))
+            assert points(grade_path(files)) == FULL
+    finally:
+        subprocess.run(["umount", str(disk)], check=True)
+    assert points(grade_path(files)) == FULL

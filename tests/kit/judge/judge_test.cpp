@@ -95,6 +95,16 @@ TEST(Session, AsksNoMoreWhenItsTimeIsUp) {
   EXPECT_EQ(started, 0);
 }
 
+TEST(Session, TakesARunnerThatCannotBeStartedForAFaultOfTheKit) {
+  Session session(
+      [](const Limits&) -> std::unique_ptr<RunnerProcess> {
+        throw std::runtime_error("no process could be started");
+      },
+      {}, 1, false, always_one);
+  EXPECT_THROW(session.ask(frames::Frame()), tests::Ended);
+  EXPECT_EQ(session.kit_failure(), "no process could be started");
+}
+
 TEST(Session, RemembersThatTheKitHasFailed) {
   std::signal(SIGPIPE, SIG_IGN);  // as in the judge: the box may have ended before it is asked
   Session session(

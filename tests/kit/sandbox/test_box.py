@@ -1,5 +1,6 @@
 """The boxes keep their promises; and without a box, the probe's attempts succeed."""
 
+import errno
 import os
 import secrets
 import subprocess
@@ -29,6 +30,7 @@ ATTEMPTS = [
     ["first-process"],
     ["descriptors", "0"],
     ["signal", str(os.getpid())],
+    ["clock", str(os.getpid())],
     ["processes", "100"],
     ["allocate", "100"],
     ["daemon", "a-word"],
@@ -132,6 +134,18 @@ def test_a_reduced_box_that_is_stopped_leaves_nothing() -> None:
     left, folder = result.out.decode().splitlines()
     assert result.too_long and left == "x" and "bounce-box-" in folder
     assert not Path(folder).exists()
+
+
+@pytest.mark.parametrize("kind", ["full", "reduced", "none"])
+def test_a_file_that_does_not_fit_onto_the_disk_is_a_fault_of_the_kit(
+    kind: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(processes, "_opened", lambda _: os.open("/dev/full", os.O_WRONLY))
+    copy = ["/usr/bin/cp", "clang_flags.txt", "OUTPUT"]
+    command = [*Box(kind).to_build(RUNNER, [], ("cp",)), *copy]
+    with pytest.raises(OSError) as full:
+        processes.run(command, output=tmp_path / "taken")
+    assert full.value.errno == errno.ENOSPC
 
 
 ENDLESS = """
