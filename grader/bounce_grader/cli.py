@@ -9,6 +9,7 @@ from bounce_grader import __version__, formats
 from bounce_grader.classroom import cli as class_cli
 from bounce_grader.common.errors import KitError, UsageError
 from bounce_grader.common.escaping import json_document, printable_text, terminal
+from bounce_grader.common.manifest import parts
 from bounce_grader.common.packages import find_installed
 from bounce_grader.develop import study
 
@@ -41,6 +42,17 @@ def main(arguments: list[str]) -> int:
         kind = type(error).__name__
         print(f"kit: the kit itself failed: {kind}: {_plain(error)}", file=sys.stderr)
         return 3
+
+
+def check_manifest() -> int:
+    """Says what is wrong in parts.json, before anything is built from it. Returns an exit
+    status."""
+    try:
+        parts()
+    except UsageError as error:
+        print(f"kit: {_plain(error)}", file=sys.stderr)
+        return 2
+    return 0
 
 
 def _plain(error: Exception) -> str:
@@ -136,7 +148,8 @@ def _grade(options: argparse.Namespace) -> int:
     if options.json == "-":
         print(text)
     elif options.format:
-        print(formats.render(options.format, record, options.submission))
+        enough = options.min_score or 0.0
+        print(formats.render(options.format, record, options.submission, enough))
     else:
         terminal.show(record)
     if options.json not in (None, "-"):
@@ -179,7 +192,7 @@ def _fixtures(options: argparse.Namespace) -> int:
         return 0
     differing = fixtures.all_differing()
     for name in differing:
-        print(f"fixtures/public/{name} isn't what the kit writes: run ./kit fixtures")
+        print(f"fixtures/{name} isn't what the kit writes: run ./kit fixtures")
     return int(bool(differing))
 
 

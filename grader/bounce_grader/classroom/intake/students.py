@@ -37,6 +37,13 @@ class Student:
     late: bool = False
     feedback: str = ""  # the name of the feedback page
     unused: tuple[str, ...] = ()  # a sentence for each file that doesn't count
+    person: str = ""  # the name in the grade book or the roster, as "Doe, Jane"
+    late_days: int = 0  # days begun after the due date, where that is known
+
+    @property
+    def shown(self) -> str:
+        """The name for people to read."""
+        return self.person or self.name
 
 
 @dataclass(frozen=True)

@@ -9,7 +9,8 @@ from pathlib import Path
 from typing import Any
 
 from bounce_grader.classroom.intake import canvas
-from bounce_grader.classroom.intake.students import Class, Student
+from bounce_grader.classroom.intake.course import Course
+from bounce_grader.classroom.intake.students import Class
 from bounce_grader.classroom.output import gradebook, grades, page
 from bounce_grader.classroom.output.gradebook import Gradebook, Marks
 from bounce_grader.classroom.work import results
@@ -36,10 +37,11 @@ def write(
     near: Similar,
     log: Log,
     overwrite: bool = False,
+    course: Course = Course(),
 ) -> list[str]:
     """Writes everything but the feedback. Returns sentences about the grade book for the
     instructor."""
-    marks = _marks(summaries)
+    marks, left_out = _marks(submitted, summaries)
     if book is None:
         title = columns.get(0, TITLE)
         sentences = _make_up_gradebook(out / "gradebook.csv", marks, title, log)
@@ -48,9 +50,9 @@ def write(
         filled = book.fill(marks, _without_score(submitted, summaries), written, overwrite)
         write_whole(out / "gradebook.csv", filled.data)
         write_whole(out / WRITTEN, json.dumps(filled.written, indent=1, sort_keys=True))
-        sentences = filled.sentences
+        sentences = [*filled.sentences, *left_out]
     write_whole(out / "grades.csv", "\ufeff" + grades.table(summaries))
-    write_whole(out / "class.html", page.render(submitted, summaries, near, sentences))
+    write_whole(out / "class.html", page.render(submitted, summaries, near, sentences, course))
     return sentences
 
 
@@ -65,15 +67,22 @@ def _read_written(path: Path) -> gradebook.Written:
         return {}  # then what stands in the grade book is kept, and listed
 
 
-def _marks(summaries: list[Summary]) -> dict[str, Marks]:
-    """The points of those that have a score; a missing score must not become a zero."""
-    return {
-        s.student.id: Marks(
-            s.student.name, {0: s.score, **s.parts}, bool(s.student.uploads and s.student.name)
-        )
-        for s in summaries
-        if s.score is not None
-    }
+def _marks(submitted: Class, summaries: list[Summary]) -> tuple[dict[str, Marks], list[str]]:
+    """The points of those that have a score, by person; a missing score must not become a zero. A
+    login of GitHub's alone gets none: its student could have chosen another's id for it."""
+    marks: dict[str, Marks] = {}
+    left_out = []
+    for summary in summaries:
+        student = summary.student
+        for one in summary.finals:
+            itself = one.id == student.id
+            if itself and submitted.logins and not student.person:
+                left_out.append(f"{student.id} isn't in roster.csv: the points are in grades.csv")
+                continue
+            of_canvas = itself and bool(student.uploads and student.name)
+            name = student.name if itself else one.name or student.shown
+            marks[one.id] = Marks(name, one.points, of_canvas)
+    return marks, left_out
 
 
 def _without_score(submitted: Class, summaries: list[Summary]) -> dict[str, str]:
@@ -118,7 +127,7 @@ def write_feedback(
         try:
             with about_one_submission("there is no feedback page, as it can't be written"):
                 if result:
-                    text = _page(summary.student, result, reveal)
+                    text = _page(summary, result, reveal)
                     write_whole(folder / summary.student.feedback, text)
                     pages.append(summary.student.feedback)
         except UsageError as error:
@@ -149,11 +158,27 @@ def _is_ours(page_file: Path) -> bool:
         return f"<title>{html.TITLE}".encode() in stream.read(200)
 
 
-def _page(student: Student, result: dict[str, Any], reveal: bool) -> str:
+def _page(summary: Summary, result: dict[str, Any], reveal: bool) -> str:
     if result["record"]:
         record = (with_answers if reveal else without_answers)(result["record"])
-        return html.render(record, student.name, student.unused)
+        student = summary.student
+        return html.render(record, student.shown, student.unused, _in_the_end(summary))
     return html.refused(result["message"])
+
+
+def _in_the_end(summary: Summary) -> list[html.InTheEnd]:
+    """The final points of each member, if any are changed."""
+    if not summary.is_adjusted:
+        return []
+    several = len(summary.finals) > 1
+    return [
+        html.InTheEnd(
+            (one.name or one.id) if several else "",
+            one.points[0],
+            [(a.points, a.reason, a.comment) for a in one.applied],
+        )
+        for one in summary.finals
+    ]
 
 
 def _zip(folder: Path, pages: list[str]) -> bytes:
