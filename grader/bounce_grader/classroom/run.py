@@ -16,6 +16,7 @@ from bounce_grader.classroom.intake.students import Class, Student
 from bounce_grader.classroom.output import final, outputs
 from bounce_grader.classroom.output.final import Rules
 from bounce_grader.classroom.output.gradebook import Gradebook
+from bounce_grader.classroom.output.worksheet import is_worksheet, Worksheet
 from bounce_grader.classroom.work import grading, near_copies, regrade, results
 from bounce_grader.classroom.work.log import Log
 from bounce_grader.classroom.work.request import Request
@@ -46,6 +47,7 @@ def _whole(request: Request) -> int:
     book = _gradebook(request)
     own = (course.read(request.out), roster.read(request.out), adjustments.read(request.out))
     intake = students.read(request.submissions, book.people() if book else {})
+    _require_the_same_service(request, book, intake)
     rules = Rules(*own, book.same_person() if book else {}, intake.logins)
     if book and intake.logins and not rules.roster:
         raise UsageError(
@@ -77,7 +79,7 @@ def _whole(request: Request) -> int:
 def _run(
     request: Request,
     intake: Class,
-    book: Gradebook | None,
+    book: Gradebook | Worksheet | None,
     log: Log,
     rules: Rules,
     notes: list[str],
@@ -107,7 +109,8 @@ def _run(
         intake,
         summaries,
         book,
-        request.columns,
+        _filled_in(request).name,
+        request.columns.get(0, ""),
         near,
         log,
         request.overwrite,
@@ -116,10 +119,21 @@ def _run(
     return _say(request, intake, summaries, [*adjusted(summaries), *notes, *remarks])
 
 
-def _name_persons(intake: Class, book: Gradebook | None, listed: Roster) -> None:
+def _require_the_same_service(
+    request: Request, book: Gradebook | Worksheet | None, intake: Class
+) -> None:
+    """A number means another student in another service."""
+    if book and intake.service and book.service != intake.service:
+        raise UsageError(
+            f"{request.submissions} is a download of {intake.service.capitalize()}'s, and "
+            f"{request.gradebook} a file of {book.service.capitalize()}'s: give both of one"
+        )
+
+
+def _name_persons(intake: Class, book: Gradebook | Worksheet | None, listed: Roster) -> None:
     """Gives each submission the name of its person, as the roster or the grade book has it. In a
     download of Canvas's, a group has the id of one of its members, but not the name."""
-    people = book.people(any(s.uploads for s in intake.students)) if book else {}
+    people = book.people(intake.service == "canvas") if book else {}
 
     def name_of(student: Student) -> str:
         own = listed.of(student)
@@ -129,7 +143,8 @@ def _name_persons(intake: Class, book: Gradebook | None, listed: Roster) -> None
         if intake.logins:
             return ""
         person = people.get(student.id, "")
-        return "" if student.uploads and not is_name_of(person, student.name) else person
+        of_group = intake.service == "canvas" and not is_name_of(person, student.name)
+        return "" if of_group else person or (student.name if intake.service else "")
 
     intake.students = [replace(s, person=name_of(s)) for s in intake.students]
     intake.students.sort(key=lambda student: (student.shown.casefold(), student.id))
@@ -157,19 +172,29 @@ def _tasks(request: Request, chosen: list[Student], stamp: Stamp, folder: Path) 
     return {id: timed[id] if timed[id].key in there else task for id, task in tasks.items()}
 
 
-def _gradebook(request: Request) -> Gradebook | None:
+def _gradebook(request: Request) -> Gradebook | Worksheet | None:
     """The grade book, which is read and checked before anything is graded or written."""
     if request.gradebook is None:
         return None
-    if 0 not in request.columns:
-        raise UsageError("--gradebook needs --column, the title of the column to fill")
-    if request.gradebook.resolve() == (request.out / "gradebook.csv").resolve():
+    if request.gradebook.resolve() == _filled_in(request).resolve():
         raise UsageError(f"{request.gradebook} would be overwritten: give another folder as --out")
     most = {0: sum(part.points for part in parts()), **{p.number: p.points for p in parts()}}
+    if is_worksheet(request.gradebook):
+        if request.columns.keys() - {0}:
+            raise UsageError("--part-column fills Canvas's export alone: leave it out")
+        return Worksheet(request.gradebook, request.columns.get(0, ""), most[0])
+    if 0 not in request.columns:
+        raise UsageError("--gradebook needs --column, the title of the column to fill")
     return Gradebook(request.gradebook, request.columns, most)
 
 
-def _require_students_of(book: Gradebook, request: Request, intake: Class, listed: Roster) -> None:
+def _filled_in(request: Request) -> Path:
+    """Blackboard's file keeps its kind."""
+    own = request.gradebook.suffix.lower() if request.gradebook else ""
+    return request.out / f"gradebook{own if own in ('.xls', '.txt') else '.csv'}"
+
+
+def _require_students_of(book: Gradebook | Worksheet, request: Request, intake: Class, listed: Roster) -> None:
     ids = [student.id for student in intake.students]
     members = [member.id for student in intake.students for member in listed.of(student)]
     if members:
@@ -181,7 +206,7 @@ def _require_students_of(book: Gradebook, request: Request, intake: Class, liste
             "book: "
             "post the grades in Canvas, and download the submissions again; or leave --gradebook out"
         )
-    book.require_some_of(ids, of_canvas=any(student.uploads for student in intake.students))
+    book.require_some_of(ids, of_canvas=intake.service == "canvas")
 
 
 @contextmanager
@@ -246,5 +271,7 @@ def _say(request: Request, intake: Class, summaries: list[Summary], remarks: lis
         print(f"  {terminal(line)}")
     if len(lines) > MOST_LINES:
         print(f"  and {len(lines) - MOST_LINES} more, in class.html")
-    print(f"Written to {request.out}: gradebook.csv, grades.csv, class.html, feedback/")
+    print(
+        f"Written to {request.out}: {_filled_in(request).name}, grades.csv, class.html, feedback/"
+    )
     return 3 if any(s.state == "failed" for s in summaries) else 0

@@ -73,12 +73,15 @@ def _merged(
             )
         links = {entry.name: entry for entry in newer if entry.link}  # links replace no file
         files = {entry.name: entry for entry in newer if not entry.link}
-        merged = links | _without_parts(set(map(_part, files)), merged) | files
+        if not upload.as_named:
+            merged = _without_parts(set(map(_part, files)), merged)
+        merged = links | merged | files
     return merged
 
 
 def _entry(upload: Upload, data: bytes, size: int, texts: list[bytes]) -> Entry:
-    return Entry(canvas.plain_file(upload.file, texts), size, False, lambda most: data[:most])
+    name = upload.file if upload.as_named else canvas.plain_file(upload.file, texts)
+    return Entry(name, size, False, lambda most: data[:most])
 
 
 def _without_parts(parts: set[str | None], older: dict[str, Entry]) -> dict[str, Entry]:

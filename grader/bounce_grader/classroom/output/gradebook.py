@@ -42,6 +42,8 @@ class Filled:
 class Gradebook:
     """A grade book that Canvas exported. Raises UsageError if it can't be filled in."""
 
+    service = "canvas"
+
     def __init__(self, path: Path, columns: Mapping[int, str], most: Mapping[int, float]) -> None:
         try:
             data = path.read_bytes()
@@ -125,8 +127,8 @@ class Gradebook:
             cell, title = row.cells[column], self._header[column]
             text, number = cell.text.strip(), f"{marks.points[part]:.2f}"
             before = written.get(title, {}).get(id, [])
-            there = _number(text)
-            ours = there is not None and there in map(_number, [number, *before])
+            there = number_in(text)
+            ours = there is not None and there in map(number_in, [number, *before])
             if text.upper() in NEVER_FILLED:
                 sentences.append(f"{self._who(row)} stays {text} in {title}")
             elif ours or not text or overwrite:
@@ -275,7 +277,7 @@ class Gradebook:
         sentences = []
         for row in self._points_rows():
             for part, column in self._columns.items():
-                points = _number(row.cells[column].text)
+                points = number_in(row.cells[column].text)
                 if points is not None and points != self._most[part]:
                     sentences.append(
                         f"Canvas has {short(points)} points possible for {self._header[column]}, the "
@@ -297,7 +299,7 @@ def _title(text: str) -> str:
     return re.sub(r"\s\(\d+\)$", "", text)
 
 
-def _number(text: str) -> float | None:
+def number_in(text: str) -> float | None:
     try:
         return float(text.strip().replace(",", "."))
     except ValueError:

@@ -13,6 +13,7 @@ from bounce_grader.classroom.intake.course import Course
 from bounce_grader.classroom.intake.students import Class
 from bounce_grader.classroom.output import gradebook, grades, page
 from bounce_grader.classroom.output.gradebook import Gradebook, Marks
+from bounce_grader.classroom.output.worksheet import Worksheet
 from bounce_grader.classroom.work import results
 from bounce_grader.classroom.work.log import Log
 from bounce_grader.classroom.work.near_copies import Similar
@@ -32,8 +33,9 @@ def write(
     out: Path,
     submitted: Class,
     summaries: list[Summary],
-    book: Gradebook | None,
-    columns: Mapping[int, str],
+    book: Gradebook | Worksheet | None,
+    name: str,
+    title: str,
     near: Similar,
     log: Log,
     overwrite: bool = False,
@@ -43,12 +45,11 @@ def write(
     instructor."""
     marks, left_out = _marks(submitted, summaries)
     if book is None:
-        title = columns.get(0, TITLE)
-        sentences = _make_up_gradebook(out / "gradebook.csv", marks, title, log)
+        sentences = _make_up_gradebook(out / name, marks, title or TITLE, log)
     else:
         written = _read_written(out / WRITTEN)
         filled = book.fill(marks, _without_score(submitted, summaries), written, overwrite)
-        write_whole(out / "gradebook.csv", filled.data)
+        write_whole(out / name, filled.data)
         write_whole(out / WRITTEN, json.dumps(filled.written, indent=1, sort_keys=True))
         sentences = [*filled.sentences, *left_out]
     write_whole(out / "grades.csv", "\ufeff" + grades.table(summaries))
@@ -79,7 +80,7 @@ def _marks(submitted: Class, summaries: list[Summary]) -> tuple[dict[str, Marks]
             if itself and submitted.logins and not student.person:
                 left_out.append(f"{student.id} isn't in roster.csv: the points are in grades.csv")
                 continue
-            of_canvas = itself and bool(student.uploads and student.name)
+            of_canvas = itself and submitted.service == "canvas"
             name = student.name if itself else one.name or student.shown
             marks[one.id] = Marks(name, one.points, of_canvas)
     return marks, left_out
@@ -108,8 +109,8 @@ def _make_up_gradebook(path: Path, marks: Mapping[str, Marks], title: str, log: 
 def write_feedback(
     out: Path, submitted: Class, summaries: list[Summary], reveal: bool = False
 ) -> dict[str, str]:
-    """Writes a feedback page for each submission, and for Canvas a zip of the pages that it can
-    import. Removes pages of earlier runs whose submissions are gone. Only with `reveal` do pages
+    """Writes a feedback page for each submission, and for Canvas and Moodle a zip of the pages that
+    they can import. Removes pages of earlier runs whose submissions are gone. Only with `reveal` do pages
     hold the expected answers of hidden cases. Returns the reasons for missing pages, by student's
     id."""
     folder = out / "feedback"
@@ -135,8 +136,9 @@ def write_feedback(
     for page_file in folder.glob("*.html"):
         if page_file.name not in pages and _is_ours(page_file):
             page_file.unlink()
-    if any(summary.student.uploads for summary in summaries):
-        _write_zips(out, folder, [name for name in pages if canvas.parse(name)])
+    if submitted.service in ("canvas", "moodle"):
+        of_canvas = submitted.service == "canvas"
+        _write_zips(out, folder, [n for n in pages if not of_canvas or canvas.parse(n)])
     return without
 
 
