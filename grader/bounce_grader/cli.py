@@ -76,6 +76,12 @@ def _parser() -> argparse.ArgumentParser:
         metavar="NAME",
         help=f"what is printed, in place of the report: {', '.join(formats.NAMES)}",
     )
+    grade.add_argument(
+        "--before",
+        type=Path,
+        metavar="FILE",
+        help="say what has changed since this record, or Gradescope's submission_metadata.json",
+    )
     grade.add_argument("--min-score", type=float, metavar="S", help="exit with 1 below this score")
     grade.add_argument(
         "--speed", action="store_true", help="chart speed against accuracy, beside the solution's"
@@ -131,13 +137,15 @@ def _parser() -> argparse.ArgumentParser:
 def _grade(options: argparse.Namespace) -> int:
     from bounce_grader.formats import terminal
     from bounce_grader.grading.grade import grade, Options
+    from bounce_grader.grading import before
     from bounce_grader.grading.record import with_answers
 
     if options.format and options.json == "-":
         raise UsageError("--format and --json - both write to standard output: give one")
     try:
         wanted = Options(_boxes(options), options.speed, answers=options.reveal)
-        record = grade(options.submission, wanted)
+        earlier = before.read(options.before) if options.before else None
+        record = before.compared(grade(options.submission, wanted), earlier)
     except UsageError as error:
         refused = formats.refused(options.format, str(error))
         if refused:

@@ -45,7 +45,9 @@ def run(request: Request) -> int:
 
 def _whole(request: Request) -> int:
     book = _gradebook(request)
-    own = (course.read(request.out), roster.read(request.out), adjustments.read(request.out))
+    others = book.people(of_canvas=False) if book else {}
+    listed = roster.read(request.out).named(others)
+    own = (course.read(request.out), listed, adjustments.read(request.out))
     intake = students.read(request.submissions, book.people() if book else {})
     _require_the_same_service(request, book, intake)
     rules = Rules(*own, book.same_person() if book else {}, intake.logins)
@@ -58,7 +60,6 @@ def _whole(request: Request) -> int:
     _name_persons(intake, book, rules.roster)
     if book:
         _require_students_of(book, request, intake, rules.roster)
-    others = book.people(of_canvas=False) if book else {}
     notes = final.require_known(rules, intake.students, others, adjustments.NAME)
     with _alone(request.out):
         remove_abandoned(request.out)
@@ -138,7 +139,7 @@ def _name_persons(intake: Class, book: Gradebook | Worksheet | None, listed: Ros
     def name_of(student: Student) -> str:
         own = listed.of(student)
         if own:
-            names = [member.name or people.get(member.id, "") for member in own]
+            names = [member.name for member in own]
             return " and ".join(names) if all(names) else ""
         if intake.logins:
             return ""
@@ -194,7 +195,9 @@ def _filled_in(request: Request) -> Path:
     return request.out / f"gradebook{own if own in ('.xls', '.txt') else '.csv'}"
 
 
-def _require_students_of(book: Gradebook | Worksheet, request: Request, intake: Class, listed: Roster) -> None:
+def _require_students_of(
+    book: Gradebook | Worksheet, request: Request, intake: Class, listed: Roster
+) -> None:
     ids = [student.id for student in intake.students]
     members = [member.id for student in intake.students for member in listed.of(student)]
     if members:

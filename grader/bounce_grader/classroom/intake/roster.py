@@ -1,7 +1,7 @@
 """Reads OUT/roster.csv: whose a submission is. It names the students behind logins of GitHub's, and
 the members of groups."""
 
-from collections.abc import Iterable
+from collections.abc import Mapping
 from pathlib import Path
 from typing import NamedTuple
 
@@ -37,9 +37,14 @@ class Roster:
                 return members
         return []
 
-    def without_submission(self, students: Iterable[Student]) -> list[Member]:
-        there = {member.id for student in students for member in self.of(student)}
-        return [m for members in self._members.values() for m in members if m.id not in there]
+    def named(self, people: Mapping[str, str]) -> "Roster":
+        """The same, with the names of the grade book where it has none of its own."""
+        return Roster(
+            {
+                submission: [m._replace(name=m.name or people.get(m.id, "")) for m in members]
+                for submission, members in self._members.items()
+            }
+        )
 
 
 def read(out: Path) -> Roster:

@@ -16,6 +16,7 @@ from bounce_grader.common.escaping import first_few, printable_name
 from bounce_grader.common.files import fitting
 from bounce_grader.common.manifest import parts
 from bounce_grader.submission import submission
+from bounce_grader.submission.archives import is_archive, why_not, stem as archive_stem
 from bounce_grader.submission.entry import LARGEST_SOURCE
 from bounce_grader.submission.submission import HEADERS, MOST_BYTES, SOURCES, part_file
 
@@ -100,7 +101,7 @@ def read(path: Path, people: Mapping[str, str] = {}) -> Class:
         else:
             intake = _canvas(path, people)
     else:
-        cut = is_zip(path.name) or not path.stat().st_size
+        cut = is_archive(path.name) or not path.stat().st_size
         reason = "is broken, or was cut short: download it again"
         other = "is neither a folder nor a zip: give Canvas's download as it is"
         raise UsageError(f"{path} {reason if cut else other}")
@@ -260,9 +261,9 @@ def _take(
         page_text = f"What you handed in {reason}. {HAND_IN}"
         intake.unmatched.append(Unmatched(name, reason, id, page, page_text))
         return
-    usable = [upload for upload in uploads if is_source(upload.file) or is_zip(upload.file)]
+    usable = [upload for upload in uploads if is_source(upload.file) or is_archive(upload.file)]
     unused = tuple(
-        f"{printable_name(upload.file)} is no C++ source and no zip"
+        f"{printable_name(upload.file)} {why_not(upload.file)}"
         for upload in uploads
         if upload not in usable
     )
@@ -328,8 +329,8 @@ def _newest(archive: Archive, uploads: list[Upload]) -> tuple[list[Upload], list
     unused = []
     for upload in sorted(uploads, key=lambda u: -u.attachment):
         file = canvas.plain_file(upload.file, texts)
-        if not is_source(file) and not is_zip(file):
-            unused.append(f"{printable_name(upload.file)} is no C++ source and no zip")
+        if not is_source(file) and not is_archive(file):
+            unused.append(f"{printable_name(upload.file)} {why_not(upload.file)}")
         elif file in newest:
             newer = printable_name(newest[file].file)
             unused.append(f"{printable_name(upload.file)} is older than {newer}")
@@ -358,16 +359,12 @@ def is_source(file: str) -> bool:
     return os.path.splitext(file)[1].lower() in SOURCES | HEADERS
 
 
-def is_zip(file: str) -> bool:
-    return file.lower().endswith(".zip")
-
-
 def _folder(path: Path, children: list[Path]) -> Class:
     _require_a_folder_of_submissions(path, children)
     folders = [c for c in children if _is_folder(c)]
     folders = [c for c in folders if not c.name.startswith((".", "__MACOSX"))]
     folders = [c for c in folders if not _is_output(c)]
-    zips = [c for c in children if _is_file(c) and is_zip(c.name)]
+    zips = [c for c in children if _is_file(c) and is_archive(c.name)]
     cloned = [folder for folder in folders if os.path.exists(folder / ".git")]
     intake = Class("a folder of submissions")
     cut = 0
@@ -378,7 +375,7 @@ def _folder(path: Path, children: list[Path]) -> Class:
         intake.logins = True
         folders = cloned
     for child in [*folders, *zips]:
-        name = child.name[cut:] if _is_folder(child) else child.stem
+        name = child.name[cut:] if _is_folder(child) else archive_stem(child.name)
         submitted = _zip_alone(child) or child
         page = f"{fitting(name)}.html"
         intake.students.append(Student(name, name, submitted, feedback=page))
@@ -435,7 +432,7 @@ def _zip_alone(folder: Path) -> Path | None:
     except OSError:
         return None
     inside = [folder / name for name in names]
-    alone = len(inside) == 1 and is_zip(inside[0].name) and _is_file(inside[0])
+    alone = len(inside) == 1 and is_archive(inside[0].name) and _is_file(inside[0])
     return inside[0] if alone else None
 
 

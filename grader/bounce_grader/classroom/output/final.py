@@ -41,7 +41,8 @@ def _finals(summary: Summary, rules: Rules) -> Iterable[Final]:
         return
     for member in members(summary.student, rules.roster):
         own = [a for a in rules.adjustments if _is_meant(a, member, summary.student, rules)]
-        yield _final(summary, member, own, rules.course)
+        listed = bool(rules.roster.of(summary.student))
+        yield replace(_final(summary, member, own, rules.course), listed=listed)
 
 
 def _final(summary: Summary, member: Member, own: list[Adjustment], course: Course) -> Final:

@@ -11,7 +11,7 @@ from typing import Any
 from bounce_grader.classroom.intake import canvas
 from bounce_grader.classroom.intake.course import Course
 from bounce_grader.classroom.intake.students import Class
-from bounce_grader.classroom.output import gradebook, grades, page
+from bounce_grader.classroom.output import gradebook, grades, history, page
 from bounce_grader.classroom.output.gradebook import Gradebook, Marks
 from bounce_grader.classroom.output.worksheet import Worksheet
 from bounce_grader.classroom.work import results
@@ -22,6 +22,7 @@ from bounce_grader.common.errors import about_one_submission, UsageError
 from bounce_grader.common.files import write_whole
 from bounce_grader.common.manifest import parts
 from bounce_grader.formats import html
+from bounce_grader.grading.before import compared, Before
 from bounce_grader.grading.record import with_answers, without_answers
 
 TITLE = "Bouncing"
@@ -76,12 +77,11 @@ def _marks(submitted: Class, summaries: list[Summary]) -> tuple[dict[str, Marks]
     for summary in summaries:
         student = summary.student
         for one in summary.finals:
-            itself = one.id == student.id
-            if itself and submitted.logins and not student.person:
+            if submitted.logins and not one.listed:
                 left_out.append(f"{student.id} isn't in roster.csv: the points are in grades.csv")
                 continue
-            of_canvas = itself and submitted.service == "canvas"
-            name = student.name if itself else one.name or student.shown
+            of_canvas = not one.listed and submitted.service == "canvas"
+            name = one.name or student.shown if one.listed else student.name
             marks[one.id] = Marks(name, one.points, of_canvas)
     return marks, left_out
 
@@ -118,6 +118,7 @@ def write_feedback(
     pages: list[str] = []
     without: dict[str, str] = {}
     ids = {summary.student.id for summary in summaries}
+    known = history.read(out)
     for entry in submitted.unmatched:
         if entry.feedback and entry.user not in ids:
             with suppress(UsageError), about_one_submission("there is no page"):
@@ -128,11 +129,13 @@ def write_feedback(
         try:
             with about_one_submission("there is no feedback page, as it can't be written"):
                 if result:
-                    text = _page(summary, result, reveal)
+                    earlier = history.before(out, known.get(summary.student.id, []), result)
+                    text = _page(summary, result, reveal, earlier)
                     write_whole(folder / summary.student.feedback, text)
                     pages.append(summary.student.feedback)
         except UsageError as error:
             without[summary.student.id] = str(error)
+    history.add(out, known, summaries)
     for page_file in folder.glob("*.html"):
         if page_file.name not in pages and _is_ours(page_file):
             page_file.unlink()
@@ -160,9 +163,10 @@ def _is_ours(page_file: Path) -> bool:
         return f"<title>{html.TITLE}".encode() in stream.read(200)
 
 
-def _page(summary: Summary, result: dict[str, Any], reveal: bool) -> str:
+def _page(summary: Summary, result: dict[str, Any], reveal: bool, earlier: Before | None) -> str:
     if result["record"]:
         record = (with_answers if reveal else without_answers)(result["record"])
+        record = compared(record, earlier)
         student = summary.student
         return html.render(record, student.shown, student.unused, _in_the_end(summary))
     return html.refused(result["message"])

@@ -27,6 +27,7 @@ class Final:
     name: str
     points: Mapping[int, float]
     applied: tuple[Applied, ...] = ()
+    listed: bool = False  # in the instructor's roster
 
 
 @dataclass(frozen=True)
