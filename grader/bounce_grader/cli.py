@@ -9,6 +9,7 @@ from bounce_grader import __version__, formats
 from bounce_grader.classroom import cli as class_cli
 from bounce_grader.common.errors import KitError, UsageError
 from bounce_grader.common.escaping import json_document, printable_text, terminal
+from bounce_grader.common.manifest import parts
 from bounce_grader.common.packages import find_installed
 from bounce_grader.develop import study
 
@@ -43,6 +44,17 @@ def main(arguments: list[str]) -> int:
         return 3
 
 
+def check_manifest() -> int:
+    """Says what is wrong in parts.json, before anything is built from it. Returns an exit
+    status."""
+    try:
+        parts()
+    except UsageError as error:
+        print(f"kit: {_plain(error)}", file=sys.stderr)
+        return 2
+    return 0
+
+
 def _plain(error: Exception) -> str:
     """Escapes an error's message, which may hold names of files and output of programs."""
     return "\n".join(map(terminal, printable_text(str(error)).split("\n")))
@@ -63,6 +75,12 @@ def _parser() -> argparse.ArgumentParser:
         choices=formats.NAMES,
         metavar="NAME",
         help=f"what is printed, in place of the report: {', '.join(formats.NAMES)}",
+    )
+    grade.add_argument(
+        "--before",
+        type=Path,
+        metavar="FILE",
+        help="say what has changed since this record, or Gradescope's submission_metadata.json",
     )
     grade.add_argument("--min-score", type=float, metavar="S", help="exit with 1 below this score")
     grade.add_argument(
@@ -119,13 +137,15 @@ def _parser() -> argparse.ArgumentParser:
 def _grade(options: argparse.Namespace) -> int:
     from bounce_grader.formats import terminal
     from bounce_grader.grading.grade import grade, Options
+    from bounce_grader.grading import before
     from bounce_grader.grading.record import with_answers
 
     if options.format and options.json == "-":
         raise UsageError("--format and --json - both write to standard output: give one")
     try:
         wanted = Options(_boxes(options), options.speed, answers=options.reveal)
-        record = grade(options.submission, wanted)
+        earlier = before.read(options.before) if options.before else None
+        record = before.compared(grade(options.submission, wanted), earlier)
     except UsageError as error:
         refused = formats.refused(options.format, str(error))
         if refused:
@@ -136,7 +156,8 @@ def _grade(options: argparse.Namespace) -> int:
     if options.json == "-":
         print(text)
     elif options.format:
-        print(formats.render(options.format, record, options.submission))
+        enough = options.min_score or 0.0
+        print(formats.render(options.format, record, options.submission, enough))
     else:
         terminal.show(record)
     if options.json not in (None, "-"):
@@ -179,7 +200,7 @@ def _fixtures(options: argparse.Namespace) -> int:
         return 0
     differing = fixtures.all_differing()
     for name in differing:
-        print(f"fixtures/public/{name} isn't what the kit writes: run ./kit fixtures")
+        print(f"fixtures/{name} isn't what the kit writes: run ./kit fixtures")
     return int(bool(differing))
 
 

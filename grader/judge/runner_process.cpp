@@ -215,9 +215,10 @@ void RunnerProcess::end_if_it_hangs(bool amid_an_answer) {
   if (pid_ < 0) return;
   const ProcessUsage seen = usage_of(pid_).value_or(ProcessUsage{});
   count_idle_time(seen);
+  memory_ = std::max(memory_, seen.memory);
   if (seen.memory > limits_.memory) end(out_of_memory(limits_));
   if (seen.cpu_seconds > limits_.cpu_seconds + kCpuGrace) {
-    end(out_of_cpu_time(limits_));
+    end(out_of_cpu_time(limits_, memory_));
   }
   if (idle_.count() < limits_.idle_seconds) return;
   end_without_answer(amid_an_answer,
@@ -273,7 +274,7 @@ void RunnerProcess::end_after_close(const std::string& closed) {
                        "the system can't start the program that the parts were linked to: look for "
                        "lines of assembler in them"});
   }
-  throw RunnerEnded(termination_of(status, limits_, last_print_));
+  throw RunnerEnded(termination_of(status, limits_, last_print_, memory_));
 }
 
 void RunnerProcess::end(const Termination& termination, bool waits) {
@@ -289,6 +290,7 @@ int RunnerProcess::wait_for_exit() {
     rusage usage = {};
     if (::wait4(pid_, &status, WNOHANG, &usage) == pid_) {
       spent_ = seconds(usage.ru_utime) + seconds(usage.ru_stime);
+      memory_ = std::max(memory_, static_cast<std::size_t>(usage.ru_maxrss) << 10);
       forget();
       return status;
     }

@@ -100,6 +100,7 @@ class RunnerProcess {
   std::chrono::duration<double> idle_{}, idle_before_{};
   bool counts_idle_ = false;
   double spent_ = 0;
+  std::size_t memory_ = 0;  // the most that was seen, bytes
   Clock::time_point last_look_;
 };
 

@@ -60,8 +60,8 @@ std::optional<Session::End> Session::take_end() { return std::exchange(end_, std
 Frame Session::ask(Frame question, Trajectory* columns) {
   try {
     require_time();
-  } catch (const tests::Ended&) {
-    end_ = {"no_answer", ""};
+  } catch (const tests::Ended& unasked) {
+    end_ = {"no_answer", "", unasked.what()};
     throw;
   }
   try {
@@ -81,6 +81,7 @@ Frame Session::ask(Frame question, Trajectory* columns) {
   } catch (const RunnerEnded& ended) {
     end_runner();
     end_ = {ended.termination.status, ended.termination.stack};
+    if (end_->status == "does_not_compile") end_->instead_of_cases = ended.what();
     if (ended.termination.status == "timed_out") --hangs_left_;
     if (ended.waits) hangs_left_ = 0;
     throw tests::Ended(ended.what());

@@ -34,10 +34,11 @@ class Session {
   // Why the kit has failed, in which case no verdict is valid; empty if it hasn't.
   const std::string& kit_failure() const { return kit_failure_; }
 
-  // How the last check's runner ended, if it did: a status, and the stack of a crash. To be called
+  // How the last check's runner ended, if it did: a status, and the stack of a crash. If no case of
+  // the check was answered for a reason that no case has to do with, also that reason. To be called
   // once for each check.
   struct End {
-    std::string status, stack;
+    std::string status, stack, instead_of_cases = {};
   };
   std::optional<End> take_end();
 

@@ -19,6 +19,9 @@ namespace {
 
 constexpr std::size_t kLongest = 120;  // characters of a program's text in a sentence
 
+// Whether a program that was stopped from outside was storing without end.
+bool was_storing(const Limits& limits, std::size_t memory) { return memory >= limits.memory / 8; }
+
 // --- the text that a program printed last; it may be anything ---
 
 std::string_view up_to(std::string_view text, std::string_view end) {
@@ -127,8 +130,10 @@ std::string of_other_signal(int signal) {
          (name ? "SIG" + std::string(name) : std::to_string(signal)) + ", which it sent itself";
 }
 
-Termination of_signal(int signal, const Limits& limits, const std::string& print) {
-  if (signal == SIGXCPU) return out_of_cpu_time(limits);
+Termination of_signal(int signal, const Limits& limits, const std::string& print,
+                      std::size_t memory) {
+  if (signal == SIGXCPU) return out_of_cpu_time(limits, memory);
+  if (signal == SIGKILL && was_storing(limits, memory)) return out_of_memory(limits);
   const std::string cause(line_after(print, runner::kCause));
   const std::optional<std::string> found =
       cause.rfind(runner::kFound, 0) == 0
@@ -147,15 +152,24 @@ Termination of_signal(int signal, const Limits& limits, const std::string& print
 
 }  // namespace
 
-Termination termination_of(int wait_status, const Limits& limits, const std::string& last_print) {
-  if (WIFSIGNALED(wait_status)) return of_signal(WTERMSIG(wait_status), limits, last_print);
+Termination termination_of(int wait_status, const Limits& limits, const std::string& last_print,
+                           std::size_t memory) {
+  if (WIFSIGNALED(wait_status)) {
+    return of_signal(WTERMSIG(wait_status), limits, last_print, memory);
+  }
   const int code = WEXITSTATUS(wait_status);
-  if (code > 128 && code < 128 + 65) return of_signal(code - 128, limits, last_print);
+  if (code > 128 && code < 128 + 65) return of_signal(code - 128, limits, last_print, memory);
   return {"no_answer", "the program ended by itself (exit status " + std::to_string(code) +
                            ") in place of an answer: it called exit(), perhaps"};
 }
 
-Termination out_of_cpu_time(const Limits& limits) {
+Termination out_of_cpu_time(const Limits& limits, std::size_t memory) {
+  if (was_storing(limits, memory)) {
+    return {"out_of_memory", "the program was still storing more when its " +
+                                 std::to_string(limits.cpu_seconds) +
+                                 " s of CPU time were used up: a loop that stores without end, "
+                                 "perhaps"};
+  }
   return {"timed_out", "the program used more than " + std::to_string(limits.cpu_seconds) +
                            " s of CPU time: a loop without end, perhaps"};
 }

@@ -14,10 +14,14 @@ struct Termination {
 };
 
 // From a wait status, and from the last text that the program printed, which changes only the
-// message. As with a shell, a box's exit status of 128 + n stands for signal n.
-Termination termination_of(int wait_status, const Limits& limits, const std::string& last_print);
+// message. As with a shell, a box's exit status of 128 + n stands for signal n. memory is the most
+// that it held, in bytes.
+Termination termination_of(int wait_status, const Limits& limits, const std::string& last_print,
+                           std::size_t memory = 0);
 
-Termination out_of_cpu_time(const Limits& limits);
+// A loop that stores without end may first use up its time or its memory, as the machine's load has
+// it. So one that held an eighth of what it may is out of memory in both cases.
+Termination out_of_cpu_time(const Limits& limits, std::size_t memory = 0);
 Termination out_of_memory(const Limits& limits);
 
 }  // namespace bounce::judge

@@ -35,6 +35,9 @@ def compile_all(
     """Every part and helper by itself, in folders inside of the folder `work`. What is `timed` is
     built as a program is that somebody uses, without checks."""
     helpers, spent = submission.helpers, _Spent()
+    solvers = compiler.header_of(submission.files, submission) == "solvers"
+    if solvers:
+        compiler.require_built("solvers", box)
     named = object_cache.named_sources(submission)
 
     def compiled(file: str) -> Built:
@@ -55,7 +58,7 @@ def compile_all(
     return Objects(
         {number: built[file] for number, file in submission.parts.items()},
         {file: built[file] for file in helpers},
-        compiler.header_of(submission.files, submission) == "solvers",
+        solvers,
     )
 
 

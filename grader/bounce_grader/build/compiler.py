@@ -1,5 +1,6 @@
 """Runs the compilers in a box, and turns their errors into one line."""
 
+import fcntl
 import re
 from collections.abc import Iterable
 from functools import cache
@@ -7,7 +8,7 @@ from pathlib import Path
 
 from bounce_grader.common.errors import KitError
 from bounce_grader.common.escaping import printable_text, terminal
-from bounce_grader.common.paths import CONTRACT, RUNNER
+from bounce_grader.common.paths import BUILD, CONTRACT, RUNNER
 from bounce_grader.sandbox import processes
 from bounce_grader.sandbox.box import Box
 from bounce_grader.submission.submission import Submission
@@ -15,6 +16,7 @@ from bounce_grader.submission.submission import Submission
 COMPILE_MEMORY = 2 << 30
 COMPILE = processes.Limits(15, 120, memory=COMPILE_MEMORY, file_size=64 << 20)
 LARGEST_OBJECT = 8 << 20
+BUILDING = processes.Limits(600, 1800, memory=None, file_size=1 << 30)  # of the kit's own
 
 # The names that solvers.hpp instantiates. It takes longer to load than prelude.hpp, but less time
 # than instantiating them again.
@@ -35,6 +37,21 @@ def run(
     result = box.run([*prefix, *command], limits, cwd=folder, output=made)
     require_a_compiler(result)
     return result
+
+
+def require_built(target: str, box: Box) -> None:
+    """Builds what few submissions need, if it isn't built yet; this takes none of a grading's time.
+    From then on ./kit keeps it up to date. Raises KitError."""
+    needed = BUILD / f"needs-{target}"
+    if needed.exists():
+        return
+    with box.budget.paused(), (BUILD / "lock").open("a") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        built = processes.run(["/usr/bin/ninja", "-C", str(BUILD), target], BUILDING)
+        if not built.ok:
+            last = built.out.decode("utf-8", "replace").strip().rpartition("\n")[2]
+            raise KitError(f"{target} can't be built: {terminal(last)}")
+        needed.touch()
 
 
 def require_a_compiler(result: processes.Result) -> None:
@@ -72,6 +89,7 @@ def gcc(
 ) -> list[str]:
     """Used for what clang rejects: code that a student's own compiler accepts must count. If a
     signal ends a program that g++ starts, the exit status tells which."""
+    require_built("gcc_prelude", box)
     kind = "gcc_speed_flags" if timed else "gcc_flags"
     command = ["/usr/bin/g++", "-wrapper", f"{box.enter},step", "-pass-exit-codes"]
     command += [f"@{RUNNER / kind}.txt", *flags, "-include", str(RUNNER / "prelude.hpp")]

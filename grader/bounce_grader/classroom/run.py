@@ -6,12 +6,17 @@ import os
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import replace
 from pathlib import Path
 
-from bounce_grader.classroom.intake import students
+from bounce_grader.classroom.intake import adjustments, course, roster, students
+from bounce_grader.classroom.intake.canvas import is_name_of
+from bounce_grader.classroom.intake.roster import Roster
 from bounce_grader.classroom.intake.students import Class, Student
-from bounce_grader.classroom.output import outputs
+from bounce_grader.classroom.output import final, outputs
+from bounce_grader.classroom.output.final import Rules
 from bounce_grader.classroom.output.gradebook import Gradebook
+from bounce_grader.classroom.output.worksheet import is_worksheet, Worksheet
 from bounce_grader.classroom.work import grading, near_copies, regrade, results
 from bounce_grader.classroom.work.log import Log
 from bounce_grader.classroom.work.request import Request
@@ -21,6 +26,7 @@ from bounce_grader.common.errors import KitError, UsageError
 from bounce_grader.common.escaping import terminal
 from bounce_grader.common.files import remove_abandoned
 from bounce_grader.common.manifest import parts
+from bounce_grader.common.numbers import short
 
 MOST_LINES = 40  # on the terminal; class.html has them all
 
@@ -39,19 +45,27 @@ def run(request: Request) -> int:
 
 def _whole(request: Request) -> int:
     book = _gradebook(request)
-    intake = students.read(request.submissions, book.canvas_people() if book else {})
-    if book and intake.logins:
+    others = book.people(of_canvas=False) if book else {}
+    listed = roster.read(request.out).named(others)
+    own = (course.read(request.out), listed, adjustments.read(request.out))
+    intake = students.read(request.submissions, book.people() if book else {})
+    _require_the_same_service(request, book, intake)
+    rules = Rules(*own, book.same_person() if book else {}, intake.logins)
+    if book and intake.logins and not rules.roster:
         raise UsageError(
             f"{request.gradebook} can't be matched with logins of GitHub's, which students choose: "
-            "leave --gradebook out, and take the points from grades.csv"
+            f"write {request.out / roster.NAME}, whose columns submission and id say whose each "
+            "login is; or leave --gradebook out, and take the points from grades.csv"
         )
+    _name_persons(intake, book, rules.roster)
     if book:
-        _require_students_of(book, request, intake)
+        _require_students_of(book, request, intake, rules.roster)
+    notes = final.require_known(rules, intake.students, others, adjustments.NAME)
     with _alone(request.out):
         remove_abandoned(request.out)
         log = Log(request.out / "log.jsonl")
         try:
-            return _run(request, intake, book, log)
+            return _run(request, intake, book, log, rules, notes)
         except OSError as error:
             if error.errno != errno.ENOSPC:
                 raise
@@ -63,7 +77,14 @@ def _whole(request: Request) -> int:
             log.close()
 
 
-def _run(request: Request, intake: Class, book: Gradebook | None, log: Log) -> int:
+def _run(
+    request: Request,
+    intake: Class,
+    book: Gradebook | Worksheet | None,
+    log: Log,
+    rules: Rules,
+    notes: list[str],
+) -> int:
     folder = request.out / "results"
     regrade.finish(request.out)
     stamp = results.stamp_now(request.trust)
@@ -77,16 +98,70 @@ def _run(request: Request, intake: Class, book: Gradebook | None, log: Log) -> i
     summaries = grading.summarize(intake.students, tasks, folder, failed)
     if summaries and all(summary.state == "waiting" for summary in summaries):
         return 0
+    summaries = final.with_finals(summaries, rules)
     near = near_copies.find(request.out, intake.students, tasks, request.trust)
     without_page = outputs.write_feedback(request.out, intake, summaries, request.reveal)
-    for notes in (near.left_out, without_page):
+    for reasons in (near.left_out, without_page):
         summaries = [
-            s.with_note(notes[s.student.id]) if s.student.id in notes else s for s in summaries
+            s.with_note(reasons[s.student.id]) if s.student.id in reasons else s for s in summaries
         ]
     remarks = outputs.write(
-        request.out, intake, summaries, book, request.columns, near, log, request.overwrite
+        request.out,
+        intake,
+        summaries,
+        book,
+        _filled_in(request).name,
+        request.columns.get(0, ""),
+        near,
+        log,
+        request.overwrite,
+        rules.course,
     )
-    return _say(request, intake, summaries, remarks)
+    return _say(request, intake, summaries, [*adjusted(summaries), *notes, *remarks])
+
+
+def _require_the_same_service(
+    request: Request, book: Gradebook | Worksheet | None, intake: Class
+) -> None:
+    """A number means another student in another service."""
+    if book and intake.service and book.service != intake.service:
+        raise UsageError(
+            f"{request.submissions} is a download of {intake.service.capitalize()}'s, and "
+            f"{request.gradebook} a file of {book.service.capitalize()}'s: give both of one"
+        )
+
+
+def _name_persons(intake: Class, book: Gradebook | Worksheet | None, listed: Roster) -> None:
+    """Gives each submission the name of its person, as the roster or the grade book has it. In a
+    download of Canvas's, a group has the id of one of its members, but not the name."""
+    people = book.people(intake.service == "canvas") if book else {}
+
+    def name_of(student: Student) -> str:
+        own = listed.of(student)
+        if own:
+            names = [member.name for member in own]
+            return " and ".join(names) if all(names) else ""
+        if intake.logins:
+            return ""
+        person = people.get(student.id, "")
+        of_group = intake.service == "canvas" and not is_name_of(person, student.name)
+        return "" if of_group else person or (student.name if intake.service else "")
+
+    intake.students = [replace(s, person=name_of(s)) for s in intake.students]
+    intake.students.sort(key=lambda student: (student.shown.casefold(), student.id))
+
+
+def adjusted(summaries: list[Summary]) -> list[str]:
+    """A sentence for each person whose points were changed after the grading."""
+    lines = []
+    for summary in summaries:
+        for one in summary.finals:
+            changes = ", ".join(f"{a.reason} {a.points:+g}" for a in one.applied)
+            if changes:
+                who = f"{one.name or one.id} ({one.id})"
+                before, after = short(summary.score or 0.0), short(round(one.points[0], 2))
+                lines.append(f"{who}: {before} -> {after} points ({changes})")
+    return lines
 
 
 def _tasks(request: Request, chosen: list[Student], stamp: Stamp, folder: Path) -> dict[str, Task]:
@@ -98,26 +173,43 @@ def _tasks(request: Request, chosen: list[Student], stamp: Stamp, folder: Path) 
     return {id: timed[id] if timed[id].key in there else task for id, task in tasks.items()}
 
 
-def _gradebook(request: Request) -> Gradebook | None:
+def _gradebook(request: Request) -> Gradebook | Worksheet | None:
     """The grade book, which is read and checked before anything is graded or written."""
     if request.gradebook is None:
         return None
-    if 0 not in request.columns:
-        raise UsageError("--gradebook needs --column, the title of the column to fill")
-    if request.gradebook.resolve() == (request.out / "gradebook.csv").resolve():
+    if request.gradebook.resolve() == _filled_in(request).resolve():
         raise UsageError(f"{request.gradebook} would be overwritten: give another folder as --out")
     most = {0: sum(part.points for part in parts()), **{p.number: p.points for p in parts()}}
+    if is_worksheet(request.gradebook):
+        if request.columns.keys() - {0}:
+            raise UsageError("--part-column fills Canvas's export alone: leave it out")
+        return Worksheet(request.gradebook, request.columns.get(0, ""), most[0])
+    if 0 not in request.columns:
+        raise UsageError("--gradebook needs --column, the title of the column to fill")
     return Gradebook(request.gradebook, request.columns, most)
 
 
-def _require_students_of(book: Gradebook, request: Request, intake: Class) -> None:
+def _filled_in(request: Request) -> Path:
+    """Blackboard's file keeps its kind."""
+    own = request.gradebook.suffix.lower() if request.gradebook else ""
+    return request.out / f"gradebook{own if own in ('.xls', '.txt') else '.csv'}"
+
+
+def _require_students_of(
+    book: Gradebook | Worksheet, request: Request, intake: Class, listed: Roster
+) -> None:
     ids = [student.id for student in intake.students]
+    members = [member.id for student in intake.students for member in listed.of(student)]
+    if members:
+        book.require_some_of(members, of_canvas=False)
+        return
     if all(id.startswith("anon_") for id in ids):
         raise UsageError(
-            f"{request.submissions} is of an anonymous assignment, whose names are in no grade book: "
+            f"{request.submissions} is of an anonymous assignment, whose names are in no grade "
+            "book: "
             "post the grades in Canvas, and download the submissions again; or leave --gradebook out"
         )
-    book.require_some_of(ids, of_canvas=any(student.uploads for student in intake.students))
+    book.require_some_of(ids, of_canvas=intake.service == "canvas")
 
 
 @contextmanager
@@ -151,7 +243,11 @@ def _regrade(request: Request, intake: Class, stamp: Stamp, log: Log) -> int:
     if waiting:
         print(f"{len(waiting)} wait for a grading; then give the same command again.")
         return 0
-    print("\n".join(regrade.differences(request.out, chosen, tasks)))
+    lines = regrade.differences(request.out, chosen, tasks)
+    print("\n".join(lines))
+    if regrade.nothing_differs(request.out, lines):
+        print("There is nothing to take over.")
+        return 0
     print("Nothing is changed yet. To take these over: --apply in place of --regrade.")
     return 0
 
@@ -167,7 +263,7 @@ def _say(request: Request, intake: Class, summaries: list[Summary], remarks: lis
         )
     lines = [f"{unmatched.name!r} {unmatched.reason}" for unmatched in intake.unmatched]
     lines += [
-        f"{s.student.name} ({s.student.id}): {'; '.join(s.needs_a_look)}"
+        f"{s.student.shown} ({s.student.id}): {'; '.join(s.needs_a_look)}"
         for s in summaries
         if s.needs_a_look and s.state != "waiting"
     ]
@@ -178,5 +274,7 @@ def _say(request: Request, intake: Class, summaries: list[Summary], remarks: lis
         print(f"  {terminal(line)}")
     if len(lines) > MOST_LINES:
         print(f"  and {len(lines) - MOST_LINES} more, in class.html")
-    print(f"Written to {request.out}: gradebook.csv, grades.csv, class.html, feedback/")
+    print(
+        f"Written to {request.out}: {_filled_in(request).name}, grades.csv, class.html, feedback/"
+    )
     return 3 if any(s.state == "failed" for s in summaries) else 0

@@ -1,9 +1,12 @@
 """Writes files atomically, and removes temporary ones that a killed process left."""
 
+import fcntl
 import os
 import shutil
 import tempfile
 import time
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 from bounce_grader.common.paths import WORK_FOLDER
@@ -50,14 +53,56 @@ def fitting(name: str, most: int = 200) -> str:
     return name if cut == os.fsencode(name) else cut.decode(errors="ignore")
 
 
+@contextmanager
+def temporary_folder(prefix: str) -> Iterator[Path]:
+    """A temporary folder that other users can't enter. It is locked while this process lives, so
+    that remove_unlocked can tell what a killed process left."""
+    lock = -1
+    while lock < 0:
+        folder = Path(tempfile.mkdtemp(prefix=prefix))
+        lock = _lock(folder)
+    try:
+        yield folder
+    finally:
+        shutil.rmtree(folder, ignore_errors=True)
+        os.close(lock)
+
+
+def _lock(folder: Path) -> int:
+    """Locks a folder; -1 if another process has locked or removed it."""
+    handle = -1
+    try:
+        handle = os.open(folder, os.O_RDONLY | os.O_DIRECTORY | os.O_NOFOLLOW)
+        fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        if os.path.samestat(os.fstat(handle), folder.lstat()):
+            return handle
+    except OSError:
+        pass
+    if handle >= 0:
+        os.close(handle)
+    return -1
+
+
+def remove_unlocked() -> None:
+    """Removes the temporary folders of gradings that were killed. Those of running ones are
+    locked."""
+    for prefix in (WORK_FOLDER, CLASS_FOLDER):
+        for left in Path(tempfile.gettempdir()).glob(f"{prefix}*"):
+            lock = _lock(left)
+            if lock >= 0:
+                shutil.rmtree(left, ignore_errors=True)
+                os.close(lock)
+
+
 def remove_abandoned(folder: Path) -> None:
     """Removes what killed writers and gradings left behind. Other gradings may be running, and may
     remove their own files at the same time."""
+    remove_unlocked()
     for part in folder.rglob(".*.part"):
         if _abandoned(part):
             part.unlink(missing_ok=True)
-    for left in Path(tempfile.gettempdir()).glob("bounce-*"):
-        if left.name.startswith((WORK_FOLDER, CLASS_FOLDER, BOX_FOLDER)) and _abandoned(left):
+    for left in Path(tempfile.gettempdir()).glob(f"{BOX_FOLDER}*"):
+        if _abandoned(left):
             shutil.rmtree(left, ignore_errors=True)
 
 

@@ -24,6 +24,11 @@ def short(x: float) -> str:
     return f"{x:g}"
 
 
+def change(x: float) -> str:
+    """A change of points, with a sign: +2.5."""
+    return f"{x:+g}".replace("-", "\N{MINUS SIGN}")
+
+
 def out_of(scored: Mapping[str, Any]) -> str:
     """The points of a record, a part or a check: 24 / 30."""
     return f"{short(scored['score'])} / {short(scored['max_score'])}"

@@ -12,12 +12,13 @@ from bounce_grader.common.escaping import json_document
 NAMES = ("gradescope", "prairielearn", "autolab", "github", "html", "junit", "json", "markdown")
 
 
-def render(name: str, record: dict[str, Any], submission: Path) -> str:
+def render(name: str, record: dict[str, Any], submission: Path, enough: float = 0.0) -> str:
+    """The report on a record. `enough` is the score from which on the submission passes."""
     if name == "json":
         return json_document(record, indent=1)
     module = import_module(f"{__name__}.{name}")
     if name == "github":
-        module.leave(record, submission)
+        module.leave(record, submission, enough)
         return str(module.render(record, submission))
     report: str = module.render(record)
     return report.rstrip("\n") if name == "html" else report

@@ -1,5 +1,5 @@
-"""GitHub Actions: annotations at files and lines of the submission, and the result that GitHub
-Classroom's reporter reads."""
+"""GitHub Actions: annotations at files and lines of the submission, a summary, and the outputs of a
+step. One output is the result that the action autograding-grading-reporter reads."""
 
 import base64
 import json
@@ -36,21 +36,22 @@ def refused(sentence: str) -> str:
     return _command("error", "Not graded", sentence)
 
 
-def reporter_result(record: Record, root: Path = Path()) -> str:
-    """The result for the reporter, in base64, with a test for each part."""
-    full = record["score"] == record["max_score"]
+def reporter_result(record: Record, root: Path = Path(), enough: float = 0.0) -> str:
+    """The result for the reporter, in base64, with a test for each check, because a test passes or
+    fails as a whole. The reporter fails the job by the status, as the exit status of --min-score
+    does."""
     report = {
         "version": VERSION,
-        "status": "pass" if full else "fail",
+        "status": "pass" if record["score"] >= enough else "fail",
         "max_score": record["max_score"],
-        "tests": [_test(part, root) for part in record["parts"]],
+        "tests": [_test(*numbered, root) for numbered in sentences.numbered(record)],
     }
     return base64.b64encode(json.dumps(report).encode()).decode()
 
 
-def leave(record: Record, root: Path = Path()) -> None:
+def leave(record: Record, root: Path = Path(), enough: float = 0.0) -> None:
     """Writes the outputs and the summary of a workflow's step, if this runs in one."""
-    result = f"result={reporter_result(record, root)}\nscore={short(record['score'])}\n"
+    result = f"result={reporter_result(record, root, enough)}\nscore={short(record['score'])}\n"
     _append("GITHUB_OUTPUT", result)
     _append("GITHUB_STEP_SUMMARY", markdown.render(record) + "\n")
 
@@ -66,14 +67,14 @@ def _append(variable: str, text: str) -> None:
         raise UsageError(f"{variable} names a file that can't be written: {error}") from error
 
 
-def _test(part: Record, root: Path) -> dict[str, Any]:
-    words = sentences.part_words(part)
-    place = _place_in([words], part, root)
+def _test(number: str, part: Record, check: Record, root: Path) -> dict[str, Any]:
+    words = sentences.check_words(part, check)
+    place = _place_in([check["message"], sentences.part_words(part)], part, root)
     return {
-        "name": f"Part {part['part']}: {part['title']}",
-        "status": "pass" if part["score"] == part["max_score"] else "fail",
-        "score": part["score"],
-        "message": "\n".join([words, *sentences.mistake_words(part)]),
+        "name": f"{number} {check['title']}",
+        "status": "pass" if check["passed"] else "fail",
+        "score": check["score"],
+        "message": "" if check["passed"] else words,
         "test_code": "",
         "filename": place.file if place else f"{part['stem']}.cpp",
         "line_no": place.line if place else 0,

@@ -46,6 +46,7 @@ def _summary(record: Record) -> str:
         + printable(sentences.part_words(part))
         for part in record["parts"]
     ]
+    lines = [*sentences.since_last_time(record), *lines]
     return "\n".join([*lines, *map(printable, sentences.speed_words(record))])
 
 

@@ -1,5 +1,8 @@
 """The feedback page for a student."""
 
+from collections.abc import Sequence
+from typing import NamedTuple
+
 from bounce_grader.assignment import picture
 from bounce_grader.common import numbers
 from bounce_grader.formats import case, sentences, speed_chart
@@ -12,7 +15,20 @@ TITLE = "Bouncing: "  # every page's title begins with it
 PAGE = "formats/feedback.html.j2"
 
 
-def render(record: Record, name: str = "", unused: tuple[str, ...] = ()) -> str:
+class InTheEnd(NamedTuple):
+    """What a person gets in the end, where that isn't the score."""
+
+    who: str  # "" if the submission is one person's
+    points: float
+    changes: list[tuple[float, str, str]]  # points, reason, comment
+
+
+def render(
+    record: Record,
+    name: str = "",
+    unused: tuple[str, ...] = (),
+    in_the_end: Sequence[InTheEnd] = (),
+) -> str:
     measured = record.get("speed") or {}
     return fill(
         PAGE,
@@ -23,6 +39,7 @@ def render(record: Record, name: str = "", unused: tuple[str, ...] = ()) -> str:
         speed=measured if measured.get("scenes") or "otherwise" in measured else None,
         speed_sentences=" ".join(speed.sentences(measured)),
         unused=_unused(record, unused),
+        in_the_end=in_the_end,
         case=case,
         chart=speed_chart,
         numbers=numbers,

@@ -22,7 +22,8 @@ def render(record: Record) -> str:
         mistakes = map(escaping.markdown, sentences.mistake_words(part))
         items = [f"- Part {part['part']}: {mistake}" for mistake in mistakes]
         lines += ["", *items] if items else []
-    lines += [f"\n{escaping.markdown(sentence)}" for sentence in sentences.speed_words(record)]
+    for sentence in [*sentences.since_last_time(record), *sentences.speed_words(record)]:
+        lines.append(f"\n{escaping.markdown(sentence)}")
     text = "\n".join(lines) + "\n"
     for number, part, check in sentences.numbered(record):
         if not check["passed"] and check["message"]:

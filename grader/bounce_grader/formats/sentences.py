@@ -3,6 +3,7 @@
 import re
 from typing import NamedTuple
 
+from bounce_grader.common.numbers import short
 from bounce_grader.grading.record import Record
 
 STATUS_WORDS = {
@@ -80,6 +81,21 @@ def speed_words(record: Record) -> list[str]:
 
     measured = record.get("speed") or {}
     return speed.sentences(measured) if "otherwise" in measured else []
+
+
+def since_last_time(record: Record) -> list[str]:
+    """What has changed since the record of before, if there is one."""
+    before = record.get("before")
+    if not before:
+        return []
+    titles = {check["id"]: check["title"] for _, _, check in numbered(record)}
+    change = record["score"] - before["score"]
+    lines = [
+        f"Since last time: {short(before['score'])} -> {short(record['score'])} points, "
+        + (f"{change:+g}" if change else "no change")
+    ]
+    lines += [f"Gained: {titles[id]}" for id in before["gained"] if id in titles]
+    return lines + [f"Lost: {titles[id]}" for id in before["lost"] if id in titles]
 
 
 def numbered(record: Record) -> list[tuple[str, Record, Record]]:

@@ -1,10 +1,8 @@
 """Grades a submission, and makes its score record."""
 
 import os
-import tempfile
 import time
-from collections.abc import Iterator
-from contextlib import contextmanager, suppress
+from contextlib import suppress
 from functools import partial
 from pathlib import Path
 from typing import NamedTuple
@@ -12,6 +10,7 @@ from typing import NamedTuple
 from bounce_grader.build import linking
 from bounce_grader.build.compile import compile_all, Built, Objects
 from bounce_grader.common.errors import KitError
+from bounce_grader.common.files import remove_unlocked, temporary_folder
 from bounce_grader.common.manifest import parts, Part
 from bounce_grader.common.parallel_map import parallel_map
 from bounce_grader.common.paths import STUBS, WORK_FOLDER
@@ -41,8 +40,9 @@ def grade(given: Path | Submission, options: Options = Options()) -> Record:
     taken = given if isinstance(given, Submission) else submission.read(given)
     box = boxes.choose(options.boxes)._replace(budget=within)
     hidden = fixtures.hidden_folder()
+    remove_unlocked()
     jobs = options.jobs or os.cpu_count() or 1
-    with _work_folder() as work:
+    with temporary_folder(WORK_FOLDER) as work:
         box.give(work)
         objects = compile_all(taken, work, box, jobs)
         grading = _Grading(taken, objects, work, hidden, box)
@@ -65,13 +65,6 @@ def grade(given: Path | Submission, options: Options = Options()) -> Record:
         measured,
     )
     return graded if options.answers else record.without_answers(graded)
-
-
-@contextmanager
-def _work_folder() -> Iterator[Path]:
-    """A temporary folder for one grading, which other users can't enter."""
-    with tempfile.TemporaryDirectory(prefix=WORK_FOLDER) as name:
-        yield Path(name)
 
 
 def _link_together(
@@ -197,7 +190,7 @@ def _require_working_kit(box: Box) -> None:
     """Called if a submission scores 0: raises KitError unless a stub compiles and runs, so that a
     broken kit isn't taken for a bad submission."""
     taken = submission.read(STUBS)
-    with _work_folder() as work:
+    with temporary_folder(WORK_FOLDER) as work:
         box.give(work)
         objects = compile_all(taken, work, box, 1)
         stub = objects.parts[1]

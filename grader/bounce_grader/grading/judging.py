@@ -105,8 +105,8 @@ def judge(
 
 
 def read_answer(out: bytes, part: Part) -> dict[str, Any]:
-    """Parses and validates the judge's answer, which grader/judge/main.cpp describes. Raises
-    KitError."""
+    """Parses and validates the judge's answer, which grader/judge/main.cpp describes. Checks that
+    parts.json leaves out are dropped. Raises KitError."""
     try:
         answer = json.loads(out, parse_constant=_no_number)
         sound = all(map(_is_sound, answer["checks"])) and _is_size(answer["largest_error"])
@@ -118,9 +118,10 @@ def read_answer(out: bytes, part: Part) -> dict[str, Any]:
         raise KitError(f"the judge's answer on part {part.number} can't be read") from error
     if not sound:
         raise KitError(f"the judge's answer on part {part.number} has another shape than it should")
-    ids = [check["id"] for check in answer["checks"]]
-    if sorted(ids) != sorted(check.id for check in part.checks):
-        raise KitError(f"the judge's checks of part {part.number} aren't those of parts.json")
+    wanted = {check.id for check in part.checks}
+    answer["checks"] = [check for check in answer["checks"] if check["id"] in wanted]
+    if sorted(check["id"] for check in answer["checks"]) != sorted(wanted):
+        raise KitError(f"the judge's checks of part {part.number} lack some of parts.json")
     return {key: answer[key] for key in ("checks", "largest_error", "mistakes", "patterns")}
 
 

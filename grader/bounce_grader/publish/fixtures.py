@@ -4,29 +4,38 @@ committed ones."""
 import tempfile
 from pathlib import Path
 
+from bounce_grader.common.paths import FIXTURES
 from bounce_grader.grading import known_mistakes
-from bounce_grader.grading.fixtures import PUBLIC, hidden_folder, write
+from bounce_grader.grading.fixtures import DEFAULT, PUBLIC, hidden_folder, write
+
+COMMITTED = {"public": PUBLIC, "hidden": DEFAULT}  # by the kind of set
 
 
 def write_all() -> None:
-    write("public", PUBLIC)
+    for kind, folder in COMMITTED.items():
+        write(kind, folder)
     hidden_folder()
     known_mistakes.write()
 
 
 def differing() -> list[str]:
-    """The names of the committed files that differ, by even a byte, from what the solution
-    writes."""
-    with tempfile.TemporaryDirectory() as name:
-        fresh = Path(name)
-        write("public", fresh)
-        names = {f.name for folder in (fresh, PUBLIC) for f in folder.glob("*.json")}
-        return sorted(n for n in names if _bytes(fresh / n) != _bytes(PUBLIC / n))
+    """The committed files that differ, by even a byte, from what the solution writes; as paths in
+    fixtures/."""
+    return [name for kind, folder in COMMITTED.items() for name in _differing(kind, folder)]
+
+
+def _differing(kind: str, folder: Path) -> list[str]:
+    with tempfile.TemporaryDirectory() as temporary:
+        fresh = Path(temporary)
+        write(kind, fresh)
+        names = {f.name for where in (fresh, folder) for f in where.glob("*.json")}
+        differ = sorted(n for n in names if _bytes(fresh / n) != _bytes(folder / n))
+    return [f"{folder.relative_to(FIXTURES)}/{name}" for name in differ]
 
 
 def all_differing() -> list[str]:
     """These, and the files of known mistakes that don't match the gallery."""
-    return [*differing(), *(f"mistakes/{name}" for name in known_mistakes.differing())]
+    return [*differing(), *(f"public/mistakes/{name}" for name in known_mistakes.differing())]
 
 
 def _bytes(file: Path) -> bytes | None:

@@ -29,7 +29,7 @@ SETUP = """#!/usr/bin/env bash
 set -euo pipefail
 cd /autograder/source
 chmod +x kit run_autograder
-./kit grade solution --min-score 100
+./kit grade solution --speed --min-score 100
 """
 
 # Gradescope runs this for each submission. If the kit fails, it leaves no results.json; Gradescope
@@ -38,7 +38,9 @@ RUN = """#!/usr/bin/env bash
 set -uo pipefail
 cd /autograder/source
 results=/autograder/results/results.json
-./kit grade /autograder/submission --speed --format gradescope >"$results.part"
+metadata=/autograder/submission_metadata.json
+[ -e "$metadata" ] && set -- --before "$metadata"
+./kit grade /autograder/submission --speed --format gradescope "$@" >"$results.part"
 status=$?
 # 0: graded; 2: the submission can't be read, and the file says so to the student.
 if [ "$status" -ne 0 ] && [ "$status" -ne 2 ]; then

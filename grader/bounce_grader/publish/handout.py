@@ -1,7 +1,7 @@
 """Writes the handout: one zip with all that a student needs, and nothing else.
 
 It holds the folder student/, the tests that a student's build runs, the public fixtures with the
-answers of known mistakes, and the manifest of checks. Times and permissions are fixed, so that the
+answers of known mistakes, and the manifest of checks, whose points the texts say. Times and permissions are fixed, so that the
 same kit gives the same bytes.
 """
 
@@ -12,6 +12,7 @@ from pathlib import Path
 from bounce_grader.common.errors import UsageError
 from bounce_grader.common.paths import HANDOUT, ROOT
 from bounce_grader.grading.fixtures import PUBLIC
+from bounce_grader.publish.points import with_points
 
 TOP = "bounce"  # the folder in the zip
 TESTS = (
@@ -28,6 +29,7 @@ TESTS = (
 )
 SKIPPED = {"build", "animation.html", "__pycache__"}  # made by working in student/
 PROGRAMS = {"check"}
+WITH_POINTS = {".md", ".hpp"}  # the files of student/ that may say points
 EPOCH = (1980, 1, 1, 0, 0, 0)
 
 
@@ -71,4 +73,7 @@ def _add(archive: zipfile.ZipFile, name: str, file: Path) -> None:
     entry = zipfile.ZipInfo(f"{TOP}/{name}", EPOCH)
     entry.create_system = 3  # Unix, so that permissions are kept
     entry.external_attr = (0o100755 if name in PROGRAMS else 0o100644) << 16
-    archive.writestr(entry, file.read_bytes())
+    data = file.read_bytes()
+    if file.suffix in WITH_POINTS and file.is_relative_to(HANDOUT):
+        data = with_points(data.decode()).encode()
+    archive.writestr(entry, data)

@@ -1,7 +1,12 @@
 """One unread file of a submission, and how to read a source from it."""
 
+import re
 from collections.abc import Callable
+from pathlib import Path, PurePosixPath
 from typing import NamedTuple
+
+from bounce_grader.common.errors import UsageError
+from bounce_grader.common.escaping import printable_name
 
 MOST_ENTRIES = 5000
 LARGEST_SOURCE = 1024 * 1024
@@ -17,6 +22,19 @@ class Entry(NamedTuple):
     size: int  # claimed, not checked; only for messages
     link: bool  # a link, or anything else that is no regular file
     read: Callable[[int], bytes]  # at most so many bytes
+
+
+def inside_name(path: Path, claimed: str) -> str:
+    """The name of an archive's entry, with forward slashes. Raises UsageError if it points outside
+    of the archive."""
+    name = PurePosixPath(claimed.replace("\\", "/"))
+    if name.is_absolute() or ".." in name.parts or re.match("[A-Za-z]:", str(name)):
+        raise UsageError(
+            f"{path} has an entry that points outside of it ('{printable_name(str(name))}')"
+        )
+    if not name.parts:
+        raise UsageError(f"{path} has an entry without a name: make it anew and submit again")
+    return str(name)
 
 
 def text_of(entry: Entry) -> bytes:

@@ -2,21 +2,27 @@
 bytes."""
 
 from collections.abc import Iterator
-from contextlib import AbstractContextManager, contextmanager
+from contextlib import AbstractContextManager, ExitStack, contextmanager
 from pathlib import Path
 
 from bounce_grader.common.errors import UsageError
+from bounce_grader.common.escaping import printable_name
 from bounce_grader.common.manifest import parts
 from bounce_grader.submission import folders
-from bounce_grader.submission.entry import Entry
+from bounce_grader.submission.archives import is_archive, TARS
+from bounce_grader.submission.entry import MOST_ENTRIES, Entry
+
+MOST_INNER = 3  # archives inside of a submission that are opened
+LARGEST_INNER = 32 * 1024 * 1024  # bytes of each
 
 
 @contextmanager
 def opened(path: Path, zipped: bytes | None = None) -> Iterator[list[Entry]]:
-    """All files, which can be read while this is open. `zipped` is a zip in memory; then `path` is
-    only its name. Raises UsageError if they can't be listed."""
-    with _opened(path, zipped) as entries:
-        listed = list(entries)
+    """All files, which can be read while this is open. `zipped` is an archive in memory; then
+    `path` is only its name. Raises UsageError if they can't be listed."""
+    with ExitStack() as stack:
+        listed = list(stack.enter_context(_opened(path, zipped)))
+        listed = _with_inner(path, listed, stack)
         if not listed:
             raise UsageError(f"{path} is empty: it should hold {parts()[0].file} and so on")
         yield listed
@@ -25,9 +31,41 @@ def opened(path: Path, zipped: bytes | None = None) -> Iterator[list[Entry]]:
 def _opened(path: Path, zipped: bytes | None) -> AbstractContextManager[Iterator[Entry]]:
     if zipped is None and _is_folder(path):
         return folders.opened(path)
-    from bounce_grader.submission import zips
+    from bounce_grader.submission import tars, zips
 
+    if path.name.lower().endswith(TARS):
+        return tars.opened(path, _bytes(path) if zipped is None else zipped)
     return zips.opened(path, zipped)
+
+
+def _bytes(path: Path) -> bytes:
+    try:
+        with path.open("rb") as file:
+            data = file.read(LARGEST_INNER + 1)
+    except OSError as error:
+        raise UsageError(f"{path} can't be read: {error.strerror}") from error
+    if len(data) > LARGEST_INNER:
+        raise UsageError(f"{path} is larger than {LARGEST_INNER >> 20} MB: submit the parts alone")
+    return data
+
+
+def _with_inner(path: Path, listed: list[Entry], stack: ExitStack) -> list[Entry]:
+    """Opens archives inside, one level deep, if no part is there beside them."""
+    stems = [part.stem for part in parts()]
+    if any(stem in entry.name.lower() for entry in listed for stem in stems):
+        return listed
+    inner = [e for e in listed if is_archive(e.name) and not (e.link or "__MACOSX" in e.name)]
+    found = [entry for entry in listed if entry not in inner[:MOST_INNER]]
+    for archive in inner[:MOST_INNER]:
+        name = Path(archive.name)
+        data = archive.read(LARGEST_INNER + 1)
+        if len(data) > LARGEST_INNER:
+            raise UsageError(f"{path} holds {printable_name(archive.name)}, which is too large")
+        entries = stack.enter_context(_opened(name, data))
+        found += [entry._replace(name=f"{archive.name}/{entry.name}") for entry in entries]
+        if len(found) > MOST_ENTRIES:
+            raise UsageError(f"{path} holds more than {MOST_ENTRIES} files: submit the parts alone")
+    return found
 
 
 def _is_folder(path: Path) -> bool:

@@ -117,8 +117,12 @@ def take(path: Path, entries: list[Entry]) -> Submission:
         files={n: t for n, t in files.items() if n not in unused},
         parts={number: name for number, name in chosen.items() if name in files},
         refused={n: f"{name} {not_text[name]}" for n, name in chosen.items() if name in not_text},
-        ignored=tuple(sorted(left)),
+        ignored=tuple(_with_reason(name, not_text) for name in sorted(left)),
     )
+
+
+def _with_reason(name: str, not_text: dict[str, str]) -> str:
+    return f"{name} ({not_text[name]})" if name in not_text else name
 
 
 def _too_much(path: Path) -> UsageError:

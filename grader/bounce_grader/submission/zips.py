@@ -1,17 +1,16 @@
 """Lists and reads the files of a zip, in memory. Nothing is extracted to disk."""
 
 import io
-import re
 import stat
 import zipfile
 from collections.abc import Iterator
 from contextlib import contextmanager
-from pathlib import Path, PurePosixPath
+from pathlib import Path
 from typing import cast
 
 from bounce_grader.common.errors import UsageError
-from bounce_grader.common.escaping import printable_name, printable_text
-from bounce_grader.submission.entry import MOST_ENTRIES, Entry
+from bounce_grader.common.escaping import printable_text
+from bounce_grader.submission.entry import MOST_ENTRIES, Entry, inside_name
 
 ENCRYPTED = 0x1
 LARGEST_DIRECTORY = 2 * 1024 * 1024  # of a table of contents, or a single read
@@ -62,22 +61,11 @@ def _entries(path: Path, archive: zipfile.ZipFile) -> Iterator[Entry]:
     for info in archive.infolist():
         if info.filename.endswith(("/", "\\")):
             continue
-        name = _name(path, info)
+        name = inside_name(path, info.filename)
         if name in names:
             raise UsageError(f"{path} holds two entries of the same name: make it anew")
         names.add(name)
         yield _entry(path, archive, info, name)
-
-
-def _name(path: Path, info: zipfile.ZipInfo) -> str:
-    name = PurePosixPath(info.filename.replace("\\", "/"))
-    if name.is_absolute() or ".." in name.parts or re.match("[A-Za-z]:", str(name)):
-        raise UsageError(
-            f"{path} has an entry that points outside of it ('{printable_name(str(name))}')"
-        )
-    if not name.parts:
-        raise UsageError(f"{path} has an entry without a name: make it anew and submit again")
-    return str(name)
 
 
 def _entry(path: Path, archive: zipfile.ZipFile, info: zipfile.ZipInfo, name: str) -> Entry:

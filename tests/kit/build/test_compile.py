@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 from bounce_grader.build import compile as compiling, compiler, object_cache
 from bounce_grader.common.errors import KitError
+from bounce_grader.common.files import temporary_folder
 from bounce_grader.common.manifest import parts
 from bounce_grader.common.paths import CONTRACT, RUNNER, WORK_FOLDER
 from bounce_grader.grading.grade import grade as grade_path
@@ -172,7 +173,7 @@ def test_clang_needs_no_help_in_a_box(
 ) -> None:
     """If clang missed a file, g++ would compile instead, silently and five times as slowly."""
     files = {name: _new() + text for name, text in solution_files().items()}
-    with tempfile.TemporaryDirectory(prefix=WORK_FOLDER) as work:
+    with temporary_folder(WORK_FOLDER) as work:
         box = Box(kind)
         box.give(Path(work))
         monkeypatch.setattr(compiler, "gcc", lambda *_: ["/nowhere"])
@@ -248,7 +249,7 @@ def test_a_signal_that_ends_what_gcc_starts_is_told(kind: str, tmp_path: Path) -
     endless = ("-fconstexpr-ops-limit=2000000000000", "-fconstexpr-loop-limit=2000000000")
     command = compiler.gcc("part1_contacts.cpp", taken, box, flags=endless)
     limits = Limits(cpu_seconds=1, wall_seconds=60, memory=2 << 30, file_size=1 << 20)
-    with tempfile.TemporaryDirectory(prefix=WORK_FOLDER) as work:
+    with temporary_folder(WORK_FOLDER) as work:
         taken.write_to(Path(work))
         box.give(Path(work))
         prefix = box.to_build(Path(work), [CONTRACT, RUNNER])

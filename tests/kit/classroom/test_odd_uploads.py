@@ -13,9 +13,9 @@ from typing import Any
 
 import pytest
 from bounce_grader import cli
-from bounce_grader.classroom.intake.students import Student
 from bounce_grader.classroom.output import outputs
 from bounce_grader.classroom.work import engine_local, near_copies
+from bounce_grader.classroom.work.summary import Summary
 from bounce_grader.classroom.work.task import Task
 from bounce_grader.classroom.work.unit import Outcome
 from bounce_grader.common.errors import UsageError
@@ -85,10 +85,10 @@ def test_a_page_that_cannot_be_written_costs_nobody_elses(
 ) -> None:
     whole = outputs._page
 
-    def odd(student: Student, *more: Any) -> str:
-        if student.id == "301":
+    def odd(summary: Summary, *more: Any) -> str:
+        if summary.student.id == "301":
             raise UnicodeError("surrogates")
-        return whole(student, *more)
+        return whole(summary, *more)
 
     monkeypatch.setattr(outputs, "_page", odd)
     page = graded_beside(tmp_path, {"roe_301_1_part2_lcp.cpp": b"// odd"})

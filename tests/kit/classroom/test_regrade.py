@@ -7,6 +7,7 @@ from typing import Any
 import pytest
 from bounce_grader.classroom.work import log, results
 from bounce_grader.common.errors import UsageError
+from bounce_grader.common.manifest import parts
 from classes import column, download, grade_class, graded, points_of
 from conftest import write
 
@@ -51,6 +52,69 @@ def test_another_kit_is_known_wherever_it_lies(
     assert results._kit_digest() != before
 
 
+def spoil_one(out: Path) -> dict[str, Any]:
+    """Makes one stored result another than what grading gives. Returns the check that fails in
+    it."""
+    spoilt = next(f for f in sorted((out / "results").iterdir()) if f.name != "set.json")
+    old = json.loads(spoilt.read_bytes())
+    first = old["record"]["parts"][0]
+    check: dict[str, Any] = next(check for check in first["checks"] if check["passed"])
+    check["score"], check["passed"] = 0, False
+    old["record"]["score"] -= check["max_score"]
+    first["score"] -= check["max_score"]
+    spoilt.write_text(json.dumps(old))
+    return check
+
+
+def test_regrading_without_a_difference_leaves_nothing_in_the_way(
+    tmp_path: Path, users: list[int], capsys: pytest.CaptureFixture[str]
+) -> None:
+    source, out = download(tmp_path / "x.zip", users), tmp_path / "out"
+    grade_class(source, out)
+    for chosen in ("all", "student=101"):
+        capsys.readouterr()
+        assert grade_class(source, out, regrade=chosen) == 0
+        assert "There is nothing to take over." in capsys.readouterr().out
+    assert len(results.keys(out / "regrade")) == 1
+
+
+def weigh(out: Path, weights: dict[str, float]) -> None:
+    """Makes the stored results those of a kit where checks have other points."""
+    for file in (out / "results").iterdir():
+        if file.name == "set.json":
+            continue
+        result = json.loads(file.read_bytes())
+        record = result["record"]
+        for part in record["parts"]:
+            for check in part["checks"]:
+                check["max_score"] = weights.get(check["id"], check["max_score"])
+                check["score"] = check["max_score"] * check["passed"]
+            part["score"] = sum(check["score"] for check in part["checks"])
+        record["score"] = sum(part["score"] for part in record["parts"])
+        file.write_text(json.dumps(result))
+
+
+def test_new_weights_are_told_once_and_then_who_has_other_points(
+    tmp_path: Path, users: list[int], capsys: pytest.CaptureFixture[str]
+) -> None:
+    source, out = download(tmp_path / "x.zip", users), tmp_path / "out"
+    grade_class(source, out)
+    one, other = parts()[0].checks[:2]
+    weigh(out, {one.id: one.points + 2, other.id: other.points - 2})
+    capsys.readouterr()
+    grade_class(source, out, regrade="all")
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[1:3] == [
+        f"  {one.id} gives {one.points + 2:g} -> {one.points:g} points",
+        f"  {other.id} gives {other.points - 2:g} -> {other.points:g} points",
+    ]
+    told = lines[3:-1]
+    assert f": {len(told)} differ" in lines[0] and not any(line[0] == " " for line in told)
+    for line in told:
+        before, now = line.rpartition(": ")[2].split(" -> ")
+        assert abs(float(before) - float(now)) == 2
+
+
 def test_regrading_shows_what_would_change_before_it_does(
     tmp_path: Path,
     users: list[int],
@@ -59,14 +123,7 @@ def test_regrading_shows_what_would_change_before_it_does(
 ) -> None:
     source, out = download(tmp_path / "x.zip", users), tmp_path / "out"
     grade_class(source, out)
-    spoilt = next(f for f in (out / "results").iterdir() if f.name != "set.json")
-    old = json.loads(spoilt.read_bytes())
-    first = old["record"]["parts"][0]
-    check = next(check for check in first["checks"] if check["passed"])
-    check["score"], check["passed"] = 0, False
-    old["record"]["score"] -= check["max_score"]
-    first["score"] -= check["max_score"]
-    spoilt.write_text(json.dumps(old))
+    check = spoil_one(out)
     grade_class(source, out)
     before = (out / "gradebook.csv").read_bytes()
     capsys.readouterr()
@@ -74,8 +131,8 @@ def test_regrading_shows_what_would_change_before_it_does(
     monkeypatch.setattr(results, "__version__", "99")
     assert grade_class(source, out, regrade="all") == 0
     said = capsys.readouterr().out
-    assert "10 submissions were graded again; 1 differ." in said
-    assert f"  {check['id']}: 0 -> {check['max_score']:g}" in said
+    assert "10 submissions were graded again: 1 differ, 9 don't." in said
+    assert said.count("->") == 2 and f"  {check['id']}: failed -> passed" in said
     assert (out / "gradebook.csv").read_bytes() == before
 
     assert grade_class(source, out, apply=True) == 0
@@ -116,6 +173,7 @@ def test_a_student_is_chosen_by_the_name_of_the_grade_book(
 def test_a_set_that_was_not_taken_over_is_not_dropped(tmp_path: Path, users: list[int]) -> None:
     source, out = download(tmp_path / "x.zip", users), tmp_path / "out"
     grade_class(source, out)
+    spoil_one(out)
     grade_class(source, out, regrade="all")
     with pytest.raises(UsageError, match="holds what was graded again for 'all'"):
         grade_class(source, out, regrade="student=101")

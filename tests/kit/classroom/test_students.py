@@ -152,7 +152,7 @@ def test_nothing_is_dropped_in_silence(tmp_path: Path) -> None:
     assert len(reasons) == 7
     assert "typed into Canvas" in reasons["roe_2_text.html"]
     assert "address" in reasons["poe_3_link.html"]
-    assert "homework.rar is no C++ source and no zip" in reasons["foe_4_6"]
+    assert "homework.rar is a RAR archive, which isn't opened: ask for a zip" in reasons["foe_4_6"]
     assert "photo.jpg is no C++ source and no zip" in reasons["foe_4_6"]
     assert "isn't named as Canvas names" in reasons["readme.txt"]
     assert "in a folder" in reasons["folder/moe_9_9_part1_contacts.cpp"]

@@ -57,7 +57,7 @@ def odd_entries(archive: zipfile.ZipFile) -> dict[int, float | None]:
         100,
     )
     inner = zip_bytes({"again.zip": zip_bytes(solution(0))})
-    put(7102, "Zipzip, Ann", {"hw.zip": inner}, None)
+    put(7102, "Zipzip, Ann", {"hw.zip": inner}, 100)
     put(7103, "Broken, Ann", {"hw.zip": b"PK\x03\x04 and then nothing"}, None)
     put(7104, "Rar, Ann", {"hw.rar": b"Rar!"}, None)
     put(7105, "Photo, Ann", {"part1.jpg": b"\xff\xd8"}, None)
@@ -134,9 +134,8 @@ def test_a_class_of_forty_with_every_oddity(
     said = capsys.readouterr().out
     for sentence in (
         "rarann_7104",
-        "hw.rar is no C++ source and no zip",
+        "hw.rar is a RAR archive, which isn't opened: ask for a zip",
         "part1.jpg is no C++ source and no zip",
-        "a zip inside a zip isn't opened",
         "the submission is broken",
         "is text typed into Canvas",
         "is an address typed into Canvas",

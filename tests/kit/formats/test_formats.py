@@ -262,8 +262,8 @@ def test_github_is_pointed_at_no_file_that_was_not_handed_in(
     found = commands(github.render(record, tmp_path))
     assert (found[1][1]["file"], found[1][1]["line"]) == ("part2_lcp.cpp", "1")
     assert (found[2][1]["file"], found[2][1]["line"]) == ("helper.hpp", "5")
-    tests = json.loads(base64.b64decode(github.reporter_result(record, tmp_path)))["tests"]
-    assert [test["filename"] for test in tests[1:3]] == ["part2_lcp.cpp", "helper.hpp"]
+    files = {test["name"][0]: test["filename"] for test in reported(record, tmp_path)["tests"]}
+    assert (files["2"], files["3"]) == ("part2_lcp.cpp", "helper.hpp")
 
 
 def test_a_submission_that_cannot_be_read_is_an_error_and_no_points() -> None:
@@ -272,15 +272,32 @@ def test_a_submission_that_cannot_be_read_is_an_error_and_no_points() -> None:
     assert formats.refused("junit", "x") == formats.refused(None, "x") == ""
 
 
-def test_classrooms_reporter_adds_up_the_points(record: dict[str, Any]) -> None:
-    """As autograding-grading-reporter does: the sum of the tests' scores, out of max_score."""
-    result = json.loads(base64.b64decode(github.reporter_result(record)))
-    assert result["version"] == 1 and result["status"] == "fail"
-    assert result["max_score"] == 100
+def reported(record: dict[str, Any], root: Path = NOWHERE, enough: float = 0.0) -> dict[str, Any]:
+    result: dict[str, Any] = json.loads(
+        base64.b64decode(github.reporter_result(record, root, enough))
+    )
+    return result
+
+
+def test_the_reporter_adds_up_the_points_of_checks(record: dict[str, Any]) -> None:
+    """As autograding-grading-reporter does: the sum of the tests' scores, out of max_score. Each
+    test passes or fails as a whole, and so is one check."""
+    result = reported(record)
+    assert result["version"] == 1 and result["max_score"] == 100
     assert sum(test["score"] for test in result["tests"]) == 32
-    assert {test["status"] for test in result["tests"]} <= {"pass", "fail", "error"}
-    second = result["tests"][1]
+    checks = [check for part in record["parts"] for check in part["checks"]]
+    assert [(t["status"] == "pass", t["score"]) for t in result["tests"]] == [
+        (check["passed"], check["score"]) for check in checks
+    ]
+    second = next(test for test in result["tests"] if test["name"].startswith("2.1 "))
     assert (second["filename"], second["line_no"]) == ("src/part2_lcp.cpp", 12)
+
+
+@pytest.mark.parametrize("enough, status", [(0, "pass"), (32, "pass"), (32.5, "fail")])
+def test_the_reporter_fails_the_job_only_below_the_score_that_is_enough(
+    record: dict[str, Any], enough: float, status: str
+) -> None:
+    assert reported(record, NOWHERE, enough)["status"] == status
 
 
 def test_a_step_of_a_workflow_hands_on_its_result(

@@ -91,7 +91,9 @@ TEST(Session, AsksNoMoreWhenItsTimeIsUp) {
       },
       limits, 1, false, always_one);
   EXPECT_THROW(session.ask(frames::Frame()), tests::Ended);
-  EXPECT_EQ(session.take_end().value().status, "no_answer");
+  const Session::End end = session.take_end().value();
+  EXPECT_EQ(end.status, "no_answer");
+  EXPECT_EQ(end.instead_of_cases.rfind("nothing was asked here: ", 0), 0U);
   EXPECT_EQ(started, 0);
 }
 
@@ -131,8 +133,9 @@ frames::Frame said(frames::Kind kind, std::uint32_t part, std::uint64_t number =
   return frame;
 }
 
-// How the first question of part 3 ends if a runner sends these frames; empty if it is answered.
-std::string end_after(const std::vector<frames::Frame>& frames, bool given) {
+// How the first question of part 3 ends if a runner sends these frames; its status is empty if the
+// question is answered.
+Session::End whole_end_after(const std::vector<frames::Frame>& frames, bool given) {
   const Pipes pipes;
   Session session([&](const Limits& now) { return pipes.runner(now); }, Limits(), 3, given,
                   always_one);
@@ -141,10 +144,21 @@ std::string end_after(const std::vector<frames::Frame>& frames, bool given) {
   }
   try {
     session.ask(said(frames::Kind::question, 3));
-    return "";
+    return {};
   } catch (const tests::Ended&) {
-    return session.take_end().value().status;
+    return session.take_end().value();
   }
+}
+
+std::string end_after(const std::vector<frames::Frame>& frames, bool given) {
+  return whole_end_after(frames, given).status;
+}
+
+TEST(Session, CountsNoCaseAgainstAFunctionThatIsNotThere) {
+  const Session::End end = whole_end_after({said(frames::Kind::absent, 3)}, false);
+  EXPECT_EQ(end.status, "does_not_compile");
+  EXPECT_EQ(end.instead_of_cases.rfind("the file defines no bounce::step ", 0), 0U);
+  EXPECT_EQ(whole_end_after({said(frames::Kind::answer, 2)}, false).instead_of_cases, "");
 }
 
 TEST(Session, TakesTheAnswerToItsQuestionAndNoOther) {

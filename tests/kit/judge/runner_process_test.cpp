@@ -57,6 +57,11 @@ TEST(RunnerProcess, EndsALoopThatIgnoresItsCpuLimit) {
   expect("trap '' XCPU; while :; do :; done", "timed_out", "1 s of CPU time");
 }
 
+TEST(RunnerProcess, SeesWhatALoopHasStored) {
+  expect("dd bs=200M count=1 </dev/zero >/dev/null 2>&1; while :; do :; done", "out_of_memory",
+         "stores without end");
+}
+
 TEST(RunnerProcess, EndsOneThatSleeps) {
   expect("sleep 1000", "timed_out", "no answer came: the program waits for something", true);
   expect("cat <&3 >/dev/null", "timed_out", "waits for something", true);

@@ -47,6 +47,19 @@ TEST(Termination, EachSignalHasWordsOfItsOwn) {
   expect(by_signal(SIGRTMIN + 1), "crashed", "signal " + std::to_string(SIGRTMIN + 1));
 }
 
+TEST(Termination, OneThatStoresWithoutEndIsOutOfMemoryWhateverEndsItFirst) {
+  const judge::Limits limits;
+  for (const int signal : {SIGXCPU, SIGKILL}) {
+    const int status = W_EXITCODE(0, signal);
+    expect(judge::termination_of(status, limits, "", limits.memory / 2), "out_of_memory",
+           "stores without end");
+  }
+  const std::size_t little = limits.memory / 100;
+  expect(judge::termination_of(W_EXITCODE(0, SIGXCPU), limits, "", little), "timed_out",
+         "CPU time");
+  expect(judge::termination_of(W_EXITCODE(0, SIGKILL), limits, "", little), "crashed", "killed");
+}
+
 TEST(Termination, TellsASignalThroughABoxAsWell) {
   for (const int signal : {SIGSEGV, SIGABRT, SIGXCPU, SIGSYS, SIGKILL}) {
     EXPECT_EQ(by_exit(128 + signal).sentence, by_signal(signal).sentence);

@@ -36,6 +36,7 @@ class Upload:
     late: bool
     attachment: int
     file: str
+    as_named: bool = False  # the file has the student's own name for it, and no other file's
 
 
 @dataclass(frozen=True)
@@ -61,9 +62,10 @@ def parse(entry: str) -> Upload | TextEntry | None:
 def read_all(
     entries: Iterable[str], people: Mapping[str, str] = {}
 ) -> dict[str, Upload | TextEntry | None]:
-    """Each entry; None where it isn't a name of Canvas's, or where it could be of several users: a
-    student chooses a name, and a file's. `people` are those of the grade book, by Canvas's ids: an
-    entry is of the one among them whose id and name it has, if nothing else is."""
+    """Reads the names of all entries. The value is None for a name that Canvas doesn't write, and for
+    one that could be of several users, because students choose their names and those of their files.
+    `people` are the students of the grade book, by Canvas's ids: a name that could be of several is
+    taken for the only one of them whose id and name are in it."""
     possible = {entry: readings(entry) for entry in entries}
     read = {entry: found[0] if len(found) == 1 else None for entry, found in possible.items()}
     doubtful = {entry: found for entry, found in possible.items() if len(found) > 1}

@@ -13,9 +13,10 @@ from pathlib import Path
 from bounce_grader.classroom.intake import canvas
 from bounce_grader.classroom.intake.archive import opened, Archive
 from bounce_grader.classroom.intake.canvas import Upload
-from bounce_grader.classroom.intake.students import is_zip, texts_of
+from bounce_grader.classroom.intake.students import texts_of
 from bounce_grader.common.errors import about_one_submission, UsageError
 from bounce_grader.submission import intake, submission
+from bounce_grader.submission.archives import is_archive
 from bounce_grader.submission.entry import LARGEST_SOURCE, MOST_ENTRIES, Entry
 from bounce_grader.submission.submission import Submission
 
@@ -40,7 +41,7 @@ def _contents(archive: Archive, uploads: Iterable[Upload]) -> Iterator[tuple[Upl
     enough to see that it is too large. Raises UsageError if all together are too large."""
     room = LARGEST
     for upload in uploads:
-        most = room if is_zip(upload.file) else min(room, LARGEST_SOURCE)
+        most = room if is_archive(upload.file) else min(room, LARGEST_SOURCE)
         data = archive.read(upload.entry, most + 1)
         room -= len(data)
         if room < 0:
@@ -58,10 +59,10 @@ def _merged(
     texts = texts_of(archive, uploads)
     merged: dict[str, Entry] = {}
     listed = 0
-    if sum(is_zip(upload.file) for upload in uploads) > MOST_ZIPS:
+    if sum(is_archive(upload.file) for upload in uploads) > MOST_ZIPS:
         raise UsageError(f"{WHOLE} holds more than {MOST_ZIPS} zips: hand in one")
     for upload, data in _contents(archive, uploads):
-        if is_zip(upload.file):
+        if is_archive(upload.file):
             name = Path(upload.file) if len(uploads) > 1 else WHOLE
             newer = open_zips.enter_context(intake.opened(name, data))
         else:
@@ -73,12 +74,15 @@ def _merged(
             )
         links = {entry.name: entry for entry in newer if entry.link}  # links replace no file
         files = {entry.name: entry for entry in newer if not entry.link}
-        merged = links | _without_parts(set(map(_part, files)), merged) | files
+        if not upload.as_named:
+            merged = _without_parts(set(map(_part, files)), merged)
+        merged = links | merged | files
     return merged
 
 
 def _entry(upload: Upload, data: bytes, size: int, texts: list[bytes]) -> Entry:
-    return Entry(canvas.plain_file(upload.file, texts), size, False, lambda most: data[:most])
+    name = upload.file if upload.as_named else canvas.plain_file(upload.file, texts)
+    return Entry(name, size, False, lambda most: data[:most])
 
 
 def _without_parts(parts: set[str | None], older: dict[str, Entry]) -> dict[str, Entry]:

@@ -1,13 +1,14 @@
-"""Finds each student's submission in Canvas's download, in a folder of folders or zips, or in a
-checkout of GitHub Classroom. What can't be matched is listed, with the reason."""
+"""Finds each student's submission in a download from Canvas, Moodle or Blackboard, in a folder of
+folders or zips, or in a checkout of repositories. What can't be matched is listed, with the
+reason."""
 
 import os
 import zipfile
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
-from pathlib import Path
+from dataclasses import dataclass, field, replace
+from pathlib import Path, PurePosixPath
 
-from bounce_grader.classroom.intake import canvas
+from bounce_grader.classroom.intake import blackboard, canvas, moodle
 from bounce_grader.classroom.intake.archive import opened, Archive, Damaged
 from bounce_grader.classroom.intake.canvas import TextEntry, Upload
 from bounce_grader.common.errors import about_one_submission, UsageError
@@ -15,6 +16,7 @@ from bounce_grader.common.escaping import first_few, printable_name
 from bounce_grader.common.files import fitting
 from bounce_grader.common.manifest import parts
 from bounce_grader.submission import submission
+from bounce_grader.submission.archives import is_archive, why_not, stem as archive_stem
 from bounce_grader.submission.entry import LARGEST_SOURCE
 from bounce_grader.submission.submission import HEADERS, MOST_BYTES, SOURCES, part_file
 
@@ -37,6 +39,13 @@ class Student:
     late: bool = False
     feedback: str = ""  # the name of the feedback page
     unused: tuple[str, ...] = ()  # a sentence for each file that doesn't count
+    person: str = ""  # the name in the grade book or the roster, as "Doe, Jane"
+    late_days: int = 0  # days begun after the due date, where that is known
+
+    @property
+    def shown(self) -> str:
+        """The name for people to read."""
+        return self.person or self.name
 
 
 @dataclass(frozen=True)
@@ -56,6 +65,7 @@ class Class:
     students: list[Student] = field(default_factory=list)
     unmatched: list[Unmatched] = field(default_factory=list)
     logins: bool = False  # whether a student's id is a login of GitHub's, which students choose
+    service: str = ""  # "canvas", "moodle" or "blackboard", if it is a download of it
 
     @property
     def handed_in(self) -> int:
@@ -69,16 +79,29 @@ def read(path: Path, people: Mapping[str, str] = {}) -> Class:
     path = path.absolute()
     if path.is_dir():
         children = sorted(path.iterdir())
-        if any(canvas.parse(child.name) and _is_file(child) for child in children):
+        names = [child.name for child in children if _is_file(child)]
+        if any(map(blackboard.parse, names)):
+            intake = _blackboard(path)
+        elif any(map(moodle.parse, names)):
+            intake = _moodle(path)
+        elif any(map(canvas.parse, names)):
             intake = _canvas(path, people)
+        elif any(moodle.parse_folder(child.name) for child in children):
+            intake = _moodle_folders(children)
         else:
             intake = _folder(path, children)
     elif not path.exists():
         raise UsageError(f"there is no file or folder {path}")
     elif zipfile.is_zipfile(path):
-        intake = _canvas(path, people)
+        names = opened(path).names()
+        if any(map(moodle.parse, names)):
+            intake = _moodle(path)
+        elif any(map(blackboard.parse, names)):
+            intake = _blackboard(path)
+        else:
+            intake = _canvas(path, people)
     else:
-        cut = is_zip(path.name) or not path.stat().st_size
+        cut = is_archive(path.name) or not path.stat().st_size
         reason = "is broken, or was cut short: download it again"
         other = "is neither a folder nor a zip: give Canvas's download as it is"
         raise UsageError(f"{path} {reason if cut else other}")
@@ -91,7 +114,10 @@ def read(path: Path, people: Mapping[str, str] = {}) -> Class:
 def _expected(intake: Class) -> str:
     first = intake.unmatched[0] if intake.unmatched else None
     seen = f"the first entry, {first.name!r}, {first.reason}" if first else "it is empty"
-    return f"{seen}; it should be Canvas's download, or a folder with one folder or zip a student"
+    return (
+        f"{seen}; it should be the download of Canvas, Moodle or Blackboard, or a folder with one "
+        "folder or zip a student"
+    )
 
 
 def _is_file(path: Path) -> bool:
@@ -104,7 +130,7 @@ def _is_folder(path: Path) -> bool:
 
 def _canvas(path: Path, people: Mapping[str, str]) -> Class:
     archive = opened(path)
-    intake = Class("a Canvas download")
+    intake = Class("a Canvas download", service="canvas")
     if path.is_dir():
         folders = [child.name for child in sorted(path.iterdir()) if _is_folder(child)]
         intake.unmatched += [
@@ -144,6 +170,121 @@ def _canvas(path: Path, people: Mapping[str, str]) -> Class:
             page_text = f"{first_few(student.unused, separator='. ')}. {HAND_IN}"
             intake.unmatched.append(Unmatched(name, reason, user, page, page_text))
     return intake
+
+
+def _moodle(path: Path) -> Class:
+    archive = opened(path)
+    intake = Class("a Moodle download", service="moodle")
+    files: dict[tuple[str, str], list[Upload]] = {}
+    for number, name in enumerate(archive.names()):
+        parsed = moodle.parse(name)
+        if not parsed:
+            intake.unmatched.append(Unmatched(name, _no_name_of("Moodle", name)))
+        elif parsed.kind == "onlinetext":
+            _typed_elsewhere(intake, name, "Moodle", parsed.participant)
+        elif not _is_inside(parsed.file):
+            intake.unmatched.append(Unmatched(name, "points outside of the submission"))
+        else:
+            who = (parsed.participant, parsed.name)
+            upload = Upload(name, parsed.name, parsed.participant, False, number, parsed.file, True)
+            files.setdefault(who, []).append(upload)
+    for (participant, name), uploads in files.items():
+        page = moodle.feedback_name(name, participant)
+        _take(intake, archive, participant, name, uploads, page)
+    return intake
+
+
+def _moodle_folders(children: list[Path]) -> Class:
+    """Moodle's download, unpacked."""
+    intake = Class("a Moodle download", service="moodle")
+    for child in children:
+        parsed = moodle.parse_folder(child.name) if _is_folder(child) else None
+        if not parsed:
+            intake.unmatched.append(Unmatched(child.name, _no_name_of("Moodle", child.name)))
+        elif parsed.kind == "onlinetext":
+            _typed_elsewhere(intake, child.name, "Moodle", parsed.participant)
+        else:
+            page = moodle.feedback_name(parsed.name, parsed.participant)
+            there = _zip_alone(child) or child
+            intake.students.append(Student(parsed.participant, parsed.name, there, feedback=page))
+    _require_distinct(intake.students)
+    return intake
+
+
+def _blackboard(path: Path) -> Class:
+    archive = opened(path)
+    intake = Class("a Blackboard download", service="blackboard")
+    parsed = {name: blackboard.parse(name) for name in archive.names() if "/" not in name}
+    known = {name: entry for name, entry in parsed.items() if entry}
+    title = blackboard.title(entry.head for entry in known.values())
+    attempts: dict[str, dict[int, list[Upload]]] = {}
+    people: dict[str, blackboard.Person] = {}
+    for name, entry in known.items():
+        if not entry.file:
+            person = blackboard.person_of(entry.head, archive.read(name, 4096))
+            if person:
+                people[entry.head] = person
+        attempts.setdefault(entry.head, {}).setdefault(entry.when, [])
+        if entry.file:
+            upload = Upload(name, "", entry.head, False, entry.when, entry.file, True)
+            attempts[entry.head][entry.when].append(upload)
+    for head, by_time in attempts.items():
+        person = people.get(head)
+        if not person and not title:
+            intake.unmatched.append(Unmatched(head, "has no text that says whose it is"))
+            continue
+        user = person.user if person else head.removeprefix(title)
+        name = person.name if person and person.name else user
+        newest = [replace(upload, name=name, user=user) for upload in by_time[max(by_time)]]
+        page = f"{fitting(printable_name(user))}.html"  # not by the name: it may hold a "/"
+        if newest:
+            _take(intake, archive, user, name, newest, page)
+        else:
+            _typed_elsewhere(intake, f"{head}.txt", "Blackboard", user)
+    left = [name for name in archive.names() if name not in known]
+    intake.unmatched += [Unmatched(name, _no_name_of("Blackboard", name)) for name in left]
+    _require_distinct(intake.students)
+    return intake
+
+
+def _is_inside(file: str) -> bool:
+    parts_of = PurePosixPath(file).parts
+    return not file.startswith("/") and ".." not in parts_of and "\\" not in file
+
+
+def _take(
+    intake: Class, archive: Archive, id: str, name: str, uploads: list[Upload], page: str
+) -> None:
+    """Adds a student whose uploads all count."""
+    if len(uploads) > MOST_UPLOADS:
+        reason = f"is {len(uploads)} files; a submission may have {MOST_UPLOADS}"
+        page_text = f"What you handed in {reason}. {HAND_IN}"
+        intake.unmatched.append(Unmatched(name, reason, id, page, page_text))
+        return
+    usable = [upload for upload in uploads if is_source(upload.file) or is_archive(upload.file)]
+    unused = tuple(
+        f"{printable_name(upload.file)} {why_not(upload.file)}"
+        for upload in uploads
+        if upload not in usable
+    )
+    if usable:
+        student = Student(id, name, archive.path, tuple(usable), feedback=page, unused=unused)
+        intake.students.append(student)
+        return
+    reason = f"holds nothing that can be graded: {first_few(unused, separator='; ')}"
+    page_text = f"{first_few(unused, separator='. ')}. {HAND_IN}"
+    intake.unmatched.append(Unmatched(name, reason, id, page, page_text))
+
+
+def _typed_elsewhere(intake: Class, name: str, service: str, user: str) -> None:
+    reason = f"is text typed into {service}, with no file to grade: ask for the files of the parts"
+    intake.unmatched.append(Unmatched(name, reason, user))
+
+
+def _no_name_of(service: str, name: str) -> str:
+    if name.startswith("__MACOSX") or name.endswith(".DS_Store"):
+        return "was made by macOS, and is no submission"
+    return f"isn't named as {service} names submissions"
 
 
 def _typed(name: str, entry: TextEntry) -> Unmatched:
@@ -188,8 +329,8 @@ def _newest(archive: Archive, uploads: list[Upload]) -> tuple[list[Upload], list
     unused = []
     for upload in sorted(uploads, key=lambda u: -u.attachment):
         file = canvas.plain_file(upload.file, texts)
-        if not is_source(file) and not is_zip(file):
-            unused.append(f"{printable_name(upload.file)} is no C++ source and no zip")
+        if not is_source(file) and not is_archive(file):
+            unused.append(f"{printable_name(upload.file)} {why_not(upload.file)}")
         elif file in newest:
             newer = printable_name(newest[file].file)
             unused.append(f"{printable_name(upload.file)} is older than {newer}")
@@ -218,16 +359,12 @@ def is_source(file: str) -> bool:
     return os.path.splitext(file)[1].lower() in SOURCES | HEADERS
 
 
-def is_zip(file: str) -> bool:
-    return file.lower().endswith(".zip")
-
-
 def _folder(path: Path, children: list[Path]) -> Class:
     _require_a_folder_of_submissions(path, children)
     folders = [c for c in children if _is_folder(c)]
     folders = [c for c in folders if not c.name.startswith((".", "__MACOSX"))]
     folders = [c for c in folders if not _is_output(c)]
-    zips = [c for c in children if _is_file(c) and is_zip(c.name)]
+    zips = [c for c in children if _is_file(c) and is_archive(c.name)]
     cloned = [folder for folder in folders if os.path.exists(folder / ".git")]
     intake = Class("a folder of submissions")
     cut = 0
@@ -238,7 +375,7 @@ def _folder(path: Path, children: list[Path]) -> Class:
         intake.logins = True
         folders = cloned
     for child in [*folders, *zips]:
-        name = child.name[cut:] if _is_folder(child) else child.stem
+        name = child.name[cut:] if _is_folder(child) else archive_stem(child.name)
         submitted = _zip_alone(child) or child
         page = f"{fitting(name)}.html"
         intake.students.append(Student(name, name, submitted, feedback=page))
@@ -295,7 +432,7 @@ def _zip_alone(folder: Path) -> Path | None:
     except OSError:
         return None
     inside = [folder / name for name in names]
-    alone = len(inside) == 1 and is_zip(inside[0].name) and _is_file(inside[0])
+    alone = len(inside) == 1 and is_archive(inside[0].name) and _is_file(inside[0])
     return inside[0] if alone else None
 
 

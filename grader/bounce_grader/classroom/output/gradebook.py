@@ -42,6 +42,8 @@ class Filled:
 class Gradebook:
     """A grade book that Canvas exported. Raises UsageError if it can't be filled in."""
 
+    service = "canvas"
+
     def __init__(self, path: Path, columns: Mapping[int, str], most: Mapping[int, float]) -> None:
         try:
             data = path.read_bytes()
@@ -77,8 +79,7 @@ class Gradebook:
         """Fills in the points. The keys of `marks` and `without` are Canvas's user ids, SIS ids or
         logins; `without` says why a student has no score. Points that already stand in a column
         are kept, unless earlier runs have `written` them, or if `overwrite` is set."""
-        of_canvas = any(mark.of_canvas for mark in marks.values())
-        rows = self._rows_by_id(of_canvas)
+        rows = self._rows_of(marks, without)
         reasons = _by_line(rows, without)
         graded = _by_line(rows, marks)
         sentences = self._points_possible()
@@ -104,6 +105,19 @@ class Gradebook:
             sentences.append(f"{marks[id].name} ({id}) is graded, but isn't in {self._name}")
         return Filled(self._table.bytes(), list(dict.fromkeys(sentences)), now)
 
+    def _rows_of(
+        self, marks: Mapping[str, Marks], without: Mapping[str, str]
+    ) -> dict[str, list[Row]]:
+        """The rows of each id. In a download of Canvas's only its own ids count: another number
+        there comes from a student."""
+        of_canvas, all_ids = self._rows_by_id(True), self._rows_by_id(False)
+        any_of_canvas = any(mark.of_canvas for mark in marks.values())
+        found = {id: (of_canvas if any_of_canvas else all_ids).get(id, []) for id in without}
+        found |= {
+            id: (of_canvas if mark.of_canvas else all_ids).get(id, []) for id, mark in marks.items()
+        }
+        return found
+
     def _fill_row(
         self, row: Row, marks: Marks, written: dict[str, dict[str, list[str]]], overwrite: bool
     ) -> list[str]:
@@ -112,14 +126,15 @@ class Gradebook:
         for part, column in self._columns.items():
             cell, title = row.cells[column], self._header[column]
             text, number = cell.text.strip(), f"{marks.points[part]:.2f}"
-            before = written.setdefault(title, {}).setdefault(id, [])
-            there = _number(text)
-            ours = there is not None and there in map(_number, [number, *before])
+            before = written.get(title, {}).get(id, [])
+            there = number_in(text)
+            ours = there is not None and there in map(number_in, [number, *before])
             if text.upper() in NEVER_FILLED:
                 sentences.append(f"{self._who(row)} stays {text} in {title}")
             elif ours or not text or overwrite:
                 is_filled = True
-                before += [number] if number not in before else []
+                if number not in before:
+                    written.setdefault(title, {})[id] = [*before, number]
                 cell.put(number.replace(".", ",") if self._comma else number, self._table.delimiter)
             else:
                 sentences.append(
@@ -142,10 +157,18 @@ class Gradebook:
         names = row.cells[: self._header.index("ID")]
         return ", ".join(cell.text.strip() for cell in names)
 
-    def canvas_people(self) -> dict[str, str]:
-        """By Canvas's ids, the names of all students, as "Doe, Jane"."""
-        rows = self._rows_by_id(of_canvas=True)
+    def people(self, of_canvas: bool = True) -> dict[str, str]:
+        """The names of all students, as "Doe, Jane", by Canvas's ids; or by every id that is that
+        of one student alone."""
+        rows = self._rows_by_id(of_canvas)
+        rows = {id: of_id for id, of_id in rows.items() if of_canvas or len(of_id) == 1}
         return {id: self._person(of_id[0]) for id, of_id in rows.items()}
+
+    def same_person(self) -> dict[str, str]:
+        """By each id that is that of one student alone, the student's id of Canvas's."""
+        column = self._header.index("ID")
+        rows = self._rows_by_id(of_canvas=False)
+        return {id: of[0].cells[column].text.strip() for id, of in rows.items() if len(of) == 1}
 
     def _rows_by_id(self, of_canvas: bool) -> dict[str, list[Row]]:
         """The rows of each id. Canvas's own ids take precedence, as in its importer. With marks
@@ -254,7 +277,7 @@ class Gradebook:
         sentences = []
         for row in self._points_rows():
             for part, column in self._columns.items():
-                points = _number(row.cells[column].text)
+                points = number_in(row.cells[column].text)
                 if points is not None and points != self._most[part]:
                     sentences.append(
                         f"Canvas has {short(points)} points possible for {self._header[column]}, the "
@@ -276,7 +299,7 @@ def _title(text: str) -> str:
     return re.sub(r"\s\(\d+\)$", "", text)
 
 
-def _number(text: str) -> float | None:
+def number_in(text: str) -> float | None:
     try:
         return float(text.strip().replace(",", "."))
     except ValueError:

@@ -5,6 +5,7 @@ from collections.abc import Iterable
 from bounce_grader.classroom.work.summary import Summary
 from bounce_grader.common.escaping import csv_row, first_few, Value
 from bounce_grader.common.manifest import parts
+from bounce_grader.common.numbers import short
 from bounce_grader.formats.html import MOST_UNUSED
 
 
@@ -14,10 +15,11 @@ def table(summaries: Iterable[Summary]) -> str:
 
 def _header() -> list[str]:
     return [
-        *("student", "id", "late", "state", "score"),
+        *("student", "id", "late", "state", "score", "final", "adjustments"),
         *(part.stem for part in parts()),
         *(check.id for part in parts() for check in part.checks),
-        *("times the solution's time", "largest error", "needs a look", "not used", "result"),
+        *("mistakes", "times the solution's time", "largest error", "needs a look", "not used"),
+        "result",
     ]
 
 
@@ -26,15 +28,38 @@ def _row(summary: Summary) -> list[Value]:
     points = [summary.parts.get(part.number) for part in parts()]
     checks = [summary.checks.get(check.id) for part in parts() for check in part.checks]
     return [
-        student.name,
+        student.shown,
         student.id,
         "late" if student.late else "",
         summary.state,
-        *map(_number, [summary.score, *points, *checks, summary.ratio, summary.error]),
+        _number(summary.score),
+        _final_points(summary),
+        _changes(summary),
+        *map(_number, [*points, *checks]),
+        "; ".join(summary.mistakes.values()),
+        *map(_number, [summary.ratio, summary.error]),
         "; ".join(summary.needs_a_look),
         first_few([*student.unused, *summary.ignored], MOST_UNUSED, "; ", summary.ignored_more),
         summary.key,
     ]
+
+
+def _final_points(summary: Summary) -> Value:
+    """A number, or the points of each member of a group where they differ."""
+    points = {one.id: round(one.points[0], 2) for one in summary.finals}
+    if len(set(points.values())) <= 1:
+        return _number(next(iter(points.values()), None))
+    return "; ".join(f"{id}: {short(value)}" for id, value in points.items())
+
+
+def _changes(summary: Summary) -> str:
+    texts = {
+        one.id: ", ".join(f"{a.reason} {a.points:+g}" for a in one.applied)
+        for one in summary.finals
+    }
+    if len(set(texts.values())) <= 1:
+        return next(iter(texts.values()), "")
+    return "; ".join(f"{id}: {text}" for id, text in texts.items() if text)
 
 
 def _number(value: float | None) -> Value:

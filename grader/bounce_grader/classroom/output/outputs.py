@@ -9,9 +9,11 @@ from pathlib import Path
 from typing import Any
 
 from bounce_grader.classroom.intake import canvas
-from bounce_grader.classroom.intake.students import Class, Student
-from bounce_grader.classroom.output import gradebook, grades, page
+from bounce_grader.classroom.intake.course import Course
+from bounce_grader.classroom.intake.students import Class
+from bounce_grader.classroom.output import gradebook, grades, history, page
 from bounce_grader.classroom.output.gradebook import Gradebook, Marks
+from bounce_grader.classroom.output.worksheet import Worksheet
 from bounce_grader.classroom.work import results
 from bounce_grader.classroom.work.log import Log
 from bounce_grader.classroom.work.near_copies import Similar
@@ -20,6 +22,7 @@ from bounce_grader.common.errors import about_one_submission, UsageError
 from bounce_grader.common.files import write_whole
 from bounce_grader.common.manifest import parts
 from bounce_grader.formats import html
+from bounce_grader.grading.before import compared, Before
 from bounce_grader.grading.record import with_answers, without_answers
 
 TITLE = "Bouncing"
@@ -31,26 +34,27 @@ def write(
     out: Path,
     submitted: Class,
     summaries: list[Summary],
-    book: Gradebook | None,
-    columns: Mapping[int, str],
+    book: Gradebook | Worksheet | None,
+    name: str,
+    title: str,
     near: Similar,
     log: Log,
     overwrite: bool = False,
+    course: Course = Course(),
 ) -> list[str]:
     """Writes everything but the feedback. Returns sentences about the grade book for the
     instructor."""
-    marks = _marks(summaries)
+    marks, left_out = _marks(submitted, summaries)
     if book is None:
-        title = columns.get(0, TITLE)
-        sentences = _make_up_gradebook(out / "gradebook.csv", marks, title, log)
+        sentences = _make_up_gradebook(out / name, marks, title or TITLE, log)
     else:
         written = _read_written(out / WRITTEN)
         filled = book.fill(marks, _without_score(submitted, summaries), written, overwrite)
-        write_whole(out / "gradebook.csv", filled.data)
+        write_whole(out / name, filled.data)
         write_whole(out / WRITTEN, json.dumps(filled.written, indent=1, sort_keys=True))
-        sentences = filled.sentences
+        sentences = [*filled.sentences, *left_out]
     write_whole(out / "grades.csv", "\ufeff" + grades.table(summaries))
-    write_whole(out / "class.html", page.render(submitted, summaries, near, sentences))
+    write_whole(out / "class.html", page.render(submitted, summaries, near, sentences, course))
     return sentences
 
 
@@ -65,15 +69,21 @@ def _read_written(path: Path) -> gradebook.Written:
         return {}  # then what stands in the grade book is kept, and listed
 
 
-def _marks(summaries: list[Summary]) -> dict[str, Marks]:
-    """The points of those that have a score; a missing score must not become a zero."""
-    return {
-        s.student.id: Marks(
-            s.student.name, {0: s.score, **s.parts}, bool(s.student.uploads and s.student.name)
-        )
-        for s in summaries
-        if s.score is not None
-    }
+def _marks(submitted: Class, summaries: list[Summary]) -> tuple[dict[str, Marks], list[str]]:
+    """The points of those that have a score, by person; a missing score must not become a zero. A
+    login of GitHub's alone gets none: its student could have chosen another's id for it."""
+    marks: dict[str, Marks] = {}
+    left_out = []
+    for summary in summaries:
+        student = summary.student
+        for one in summary.finals:
+            if submitted.logins and not one.listed:
+                left_out.append(f"{student.id} isn't in roster.csv: the points are in grades.csv")
+                continue
+            of_canvas = not one.listed and submitted.service == "canvas"
+            name = one.name or student.shown if one.listed else student.name
+            marks[one.id] = Marks(name, one.points, of_canvas)
+    return marks, left_out
 
 
 def _without_score(submitted: Class, summaries: list[Summary]) -> dict[str, str]:
@@ -99,8 +109,8 @@ def _make_up_gradebook(path: Path, marks: Mapping[str, Marks], title: str, log: 
 def write_feedback(
     out: Path, submitted: Class, summaries: list[Summary], reveal: bool = False
 ) -> dict[str, str]:
-    """Writes a feedback page for each submission, and for Canvas a zip of the pages that it can
-    import. Removes pages of earlier runs whose submissions are gone. Only with `reveal` do pages
+    """Writes a feedback page for each submission, and for Canvas and Moodle a zip of the pages that
+    they can import. Removes pages of earlier runs whose submissions are gone. Only with `reveal` do pages
     hold the expected answers of hidden cases. Returns the reasons for missing pages, by student's
     id."""
     folder = out / "feedback"
@@ -108,6 +118,7 @@ def write_feedback(
     pages: list[str] = []
     without: dict[str, str] = {}
     ids = {summary.student.id for summary in summaries}
+    known = history.read(out)
     for entry in submitted.unmatched:
         if entry.feedback and entry.user not in ids:
             with suppress(UsageError), about_one_submission("there is no page"):
@@ -118,16 +129,19 @@ def write_feedback(
         try:
             with about_one_submission("there is no feedback page, as it can't be written"):
                 if result:
-                    text = _page(summary.student, result, reveal)
+                    earlier = history.before(out, known.get(summary.student.id, []), result)
+                    text = _page(summary, result, reveal, earlier)
                     write_whole(folder / summary.student.feedback, text)
                     pages.append(summary.student.feedback)
         except UsageError as error:
             without[summary.student.id] = str(error)
+    history.add(out, known, summaries)
     for page_file in folder.glob("*.html"):
         if page_file.name not in pages and _is_ours(page_file):
             page_file.unlink()
-    if any(summary.student.uploads for summary in summaries):
-        _write_zips(out, folder, [name for name in pages if canvas.parse(name)])
+    if submitted.service in ("canvas", "moodle"):
+        of_canvas = submitted.service == "canvas"
+        _write_zips(out, folder, [n for n in pages if not of_canvas or canvas.parse(n)])
     return without
 
 
@@ -149,11 +163,28 @@ def _is_ours(page_file: Path) -> bool:
         return f"<title>{html.TITLE}".encode() in stream.read(200)
 
 
-def _page(student: Student, result: dict[str, Any], reveal: bool) -> str:
+def _page(summary: Summary, result: dict[str, Any], reveal: bool, earlier: Before | None) -> str:
     if result["record"]:
         record = (with_answers if reveal else without_answers)(result["record"])
-        return html.render(record, student.name, student.unused)
+        record = compared(record, earlier)
+        student = summary.student
+        return html.render(record, student.shown, student.unused, _in_the_end(summary))
     return html.refused(result["message"])
+
+
+def _in_the_end(summary: Summary) -> list[html.InTheEnd]:
+    """The final points of each member, if any are changed."""
+    if not summary.is_adjusted:
+        return []
+    several = len(summary.finals) > 1
+    return [
+        html.InTheEnd(
+            (one.name or one.id) if several else "",
+            one.points[0],
+            [(a.points, a.reason, a.comment) for a in one.applied],
+        )
+        for one in summary.finals
+    ]
 
 
 def _zip(folder: Path, pages: list[str]) -> bytes:

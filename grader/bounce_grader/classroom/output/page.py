@@ -1,9 +1,13 @@
 """Writes class.html, the instructor's page: the numbers and charts for class.html.j2."""
 
+import os
 import statistics
 from collections import Counter
 from collections.abc import Iterator, Sequence
+from typing import Any
+from urllib.parse import quote
 
+from bounce_grader.classroom.intake.course import Course
 from bounce_grader.classroom.intake.students import Class
 from bounce_grader.classroom.output import charts
 from bounce_grader.classroom.output.charts import Bar, Point, Curve
@@ -11,7 +15,7 @@ from bounce_grader.classroom.work.near_copies import MOST as MOST_PAIRS, Similar
 from bounce_grader.classroom.work.summary import Summary
 from bounce_grader.common.escaping import first_few, printable_name
 from bounce_grader.common.manifest import parts
-from bounce_grader.common.numbers import percent, short
+from bounce_grader.common.numbers import percent, scientific, short
 from bounce_grader.common.svg import Drawing
 from bounce_grader.formats.templates import fill
 from bounce_grader.grading import speed
@@ -27,6 +31,7 @@ def render(
     summaries: Sequence[Summary],
     near: Similar,
     gradebook_sentences: Sequence[str],
+    course: Course = Course(),
 ) -> str:
     names = {s.student.id: _who(s) for s in summaries}
     graded = [s for s in summaries if s.score is not None]
@@ -35,13 +40,15 @@ def render(
     titles = {name: title for s in graded for name, title in s.mistakes.items()}
     return fill(
         "classroom/output/class.html.j2",
-        title="The class",
+        title=course.title or "The class",
+        date=course.date,
         figures=list(_figures(submitted, summaries, scores)),
         histogram=charts.histogram(scores, _full()),
         graded=graded,
         success=_success(graded) if graded else None,
         mistakes=[
-            [name[4], titles[name], count, for_the_instructor(name)] for name, count in mistakes
+            [name[4], titles[name], for_the_instructor(name), _who_made(name, graded)]
+            for name, _ in mistakes
         ],
         mistake_bars=charts.bars(
             [Bar(titles[name], count / len(graded), str(count)) for name, count in mistakes],
@@ -61,7 +68,11 @@ def render(
         most_pairs=MOST_PAIRS,
         unmatched=[[printable_name(entry.name), entry.reason] for entry in submitted.unmatched],
         gradebook_sentences=gradebook_sentences,
-        columns=["who", "points", *(f"part {part.number}" for part in parts()), "late", "not used"],
+        adjusted=any(s.is_adjusted for s in summaries),
+        columns=["points", *(f"part {part.number}" for part in parts()), "in the end"],
+        timed_rows=[
+            [_who(s), _points(s.score), *_speed_and_error(s)] for s in graded if s.ratio is not None
+        ],
         submissions=list(map(_row, summaries)),
     )
 
@@ -72,7 +83,7 @@ def _full() -> float:
 
 def _who(summary: Summary) -> str:
     student = summary.student
-    return student.name if student.name == student.id else f"{student.name} ({student.id})"
+    return student.id if student.shown == student.id else f"{student.shown} ({student.id})"
 
 
 def _label(summary: Summary) -> str:
@@ -106,13 +117,13 @@ def _success(graded: Sequence[Summary]) -> Drawing:
         heading = f"Part {part.number}: {part.title}"
         rows.append(Bar(heading, mean / part.points, f"{mean:.1f} of {short(part.points)}", True))
         for check in part.checks:
-            share = sum(s.checks[check.id] > 0 for s in graded) / len(graded)
+            share = sum(check.id in s.passed for s in graded) / len(graded)
             rows.append(Bar(check.title, share, percent(share)))
     return charts.bars(rows, "Success by part and by check")
 
 
 def _failed_checks(graded: Sequence[Summary]) -> list[Row]:
-    failures = Counter(id for s in graded for id, points in s.checks.items() if not points)
+    failures = Counter(id for s in graded for id in s.checks if id not in s.passed)
     checks = {check.id: (part, check) for part in parts() for check in part.checks}
     most = [(*checks[id], count) for id, count in failures.most_common(10)]
     return [[f"part {part.number}", check.title, str(count)] for part, check, count in most]
@@ -170,11 +181,28 @@ def _together(near: Similar) -> list[list[str]]:
     return sorted(distinct.values(), key=lambda group: -len(group))
 
 
-def _row(summary: Summary) -> Row:
+def _who_made(mistake: str, graded: Sequence[Summary]) -> list[str]:
+    return [_who(s) for s in graded if mistake in s.mistakes]
+
+
+def _speed_and_error(summary: Summary) -> list[str]:
+    error = "none" if summary.error is None else scientific(summary.error)
+    return [f"{summary.ratio:.2f}", error]
+
+
+def _row(summary: Summary) -> dict[str, Any]:
+    """A row of the table of all submissions."""
     of_parts = [_points(summary.parts.get(part.number)) for part in parts()]
-    late = "late" if summary.student.late else ""
-    unused = first_few(summary.unused, MOST_UNUSED, "; ", summary.ignored_more)
-    return [_who(summary), _points(summary.score), *of_parts, late, unused]
+    ends = sorted({round(one.points[0], 2) for one in summary.finals})
+    return {
+        "who": _who(summary),
+        "page": quote(os.fsencode(f"feedback/{summary.student.feedback}"))
+        if summary.student.feedback
+        else "",
+        "points": [_points(summary.score), *of_parts, " / ".join(map(short, ends))],
+        "late": "late" if summary.student.late else "",
+        "unused": first_few(summary.unused, MOST_UNUSED, "; ", summary.ignored_more),
+    }
 
 
 def _points(points: float | None) -> str:

@@ -66,12 +66,13 @@ def parse(data: bytes, name: str) -> Table:
 
 
 def _delimiter(body: bytes, name: str) -> bytes:
-    """As Canvas finds it: whichever gives the first three rows the same, larger number of cells."""
+    """As Canvas finds it: whichever gives the first three rows the same, larger number of cells; a
+    comma if none does. Blackboard has tabs, too."""
     counts = {}
-    for delimiter in (b",", b";"):
+    for delimiter in (b",", b";", b"\t"):
         numbers = {len(row.cells) for row in islice(_rows(body, delimiter, name), 3)}
-        counts[delimiter] = numbers.pop() if len(numbers) == 1 else 0
-    return b";" if counts[b";"] > counts[b","] else b","
+        counts[delimiter] = numbers.pop() if len(numbers) == 1 and max(numbers) > 1 else 0
+    return max(counts, key=lambda delimiter: counts[delimiter])
 
 
 def _cells(line: bytes, delimiter: bytes) -> list[bytes]:

@@ -13,7 +13,6 @@ import json
 import os
 import re
 import statistics
-import tempfile
 from collections import defaultdict
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
@@ -24,7 +23,7 @@ from bounce_grader.classroom.intake import handed_in
 from bounce_grader.classroom.intake.students import Student
 from bounce_grader.classroom.work.task import Task
 from bounce_grader.common.errors import about_one_submission, KitError, UsageError
-from bounce_grader.common.files import CLASS_FOLDER, write_whole
+from bounce_grader.common.files import CLASS_FOLDER, temporary_folder, write_whole
 from bounce_grader.common.paths import STUBS
 from bounce_grader.sandbox import box as boxes, processes
 
@@ -100,8 +99,7 @@ def _read(path: Path, name: str) -> Similar | None:
 
 
 def _find(students: list[Student], graded: dict[str, Task], box: boxes.Box) -> Similar:
-    with tempfile.TemporaryDirectory(prefix=CLASS_FOLDER) as name:
-        folder = Path(name)
+    with temporary_folder(CLASS_FOLDER) as folder:
         files: dict[str, str] = {}
         left_out: dict[str, str] = {}
         for number, student in enumerate(students):

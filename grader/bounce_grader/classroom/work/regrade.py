@@ -22,11 +22,13 @@ from bounce_grader.common.files import write_whole
 
 FILTER = "filter.txt"
 MARKER = "apply"
+SAME = "same"  # a file in a set that changes nothing
 KINDS = "all, student=NAME (with * for any letters), status=STATUS, or score<POINTS"
 
 
 def begin(out: Path, chosen: str, stamp: Stamp) -> Path:
-    """The folder of the new set. A set begun by another version of the kit is discarded."""
+    """The folder of the new set. A set begun by another version of the kit is discarded, and so is
+    one that changes nothing."""
     _filter(chosen)
     there = results.stamp_of(out / "results")
     if there is None:
@@ -38,7 +40,8 @@ def begin(out: Path, chosen: str, stamp: Stamp) -> Path:
         )
     folder = out / "regrade"
     noted = folder / FILTER
-    if folder.exists() and (results.stamp_of(folder) != stamp or not noted.exists()):
+    dropped = results.stamp_of(folder) != stamp or not noted.exists() or (folder / SAME).exists()
+    if folder.exists() and dropped:
         shutil.rmtree(folder)
     elif folder.exists() and noted.read_text() != chosen:
         raise UsageError(
@@ -94,27 +97,57 @@ def _result(folder: Path, student: Student, stamp: Stamp) -> tuple[str, dict[str
 
 
 def differences(out: Path, chosen: list[Student], tasks: Mapping[str, Task]) -> list[str]:
+    """A summary, and then only what differs; nothing but the summary if nothing does."""
     there = results.stamp_of(out / "results")
     assert there
-    lines = []
-    for student in chosen:
-        old = _summary(out / "results", student, there)
-        new = _summary(out / "regrade", student, tasks[student.id].stamp)
-        lines += _difference(old, new)
-    changed = sum(not line.startswith(" ") for line in lines)
-    return [f"{len(chosen)} submissions were graded again; {changed} differ.", *lines]
+    pairs = [
+        (_summary(out / "results", s, there), _summary(out / "regrade", s, tasks[s.id].stamp))
+        for s in chosen
+    ]
+    differing = [lines for old, new in pairs if (lines := _difference(old, new))]
+    same = len(chosen) - len(differing)
+    return [
+        f"{len(chosen)} submissions were graded again: {len(differing)} differ, {same} don't.",
+        *_weights(pairs),
+        *(line for lines in differing for line in lines),
+    ]
+
+
+def _weights(pairs: list[tuple[Summary, Summary]]) -> list[str]:
+    """A line for each check whose points parts.json has changed."""
+    before = {id: points for old, _ in pairs for id, points in old.most.items()}
+    now = {id: points for _, new in pairs for id, points in new.most.items()}
+    if not before or not now:
+        return []
+    return [
+        f"  {id} gives {before.get(id, 0):g} -> {now.get(id, 0):g} points"
+        for id in dict.fromkeys([*now, *before])
+        if before.get(id, 0) != now.get(id, 0)
+    ]
 
 
 def _difference(old: Summary, new: Summary) -> list[str]:
+    """The points, and the checks that are passed now and weren't, or the other way round."""
+    both = [id for id in new.most if id in old.most]
     checks = [
-        f"  {id}: {old.checks.get(id, 0):g} -> {points:g}"
-        for id, points in new.checks.items()
-        if points != old.checks.get(id, 0)
+        f"  {id}: {'failed -> passed' if id in new.passed else 'passed -> failed'}"
+        for id in both
+        if (id in new.passed) != (id in old.passed)
     ]
     if not checks and (old.state, old.score) == (new.state, new.score):
         return []
     student = terminal(f"{new.student.name} ({new.student.id})")
     return [f"{student}: {_points(old)} -> {_points(new)}", *checks]
+
+
+def nothing_differs(out: Path, lines: list[str]) -> bool:
+    """Whether these differences are none; then the set may be dropped for the next one."""
+    same = len(lines) == 1 and results.stamp_of(out / "results") == results.stamp_of(
+        out / "regrade"
+    )
+    if same:
+        write_whole(out / "regrade" / SAME, "")
+    return same
 
 
 def _points(summary: Summary) -> str:
@@ -150,6 +183,7 @@ def finish(out: Path) -> None:
         while (out / f"results-{number}").exists():
             number += 1
         old.rename(out / f"results-{number}")
-    (new / FILTER).unlink(missing_ok=True)
+    for name in (FILTER, SAME):
+        (new / name).unlink(missing_ok=True)
     (new / MARKER).unlink()
     new.rename(old)

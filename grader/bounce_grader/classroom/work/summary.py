@@ -11,6 +11,26 @@ from bounce_grader.grading import speed
 
 
 @dataclass(frozen=True)
+class Applied:
+    """A change of a person's points after the grading."""
+
+    points: float
+    reason: str
+    comment: str = ""
+
+
+@dataclass(frozen=True)
+class Final:
+    """A person's points in the end: the total under 0, those of part n under n."""
+
+    id: str
+    name: str
+    points: Mapping[int, float]
+    applied: tuple[Applied, ...] = ()
+    listed: bool = False  # in the instructor's roster
+
+
+@dataclass(frozen=True)
 class Summary:
     student: Student
     key: str
@@ -19,6 +39,8 @@ class Summary:
     score: float | None = None
     parts: Mapping[int, float] = field(default_factory=dict)
     checks: Mapping[str, float] = field(default_factory=dict)  # points, by id
+    most: Mapping[str, float] = field(default_factory=dict)  # points that a check gives
+    passed: frozenset[str] = frozenset()  # checks
     statuses: Mapping[int, str] = field(default_factory=dict)  # only those that aren't "graded"
     mistakes: Mapping[str, str] = field(default_factory=dict)  # titles, by name
     box: str = ""
@@ -29,10 +51,15 @@ class Summary:
     ignored_more: int = 0  # the number of others
     beside: tuple[str, ...] = ()  # sources that aren't parts
     notes: tuple[str, ...] = ()  # what else a person should look at
+    finals: tuple[Final, ...] = ()  # of each member, if it is graded
 
     @property
     def unused(self) -> list[str]:
         return [*self.student.unused, *(f"{name} wasn't used" for name in self.ignored)]
+
+    @property
+    def is_adjusted(self) -> bool:
+        return any(final.applied for final in self.finals)
 
     @property
     def needs_a_look(self) -> list[str]:
@@ -73,6 +100,8 @@ def of_result(student: Student, key: str, result: dict[str, Any]) -> Summary:
         score=record["score"],
         parts={part["part"]: part["score"] for part in record["parts"]},
         checks={check["id"]: check["score"] for check in checks},
+        most={check["id"]: check["max_score"] for check in checks},
+        passed=frozenset(check["id"] for check in checks if check["passed"]),
         statuses={p["part"]: p["status"] for p in record["parts"] if p["status"] != "graded"},
         mistakes={m["name"]: m["title"] for part in record["parts"] for m in part["mistakes"]},
         box=record["box"],

@@ -5,12 +5,11 @@ result depends on, and the file is written whole or not at all.
 """
 
 import json
-import os
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 from typing import Any
 
 from bounce_grader.classroom.intake import handed_in
@@ -20,6 +19,7 @@ from bounce_grader.common.escaping import printable_name
 from bounce_grader.common.files import write_whole
 from bounce_grader.grading.record import sentence
 from bounce_grader.sandbox.budget import Budget
+from bounce_grader.submission.archives import CLOSED, why_not
 from bounce_grader.submission.submission import Submission
 
 Record = dict[str, Any]
@@ -73,7 +73,7 @@ def _result(task: Task, grade: Grade) -> dict[str, Any]:
     path = Path(task.path)
     try:
         taken = handed_in.read(path, task.uploads)
-        _require_a_part(taken, "folder" if os.path.isdir(path) else "zip")
+        _require_a_part(taken)
         record = grade(taken, task)
         beside = list(map(printable_name, taken.helpers))
     except UsageError as error:
@@ -91,14 +91,14 @@ def _result(task: Task, grade: Grade) -> dict[str, Any]:
     }
 
 
-def _require_a_part(taken: Submission, where: str) -> None:
-    """Raises UsageError if no part is found, as with a zip in the zip or with other names: a person
-    should look at it, rather than it getting a zero."""
+def _require_a_part(taken: Submission) -> None:
+    """Raises UsageError if no part is found, as with other names: a person should look at it,
+    rather than it getting a zero."""
     if not taken.parts and not taken.refused:
         names = [name for name in taken.ignored if not name.startswith("__MACOSX")]
-        zipped = any(name.lower().endswith(".zip") for name in names)
+        closed = [name for name in names if PurePosixPath(name).suffix.lower() in CLOSED]
         raise UsageError(
             "none of the parts is there under its name"
             + (f", but {', '.join(map(printable_name, names[:3]))}" if names else "")
-            + (f": a zip inside a {where} isn't opened" if zipped else "")
+            + (f"; {printable_name(closed[0])} {why_not(closed[0])}" if closed else "")
         )

@@ -8,7 +8,6 @@ some changes confirm this.
 
 import json
 import os
-import tempfile
 from collections.abc import Iterable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
@@ -19,6 +18,7 @@ from pathlib import Path
 from bounce_grader.build import linking
 from bounce_grader.build.compile import compile_all, Built, Objects
 from bounce_grader.common.errors import KitError
+from bounce_grader.common.files import temporary_folder
 from bounce_grader.common.manifest import parts, Part
 from bounce_grader.common.paths import BUILD, ROOT, WORK_FOLDER
 from bounce_grader.grading import fixtures, judging
@@ -139,7 +139,7 @@ def _box() -> Box:
 def _solution() -> dict[int, Built]:
     """The objects of the unchanged parts."""
     taken, box = read(SOLUTION), _box()
-    with tempfile.TemporaryDirectory(prefix=WORK_FOLDER) as name:
+    with temporary_folder(WORK_FOLDER) as name:
         box.give(Path(name))
         return compile_all(taken, Path(name), box, 1).parts
 
@@ -149,7 +149,7 @@ def _built(wanted: list[Change]) -> Iterator[tuple[Batch, Runners]]:
     part, box = part_of(wanted[0]), _box()
     batch = compiled(wanted, box)
     objects = Objects({**_solution(), part.number: Built(batch.object)}, {})
-    with tempfile.TemporaryDirectory(prefix=WORK_FOLDER) as name:
+    with temporary_folder(WORK_FOLDER) as name:
         work = Path(name)
         linked = [
             linking.link_together(objects, work / "together", box),

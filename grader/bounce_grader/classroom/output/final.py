@@ -1,0 +1,161 @@
+"""Works out final points: those of the grading, with what lateness costs and the adjustments of
+the instructor. Records stay as they are."""
+
+import unicodedata
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+
+from bounce_grader.classroom.intake.adjustments import EVERYBODY, Adjustment
+from bounce_grader.classroom.intake.canvas import sanitized
+from bounce_grader.classroom.intake.course import Course
+from bounce_grader.classroom.intake.roster import Member, Roster
+from bounce_grader.classroom.intake.students import Student
+from bounce_grader.classroom.work.summary import Applied, Final, Summary
+from bounce_grader.common.errors import UsageError
+from bounce_grader.common.manifest import parts
+from bounce_grader.common.numbers import short
+
+
+@dataclass(frozen=True)
+class Rules:
+    """What an instructor has written into the files of the output folder."""
+
+    course: Course = Course()
+    roster: Roster = field(default_factory=lambda: Roster({}))
+    adjustments: Sequence[Adjustment] = ()
+    same_person: Mapping[str, str] = field(default_factory=dict)  # Canvas's id, by each other id
+    logins: bool = False  # whether students choose the ids of submissions
+
+
+def with_finals(summaries: Iterable[Summary], rules: Rules) -> list[Summary]:
+    return [replace(s, finals=tuple(_finals(s, rules))) for s in summaries]
+
+
+def members(student: Student, roster: Roster) -> list[Member]:
+    """Who gets the points of a submission: its members in the roster, or the student."""
+    return roster.of(student) or [Member(student.id, student.shown)]
+
+
+def _finals(summary: Summary, rules: Rules) -> Iterable[Final]:
+    if summary.score is None:
+        return
+    for member in members(summary.student, rules.roster):
+        own = [a for a in rules.adjustments if _is_meant(a, member, summary.student, rules)]
+        listed = bool(rules.roster.of(summary.student))
+        yield replace(_final(summary, member, own, rules.course), listed=listed)
+
+
+def _final(summary: Summary, member: Member, own: list[Adjustment], course: Course) -> Final:
+    most = sum(part.points for part in parts())
+    points = {0: summary.score or 0.0, **summary.parts}
+    applied: list[Applied] = []
+
+    def change(by: float, reason: str, comment: str = "") -> None:
+        points[0] += by
+        applied.append(Applied(round(by, 2), reason, comment))
+
+    for adjustment in own:
+        given = _dropped(summary, adjustment)
+        for part, by in given.items():
+            points[part] += by
+        if adjustment.drop:
+            change(sum(given.values()), adjustment.reason, adjustment.comment)
+    days = _late_days(summary.student, own)
+    if days and course.percent_per_day:
+        percent = min(days * course.percent_per_day, course.at_most_percent)
+        words = f"{days} day{'s' * (days > 1)} late, {short(percent)} %"
+        change(-min(points[0], most * percent / 100), words)
+    for adjustment in own:
+        by = adjustment.points + most * adjustment.percent / 100
+        if by:
+            change(max(by, -points[0]), adjustment.reason, adjustment.comment)
+        elif adjustment.late_days is not None:
+            change(0.0, adjustment.reason, adjustment.comment)
+    for adjustment in own:
+        if adjustment.cap is not None and points[0] > adjustment.cap:
+            change(adjustment.cap - points[0], adjustment.reason, adjustment.comment)
+    return Final(member.id, member.name, points, tuple(applied))
+
+
+def _dropped(summary: Summary, adjustment: Adjustment) -> dict[int, float]:
+    """The points of the dropped checks that were lost, by part."""
+    lost: dict[int, float] = {}
+    for part in parts():
+        for check in part.checks:
+            if check.id in adjustment.drop and check.id not in summary.passed:
+                lost[part.number] = lost.get(part.number, 0.0) + summary.most.get(check.id, 0.0)
+    return lost
+
+
+def _late_days(student: Student, own: Iterable[Adjustment]) -> int:
+    """The days that count as late: those that were written down, or Canvas's; its download says
+    only that a submission is late, which counts as one day."""
+    given = [a.late_days for a in own if a.late_days is not None]
+    return given[-1] if given else student.late_days or int(student.late)
+
+
+def _is_meant(adjustment: Adjustment, member: Member, student: Student, rules: Rules) -> bool:
+    """By an id or a name. Where students choose the ids of their submissions, such an id doesn't
+    stand for a person of the grade book, and is nobody's name."""
+    who, own = adjustment.student, member.id if member.id != student.id else ""
+    if who == EVERYBODY:
+        return True
+    if who in rules.same_person:
+        ids = [own if rules.logins else member.id]
+        return any(rules.same_person.get(id) == rules.same_person[who] for id in ids)
+    if who in (member.id, student.id) or _is_called(who, member.name if own else student.person):
+        return True
+    return not rules.logins and _is_called(who, student.name)
+
+
+def _is_called(who: str, name: str) -> bool:
+    """Whether a person has this name, as "Doe, Jane" or "Jane Doe", or as Canvas spells it in a
+    download, "doejane"."""
+    if not name:
+        return False
+    one, other = (
+        sorted(unicodedata.normalize("NFC", text).casefold().replace(",", " ").split())
+        for text in (who, name)
+    )
+    return one == other or sanitized(who) == name
+
+
+def require_known(
+    rules: Rules, students: Sequence[Student], others: Mapping[str, str], path: str
+) -> list[str]:
+    """Raises UsageError for an adjustment of nobody, or of two persons of one name. Returns a
+    sentence for each of somebody without a submission; `others` are all of the course, by id."""
+    people = [(m, s) for s in students for m in members(s, rules.roster)]
+    sentences = []
+    for adjustment in rules.adjustments:
+        if adjustment.student == EVERYBODY:
+            continue
+        meant = [pair for pair in people if _is_meant(adjustment, *pair, rules)]
+        exact = adjustment.student in rules.same_person or any(
+            adjustment.student in (m.id, s.id) for m, s in meant
+        )
+        where = f"{path}, line {adjustment.line}:"
+        submissions = {student.id for _, student in meant}
+        if len(meant) > 1 and not exact and (len(submissions) > 1 or _several(adjustment, meant)):
+            ids = " and ".join(member.id for member, _ in meant)
+            raise UsageError(
+                f"{where} {adjustment.student!r} is the name of {len(meant)} persons: give the id "
+                f"of the one that is meant ({ids})"
+            )
+        if not meant:
+            sentences.append(_unknown(adjustment, others, where))
+    return sentences
+
+
+def _several(adjustment: Adjustment, meant: list[tuple[Member, Student]]) -> bool:
+    """Whether these are members of one name, and not all members of a group of that name."""
+    return not any(_is_called(adjustment.student, s.name) for _, s in meant)
+
+
+def _unknown(adjustment: Adjustment, others: Mapping[str, str], where: str) -> str:
+    who = adjustment.student
+    if who in others or any(_is_called(who, name) for name in others.values()):
+        return f"{who} has no submission: the adjustment ({adjustment.reason}) changes nothing"
+    raise UsageError(
+        f"{where} nobody here is {who!r}: give an id or a name as in grades.csv, or * for everybody"
+    )

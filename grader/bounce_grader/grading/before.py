@@ -1,0 +1,64 @@
+"""Compares a record with one of before: what was gained, and what is lost now."""
+
+import json
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from bounce_grader.common.errors import UsageError
+from bounce_grader.common.manifest import parts
+from bounce_grader.grading.record import Record
+
+
+class Before(NamedTuple):
+    score: float
+    passed: Mapping[str, bool]  # by the check's id
+
+
+def of_record(record: Mapping[str, Any]) -> Before:
+    checks = [check for part in record["parts"] for check in part["checks"]]
+    return Before(float(record["score"]), {c["id"]: bool(c["passed"]) for c in checks})
+
+
+def compared(record: Record, before: Before | None) -> Record:
+    """The record with what has changed since then; the same record if there is none of before."""
+    if before is None:
+        return record
+    now = of_record(record).passed
+    known = [id for id in now if id in before.passed]
+    changes = {
+        "score": before.score,
+        "gained": [id for id in known if now[id] and not before.passed[id]],
+        "lost": [id for id in known if before.passed[id] and not now[id]],
+    }
+    return {**record, "before": changes}
+
+
+def read(path: Path) -> Before | None:
+    """Reads a record of before, or Gradescope's submission_metadata.json, of which the newest
+    previous submission with a result counts; None if that has none. Raises UsageError."""
+    try:
+        words = json.loads(path.read_text("utf-8"))
+        if "previous_submissions" in words:
+            return _of_gradescope(words["previous_submissions"])
+        return of_record(words)
+    except (OSError, ValueError, KeyError, TypeError, AttributeError) as error:
+        raise UsageError(
+            f"{path} is neither a score record nor Gradescope's submission_metadata.json "
+            f"({type(error).__name__})"
+        ) from error
+
+
+def _of_gradescope(submissions: list[dict[str, Any]]) -> Before | None:
+    tests = [((s.get("results") or {}).get("tests"), s) for s in submissions]
+    graded = [(found, s) for found, s in tests if found and not s.get("autograder_error")]
+    if not graded:
+        return None
+    found, _ = max(graded, key=lambda pair: str(pair[1].get("submission_time", "")))
+    ids = {
+        f"{part.number}.{number}": check.id
+        for part in parts()
+        for number, check in enumerate(part.checks, 1)
+    }
+    passed = {ids[t["number"]]: t["status"] == "passed" for t in found if t.get("number") in ids}
+    return Before(sum(float(test["score"]) for test in found), passed)

@@ -1,0 +1,177 @@
+"""Moodle's and Blackboard's downloads and grade files, with names as students have them."""
+
+import io
+import zipfile
+from pathlib import Path
+from typing import Any
+
+import pytest
+import services
+from bounce_grader.classroom.intake import students
+from bounce_grader.common.errors import UsageError
+from classes import download, grade_class, points_of, text_of
+from conftest import write
+from downloads import to_grade
+from services import FIRST, NAMES, USERS
+
+
+def a_zip(files: dict[str, bytes]) -> bytes:
+    data = io.BytesIO()
+    with zipfile.ZipFile(data, "w") as archive:
+        for name, text in files.items():
+            archive.writestr(name, text)
+    return data.getvalue()
+
+
+def moodle_class(path: Path, form: str = "/", absent: int = -1) -> Path:
+    """Every way of naming that Moodle has; the submissions are a file, some a zip."""
+    entries: dict[str, bytes] = {}
+    for number in range(len(NAMES)):
+        if number == absent:
+            continue
+        text = {"part2_lcp.cpp": text_of(number)}
+        files = text if number % 4 or form == "_" else {"hw.zip": a_zip(text)}
+        entries |= {f"{services.moodle_prefix(number)}{form}{n}": t for n, t in files.items()}
+    return download(path, [], entries)
+
+
+def points(number: int, tmp_path: Path) -> str:
+    return points_of(number, tmp_path)
+
+
+@pytest.mark.parametrize("form", ["/", "_/", "_"])
+def test_moodles_worksheet_gets_the_points_of_each_participant(tmp_path: Path, form: str) -> None:
+    sheet = services.worksheet(
+        tmp_path / "sheet.csv", {FIRST + 1: "7.00", FIRST + 2: "-"}, locked=5
+    )
+    before, out = sheet.read_bytes(), tmp_path / "out"
+    source = moodle_class(tmp_path / "x.zip", form, absent=3)
+    assert grade_class(source, out, gradebook=sheet) == 0
+    filled = services.moodle_grades((out / "gradebook.csv").read_bytes())
+    for number in range(len(NAMES)):
+        name, grade = filled[FIRST + number]
+        assert name == services.full_name(number)
+        kept = {1: "7.00", 3: "", 5: ""}
+        assert grade == kept.get(number, points(number, tmp_path))
+    assert sheet.read_bytes() == before
+    page = (out / "class.html").read_text()
+    assert "keeps 7.00 in Grade" in page and "lets nobody change here" in page
+    pages = services.moodle_feedback(out / "feedback.zip")
+    assert pages.keys() == {FIRST + n for n in range(len(NAMES)) if n != 3}
+    assert all(page.startswith(b"<!doctype html>") for page in pages.values())
+
+
+def test_moodles_folders_may_be_unpacked_and_commas_are_kept(tmp_path: Path) -> None:
+    for number in range(len(NAMES)):
+        folder = tmp_path / "class" / services.moodle_prefix(number)
+        write(folder, {"src/part2_lcp.cpp": text_of(number), "rotation-1.hpp": b""})
+    write(tmp_path / "class" / "Ann B_9_assignsubmission_onlinetext", {"onlinetext.html": b""})
+    sheet = services.worksheet(tmp_path / "sheet.csv", comma=True)
+    found = students.read(tmp_path / "class")
+    assert "rotation-1.hpp" in to_grade(found.students[0]).files
+    assert [entry.user for entry in found.unmatched] == ["9"]
+    assert grade_class(tmp_path / "class", tmp_path / "out", gradebook=sheet) == 0
+    filled = services.moodle_grades((tmp_path / "out" / "gradebook.csv").read_bytes())
+    assert all("," in grade for _, grade in filled.values())
+
+
+def test_a_second_week_replaces_what_the_first_has_filled_in(tmp_path: Path) -> None:
+    out = tmp_path / "out"
+    source = moodle_class(tmp_path / "x.zip")
+    grade_class(source, out, gradebook=services.worksheet(tmp_path / "sheet.csv"))
+    grades = {id: g for id, (_, g) in _filled(out).items()}
+    with zipfile.ZipFile(source, "a") as archive:  # one hands in anew; another was corrected
+        archive.writestr(f"{services.moodle_prefix(1)}/part1_contacts.cpp", b"// more")
+    grades[FIRST + 2] = "12.34"
+    again = services.worksheet(tmp_path / "again.csv", grades)
+    grade_class(source, out, gradebook=again)
+    now = {id: g for id, (_, g) in _filled(out).items()}
+    assert now[FIRST + 2] == "12.34"
+    assert {id for id in now if now[id] != grades[id]} <= {FIRST + 1}
+
+
+def _filled(out: Path) -> dict[int, tuple[str, str]]:
+    return services.moodle_grades((out / "gradebook.csv").read_bytes())
+
+
+def blackboard_class(path: Path) -> Path:
+    entries: dict[str, bytes] = {}
+    old, new = "2026-11-19-08-00-00", "2026-11-20-23-15-42"
+    for number in range(len(NAMES)):
+        files = {"part2_lcp.cpp": text_of(number)}
+        entries |= services.blackboard_entries(number, old, {"part2_lcp.cpp": b"// older"})
+        entries |= services.blackboard_entries(number, new, files)
+    return download(path, [], entries)
+
+
+@pytest.mark.parametrize("kind", ["utf-16", "utf-8"])
+def test_blackboards_file_gets_the_points_of_each_user(tmp_path: Path, kind: str) -> None:
+    suffix = "xls" if kind == "utf-16" else "csv"
+    grades = {USERS[1]: "7", USERS[2]: "Needs Grading(0.00)"}
+    sheet = services.blackboard_file(tmp_path / f"gc.{suffix}", grades, kind)
+    source, out = blackboard_class(tmp_path / "x.zip"), tmp_path / "out"
+    assert grade_class(source, out, gradebook=sheet, columns={0: "HW 3_b"}) == 0
+    data = (out / f"gradebook.{suffix}").read_bytes()
+    filled = services.blackboard_grades(data)
+    for number, user in enumerate(USERS):
+        assert filled[user] == ("7" if number == 1 else points(number, tmp_path))
+    assert data[:2] == sheet.read_bytes()[:2] and not (out / "feedback.zip").exists()
+    assert len(list((out / "feedback").iterdir())) == len(NAMES)
+
+
+def test_what_a_student_types_makes_nobody_another(tmp_path: Path) -> None:
+    entries = services.blackboard_entries(0, "2026-11-20-23-15-42", {"part2_lcp.cpp": b"1"})
+    head = "HW 3_b_mallory_attempt_2026-11-20-23-15-42"
+    entries |= {f"{head}.txt": f"Name: x ({USERS[0]})\n".encode(), f"{head}_part2_lcp.cpp": b"2"}
+    found = students.read(download(tmp_path / "x.zip", [], entries))
+    assert sorted(student.id for student in found.students) == ["mallory", USERS[0]]
+
+
+@pytest.mark.parametrize("name", ["Eve_7_assignsubmission_file/../../part2_lcp.cpp"])
+def test_no_path_leads_out_of_a_submission(tmp_path: Path, name: str) -> None:
+    entries = {name: b"1", "Ann_8_assignsubmission_file/part2_lcp.cpp": b"2"}
+    found = students.read(download(tmp_path / "x.zip", [], entries))
+    assert [student.id for student in found.students] == ["8"]
+    assert found.unmatched[0].reason == "points outside of the submission"
+
+
+@pytest.mark.parametrize(
+    "spoil, more, sentence",
+    [
+        (lambda text: text.replace("4001", "x"), {}, None),
+        (lambda text: text, {"columns": {0: "Marks"}}, "give --column one of 'Identifier'"),
+        (lambda text: text, {"columns": {1: "Grade"}}, "--part-column fills Canvas's export alone"),
+        (lambda text: text.replace("Yes,", "Yes"), {}, "in line 2, and 10 in its first"),
+        (
+            lambda text: text.replace("Participant 4", "Participant 9"),
+            {},
+            "none of the 20 students",
+        ),
+    ],
+)
+def test_a_spoilt_worksheet_is_refused_in_a_sentence(
+    tmp_path: Path, spoil: Any, more: dict[str, Any], sentence: str | None
+) -> None:
+    sheet = services.worksheet(tmp_path / "sheet.csv")
+    sheet.write_text(spoil(sheet.read_text()))
+    source, out = moodle_class(tmp_path / "x.zip"), tmp_path / "out"
+    if sentence is None:
+        assert grade_class(source, out, gradebook=sheet, **more) == 0
+        return
+    with pytest.raises(UsageError) as refused:
+        grade_class(source, out, gradebook=sheet, **more)
+    assert sentence in str(refused.value) and "\n" not in str(refused.value)
+
+
+def test_files_of_two_services_are_not_mixed(tmp_path: Path, users: list[int]) -> None:
+    sheet = services.worksheet(tmp_path / "sheet.csv")
+    with pytest.raises(UsageError, match="is a download of Canvas's, and .* a file of Moodle's"):
+        grade_class(download(tmp_path / "x.zip", users), tmp_path / "out", gradebook=sheet)
+
+
+def test_no_name_leads_a_page_out_of_its_folder(tmp_path: Path) -> None:
+    head = "HW_u1_attempt_2026-11-20-23-15-42"
+    entries = {f"{head}.txt": b"Name: ../../../x (u1)\n", f"{head}_part2_lcp.cpp": b"1"}
+    out = tmp_path / "out"
+    grade_class(download(tmp_path / "x.zip", [], entries), out)
+    assert [page.name for page in (out / "feedback").iterdir()] == ["u1.html"]
