@@ -1,9 +1,13 @@
 // Simulates a square with your four parts and writes an animation of it.
 //
 //   bounce [--compare] [PAGE]
+//   bounce --scene NAME [dt=0.001 ...]
+//   bounce --worked
 //
 // PAGE is the file to write (default: animation.html in this folder). With --compare the scene is
-// one of the public fixtures, and the right square is shown beside yours.
+// one of the public fixtures, and the right square is shown beside yours. With --scene it is one
+// of the scenes of explore.md, with numbers changed as you say. With --worked it takes the one step
+// that the handout carries through, and prints what each part returns.
 #include <bounce/part4_simulate.hpp>
 #include <bounce/render.hpp>
 #include <exception>
@@ -11,8 +15,11 @@
 #include <iostream>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include "given/stored_scene.hpp"
+#include "given/study/tables.hpp"
+#include "given/worked_example.hpp"
 
 namespace {
 
@@ -61,14 +68,34 @@ int animate(const bounce::StoredScene& scene, const std::filesystem::path& page)
   return 0;
 }
 
+int animate_scene(const std::vector<std::string>& words) {
+  std::string names;
+  for (bounce::study::Scene& scene : bounce::study::read_scenes(BOUNCE_STUDY)) {
+    names += " " + scene.name;
+    if (words.empty() || scene.name != words[0]) continue;
+    for (std::size_t i = 1; i < words.size(); ++i) change(scene, words[i]);
+    return animate({scene.start.q, scene.start.v, scene.params, Eigen::Matrix3Xd(3, 0)},
+                   "animation.html");
+  }
+  std::cerr << "The scenes are:" << names << ".\n";
+  return 2;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   try {
+    if (argc == 2 && std::string(argv[1]) == "--worked") {
+      bounce::worked_example();
+      return 0;
+    }
+    if (argc > 1 && std::string(argv[1]) == "--scene")
+      return animate_scene({argv + 2, argv + argc});
     const bool compare = argc > 1 && std::string(argv[1]) == "--compare";
     const char* page = argc > 1 + compare ? argv[1 + compare] : "animation.html";
     if (page[0] == '-') {
-      std::cerr << "usage: bounce [--compare] [PAGE.html]\n";
+      std::cerr
+          << "usage: bounce [--compare] [PAGE.html], bounce --scene NAME, or bounce --worked\n";
       return 2;
     }
     if (compare) return animate(bounce::stored_scene(BOUNCE_FIXTURES), page);

@@ -19,6 +19,7 @@ inline constexpr std::string_view page_head = R"html(<!doctype html>
 <head>
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1">
+<meta name="generator" content="bounce">
 <meta name="color-scheme" content="light dark">
 <meta http-equiv="Content-Security-Policy" content="default-src 'none'; img-src data:; style-src 'unsafe-inline'; script-src 'unsafe-inline'">
 <link rel="icon" href="data:,">
@@ -26,13 +27,14 @@ inline constexpr std::string_view page_head = R"html(<!doctype html>
 )html";
 
 inline constexpr std::string_view page_body = R"html(<body>
+<main>
 <header>
 <h1>Bouncing square</h1>
 <p id="about"></p>
 </header>
 <figure>
 <canvas id="stage" role="img" aria-label="The square on its way over the ground. The numbers below say where it is."></canvas>
-<figcaption>The line follows the lowest corner and breaks where another one takes over; dots mark contact, <i>&phi;</i> &lt; <i>&delta;</i>.<span id="past"> Faint squares are equal times apart.</span><span id="forces"> The arrow is the force of the ground, <i>f<sub>t</sub></i> along it and <i>f<sub>n</sub></i> away from it.</span><span id="other"> The dashed square is the right one; <span id="parted"></span>.</span></figcaption>
+<figcaption>The line follows the lowest corner and breaks where another one takes over; dots mark contact, <i>&phi;</i> &lt; <i>&delta;</i>. Faint squares are equal times apart.<span id="forces"> The arrow is the force of the ground, <i>f<sub>t</sub></i> along it and <i>f<sub>n</sub></i> away from it.</span><span id="other"> The dashed square is the right one; <span id="parted"></span>.</span></figcaption>
 </figure>
 <dl id="numbers">
 <div><dt><i>t</i>, time</dt><dd><span id="time"></span> <small>s</small></dd></div>
@@ -58,12 +60,13 @@ inline constexpr std::string_view page_body = R"html(<body>
 </select></label>
 <label id="choice"><input id="compare" type="checkbox" checked> Show the right one</label>
 </div>
-<figure>
+<figure id="beside">
 <canvas id="plots" role="img" aria-label="The height phi of the lowest corner and the energies over time. The upright line is the time that is shown."></canvas>
 </figure>
 <p id="hint">Space plays and pauses, the arrows go one step, Home and End to the first and the last<span id="key">, C shows and hides the right one</span>. The plots can be dragged.</p>
 <a id="more" href="#numbers" hidden>More below &darr;</a>
 <noscript>The animation needs JavaScript, which is turned off in this browser.</noscript>
+</main>
 )html";
 
 }  // namespace bounce

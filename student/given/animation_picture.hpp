@@ -12,7 +12,8 @@ let whole = null; // the view of the whole trajectory
 const wide = () => stage.clientWidth;
 const high = () => stage.clientHeight;
 const comparing = () => right !== null && compare.checked;
-const small = () => l * whole.scale < 16; // the square is too small in the whole view
+const least = 60; // pixels that the square is wide, or else the view follows it
+const following = () => l * whole.scale < least;
 
 // A view shows the world's point (x, y), m, at the stage's (X, Y), pixels, with `scale` pixels a metre.
 const view = (scale, x, y, X, Y) => ({
@@ -40,6 +41,14 @@ function fit() {
   );
   const spare = height - (top - bottom + 2 * reach) * scale;
   return view(scale, (leftmost + rightmost) / 2, bottom - reach, margin.left + width / 2, high() - margin.bottom - spare / 4);
+}
+
+// The view of what is drawn: the whole, or near the square, with the ground in it where there is room.
+function camera() {
+  if (!following()) return whole;
+  const [x, y] = pose(shown());
+  const scale = least / l;
+  return view(scale, x, y, wide() / 2, Math.max(least + 20, high() - 52 - y * scale));
 }
 
 // The smallest of 1, 2, 5, 10, 20, ... that is at least `least`.
@@ -172,7 +181,7 @@ function drawRight(at, s) {
   ctx.setLineDash([]);
 }
 
-const echo = 0.15; // s of real time: a bounce lasts one step, too short to be seen
+const echo = 0.25; // s of real time: a bounce lasts one step, too short to be seen
 const strongest = forces.reduce((most, f) => (f ? Math.max(most, Math.hypot(...f)) : most), 0);
 
 // The force of the ground at its corner; the longest arrow is a quarter of the stage. While
@@ -207,30 +216,35 @@ function arrow(X, Y, toX, toY) {
   stroke("force", 3);
 }
 
-// Rings a small square, and shows it under a lens.
-function drawLens() {
+// The whole path in a corner of the stage, with a ring around the square.
+function drawOverview() {
+  const width = Math.min(170, wide() / 4);
+  const size = width / wide();
   const [x, y] = pose(shown());
-  const radius = Math.min(72, high() / 5);
-  const [X, Y] = [wide() - radius - 18, radius + 18];
-  const lens = view((0.8 * radius) / l, x, y, X, Y);
-  disc(whole.X(x), whole.Y(y), 13);
-  stroke("quiet", 1);
   ctx.save();
-  disc(X, Y, radius, "card");
+  ctx.translate(wide() - width - 10, 10);
+  ctx.scale(size, size);
+  ctx.beginPath();
+  ctx.rect(0, 0, wide(), high());
+  ctx.fillStyle = colour.card;
+  ctx.fill();
+  ctx.save();
   ctx.clip();
-  drawScene(lens);
+  drawGround(whole);
+  drawTrace(whole, shown());
+  disc(whole.X(x), whole.Y(y), 10 / size);
+  stroke("square", 2 / size);
   ctx.restore();
-  disc(X, Y, radius);
-  stroke("quiet", 1.5);
-  ctx.fillStyle = colour.quiet;
-  ctx.textAlign = "center";
-  ctx.fillText(`${Number((lens.scale / whole.scale).toPrecision(2))}\u00d7`, X, Y + radius + 18);
+  ctx.beginPath();
+  ctx.rect(0, 0, wide(), high());
+  stroke("quiet", 1 / size);
+  ctx.restore();
 }
 
 function drawScene(at) {
   drawGround(at);
-  if (at === whole) drawGrid(at);
-  if (!small()) drawPast(at, shown());
+  drawGrid(at);
+  drawPast(at, shown());
   drawTrace(at, shown());
   if (comparing()) drawRight(at, shown());
   drawSquare(at, pose(shown()));
@@ -241,8 +255,8 @@ function draw() {
   if (!whole) return;
   ctx.clearRect(0, 0, wide(), high());
   ctx.font = "12px system-ui, -apple-system, sans-serif";
-  drawScene(whole);
-  if (small()) drawLens();
+  drawScene(camera());
+  if (following()) drawOverview();
   drawPlots();
 }
 

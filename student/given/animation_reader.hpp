@@ -15,7 +15,6 @@ function resize() {
   ctx.lineJoin = "round";
   whole = fit();
   drawStill();
-  byId("past").hidden = small();
   draw();
   showMore();
 }

@@ -21,10 +21,12 @@ inline constexpr std::string_view page_style = R"css(<style>
 }
 * { box-sizing: border-box; margin: 0; }
 body {
-  display: flex; flex-direction: column; gap: 14px; min-height: 100vh; min-height: 100dvh;
-  max-width: 1120px; margin: 0 auto; padding: 20px 24px;
   background: var(--paper); color: var(--text); accent-color: var(--square);
   font: 15px/1.45 system-ui, -apple-system, "Segoe UI", Roboto, sans-serif;
+}
+main {
+  display: flex; flex-direction: column; gap: 14px; min-height: 100vh; min-height: 100dvh;
+  max-width: 2400px; margin: 0 auto; padding: 20px 24px;
 }
 header { display: flex; flex-wrap: wrap; align-items: baseline; gap: 0 16px; }
 h1 { font-size: 21px; font-weight: 650; letter-spacing: -0.01em; }
@@ -62,9 +64,17 @@ select {
 :focus-visible { outline: 3px solid var(--corner); outline-offset: 2px; }
 @media (pointer: coarse), (max-width: 640px) { #hint { display: none; } }
 @media (min-width: 641px) { #slider { min-width: 0; } }
+/* On a wide screen the plots stand beside the stage, and both fill the page. */
+@media (min-width: 1200px) and (min-height: 521px) {
+  main { display: grid; grid-template: auto 1fr auto auto auto / minmax(0, 2fr) minmax(420px, 1fr); }
+  header, dl, #controls, #hint { grid-column: 1 / -1; }
+  figure { grid-row: 2; }
+  #beside { grid-column: 2; }
+  #plots { flex: 1 0 230px; height: 0; }
+}
 /* On a phone the square, what moves it and the plots come first; words and numbers follow. */
 @media (max-width: 640px) {
-  body { padding: 10px 14px; gap: 10px; }
+  main { padding: 10px 14px; gap: 10px; }
   h1 { font-size: 18px; }
   figure { display: contents; }
   #stage { flex-basis: 220px; min-height: 220px; }
@@ -75,7 +85,12 @@ select {
   figcaption { order: 3; }
   output { text-align: left; }
 }
-@media (max-height: 520px) { body { padding: 12px; gap: 8px; } header, figcaption, #hint { display: none; } #stage { min-height: 160px; } }
+@media (max-height: 520px) {
+  main { padding: 12px; gap: 8px; }
+  header { position: absolute; clip-path: inset(50%); }
+  figcaption, #hint { display: none; }
+  #stage { min-height: 160px; }
+}
 </style>
 </head>
 )css";

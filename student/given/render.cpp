@@ -77,10 +77,20 @@ std::string html(const Trajectory& trajectory, const Parameters& params,
   throw std::runtime_error("cannot write " + page.string() + ": " + reason);
 }
 
+// Whether this program wrote the file: nothing else may be lost by a mistyped name.
+bool is_own(const fs::path& page) {
+  std::string beginning(page_head.size(), '\0');
+  std::ifstream(page, std::ios::binary)
+      .read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
+  return beginning == page_head;
+}
+
 // Renaming a file is atomic, so a reader sees the old page or the new one, never half of one.
 void replace(const fs::path& page, std::string_view text) {
   if (fs::exists(page) && !fs::is_regular_file(page))
     fail_to_write(page, "it is there already and is not a file");
+  if (fs::exists(page) && fs::file_size(page) > 0 && !is_own(page))
+    fail_to_write(page, "it is there already and is not an animation");
   fs::path part = page;
   part += ".part";
 

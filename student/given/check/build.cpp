@@ -129,6 +129,12 @@ void build_parts(Run& run) {
   for (const int number : needed) build_part(run, run.part(number));
 }
 
+bool build_given(const Run& run, const Part& part) {
+  return build_targets({run.given_target(part)});
+}
+
+bool build_study() { return build_targets({"study"}); }
+
 std::string first_error_of(int part) { return read(error_file(part)); }
 
 std::vector<std::string> warnings() {

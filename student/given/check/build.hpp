@@ -10,6 +10,12 @@ namespace bounce::check {
 // CMake itself fails.
 void build_parts(Run& run);
 
+// A part by itself, with right answers for the earlier ones. Whether that could be built.
+bool build_given(const Run& run, const Part& part);
+
+// The program that studies all parts. Whether that could be built.
+bool build_study();
+
 // The first error in a part's file, indented: file and line, and two lines more.
 std::string first_error_of(int part);
 

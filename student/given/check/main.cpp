@@ -16,6 +16,11 @@
 namespace bounce::check {
 namespace {
 
+#ifdef _WIN32
+constexpr bool kHasSanitizers = false;
+#else
+constexpr bool kHasSanitizers = true;
+#endif
 constexpr int kAllPass = 0, kSomethingFails = 1, kUsage = 2, kCannotCheck = 3;
 constexpr const char* kKnown =
     "./check            all four parts\n"
@@ -23,22 +28,32 @@ constexpr const char* kKnown =
     "./check --hint     the next stage of the hint for the first check that fails; or ./check 2 "
     "--hint\n"
     "./check --sanitize finds wrong uses of memory, too; slower\n"
+    "./check --study    how accurate, fast and stable your program is, as a page\n"
     "./check --watch    again whenever you save a file; h is the next hint, 1 to 4 a part, a all, "
     "q the end\n";
 
 struct Options {
   int part = 0;  // 0: all
-  bool hints = false, watches = false, sanitized = false;
+  bool hints = false, watches = false, sanitized = false, studies = false;
 };
 
 struct Usage : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-Options read_options(const std::vector<std::string>& words, std::size_t parts) {
+// "2", or the name of its file as an editor gives it: "part2_lcp".
+std::string number_of(const std::string& word, const std::vector<Part>& parts) {
+  for (const Part& part : parts) {
+    if (word == part.stem) return std::to_string(part.number);
+  }
+  return word;
+}
+
+Options read_options(const std::vector<std::string>& words, const std::vector<Part>& parts) {
   Options options;
-  for (const std::string& word : words) {
-    const bool is_number = word.size() == 1 && word[0] >= '1' && word[0] < char('1' + parts);
+  for (const std::string& given : words) {
+    const std::string word = number_of(given, parts);
+    const bool is_number = word.size() == 1 && word[0] >= '1' && word[0] < char('1' + parts.size());
     if (is_number && options.part) {
       throw Failure("one part at a time, or all: ./check " + word + ", or ./check");
     }
@@ -46,8 +61,12 @@ Options read_options(const std::vector<std::string>& words, std::size_t parts) {
       options.part = word[0] - '0';
     } else if (word == "--hint") {
       options.hints = true;
+    } else if (word == "--sanitize" && !kHasSanitizers) {
+      throw Failure("--sanitize needs g++ or clang on Linux or macOS");
     } else if (word == "--sanitize") {
       options.sanitized = true;
+    } else if (word == "--study") {
+      options.studies = true;
     } else if (word == "--watch") {
       options.watches = true;
     } else {
@@ -80,6 +99,7 @@ bool check(const Options& options, bool replaces = false) {
   } else {
     report(run);
   }
+  if (options.studies) study(run);
   std::cout << std::flush;
   return !run.first_part;
 }
@@ -136,7 +156,7 @@ int run(const std::vector<std::string>& words) {
     std::cout << kKnown;
     return kAllPass;
   }
-  const Options options = read_options(words, read_parts().size());
+  const Options options = read_options(words, read_parts());
   if (options.watches) {
     watch(options);
     return kAllPass;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,7 @@ struct Run {
   std::vector<Part> all;
   std::vector<int> chosen;      // numbers of the parts to check
   std::map<int, int> unbuilt;   // a part that wasn't built: by the part whose file has the error
+  std::set<int> given;          // parts whose result is that with right earlier parts
   bool sanitized = false;       // whether the parts are built with sanitizers
   int score = 0, possible = 0;  // of the chosen parts
   const Part* first_part = nullptr;    // where the first thing to do is, if there is one
@@ -40,6 +42,8 @@ struct Run {
   std::string target(const Part& part) const {
     return part.stem + (sanitized ? "_sanitized_test" : "_test");
   }
+  // The one in which right answers stand for those of the earlier parts.
+  std::string given_target(const Part& part) const { return part.stem + "_given_test"; }
   bool is_one_part() const { return chosen.size() == 1; }
   // " 2" where part 2 alone is checked: for commands that are named to the student.
   std::string option() const { return is_one_part() ? " " + std::to_string(chosen[0]) : ""; }

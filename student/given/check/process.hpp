@@ -15,7 +15,7 @@ struct Termination {
   int signal = 0;
 };
 
-enum class Limits { none, of_a_part };  // of a part: memory and the size of what it prints
+enum class Limits { none, of_a_part };  // of a part: memory, time, the size of what it prints
 
 // Runs the command. What it prints is added to `output`. It reads nothing. Empty where the program
 // can't be started.

@@ -19,12 +19,15 @@ namespace {
 
 constexpr rlim_t kMemory = rlim_t{4} << 30;  // bytes
 constexpr rlim_t kLargestFile = 10'240'000;  // bytes that a program may print
+constexpr rlim_t kSecondsOfWork = 30;        // s; each check ends sooner, a constructor may not
 constexpr int kNotStarted = 127;
 
-void limit(int what, rlim_t most) {
-  const rlimit both{most, most};
+void limit(int what, rlim_t most, rlim_t last) {
+  const rlimit both{most, last};
   (void)::setrlimit(what, &both);  // one that the system doesn't know is left out
 }
+
+void limit(int what, rlim_t most) { limit(what, most, most); }
 
 termios before_keys;
 
@@ -55,6 +58,7 @@ std::optional<Termination> run(const std::vector<std::string>& command,
     ::dup2(out, STDERR_FILENO);
     limit(RLIMIT_CORE, 0);
     if (limits == Limits::of_a_part) {
+      limit(RLIMIT_CPU, kSecondsOfWork, kSecondsOfWork + 1);  // the second kills
       limit(RLIMIT_FSIZE, kLargestFile);
       limit(RLIMIT_AS, kMemory);
     }

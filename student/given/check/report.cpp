@@ -16,9 +16,9 @@ namespace {
 
 constexpr std::size_t kMostPrinted = 10, kMostWarnings = 3;  // lines
 
-std::string in_columns(const std::string& text, int width, int points) {
+std::string in_columns(const std::string& text, int width, int points, int of) {
   char line[200];
-  std::snprintf(line, sizeof line, "%-*s%4d", width, text.c_str(), points);
+  std::snprintf(line, sizeof line, "%-*s%4d / %d", width, text.c_str(), points, of);
   return line;
 }
 
@@ -33,18 +33,14 @@ void print_checks(const Part& part) {
               << (passed    ? style().right
                   : unknown ? "?"
                             : style().wrong)
-              << " " << in_columns(check.title, 62, passed ? check.points : 0) << style().plain
-              << "\n";
+              << " " << in_columns(check.title, 57, passed ? check.points : 0, check.points)
+              << style().plain << "\n";
   }
 }
 
 void print_part(const Run& run, const Part& part) {
   const auto unbuilt = run.unbuilt.find(part.number);
-  int points = 0;
-  for (const Check& check : part.checks) {
-    const bool passed = unbuilt == run.unbuilt.end() && note_of(part, check).status == "passed";
-    points += passed ? check.points : 0;
-  }
+  const int points = unbuilt == run.unbuilt.end() ? points_of(part) : 0;
   const bool is_needed = unbuilt != run.unbuilt.end() && unbuilt->second != part.number;
   const std::string what =
       unbuilt == run.unbuilt.end() ? part.title
@@ -52,8 +48,12 @@ void print_part(const Run& run, const Part& part) {
           ? "not run: it needs part " + std::to_string(unbuilt->second) + ", which does not compile"
           : "does not compile";
   const std::string heading = "Part " + std::to_string(part.number) + "  " + what;
-  std::cout << (is_needed ? style().dim : style().bold) << in_columns(heading, 61, points) << " / "
-            << part.points << style().plain << "\n";
+  std::cout << (is_needed ? style().dim : style().bold)
+            << in_columns(heading, 61, points, part.points) << style().plain << "\n";
+  if (run.given.count(part.number)) {
+    std::cout << style().dim << "        with right earlier parts in place of yours"
+              << style().plain << "\n";
+  }
   if (&part == run.first_part && run.first_check) print_checks(part);
 }
 

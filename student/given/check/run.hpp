@@ -7,17 +7,26 @@
 
 namespace bounce::check {
 
-// Runs the chosen parts that are built, adds up the points, and finds the first thing to do.
+// Runs the chosen parts that are built, adds up the points, and finds the first thing to do. A part
+// that loses points and calls wrong earlier ones is run with right ones as well, which are numbers;
+// the better result counts, as where the course grades it.
 void run_parts(Run& run);
 
 // What is known of a check.
 struct Note {
-  std::string status;            // passed, failed, crashed or hung; unknown: it wasn't run
+  std::string status;            // passed, failed, crashed or hung; or unknown
   std::size_t from = 0, to = 0;  // bytes of what the program printed, around the case
   bool has_prints = false;       // whether these are known
   std::string text;              // what there is to say
 };
 Note note_of(const Part& part, const Check& check);
+
+// What the part's checks that pass are worth.
+int points_of(const Part& part);
+
+// Measures the parts over the size of the step, and writes study.html. Throws Failure where the
+// program doesn't get to its end.
+void study(const Run& run);
 
 // The file with all that a part's program printed.
 std::string prints_file(int part);

@@ -237,9 +237,9 @@ def test_equations_that_are_mentioned_exist(pages: str) -> None:
     assert not [(str(f), n) for f, n in found if not 1 <= n <= 15]
 
 
-def block_of(start: str) -> list[str]:
-    """The rows of the one matrix in the handout whose block starts so, without their bars."""
-    (block,) = [b for b in fenced(equations()) if re.search(start, b)]
+def block_of(blocks: list[str], start: str) -> list[str]:
+    """The rows of the one matrix whose block starts so, without their bars."""
+    (block,) = [b for b in blocks if re.search(start, b)]
     return [row.strip() for row in re.findall(r"\|(.*)\|", block)]
 
 
@@ -254,7 +254,9 @@ def test_V_entry_by_entry_is_V_of_eq_9() -> None:
     (J_t, J_n), v, params = any_lcp()
     columns = {"t": J_t, "n": J_n}
     weights = params.inverse_inertia()
-    rows = block_of(r"M\^-1 J_n dt")
+    hint = (ROOT / "student/hints/part2_lcp.md").read_text("utf-8")
+    rows = block_of(re.findall(r"(?:^    .*\n)+", hint, re.M), r"M\^-1 J_n dt")
+    assert not re.search(r"J_n\^T M\^-1 J_n dt", README.read_text("utf-8"))  # it is an exercise
     assert len(rows) == 4
     for row, expected in zip(rows, oracle.form_lcp((J_t, J_n), v, params)[0]):
         entries = re.findall(PARTS_OF_V, row)
@@ -269,7 +271,7 @@ def test_V_entry_by_entry_is_V_of_eq_9() -> None:
 
 def test_p_row_by_row_is_p_of_eq_10() -> None:
     (J_t, J_n), v, params = any_lcp()
-    rows = block_of(r"^p +=|\np +=")
+    rows = block_of(fenced(equations()), r"^p +=|\np +=")
     assert len(rows) == 4
     for row, exact in zip(rows, oracle.form_lcp((J_t, J_n), v, params)[1]):
         match = re.fullmatch(ROW_OF_P, row)

@@ -18,10 +18,6 @@ TRIVIAL = re.compile(r"\W*|#.*|\}?\s*(?:// )?namespace.*|using .*|return \w+;|fo
 SHORT = 16
 
 
-def contents() -> dict[str, bytes]:
-    return {name: file.read_bytes() for name, file in handout.files().items()}
-
-
 def telling_lines(text: bytes) -> set[str]:
     lines = (" ".join(line.split()) for line in text.decode("utf-8", "replace").splitlines())
     return {line for line in lines if len(line) >= SHORT and not TRIVIAL.fullmatch(line)}
@@ -52,17 +48,18 @@ def test_holds_the_folder_the_tests_and_the_public_fixtures(tmp_path: Path) -> N
     names = archive.namelist()
     assert all(name.startswith("bounce/") for name in names) and names == sorted(set(names))
     folders = {name.split("/")[1] for name in names if name.count("/") > 1}
-    assert folders == {"fixtures", "given", "hints", "include", "src", "tests"}
-    assert {n for n in names if n.count("/") == 1} == {
-        f"bounce/{name}"
-        for name in ("CMakeLists.txt", "README.md", "check", "check.cmd", "figure.svg", "main.cpp")
+    of_editors = {".devcontainer", ".vscode"}
+    assert folders == {"fixtures", "given", "hints", "include", "src", "tests"} | of_editors
+    assert {n.removeprefix("bounce/") for n in names if n.count("/") == 1} == {
+        *(".clang-format", ".clangd", "CMakeLists.txt", "CMakePresets.json"),
+        *("README.html", "README.md", "check", "check.cmd", "figure.svg", "main.cpp"),
     }
     modes = {info.filename: info.external_attr >> 16 for info in archive.infolist()}
     assert [name for name, mode in modes.items() if mode & 0o111] == ["bounce/check"]
 
 
 def test_the_parts_are_the_stubs() -> None:
-    parts = {name: text for name, text in contents().items() if name.startswith("src/")}
+    parts = {name: text for name, text in handout.contents().items() if name.startswith("src/")}
     assert len(parts) == 4 and all(b"// TODO: " in text for text in parts.values())
 
 
@@ -70,31 +67,33 @@ def test_no_line_of_the_solution_is_in_it() -> None:
     solution = set().union(*(telling_lines(f.read_bytes()) for f in SOLUTION.glob("*.cpp")))
     secret = solution - given_lines()
     assert len(secret) > 20, "the solution has lines of its own"
-    for name, text in contents().items():
+    for name, text in handout.contents().items():
         assert not secret & telling_lines(text), name
 
 
 def test_no_mistake_is_in_it() -> None:
-    inside = set(contents().values())
+    inside = set(handout.contents().values())
     wrong = list((ROOT / "tests/submissions").rglob("*.?pp"))
     stubs = {file.read_bytes() for file in (ROOT / "student").rglob("*.?pp")}
     assert len(wrong) > 50
     for file in wrong:
         assert file.read_bytes() not in inside - stubs, file
-    own = given_lines() | set().union(*(telling_lines(text) for text in contents().values()))
+    own = given_lines() | set().union(
+        *(telling_lines(text) for text in handout.contents().values())
+    )
     mistakes = (ROOT / "tests/submissions/mistakes").rglob("*.cpp")
     assert not [str(file) for file in mistakes if telling_lines(file.read_bytes()) <= own]
 
 
 def test_no_hidden_case_is_in_it() -> None:
-    everything = b"\n".join(contents().values()).decode("utf-8", "replace")
+    everything = b"\n".join(handout.contents().values()).decode("utf-8", "replace")
     hidden = fixtures.hidden_folder()
     for file in sorted(hidden.glob("*.json")):
         for cases in json.loads(file.read_text())["checks"].values():
             for case in cases:
                 question = json.dumps(case["input"], separators=(",", ":"))
                 assert question not in everything
-    assert "hidden" not in {part for name in contents() for part in Path(name).parts}
+    assert "hidden" not in {part for name in handout.contents() for part in Path(name).parts}
 
 
 def test_what_work_in_the_folder_leaves_behind_is_left_out(
@@ -107,4 +106,4 @@ def test_what_work_in_the_folder_leaves_behind_is_left_out(
     (folder / "link").symlink_to("/etc/hostname")
     monkeypatch.setattr(handout, "HANDOUT", folder)
     own = [name for name in handout.files() if not name.startswith(("tests/", "fixtures/"))]
-    assert own == ["README.md"]
+    assert own == [".clang-format", "README.md"]

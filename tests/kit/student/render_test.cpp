@@ -162,8 +162,10 @@ TEST_F(render, WritesTheSamePageInEveryLocale) {
 }
 
 TEST_F(render, ReplacesAnOlderPage) {
-  std::ofstream(page()) << std::string(1 << 20, '.');
-  EXPECT_EQ(text_of(parabola(3)).find("<!doctype html>"), 0u);
+  const std::string older = text_of(parabola(300));
+  const std::string text = text_of(parabola(3));
+  EXPECT_EQ(text.find("<!doctype html>"), 0u);
+  EXPECT_LT(text.size(), older.size());
   EXPECT_EQ(files(), std::vector<std::string>{"animation.html"});
 }
 
@@ -205,9 +207,18 @@ TEST_F(render, NamesTheParameterThatIsNotPositive) {
 }
 
 TEST_F(render, KeepsTheOldPageWhenItRefuses) {
-  std::ofstream(page()) << "old";
+  const std::string old = text_of(parabola(3));
   EXPECT_NE(complaint<std::invalid_argument>(Eigen::Matrix3Xd(3, 0), {}, page()), "");
-  EXPECT_EQ(read(page()), "old");
+  EXPECT_EQ(read(page()), old);
+}
+
+TEST_F(render, OverwritesNothingThatItDidNotWrite) {
+  for (const std::string text : {"int main() {}\n", "<!doctype html>\n<p>Mine</p>\n"}) {
+    std::ofstream(page()) << text;
+    EXPECT_EQ(complaint<std::runtime_error>(parabola(3), {}, page()),
+              "cannot write " + page().string() + ": it is there already and is not an animation");
+    EXPECT_EQ(read(page()), text);
+  }
 }
 
 TEST_F(render, NamesThePageThatCannotBeWritten) {
@@ -230,7 +241,7 @@ TEST_F(render, LeavesWhatIsNotAFileAsItIs) {
 
 // A limit on the size of files stands for a full disk.
 TEST_F(render, KeepsTheOldPageWhenTheDiskIsFull) {
-  std::ofstream(page()) << "old";
+  const std::string old = text_of(parabola(3));
   rlimit before;
   ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
   const rlimit small{1 << 14, before.rlim_max};
@@ -241,7 +252,7 @@ TEST_F(render, KeepsTheOldPageWhenTheDiskIsFull) {
   std::signal(SIGXFSZ, handler);
 
   EXPECT_EQ(sentence, "cannot write " + page().string() + ": the disk may be full");
-  EXPECT_EQ(read(page()), "old");
+  EXPECT_EQ(read(page()), old);
   EXPECT_EQ(files(), std::vector<std::string>{"animation.html"});
 }
 

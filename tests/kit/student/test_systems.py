@@ -126,3 +126,6 @@ def test_on_windows_a_check_says_the_same(tmp_path: Path) -> None:
         assert done.returncode == 1 and said in done.stdout, done.stdout + done.stderr
     assert "stage 1 of 3: A nudge" in check("3", "--hint").stdout
     assert check("--nonsense").returncode == 2
+    sanitized = check("--sanitize")
+    assert sanitized.returncode == 3
+    assert "--sanitize needs g++ or clang on Linux or macOS" in sanitized.stderr

@@ -1,21 +1,27 @@
 // Runs the tests with the code under test linked in, on the public fixtures only.
 //
-//   part1_contacts_test [--notes FOLDER PRINTED | --mistake FILE]
+//   part1_contacts_test [--notes FOLDER PRINTED | --mistake FILE | --debug]
 //
 // With --notes, it writes a file for each check, named after the check: "running" while it runs,
-// then "passed" or "failed" and the feedback. After this word come the sizes of PRINTED, the file
-// of standard output, before and after the reported case. A check that already has its file isn't
-// run again, so that after a crash a second run continues with the next one. A check that takes too
-// long ends the program. With --mistake no test runs: it writes to FILE which mistakes the answers
-// to all public cases point to.
+// then "passed" or "failed" and the feedback, or "unknown" if the given earlier parts were asked
+// what isn't recorded. After this word come the sizes of PRINTED, the file of standard output,
+// before and after the reported case. A check that already has its file isn't run again, so that
+// after a crash a second run continues with the next one. A check that takes too long ends the
+// program. With --mistake no test runs: it writes to FILE which mistakes the answers to all public
+// cases point to. With --debug it stops in the debugger at the first wrong case, then asks it once
+// more.
 #include <gtest/gtest.h>
 
+#include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 
+#include "../answers.hpp"
 #include "../feedback.hpp"
+#include "given.hpp"
 #include "linked.hpp"
 #include "mistake.hpp"
 #include "time_limit.hpp"
@@ -32,6 +38,21 @@ std::string check;              // the running one
 std::string asked;              // the question that is being answered
 std::string from;               // the size of standard output before it
 std::string from_to;            // these sizes before and after the reported case
+
+bool debugs = false;  // whether to stop at the first wrong case
+
+// Stops here: set a breakpoint in the part, and continue. The case is asked again.
+[[noreturn]] void ask_again(const Case& c, const Problem& problem) {
+  std::cout << c.name << "\n" << c.input << "\n" << feedback(c, problem) << std::endl;
+  debugs = false;
+#ifdef _WIN32
+  __debugbreak();
+#else
+  std::raise(SIGTRAP);
+#endif
+  answers(linked().parts.front() - '0', {c});
+  std::exit(1);
+}
 
 std::string bytes_printed() {
   std::cout.flush();
@@ -60,7 +81,8 @@ class Notes : public testing::EmptyTestEventListener {
     }
     const std::string prefix = "Failed\n";
     if (text.rfind(prefix, 0) == 0) text.erase(0, prefix.size());
-    note(test.result()->Passed() ? "passed" : "failed" + from_to, text);
+    const bool is_unknown = asked_something_else();  // there is no given answer to what was asked
+    note(is_unknown ? "unknown" : test.result()->Passed() ? "passed" : "failed" + from_to, text);
   }
 };
 
@@ -111,6 +133,7 @@ void about_to_ask(const Case& c) {
 }
 
 std::string in_words(const Case& c, const Problem& problem) {
+  if (debugs) ask_again(c, problem);
   if (!notes.empty()) from_to = from + bytes_printed();
   return feedback(c, problem);
 }
@@ -127,6 +150,7 @@ int main(int argc, char** argv) {
     bounce::tests::write_mistakes(argv[2]);
     return 0;
   }
+  bounce::tests::debugs = argc == 2 && std::string(argv[1]) == "--debug";
   if (option == "--notes" && argc == 4) bounce::tests::take_notes(argv[2], argv[3]);
   return RUN_ALL_TESTS();
 }

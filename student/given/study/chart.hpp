@@ -1,0 +1,28 @@
+// Given: a chart as SVG, with its sentence below.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace bounce::study {
+
+struct Line {
+  std::string name;
+  std::vector<std::pair<double, double>> points;  // those that aren't finite are left out
+  bool is_own;                                    // thick, with dots
+};
+
+struct Axes {
+  std::string x, y;  // with units
+  bool logarithmic;  // both, or none
+};
+
+// HTML. Where a logarithmic axis can't show a number, as 0, it stands at its lower end.
+std::string chart(const std::string& title, const Axes& axes, const std::vector<Line>& lines,
+                  const std::string& sentence);
+
+// & and < as HTML writes them.
+std::string escaped(const std::string& text);
+
+}  // namespace bounce::study

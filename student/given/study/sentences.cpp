@@ -1,0 +1,128 @@
+#include "sentences.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+
+namespace bounce::study {
+namespace {
+
+constexpr const char* kUnusable =
+    "Your program returns NaN, or another number of columns, somewhere here: ./check says where.";
+
+std::string number(double x, const char* format = "%.3g") {
+  char text[40];
+  std::snprintf(text, sizeof text, format, x);
+  return text;
+}
+
+bool is_usable(const std::vector<Run>& runs) {
+  return std::all_of(runs.begin(), runs.end(), [](const Run& r) { return std::isfinite(r.error); });
+}
+
+const Run& best(const std::vector<Run>& runs) {
+  return *std::min_element(runs.begin(), runs.end(),
+                           [](const Run& a, const Run& b) { return a.error < b.error; });
+}
+
+// The least error of a method in no more than this time.
+std::optional<Reached> within(const Method& method, double kernels) {
+  std::optional<Reached> least;
+  for (const Reached& r : method.reached) {
+    if (r.kernels <= kernels && (!least || r.error < least->error)) least = r;
+  }
+  return least;
+}
+
+}  // namespace
+
+std::string length(double metres) {
+  if (metres >= 1) return number(metres) + " m";
+  if (metres >= 1e-2) return number(metres * 100) + " cm";
+  if (metres >= 1e-4) return number(metres * 1000) + " mm";
+  if (metres >= 1e-8) return number(metres * 1e6) + " \u00b5m";
+  return metres > 0 ? "less than 0.01 \u00b5m" : "0";
+}
+
+std::size_t where_it_stalls(const std::vector<Run>& runs) {
+  for (std::size_t i = 0; i + 1 < runs.size(); ++i) {
+    const double later =
+        best({runs.begin() + static_cast<std::ptrdiff_t>(i) + 1, runs.end()}).error;
+    if (later > runs[i].error / 2) return i;
+  }
+  return runs.size() - 1;
+}
+
+double order(const std::vector<Run>& runs) {
+  double n = 0, x = 0, y = 0, xx = 0, xy = 0;
+  for (const Run& r : runs) {
+    if (r.dt > 2.1e-3 || !(r.error > 0)) continue;
+    const double a = std::log(r.dt), b = std::log(r.error);
+    n += 1, x += a, y += b, xx += a * a, xy += a * b;
+  }
+  return (n * xy - x * y) / (n * xx - x * x);
+}
+
+std::string of_steps(const Scene& scene, const Both& runs) {
+  if (!is_usable(runs.fixed) || !is_usable(runs.scaled)) return kUnusable;
+  const std::size_t at = where_it_stalls(runs.fixed);
+  const Run& last = runs.fixed.back();
+  std::string text =
+      at + 1 == runs.fixed.size()
+          ? "With delta fixed, a smaller step helps down to dt = " + number(last.dt) + " s"
+          : "With delta fixed, from dt = " + number(runs.fixed[at].dt) +
+                " s on a smaller step no longer helps: delta stays, and the error stays near " +
+                length(last.error) + ", which is " +
+                number(last.error / scene.params.delta, "%.2g") + " times delta";
+  return text + ". With delta in proportion to dt it falls to " + length(runs.scaled.back().error) +
+         ", with order " + number(order(runs.scaled), "%.1f") + " in dt.";
+}
+
+std::string of_time(const Scene& scene, const Both& runs) {
+  if (!is_usable(runs.fixed) || !is_usable(runs.scaled)) return kUnusable;
+  const Run& mine = best(runs.fixed);
+  std::string text = "The best that your program reaches with delta fixed is " +
+                     length(mine.error) + ", with dt = " + number(mine.dt) + " s.";
+  for (const Method& method : scene.others) {
+    if (method.name.rfind("assignment", 0) == 0) continue;
+    const auto reached = within(method, mine.kernels);
+    text += reached
+                ? " In no more time the " + method.name + " reaches " + length(reached->error) + "."
+                : " The " + method.name + " needs more time than that.";
+  }
+  return text;
+}
+
+std::string of_depth(const std::vector<Run>& runs, double l) {
+  if (!is_usable(runs)) return kUnusable;
+  const auto at = [&](const Run& r) {
+    return "with dt = " + number(r.dt) + " s the corner sinks in by " + length(r.depth) + ", " +
+           number(100 * r.depth / l, "%.2g") + " % of the side";
+  };
+  std::string text = at(runs.front());
+  text[0] = 'W';
+  return text + "; " + at(runs.back()) +
+         ". It is what the corner falls in the step that notices it, less the lift.";
+}
+
+std::string of_energy(const Energy& coarse, const Energy& fine) {
+  if (coarse.t.empty() || fine.t.empty()) return kUnusable;
+  const auto gain = [](const Energy& e) { return number(100 * e.largest_gain, "%.2g") + " %"; };
+  return coarse.largest_gain > 1e-9
+             ? "In a single step the energy rises by up to " + gain(coarse) +
+                   " of that at the start, with dt = 0.01 s, and by " + gain(fine) +
+                   " with dt = 0.001 s: the lift is work that nobody does."
+             : "The energy never rises.";
+}
+
+std::string of_rest(const Rest& fixed, const Rest& scaled, const Rest& fine_scaled) {
+  if (!std::isfinite(fixed.height + scaled.height + fine_scaled.height)) return kUnusable;
+  return "In ten seconds a square that should lie still moves by up to " + length(fixed.height) +
+         " up and down and " + length(fixed.drift) +
+         " along the ground, with dt = 0.01 s. With dt = 0.001 s and delta in proportion it is " +
+         length(fine_scaled.height) + " and " + length(fine_scaled.drift) +
+         ": one corner can't hold a face, but it matters less.";
+}
+
+}  // namespace bounce::study
