@@ -1,11 +1,13 @@
 #include "event_driven.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <numbers>
 
 #include "../methods/two_corners.hpp"
 #include "first_contact.hpp"
 #include "series.hpp"
+#include "units.hpp"
 
 namespace bounce::exact {
 namespace {
@@ -31,18 +33,16 @@ class Engine {
     if (!options.model.friction) body_.mu = 0;
     cut_ = Real(options.cut);
     order_ = std::clamp(int(4 - std::log(options.tolerance) / 2), 6, kMaxOrder);
-    end_ = times.empty() ? Real(0) : times.back();
-    events_left_ = std::max(1000L, long(double(options.events_a_second) * double(end_)));
   }
 
   std::vector<Motion<Real>> run() {
     samples_.reserve(times_.size());
+    set_turns_apart();
     collide();
     while (samples_.size() < times_.size()) {
-      if (events_left_-- <= 0) {
-        report_.capped = true;
-        break;
-      }
+      report_.stalled = stalls();
+      report_.gave_up = options_.most_events > 0 && events_++ >= options_.most_events;
+      if (report_.stalled || report_.gave_up) break;
       if (closed_.count == 0) {
         fly_on();
       } else if (closed_.count == 1) {
@@ -55,25 +55,86 @@ class Engine {
   }
 
  private:
-  // Moves on to time t, taking samples on the way; at(t) is the motion between.
+  // Whether a thousand events have gone by in less time than a few bounces as low as the cut take.
+  bool stalls() {
+    if (since_mark_ > 100 * cut_) {
+      since_mark_ = 0;
+      events_since_mark_ = 0;
+    }
+    return ++events_since_mark_ > 1000;
+  }
+
+  // The time until the last sample.
+  Real last() const { return clock_.until(times_.back()); }
+
+  // Moves on by `time`, taking samples on the way; at(t) is the motion t later than now.
   template <class At>
-  void advance(Real t, double& mode, const At& at) {
-    while (samples_.size() < times_.size() && times_[samples_.size()] <= t)
-      samples_.push_back(at(times_[samples_.size()] - t_));
-    s_ = at(t - t_);
-    mode += double(t - t_);
-    t_ = t;
+  void advance(Real time, double& mode, const At& at) {
+    for (; samples_.size() < times_.size(); take(at(clock_.until(times_[samples_.size()]))))
+      if (!(clock_.until(times_[samples_.size()]) <= time)) break;
+    s_ = at(time);
+    set_turns_apart();
+    mode += double(time);
+    clock_.advance(time);
+    since_mark_ += time;
+  }
+
+  void take(Motion<Real> s) {
+    s.theta += turns_ * 2 * std::numbers::pi_v<Real>;
+    samples_.push_back(s);
+  }
+
+  // Keeps theta within half a turn.
+  void set_turns_apart() {
+    if (std::abs(s_.theta) <= std::numbers::pi_v<Real>) return;
+    const Real rest = std::atan2(std::sin(s_.theta), std::cos(s_.theta));
+    turns_ += std::round((s_.theta - rest) / (2 * std::numbers::pi_v<Real>));
+    s_.theta = rest;
   }
 
   void fly_on() {
     const Motion<Real> start = s_;
-    const Real last = end_ - t_;
-    const Real contact = options_.model.corners == 0 ? std::numeric_limits<Real>::infinity()
-                                                     : first_contact(start, body_, last);
-    const bool lands = contact < last;
-    advance(lands ? t_ + contact : end_, report_.flight,
-            [&](Real t) { return fly(start, body_, t); });
-    if (lands) collide();
+    const Real last = this->last();
+    const Real above =
+        options_.model.corners == 0 ? last : std::min(time_above(start, body_), last);
+    const NearFlight<Real> flight =
+        above > 0 ? NearFlight<Real>{above, false} : first_contact(start, body_, last);
+    advance(flight.time, report_.flight, [&](Real t) { return fly(start, body_, t); });
+    if (flight.contact) {
+      disturb(flight.time);
+      put_on_ground();
+      collide();
+    } else if (above > 0 && above < last) {
+      s_.y = body_.rho;
+    }
+  }
+
+  // Changes the motion after `time` without an event as much as rounding of the given size could.
+  void disturb(Real time) {
+    if (options_.noise == 0) return;
+    const Real quarter = std::numbers::pi_v<Real> / 2;
+    const Real tilt = s_.theta - std::round(s_.theta / quarter) * quarter;
+    const Real speed = std::abs(s_.v_x) + std::abs(s_.v_y) + body_.rho * std::abs(s_.omega) + time;
+    s_.x += noise() * (1 + time * std::abs(s_.v_x));
+    s_.v_x += noise() * speed;
+    s_.v_y += noise() * speed;
+    if (tilt == 0 && s_.omega == 0) return;
+    s_.theta += noise() * (std::abs(tilt) + time * std::abs(s_.omega));
+    s_.omega += noise() * speed;
+  }
+
+  // A random number between -noise and noise (Marsaglia 2003, "Xorshift RNGs", J. Stat. Softw. 8).
+  Real noise() {
+    random_ ^= random_ << 13;
+    random_ ^= random_ >> 7;
+    random_ ^= random_ << 17;
+    return Real(options_.noise) * (Real(random_ >> 11) * Real(0x1p-52) - 1);
+  }
+
+  // Takes away the rounding of y: the lowest corner touches.
+  void put_on_ground() {
+    const auto r = methods::arms(body_, s_.theta);
+    s_.y = -std::min(std::min(r[0].y, r[1].y), std::min(r[2].y, r[3].y));
   }
 
   // The corners that touch the ground.
@@ -126,13 +187,14 @@ class Engine {
 
   void collide_corner(int k, const Arm<Real>& r) {
     methods::Collision<Real> collision = collision_at(r);
-    const bool rests = collision.v_n > -cut_ || -collision.v_n * body_.epsilon < cut_;
+    const bool rests = is_cut(collision.v_n, cut_at(r));
     if (collision.v_n < 0) {
       if (rests) collision.epsilon = 0;
       const CornerImpulse<Real> p = methods::impact(collision, options_.law);
       methods::push(s_, r, p.n, p.t, body_.gyration);
+      if (p.happens == methods::Case::sticks) s_.v_x = r.y * s_.omega;
     }
-    if (rests && collision.v_n < cut_) close(k, r);
+    if (rests && methods::normal_velocity(s_, r) < cut_at(r)) close(k, r);
   }
 
   methods::Collision<Real> collision_at(const Arm<Real>& r) const {
@@ -155,7 +217,7 @@ class Engine {
     const Arm<Real>&r_1 = r[hit.index[0]], &r_2 = r[hit.index[1]];
     Row<Real, 2> before{methods::normal_velocity(s_, r_1), methods::normal_velocity(s_, r_2)};
     const Real approach = std::min(before[0], before[1]);
-    const Real epsilon = -approach * body_.epsilon < cut_ ? Real(0) : body_.epsilon;
+    const Real epsilon = is_cut(approach, cut_at(r_1)) ? Real(0) : body_.epsilon;
     Row<Real, 2> pressed{};
     if (approach < 0) {
       if (options_.law == ImpactLaw::newton) {
@@ -167,15 +229,18 @@ class Engine {
         if (epsilon > 0) expand(r_1, r_2, pressed, epsilon);
       }
     }
+    if (std::abs(s_.omega) < slow()) s_.omega = 0;
+    const Real cut = cut_at(r_1);
     const Real after_1 = methods::normal_velocity(s_, r_1);
     const Real after_2 = methods::normal_velocity(s_, r_2);
-    if (std::max(after_1, after_2) < cut_ && settles(s_.v_x - (r_1.y + r_2.y) / 2 * s_.omega)) {
+    const Real v_t = s_.v_x - (r_1.y + r_2.y) / 2 * s_.omega;
+    if (std::max(after_1, after_2) < cut && settles(v_t, cut)) {
       closed_ = hit;
       return;
     }
     // A corner stays closed if it was pressed without enough speed to bounce.
     const auto stays = [&](int i, Real after) {
-      return after < cut_ && (approach >= 0 || (pressed[i] > 0 && after < cut_ / 100));
+      return after < cut && (approach >= 0 || (pressed[i] > 0 && after < cut / 100));
     };
     if (stays(0, after_1)) {
       close(hit.index[0], r_1);
@@ -207,27 +272,38 @@ class Engine {
 
   // Lays the square flat if the side, its corners at rest along n, stays on the ground: if both
   // are pressed while it slides with v_t, or once it has stopped, where cut is enough to stop it.
-  bool settles(Real v_t) {
-    if (std::abs(v_t) <= slow()) v_t = 0;
+  bool settles(Real v_t, Real cut) {
+    const auto pressed = [](const SideImpulse<Real>& f) { return f.n[0] > 0 && f.n[1] > 0; };
     const SideImpulse<Real> f = side_force(v_t);
-    if (!(f.n[0] > 0 && f.n[1] > 0)) {
-      if (std::abs(v_t) >= cut_) return false;
-      const SideImpulse<Real> stopped = side_force(Real(0));
-      const bool sticks = std::abs(stopped.t) < body_.mu * (stopped.n[0] + stopped.n[1]);
-      if (!sticks || !(stopped.n[0] > 0 && stopped.n[1] > 0)) return false;
-      v_t = 0;
+    if (pressed(f)) {
+      lay_flat(std::abs(v_t) > slow() ? (v_t > 0 ? 1 : -1) : sliding_under(f));
+      return true;
     }
-    lay_flat(v_t);
+    if (std::abs(v_t) >= cut) return false;
+    const SideImpulse<Real> stopped = side_force(Real(0));
+    if (!pressed(stopped) || std::abs(stopped.t) >= most_friction(stopped)) return false;
+    lay_flat(0);
     return true;
   }
 
-  // Removes what cut has left of v_y and omega, and of theta and y.
-  void lay_flat(Real v_t) {
+  Real most_friction(const SideImpulse<Real>& f) const { return body_.mu * (f.n[0] + f.n[1]); }
+
+  // The direction in which these forces let a side slide that does not move yet.
+  int sliding_under(const SideImpulse<Real>& f) const {
+    if (std::abs(f.t) < most_friction(f)) return 0;
+    return f.t + body_.g_x > 0 ? 1 : -1;
+  }
+
+  // Lays the side on the ground, and gives it what is left of its impulses: those that take v_y and
+  // omega away, with their friction. sigma is the direction in which it slides, 0 if it sticks.
+  void lay_flat(int sigma) {
     const Real quarter = std::numbers::pi_v<Real> / 2;
     s_.theta = std::round(s_.theta / quarter) * quarter;
     s_.y = body_.half;
-    s_.v_x = v_t;
+    const Real rest = Real(sigma) * body_.mu * s_.v_y, v_x = s_.v_x + rest;
+    s_.v_x = sigma == 0 || (rest != 0 && Real(sigma) * v_x < 0) ? Real(0) : v_x;
     s_.v_y = s_.omega = 0;
+    cuts_ = 0;
   }
 
   // The side's forces per unit of mass, with the square lying flat.
@@ -244,18 +320,64 @@ class Engine {
   }
 
   // Slower sliding than this is only the rounding error of an impact, and counts as none.
-  Real slow() const { return 1000 * std::numeric_limits<Real>::epsilon(); }
+  Real slow() const {
+    return 1000 * std::numeric_limits<Real>::epsilon() *
+           (1 + std::abs(s_.v_x) + body_.rho * std::abs(s_.omega));
+  }
+
+  // A corner that leaves more slowly than this comes back at once. Where it hardly comes back,
+  // since gravity or rotation lifts it, no bounce is left out. On a slope a square that is at rest
+  // but for the cut may draw as much from it in each hop as its impacts take; so cuts that go on
+  // are made larger.
+  Real cut_at(const Arm<Real>& r) const {
+    const Real falls = std::clamp(r.y * s_.omega * s_.omega - body_.g_y, Real(0), Real(1));
+    return (cuts_ > 50 ? 100 : 1) * cut_ * falls;
+  }
+
+  // Whether restitution ends here: a corner that approaches like this would leave too slowly.
+  bool is_cut(Real v_n, Real cut) {
+    if (v_n < -1000 * cut_) cuts_ = 0;
+    const bool ends = v_n > -cut || -v_n * body_.epsilon < cut;
+    cuts_ += ends;
+    return ends;
+  }
+
+  // Gives a corner what is left of its impulses, those that take its v_n away, with their friction.
+  void stop_leaving(const Arm<Real>& r) {
+    const methods::Collision<Real> k = collision_at(r);
+    const int sigma = std::abs(k.v_t) > slow() ? (k.v_t > 0 ? 1 : -1) : 0;
+    Real friction = -Real(sigma) * k.mu;  // p_t / p_n
+    const auto p_n = [&] { return -k.v_n / (k.a + k.b * friction); };
+    const bool goes_on = sigma != 0 && k.a + k.b * friction > 0 &&
+                         Real(sigma) * (k.v_t + (k.b + k.c * friction) * p_n()) > 0;
+    if (!goes_on) {  // it sticks, as far as friction can hold it
+      const Real N = k.b * k.v_t - k.c * k.v_n, T = k.b * k.v_n - k.a * k.v_t;
+      const bool slow_enough = std::abs(k.v_t) < 10 * cut_ && N != 0;
+      friction = slow_enough ? std::clamp(T / N, -k.mu, k.mu) : Real(0);
+      if (!(k.a + k.b * friction > 0)) friction = 0;
+    }
+    const Real p = p_n();
+    methods::push(s_, r, p, friction * p, body_.gyration);
+  }
 
   // Closes one corner: v_n is 0 from now on, and the mode is still to be found.
   void close(int k, const Arm<Real>& r) {
     closed_ = {};
     closed_.add(k);
-    s_.v_y = -r.x * s_.omega;
-    s_.y = -r.y;
     sliding_ = Sliding::unknown;
+    stop_leaving(r);
+    hold(k);
   }
 
-  enum class Sliding { unknown, left = -1, no = 0, right = 1 };
+  // Takes away the rounding of y and v_y at a corner on the ground, and of v_x if it sticks.
+  void hold(int k) {
+    const Arm<Real> r = methods::arms(body_, s_.theta)[k];
+    s_.y = -r.y;
+    s_.v_y = -r.x * s_.omega;
+    if (sliding_ == Sliding::no) s_.v_x = r.y * s_.omega;
+  }
+
+  enum class Sliding { left = -1, no = 0, right = 1, unknown };
 
   // One corner on the ground.
   void follow_corner() {
@@ -264,11 +386,14 @@ class Engine {
     if (sliding_ == Sliding::unknown && !find_mode(r)) return;
     const CornerMotion<Real> motion(body_, s_, r, direction_, order_);
     ++report_.series;
-    Real reach = std::min(motion.reach(Real(options_.tolerance)), end_ - t_);
+    const Real reach = std::min(motion.reach(Real(options_.tolerance)), last());
     const auto [guard, time] = motion.first_guard(reach);
     const bool ends = guard != Guard::none && time <= reach;
-    const Real t = ends ? t_ + time : std::min(t_ + reach, end_);
-    advance(t, report_.corner, [&](Real at) { return motion.at(at); });
+    advance(ends ? time : reach, report_.corner, [&](Real t) { return motion.at(t); });
+    if (options_.noise > 0) {
+      disturb(ends ? time : reach);
+      hold(k);
+    }
     if (ends) leave_mode(guard, k);
   }
 
@@ -351,9 +476,9 @@ class Engine {
     const Motion<Real> start = s_;
     const Real a = f.t + body_.g_x;
     const Real stop = start.v_x * a < 0 ? -start.v_x / a : std::numeric_limits<Real>::infinity();
-    const bool stops = t_ + stop < end_;
+    const bool stops = stop < last();
     const bool moves = std::abs(start.v_x) > slow() || std::abs(a) > slow();
-    advance(stops ? t_ + stop : end_, report_.flat, [&](Real t) {
+    advance(stops ? stop : last(), report_.flat, [&](Real t) {
       Motion<Real> s = start;
       if (!moves) return s;
       s.x += t * (s.v_x + a * t / 2);
@@ -369,9 +494,14 @@ class Engine {
   EventOptions options_;
   EventReport& report_;
   std::vector<Motion<Real>> samples_;
-  Real t_ = 0, end_ = 0, cut_ = 0;
+  Clock<Real> clock_;
+  std::uint64_t random_ = options_.seed * 0x9E3779B97F4A7C15u;
+  long events_ = 0;
+  Real turns_ = 0, cut_ = 0;
   int order_ = 0;
-  long events_left_ = 0;
+  Real since_mark_ = 0;  // the time since stalls() last saw one go by, and the events
+  int events_since_mark_ = 0;
+  int cuts_ = 0;  // impacts whose restitution was cut since the last that was fast
   Corners closed_;
   Sliding sliding_ = Sliding::unknown;
   int direction_ = 0;
@@ -384,7 +514,14 @@ std::vector<Motion<Real>> simulate_events(const Parameters& params, const Motion
                                           const std::vector<Real>& times,
                                           const EventOptions& options, EventReport* report) {
   EventReport unread;
-  return Engine<Real>(params, start, times, options, report ? *report : unread).run();
+  EventReport& written = report ? *report : unread;
+  const Units units(params, start);
+  std::vector<Real> scaled = times;
+  for (Real& t : scaled) t /= Real(units.time);
+  auto motions = Engine<Real>(units.in(params), units.in(start), scaled, options, written).run();
+  for (Motion<Real>& s : motions) s = units.out(s);
+  for (double* mode : {&written.flight, &written.corner, &written.flat}) *mode *= units.time;
+  return motions;
 }
 
 template std::vector<Motion<double>> simulate_events(const Parameters&, const Motion<double>&,

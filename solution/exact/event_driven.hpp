@@ -5,11 +5,17 @@
 //   one corner  sticks or slides: power series, their guards polynomials        series.hpp
 //   flat        a side on the ground: rests, or slides with constant deceleration
 //
+// Units: all of it works in a length near l and a time near sqrt(l / g), both powers of two, so
+// that its tolerances mean the same at every scale and no number is rounded on the way in or out.
+// theta is within half a turn, and whole turns are counted apart. Times are counted from the last
+// event.
+//
 // Zeno: bounces that get ever smaller end where a bounce would leave with less than `cut`: the
 // impact is then without restitution, and contact lasts. What is left out lasts 2 cut / (g (1 -
-// epsilon)) and is cut^2 / 2g high: 4e-7 s and 5e-14 m with the usual cut. A bounce much lower than
-// that drowns in the rounding of y. The impulses left out act along the same line, so that v and
-// omega change by the square of cut only.
+// epsilon)) and is cut^2 / 2g high: 2e-6 sqrt(l / g) and 5e-13 l with the usual cut. A bounce much
+// lower than that drowns in the rounding of y. The impulses left out act along the same line; the
+// corner or side that stays is given the rest of them, with its friction, so that v and omega
+// change by the square of cut only.
 //
 // Which mode follows is an LCP in accelerations, the same as that in impulses with a_n and a_t in
 // place of u_n and u_t (Lotstedt 1981; Glocker & Studer 2005, "Formulation and preparation for
@@ -19,6 +25,7 @@
 // "Unilateral contact and dry friction in finite freedom dynamics", on frictional catastrophes).
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -38,21 +45,26 @@ struct Model {
 struct EventOptions {
   methods::ImpactLaw law = methods::ImpactLaw::newton;
   Model model;
-  double cut = 1e-6;               // m/s
-  double tolerance = 1e-15;        // of one step of a series, rad and l / sqrt 2
-  double touching = 1e-13;         // m: corners this near the ground touch together
-  long events_a_second = 100'000;  // of simulated time; never less than 1000 in all
+  double cut = 1e-6;         // of sqrt(l g), within a factor of 2
+  double tolerance = 1e-15;  // of one step of a series, rad and l / sqrt 2
+  double touching = 1e-13;   // of l, within a factor of 2: corners this near touch together
+  long most_events = 0;      // gives up after these; 0: never
+  // A shadow: random changes of this relative size at each event, as rounding makes them. A square
+  // that is exactly parallel to the ground and does not turn stays so.
+  double noise = 0;
+  std::uint64_t seed = 1;
 };
 
 struct EventReport {
   long impacts = 0, series = 0, jams = 0;
-  bool capped = false;  // the cap on events was reached; what follows is not computed
+  bool stalled = false;  // events went on without an end at one time; what follows is not computed
+  bool gave_up = false;  // after most_events; what follows is not computed
   // The time in each mode, s.
   double flight = 0, corner = 0, flat = 0;
 };
 
-// The motion at each of the times, which ascend from >= 0. Shorter than `times` if the cap was
-// reached. Real is double or long double.
+// The motion at each of the times, which ascend from >= 0. Shorter than `times` if it stalled or
+// gave up. Real is double or long double.
 template <class Real>
 std::vector<methods::Motion<Real>> simulate_events(const Parameters& params,
                                                    const methods::Motion<Real>& start,

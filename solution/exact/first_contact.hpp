@@ -6,7 +6,8 @@
 //     K = max(-g_y, 0) + rho omega^2,
 //
 // is known exactly with its slope and a bound of its curvature: see first_root.hpp. While y > rho,
-// no corner can touch, whatever theta: that part of the flight is left out in closed form.
+// no corner can touch, whatever theta: that part of the flight is a leg of its own, in closed form.
+// Its end is put at y = rho, where the rounding of a long fall would be that of its height.
 #pragma once
 
 #include <limits>
@@ -30,16 +31,16 @@ Motion<Real> fly(const Motion<Real>& s, const Body<Real>& body, Real t) {
           s.omega};
 }
 
-// A height this near 0 counts as 0, m: a few rounding errors of y and r_y.
+// A height this near 0 counts as 0: a few rounding errors of y and r_y.
 template <class Real>
 Real height_rounding(const Body<Real>& body) {
-  return 32 * std::numeric_limits<Real>::epsilon() * body.rho;
+  return 4 * std::numeric_limits<Real>::epsilon() * body.rho;
 }
 
-// The time until y can reach rho, s: 0 if it is below, infinite if it never does.
+// The time until y has fallen to rho: 0 if it is below, infinite if it never does.
 template <class Real>
 Real time_above(const Motion<Real>& s, const Body<Real>& body) {
-  const Real height = s.y - body.rho * (1 + 8 * std::numeric_limits<Real>::epsilon());
+  const Real height = s.y - body.rho;
   if (height <= 0) return 0;
   if (body.g_y < 0) return safe_step(height, s.v_y, -body.g_y);
   // Gravity that pulls up, or none: the parabola has its least height at v_y + g_y t = 0.
@@ -48,24 +49,32 @@ Real time_above(const Motion<Real>& s, const Body<Real>& body) {
   return 2 * height / (-s.v_y + std::sqrt(square));
 }
 
-// The time of the first contact: a corner at height 0 that comes down. Infinite if there is none
-// before t_end. A corner at 0 that does not come down has just left the ground, perhaps without
-// velocity yet. The search passes it by steps that double from 1e-10 s, each so short that nothing
-// sinks by 1e-14 m.
+// How long a flight near the ground lasts, and whether it ends with a contact or above y = rho.
 template <class Real>
-Real first_contact(const Motion<Real>& start, const Body<Real>& body, Real t_end) {
+struct NearFlight {
+  Real time;
+  bool contact;
+};
+
+// Follows a flight with y <= rho to its first contact, a corner at height 0 that comes down; or to
+// where y > rho; or to t_end. A corner at 0 that does not come down has just left the ground,
+// perhaps without velocity yet. The search passes it by steps that double from 1e-10, each so short
+// that nothing sinks by 1e-14. Units are the body's: its size and g are near 1.
+template <class Real>
+NearFlight<Real> first_contact(const Motion<Real>& start, const Body<Real>& body, Real t_end) {
   const Real K = std::max(-body.g_y, Real(0)) + body.rho * start.omega * start.omega;
-  const Real resting = Real(1e-12);  // m/s
+  const Real resting = Real(1e-12);
   const Real longest = std::sqrt(2 * Real(1e-14) / std::max(K, Real(1e-3)));
-  Real least = Real(1e-10);
-  for (Real t = time_above(start, body); t < t_end;) {
+  Real least = std::min(Real(1e-10), longest);
+  for (Real t = 0; t < t_end;) {
     const Motion<Real> s = fly(start, body, t);
-    const Real of_time = 4 * std::numeric_limits<Real>::epsilon() * t;  // rounding of t, s
-    Real step = std::numeric_limits<Real>::infinity();
+    if (s.y > body.rho && t > 0) return {t, false};
+    const Real of_time = 4 * std::numeric_limits<Real>::epsilon() * t;  // rounding of t
+    Real step = t_end - t;
     for (const Arm<Real>& r : methods::arms(body, s.theta)) {
       const Real f = s.y + r.y, slope = methods::normal_velocity(s, r);
       const bool falls = slope < -resting;
-      if (falls && f <= height_rounding(body) - slope * of_time) return t;
+      if (falls && f <= height_rounding(body) - slope * of_time) return {t, true};
       const Real safe = safe_step(f, slope, K);
       if (!falls && safe < least) {
         step = std::min(step, least);
@@ -76,7 +85,7 @@ Real first_contact(const Motion<Real>& start, const Body<Real>& body, Real t_end
     }
     t += step;
   }
-  return std::numeric_limits<Real>::infinity();
+  return {t_end, false};
 }
 
 }  // namespace bounce::exact

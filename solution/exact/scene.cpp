@@ -143,6 +143,9 @@ class Fields {
     }
     return x;
   }
+  void ignore(std::initializer_list<const char*> names) {
+    known_.insert(known_.end(), names.begin(), names.end());
+  }
   void nothing_else() const {
     for (const auto& [name, value] : object_.items()) {
       if (std::find(known_.begin(), known_.end(), name) == known_.end())
@@ -189,19 +192,41 @@ void read_comparison(const json& object, Scene& scene) {
   fields.nothing_else();
 }
 
+void read_motion(Fields& fields, Scene& scene) {
+  scene.params = parameters(fields.get("params"));
+  scene.start = {fields.vector("q"), fields.vector("v")};
+}
+
 Scene scene_of(const json& whole) {
   Fields fields(whole, "");
   Scene scene;
   scene.name = fields.text("name");
   scene.title = fields.text("title");
-  scene.params = parameters(fields.get("params"));
-  scene.start = {fields.vector("q"), fields.vector("v")};
+  read_motion(fields, scene);
   read_comparison(fields.get("compare"), scene);
   scene.least = level_of(fields.text("least_model"));
   scene.why = fields.text("why");
   fields.nothing_else();
   check(scene.params, scene.start);
   return scene;
+}
+
+Scene start_of(const json& whole) {
+  Fields fields(whole, "");
+  Scene scene{};
+  read_motion(fields, scene);
+  fields.ignore({"name", "title", "compare", "least_model", "why"});
+  fields.nothing_else();
+  check(scene.params, scene.start);
+  return scene;
+}
+
+Scene read(const std::filesystem::path& file, Scene (*scene_from)(const json&)) {
+  try {
+    return scene_from(parse(file));
+  } catch (const std::invalid_argument& problem) {
+    throw std::invalid_argument(file.string() + ": " + problem.what());
+  }
 }
 
 }  // namespace
@@ -235,13 +260,9 @@ void check(const Parameters& params, const State& start) {
     refuse("q[1]", "puts the lowest corner " + text_of(-gap) + " m below the ground; raise it");
 }
 
-Scene read_scene(const std::filesystem::path& file) {
-  try {
-    return scene_of(parse(file));
-  } catch (const std::invalid_argument& problem) {
-    throw std::invalid_argument(file.string() + ": " + problem.what());
-  }
-}
+Scene read_scene(const std::filesystem::path& file) { return read(file, scene_of); }
+
+Scene read_start(const std::filesystem::path& file) { return read(file, start_of); }
 
 std::vector<Scene> read_scenes(const std::filesystem::path& folder) {
   if (!std::filesystem::is_directory(folder)) refuse(folder.string(), "is no folder of scenes");

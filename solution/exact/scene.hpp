@@ -43,6 +43,10 @@ struct Scene {
 // would not fit into memory.
 Scene read_scene(const std::filesystem::path& file);
 
+// The same, of which only params, q and v are read. The fields that describe it to the study may be
+// there or not.
+Scene read_start(const std::filesystem::path& file);
+
 // Every scene of a folder, by name of the file.
 std::vector<Scene> read_scenes(const std::filesystem::path& folder);
 

@@ -36,7 +36,7 @@ Samples truth_under(methods::ImpactLaw law, const Scene& scene) {
   const auto exact = simulate_events<long double>(
       scene.params, methods::motion_of<long double>(scene.start), times, options);
   if (exact.size() != kSamples)
-    throw std::runtime_error(scene.name + ": the truth reached its cap on events");
+    throw std::runtime_error(scene.name + ": the truth stalled: events go on without an end");
   Samples samples;
   samples.reserve(exact.size());
   for (const auto& s : exact) {

@@ -17,7 +17,7 @@ std::vector<double> sample_times(const Scene& scene, int samples = kSamples);
 
 // The truth: event-driven in long double, with tolerances a thousandth of any method's, so that
 // even the error of the event-driven method in double can be measured. Throws std::runtime_error if
-// the cap on events was reached.
+// it stalled.
 Samples truth_of(const Scene& scene);
 Samples truth_under(methods::ImpactLaw law, const Scene& scene);
 

@@ -1,12 +1,16 @@
 // bounce_study [--quick] SCENES FOLDER [QUESTION ...]: reads the scenes of a folder, answers the
 // named questions (by default all), and writes a CSV for each into FOLDER. --quick measures fewer
 // rounds and coarser maps.
+//
+// bounce_study simulate SCENE.json TOLERANCE: see simulate.hpp.
 #include <algorithm>
 #include <functional>
 #include <iostream>
 #include <map>
 
+#include "../exact/simulate_to.hpp"
 #include "questions.hpp"
+#include "simulate.hpp"
 #include "timing.hpp"
 
 namespace bounce::study {
@@ -14,7 +18,11 @@ namespace {
 
 struct Question {
   std::function<Table(const Scenes&, const Extent&)> answer;
-  bool timed = false;
+  bool timed = false, once = false;
+
+  std::string times(int core, const Extent& extent) const {
+    return once ? times_taken(core) : timed ? times_taken(core, extent) : "";
+  }
 };
 
 Question timed(Table (*answer)(const Scenes&, const Extent&)) { return {answer, true}; }
@@ -48,7 +56,8 @@ std::map<std::string, Question> questions() {
           {"bad_input", timed(bad_input)},
           {"examples", untimed(examples)},
           {"least_model", timed(least_model)},
-          {"chosen_model", timed(chosen_model)}};
+          {"chosen_model", timed(chosen_model)},
+          {"tolerance", {untimed(tolerance).answer, false, true}}};
 }
 
 int run(const std::vector<std::string>& words, const Extent& extent) {
@@ -70,7 +79,7 @@ int run(const std::vector<std::string>& words, const Extent& extent) {
     const std::filesystem::path file = std::filesystem::path(words[1]) / (name + ".csv");
     const Question& question = all.at(name);
     const Table table = question.answer(scenes, extent);
-    table.write(file, origin(question.timed ? times_taken(core, extent) : ""));
+    table.write(file, origin(question.times(core, extent)));
     std::cout << file.string() << ": " << table.rows() << " rows\n" << std::flush;
   }
   return 0;
@@ -81,6 +90,10 @@ int run(const std::vector<std::string>& words, const Extent& extent) {
 
 int main(int argc, char** argv) try {
   std::vector<std::string> words(argv + 1, argv + argc);
+  if (words.size() == 3 && words[0] == "simulate") {
+    bounce::study::simulate(words[1], words[2], std::cout);
+    return 0;
+  }
   const bool quick = !words.empty() && words[0] == "--quick";
   if (quick) words.erase(words.begin());
   if (words.size() < 2) {
@@ -88,6 +101,9 @@ int main(int argc, char** argv) try {
     return 2;
   }
   return bounce::study::run(words, quick ? bounce::study::kQuick : bounce::study::Extent());
+} catch (const bounce::exact::Refusal& refusal) {
+  std::cerr << "bounce_study: " << refusal.what() << "\n";
+  return 1;
 } catch (const std::invalid_argument& problem) {
   std::cerr << "bounce_study: " << problem.what() << "\n";
   return 2;

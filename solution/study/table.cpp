@@ -106,6 +106,11 @@ std::vector<std::string> origin(const std::string& times) {
   return lines;
 }
 
+std::string times_taken(int core) {
+  const std::string pinned = core < 0 ? "not pinned" : "pinned to core " + std::to_string(core);
+  return "CPU time, " + pinned + ", the median of the scenes, one run of each";
+}
+
 std::string times_taken(int core, const Extent& extent) {
   const std::string pinned = core < 0 ? "not pinned" : "pinned to core " + std::to_string(core);
   return "CPU time, " + pinned + ", the median of " + std::to_string(extent.rounds) +

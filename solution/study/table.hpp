@@ -46,5 +46,6 @@ std::vector<std::string> origin(const std::string& times = "");
 
 // How times are taken: on the core that the process is pinned to, or -1.
 std::string times_taken(int core, const Extent& extent);
+std::string times_taken(int core);  // for a table of many scenes, each run once
 
 }  // namespace bounce::study

@@ -17,7 +17,7 @@ def facts(tables: Tables) -> dict[str, Any]:
     ladder = [_ladder(least.where(scene=scene)) for scene in least.distinct("scene")]
     smaller = [error for rungs in ladder for error in rungs["smaller"]]
     larger = [row for row in least.rows if number(row, "error_m") <= FINE and row["least"] == "0"]
-    capped = [row for row in least.rows if not math.isfinite(number(row, "error_m"))]
+    endless = [row for row in least.rows if not math.isfinite(number(row, "error_m"))]
     steps = list(map(float, chosen.distinct("dt_s")))
     runs = [
         _chosen(chosen.where(scene=scene, dt_s=dt))
@@ -31,8 +31,8 @@ def facts(tables: Tables) -> dict[str, Any]:
         "ladder_larger_change": max(numbers(larger, "error_m")),
         "ladder_noteworthy": [rungs for rungs in ladder if rungs["gain"] >= NOTEWORTHY],
         "ladder_other_gains": [rungs["gain"] for rungs in ladder if rungs["gain"] < NOTEWORTHY],
-        "ladder_capped": len(capped),
-        "ladder_capped_time": min(numbers(capped, TIME)),
+        "ladder_endless": len(endless),
+        "ladder_endless_time": min(numbers(endless, TIME)),
         "chosen": runs,
         "chosen_slower": [run for run in runs if run["moreau_jean"] < 1],
         "chosen_steps": steps,

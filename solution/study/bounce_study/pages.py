@@ -15,7 +15,7 @@ import jinja2
 
 from bounce_grader.common.errors import UsageError
 from bounce_study import chart_style, numbers
-from bounce_study import facts_models, facts_peers, facts_speed, facts_stability
+from bounce_study import facts_models, facts_peers, facts_speed, facts_stability, facts_tolerance
 from bounce_study.tables import Tables
 
 TEMPLATES = Path(__file__).parent / "pages"
@@ -39,15 +39,17 @@ STABILITY = tuple(
     "almost_flat scaling bad_input".split()
 )
 MODELS = ("least_model", "chosen_model")
+TOLERANCE = ("tolerance",)
 PEERS = tuple(f"peers{name}" for name in ("", "_beside", "_ratios", "_settings", "_steps"))
 PAGES = (
     Page(SPEED_PAGE, SPEED, (facts_speed.facts,)),
     Page("stability.md", STABILITY, (facts_stability.facts,)),
     Page("least_model.md", MODELS, (facts_models.facts,)),
+    Page("tolerance.md", TOLERANCE, (facts_tolerance.facts,)),
     Page(
         "README.md",
-        SPEED + STABILITY + MODELS,
-        (facts_speed.facts, facts_stability.facts, facts_models.facts),
+        SPEED + STABILITY + MODELS + TOLERANCE,
+        (facts_speed.facts, facts_stability.facts, facts_models.facts, facts_tolerance.facts),
     ),
     Page(PEERS_PAGE, (*PEERS, "peers_variants"), (facts_peers.facts,)),
 )

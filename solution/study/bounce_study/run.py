@@ -25,7 +25,7 @@ STUDIES = ROOT / "docs" / "studies"  # their panel is in the README too
 UNFINISHED = ".unfinished"
 QUESTIONS = tuple(
     "examples bad_input depth scaling flat_landing almost_flat gauss_seidel solution_count "
-    "energy_gain rest_and_drift order truth chosen_model least_model speed_ratios "
+    "energy_gain rest_and_drift order truth tolerance chosen_model least_model speed_ratios "
     "speed_accuracy".split()
 )
 

@@ -1,28 +1,15 @@
-// Shared by the study's tests: random scenes, the same on every machine, and the scenes' folder.
+// Shared by the study's tests: random drops, the same on every machine, and the scenes' folder.
 #pragma once
 
-#include <random>
 #include <vector>
 
 #include "exact/scene.hpp"
 #include "methods/square.hpp"
-
-namespace bounce::study {}
+#include "study/random_scenes.hpp"
 
 namespace bounce::exact::tests {
 
 using namespace study;
-
-class Random {
- public:
-  explicit Random(unsigned seed) : engine_(seed) {}
-  double uniform(double low, double high) {
-    return low + (high - low) * double(engine_() >> 11) * 0x1p-53;
-  }
-
- private:
-  std::mt19937_64 engine_;
-};
 
 struct Drop {
   Parameters params;

@@ -63,6 +63,7 @@ def test_tables_say_where_they_are_from(quick: Path) -> None:
 
 def test_tables_with_times_say_how_they_were_taken_and_others_do_not() -> None:
     timed = {"speed_accuracy", "speed_ratios", "least_model", "chosen_model", "bad_input"}
+    timed |= {"tolerance"}
     timed |= {"peers", "peers_beside", "peers_ratios", "peers_steps", "peers_lcp"}
     for name, table in committed().items():
         assert ("times" in table.origin) == (name in timed), name

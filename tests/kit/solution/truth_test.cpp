@@ -41,7 +41,7 @@ TEST(truth, EndsAFlatBounceAtTheSumOfTheGeometricSeries) {
     const double t_0 = std::sqrt(2 * 0.2 / 9.81), end = t_0 * (1 + epsilon) / (1 - epsilon);
     EventReport report;
     truth(params, {0, 0.3, 0, 0, 0, 0}, {end + 1}, &report);
-    EXPECT_NEAR(report.flight, end, 2e-6 / (9.81 * (1 - epsilon))) << "what a cut of 1e-6 m/s is";
+    EXPECT_NEAR(report.flight, end, 4e-6 / (9.81 * (1 - epsilon))) << "what a cut of 2e-6 m/s is";
     const auto last = truth(params, {0, 0.3, 0, 0, 0, 0}, {end - 1e-3, end + 1e-9});
     EXPECT_GT(last[0].y, 0.1);
     EXPECT_EQ(last[1].y, 0.1);
@@ -78,15 +78,30 @@ TEST(truth, PivotsAsAPendulumDoes) {
   EXPECT_NEAR(methods::energy(s[0], body), -body.g_y * y, 1e-13) << "nothing slides";
 }
 
+// The time of the first contact after flights near the ground and above.
+double first_contact_time(Motion<double> s, const methods::Body<double>& body) {
+  double t = 0;
+  while (t < 5) {
+    const double above = time_above(s, body);
+    const NearFlight<double> flight =
+        above > 0 ? NearFlight<double>{above, false} : first_contact(s, body, 5.0);
+    t += flight.time;
+    if (flight.contact) return t;
+    s = fly(s, body, flight.time);
+    if (above > 0) s.y = body.rho;
+  }
+  return t;
+}
+
 TEST(truth, FindsTheFirstContactOfWhateverCorner) {
   Random random(1);
   for (int i = 0; i < 5000; ++i) {
     Drop drop = random_drop(random, i, 1);
     const methods::Body<double> body(drop.params);
     drop.start.omega *= 5;
-    const double t = first_contact(drop.start, body, 5.0);
     if (methods::lowest_gap(drop.start, body) < 0) continue;
-    ASSERT_TRUE(std::isfinite(t));
+    const double t = first_contact_time(drop.start, body);
+    ASSERT_LT(t, 5);
     for (int j = 0; j < 200; ++j)
       ASSERT_GT(methods::lowest_gap(fly(drop.start, body, t * j / 200), body), -1e-14) << i;
     ASSERT_NEAR(methods::lowest_gap(fly(drop.start, body, t), body), 0, 1e-12) << i;
@@ -121,7 +136,7 @@ TEST(truth, GetsNearerWithTheToleranceWhereASecondCornerLands) {
     options.cut = std::max(options.cut, std::sqrt(tolerance));
     const auto motions = truth(scene.params, methods::motion_of<double>(scene.start),
                                sample_times(scene), nullptr, options);
-    EXPECT_LE(error_of(scene, motions, exact), 2e-3 * std::sqrt(tolerance)) << tolerance;
+    EXPECT_LE(error_of(scene, motions, exact), 4e-3 * std::sqrt(tolerance)) << tolerance;
   }
 }
 
@@ -175,7 +190,7 @@ TEST_P(Drops, NeverSinkNorGainEnergyNorFail) {
     const methods::Body<double> body(drop.params);
     EventReport report;
     const auto motions = truth(drop.params, drop.start, even_times(1.0, 50), &report, options);
-    ASSERT_FALSE(report.capped) << i;
+    ASSERT_FALSE(report.stalled) << i;
     ASSERT_EQ(motions.size(), 50u) << i;
     double before = methods::energy(drop.start, body);
     const double rounding = 1e-13 * (std::abs(before) + 10);
@@ -198,15 +213,14 @@ INSTANTIATE_TEST_SUITE_P(TenThousand, Drops,
                                                                           : "Stronge";
                          });
 
-TEST(truth, ReportsThatItsCapOnEventsWasReached) {
+// One corner cannot carry a face: the square rocks ever faster.
+TEST(truth, ReportsThatEventsGoOnWithoutAnEnd) {
   Parameters params;
-  params.epsilon = 1;
   EventOptions options;
-  options.events_a_second = 1;
+  options.model.corners = 1;
   EventReport report;
-  const auto motions =
-      truth(params, {0, 0.100001, 0, 0, 0, 0}, even_times(2.0, 10), &report, options);
-  EXPECT_TRUE(report.capped);
+  const auto motions = truth(params, {0, 0.3, 0, 0, 0, 0}, even_times(2.0, 10), &report, options);
+  EXPECT_TRUE(report.stalled);
   EXPECT_LT(motions.size(), 10u);
 }
 

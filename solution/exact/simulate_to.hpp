@@ -1,0 +1,48 @@
+// A tolerance in, the cheapest trajectory out that keeps it, with a bound of its error.
+//
+// The truth is the exact motion under the assignment's law of impact (eq. 8, Newton's restitution
+// and Coulomb's friction) in continuous time, from the given start. The error is the distance of
+// poses, (dx, dy, l / sqrt 2 dtheta), the largest up to a time, m.
+//
+//   free flight    no impact until the last time: closed form, bounded by its rounding.
+//   event-driven   in double. Its error is measured by the same motion in long double with finer
+//                  tolerances; and by two shadows, in which each event is disturbed by 2^-40 in
+//                  place of rounding's 2^-52. The bound is the larger of 8 times the first and 8
+//                  times 2^-12 times the second, beside the rounding of the numbers themselves.
+//   Moreau-Jean    where events are too many: more than they would cost as steps. Its error is
+//                  measured by steps half and a quarter as long, the last of which are given; what
+//                  none of them sees are hops of less than a step, g dt^2 high.
+//
+// The horizon is where the bound exceeds the tolerance, or a shadow comes as far off as a
+// thousandth of l: the order or kind of an impact may be another there. Nothing is promised after
+// it.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "scene.hpp"
+
+namespace bounce::exact {
+
+struct Answer {
+  std::vector<double> times;                     // s
+  std::vector<methods::Motion<double>> motions;  // at these
+  std::string method;
+  double step;     // s; 0 where the method has none
+  double bound;    // of the error at all times, m
+  double horizon;  // the last time, s: the bound holds up to here
+};
+
+// What can't be had, and up to when it could.
+struct Refusal : std::runtime_error {
+  Refusal(const std::string& why, double until) : std::runtime_error(why), horizon(until) {}
+  double horizon;  // s
+};
+
+// The motion at the scene's T times, dt apart. Throws std::invalid_argument if the tolerance is not
+// above 0 and finite, Refusal if the bound can't be kept below it until the last time.
+Answer simulate_to(const Scene& scene, double tolerance);
+
+}  // namespace bounce::exact

@@ -1,0 +1,37 @@
+// Random scenes, the same on every machine.
+#pragma once
+
+#include <random>
+
+#include "../exact/scene.hpp"
+
+namespace bounce::study {
+
+using namespace exact;
+
+class Random {
+ public:
+  explicit Random(unsigned seed) : engine_(seed) {}
+  double uniform(double low, double high) {
+    return low + (high - low) * double(engine_() >> 11) * 0x1p-53;
+  }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+// Uniform in its logarithm; low > 0.
+double log_uniform(Random& random, double low, double high);
+bool chance(Random& random, double p);
+double either_sign(Random& random);
+
+// From 0 to 1, often one of these.
+double any_epsilon(Random& random);
+
+// Squares of ordinary size that fall, tumble, slide, rock or rest, for up to 3 s.
+Scene random_scene(Random& random);
+
+// A square that hops too often for its hops to be followed one by one.
+Scene crowded_scene(Random& random);
+
+}  // namespace bounce::study

@@ -1,0 +1,112 @@
+#include <algorithm>
+#include <limits>
+#include <map>
+
+#include "../exact/event_driven.hpp"
+#include "../exact/simulate_to.hpp"
+#include "../methods/moreau_jean.hpp"
+#include "catalog.hpp"
+#include "questions.hpp"
+#include "random_scenes.hpp"
+
+namespace bounce::study {
+namespace {
+
+using methods::Motion;
+using Motions = std::vector<Motion<double>>;
+
+// In long double, with other tolerances and other rounding than those that bounds are measured by.
+Motions truth_at(const Scene& scene, const std::vector<double>& times) {
+  EventOptions finest;
+  finest.cut = 3e-8;
+  finest.tolerance = 1e-19;
+  finest.touching = 1e-17;
+  finest.noise = 0x1p-62;
+  const auto start = methods::motion_of<long double>(scene.start);
+  Motions rounded;
+  for (const auto& s : simulate_events<long double>(
+           scene.params, start, std::vector<long double>(times.begin(), times.end()), finest))
+    rounded.push_back({double(s.x), double(s.y), double(s.theta), 0, 0, 0});
+  return rounded;
+}
+
+// The time of a run that comes within the tolerance, ns; infinite for one that doesn't.
+template <class Run>
+double time_within(const Scene& scene, const Motions& truth, double tolerance, const Run& run) {
+  const double begin = cpu_ns();
+  const Motions motions = run();
+  const double ns = cpu_ns() - begin;
+  return error_of(scene, motions, truth) <= tolerance ? ns
+                                                      : std::numeric_limits<double>::infinity();
+}
+
+Motions stepped(const Scene& scene, long steps) {
+  Parameters params = scene.params;
+  params.dt /= double(steps);
+  const auto start = methods::motion_of<double>(scene.start);
+  methods::MoreauJean<2> scheme(params, start);
+  Motions motions{start};
+  for (int i = 1; i < params.T; ++i) {
+    scheme.steps(steps);
+    motions.push_back(scheme.motion());
+  }
+  return motions;
+}
+
+// The time of the best choice of method and setting, once the truth is known, ns.
+double best_time(const Scene& scene, const std::vector<double>& times, const Motions& truth,
+                 double tolerance) {
+  double best = std::numeric_limits<double>::infinity();
+  for (const auto& [of_series, cut] : {std::pair{1e-15, 1e-6}, {1e-8, 1e-4}, {1e-5, 3e-3}}) {
+    EventOptions options;
+    options.tolerance = of_series;
+    options.cut = cut;
+    const auto start = methods::motion_of<double>(scene.start);
+    best = std::min(best, time_within(scene, truth, tolerance, [&] {
+                      return simulate_events<double>(scene.params, start, times, options);
+                    }));
+  }
+  for (const long steps : {1, 4, 16, 64}) {
+    best =
+        std::min(best, time_within(scene, truth, tolerance, [&] { return stepped(scene, steps); }));
+  }
+  return best;
+}
+
+}  // namespace
+
+Table tolerance(const Extent& extent) {
+  Table table({"tolerance_m", "scenes", "free_flight", "event_driven", "stepped", "refused",
+               "violated", "bound_over_error", "bound_over_error_90", "time_over_best",
+               "time_over_best_90", "ns"});
+  const int scenes = extent.fineness > 1 ? 2000 : 50;
+  for (const double within : {1e-3, 1e-6, 1e-9}) {
+    Random random(31);
+    std::map<std::string, int> answers;
+    int refused = 0, violated = 0;
+    std::vector<double> bounds, times_over_best, ns;
+    for (int i = 0; i < scenes; ++i) {
+      const Scene scene = random_scene(random);
+      try {
+        const double begin = cpu_ns();
+        const Answer answer = simulate_to(scene, within);
+        ns.push_back(cpu_ns() - begin);
+        ++answers[answer.method];
+        const Motions truth = truth_at(scene, answer.times);
+        const double error = error_of(scene, answer.motions, truth);
+        violated += !(error <= answer.bound);
+        if (error > 0) bounds.push_back(answer.bound / error);
+        times_over_best.push_back(ns.back() / best_time(scene, answer.times, truth, within));
+      } catch (const Refusal&) {
+        ++refused;
+      }
+    }
+    const int flights = answers["free flight"], events = answers["event-driven"];
+    table.add(within, scenes, flights, events, scenes - refused - flights - events, refused,
+              violated, quantile(bounds), quantile(bounds, 0.9), quantile(times_over_best),
+              quantile(times_over_best, 0.9), quantile(ns));
+  }
+  return table;
+}
+
+}  // namespace bounce::study
