@@ -449,8 +449,8 @@ def _has_a_part(path: Path) -> bool:
 
 
 def _common_prefix(path: Path, folders: list[Path]) -> int:
-    """The length of the assignment's name, with which GitHub Classroom begins each repository's
-    name; the login follows."""
+    """The length of the assignment's name, with which each repository's name begins; the login
+    follows."""
     named = path.name.removesuffix("-submissions") + "-"
     if all(folder.name.startswith(named) for folder in folders):
         return len(named)
