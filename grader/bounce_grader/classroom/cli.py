@@ -10,6 +10,7 @@ def add(commands: Any) -> None:
     parser.add_argument(
         "submissions",
         type=Path,
+        nargs="?",
         help="Canvas's download, a folder of folders or of zips, or a checkout of repositories",
     )
     parser.add_argument("--out", type=Path, required=True, metavar="DIR", help="what is written")
@@ -25,7 +26,25 @@ def add(commands: Any) -> None:
         help="a column for part N; may be given for each part",
     )
     parser.add_argument(
+        "--canvas",
+        default="",
+        metavar="COURSE/ASSIGNMENT",
+        help="download the submissions by Canvas's API, with CANVAS_URL and CANVAS_TOKEN from the "
+        "environment; shows what --upload would change there",
+    )
+    parser.add_argument(
+        "--upload", action="store_true", help="post the points and pages that were shown to Canvas"
+    )
+    parser.add_argument(
         "--overwrite", action="store_true", help="replace other points that stand in the columns"
+    )
+    parser.add_argument(
+        "--corpus",
+        type=Path,
+        nargs="+",
+        default=[],
+        metavar="FOLDER",
+        help="other years' submissions, among which near-copies are looked for, too",
     )
     parser.add_argument("--jobs", type=int, default=0, metavar="N", help="gradings side by side")
     parser.add_argument("--engine", choices=["local", "dask", "slurm"], default="local")
@@ -63,12 +82,21 @@ def _class(options: argparse.Namespace) -> int:
         raise UsageError("--part-column needs --gradebook, Canvas's export")
     if options.jobs < 0:
         raise UsageError(f"--jobs takes a number of gradings, not {options.jobs}")
+    if bool(options.canvas) == bool(options.submissions):
+        raise UsageError("give either the submissions or --canvas COURSE/ASSIGNMENT")
+    if options.upload and not options.canvas:
+        raise UsageError("--upload needs --canvas COURSE/ASSIGNMENT")
+    if options.canvas and options.gradebook:
+        raise UsageError("--canvas posts the points by itself: leave --gradebook out")
     request = Request(
-        submissions=options.submissions,
+        submissions=options.submissions or options.out.absolute(),
+        canvas=options.canvas,
+        upload=options.upload,
         out=options.out.absolute(),
         gradebook=options.gradebook,
         columns=_columns(options),
         overwrite=options.overwrite,
+        corpus=tuple(options.corpus),
         engine=options.engine,
         jobs=options.jobs,
         scheduler=options.scheduler,

@@ -9,16 +9,18 @@ from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
 
-from bounce_grader.classroom.intake import adjustments, course, roster, students
+from bounce_grader.classroom.intake import adjustments, canvas_api, course, roster, students
 from bounce_grader.classroom.intake.canvas import is_name_of
+from bounce_grader.classroom.intake.canvas_api import Canvas
 from bounce_grader.classroom.intake.roster import Roster
 from bounce_grader.classroom.intake.students import Class, Student
-from bounce_grader.classroom.output import final, outputs
+from bounce_grader.classroom.output import canvas_upload, final, outputs, page
 from bounce_grader.classroom.output.final import Rules
 from bounce_grader.classroom.output.gradebook import Gradebook
 from bounce_grader.classroom.output.worksheet import is_worksheet, Worksheet
 from bounce_grader.classroom.work import grading, near_copies, regrade, results
 from bounce_grader.classroom.work.log import Log
+from bounce_grader.classroom.work.near_copies import Similar
 from bounce_grader.classroom.work.request import Request
 from bounce_grader.classroom.work.summary import Summary
 from bounce_grader.classroom.work.task import task_of, with_times, Stamp, Task
@@ -28,6 +30,7 @@ from bounce_grader.common.files import remove_abandoned
 from bounce_grader.common.manifest import parts
 from bounce_grader.common.numbers import short
 
+MOST_PAIRS = 10  # of near-copies, there
 MOST_LINES = 40  # on the terminal; class.html has them all
 
 
@@ -48,7 +51,11 @@ def _whole(request: Request) -> int:
     others = book.people(of_canvas=False) if book else {}
     listed = roster.read(request.out).named(others)
     own = (course.read(request.out), listed, adjustments.read(request.out))
-    intake = students.read(request.submissions, book.people() if book else {})
+    canvas = _canvas(request)
+    if canvas:
+        intake = canvas_api.download(canvas, request.out)
+    else:
+        intake = students.read(request.submissions, book.people() if book else {})
     _require_the_same_service(request, book, intake)
     rules = Rules(*own, book.same_person() if book else {}, intake.logins)
     if book and intake.logins and not rules.roster:
@@ -65,7 +72,7 @@ def _whole(request: Request) -> int:
         remove_abandoned(request.out)
         log = Log(request.out / "log.jsonl")
         try:
-            return _run(request, intake, book, log, rules, notes)
+            return _run(request, intake, book, log, rules, notes, canvas)
         except OSError as error:
             if error.errno != errno.ENOSPC:
                 raise
@@ -84,6 +91,7 @@ def _run(
     log: Log,
     rules: Rules,
     notes: list[str],
+    canvas: Canvas | None,
 ) -> int:
     folder = request.out / "results"
     regrade.finish(request.out)
@@ -99,7 +107,7 @@ def _run(
     if summaries and all(summary.state == "waiting" for summary in summaries):
         return 0
     summaries = final.with_finals(summaries, rules)
-    near = near_copies.find(request.out, intake.students, tasks, request.trust)
+    near = near_copies.find(request.out, intake.students, tasks, request.trust, request.corpus)
     without_page = outputs.write_feedback(request.out, intake, summaries, request.reveal)
     for reasons in (near.left_out, without_page):
         summaries = [
@@ -117,7 +125,36 @@ def _run(
         request.overwrite,
         rules.course,
     )
-    return _say(request, intake, summaries, [*adjusted(summaries), *notes, *remarks])
+    lines = [*_alike(near, summaries), *adjusted(summaries), *notes, *remarks]
+    status = _say(request, intake, summaries, lines)
+    return max(status, _to_canvas(request, canvas, summaries) if canvas else 0)
+
+
+def _canvas(request: Request) -> Canvas | None:
+    if not request.canvas:
+        return None
+    token = canvas_api.token_of_environment()
+    return Canvas(os.environ.get("CANVAS_URL", ""), request.canvas, token)
+
+
+def _to_canvas(request: Request, canvas: Canvas, summaries: list[Summary]) -> int:
+    """Shows what would change on Canvas, and posts it if that was shown before. Returns 1 if
+    something is left to do."""
+    changes, kept = canvas_upload.plan(canvas, request.out, summaries, request.overwrite)
+    shown = canvas_upload.was_shown(request.out, changes)
+    if request.upload and shown:
+        refused = canvas_upload.post(canvas, request.out, changes)
+        print(f"{len(changes) - len(refused)} of {len(changes)} students' points or pages posted.")
+        print("".join(f"  {terminal(line)}\n" for line in [*refused, *kept]), end="")
+        return int(bool(refused))
+    print(f"On Canvas, {len(changes)} students' points or pages would change:")
+    lines = [*canvas_upload.show(changes), *map(terminal, kept)]
+    print("".join(f"  {line}\n" for line in lines), end="")
+    if request.upload:
+        print("This wasn't shown before: give the same command again to post it.")
+        return 1
+    print("Nothing is posted yet: add --upload.")
+    return 0
 
 
 def _require_the_same_service(
@@ -149,6 +186,16 @@ def _name_persons(intake: Class, book: Gradebook | Worksheet | None, listed: Ros
 
     intake.students = [replace(s, person=name_of(s)) for s in intake.students]
     intake.students.sort(key=lambda student: (student.shown.casefold(), student.id))
+
+
+def _alike(near: Similar, summaries: list[Summary]) -> list[str]:
+    """A sentence for each of the nearest copies."""
+    names = page.names_of(summaries)
+    return [
+        f"{' and '.join(page.pair_names(pair, names))} have {page.pair_share(pair)} in common: look "
+        "whether one is a copy"
+        for pair in near.pairs[:MOST_PAIRS]
+    ]
 
 
 def adjusted(summaries: list[Summary]) -> list[str]:

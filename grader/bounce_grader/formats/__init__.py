@@ -9,7 +9,17 @@ from typing import Any
 
 from bounce_grader.common.escaping import json_document
 
-NAMES = ("gradescope", "prairielearn", "autolab", "github", "html", "junit", "json", "markdown")
+NAMES = (
+    "gradescope",
+    "prairielearn",
+    "autolab",
+    "github",
+    "html",
+    "junit",
+    "json",
+    "markdown",
+    "classroom50",
+)
 
 
 def render(name: str, record: dict[str, Any], submission: Path, enough: float = 0.0) -> str:

@@ -24,6 +24,9 @@ def render(record: Record, root: Path = Path()) -> str:
     repository."""
     lines = [line for part in record["parts"] for line in _part(part, root)]
     lines += [_command("warning", "Speed", sentence) for sentence in sentences.speed_words(record)]
+    if record["box"] != "full":
+        words = "without a box" if record["box"] == "none" else "in the reduced box"
+        lines.append(_command("notice", "Box", f"graded {words}"))
     report = {"totalPoints": record["score"], "maxPoints": record["max_score"]}
     total = f"Points {short(record['score'])}/{short(record['max_score'])}"
     lines.append(_command("notice", "Autograding complete", total))

@@ -22,6 +22,8 @@ def render(record: Record) -> str:
         mistakes = map(escaping.markdown, sentences.mistake_words(part))
         items = [f"- Part {part['part']}: {mistake}" for mistake in mistakes]
         lines += ["", *items] if items else []
+    first = sentences.first_to_do(record)
+    lines += ["", escaping.markdown(first)] if first else []
     for sentence in [*sentences.since_last_time(record), *sentences.speed_words(record)]:
         lines.append(f"\n{escaping.markdown(sentence)}")
     text = "\n".join(lines) + "\n"

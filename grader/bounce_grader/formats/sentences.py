@@ -107,6 +107,17 @@ def numbered(record: Record) -> list[tuple[str, Record, Record]]:
     ]
 
 
+def first_to_do(record: Record) -> str:
+    """What to look at first: the earliest part that lost points, and its first failed check."""
+    for number, part, check in numbered(record):
+        if not check["passed"]:
+            if not has_run(part):
+                return f"First: part {part['part']}, {part_words(part)}"
+            advice = hint(check)
+            return f"First: {number} {check['title']}" + (f"; hint {advice}" if advice else "")
+    return ""
+
+
 def hint(check: Record) -> str:
     """The heading of the hint for a failed check; empty for a passed one."""
     from bounce_grader.assignment.hints import headings

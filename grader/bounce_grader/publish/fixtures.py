@@ -4,16 +4,13 @@ committed ones."""
 import tempfile
 from pathlib import Path
 
-from bounce_grader.common.paths import FIXTURES
 from bounce_grader.grading import known_mistakes
 from bounce_grader.grading.fixtures import DEFAULT, PUBLIC, hidden_folder, write
 
-COMMITTED = {"public": PUBLIC, "hidden": DEFAULT}  # by the kind of set
-
 
 def write_all() -> None:
-    for kind, folder in COMMITTED.items():
-        write(kind, folder)
+    write("public", PUBLIC)
+    write("hidden", DEFAULT)
     hidden_folder()
     known_mistakes.write()
 
@@ -21,7 +18,8 @@ def write_all() -> None:
 def differing() -> list[str]:
     """The committed files that differ, by even a byte, from what the solution writes; as paths in
     fixtures/."""
-    return [name for kind, folder in COMMITTED.items() for name in _differing(kind, folder)]
+    public = [f"public/{name}" for name in _differing("public", PUBLIC)]
+    return public + [f"default/hidden/{name}" for name in _differing("hidden", DEFAULT)]
 
 
 def _differing(kind: str, folder: Path) -> list[str]:
@@ -29,8 +27,7 @@ def _differing(kind: str, folder: Path) -> list[str]:
         fresh = Path(temporary)
         write(kind, fresh)
         names = {f.name for where in (fresh, folder) for f in where.glob("*.json")}
-        differ = sorted(n for n in names if _bytes(fresh / n) != _bytes(folder / n))
-    return [f"{folder.relative_to(FIXTURES)}/{name}" for name in differ]
+        return sorted(n for n in names if _bytes(fresh / n) != _bytes(folder / n))
 
 
 def all_differing() -> list[str]:

@@ -19,7 +19,7 @@ from bounce_grader.classroom.work.task import task_of, Stamp
 from bounce_grader.common.paths import STUBS
 from bounce_grader.grading.known_mistakes import for_the_instructor
 from bounce_grader.submission import submission
-from conftest import solution_files, write
+from conftest import ROOT, solution_files, write
 
 NOBODY = Similar((), 0)
 
@@ -176,7 +176,34 @@ def test_a_renamed_copy_is_found_and_the_handout_is_no_copy(tmp_path: Path) -> N
     assert [(pair.first, pair.second) for pair in near.pairs] == [("1", "2")]
     assert near.pairs[0].share >= 90
     assert near_copies.find(tmp_path, found, tasks, trust=False) == near
-    assert len(near_copies.own_text(tasks["3"]).strip()) < 200
+    assert len(near_copies.own_text(found[2].path, found[2].uploads).strip()) < 200
+
+
+def test_copies_of_another_year_and_of_two_parts_are_found(tmp_path: Path) -> None:
+    """One has handed in last year's; another has two parts of somebody's, and two of their own."""
+    solved = solution_files()
+    accepted = ROOT / "tests" / "submissions" / "accepted"
+    other = {
+        name: (accepted / folder / name).read_bytes()
+        for folder, name in (
+            ("corner_in_closed_form", "part1_contacts.cpp"),
+            ("lcp_entry_by_entry", "part2_lcp.cpp"),
+        )
+    }
+    last_year = write(tmp_path / "2025" / "old", {n: renamed(t) for n, t in solved.items()}).parent
+    mixed = {**{name: renamed(text) for name, text in solved.items()}, **other}
+    with zipfile.ZipFile(tmp_path / "x.zip", "w") as archive:
+        for user, files in enumerate([solved, mixed], 1):
+            for i, (name, text) in enumerate(files.items()):
+                archive.writestr(f"doe{user}_{user}_{user}{i}_{name}", text)
+    found = students.read(tmp_path / "x.zip").students
+    stamp = Stamp("kit", "fixtures", "options")
+    tasks = {s.id: task_of(s, stamp, tmp_path, False, False) for s in found}
+    near = near_copies.find(tmp_path, found, tasks, trust=False, corpus=[last_year])
+    assert not near.problem
+    pairs = {(pair.first, pair.second): pair for pair in near.pairs}
+    assert ("1", "2025/old") in pairs and {"1", "2"} <= {id for ids in pairs for id in ids}
+    assert not any(p.first.startswith("2025") for p in near.pairs)
 
 
 def test_progress_is_plain_lines_where_there_is_no_terminal(

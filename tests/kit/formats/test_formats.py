@@ -14,6 +14,7 @@ import odd_texts
 import pytest
 from bounce_grader import cli, formats
 from bounce_grader.common import escaping
+from bounce_grader.common.errors import UsageError
 from bounce_grader.common.manifest import parts
 from bounce_grader.formats import github, html, sentences, terminal
 from bounce_grader.formats.templates import fill
@@ -34,7 +35,9 @@ def record() -> dict[str, Any]:
     return loaded
 
 
-@pytest.mark.parametrize("name", [name for name in formats.NAMES if name not in ("json", "html")])
+@pytest.mark.parametrize(
+    "name", [name for name in formats.NAMES if name not in ("json", "html", "classroom50")]
+)
 def test_is_what_a_person_has_read(name: str, record: dict[str, Any]) -> None:
     assert formats.render(name, record, NOWHERE) + "\n" == (FOLDER / f"{name}.txt").read_text()
 
@@ -91,6 +94,32 @@ def hostile(record: dict[str, Any], text: str) -> dict[str, Any]:
             if check.get("shown"):
                 check["shown"]["sentence"] = check["shown"]["input"] = words
     return changed
+
+
+@pytest.fixture(autouse=True)
+def classroom50(monkeypatch: pytest.MonkeyPatch) -> None:
+    """What its runner sets."""
+    for name in ("CLASSROOM", "ASSIGNMENT", "COMMIT_URL", "RELEASE_URL"):
+        monkeypatch.setenv(name, name.lower())
+    monkeypatch.setenv("SUBMISSION_TAG", "submit/1")
+
+
+def test_classroom_50_gets_whole_numbers(
+    record: dict[str, Any], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    check = record["parts"][0]["checks"][0]
+    check["max_score"] += 0.5
+    check["score"] = check["max_score"] if check["passed"] else 0
+    result = json.loads(formats.render("classroom50", record, NOWHERE))
+    assert result["schema"] == "classroom50/result/v1" and result["submission"] == "submit/1"
+    assert result["review"] == "commit_url"
+    for one in (result, *result["tests"]):
+        assert type(one["score"]) is int and type(one["max-score"]) is int
+    assert result["max-score"] == 201
+    assert result["score"] == sum(test["score"] for test in result["tests"])
+    monkeypatch.delenv("CLASSROOM")
+    with pytest.raises(UsageError, match="CLASSROOM isn't set"):
+        formats.render("classroom50", record, NOWHERE)
 
 
 @given(TEXTS)

@@ -13,7 +13,7 @@ Cases = dict[str, list[dict[str, object]]]
 
 
 def written(kind: str, folder: Path) -> dict[str, bytes]:
-    fixtures.write(kind, folder)
+    fixtures.write(kind, folder, fixtures.secret())
     return {file.name: file.read_bytes() for file in folder.iterdir()}
 
 
@@ -31,7 +31,7 @@ def test_a_byte_of_difference_is_noticed(monkeypatch: pytest.MonkeyPatch, tmp_pa
     file.write_bytes(file.read_bytes().replace(b"0", b"1", 1))
     (tmp_path / "part5.json").write_text("{}")
     monkeypatch.setattr(published, "PUBLIC", tmp_path)
-    assert published.differing() == ["part2_lcp.json", "part5.json"]
+    assert published.differing() == ["public/part2_lcp.json", "public/part5.json"]
 
 
 def test_the_same_secret_gives_the_same_bytes(
@@ -56,8 +56,7 @@ def test_another_secret_gives_other_hidden_cases_and_the_same_public_ones(
 def test_every_secret_gives_every_check_its_cases(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path, secret: str
 ) -> None:
-    with_secret(monkeypatch, secret)
-    fixtures.write("hidden", tmp_path)
+    fixtures.write("hidden", tmp_path, secret)
     for part in parts():
         checks: Cases = json.loads((tmp_path / f"{part.stem}.json").read_text())["checks"]
         assert list(checks) == [check.id for check in part.checks]

@@ -150,6 +150,12 @@ def _canvas(path: Path, people: Mapping[str, str]) -> Class:
         else:
             either = canvas.parse(name) and "/" not in name
             intake.unmatched.append(Unmatched(name, EITHER if either else _no_name(name)))
+    take_uploads(intake, archive, users)
+    return intake
+
+
+def take_uploads(intake: Class, archive: Archive, users: Mapping[str, list[Upload]]) -> None:
+    """Adds the students who submitted these uploads to Canvas."""
     for user, uploads in users.items():
         page = canvas.feedback_name(tuple(uploads))
         name = page.removesuffix("_feedback.html")
@@ -169,7 +175,6 @@ def _canvas(path: Path, people: Mapping[str, str]) -> Class:
             )
             page_text = f"{first_few(student.unused, separator='. ')}. {HAND_IN}"
             intake.unmatched.append(Unmatched(name, reason, user, page, page_text))
-    return intake
 
 
 def _moodle(path: Path) -> Class:
@@ -444,8 +449,8 @@ def _has_a_part(path: Path) -> bool:
 
 
 def _common_prefix(path: Path, folders: list[Path]) -> int:
-    """The length of the assignment's name, with which GitHub Classroom begins each repository's
-    name; the login follows."""
+    """The length of the assignment's name, with which each repository's name begins; the login
+    follows."""
     named = path.name.removesuffix("-submissions") + "-"
     if all(folder.name.startswith(named) for folder in folders):
         return len(named)

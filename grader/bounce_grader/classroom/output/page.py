@@ -3,7 +3,7 @@
 import os
 import statistics
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 from urllib.parse import quote
 
@@ -11,7 +11,7 @@ from bounce_grader.classroom.intake.course import Course
 from bounce_grader.classroom.intake.students import Class
 from bounce_grader.classroom.output import charts
 from bounce_grader.classroom.output.charts import Bar, Point, Curve
-from bounce_grader.classroom.work.near_copies import MOST as MOST_PAIRS, Similar
+from bounce_grader.classroom.work.near_copies import MOST as MOST_PAIRS, Pair, Similar
 from bounce_grader.classroom.work.summary import Summary
 from bounce_grader.common.escaping import first_few, printable_name
 from bounce_grader.common.manifest import parts
@@ -33,7 +33,7 @@ def render(
     gradebook_sentences: Sequence[str],
     course: Course = Course(),
 ) -> str:
-    names = {s.student.id: _who(s) for s in summaries}
+    names = names_of(summaries)
     graded = [s for s in summaries if s.score is not None]
     scores = [s.score for s in summaries if s.score is not None]
     mistakes = Counter(name for s in graded for name in s.mistakes).most_common(15)
@@ -63,8 +63,12 @@ def render(
         looks=[[_who(s), "; ".join(s.needs_a_look)] for s in summaries if s.needs_a_look],
         near=near,
         left_out=first_few([names[id] for id in near.left_out]),
-        groups=[[names[id] for id in group] for group in _together(near) if len(group) > 2],
-        pairs=[[names[p.first], names[p.second], f"{p.share} %"] for p in near.pairs],
+        groups=[
+            [names.get(id, printable_name(id)) for id in group]
+            for group in _together(near)
+            if len(group) > 2
+        ],
+        pairs=[[*pair_names(p, names), pair_share(p)] for p in near.pairs],
         most_pairs=MOST_PAIRS,
         unmatched=[[printable_name(entry.name), entry.reason] for entry in submitted.unmatched],
         gradebook_sentences=gradebook_sentences,
@@ -77,8 +81,22 @@ def render(
     )
 
 
+def pair_names(pair: Pair, names: Mapping[str, str]) -> list[str]:
+    """Who is alike; of another year, the folder and the name."""
+    return [names.get(id, printable_name(id)) for id in (pair.first, pair.second)]
+
+
+def pair_share(pair: Pair) -> str:
+    of = f" of parts {' and '.join(map(str, pair.parts))}" if pair.parts else ""
+    return f"{pair.share} %{of}"
+
+
 def _full() -> float:
     return sum(part.points for part in parts())
+
+
+def names_of(summaries: Sequence[Summary]) -> dict[str, str]:
+    return {s.student.id: _who(s) for s in summaries}
 
 
 def _who(summary: Summary) -> str:

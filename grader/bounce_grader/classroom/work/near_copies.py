@@ -19,11 +19,13 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from shutil import which
 
-from bounce_grader.classroom.intake import handed_in
+from bounce_grader.classroom.intake import handed_in, students as students_of
+from bounce_grader.classroom.intake.canvas import Upload
 from bounce_grader.classroom.intake.students import Student
-from bounce_grader.classroom.work.task import Task
+from bounce_grader.classroom.work.task import digest, Task
 from bounce_grader.common.errors import about_one_submission, KitError, UsageError
 from bounce_grader.common.files import CLASS_FOLDER, temporary_folder, write_whole
+from bounce_grader.common.manifest import Part, parts
 from bounce_grader.common.paths import STUBS
 from bounce_grader.sandbox import box as boxes, processes
 
@@ -31,6 +33,8 @@ PROGRAM = "/usr/bin/sim_c++"
 RUN = "16"  # consecutive tokens that have to match, about two lines
 RELATIVES = 3  # of each submission
 LEAST = 60  # per cent in common
+LEAST_OF_PART = 90  # per cent of one part; right answers to a short task look alike
+LEAST_PARTS = 2  # alike, for a pair that isn't alike as a whole
 MOST = 200  # pairs
 LONGEST = 64 * 1024  # characters that are compared of each
 WITH_ITSELF = 4  # copies, which make six pairs; ulimit can only limit whole seconds
@@ -51,8 +55,9 @@ TOO_SLOW = "it repeats itself too much to be compared with others: look whether 
 @dataclass(frozen=True)
 class Pair:
     first: str  # a student's id
-    second: str
+    second: str  # another's; or one of another year's
     share: int  # per cent, of the submission of which it is more
+    parts: tuple[int, ...] = ()  # if only these are alike, and not the submissions as a whole
 
 
 @dataclass(frozen=True)
@@ -63,28 +68,56 @@ class Similar:
     left_out: Mapping[str, str] = field(default_factory=dict)  # sentences, by a student's id
 
 
-def find(out: Path, students: list[Student], graded: dict[str, Task], trust: bool) -> Similar:
-    """Finds near-copies. The result is cached in a file until the submissions change."""
+@dataclass(frozen=True)
+class Compared:
+    """A submission to compare: one of this class, or of another year's."""
+
+    id: str
+    path: Path
+    uploads: tuple[Upload, ...]
+    digest: str
+    of_another_year: bool = False
+
+
+def find(
+    out: Path,
+    students: list[Student],
+    graded: Mapping[str, Task],
+    trust: bool,
+    corpus: Iterable[Path] = (),
+) -> Similar:
+    """Finds near-copies, also of submissions in the folders `corpus`. The result is cached in a file
+    until the submissions change."""
     if which(PROGRAM) is None:
         return Similar(
             (), 0, "similarity-tester isn't installed: apt-get install similarity-tester"
         )
+    own = [Compared(s.id, s.path, s.uploads, graded[s.id].submission) for s in students]
+    compared = [*own, *(other for folder in corpus for other in _of_another_year(folder))]
     words = [
-        f"{RUN} {RELATIVES} {LEAST} {SECONDS}",
-        *(f"{s.id} {graded[s.id].submission}" for s in students),
+        f"{RUN} {RELATIVES} {LEAST} {LEAST_OF_PART} {SECONDS}",
+        *(f"{one.id} {one.digest}" for one in compared),
     ]
     name = hashlib.sha256(os.fsencode("\n".join(words))).hexdigest()
     kept = _read(out / "similar.json", name)
     if kept:
         return kept
     try:
-        similar = _find(students, graded, boxes.choose(boxes.kinds(trust)))
+        similar = _find(compared, boxes.choose(boxes.kinds(trust)))
     except KitError as error:
         return Similar((), 0, str(error))
-    pairs = [[pair.first, pair.second, pair.share] for pair in similar.pairs]
+    pairs = [[pair.first, pair.second, pair.share, pair.parts] for pair in similar.pairs]
     whole = {"of": name, "pairs": pairs, "usual": similar.usual, "left_out": similar.left_out}
     write_whole(out / "similar.json", json.dumps(whole))
     return similar
+
+
+def _of_another_year(folder: Path) -> list[Compared]:
+    intake = students_of.read(folder)
+    return [
+        Compared(f"{folder.name}/{s.name}", s.path, s.uploads, digest(s), True)
+        for s in intake.students
+    ]
 
 
 def _read(path: Path, name: str) -> Similar | None:
@@ -94,24 +127,50 @@ def _read(path: Path, name: str) -> Similar | None:
         return None
     if kept.get("of") != name:
         return None
-    pairs = tuple(Pair(*pair) for pair in kept["pairs"])
+    pairs = tuple(Pair(one, two, share, tuple(ps)) for one, two, share, ps in kept["pairs"])
     return Similar(pairs, kept["usual"], left_out=kept["left_out"])
 
 
-def _find(students: list[Student], graded: dict[str, Task], box: boxes.Box) -> Similar:
+def _find(compared: list[Compared], box: boxes.Box) -> Similar:
+    others = {one.id for one in compared if one.of_another_year}
+    left_out: dict[str, str] = {}
+    whole, usual = _alike(compared, None, LEAST, box, left_out)
+    pairs = {ids: Pair(*ids, share) for ids, share in whole.items()}
+    of_parts: dict[tuple[str, str], dict[int, int]] = defaultdict(dict)
+    there = [one for one in compared if one.id not in left_out]
+    for part in parts():
+        for ids, share in _alike(there, part, LEAST_OF_PART, box, left_out)[0].items():
+            of_parts[ids][part.number] = share
+    for ids, shares in of_parts.items():
+        if ids not in pairs and len(shares) >= LEAST_PARTS:
+            pairs[ids] = Pair(*ids, min(shares.values()), tuple(sorted(shares)))
+    wanted = [pair for pair in pairs.values() if not {pair.first, pair.second} <= others]
+    wanted.sort(key=lambda pair: (bool(pair.parts), -pair.share, pair.first, pair.second))
+    notes = {id: why for id, why in left_out.items() if id not in others}
+    return Similar(tuple(wanted[:MOST]), usual, left_out=notes)
+
+
+def _alike(
+    compared: list[Compared],
+    part: Part | None,
+    least: int,
+    box: boxes.Box,
+    left_out: dict[str, str],
+) -> tuple[dict[tuple[str, str], int], int]:
+    """The pairs whose shares stand out, as a whole or in one part; and the usual share. Adds to
+    `left_out` what can't be compared."""
     with temporary_folder(CLASS_FOLDER) as folder:
         files: dict[str, str] = {}
-        left_out: dict[str, str] = {}
-        for number, student in enumerate(students):
+        for number, one in enumerate(compared):
             try:
                 with about_one_submission("it can't be compared with others"):
-                    text = own_text(graded[student.id])
+                    text = own_text(one.path, one.uploads, part)
             except UsageError as error:
-                left_out[student.id] = str(error)
+                left_out[one.id] = str(error)
                 continue
             if text.strip():
                 (folder / f"{number:06}.cpp").write_text(text)
-                files[f"{number:06}"] = student.id
+                files[f"{number:06}"] = one.id
         box.give(folder)
         output = _by_line([[file] * WITH_ITSELF for file in files], folder, box)
         left_out |= {files.pop(file): TOO_SLOW for file, _ in ENDED.findall(output)}
@@ -121,10 +180,9 @@ def _find(students: list[Student], graded: dict[str, Task], box: boxes.Box) -> S
         left_out |= {files[file]: TOO_SLOW for pair in ENDED.findall(output) for file in pair}
         shares = _shares(output)
     usual = _usual(shares, len(files))
-    least = max(LEAST, (usual + 100) // 2)  # halfway between the usual share and 100
-    pairs = [Pair(files[a], files[b], share) for (a, b), share in shares.items() if share >= least]
-    pairs.sort(key=lambda pair: (-pair.share, pair.first, pair.second))
-    return Similar(tuple(pairs[:MOST]), usual, left_out=left_out)
+    least = max(least, (usual + 100) // 2)  # halfway between the usual share and 100
+    alike = {(files[a], files[b]): share for (a, b), share in shares.items() if share >= least}
+    return alike, usual
 
 
 def _by_line(lines: Iterable[Iterable[str]], folder: Path, box: boxes.Box) -> str:
@@ -174,15 +232,16 @@ def _usual(shares: dict[tuple[str, str], int], number: int) -> int:
     return round(statistics.median(all_closest)) if all_closest else 0
 
 
-def own_text(task: Task) -> str:
-    """The text that a student wrote, without lines of the handout."""
+def own_text(path: Path, uploads: tuple[Upload, ...], part: Part | None = None) -> str:
+    """The text that a student wrote, of all files or of one part, without lines of the handout."""
     try:
-        taken = handed_in.read(Path(task.path), task.uploads)
+        taken = handed_in.read(path, uploads)
     except UsageError:
         return ""
+    names = sorted(taken.files) if part is None else filter(None, [taken.parts.get(part.number)])
     handout = _handout()
     own = ""
-    for file in sorted(taken.files):
+    for file in names:
         text = io.StringIO(taken.files[file].decode("utf-8", "replace"), newline=None)
         while len(own) < LONGEST and (lines := text.readlines(LONGEST)):
             own += "".join(line for line in lines if line.strip() not in handout)

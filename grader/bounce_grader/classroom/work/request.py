@@ -22,6 +22,9 @@ class Request:
     trust: bool = False
     reveal: bool = False
     overwrite: bool = False
+    canvas: str = ""  # COURSE/ASSIGNMENT, in place of submissions
+    upload: bool = False
+    corpus: tuple[Path, ...] = ()
     regrade: str = ""
     apply: bool = False
     unit: Callable[[Task], Outcome] = units.run

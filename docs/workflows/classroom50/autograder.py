@@ -1,0 +1,101 @@
+#!/usr/bin/env python3
+"""Grades a submission on Classroom 50 by the public cases, and writes its result.json.
+
+Put it with the handout's zip, as bounce.zip, into CLASSROOM/autograders/ASSIGNMENT/ of the
+classroom50 repository. That folder is published: the handout holds nothing that students don't have.
+The hidden cases are graded by ./kit class, or on a runner of the course's own.
+"""
+
+import datetime
+import json
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import zipfile
+from pathlib import Path
+
+BUNDLE = Path(os.environ.get("CLASSROOM50_BUNDLE_DIR") or Path(__file__).resolve().parent)
+SECONDS = 300
+
+
+def run(*command: str, cwd: Path) -> None:
+    subprocess.run(command, cwd=cwd, check=False, timeout=SECONDS, stdout=sys.stderr)
+
+
+def unpack(folder: Path) -> Path:
+    """The handout, with the sources of the submission in place of the stubs."""
+    with zipfile.ZipFile(BUNDLE / "bounce.zip") as archive:
+        archive.extractall(folder)
+    home = folder / "bounce"
+    own = Path("src") if Path("src").is_dir() else Path(".")
+    for file in own.iterdir():
+        known = file.suffix in (".cpp", ".hpp", ".h") and file.name != "main.cpp"
+        if known and file.is_file() and not file.is_symlink():
+            shutil.copy(file, home / "src" / file.name)
+    return home
+
+
+def passed_checks(home: Path, stem: str) -> set[str]:
+    """The checks of a part that pass. A part that isn't built passes none."""
+    run("cmake", "--build", "build", "--parallel", "--target", f"{stem}_test", cwd=home)
+    report = home / f"{stem}.json"
+    program = home / "build" / f"{stem}_test"
+    if program.exists():
+        try:
+            run(str(program), f"--gtest_output=json:{report}", cwd=home)
+        except subprocess.TimeoutExpired:
+            pass
+    if not report.exists():
+        return set()
+    suites = json.loads(report.read_text())["testsuites"]
+    tests = [(suite["name"], test) for suite in suites for test in suite["testsuite"]]
+    return {f"{suite}.{t['name']}" for suite, t in tests if not t.get("failures")}
+
+
+def result(rows: list[dict[str, object]]) -> dict[str, object]:
+    """The runner adds who handed it in."""
+    env = os.environ
+    now = datetime.datetime.now(datetime.timezone.utc)
+    return {
+        "schema": "classroom50/result/v1",
+        "classroom": env["CLASSROOM"],
+        "assignment": env["ASSIGNMENT"],
+        "submission": env["SUBMISSION_TAG"],
+        "commit": env["COMMIT_URL"],
+        "release": env["RELEASE_URL"],
+        "review": env.get("REVIEW_URL") or env["COMMIT_URL"],
+        "datetime": now.strftime("%Y-%m-%dT%H:%M:%SZ"),
+        "score": sum(int(str(row["score"])) for row in rows),
+        "max-score": sum(int(str(row["max-score"])) for row in rows),
+        "tests": rows,
+    }
+
+
+def main() -> None:
+    rows = []
+    with tempfile.TemporaryDirectory() as name:
+        home = unpack(Path(name))
+        parts = json.loads((home / "tests" / "parts.json").read_text())["parts"]
+        points = [check["points"] for part in parts for check in part["checks"]]
+        scale = next(s for s in (1, 2, 4, 5, 10, 100) if all((p * s) % 1 == 0 for p in points))
+        run("cmake", "-S", ".", "-B", "build", cwd=home)
+        for part in parts:
+            passed = passed_checks(home, part["stem"])
+            for number, check in enumerate(part["checks"], 1):
+                most = int(check["points"] * scale)  # whole numbers alone are allowed
+                is_passed = check["id"] in passed
+                rows.append(
+                    {
+                        "test-name": f"{part['part']}.{number} {check['title']}",
+                        "passed": is_passed,
+                        "score": most if is_passed else 0,
+                        "max-score": most,
+                    }
+                )
+    Path("result.json").write_text(json.dumps(result(rows), indent=1))
+
+
+if __name__ == "__main__":
+    main()

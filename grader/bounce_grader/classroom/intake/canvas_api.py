@@ -1,0 +1,191 @@
+"""Canvas's API: downloads the submissions of an assignment, with the token of the environment.
+
+Lists come in pages, linked by the header Link. Where requests come too quickly, Canvas answers 403 or
+429, and they are tried again after a while. The token goes to Canvas's own address alone, and into no
+message.
+"""
+
+import json
+import math
+import os
+import re
+import time
+import urllib.error
+import urllib.parse
+import urllib.request
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from bounce_grader.classroom.intake import students
+from bounce_grader.classroom.intake.archive import opened
+from bounce_grader.classroom.intake.canvas import sanitized, Upload
+from bounce_grader.classroom.intake.students import Class
+from bounce_grader.common.errors import KitError, UsageError
+from bounce_grader.common.escaping import printable_name
+from bounce_grader.common.files import fitting, write_whole
+
+TRIES = 6
+WAIT = 1.0  # s before the second try; doubled each time
+SECONDS = 60.0  # of one request
+LARGEST = 64 << 20  # bytes of one file
+FILES = "canvas"  # the folder in OUT with what was downloaded
+
+
+class Refused(Exception):
+    """Canvas's answer to one request, which says nothing about the others."""
+
+
+class NoRedirect(urllib.request.HTTPRedirectHandler):
+    """Leaves a redirection to the caller, who sends no token elsewhere."""
+
+    def redirect_request(self, *_: Any) -> None:
+        return None
+
+
+OPENER = urllib.request.build_opener(NoRedirect)
+
+
+def token_of_environment() -> str:
+    """The token, which ./kit hands on by a descriptor, so that it isn't in the environment of a
+    process that starts a submission's. Raises UsageError if there is none."""
+    handed = os.environ.pop("CANVAS_TOKEN_FD", "")
+    token = os.environ.pop("CANVAS_TOKEN", "")
+    if handed.isdigit():
+        with os.fdopen(int(handed)) as stream:
+            token = stream.read()
+    if not token.strip():
+        raise UsageError(
+            "--canvas needs CANVAS_TOKEN in the environment: in Canvas, Account, Settings, New "
+            "Access Token"
+        )
+    return token.strip()
+
+
+class Canvas:
+    def __init__(self, url: str, assignment: str, token: str) -> None:
+        match = re.fullmatch(r"(\d+)/(\d+)", assignment)
+        if not match:
+            raise UsageError(f"--canvas takes COURSE/ASSIGNMENT, two numbers, not {assignment!r}")
+        parsed = urllib.parse.urlsplit(url)
+        local = parsed.hostname in ("localhost", "127.0.0.1")
+        if not parsed.hostname or parsed.scheme != "https" and not local:
+            raise UsageError(
+                "--canvas needs CANVAS_URL in the environment, as https://canvas.example.edu"
+            )
+        self.assignment = assignment
+        self._origin = f"{parsed.scheme}://{parsed.netloc}"
+        self.path = f"/api/v1/courses/{match[1]}/assignments/{match[2]}"
+        self._token = token
+
+    def all(self, path: str) -> Iterator[dict[str, Any]]:
+        """Every entry of a list, page by page."""
+        url: str | None = self._origin + path
+        while url:
+            body, headers = self.request("GET", url)
+            yield from _json(body)
+            link = re.search(r'<([^>]+)>;\s*rel="next"', headers.get("Link", ""))
+            url = link[1] if link else None
+
+    def call(self, method: str, path: str, fields: Mapping[str, str] = {}) -> Any:
+        data = urllib.parse.urlencode(fields).encode() if fields else None
+        return _json(self.request(method, self._origin + path, data)[0])
+
+    def request(
+        self, method: str, url: str, data: bytes | None = None, kind: str = ""
+    ) -> tuple[bytes, Mapping[str, str]]:
+        """The body and the headers of an answer. Raises UsageError if the token isn't accepted,
+        Refused if this request isn't, KitError if Canvas can't be reached."""
+        for attempt in range(TRIES):
+            if attempt:
+                time.sleep(WAIT * 2 ** (attempt - 1))
+            own = urllib.parse.urlsplit(url)
+            request = urllib.request.Request(url, data, method=method)
+            if f"{own.scheme}://{own.netloc}" == self._origin:
+                request.add_header("Authorization", f"Bearer {self._token}")
+            if kind:
+                request.add_header("Content-Type", kind)
+            try:
+                with OPENER.open(request, timeout=SECONDS) as answer:
+                    return answer.read(LARGEST + 1), dict(answer.headers)
+            except urllib.error.HTTPError as error:
+                if error.code in (301, 302, 303, 307, 308) and error.headers.get("Location"):
+                    url, method = urllib.parse.urljoin(url, error.headers["Location"]), "GET"
+                    data, kind = None, ""
+                    continue
+                body = error.read(10_000)
+                limited = error.code == 429 or error.code == 403 and b"Rate Limit" in body
+                if error.code == 401:
+                    raise UsageError(
+                        "Canvas doesn't accept the token: make a new one, and put it into "
+                        "CANVAS_TOKEN"
+                    ) from None
+                if not limited and error.code < 500:
+                    raise Refused(f"{error.code} {printable_name(error.reason or '')}") from None
+            except (urllib.error.URLError, OSError):
+                pass
+        raise KitError(
+            f"Canvas doesn't answer at {self._origin}; what is done is kept, so give the same "
+            "command again later"
+        )
+
+
+def _json(body: bytes) -> Any:
+    try:
+        return json.loads(body)
+    except ValueError as error:
+        raise KitError(
+            "Canvas answered with something else than JSON: is CANVAS_URL right?"
+        ) from error
+
+
+def download(canvas: Canvas, out: Path) -> Class:
+    """The class, with its files in OUT/canvas. A file that is there isn't downloaded again."""
+    folder = out / FILES
+    folder.mkdir(parents=True, exist_ok=True)
+    uploads: dict[str, list[Upload]] = {}
+    late: dict[str, int] = {}
+    try:
+        listed = list(canvas.all(f"{canvas.path}/submissions?include[]=user&per_page=100"))
+    except Refused as refused:
+        raise UsageError(
+            f"Canvas has no assignment {canvas.assignment} for you ({refused})"
+        ) from None
+    for submission in listed:
+        user = str(submission.get("user_id", ""))
+        person = submission.get("user") or {}
+        for attachment in submission.get("attachments") or []:
+            upload = _upload(user, person, bool(submission.get("late")), attachment)
+            if not (folder / upload.entry).exists():
+                _fetch(canvas, str(attachment.get("url", "")), folder / upload.entry)
+            uploads.setdefault(user, []).append(upload)
+        if submission.get("late"):
+            late[user] = max(1, math.ceil(float(submission.get("seconds_late") or 0) / 86400))
+    intake = Class("Canvas's API", service="canvas")
+    students.take_uploads(intake, opened(folder), uploads)
+    intake.students = [replace(s, late_days=late.get(s.id, 0)) for s in intake.students]
+    if not intake.students:
+        raise UsageError(f"nobody has submitted a file to the assignment {canvas.assignment} yet")
+    return intake
+
+
+def _upload(user: str, person: dict[str, Any], late: bool, attachment: dict[str, Any]) -> Upload:
+    """An attachment, with the name that it has in Canvas's download."""
+    id = int(attachment["id"])
+    name = fitting(sanitized(str(person.get("sortable_name") or user)), 80) or user
+    file = printable_name(str(attachment.get("display_name") or attachment.get("filename") or id))
+    stem, dot, ending = file.replace("/", "_").rpartition(".")
+    file = f"{fitting(stem, 80)}{dot}{fitting(ending, 20)}"
+    entry = f"{name}{'_LATE' if late else ''}_{user}_{id}_{file}"
+    return Upload(entry, name, user, late, id, file)
+
+
+def _fetch(canvas: Canvas, url: str, path: Path) -> None:
+    if urllib.parse.urlsplit(url).scheme not in ("http", "https"):
+        raise KitError(f"Canvas names no address for {path.name}")
+    try:
+        data, _ = canvas.request("GET", url)
+    except Refused as refused:
+        raise KitError(f"Canvas doesn't hand out {path.name} ({refused})") from None
+    write_whole(path, data[:LARGEST])

@@ -1,0 +1,154 @@
+"""Posts points and pages to Canvas: first shown as a plan, and then done if the plan is the same.
+
+OUT/uploaded.json is written after each student, so that a run that failed half-way goes on where it
+stopped, and no comment is posted twice.
+"""
+
+import hashlib
+import json
+import secrets
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from bounce_grader.classroom.intake.canvas_api import Canvas, Refused
+from bounce_grader.classroom.work.summary import Summary
+from bounce_grader.common.escaping import terminal
+from bounce_grader.common.files import write_whole
+from bounce_grader.common.numbers import short
+
+UPLOADED = "uploaded.json"
+PLAN = "plan.json"
+Uploaded = dict[str, dict[str, Any]]  # by user: "points" that were posted, and the "page"'s digest
+
+
+class Change(NamedTuple):
+    """What would be posted for one student; None where nothing is."""
+
+    user: str
+    name: str
+    before: float | None
+    points: float | None
+    page: str | None  # the file's name
+
+
+def plan(
+    canvas: Canvas, out: Path, summaries: Iterable[Summary], overwrite: bool
+) -> tuple[list[Change], list[str]]:
+    """The changes, and sentences about points that stay because a person has entered them."""
+    now = {str(s["user_id"]): s for s in canvas.all(f"{canvas.path}/submissions?per_page=100")}
+    uploaded = read(out)
+    changes, kept = [], []
+    for summary in summaries:
+        for one in summary.finals:
+            there = now.get(one.id)
+            if there is None:
+                kept.append(f"{one.name or one.id} ({one.id}) isn't in the assignment on Canvas")
+                continue
+            done = uploaded.get(one.id, {})
+            before, points = there.get("score"), round(one.points[0], 2)
+            ours = before is None or before == points or before in done.get("points", [])
+            posted: float | None = points if before != points else None
+            if there.get("excused"):
+                posted = None
+            elif posted is not None and not ours and not overwrite:
+                kept.append(
+                    f"{one.name} ({one.id}) keeps {short(before or 0.0)}, where the grading gives "
+                    f"{short(points)}; --overwrite replaces it"
+                )
+                posted = None
+            page = summary.student.feedback
+            is_new = done.get("page") != _digest(out, page)
+            if posted is not None or is_new:
+                changes.append(Change(one.id, one.name, before, posted, page if is_new else None))
+    return changes, kept
+
+
+def show(changes: list[Change]) -> list[str]:
+    lines = []
+    for change in changes:
+        before = "nothing" if change.before is None else short(change.before)
+        points = "" if change.points is None else f"{before} -> {short(change.points)} points"
+        page = "a page" if change.page else ""
+        what = " and ".join(filter(None, [points, page]))
+        lines.append(terminal(f"{change.name or change.user} ({change.user}): {what}"))
+    return lines
+
+
+def was_shown(out: Path, changes: list[Change]) -> bool:
+    """Whether these changes are among those that were shown last. Shows that they are now."""
+    text = json.dumps(changes)
+    path = out / PLAN
+    try:
+        shown = {json.dumps(change) for change in json.loads(path.read_text())}
+    except (OSError, ValueError):
+        shown = set()
+    write_whole(path, text)
+    return all(json.dumps(change) in shown for change in changes)
+
+
+def post(canvas: Canvas, out: Path, changes: list[Change]) -> list[str]:
+    """Posts the changes. Returns a sentence for each that Canvas refused."""
+    uploaded = read(out)
+    refused = []
+    for change in changes:
+        path = f"{canvas.path}/submissions/{change.user}"
+        done = uploaded.setdefault(change.user, {"points": [], "page": ""})
+        try:
+            fields = {}
+            if change.points is not None:
+                fields["submission[posted_grade]"] = short(change.points)
+            if change.page:
+                file = _upload(canvas, f"{path}/comments/files", out / "feedback" / change.page)
+                fields["comment[file_ids][]"] = str(file)
+            if change.points is not None:
+                done["points"] = [*done["points"], change.points]
+                _write(out, uploaded)  # so that it counts as ours if the answer is lost
+            canvas.call("PUT", path, fields)
+        except Refused as error:
+            refused.append(f"{change.name} ({change.user}): Canvas refused it ({error})")
+            continue
+        if change.page:
+            done["page"] = _digest(out, change.page)
+        _write(out, uploaded)
+    return refused
+
+
+def read(out: Path) -> Uploaded:
+    try:
+        words = json.loads((out / UPLOADED).read_text())
+        return {str(user): dict(done) for user, done in words.items()}
+    except (OSError, ValueError, AttributeError, TypeError):
+        return {}
+
+
+def _write(out: Path, uploaded: Uploaded) -> None:
+    write_whole(out / UPLOADED, json.dumps(uploaded, indent=1, sort_keys=True), durable=True)
+
+
+def _digest(out: Path, page: str) -> str:
+    try:
+        return hashlib.sha256((out / "feedback" / page).read_bytes()).hexdigest()
+    except OSError:
+        return ""
+
+
+def _upload(canvas: Canvas, path: str, file: Path) -> int:
+    """Uploads a page for a comment, in Canvas's three steps. Returns its id."""
+    data = file.read_bytes()
+    told = canvas.call(
+        "POST", path, {"name": "feedback.html", "size": str(len(data)), "content_type": "text/html"}
+    )
+    border = secrets.token_hex(16)
+    parts = [
+        f'--{border}\r\nContent-Disposition: form-data; name="{name}"\r\n\r\n{value}\r\n'.encode()
+        for name, value in told["upload_params"].items()
+    ]
+    head = (
+        f'--{border}\r\nContent-Disposition: form-data; name="file"; filename="feedback.html"\r\n'
+    )
+    parts += [head.encode(), b"Content-Type: text/html\r\n\r\n", data]
+    parts.append(f"\r\n--{border}--\r\n".encode())
+    kind = f"multipart/form-data; boundary={border}"
+    body, _ = canvas.request("POST", told["upload_url"], b"".join(parts), kind)
+    return int(json.loads(body)["id"])

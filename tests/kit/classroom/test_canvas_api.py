@@ -1,0 +1,154 @@
+"""Canvas by its API, against a small server: paging, limits of the rate, a wrong token, a failure
+half-way and going on, and nothing posted that wasn't shown."""
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import canvas_server
+import pytest
+from bounce_grader.classroom.intake import canvas_api
+from bounce_grader.common.errors import KitError, UsageError
+from canvas_server import State, TOKEN
+from classes import grade_class, points_of, text_of
+from conftest import write
+
+USERS = list(range(101, 109))
+
+
+@pytest.fixture
+def server(monkeypatch: pytest.MonkeyPatch) -> Iterator[State]:
+    monkeypatch.setattr(canvas_api, "WAIT", 0.001)
+    with canvas_server.running() as (url, state):
+        monkeypatch.setenv("CANVAS_URL", url)
+        for user in USERS:
+            state.add(user, f"Doe {user}, Jane", {"part2_lcp.cpp": text_of(user)})
+        yield state
+
+
+def run(
+    out: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    token: str = TOKEN,
+    canvas: str = "7/9",
+    **more: object,
+) -> int:
+    monkeypatch.setenv("CANVAS_TOKEN", token)
+    return grade_class(out, out, canvas=canvas, **more)
+
+
+def expected(tmp_path: Path) -> dict[int, float]:
+    return {user: float(points_of(user, tmp_path)) for user in USERS}
+
+
+def test_points_and_pages_are_posted_once_they_were_shown(
+    tmp_path: Path,
+    server: State,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    out = tmp_path / "out"
+    assert run(out, monkeypatch, upload=True) == 1  # not shown before
+    assert not server.comments and "wasn't shown before" in capsys.readouterr().out
+    assert run(out, monkeypatch, upload=True) == 0
+    scores = {user: s["score"] for user, s in server.submissions.items()}
+    assert scores == expected(tmp_path)
+    assert {user: len(pages) for user, pages in server.comments.items()} == dict.fromkeys(USERS, 1)
+    assert all(b"<!doctype html>" in pages[0] for pages in server.comments.values())
+    assert server.tokens_elsewhere == []
+    said = capsys.readouterr()
+    assert TOKEN not in said.out + said.err
+    assert not any(TOKEN in f.read_text(errors="replace") for f in out.rglob("*") if f.is_file())
+    assert run(out, monkeypatch) == 0  # nothing is left to do
+    assert "On Canvas, 0 students' points or pages would change" in capsys.readouterr().out
+
+
+def test_what_a_person_has_entered_is_kept_and_an_excuse_too(
+    tmp_path: Path,
+    server: State,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    out = tmp_path / "out"
+    for upload in (False, True):
+        run(out, monkeypatch, upload=upload)
+    server.submissions[101]["score"] = 12.5
+    server.submissions[102] |= {"excused": True, "score": None}
+    write(out, {"adjustments.csv": b"student,points,reason\n103,-1,late\n104,1,good\n"})
+    for upload in (False, True):
+        run(out, monkeypatch, upload=upload)
+    now = {user: s["score"] for user, s in server.submissions.items()}
+    points = expected(tmp_path)
+    changed = {101: 12.5, 102: None, 103: max(0, points[103] - 1), 104: points[104] + 1}
+    assert now == {**points, **changed}
+    assert "keeps 12.5" in capsys.readouterr().out
+    assert {len(server.comments[user]) for user in (103, 104)} == {2}
+    assert len(server.comments[105]) == 1
+
+
+def test_a_failure_half_way_is_gone_on_from(
+    tmp_path: Path, server: State, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    out = tmp_path / "out"
+    run(out, monkeypatch)
+    server.broken_after = 3
+    with pytest.raises(KitError, match="give the same command again later"):
+        run(out, monkeypatch, upload=True)
+    server.broken_after = -1
+    while run(out, monkeypatch, upload=True):
+        pass
+    assert {u: s["score"] for u, s in server.submissions.items()} == expected(tmp_path)
+    assert {len(pages) for pages in server.comments.values()} == {1}
+
+
+def test_requests_that_come_too_quickly_are_tried_again(
+    tmp_path: Path, server: State, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    server.limited = 4
+    assert run(tmp_path / "out", monkeypatch) == 0
+
+
+def test_lateness_is_counted_in_days(
+    tmp_path: Path, server: State, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    server.submissions[101] |= {"late": True, "seconds_late": 2 * 86400 + 1}
+    out = tmp_path / "out"
+    write(out, {"course.toml": b"[late]\npercent_per_day = 5\n"})
+    run(out, monkeypatch)
+    (page,) = (out / "feedback").glob("*_101_*")
+    assert "3 days late, 15 %" in page.read_text()
+
+
+@pytest.mark.parametrize(
+    "name", ["../../../evil.cpp", "a/b.cpp", "x" * 300 + ".cpp", ".cpp", "\x00"]
+)
+def test_no_name_of_a_file_leads_out_of_the_folder(
+    tmp_path: Path, server: State, monkeypatch: pytest.MonkeyPatch, name: str
+) -> None:
+    server.add(200, "../../Eve", {"part2_lcp.cpp": text_of(200), name: b""})
+    out = tmp_path / "out"
+    assert run(out, monkeypatch) == 0
+    assert not list(tmp_path.rglob("evil*")) or all(
+        out / "canvas" in path.parents for path in tmp_path.rglob("*evil*")
+    )
+
+
+@pytest.mark.parametrize(
+    "more, sentence",
+    [
+        ({"token": "wrong"}, "Canvas doesn't accept the token"),
+        ({"token": " "}, "needs CANVAS_TOKEN in the environment"),
+        ({"canvas": "7"}, "takes COURSE/ASSIGNMENT, two numbers"),
+        ({"canvas": "7/8"}, "Canvas has no assignment 7/8 for you"),
+    ],
+)
+def test_what_cannot_be_is_said_in_a_sentence(
+    tmp_path: Path,
+    server: State,
+    monkeypatch: pytest.MonkeyPatch,
+    more: dict[str, str],
+    sentence: str,
+) -> None:
+    with pytest.raises(UsageError) as refused:
+        run(tmp_path / "out", monkeypatch, **more)
+    assert sentence in str(refused.value) and "\n" not in str(refused.value)
+    assert not (tmp_path / "out" / "results").exists()
