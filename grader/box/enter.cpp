@@ -19,8 +19,9 @@
 // A build's COMMAND may write to one temporary folder. The word OUTPUT in it stands for a file
 // there.
 //
-// step is for g++ -wrapper: it runs COMMAND, and if a signal n ends it, exits with status 128 + n,
-// which g++ passes on (-pass-exit-codes).
+// step is for g++ -wrapper: it runs COMMAND, and exits with status 3 where COMMAND exits with 1,
+// and 128 + n if a signal n ends it. g++ passes these on (-pass-exit-codes), and exits with 1 only
+// where it can't start a program.
 #include <fcntl.h>
 #include <sched.h>
 #include <sys/prctl.h>
@@ -145,8 +146,10 @@ bool write_all(const char* data, ssize_t size) {
 // could be written, which a full disk prevents.
 bool hand_out() {
   struct stat about = {};
-  const int from = output < 0 ? -1 : ::open(made().c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK);
-  if (from < 0 || ::fstat(from, &about) != 0 || !S_ISREG(about.st_mode)) return true;
+  if (output < 0) return true;
+  const int from = ::open(made().c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK);
+  if (from < 0) return errno != ENFILE && errno != ENOMEM && errno != EIO;
+  if (::fstat(from, &about) != 0 || !S_ISREG(about.st_mode)) return true;
   static char chunk[1 << 16];
   ssize_t n = 0;
   while ((n = ::read(from, chunk, sizeof chunk)) > 0) {

@@ -109,7 +109,8 @@ int status_of(char** command) {
   }
   int status = 0;
   require(::waitpid(child, &status, 0), "waiting for a process");
-  return as_exit_status(status);
+  const int exit_status = as_exit_status(status);
+  return exit_status == 1 ? 3 : exit_status;
 }
 
 }  // namespace bounce::box

@@ -172,7 +172,7 @@ bool RunnerProcess::wait_until_readable(bool amid_an_answer) {
   pollfd both[2] = {{answers_, POLLIN, 0}, {prints_, POLLIN, 0}};
   const auto start = Clock::now();
   ::poll(both, 2, static_cast<int>(kBetweenLooks.count()));
-  waited_ += Clock::now() - start;
+  count_wait_since(start);
   if (both[1].revents != 0) drain_prints();
   if (Clock::now() - last_look_ >= kBetweenLooks) end_if_it_hangs(amid_an_answer);
   end_if_late(amid_an_answer);  // even if it answers byte by byte
@@ -195,7 +195,12 @@ void RunnerProcess::require_a_box() {
   if (box_is_made()) return;
   if (prints_ >= 0) drain_prints();
   kill();
-  throw NoBox("the box of a program couldn't be made: " + sanitize_line(last_print_, 200));
+  throw KitFailure("the box of a program couldn't be made: " + sanitize_line(last_print_, 200));
+}
+
+// A longer wait than was asked for isn't the program's: we were stopped, or had no CPU.
+void RunnerProcess::count_wait_since(Clock::time_point start) {
+  waited_ += std::min<Clock::duration>(Clock::now() - start, 2 * kBetweenLooks);
 }
 
 // Idle time is the time that we waited, minus the time in which the runner or we used or wanted a
@@ -230,6 +235,11 @@ void RunnerProcess::end_if_it_hangs(bool amid_an_answer) {
 void RunnerProcess::end_if_late(bool amid_an_answer) {
   if (waited_ < std::chrono::seconds(limits_.wall_seconds)) return;
   require_a_box();
+  const double seconds = pid_ < 0 ? 0 : usage_of(pid_).value_or(ProcessUsage{}).cpu_seconds;
+  if (pid_ >= 0 && seconds < limits_.cpu_seconds / 2.0) {
+    kill();
+    throw KitFailure("a program hardly ran: the machine was too busy");
+  }
   end_without_answer(amid_an_answer, " within " + std::to_string(limits_.wall_seconds) + " s");
 }
 
@@ -297,7 +307,7 @@ int RunnerProcess::wait_for_exit() {
     if (prints_ >= 0) drain_prints();
     const auto start = Clock::now();
     ::poll(nullptr, 0, 1);
-    waited_ += Clock::now() - start;
+    count_wait_since(start);
     if (Clock::now() - last_look_ >= kBetweenLooks) end_if_it_hangs(false);
   }
   return -1;

@@ -31,8 +31,8 @@ inline constexpr char kNotAskedFor[] =
     "the program wrote to where answers go (descriptor 4, which is the kit's), and what came isn't "
     "the answer that was asked for";
 
-// A runner's box couldn't be made: a failure of the kit.
-struct NoBox : std::runtime_error {
+// A runner's box couldn't be made, or the machine gave it no time: a failure of the kit.
+struct KitFailure : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
@@ -44,7 +44,7 @@ class RunnerProcess {
  public:
   // Starts `command` with the questions on descriptor 3 and the answers on 4; a box reports on 5
   // that it is made. Failures of the kit: throws std::runtime_error if the command can't be
-  // started, and later NoBox if its box can't be made.
+  // started, and later KitFailure.
   RunnerProcess(const std::vector<std::string>& command, const Limits& limits);
   // For tests: uses the given pipes, which it closes in the end, and starts no process. Answers may
   // be there before the questions.
@@ -78,6 +78,7 @@ class RunnerProcess {
   void hear_the_box();
   bool box_is_made();
   void require_a_box();
+  void count_wait_since(Clock::time_point start);
   void count_idle_time(const ProcessUsage& seen);
   void end_if_it_hangs(bool amid_an_answer);
   void end_if_late(bool amid_an_answer);

@@ -76,7 +76,7 @@ Frame Session::ask(Frame question, Trajectory* columns) {
       throw std::runtime_error("the program threw " + thrown_text(answer));
     }
     return answer;
-  } catch (const NoBox& failure) {
+  } catch (const KitFailure& failure) {
     fail(failure);
   } catch (const RunnerEnded& ended) {
     end_runner();

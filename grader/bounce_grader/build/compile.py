@@ -125,6 +125,7 @@ class _Compiling(NamedTuple):
         if not first.ok and not compiler.ran_out_of_time(first) and not first.flooded:
             gcc = compiler.gcc(self.file, self.submission, self.box, self.timed)
             result = self._run(gcc, folder, made, PROGRAMS)
+            compiler.require_that_gcc_began(result)
         size = made.stat().st_size
         self.spent.bytes += size
         if not result.ok or not size:

@@ -64,6 +64,14 @@ def require_a_compiler(result: processes.Result) -> None:
     # The system enforces the limit in ticks but reports in nanoseconds, so the two can differ.
     if result.killed and result.cpu_seconds < 0.7 * result.cpu_limit:
         raise KitError("the compiler was killed from outside; is the machine short of memory?")
+    if result.too_long and result.cpu_seconds < result.cpu_limit / 2:
+        raise KitError("a compiler hardly ran: the machine was too busy, or it was stopped")
+
+
+def require_that_gcc_began(result: processes.Result) -> None:
+    """Raises KitError if g++ couldn't start a program; if one fails, g++ has another status."""
+    if result.code in (1, 125):  # of g++ itself, or of its wrapper
+        raise KitError("g++ couldn't start its compiler; is the machine short of processes?")
 
 
 def misses_a_file(result: processes.Result) -> bool:

@@ -13,9 +13,10 @@ from bounce_grader.common.paths import BUILD, CACHE, RUNNER
 from bounce_grader.sandbox.box import Box
 from bounce_grader.submission.submission import Submission
 
-FORMAT = "a file of its own from a process of its own, whole"  # change it to invalidate all objects
+FORMAT = "a file of its own from a process of its own, with its digest"  # change it to invalidate all objects
 KEPT_IN_A_FOLDER = 64  # objects in each of the 256 folders
 KEPT_BYTES = 16 << 20  # bytes in each folder
+DIGEST = 32  # bytes
 IN_USE = 3600  # seconds; every grading is over by then
 
 
@@ -64,23 +65,30 @@ def place(name: str) -> Path:
 
 
 def is_there(object_file: Path) -> bool:
-    """Whether the object exists. Marks it as used, so that it stays for this grading."""
+    """Whether the object exists, and is what was stored: a machine that lost its power may have
+    kept half of it. Marks it as used, so that it stays for this grading."""
     try:
         os.utime(object_file)
+        data = object_file.read_bytes()
     except FileNotFoundError:
         return False
-    return True
+    return _digest(data[:-DIGEST]) == data[-DIGEST:]
 
 
 def store(data: bytes, path: Path) -> Path:
-    """Writes an object, whole or not at all, so that concurrent gradings can share it."""
+    """Writes an object, whole or not at all, so that concurrent gradings can share it. Its digest
+    follows it; no linker looks beyond an object's end."""
     path.parent.mkdir(parents=True, exist_ok=True)
     forget_old(path.parent)
     temporary = path.with_suffix(f".{os.getpid()}.{id(data)}")
-    temporary.write_bytes(data)
+    temporary.write_bytes(data + _digest(data))
     temporary.chmod(0o644)  # whatever the umask: a box reads it as another user
     temporary.replace(path)
     return path
+
+
+def _digest(data: bytes) -> bytes:
+    return hashlib.sha256(data).digest()
 
 
 def forget_old(folder: Path) -> None:

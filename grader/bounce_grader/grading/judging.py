@@ -82,6 +82,7 @@ def judge(
     box.budget.require()
     # Not limited by the budget: the judge keeps to the seconds above, and reports what passed.
     result = processes.run(command, WAIT._replace(memory=None) if checked else WAIT)
+    box.budget.require_machine()
     if not result.ok:
         raise KitError(f"the judge failed on part {part.number}: {result.err.strip() or 'killed'}")
     answer = read_answer(result.out, part)

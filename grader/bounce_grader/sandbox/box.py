@@ -208,7 +208,8 @@ def _help() -> str:
     program = Path("/usr/bin/bwrap")
     kept = BUILD / f"bwrap-help-{program.stat().st_mtime_ns}"
     with suppress(OSError):
-        return kept.read_text()
+        if "--help" in (text := kept.read_text()):
+            return text
     asked = processes.run([str(program), "--help"])
     if asked.ok:
         with suppress(OSError):  # if it can't be cached, bubblewrap is asked each time

@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from threading import Condition
 
+from bounce_grader.common.errors import KitError
 from bounce_grader.sandbox.processes import Limits
 
 CPU_SECONDS = 60.0
@@ -74,12 +75,23 @@ class Budget:
         return self._cpu_end - _cpu(), self._wall_end - time.monotonic()
 
     def require(self) -> None:
-        """Raises Overrun if nothing is left."""
+        """Raises Overrun if nothing is left, and KitError if that isn't the submission's doing."""
+        self.require_machine()
         cpu, wall = self.left()
         if cpu <= 0:
             raise Overrun(f"the grading as a whole had used its {self._limits[0]:g} s of CPU time")
         if wall <= 0:
             raise Overrun(f"the grading as a whole had taken its {self._limits[1]:g} s")
+
+    def require_machine(self) -> None:
+        """Raises KitError if the time is up, but little CPU time is used: the machine was too busy,
+        or the grading was stopped. A program may sleep for a few seconds only."""
+        cpu, wall = self.left()
+        if wall <= 0 and cpu > self._limits[0] / 2:
+            raise KitError(
+                f"in {self._limits[1]:.0f} s this grading had {self._limits[0] - cpu:.0f} s of CPU "
+                "time: the machine was too busy, or it was stopped; run the same command again"
+            )
 
     @contextmanager
     def paused(self) -> Iterator[None]:

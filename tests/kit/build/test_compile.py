@@ -8,7 +8,7 @@ from contextlib import suppress
 from pathlib import Path
 
 import pytest
-from bounce_grader.build import compile as compiling, compiler, object_cache
+from bounce_grader.build import compile as compiling, compiler, linking, object_cache
 from bounce_grader.common.errors import KitError
 from bounce_grader.common.files import temporary_folder
 from bounce_grader.common.manifest import parts
@@ -121,8 +121,9 @@ def test_what_was_compiled_without_a_box_is_not_taken_in_one() -> None:
 
 def test_an_object_in_use_is_not_forgotten(tmp_path: Path) -> None:
     files = [tmp_path / f"{n:03}" for n in range(100)]
+    object_cache.store(b"x", files[0])
     for n, file in enumerate(files):
-        file.write_bytes(b"")
+        file.touch()
         os.utime(file, (n, n))
     assert object_cache.is_there(files[0]) and not object_cache.is_there(tmp_path / "nothing")
     object_cache.forget_old(tmp_path)
@@ -306,3 +307,30 @@ def test_a_full_disk_costs_no_points_now_or_later(
     finally:
         subprocess.run(["umount", str(disk)], check=True)
     assert points(grade_path(files)) == FULL
+
+
+@pytest.mark.parametrize("damage", [b"", bytes(5000), b"half"])
+def test_an_object_that_lost_its_content_is_made_anew(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, damage: bytes
+) -> None:
+    """As after a loss of power."""
+    monkeypatch.setattr(object_cache, "CACHE", tmp_path / "cache")
+    monkeypatch.setattr(linking, "CACHE", tmp_path / "cache")
+    write(tmp_path / "s", solution_files())
+    assert points(grade_path(tmp_path / "s")) == FULL
+    kept = [file for file in (tmp_path / "cache").rglob("*") if file.is_file()]
+    assert len(kept) == 4
+    for file in kept:
+        file.write_bytes(damage)
+    assert points(grade_path(tmp_path / "s")) == FULL
+
+
+def test_a_gcc_that_can_start_nothing_is_a_fault_of_the_machine(tmp_path: Path) -> None:
+    """Of what clang rejects and g++ accepts, no error of clang's may be told instead."""
+    only = b"#ifdef __clang__\n#error\n#endif\n" + solution_files()["part1_contacts.cpp"]
+    taken = read(write(tmp_path / "s", {"part1_contacts.cpp": _new() + only}))
+    box = Box("none")
+    command = [w.replace(str(box.enter), "/nowhere") for w in compiler.gcc("x", taken, box)]
+    with pytest.raises(KitError, match="couldn't start its compiler"):
+        compiler.require_that_gcc_began(compiler.run(command, tmp_path, box, tmp_path / "o"))
+    assert compiling.compile_all(taken, tmp_path, box, 1).parts[1].path

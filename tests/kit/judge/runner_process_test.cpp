@@ -83,6 +83,12 @@ TEST(RunnerProcess, CountsNoIdleTimeOfOneThatWorks) {
   EXPECT_GT(runner.spent(), 0.5);
 }
 
+TEST(RunnerProcess, CountsNoTimeInWhichTheJudgeItselfIsStopped) {
+  const std::string frozen = "kill -STOP $PPID; sleep 3; kill -CONT $PPID; " + kFrame;
+  RunnerProcess runner({"/bin/sh", "-c", frozen + "exec sleep 1000"}, judge::Limits());
+  EXPECT_NO_THROW(runner.receive());
+}
+
 RunnerProcess boxed(const std::string& script) {
   judge::Limits limits;
   limits.boxed = true;
@@ -97,7 +103,7 @@ TEST(RunnerProcess, BlamesNobodyForABoxThatIsNotMade) {
       ADD_FAILURE() << script;
     } catch (const RunnerEnded&) {
       ADD_FAILURE() << script << " counts as the program's fault";
-    } catch (const judge::NoBox& error) {
+    } catch (const judge::KitFailure& error) {
       EXPECT_NE(std::string(error.what()).find("couldn't be made"), std::string::npos);
     }
   }

@@ -14,6 +14,7 @@ from bounce_grader.common.manifest import parts
 from bounce_grader.common.parallel_map import parallel_map
 from bounce_grader.grading import judging
 from bounce_grader.grading.grade import grade as grade_path, Options
+from bounce_grader.common.errors import KitError
 from bounce_grader.sandbox import box as boxes, budget
 from bounce_grader.sandbox.budget import Budget, Overrun
 from bounce_grader.sandbox.processes import Limits
@@ -31,8 +32,19 @@ def test_less_is_allowed_where_less_is_left() -> None:
         assert short.cpu_seconds <= 3 and short.wall_seconds < 4
     with pytest.raises(Overrun, match="0 s of CPU time"), Budget(0, 100).within(LIMITS):
         pass
-    with pytest.raises(Overrun, match="taken its 0 s"), Budget(100, 0).within(LIMITS):
+    used = Budget(100, 0)
+    used.charge(60)
+    with pytest.raises(Overrun, match="taken its 0 s"), used.within(LIMITS):
         pass
+
+
+def test_time_that_the_machine_takes_costs_nobody_points() -> None:
+    """As while a class is stopped by Ctrl-Z, or on a machine with far too much to do."""
+    late = Budget(100, 0)
+    with pytest.raises(KitError, match="too busy, or it was stopped"), late.within(LIMITS):
+        pass
+    with pytest.raises(KitError, match="had 0 s of CPU time"):
+        grade_path(SOLUTION, Options(within=Budget(60, 0)))
 
 
 def test_processes_side_by_side_may_not_use_the_rest_each(tmp_path: Path) -> None:
@@ -72,7 +84,9 @@ def test_what_we_use_ourselves_counts() -> None:
 
 
 def test_a_grading_without_time_says_so_of_every_part() -> None:
-    record = grade_path(SOLUTION, Options(within=Budget(60, 0)))
+    used = Budget(60, 0)
+    used.charge(40)
+    record = grade_path(SOLUTION, Options(within=used))
     assert record["score"] == 0
     assert all("the grading as a whole had taken its 0 s" in p["message"] for p in record["parts"])
 
