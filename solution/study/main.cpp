@@ -48,7 +48,8 @@ std::map<std::string, Question> questions() {
           {"bad_input", timed(bad_input)},
           {"examples", untimed(examples)},
           {"least_model", timed(least_model)},
-          {"chosen_model", timed(chosen_model)}};
+          {"chosen_model", timed(chosen_model)},
+          {"random_models", untimed(random_models)}};
 }
 
 int run(const std::vector<std::string>& words, const Extent& extent) {

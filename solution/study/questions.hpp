@@ -50,5 +50,7 @@ Table examples();
 Table least_model(const Scenes& scenes, const Extent& extent);
 // What the simulator that chooses its model used, its distance to the whole model, and its gain.
 Table chosen_model(const Scenes& scenes, const Extent& extent);
+// Columns: chosen, least, scenes, chosen_wrong, largest_error_m. Of a thousand random scenes.
+Table random_models();
 
 }  // namespace bounce::study

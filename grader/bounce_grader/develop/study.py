@@ -6,6 +6,7 @@ import sys
 from pathlib import Path
 from typing import Any
 
+from bounce_grader.common.errors import UsageError
 from bounce_grader.common.paths import ROOT
 
 
@@ -21,14 +22,25 @@ def add(commands: Any) -> None:
     parser.add_argument(
         "--peers", action="store_true", help="the engines that people use, too; installs them"
     )
+    measured = parser.add_argument_group("measured impacts and drops, for the question `measured`")
+    measured.add_argument("--squares", type=Path, metavar="FILE", help="drops of squares")
+    measured.add_argument("--ellipses", type=Path, metavar="FILE", help="impacts of ellipses")
+    measured.add_argument(
+        "--json", type=Path, metavar="FILE", help="what their page is made of, as one object"
+    )
     parser.set_defaults(command=_study)
 
 
 def _study(options: argparse.Namespace) -> int:
     sys.path.insert(0, str(ROOT / "solution" / "study"))
-    from bounce_study import run
+    from bounce_study import measured_part, run
 
+    files = measured_part.Files(options.squares, options.ellipses, options.json)
+    wrong = files.others and options.questions != [measured_part.NAME]
+    if wrong or (files.json and measured_part.NAME not in options.questions):
+        raise UsageError("--squares, --ellipses and --json are for ./kit study measured")
+    if files.others and not options.out:  # the committed page is about the committed figures
+        return measured_part.report(files, options.quick)
     out = options.out or run.STUDIES
-    return run.run(
-        run.Request(out.absolute(), options.quick, options.peers, tuple(options.questions))
-    )
+    questions = tuple(options.questions)
+    return run.run(run.Request(out.absolute(), options.quick, options.peers, questions, files))

@@ -15,7 +15,8 @@ import jinja2
 
 from bounce_grader.common.errors import UsageError
 from bounce_study import chart_style, numbers
-from bounce_study import facts_models, facts_peers, facts_speed, facts_stability
+from bounce_study import facts_measured, facts_models, facts_peers, facts_speed, facts_stability
+from bounce_study.measured_part import TABLES as MEASURED
 from bounce_study.tables import Tables
 
 TEMPLATES = Path(__file__).parent / "pages"
@@ -33,21 +34,22 @@ class Page:
 
 
 SPEED_PAGE, PEERS_PAGE = "speed_accuracy.md", "peers.md"
-SPEED = ("speed_accuracy", "speed_ratios", "order", "truth")
+SPEED = ("speed_accuracy", "speed_ratios", "order", "truth", "examples")
 STABILITY = tuple(
     "energy_gain examples rest_and_drift flat_landing depth order gauss_seidel solution_count "
     "almost_flat scaling bad_input".split()
 )
-MODELS = ("least_model", "chosen_model")
+MODELS = ("least_model", "chosen_model", "random_models")
 PEERS = tuple(f"peers{name}" for name in ("", "_beside", "_ratios", "_settings", "_steps"))
 PAGES = (
     Page(SPEED_PAGE, SPEED, (facts_speed.facts,)),
     Page("stability.md", STABILITY, (facts_stability.facts,)),
     Page("least_model.md", MODELS, (facts_models.facts,)),
+    Page("measured.md", MEASURED, (facts_measured.facts,)),
     Page(
         "README.md",
-        SPEED + STABILITY + MODELS,
-        (facts_speed.facts, facts_stability.facts, facts_models.facts),
+        SPEED + STABILITY + MODELS + MEASURED,
+        (facts_speed.facts, facts_stability.facts, facts_models.facts, facts_measured.facts),
     ),
     Page(PEERS_PAGE, (*PEERS, "peers_variants"), (facts_peers.facts,)),
 )
