@@ -57,7 +57,8 @@ std::map<std::string, Question> questions() {
           {"examples", untimed(examples)},
           {"least_model", timed(least_model)},
           {"chosen_model", timed(chosen_model)},
-          {"tolerance", {untimed(tolerance).answer, false, true}}};
+          {"tolerance", {untimed(tolerance).answer, false, true}},
+          {"random_models", untimed(random_models)}};
 }
 
 int run(const std::vector<std::string>& words, const Extent& extent) {

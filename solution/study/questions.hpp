@@ -50,6 +50,8 @@ Table examples();
 Table least_model(const Scenes& scenes, const Extent& extent);
 // What the simulator that chooses its model used, its distance to the whole model, and its gain.
 Table chosen_model(const Scenes& scenes, const Extent& extent);
+// Columns: chosen, least, scenes, chosen_wrong, largest_error_m. Of a thousand random scenes.
+Table random_models();
 
 // What simulate_to promises in random scenes, and what it takes: how many it answers by which
 // method and refuses, how often an error is larger than its bound, the bound over the error, and

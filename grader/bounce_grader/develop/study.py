@@ -21,7 +21,10 @@ def add(commands: Any) -> None:
     )
     parser.add_argument("--tolerance", metavar="METRES", help="of simulate: the largest error")
     parser.add_argument(
-        "--json", type=Path, metavar="FILE", help="of simulate: times, q, v, bound and horizon"
+        "--json",
+        type=Path,
+        metavar="FILE",
+        help="of simulate: times, q, v, bound and horizon; of measured: what its page is made of",
     )
     parser.add_argument(
         "--out", type=Path, metavar="FOLDER", help="what is written (default: docs/studies)"
@@ -30,21 +33,32 @@ def add(commands: Any) -> None:
     parser.add_argument(
         "--peers", action="store_true", help="the engines that people use, too; installs them"
     )
+    measured = parser.add_argument_group("measured impacts and drops, for the question `measured`")
+    measured.add_argument("--squares", type=Path, metavar="FILE", help="drops of squares")
+    measured.add_argument("--ellipses", type=Path, metavar="FILE", help="impacts of ellipses")
     parser.set_defaults(command=_study)
 
 
 def _study(options: argparse.Namespace) -> int:
     sys.path.insert(0, str(ROOT / "solution" / "study"))
-    from bounce_study import run
+    from bounce_study import measured_part, run
 
     if options.questions[:1] == ["simulate"]:
         return _simulate(options)
-    if options.tolerance or options.json:
-        raise UsageError("--tolerance and --json belong to ./kit study simulate SCENE.json")
+    if options.tolerance:
+        raise UsageError("--tolerance is for ./kit study simulate SCENE.json")
+    files = measured_part.Files(options.squares, options.ellipses, options.json)
+    wrong = files.others and options.questions != [measured_part.NAME]
+    if wrong or (files.json and measured_part.NAME not in options.questions):
+        raise UsageError(
+            "--squares and --ellipses are for ./kit study measured, and --json for it and for "
+            "./kit study simulate SCENE.json"
+        )
+    if files.others and not options.out:  # the committed page is about the committed figures
+        return measured_part.report(files, options.quick)
     out = options.out or run.STUDIES
-    return run.run(
-        run.Request(out.absolute(), options.quick, options.peers, tuple(options.questions))
-    )
+    questions = tuple(options.questions)
+    return run.run(run.Request(out.absolute(), options.quick, options.peers, questions, files))
 
 
 def _simulate(options: argparse.Namespace) -> int:

@@ -44,10 +44,10 @@ def ladder(tables: Tables) -> bytes:
     return chart_style.svg(figure)
 
 
-def _bar(axes: Any, i: int, height: float, row: Row) -> None:
+def _dot(axes: Any, i: int, height: float, row: Row) -> None:
     right = "#bbbbbb" if number(row, "error_m") <= chart_style.FINE else "white"
     shade = "black" if row["least"] == "1" else right
-    axes.bar(i, height, color=shade, edgecolor="black", linewidth=0.7)
+    axes.plot([i], [height], "o", mfc=shade, mec="black", mew=0.8, markersize=6)
 
 
 def _errors(axes: Any, models: list[Row]) -> None:
@@ -56,18 +56,19 @@ def _errors(axes: Any, models: list[Row]) -> None:
     for i, row in enumerate(models):
         error = number(row, "error_m")
         if math.isfinite(error):
-            _bar(axes, i, max(error, EXACT * 5), row)
+            _dot(axes, i, max(error, EXACT * 5), row)
         else:
             axes.plot([i], [1e1], "x", color="black", markersize=6)
     axes.set(yticks=[1e-15, 1e-9, 1e-3, 1e3], xticks=range(len(models)))
+    axes.set_xlim(-0.5, len(models) - 0.5)
     axes.tick_params(labelbottom=False)
 
 
 def _times(axes: Any, models: list[Row]) -> None:
     axes.set(yscale="log", ylim=(10, 1e9))
     for i, row in enumerate(models):
-        _bar(axes, i, number(row, "ns_per_simulated_second"), row)
-    axes.set(yticks=[1e2, 1e5, 1e8], xticks=range(len(models)))
+        _dot(axes, i, number(row, "ns_per_simulated_second"), row)
+    axes.set(yticks=[1e2, 1e5, 1e8], xticks=range(len(models)), xlim=(-0.5, len(models) - 0.5))
 
 
 def chosen(tables: Tables) -> bytes:

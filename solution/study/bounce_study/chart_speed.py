@@ -11,7 +11,7 @@ from bounce_study.measurements import Run
 from bounce_study.point_labels import PointLabels
 from bounce_study.tables import number, numbers, Tables
 
-COLUMNS = 2
+COLUMNS = 3
 LEFT, RIGHT = 1e-8, 30.0  # m: what is more exact lies in a strip at the left edge
 README_SCENE = "oblique_bounce"
 TIME = "CPU time per simulated second, ns"
@@ -21,7 +21,7 @@ def panels(tables: Tables) -> bytes:
     runs = measurements.read(tables)
     scenes = measurements.scenes(runs)
     rows = math.ceil((len(scenes) + 1) / COLUMNS)
-    layout = {"figsize": (chart_style.WIDTH, 4.2 * rows), "sharex": True, "sharey": True}
+    layout = {"figsize": (chart_style.WIDTH * 1.3, 3.2 * rows), "sharex": True, "sharey": True}
     figure, grid = chart_style.pyplot().subplots(rows, COLUMNS, **layout)
     for axes, scene in zip(grid.flat, scenes):
         _lines(axes, runs, scene)
@@ -29,10 +29,10 @@ def panels(tables: Tables) -> bytes:
     for axes in grid[:, 0]:
         axes.set_ylabel(TIME)
     _legend(grid.flat[len(scenes)], runs)
-    letters = _letters(runs)
-    _explain_marks(figure, letters, 165)
+    digits = _digits(runs)
+    _explain_marks(figure, digits, 215)
     for axes, scene in zip(grid.flat, scenes):
-        _label_points(axes, runs, scene, letters)
+        _label_points(axes, runs, scene, digits)
     return chart_style.svg(figure)
 
 
@@ -45,9 +45,9 @@ def one(tables: Tables) -> bytes:
     axes.set(xlabel="error, m", ylabel=TIME)
     key.axis("off")
     _legend(key, runs)
-    letters = _letters(runs)
-    _explain_marks(figure, letters, 125)
-    _label_points(axes, runs, README_SCENE, letters)
+    digits = _digits(runs)
+    _explain_marks(figure, digits, 125)
+    _label_points(axes, runs, README_SCENE, digits)
     return chart_style.svg(figure)
 
 
@@ -91,7 +91,7 @@ def _draw_line(axes: Any, line: list[Run], style: Style) -> None:
         axes.plot(x[-1:], y[-1:], style.marker, mfc="white", mec=style.color, ms=8, zorder=4)
 
 
-def _label_points(axes: Any, runs: list[Run], scene: str, letters: dict[str, str]) -> None:
+def _label_points(axes: Any, runs: list[Run], scene: str, digits: dict[str, str]) -> None:
     """Writes the reasons of failures first, then settings where there is room."""
     labels = PointLabels(axes)
     lines = [_line_of(runs, scene, method) for method in measurements.methods(runs)]
@@ -102,7 +102,7 @@ def _label_points(axes: Any, runs: list[Run], scene: str, letters: dict[str, str
     for line in lines:
         reason = measurements.failure(line, chart_style.FINE)
         if reason:
-            labels.add(letters[reason], *_point(line[-1]), 8, 5, fontweight="bold", zorder=6)
+            labels.add(digits[reason], *_point(line[-1]), 8, 5, fontweight="bold", zorder=6)
     for line in lines:
         if not line[0].peer:
             _label_settings(labels, line)
@@ -118,14 +118,15 @@ def _label_settings(labels: PointLabels, line: list[Run]) -> None:
             labels.add(f"1e{round(power)}", *_point(run), 6, 3, color=readable, zorder=5)
 
 
-def _letters(runs: list[Run]) -> dict[str, str]:
-    """Gives a letter to each reason for which a method doesn't come within the tolerance."""
+def _digits(runs: list[Run]) -> dict[str, str]:
+    """Numbers the reasons for which a method doesn't come within the tolerance; letters are
+    engines."""
     reasons = {
         measurements.failure(measurements.of(runs, scene, method), chart_style.FINE)
         for scene in measurements.scenes(runs)
         for method in measurements.methods(runs)
     }
-    return dict(zip(sorted(reasons - {""}), "abcdefghijklmnopqrstuvwxyz"))
+    return {reason: str(i) for i, reason in enumerate(sorted(reasons - {""}), start=1)}
 
 
 def _legend(axes: Any, runs: list[Run]) -> None:
@@ -141,13 +142,13 @@ def _handle(label: str, line: dict[str, Any]) -> Any:
     return chart_style.pyplot().Line2D([], [], label=label, **line)
 
 
-def _explain_marks(figure: Any, letters: dict[str, str], width: int) -> None:
+def _explain_marks(figure: Any, digits: dict[str, str], width: int) -> None:
     """Says below the panels what the marks mean."""
     text = "At points: Δt in s, where there is room; event-driven: the tolerance."
     text += " Grey strip: 1e-8 m or less."
-    if letters:
+    if digits:
         text += " An open mark ends a line that is never within 1 mm, because "
-        text += "; ".join(f"({letter}) {reason}" for reason, letter in letters.items()) + "."
+        text += "; ".join(f"({digit}) {reason}" for reason, digit in digits.items()) + "."
     lines = textwrap.wrap(text, width)
     room = (len(lines) + 0.5) * 0.155 / figure.get_figheight()
     figure.text(0.02, 0.1 / figure.get_figheight(), "\n".join(lines), va="bottom", fontsize=7.5)
@@ -193,39 +194,41 @@ def _order_line(method: str) -> dict[str, Any]:
 
 def profile(tables: Tables) -> bytes:
     """Draws Dolan and Moré's profile: the share of problems that a method solves within a factor of
-    the fastest. Our methods and the peers have a panel each; every line ends, and is named, where
-    it stays level."""
+    the fastest. Our methods and the peers have a panel each, with the same scales; every line ends,
+    and is named, where it stays level."""
     runs = measurements.read(tables)
     ratios = profiles(runs)
     peers = measurements.peers(runs)
     groups = [("our methods", [m for m in ratios if m not in peers])]
     groups += [("engines and numpy", peers)] if peers else []
-    layout = {"figsize": (chart_style.WIDTH, 4.2), "squeeze": False}
+    layout = {"figsize": (chart_style.WIDTH, 4.2), "squeeze": False, "sharey": True}
     figure, grid = chart_style.pyplot().subplots(1, len(groups), **layout)
+    furthest = max(r for own in ratios.values() for r in own if math.isfinite(r))
     for axes, (title, group) in zip(grid[0], groups):
         axes.set_title(title)
-        _profile_panel(axes, {method: ratios[method] for method in group}, peers)
+        _profile_panel(axes, {method: ratios[method] for method in group}, peers, furthest)
     grid[0][0].set_ylabel("share of the problems")
     figure.tight_layout()
     return chart_style.svg(figure)
 
 
-def _profile_panel(axes: Any, ratios: dict[str, list[float]], peers: list[str]) -> None:
-    solved = [r for own in ratios.values() for r in own if math.isfinite(r)]
-    first, last = min(solved, default=1.0), max(solved, default=1.0)
-    end = last * (last / first) ** 0.08
+def _profile_panel(
+    axes: Any, ratios: dict[str, list[float]], peers: list[str], furthest: float
+) -> None:
+    """Draws from the fastest method's time to `furthest` times that."""
+    end = furthest**1.08
     styles = [chart_style.style(method, peers) for method in ratios]
     shares = [_share(own) for own in ratios.values()]
     for style, own in zip(styles, ratios.values()):
         _profile_line(axes, own, style, end)
     axes.set_xscale("log")
-    axes.set_xlim(first * 0.9, end * (end / first) ** 0.6)
-    axes.set_ylim(0, 1.15 * max(shares))
+    axes.set_xlim(0.7, end**1.45)
+    axes.set_ylim(0, 1.12)
     axes.set_xlabel("times the time of the fastest method of the problem")
-    for style, share, height in zip(styles, shares, _apart(shares, 0.045 * max(shares))):
+    for style, share, height in zip(styles, shares, _apart(shares, 0.045)):
         beside = {"textcoords": "data", "va": "center", "fontsize": 7.5}
         line = {"arrowprops": {"arrowstyle": "-", "linewidth": 0.5, "color": chart_style.GREY}}
-        name = (end * (end / first) ** 0.04, height)
+        name = (end**1.04, height)
         axes.annotate(style.label, (end, share), name, **beside, **line)
 
 

@@ -29,7 +29,7 @@ def gauss_seidel(tables: Tables) -> bytes:
     _loglog(left, numbers(rows, "value"), numbers(rows, "sweeps"), measured)
     predicted = {"linewidth": 1.0, "label": "predicted: a factor of R / (1 + R) a sweep"}
     left.plot(numbers(rows, "value"), numbers(rows, "predicted_sweeps"), color="black", **predicted)
-    left.set_xlabel("mass ratio R of two squares, the heavier on top")
+    left.set_xlabel("mass ratio R: the upper square's over the lower's")
     left.set_ylabel("sweeps until nothing changes by 1e-9 m/s")
     left.legend()
     rows = table.where(problem="one_corner_mu")
@@ -99,7 +99,7 @@ def flat_landing(tables: Tables) -> bytes:
 
 def rest_and_drift(tables: Tables) -> bytes:
     table = tables["rest_and_drift"]
-    figure, (left, right) = chart_style.pyplot().subplots(1, 2, figsize=(chart_style.WIDTH, 4.4))
+    figure, (left, right) = chart_style.pyplot().subplots(1, 2, figsize=(chart_style.WIDTH, 4.8))
     methods = [m for m in table.distinct("method") if table.where(method=m, setting_is="dt_s")]
     for method in methods:
         rows = table.where(method=method, setting_is="dt_s")
@@ -111,8 +111,29 @@ def rest_and_drift(tables: Tables) -> bytes:
     for axes in (left, right):
         axes.set(xlabel="Δt, s", ylim=(5e-10, 1))
         axes.text(1.05e-4, 1.7e-9, "1e-9 m or less", color="#555555")
-    chart_style.legend_below(figure, left, (0, 0.13, 1, 1), ncol=3, handlelength=3.2)
+    event_driven = table.where(method="event_driven")
+    if event_driven:  # it has no step
+        still = max(max(distance(row), number(row, "drift_m")) for row in event_driven)
+        line = chart_style.METHODS["event_driven"].line() | {"marker": "none"}
+        for axes in (left, right):
+            axes.axhline(max(still, 1e-9), label="event-driven (no step)", **line, zorder=1)
+    for axes, place in ((left, 0.08), (right, 0.56)):
+        figure.text(place, 0.01, _coincident(axes), va="bottom", fontsize=7, color="#555555")
+    chart_style.legend_below(
+        figure, left, (0, 0.22, 1, 1), ncol=3, handlelength=3.2, bbox_to_anchor=(0.5, 0.08)
+    )
     return chart_style.svg(figure)
+
+
+def _coincident(axes: Any) -> str:
+    """Says which lines lie upon each other, to a tenth of a decade."""
+    lines: dict[tuple[float, ...], list[str]] = {}
+    for line in axes.lines:
+        if len(line.get_ydata()) > 2:
+            heights = tuple(round(10 * math.log10(value)) for value in line.get_ydata())
+            lines.setdefault(heights, []).append(line.get_label())
+    upon = [" on ".join(reversed(names)) for names in lines.values() if len(names) > 1]
+    return "\n".join(f"upon each other: {names}" for names in upon)
 
 
 def distance(row: Row) -> float:

@@ -3,7 +3,8 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from bounce_study import chart_maps, chart_models, chart_peers, chart_speed, chart_stability
+from bounce_study import chart_maps, chart_measured, chart_models, chart_peers, chart_speed
+from bounce_study import chart_stability
 from bounce_study.tables import Tables
 
 
@@ -30,6 +31,8 @@ CHARTS = (
     Chart("scaling.svg", ("scaling",), chart_stability.scaling),
     Chart("least_model.svg", ("least_model",), chart_models.ladder),
     Chart("chosen_model.svg", ("chosen_model",), chart_models.chosen),
+    Chart("measured_ladder.svg", ("measured_ladder",), chart_measured.ladder),
+    Chart("measured_drops.svg", ("measured_drops",), chart_measured.drops),
 )
 
 

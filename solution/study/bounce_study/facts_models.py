@@ -25,6 +25,7 @@ def facts(tables: Tables) -> dict[str, Any]:
         for dt in chosen.distinct("dt_s")
     ]
     return {
+        "random": _random(tables),
         "ladder": ladder,
         "ladder_expected": sum(rungs["expected"] for rungs in ladder),
         "ladder_smaller_least": min(smaller),
@@ -40,6 +41,28 @@ def facts(tables: Tables) -> dict[str, Any]:
         "whole": _gain(chosen.rows, "whole"),
         "moreau_jean": _gain(chosen.rows, "moreau_jean"),
     }
+
+
+def _random(tables: Tables) -> dict[str, Any]:
+    """Counts how often the choice by mechanics is the least model in random scenes."""
+    names = {name: label for name, (label, _, _) in MODELS.items()} | {"none": "none"}
+    order = list(names)
+    rows: list[dict[str, Any]] = [
+        {
+            "chosen": names[row["chosen"]],
+            "least": names[row["least"]],
+            "scenes": int(row["scenes"]),
+            "wrong": int(row["chosen_wrong"]),
+            "error": number(row, "largest_error_m"),
+            "excess": order.index(row["chosen"]) - order.index(row["least"]),
+        }
+        for row in tables["random_models"].rows
+    ]
+    wrong = sum(row["wrong"] for row in rows)
+    same = sum(row["scenes"] for row in rows if row["excess"] == 0)
+    scenes = sum(row["scenes"] for row in rows)
+    larger = scenes - same - wrong
+    return {"rows": rows, "scenes": scenes, "same": same, "wrong": wrong, "larger": larger}
 
 
 def _ladder(rungs: list[Row]) -> dict[str, Any]:

@@ -9,6 +9,7 @@ from bounce_study.tables import number, numbers, Row, Table, Tables
 
 RATIO = ("times", "lower_quartile", "upper_quartile")
 NO_ENGINES = ("numpy", "assignment", "assignment_fast")
+PACKAGED_BY = "Debian 12, of 2023,"
 DIFFERS = 3.0  # times: what a setting has to change to be worth a row
 Facts = dict[str, Any]
 
@@ -25,7 +26,8 @@ def facts(tables: Tables) -> Facts:
     return {
         "scenes": scenes,
         "engines": names,
-        "titles": _titles(tables),
+        "titles": titles(tables),
+        "packaged_by": PACKAGED_BY,
         "settings": tables["peers_settings"].rows,
         "steps": _steps(tables["peers_steps"]),
         **_contact_step(tables["peers_steps"]),
@@ -44,10 +46,11 @@ def facts(tables: Tables) -> Facts:
     }
 
 
-def _titles(tables: Tables) -> dict[str, str]:
+def titles(tables: Tables) -> dict[str, str]:
     """Names the engines, and our methods."""
-    titles = {row["engine"]: row["title"] for row in tables["peers_settings"].rows if row["title"]}
-    return {name: style.label for name, style in METHODS.items()} | titles
+    settings = tables["peers_settings"].rows if "peers_settings" in tables else []
+    named = {row["engine"]: row["title"] for row in settings if row["title"]}
+    return {name: style.label for name, style in METHODS.items()} | named
 
 
 def in_sentence(title: str) -> str:
@@ -110,12 +113,23 @@ def _failure(peers: list[Run], engine: str) -> Facts:
     """Says where the engine has stalled, and where it still converges and needs a smaller step."""
     notes = {run.scene: run.note for run in peers if run.method == engine and run.note}
     stalled = [scene for scene, note in notes.items() if note.startswith("stalls")]
+    others = {scene: note for scene, note in notes.items() if scene not in stalled}
+    doubtful = [scene for scene in others if not _converges(measurements.of(peers, scene, engine))]
     return {
         "engine": engine,
         "stalled": stalled,
         "reason": notes[stalled[0]].partition(": ")[2] if stalled else "",
-        "slow": [{"scene": s, "note": note} for s, note in notes.items() if s not in stalled],
+        "doubtful": doubtful,
+        "slow": [{"scene": s, "note": note} for s, note in others.items() if s not in doubtful],
     }
+
+
+def _converges(runs: list[Run]) -> bool:
+    """Says whether the error falls at each of the last two steps, and with the root of the step or
+    faster."""
+    before, middle, last = sorted(runs, key=lambda run: -run.setting)[-3:]
+    root = (last.setting / before.setting) ** 0.5
+    return last.error < middle.error < before.error and last.error <= root * before.error
 
 
 def _variant_names(tables: Tables) -> list[str]:
@@ -130,13 +144,13 @@ def variant_errors(tables: Tables, scene: str, engine: str) -> list[float]:
 
 def _variants(tables: Tables, scenes: list[str]) -> list[tuple[str, str, float, float]]:
     """Lists title, scene, and the errors of the variant and of the settings in the sweep."""
-    titles, rows = _titles(tables), []
+    known, rows = titles(tables), []
     for scene in scenes:
         for engine in _variant_names(tables):
             error = variant_errors(tables, scene, engine)[-1]
             best = variant_errors(tables, scene, engine.partition("_")[0])[-1]
             if error > DIFFERS * best and error > FINE:
-                rows.append((titles[engine], scene, error, best))
+                rows.append((known[engine], scene, error, best))
     return sorted(rows)
 
 

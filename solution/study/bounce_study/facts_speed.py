@@ -4,7 +4,7 @@ import math
 from statistics import linear_regression, median_high
 from typing import Any
 
-from bounce_study import analytic, chart_speed, measurements
+from bounce_study import analytic, chart_speed, facts_peers, measurements
 from bounce_study.chart_style import FINE, FINEST
 from bounce_study.measurements import Run
 from bounce_study.tables import number, numbers, Tables
@@ -29,12 +29,14 @@ def facts(tables: Tables) -> Facts:
         "ours_csv": source,
         "peers": measurements.peers(runs),
         "peer_leads": _peer_leads(tables, scenes) if compared else [],
+        "peer_closest": _peer_closest(tables) if compared else None,
         "analytic_checks": analytic_checks,
         "analytic_worst": max(analytic_checks, key=lambda check: check.error),
         **_fastest(ours),
         "fixed_reached": _reached(ours, "assignment_fast", FINE),
         "scaled_reached": _reached(ours, "assignment_delta_dt", FINE),
         "failures": _failures(runs),
+        "tipped": _tipped(tables),
         "truth_apart": _truth_apart(ours),
         "steps": [run.setting for run in ours if run.step],
         "profile": _profile(runs),
@@ -73,11 +75,24 @@ def _peer_leads(tables: Tables, scenes: list[str]) -> list[Facts]:
     leads = []
     for tolerance, name in ((FINE, "a millimetre"), (FINEST, "a micrometre")):
         ratios = [_least_ratio(tables, scene, tolerance) for scene in scenes]
-        reached = list(filter(math.isfinite, ratios))
         ahead = sum(ratio > 1 for ratio in ratios)
-        missed = len(ratios) - len(reached)
-        leads.append({"tolerance": name, "ahead": ahead, "reached": reached, "missed": missed})
+        missed = sum(map(math.isinf, ratios))
+        leads.append({"tolerance": name, "ahead": ahead, "missed": missed})
     return leads
+
+
+def _peer_closest(tables: Tables) -> Facts | None:
+    """Finds the engine, scene and step that come closest to ours at the same error."""
+    rows = [
+        row
+        for row in tables["peers_ratios"].rows
+        if row["within"] == "peer's own" and row["engine"] not in measurements.SAME_SCHEME
+    ]
+    if not rows:
+        return None
+    closest = min(rows, key=lambda row: float(row["times"] or 0))
+    titles = facts_peers.titles(tables)
+    return {**closest, "title": titles.get(closest["engine"], closest["engine"])}
 
 
 def _least_ratio(tables: Tables, scene: str, tolerance: float) -> float:
@@ -118,6 +133,16 @@ def _failures(runs: list[Run]) -> list[Facts]:
         {"method": method, "reason": reason, "least": least}
         for (method, reason), least in failures.items()
     ]
+
+
+def _tipped(tables: Tables) -> Facts:
+    """How a tipping square leaves the ground, by springs and by Newton's law for both corners."""
+    rows = {row["quantity"]: number(row, "value") for row in tables["examples"].rows}
+    names = {"held": "v_n of the held corner", "other": "v_n of the other corner", "omega": "omega"}
+    return {
+        law: {key: rows[f"{name}, {law}"] for key, name in names.items()}
+        for law in ("springs", "Newton")
+    }
 
 
 def _truth_apart(ours: list[Run]) -> float:

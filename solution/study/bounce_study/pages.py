@@ -15,7 +15,15 @@ import jinja2
 
 from bounce_grader.common.errors import UsageError
 from bounce_study import chart_style, numbers
-from bounce_study import facts_models, facts_peers, facts_speed, facts_stability, facts_tolerance
+from bounce_study import (
+    facts_measured,
+    facts_models,
+    facts_peers,
+    facts_speed,
+    facts_stability,
+    facts_tolerance,
+)
+from bounce_study.measured_part import TABLES as MEASURED
 from bounce_study.tables import Tables
 
 TEMPLATES = Path(__file__).parent / "pages"
@@ -33,12 +41,12 @@ class Page:
 
 
 SPEED_PAGE, PEERS_PAGE = "speed_accuracy.md", "peers.md"
-SPEED = ("speed_accuracy", "speed_ratios", "order", "truth")
+SPEED = ("speed_accuracy", "speed_ratios", "order", "truth", "examples")
 STABILITY = tuple(
     "energy_gain examples rest_and_drift flat_landing depth order gauss_seidel solution_count "
     "almost_flat scaling bad_input".split()
 )
-MODELS = ("least_model", "chosen_model")
+MODELS = ("least_model", "chosen_model", "random_models")
 TOLERANCE = ("tolerance",)
 PEERS = tuple(f"peers{name}" for name in ("", "_beside", "_ratios", "_settings", "_steps"))
 PAGES = (
@@ -46,10 +54,17 @@ PAGES = (
     Page("stability.md", STABILITY, (facts_stability.facts,)),
     Page("least_model.md", MODELS, (facts_models.facts,)),
     Page("tolerance.md", TOLERANCE, (facts_tolerance.facts,)),
+    Page("measured.md", MEASURED, (facts_measured.facts,)),
     Page(
         "README.md",
-        SPEED + STABILITY + MODELS + TOLERANCE,
-        (facts_speed.facts, facts_stability.facts, facts_models.facts, facts_tolerance.facts),
+        SPEED + STABILITY + MODELS + TOLERANCE + MEASURED,
+        (
+            facts_speed.facts,
+            facts_stability.facts,
+            facts_models.facts,
+            facts_tolerance.facts,
+            facts_measured.facts,
+        ),
     ),
     Page(PEERS_PAGE, (*PEERS, "peers_variants"), (facts_peers.facts,)),
 )

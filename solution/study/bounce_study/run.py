@@ -16,7 +16,8 @@ from bounce_grader.common.errors import KitError, UsageError
 from bounce_grader.common.files import write_whole
 from bounce_grader.common.paths import BUILD, FIXTURES, ROOT
 from bounce_grader.sandbox import processes
-from bounce_study import peers, tables
+from bounce_study import measured_part, peers, tables
+from bounce_study.measured_part import Files
 from bounce_study.progress import progress
 
 PROGRAM = BUILD / "bounce_study"
@@ -25,7 +26,7 @@ STUDIES = ROOT / "docs" / "studies"  # their panel is in the README too
 UNFINISHED = ".unfinished"
 QUESTIONS = tuple(
     "examples bad_input depth scaling flat_landing almost_flat gauss_seidel solution_count "
-    "energy_gain rest_and_drift order truth tolerance chosen_model least_model speed_ratios "
+    "energy_gain rest_and_drift order truth tolerance random_models chosen_model least_model speed_ratios "
     "speed_accuracy".split()
 )
 
@@ -36,15 +37,17 @@ class Request:
     quick: bool = False
     peers: bool = False
     questions: tuple[str, ...] = ()
+    files: Files = Files()
     scenes: Path = SCENES
 
 
 def run(request: Request) -> int:
-    questions = request.questions or QUESTIONS
-    for name in questions:
-        if name not in QUESTIONS:
-            known = ", ".join(sorted(QUESTIONS))
+    asked = request.questions or (*QUESTIONS, measured_part.NAME)
+    for name in asked:
+        if name not in (*QUESTIONS, measured_part.NAME):
+            known = ", ".join(sorted((*QUESTIONS, measured_part.NAME)))
             raise UsageError(f"there is no question {name!r}; there are {known}")
+    questions = [name for name in asked if name != measured_part.NAME]
     if not PROGRAM.exists():
         raise KitError("bounce_study is not built: run ./kit study")
     unfinished = request.out / UNFINISHED
@@ -56,11 +59,14 @@ def run(request: Request) -> int:
         peers.run(request.out, request.quick)
     version = _version(request)
     measured = {name: unfinished / f"{name}-{version}.csv" for name in questions}
-    with progress(len(questions) + 1) as begin:
+    with progress(len(asked) + 1) as begin:
         for name, file in measured.items():
             begin(name)
             if not file.exists():
                 _measure(name, request, file)
+        if measured_part.NAME in asked:
+            begin(measured_part.NAME)
+            measured |= measured_part.measure(unfinished, request.files, request.quick)
         begin("charts and pages")
         written = _publish(request.out, measured)
     shutil.rmtree(unfinished, ignore_errors=True)
@@ -93,7 +99,8 @@ def _publish(out: Path, measured: dict[str, Path]) -> list[str]:
     before anything is written, and each is written whole or not at all."""
     from bounce_study import charts, pages
 
-    older = [out / f"{name}.csv" for name in QUESTIONS] + sorted(out.glob("peers*.csv"))
+    older = [out / f"{name}.csv" for name in (*QUESTIONS, *measured_part.TABLES)]
+    older += sorted(out.glob("peers*.csv"))
     known = {file.stem: tables.read(file) for file in older if file.exists()}
     known |= {name: tables.read(file) for name, file in measured.items()}
     drawn = charts.draw(known)

@@ -15,7 +15,7 @@ import pytest
 from bounce_grader.cli import main
 from bounce_grader.common.errors import UsageError
 from bounce_grader.common.paths import ROOT
-from bounce_study import charts, measurements, pages, run, tables
+from bounce_study import charts, measured_part, measurements, pages, run, tables
 from bounce_study.run import QUESTIONS, Request
 from studies import SCENES, STUDIES, committed
 from waiting import wait_for
@@ -119,7 +119,7 @@ def test_without_a_terminal_progress_is_plain_lines(
 def test_the_quick_study_is_whole(tmp_path: Path) -> None:
     assert run.run(Request(tmp_path, quick=True)) == 0
     drawn = {chart.name for chart in charts.CHARTS if "peers_steps" not in chart.needs}
-    expected = {f"{name}.csv" for name in QUESTIONS} | drawn
+    expected = {f"{name}.csv" for name in (*QUESTIONS, *measured_part.TABLES)} | drawn
     expected |= {page.name for page in pages.PAGES} - {pages.PEERS_PAGE}
     assert {file.name for file in tmp_path.iterdir()} == expected
 

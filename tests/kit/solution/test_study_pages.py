@@ -7,7 +7,8 @@ import jinja2
 import pytest
 
 from bounce_grader.common.paths import ROOT
-from bounce_study import analytic, chart_speed, chart_style, charts, measurements, numbers, pages
+from bounce_study import analytic, chart_speed, chart_style, charts, measured_part
+from bounce_study import measurements, numbers, pages
 from bounce_study.point_labels import PointLabels
 from bounce_study.run import QUESTIONS
 from bounce_study.tables import Table, Tables
@@ -85,7 +86,8 @@ def test_a_profile_reaches_as_far_as_its_table() -> None:
     ratios = chart_speed.profiles(measurements.read(committed()))
     furthest = max(r for own in ratios.values() for r in own if math.isfinite(r))
     figure, axes = chart_style.pyplot().subplots()
-    chart_speed._profile_panel(axes, ratios, [m for m in ratios if m not in chart_style.METHODS])
+    peers = [method for method in ratios if method not in chart_style.METHODS]
+    chart_speed._profile_panel(axes, ratios, peers, furthest)
     chart_style.pyplot().close(figure)
     for line, own in zip(axes.lines, ratios.values()):
         assert line.get_ydata()[-1] == sum(map(math.isfinite, own)) / len(own)
@@ -140,9 +142,17 @@ def test_templates_have_no_numbers_of_their_own(template: str) -> None:
     # equations, where links lead, commands, and a name
     text = re.sub(r"\(eq\. \d+\)|eqs\. \(\d+\) and \(\d+\)|\]\([^)]*\)|`[^`]*`|Box2D", "", text)
     # of formulas, and what was set, not measured
-    for formula in ("1 − b²/(ac)", "θ = 0", "δ = 0", "p_1 =", "scheme's = 1"):
+    for formula in ("1 − b²/(ac)", "θ = 0", "δ = 0", "ε = 0", "p_1 =", "side²/6", "scheme's = 1"):
         text = text.replace(formula, "")
     assert not re.findall(r".{0,30}\d.{0,30}", text)
+
+
+def test_every_picture_has_alt_text_and_a_sentence_that_says_what_to_see() -> None:
+    for template in sorted(pages.TEMPLATES.glob("*.md")):
+        text = template.read_text(encoding="utf-8")
+        for picture, after in re.findall(r"^(!\[.*)\n\n(.*)", text, re.MULTILINE):
+            assert re.match(r"!\[.{10,}\]", picture), picture
+            assert after.startswith("What to see: "), picture
 
 
 @pytest.mark.parametrize("page", [page.name for page in pages.PAGES])
@@ -159,7 +169,7 @@ def test_every_chart_and_table_is_on_a_page() -> None:
     text += (ROOT / "README.md").read_text(encoding="utf-8")
     for chart in charts.CHARTS:
         assert chart.name in text
-    for question in QUESTIONS:
+    for question in (*QUESTIONS, *measured_part.TABLES):
         assert f"{question}.csv" in text
 
 
@@ -211,6 +221,33 @@ def test_the_failing_methods_fail_and_the_cures_hold() -> None:
     assert facts["flat_merged"] < 1e-12 < float(facts["flat_worst"]["lemke_8x8_residual_m_s"])
     models = pages.facts_of("least_model.md", known)
     assert models["ladder_expected"] == len(models["ladder"]) == 11
+
+
+def test_measured_impacts_need_friction_and_more_than_newtons_law() -> None:
+    facts = pages.facts_of("measured.md", committed())
+    for name in ("one", "oval", "both", "all"):
+        group = facts[name]
+        newton, least = group["laws"]["newton"], group["least"]
+        assert float(newton["behind_low"]) > 0, "Newton's law can be told from the best"
+        assert float(group["laws"]["frictionless"]["behind_low"]) > 0
+        assert float(least["floor_high"]) < float(least["median_low"]), "none is the best impulse"
+    two = facts["two"]["laws"]
+    assert float(two["sequence_newton"]["median_high"]) < float(two["two_newton"]["median_low"])
+    assert max(facts["drop_horizon"].values()) < 0.2
+    assert facts["drop_spread"][-1] < facts["far"], "the law ends the forecast, and not the start"
+
+
+def test_the_choice_by_mechanics_is_mostly_the_least() -> None:
+    chosen = pages.facts_of("least_model.md", committed())["random"]
+    assert chosen["scenes"] == 1000
+    assert chosen["same"] + chosen["larger"] + chosen["wrong"] == 1000
+    assert chosen["same"] > chosen["larger"] > chosen["wrong"]
+
+
+def test_springs_let_a_held_corner_rebound() -> None:
+    tipped = pages.facts_of("speed_accuracy.md", committed())["tipped"]
+    assert abs(tipped["Newton"]["held"]) < 1e-9 < 0.01 < tipped["springs"]["held"]
+    assert tipped["springs"]["omega"] < 0.9 * tipped["Newton"]["omega"]
 
 
 def test_event_driven_comes_within_a_micrometre_in_every_scene() -> None:
