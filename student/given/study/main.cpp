@@ -43,6 +43,7 @@ text { fill: var(--ink); font: 13px system-ui, sans-serif; }
 ul { display: flex; flex-wrap: wrap; gap: 0 1.2rem; margin: 0.2rem 0; padding: 0; list-style: none;
   font-size: 0.9rem; }
 figcaption { margin: 0.3rem 0 0.8rem; }
+@media (max-width: 640px) { text { font-size: 18px; } }
 @media print { :root { --ink: #000; --paper: #fff; } body { font-size: 10pt; }
   figure { break-inside: avoid; } }
 )css";

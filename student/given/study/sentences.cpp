@@ -96,13 +96,13 @@ std::string of_time(const Scene& scene, const Both& runs) {
 
 std::string of_depth(const std::vector<Run>& runs, double l) {
   if (!is_usable(runs)) return kUnusable;
-  const auto at = [&](const Run& r) {
-    return "with dt = " + number(r.dt) + " s the corner sinks in by " + length(r.depth) + ", " +
-           number(100 * r.depth / l, "%.2g") + " % of the side";
+  const auto said = [&](const Run& r) {
+    const std::string with = "ith dt = " + number(r.dt) + " s the corner ";
+    return r.depth > 0 ? with + "sinks in by " + length(r.depth) + ", " +
+                             number(100 * r.depth / l, "%.2g") + " % of the side"
+                       : with + "doesn't sink in";
   };
-  std::string text = at(runs.front());
-  text[0] = 'W';
-  return text + "; " + at(runs.back()) +
+  return "W" + said(runs.front()) + "; w" + said(runs.back()) +
          ". It is what the corner falls in the step that notices it, less the lift.";
 }
 
