@@ -7,6 +7,7 @@ import subprocess
 import sys
 import tempfile
 import time
+import zipfile
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
@@ -22,7 +23,7 @@ SHARED_BY_TESTS = (
     *("answers", "cases", "feedback", "pattern", "picture", "recognise"),
     *("wrong_numbers", "wrong_rules", "wrong_where"),
 )
-LINKED_TESTS = ("main", "mistake", "time_limit")
+LINKED_TESTS = ("given", "main", "mistake", "submission_linked", "time_limit")
 SOLUTION = ROOT / "solution" / "src"
 CHECKS = ROOT / "tests" / "parts"
 PLAIN_GCC = ("g++", "-std=c++20", "-O1", "-isystem", "/usr/include/eigen3", "-I", str(CONTRACT))
@@ -61,7 +62,7 @@ def run() -> int:
         reached = reached and line.reached
     print()
     with tempfile.TemporaryDirectory(prefix="bounce-bench-") as name:
-        for measure in (_one, _plain, _many, _at_once, _memory):
+        for measure in (_one, _student, _plain, _many, _at_once, _memory):
             for line in measure(Path(name)):
                 print(line, flush=True)
                 reached = reached and line.reached
@@ -89,6 +90,30 @@ def _one(folder: Path) -> list[Line]:
         Line("the same with one part changed", edit, "s", "at most 0.5", edit <= 0.5),
         Line("g++ -O1 -c of its four files alone", statistics.median(compiler), "s"),
         Line("  takes as long as new gradings:", ratio, "", "at least 5", ratio >= 5),
+    ]
+
+
+def _student(folder: Path) -> list[Line]:
+    """Times ./check in a new handout with the parts filled in, and again with part 2 changed."""
+    from bounce_grader.publish import handout
+
+    handout.write(folder / "handout.zip")
+    with zipfile.ZipFile(folder / "handout.zip") as archive:
+        archive.extractall(folder)
+    home = folder / handout.TOP
+    for file in SOLUTION.glob("*.cpp"):
+        (home / "src" / file.name).write_text(file.read_text())
+    check = ["sh", str(home / "check")]
+    first = _seconds(check)
+    changed = []
+    for number in range(3):
+        part = home / "src" / "part2_lcp.cpp"
+        part.write_text(part.read_text() + f"// {number}\n")
+        changed.append(_seconds(check))
+    edit = statistics.median(changed)
+    return [
+        Line("a student's first check", first, "s", "at most 20", first <= 20),
+        Line("a student's check after a change of part 2", edit, "s", "at most 1", edit <= 1),
     ]
 
 

@@ -119,7 +119,7 @@ std::string chart(const std::string& title, const Axes& axes, const std::vector<
           "class=\"line " +
           kind + "\" d=\"M 1 5 H 33\"/></svg> " + escaped(lines[i].name) + "</li>";
     }
-    html += "<svg viewBox=\"0 0 460 306\" role=\"img\" aria-label=\"" + escaped(title) + "\">\n" +
+    html += "<svg viewBox=\"0 0 474 306\" role=\"img\" aria-label=\"" + escaped(title) + "\">\n" +
             svg + "</svg>\n<ul>" + keys + "</ul>\n";
   }
   return html + "<figcaption>" + escaped(sentence) + "</figcaption>\n</figure>\n";

@@ -72,9 +72,8 @@ std::string charts_of(const Scene& scene, const Both& runs) {
       {"delta fixed", points(runs.fixed, over_step), true},
       {"delta in proportion to dt", points(runs.scaled, over_step), true}};
   return "<h2>" + escaped(scene.title) + "</h2>\n<section>\n" +
-         chart("Error over time",
-               {"time for a simulated second, in calls of solve_lcp", "error, m", true}, times,
-               of_time(scene, runs)) +
+         chart("Error over time", {"time of a simulated second, solve_lcp = 1", "error, m", true},
+               times, of_time(scene, runs)) +
          chart("Error over step", {"dt, s", "error, m", true}, steps, of_steps(scene, runs)) +
          "</section>\n";
 }

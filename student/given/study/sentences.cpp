@@ -41,8 +41,8 @@ std::string length(double metres) {
   if (metres >= 1) return number(metres) + " m";
   if (metres >= 1e-2) return number(metres * 100) + " cm";
   if (metres >= 1e-4) return number(metres * 1000) + " mm";
-  if (metres >= 1e-8) return number(metres * 1e6) + " \u00b5m";
-  return metres > 0 ? "less than 0.01 \u00b5m" : "0";
+  if (metres >= 1e-8) return number(metres * 1e6) + " \xc2\xb5m";
+  return metres > 0 ? "less than 0.01 \xc2\xb5m" : "0";
 }
 
 std::size_t where_it_stalls(const std::vector<Run>& runs) {
