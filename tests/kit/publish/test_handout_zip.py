@@ -52,7 +52,8 @@ def test_holds_the_folder_the_tests_and_the_public_fixtures(tmp_path: Path) -> N
     assert folders == {"fixtures", "given", "hints", "include", "src", "tests"} | of_editors
     assert {n.removeprefix("bounce/") for n in names if n.count("/") == 1} == {
         *(".clang-format", ".clangd", "CMakeLists.txt", "CMakePresets.json"),
-        *("README.html", "README.md", "check", "check.cmd", "figure.svg", "main.cpp"),
+        *("README.html", "README.md", "explore.html", "explore.md", "check", "check.cmd"),
+        *("complementarity.svg", "figure.svg", "main.cpp"),
     }
     modes = {info.filename: info.external_attr >> 16 for info in archive.infolist()}
     assert [name for name, mode in modes.items() if mode & 0o111] == ["bounce/check"]
