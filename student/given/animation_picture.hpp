@@ -43,12 +43,13 @@ function fit() {
   return view(scale, (leftmost + rightmost) / 2, bottom - reach, margin.left + width / 2, high() - margin.bottom - spare / 4);
 }
 
-// The view of what is drawn: the whole, or near the square, with the ground in it where there is room.
+// The view of what is drawn: the whole, or near the square, with the ground where there is room.
 function camera() {
   if (!following()) return whole;
   const [x, y] = pose(shown());
   const scale = least / l;
-  return view(scale, x, y, wide() / 2, Math.max(least + 20, high() - 52 - y * scale));
+  const Y = Math.min(high() - 52 - y * scale, high() - least - 20); // of the square, and not below
+  return view(scale, x, y, wide() / 2, Math.max(Y, least + 20));
 }
 
 // The smallest of 1, 2, 5, 10, 20, ... that is at least `least`.

@@ -7,6 +7,7 @@ import subprocess
 import sys
 import tempfile
 import time
+import zipfile
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
@@ -56,7 +57,7 @@ def run() -> int:
         reached = reached and line.reached
     print()
     with tempfile.TemporaryDirectory(prefix="bounce-bench-") as name:
-        for measure in (_one, _plain, _many, _at_once, _memory):
+        for measure in (_one, _student, _plain, _many, _at_once, _memory):
             for line in measure(Path(name)):
                 print(line, flush=True)
                 reached = reached and line.reached
@@ -87,6 +88,30 @@ def _one(folder: Path) -> list[Line]:
     ]
 
 
+def _student(folder: Path) -> list[Line]:
+    """Times ./check in a new handout with the parts filled in, and again with part 2 changed."""
+    from bounce_grader.publish import handout
+
+    handout.write(folder / "handout.zip")
+    with zipfile.ZipFile(folder / "handout.zip") as archive:
+        archive.extractall(folder)
+    home = folder / handout.TOP
+    for file in SOLUTION.glob("*.cpp"):
+        (home / "src" / file.name).write_text(file.read_text())
+    check = ["sh", str(home / "check")]
+    first = _seconds(check)
+    changed = []
+    for number in range(3):
+        part = home / "src" / "part2_lcp.cpp"
+        part.write_text(part.read_text() + f"// {number}\n")
+        changed.append(_seconds(check))
+    edit = statistics.median(changed)
+    return [
+        Line("a student's first check", first, "s", "at most 20", first <= 20),
+        Line("a student's check after a change of part 2", edit, "s", "at most 1", edit <= 1),
+    ]
+
+
 def _many(folder: Path) -> list[Line]:
     """Grades different submissions, one after the other."""
     start = time.monotonic()
@@ -113,10 +138,12 @@ def _plain(folder: Path) -> list[Line]:
     """Times the usual way: compile the submission, link it with the tests and GoogleTest, and run
     it."""
     submission, program = _variant(folder / "plain", 0), folder / "program"
+    # Without the given parts, which would be there twice.
+    linked = {*(CHECKS / "linked").glob("*.cpp")} - {*(CHECKS / "linked").glob("before_*.cpp")}
     command = [
         *PLAIN_GCC,
         f'-DBOUNCE_FIXTURES="{ROOT / "fixtures" / "public"}"',
-        *map(str, (*CHECKS.glob("*.cpp"), *(CHECKS / "linked").glob("*.cpp"))),
+        *map(str, (*CHECKS.glob("*.cpp"), *linked)),
         *(str(submission / part.file) for part in parts()),
         str(ROOT / "student" / "given" / "solve_lcp.cpp"),
         *("-lgtest", "-lpthread", "-o", str(program)),

@@ -25,7 +25,7 @@ SIGNS = {
 }
 NAME = r"[A-Za-z]+(?:_[A-Za-z0-9]+)?'?(?:\^(?:-?\d+|T))?"
 TOKEN = re.compile(
-    rf"(?P<sign>perpendicular to|<=|>=|\.\.\.|[-+*/=<>,:()\[\]])"
+    rf"(?P<gap>\s{{2,}})|(?P<sign>perpendicular to|<=|>=|\.\.\.|[-+*/=<>,:()\[\]])"
     rf"|(?P<name>{NAME})|(?P<number>\d+(?:\.\d+)?)|(?P<power>\^(?:-?\d+|T))|\s+"
 )
 # In a sentence only what can't be a word: a name with a subscript, a power or a prime, or in Greek.
@@ -112,20 +112,25 @@ def _row(text: str) -> str:
 
 def _tokens(text: str) -> Iterator[str]:
     at = 0
+    starts = True  # so that a minus is a sign, and no difference
     while at < len(text):
         match = TOKEN.match(text, at)
         if not match:
             raise ValueError(f"no equation: {text[at:]}")
         at = match.end()
         kind = match.lastgroup
-        if kind == "sign":
-            yield f'<mo stretchy="false">{escape(SIGNS.get(match[0], match[0]))}</mo>'
+        if kind == "gap":
+            yield '<mspace width="1em"/>'
+        elif kind == "sign":
+            form = ' form="prefix"' if starts and match[0] == "-" else ""
+            yield f'<mo stretchy="false"{form}>{escape(SIGNS.get(match[0], match[0]))}</mo>'
         elif kind == "number":
             yield f"<mn>{match[0]}</mn>"
         elif kind == "power":
             yield f"<msup><mrow></mrow>{_power(match[0][1:])}</msup>"
         elif kind == "name":
             yield _name(match[0])
+        starts = kind == "gap" or match[0] in ("(", "[", ",", "=") or (starts and not kind)
 
 
 def _name(text: str) -> str:

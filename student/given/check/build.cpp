@@ -113,6 +113,10 @@ void build_part(Run& run, const Part& part) {
 }  // namespace
 
 void build_parts(Run& run) {
+  for (const Part& part : run.all) {
+    if (fs::exists(part.file())) continue;
+    throw Failure(part.file() + " is missing: copy it from the handout's zip");
+  }
   touch_what_changed();
   std::vector<std::string> targets;
   std::set<int> needed;

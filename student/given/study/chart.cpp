@@ -7,7 +7,7 @@
 namespace bounce::study {
 namespace {
 
-constexpr double kLeft = 74, kRight = 700, kTop = 14, kBottom = 330;  // of the plotted field
+constexpr double kLeft = 74, kRight = 450, kTop = 14, kBottom = 250;  // of the plotted field
 constexpr double kLeast = 1e-9;  // a logarithmic axis begins no lower
 
 std::string text(double x, const char* format) {
@@ -62,17 +62,17 @@ std::string grid(const Scale& x, const Scale& y, const Axes& axes) {
   std::string svg;
   for (const double a : ticks(x)) {
     const std::string at = text(x.of(a), "%.1f");
-    svg += "<path class=\"grid\" d=\"M " + at + " 14 V 330\"/><text x=\"" + at +
-           "\" y=\"350\" text-anchor=\"middle\">" + tick(a, axes.logarithmic) + "</text>\n";
+    svg += "<path class=\"grid\" d=\"M " + at + " 14 V 250\"/><text x=\"" + at +
+           "\" y=\"270\" text-anchor=\"middle\">" + tick(a, axes.logarithmic) + "</text>\n";
   }
   for (const double a : ticks(y)) {
     const std::string at = text(y.of(a), "%.1f");
-    svg += "<path class=\"grid\" d=\"M 74 " + at + " H 700\"/><text x=\"66\" y=\"" +
+    svg += "<path class=\"grid\" d=\"M 74 " + at + " H 450\"/><text x=\"66\" y=\"" +
            text(y.of(a) + 4, "%.1f") + "\" text-anchor=\"end\">" + tick(a, axes.logarithmic) +
            "</text>\n";
   }
-  return svg + "<text x=\"387\" y=\"376\" text-anchor=\"middle\">" + escaped(axes.x) +
-         "</text>\n<text transform=\"translate(16 172) rotate(-90)\" text-anchor=\"middle\">" +
+  return svg + "<text x=\"262\" y=\"298\" text-anchor=\"middle\">" + escaped(axes.x) +
+         "</text>\n<text transform=\"translate(18 132) rotate(-90)\" text-anchor=\"middle\">" +
          escaped(axes.y) + "</text>\n";
 }
 
@@ -119,7 +119,7 @@ std::string chart(const std::string& title, const Axes& axes, const std::vector<
           "class=\"line " +
           kind + "\" d=\"M 1 5 H 33\"/></svg> " + escaped(lines[i].name) + "</li>";
     }
-    html += "<svg viewBox=\"0 0 710 384\" role=\"img\" aria-label=\"" + escaped(title) + "\">\n" +
+    html += "<svg viewBox=\"0 0 474 306\" role=\"img\" aria-label=\"" + escaped(title) + "\">\n" +
             svg + "</svg>\n<ul>" + keys + "</ul>\n";
   }
   return html + "<figcaption>" + escaped(sentence) + "</figcaption>\n</figure>\n";

@@ -43,6 +43,7 @@ text { fill: var(--ink); font: 13px system-ui, sans-serif; }
 ul { display: flex; flex-wrap: wrap; gap: 0 1.2rem; margin: 0.2rem 0; padding: 0; list-style: none;
   font-size: 0.9rem; }
 figcaption { margin: 0.3rem 0 0.8rem; }
+@media (max-width: 640px) { text { font-size: 18px; } }
 @media print { :root { --ink: #000; --paper: #fff; } body { font-size: 10pt; }
   figure { break-inside: avoid; } }
 )css";
@@ -71,9 +72,8 @@ std::string charts_of(const Scene& scene, const Both& runs) {
       {"delta fixed", points(runs.fixed, over_step), true},
       {"delta in proportion to dt", points(runs.scaled, over_step), true}};
   return "<h2>" + escaped(scene.title) + "</h2>\n<section>\n" +
-         chart("Error over time",
-               {"time for a simulated second, in calls of solve_lcp", "error, m", true}, times,
-               of_time(scene, runs)) +
+         chart("Error over time", {"time of a simulated second, solve_lcp = 1", "error, m", true},
+               times, of_time(scene, runs)) +
          chart("Error over step", {"dt, s", "error, m", true}, steps, of_steps(scene, runs)) +
          "</section>\n";
 }

@@ -105,9 +105,10 @@ Energy energy(const Scene& scene, double dt, double seconds) {
   const auto columns = static_cast<Eigen::Index>(std::round(seconds / dt)) + 1;
   const Parameters params = with(scene.params, dt, Lift::fixed, columns);
   const Trajectory trajectory = simulate(scene.start.q, scene.start.v, params);
-  Energy result{{}, {}, 0};
+  Energy result{{}, {}, 0, 0};
   if (!is_usable(trajectory, params)) return result;
   const double start = energy_of(scene.start.q, scene.start.v, params);
+  result.lift = -params.m * params.g(1) * params.delta / start;
   for (Eigen::Index t = 0; t < columns; ++t) {
     result.t.push_back(static_cast<double>(t) * dt);
     result.share.push_back(energy_of(trajectory.q.col(t), trajectory.v.col(t), params) / start);

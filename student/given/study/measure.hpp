@@ -26,6 +26,7 @@ double kernel_seconds();
 struct Energy {
   std::vector<double> t, share;  // s; of the energy at the start
   double largest_gain;           // in one step, as a share
+  double lift;                   // m g delta, which the lift adds to a step in contact, as a share
 };
 Energy energy(const Scene& scene, double dt, double seconds);
 

@@ -13,7 +13,8 @@ constexpr const char* kUnusable =
 
 std::string number(double x, const char* format = "%.3g") {
   char text[40];
-  std::snprintf(text, sizeof text, format, x);
+  const bool is_large = x >= 100 && x < 1e6;
+  std::snprintf(text, sizeof text, is_large ? "%.0f" : format, x);
   return text;
 }
 
@@ -41,8 +42,8 @@ std::string length(double metres) {
   if (metres >= 1) return number(metres) + " m";
   if (metres >= 1e-2) return number(metres * 100) + " cm";
   if (metres >= 1e-4) return number(metres * 1000) + " mm";
-  if (metres >= 1e-8) return number(metres * 1e6) + " \u00b5m";
-  return metres > 0 ? "less than 0.01 \u00b5m" : "0";
+  if (metres >= 1e-8) return number(metres * 1e6) + " \xc2\xb5m";
+  return metres > 0 ? "less than 0.01 \xc2\xb5m" : "0";
 }
 
 std::size_t where_it_stalls(const std::vector<Run>& runs) {
@@ -67,15 +68,21 @@ double order(const std::vector<Run>& runs) {
 std::string of_steps(const Scene& scene, const Both& runs) {
   if (!is_usable(runs.fixed) || !is_usable(runs.scaled)) return kUnusable;
   const std::size_t at = where_it_stalls(runs.fixed);
-  const Run& last = runs.fixed.back();
-  std::string text =
-      at + 1 == runs.fixed.size()
-          ? "With delta fixed, a smaller step helps down to dt = " + number(last.dt) + " s"
-          : "With delta fixed, from dt = " + number(runs.fixed[at].dt) +
-                " s on a smaller step no longer helps: delta stays, and the error stays near " +
-                length(last.error) + ", which is " +
-                number(last.error / scene.params.delta, "%.2g") + " times delta";
-  return text + ". With delta in proportion to dt it falls to " + length(runs.scaled.back().error) +
+  const double fixed = runs.fixed.back().error, scaled = runs.scaled.back().error;
+  if (at + 1 == runs.fixed.size()) {
+    return "With delta fixed, a smaller step helps down to dt = " + number(runs.fixed[at].dt) +
+           " s, and the error falls to " + length(fixed) + ".";
+  }
+  const std::string stalls = "With delta fixed, from dt = " + number(runs.fixed[at].dt) +
+                             " s on a smaller step no longer helps: ";
+  if (scaled > fixed / 2) {
+    return stalls + "the error stays near " + length(fixed) +
+           ". With delta in proportion to dt it stays as well, at " + length(scaled) +
+           ": it isn't delta that keeps your program from the truth.";
+  }
+  return stalls + "delta stays, and the error stays near " + length(fixed) + ", which is " +
+         number(fixed / scene.params.delta, "%.2g") +
+         " times delta. With delta in proportion to dt it falls to " + length(scaled) +
          ", with order " + number(order(runs.scaled), "%.1f") + " in dt.";
 }
 
@@ -96,24 +103,26 @@ std::string of_time(const Scene& scene, const Both& runs) {
 
 std::string of_depth(const std::vector<Run>& runs, double l) {
   if (!is_usable(runs)) return kUnusable;
-  const auto at = [&](const Run& r) {
-    return "with dt = " + number(r.dt) + " s the corner sinks in by " + length(r.depth) + ", " +
-           number(100 * r.depth / l, "%.2g") + " % of the side";
+  const auto said = [&](const Run& r) {
+    const std::string with = "ith dt = " + number(r.dt) + " s the corner ";
+    return r.depth > 0 ? with + "sinks in by " + length(r.depth) + ", " +
+                             number(100 * r.depth / l, "%.2g") + " % of the side"
+                       : with + "doesn't sink in";
   };
-  std::string text = at(runs.front());
-  text[0] = 'W';
-  return text + "; " + at(runs.back()) +
+  return "W" + said(runs.front()) + "; w" + said(runs.back()) +
          ". It is what the corner falls in the step that notices it, less the lift.";
 }
 
 std::string of_energy(const Energy& coarse, const Energy& fine) {
   if (coarse.t.empty() || fine.t.empty()) return kUnusable;
-  const auto gain = [](const Energy& e) { return number(100 * e.largest_gain, "%.2g") + " %"; };
-  return coarse.largest_gain > 1e-9
-             ? "In a single step the energy rises by up to " + gain(coarse) +
-                   " of that at the start, with dt = 0.01 s, and by " + gain(fine) +
-                   " with dt = 0.001 s: the lift is work that nobody does."
-             : "The energy never rises.";
+  if (!(coarse.largest_gain > 1e-9)) return "The energy never rises.";
+  const auto percent = [](double share) { return number(100 * share, "%.2g") + " %"; };
+  const bool is_more = fine.largest_gain > 2 * fine.lift;
+  return "In a single step the energy rises by up to " + percent(coarse.largest_gain) +
+         " of that at the start, with dt = 0.01 s, and by " + percent(fine.largest_gain) +
+         " with dt = 0.001 s. The lift alone adds " + percent(fine.lift) +
+         (is_more ? ", so most of it comes from somewhere else."
+                  : " to a step in contact: work that nobody does.");
 }
 
 std::string of_rest(const Rest& fixed, const Rest& scaled, const Rest& fine_scaled) {

@@ -34,6 +34,14 @@ def test_a_matrix_is_one_line_with_its_rows_below_each_other() -> None:
     assert words(line.mathml[1]) == "e=(0,1)T"
 
 
+def test_columns_beside_each_other_stay_apart() -> None:
+    [line] = equations.displayed("J_hat = [J_n  -J_t  J_t]   (7)\n")
+    assert line.mathml[0].count('<mspace width="1em"/>') == 2
+    assert '<mo stretchy="false" form="prefix">−</mo>' in line.mathml[0]
+    [difference] = equations.displayed("c - (x, -y)\n")
+    assert difference.mathml[0].count('form="prefix"') == 1
+
+
 def test_what_is_no_equation_is_refused() -> None:
     with pytest.raises(ValueError, match="no equation"):
         equations.displayed("x = $\n")

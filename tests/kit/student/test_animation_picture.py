@@ -62,6 +62,33 @@ def test_shows_the_force_of_the_ground_in_a_contact_step(
     assert page.pixels("force") > 50
 
 
+WIDTHS = """
+return [l * camera().scale, document.documentElement.scrollWidth - innerWidth,
+  plots.getBoundingClientRect().left - stage.getBoundingClientRect().right,
+  document.querySelectorAll("main").length];
+"""
+
+
+@pytest.mark.parametrize("width", [320, 768, 1280, 1920])
+def test_the_square_is_large_and_nothing_overflows(open_page: Open, width: int) -> None:
+    page = open_page()
+    driver = page.driver
+    size = {"width": width, "height": 900, "deviceScaleFactor": 1, "mobile": False}
+    driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", size)
+    try:
+        page.slide(40)
+        square, overflow, beside, mains = driver.execute_script(WIDTHS)
+        assert square >= 59.9 and overflow <= 0 and mains == 1
+        assert (beside > 0) == (width >= 1200)  # the plots
+        assert page.pixels("square") > 100
+    finally:
+        driver.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
+
+
+def test_a_force_is_seen_for_a_fifth_of_a_second(open_page: Open) -> None:
+    assert open_page().driver.execute_script("return echo") >= 0.2
+
+
 def test_a_cursor_moves_over_the_plots(open_page: Open) -> None:
     page = open_page()
     for colour in ("corner", "square", "force"):

@@ -357,6 +357,27 @@ def test_an_unknown_option_is_answered_with_the_known_ones(home: Path) -> None:
     assert check(home, "--help").stdout.startswith("./check ")
 
 
+def test_names_the_part_that_is_missing(tmp_path: Path, home: Path) -> None:
+    fresh = unzipped(tmp_path)
+    for folder in (fresh, home):
+        part = folder / "src/part2_lcp.cpp"
+        part.unlink()
+        run = check(folder)
+        assert run.returncode == 3 and run.stdout == ""
+        assert run.stderr == "check: src/part2_lcp.cpp is missing: copy it from the handout's zip\n"
+        part.write_bytes((SOLUTION / part.name).read_bytes())
+
+
+def test_goes_on_where_a_check_was_killed_while_it_prepared(tmp_path: Path) -> None:
+    folder = unzipped(tmp_path)
+    (folder / "build").mkdir()
+    (folder / "build/preparing").symlink_to("999999999")  # a process that isn't there any more
+    (folder / "CMakeLists.txt").write_text("message(FATAL_ERROR reached)\n")
+    run = check(folder)
+    assert run.returncode == 3 and "CMake could not prepare the build" in run.stderr
+    assert not (folder / "build/preparing").is_symlink()
+
+
 @pytest.mark.parametrize(
     "gone, sentence",
     [
