@@ -3,11 +3,12 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from bounce_grader.common.numbers import scientific_tick, short
+from bounce_grader.common.numbers import metres, scientific_tick, short
 from bounce_grader.common.svg import Axes, BOLD, cross, decades, Drawing, INK, line, Place, rect
 from bounce_grader.common.svg import svg, text, through, title
 
 WIDTH = 720
+LETTER, LINE = 8, 16  # px: at most the width of a letter, and the height of a line
 
 
 @dataclass(frozen=True)
@@ -122,9 +123,9 @@ def error_against_time(curves: Sequence[Curve], fine: float) -> Drawing:
     out = [
         _markers(len(curves)),
         rect(axes.left, axes.top, axes.width, axes.height, "none", INK),
-        *axes.ticks(short, lambda error: f"{scientific_tick(error)} m"),
+        *axes.ticks(short, metres),
         line(axes.left, limit, axes.left + axes.width, limit, "2 3"),
-        *(_curve(curve, [axes.at(*place) for place in curve.places]) for curve in curves),
+        *(_curve(curve, axes) for curve in curves),
         *axes.names("CPU time for a second of motion, over the solution's at dt = 1 ms"),
     ]
     label = "Speed against accuracy, one line for each submission"
@@ -154,7 +155,30 @@ def _markers(number: int) -> str:
     return f"<defs>{drawn}</defs><style>{rules}{lines}{bold}{dots}</style>"
 
 
-def _curve(curve: Curve, places: Sequence[Place]) -> str:
-    labels = "".join(text(x + 8, y - 8, label) for (x, y), label in zip(places, curve.labels))
+def _curve(curve: Curve, axes: Axes) -> str:
+    places = [axes.at(*place) for place in curve.places]
     drawn = f'<path class="curve {curve.kind}" d="{through(places, 0)}">{title(curve.title)}</path>'
+    labels = _labels(places, curve.labels, axes)
     return drawn + (f'<g class="label">{labels}</g>' if labels else "")
+
+
+def _labels(places: Sequence[Place], labels: Sequence[str], axes: Axes) -> str:
+    """Each label beside its place: within the frame, and not over another."""
+    out, taken = [], list[Place]()
+    for (x, y), label in zip(places, labels):
+        width = LETTER * len(label)
+        right = x + 8 + width < axes.left + axes.width
+        start = x + 8 if right else x - 8 - width
+        sides = [y - 8, y + 20, y - 26, y + 38, y - 44, y + 56]
+        free = [at for at in sides if _is_free(start, at, width, taken, axes)]
+        at = free[0] if free else sides[0]
+        taken += [(start, at), (start + width, at)]
+        out.append(text(start, at, label))
+    return "".join(out)
+
+
+def _is_free(x: float, y: float, width: float, taken: Sequence[Place], axes: Axes) -> bool:
+    inside = axes.top + LINE < y < axes.bottom - 4
+    return inside and not any(
+        abs(y - other_y) < LINE and x - 4 < other_x < x + width + 4 for other_x, other_y in taken
+    )
