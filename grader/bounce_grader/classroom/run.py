@@ -28,7 +28,6 @@ from bounce_grader.common.errors import KitError, UsageError
 from bounce_grader.common.escaping import terminal
 from bounce_grader.common.files import remove_abandoned
 from bounce_grader.common.manifest import parts
-from bounce_grader.common.numbers import short
 
 MOST_PAIRS = 10  # of near-copies, there
 MOST_LINES = 40  # on the terminal; class.html has them all
@@ -125,7 +124,7 @@ def _run(
         request.overwrite,
         rules.course,
     )
-    lines = [*_alike(near, summaries), *adjusted(summaries), *notes, *remarks]
+    lines = [*notes, *remarks, *_alike(near, summaries)]
     status = _say(request, intake, summaries, lines)
     return max(status, _to_canvas(request, canvas, summaries) if canvas else 0)
 
@@ -192,23 +191,10 @@ def _alike(near: Similar, summaries: list[Summary]) -> list[str]:
     """A sentence for each of the nearest copies."""
     names = page.names_of(summaries)
     return [
-        f"{' and '.join(page.pair_names(pair, names))} have {page.pair_share(pair)} in common: look "
-        "whether one is a copy"
+        f"{' and '.join(page.pair_names(pair, names))} have {page.pair_share(pair)} in common: "
+        "look whether one is a copy"
         for pair in near.pairs[:MOST_PAIRS]
     ]
-
-
-def adjusted(summaries: list[Summary]) -> list[str]:
-    """A sentence for each person whose points were changed after the grading."""
-    lines = []
-    for summary in summaries:
-        for one in summary.finals:
-            changes = ", ".join(f"{a.reason} {a.points:+g}" for a in one.applied)
-            if changes:
-                who = f"{one.name or one.id} ({one.id})"
-                before, after = short(summary.score or 0.0), short(round(one.points[0], 2))
-                lines.append(f"{who}: {before} -> {after} points ({changes})")
-    return lines
 
 
 def _tasks(request: Request, chosen: list[Student], stamp: Stamp, folder: Path) -> dict[str, Task]:
@@ -254,7 +240,8 @@ def _require_students_of(
         raise UsageError(
             f"{request.submissions} is of an anonymous assignment, whose names are in no grade "
             "book: "
-            "post the grades in Canvas, and download the submissions again; or leave --gradebook out"
+            "post the grades in Canvas, and download the submissions again; or leave --gradebook "
+            "out"
         )
     book.require_some_of(ids, of_canvas=intake.service == "canvas")
 

@@ -1,8 +1,8 @@
 """Writes the handout: one zip with all that a student needs, and nothing else.
 
 It holds the folder student/, the tests that a student's build runs, the public fixtures with the
-answers of known mistakes, and the manifest of checks, whose points the texts say. Times and permissions are fixed, so that the
-same kit gives the same bytes.
+answers of known mistakes, and the manifest of checks, whose points its texts say. Times and
+permissions are fixed, so that the same kit gives the same bytes.
 """
 
 import zipfile

@@ -1,8 +1,8 @@
 """Canvas's API: downloads the submissions of an assignment, with the token of the environment.
 
-Lists come in pages, linked by the header Link. Where requests come too quickly, Canvas answers 403 or
-429, and they are tried again after a while. The token goes to Canvas's own address alone, and into no
-message.
+Lists come in pages, linked by the header Link. Where requests come too quickly, Canvas answers 403
+or 429, and they are tried again after a while. The token goes to Canvas's own address alone, and
+into no message.
 """
 
 import json

@@ -85,7 +85,8 @@ def scatter(points: Sequence[Point], right: float) -> Drawing:
         *axes.ticks(short, scientific_tick, range(-16, 4, 4)),
         f'<path d="M{axes.left} {limit:.1f}h{axes.width}" stroke="#111" stroke-dasharray="6 4"/>',
         text(end - 6, limit - 6, "right answers are below this line", "end"),
-        f'<path d="M{solution:.1f} {axes.top}v{axes.height}" stroke="#111" stroke-dasharray="2 4"/>',
+        f'<path d="M{solution:.1f} {axes.top}v{axes.height}" stroke="#111" '
+        'stroke-dasharray="2 4"/>',
         text(solution + 6, axes.top + 16, "the solution's time"),
         text(end + 22, axes.bottom + 20, "not timed"),
         text(axes.left - 9, axes.top - 26, "not finite,", "end"),
@@ -137,7 +138,8 @@ def _markers(number: int) -> str:
     faint = min(0.5, max(0.07, 20 / number))
     shapes = {
         "full": f'<circle r="3" cx="5" cy="5" fill="#111" fill-opacity="{faint:.2f}"/>',
-        "some": f'<circle r="3" cx="5" cy="5" fill="none" stroke="#111" opacity="{2 * faint:.2f}"/>',
+        "some": '<circle r="3" cx="5" cy="5" fill="none" stroke="#111" '
+        f'opacity="{2 * faint:.2f}"/>',
         "none": f'<path d="M2 2l6 6m0-6l-6 6" stroke="#111" opacity="{2 * faint:.2f}"/>',
         "solution": '<rect x="1" y="1" width="8" height="8" fill="#fff" stroke="#111"/>',
         "least": '<path d="M5 0l5 9H0z" fill="#fff" stroke="#111"/>',
