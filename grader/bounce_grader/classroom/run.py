@@ -50,6 +50,8 @@ def _whole(request: Request) -> int:
     others = book.people(of_canvas=False) if book else {}
     listed = roster.read(request.out).named(others)
     own = (course.read(request.out), listed, adjustments.read(request.out))
+    for folder in request.corpus:
+        students.read(folder)  # so that a wrong one is said now
     canvas = _canvas(request)
     if canvas:
         intake = canvas_api.download(canvas, request.out)
@@ -183,7 +185,7 @@ def _name_persons(intake: Class, book: Gradebook | Worksheet | None, listed: Ros
         of_group = intake.service == "canvas" and not is_name_of(person, student.name)
         return "" if of_group else person or (student.name if intake.service else "")
 
-    intake.students = [replace(s, person=name_of(s)) for s in intake.students]
+    intake.students = [replace(s, person=name_of(s) or s.person) for s in intake.students]
     intake.students.sort(key=lambda student: (student.shown.casefold(), student.id))
 
 

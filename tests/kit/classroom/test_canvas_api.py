@@ -55,6 +55,7 @@ def test_points_and_pages_are_posted_once_they_were_shown(
     assert {user: len(pages) for user, pages in server.comments.items()} == dict.fromkeys(USERS, 1)
     assert all(b"<!doctype html>" in pages[0] for pages in server.comments.values())
     assert server.tokens_elsewhere == []
+    assert "Doe 101, Jane" in (out / "grades.csv").read_text()
     said = capsys.readouterr()
     assert TOKEN not in said.out + said.err
     assert not any(TOKEN in f.read_text(errors="replace") for f in out.rglob("*") if f.is_file())
