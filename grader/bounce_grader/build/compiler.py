@@ -45,13 +45,19 @@ def require_built(target: str, box: Box) -> None:
     needed = BUILD / f"needs-{target}"
     if needed.exists():
         return
-    with box.budget.paused(), (BUILD / "lock").open("a") as lock:
-        fcntl.flock(lock, fcntl.LOCK_EX)
-        built = processes.run(["/usr/bin/ninja", "-C", str(BUILD), target], BUILDING)
-        if not built.ok:
-            last = built.out.decode("utf-8", "replace").strip().rpartition("\n")[2]
-            raise KitError(f"{target} can't be built: {terminal(last)}")
-        needed.touch()
+    try:
+        with box.budget.paused(), (BUILD / "lock").open("a") as lock:
+            fcntl.flock(lock, fcntl.LOCK_EX)
+            built = processes.run(["/usr/bin/ninja", "-C", str(BUILD), target], BUILDING)
+            if not built.ok:
+                last = built.out.decode("utf-8", "replace").strip().rpartition("\n")[2]
+                raise KitError(f"{target} can't be built: {terminal(last)}")
+            needed.touch()
+    except OSError as error:
+        raise KitError(
+            f"{target} isn't built yet, and {BUILD} can't be written ({error.strerror}): grade a "
+            "class, or this submission, once as the owner of the kit"
+        ) from error
 
 
 def require_a_compiler(result: processes.Result) -> None:

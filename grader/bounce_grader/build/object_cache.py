@@ -13,10 +13,12 @@ from bounce_grader.common.paths import BUILD, CACHE, RUNNER
 from bounce_grader.sandbox.box import Box
 from bounce_grader.submission.submission import Submission
 
-FORMAT = "a file of its own from a process of its own, with its digest"  # change it to invalidate all objects
+# Change it to invalidate all objects.
+FORMAT = "a file of its own from a process of its own, with its digest"
 KEPT_IN_A_FOLDER = 64  # objects in each of the 256 folders
 KEPT_BYTES = 16 << 20  # bytes in each folder
 DIGEST = 32  # bytes
+MADE = {".pch", ".gch", ".o", ".txt", ".hpp"}  # what submissions are built with
 IN_USE = 3600  # seconds; every grading is over by then
 
 
@@ -55,7 +57,8 @@ def toolchain_digest() -> bytes:
             "copy the kit to a folder of your own, and run it there"
         )
     hasher = hashlib.sha256(str(RUNNER).encode())
-    for path in sorted(RUNNER.iterdir()):
+    made = (path for path in RUNNER.iterdir() if path.suffix in MADE)  # no file of a running build
+    for path in sorted(made):
         hasher.update(f"{path.name} {path.stat().st_mtime_ns}\0".encode())
     return hasher.digest()
 

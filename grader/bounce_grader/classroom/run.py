@@ -28,7 +28,6 @@ from bounce_grader.common.errors import KitError, UsageError
 from bounce_grader.common.escaping import terminal
 from bounce_grader.common.files import remove_abandoned
 from bounce_grader.common.manifest import parts
-from bounce_grader.common.numbers import short
 
 MOST_PAIRS = 10  # of near-copies, there
 MOST_LINES = 40  # on the terminal; class.html has them all
@@ -51,6 +50,8 @@ def _whole(request: Request) -> int:
     others = book.people(of_canvas=False) if book else {}
     listed = roster.read(request.out).named(others)
     own = (course.read(request.out), listed, adjustments.read(request.out))
+    for folder in request.corpus:
+        students.read(folder)  # so that a wrong one is said now
     canvas = _canvas(request)
     if canvas:
         intake = canvas_api.download(canvas, request.out)
@@ -125,7 +126,7 @@ def _run(
         request.overwrite,
         rules.course,
     )
-    lines = [*_alike(near, summaries), *adjusted(summaries), *notes, *remarks]
+    lines = [*notes, *remarks, *_alike(near, summaries)]
     status = _say(request, intake, summaries, lines)
     return max(status, _to_canvas(request, canvas, summaries) if canvas else 0)
 
@@ -184,7 +185,7 @@ def _name_persons(intake: Class, book: Gradebook | Worksheet | None, listed: Ros
         of_group = intake.service == "canvas" and not is_name_of(person, student.name)
         return "" if of_group else person or (student.name if intake.service else "")
 
-    intake.students = [replace(s, person=name_of(s)) for s in intake.students]
+    intake.students = [replace(s, person=name_of(s) or s.person) for s in intake.students]
     intake.students.sort(key=lambda student: (student.shown.casefold(), student.id))
 
 
@@ -192,23 +193,10 @@ def _alike(near: Similar, summaries: list[Summary]) -> list[str]:
     """A sentence for each of the nearest copies."""
     names = page.names_of(summaries)
     return [
-        f"{' and '.join(page.pair_names(pair, names))} have {page.pair_share(pair)} in common: look "
-        "whether one is a copy"
+        f"{' and '.join(page.pair_names(pair, names))} have {page.pair_share(pair)} in common: "
+        "look whether one is a copy"
         for pair in near.pairs[:MOST_PAIRS]
     ]
-
-
-def adjusted(summaries: list[Summary]) -> list[str]:
-    """A sentence for each person whose points were changed after the grading."""
-    lines = []
-    for summary in summaries:
-        for one in summary.finals:
-            changes = ", ".join(f"{a.reason} {a.points:+g}" for a in one.applied)
-            if changes:
-                who = f"{one.name or one.id} ({one.id})"
-                before, after = short(summary.score or 0.0), short(round(one.points[0], 2))
-                lines.append(f"{who}: {before} -> {after} points ({changes})")
-    return lines
 
 
 def _tasks(request: Request, chosen: list[Student], stamp: Stamp, folder: Path) -> dict[str, Task]:
@@ -254,7 +242,8 @@ def _require_students_of(
         raise UsageError(
             f"{request.submissions} is of an anonymous assignment, whose names are in no grade "
             "book: "
-            "post the grades in Canvas, and download the submissions again; or leave --gradebook out"
+            "post the grades in Canvas, and download the submissions again; or leave --gradebook "
+            "out"
         )
     book.require_some_of(ids, of_canvas=intake.service == "canvas")
 

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import IO
 
-from bounce_grader.build.compiler import COMPILE
+from bounce_grader.build.compiler import COMPILE, compiler
 from bounce_grader.common.paths import PROBE, ROOT, WATCH
 from bounce_grader.sandbox import processes
 from bounce_grader.sandbox.box import problem_of, Box
@@ -203,6 +203,7 @@ def run(stream: IO[str] | None = None) -> int:
             )
     for box, why in dict.fromkeys((f.box, f.detail) for f in all_findings if f.held is None):
         console.print(f"{box}: can't be had here: {why}", markup=False)
+    console.print(f"Submissions are compiled by {compiler()}.", markup=False, soft_wrap=True)
     return int(not all(finding.held for finding in all_findings))
 
 

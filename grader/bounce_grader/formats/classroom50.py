@@ -1,5 +1,6 @@
-"""Classroom 50's result.json (its wiki: Advanced Autograding), for a runner of the course's own. The
-service's runner adds who handed it in. Scores are whole numbers there: points that aren't are scaled."""
+"""Classroom 50's result.json (its wiki: Advanced Autograding), for a runner of the course's own.
+The service's runner adds who handed it in. Scores are whole numbers there: points that aren't are
+scaled."""
 
 import os
 from datetime import datetime, timezone

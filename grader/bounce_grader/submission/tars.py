@@ -1,4 +1,5 @@
-"""Lists and reads the files of a tar, compressed or not, in memory. Nothing is extracted to disk."""
+"""Lists and reads the files of a tar, compressed or not, in memory. Nothing is extracted to
+disk."""
 
 import bz2
 import gzip

@@ -55,6 +55,7 @@ def test_points_and_pages_are_posted_once_they_were_shown(
     assert {user: len(pages) for user, pages in server.comments.items()} == dict.fromkeys(USERS, 1)
     assert all(b"<!doctype html>" in pages[0] for pages in server.comments.values())
     assert server.tokens_elsewhere == []
+    assert "Doe 101, Jane" in (out / "grades.csv").read_text()
     said = capsys.readouterr()
     assert TOKEN not in said.out + said.err
     assert not any(TOKEN in f.read_text(errors="replace") for f in out.rglob("*") if f.is_file())
@@ -78,8 +79,8 @@ def test_what_a_person_has_entered_is_kept_and_an_excuse_too(
         run(out, monkeypatch, upload=upload)
     now = {user: s["score"] for user, s in server.submissions.items()}
     points = expected(tmp_path)
-    changed = {101: 12.5, 102: None, 103: max(0, points[103] - 1), 104: points[104] + 1}
-    assert now == {**points, **changed}
+    changed: dict[int, float | None] = {101: 12.5, 102: None, 103: max(0, points[103] - 1), 104: points[104] + 1}
+    assert now == {**dict[int, float | None](points), **changed}
     assert "keeps 12.5" in capsys.readouterr().out
     assert {len(server.comments[user]) for user in (103, 104)} == {2}
     assert len(server.comments[105]) == 1

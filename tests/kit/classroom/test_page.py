@@ -103,6 +103,19 @@ def test_the_lines_differ_without_colour_and_a_thousand_fit_into_the_page() -> N
     )
 
 
+def test_labels_of_a_curve_lie_apart_and_within_the_frame() -> None:
+    """Three steps whose places nearly coincide, at the right edge and at the top."""
+    places = ((1e5, 1e2), (0.99e5, 0.9e2), (0.98e5, 0.95e2))
+    steps = ("10 ms", "3 ms", "1 ms")
+    drawn = charts.error_against_time([Curve(places, "solution", "x", steps)], 1e-3)
+    found = re.findall(r'<text x="([\d.]+)" y="([\d.]+)"[^>]*>(?:10|3|1) ms<', drawn)
+    at = [(float(x), float(y)) for x, y in found]
+    assert len(at) == 3
+    assert all(90 < x < charts.WIDTH - 40 - 40 and 20 < y - 10 for x, y in at)
+    for i, (x, y) in enumerate(at):
+        assert all(abs(y - v) >= charts.LINE or abs(x - u) > 44 for u, v in at[:i])
+
+
 @pytest.mark.parametrize(
     "scores, counts",
     [([0, 9.9, 10, 99.9, 100], ["2", "1", "1", "1"]), ([], []), ([100] * 7, ["7"])],

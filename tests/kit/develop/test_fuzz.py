@@ -90,6 +90,12 @@ def test_what_a_case_shows_is_taken() -> None:
     assert judging.read_answer(shown(lambda s: None), parts()[3])
 
 
+def test_a_check_that_the_manifest_leaves_out_is_dropped() -> None:
+    fewer = parts()[3]._replace(checks=parts()[3].checks[1:])
+    found = judging.read_answer(shown(lambda s: None), fewer)["checks"]
+    assert [check["id"] for check in found] == [check.id for check in fewer.checks]
+
+
 @pytest.mark.parametrize(
     "out",
     [

@@ -56,3 +56,18 @@ def test_whatever_a_compiler_says_the_record_stays_json(message: str) -> None:
 def test_how_a_program_ended_is_the_parts_message() -> None:
     message = "1 of 1 cases wrong; the first: x\n  got      the program crashed"
     assert record.part_record(PART, judged(message, "crashed"))["message"] == "the program crashed"
+
+
+def test_one_exception_is_told_once() -> None:
+    """The other checks that fail by it refer to the first; another exception is told by itself."""
+    thrown: dict[str, Any] = {"name": "x", "input": "in", "sentence": "the program threw x", "quantities": []}
+    text = "2 of 9 cases wrong; the first: x\nin\n  got the program threw x"
+    verdicts = {c.id: Verdict(False, "graded", text, thrown) for c in PART.checks}
+    last = PART.checks[-1]
+    other = {**thrown, "sentence": "the program threw y"}
+    verdicts[last.id] = Verdict(False, "graded", text, other)
+    checks = record.part_record(PART, Judged(verdicts, None, "own"))["checks"]
+    assert checks[0]["message"] == text and checks[0]["shown"] == thrown
+    again = f'2 of 9 cases wrong, as in "{PART.checks[0].title}": the program threw x'
+    assert all(c["message"] == again and "shown" not in c for c in checks[1:-1])
+    assert checks[-1]["message"] == text and checks[-1]["shown"] == other

@@ -163,3 +163,10 @@ def test_a_long_name_in_an_error_is_cut_and_moves_no_cursor(tmp_path: Path) -> N
     assert done.returncode == 2 and done.stdout == ""
     assert done.stderr.startswith("kit: there is no file or folder")
     assert "\x1b" not in done.stderr and "\n::" not in done.stderr
+
+
+def test_a_helper_that_is_too_large_is_left_out_with_the_reason(tmp_path: Path) -> None:
+    files = {**solution_files(), "table.hpp": b" " * (2 << 20), "notes.txt": b""}
+    taken = submission.read(zip_of(tmp_path / "x.zip", files))
+    reason = "table.hpp (is 2.1 MB large; a source file may have 1 MB)"
+    assert taken.ignored == ("notes.txt", reason)

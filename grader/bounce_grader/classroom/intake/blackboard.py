@@ -3,8 +3,8 @@
     {assignment}_{user}_attempt_{2026-11-20-23-15-42}_{file}
     {assignment}_{user}_attempt_{2026-11-20-23-15-42}.txt     who submitted, and what else is typed
 
-Both the assignment's title and a user's name may hold "_". The text begins with a line that Blackboard
-writes, "Name: Jane Doe (jdoe)"; without it, what all entries begin with is the title.
+Both the assignment's title and a user's name may hold "_". The text begins with a line that
+Blackboard writes, "Name: Jane Doe (jdoe)"; without it, what all entries begin with is the title.
 """
 
 import os

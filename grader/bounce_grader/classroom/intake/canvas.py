@@ -62,8 +62,8 @@ def parse(entry: str) -> Upload | TextEntry | None:
 def read_all(
     entries: Iterable[str], people: Mapping[str, str] = {}
 ) -> dict[str, Upload | TextEntry | None]:
-    """Reads the names of all entries. The value is None for a name that Canvas doesn't write, and for
-    one that could be of several users, because students choose their names and those of their files.
+    """Reads the names of all entries. The value is None for a name that Canvas doesn't write, and
+    for one that could be of several users, because students choose their names and their files'.
     `people` are the students of the grade book, by Canvas's ids: a name that could be of several is
     taken for the only one of them whose id and name are in it."""
     possible = {entry: readings(entry) for entry in entries}

@@ -1,8 +1,8 @@
 """Canvas's API: downloads the submissions of an assignment, with the token of the environment.
 
-Lists come in pages, linked by the header Link. Where requests come too quickly, Canvas answers 403 or
-429, and they are tried again after a while. The token goes to Canvas's own address alone, and into no
-message.
+Lists come in pages, linked by the header Link. Where requests come too quickly, Canvas answers 403
+or 429, and they are tried again after a while. The token goes to Canvas's own address alone, and
+into no message.
 """
 
 import json
@@ -146,6 +146,7 @@ def download(canvas: Canvas, out: Path) -> Class:
     folder.mkdir(parents=True, exist_ok=True)
     uploads: dict[str, list[Upload]] = {}
     late: dict[str, int] = {}
+    names: dict[str, str] = {}
     try:
         listed = list(canvas.all(f"{canvas.path}/submissions?include[]=user&per_page=100"))
     except Refused as refused:
@@ -160,11 +161,14 @@ def download(canvas: Canvas, out: Path) -> Class:
             if not (folder / upload.entry).exists():
                 _fetch(canvas, str(attachment.get("url", "")), folder / upload.entry)
             uploads.setdefault(user, []).append(upload)
+        names[user] = str(person.get("sortable_name") or "")
         if submission.get("late"):
             late[user] = max(1, math.ceil(float(submission.get("seconds_late") or 0) / 86400))
     intake = Class("Canvas's API", service="canvas")
     students.take_uploads(intake, opened(folder), uploads)
-    intake.students = [replace(s, late_days=late.get(s.id, 0)) for s in intake.students]
+    intake.students = [
+        replace(s, person=names.get(s.id, ""), late_days=late.get(s.id, 0)) for s in intake.students
+    ]
     if not intake.students:
         raise UsageError(f"nobody has submitted a file to the assignment {canvas.assignment} yet")
     return intake

@@ -5,8 +5,8 @@
     {full name}_{participant}_assignsubmission_file_{file}      without folders
     {full name}_{participant}_assignsubmission_onlinetext...    a text typed into Moodle
 
-A full name holds no "_", because Moodle writes blanks in their place; a group's comes before it, with
-a hyphen.
+A full name holds no "_", because Moodle writes blanks in their place; a group's comes before it,
+with a hyphen.
 """
 
 import re

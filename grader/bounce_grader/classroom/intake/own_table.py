@@ -54,8 +54,8 @@ def _named(
             continue
         if len(cells) != len(header):
             raise UsageError(
-                f"{path} has {len(cells)} cells in line {line}, and {len(header)} in its first: put "
-                "texts with commas into quotation marks"
+                f"{path} has {len(cells)} cells in line {line}, and {len(header)} in its first: "
+                "put texts with commas into quotation marks"
             )
         found.append(OwnRow(line, dict.fromkeys(more, "") | dict(zip(header, cells))))
     return found

@@ -24,17 +24,20 @@ class Member(NamedTuple):
 class Roster:
     def __init__(self, members: dict[str, list[Member]]) -> None:
         self._members = members
+        self._by_name = {name.casefold(): of for name, of in members.items()}
+        self._as_in_canvas = {sanitized(name): of for name, of in members.items()}
 
     def __bool__(self) -> bool:
         return bool(self._members)
 
     def of(self, student: Student) -> list[Member]:
         """The members of a submission; none if the roster doesn't name it."""
-        names = [student.id, student.name]
-        for submission, members in self._members.items():
-            own = {submission, sanitized(submission) if student.uploads else submission}
-            if any(name.casefold() in map(str.casefold, own) for name in names):
-                return members
+        for name in (student.id, student.name):
+            found = self._by_name.get(name.casefold())
+            if not found and student.uploads:
+                found = self._as_in_canvas.get(name)
+            if found:
+                return found
         return []
 
     def named(self, people: Mapping[str, str]) -> "Roster":

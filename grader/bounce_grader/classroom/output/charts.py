@@ -3,11 +3,12 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from bounce_grader.common.numbers import scientific_tick, short
+from bounce_grader.common.numbers import metres, scientific_tick, short
 from bounce_grader.common.svg import Axes, BOLD, cross, decades, Drawing, INK, line, Place, rect
 from bounce_grader.common.svg import svg, text, through, title
 
 WIDTH = 720
+LETTER, LINE = 8, 16  # px: at most the width of a letter, and the height of a line
 
 
 @dataclass(frozen=True)
@@ -84,7 +85,8 @@ def scatter(points: Sequence[Point], right: float) -> Drawing:
         *axes.ticks(short, scientific_tick, range(-16, 4, 4)),
         f'<path d="M{axes.left} {limit:.1f}h{axes.width}" stroke="#111" stroke-dasharray="6 4"/>',
         text(end - 6, limit - 6, "right answers are below this line", "end"),
-        f'<path d="M{solution:.1f} {axes.top}v{axes.height}" stroke="#111" stroke-dasharray="2 4"/>',
+        f'<path d="M{solution:.1f} {axes.top}v{axes.height}" stroke="#111" '
+        'stroke-dasharray="2 4"/>',
         text(solution + 6, axes.top + 16, "the solution's time"),
         text(end + 22, axes.bottom + 20, "not timed"),
         text(axes.left - 9, axes.top - 26, "not finite,", "end"),
@@ -122,9 +124,9 @@ def error_against_time(curves: Sequence[Curve], fine: float) -> Drawing:
     out = [
         _markers(len(curves)),
         rect(axes.left, axes.top, axes.width, axes.height, "none", INK),
-        *axes.ticks(short, lambda error: f"{scientific_tick(error)} m"),
+        *axes.ticks(short, metres),
         line(axes.left, limit, axes.left + axes.width, limit, "2 3"),
-        *(_curve(curve, [axes.at(*place) for place in curve.places]) for curve in curves),
+        *(_curve(curve, axes) for curve in curves),
         *axes.names("CPU time for a second of motion, over the solution's at dt = 1 ms"),
     ]
     label = "Speed against accuracy, one line for each submission"
@@ -136,7 +138,8 @@ def _markers(number: int) -> str:
     faint = min(0.5, max(0.07, 20 / number))
     shapes = {
         "full": f'<circle r="3" cx="5" cy="5" fill="#111" fill-opacity="{faint:.2f}"/>',
-        "some": f'<circle r="3" cx="5" cy="5" fill="none" stroke="#111" opacity="{2 * faint:.2f}"/>',
+        "some": '<circle r="3" cx="5" cy="5" fill="none" stroke="#111" '
+        f'opacity="{2 * faint:.2f}"/>',
         "none": f'<path d="M2 2l6 6m0-6l-6 6" stroke="#111" opacity="{2 * faint:.2f}"/>',
         "solution": '<rect x="1" y="1" width="8" height="8" fill="#fff" stroke="#111"/>',
         "least": '<path d="M5 0l5 9H0z" fill="#fff" stroke="#111"/>',
@@ -154,7 +157,30 @@ def _markers(number: int) -> str:
     return f"<defs>{drawn}</defs><style>{rules}{lines}{bold}{dots}</style>"
 
 
-def _curve(curve: Curve, places: Sequence[Place]) -> str:
-    labels = "".join(text(x + 8, y - 8, label) for (x, y), label in zip(places, curve.labels))
+def _curve(curve: Curve, axes: Axes) -> str:
+    places = [axes.at(*place) for place in curve.places]
     drawn = f'<path class="curve {curve.kind}" d="{through(places, 0)}">{title(curve.title)}</path>'
+    labels = _labels(places, curve.labels, axes)
     return drawn + (f'<g class="label">{labels}</g>' if labels else "")
+
+
+def _labels(places: Sequence[Place], labels: Sequence[str], axes: Axes) -> str:
+    """Each label beside its place: within the frame, and not over another."""
+    out, taken = [], list[Place]()
+    for (x, y), label in zip(places, labels):
+        width = LETTER * len(label)
+        right = x + 8 + width < axes.left + axes.width
+        start = x + 8 if right else x - 8 - width
+        sides = [y - 8, y + 20, y - 26, y + 38, y - 44, y + 56]
+        free = [at for at in sides if _is_free(start, at, width, taken, axes)]
+        at = free[0] if free else sides[0]
+        taken += [(start, at), (start + width, at)]
+        out.append(text(start, at, label))
+    return "".join(out)
+
+
+def _is_free(x: float, y: float, width: float, taken: Sequence[Place], axes: Axes) -> bool:
+    inside = axes.top + LINE < y < axes.bottom - 4
+    return inside and not any(
+        abs(y - other_y) < LINE and x - 4 < other_x < x + width + 4 for other_x, other_y in taken
+    )

@@ -120,6 +120,19 @@ def _is_called(who: str, name: str) -> bool:
     return one == other or sanitized(who) == name
 
 
+def adjusted(summaries: list[Summary]) -> list[str]:
+    """A sentence for each person whose points were changed after the grading."""
+    lines = []
+    for summary in summaries:
+        for one in summary.finals:
+            changes = ", ".join(f"{a.reason} {a.points:+g}" for a in one.applied)
+            if changes:
+                who = f"{one.name or one.id} ({one.id})"
+                before, after = short(summary.score or 0.0), short(round(one.points[0], 2))
+                lines.append(f"{who}: {before} -> {after} points ({changes})")
+    return lines
+
+
 def require_known(
     rules: Rules, students: Sequence[Student], others: Mapping[str, str], path: str
 ) -> list[str]:

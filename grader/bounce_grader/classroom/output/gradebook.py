@@ -65,8 +65,8 @@ class Gradebook:
         handed_in = list(ids)
         if handed_in and not any(id in known for id in handed_in):
             raise UsageError(
-                f"none of the {len(handed_in)} students who handed in is in {self._name}: is it the grade "
-                "book of another course?"
+                f"none of the {len(handed_in)} students who handed in is in {self._name}: is it the "
+                "grade book of another course?"
             )
 
     def fill(
@@ -143,8 +143,8 @@ class Gradebook:
                 )
         if is_filled and marks.of_canvas and not is_name_of(self._person(row), marks.name):
             sentences.append(
-                f"{self._who(row)} has the points of {marks.name}: if that is a group, give its other "
-                "members the same"
+                f"{self._who(row)} has the points of {marks.name}: if that is a group, give its "
+                "other members the same"
             )
         return sentences
 
@@ -280,8 +280,8 @@ class Gradebook:
                 points = number_in(row.cells[column].text)
                 if points is not None and points != self._most[part]:
                     sentences.append(
-                        f"Canvas has {short(points)} points possible for {self._header[column]}, the "
-                        f"kit {short(self._most[part])}: change it in Canvas, or scale there"
+                        f"Canvas has {short(points)} points possible for {self._header[column]}, "
+                        f"the kit {short(self._most[part])}: change it in Canvas, or scale there"
                     )
         return sentences
 

@@ -12,6 +12,7 @@ from bounce_grader.classroom.intake import canvas
 from bounce_grader.classroom.intake.course import Course
 from bounce_grader.classroom.intake.students import Class
 from bounce_grader.classroom.output import gradebook, grades, history, page
+from bounce_grader.classroom.output.final import adjusted
 from bounce_grader.classroom.output.gradebook import Gradebook, Marks
 from bounce_grader.classroom.output.worksheet import Worksheet
 from bounce_grader.classroom.work import results
@@ -42,8 +43,8 @@ def write(
     overwrite: bool = False,
     course: Course = Course(),
 ) -> list[str]:
-    """Writes everything but the feedback. Returns sentences about the grade book for the
-    instructor."""
+    """Writes everything but the feedback. Returns sentences for the instructor, about adjustments
+    and the grade book."""
     marks, left_out = _marks(submitted, summaries)
     if book is None:
         sentences = _make_up_gradebook(out / name, marks, title or TITLE, log)
@@ -53,6 +54,7 @@ def write(
         write_whole(out / name, filled.data)
         write_whole(out / WRITTEN, json.dumps(filled.written, indent=1, sort_keys=True))
         sentences = [*filled.sentences, *left_out]
+    sentences = [*adjusted(summaries), *sentences]
     write_whole(out / "grades.csv", "\ufeff" + grades.table(summaries))
     write_whole(out / "class.html", page.render(submitted, summaries, near, sentences, course))
     return sentences
@@ -110,8 +112,8 @@ def write_feedback(
     out: Path, submitted: Class, summaries: list[Summary], reveal: bool = False
 ) -> dict[str, str]:
     """Writes a feedback page for each submission, and for Canvas and Moodle a zip of the pages that
-    they can import. Removes pages of earlier runs whose submissions are gone. Only with `reveal` do pages
-    hold the expected answers of hidden cases. Returns the reasons for missing pages, by student's
+    they can import. Removes pages of earlier runs whose submissions are gone. Only with `reveal` do
+    pages hold the expected answers of hidden cases. Returns the reasons for missing pages, by student's
     id."""
     folder = out / "feedback"
     folder.mkdir(exist_ok=True)

@@ -55,8 +55,8 @@ class Worksheet:
         wanted = list(ids)
         if wanted and not self._by_id().keys() & set(wanted):
             raise UsageError(
-                f"none of the {len(wanted)} students who handed in is in {self._name}: is it the file "
-                "of another assignment or course?"
+                f"none of the {len(wanted)} students who handed in is in {self._name}: is it the "
+                "file of another assignment or course?"
             )
 
     def fill(

@@ -61,8 +61,8 @@ def _start_server() -> None:
     starts."""
     if len(os.fsencode(tempfile.gettempdir())) > LONGEST_TEMPORARY:
         raise UsageError(
-            f"the path of the temporary folder, {tempfile.gettempdir()}, is too long for the sockets "
-            "that a class is graded with: set TMPDIR to a shorter one"
+            f"the path of the temporary folder, {tempfile.gettempdir()}, is too long for the "
+            "sockets that a class is graded with: set TMPDIR to a shorter one"
         )
     if threading.current_thread() is not threading.main_thread():
         forkserver.ensure_running()
@@ -129,8 +129,8 @@ class _Running:
 
 
 def _child(unit: Callable[[Task], Outcome], task: Task, answer: Connection) -> None:
-    """The process of one grading. It ignores Ctrl-C, which the class handles, and ends when the class
-    has ended. When it is terminated, it removes its temporary files first."""
+    """The process of one grading. It ignores Ctrl-C, which the class handles, and ends when the
+    class has ended. When it is terminated, it removes its temporary files first."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))
     threading.Thread(target=_end_with_the_reader, args=(answer.fileno(),), daemon=True).start()

@@ -86,8 +86,8 @@ def find(
     trust: bool,
     corpus: Iterable[Path] = (),
 ) -> Similar:
-    """Finds near-copies, also of submissions in the folders `corpus`. The result is cached in a file
-    until the submissions change."""
+    """Finds near-copies, also of submissions in the folders `corpus`. The result is cached in a
+    file until the submissions change."""
     if which(PROGRAM) is None:
         return Similar(
             (), 0, "similarity-tester isn't installed: apt-get install similarity-tester"
