@@ -229,7 +229,7 @@ class Engine {
         if (epsilon > 0) expand(r_1, r_2, pressed, epsilon);
       }
     }
-    if (std::abs(s_.omega) < slow()) s_.omega = 0;
+    if (std::abs(s_.omega) < slow()) s_.omega = 0;  // it leaves flat, but for rounding
     const Real cut = cut_at(r_1);
     const Real after_1 = methods::normal_velocity(s_, r_1);
     const Real after_2 = methods::normal_velocity(s_, r_2);

@@ -62,7 +62,7 @@ double error_with(const Scene& scene, ModelLevel level, const Samples& truth) {
   if (level == ModelLevel::asleep) return error_of(scene, Samples(kSamples, start), truth);
   EventOptions options;
   options.model = model_of(level);
-  options.events_a_second = kEventsASecond;
+  options.most_events = long(kEventsASecond * scene.until);
   return error_of(scene, simulate_events<double>(scene.params, start, sample_times(scene), options),
                   truth);
 }

@@ -20,7 +20,7 @@ Motions truth_at(const Scene& scene, const std::vector<double>& times) {
   EventOptions finest;
   finest.cut = 3e-8;
   finest.tolerance = 1e-19;
-  finest.touching = 1e-17;
+  finest.touching = 0;
   finest.noise = 0x1p-62;
   const auto start = methods::motion_of<long double>(scene.start);
   Motions rounded;
