@@ -222,7 +222,7 @@ def _profile_panel(
     for style, own in zip(styles, ratios.values()):
         _profile_line(axes, own, style, end)
     axes.set_xscale("log")
-    axes.set_xlim(0.7, end**1.45)
+    axes.set_xlim(0.7, end**1.56)
     axes.set_ylim(0, 1.12)
     axes.set_xlabel("times the time of the fastest method of the problem")
     for style, share, height in zip(styles, shares, _apart(shares, 0.045)):

@@ -11,6 +11,7 @@ import pytest
 from bounce_grader.cli import main
 from bounce_grader.common.errors import UsageError
 from bounce_grader.common.paths import FIXTURES
+from bounce_study import measured_part
 from measured import body as bodies
 from measured import flights, impacts, ladder, laws, rows, sorting, study
 from measured.body import Body, Impacts
@@ -257,6 +258,10 @@ def test_the_command_answers_for_other_figures(tmp_path: Path) -> None:
         "squares.csv",
         "two.json",
     ]
+
+
+def test_the_tables_are_those_that_the_pages_need() -> None:
+    assert measured_part.TABLES == study.TABLES
 
 
 HEADER = "trial,k,x,y,theta\n"
