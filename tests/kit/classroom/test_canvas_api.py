@@ -79,7 +79,12 @@ def test_what_a_person_has_entered_is_kept_and_an_excuse_too(
         run(out, monkeypatch, upload=upload)
     now = {user: s["score"] for user, s in server.submissions.items()}
     points = expected(tmp_path)
-    changed: dict[int, float | None] = {101: 12.5, 102: None, 103: max(0, points[103] - 1), 104: points[104] + 1}
+    changed: dict[int, float | None] = {
+        101: 12.5,
+        102: None,
+        103: max(0, points[103] - 1),
+        104: points[104] + 1,
+    }
     assert now == {**dict[int, float | None](points), **changed}
     assert "keeps 12.5" in capsys.readouterr().out
     assert {len(server.comments[user]) for user in (103, 104)} == {2}

@@ -60,7 +60,12 @@ def test_how_a_program_ended_is_the_parts_message() -> None:
 
 def test_one_exception_is_told_once() -> None:
     """The other checks that fail by it refer to the first; another exception is told by itself."""
-    thrown: dict[str, Any] = {"name": "x", "input": "in", "sentence": "the program threw x", "quantities": []}
+    thrown: dict[str, Any] = {
+        "name": "x",
+        "input": "in",
+        "sentence": "the program threw x",
+        "quantities": [],
+    }
     text = "2 of 9 cases wrong; the first: x\nin\n  got the program threw x"
     verdicts = {c.id: Verdict(False, "graded", text, thrown) for c in PART.checks}
     last = PART.checks[-1]
