@@ -225,9 +225,15 @@ def test_an_unknown_mistake_is_described_by_its_numbers(grade: Grade) -> None:
     part = grade(changed("part1_contacts", ("q(1) + r.y()}", "0.7 * (q(1) + r.y())}")))["parts"][0]
     assert part["mistakes"] == []
     assert part["patterns"] == [
-        "Right in every public case: J_t and J_n; wrong: phi.",
+        "Right in every question: J_t and J_n; wrong: phi.",
         "Every wrong number is 0.7 times the right one.",
     ]
+
+
+def test_a_number_written_down_is_told_by_what_makes_no_difference(grade: Grade) -> None:
+    part = grade(changed("part1_contacts", ("(params.l / 2)", "(0.4 / 2)")))["parts"][0]
+    words = "Where only l is changed, J_t, J_n and phi stay the same in your answers"
+    assert part["mistakes"] == [] and any(words in text for text in part["patterns"])
 
 
 def test_what_is_wrong_in_a_hidden_case_alone_is_neither_named_nor_described(grade: Grade) -> None:
