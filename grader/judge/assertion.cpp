@@ -27,6 +27,34 @@ View place_in(View line) {
   return {};
 }
 
+// What an operation of Eigen says of shapes that don't fit, and which operation it is.
+struct Operation {
+  View assertion, words;
+};
+
+constexpr Operation kOperations[] = {
+    {"lhs.cols() == rhs.rows()",
+     "a product whose left matrix has another number of columns than the right one has rows"},
+    {"aLhs.rows() == aRhs.rows()",
+     "a sum, a difference or another operation by entries on two different shapes"},
+    {"dst.rows() == ", "an assignment to a matrix or vector of another shape"},
+    {"== other.size()", "a dot product of vectors of different lengths"},
+    {"Too many rows passed to comma", "<< with more rows than the matrix has"},
+    {"Too many coefficients passed to comma", "<< with more numbers than the matrix has"},
+    {"Too few coefficients passed to comma", "<< with fewer numbers than the matrix has"},
+    {"Cannot comma-initialize", "<< into a matrix without entries"}};
+
+// The operation's words; for another assertion, its own, cut.
+std::string in_words(View what) {
+  for (const Operation& operation : kOperations) {
+    if (what.find(operation.assertion) != View::npos) return std::string(operation.words);
+  }
+  what = what.substr(0, 120);
+  const bool of_size = what.find("index") != View::npos || what.find("rows()") != View::npos ||
+                       what.find("__n <") != View::npos;
+  return std::string(what) + (of_size ? "; an index or a size is out of range" : "");
+}
+
 // Parses a line of assert() or __glibcxx_assert: place: function: Assertion `what' failed.
 std::string in_line(View line) {
   const View word = "Assertion ";
@@ -36,11 +64,8 @@ std::string in_line(View line) {
   if (line[quote] != '`' && line[quote] != '\'') return "";
   const View place = place_in(line.substr(0, at));
   if (place.empty()) return "";
-  const View what = line.substr(quote + 1, std::min<std::size_t>(end - quote - 1, 120));
-  const bool of_size = what.find("index") != View::npos || what.find("rows()") != View::npos ||
-                       what.find("__n <") != View::npos;
-  return "an assertion failed (" + std::string(place.substr(0, 120)) + "): " + std::string(what) +
-         (of_size ? "; an index or a size is out of range" : "");
+  return "an assertion failed (" + std::string(place.substr(0, 120)) +
+         "): " + in_words(line.substr(quote + 1, std::min<std::size_t>(end - quote - 1, 400)));
 }
 
 }  // namespace

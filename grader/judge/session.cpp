@@ -127,8 +127,10 @@ Frame Session::answer_of(const Frame& question, Trajectory* columns) {
   }
   if (answer.kind == Kind::absent) {
     throw RunnerEnded(
-        {"does_not_compile", "the file defines no " + std::string(frames::kFunctions[part_ - 1]) +
-                                 " with the namespace and the arguments of its header"});
+        {"does_not_compile",
+         "the file defines no " + std::string(frames::kFunctions[part_ - 1]) +
+             " that other files can call: it takes the namespace and the arguments of "
+             "its header, and neither static nor inline"});
   }
   if (answer.kind == Kind::out_of_memory) throw RunnerEnded(out_of_memory(limits_));
   const bool known = answer.kind == Kind::answer || answer.kind == Kind::threw;

@@ -4,6 +4,8 @@
 #include <fstream>
 #include <map>
 
+#include "diagnostic_questions.hpp"
+
 namespace bounce::tests {
 namespace {
 
@@ -12,6 +14,11 @@ constexpr int kShort = 40;  // columns; of a shorter trajectory, the last column
 std::map<int, std::function<Eigen::VectorXd(const Case&)>>& functions() {
   static std::map<int, std::function<Eigen::VectorXd(const Case&)>> by_part;
   return by_part;
+}
+
+bool has_other_parameters(const Case& c) {
+  const Parameters usual;
+  return c.params.l != usual.l || c.params.m != usual.m;
 }
 
 Answer answer(const std::function<Eigen::VectorXd(const Case&)>& ask, const Case& c) {
@@ -68,7 +75,10 @@ std::vector<Case> questions(int part) {
   if (!file) throw std::logic_error("there are no public fixtures of part " + std::to_string(part));
   std::ifstream in(*file);
   std::vector<Case> cases = read_all_cases(in);
-  std::reverse(cases.begin(), cases.end());
+  const std::vector<Case> others = diagnostic_questions(part, cases);
+  std::stable_partition(cases.begin(), cases.end(), has_other_parameters);
+  cases.insert(cases.end(), others.begin(), others.end());
+  cases.push_back(cases.front());
   return cases;
 }
 

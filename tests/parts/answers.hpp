@@ -35,9 +35,10 @@ int numbers_together(int part);
 // The part's file in the folders of public fixtures, found by the beginning of its name.
 std::optional<std::filesystem::path> public_file(int part, const std::string& folder = "");
 
-// The public cases of a part. The last ones of the file come first: their parameters aren't the
-// assignment's, so that a program which stores parameters in its first call is wrong in the next
-// ones.
+// What a wrong part is asked: its public cases and the diagnostic questions, and at last the first
+// one again, by which a program that keeps something between calls gives itself away. Cases whose
+// parameters aren't the assignment's come first, so that a program which stores parameters in its
+// first call is wrong in the next ones.
 std::vector<Case> questions(int part);
 
 // Registers how to call a part's function; the part's tests do so. Returns true.

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 
+#include "wrong_corner.hpp"
+#include "wrong_formulas.hpp"
 #include "wrong_numbers.hpp"
+#include "wrong_parameters.hpp"
 #include "wrong_rules.hpp"
 #include "wrong_where.hpp"
 
@@ -10,6 +13,8 @@ namespace bounce::tests {
 namespace {
 
 using Eigen::Index;
+
+constexpr std::size_t kMost = 5;  // sentences
 
 // "J_t (third entry)", or the name alone if all entries are wrong.
 std::string with_entries(const Quantity& quantity, const std::set<Index>& wrong) {
@@ -30,7 +35,7 @@ std::string which(int part, const Wrong& wrong) {
   }
   const std::string what = "wrong: " + joined(touched) + ".";
   return right.empty() ? "W" + what.substr(1)
-                       : "Right in every public case: " + joined(right) + "; " + what;
+                       : "Right in every question: " + joined(right) + "; " + what;
 }
 
 std::string first_wrong_column(const std::vector<Case>& cases, const Wrong& wrong) {
@@ -48,7 +53,7 @@ std::string first_wrong_column(const std::vector<Case>& cases, const Wrong& wron
   }
   return *firsts.begin() == 0
              ? "In some cases column 0 is wrong already."
-             : "Column 0 is right in every public case; the first wrong one comes after it.";
+             : "Column 0 is right in every question; the first wrong one comes after it.";
 }
 
 // Whether these are a stub's answers, which need no description.
@@ -60,6 +65,18 @@ void add(Words& sentences, const std::string& sentence) {
   if (!sentence.empty()) sentences.push_back(sentence);
 }
 
+void add(Words& sentences, const Words& more) {
+  sentences.insert(sentences.end(), more.begin(), more.end());
+}
+
+// What formula or rule the numbers follow: one that needs no case set apart.
+Words formula_or_rule(int part, const std::vector<Case>& cases, const std::vector<Answer>& right,
+                      const std::vector<Answer>& got, const Wrong& wrong) {
+  Words sentences = part == 1 ? corners(cases, right, got) : Words();
+  if (sentences.empty()) sentences = formulas(part, cases, right, got);
+  return sentences.empty() && part != 4 ? rules(part, cases, wrong) : sentences;
+}
+
 }  // namespace
 
 std::vector<std::string> patterns(int part, const std::vector<Case>& cases,
@@ -69,17 +86,17 @@ std::vector<std::string> patterns(int part, const std::vector<Case>& cases,
   const Wrong wrong = wrong_numbers(right, got);
   if (wrong.numbers.empty() || nothing_is_filled_in(got)) return {};
   Words sentences;
-  if (part == 4) {
-    add(sentences, first_wrong_column(cases, wrong));
-    add(sentences, where(part, cases, wrong.questions));
+  add(sentences, part == 4 ? first_wrong_column(cases, wrong) : which(part, wrong));
+  const std::string exchange = part == 4 ? "" : exchanged(part, right, got);
+  if (!exchange.empty()) {
+    add(sentences, exchange);
     return sentences;
   }
-  add(sentences, which(part, wrong));
-  add(sentences, where(part, cases, wrong.questions));
-  const std::string exchange = exchanged(part, right, got);
-  for (const std::string& rule : exchange.empty() ? rules(part, cases, wrong) : Words{exchange}) {
-    add(sentences, rule);
-  }
+  const Words responses = inputs(part, cases, right, got);
+  add(sentences, responses);
+  if (responses.empty()) add(sentences, where(part, cases, wrong.questions));
+  add(sentences, formula_or_rule(part, cases, right, got, wrong));
+  if (sentences.size() > kMost) sentences.resize(kMost);
   return sentences;
 }
 

@@ -8,10 +8,10 @@
 
 namespace bounce::tests {
 
-// Up to four sentences: which quantities are right and which wrong; in which cases; and whether one
-// factor, one difference, exchanged places or too few digits explain every wrong number. Empty if
-// there is nothing to say, or if nothing is wrong. The cases are public ones, in the order of the
-// answers.
+// Up to five sentences, each a fact about all answers: which quantities are right and which wrong;
+// which inputs make no difference and should, or the reverse; otherwise, in which cases they are
+// wrong; and a formula or rule that gives every wrong number. Empty if there is nothing to say, or
+// if nothing is wrong. The cases are the questions of the part, in the order of the answers.
 std::vector<std::string> patterns(int part, const std::vector<Case>& cases,
                                   const std::vector<Answer>& right, const std::vector<Answer>& got);
 

@@ -86,20 +86,6 @@ Evidence evidence(const std::vector<Answer>& mistaken, const std::vector<Answer>
   return found;
 }
 
-// Where this mistake alone doesn't explain the answers.
-Evidence beyond(const std::vector<Answer>& mistaken, const std::vector<Answer>& got,
-                const KnownMistakes& known) {
-  Evidence found;
-  for (std::size_t k = 0; k < got.size(); ++k) {
-    if (got[k].thrown != mistaken[k].thrown) continue;
-    for (Index i = 0; i < got[k].numbers.size(); ++i) {
-      const double x = got[k].numbers(i);
-      if (std::isfinite(x) && !same(x, mistaken[k].numbers(i))) found.add(k, i / known.together);
-    }
-  }
-  return found;
-}
-
 // --- composing ---
 
 // The value of an entry that two mistakes a and b both change.
@@ -107,8 +93,6 @@ using Rule = double (*)(double right, double a, double b);
 constexpr Rule kRules[] = {
     [](double right, double a, double b) { return right + (a - right) + (b - right); },
     [](double right, double a, double b) { return right == 0 ? NAN : a * (b / right); },
-    [](double, double a, double) { return a; },
-    [](double, double, double b) { return b; },
 };
 
 // The value of an entry with both mistakes.
@@ -129,15 +113,11 @@ std::optional<Answer> composed(const Answer& right, const Answer& a, const Answe
   return both;
 }
 
-// Whether each of the two shows by itself; or, if that is enough, whether one of them does and the
-// other changes something in addition.
-bool both_show(const KnownMistakes& known, const Mistake& a, const Mistake& b,
-               const std::vector<Answer>& got) {
-  const bool a_alone = evidence(a.answers, b.answers, known).enough();
-  const bool b_alone = evidence(b.answers, a.answers, known).enough();
-  if (known.each_by_itself) return a_alone && b_alone;
-  return (a_alone && (b_alone || beyond(a.answers, got, known).enough())) ||
-         (b_alone && beyond(b.answers, got, known).enough());
+// Whether each of the two shows by itself. One that shows only where the other does may as well be
+// the half of a third mistake.
+bool both_show(const KnownMistakes& known, const Mistake& a, const Mistake& b) {
+  return evidence(a.answers, b.answers, known).enough() &&
+         evidence(b.answers, a.answers, known).enough();
 }
 
 // Whether both together explain the answers, and both are needed.
@@ -147,7 +127,7 @@ bool explain(const KnownMistakes& known, const Mistake& a, const Mistake& b, Rul
     const auto both = composed(known.right[k], a.answers[k], b.answers[k], rule);
     if (!both || !same(*both, got[k])) return false;
   }
-  return both_show(known, a, b, got);
+  return both_show(known, a, b);
 }
 
 using Names = std::set<std::size_t>;  // of mistakes, by index
@@ -187,11 +167,39 @@ Names in_common(const std::vector<Names>& explanations) {
   return common;
 }
 
+// Part 3's answers without the move: v' alone.
+bool holds_a_state(const std::vector<Answer>& answers) {
+  return std::all_of(answers.begin(), answers.end(),
+                     [](const Answer& a) { return a.thrown.empty() && a.numbers.size() == 6; });
+}
+
+std::vector<Answer> halves(const std::vector<Answer>& answers, bool second) {
+  std::vector<Answer> all = answers;
+  for (Answer& a : all) a.numbers = (second ? a.numbers.tail(3) : a.numbers.head(3)).eval();
+  return all;
+}
+
+// The mistakes in v' alone that explain every v'. q' is wrong in another way.
+std::vector<Names> singles_of_velocity(const KnownMistakes& known, const std::vector<Answer>& got) {
+  if (!holds_a_state(got) || !holds_a_state(known.right)) return {};
+  const std::vector<Answer> right = halves(known.right, true), velocities = halves(got, true);
+  if (!evidence(velocities, right, {known.together, right, {}}).enough()) return {};
+  std::vector<Names> found;
+  for (std::size_t i = 0; i < known.mistakes.size(); ++i) {
+    const auto& mistaken = known.mistakes[i].answers;
+    if (holds_a_state(mistaken) && explain(halves(mistaken, true), velocities) &&
+        explain(halves(mistaken, false), halves(known.right, false))) {
+      found.push_back({i});
+    }
+  }
+  return found;
+}
+
 }  // namespace
 
 KnownMistakes read_mistakes(std::istream& file, int part) {
   const json all = json::parse(file);
-  KnownMistakes known{numbers_together(part), {}, {}, part == 1};
+  KnownMistakes known{numbers_together(part), {}, {}};
   for (const json& answer : all.at("right")) known.right.push_back(read_answer(answer));
   for (const json& m : all.at("mistakes")) {
     known.mistakes.push_back({m.at("name"), m.at("title"), m.at("sentence"), m.at("hint"),
@@ -205,6 +213,7 @@ std::vector<Mistake> recognise(const KnownMistakes& known, const std::vector<Ans
   if (got.size() != known.right.size() || !evidence(got, known.right, known).enough()) return {};
   std::vector<Names> explanations = singles(known, got);
   if (explanations.empty()) explanations = pairs(known, got);
+  if (explanations.empty()) explanations = singles_of_velocity(known, got);
   std::vector<Mistake> named;
   for (const std::size_t i : in_common(explanations)) named.push_back(known.mistakes[i]);
   return named;

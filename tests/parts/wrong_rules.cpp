@@ -13,6 +13,7 @@ using Eigen::Index;
 
 constexpr double kFewDigits = 1e-4;
 constexpr double kRounding = 1e-9;  // numbers below this count as 0
+constexpr double kLeastRatio = 1e-6;
 
 // --- words ---
 
@@ -34,7 +35,7 @@ std::string digits(double x) {
 
 bool is_rule(const std::vector<Number>& numbers, const std::function<double(const Number&)>& rule) {
   return numbers.size() >= kEnough && std::all_of(numbers.begin(), numbers.end(), [&](auto& n) {
-           return n.right != 0 && same(rule(n), n.got);
+           return std::abs(n.right) > kRounding && same(rule(n), n.got);
          });
 }
 
@@ -49,7 +50,9 @@ std::string factor_of(const std::vector<Case>& cases, const std::vector<Number>&
   }
   const double ratio = numbers[0].got / numbers[0].right;
   const bool constant = is_rule(numbers, [&](const Number& n) { return ratio * n.right; });
-  return constant && ratio != 0 ? digits(ratio) : "";
+  // A smaller ratio is a rounding error of 0, a larger one that of a right 0.
+  const bool is_sure = std::abs(ratio) > kLeastRatio && std::abs(ratio) < 1 / kLeastRatio;
+  return constant && is_sure ? digits(ratio) : "";
 }
 
 std::string difference_of(const std::vector<Number>& numbers) {

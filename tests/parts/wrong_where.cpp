@@ -135,10 +135,11 @@ std::string where(int part, const std::vector<Case>& cases, const std::set<std::
   add_what_the_corner_does(others);
   add_motion(part, others);
   const auto numbers = closest(parameters, cases, wrong), traits = closest(others, cases, wrong);
-  if (numbers && (!traits || numbers->cases.size() <= traits->cases.size())) {
+  if (numbers && are_nearly_all(wrong, numbers->cases) &&
+      (!traits || numbers->cases.size() <= traits->cases.size())) {
     return "Wrong only where " + joined(numbers->words, " or ") +
            (numbers->words.size() > 1 ? " aren't" : " isn't") + " the assignment's, " +
-           out_of(*numbers, wrong) + ": is a number written down that params holds?";
+           out_of(*numbers, wrong) + ".";
   }
   if (!traits || !are_nearly_all(wrong, traits->cases)) return "";
   return "Wrong only where " + traits->words.front() + ", " + out_of(*traits, wrong) + ".";

@@ -19,6 +19,7 @@ TOP = "bounce"  # the folder in the zip
 TESTS = (
     "answers.?pp",
     "cases.?pp",
+    "diagnostic_questions.?pp",
     "feedback.?pp",
     "pattern.?pp",
     "picture.?pp",

@@ -129,6 +129,23 @@ def test_every_title_and_sentence_is_one_of_its_kind() -> None:
     assert len(by_part) == len(set(by_part))
 
 
+# The numbers don't tell how the code is written. A cause is said as one, after "Often:".
+ABOUT_CODE = re.compile(
+    r"\b(loops?|static|global|variables?|typed|written down|hard-coded|appears? nowhere|<<)\b"
+)
+
+
+def test_no_sentence_says_how_the_code_is_written() -> None:
+    told = {m.name: f"{m.title}. {m.sentence}".partition("Often:")[0] for m in ALL}
+    assert not [name for name, words in told.items() if ABOUT_CODE.search(words)]
+
+
+# In a pair, what is right of the one may be wrong by the other.
+def test_no_sentence_says_what_is_right() -> None:
+    right = re.compile(r"\b(is|are) right\b(?! one)")
+    assert not [m.name for m in ALL if right.search(m.sentence)]
+
+
 def test_a_mistakes_hint_belongs_to_its_part() -> None:
     assert not [m.name for m in ALL if not m.hint.startswith(m.name[4])]
 
@@ -143,7 +160,7 @@ def test_what_students_get_holds_no_line_for_the_instructor() -> None:
 def test_the_answers_are_small_and_finite() -> None:
     files = list(KNOWN.glob("*.json"))
     assert {f.stem for f in files} == {part.stem for part in parts()}
-    assert sum(file.stat().st_size for file in files) < 400_000
+    assert sum(file.stat().st_size for file in files) < 800_000
     for file in files:
         json.loads(file.read_text(), parse_constant=lambda word: pytest.fail(word))
 
@@ -208,9 +225,15 @@ def test_an_unknown_mistake_is_described_by_its_numbers(grade: Grade) -> None:
     part = grade(changed("part1_contacts", ("q(1) + r.y()}", "0.7 * (q(1) + r.y())}")))["parts"][0]
     assert part["mistakes"] == []
     assert part["patterns"] == [
-        "Right in every public case: J_t and J_n; wrong: phi.",
+        "Right in every question: J_t and J_n; wrong: phi.",
         "Every wrong number is 0.7 times the right one.",
     ]
+
+
+def test_a_number_written_down_is_told_by_what_makes_no_difference(grade: Grade) -> None:
+    part = grade(changed("part1_contacts", ("(params.l / 2)", "(0.4 / 2)")))["parts"][0]
+    words = "Where only l is changed, J_t, J_n and phi stay the same in your answers"
+    assert part["mistakes"] == [] and any(words in text for text in part["patterns"])
 
 
 def test_what_is_wrong_in_a_hidden_case_alone_is_neither_named_nor_described(grade: Grade) -> None:

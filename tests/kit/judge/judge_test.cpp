@@ -243,6 +243,25 @@ TEST(Assertion, OfEigenIsToldWithItsPlace) {
             "range");
 }
 
+// The text of Eigen's assertions is longer than a line.
+TEST(Assertion, OfShapesSaysWhichOperation) {
+  const auto told = [](const std::string& what) {
+    return assertion_in("runner: /usr/include/eigen3/Eigen/src/Core/File.h:96: f(): Assertion `" +
+                        what + "' failed.\n");
+  };
+  EXPECT_EQ(told("lhs.cols() == rhs.rows() && \"invalid matrix product\" && \"if you wanted a "
+                 "coeff-wise or a dot product use the respective explicit functions\""),
+            "an assertion failed (File.h:96): a product whose left matrix has another number of "
+            "columns than the right one has rows");
+  EXPECT_EQ(told("aLhs.rows() == aRhs.rows() && aLhs.cols() == aRhs.cols()"),
+            "an assertion failed (File.h:96): a sum, a difference or another operation by entries "
+            "on two different shapes");
+  EXPECT_EQ(told("((m_row+m_currentBlockRows) == m_xpr.rows() || m_xpr.cols() == 0) && m_col == "
+                 "m_xpr.cols() && \"Too few coefficients passed to comma initializer "
+                 "(operator<<)\""),
+            "an assertion failed (File.h:96): << with fewer numbers than the matrix has");
+}
+
 TEST(Assertion, OfTheLibraryIsToldWithItsPlace) {
   EXPECT_EQ(
       assertion_in("/usr/include/c++/12/bits/stl_vector.h:1123: f: Assertion "

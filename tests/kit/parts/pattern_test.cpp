@@ -67,13 +67,13 @@ TEST(pattern, SaysNothingOfAStub) {
 
 TEST(pattern, NamesWhatIsRightAndWhatIsWrong) {
   const std::string text = told(1, [](const Case& c, auto& x) { x(2) += c.q(0) * c.q(2); });
-  EXPECT_TRUE(says(text, "Right in every public case: J_n and phi; wrong: J_t (third entry)."))
+  EXPECT_TRUE(says(text, "Right in every question: J_n and phi; wrong: J_t (third entry)."))
       << text;
   EXPECT_FALSE(says(text, "times") || says(text, "only where")) << text;
 }
 
 TEST(pattern, NamesAFactorAndASign) {
-  EXPECT_TRUE(says(told(1, [](const Case&, auto& x) { x(5) = -x(5); }),
+  EXPECT_TRUE(says(told(1, [](const Case&, auto& x) { x(0) = -x(0); }),
                    "Every wrong number is -1 times the right one."));
   EXPECT_TRUE(says(told(2, [](const Case& c, auto& x) { x *= c.params.m; }),
                    "Every wrong number is m times the right one."));
@@ -83,7 +83,7 @@ TEST(pattern, NamesAFactorAndASign) {
 
 TEST(pattern, NamesTheFactorsOfTwoQuantities) {
   const std::string text = told(1, [](const Case&, auto& x) {
-    x(2) = -x(2);
+    x(0) = -x(0);
     x(6) *= 2;
   });
   EXPECT_TRUE(says(text, "Every wrong number in J_t is -1 times the right one.")) << text;
@@ -96,8 +96,8 @@ TEST(pattern, NamesADifferenceThatIsAlwaysTheSame) {
 }
 
 TEST(pattern, NamesANumberThatIsTheSameWhateverTheQuestion) {
-  EXPECT_TRUE(says(told(1, [](const Case&, auto& x) { x(6) = 0; }),
-                   "Every wrong number is 0, whatever the question."));
+  EXPECT_TRUE(says(told(1, [](const Case&, auto& x) { x(0) = 7; }),
+                   "Every wrong number is 7, whatever the question."));
 }
 
 TEST(pattern, NamesExchangedPlaces) {
@@ -118,12 +118,26 @@ TEST(pattern, NamesExchangedPlaces) {
                    "p(1) and p(2) are exchanged"));
 }
 
-TEST(pattern, NamesTheParametersThatMayBeWrittenDown) {
+// A rounding error of 0 is no factor.
+TEST(pattern, NamesNoFactorThatIsARoundingError) {
+  const std::string text = told(3, [](const Case&, auto& x) { x.head(3) *= 4.04769e-15; });
+  EXPECT_FALSE(says(text, "times")) << text;
+}
+
+TEST(pattern, NamesTheParametersThatAreNotTheAssignments) {
   const std::string text = told(2, [](const Case& c, auto& x) {
     if (c.params.l != 0.2) x(0) += c.q(0) * c.q(0);
   });
   EXPECT_TRUE(says(text, "Wrong only where l or m aren't the assignment's, in all 4 such cases"))
       << text;
+}
+
+// Two of these four cases are wrong: that may as well be something else.
+TEST(pattern, NamesNoParametersWhereHalfOfTheirCasesAreRight) {
+  const std::string text = told(2, [](const Case& c, auto& x) {
+    if (c.params.l != 0.2 && c.q(0) > 5.7) x(0) += c.q(0) * c.q(0);
+  });
+  EXPECT_FALSE(says(text, "the assignment's")) << text;
 }
 
 TEST(pattern, NamesTheCornerTheModeAndTheAngle) {
@@ -161,7 +175,108 @@ TEST(pattern, NamesTheFirstWrongColumn) {
   };
   EXPECT_TRUE(says(from(0), "Column 0 is the first wrong one in every case that is wrong."));
   EXPECT_TRUE(says(from(1), "Column 1 is the first wrong one in every case that is wrong."));
-  EXPECT_TRUE(says(from(3), "Column 0 is right in every public case"));
+  EXPECT_TRUE(says(from(3), "Column 0 is right in every question"));
+}
+
+// --- questions that differ in one input alone ---
+
+// Squares on each of their corners, with l changed alone, x changed alone, and the first one again.
+std::vector<Case> squares() {
+  std::vector<Case> cases;
+  for (int k = 0; k < 8; ++k) {
+    Case c;
+    c.q = {0.5, k < 4 ? 1.0 : -0.3, 0.3 + 1.57 * k};
+    c.corner = "corner " + std::to_string(k % 4 + 1) + " is the lowest";
+    cases.push_back(c);
+  }
+  cases.push_back(cases[0]);
+  cases.back().params.l = 0.5;
+  cases.push_back(cases[0]);
+  cases.back().q(0) = 3;
+  cases.push_back(cases[0]);
+  return cases;
+}
+
+// J and phi of a corner so many places after the lowest one.
+Eigen::VectorXd of_corner(const Case& c, int places) {
+  Eigen::Vector2d r = c.params.l * Eigen::Vector2d(0.2, -0.7);
+  for (int k = 0; k < places; ++k) r = Eigen::Vector2d(-r.y(), r.x());
+  Eigen::VectorXd all(7);
+  all << 1, 0, -r.y(), 0, 1, r.x(), c.q(1) + r.y();
+  return all;
+}
+
+std::string told_of_squares(const std::function<Eigen::VectorXd(const Case&)>& program) {
+  const std::vector<Case> cases = squares();
+  std::vector<Answer> right, got;
+  for (const Case& c : cases) right.push_back({of_corner(c, 0), ""});
+  for (const Case& c : cases) got.push_back({program(c), ""});
+  std::string text;
+  for (const auto& sentence : patterns(1, cases, right, got)) text += sentence + "\n";
+  return text;
+}
+
+TEST(pattern, NamesAnInputThatMakesNoDifference) {
+  const std::string text = told_of_squares([](Case c) {
+    c.params.l = 0.4;
+    return of_corner(c, 0);
+  });
+  EXPECT_TRUE(says(text,
+                   "Where only l is changed, J_t, J_n and phi stay the same in your "
+                   "answers, and they should change."))
+      << text;
+}
+
+TEST(pattern, NamesAnInputThatShouldMakeNoDifference) {
+  const std::string text = told_of_squares([](const Case& c) {
+    Eigen::VectorXd x = of_corner(c, 0);
+    x(5) += c.q(0);
+    return x;
+  });
+  EXPECT_TRUE(says(text,
+                   "Where only x is changed, J_n changes in your answers, and it should "
+                   "stay the same."))
+      << text;
+}
+
+TEST(pattern, NamesWhatOutlivesACall) {
+  int calls = 0;
+  const std::string text = told_of_squares([&](const Case& c) {
+    Eigen::VectorXd x = of_corner(c, 0);
+    x(6) += ++calls;
+    return x;
+  });
+  EXPECT_TRUE(says(text, "The same question, asked again after others, gets another answer"))
+      << text;
+}
+
+TEST(pattern, NamesTheCornersThatAreNeverChosen) {
+  const auto taken_in_place_of = [](const std::string& corners, int places) {
+    return told_of_squares([=](const Case& c) {
+      return of_corner(c, corners.find(c.corner[7]) == std::string::npos ? 0 : places);
+    });
+  };
+  EXPECT_TRUE(says(taken_in_place_of("4", 3), "Corner 4 is never chosen"));
+  EXPECT_TRUE(says(taken_in_place_of("13", 3), "Corners 1 and 3 are never chosen"));
+  const std::string always =
+      told_of_squares([](const Case& c) { return of_corner(c, (6 - (c.corner[7] - '0')) % 4); });
+  EXPECT_TRUE(says(always, "Your answer is always that of corner 2.")) << always;
+}
+
+TEST(pattern, NamesTheFormulaOfPhi) {
+  const auto of_phi = [](double (*phi)(const Case&, double)) {
+    return told_of_squares([=](const Case& c) {
+      Eigen::VectorXd x = of_corner(c, 0);
+      x(6) = phi(c, x(6));
+      return x;
+    });
+  };
+  EXPECT_TRUE(says(of_phi([](const Case& c, double) { return c.q(1) - c.params.l / 2; }),
+                   "Your phi is y - l/2 in every question."));
+  EXPECT_TRUE(says(of_phi([](const Case&, double phi) { return std::abs(phi); }),
+                   "Your phi is the absolute value of phi in every question."));
+  const std::string none = of_phi([](const Case& c, double phi) { return phi + c.q(2) * c.q(1); });
+  EXPECT_FALSE(says(none, "Your phi is")) << none;
 }
 
 TEST(pattern, LeavesOutWhatIsNoNumberAndWhatThrew) {

@@ -1,0 +1,182 @@
+#include "wrong_parameters.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <optional>
+
+#include "recognise.hpp"
+
+namespace bounce::tests {
+namespace {
+
+using Eigen::Index;
+
+// An input of a question.
+struct Input {
+  std::string name;
+  std::function<double(const Case&)> value;
+};
+
+std::vector<Input> all_inputs() {
+  std::vector<Input> found;
+  const auto add = [&](const char* name, auto member) {
+    found.push_back({name, [member](const Case& c) { return c.params.*member; }});
+  };
+  add("l", &Parameters::l);
+  add("m", &Parameters::m);
+  add("mu", &Parameters::mu);
+  add("epsilon", &Parameters::epsilon);
+  found.push_back({"g", [](const Case& c) { return c.params.g(0) + 100 * c.params.g(1); }});
+  add("dt", &Parameters::dt);
+  add("delta", &Parameters::delta);
+  const char* const names[] = {"x", "y", "theta"};
+  for (const int i : {0, 1, 2}) {
+    found.push_back({names[i], [i](const Case& c) { return c.q(i); }});
+  }
+  return found;
+}
+
+// The inputs in which two questions differ; nothing if they differ in v, J or T.
+std::optional<Words> differing(const Case& a, const Case& b) {
+  if (a.v != b.v || a.J != b.J || a.params.T != b.params.T) return std::nullopt;
+  Words names;
+  for (const Input& input : all_inputs()) {
+    if (input.value(a) != input.value(b)) names.push_back(input.name);
+  }
+  return names;
+}
+
+// What was seen of an input and a quantity in all questions that differ in this input alone.
+struct Seen {
+  bool ought_to = false;  // the right answers differ
+  bool responds = false;  // and so do the part's, where the right ones do
+  bool intrudes = false;  // the part's differ where the right ones don't
+};
+
+struct Part {
+  std::vector<Quantity> quantities;
+  const std::vector<Answer>&right, &got;
+};
+
+bool is_finite(const Part& part, std::size_t k) {
+  return part.got[k].thrown.empty() && part.right[k].thrown.empty() &&
+         part.got[k].numbers.size() == part.right[k].numbers.size() &&
+         part.got[k].numbers.allFinite();
+}
+
+void look(const Part& part, const Quantity& quantity, std::size_t a, std::size_t b, Seen& seen) {
+  bool right_differs = false, got_differs = false;
+  for (const Index i : quantity.entries) {
+    if (i >= part.got[a].numbers.size() || i >= part.got[b].numbers.size()) continue;
+    const bool ought = !same(part.right[a].numbers(i), part.right[b].numbers(i));
+    const bool does = !same(part.got[a].numbers(i), part.got[b].numbers(i));
+    right_differs = right_differs || ought;
+    got_differs = got_differs || does;
+    seen.responds = seen.responds || (ought && does);
+  }
+  seen.ought_to = seen.ought_to || right_differs;
+  seen.intrudes = seen.intrudes || (got_differs && !right_differs);
+}
+
+// Whether a quantity is 0 in all answers: then it isn't filled in, which is said in other words.
+bool is_zero(const Part& part, const Quantity& quantity) {
+  return std::all_of(part.got.begin(), part.got.end(), [&](const Answer& answer) {
+    return std::all_of(quantity.entries.begin(), quantity.entries.end(), [&](Index i) {
+      return i >= answer.numbers.size() || answer.numbers(i) == 0;
+    });
+  });
+}
+
+std::string sentence(const Words& names, const Words& quantities, bool intrudes) {
+  const bool one = quantities.size() == 1;
+  const std::string change = one ? " changes" : " change", stay = one ? " stays" : " stay";
+  return "Where only " + joined(names, " or ") + " is changed, " + joined(quantities) +
+         (intrudes ? change + " in your answers, and " : stay + " the same in your answers, and ") +
+         (one ? "it" : "they") + " should " + (intrudes ? "stay the same." : "change.");
+}
+
+// One sentence for all inputs that have the same quantities.
+Words grouped(const std::vector<std::pair<std::string, Words>>& found, bool intrudes) {
+  std::vector<std::pair<Words, Words>> groups;  // quantities, and their inputs
+  for (const auto& [input, quantities] : found) {
+    if (quantities.empty()) continue;
+    const auto group =
+        std::find_if(groups.begin(), groups.end(),
+                     [&, &these = quantities](const auto& g) { return g.first == these; });
+    if (group == groups.end()) {
+      groups.push_back({quantities, {input}});
+    } else {
+      group->second.push_back(input);
+    }
+  }
+  Words sentences;
+  for (const auto& [quantities, names] : groups) {
+    sentences.push_back(sentence(names, quantities, intrudes));
+  }
+  return sentences;
+}
+
+// In free flight these make no difference. Where none of them does, the program takes no contact
+// step in these questions, which is another mistake.
+void leave_out_what_needs_a_contact(std::vector<std::pair<std::string, Words>>& missing) {
+  const auto needs_a_contact = [](const auto& m) {
+    return m.first == "l" || m.first == "mu" || m.first == "epsilon";
+  };
+  const auto none = std::count_if(missing.begin(), missing.end(), [&](const auto& m) {
+    return needs_a_contact(m) && !m.second.empty();
+  });
+  if (none == 3) std::erase_if(missing, needs_a_contact);
+}
+
+std::vector<Quantity> quantities_of(int part, const std::vector<Answer>& right) {
+  if (part != 4) return quantities(part);
+  Index most = 0;
+  for (const Answer& answer : right) most = std::max(most, answer.numbers.size());
+  return {{"the trajectory", range(0, most), {}}};
+}
+
+}  // namespace
+
+Words inputs(int part, const std::vector<Case>& cases, const std::vector<Answer>& right,
+             const std::vector<Answer>& got) {
+  const Part all{quantities_of(part, right), right, got};
+  std::map<std::string, std::vector<Seen>> seen;
+  for (std::size_t a = 0; a < cases.size(); ++a) {
+    for (std::size_t b = a + 1; b < cases.size(); ++b) {
+      if (!is_finite(all, a) || !is_finite(all, b)) continue;
+      const auto names = differing(cases[a], cases[b]);
+      if (!names || names->size() > 1) continue;
+      if (names->empty() && !same(got[a], got[b])) {
+        return {
+            "The same question, asked again after others, gets another answer. Often: a static or "
+            "global variable, or a number that is never set."};
+      }
+      if (names->empty()) continue;
+      auto& of_input = seen[names->front()];
+      of_input.resize(all.quantities.size());
+      for (std::size_t i = 0; i < all.quantities.size(); ++i) {
+        look(all, all.quantities[i], a, b, of_input[i]);
+      }
+    }
+  }
+  std::vector<std::pair<std::string, Words>> missing, intruding;
+  for (const Input& input : all_inputs()) {
+    Words without, with;
+    for (std::size_t i = 0; i < all.quantities.size() && seen.count(input.name) > 0; ++i) {
+      const Seen& what = seen[input.name][i];
+      if (is_zero(all, all.quantities[i])) continue;
+      if (what.ought_to && !what.responds) without.push_back(all.quantities[i].name);
+      const bool is_move = part == 3 && i == 0;  // it tells of v', too, where v' doesn't move q
+      if (what.intrudes && !what.ought_to && !is_move) with.push_back(all.quantities[i].name);
+    }
+    missing.push_back({input.name, without});
+    intruding.push_back({input.name, with});
+  }
+  if (part >= 3) leave_out_what_needs_a_contact(missing);
+  Words sentences = grouped(missing, false);
+  for (const std::string& words : grouped(intruding, true)) sentences.push_back(words);
+  return sentences;
+}
+
+}  // namespace bounce::tests

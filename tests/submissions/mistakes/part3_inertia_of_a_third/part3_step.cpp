@@ -1,0 +1,27 @@
+#include <bounce/part1_contacts.hpp>
+#include <bounce/part2_lcp.hpp>
+#include <bounce/part3_step.hpp>
+#include <bounce/solve_lcp.hpp>
+
+namespace bounce {
+
+State step(const Vector3& q, const Vector3& v, const Parameters& params) {
+  Eigen::Matrix3d M = params.M();
+  M(2, 2) = params.m * params.l * params.l / 3;
+  const Vector3 f_e = M * params.g;
+
+  Vector3 f = f_e;
+  Vector3 q_p = Vector3::Zero();
+  const auto [J, phi] = get_contacts(q, params);
+  if (phi < params.delta) {
+    const auto [V, p] = form_lcp(J, v, params);
+    const Vector3 f_c = solve_lcp(V, p);
+    f += J.col(1) * f_c(0) - J.col(0) * f_c(1) + J.col(0) * f_c(2);
+    q_p.y() = params.delta;
+  }
+
+  const Vector3 v_next = v + params.dt * M.inverse() * f;
+  return {q + params.dt * v_next + q_p, v_next};
+}
+
+}

@@ -1,0 +1,34 @@
+#include <bounce/part1_contacts.hpp>
+#include <bounce/part2_lcp.hpp>
+#include <bounce/part3_step.hpp>
+#include <bounce/solve_lcp.hpp>
+#include <Eigen/LU>
+#include <algorithm>
+
+namespace bounce {
+
+State step(const Vector3& q, const Vector3& v, const Parameters& params) {
+  const Eigen::Matrix3d M = params.M();
+  const Vector3 f_e = M * params.g;
+
+  Vector3 f = f_e;
+  Vector3 q_p = Vector3::Zero();
+  const auto [J, phi] = get_contacts(q, params);
+  if (phi < params.delta) {
+    const auto [V, p] = form_lcp(J, v, params);
+    const double mu = V(3, 0);
+    const double a = V(0, 0), b = V(0, 2), c = V(2, 2), det = a * c - b * b;
+    Vector3 f_c(0, 0, 0);
+    if (p(0) < 0) {
+      f_c(0) = std::max(0.0, (-p(0) * c + p(2) * b) / det);
+      f_c(2) = std::clamp((-p(2) * a + p(0) * b) / det, -mu * f_c(0), mu * f_c(0));
+    }
+    f += J.col(1) * f_c(0) - J.col(0) * f_c(1) + J.col(0) * f_c(2);
+    q_p.y() = params.delta;
+  }
+
+  const Vector3 v_next = v + params.dt * M.inverse() * f;
+  return {q + params.dt * v_next + q_p, v_next};
+}
+
+}
