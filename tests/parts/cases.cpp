@@ -221,6 +221,35 @@ std::vector<Case> cases_of(const std::string& check) {
   return cases;
 }
 
+struct Asked {
+  std::size_t wrong = 0;
+  std::string told;  // the first wrong case, or the one at which the program ended
+};
+
+Asked ask_all(const std::vector<Case>& cases, const std::function<Problem(const Case&)>& ask) {
+  Asked asked;
+  for (const Case& c : cases) {
+    bool ended = false;
+    Problem problem;
+    about_to_ask(c);
+    try {
+      problem = ask(c);
+    } catch (const Ended& end) {
+      problem.sentence = end.what();
+      ended = true;
+    } catch (const std::exception& thrown) {
+      problem.sentence = thrown.what();
+    }
+    if (!problem.empty() && (asked.wrong++ == 0 || ended)) {
+      asked.told = (asked.wrong == 1 ? "the first: " : "the last: ") + c.name +
+                   (c.hidden ? " (a hidden case)" : "") + "\n" + c.input + "\n" +
+                   in_words(c, problem);
+    }
+    if (ended) break;
+  }
+  return asked;
+}
+
 std::string running_check() {
   const auto* test = testing::UnitTest::GetInstance()->current_test_info();
   return std::string(test->test_suite_name()) + "." + test->name();
@@ -242,29 +271,19 @@ std::vector<Case> read_all_cases(std::istream& file) {
 }
 
 void for_each_case(const std::function<Problem(const Case&)>& ask) {
-  const std::vector<Case> cases = cases_of(running_check());
-  std::string told;  // the first wrong case, or the one at which the program ended
-  std::size_t wrong = 0;
-  for (const Case& c : cases) {
-    bool ended = false;
-    Problem problem;
-    about_to_ask(c);
-    try {
-      problem = ask(c);
-    } catch (const Ended& end) {
-      problem.sentence = end.what();
-      ended = true;
-    } catch (const std::exception& thrown) {
-      problem.sentence = thrown.what();
-    }
-    if (!problem.empty() && (wrong++ == 0 || ended)) {
-      told = (wrong == 1 ? "the first: " : "the last: ") + c.name +
-             (c.hidden ? " (a hidden case)" : "") + "\n" + c.input + "\n" + in_words(c, problem);
-    }
-    if (ended) break;
+  std::vector<Case> cases = cases_of(running_check());
+  const Asked first = ask_all(cases, ask);
+  if (first.wrong > 0) {
+    ADD_FAILURE() << first.wrong << " of " << cases.size() << " cases wrong; " << first.told;
+    return;
   }
-  if (wrong > 0) {
-    ADD_FAILURE() << wrong << " of " << cases.size() << " cases wrong; " << told;
+  std::reverse(cases.begin(), cases.end());
+  const Asked again = ask_all(cases, ask);
+  if (again.wrong > 0) {
+    ADD_FAILURE() << again.wrong << " of " << cases.size()
+                  << " cases wrong when asked again in another order, though right before: is "
+                     "something kept from one call to the next? "
+                  << again.told;
   }
 }
 

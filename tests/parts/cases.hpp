@@ -66,9 +66,10 @@ std::string in_words(const Case& c, const Problem& problem);
 
 // --- for the tests ---
 
-// Asks every case of the running check, public ones first. `ask` returns what is wrong. Reports the
-// first wrong case, and how many are wrong. An exception is a wrong answer, too; Ended also ends
-// the check.
+// Asks every case of the running check, public ones first, and where all are right, once more in
+// reverse order, in which they must be right again. `ask` returns what is wrong. Reports the first
+// wrong case, and how many are wrong. An exception is a wrong answer, too; Ended also ends the
+// check.
 void for_each_case(const std::function<Problem(const Case&)>& ask);
 
 // Thrown by a submission that can answer no more questions of this check.

@@ -20,7 +20,7 @@ from bounce_grader.grading.known_mistakes import known
 from conftest import ROOT, SOLUTION, lost, points
 
 GALLERY = ROOT / "tests" / "submissions"
-KINDS = ("accepted", "mistakes", "broken", "hostile")
+KINDS = ("accepted", "mistakes", "rarely_wrong", "broken", "hostile")
 
 
 def folders(kind: str) -> list[Path]:
@@ -108,6 +108,17 @@ def test_a_mistake_costs_its_checks_and_is_named(folder: Path, tmp_path: Path) -
     judged = judge(mistake.part, runner, given, hidden_folder(), box, recognise=True)
     assert sorted(id for id, v in judged.verdicts.items() if not v.passed) == sorted(mistake.lost)
     assert judged.mistakes == (mistake.recognised_as,)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("folder", folders("rarely_wrong"), ids=lambda folder: folder.name)
+def test_what_is_rarely_wrong_costs_its_checks(folder: Path, tmp_path: Path) -> None:
+    """Judges only the part that is wrong, without a box."""
+    part = next(p for p in parts() if folder.name.startswith(f"part{p.number}"))
+    runner = known_mistakes.runner_of(folder, part, tmp_path)
+    judged = judge(part, runner, bool(part.calls), hidden_folder(), known_mistakes.TRUSTED)
+    lost_checks = [id for id, verdict in judged.verdicts.items() if not verdict.passed]
+    assert sorted(lost_checks) == sorted(expected(folder)["lost"]) != []
 
 
 IN_BOTH = [folder for folder in folders("hostile") if "reduced" in expected(folder)]
