@@ -70,4 +70,4 @@ def test_a_debugger_stops_before_the_first_wrong_case_is_asked_again(home: Path)
     check(home, "part2_lcp")
     program = ["build/part2_lcp_test", "--debug"]
     run = subprocess.run(program, cwd=home, env=SYSTEM, capture_output=True, text=True, check=False)
-    assert run.returncode == -signal.SIGTRAP and "expected p = " in run.stdout, run.stdout
+    assert run.returncode == -signal.SIGTRAP and "yours, >wrong<" in run.stdout, run.stdout
