@@ -34,7 +34,6 @@ def place(tmp_path: Path) -> Path:
     wrapper.chmod(0o755)
     (here / "solution").symlink_to(ROOT / "solution")
     write(tmp_path / "hw3" / "2025" / "somebody", solution_files())
-    (tmp_path / "hw3").mkdir()
     made = [synthetic_class.Made(12, "Doe, Jane", "solution", solution_files(), 100)]
     synthetic_class.canvas_zip(tmp_path / "hw3" / "submissions.zip", made)
     export = synthetic_class.gradebook_csv(made).replace("Final Score", "HW3 part 1 (98766)")
