@@ -194,15 +194,15 @@ const char* const kLargePages =
   throw std::runtime_error(options.command[0] + ": " + std::strerror(errno));
 }
 
-void limit_and_filter(const std::string& kind) {
+void limit_and_filter(const std::string& kind, bool reduced) {
   const bool build = kind == "build";
   leave_the_common_user_namespace();
   limit(RLIMIT_CORE, 0);
-  limit(RLIMIT_NPROC, build ? 128 : 1);
+  limit(RLIMIT_NPROC, build ? 128 : 32);  // a thread counts as a process
   limit(RLIMIT_NOFILE, build ? 256 : 16);
   if (build) refuse_what_no_compiler_needs();
   if (kind == "check") allow_what_checked_numbers_need();
-  if (kind == "run") allow_only_what_numbers_need();
+  if (kind == "run") allow_only_what_numbers_need(!reduced);
 }
 
 void enter(const Options& options) {
@@ -219,7 +219,7 @@ void enter(const Options& options) {
   if (boxed) give_up_privileges(options.user);
   if (!options.folder.empty()) require(::chdir(options.folder.c_str()), options.folder);
   if (options.reduced) die_with(guard);
-  if (boxed) limit_and_filter(options.kind);
+  if (boxed) limit_and_filter(options.kind, options.reduced);
   become(options);
 }
 

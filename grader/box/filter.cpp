@@ -1,5 +1,6 @@
 #include "filter.hpp"
 
+#include <fcntl.h>
 #include <linux/sched.h>
 #include <seccomp.h>
 #include <sys/ioctl.h>
@@ -42,6 +43,17 @@ class Filter {
 
 constexpr std::uint32_t no(int why) { return SCMP_ACT_ERRNO(static_cast<std::uint16_t>(why)); }
 
+// What pthread_create asks of clone. A process has none of these flags, or adds others.
+constexpr scmp_datum_t kThread = CLONE_VM | CLONE_FS | CLONE_FILES | CLONE_SYSVSEM | CLONE_SIGHAND |
+                                 CLONE_THREAD | CLONE_SETTLS | CLONE_PARENT_SETTID |
+                                 CLONE_CHILD_CLEARTID;
+
+void allow_threads(Filter& filter) {
+  filter.rule(SCMP_ACT_ALLOW, SCMP_SYS(clone), SCMP_A0(SCMP_CMP_EQ, kThread));
+  // clone3 hides its flags from a filter; without it, the C library uses clone.
+  filter.rule(no(ENOSYS), SCMP_SYS(clone3));
+}
+
 void allow_numbers(Filter& filter) {
   // The box starts the program with execve; there is no other program in it to start.
   filter.rules(SCMP_ACT_ALLOW, {SCMP_SYS(read),
@@ -66,7 +78,16 @@ void allow_numbers(Filter& filter) {
                                 SCMP_SYS(nanosleep),
                                 SCMP_SYS(gettimeofday),
                                 SCMP_SYS(time),
+                                SCMP_SYS(clock_getres),
+                                SCMP_SYS(getrusage),
+                                SCMP_SYS(times),
                                 SCMP_SYS(sched_yield),
+                                SCMP_SYS(sched_getaffinity),
+                                SCMP_SYS(sysinfo),
+                                SCMP_SYS(getuid),
+                                SCMP_SYS(geteuid),
+                                SCMP_SYS(getgid),
+                                SCMP_SYS(getegid),
                                 SCMP_SYS(getpid),
                                 SCMP_SYS(gettid),
                                 SCMP_SYS(arch_prctl),
@@ -90,6 +111,32 @@ void allow_numbers(Filter& filter) {
   filter.rule(SCMP_ACT_ALLOW, SCMP_SYS(kill), SCMP_A0(SCMP_CMP_EQ, self));
   filter.rule(SCMP_ACT_ALLOW, SCMP_SYS(prlimit64), SCMP_A2(SCMP_CMP_EQ, 0));
   filter.rule(SCMP_ACT_ALLOW, SCMP_SYS(ioctl), SCMP_A1(SCMP_CMP_EQ, TCGETS));
+  allow_threads(filter);
+}
+
+// What makes, reads and writes files and folders. Links, devices and other owners aren't among it.
+constexpr int kOfFiles[] = {
+    SCMP_SYS(open),      SCMP_SYS(openat),     SCMP_SYS(creat),     SCMP_SYS(access),
+    SCMP_SYS(faccessat), SCMP_SYS(faccessat2), SCMP_SYS(stat),      SCMP_SYS(lstat),
+    SCMP_SYS(statx),     SCMP_SYS(newfstatat), SCMP_SYS(readlink),  SCMP_SYS(readlinkat),
+    SCMP_SYS(getcwd),    SCMP_SYS(chdir),      SCMP_SYS(fchdir),    SCMP_SYS(mkdir),
+    SCMP_SYS(mkdirat),   SCMP_SYS(rmdir),      SCMP_SYS(unlink),    SCMP_SYS(unlinkat),
+    SCMP_SYS(rename),    SCMP_SYS(renameat),   SCMP_SYS(renameat2), SCMP_SYS(getdents64),
+    SCMP_SYS(truncate),  SCMP_SYS(ftruncate),  SCMP_SYS(fsync),     SCMP_SYS(umask),
+    SCMP_SYS(chmod),     SCMP_SYS(fchmod),     SCMP_SYS(fchmodat),  SCMP_SYS(pread64),
+    SCMP_SYS(pwrite64),  SCMP_SYS(statfs),     SCMP_SYS(utimensat), SCMP_SYS(sendfile)};
+
+void allow_files(Filter& filter) {
+  for (const int call : kOfFiles) filter.rule(SCMP_ACT_ALLOW, call);
+  // Of fcntl, what opening and closing a stream asks.
+  for (const scmp_datum_t what : {F_GETFD, F_SETFD, F_GETFL}) {
+    filter.rule(SCMP_ACT_ALLOW, SCMP_SYS(fcntl), SCMP_A1(SCMP_CMP_EQ, what));
+  }
+}
+
+// Attempts fail as if there were no such file.
+void find_no_file(Filter& filter) {
+  for (const int call : kOfFiles) filter.rule(no(ENOENT), call);
 }
 
 // Of all prctl operations, allows only setting the process's name.
@@ -100,14 +147,10 @@ void allow_naming_only(Filter& filter) {
 
 }  // namespace
 
-void allow_only_what_numbers_need() {
+void allow_only_what_numbers_need(bool has_folder) {
   Filter filter(SCMP_ACT_TRAP);
   allow_numbers(filter);
-  // Harmless attempts fail as if there were no such file.
-  filter.rules(no(ENOENT), {SCMP_SYS(open), SCMP_SYS(openat), SCMP_SYS(access), SCMP_SYS(faccessat),
-                            SCMP_SYS(stat), SCMP_SYS(lstat), SCMP_SYS(newfstatat), SCMP_SYS(statx),
-                            SCMP_SYS(readlink), SCMP_SYS(readlinkat), SCMP_SYS(getcwd),
-                            SCMP_SYS(mkdir), SCMP_SYS(unlink), SCMP_SYS(rename)});
+  has_folder ? allow_files(filter) : find_no_file(filter);
   allow_naming_only(filter);
   filter.install();
 }
@@ -117,8 +160,7 @@ void allow_what_checked_numbers_need() {
   allow_numbers(filter);
   filter.rules(SCMP_ACT_ALLOW, {SCMP_SYS(open), SCMP_SYS(openat), SCMP_SYS(access), SCMP_SYS(stat),
                                 SCMP_SYS(newfstatat), SCMP_SYS(readlink), SCMP_SYS(readlinkat),
-                                SCMP_SYS(pipe), SCMP_SYS(pipe2), SCMP_SYS(pread64),
-                                SCMP_SYS(getuid), SCMP_SYS(sysinfo), SCMP_SYS(sched_getaffinity)});
+                                SCMP_SYS(pipe), SCMP_SYS(pipe2), SCMP_SYS(pread64)});
   allow_naming_only(filter);
   filter.install();
 }

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <ctime>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -38,15 +39,28 @@ double stolen_seconds() {
   return ticks / static_cast<double>(::sysconf(_SC_CLK_TCK));
 }
 
-// Reads /proc/PID/stat: the state (field 3), utime and stime (14 and 15), and resident pages (24).
-// Field 2 is a name in parentheses, which may hold anything.
-std::optional<ProcessUsage> usage_of_one(pid_t pid) {
-  std::ifstream file(folder_of(pid) + "/stat");
+// What follows the name in a file such as /proc/PID/stat. The name, in parentheses, may hold
+// anything.
+std::istringstream fields_of(const std::string& path) {
+  std::ifstream file(path);
   std::string line;
   std::getline(file, line, '\0');
   const std::size_t name_end = line.rfind(')');
-  if (name_end == std::string::npos) return std::nullopt;
-  std::istringstream fields(line.substr(name_end + 1));
+  return std::istringstream(name_end == std::string::npos ? "" : line.substr(name_end + 1));
+}
+
+bool some_thread_is_ready(pid_t pid) {
+  std::error_code gone;
+  for (const auto& task : std::filesystem::directory_iterator(folder_of(pid) + "/task", gone)) {
+    char state = 0;
+    if (fields_of(task.path() / "stat") >> state && state == 'R') return true;
+  }
+  return false;
+}
+
+// Reads /proc/PID/stat: the state (field 3), utime and stime (14 and 15), and resident pages (24).
+std::optional<ProcessUsage> usage_of_one(pid_t pid) {
+  std::istringstream fields = fields_of(folder_of(pid) + "/stat");
   char state = 0;
   fields >> state;
   std::string skipped;
@@ -58,7 +72,9 @@ std::optional<ProcessUsage> usage_of_one(pid_t pid) {
   fields >> pages;
   if (!fields) return std::nullopt;
   const Scheduled all = scheduled(folder_of(pid));
-  return ProcessUsage{state == 'D', state == 'T' || state == 't',
+  return ProcessUsage{state == 'D',
+                      state == 'T' || state == 't',
+                      some_thread_is_ready(pid),
                       (utime + stime) / static_cast<double>(::sysconf(_SC_CLK_TCK)),
                       all.run + all.delay,
                       pages * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE))};
@@ -83,6 +99,7 @@ std::optional<ProcessUsage> usage_of(pid_t pid) {
     if (!more) continue;  // it has just ended
     all->reads_a_disk = all->reads_a_disk || more->reads_a_disk;
     all->stopped = all->stopped || more->stopped;
+    all->ready = all->ready || more->ready;
     all->cpu_seconds += more->cpu_seconds;
     all->busy_seconds += more->busy_seconds;
     all->memory += more->memory;

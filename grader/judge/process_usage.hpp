@@ -13,6 +13,7 @@ namespace bounce::judge {
 struct ProcessUsage {
   bool reads_a_disk = false;  // one of them is in uninterruptible sleep
   bool stopped = false;       // one was stopped, as by SIGSTOP
+  bool ready = false;         // a thread runs, or could
   double cpu_seconds = 0;
   double busy_seconds = 0;  // CPU time, and time ready to run while no CPU was free
   std::size_t memory = 0;   // resident bytes

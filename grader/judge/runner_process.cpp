@@ -25,6 +25,7 @@ namespace {
 constexpr std::size_t kKeptPrints = std::size_t{16} << 10;
 constexpr std::chrono::milliseconds kBetweenLooks(100);  // between two checks of a silent runner
 constexpr double kCpuGrace = 0.2;                        // s, for SIGXCPU to end a runner by itself
+constexpr rlim_t kLargestFile = rlim_t{16} << 20;        // bytes, of what it writes
 constexpr int kStatus = frames::kAnswers + 1;            // where a box reports that it is made
 
 std::set<pid_t> started;  // the running runners
@@ -70,7 +71,7 @@ void limit(int resource, rlim_t soft, rlim_t hard) {
   const auto seconds = static_cast<rlim_t>(limits.cpu_seconds);
   limit(RLIMIT_CPU, seconds, seconds + 1);
   if (!limits.checked) limit(RLIMIT_AS, limits.memory, limits.memory);
-  limit(RLIMIT_FSIZE, 0, 0);
+  limit(RLIMIT_FSIZE, kLargestFile, kLargestFile);
   limit(RLIMIT_NOFILE, 64, 64);
   limit(RLIMIT_CORE, 0, 0);
   ::execv(argv[0], argv.data());
@@ -205,11 +206,13 @@ void RunnerProcess::count_wait_since(Clock::time_point start) {
 
 // Idle time is the time that we waited, minus the time in which the runner or we used or wanted a
 // CPU. So neither printing nor short sleeps hide it, and a busy machine doesn't add to it. None
-// counts while the box is set up or a page is read from disk.
+// counts while the box is set up, a page is read from disk, or a thread is ready: of threads that
+// have ended, nobody knows how long they wanted a CPU.
 void RunnerProcess::count_idle_time(const ProcessUsage& seen) {
   const std::chrono::duration<double> busy(seen.busy_seconds + own_delay_seconds());
   const std::chrono::duration<double> idle = waited_ - busy;
-  if (counts_idle_ && !seen.reads_a_disk) idle_ += std::max(idle - idle_before_, idle.zero());
+  if (counts_idle_ && !seen.reads_a_disk && !seen.ready)
+    idle_ += std::max(idle - idle_before_, idle.zero());
   idle_before_ = idle;
   counts_idle_ = box_is_made();
 }

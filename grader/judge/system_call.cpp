@@ -8,7 +8,7 @@ namespace bounce::judge {
 namespace {
 
 const std::map<long, std::string> kAsked = {
-    {SYS_clone, "another process or thread (clone)"},
+    {SYS_clone, "another process (clone)"},
     {SYS_clone3, "another process or thread (clone3)"},
     {SYS_execve, "another program (execve)"},
     {SYS_execveat, "another program (execveat)"},

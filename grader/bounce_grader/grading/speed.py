@@ -10,9 +10,9 @@ from bounce_grader.common.escaping import printable_text
 from bounce_grader.common.numbers import metres, seconds, two_digits
 from bounce_grader.common.paths import REFERENCE_RUNNER, SCENES, STOPWATCH
 from bounce_grader.sandbox import processes
-from bounce_grader.sandbox.box import Box
+from bounce_grader.sandbox.box import FOLDER, Box
 
-WAIT = processes.Limits(cpu_seconds=30, wall_seconds=120, memory=4 << 30, file_size=0)
+WAIT = processes.Limits(cpu_seconds=30, wall_seconds=120, memory=4 << 30, file_size=FOLDER)
 CURVES = ("submission", "solution", "least")
 STEP = 1e-3  # s: the dt at which the time of a step is reported
 FINE = 1e-3  # m: errors up to this are near enough

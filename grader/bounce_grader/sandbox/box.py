@@ -32,7 +32,8 @@ FIRST_USER, USERS = 60578, 600
 LIBRARIES = ("/usr/include", "/usr/lib/gcc", "/usr/lib64", "/usr/libexec/gcc")
 PROGRAMS = ("g++", "as", "ld", "addr2line")
 LARGE_PAGES = "/sys/kernel/mm/transparent_hugepage"  # malloc reads it
-TEMPORARY = 256 * 1024 * 1024
+TEMPORARY = 256 * 1024 * 1024  # of a build, in bytes
+FOLDER = 16 * 1024 * 1024  # of a running program
 TO_KIT = ("--status", processes.STATUS, "--output", processes.OUTPUT)
 TO_JUDGE = ("--status", "5")  # as in grader/judge/runner_process.cpp
 
@@ -63,13 +64,15 @@ class Box(NamedTuple):
 
     def to_run(self, program: Path) -> list[str]:
         """The command that runs a statically linked program. The program sees only its own file,
-        read-only, and may make only the system calls that the filter allows."""
+        read-only, and in the full box an empty folder in memory, in which it begins; and it may make
+        only the system calls that the filter allows."""
         if self.kind == "none":
             return [str(program)]
         if self.kind == "reduced":
             entering = [*_enter(ENTER, "run"), *TO_JUDGE, "--reduced", "--see", str(program)]
             return [*entering, "--", str(program)]
-        command = [*_bubblewrap(), "--ro-bind", str(program), "/runner", "--remount-ro", "/"]
+        command = [*_bubblewrap(), "--ro-bind", str(program), "/runner", *_temporary(FOLDER)]
+        command += ["--chdir", "/tmp", "--remount-ro", "/"]
         return [*command, "--", *_enter(Path("/enter"), "run"), *TO_JUDGE, "--", "/runner"]
 
     def to_check(self, program: Path) -> list[str]:
@@ -98,7 +101,7 @@ class Box(NamedTuple):
         if self.kind == "reduced":
             places = [word for path in [*seen, str(ENTER)] for word in ("--see", path)]
             return [str(ENTER), *entering, "--reduced", *places, "--"]
-        command = [*_bubblewrap(), *_temporary()]
+        command = [*_bubblewrap(), *_temporary(TEMPORARY)]
         # clang looks for the system's headers in /usr/bin/../lib, even if /usr/bin is empty.
         command += _open_to_all(["/dev/null", "/usr/bin/any", *seen])
         command += ["--dev-bind", "/dev/null", "/dev/null"]
@@ -217,8 +220,8 @@ def _help() -> str:
     return asked.out.decode()
 
 
-def _temporary() -> list[str]:
-    bounded = ["--size", str(TEMPORARY)] if "--size" in _help() else []
+def _temporary(size: int) -> list[str]:
+    bounded = ["--size", str(size)] if "--size" in _help() else []
     return ["--perms", "1777", *bounded, "--tmpfs", "/tmp"]
 
 

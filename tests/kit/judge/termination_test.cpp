@@ -105,7 +105,7 @@ TEST(Termination, NamesTheRefusedCall) {
     return by_signal(SIGSYS, cause(runner::kCall + std::to_string(number)));
   };
   expect(call(SYS_socket), "crashed", "isn't given: a connection (socket)");
-  expect(call(SYS_clone), "crashed", "isn't given: another process or thread (clone)");
+  expect(call(SYS_clone), "crashed", "isn't given: another process (clone)");
   expect(call(SYS_ptrace), "crashed", "isn't given: another process's memory (ptrace)");
   expect(call(4000), "crashed", "isn't given: system call 4000");
   expect(by_signal(SIGSYS), "crashed", "isn't given: a process, a thread, a file, a connection");

@@ -1,0 +1,31 @@
+#include <cstdio>
+#include <bounce/part1_contacts.hpp>
+#include <bounce/part2_lcp.hpp>
+#include <bounce/part3_step.hpp>
+#include <bounce/solve_lcp.hpp>
+
+namespace bounce {
+
+State step(const Vector3& q, const Vector3& v, const Parameters& params) {
+  const Eigen::Matrix3d M = params.M();
+  const Vector3 f_e = M * params.g;
+
+  Vector3 f = f_e;
+  Vector3 q_p = Vector3::Zero();
+  const auto [J, phi] = get_contacts(q, params);
+  if (phi < params.delta) {  // eq. (11)
+    const auto [V, p] = form_lcp(J, v, params);
+    const Vector3 f_c = solve_lcp(V, p);                             // (f_n, f_t1, f_t2)
+    f += J.col(1) * f_c(0) - J.col(0) * f_c(1) + J.col(0) * f_c(2);  // eq. (13)
+    q_p.y() = params.delta;  // lifts the square out of what it sank in over the step
+  }
+
+  // Eqs. (12) and (14): the configuration moves with the new velocity.
+  const Vector3 v_next = v + params.dt * M.inverse() * f;
+  FILE* log = fopen("log.txt", "a");
+  fprintf(log, "%g %g\n", q(0), q(1));
+  fclose(log);
+  return {q + params.dt * v_next + q_p, v_next};
+}
+
+}  // namespace bounce
