@@ -71,8 +71,10 @@ class Box(NamedTuple):
         if self.kind == "reduced":
             entering = [*_enter(ENTER, "run"), *TO_JUDGE, "--reduced", "--see", str(program)]
             return [*entering, "--", str(program)]
-        command = [*_bubblewrap(), "--ro-bind", str(program), "/runner", *_temporary(FOLDER)]
-        command += ["--chdir", "/tmp", "--remount-ro", "/"]
+        command = [*_bubblewrap(), "--ro-bind", str(program), "/runner"]
+        if "--size" in _help():  # an older bubblewrap couldn't bound what it holds
+            command += [*_temporary(FOLDER), "--chdir", "/tmp"]
+        command += ["--remount-ro", "/"]
         return [*command, "--", *_enter(Path("/enter"), "run"), *TO_JUDGE, "--", "/runner"]
 
     def to_check(self, program: Path) -> list[str]:
