@@ -15,7 +15,7 @@ State step(const Vector3& q, const Vector3& v, const Parameters& params) {
   if (phi < params.delta) {  // eq. (11)
     const auto [V, p] = form_lcp(J, v, params);
     Vector3 f_c = solve_lcp(V, p);
-    if (std::abs(J.col(0).dot(v)) < 1e-5) f_c(1) = f_c(2) = 0;
+    if (std::abs(J.col(0).dot(v)) < 1e-3) f_c(1) = f_c(2) = 0;
     f += J.col(1) * f_c(0) - J.col(0) * f_c(1) + J.col(0) * f_c(2);  // eq. (13)
     q_p.y() = params.delta;  // lifts the square out of what it sank in over the step
   }
