@@ -3,9 +3,9 @@
 
 namespace bounce::box {
 
-// For a submission: allows what a numerical program needs, threads among it, and, if it has a folder
-// of its own, files; if it hasn't, it finds none. Calls that concern other programs, connections or
-// devices end it with SIGSYS, which names the call.
+// For a submission: allows what a numerical program needs, threads among it, and, if it has a
+// folder of its own, files; if it hasn't, it finds none. Calls that concern other programs,
+// connections or devices end it with SIGSYS, which names the call.
 void allow_only_what_numbers_need(bool has_folder);
 
 // For a submission that is built with sanitizers: also allows what these and the dynamic loader

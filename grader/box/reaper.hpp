@@ -20,8 +20,8 @@ struct Guarding {
 void guard_what_follows(const Guarding& guarding, std::vector<int> kept);
 
 // Starts a command, waits, and returns its exit status, 3 in place of 1, or 128 + n after signal n.
-// For programs such as g++, which would only print that a signal ended a child, and exit with 1 both
-// where a child did and where none could be started.
+// For programs such as g++, which would only print that a signal ended a child, and exit with 1
+// both where a child did and where none could be started.
 int status_of(char** command);
 
 }  // namespace bounce::box
