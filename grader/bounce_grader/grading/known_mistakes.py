@@ -33,13 +33,13 @@ from bounce_grader.common.parallel_map import parallel_map
 from bounce_grader.common.paths import FIXTURES, JUDGE, REFERENCE_RUNNER, ROOT
 from bounce_grader.grading.gallery import expected
 from bounce_grader.sandbox import processes
-from bounce_grader.sandbox.box import Box
+from bounce_grader.sandbox.box import FOLDER, Box
 from bounce_grader.submission import submission
 
 GALLERY = ROOT / "tests" / "submissions" / "mistakes"
 KNOWN = FIXTURES / "public" / "mistakes"
 TRUSTED = Box("none")  # the gallery is the kit's own
-LIMITS = processes.Limits(cpu_seconds=20, wall_seconds=120, memory=4 << 30, file_size=0)
+LIMITS = processes.Limits(cpu_seconds=20, wall_seconds=120, memory=4 << 30, file_size=FOLDER)
 DIGITS = 12  # significant ones
 LAYOUT = re.compile(
     r"# (?P<title>.+)\n\n(?P<sentence>.+)\n\n- Equations: (?P<equations>\d+(?:, \d+)*)\n"
@@ -120,7 +120,8 @@ def answers(part: Part, runner: Path) -> Answers:
     command = [str(JUDGE), "--answers", "--part", str(part.number)]
     command += [*(["--given"] if part.calls else [])]
     command += ["--fixtures", str(FIXTURES / "public"), "--", str(runner)]
-    result = processes.run(command, LIMITS)
+    # There it may make files, as in a box.
+    result = processes.run(command, LIMITS, cwd=runner.parent)
     if not result.ok:
         raise KitError(f"the judge could not ask part {part.number}: {result.err.strip()}")
     return list(json.loads(result.out))
