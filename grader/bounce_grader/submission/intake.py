@@ -57,7 +57,7 @@ def _with_inner(path: Path, listed: list[Entry], stack: ExitStack) -> list[Entry
     inner = [e for e in listed if is_archive(e.name) and not (e.link or "__MACOSX" in e.name)]
     found = [entry for entry in listed if entry not in inner[:MOST_INNER]]
     for archive in inner[:MOST_INNER]:
-        name = Path(archive.name)
+        name = Path(printable_name(archive.name))
         data = archive.read(LARGEST_INNER + 1)
         if len(data) > LARGEST_INNER:
             raise UsageError(f"{path} holds {printable_name(archive.name)}, which is too large")
