@@ -215,6 +215,9 @@ def test_wrong_usage_is_said_in_a_sentence(
 ) -> None:
     source, out = download(tmp_path / "x.zip", users), tmp_path / "out"
     grade_class(source, out)
+    if "gradebook" in words:
+        words = {"gradebook": tmp_path / words["gradebook"]}
+        words["gradebook"].write_text("Student,ID,SIS Login ID,Section\n")
     with pytest.raises(UsageError, match=sentence):
         grade_class(source, out, **words)
 
