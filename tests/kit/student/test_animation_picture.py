@@ -42,8 +42,8 @@ def test_the_trace_of_the_corner_grows(open_page: Open) -> None:
     for t in [0, 30, 60, 100, 125, 149]:
         page.slide(t)
         counts.append(page.pixels("corner"))
-    grown = [b - a for a, b in zip(counts, counts[1:])]
-    assert min(grown) > 20, counts
+    # The view follows the square, so that an older part of the trace may leave it later on.
+    assert counts[0] + 20 < counts[1] < counts[2] - 20 and counts[-1] > 4 * counts[1], counts
 
 
 def test_shows_the_force_of_the_ground_in_a_contact_step(

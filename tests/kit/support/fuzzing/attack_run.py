@@ -28,6 +28,7 @@ from typing import Any
 from bounce_grader import formats
 from bounce_grader.common.manifest import parts
 from bounce_grader.common.paths import CACHE, ROOT
+from bounce_grader.formats import classroom50
 from bounce_grader.grading import fixtures
 from fuzzing.attacks import Attack, some_attack
 
@@ -284,6 +285,7 @@ def _of_secrets(done: Done, world: World) -> list[str]:
 
 
 def _rendered(name: str, record: dict[str, Any], submission: Path) -> bytes:
+    os.environ.update(dict.fromkeys(classroom50.FIELDS.values(), "set by its runner"))
     return formats.render(name, record, submission).encode()
 
 
