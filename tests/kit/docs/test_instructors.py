@@ -151,6 +151,7 @@ def accepted_by_classroom50(result: Any, classroom: str, assignment: str) -> Non
         assert test["test-name"]
 
 
+@pytest.mark.long
 def test_classroom_50_takes_the_result_of_its_autograder(tmp_path: Path) -> None:
     """One part right, one that doesn't compile, and two that are stubs."""
     bundle, checkout = tmp_path / "bundle", tmp_path / "checkout"
