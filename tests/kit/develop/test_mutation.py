@@ -9,8 +9,15 @@ import pytest
 from bounce_grader.common.manifest import parts, Part
 from conftest import SOLUTION, Grade, lost
 from mutation.changes import OPERATORS, Change, changes
-from mutation.table import counts, faults, is_alike, reasons, table
-from mutation.trial import all_changes, differing, outcomes
+from mutation.table import by_operator, counts, faults, is_alike, reasons, survivors, table
+from mutation.trial import (
+    all_changes,
+    changes_of_style,
+    differing,
+    files_of_styles,
+    outcomes,
+    part_of,
+)
 
 EVERY = 5  # the usual run tries one in this many changes
 QUESTIONS = {1: 20000, 2: 20000, 3: 20000, 4: 2000}
@@ -157,3 +164,24 @@ def test_a_whole_grading_takes_the_same_points_in_that_part_alone(
     outcome = outcomes([itself(change.file), change])[1]
     whole = [check.id for part in parts() if part.file == change.file for check in part.checks]
     assert lost(record) == sorted(outcome.lost if outcome.compiles else whole)
+
+
+# The same changes of right programs in other styles: of so many, one in this many is tried. One that
+# costs nothing has to answer random questions as the solution does.
+EVERY_OF_A_STYLE = 10
+
+
+@pytest.mark.long
+def test_small_changes_of_other_styles_lose_points_or_change_nothing(
+    record_property: Tell,
+) -> None:
+    found, told_apart = [], set()
+    for file in files_of_styles():
+        tried = outcomes(changes_of_style(file)[::EVERY_OF_A_STYLE])
+        left = survivors(tried)
+        number = part_of(left[0]).number if left else 1
+        asked = differing(left, QUESTIONS[number]) if left else {}
+        told_apart |= {str(change) for change in left if asked[change.name]}
+        found += tried
+    record_property("shown", by_operator(found, told_apart))
+    assert not told_apart

@@ -46,18 +46,20 @@ double power_of_ten(RandomNumbers& draw, double low, double high) {
   return std::pow(10.0, draw.between(low, high));
 }
 
-// The assignment's, others in its neighbourhood, and others far away.
+// The assignment's, others in its neighbourhood, others far away, and the ends of what is possible.
 Parameters any_parameters(RandomNumbers& draw) {
   const int kind = draw.below(4);
   if (kind == 0) return Parameters();
   if (kind == 1) return draw.other_parameters();
   Parameters params;
-  params.l = power_of_ten(draw, -1.5, 1.5);
-  params.m = power_of_ten(draw, -1.5, 1.5);
-  params.mu = draw.between(0.01, 1.3);
-  params.epsilon = draw.between(0, 1);
+  const double decades = kind == 2 ? 1.5 : 4;
+  params.l = power_of_ten(draw, -decades, decades);
+  params.m = power_of_ten(draw, -decades, decades);
+  params.mu = draw.below(4) == 0 ? 0 : draw.between(0.01, 1.3);
+  params.epsilon = draw.below(4) == 0 ? draw.below(2) : draw.between(0, 1);
   params.g = Vector3(draw.either_sign(0, 10), draw.between(-15, 5), 0);
-  params.dt = power_of_ten(draw, -3.5, -1);
+  if (draw.below(8) == 0) params.g.setZero();
+  params.dt = power_of_ten(draw, kind == 2 ? -3.5 : -7, kind == 2 ? -1 : 0);
   params.delta = params.l * power_of_ten(draw, -3, -1);
   return params;
 }
@@ -67,7 +69,13 @@ double any_angle(RandomNumbers& draw) {
 }
 
 Vector3 any_velocity(RandomNumbers& draw) {
-  const double spin = draw.below(4) == 0 ? 300 : 10;
+  const int kind = draw.below(8);
+  const double slow = -draw.between(1, 5);
+  if (kind == 0) {
+    return {draw.over_decades(slow, slow + 1), draw.over_decades(slow, slow + 1),
+            draw.over_decades(slow, slow + 1)};
+  }
+  const double spin = kind < 3 ? 300 : 10;
   return {draw.either_sign(0, 4), draw.either_sign(0, 4), draw.either_sign(0, spin)};
 }
 
@@ -85,7 +93,7 @@ Vector3 any_configuration(RandomNumbers& draw, const Parameters& params) {
 // The solver may refuse a question that no right program can answer either.
 bool decidable(const State& s, const Parameters& params) {
   try {
-    return fixtures::mode_of_step(s.q, s.v, params).has_value();
+    return fixtures::mode_of_step(s.q, s.v, params, 1e-7).has_value();
   } catch (const std::runtime_error&) {
     return false;
   }
@@ -180,6 +188,7 @@ Options read_options(const std::vector<std::string>& words) {
 int run(const Options& options) {
   judge::Limits limits;
   limits.cpu_seconds = 60;
+  limits.wall_seconds = 600;
   judge::Session asked(options.command, limits, options.part, options.given);
   judge::session = &asked;
   RandomNumbers draw("alike");

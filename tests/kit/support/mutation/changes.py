@@ -257,6 +257,14 @@ def _absolute(source: Source) -> Iterator[Edit]:
     return _wrapped(source, {"Vector3": [vector], None: [number, vector]})
 
 
+def _thresholds(source: Source) -> Iterator[Edit]:
+    """What is small counts as nothing. Skips params, which are as small as they are asked."""
+    small = "(std::abs({0}) < 1e-3 ? 0.0 : {0})"
+    rows = "Vector3(({0}.array().abs() < 1e-3).select(0.0, {0}))"
+    changed = _wrapped(source, {"Vector3": [rows], None: [small, rows]})
+    return ((start, end, new) for start, end, new in changed if "params." not in new)
+
+
 def _wrapped(source: Source, functions: dict[str | None, list[str]]) -> Iterator[Edit]:
     """Functions of each factor, by its type where that is known."""
     names = Names(source)
@@ -283,4 +291,5 @@ OPERATORS: dict[str, Callable[[Source], Iterator[Edit]]] = {
     "default": _defaults,
     "precision": _single_precision,
     "absolute": _absolute,
+    "threshold": _thresholds,
 }

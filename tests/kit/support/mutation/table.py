@@ -5,7 +5,7 @@ from collections.abc import Iterable
 from functools import cache
 from pathlib import Path
 
-from mutation.changes import Change
+from mutation.changes import OPERATORS, Change
 from mutation.trial import Outcome
 
 REASONS = Path(__file__).parent / "equivalent.json"
@@ -33,6 +33,32 @@ def faults(outcomes: Iterable[Outcome]) -> list[str]:
     """The faults: changes that cost nothing, and changes listed as equivalent that cost
     something."""
     return [described(o) for o in outcomes if o.is_noticed == is_alike(o.change)]
+
+
+def survivors(outcomes: Iterable[Outcome]) -> list[Change]:
+    """The changes that compile and cost nothing."""
+    return [outcome.change for outcome in outcomes if not outcome.is_noticed]
+
+
+def by_operator(outcomes: list[Outcome], told_apart: set[str]) -> str:
+    """A row for each file and a column for each kind of change: how many cost points, of those that
+    compile and that the solution isn't like. What costs nothing is like it unless it is among
+    `told_apart`, the names of those that random questions tell from it."""
+    compiled = [o for o in outcomes if o.compiles and (o.lost or str(o.change) in told_apart)]
+    kinds = [k for k in OPERATORS if any(o.change.operator == k for o in compiled)]
+    lines = ["| | made | compile | " + " | ".join(kinds) + " | all |"]
+    lines.append("| --- |" + " ---: |" * (len(kinds) + 3))
+    for file in [*dict.fromkeys(o.change.file for o in outcomes), ""]:
+        made = [o for o in outcomes if file in ("", o.change.file)]
+        rows = [[o for o in compiled if o in made and k in ("", o.change.operator)] for k in kinds]
+        shares = [_share(row) for row in [*rows, [o for row in rows for o in row]]]
+        numbers = [len(made), sum(o.compiles for o in made)]
+        lines.append(f"| {file or 'all'} | {' | '.join([*map(str, numbers), *shares])} |")
+    return "\n".join(lines)
+
+
+def _share(outcomes: list[Outcome]) -> str:
+    return f"{sum(bool(o.lost) for o in outcomes)}/{len(outcomes)}" if outcomes else ""
 
 
 def counts(outcomes: list[Outcome]) -> tuple[int, ...]:

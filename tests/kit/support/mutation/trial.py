@@ -32,6 +32,17 @@ from mutation.changes import Change, changes
 
 ALIKE = BUILD / "alike"
 SOLUTION = ROOT / "solution" / "src"
+GALLERY = ROOT / "tests" / "submissions" / "accepted"
+STYLES = (
+    "corner_in_closed_form",
+    "dynamic_matrices_and_lu",
+    "force_is_m_times_g",
+    "impulses_inside_part3",
+    "lcp_entry_by_entry",
+    "lcp_solved_in_every_step",
+    "using_namespace_std_and_eigen",
+    "vectors_and_algorithms",
+)
 
 
 @dataclass(frozen=True)
@@ -78,8 +89,20 @@ def all_changes() -> tuple[Change, ...]:
     return tuple(change for file in files for change in changes(file.name, file.read_text()))
 
 
+def files_of_styles() -> tuple[str, ...]:
+    """The parts of right programs in other styles, as their folder and name; those whose signature
+    stands in one line of the namespace, as the changes need it."""
+    found = (path for style in STYLES for path in sorted((GALLERY / style).glob("part*.cpp")))
+    fit = (path for path in found if "using namespace bounce" not in path.read_text())
+    return tuple(f"{path.parent.name}/{path.name}" for path in fit)
+
+
+def changes_of_style(file: str) -> tuple[Change, ...]:
+    return tuple(changes(file, (GALLERY / file).read_text()))
+
+
 def part_of(change: Change) -> Part:
-    return next(part for part in parts() if part.file == change.file)
+    return next(part for part in parts() if part.file == Path(change.file).name)
 
 
 def outcomes(chosen: Iterable[Change]) -> list[Outcome]:
