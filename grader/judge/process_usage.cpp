@@ -19,14 +19,14 @@ struct Scheduled {
   double run = 0, delay = 0;  // s: CPU time; time ready to run while no CPU was free
 };
 
-// Reads the first two fields of /proc/PID/schedstat, in ns. If the kernel doesn't count them, the
-// process is taken to run always.
+// Reads the first two fields of a schedstat file, in ns. If the kernel doesn't count them, the
+// thread is taken to wait for a CPU always.
 Scheduled scheduled(const std::string& folder) {
   std::ifstream file(folder + "/schedstat");
   Scheduled ns;
   if (file >> ns.run >> ns.delay) return {ns.run * 1e-9, ns.delay * 1e-9};
   const auto now = std::chrono::steady_clock::now().time_since_epoch();
-  return {std::chrono::duration<double>(now).count(), 0};
+  return {0, std::chrono::duration<double>(now).count()};
 }
 
 // Field 8 of the first line of /proc/stat, of all CPUs together: at least what one has lost.
@@ -49,35 +49,45 @@ std::istringstream fields_of(const std::string& path) {
   return std::istringstream(name_end == std::string::npos ? "" : line.substr(name_end + 1));
 }
 
-bool some_thread_is_ready(pid_t pid) {
+// By the clock of its CPU time, ns.
+std::optional<double> cpu_ns_of_one(pid_t pid) {
+  clockid_t clock{};
+  timespec time{};
+  if (::clock_getcpuclockid(pid, &clock) != 0) return std::nullopt;
+  if (::clock_gettime(clock, &time) != 0) return std::nullopt;
+  return static_cast<double>(time.tv_sec) * 1e9 + static_cast<double>(time.tv_nsec);
+}
+
+// Adds up the threads that haven't ended.
+void add_threads(pid_t pid, ProcessUsage& usage) {
   std::error_code gone;
   for (const auto& task : std::filesystem::directory_iterator(folder_of(pid) + "/task", gone)) {
     char state = 0;
-    if (fields_of(task.path() / "stat") >> state && state == 'R') return true;
+    usage.ready = usage.ready || (fields_of(task.path() / "stat") >> state && state == 'R');
+    const Scheduled thread = scheduled(task.path());
+    usage.delay_seconds += thread.delay;
+    usage.ended_seconds -= thread.run;
   }
-  return false;
 }
 
-// Reads /proc/PID/stat: the state (field 3), utime and stime (14 and 15), and resident pages (24).
+// Reads /proc/PID/stat: the state (field 3) and resident pages (24).
 std::optional<ProcessUsage> usage_of_one(pid_t pid) {
   std::istringstream fields = fields_of(folder_of(pid) + "/stat");
+  ProcessUsage usage;
   char state = 0;
   fields >> state;
+  usage.reads_a_disk = state == 'D';
+  usage.stopped = state == 'T' || state == 't';
   std::string skipped;
-  for (int field = 4; field < 14; ++field) fields >> skipped;
-  double utime = 0, stime = 0;
-  fields >> utime >> stime;
-  for (int field = 16; field < 24; ++field) fields >> skipped;
+  for (int field = 4; field < 24; ++field) fields >> skipped;
   std::size_t pages = 0;
   fields >> pages;
-  if (!fields) return std::nullopt;
-  const Scheduled all = scheduled(folder_of(pid));
-  return ProcessUsage{state == 'D',
-                      state == 'T' || state == 't',
-                      some_thread_is_ready(pid),
-                      (utime + stime) / static_cast<double>(::sysconf(_SC_CLK_TCK)),
-                      all.run + all.delay,
-                      pages * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE))};
+  usage.memory = pages * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+  const std::optional<double> ns = cpu_ns_of_one(pid);
+  if (!fields || !ns) return std::nullopt;
+  usage.cpu_seconds = usage.ended_seconds = *ns * 1e-9;
+  add_threads(pid, usage);  // after the clock, so that no running thread is taken for an ended one
+  return usage;
 }
 
 std::optional<std::vector<pid_t>> children_of(pid_t pid) {
@@ -101,7 +111,8 @@ std::optional<ProcessUsage> usage_of(pid_t pid) {
     all->stopped = all->stopped || more->stopped;
     all->ready = all->ready || more->ready;
     all->cpu_seconds += more->cpu_seconds;
-    all->busy_seconds += more->busy_seconds;
+    all->delay_seconds += more->delay_seconds;
+    all->ended_seconds += more->ended_seconds;
     all->memory += more->memory;
   }
   return all;
@@ -110,13 +121,10 @@ std::optional<ProcessUsage> usage_of(pid_t pid) {
 double own_delay_seconds() { return scheduled("/proc/self").delay + stolen_seconds(); }
 
 std::optional<double> cpu_ns_of(pid_t pid) {
-  clockid_t clock{};
-  timespec time{};
+  std::optional<double> ns = cpu_ns_of_one(pid);
   const auto children = children_of(pid);
-  if (!children || ::clock_getcpuclockid(pid, &clock) != 0) return std::nullopt;
-  if (::clock_gettime(clock, &time) != 0) return std::nullopt;
-  double ns = static_cast<double>(time.tv_sec) * 1e9 + static_cast<double>(time.tv_nsec);
-  for (const pid_t child : *children) ns += cpu_ns_of(child).value_or(0);
+  if (!ns || !children) return std::nullopt;
+  for (const pid_t child : *children) *ns += cpu_ns_of(child).value_or(0);
   return ns;
 }
 

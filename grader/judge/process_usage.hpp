@@ -15,8 +15,9 @@ struct ProcessUsage {
   bool stopped = false;       // one was stopped, as by SIGSTOP
   bool ready = false;         // a thread runs, or could
   double cpu_seconds = 0;
-  double busy_seconds = 0;  // CPU time, and time ready to run while no CPU was free
-  std::size_t memory = 0;   // resident bytes
+  double delay_seconds = 0;  // ready to run while no CPU was free; of the threads that still are
+  double ended_seconds = 0;  // CPU time of threads that have ended, or a little less
+  std::size_t memory = 0;    // resident bytes
 };
 
 // Empty if the system doesn't report it, or the process is gone.
@@ -26,8 +27,7 @@ std::optional<ProcessUsage> usage_of(pid_t pid);
 // virtual machine gave its CPUs to others, s. The kernel counts the latter as nobody's time.
 double own_delay_seconds();
 
-// The CPU time of a process and its descendants, ns, by the system's CPU clocks. Finer than
-// ProcessUsage, which counts hundredths of a second. Empty as above.
+// The CPU time of a process and its descendants, ns, by the system's CPU clocks. Empty as above.
 std::optional<double> cpu_ns_of(pid_t pid);
 
 }  // namespace bounce::judge

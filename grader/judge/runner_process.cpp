@@ -206,13 +206,24 @@ void RunnerProcess::count_wait_since(Clock::time_point start) {
 
 // Idle time is the time that we waited, minus the time in which the runner or we used or wanted a
 // CPU. So neither printing nor short sleeps hide it, and a busy machine doesn't add to it. None
-// counts while the box is set up, a page is read from disk, or a thread is ready: of threads that
-// have ended, nobody knows how long they wanted a CPU.
+// counts while the box is set up, a page is read from disk, or threads end: nobody knows how long
+// those wanted a CPU. How long a thread wants one is known when it gets one, so it is too soon to
+// count while one is ready and none has run.
 void RunnerProcess::count_idle_time(const ProcessUsage& seen) {
-  const std::chrono::duration<double> busy(seen.busy_seconds + own_delay_seconds());
-  const std::chrono::duration<double> idle = waited_ - busy;
-  if (counts_idle_ && !seen.reads_a_disk && !seen.ready)
-    idle_ += std::max(idle - idle_before_, idle.zero());
+  const Seconds wanted(seen.delay_seconds + own_delay_seconds());
+  const Seconds idle = waited_ - wanted - Seconds(seen.cpu_seconds);
+  const bool runs = seen.cpu_seconds > cpu_before_;
+  if (seen.ready && !runs) return;
+  if (counts_idle_) kept_waiting_ += std::max(wanted - wanted_before_, Seconds::zero());
+  if (seen.reads_a_disk) kept_waiting_ += waited_ - waited_before_;
+  const bool ends_threads = seen.ended_seconds > ended_before_;
+  if (counts_idle_ && !seen.reads_a_disk && !ends_threads) {
+    idle_ = std::max(idle_ + idle - idle_before_, Seconds::zero());
+  }
+  wanted_before_ = wanted;
+  cpu_before_ = seen.cpu_seconds;
+  ended_before_ = std::max(ended_before_, seen.ended_seconds);
+  waited_before_ = waited_;
   idle_before_ = idle;
   counts_idle_ = box_is_made();
 }
@@ -239,7 +250,9 @@ void RunnerProcess::end_if_late(bool amid_an_answer) {
   if (waited_ < std::chrono::seconds(limits_.wall_seconds)) return;
   require_a_box();
   const double seconds = pid_ < 0 ? 0 : usage_of(pid_).value_or(ProcessUsage{}).cpu_seconds;
-  if (pid_ >= 0 && seconds < limits_.cpu_seconds / 2.0) {
+  const Seconds was_ready = waited_ - waited_before_;  // if it is long
+  if (pid_ >= 0 && seconds < limits_.cpu_seconds / 2.0 &&
+      2 * (kept_waiting_ + was_ready) > waited_) {
     kill();
     throw KitFailure("a program hardly ran: the machine was too busy");
   }

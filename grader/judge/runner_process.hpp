@@ -41,6 +41,9 @@ struct KitFailure : std::runtime_error {
 void stay_on_this_cpu();
 
 class RunnerProcess {
+  using Clock = std::chrono::steady_clock;
+  using Seconds = std::chrono::duration<double>;
+
  public:
   // Starts `command` with the questions on descriptor 3 and the answers on 4; a box reports on 5
   // that it is made. Failures of the kit: throws std::runtime_error if the command can't be
@@ -66,11 +69,9 @@ class RunnerProcess {
   double spent() const { return spent_; }
 
   // How long it waited for anything but a CPU while it should have answered.
-  std::chrono::duration<double> idle() const { return idle_; }
+  Seconds idle() const { return idle_; }
 
  private:
-  using Clock = std::chrono::steady_clock;
-
   void set_up();
   void read_exactly(void* data, std::size_t size, bool amid_an_answer);
   bool wait_until_readable(bool amid_an_answer);
@@ -98,7 +99,11 @@ class RunnerProcess {
   std::size_t printed_ = 0;
   std::string last_print_;  // the end of the printed text, which holds an assertion's message
   Clock::duration waited_{};
-  std::chrono::duration<double> idle_{}, idle_before_{};
+  Seconds idle_{};
+  Seconds kept_waiting_{};  // for a CPU or a disk
+  // When idle time was last counted:
+  Seconds idle_before_{}, wanted_before_{}, waited_before_{};
+  double cpu_before_ = 0, ended_before_ = 0;
   bool counts_idle_ = false;
   double spent_ = 0;
   std::size_t memory_ = 0;  // the most that was seen, bytes

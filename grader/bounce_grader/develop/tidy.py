@@ -4,6 +4,7 @@ the standard library, so only a long run checks every file."""
 import hashlib
 import json
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -27,7 +28,7 @@ def run(all_files: bool) -> int:
     if not chosen:
         return 0
     unknown = "-extra-arg=-Wno-unknown-warning-option"  # g++'s own, in the build's flags
-    command = [sys.executable, "/usr/bin/run-clang-tidy", "-quiet", "-p", str(BUILD), unknown]
+    command = [sys.executable, "/usr/bin/run-clang-tidy", "-quiet", "-p", str(_commands()), unknown]
     command += ["-j", str(os.cpu_count() or 1), *(f"^{ROOT / file}$" for file in chosen)]
     done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
     if done.returncode:
@@ -37,6 +38,17 @@ def run(all_files: bool) -> int:
     if len(chosen) < len(waiting):
         print(f"   the {len(chosen)} files that changed last; --long looks at {len(waiting)}")
     return 0
+
+
+def _commands() -> Path:
+    """Writes the build's commands without its precompiled headers, which only g++ can read."""
+    commands = json.loads((BUILD / "compile_commands.json").read_text())
+    for entry in commands:
+        entry["command"] = re.sub(r"-include \S+/cmake_pch\.hxx", "", entry["command"])
+    folder = BUILD / "tidy"
+    folder.mkdir(exist_ok=True)
+    write_whole(folder / "compile_commands.json", json.dumps(commands))
+    return folder
 
 
 def _digests() -> dict[str, str]:

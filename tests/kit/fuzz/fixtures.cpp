@@ -27,6 +27,7 @@ std::vector<std::string> seeds() {
   for (const auto& file : files) {
     std::ifstream in(file);
     const nlohmann::json whole = nlohmann::json::parse(in);
+    if (!whole.contains("checks")) continue;  // what earlier parts answer
     for (const auto& [check, cases] : whole.at("checks").items()) {
       all.push_back(nlohmann::json{{"checks", {{check, {cases.at(0)}}}}}.dump());
     }

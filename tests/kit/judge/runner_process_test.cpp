@@ -68,12 +68,13 @@ TEST(RunnerProcess, EndsOneThatSleeps) {
   expect("trap '' TERM INT HUP; sleep 1000", "timed_out", "waits for something", true);
 }
 
-TEST(RunnerProcess, EndsOneThatPrintsALittleForEver) {
-  expect("while :; do echo x; sleep 0.03; done", "timed_out", "waits for something", true);
-}
-
-TEST(RunnerProcess, EndsOneThatPrintsWithoutAPause) {
-  expect("while :; do echo x; sleep 0.001; done", "timed_out", "waits for something", true);
+// Printing wakes the judge, which then always finds the program at work.
+TEST(RunnerProcess, EndsOneThatPrintsBetweenSleeps) {
+  for (const char* seconds : {"0.03", "0.001"}) {
+    const std::string sleep = std::string("select(undef, undef, undef, ") + seconds + ")";
+    expect("exec perl -e '$| = 1; while (1) { print \"x\\n\"; " + sleep + " }'", "timed_out",
+           "waits for something", true);
+  }
 }
 
 TEST(RunnerProcess, CountsNoIdleTimeOfOneThatWorks) {
