@@ -148,6 +148,20 @@ def test_a_grade_book_that_was_filled_stays_in_a_run_without_one(
     assert "stays as it was: give --gradebook" in capsys.readouterr().out
 
 
+def test_an_export_older_than_the_last_import_is_said(
+    tmp_path: Path, users: list[int], capsys: pytest.CaptureFixture[str]
+) -> None:
+    source, out = download(tmp_path / "x.zip", users), tmp_path / "out"
+    export = book(tmp_path / "export.csv", users)
+    said = []
+    for newer in (False, False, True):
+        if newer:
+            export.write_bytes((out / "gradebook.csv").read_bytes())
+        grade_class(source, out, gradebook=export, columns={0: COLUMN})
+        said.append("lacks what an earlier run has filled in" in capsys.readouterr().out)
+    assert said == [False, True, False]
+
+
 def test_who_handed_in_what_has_no_score_is_told_from_who_handed_in_nothing(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -69,6 +69,26 @@ def test_many_alike_are_named_together(tmp_path: Path) -> None:
     assert "200 pairs with most in common" in page.render(Class("a folder"), made, many, [])
 
 
+def test_a_page_about_a_thousand_stays_small(tmp_path: Path) -> None:
+    one = replace(
+        summary(tmp_path, "one"),
+        mistakes={"part1_degrees": "theta is taken for degrees"},
+        notes=("something that a person should look at, with a reason",),
+        ratio=1.5,
+        error=1e-3,
+    )
+    made = [
+        replace(one, student=Student(f"4{i:05}", f"Surname {i}, First Middle", tmp_path))
+        for i in range(1000)
+    ]
+    pairs = (Pair("400001", "400002", 90),) * near_copies.MOST
+    text = page.render(Class("a folder"), made, Similar(pairs, 40), ["a sentence of fifty"] * 1000)
+    assert len(text.encode()) < 1_500_000
+    assert "<details><summary>200 pairs" in text
+    few = page.render(Class("a folder"), made[:3], Similar(pairs[:1], 40), [])
+    assert "<details open><summary>1 pair" in few
+
+
 def test_the_shapes_differ_without_colour() -> None:
     drawn = charts.scatter([Point(1, 1, kind, kind) for kind in ("full", "some", "none")], 1e-9)
     marks = re.findall(r"<(?:circle|path) [^>]*><title>(\w+)", drawn)

@@ -112,16 +112,22 @@ def test_moodles_folders_may_be_unpacked_and_commas_are_kept(tmp_path: Path) -> 
     assert all("," in grade for _, grade in filled.values())
 
 
-def test_a_second_week_replaces_what_the_first_has_filled_in(tmp_path: Path) -> None:
+def test_a_second_week_replaces_what_the_first_has_filled_in(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     out = tmp_path / "out"
     source = moodle_class(tmp_path / "x.zip")
     grade_class(source, out, gradebook=services.worksheet(tmp_path / "sheet.csv"))
+    capsys.readouterr()
+    grade_class(source, out, gradebook=services.worksheet(tmp_path / "sheet.csv"))
+    assert "lacks what an earlier run has filled in" in capsys.readouterr().out
     grades = {id: g for id, (_, g) in _filled(out).items()}
     with zipfile.ZipFile(source, "a") as archive:  # one hands in anew; another was corrected
         archive.writestr(f"{services.moodle_prefix(1)}/part1_contacts.cpp", b"// more")
     grades[FIRST + 2] = "12.34"
     again = services.worksheet(tmp_path / "again.csv", grades)
     grade_class(source, out, gradebook=again)
+    assert "lacks what" not in capsys.readouterr().out
     now = {id: g for id, (_, g) in _filled(out).items()}
     assert now[FIRST + 2] == "12.34"
     assert {id for id in now if now[id] != grades[id]} <= {FIRST + 1}

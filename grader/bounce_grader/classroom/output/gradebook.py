@@ -82,6 +82,7 @@ class Gradebook:
         rows = self._rows_of(marks, without)
         reasons = _by_line(rows, without)
         graded = _by_line(rows, marks)
+        emptied = 0  # cells without the points that an earlier run has filled in
         sentences = self._points_possible()
         now = {
             title: {id: list(points) for id, points in by_id.items()}
@@ -100,10 +101,19 @@ class Gradebook:
             elif len(rows[id]) > 1:
                 sentences.append(f"{self._name} has {len(rows[id])} rows for {id}: none is filled")
             else:
+                emptied += self._emptied(row, now)
                 sentences += self._fill_row(row, marks[id], now, overwrite)
         for id in sorted(marks.keys() - {id for ids in graded.values() for id in ids}):
             sentences.append(f"{marks[id].name} ({id}) is graded, but isn't in {self._name}")
-        return Filled(self._table.bytes(), list(dict.fromkeys(sentences)), now)
+        sentences = [*perhaps_old(self._name, emptied), *dict.fromkeys(sentences)]
+        return Filled(self._table.bytes(), sentences, now)
+
+    def _emptied(self, row: Row, written: Written) -> int:
+        id = row.cells[self._header.index("ID")].text.strip()
+        return sum(
+            not row.cells[column].text.strip() and id in written.get(self._header[column], {})
+            for column in self._columns.values()
+        )
 
     def _rows_of(
         self, marks: Mapping[str, Marks], without: Mapping[str, str]
@@ -284,6 +294,20 @@ class Gradebook:
                         f"the kit {short(self._most[part])}: change it in Canvas, or scale there"
                     )
         return sentences
+
+
+def perhaps_old(name: str, emptied: int) -> list[str]:
+    """What to say if cells lack the points that an earlier run has filled in: points that were
+    corrected since then can't be seen, and would be replaced."""
+    cells = f"{emptied} cell{'s' if emptied > 1 else ''}"
+    return (
+        [
+            f"{name} lacks what an earlier run has filled into {cells}: if that is imported, export "
+            "the grades again, or corrections made there since then are lost"
+        ]
+        if emptied
+        else []
+    )
 
 
 def _by_line(rows: Mapping[str, list[Row]], ids: Iterable[str]) -> dict[int, list[str]]:

@@ -10,7 +10,7 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 from bounce_grader.classroom.output import table as tables
-from bounce_grader.classroom.output.gradebook import Filled, Marks, Written, number_in
+from bounce_grader.classroom.output.gradebook import Filled, Marks, Written, number_in, perhaps_old
 from bounce_grader.classroom.output.table import Row
 from bounce_grader.common.errors import UsageError
 from bounce_grader.common.numbers import short
@@ -70,6 +70,7 @@ class Worksheet:
         title = self._header[self._column]
         now = {title: {id: list(points) for id, points in written.get(title, {}).items()}}
         comma = self._has_decimal_comma()
+        emptied = 0  # cells without the points that an earlier run has filled in
         sentences = self._points_possible()
         by_id = self._by_id()
         for id, rows in by_id.items():
@@ -86,11 +87,13 @@ class Worksheet:
                 if problem:
                     sentences.append(f"{who} {problem}")
                     continue
+                emptied += bool(before and not self._has_points(rows[0]))
                 now[title][id] = [*before, *([points] if points not in before else [])]
                 text = points.replace(".", ",") if comma else points
                 rows[0].cells[self._column].put(text, self._table.delimiter)
         for id in sorted(marks.keys() - by_id.keys()):
             sentences.append(f"{marks[id].name} ({id}) is graded, but isn't in {self._name}")
+        sentences = [*perhaps_old(self._name, emptied), *sentences]
         others = {other: by for other, by in written.items() if other != title}
         return Filled(self._bytes(), sentences, {**others, **now})
 
@@ -102,10 +105,14 @@ class Worksheet:
         text = row.cells[self._column].text.strip()
         there = number_in(text)
         ours = there is not None and there in map(number_in, [points, *before])
-        if ours or overwrite or text in ("", "-") or text.startswith("Needs Grading"):
+        if ours or overwrite or not self._has_points(row):
             return ""
         title = self._header[self._column]
         return f"keeps {text} in {title}, where the grading gives {points}; --overwrite replaces it"
+
+    def _has_points(self, row: Row) -> bool:
+        text = row.cells[self._column].text.strip()
+        return text not in ("", "-") and not text.startswith("Needs Grading")
 
     def _bytes(self) -> bytes:
         plain = self._table.bytes()
