@@ -186,7 +186,8 @@ def _moodle(path: Path) -> Class:
         if not parsed:
             intake.unmatched.append(Unmatched(name, _no_name_of("Moodle", name)))
         elif parsed.kind == "onlinetext":
-            _typed_elsewhere(intake, name, "Moodle", parsed.participant)
+            page = moodle.feedback_name(parsed.name, parsed.participant)
+            _typed_elsewhere(intake, name, "Moodle", parsed.participant, page)
         elif not _is_inside(parsed.file):
             intake.unmatched.append(Unmatched(name, "points outside of the submission"))
         else:
@@ -206,10 +207,11 @@ def _moodle_folders(children: list[Path]) -> Class:
         parsed = moodle.parse_folder(child.name) if _is_folder(child) else None
         if not parsed:
             intake.unmatched.append(Unmatched(child.name, _no_name_of("Moodle", child.name)))
-        elif parsed.kind == "onlinetext":
-            _typed_elsewhere(intake, child.name, "Moodle", parsed.participant)
+            continue
+        page = moodle.feedback_name(parsed.name, parsed.participant)
+        if parsed.kind == "onlinetext":
+            _typed_elsewhere(intake, child.name, "Moodle", parsed.participant, page)
         else:
-            page = moodle.feedback_name(parsed.name, parsed.participant)
             there = _zip_alone(child) or child
             intake.students.append(Student(parsed.participant, parsed.name, there, feedback=page))
     _require_distinct(intake.students)
@@ -245,7 +247,7 @@ def _blackboard(path: Path) -> Class:
         if newest:
             _take(intake, archive, user, name, newest, page)
         else:
-            _typed_elsewhere(intake, f"{head}.txt", "Blackboard", user)
+            _typed_elsewhere(intake, f"{head}.txt", "Blackboard", user, page)
     left = [name for name in archive.names() if name not in known]
     intake.unmatched += [Unmatched(name, _no_name_of("Blackboard", name)) for name in left]
     _require_distinct(intake.students)
@@ -281,9 +283,10 @@ def _take(
     intake.unmatched.append(Unmatched(name, reason, id, page, page_text))
 
 
-def _typed_elsewhere(intake: Class, name: str, service: str, user: str) -> None:
-    reason = f"is text typed into {service}, with no file to grade: ask for the files of the parts"
-    intake.unmatched.append(Unmatched(name, reason, user))
+def _typed_elsewhere(intake: Class, name: str, service: str, user: str, page: str) -> None:
+    what = f"is text typed into {service}"
+    reason = f"{what}, with no file to grade: ask for the files of the parts"
+    intake.unmatched.append(Unmatched(name, reason, user, page, f"It {what}. {HAND_IN}"))
 
 
 def _no_name_of(service: str, name: str) -> str:
