@@ -22,6 +22,7 @@ from bounce_grader.submission.entry import MOST_ENTRIES, Entry, inside_name
 
 LARGEST = 64 * 1024 * 1024  # bytes, unpacked
 LARGEST_HEADERS = 8 * 1024 * 1024  # all together: 5000 entries have that with a pax header each
+RECORDS_WEIGH = 4  # times a header of the same length: a record may have five bytes
 LARGEST_SLOW = 8 * 1024 * 1024  # packed by bzip2 or xz, which unpack a tenth as fast as gzip
 MEMORY = 128 * 1024 * 1024  # of xz, which may ask for gigabytes
 BLOCK = tarfile.BLOCKSIZE
@@ -111,7 +112,7 @@ def _members(path: Path, data: bytes) -> Iterator[_Member | None]:
         extends = info.type in (b"L", b"K", b"x", b"X", b"g")
         size = info.size if extends else int(records.get("size", "")[:20] or info.size)
         at += BLOCK
-        headers += BLOCK + (size if extends else 0)
+        headers += BLOCK + (RECORDS_WEIGH * size if extends else 0)
         if headers > LARGEST_HEADERS or info.type == tarfile.GNUTYPE_SPARSE:
             raise UsageError(
                 f"{path} holds headers of a kind that a submission doesn't need: make it anew"
