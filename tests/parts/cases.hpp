@@ -72,6 +72,9 @@ std::string in_words(const Case& c, const Problem& problem);
 // check.
 void for_each_case(const std::function<Problem(const Case&)>& ask);
 
+// The same in one order alone, for questions that are asked twice by themselves.
+void for_each_case_once(const std::function<Problem(const Case&)>& ask);
+
 // Thrown by a submission that can answer no more questions of this check.
 struct Ended : std::runtime_error {
   using std::runtime_error::runtime_error;

@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from functools import cache
 from pathlib import Path
 
+from bounce_grader.build import eigen_shapes
 from bounce_grader.common.errors import KitError
 from bounce_grader.common.escaping import printable_text, terminal
 from bounce_grader.common.paths import BUILD, CONTRACT, RUNNER
@@ -144,9 +145,13 @@ def compile_problem(result: processes.Result, file: str) -> str:
     if said_by_eigen:
         what = said_by_eigen.group(1).replace("_", " ").lower()
     if where.startswith("/"):
-        instantiated = re.search(rf"^({re.escape(file)}:\d+):\d+: note: ", result.err, re.MULTILINE)
-        asked = f", asked for at {instantiated.group(1)}" if instantiated else f" in {file}"
-        return f"{what}{asked} ({Path(where).name})"
+        instantiated = re.search(
+            rf"^({re.escape(file)}:\d+):\d+: note: (.*)$", result.err, re.MULTILINE
+        )
+        if not instantiated:
+            return f"{what} in {file} ({Path(where).name})"
+        what = eigen_shapes.misfit(instantiated.group(2)) or what
+        return f"{what}, asked for at {instantiated.group(1)} ({Path(where).name})"
     return f"{where}: {what}"
 
 

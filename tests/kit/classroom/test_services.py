@@ -162,6 +162,39 @@ def test_blackboards_file_gets_the_points_of_each_user(tmp_path: Path, kind: str
     assert len(list((out / "feedback").iterdir())) == len(NAMES)
 
 
+def test_no_files_name_makes_it_another_services_download(tmp_path: Path) -> None:
+    names = {
+        "doejane_1_11_part2_lcp.cpp": b"// a",
+        "roerichard_2_21_part2_lcp.cpp": b"// b",
+        "poeanna_3_31_x_attempt_2026-11-20-23-15-42_part2_lcp.cpp": b"// c",
+        "moemax_4_41_x_12345_assignsubmission_file_part2_lcp.cpp": b"// d",
+    }
+    source = download(tmp_path / "c.zip", [], names)
+    assert {s.id for s in students.read(source).students} >= {"1", "2"}
+    assert students.read(source).service == "canvas"
+    folder = write(tmp_path / "unpacked", names)
+    assert students.read(folder).service == "canvas"
+
+
+def test_no_files_name_makes_it_another_students_attempt(tmp_path: Path) -> None:
+    mine, yours = "hw3_mal_attempt_2026-11-20-23-15-42", "jdoe_attempt_2027-01-01-00-00-00"
+    source = download(
+        tmp_path / "b.zip",
+        [],
+        {
+            f"{mine}.txt": b"Name: Mal Ory (mal)\n",
+            f"{mine}_part2_lcp.cpp": b"// x",
+            f"{mine}_{yours}.txt": b"Name: Jane Doe (jdoe)\n",
+            f"{mine}_{yours}_part2_lcp.cpp": b"// y",
+            "hw3_roe_attempt_2026-11-20-23-15-42.txt": b"Name: Richard Roe (roe)\n",
+            "hw3_roe_attempt_2026-11-20-23-15-42_part2_lcp.cpp": b"// z",
+        },
+    )
+    intake = students.read(source)
+    assert intake.service == "blackboard"
+    assert [student.id for student in intake.students] == ["mal", "roe"]
+
+
 def test_what_a_student_types_makes_nobody_another(tmp_path: Path) -> None:
     entries = services.blackboard_entries(0, "2026-11-20-23-15-42", {"part2_lcp.cpp": b"1"})
     head = "HW 3_b_mallory_attempt_2026-11-20-23-15-42"

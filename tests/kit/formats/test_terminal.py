@@ -4,6 +4,7 @@ import io
 import json
 from typing import Any
 
+import pytest
 from bounce_grader.build.compiler import compile_problem
 from bounce_grader.build.linking import link_problem
 from bounce_grader.formats import terminal
@@ -81,6 +82,45 @@ def test_an_error_inside_eigen_names_the_line_that_asked_for_it() -> None:
     )
     told = compile_problem(failed(err), "part2_lcp.cpp")
     assert told == "invalid matrix product, asked for at part2_lcp.cpp:11 (Product.h:1:2)"
+
+
+def refused_by_eigen(instantiated: str) -> str:
+    err = (
+        "/usr/include/eigen3/Eigen/src/Core/Product.h:1:2: error: static_assert failed\n"
+        "part2_lcp.cpp:11:30: note: in instantiation of function template specialization "
+        f"'Eigen::{instantiated}' requested here\n"
+    )
+    return compile_problem(failed(err), "part2_lcp.cpp").partition(", asked for")[0]
+
+
+VECTOR = "Eigen::Matrix<double, 3, 1, 0>"
+J = "Eigen::Matrix<double, 3, 2, 0>"
+
+
+def test_shapes_that_do_not_fit_are_told() -> None:
+    product = f"MatrixBase<{J}>::operator*<{VECTOR}>"
+    assert refused_by_eigen(product) == "a 3x2 and a 3x1 can't be multiplied"
+    column = f"Eigen::Block<const {J}, 3, 1, true>"
+    both = f"Eigen::CwiseBinaryOp<Eigen::internal::scalar_sum_op<double>, const {VECTOR}, {column}>"
+    total = f"MatrixBase<{both}>::operator+<Eigen::Matrix<double, 4, 1, 0>>"
+    assert refused_by_eigen(total) == "a 3x1 and a 4x1 can't be added"
+    velocity = f"Eigen::Product<Eigen::Transpose<const {J}>, {VECTOR}, 0>"
+    assigned = f"Matrix<double, 3, 1, 0>::Matrix<{velocity}>"
+    assert refused_by_eigen(assigned) == "a 2x1 can't be assigned to a 3x1"
+
+
+@pytest.mark.parametrize(
+    "instantiated",
+    [
+        f"MatrixBase<{VECTOR}>::operator+<{VECTOR}>",
+        f"MatrixBase<Eigen::Matrix<double, -1, -1>>::operator*<{VECTOR}>",
+        f"MatrixBase<{VECTOR}>::norm",
+        "A<" * 4000,
+        "",
+    ],
+)
+def test_of_shapes_that_fit_or_are_unknown_none_is_told(instantiated: str) -> None:
+    assert refused_by_eigen(instantiated) == "static_assert failed"
 
 
 def test_a_compiler_that_ran_too_long_is_told_so() -> None:

@@ -1,11 +1,11 @@
 // All parts in one more style: classes that hold the state of the square.
-#include "classes.hpp"
-
 #include <bounce/part1_contacts.hpp>
 #include <bounce/part2_lcp.hpp>
 #include <bounce/solve_lcp.hpp>
 #include <cmath>
 #include <vector>
+
+#include "whole_styles.hpp"
 
 namespace slips {
 namespace {

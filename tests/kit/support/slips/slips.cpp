@@ -11,10 +11,10 @@
 #include "../../../parts/pattern.hpp"
 #include "../../../parts/recognise.hpp"
 #include "../../../parts/submission.hpp"
-#include "classes.hpp"
 #include "part1.hpp"
 #include "part2.hpp"
 #include "part3.hpp"
+#include "whole_styles.hpp"
 
 namespace bounce {
 
@@ -49,26 +49,33 @@ Eigen::VectorXd numbers(const Lcp& lcp) {
   return all;
 }
 
-constexpr const char* kClasses = "helper class";
+// Styles in which all parts are written.
+const std::map<std::string, const Style*>& whole_styles() {
+  static const std::map<std::string, const Style*> styles{{"helper class", &classes()},
+                                                          {"contact frame", &contact_frame()}};
+  return styles;
+}
 
+// A part's function in one of its own styles, or in one of whole programs.
 template <typename Function>
 Function in_style(const std::map<std::string, Function>& styles, const std::string& style,
-                  Function in_classes) {
-  return style == kClasses ? in_classes : styles.at(style);
+                  Function Style::*part) {
+  const auto whole = whole_styles().find(style);
+  return whole == whole_styles().end() ? styles.at(style) : whole->second->*part;
 }
 
 Eigen::VectorXd asked(int part, const std::string& style, const Case& c) {
-  const Style& other = classes();
   if (part == 1) {
-    return numbers(in_style(part1_styles(), style, other.get_contacts)(c.q, c.params));
+    return numbers(in_style(part1_styles(), style, &Style::get_contacts)(c.q, c.params));
   }
   if (part == 2) {
-    return numbers(in_style(part2_styles(), style, other.form_lcp)(c.J, c.v, c.params));
+    return numbers(in_style(part2_styles(), style, &Style::form_lcp)(c.J, c.v, c.params));
   }
   if (part == 3) {
-    return numbers_of(in_style(part3_styles(), style, other.step)(c.q, c.v, c.params), c);
+    return numbers_of(in_style(part3_styles(), style, &Style::step)(c.q, c.v, c.params), c);
   }
-  const Trajectory path = in_style(part4_styles(), style, other.simulate)(c.q, c.v, c.params);
+  const auto simulate = in_style(part4_styles(), style, &Style::simulate);
+  const Trajectory path = simulate(c.q, c.v, c.params);
   submission::require_columns(path.q.cols(), path.v.cols(), c.params.T);
   return numbers_of(path);
 }
@@ -101,7 +108,7 @@ template <typename Map>
 std::vector<std::string> names(const Map& map) {
   std::vector<std::string> all;
   for (const auto& [name, value] : map) all.push_back(name);
-  all.push_back(kClasses);
+  for (const auto& [name, value] : whole_styles()) all.push_back(name);
   return all;
 }
 

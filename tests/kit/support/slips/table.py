@@ -3,7 +3,8 @@
 The programs are C++ functions with switches (part1.cpp and the others here); the program `slips`
 runs them, and prints what the recogniser says. truth.json holds, by part and slip, what is true of
 it: names of known mistakes, and words of which a sentence must hold one to name the slip. A known
-mistake that is said of a program and stands with none of its slips is false.
+mistake that is said of a program and stands with none of its slips is false. "a and b" holds what is
+true of two slips together alone: pairs whose numbers are exactly those of other mistakes.
 """
 
 import json
@@ -67,13 +68,14 @@ def said(pairs: int = PAIRS) -> list[Said]:
 def _said(row: dict[str, Any], truth: dict[str, list[str]]) -> Said:
     unknown = [slip for slip in row["slips"] if slip not in truth]
     assert not unknown, f"truth.json lacks {unknown}"
+    held = [*row["slips"], " and ".join(row["slips"])]
     return Said(
         part=row["part"],
         style=row["style"],
         slips=tuple(row["slips"]),
         mistakes=tuple(row["mistakes"]),
         patterns=tuple(row["patterns"]),
-        truth=tuple(words for slip in row["slips"] for words in truth[slip]),
+        truth=tuple(words for slips in held for words in truth.get(slips, [])),
     )
 
 

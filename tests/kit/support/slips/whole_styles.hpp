@@ -1,4 +1,4 @@
-// All four parts in one more style, written last: classes that hold the state of the square.
+// Styles in which all four parts are written.
 #pragma once
 
 #include "part1.hpp"
@@ -7,7 +7,6 @@
 
 namespace slips {
 
-// All four parts in one style.
 struct Style {
   GetContacts get_contacts;
   FormLcp form_lcp;
@@ -15,6 +14,7 @@ struct Style {
   Simulate simulate;
 };
 
-const Style& classes();
+const Style& classes();        // that hold the state of the square
+const Style& contact_frame();  // impulses along the ground and upwards
 
 }  // namespace slips
