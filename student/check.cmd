@@ -8,6 +8,6 @@ if defined VCPKG_ROOT set toolchain="-DCMAKE_TOOLCHAIN_FILE=%VCPKG_ROOT%/scripts
 if not exist build mkdir build
 if not exist build\check_program.exe (
   echo check: building for the first time; this takes about a minute>&2
-  cmake -S . -B build %toolchain% >build\prepare.txt 2>&1 && cmake --build build --config Debug --parallel --target check_program checks given >>build\prepare.txt 2>&1 || (type build\prepare.txt >&2 & exit /b 3)
+  cmake -S . -B build %toolchain% >build\prepare.txt 2>&1 && cmake --build build --config Debug --parallel --target prepared >>build\prepare.txt 2>&1 || (type build\prepare.txt >&2 & exit /b 3)
 )
 build\check_program.exe %*

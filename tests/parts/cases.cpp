@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <fstream>
 #include <map>
@@ -16,7 +17,7 @@
 namespace bounce::tests {
 namespace {
 
-using nlohmann::json;
+using json = nlohmann::ordered_json;  // checks in the order of the file
 
 constexpr int kMostColumns = 1'000'000;
 double largest_error_so_far = 0;
@@ -50,8 +51,10 @@ Eigen::Matrix3Xd columns(const json& list) {
 
 // Reads an integer; other JSON numbers would be rounded or overflow.
 int whole(const json& number, int least, int most) {
-  if (!number.is_number_integer() || number < least || number > most) refuse("an odd number");
-  return number.get<int>();
+  if (!number.is_number_integer()) refuse("an odd number");
+  const auto value = number.get<std::int64_t>();
+  if (value < least || value > most) refuse("an odd number");
+  return static_cast<int>(value);
 }
 
 Parameters read_parameters(const json& p) {
@@ -277,10 +280,9 @@ std::vector<Case> read_cases(std::istream& file, const std::string& check, bool 
 }
 
 std::vector<Case> read_all_cases(std::istream& file) {
-  const auto checks = nlohmann::ordered_json::parse(file).at("checks");
   std::vector<Case> cases;
-  for (const auto& check : checks) {
-    for (const auto& c : check) cases.push_back(read_case(json(c), false));
+  for (const json& check : checks_in(file)) {
+    for (const json& c : check) cases.push_back(read_case(c, false));
   }
   return cases;
 }

@@ -14,7 +14,7 @@ namespace bounce::tests {
 namespace {
 
 using Eigen::Index;
-using nlohmann::json;
+using json = nlohmann::ordered_json;  // as in cases.cpp, so that it is compiled once
 
 constexpr double kTolerance = 1e-9;
 

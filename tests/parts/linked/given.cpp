@@ -33,7 +33,7 @@ struct Tables {
   Table contacts, lcps, states;
 };
 
-Table read_rows(const nlohmann::json& rows, std::ptrdiff_t length_of_answer) {
+Table read_rows(const nlohmann::ordered_json& rows, std::ptrdiff_t length_of_answer) {
   Table table;
   for (const auto& row : rows) {
     const auto numbers = row.get<Numbers>();
@@ -43,7 +43,7 @@ Table read_rows(const nlohmann::json& rows, std::ptrdiff_t length_of_answer) {
   return table;
 }
 
-Table read_states(const nlohmann::json& trajectories) {
+Table read_states(const nlohmann::ordered_json& trajectories) {
   Table table;
   for (const auto& rows : trajectories) {
     const auto columns = rows.get<std::vector<Numbers>>();
@@ -59,7 +59,7 @@ Table read_states(const nlohmann::json& trajectories) {
 const Tables& tables() {
   static const Tables all = [] {
     std::ifstream in(fixture_folders().at(0) / "given.json");
-    const auto given = nlohmann::json::parse(in);
+    const auto given = nlohmann::ordered_json::parse(in);
     return Tables{read_rows(given.at("part1"), kOfAContact), read_rows(given.at("part2"), kOfAnLcp),
                   read_states(given.at("part3"))};
   }();
