@@ -115,11 +115,6 @@ def test_files_are_kept_where_only_rounding_differs(
     assert sorted(f.name for f in tmp_path.iterdir()) == ["part1_contacts.json", "part5.json"]
 
 
-@pytest.mark.slow
-def test_the_committed_answers_are_the_gallerys() -> None:
-    assert known_mistakes.differing() == []
-
-
 def test_every_title_and_sentence_is_one_of_its_kind() -> None:
     for m in ALL:
         assert len(m.title) <= 60 and m.title[-1] not in ".:" and m.title[0] != " ", m.name
