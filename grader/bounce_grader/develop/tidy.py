@@ -41,14 +41,25 @@ def run(all_files: bool) -> int:
 
 
 def _commands() -> Path:
-    """Writes the build's commands without its precompiled headers, which only g++ can read."""
-    commands = json.loads((BUILD / "compile_commands.json").read_text())
-    for entry in commands:
-        entry["command"] = re.sub(r"-include \S+/cmake_pch\.hxx", "", entry["command"])
+    """Writes the build's commands for each file alone: without precompiled headers, which only g++
+    can read, and without the files that include several."""
+    entries = json.loads((BUILD / "compile_commands.json").read_text())
     folder = BUILD / "tidy"
     folder.mkdir(exist_ok=True)
-    write_whole(folder / "compile_commands.json", json.dumps(commands))
+    alone = [command for entry in entries for command in _alone(entry)]
+    write_whole(folder / "compile_commands.json", json.dumps(alone))
     return folder
+
+
+def _alone(entry: dict[str, str]) -> list[dict[str, str]]:
+    command = re.sub(r"-include \S+/cmake_pch\.hxx", "", entry["command"])
+    together = Path(entry["file"])
+    files = [entry["file"]]
+    if together.parent.name == "Unity":
+        files = re.findall(r'#include "(.*)"', together.read_text())
+    return [
+        {**entry, "file": file, "command": command.replace(entry["file"], file)} for file in files
+    ]
 
 
 def _digests() -> dict[str, str]:

@@ -20,7 +20,7 @@ from typing import NamedTuple
 
 from bounce_grader.common.errors import KitError
 from bounce_grader.common.files import write_whole
-from bounce_grader.common.paths import BUILD, ENTER, REFERENCE_RUNNER
+from bounce_grader.common.paths import BUILD, ENTER, GIVEN_RUNNER
 from bounce_grader.sandbox import processes
 from bounce_grader.sandbox.budget import UNLIMITED, Budget
 
@@ -155,7 +155,7 @@ def forget(kind: str) -> None:
 def _held(kind: str) -> Path:
     """A file that exists if this kind of box has worked since the machine started, for this user,
     in these namespaces, with these programs. Testing it again takes a tenth of a grading."""
-    programs = [ENTER, REFERENCE_RUNNER, Path(which("bwrap") or "/")]
+    programs = [ENTER, GIVEN_RUNNER, Path(which("bwrap") or "/")]
     known = [Path("/proc/sys/kernel/random/boot_id").read_text(), os.geteuid()]
     known += [os.readlink(f"/proc/self/ns/{name}") for name in ("user", "mnt", "pid")]
     known += [path.stat().st_mtime_ns for path in programs if path.exists()]
@@ -174,11 +174,11 @@ def problem_of(box: Box) -> str | None:
         return None
     if box.kind == "full" and which("bwrap") is None:
         return "bubblewrap isn't installed"
-    hidden = _hidden_from_others(REFERENCE_RUNNER)
+    hidden = _hidden_from_others(GIVEN_RUNNER)
     if box.kind == "reduced" and os.geteuid() == 0 and hidden:
         return f"other users can't enter {hidden}, where the kit is; move it, or chmod o+x {hidden}"
     limits = processes.Limits(cpu_seconds=5, wall_seconds=20, memory=1 << 30, file_size=0)
-    tried = processes.run(box.to_run(REFERENCE_RUNNER), limits)
+    tried = processes.run(box.to_run(GIVEN_RUNNER), limits)
     if tried.ok:
         return None
     return tried.err.strip().splitlines()[-1] if tried.err.strip() else "it ended"

@@ -1,5 +1,6 @@
 """Which files clang-tidy checks; a stand-in replaces clang-tidy itself."""
 
+import json
 import subprocess
 from pathlib import Path
 from typing import Any
@@ -19,6 +20,7 @@ class Tidy:
         if command[0] == "git":
             return subprocess.CompletedProcess(command, 0, "grader/judge/session.cpp\n", "")
         self.asked = [word for word in command if word.startswith("^")]
+        self.commands = Path(command[command.index("-p") + 1]) / "compile_commands.json"
         return subprocess.CompletedProcess(command, self.status, "found something", "")
 
 
@@ -38,6 +40,15 @@ def test_a_usual_run_looks_at_what_changed_last_and_a_whole_run_at_the_rest(stan
     assert len(stand_in.asked) > 30 and not usual & set(stand_in.asked)
     stand_in.asked = []
     assert tidy.run(all_files=True) == 0 and not stand_in.asked
+
+
+def test_each_file_has_a_command_of_its_own(stand_in: Tidy) -> None:
+    tidy.run(all_files=True)
+    commands = {
+        entry["file"]: entry["command"] for entry in json.loads(stand_in.commands.read_text())
+    }
+    for file in (word.strip("^$") for word in stand_in.asked):
+        assert commands[file].endswith(f" -c {file}")
 
 
 def test_what_was_not_clean_is_looked_at_again(
