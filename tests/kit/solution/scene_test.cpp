@@ -1,5 +1,6 @@
 // The scenes' reader: every scene is right, and bad input is one sentence that names its field.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -19,7 +20,9 @@ json rest() {
 
 // What the reader says of a file with this text.
 std::string refusal(const std::string& text) {
-  const auto file = std::filesystem::path(testing::TempDir()) / "bounce_scene_test.json";
+  // Named by the process: another of these tests may run at the same time.
+  const auto file = std::filesystem::path(testing::TempDir()) /
+                    ("bounce_scene_" + std::to_string(::getpid()) + ".json");
   std::ofstream(file) << text;
   std::string said = "nothing";
   try {
