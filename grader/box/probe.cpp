@@ -23,6 +23,7 @@
 #include <iostream>
 #include <map>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "../runner/frame.hpp"
@@ -83,15 +84,48 @@ bool start_processes(const Arguments& words) {
   return true;
 }
 
-// Uses N MB, long enough to be noticed from outside.
-bool allocate(const Arguments& words) {
-  const std::size_t size = std::stoul(words.at(0)) << 20;
-  void* memory = ::mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-  if (memory == MAP_FAILED) return false;
-  for (std::size_t at = 0; at < size; at += 4096) static_cast<volatile char*>(memory)[at] = 1;
+constexpr std::size_t kPage = 4096;  // bytes
+
+volatile char* mapped(std::size_t size, int flags) {
+  void* memory = ::mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_ANONYMOUS | flags, -1, 0);
+  return memory == MAP_FAILED ? nullptr : static_cast<volatile char*>(memory);
+}
+
+// Long enough to be noticed from outside.
+bool keep_it() {
   const timespec half_a_second{0, 500'000'000};
   ::nanosleep(&half_a_second, nullptr);
   return true;
+}
+
+// Uses N MB.
+bool allocate(const Arguments& words) {
+  const std::size_t size = std::stoul(words.at(0)) << 20;
+  volatile char* memory = mapped(size, MAP_PRIVATE);
+  if (!memory) return false;
+  for (std::size_t at = 0; at < size; at += kPage) memory[at] = 1;
+  return keep_it();
+}
+
+// Uses N MB of shared memory, which stays while one page of it is mapped.
+bool allocate_unmapped(const Arguments& words) {
+  constexpr std::size_t kPiece = std::size_t{50} << 20;
+  for (std::size_t left = std::stoul(words.at(0)) / 50; left > 0; --left) {
+    volatile char* memory = mapped(kPiece, MAP_SHARED);
+    if (!memory) return false;
+    for (std::size_t at = 0; at < kPiece; at += kPage) memory[at] = 1;
+    ::munmap(const_cast<char*>(memory) + kPage, kPiece - kPage);
+  }
+  return keep_it();
+}
+
+int report(const std::string& name, bool could);
+
+// Uses N MB after the first thread has ended.
+bool allocate_late(const Arguments& words) {
+  std::thread([words] { std::exit(report("allocate-late", allocate(words))); }).detach();
+  ::syscall(SYS_exit, 0);
+  return false;
 }
 
 // Uses N seconds of CPU time.
@@ -221,6 +255,8 @@ const std::map<std::string, Attempt> kAttempts = {
     {"connect", connect_to},
     {"processes", start_processes},
     {"allocate", allocate},
+    {"allocate-unmapped", allocate_unmapped},
+    {"allocate-late", allocate_late},
     {"spin", spin},
     {"flood", flood},
     {"daemon", leave_a_daemon},
@@ -237,8 +273,8 @@ const std::map<std::string, Attempt> kAttempts = {
     {"namespace", make_a_namespace},
 };
 
-int attempt(const std::string& name, const Arguments& arguments) {
-  if (!kAttempts.at(name)(arguments)) {
+int report(const std::string& name, bool could) {
+  if (!could) {
     std::cout << "could not: " << std::strerror(errno) << "\n";
     return 3;
   }
@@ -253,7 +289,8 @@ int attempt(const std::string& name, const Arguments& arguments) {
 
 int main(int argc, char** argv) try {
   const std::vector<std::string> words(argv + 1, argv + argc);
-  return bounce::box::attempt(words.at(0), {words.begin() + 1, words.end()});
+  const auto attempt = bounce::box::kAttempts.at(words.at(0));
+  return bounce::box::report(words[0], attempt({words.begin() + 1, words.end()}));
 } catch (const std::exception& e) {
   std::cerr << "probe: " << e.what() << "\n";
   return 125;

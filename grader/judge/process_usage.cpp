@@ -60,35 +60,45 @@ std::optional<double> cpu_ns_of_one(pid_t pid) {
   return static_cast<double>(time.tv_sec) * 1e9 + static_cast<double>(time.tv_nsec);
 }
 
-// Adds up the threads that haven't ended.
+// Field 3 of a stat file; 0 if it is gone.
+char state_of(const std::string& folder) {
+  char state = 0;
+  fields_of(folder + "/stat") >> state;
+  return state;
+}
+
+// The resident bytes of a thread's process, by field 24 of its stat file; 0 if the thread has
+// ended.
+std::size_t memory_of(const std::string& folder) {
+  std::istringstream fields = fields_of(folder + "/stat");
+  std::string skipped;
+  for (int field = 3; field < 24; ++field) fields >> skipped;
+  std::size_t pages = 0;
+  fields >> pages;
+  return pages * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+}
+
+// Adds up the threads that haven't ended. The first may have ended before the others.
 void add_threads(pid_t pid, ProcessUsage& usage) {
   std::error_code gone;
   int threads = 0;
   for (const auto& task : std::filesystem::directory_iterator(folder_of(pid) + "/task", gone)) {
     usage.threads = ++threads > 1;
-    char state = 0;
-    usage.ready = usage.ready || (fields_of(task.path() / "stat") >> state && state == 'R');
+    usage.ready = usage.ready || state_of(task.path()) == 'R';
+    if (usage.memory == 0) usage.memory = memory_of(task.path());
     const Scheduled thread = scheduled(task.path());
     usage.delay_seconds += thread.delay;
     usage.ended_seconds -= thread.run;
   }
 }
 
-// Reads /proc/PID/stat: the state (field 3) and resident pages (24).
 std::optional<ProcessUsage> usage_of_one(pid_t pid) {
-  std::istringstream fields = fields_of(folder_of(pid) + "/stat");
+  const char state = state_of(folder_of(pid));
   ProcessUsage usage;
-  char state = 0;
-  fields >> state;
   usage.reads_a_disk = state == 'D';
   usage.stopped = state == 'T' || state == 't';
-  std::string skipped;
-  for (int field = 4; field < 24; ++field) fields >> skipped;
-  std::size_t pages = 0;
-  fields >> pages;
-  usage.memory = pages * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
   const std::optional<double> ns = cpu_ns_of_one(pid);
-  if (!fields || !ns) return std::nullopt;
+  if (state == 0 || !ns) return std::nullopt;
   usage.cpu_seconds = usage.ended_seconds = *ns * 1e-9;
   add_threads(pid, usage);  // after the clock, so that no running thread is taken for an ended one
   return usage;

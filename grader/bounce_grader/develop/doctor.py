@@ -24,7 +24,7 @@ Attempt = list[str]
 PLACES = ("compile", "run", "check")
 # A process above the box that holds the canary.
 ABOVE = ["/bin/sh", "-c", 'BOUNCE_DOCTOR="$0" "$@"; status=$?; kept="$0"; exit $status']
-WATCHING = processes.Limits(cpu_seconds=20, wall_seconds=90, memory=4 << 30, file_size=0)
+WATCHING = processes.Limits(cpu_seconds=20, wall_seconds=90, memory=None, file_size=0)
 COMPILING = COMPILE._replace(cpu_seconds=1)
 
 
@@ -151,7 +151,11 @@ def _protections(marker: str, file: IO[str], home: IO[str], port: int) -> list[P
         Protection("starts no process", [["processes", "1"]], ("run", "check")),
         Protection("starts few processes", [["processes", "200"]], ("compile",)),
         Protection("leaves nothing behind", [["daemon", marker]], outside=lambda: _gone(marker)),
-        Protection("is held to its memory", [["allocate", "1100"]], ("run", "check")),
+        Protection(
+            "is held to its memory",
+            [[f"allocate{how}", "1100"] for how in ("", "-unmapped", "-late")],
+            ("run", "check"),
+        ),
         Protection("is held to its memory", [["allocate", "2200"]], ("compile",)),
         Protection("is held to its CPU time", [["spin", "3"]]),
         Protection("is held to its output", [["flood", "20"]]),

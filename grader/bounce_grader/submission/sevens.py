@@ -15,13 +15,13 @@ from bounce_grader.common.paths import WORK_FOLDER
 from bounce_grader.sandbox import box as boxes
 from bounce_grader.sandbox.processes import Limits, Result
 from bounce_grader.submission.entry import MOST_ENTRIES, Entry, inside_name
+from bounce_grader.submission.room import Room
 
 # The programs themselves: what Debian has in /usr/bin may be a script, and a box has no shell.
 PROGRAMS = (
     "/usr/bin/7zz",
     *(f"/usr/lib/{p}/{n}" for p in ("7zip", "p7zip") for n in ("7zr", "7za")),
 )
-LARGEST = 64 * 1024 * 1024  # bytes, unpacked
 LIMITS = Limits(cpu_seconds=10, wall_seconds=60, memory=1 << 30, file_size=0)
 OPTIONS = ("-t7z", "-p", "-mmt=1", "-bd", "-sccUTF-8")  # no password, thread, progress
 
@@ -34,19 +34,14 @@ class _Listed(NamedTuple):
 
 
 @contextmanager
-def opened(path: Path, packed: bytes) -> Iterator[Iterator[Entry]]:
+def opened(path: Path, packed: bytes, room: Room) -> Iterator[Iterator[Entry]]:
     """The entries of the archive. Raises UsageError if they can't be listed and read."""
     program = _program(path)
     with temporary_folder(WORK_FOLDER) as folder:
         (folder / "archive.7z").write_bytes(packed)
-        listed = list(_listed(_run(path, folder, program, "l", "-slt", "-ba")))
-        if len(listed) > MOST_ENTRIES:
-            raise UsageError(f"{path} holds more than {MOST_ENTRIES} files: submit the parts alone")
-        if sum(one.size for one in listed) > LARGEST:
-            raise UsageError(
-                f"{path} unpacks to more than {LARGEST >> 20} MB: submit the parts alone"
-            )
-        data = _run(path, folder, program, "x", "-so") if listed else b""
+        listed = list(_listed(path, _run(path, folder, room, program, "l", "-slt", "-ba")))
+        room.take(path, sum(one.size for one in listed))
+        data = _run(path, folder, room, program, "x", "-so") if listed else b""
     yield _entries(path, listed, data)
 
 
@@ -60,27 +55,33 @@ def _program(path: Path) -> str:
     )
 
 
-def _run(path: Path, folder: Path, program: str, command: str, *options: str) -> bytes:
+def _run(path: Path, folder: Path, room: Room, program: str, command: str, *options: str) -> bytes:
     box = boxes.choose()
     box.give(folder)
     prefix = box.to_build(folder, [Path(program)], programs=())
     words = [program, command, *OPTIONS, *options, "archive.7z"]
-    result = box.run([*prefix, *words], LIMITS, cwd=folder)
-    if not result.ok:
+    limits = LIMITS._replace(cpu_seconds=max(1, int(room.seconds)))
+    result = box.run([*prefix, *words], limits, cwd=folder)
+    room.seconds -= result.cpu_seconds
+    if not result.ok or room.seconds < 0:
         raise UsageError(f"{path} is broken ({_why(result)}): make it anew, as a zip")
     return result.out
 
 
 def _why(result: Result) -> str:
-    if result.too_long or result.flooded or result.killed:
+    if result.ok or result.too_long or result.flooded or result.killed:
         return "it takes too much time or space to unpack"
     password = re.search("password|encrypted", result.err, re.IGNORECASE)
     return "it has a password" if password else "7-Zip can't unpack it"
 
 
-def _listed(text: bytes) -> Iterator[_Listed]:
-    for block in text.decode("utf-8", "replace").split("\n\n"):
-        fields = dict(line.partition(" = ")[::2] for line in block.splitlines())
+def _listed(path: Path, text: bytes) -> Iterator[_Listed]:
+    blocks = text.split(b"\n\n", MOST_ENTRIES + 1)
+    if len(blocks) > MOST_ENTRIES + 1:  # folders count, too
+        raise UsageError(f"{path} holds more than {MOST_ENTRIES} files: submit the parts alone")
+    for block in blocks:
+        lines = block.decode("utf-8", "replace").split("\n")
+        fields = dict(line.partition(" = ")[::2] for line in lines)
         attributes = fields.get("Attributes", "")
         if "Path" in fields and not attributes.startswith("D"):
             size = int(fields.get("Size") or 0)
@@ -90,8 +91,10 @@ def _listed(text: bytes) -> Iterator[_Listed]:
 
 def _entries(path: Path, listed: list[_Listed], data: bytes) -> Iterator[Entry]:
     names: set[str] = set()
+    whole, at = memoryview(data), 0  # a copy of each rest would take minutes
     for one in listed:
-        own, data = data[: one.size], data[one.size :]
+        own = whole[at : at + one.size]
+        at += one.size
         if one.size and one.crc != f"{zlib.crc32(own):08X}":
             raise UsageError(f"{path} is broken (a checksum differs): make it anew, as a zip")
         name = inside_name(path, one.name)
@@ -101,5 +104,5 @@ def _entries(path: Path, listed: list[_Listed], data: bytes) -> Iterator[Entry]:
         yield Entry(name, one.size, one.link, partial(_first, own))
 
 
-def _first(data: bytes, most: int) -> bytes:
-    return data[:most]
+def _first(data: memoryview, most: int) -> bytes:
+    return bytes(data[:most])

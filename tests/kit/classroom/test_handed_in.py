@@ -2,10 +2,12 @@
 measured, not believed."""
 
 import csv
+import gzip
 import io
 import re
 import resource
 import subprocess
+import tarfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -23,6 +25,7 @@ from classes import grade_class
 from conftest import solution_files, write
 from corpus import Member
 from downloads import STAMP, download, to_grade
+from handed_in import limited_memory, packed_tar
 from odd_students import LIES, bomb, long_names, zip_that_claims
 
 
@@ -52,6 +55,29 @@ def test_uploads_are_read_without_writing_anything(tmp_path: Path) -> None:
     (student,) = students.read(download(tmp_path / "x.zip", uploads)).students
     with nothing_is_written():
         assert to_grade(student).files == solution_files()
+
+
+@pytest.mark.parametrize("inner", [0, 3])
+def test_archives_of_all_uploads_are_counted_together(tmp_path: Path, inner: int) -> None:
+    """Ten uploads may hold forty archives of 64 MB each; a hundred kilobytes make one."""
+    tar = packed_tar({"large.bin": bytes(60 << 20)})
+    files = {f"{i}.tar.gz": tar for i in range(inner)}
+    packed = download(tmp_path / "inner.zip", files).read_bytes() if inner else tar
+    ending = "zip" if inner else "tar.gz"
+    uploads = {f"doe_1_{i}_hw{i}.{ending}": packed for i in range(1, 11)}
+    path = download(tmp_path / "x.zip", uploads)
+    with limited_memory(400 << 20):
+        assert "more than 256 MB with the other archives" in refusal(path)
+
+
+def test_headers_of_all_tars_are_counted_together(tmp_path: Path) -> None:
+    folder = tarfile.TarInfo("folder")
+    folder.type = tarfile.DIRTYPE
+    headers = bytes(folder.tobuf(tarfile.USTAR_FORMAT)) * 4990
+    folder.name, folder.type = "part2_lcp.cpp", tarfile.REGTYPE
+    tar = gzip.compress(headers + bytes(folder.tobuf(tarfile.USTAR_FORMAT)) + bytes(1024), 1)
+    uploads = {f"doe_1_{i}_hw{i}.tar.gz": tar for i in range(1, 11)}
+    assert "headers" in refusal(download(tmp_path / "x.zip", uploads))
 
 
 def test_sources_of_all_uploads_are_counted_together(tmp_path: Path) -> None:

@@ -33,6 +33,8 @@ ATTEMPTS = [
     ["clock", str(os.getpid())],
     ["processes", "100"],
     ["allocate", "100"],
+    ["allocate-unmapped", "100"],
+    ["allocate-late", "100"],
     ["daemon", "a-word"],
     ["flood", "1"],
 ]

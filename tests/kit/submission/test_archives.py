@@ -2,13 +2,17 @@
 
 import os
 import subprocess
+import time
+import zlib
 from pathlib import Path
 
 import pytest
 from bounce_grader.common.errors import UsageError
-from bounce_grader.sandbox import box
+from bounce_grader.sandbox import box, processes
 from bounce_grader.sandbox.box import Box
-from bounce_grader.submission import sevens, submission
+from bounce_grader.sandbox.processes import Limits, Result
+from bounce_grader.submission import room, sevens, submission
+from bounce_grader.submission.entry import MOST_ENTRIES
 from conftest import solution_files, write
 from handed_in import refusal, zip_of
 
@@ -68,6 +72,46 @@ def test_a_7z_that_cannot_be_unpacked_is_said(tmp_path: Path) -> None:
 
 @needs_7zip
 def test_a_7z_that_is_a_bomb_is_refused(tmp_path: Path) -> None:
-    bomb = {"part1_contacts.cpp": bytes(sevens.LARGEST + 1)}
-    with pytest.raises(UsageError, match="unpacks to more than 64 MB"):
+    bomb = {"part1_contacts.cpp": bytes(room.LARGEST + 1)}
+    with pytest.raises(UsageError, match="more than 64 MB unpacked"):
         submission.read(seven_of(tmp_path / "x.7z", bomb))
+
+
+LISTED = "Path = {}\nSize = {}\nAttributes = A -rw-r--r--\nCRC = {:08X}\n"
+
+
+def test_files_of_a_7z_are_taken_apart_without_copies_of_the_rest(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The rest was copied for each file: minutes for five thousand before a large one."""
+    sources = {f"{i}.txt": b"x" for i in range(MOST_ENTRIES - 2)}
+    sources |= {"part1_contacts.cpp": b"int x;\n", "large.txt": bytes(room.LARGEST - 10_000)}
+    listed = "\n".join(LISTED.format(n, len(d), zlib.crc32(d)) for n, d in sources.items())
+    answers = {"l": listed.encode() + b"\n", "x": b"".join(sources.values())}
+    monkeypatch.setattr(sevens, "_program", lambda path: "7zz")
+    monkeypatch.setattr(sevens, "_run", lambda *words: answers[words[4]])
+    (tmp_path / "x.7z").write_bytes(b"7z\xbc\xaf\x27\x1c")
+    start = time.process_time()
+    assert submission.read(tmp_path / "x.7z").files == {"part1_contacts.cpp": b"int x;\n"}
+    assert time.process_time() - start < 10
+    answers["l"] = (LISTED.format("a", 0, 0) + "\n").encode() * (MOST_ENTRIES + 1)
+    assert "more than 5000 files" in refusal(tmp_path / "x.7z")
+
+
+def test_the_7z_archives_of_a_submission_share_their_time(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Ten uploads may hold forty, each of which could take ten seconds."""
+    asked = []
+
+    def run(command: list[str], limits: Limits, **_: object) -> Result:
+        asked.append(limits.cpu_seconds)
+        listed = LISTED.format("a.txt", 1, zlib.crc32(b"x")).encode() + b"\n"
+        return Result(0, 3.0, listed if "l" in command else b"x", "", False, False)
+
+    monkeypatch.setattr(sevens, "_program", lambda path: "7zz")
+    monkeypatch.setattr(box, "choose", lambda: Box("none"))
+    monkeypatch.setattr(processes, "run", run)
+    whole = zip_of(tmp_path / "x.zip", {f"{i}.7z": b"7z\xbc\xaf\x27\x1c" for i in range(3)})
+    assert "too much time" in refusal(whole)
+    assert asked == [10, 7, 4, 1]
