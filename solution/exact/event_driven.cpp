@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "../methods/two_corners.hpp"
+#include "companions.hpp"
 #include "first_contact.hpp"
 #include "series.hpp"
 #include "units.hpp"
@@ -32,12 +33,14 @@ class Engine {
       : body_(params), s_(start), times_(times), options_(options), report_(report) {
     if (!options.model.friction) body_.mu = 0;
     cut_ = Real(options.cut);
+    set_turns_apart();
+    companions_ = Companions<Real>(s_, Noise(options.companions, options.seed));
     order_ = std::clamp(int(4 - std::log(options.tolerance) / 2), 6, kMaxOrder);
   }
 
   std::vector<Motion<Real>> run() {
     samples_.reserve(times_.size());
-    set_turns_apart();
+    if (!companions_.lost()) report_.companions.reserve(times_.size());
     collide();
     while (samples_.size() < times_.size()) {
       report_.stalled = stalls();
@@ -82,6 +85,7 @@ class Engine {
   void take(Motion<Real> s) {
     s.theta += turns_ * 2 * std::numbers::pi_v<Real>;
     samples_.push_back(s);
+    if (!companions_.lost()) report_.companions.push_back(double(companions_.apart()));
   }
 
   // Keeps theta within half a turn.
@@ -89,6 +93,7 @@ class Engine {
     if (std::abs(s_.theta) <= std::numbers::pi_v<Real>) return;
     const Real rest = std::atan2(std::sin(s_.theta), std::cos(s_.theta));
     turns_ += std::round((s_.theta - rest) / (2 * std::numbers::pi_v<Real>));
+    companions_.turn(rest - s_.theta);
     s_.theta = rest;
   }
 
@@ -99,6 +104,7 @@ class Engine {
         options_.model.corners == 0 ? last : std::min(time_above(start, body_), last);
     const NearFlight<Real> flight =
         above > 0 ? NearFlight<Real>{above, false} : first_contact(start, body_, last);
+    companions_.fly_to(fly(start, body_, flight.time), body_, flight.time);
     advance(flight.time, report_.flight, [&](Real t) { return fly(start, body_, t); });
     if (flight.contact) {
       disturb(flight.time);
@@ -109,26 +115,8 @@ class Engine {
     }
   }
 
-  // Changes the motion after `time` without an event as much as rounding of the given size could.
   void disturb(Real time) {
-    if (options_.noise == 0) return;
-    const Real quarter = std::numbers::pi_v<Real> / 2;
-    const Real tilt = s_.theta - std::round(s_.theta / quarter) * quarter;
-    const Real speed = std::abs(s_.v_x) + std::abs(s_.v_y) + body_.rho * std::abs(s_.omega) + time;
-    s_.x += noise() * (1 + time * std::abs(s_.v_x));
-    s_.v_x += noise() * speed;
-    s_.v_y += noise() * speed;
-    if (tilt == 0 && s_.omega == 0) return;
-    s_.theta += noise() * (std::abs(tilt) + time * std::abs(s_.omega));
-    s_.omega += noise() * speed;
-  }
-
-  // A random number between -noise and noise (Marsaglia 2003, "Xorshift RNGs", J. Stat. Softw. 8).
-  Real noise() {
-    random_ ^= random_ << 13;
-    random_ ^= random_ >> 7;
-    random_ ^= random_ << 17;
-    return Real(options_.noise) * (Real(random_ >> 11) * Real(0x1p-52) - 1);
+    if (options_.noise > 0) exact::disturb(s_, body_, time, noise_);
   }
 
   // Takes away the rounding of y: the lowest corner touches.
@@ -179,33 +167,26 @@ class Engine {
     if (hit.count == 0) return;
     ++report_.impacts;
     if (hit.count == 1) {
+      if (!companions_.lost() && !is_alone(hit.index[0], r, s_.y)) companions_.lose();
       collide_corner(hit.index[0], r[hit.index[0]]);
     } else {
+      companions_.lose();
       collide_side(hit, r);
     }
   }
 
   void collide_corner(int k, const Arm<Real>& r) {
-    methods::Collision<Real> collision = collision_at(r);
+    methods::Collision<Real> collision = methods::collision_of(s_, r, body_);
     const bool rests = is_cut(collision.v_n, cut_at(r));
+    if (rests) companions_.lose();
     if (collision.v_n < 0) {
       if (rests) collision.epsilon = 0;
       const CornerImpulse<Real> p = methods::impact(collision, options_.law);
+      if (!companions_.lost()) companions_.collide(r, s_.theta, body_, p.happens, options_.law);
       methods::push(s_, r, p.n, p.t, body_.gyration);
       if (p.happens == methods::Case::sticks) s_.v_x = r.y * s_.omega;
     }
     if (rests && methods::normal_velocity(s_, r) < cut_at(r)) close(k, r);
-  }
-
-  methods::Collision<Real> collision_at(const Arm<Real>& r) const {
-    const auto k = methods::one_corner<Real>(r, body_.gyration, 0, 0, body_.mu);
-    return {k.a,
-            k.b,
-            k.c,
-            methods::normal_velocity(s_, r),
-            methods::sliding_velocity(s_, r),
-            body_.mu,
-            body_.epsilon};
   }
 
   // Two corners. Restitution applies to corners that approach; the v_n of the other just must not
@@ -344,7 +325,7 @@ class Engine {
 
   // Gives a corner what is left of its impulses, those that take its v_n away, with their friction.
   void stop_leaving(const Arm<Real>& r) {
-    const methods::Collision<Real> k = collision_at(r);
+    const methods::Collision<Real> k = methods::collision_of(s_, r, body_);
     const int sigma = std::abs(k.v_t) > slow() ? (k.v_t > 0 ? 1 : -1) : 0;
     Real friction = -Real(sigma) * k.mu;  // p_t / p_n
     const auto p_n = [&] { return -k.v_n / (k.a + k.b * friction); };
@@ -381,6 +362,7 @@ class Engine {
 
   // One corner on the ground.
   void follow_corner() {
+    companions_.lose();
     const int k = closed_.index[0];
     const Arm<Real> r = methods::arms(body_, s_.theta)[k];
     if (sliding_ == Sliding::unknown && !find_mode(r)) return;
@@ -464,6 +446,7 @@ class Engine {
 
   // A side on the ground. Forces are constant until sliding stops.
   void follow_side() {
+    companions_.lose();
     const SideImpulse<Real> f = side_force(s_.v_x);
     if (!(f.n[0] > 0 && f.n[1] > 0)) {  // it tips over the corner that is pressed, or lifts off
       const auto r = methods::arms(body_, s_.theta);
@@ -495,7 +478,8 @@ class Engine {
   EventReport& report_;
   std::vector<Motion<Real>> samples_;
   Clock<Real> clock_;
-  std::uint64_t random_ = options_.seed * 0x9E3779B97F4A7C15u;
+  Noise noise_{options_.noise, options_.seed};
+  Companions<Real> companions_;
   long events_ = 0;
   Real turns_ = 0, cut_ = 0;
   int order_ = 0;
@@ -521,6 +505,7 @@ std::vector<Motion<Real>> simulate_events(const Parameters& params, const Motion
   auto motions = Engine<Real>(units.in(params), units.in(start), scaled, options, written).run();
   for (Motion<Real>& s : motions) s = units.out(s);
   for (double* mode : {&written.flight, &written.corner, &written.flat}) *mode *= units.time;
+  for (double& apart : written.companions) apart *= units.length;
   return motions;
 }
 

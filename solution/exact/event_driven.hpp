@@ -52,6 +52,7 @@ struct EventOptions {
   // A shadow: random changes of this relative size at each event, as rounding makes them. A square
   // that is exactly parallel to the ground and does not turn stays so.
   double noise = 0;
+  double companions = 0;  // the noise of companions (companions.hpp); 0: none
   std::uint64_t seed = 1;
 };
 
@@ -59,6 +60,9 @@ struct EventReport {
   long impacts = 0, series = 0, jams = 0;
   bool stalled = false;  // events went on without an end at one time; what follows is not computed
   bool gave_up = false;  // after most_events; what follows is not computed
+  // The largest distance of the companions up to each time and the end of its flight, m, until
+  // they were lost.
+  std::vector<double> companions;
   // The time in each mode, s.
   double flight = 0, corner = 0, flat = 0;
 };

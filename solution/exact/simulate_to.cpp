@@ -17,10 +17,13 @@ using Motions = std::vector<Motion<double>>;
 
 constexpr double kRounding = std::numeric_limits<double>::epsilon();
 constexpr double kNoise = 0x1p-40;
-constexpr double kSafety = 8;           // of every measured error
-constexpr double kSameEvents = 1e-3;    // of l: shadows this near have the same events
-constexpr double kStepsAnEvent = 20;    // take as long as an event
-constexpr long kMostSteps = 5'000'000;  // of the finest of three runs
+constexpr double kFelt = kRounding / kNoise;  // what rounding makes of a distance that noise makes
+constexpr double kSafety = 16;                // of every measured error
+constexpr double kSafetyAlone = 128;          // of that which companions say
+constexpr double kNear = 1e-9;                // of l
+constexpr double kSameEvents = 1e-3;          // of l: shadows this near have the same events
+constexpr double kStepsAnEvent = 20;          // take as long as an event
+constexpr long kMostSteps = 5'000'000;        // of the finest of three runs
 
 double apart(const Parameters& params, const Motion<double>& a, const Motion<double>& b) {
   return std::hypot(a.x - b.x, a.y - b.y, params.l / std::sqrt(2.0) * (a.theta - b.theta));
@@ -55,17 +58,24 @@ class Simulation {
       : params_(scene.params),
         start_(methods::motion_of<double>(scene.start)),
         tolerance_(tolerance) {
+    times_.reserve(std::size_t(params_.T));
     for (int i = 0; i < params_.T; ++i) times_.push_back(i * params_.dt);
   }
 
   Answer run() {
     EventReport report;
-    const Motions motions = by_events({}, most_events(), &report);
+    EventOptions options;
+    options.companions = kNoise;
+    Motions motions = by_events(options, most_events(), &report);
     if (motions.size() < times_.size()) return by_steps();
-    if (report.impacts == 0) return in_flight(motions);
+    if (report.impacts == 0) return in_flight(std::move(motions));
+    if (has_rounding_alone(report)) {
+      std::vector<double> bound = bound_of(motions, kSafetyAlone * kFelt, report.companions);
+      return checked(std::move(motions), {std::move(bound), std::move(report.companions)});
+    }
     const std::optional<Errors> errors = errors_of(motions);
     if (!errors) return by_steps();
-    return checked(motions, *errors);
+    return checked(std::move(motions), *errors);
   }
 
  private:
@@ -109,12 +119,30 @@ class Simulation {
     return rounded;
   }
 
+  // Whether the motion has no error but the rounding of its flights and impacts, since corners
+  // never stay on the ground, and rounding decides neither whether nor which of them is first.
+  bool has_rounding_alone(const EventReport& report) const {
+    const double gap = methods::lowest_gap(start_, methods::Body<double>(params_));
+    return report.companions.size() == times_.size() && gap > kNear * params_.l;
+  }
+
+  // `safety` times the error up to each time, beside the rounding of the numbers themselves.
+  std::vector<double> bound_of(const Motions& motions, double safety,
+                               std::vector<double> error) const {
+    double rounding = 0;
+    for (std::size_t i = 0; i < motions.size(); ++i) {
+      rounding = std::max(rounding, rounding_of(params_, motions[i]));
+      error[i] = safety * error[i] + rounding;
+    }
+    return error;
+  }
+
   // Of the event-driven motion; none if there are too many events.
   std::optional<Errors> errors_of(const Motions& motions) const {
     const long most = 4 * most_events();
     const Motions finer = in_long_double(most);
     if (finer.size() < motions.size()) return {};
-    Errors errors{farthest(params_, motions, finer), std::vector<double>(motions.size())};
+    std::vector<double> shadows(motions.size());
     for (const std::uint64_t seed : {1, 2}) {
       EventOptions disturbed;
       disturbed.noise = kNoise;
@@ -122,19 +150,15 @@ class Simulation {
       const Motions shadow = by_events(disturbed, most);
       if (shadow.size() < motions.size()) return {};
       const std::vector<double> far = farthest(params_, motions, shadow);
-      for (std::size_t i = 0; i < far.size(); ++i)
-        errors.shadows[i] = std::max(errors.shadows[i], far[i]);
+      for (std::size_t i = 0; i < far.size(); ++i) shadows[i] = std::max(shadows[i], far[i]);
     }
-    double rounding = 0;
-    for (std::size_t i = 0; i < motions.size(); ++i) {
-      rounding = std::max(rounding, rounding_of(params_, motions[i]));
-      const double felt = errors.shadows[i] * (kRounding / kNoise);
-      errors.bound[i] = kSafety * std::max(errors.bound[i], felt) + rounding;
-    }
-    return errors;
+    std::vector<double> error = farthest(params_, motions, finer);
+    for (std::size_t i = 0; i < error.size(); ++i)
+      error[i] = std::max(error[i], shadows[i] * kFelt);
+    return Errors{bound_of(motions, kSafety, std::move(error)), std::move(shadows)};
   }
 
-  Answer checked(const Motions& motions, const Errors& errors) const {
+  Answer checked(Motions motions, const Errors& errors) const {
     for (std::size_t i = 0; i < motions.size(); ++i) {
       if (errors.shadows[i] > kSameEvents * params_.l)
         refuse(i,
@@ -143,7 +167,7 @@ class Simulation {
       if (!(errors.bound[i] <= tolerance_))
         refuse(i, "the bound of the error grows to " + text_of(errors.bound[i]) + " m there");
     }
-    return {times_, motions, "event-driven", 0, errors.bound.back(), last()};
+    return {times_, std::move(motions), "event-driven", 0, errors.bound.back(), last()};
   }
 
   [[noreturn]] void refuse(std::size_t i, const std::string& why) const {
@@ -154,7 +178,7 @@ class Simulation {
   }
 
   // The terms of x, y and theta, rounded a few times each.
-  Answer in_flight(const Motions& motions) const {
+  Answer in_flight(Motions motions) const {
     const double t = last(), half = t * t / 2;
     const double terms = std::abs(start_.x) + std::abs(start_.y) + std::abs(start_.v_x * t) +
                          std::abs(start_.v_y * t) + params_.g.norm() * half +
@@ -162,7 +186,7 @@ class Simulation {
     const double bound = 4 * kRounding * terms;
     if (!(bound <= tolerance_))
       refuse(0, "the rounding of such large numbers is " + text_of(bound) + " m");
-    return {times_, motions, "free flight", 0, bound, t};
+    return {times_, std::move(motions), "free flight", 0, bound, t};
   }
 
   // Moreau-Jean with whole turns taken out of theta, for its sums.

@@ -5,10 +5,14 @@
 // poses, (dx, dy, l / sqrt 2 dtheta), the largest up to a time, m.
 //
 //   free flight    no impact until the last time: closed form, bounded by its rounding.
-//   event-driven   in double. Its error is measured by the same motion in long double with finer
-//                  tolerances; and by two shadows, in which each event is disturbed by 2^-40 in
-//                  place of rounding's 2^-52. The bound is the larger of 8 times the first and 8
-//                  times 2^-12 times the second, beside the rounding of the numbers themselves.
+//   event-driven   in double. As long as there are only impacts of single corners, its error is
+//                  that of rounding, and companions say how it grows: two motions that each event
+//                  disturbs by 2^-40 in place of rounding's 2^-52. The bound is 128 times 2^-12
+//                  times their distance. Where corners or sides stay on the ground, or rounding
+//                  decides which corner is first, there are two shadows, simulated and disturbed
+//                  likewise, and the same motion in long double with finer tolerances; the bound is
+//                  the larger of 16 times 2^-12 times the first and 16 times the second. The
+//                  rounding of the numbers themselves is added.
 //   Moreau-Jean    where events are too many: more than they would cost as steps. Its error is
 //                  measured by steps half and a quarter as long, the last of which are given; what
 //                  none of them sees are hops of less than a step, g dt^2 high.

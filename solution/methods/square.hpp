@@ -29,6 +29,8 @@ struct Row {
   constexpr const T& operator[](int i) const { return items[i]; }
   constexpr const T* begin() const { return items; }
   constexpr const T* end() const { return items + n; }
+  constexpr T* begin() { return items; }
+  constexpr T* end() { return items + n; }
 };
 
 template <class Real>

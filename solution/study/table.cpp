@@ -108,7 +108,7 @@ std::vector<std::string> origin(const std::string& times) {
 
 std::string times_taken(int core) {
   const std::string pinned = core < 0 ? "not pinned" : "pinned to core " + std::to_string(core);
-  return "CPU time, " + pinned + ", the median of the scenes, one run of each";
+  return "CPU time, " + pinned + ", the median of the scenes, for each the least of five runs";
 }
 
 std::string times_taken(int core, const Extent& extent) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "exact/simulate_to.hpp"
+#include "study/catalog.hpp"
 #include "wide_cases.hpp"
 
 namespace bounce::exact::tests {
@@ -74,6 +75,36 @@ TEST(simulate_to, KeepsItsBoundInRandomScenes) {
   EXPECT_LE(median(ratios), 100);
 }
 
+// The least CPU time of five runs, ns.
+template <class Run>
+double least_time(const Run& run) {
+  double least = INFINITY;
+  for (int i = 0; i < 5; ++i) {
+    const double begin = study::cpu_ns();
+    run();
+    least = std::min(least, study::cpu_ns() - begin);
+  }
+  return least;
+}
+
+// The study has it at less than half as much again; this holds on machines that do other work, too.
+TEST(simulate_to, TakesAtMostTwiceAsLongAsEventsAloneInTheMedian) {
+  Random random(23);
+  std::vector<double> ratios;
+  for (int i = 0; i < 500; ++i) {
+    const Scene scene = random_scene(random);
+    const auto start = methods::motion_of<double>(scene.start);
+    try {
+      const std::vector<double> times = simulate_to(scene, 1e-6).times;
+      const double events =
+          least_time([&] { simulate_events<double>(scene.params, start, times, {}); });
+      ratios.push_back(least_time([&] { simulate_to(scene, 1e-6); }) / events);
+    } catch (const Refusal&) {
+    }
+  }
+  EXPECT_LE(median(ratios), 2);
+}
+
 TEST(simulate_to, StepsWhereThereAreTooManyEvents) {
   Random random(22);
   int stepped = 0;
@@ -128,6 +159,63 @@ TEST(simulate_to, KeepsItsBoundWhereRoundingDecidesWhetherTheStartTouches) {
     } catch (const Refusal&) {
     }
   }
+}
+
+// --- companions ---
+
+constexpr double kNoise = 0x1p-40;
+
+// How far apart the companions of four seeds come, m; 0 where they are lost.
+double companions_apart(const Scene& scene, const std::vector<double>& times) {
+  double apart = 0;
+  for (const std::uint64_t seed : {1, 2, 3, 4}) {
+    EventOptions options;
+    options.companions = kNoise;
+    options.seed = seed;
+    EventReport report;
+    simulate_events<double>(scene.params, methods::motion_of<double>(scene.start), times, options,
+                            &report);
+    if (report.companions.size() < times.size()) return 0;
+    apart = std::max(apart, report.companions.back());
+  }
+  return apart;
+}
+
+// How far shadows of eight seeds come from the motion, m.
+double shadows_apart(const Scene& scene, const std::vector<double>& times) {
+  const auto start = methods::motion_of<double>(scene.start);
+  const auto motions = simulate_events<double>(scene.params, start, times, {});
+  double apart = 0;
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    EventOptions options;
+    options.noise = kNoise;
+    options.seed = seed;
+    const auto shadow = simulate_events<double>(scene.params, start, times, options);
+    apart = std::max(apart, error_of(scene, shadow, motions));
+  }
+  return apart;
+}
+
+// Or farther: each of their impacts is late, and rounding's are so by chance.
+TEST(companions, ComeAtLeastAsFarApartAsShadowsDo) {
+  Random random(24);
+  std::vector<double> ratios;
+  for (int i = 0; i < 500; ++i) {
+    Scene scene = random_scene(random);
+    scene.start.q(1) += 0.1 * scene.params.l;
+    const auto times = even_times(scene.params.dt * scene.params.T, 20);
+    const double companions = companions_apart(scene, times);
+    if (companions > 0) ratios.push_back(companions / shadows_apart(scene, times));
+  }
+  ASSERT_GT(ratios.size(), 100U);
+  EXPECT_GT(*std::min_element(ratios.begin(), ratios.end()), 0.3);
+  EXPECT_LT(median(ratios), 10);
+}
+
+TEST(companions, AreLostWhereASideLands) {
+  Scene scene = drop();
+  scene.start.q(2) = 0;
+  EXPECT_EQ(companions_apart(scene, even_times(1.0, 10)), 0);
 }
 
 // Balanced on a corner, as far as doubles say: rounding decides when it falls.

@@ -1,0 +1,46 @@
+// Random changes of a motion, as rounding makes them.
+#pragma once
+
+#include <cstdint>
+#include <numbers>
+
+#include "../methods/square.hpp"
+
+namespace bounce::exact {
+
+// The numbers size and -size, at random (Marsaglia 2003, "Xorshift RNGs", J. Stat. Softw. 8).
+class Noise {
+ public:
+  Noise(double size, std::uint64_t seed) : size_(size), random_(seed * 0x9E3779B97F4A7C15u) {}
+
+  double size() const { return size_; }
+
+  double next() {
+    random_ ^= random_ << 13;
+    random_ ^= random_ >> 7;
+    random_ ^= random_ << 17;
+    return random_ >> 63 ? size_ : -size_;
+  }
+
+ private:
+  double size_;
+  std::uint64_t random_;
+};
+
+// Changes the motion after `time` without an event as much as rounding of the noise's size could. A
+// square that is exactly parallel to the ground and does not turn stays so. Units are the body's:
+// its size and g are near 1.
+template <class Real>
+void disturb(methods::Motion<Real>& s, const methods::Body<Real>& body, Real time, Noise& noise) {
+  const Real quarter = std::numbers::pi_v<Real> / 2;
+  const Real tilt = s.theta - std::round(s.theta / quarter) * quarter;
+  const Real speed = std::abs(s.v_x) + std::abs(s.v_y) + body.rho * std::abs(s.omega) + time;
+  s.x += Real(noise.next()) * (1 + time * std::abs(s.v_x));
+  s.v_x += Real(noise.next()) * speed;
+  s.v_y += Real(noise.next()) * speed;
+  if (tilt == 0 && s.omega == 0) return;
+  s.theta += Real(noise.next()) * (std::abs(tilt) + time * std::abs(s.omega));
+  s.omega += Real(noise.next()) * speed;
+}
+
+}  // namespace bounce::exact
