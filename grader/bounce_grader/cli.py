@@ -142,9 +142,9 @@ def _grade(options: argparse.Namespace) -> int:
 
     if options.format and options.json == "-":
         raise UsageError("--format and --json - both write to standard output: give one")
+    earlier = before.read(options.before) if options.before else None
     try:
         wanted = Options(_boxes(options), options.speed, answers=options.reveal)
-        earlier = before.read(options.before) if options.before else None
         record = before.compared(grade(options.submission, wanted), earlier)
     except UsageError as error:
         refused = formats.refused(options.format, str(error))

@@ -1,7 +1,9 @@
 #include "process_usage.hpp"
 
+#include <sched.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <ctime>
 #include <filesystem>
@@ -61,7 +63,9 @@ std::optional<double> cpu_ns_of_one(pid_t pid) {
 // Adds up the threads that haven't ended.
 void add_threads(pid_t pid, ProcessUsage& usage) {
   std::error_code gone;
+  int threads = 0;
   for (const auto& task : std::filesystem::directory_iterator(folder_of(pid) + "/task", gone)) {
+    usage.threads = ++threads > 1;
     char state = 0;
     usage.ready = usage.ready || (fields_of(task.path() / "stat") >> state && state == 'R');
     const Scheduled thread = scheduled(task.path());
@@ -110,6 +114,7 @@ std::optional<ProcessUsage> usage_of(pid_t pid) {
     all->reads_a_disk = all->reads_a_disk || more->reads_a_disk;
     all->stopped = all->stopped || more->stopped;
     all->ready = all->ready || more->ready;
+    all->threads = all->threads || more->threads;
     all->cpu_seconds += more->cpu_seconds;
     all->delay_seconds += more->delay_seconds;
     all->ended_seconds += more->ended_seconds;
@@ -119,6 +124,26 @@ std::optional<ProcessUsage> usage_of(pid_t pid) {
 }
 
 double own_delay_seconds() { return scheduled("/proc/self").delay + stolen_seconds(); }
+
+// Field 4 of each CPU's line in /proc/stat, ticks.
+double spare_seconds() {
+  cpu_set_t ours;
+  CPU_ZERO(&ours);
+  ::sched_getaffinity(0, sizeof ours, &ours);
+  std::ifstream file("/proc/stat");
+  double sum = 0;
+  int count = 0;
+  for (std::string line; std::getline(file, line) && line.rfind("cpu", 0) == 0;) {
+    std::istringstream fields(line.substr(3));
+    std::size_t cpu = 0;
+    double user = 0, nice = 0, system = 0, spare = 0;
+    const bool one = line[3] != ' ' && fields >> cpu >> user >> nice >> system >> spare;
+    if (!one || cpu >= CPU_SETSIZE || !CPU_ISSET(cpu, &ours)) continue;
+    sum += spare;
+    ++count;
+  }
+  return sum / std::max(count, 1) / static_cast<double>(::sysconf(_SC_CLK_TCK));
+}
 
 std::optional<double> cpu_ns_of(pid_t pid) {
   std::optional<double> ns = cpu_ns_of_one(pid);

@@ -14,6 +14,7 @@ struct ProcessUsage {
   bool reads_a_disk = false;  // one of them is in uninterruptible sleep
   bool stopped = false;       // one was stopped, as by SIGSTOP
   bool ready = false;         // a thread runs, or could
+  bool threads = false;       // one of them has several
   double cpu_seconds = 0;
   double delay_seconds = 0;  // ready to run while no CPU was free; of the threads that still are
   double ended_seconds = 0;  // CPU time of threads that have ended, or a little less
@@ -26,6 +27,10 @@ std::optional<ProcessUsage> usage_of(pid_t pid);
 // For how long this process was ready to run while no CPU was free, and for how long the host of a
 // virtual machine gave its CPUs to others, s. The kernel counts the latter as nobody's time.
 double own_delay_seconds();
+
+// For how long the CPUs that this process may use had nothing to do, on average, s; in steps of 10
+// ms.
+double spare_seconds();
 
 // The CPU time of a process and its descendants, ns, by the system's CPU clocks. Empty as above.
 std::optional<double> cpu_ns_of(pid_t pid);

@@ -205,22 +205,26 @@ void RunnerProcess::count_wait_since(Clock::time_point start) {
 }
 
 // Idle time is the time that we waited, minus the time in which the runner or we used or wanted a
-// CPU. So neither printing nor short sleeps hide it, and a busy machine doesn't add to it. None
-// counts while the box is set up, a page is read from disk, or threads end: nobody knows how long
-// those wanted a CPU. How long a thread wants one is known when it gets one, so it is too soon to
-// count while one is ready and none has run.
+// CPU. So neither printing nor short sleeps hide it, and a busy machine doesn't add to it. Of
+// threads that have ended, nobody knows how long they wanted one, and many may want one at a time:
+// with threads, the time counts in which our CPU had nothing to do. None counts while the box is
+// set up or a page is read from disk. How long a thread wants a CPU is known when it gets one, so
+// it is too soon to count while one is ready and none has run.
 void RunnerProcess::count_idle_time(const ProcessUsage& seen) {
-  const Seconds wanted(seen.delay_seconds + own_delay_seconds());
+  const Seconds wanted(seen.delay_seconds + own_delay_seconds()), spare(spare_seconds());
   const Seconds idle = waited_ - wanted - Seconds(seen.cpu_seconds);
   const bool runs = seen.cpu_seconds > cpu_before_;
   if (seen.ready && !runs) return;
   if (counts_idle_) kept_waiting_ += std::max(wanted - wanted_before_, Seconds::zero());
   if (seen.reads_a_disk) kept_waiting_ += waited_ - waited_before_;
-  const bool ends_threads = seen.ended_seconds > ended_before_;
-  if (counts_idle_ && !seen.reads_a_disk && !ends_threads) {
-    idle_ = std::max(idle_ + idle - idle_before_, Seconds::zero());
+  const bool threads = seen.threads || seen.ended_seconds > ended_before_;
+  if (threads) in_threads_ += waited_ - waited_before_ - (spare - spare_before_);
+  if (counts_idle_ && !seen.reads_a_disk) {
+    const Seconds more = threads ? spare - spare_before_ : idle - idle_before_;
+    idle_ = std::max(idle_ + more, Seconds::zero());
   }
   wanted_before_ = wanted;
+  spare_before_ = spare;
   cpu_before_ = seen.cpu_seconds;
   ended_before_ = std::max(ended_before_, seen.ended_seconds);
   waited_before_ = waited_;
@@ -251,8 +255,8 @@ void RunnerProcess::end_if_late(bool amid_an_answer) {
   require_a_box();
   const double seconds = pid_ < 0 ? 0 : usage_of(pid_).value_or(ProcessUsage{}).cpu_seconds;
   const Seconds was_ready = waited_ - waited_before_;  // if it is long
-  if (pid_ >= 0 && seconds < limits_.cpu_seconds / 2.0 &&
-      2 * (kept_waiting_ + was_ready) > waited_) {
+  const Seconds busy = std::max(kept_waiting_, in_threads_) + was_ready;
+  if (pid_ >= 0 && seconds < limits_.cpu_seconds / 2.0 && 2 * busy > waited_) {
     kill();
     throw KitFailure("a program hardly ran: the machine was too busy");
   }

@@ -101,8 +101,9 @@ class RunnerProcess {
   Clock::duration waited_{};
   Seconds idle_{};
   Seconds kept_waiting_{};  // for a CPU or a disk
+  Seconds in_threads_{};    // while our CPU was busy with them or with others
   // When idle time was last counted:
-  Seconds idle_before_{}, wanted_before_{}, waited_before_{};
+  Seconds idle_before_{}, wanted_before_{}, spare_before_{}, waited_before_{};
   double cpu_before_ = 0, ended_before_ = 0;
   bool counts_idle_ = false;
   double spent_ = 0;

@@ -1,9 +1,9 @@
-"""Finds the heading in the student's hints that belongs to a check."""
+"""Finds the heading in the student's hints that belongs to a check, and the first stage below it."""
 
 import re
 from functools import cache
 
-from bounce_grader.common.manifest import parts
+from bounce_grader.common.manifest import parts, Part
 from bounce_grader.common.paths import ROOT
 
 
@@ -13,9 +13,21 @@ def headings() -> dict[str, str]:
     heading_of: dict[str, str] = {}
     for part in parts():
         heading = ""
-        for line in (ROOT / "student" / "hints" / f"{part.stem}.md").read_text().splitlines():
+        for line in _text(part).splitlines():
             if line.startswith("## "):
                 heading = line[3:]
             if line.startswith("Checks: "):
                 heading_of |= {check: heading for check in re.findall(r"part\d\.\w+", line)}
     return heading_of
+
+
+@cache
+def nudges() -> dict[str, str]:
+    """Heading -> the hint's first stage, a paragraph of plain text."""
+    stage = re.compile(r"^## (.+)\n(?:(?!## ).*\n)*?### A nudge\n\n(.+)\n", re.MULTILINE)
+    found = (match for part in parts() for match in stage.findall(_text(part)))
+    return {heading: text.replace("`", "") for heading, text in found}
+
+
+def _text(part: Part) -> str:
+    return (ROOT / "student" / "hints" / f"{part.stem}.md").read_text()

@@ -288,6 +288,12 @@ def _regrade(request: Request, intake: Class, stamp: Stamp, log: Log) -> int:
     return 0
 
 
+def _is_said(remarks: list[str], who: str, why: str) -> bool:
+    """Whether a remark on the grade book names this reason, too: "Doe, Jane (1) has no score,
+    because ..."."""
+    return any(who in remark and f"because {why}: " in remark for remark in remarks)
+
+
 def _say(request: Request, intake: Class, summaries: list[Summary], remarks: list[str]) -> int:
     graded = [s for s in summaries if s.state == "graded"]
     looks = sum(bool(s.needs_a_look) for s in summaries)
@@ -297,11 +303,16 @@ def _say(request: Request, intake: Class, summaries: list[Summary], remarks: lis
             f"{looks} need a look, {len(intake.unmatched)} can't be graded or aren't matched; "
             f"{request.out / 'class.html'} says which, and why."
         )
-    lines = [f"{unmatched.name!r} {unmatched.reason}" for unmatched in intake.unmatched]
+    lines = [
+        f"{unmatched.name!r} {unmatched.reason}"
+        for unmatched in intake.unmatched
+        if not _is_said(remarks, "", f"{unmatched.name} {unmatched.reason}")
+    ]
     lines += [
-        f"{s.student.shown} ({s.student.id}): {'; '.join(s.needs_a_look)}"
+        f"{s.student.shown} ({s.student.id}): {why}"
         for s in summaries
-        if s.needs_a_look and s.state != "waiting"
+        if (why := "; ".join(s.needs_a_look)) and s.state != "waiting"
+        if not _is_said(remarks, f"({s.student.id})", why)
     ]
     waiting = sum(s.state == "waiting" for s in summaries)
     lines += [f"{waiting} wait for a grading"] if waiting else []

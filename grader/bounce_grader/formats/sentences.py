@@ -123,3 +123,10 @@ def hint(check: Record) -> str:
     from bounce_grader.assignment.hints import headings
 
     return "" if check["passed"] else headings().get(check["id"], "")
+
+
+def nudge(heading: str) -> str:
+    """The first stage of the hint with this heading."""
+    from bounce_grader.assignment.hints import nudges
+
+    return nudges().get(heading, "")

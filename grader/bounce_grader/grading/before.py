@@ -2,6 +2,7 @@
 
 import json
 from collections.abc import Mapping
+from contextlib import suppress
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -50,15 +51,24 @@ def read(path: Path) -> Before | None:
 
 
 def _of_gradescope(submissions: list[dict[str, Any]]) -> Before | None:
-    tests = [((s.get("results") or {}).get("tests"), s) for s in submissions]
-    graded = [(found, s) for found, s in tests if found and not s.get("autograder_error")]
-    if not graded:
-        return None
-    found, _ = max(graded, key=lambda pair: str(pair[1].get("submission_time", "")))
+    """Results of another shape, which another autograder of the assignment may have written, are
+    passed over."""
     ids = {
         f"{part.number}.{number}": check.id
         for part in parts()
         for number, check in enumerate(part.checks, 1)
     }
-    passed = {ids[t["number"]]: t["status"] == "passed" for t in found if t.get("number") in ids}
-    return Before(sum(float(test["score"]) for test in found), passed)
+    newest_first = sorted(
+        submissions, key=lambda s: str(s.get("submission_time", "")), reverse=True
+    )
+    for submission in newest_first:
+        with suppress(KeyError, TypeError, ValueError, AttributeError):
+            if submission.get("autograder_error"):
+                continue
+            tests = submission["results"]["tests"]
+            passed = {
+                ids[t["number"]]: t["status"] == "passed" for t in tests if t["number"] in ids
+            }
+            if passed:
+                return Before(sum(float(test["score"]) for test in tests), passed)
+    return None

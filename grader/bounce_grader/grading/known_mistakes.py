@@ -303,8 +303,9 @@ def known() -> dict[str, dict[str, Any]]:
 
 
 @cache
-def for_the_instructor(name: str) -> str:
-    """The line for the instructor; empty if the gallery isn't there."""
+def for_the_instructor(name: str) -> tuple[str, str]:
+    """The line for the instructor, and the heading of the hint; empty if the gallery isn't
+    there."""
     file = GALLERY / name / "mistake.md"
     match = LAYOUT.fullmatch(file.read_text(encoding="utf-8")) if file.exists() else None
-    return match["instructor"] if match else ""
+    return (match["instructor"], match["hint"]) if match else ("", "")

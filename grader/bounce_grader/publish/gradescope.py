@@ -46,7 +46,7 @@ metadata=/autograder/submission_metadata.json
 ./kit grade /autograder/submission --speed --format gradescope "$@" >"$results.part"
 status=$?
 # 0: graded; 2: the submission can't be read, and the file says so to the student.
-if [ "$status" -ne 0 ] && [ "$status" -ne 2 ]; then
+if [ "$status" -ne 0 ] && [ "$status" -ne 2 ] || [ ! -s "$results.part" ]; then
   rm -f "$results.part"
   exit "$status"
 fi

@@ -1,4 +1,4 @@
 """Reads a folder or a zip into the files of a submission.
 
-Imports: common.
+Imports: common, sandbox.
 """

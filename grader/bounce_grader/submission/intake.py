@@ -1,4 +1,4 @@
-"""Lists the files of a submission, a folder or a zip, without trusting its names, sizes or
+"""Lists the files of a submission, a folder or an archive, without trusting its names, sizes or
 bytes."""
 
 from collections.abc import Iterator
@@ -8,8 +8,8 @@ from pathlib import Path
 from bounce_grader.common.errors import UsageError
 from bounce_grader.common.escaping import printable_name
 from bounce_grader.common.manifest import parts
-from bounce_grader.submission import folders
-from bounce_grader.submission.archives import is_archive, TARS
+from bounce_grader.submission import archives, folders
+from bounce_grader.submission.archives import is_archive, CLOSED, SEVEN, START, TARS
 from bounce_grader.submission.entry import MOST_ENTRIES, Entry
 
 MOST_INNER = 3  # archives inside of a submission that are opened
@@ -31,19 +31,28 @@ def opened(path: Path, zipped: bytes | None = None) -> Iterator[list[Entry]]:
 def _opened(path: Path, zipped: bytes | None) -> AbstractContextManager[Iterator[Entry]]:
     if zipped is None and _is_folder(path):
         return folders.opened(path)
-    from bounce_grader.submission import tars, zips
+    from bounce_grader.submission import sevens, tars, zips
 
-    if path.name.lower().endswith(TARS):
-        return tars.opened(path, _bytes(path) if zipped is None else zipped)
+    start = _bytes(path, START) if zipped is None else zipped[:START]
+    kind = archives.kind(path.name, start)
+    if kind in CLOSED:
+        raise UsageError(f"{path} {archives.closed(kind)}")
+    if kind in TARS or kind == SEVEN:
+        data = _whole(path) if zipped is None else zipped
+        return (sevens if kind == SEVEN else tars).opened(path, data)
     return zips.opened(path, zipped)
 
 
-def _bytes(path: Path) -> bytes:
+def _bytes(path: Path, most: int) -> bytes:
     try:
         with path.open("rb") as file:
-            data = file.read(LARGEST_INNER + 1)
+            return file.read(most)
     except OSError as error:
         raise UsageError(f"{path} can't be read: {error.strerror}") from error
+
+
+def _whole(path: Path) -> bytes:
+    data = _bytes(path, LARGEST_INNER + 1)
     if len(data) > LARGEST_INNER:
         raise UsageError(f"{path} is larger than {LARGEST_INNER >> 20} MB: submit the parts alone")
     return data

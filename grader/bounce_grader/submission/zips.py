@@ -13,6 +13,7 @@ from bounce_grader.common.escaping import printable_text
 from bounce_grader.submission.entry import MOST_ENTRIES, Entry, inside_name
 
 ENCRYPTED = 0x1
+UTF_8 = 0x800
 LARGEST_DIRECTORY = 2 * 1024 * 1024  # of a table of contents, or a single read
 METHODS = {zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED}  # others may need gigabytes
 
@@ -51,6 +52,17 @@ class _TooMany(Exception):
     pass
 
 
+def name_of(info: zipfile.ZipInfo) -> str:
+    """An entry's name. Canvas and macOS write UTF-8 without saying so; zipfile then takes it for
+    code page 437."""
+    if info.flag_bits & UTF_8:
+        return info.filename
+    try:
+        return info.filename.encode("cp437").decode("utf-8")
+    except UnicodeError:
+        return info.filename
+
+
 def _entries(path: Path, archive: zipfile.ZipFile) -> Iterator[Entry]:
     names: set[str] = set()
     if len(archive.infolist()) > MOST_ENTRIES:  # folders count, too
@@ -61,7 +73,7 @@ def _entries(path: Path, archive: zipfile.ZipFile) -> Iterator[Entry]:
     for info in archive.infolist():
         if info.filename.endswith(("/", "\\")):
             continue
-        name = inside_name(path, info.filename)
+        name = inside_name(path, name_of(info))
         if name in names:
             raise UsageError(f"{path} holds two entries of the same name: make it anew")
         names.add(name)

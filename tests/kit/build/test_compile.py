@@ -154,7 +154,7 @@ def test_an_object_that_is_too_large_costs_its_part_and_is_not_kept(grade: Grade
 def test_what_a_compiler_takes_is_counted(kind: str) -> None:
     limits = Limits(cpu_seconds=1, wall_seconds=60, memory=1 << 30, file_size=0)
     endless = ["/bin/sh", "-c", "while :; do :; done"]
-    assert run([*Box(kind).to_build(RUNNER, [], ("sh",)), *endless], limits).cpu_seconds > 0.7
+    assert run([*Box(kind).to_build(RUNNER, [], ("sh",)), *endless], limits).cpu_seconds > 0.4
 
 
 def test_helpers_have_a_limit_in_common(grade: Grade, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -160,6 +160,19 @@ def test_every_member_of_a_group_gets_the_points_and_each_their_own_changes(
     assert "Roe, Max" in page and "did less" in page
 
 
+def test_a_group_that_takes_anothers_name_costs_nobody_points(tmp_path: Path) -> None:
+    uploads = {
+        "teamone_301_3010_part2_lcp.cpp": text_of(301),
+        "TeamOne_666_6660_part2_lcp.cpp": b"// nothing",
+    }
+    source = download(tmp_path / "y.zip", [], uploads)
+    roster = 'submission,id,name\nteam one,302,"Roe, Max"\nteamone,303,"Poe, Ann"\n'
+    filled = graded(tmp_path, [302, 303], {"roster.csv": roster}, source=source)
+    assert "0.00" not in filled.values()
+    rows = rows_of(tmp_path / "out")
+    assert any("points of several submissions" in row["needs a look"] for row in rows.values())
+
+
 def checkout(tmp_path: Path, logins: list[str]) -> Path:
     folder = tmp_path / "hw3-submissions"
     for login in logins:

@@ -70,6 +70,13 @@ def test_the_grade_book_tells_whose_it_is() -> None:
     assert upload == Upload(late, "mallory", "99", True, 6000, "20240001_x.zip")
 
 
+def test_a_student_whose_name_is_a_number() -> None:
+    files = tuple(f"20231234_7_{n}_part{n}_x.cpp" for n in range(5001, 5005))
+    people = {"7": "20231234", "8": "Doe, Jane"}
+    assert users(*files, people=people) == ["7"] * 4
+    assert users(*files, "someone_7_9_x.cpp", people=people) == [None] * 4 + ["7"]
+
+
 @pytest.mark.parametrize("kind", ["text", "link"])
 def test_knows_what_was_typed_into_canvas(kind: str) -> None:
     assert canvas.parse(f"doe_LATE_12_{kind}.html") == TextEntry("doe", "12", True, kind)

@@ -139,6 +139,57 @@ def test_no_name_of_a_file_leads_out_of_the_folder(
 
 
 @pytest.mark.parametrize(
+    "mistake",
+    [
+        "gone",
+        {"id": None},
+        {"url": ""},
+        {"url": None},
+        {"url": "file:///etc/hostname"},
+        {"url": "http://[x/"},
+        "file:///etc/hostname",
+        "ftp://127.0.0.1/x",
+        "data:,int",
+        "http://[x/",
+        "http://127.0.0.1:port/",
+    ],
+)
+def test_a_file_that_cannot_be_had_costs_no_other_student_the_grading(
+    tmp_path: Path,
+    server: State,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    mistake: str | dict[str, str | None],
+) -> None:
+    if mistake == "gone":
+        server.gone.add(1030)
+    elif isinstance(mistake, str):
+        server.elsewhere[1030] = mistake
+    else:
+        server.submissions[103]["attachments"][0] |= mistake
+    out = tmp_path / "out"
+    assert run(out, monkeypatch) == 0
+    said = capsys.readouterr().out
+    assert "7 of 8 submissions graded" in said
+    assert "'Doe 103, Jane' isn't graded: Canvas" in said and "look at it there" in said
+    assert len(list((out / "canvas").iterdir())) == 7
+
+
+def test_a_page_that_canvas_refuses_is_said_and_the_others_are_posted(
+    tmp_path: Path,
+    server: State,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    server.refused.add(103)
+    out = tmp_path / "out"
+    run(out, monkeypatch)
+    assert run(out, monkeypatch, upload=True) == 1
+    assert "(103): Canvas refused it (400" in capsys.readouterr().out
+    assert set(server.comments) == set(USERS) - {103}
+
+
+@pytest.mark.parametrize(
     "more, sentence",
     [
         ({"token": "wrong"}, "Canvas doesn't accept the token"),

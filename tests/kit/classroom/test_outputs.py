@@ -165,6 +165,8 @@ def test_who_handed_in_what_has_no_score_is_told_from_who_handed_in_nothing(
     assert "(302) has no score, because roe_302_3020 holds nothing that can be graded" in said
     assert "(303) has no score, because the submission is broken" in said
     assert "(304) has no submission: the cell stays as it was" in said
+    once = ("roe_301_text.html", "roe_302_3020", "the submission is broken")
+    assert [said.count(name) for name in once] == [1, 1, 1]  # and not again below
 
 
 @pytest.mark.parametrize(

@@ -1,6 +1,7 @@
 """Moodle's and Blackboard's downloads and grade files, with names as students have them."""
 
 import io
+import tarfile
 import zipfile
 from pathlib import Path
 from typing import Any
@@ -61,6 +62,41 @@ def test_moodles_worksheet_gets_the_points_of_each_participant(tmp_path: Path, f
     assert all(page.startswith(b"<!doctype html>") for page in pages.values())
 
 
+def test_what_was_typed_gets_a_page_that_says_so(tmp_path: Path) -> None:
+    of_moodle = {
+        "Ann B_9_assignsubmission_onlinetext/onlinetext.html": b"",
+        "Bo C_8_assignsubmission_file/part2_lcp.cpp": b"// x",
+    }
+    grade_class(download(tmp_path / "m.zip", [], of_moodle), tmp_path / "m")
+    page = services.moodle_feedback(tmp_path / "m" / "feedback.zip")[9]
+    assert b"text typed into Moodle" in page
+    when = "2026-11-20-23-15-42"
+    of_blackboard = services.blackboard_entries(0, when, {})
+    of_blackboard |= services.blackboard_entries(1, when, {"part2_lcp.cpp": b"// x"})
+    grade_class(download(tmp_path / "b.zip", [], of_blackboard), tmp_path / "b")
+    pages = tmp_path / "b" / "feedback"
+    assert "text typed into Blackboard" in (pages / f"{USERS[0]}.html").read_text()
+
+
+@pytest.mark.parametrize("name", ["hw.tar.gz", "hw.tgz", "hw.tar.xz"])
+def test_a_tar_is_graded_from_each_service(tmp_path: Path, name: str) -> None:
+    data = io.BytesIO()
+    with tarfile.open(fileobj=data, mode="w:xz" if name.endswith("xz") else "w:gz") as archive:
+        info = tarfile.TarInfo("hw/part2_lcp.cpp")
+        info.size = len(text_of(1))
+        archive.addfile(info, io.BytesIO(text_of(1)))
+    when = "2026-11-20-23-15-42"
+    for entry in (
+        f"doejane_1_2_{name}",
+        f"Ann B_9_assignsubmission_file/{name}",
+        f"HW 3_b_{USERS[0]}_attempt_{when}_{name}",
+    ):
+        receipt = services.blackboard_entries(0, when, {}) if when in entry else {}
+        source = download(tmp_path / "x.zip", [], {entry: data.getvalue(), **receipt})
+        (student,) = students.read(source).students
+        assert to_grade(student).files == {"part2_lcp.cpp": text_of(1)}
+
+
 def test_moodles_folders_may_be_unpacked_and_commas_are_kept(tmp_path: Path) -> None:
     for number in range(len(NAMES)):
         folder = tmp_path / "class" / services.moodle_prefix(number)
@@ -70,6 +106,7 @@ def test_moodles_folders_may_be_unpacked_and_commas_are_kept(tmp_path: Path) -> 
     found = students.read(tmp_path / "class")
     assert "rotation-1.hpp" in to_grade(found.students[0]).files
     assert [entry.user for entry in found.unmatched] == ["9"]
+    assert found.unmatched[0].feedback == "Ann B_9_assignfeedback_file_feedback.html"
     assert grade_class(tmp_path / "class", tmp_path / "out", gradebook=sheet) == 0
     filled = services.moodle_grades((tmp_path / "out" / "gradebook.csv").read_bytes())
     assert all("," in grade for _, grade in filled.values())
@@ -117,6 +154,39 @@ def test_blackboards_file_gets_the_points_of_each_user(tmp_path: Path, kind: str
         assert filled[user] == ("7" if number == 1 else points(number, tmp_path))
     assert data[:2] == sheet.read_bytes()[:2] and not (out / "feedback.zip").exists()
     assert len(list((out / "feedback").iterdir())) == len(NAMES)
+
+
+def test_no_files_name_makes_it_another_services_download(tmp_path: Path) -> None:
+    names = {
+        "doejane_1_11_part2_lcp.cpp": b"// a",
+        "roerichard_2_21_part2_lcp.cpp": b"// b",
+        "poeanna_3_31_x_attempt_2026-11-20-23-15-42_part2_lcp.cpp": b"// c",
+        "moemax_4_41_x_12345_assignsubmission_file_part2_lcp.cpp": b"// d",
+    }
+    source = download(tmp_path / "c.zip", [], names)
+    assert {s.id for s in students.read(source).students} >= {"1", "2"}
+    assert students.read(source).service == "canvas"
+    folder = write(tmp_path / "unpacked", names)
+    assert students.read(folder).service == "canvas"
+
+
+def test_no_files_name_makes_it_another_students_attempt(tmp_path: Path) -> None:
+    mine, yours = "hw3_mal_attempt_2026-11-20-23-15-42", "jdoe_attempt_2027-01-01-00-00-00"
+    source = download(
+        tmp_path / "b.zip",
+        [],
+        {
+            f"{mine}.txt": b"Name: Mal Ory (mal)\n",
+            f"{mine}_part2_lcp.cpp": b"// x",
+            f"{mine}_{yours}.txt": b"Name: Jane Doe (jdoe)\n",
+            f"{mine}_{yours}_part2_lcp.cpp": b"// y",
+            "hw3_roe_attempt_2026-11-20-23-15-42.txt": b"Name: Richard Roe (roe)\n",
+            "hw3_roe_attempt_2026-11-20-23-15-42_part2_lcp.cpp": b"// z",
+        },
+    )
+    intake = students.read(source)
+    assert intake.service == "blackboard"
+    assert [student.id for student in intake.students] == ["mal", "roe"]
 
 
 def test_what_a_student_types_makes_nobody_another(tmp_path: Path) -> None:

@@ -1,5 +1,7 @@
 """Finding each student's submission, and what happens to everything else in the download."""
 
+import io
+import zipfile
 from pathlib import Path
 
 import pytest
@@ -134,6 +136,30 @@ def test_two_users_of_one_name_are_two(tmp_path: Path) -> None:
     assert len({s.feedback for s in found.students}) == 2
 
 
+class Unflagged(zipfile.ZipInfo):
+    """An entry whose name is UTF-8 without saying so, as Canvas and macOS write it."""
+
+    def _encodeFilenameFlags(self) -> tuple[bytes, int]:
+        return self.filename.encode(), self.flag_bits & ~0x800
+
+
+def test_names_that_canvas_writes_in_utf_8_without_saying_so(tmp_path: Path) -> None:
+    within = io.BytesIO()
+    with zipfile.ZipFile(within, "w") as archive:
+        archive.writestr(Unflagged("größe.hpp"), "// x")
+        archive.writestr(Unflagged("part2_lcp.cpp"), "// x")
+    with zipfile.ZipFile(tmp_path / "x.zip", "w") as archive:
+        archive.writestr(Unflagged("weißjürgen_1_2_hw.zip"), within.getvalue())
+        archive.writestr(Unflagged("李小明_3_4_part1_contacts.cpp"), "// y")
+    found = students.read(tmp_path / "x.zip").students
+    assert [(s.name, s.feedback) for s in found] == [
+        ("weißjürgen", "weißjürgen_1_2_feedback.html"),
+        ("李小明", "李小明_3_4_feedback.html"),
+    ]
+    assert set(to_grade(found[0]).files) == {"größe.hpp", "part2_lcp.cpp"}
+    assert to_grade(found[1]).files == {"part1_contacts.cpp": b"// y"}
+
+
 def test_nothing_is_dropped_in_silence(tmp_path: Path) -> None:
     entries = {
         "doe_1_1_part2_lcp.cpp": b"// x",
@@ -152,7 +178,10 @@ def test_nothing_is_dropped_in_silence(tmp_path: Path) -> None:
     assert len(reasons) == 7
     assert "typed into Canvas" in reasons["roe_2_text.html"]
     assert "address" in reasons["poe_3_link.html"]
-    assert "homework.rar is a RAR archive, which isn't opened: ask for a zip" in reasons["foe_4_6"]
+    assert (
+        "homework.rar is a RAR archive, which isn't opened: the parts are needed"
+        in reasons["foe_4_6"]
+    )
     assert "photo.jpg is no C++ source and no zip" in reasons["foe_4_6"]
     assert "isn't named as Canvas names" in reasons["readme.txt"]
     assert "in a folder" in reasons["folder/moe_9_9_part1_contacts.cpp"]

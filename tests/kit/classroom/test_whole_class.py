@@ -134,7 +134,7 @@ def test_a_class_of_forty_with_every_oddity(
     said = capsys.readouterr().out
     for sentence in (
         "rarann_7104",
-        "hw.rar is a RAR archive, which isn't opened: ask for a zip",
+        "hw.rar is a RAR archive, which isn't opened: the parts are needed",
         "part1.jpg is no C++ source and no zip",
         "the submission is broken",
         "is text typed into Canvas",

@@ -21,6 +21,7 @@ from conftest import ROOT, solution_files, write
 PAGE = (ROOT / "docs" / "instructors.md").read_text()
 WORKFLOW = ROOT / "docs" / "workflows" / "github.yml"
 COMMANDS = [line.strip() for line in PAGE.splitlines() if line.startswith("    ")]
+IDENTITY = ("-c", "user.name=a", "-c", "user.email=a@example.org")
 NOT_HERE = ("SCHEDULER", "course-secret", "./kit fixtures")  # a cluster; this course's own secret
 
 
@@ -124,6 +125,42 @@ def test_the_scripts_of_a_workflow_are_shell(name: str) -> None:
     for script in jobs or flow["grade"]["script"]:
         text = re.sub(r"\$\{\{.*?\}\}", "x", script)
         assert subprocess.run(["bash", "-n"], input=text.encode(), check=False).returncode == 0
+
+
+def test_a_students_files_stay_apart_from_the_kit_on_gitlab(tmp_path: Path) -> None:
+    """Runs the script with the kit replaced by a program that shows what lies beside it."""
+    yaml = pytest.importorskip("yaml")
+    job = yaml.safe_load((ROOT / "docs" / "workflows" / "gitlab.yml").read_text())["grade"]
+    assert job["variables"]["GIT_STRATEGY"] == "none"
+    victim = tmp_path / "victim"
+    victim.write_text("whole")
+    kit = write(tmp_path / "kit_there", {"kit": b"#!/bin/sh\nls ${0%/*} ${0%/*}/grader\n"})
+    (kit / "kit").chmod(0o755)
+    student = write(tmp_path / "student", {".kit/grader/argparse.py": b"", "src/part1.cpp": b""})
+    (student / "report.xml").symlink_to(victim)
+    for folder in (kit, student):
+        for words in (["init", "-q"], ["add", "-f", "."], ["commit", "-qm", "all"]):
+            subprocess.run(["git", *IDENTITY, *words], cwd=folder, check=True)
+    project = tmp_path / "project"
+    for _ in range(2):  # the second time with what the first has kept
+        project.mkdir(exist_ok=True)
+        script = "\n".join(line for line in job["script"] if not line.startswith("apt-get"))
+        script = script.replace("https://oauth2:$KIT_TOKEN@$KIT", str(kit))
+        script = script.replace("/srv/", f"{tmp_path}/srv/")
+        (tmp_path / "srv" / "kit" / "build").mkdir(parents=True, exist_ok=True)
+        script = script.replace("&& cp -a .kit", "&& mkdir -p .kit/build && cp -a .kit")
+        environment = {
+            **os.environ,
+            "CI_PROJECT_DIR": str(project),
+            "CI_REPOSITORY_URL": str(student),
+            "CI_COMMIT_SHA": "HEAD",
+            "BOUNCE_COURSE_SECRET": "secret",
+        }
+        subprocess.run(["bash", "-e"], input=script.encode(), cwd=project, env=environment)
+        assert (tmp_path / "srv" / "submission" / "src" / "part1.cpp").exists()
+        assert not (tmp_path / "srv" / "kit" / "grader").exists()
+        assert "kit" in (project / "report.xml").read_text()
+        assert not (project / "report.xml").is_symlink() and victim.read_text() == "whole"
 
 
 def test_the_kits_own_tests_run_on_every_system_that_it_promises() -> None:

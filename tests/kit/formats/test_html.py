@@ -142,7 +142,7 @@ def test_the_chart_stands_on_the_page_with_what_it_means(
     chart = page.find_element(By.CSS_SELECTOR, ".chart svg")
     assert chart.size["width"] > 400
     assert "of the exact motion from dt = " in page.find_element(By.TAG_NAME, "body").text
-    page.find_element(By.TAG_NAME, "summary").click()
+    page.find_element(By.CSS_SELECTOR, "details:has(.charts) > summary").click()
     charts = page.find_elements(By.CSS_SELECTOR, ".charts svg")
     assert len(charts) == len(record["speed"]["scenes"]) and charts[0].is_displayed()
 

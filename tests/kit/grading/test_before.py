@@ -68,6 +68,23 @@ def test_a_first_submission_has_nothing_before(tmp_path: Path) -> None:
     assert before.compared(record, before.read(file)) == record
 
 
+@pytest.mark.parametrize("score", [None, "a lot", "missing"])
+def test_results_of_another_autograder_are_passed_over(tmp_path: Path, score: object) -> None:
+    then = graded(tmp_path, {FIRST.id})
+    there = gradescope(then)
+    other = json.loads(json.dumps(there["previous_submissions"][0]))
+    other["submission_time"] = "2026-11-29"
+    for test in other["results"]["tests"]:
+        test["score"] = score
+        if score == "missing":
+            del test["score"]
+    there["previous_submissions"].append(other)
+    file = tmp_path / "before.json"
+    file.write_text(json.dumps(there))
+    read = before.read(file)
+    assert read is not None and read.score == then["score"]
+
+
 @pytest.mark.parametrize(
     "text", ["", "[]", "{}", "null", '{"previous_submissions": 3}', '{"score": 1, "parts": [{}]}']
 )

@@ -1,5 +1,6 @@
 // How the judge treats runners that break the protocol; shell commands stand in for them.
 #include "../../../grader/judge/runner_process.hpp"
+#include "../../../grader/judge/process_usage.hpp"
 
 #include <gtest/gtest.h>
 
@@ -75,6 +76,21 @@ TEST(RunnerProcess, EndsOneThatPrintsBetweenSleeps) {
     expect("exec perl -e '$| = 1; while (1) { print \"x\\n\"; " + sleep + " }'", "timed_out",
            "waits for something", true);
   }
+}
+
+// On a busy machine nobody can tell how long threads that have ended wanted a CPU.
+TEST(RunnerProcess, EndsOneThatSleepsWithThreadsOnceTheCpuHadNothingToDo) {
+  const double before = judge::spare_seconds();
+  RunnerProcess runner({NAPS_IN_THREADS}, judge::Limits());
+  try {
+    runner.receive();
+    ADD_FAILURE();
+  } catch (const RunnerEnded& end) {
+    EXPECT_TRUE(end.waits);
+  } catch (const judge::KitFailure& busy) {
+    EXPECT_NE(std::string(busy.what()).find("too busy"), std::string::npos);
+  }
+  EXPECT_LT(judge::spare_seconds() - before, 2 * judge::Limits().idle_seconds);
 }
 
 TEST(RunnerProcess, CountsNoIdleTimeOfOneThatWorks) {

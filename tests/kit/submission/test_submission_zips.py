@@ -1,14 +1,8 @@
 """Zips as other programs write them, and as nobody should: what is read, and what is refused."""
 
-import gzip
-import io
-import resource
 import secrets
-import tarfile
 import time
 import zipfile
-from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
 
 import corpus
@@ -16,7 +10,7 @@ import pytest
 from bounce_grader.common.errors import UsageError
 from bounce_grader.submission import entry, submission
 from conftest import solution_files
-from handed_in import PARTS, refusal, zip_of
+from handed_in import limited_memory, packed_tar, PARTS, refusal, zip_of
 
 
 def test_a_broken_zip_is_said(tmp_path: Path) -> None:
@@ -137,16 +131,6 @@ def test_what_cannot_be_used_counts_towards_the_limits(tmp_path: Path) -> None:
     assert "more than 100 sources" in refusal(zip_of(tmp_path / "x.zip", files))
 
 
-def packed_tar(files: dict[str, bytes], kind: str = "gz") -> bytes:
-    data = io.BytesIO()
-    with tarfile.open(fileobj=data, mode=f"w:{kind}") as archive:
-        for name, text in files.items():
-            info = tarfile.TarInfo(name)
-            info.size = len(text)
-            archive.addfile(info, io.BytesIO(text))
-    return data.getvalue()
-
-
 def test_an_archive_inside_a_zip_is_opened_where_no_part_is_beside_it(tmp_path: Path) -> None:
     inner = zip_of(tmp_path / "inner.zip", solution_files()).read_bytes()
     taken = submission.read(zip_of(tmp_path / "x.zip", {"a/inner.zip": inner}))
@@ -161,45 +145,6 @@ def test_an_archive_inside_a_zip_is_opened_where_no_part_is_beside_it(tmp_path: 
         tmp_path / "twice.zip", {"x.zip": zip_of(tmp_path / "i.zip", within).read_bytes()}
     )
     assert submission.read(twice).parts == {}  # one level, and no further
-
-
-@pytest.mark.parametrize("kind, ending", [("gz", "tar.gz"), ("bz2", "TAR.BZ2"), ("xz", "tar.xz")])
-def test_a_tar_is_read_as_a_zip_is(tmp_path: Path, kind: str, ending: str) -> None:
-    path = tmp_path / f"hw.{ending}"
-    path.write_bytes(packed_tar({f"hw/{n}": text for n, text in solution_files().items()}, kind))
-    assert set(submission.read(path).files) == PARTS
-
-
-def test_a_hostile_tar_is_refused_in_a_sentence(tmp_path: Path) -> None:
-    path = tmp_path / "hw.tar.gz"
-    for name in ("../part1_contacts.cpp", "/etc/part1_contacts.cpp"):
-        path.write_bytes(packed_tar({name: b""}))
-        assert "points outside of it" in refusal(path)
-    path.write_bytes(gzip.compress(bytes(65 << 20)))
-    assert "unpacks to more than 64 MB" in refusal(path)
-    path.write_bytes(packed_tar(solution_files())[:-200])
-    assert "is broken" in refusal(path)
-    data = io.BytesIO()
-    with tarfile.open(fileobj=data, mode="w:gz") as archive:
-        for kind in (tarfile.SYMTYPE, tarfile.LNKTYPE, tarfile.FIFOTYPE, tarfile.CHRTYPE):
-            info = tarfile.TarInfo(f"part{kind.decode()}.cpp")
-            info.type, info.linkname = kind, "/etc/passwd"
-            archive.addfile(info)
-    path.write_bytes(data.getvalue())
-    assert submission.read(path).files == {}
-
-
-@contextmanager
-def limited_memory(more: int) -> Iterator[None]:
-    """At most so many bytes more than this process has now."""
-    pages = int(Path("/proc/self/statm").read_text().split()[0])
-    before = resource.getrlimit(resource.RLIMIT_AS)
-    most = pages * resource.getpagesize() + more
-    resource.setrlimit(resource.RLIMIT_AS, (most, before[1]))
-    try:
-        yield
-    finally:
-        resource.setrlimit(resource.RLIMIT_AS, before)
 
 
 def test_entries_that_share_their_bytes_are_refused(tmp_path: Path) -> None:

@@ -22,6 +22,8 @@ class State:
         self.limited = 0  # requests that are answered by a limit of the rate
         self.broken_after = -1  # posts of points until the server fails for good
         self.refused: set[int] = set()  # users
+        self.gone: set[int] = set()  # files
+        self.elsewhere: dict[int, str] = {}  # where a file's address leads
         self.tokens_elsewhere: list[str] = []
         self.requests = 0
 
@@ -82,7 +84,11 @@ class Handler(BaseHTTPRequestHandler):
         if self._is_refused():
             return
         file = re.fullmatch(r"/files/(\d+)/download", url.path)
-        if file:
+        if file and int(file[1]) in self.state.gone:
+            self._answer(404, b"gone")
+        elif file and int(file[1]) in self.state.elsewhere:
+            self._answer(302, b"", Location=self.state.elsewhere[int(file[1])])
+        elif file:
             host, port = self.headers["Host"].split(":")
             other = {"127.0.0.1": "localhost"}.get(host, "127.0.0.1")
             self._answer(302, b"", Location=f"http://{other}:{port}/stored/{file[1]}")

@@ -1,6 +1,11 @@
 """Makes submissions for the tests of reading them, and returns the sentence that refuses one."""
 
+import io
+import resource
+import tarfile
 import zipfile
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
@@ -17,9 +22,32 @@ def zip_of(path: Path, files: dict[str, bytes]) -> Path:
     return path
 
 
+def packed_tar(files: dict[str, bytes], kind: str = "gz") -> bytes:
+    data = io.BytesIO()
+    with tarfile.open(fileobj=data, mode=f"w:{kind}") as archive:
+        for name, text in files.items():
+            info = tarfile.TarInfo(name)
+            info.size = len(text)
+            archive.addfile(info, io.BytesIO(text))
+    return data.getvalue()
+
+
 def refusal(path: Path) -> str:
     with pytest.raises(UsageError) as refused:
         submission.read(path)
     sentence = str(refused.value)
     assert "\n" not in sentence
     return sentence
+
+
+@contextmanager
+def limited_memory(more: int) -> Iterator[None]:
+    """At most so many bytes more than this process has now."""
+    pages = int(Path("/proc/self/statm").read_text().split()[0])
+    before = resource.getrlimit(resource.RLIMIT_AS)
+    most = pages * resource.getpagesize() + more
+    resource.setrlimit(resource.RLIMIT_AS, (most, before[1]))
+    try:
+        yield
+    finally:
+        resource.setrlimit(resource.RLIMIT_AS, before)

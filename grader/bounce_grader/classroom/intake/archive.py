@@ -9,6 +9,7 @@ from pathlib import Path
 
 from bounce_grader.common.errors import UsageError
 from bounce_grader.submission.folders import SAFELY
+from bounce_grader.submission.zips import name_of
 
 FAILURES = (zipfile.BadZipFile, zlib.error, EOFError, OSError, ValueError, RuntimeError, KeyError)
 
@@ -23,27 +24,29 @@ class Archive:
     def __init__(self, path: Path) -> None:
         self.path = path
         self._zip: zipfile.ZipFile | None = None
+        self._infos: dict[str, zipfile.ZipInfo] = {}  # by their names
         if not path.is_dir():
             try:
                 self._zip = zipfile.ZipFile(path)
+                infos = self._zip.infolist()
+                self._infos = {name_of(info): info for info in infos if not info.is_dir()}
             except FAILURES as error:
                 raise Damaged(f"{path} is broken ({error}): download it again") from error
 
     def names(self) -> list[str]:
         if self._zip:
-            infos = self._zip.infolist()
-            return list(dict.fromkeys(info.filename for info in infos if not info.is_dir()))
+            return list(self._infos)
         return sorted(name for name in os.listdir(self.path) if not _is_folder(self.path / name))
 
     def size(self, name: str) -> int:
         if self._zip:
-            return self._zip.getinfo(name).file_size
+            return self._infos[name].file_size
         return (self.path / name).lstat().st_size
 
     def read(self, name: str, most: int) -> bytes:
         try:
             if self._zip:
-                with self._zip.open(name) as stream:
+                with self._zip.open(self._infos[name]) as stream:
                     return stream.read(most)
             if os.path.islink(self.path / name):
                 raise ValueError("it is a link")

@@ -11,7 +11,6 @@ ambiguous (`read_all`).
 
 import re
 import unicodedata
-from collections import Counter
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
@@ -65,14 +64,18 @@ def read_all(
     """Reads the names of all entries. The value is None for a name that Canvas doesn't write, and
     for one that could be of several users, because students choose their names and their files'.
     `people` are the students of the grade book, by Canvas's ids: a name that could be of several is
-    taken for the only one of them whose id and name are in it."""
+    taken for the only one of them whose id and name are in it, unless some names are certainly
+    theirs, and others not."""
     possible = {entry: readings(entry) for entry in entries}
     read = {entry: found[0] if len(found) == 1 else None for entry, found in possible.items()}
-    doubtful = {entry: found for entry, found in possible.items() if len(found) > 1}
-    users = Counter(r.user for found in possible.values() for r in found if r.user in people)
-    for entry, found in doubtful.items():
-        known = [reading for reading in found if reading.user in people]
-        if len(known) == 1 and users[known[0].user] == 1:
+    certain = {found[0].user for found in possible.values() if len(found) == 1}
+    names: dict[str, set[str]] = {}  # that stand before a user's id
+    for reading in (reading for found in possible.values() for reading in found):
+        names.setdefault(reading.user, set()).add(reading.name)
+    for entry in (entry for entry, found in possible.items() if len(found) > 1):
+        known = [reading for reading in possible[entry] if reading.user in people]
+        users = {reading.user for reading in known}
+        if len(known) == 1 and not users & certain and len(names[known[0].user]) == 1:
             if is_name_of(people[known[0].user], known[0].name):
                 read[entry] = known[0]
     return read

@@ -5,6 +5,7 @@ or 429, and they are tried again after a while. The token goes to Canvas's own a
 into no message.
 """
 
+import http.client
 import json
 import math
 import os
@@ -21,7 +22,7 @@ from typing import Any
 from bounce_grader.classroom.intake import students
 from bounce_grader.classroom.intake.archive import opened
 from bounce_grader.classroom.intake.canvas import sanitized, Upload
-from bounce_grader.classroom.intake.students import Class
+from bounce_grader.classroom.intake.students import Class, Unmatched
 from bounce_grader.common.errors import KitError, UsageError
 from bounce_grader.common.escaping import printable_name
 from bounce_grader.common.files import fitting, write_whole
@@ -44,7 +45,22 @@ class NoRedirect(urllib.request.HTTPRedirectHandler):
         return None
 
 
-OPENER = urllib.request.build_opener(NoRedirect)
+def _web_alone() -> urllib.request.OpenerDirector:
+    """Opens http and https. The usual opener reads files of this machine, too."""
+    opener = urllib.request.OpenerDirector()
+    for handler in (
+        urllib.request.ProxyHandler,
+        urllib.request.HTTPHandler,
+        urllib.request.HTTPSHandler,
+        urllib.request.HTTPDefaultErrorHandler,
+        urllib.request.HTTPErrorProcessor,
+        NoRedirect,
+    ):
+        opener.add_handler(handler())
+    return opener
+
+
+OPENER = _web_alone()
 
 
 def token_of_environment() -> str:
@@ -100,7 +116,9 @@ class Canvas:
         for attempt in range(TRIES):
             if attempt:
                 time.sleep(WAIT * 2 ** (attempt - 1))
-            own = urllib.parse.urlsplit(url)
+            own = _address(url)
+            if own.scheme != "https" and own.scheme != urllib.parse.urlsplit(self._origin).scheme:
+                raise Refused("it leads to no address of the web")
             request = urllib.request.Request(url, data, method=method)
             if f"{own.scheme}://{own.netloc}" == self._origin:
                 request.add_header("Authorization", f"Bearer {self._token}")
@@ -123,12 +141,21 @@ class Canvas:
                     ) from None
                 if not limited and error.code < 500:
                     raise Refused(f"{error.code} {printable_name(error.reason or '')}") from None
-            except (urllib.error.URLError, OSError):
+            except (http.client.InvalidURL, ValueError):
+                raise Refused("it leads to no address of the web") from None
+            except (http.client.HTTPException, OSError):
                 pass
         raise KitError(
             f"Canvas doesn't answer at {self._origin}; what is done is kept, so give the same "
             "command again later"
         )
+
+
+def _address(url: str) -> urllib.parse.SplitResult:
+    try:
+        return urllib.parse.urlsplit(url)
+    except ValueError:
+        raise Refused("it leads to no address of the web") from None
 
 
 def _json(body: bytes) -> Any:
@@ -153,30 +180,53 @@ def download(canvas: Canvas, out: Path) -> Class:
         raise UsageError(
             f"Canvas has no assignment {canvas.assignment} for you ({refused})"
         ) from None
+    missing: dict[str, Unmatched] = {}
     for submission in listed:
         user = str(submission.get("user_id", ""))
         person = submission.get("user") or {}
-        for attachment in submission.get("attachments") or []:
-            upload = _upload(user, person, bool(submission.get("late")), attachment)
-            if not (folder / upload.entry).exists():
-                _fetch(canvas, str(attachment.get("url", "")), folder / upload.entry)
-            uploads.setdefault(user, []).append(upload)
         names[user] = str(person.get("sortable_name") or "")
+        try:
+            uploads[user] = _taken(canvas, folder, user, submission)
+        except Refused as refused:
+            missing[user] = Unmatched(names[user] or user, f"isn't graded: {refused}", user)
+            continue
         if submission.get("late"):
             late[user] = max(1, math.ceil(float(submission.get("seconds_late") or 0) / 86400))
+    uploads = {user: taken for user, taken in uploads.items() if taken}
     intake = Class("Canvas's API", service="canvas")
     students.take_uploads(intake, opened(folder), uploads)
+    intake.unmatched += missing.values()
     intake.students = [
         replace(s, person=names.get(s.id, ""), late_days=late.get(s.id, 0)) for s in intake.students
     ]
     if not intake.students:
-        raise UsageError(f"nobody has submitted a file to the assignment {canvas.assignment} yet")
+        first = next(iter(missing.values()), None)
+        why = f"; {first.name} {first.reason}" if first else ""
+        raise UsageError(
+            f"nobody has submitted a file to the assignment {canvas.assignment} yet{why}"
+        )
     return intake
+
+
+def _taken(canvas: Canvas, folder: Path, user: str, submission: dict[str, Any]) -> list[Upload]:
+    """A student's uploads, downloaded. Raises Refused if one can't be: without it, a grading would
+    take points for what was handed in."""
+    uploads = []
+    for attachment in submission.get("attachments") or []:
+        person = submission.get("user") or {}
+        upload = _upload(user, person, bool(submission.get("late")), attachment)
+        if not (folder / upload.entry).exists():
+            _fetch(canvas, str(attachment.get("url") or ""), folder / upload.entry)
+        uploads.append(upload)
+    return uploads
 
 
 def _upload(user: str, person: dict[str, Any], late: bool, attachment: dict[str, Any]) -> Upload:
     """An attachment, with the name that it has in Canvas's download."""
-    id = int(attachment["id"])
+    try:
+        id = int(attachment["id"])
+    except (KeyError, TypeError, ValueError):
+        raise Refused("Canvas names a file without an id; look at it there") from None
     name = fitting(sanitized(str(person.get("sortable_name") or user)), 80) or user
     file = printable_name(str(attachment.get("display_name") or attachment.get("filename") or id))
     stem, dot, ending = file.replace("/", "_").rpartition(".")
@@ -186,10 +236,12 @@ def _upload(user: str, person: dict[str, Any], late: bool, attachment: dict[str,
 
 
 def _fetch(canvas: Canvas, url: str, path: Path) -> None:
-    if urllib.parse.urlsplit(url).scheme not in ("http", "https"):
-        raise KitError(f"Canvas names no address for {path.name}")
+    if not url:
+        raise Refused(f"Canvas names no address for {path.name}; look at it there")
     try:
         data, _ = canvas.request("GET", url)
     except Refused as refused:
-        raise KitError(f"Canvas doesn't hand out {path.name} ({refused})") from None
+        raise Refused(
+            f"Canvas doesn't hand out {path.name} ({refused}); look at it there"
+        ) from None
     write_whole(path, data[:LARGEST])

@@ -4,7 +4,7 @@ reason."""
 
 import os
 import zipfile
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path, PurePosixPath
 
@@ -80,12 +80,9 @@ def read(path: Path, people: Mapping[str, str] = {}) -> Class:
     if path.is_dir():
         children = sorted(path.iterdir())
         names = [child.name for child in children if _is_file(child)]
-        if any(map(blackboard.parse, names)):
-            intake = _blackboard(path)
-        elif any(map(moodle.parse, names)):
-            intake = _moodle(path)
-        elif any(map(canvas.parse, names)):
-            intake = _canvas(path, people)
+        service = _service(names)
+        if service:
+            intake = service(path, people)
         elif any(moodle.parse_folder(child.name) for child in children):
             intake = _moodle_folders(children)
         else:
@@ -93,13 +90,8 @@ def read(path: Path, people: Mapping[str, str] = {}) -> Class:
     elif not path.exists():
         raise UsageError(f"there is no file or folder {path}")
     elif zipfile.is_zipfile(path):
-        names = opened(path).names()
-        if any(map(moodle.parse, names)):
-            intake = _moodle(path)
-        elif any(map(blackboard.parse, names)):
-            intake = _blackboard(path)
-        else:
-            intake = _canvas(path, people)
+        service = _service(opened(path).names()) or _canvas
+        intake = service(path, people)
     else:
         cut = is_archive(path.name) or not path.stat().st_size
         reason = "is broken, or was cut short: download it again"
@@ -109,6 +101,17 @@ def read(path: Path, people: Mapping[str, str] = {}) -> Class:
         raise UsageError(f"no submission is found in {path}: {_expected(intake)}")
     intake.students.sort(key=lambda student: (student.name, student.id))
     return intake
+
+
+def _service(names: Sequence[str]) -> Callable[[Path, Mapping[str, str]], Class] | None:
+    """Which service's download has such files. Students choose a part of each name, so one that looks
+    like another service's proves nothing: all that look like any have to look like this one's."""
+    services = ((blackboard.parse, _blackboard), (moodle.parse, _moodle), (canvas.parse, _canvas))
+    known = [name for name in names if any(parse(name) for parse, _ in services)]
+    for parse, reader in services:
+        if known and all(map(parse, known)):
+            return reader
+    return _canvas if known else None
 
 
 def _expected(intake: Class) -> str:
@@ -177,7 +180,7 @@ def take_uploads(intake: Class, archive: Archive, users: Mapping[str, list[Uploa
             intake.unmatched.append(Unmatched(name, reason, user, page, page_text))
 
 
-def _moodle(path: Path) -> Class:
+def _moodle(path: Path, _people: Mapping[str, str]) -> Class:
     archive = opened(path)
     intake = Class("a Moodle download", service="moodle")
     files: dict[tuple[str, str], list[Upload]] = {}
@@ -186,7 +189,8 @@ def _moodle(path: Path) -> Class:
         if not parsed:
             intake.unmatched.append(Unmatched(name, _no_name_of("Moodle", name)))
         elif parsed.kind == "onlinetext":
-            _typed_elsewhere(intake, name, "Moodle", parsed.participant)
+            page = moodle.feedback_name(parsed.name, parsed.participant)
+            _typed_elsewhere(intake, name, "Moodle", parsed.participant, page)
         elif not _is_inside(parsed.file):
             intake.unmatched.append(Unmatched(name, "points outside of the submission"))
         else:
@@ -206,17 +210,18 @@ def _moodle_folders(children: list[Path]) -> Class:
         parsed = moodle.parse_folder(child.name) if _is_folder(child) else None
         if not parsed:
             intake.unmatched.append(Unmatched(child.name, _no_name_of("Moodle", child.name)))
-        elif parsed.kind == "onlinetext":
-            _typed_elsewhere(intake, child.name, "Moodle", parsed.participant)
+            continue
+        page = moodle.feedback_name(parsed.name, parsed.participant)
+        if parsed.kind == "onlinetext":
+            _typed_elsewhere(intake, child.name, "Moodle", parsed.participant, page)
         else:
-            page = moodle.feedback_name(parsed.name, parsed.participant)
             there = _zip_alone(child) or child
             intake.students.append(Student(parsed.participant, parsed.name, there, feedback=page))
     _require_distinct(intake.students)
     return intake
 
 
-def _blackboard(path: Path) -> Class:
+def _blackboard(path: Path, _people: Mapping[str, str]) -> Class:
     archive = opened(path)
     intake = Class("a Blackboard download", service="blackboard")
     parsed = {name: blackboard.parse(name) for name in archive.names() if "/" not in name}
@@ -245,7 +250,7 @@ def _blackboard(path: Path) -> Class:
         if newest:
             _take(intake, archive, user, name, newest, page)
         else:
-            _typed_elsewhere(intake, f"{head}.txt", "Blackboard", user)
+            _typed_elsewhere(intake, f"{head}.txt", "Blackboard", user, page)
     left = [name for name in archive.names() if name not in known]
     intake.unmatched += [Unmatched(name, _no_name_of("Blackboard", name)) for name in left]
     _require_distinct(intake.students)
@@ -281,9 +286,10 @@ def _take(
     intake.unmatched.append(Unmatched(name, reason, id, page, page_text))
 
 
-def _typed_elsewhere(intake: Class, name: str, service: str, user: str) -> None:
-    reason = f"is text typed into {service}, with no file to grade: ask for the files of the parts"
-    intake.unmatched.append(Unmatched(name, reason, user))
+def _typed_elsewhere(intake: Class, name: str, service: str, user: str, page: str) -> None:
+    what = f"is text typed into {service}"
+    reason = f"{what}, with no file to grade: ask for the files of the parts"
+    intake.unmatched.append(Unmatched(name, reason, user, page, f"It {what}. {HAND_IN}"))
 
 
 def _no_name_of(service: str, name: str) -> str:

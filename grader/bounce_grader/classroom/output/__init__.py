@@ -1,4 +1,4 @@
 """The grade book, the feedback pages and the page about the class.
 
-Imports: classroom.intake, classroom.work, common, formats, grading.
+Imports: assignment, classroom.intake, classroom.work, common, formats, grading.
 """

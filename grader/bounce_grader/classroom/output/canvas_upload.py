@@ -139,10 +139,14 @@ def _upload(canvas: Canvas, path: str, file: Path) -> int:
     told = canvas.call(
         "POST", path, {"name": "feedback.html", "size": str(len(data)), "content_type": "text/html"}
     )
+    try:
+        url, fields = str(told["upload_url"]), dict(told["upload_params"])
+    except (KeyError, TypeError, ValueError):
+        raise Refused("it names no address for the page") from None
     border = secrets.token_hex(16)
     parts = [
         f'--{border}\r\nContent-Disposition: form-data; name="{name}"\r\n\r\n{value}\r\n'.encode()
-        for name, value in told["upload_params"].items()
+        for name, value in fields.items()
     ]
     head = (
         f'--{border}\r\nContent-Disposition: form-data; name="file"; filename="feedback.html"\r\n'
@@ -150,5 +154,8 @@ def _upload(canvas: Canvas, path: str, file: Path) -> int:
     parts += [head.encode(), b"Content-Type: text/html\r\n\r\n", data]
     parts.append(f"\r\n--{border}--\r\n".encode())
     kind = f"multipart/form-data; boundary={border}"
-    body, _ = canvas.request("POST", told["upload_url"], b"".join(parts), kind)
-    return int(json.loads(body)["id"])
+    body, _ = canvas.request("POST", url, b"".join(parts), kind)
+    try:
+        return int(json.loads(body)["id"])
+    except (KeyError, TypeError, ValueError):
+        raise Refused("it takes the page, and gives no id") from None

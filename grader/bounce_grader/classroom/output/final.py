@@ -28,7 +28,26 @@ class Rules:
 
 
 def with_finals(summaries: Iterable[Summary], rules: Rules) -> list[Summary]:
-    return [replace(s, finals=tuple(_finals(s, rules))) for s in summaries]
+    """Whom several submissions name as a member gets no points from any: students choose the names
+    of groups, so one of them may have taken another's."""
+    all_ = [replace(s, finals=tuple(_finals(s, rules))) for s in summaries]
+    by_id: dict[str, list[str]] = {}
+    for summary in all_:
+        for one in summary.finals:
+            if one.listed or not rules.logins:  # a login alone gets no points
+                by_id.setdefault(one.id, []).append(summary.student.shown)
+    return [_without_rivals(summary, by_id) for summary in all_]
+
+
+def _without_rivals(summary: Summary, by_id: Mapping[str, list[str]]) -> Summary:
+    rivals = [one for one in summary.finals if one.listed and len(by_id[one.id]) > 1]
+    for one in rivals:
+        names = " and ".join(map(repr, by_id[one.id]))
+        summary = summary.with_note(
+            f"roster.csv gives {one.name or one.id} the points of several submissions ({names}): "
+            "none is filled in; write the submission's id there that is theirs"
+        )
+    return replace(summary, finals=tuple(one for one in summary.finals if one not in rivals))
 
 
 def members(student: Student, roster: Roster) -> list[Member]:

@@ -125,7 +125,7 @@ def write_feedback(
         if entry.feedback and entry.user not in ids:
             with suppress(UsageError), about_one_submission("there is no page"):
                 write_whole(folder / entry.feedback, html.refused(entry.page_text))
-                pages.append(entry.feedback)
+                pages += [entry.feedback] if entry.feedback not in pages else []
     for summary in summaries:
         result = results.load(out / "results", summary.key)
         try:

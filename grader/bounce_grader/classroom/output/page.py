@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 from urllib.parse import quote
 
+from bounce_grader.assignment.hints import headings
 from bounce_grader.classroom.intake.course import Course
 from bounce_grader.classroom.intake.students import Class
 from bounce_grader.classroom.output import charts
@@ -17,6 +18,7 @@ from bounce_grader.common.escaping import first_few, printable_name
 from bounce_grader.common.manifest import parts
 from bounce_grader.common.numbers import percent, scientific, short
 from bounce_grader.common.svg import Drawing
+from bounce_grader.formats.sentences import nudge
 from bounce_grader.formats.templates import fill
 from bounce_grader.grading import speed
 from bounce_grader.grading.known_mistakes import for_the_instructor
@@ -47,8 +49,7 @@ def render(
         graded=graded,
         success=_success(graded) if graded else None,
         mistakes=[
-            [name[4], titles[name], for_the_instructor(name), _who_made(name, graded)]
-            for name, _ in mistakes
+            [name[4], titles[name], *_words(name), _who_made(name, graded)] for name, _ in mistakes
         ],
         mistake_bars=charts.bars(
             [Bar(titles[name], count / len(graded), str(count)) for name, count in mistakes],
@@ -79,6 +80,12 @@ def render(
         ],
         submissions=list(map(_row, summaries)),
     )
+
+
+def _words(mistake: str) -> list[str]:
+    """What the mistake is, and the hint that students have, by heading and text."""
+    words, heading = for_the_instructor(mistake)
+    return [words, heading, nudge(heading)]
 
 
 def pair_names(pair: Pair, names: Mapping[str, str]) -> list[str]:
@@ -144,7 +151,11 @@ def _failed_checks(graded: Sequence[Summary]) -> list[Row]:
     failures = Counter(id for s in graded for id in s.checks if id not in s.passed)
     checks = {check.id: (part, check) for part in parts() for check in part.checks}
     most = [(*checks[id], count) for id, count in failures.most_common(10)]
-    return [[f"part {part.number}", check.title, str(count)] for part, check, count in most]
+    hints = {check.id: headings().get(check.id, "") for _, check, _ in most}
+    return [
+        [f"part {part.number}", check.title, hints[check.id], nudge(hints[check.id]), str(count)]
+        for part, check, count in most
+    ]
 
 
 def _error(summary: Summary) -> float | None:
