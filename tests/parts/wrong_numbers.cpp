@@ -1,6 +1,8 @@
 #include "wrong_numbers.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 
 #include "recognise.hpp"
 
@@ -56,6 +58,14 @@ std::string joined(const Words& words, const std::string& last) {
   for (std::size_t i = 0; i < words.size(); ++i) {
     text += (i == 0 ? "" : i + 1 == words.size() ? last : ", ") + words[i];
   }
+  return text;
+}
+
+std::string digits(double x) {
+  if (std::isnan(x)) return "not a number";
+  if (x == 0) return "0";  // without the sign of -0
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", x);
   return text;
 }
 

@@ -43,6 +43,9 @@ struct Wrong {
 
 Wrong wrong_numbers(const std::vector<Answer>& right, const std::vector<Answer>& got);
 
+// To six significant digits.
+std::string digits(double x);
+
 // "a, b and c".
 std::string joined(const Words& words, const std::string& last = " and ");
 

@@ -69,12 +69,10 @@ void look(const Part& part, const Quantity& quantity, std::size_t a, std::size_t
   bool right_differs = false, got_differs = false;
   for (const Index i : quantity.entries) {
     if (i >= part.got[a].numbers.size() || i >= part.got[b].numbers.size()) continue;
-    const bool ought = !same(part.right[a].numbers(i), part.right[b].numbers(i));
-    const bool does = !same(part.got[a].numbers(i), part.got[b].numbers(i));
-    right_differs = right_differs || ought;
-    got_differs = got_differs || does;
-    seen.responds = seen.responds || (ought && does);
+    right_differs = right_differs || !same(part.right[a].numbers(i), part.right[b].numbers(i));
+    got_differs = got_differs || !same(part.got[a].numbers(i), part.got[b].numbers(i));
   }
+  seen.responds = seen.responds || (right_differs && got_differs);
   seen.ought_to = seen.ought_to || right_differs;
   seen.intrudes = seen.intrudes || (got_differs && !right_differs);
 }

@@ -14,20 +14,14 @@ using Eigen::Index;
 constexpr double kFewDigits = 1e-4;
 constexpr double kRounding = 1e-9;  // numbers below this count as 0
 constexpr double kLeastRatio = 1e-6;
+constexpr const char* kDividedByZero =
+    "Often: something is divided by 0; as whole numbers, 1/2 and 1/6 are 0.";
 
 // --- words ---
 
 std::string capital(std::string text) {
   const bool is_word = text.size() > 1 && text.rfind("the ", 0) == 0;
   if (is_word) text[0] = 'T';
-  return text;
-}
-
-std::string digits(double x) {
-  if (std::isnan(x)) return "not a number";
-  if (x == 0) return "0";  // without the sign of -0
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", x);
   return text;
 }
 
@@ -75,6 +69,7 @@ std::string constant_of(const std::vector<Number>& numbers) {
 std::string rule_of(const std::string& subject, const std::vector<Case>& cases,
                     const std::vector<Number>& numbers) {
   const std::string constant = constant_of(numbers), factor = factor_of(cases, numbers);
+  if (constant == "inf") return subject + " is inf, whatever the question. " + kDividedByZero;
   if (!constant.empty()) return subject + " is " + constant + ", whatever the question.";
   if (!factor.empty()) return subject + " is " + factor + " times the right one.";
   const std::string difference = difference_of(numbers);

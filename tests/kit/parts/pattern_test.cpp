@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
+#include <numbers>
 
 namespace bounce::tests {
 namespace {
@@ -98,6 +100,9 @@ TEST(pattern, NamesADifferenceThatIsAlwaysTheSame) {
 TEST(pattern, NamesANumberThatIsTheSameWhateverTheQuestion) {
   EXPECT_TRUE(says(told(1, [](const Case&, auto& x) { x(0) = 7; }),
                    "Every wrong number is 7, whatever the question."));
+  EXPECT_TRUE(says(told(2, [](const Case&, auto& x) { x(0) = INFINITY; }),
+                   "Every wrong number is inf, whatever the question. Often: something is divided "
+                   "by 0"));
 }
 
 TEST(pattern, NamesExchangedPlaces) {
@@ -227,6 +232,15 @@ TEST(pattern, NamesAnInputThatMakesNoDifference) {
       << text;
 }
 
+TEST(pattern, SaysOfNoInputThatItMakesNoDifferenceWhereAWrongEntryDiffers) {
+  const std::string text = told_of_squares([](const Case& c) {
+    Eigen::VectorXd x = of_corner(c, 0);
+    std::swap(x(3), x(5));
+    return x;
+  });
+  EXPECT_FALSE(says(text, "in your answers")) << text;
+}
+
 TEST(pattern, NamesAnInputThatShouldMakeNoDifference) {
   const std::string text = told_of_squares([](const Case& c) {
     Eigen::VectorXd x = of_corner(c, 0);
@@ -263,6 +277,53 @@ TEST(pattern, NamesTheCornersThatAreNeverChosen) {
   EXPECT_TRUE(says(always, "Your answer is always that of corner 2.")) << always;
 }
 
+TEST(pattern, NamesTooFewDigitsOfPi) {
+  const auto by = [](double pi) {
+    return told_of_squares([=](const Case& c) {
+      Eigen::VectorXd x = of_corner(c, 0);
+      const Eigen::Rotation2Dd turn((2 * (c.corner[7] - '0') - 1) * (pi - std::numbers::pi) / 4);
+      const Eigen::Vector2d r = turn * Eigen::Vector2d(x(5), -x(2));
+      x(6) += r.y() + x(2);
+      x(2) = -r.y();
+      x(5) = r.x();
+      return x;
+    });
+  };
+  EXPECT_TRUE(says(by(3.14), "turned by a multiple of (3.14 - pi) / 4 in every question."));
+  EXPECT_TRUE(says(by(3.1416), "turned by a multiple of (3.1416 - pi) / 4 in every question."));
+  EXPECT_FALSE(says(by(3.15), "pi"));
+}
+
+TEST(pattern, NamesAnotherSquareAndAColumnOfLengthOne) {
+  const auto square = [](double angle, double side, const Case& c) {
+    const double s = side / 2, along = std::sin(angle) < 0 ? s : -s;
+    const double aside = std::cos(angle) < 0 ? s : -s;
+    const Eigen::Vector2d r = Eigen::Rotation2Dd(angle) * Eigen::Vector2d(along, aside);
+    Eigen::VectorXd all(7);
+    all << 1, 0, -r.y(), 0, 1, r.x(), c.q(1) + r.y();
+    return all;
+  };
+  const auto told_of = [&](const std::function<Eigen::VectorXd(const Case&)>& program) {
+    const std::vector<Case> cases = squares();
+    std::vector<Answer> right, got;
+    for (const Case& c : cases) right.push_back({square(c.q(2), c.params.l, c), ""});
+    for (const Case& c : cases) got.push_back({program(c), ""});
+    std::string text;
+    for (const auto& sentence : patterns(1, cases, right, got)) text += sentence + "\n";
+    return text;
+  };
+  EXPECT_TRUE(says(told_of([&](auto& c) { return square(c.q(2) / 2, c.params.l, c); }),
+                   "a square that is turned by theta / 2 in every question."));
+  EXPECT_TRUE(says(told_of([&](auto& c) { return square(c.q(2), c.params.l / std::sqrt(8), c); }),
+                   "Your corner is l/4 away from the centre in every question"));
+  EXPECT_TRUE(says(told_of([&](auto& c) {
+                     Eigen::VectorXd x = square(c.q(2), c.params.l, c);
+                     x.segment(3, 3).normalize();
+                     return x;
+                   }),
+                   "Your J_n has the length 1 in every question."));
+}
+
 TEST(pattern, NamesTheFormulaOfPhi) {
   const auto of_phi = [](double (*phi)(const Case&, double)) {
     return told_of_squares([=](const Case& c) {
@@ -275,8 +336,93 @@ TEST(pattern, NamesTheFormulaOfPhi) {
                    "Your phi is y - l/2 in every question."));
   EXPECT_TRUE(says(of_phi([](const Case&, double phi) { return std::abs(phi); }),
                    "Your phi is the absolute value of phi in every question."));
+  const auto of_the_side = [](const Case& c, double) {
+    const double along = std::abs(std::cos(c.q(2))), aside = std::abs(std::sin(c.q(2)));
+    return c.q(1) - c.params.l / 2 * std::max(along, aside);
+  };
+  EXPECT_TRUE(says(of_phi(of_the_side), "the height of the middle of the lowest side"));
   const std::string none = of_phi([](const Case& c, double phi) { return phi + c.q(2) * c.q(1); });
   EXPECT_FALSE(says(none, "Your phi is")) << none;
+}
+
+// --- part 3 ---
+
+Eigen::Vector2d lowest_corner(const Case& c) {
+  Eigen::Vector2d r(0, 1);
+  for (int k = 0; k < 4; ++k) {
+    const Eigen::Vector2d corner(k % 2 == 0 ? 1 : -1, k < 2 ? 1 : -1);
+    const Eigen::Vector2d turned = Eigen::Rotation2Dd(c.q(2)) * corner * c.params.l / 2;
+    if (turned.y() < r.y()) r = turned;
+  }
+  return r;
+}
+
+// The change of v that the forces make.
+Vector3 by_forces(const Case& c, const Eigen::VectorXd& x) {
+  return x.tail(3) - c.v - c.params.dt * c.params.g;
+}
+
+TEST(pattern, NamesANumberInPlaceOfTheSide) {
+  const std::string text = told(3, [](const Case& c, auto& x) {
+    x(5) = c.v(2) + (x(5) - c.v(2)) * c.params.l * c.params.l / 0.16;
+  });
+  EXPECT_TRUE(says(text, "multiplied by (1, 1, l^2 / 0.16).")) << text;
+}
+
+TEST(pattern, NamesTheMomentOfTheForces) {
+  const auto with = [](double normal, double tangential) {
+    return told(3, [=](const Case& c, auto& x) {
+      const Eigen::Vector2d r = lowest_corner(c);
+      const Vector3 impulse = c.params.M() * by_forces(c, x);
+      const double moment = normal * r.x() * impulse(1) + tangential * r.y() * impulse(0);
+      x(5) = c.v(2) + moment / c.params.M()(2, 2);
+    });
+  };
+  EXPECT_TRUE(says(with(1, 1), "is (r_x) f_n + (r_y) f_t in every question."));
+  EXPECT_TRUE(says(with(-1, 0), "is (-r_x) f_n + (0) f_t in every question."));
+  EXPECT_FALSE(says(with(1, -0.5), "moment"));
+}
+
+TEST(pattern, NamesAForceThatIsMultiplied) {
+  const std::string text = told(3, [](const Case& c, auto& x) {
+    const Eigen::Vector2d r = lowest_corner(c);
+    const Vector3 force = c.params.M() * by_forces(c, x);
+    const double f_t = c.params.mu * force(0), f_n = force(1);
+    const Vector3 all(f_t, f_n, r.x() * f_n - r.y() * f_t);
+    x.tail(3) += c.params.M().inverse() * all - by_forces(c, x);
+  });
+  EXPECT_TRUE(says(text, "your v' is that with f_n multiplied by 1 and f_t by mu.")) << text;
+}
+
+TEST(pattern, NamesWhatIsNotMoved) {
+  const std::string text = told(3, [](const Case& c, auto& x) { x(2) = -c.params.dt * x(5); });
+  EXPECT_TRUE(says(text, "Your theta' is theta in every question.")) << text;
+}
+
+// --- part 4 ---
+
+TEST(pattern, NamesTheRowsOfATrajectoryThatAreRight) {
+  const std::string text = told(4, [](const Case&, auto& x) {
+    for (int i = 6; i < x.size(); i += 6) x(i) = 0;
+  });
+  EXPECT_TRUE(says(text,
+                   "Right in every column that is compared: y, theta, v_x, v_y and omega; wrong: "
+                   "x."))
+      << text;
+  EXPECT_TRUE(says(text, "Zero in every column that is compared, after column 0: x.")) << text;
+}
+
+TEST(pattern, NamesTheStartOfATrajectory) {
+  const std::string text =
+      told(4, [](const Case& c, auto& x) { x.head(6) << c.q(2), c.q(1), c.q(0), c.v; });
+  EXPECT_TRUE(says(text, "Your column 0 is q_0 in reverse order, and v_0 in every question."))
+      << text;
+}
+
+TEST(pattern, NamesATrajectoryOfFloats) {
+  const std::string text = told(
+      4, [](const Case&, auto& x) { x = x.template cast<float>().template cast<double>().eval(); });
+  EXPECT_TRUE(says(text, "right to six digits or more: is there a float?")) << text;
 }
 
 TEST(pattern, LeavesOutWhatIsNoNumberAndWhatThrew) {

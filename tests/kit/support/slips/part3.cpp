@@ -150,7 +150,13 @@ State general(const Vector3& q_given, const Vector3& v_given, const Parameters& 
     bool touches = phi < P.delta;
     if (slip("contact by phi < 0")) touches = phi < 0;
     if (slip("contact by phi < 2 delta")) touches = phi < 2 * P.delta;
+    if (slip("contact by phi < 3 delta")) touches = phi < 3 * P.delta;
+    if (slip("contact by phi < 0.002")) touches = phi < 0.002;
+    if (slip("contact by phi < 0.02")) touches = phi < 0.02;
     if (slip("contact by phi < 0.05")) touches = phi < 0.05;
+    if (slip("contact by phi < 0.1")) touches = phi < 0.1;
+    if (slip("contact by phi < dt/2")) touches = phi < P.dt / 2;
+    if (slip("contact by phi < l/4")) touches = phi < P.l / 4;
     if (slip("contact by phi < l/2")) touches = phi < P.l / 2;
     if (slip("contact by phi < dt")) touches = phi < P.dt;
     if (slip("contact by phi > delta")) touches = phi > P.delta;
@@ -200,6 +206,8 @@ State general(const Vector3& q_given, const Vector3& v_given, const Parameters& 
     if (slip("torque with the wrong sign")) force(2) = -force(2);
     if (slip("no moment of friction")) force(2) = n(2) * f(0);
     if (slip("no moment of the normal force")) force(2) = t(2) * (f(2) - f(1));
+    if (slip("moment of friction with the wrong sign")) force(2) -= 2 * t(2) * (f(2) - f(1));
+    if (slip("moment of the normal force with the wrong sign")) force(2) -= 2 * n(2) * f(0);
     if (slip("forces with the wrong sign")) force = -force;
     Vector3 w = M.cwiseInverse();
     if (slip("M^-1 forgotten for the forces")) w.setOnes();
