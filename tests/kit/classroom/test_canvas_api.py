@@ -3,10 +3,13 @@ half-way and going on, and nothing posted that wasn't shown."""
 
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import canvas_server
 import pytest
 from bounce_grader.classroom.intake import canvas_api
+from bounce_grader.classroom.output import outputs
+from bounce_grader.classroom.work.summary import Summary
 from bounce_grader.common.errors import KitError, UsageError
 from canvas_server import State, TOKEN
 from classes import grade_class, points_of, text_of
@@ -173,6 +176,49 @@ def test_a_file_that_cannot_be_had_costs_no_other_student_the_grading(
     assert "7 of 8 submissions graded" in said
     assert "'Doe 103, Jane' isn't graded: Canvas" in said and "look at it there" in said
     assert len(list((out / "canvas").iterdir())) == 7
+
+
+def test_one_students_files_fill_no_disk(
+    tmp_path: Path,
+    server: State,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """What can't count isn't downloaded; of what can, no more than may be handed in."""
+    most = 100_000
+    monkeypatch.setattr(canvas_api, "LARGEST", most)
+    several = {f"{i}.zip": bytes(most // 3) for i in range(40)}
+    server.add(201, "Several", {"part2_lcp.cpp": text_of(201), **several})
+    server.add(202, "Large", {"part2_lcp.cpp": text_of(202), "large.zip": bytes(most + 1)})
+    server.add(203, "Film", {"part2_lcp.cpp": text_of(203), "film.mov": bytes(most * 2)})
+    server.add(204, "Many", {f"helper{i}.cpp": b"" for i in range(101)})
+    out = tmp_path / "out"
+    assert run(out, monkeypatch) == 0
+    said = capsys.readouterr().out
+    assert "9 of 12 submissions graded" in said
+    assert "'Several' isn't graded: all that is handed in" in said
+    assert "'Large' isn't graded: large_202_2021_large.zip is too large" in said
+    assert "is 101 files; a submission may have 100" in said
+    sizes = [path.stat().st_size for path in (out / "canvas").iterdir()]
+    assert sum(sizes) < 2 * most and len(sizes) < 20
+
+
+def test_a_page_that_is_not_there_is_not_posted(
+    tmp_path: Path, server: State, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    whole = outputs._page
+
+    def odd(summary: Summary, *more: Any) -> str:
+        if summary.student.id == "103":
+            raise UnicodeError("surrogates")
+        return whole(summary, *more)
+
+    monkeypatch.setattr(outputs, "_page", odd)
+    out = tmp_path / "out"
+    run(out, monkeypatch)
+    assert run(out, monkeypatch, upload=True) == 0
+    assert set(server.comments) == set(USERS) - {103}
+    assert {user: s["score"] for user, s in server.submissions.items()} == expected(tmp_path)
 
 
 def test_a_page_that_canvas_refuses_is_said_and_the_others_are_posted(

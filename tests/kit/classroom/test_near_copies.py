@@ -52,3 +52,14 @@ def test_who_is_left_out_needs_a_look(tmp_path: Path) -> None:
     assert "roe (3)</td><td>it repeats itself too much to be compared" in looks
     assert "Left out: roe (3). Needs a look" in near
     assert "it repeats itself" in (out / "grades.csv").read_text()
+
+
+def test_a_damaged_download_of_another_year_costs_no_grades(tmp_path: Path) -> None:
+    """What can be seen of it at once is said at once; an archive is read when it is compared."""
+    source, out = class_with(tmp_path / "x.zip", []), tmp_path / "out"
+    old = download(tmp_path / "2025.zip", {"doe_1_1_hw.zip": bytes(1000)})
+    text = old.read_bytes()
+    old.write_bytes(text.replace(bytes(100), b"x" * 100, 1))
+    assert grade_class(source, out, corpus=(old,)) == 0
+    assert "is damaged" in (out / "class.html").read_text()
+    assert len((out / "grades.csv").read_text().splitlines()) == 3

@@ -13,14 +13,17 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+import stand_in
 from bounce_grader import cli
 from bounce_grader.classroom.output import outputs
 from bounce_grader.classroom.work import engine_local, near_copies
 from bounce_grader.classroom.work.summary import Summary
 from bounce_grader.classroom.work.task import Task
 from bounce_grader.classroom.work.unit import Outcome
-from bounce_grader.common.errors import UsageError
+from bounce_grader.common.errors import KitError, UsageError
 from bounce_grader.submission import submission
+from bounce_grader.submission.submission import Submission
+
 from classes import column, download, grade_class, points_of
 from conftest import write
 from odd_students import FOLDERS, LIES, PART, UPLOADS, ZIPS, zip_that_claims
@@ -118,6 +121,29 @@ def here(monkeypatch: pytest.MonkeyPatch) -> None:
         yield from ((task, unit(task)) for task in tasks)
 
     monkeypatch.setattr(engine_local, "run", run)
+
+
+@pytest.mark.usefixtures("here")
+@pytest.mark.parametrize("error", [KitError("x: No space left on device"), OSError(28, "full")])
+def test_what_is_full_is_told_by_no_text(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, error: Exception
+) -> None:
+    """A failure of the kit on one submission may quote its texts; a full disk ends the run."""
+    whole = stand_in.grade
+
+    def grade(taken: Submission, task: Task, seconds: float) -> dict[str, Any]:
+        if b"// odd" in taken.files.values():
+            raise error
+        return whole(taken, task, seconds)
+
+    monkeypatch.setattr(stand_in, "grade", grade)
+    source = download(tmp_path / "x.zip", [101, 102], {"roe_001_1_part2_lcp.cpp": b"// odd"})
+    if error.args[0] == 28:
+        with pytest.raises(KitError, match="is full"):
+            grade_class(source, tmp_path / "out")
+    else:
+        assert grade_class(source, tmp_path / "out") == 3
+        assert row(tmp_path / "out", "101")["score"]
 
 
 def row(out: Path, id: str) -> dict[str, str]:

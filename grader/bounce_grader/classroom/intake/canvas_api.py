@@ -30,7 +30,7 @@ from bounce_grader.common.files import fitting, write_whole
 TRIES = 6
 WAIT = 1.0  # s before the second try; doubled each time
 SECONDS = 60.0  # of one request
-LARGEST = 64 << 20  # bytes of one file
+LARGEST = 64 << 20  # bytes of one answer, and of all files of a student
 FILES = "canvas"  # the folder in OUT with what was downloaded
 
 
@@ -211,13 +211,20 @@ def download(canvas: Canvas, out: Path) -> Class:
 def _taken(canvas: Canvas, folder: Path, user: str, submission: dict[str, Any]) -> list[Upload]:
     """A student's uploads, downloaded. Raises Refused if one can't be: without it, a grading would
     take points for what was handed in."""
-    uploads = []
-    for attachment in submission.get("attachments") or []:
+    uploads, room = [], LARGEST
+    attachments = submission.get("attachments") or []
+    for attachment in attachments:
         person = submission.get("user") or {}
         upload = _upload(user, person, bool(submission.get("late")), attachment)
-        if not (folder / upload.entry).exists():
-            _fetch(canvas, str(attachment.get("url") or ""), folder / upload.entry)
         uploads.append(upload)
+        path = folder / upload.entry
+        if len(attachments) > students.MOST_UPLOADS or not students.may_count(upload.file):
+            continue  # named, and never read
+        if not path.exists():
+            _fetch(canvas, str(attachment.get("url") or ""), path)
+        room -= path.stat().st_size
+        if room < 0:
+            raise Refused(f"all that is handed in may have {LARGEST >> 20} MB")
     return uploads
 
 
@@ -244,4 +251,6 @@ def _fetch(canvas: Canvas, url: str, path: Path) -> None:
         raise Refused(
             f"Canvas doesn't hand out {path.name} ({refused}); look at it there"
         ) from None
-    write_whole(path, data[:LARGEST])
+    if len(data) > LARGEST:
+        raise Refused(f"{path.name} is too large: it may have {LARGEST >> 20} MB")
+    write_whole(path, data)

@@ -271,7 +271,7 @@ def _take(
         page_text = f"What you handed in {reason}. {HAND_IN}"
         intake.unmatched.append(Unmatched(name, reason, id, page, page_text))
         return
-    usable = [upload for upload in uploads if is_source(upload.file) or is_archive(upload.file)]
+    usable = [upload for upload in uploads if may_count(upload.file)]
     unused = tuple(
         f"{printable_name(upload.file)} {why_not(upload.file)}"
         for upload in uploads
@@ -340,7 +340,7 @@ def _newest(archive: Archive, uploads: list[Upload]) -> tuple[list[Upload], list
     unused = []
     for upload in sorted(uploads, key=lambda u: -u.attachment):
         file = canvas.plain_file(upload.file, texts)
-        if not is_source(file) and not is_archive(file):
+        if not may_count(file):
             unused.append(f"{printable_name(upload.file)} {why_not(upload.file)}")
         elif file in newest:
             newer = printable_name(newest[file].file)
@@ -364,6 +364,10 @@ def texts_of(archive: Archive, uploads: Iterable[Upload]) -> list[bytes]:
             except UsageError:
                 continue
     return texts
+
+
+def may_count(file: str) -> bool:
+    return is_source(file) or is_archive(file)
 
 
 def is_source(file: str) -> bool:

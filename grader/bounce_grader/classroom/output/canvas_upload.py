@@ -58,7 +58,7 @@ def plan(
                 )
                 posted = None
             page = summary.student.feedback
-            is_new = done.get("page") != _digest(out, page)
+            is_new = _digest(out, page) not in ("", done.get("page"))
             if posted is not None or is_new:
                 changes.append(Change(one.id, one.name, before, posted, page if is_new else None))
     return changes, kept

@@ -60,12 +60,12 @@ def grade_missing(
 
 
 def _write_down(log: Log, task: Task, outcome: Outcome) -> None:
-    """Logs an outcome. Raises OSError if the disk is full: no further result could be stored."""
+    """Logs an outcome. Raises OSError if the disk is full."""
     if outcome.state != "failed":
         log.graded(task, outcome.state, outcome.seconds)
         return
     log.write("failed", task, message=outcome.message)
-    if os.strerror(errno.ENOSPC) in outcome.message:
+    if outcome.disk_full:
         raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
 
 

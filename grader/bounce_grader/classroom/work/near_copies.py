@@ -93,7 +93,10 @@ def find(
             (), 0, "similarity-tester isn't installed: apt-get install similarity-tester"
         )
     own = [Compared(s.id, s.path, s.uploads, graded[s.id].submission) for s in students]
-    compared = [*own, *(other for folder in corpus for other in _of_another_year(folder))]
+    try:
+        compared = [*own, *(other for folder in corpus for other in _of_another_year(folder))]
+    except UsageError as error:
+        return Similar((), 0, str(error))  # of a damaged download; the grades are there
     words = [
         f"{RUN} {RELATIVES} {LEAST} {LEAST_OF_PART} {SECONDS}",
         *(f"{one.id} {one.digest}" for one in compared),

@@ -4,6 +4,7 @@ It can be run any number of times and anywhere: the name of the file is a hash o
 result depends on, and the file is written whole or not at all.
 """
 
+import errno
 import json
 import time
 from collections.abc import Callable
@@ -34,6 +35,7 @@ class Outcome:
     state: str  # "graded", "unreadable", or "failed" if the kit did
     message: str
     seconds: float
+    disk_full: bool = False  # then no further result could be stored
 
 
 def grade_submission(taken: Submission, task: Task, within: Budget) -> Record:
@@ -49,6 +51,7 @@ def run(task: Task, grade: Grade | None = None) -> Outcome:
     leaves no file."""
     start = time.monotonic()
     grade = grade or partial(grade_submission, within=Budget())  # reading counts, too
+    disk_full = False
     try:
         result = _result(task, grade)
         path = result_path(Path(task.results), task.key)
@@ -56,9 +59,10 @@ def run(task: Task, grade: Grade | None = None) -> Outcome:
         state, message = result["state"], result["message"]
     except (KitError, OSError) as error:
         state, message = "failed", str(error)
+        disk_full = isinstance(error, OSError) and error.errno == errno.ENOSPC
     except Exception as error:  # an unforeseen fault of the kit
         state, message = "failed", f"{type(error).__name__}: {error}"
-    return Outcome(task.key, state, message, round(time.monotonic() - start, 3))
+    return Outcome(task.key, state, message, round(time.monotonic() - start, 3), disk_full)
 
 
 def result_path(folder: Path, key: str) -> Path:
