@@ -1,6 +1,7 @@
 #include "wrong_numbers.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "recognise.hpp"
 
@@ -49,6 +50,11 @@ Wrong wrong_numbers(const std::vector<Answer>& right, const std::vector<Answer>&
     }
   }
   return wrong;
+}
+
+bool are_finite(const Eigen::VectorXd& numbers) {
+  return std::all_of(numbers.data(), numbers.data() + numbers.size(),
+                     [](double x) { return std::isfinite(x); });
 }
 
 std::string joined(const Words& words, const std::string& last) {

@@ -1,0 +1,50 @@
+#include "formula.hpp"
+
+#include "recognise.hpp"
+
+namespace bounce::tests {
+
+std::vector<Formula> in_all(const std::vector<Asked>& all,
+                            std::vector<Value> (*in_one)(const Asked&)) {
+  std::vector<Formula> formulas;
+  for (const Asked& asked : all) {
+    const std::vector<Value> values = in_one(asked);
+    formulas.resize(values.size());
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      formulas[i].words = values[i].words;
+      formulas[i].values.push_back(values[i].value);
+    }
+  }
+  return formulas;
+}
+
+std::vector<double> entry(const std::vector<Asked>& all, Eigen::Index i) {
+  std::vector<double> numbers;
+  for (const Asked& asked : all) numbers.push_back(asked.got(i));
+  return numbers;
+}
+
+bool is_right(const std::vector<Asked>& all, Eigen::Index i) {
+  for (const Asked& asked : all) {
+    if (!same(asked.got(i), asked.right(i))) return false;
+  }
+  return true;
+}
+
+std::string fitting(const std::vector<Formula>& formulas, const std::vector<double>& numbers) {
+  if (numbers.size() < kEnough) return "";
+  Words words;
+  for (const Formula& formula : formulas) {
+    std::size_t k = 0;
+    while (k < numbers.size() && same(formula.values[k], numbers[k])) ++k;
+    if (k == numbers.size()) words.push_back(formula.words);
+  }
+  if (words.size() > 2) return "";
+  return words.size() == 2 ? "either " + words[0] + " or " + words[1] : joined(words);
+}
+
+void add_formula(Words& sentences, const std::string& subject, const std::string& formula) {
+  if (!formula.empty()) sentences.push_back(subject + " is " + formula + " in every question.");
+}
+
+}  // namespace bounce::tests

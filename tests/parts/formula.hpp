@@ -1,0 +1,42 @@
+// Which formulas a part's wrong answers follow: shared by the files that list a part's formulas.
+#pragma once
+
+#include "wrong_numbers.hpp"
+
+namespace bounce::tests {
+
+// A question, its right answer and the part's, in numbers.
+struct Asked {
+  const Case& c;
+  const Eigen::VectorXd &right, &got;
+};
+
+// A formula, and its values in all questions.
+struct Formula {
+  std::string words;
+  std::vector<double> values;
+};
+
+// These formulas in all questions, of their values in one.
+std::vector<Formula> in_all(const std::vector<Asked>& all,
+                            std::vector<Value> (*in_one)(const Asked&));
+
+// The part's entry i in all questions.
+std::vector<double> entry(const std::vector<Asked>& all, Eigen::Index i);
+
+// Whether that entry is right in all questions.
+bool is_right(const std::vector<Asked>& all, Eigen::Index i);
+
+// The words of the formulas that give these numbers: "a", or "either a or b". Empty if none or more
+// do, or if so few questions may agree by chance.
+std::string fitting(const std::vector<Formula>& formulas, const std::vector<double>& numbers);
+
+// Adds "SUBJECT is FORMULA in every question."; nothing if there is no formula.
+void add_formula(Words& sentences, const std::string& subject, const std::string& formula);
+
+// What the answers of a part follow, in sentences.
+Words formulas_of_part1(const std::vector<Asked>& all);
+Words formulas_of_part2(const std::vector<Asked>& all);
+Words formulas_of_part3(const std::vector<Asked>& all);
+
+}  // namespace bounce::tests
