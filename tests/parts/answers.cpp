@@ -11,8 +11,8 @@ namespace {
 
 constexpr int kShort = 40;  // columns; of a shorter trajectory, the last column is compared
 
-std::map<int, std::function<Eigen::VectorXd(const Case&)>>& functions() {
-  static std::map<int, std::function<Eigen::VectorXd(const Case&)>> by_part;
+std::map<int, Eigen::VectorXd (*)(const Case&)>& functions() {
+  static std::map<int, Eigen::VectorXd (*)(const Case&)> by_part;
   return by_part;
 }
 
@@ -21,7 +21,7 @@ bool has_other_parameters(const Case& c) {
   return c.params.l != usual.l || c.params.m != usual.m;
 }
 
-Answer answer(const std::function<Eigen::VectorXd(const Case&)>& ask, const Case& c) {
+Answer answer(Eigen::VectorXd (*ask)(const Case&), const Case& c) {
   about_to_ask(c);
   try {
     return {ask(c), ""};
@@ -41,20 +41,39 @@ std::vector<int> known_columns(int T) {
   return columns;
 }
 
+Eigen::VectorXd numbers_of(const Contact& contact) {
+  Eigen::VectorXd numbers(7);
+  std::copy(contact.J.data(), contact.J.data() + 6, numbers.data());
+  numbers(6) = contact.phi;
+  return numbers;
+}
+
+Eigen::VectorXd numbers_of(const Lcp& lcp) {
+  Eigen::VectorXd numbers(20);
+  std::copy(lcp.V.data(), lcp.V.data() + 16, numbers.data());
+  std::copy(lcp.p.data(), lcp.p.data() + 4, numbers.data() + 16);
+  return numbers;
+}
+
 Eigen::VectorXd numbers_of(const State& next, const Case& c) {
   Eigen::VectorXd numbers(6);
-  numbers << next.q - c.q - c.params.dt * next.v, next.v;
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    numbers(i) = next.q(i) - c.q(i) - c.params.dt * next.v(i);
+    numbers(3 + i) = next.v(i);
+  }
   return numbers;
 }
 
 Eigen::VectorXd numbers_of(const Trajectory& trajectory) {
   const std::vector<int> columns = known_columns(static_cast<int>(trajectory.q.cols()));
-  Eigen::MatrixXd numbers(6, static_cast<Eigen::Index>(columns.size()));
-  for (std::size_t i = 0; i < columns.size(); ++i) {
-    numbers.col(static_cast<Eigen::Index>(i)) << trajectory.q.col(columns[i]),
-        trajectory.v.col(columns[i]);
+  Eigen::VectorXd numbers(6 * static_cast<Eigen::Index>(columns.size()));
+  double* next = numbers.data();
+  for (const int column : columns) {
+    for (const Eigen::Matrix3Xd* states : {&trajectory.q, &trajectory.v}) {
+      for (Eigen::Index i = 0; i < 3; ++i) *next++ = (*states)(i, column);
+    }
   }
-  return numbers.reshaped();
+  return numbers;
 }
 
 int numbers_together(int part) { return part == 1 ? 7 : part == 2 ? 20 : 6; }
@@ -82,7 +101,7 @@ std::vector<Case> questions(int part) {
   return cases;
 }
 
-bool is_asked_by(int part, const std::function<Eigen::VectorXd(const Case&)>& ask) {
+bool is_asked_by(int part, Eigen::VectorXd (*ask)(const Case&)) {
   functions()[part] = ask;
   return true;
 }

@@ -2,7 +2,6 @@
 // and unknown ones described, by these numbers.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,6 +22,9 @@ struct Answer {
 // apart, and early enough that rounding errors haven't grown.
 std::vector<int> known_columns(int T);
 
+Eigen::VectorXd numbers_of(const Contact& contact);
+Eigen::VectorXd numbers_of(const Lcp& lcp);
+
 // The numbers for the state after the step of a case.
 Eigen::VectorXd numbers_of(const State& next, const Case& c);
 
@@ -42,7 +44,7 @@ std::optional<std::filesystem::path> public_file(int part, const std::string& fo
 std::vector<Case> questions(int part);
 
 // Registers how to call a part's function; the part's tests do so. Returns true.
-bool is_asked_by(int part, const std::function<Eigen::VectorXd(const Case&)>& ask);
+bool is_asked_by(int part, Eigen::VectorXd (*ask)(const Case&));
 
 // The answers to all questions. Empty where the program ends before it has answered.
 std::vector<Answer> answers(int part, const std::vector<Case>& questions);

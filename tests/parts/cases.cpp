@@ -95,8 +95,8 @@ void read_expected(const json& expected, Case& c) {
 
 // --- comparing ---
 
-Eigen::ArrayXXd errors(const Eigen::MatrixXd& expected, const Eigen::MatrixXd& got) {
-  return (got - expected).array().abs() / expected.array().abs().max(1.0);
+double error(double expected, double got) {
+  return std::abs(got - expected) / std::max(1.0, std::abs(expected));
 }
 
 // --- words ---
@@ -111,10 +111,11 @@ std::string number(double x) {
 using Marks = Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic>;
 
 // A scalar, (a, b, c), or the rows of a matrix below each other, with wrong entries in brackets.
-std::string words(const Eigen::MatrixXd& m, const std::string& indent, const Marks& right) {
+std::string words(const Eigen::MatrixXd& m, const std::string& indent,
+                  const Marks* right = nullptr) {
   if (m.size() == 1) return number(m(0));
   const auto entry = [&](Eigen::Index i, Eigen::Index j) {
-    return right(i, j) ? number(m(i, j)) : "[" + number(m(i, j)) + "]";
+    return !right || (*right)(i, j) ? number(m(i, j)) : "[" + number(m(i, j)) + "]";
   };
   const bool column = m.cols() == 1;  // a vector is written in one line
   std::string text = "(";
@@ -123,10 +124,6 @@ std::string words(const Eigen::MatrixXd& m, const std::string& indent, const Mar
     for (Eigen::Index j = 0; j < m.cols(); ++j) text += (j > 0 ? ", " : "") + entry(i, j);
   }
   return text + ")";
-}
-
-std::string words(const Eigen::MatrixXd& m, const std::string& indent) {
-  return words(m, indent, Marks::Constant(m.rows(), m.cols(), true));
 }
 
 std::string unit_of(const std::string& input) {
@@ -234,7 +231,7 @@ struct Asked {
   std::string told;  // the first wrong case, or the one at which the program ended
 };
 
-Asked ask_all(const std::vector<Case>& cases, const std::function<Problem(const Case&)>& ask) {
+Asked ask_all(const std::vector<Case>& cases, Ask ask) {
   Asked asked;
   for (const Case& c : cases) {
     bool ended = false;
@@ -259,8 +256,7 @@ Asked ask_all(const std::vector<Case>& cases, const std::function<Problem(const 
 }
 
 // Reports the first wrong case, and how many are wrong.
-bool all_right(const std::vector<Case>& cases, const std::function<Problem(const Case&)>& ask,
-               const std::string& when) {
+bool all_right(const std::vector<Case>& cases, Ask ask, const std::string& when) {
   const Asked asked = ask_all(cases, ask);
   if (asked.wrong == 0) return true;
   ADD_FAILURE() << asked.wrong << " of " << cases.size() << " cases wrong" << when
@@ -287,7 +283,7 @@ std::vector<Case> read_all_cases(std::istream& file) {
   return cases;
 }
 
-void for_each_case(const std::function<Problem(const Case&)>& ask) {
+void for_each_case(Ask ask) {
   std::vector<Case> cases = cases_of(running_check());
   if (!all_right(cases, ask, "")) return;
   std::reverse(cases.begin(), cases.end());
@@ -296,17 +292,22 @@ void for_each_case(const std::function<Problem(const Case&)>& ask) {
             "call to the next?");
 }
 
-void for_each_case_once(const std::function<Problem(const Case&)>& ask) {
-  all_right(cases_of(running_check()), ask, "");
-}
+void for_each_case_once(Ask ask) { all_right(cases_of(running_check()), ask, ""); }
 
 Marks agrees(const Case& c, const Eigen::MatrixXd& expected, const Eigen::MatrixXd& got) {
-  return errors(expected, got) <= c.tolerance;
+  Marks right(got.rows(), got.cols());
+  for (Eigen::Index i = 0; i < got.size(); ++i) {
+    right(i) = error(expected(i), got(i)) <= c.tolerance;
+  }
+  return right;
 }
 
 Problem compare(const Case& c, const std::string& name, const std::string& unit,
                 const Eigen::MatrixXd& expected, const Eigen::MatrixXd& got) {
-  const double worst = got.allFinite() ? errors(expected, got).maxCoeff() : INFINITY;
+  double worst = 0;
+  for (Eigen::Index i = 0; i < got.size(); ++i) {
+    worst = std::max(worst, std::isfinite(got(i)) ? error(expected(i), got(i)) : INFINITY);
+  }
   if (!c.hidden) largest_error_so_far = std::max(largest_error_so_far, worst);
   Problem problem;
   if (!(worst <= c.tolerance)) problem.differences.push_back({name, unit, expected, got});
@@ -333,9 +334,10 @@ std::string summary(const Case& c, const Problem& problem) {
   if (!problem.sentence.empty()) line("got      ", problem.sentence);
   for (const auto& [name, unit, expected, got] : problem.differences) {
     const std::string indent(11 + name.size() + 3, ' ');
+    const Marks right = agrees(c, expected, got);
     line("expected ", c.hidden ? "is not shown, this case is hidden"
                                : name + " = " + words(expected, indent) + "  " + unit);
-    line("got      ", name + " = " + words(got, indent, agrees(c, expected, got)) + "  " + unit +
+    line("got      ", name + " = " + words(got, indent, &right) + "  " + unit +
                           (got.size() > 1 ? ", [wrong]" : ""));
   }
   return text;

@@ -4,7 +4,6 @@
 
 #include <bounce/types.hpp>
 #include <filesystem>
-#include <functional>
 #include <iosfwd>
 #include <stdexcept>
 #include <string>
@@ -66,14 +65,16 @@ std::string in_words(const Case& c, const Problem& problem);
 
 // --- for the tests ---
 
+// Asks a question, and returns what is wrong with the answer.
+using Ask = Problem (*)(const Case&);
+
 // Asks every case of the running check, public ones first, and where all are right, once more in
-// reverse order, in which they must be right again. `ask` returns what is wrong. Reports the first
-// wrong case, and how many are wrong. An exception is a wrong answer, too; Ended also ends the
-// check.
-void for_each_case(const std::function<Problem(const Case&)>& ask);
+// reverse order, in which they must be right again. Reports the first wrong case, and how many are
+// wrong. An exception is a wrong answer, too; Ended also ends the check.
+void for_each_case(Ask ask);
 
 // The same in one order alone, for questions that are asked twice by themselves.
-void for_each_case_once(const std::function<Problem(const Case&)>& ask);
+void for_each_case_once(Ask ask);
 
 // Thrown by a submission that can answer no more questions of this check.
 struct Ended : std::runtime_error {

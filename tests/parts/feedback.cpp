@@ -80,8 +80,10 @@ std::string side_by_side(const Case& c, const Difference& d) {
 // a student's build fills with an odd value. Empty if there is none.
 std::string odd_number(const Eigen::MatrixXd& got) {
   const std::string subject = got.size() > 1 ? "  an entry is " : "  it is ";
-  for (const double x : got.reshaped()) {
-    if (std::isinf(x)) return subject + number(x, 6) + ": a division by zero?\n";
+  for (Index i = 0; i < got.size(); ++i) {
+    const double x = got(i);
+    if (std::isinf(x))
+      return subject + number(x, 6) + ": a division by zero? 1 / 6 is 0, of whole numbers.\n";
     if (std::abs(x) <= kNeverSet) continue;
     return subject + number(x, 2) + ": was it ever set? If so, look for " +
            (std::isnan(x) ? "0/0 or sqrt(-1).\n" : "what makes it grow.\n");
@@ -89,24 +91,33 @@ std::string odd_number(const Eigen::MatrixXd& got) {
   return "";
 }
 
+bool are_zero(const double* numbers, Index size) {
+  return std::all_of(numbers, numbers + size, [](double x) { return x == 0; });
+}
+
 // What may have gone wrong, if one reason explains every wrong entry; else empty.
 std::string explanation(const Case& c, const Difference& d) {
   if (const std::string odd = odd_number(d.got); !odd.empty()) return odd;
-  if (d.got.isZero(0)) {
+  if (are_zero(d.got.data(), d.got.size())) {
     return d.got.size() > 1 ? "  every entry is 0: is it filled in?\n"
                             : "  it is 0: not filled in, or a smallest that was never found?\n";
   }
   const Marks right = agrees(c, d.expected, d.got);
   for (const auto& [name, factor] : factors(c.params)) {
-    const Marks scaled = agrees(c, factor * d.expected, d.got) && (d.expected.array() != 0);
-    if ((right || scaled).all()) return "  wrong entries are " + name + " times the right ones\n";
+    const Marks scaled = agrees(c, factor * d.expected, d.got);
+    Index i = 0;
+    while (i < d.got.size() && (right(i) || (scaled(i) && d.expected(i) != 0))) ++i;
+    if (i == d.got.size()) {
+      return std::string("  wrong entries are ") + name + " times the right ones\n";
+    }
   }
   return "";
 }
 
 // The force that follows from a velocity after the step: M (v' - v) / dt - f_e.
 std::string forces(const Case& c, const Vector3& v) {
-  const Vector3 f = c.params.M() * ((v - c.v) / c.params.dt - c.params.g);
+  const Vector3 acceleration = (v - c.v) / c.params.dt - c.params.g;
+  const Vector3 f = c.params.M() * acceleration;
   const double zero = 1e-9 * f.norm();  // rounding errors are shown as 0
   const auto said = [&](double x) { return number(std::abs(x) < zero ? 0 : x, 6); };
   return "(" + said(f.x()) + ", " + said(f.y()) + ") N";
@@ -136,7 +147,7 @@ std::string feedback(const Case& c, const Problem& problem) {
   if (c.hidden) return summary(c, problem);
   std::string text;
   if (!c.corner.empty()) text += "  " + c.corner + "\n";
-  if (!c.J.isZero(0)) text += corner_before(c);
+  if (!are_zero(c.J.data(), c.J.size())) text += corner_before(c);
   if (!problem.sentence.empty()) text += "  " + problem.sentence + "\n";
   for (const Difference& d : problem.differences) {
     text += side_by_side(c, d) + explanation(c, d) + about_step(c, d);

@@ -1,59 +1,59 @@
 #include "formula.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "recognise.hpp"
 
-namespace bounce::tests::formula {
-namespace {
+namespace bounce::tests {
 
-bool fits(const Formula& formula, const std::vector<Asked>& all,
-          const std::function<double(const Asked&)>& number) {
-  return all.size() >= kEnough && std::all_of(all.begin(), all.end(), [&](const Asked& asked) {
-           return same(formula.value(asked), number(asked));
-         });
+std::vector<Formula> in_all(const std::vector<Asked>& all,
+                            std::vector<Value> (*in_one)(const Asked&)) {
+  std::vector<Formula> formulas;
+  for (const Asked& asked : all) {
+    const std::vector<Value> values = in_one(asked);
+    formulas.resize(values.size());
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      formulas[i].words = values[i].words;
+      formulas[i].values.push_back(values[i].value);
+    }
+  }
+  return formulas;
 }
 
-}  // namespace
+std::vector<double> entry(const std::vector<Asked>& all, Eigen::Index i) {
+  std::vector<double> numbers;
+  for (const Asked& asked : all) numbers.push_back(asked.got(i));
+  return numbers;
+}
 
-std::string fitting(const Formulas& formulas, const std::vector<Asked>& all,
-                    const std::function<double(const Asked&)>& number) {
+bool is_right(const std::vector<Asked>& all, Eigen::Index i) {
+  for (const Asked& asked : all) {
+    if (!same(asked.got(i), asked.right(i))) return false;
+  }
+  return true;
+}
+
+std::string fitting(const std::vector<Formula>& formulas, const std::vector<double>& numbers) {
+  if (numbers.size() < kEnough) return "";
   Words words;
   for (const Formula& formula : formulas) {
-    if (fits(formula, all, number)) words.push_back(formula.words);
+    std::size_t k = 0;
+    while (k < numbers.size() && same(formula.values[k], numbers[k])) ++k;
+    if (k == numbers.size()) words.push_back(formula.words);
   }
   if (words.size() > 2) return "";
   return words.size() == 2 ? "either " + words[0] + " or " + words[1] : joined(words);
 }
 
-std::function<double(const Asked&)> entry(Index i) {
-  return [i](const Asked& asked) { return asked.got(i); };
-}
-
-bool is_right(const std::vector<Asked>& all, Index i) {
-  return std::all_of(all.begin(), all.end(),
-                     [&](const Asked& asked) { return same(asked.got(i), asked.right(i)); });
-}
-
-void add(Words& sentences, const std::string& subject, const std::string& formula) {
+void add_formula(Words& sentences, const std::string& subject, const std::string& formula) {
   if (!formula.empty()) sentences.push_back(subject + " is " + formula + " in every question.");
 }
 
-double x(const Asked& a) { return a.c.q(0); }
-double y(const Asked& a) { return a.c.q(1); }
-double theta(const Asked& a) { return a.c.q(2); }
-double l(const Asked& a) { return a.c.params.l; }
-
-Vector3 lowest_corner(double angle, double side) {
+Corner lowest_corner(double angle, double side) {
   const double c = std::cos(angle) * side / 2, s = std::sin(angle) * side / 2;
   // Down is along -c for one pair of sides and along -s for the other.
   const double along = s < 0 ? 1 : -1, aside = c < 0 ? 1 : -1;
-  return {along * c - aside * s, along * s + aside * c, 0};
+  return {along * c - aside * s, along * s + aside * c};
 }
 
-bool same_vector(const Vector3& a, const Vector3& b) {
-  return same(a(0), b(0)) && same(a(1), b(1)) && same(a(2), b(2));
-}
-
-}  // namespace bounce::tests::formula
+}  // namespace bounce::tests

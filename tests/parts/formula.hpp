@@ -1,65 +1,52 @@
-// Tools to find formulas that a part's wrong answers follow.
+// Which formulas a part's wrong answers follow: shared by the files that list a part's formulas.
 #pragma once
-
-#include <functional>
-#include <string>
-#include <vector>
 
 #include "wrong_numbers.hpp"
 
-namespace bounce::tests::formula {
-
-using Eigen::Index;
-using Numbers = Eigen::VectorXd;
+namespace bounce::tests {
 
 // A question, its right answer and the part's, in numbers.
 struct Asked {
   const Case& c;
-  const Numbers &right, &got;
+  const Eigen::VectorXd &right, &got;
 };
 
+// A formula, and its values in all questions.
 struct Formula {
   std::string words;
-  std::function<double(const Asked&)> value;
+  std::vector<double> values;
 };
 
-using Formulas = std::vector<Formula>;
+// These formulas in all questions, of their values in one.
+std::vector<Formula> in_all(const std::vector<Asked>& all,
+                            std::vector<Value> (*in_one)(const Asked&));
 
-// What a term is multiplied by.
-struct Factor {
-  std::string words;
-  std::function<double(const Case&)> value;
+// The part's entry i in all questions.
+std::vector<double> entry(const std::vector<Asked>& all, Eigen::Index i);
+
+// Whether that entry is right in all questions.
+bool is_right(const std::vector<Asked>& all, Eigen::Index i);
+
+// The words of the formulas that give these numbers: "a", or "either a or b". Empty if none or more
+// do, or if so few questions may agree by chance.
+std::string fitting(const std::vector<Formula>& formulas, const std::vector<double>& numbers);
+
+// Adds "SUBJECT is FORMULA in every question."; nothing if there is no formula.
+void add_formula(Words& sentences, const std::string& subject, const std::string& formula);
+
+// From the centre of a square to its lowest corner: x and y.
+struct Corner {
+  double x, y;
 };
+Corner lowest_corner(double angle, double side);
 
-// The words of the formulas that fit: "a", or "either a or b". Empty if none or more do.
-std::string fitting(const Formulas& formulas, const std::vector<Asked>& all,
-                    const std::function<double(const Asked&)>& number);
+// What the answers of a part follow, in sentences; of v', in questions in which a corner touches
+// and in others.
+Words formulas_of_part1(const std::vector<Asked>& all);
+Words formulas_of_part2(const std::vector<Asked>& all);
+Words formulas_of_part3(const std::vector<Asked>& all);
+Words formulas_of_part4(const std::vector<Asked>& all);
+Words formulas_of_new_velocity(const std::vector<Asked>& touching,
+                               const std::vector<Asked>& flying);
 
-// The i-th number of the part's answer.
-std::function<double(const Asked&)> entry(Index i);
-
-// Whether the i-th number is right in all answers.
-bool is_right(const std::vector<Asked>& all, Index i);
-
-// Adds "SUBJECT is FORMULA in every question.", unless the formula is empty.
-void add(Words& sentences, const std::string& subject, const std::string& formula);
-
-double x(const Asked& a);
-double y(const Asked& a);
-double theta(const Asked& a);
-double l(const Asked& a);
-
-// From the centre of a square to its lowest corner.
-Vector3 lowest_corner(double angle, double side);
-
-bool same_vector(const Vector3& a, const Vector3& b);
-
-// What the formulas say of each part's answers; of v', in questions in which a corner touches and
-// in others.
-Words of_part1(const std::vector<Asked>& all);
-Words of_part2(const std::vector<Asked>& all);
-Words of_part3(const std::vector<Asked>& all);
-Words of_part4(const std::vector<Asked>& all);
-Words of_new_velocity(const std::vector<Asked>& touching, const std::vector<Asked>& flying);
-
-}  // namespace bounce::tests::formula
+}  // namespace bounce::tests

@@ -1,89 +1,83 @@
-#include "formula.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
+#include "formula.hpp"
 #include "recognise.hpp"
 
-namespace bounce::tests::formula {
+namespace bounce::tests {
 namespace {
 
-const std::vector<Factor>& border_factors() {
-  static const std::vector<Factor> all{
-      {"0", [](const Case&) { return 0.0; }},
-      {"1", [](const Case&) { return 1.0; }},
-      {"-1", [](const Case&) { return -1.0; }},
-      {"mu", [](const Case& c) { return c.params.mu; }},
-      {"-mu", [](const Case& c) { return -c.params.mu; }},
-      {"2 mu", [](const Case& c) { return 2 * c.params.mu; }},
-      {"dt", [](const Case& c) { return c.params.dt; }},
-      {"mu dt", [](const Case& c) { return c.params.mu * c.params.dt; }},
-      {"-dt", [](const Case& c) { return -c.params.dt; }},
-      {"epsilon", [](const Case& c) { return c.params.epsilon; }}};
-  return all;
+using Eigen::Index;
+
+// --- the border of V, and p(3) ---
+
+std::vector<Value> border_factors(const Asked& a) {
+  const double mu = a.c.params.mu, dt = a.c.params.dt;
+  return {{"0", 0},     {"1", 1},
+          {"-1", -1},   {"mu", mu},
+          {"-mu", -mu}, {"2 mu", 2 * mu},
+          {"dt", dt},   {"mu dt", mu * dt},
+          {"-dt", -dt}, {"epsilon", a.c.params.epsilon}};
 }
 
 // "(mu, 1, 1, 0)", if each of the entries is one factor in every question.
 std::string in_factors(const std::vector<Asked>& all, const std::vector<Index>& entries) {
+  const std::vector<Formula> factors = in_all(all, border_factors);
   Words words;
   for (const Index i : entries) {
-    Formulas formulas;
-    for (const Factor& f : border_factors()) {
-      formulas.push_back({f.words, [f](const Asked& a) { return f.value(a.c); }});
-    }
-    words.push_back(fitting(formulas, all, entry(i)));
+    words.push_back(fitting(factors, entry(all, i)));
     if (words.back().empty() || words.back()[0] == 'e') return "";
   }
   return "(" + joined(words, ", ") + ")";
 }
 
-void add_border(Words& sentences, const std::vector<Asked>& all, const std::string& name,
+bool are_right(const std::vector<Asked>& all, const std::vector<Index>& entries) {
+  return std::all_of(entries.begin(), entries.end(), [&](Index i) { return is_right(all, i); });
+}
+
+void add_border(Words& sentences, const std::vector<Asked>& all, const std::string& subject,
                 const std::vector<Index>& entries) {
-  const bool right =
-      std::all_of(entries.begin(), entries.end(), [&](Index i) { return is_right(all, i); });
-  const std::string words = right ? "" : in_factors(all, entries);
-  if (!words.empty()) add(sentences, "The " + name + " of your V", words);
+  if (!are_right(all, entries)) add_formula(sentences, subject, in_factors(all, entries));
 }
 
-const std::vector<Factor>& velocity_factors() {
-  using C = const Case&;
-  static const std::vector<Factor> all{
-      {"0", [](C) { return 0.0; }},
-      {"", [](C) { return 1.0; }},
-      {"-", [](C) { return -1.0; }},
-      {"epsilon ", [](C c) { return c.params.epsilon; }},
-      {"-epsilon ", [](C c) { return -c.params.epsilon; }},
-      {"(1 + epsilon) ", [](C c) { return 1 + c.params.epsilon; }},
-      {"-(1 + epsilon) ", [](C c) { return -1 - c.params.epsilon; }},
-      {"(1 - epsilon) ", [](C c) { return 1 - c.params.epsilon; }},
-      {"(1 + sqrt(epsilon)) ", [](C c) { return 1 + std::sqrt(c.params.epsilon); }},
-      {"(1 + epsilon^2) ", [](C c) { return 1 + c.params.epsilon * c.params.epsilon; }},
-      {"mu ", [](C c) { return c.params.mu; }},
-      {"(1 + mu) ", [](C c) { return 1 + c.params.mu; }},
-      {"(1 - mu) ", [](C c) { return 1 - c.params.mu; }},
-      {"m ", [](C c) { return c.params.m; }},
-      {"2 ", [](C) { return 2.0; }}};
-  return all;
+// --- the other rows of p ---
+
+// What v is multiplied by.
+std::vector<Value> velocity_factors(const Asked& a) {
+  const double mu = a.c.params.mu, epsilon = a.c.params.epsilon;
+  return {{"0", 0},
+          {"", 1},
+          {"-", -1},
+          {"epsilon ", epsilon},
+          {"-epsilon ", -epsilon},
+          {"(1 + epsilon) ", 1 + epsilon},
+          {"-(1 + epsilon) ", -1 - epsilon},
+          {"(1 - epsilon) ", 1 - epsilon},
+          {"(1 + sqrt(epsilon)) ", 1 + std::sqrt(epsilon)},
+          {"(1 + epsilon^2) ", 1 + epsilon * epsilon},
+          {"mu ", mu},
+          {"(1 + mu) ", 1 + mu},
+          {"(1 - mu) ", 1 - mu},
+          {"m ", a.c.params.m},
+          {"2 ", 2}};
 }
 
-// Of gravity's term: what dt M^-1 f_e is multiplied by.
-const std::vector<Factor>& gravity_factors() {
-  using C = const Case&;
-  static const std::vector<Factor> all{
-      {"0", [](C) { return 0.0; }},
-      {"dt M^-1 f_e", [](C) { return 1.0; }},
-      {"-dt M^-1 f_e", [](C) { return -1.0; }},
-      {"2 dt M^-1 f_e", [](C) { return 2.0; }},
-      {"M^-1 f_e", [](C c) { return 1 / c.params.dt; }},
-      {"dt^2 M^-1 f_e", [](C c) { return c.params.dt; }},
-      {"(1 + epsilon) dt M^-1 f_e", [](C c) { return 1 + c.params.epsilon; }},
-      {"-(1 + epsilon) dt M^-1 f_e", [](C c) { return -1 - c.params.epsilon; }},
-      {"epsilon dt M^-1 f_e", [](C c) { return c.params.epsilon; }},
-      {"m dt M^-1 f_e", [](C c) { return c.params.m; }},
-      {"dt M^-2 f_e", [](C c) { return 1 / c.params.m; }},
-      {"m^2 dt M^-1 f_e", [](C c) { return c.params.m * c.params.m; }}};
-  return all;
+// What dt M^-1 f_e is multiplied by.
+std::vector<Value> gravity_factors(const Asked& a) {
+  const double m = a.c.params.m, dt = a.c.params.dt, epsilon = a.c.params.epsilon;
+  return {{"0", 0},
+          {"dt M^-1 f_e", 1},
+          {"-dt M^-1 f_e", -1},
+          {"2 dt M^-1 f_e", 2},
+          {"M^-1 f_e", 1 / dt},
+          {"dt^2 M^-1 f_e", dt},
+          {"(1 + epsilon) dt M^-1 f_e", 1 + epsilon},
+          {"-(1 + epsilon) dt M^-1 f_e", -1 - epsilon},
+          {"epsilon dt M^-1 f_e", epsilon},
+          {"m dt M^-1 f_e", m},
+          {"dt M^-2 f_e", 1 / m},
+          {"m^2 dt M^-1 f_e", m * m}};
 }
 
 // What is added in the brackets of "J^T (a v + b)".
@@ -94,105 +88,124 @@ std::string sum(const std::string& velocity, const std::string& gravity) {
   return gravity[0] == '-' ? v + " - " + gravity.substr(1) : v + " + " + gravity;
 }
 
-void add_row_of_p(Words& sentences, const std::vector<Asked>& all, int row) {
-  const Index i = 16 + row, column = row == 0 ? 1 : 0;
-  if (is_right(all, i)) return;
-  Formulas formulas;
-  for (const Factor& of_v : velocity_factors()) {
-    for (const Factor& of_g : gravity_factors()) {
+// The components of v and of dt M^-1 f_e along a column of J.
+double along_v(const Asked& a, Index column) { return a.c.J.col(column).dot(a.c.v); }
+double along_g(const Asked& a, Index column) {
+  return a.c.params.dt * a.c.J.col(column).dot(a.c.params.g);
+}
+
+std::vector<Formula> rows_of_p(const std::vector<Asked>& all, Index column) {
+  std::vector<Formula> rows;
+  for (const Formula& of_v : in_all(all, velocity_factors)) {
+    for (const Formula& of_g : in_all(all, gravity_factors)) {
       if (of_v.words == "0" && of_g.words == "0") continue;  // said in other words
-      formulas.push_back(
-          {std::string(row == 0 ? "J_n" : "J_t") + "^T (" + sum(of_v.words, of_g.words) + ")",
-           [=](const Asked& a) {
-             const Vector3 J = a.c.J.col(column), &v = a.c.v, &g = a.c.params.g;
-             return of_v.value(a.c) * J.dot(v) + of_g.value(a.c) * a.c.params.dt * J.dot(g);
-           }});
+      Formula row{(column == 1 ? "J_n^T (" : "J_t^T (") + sum(of_v.words, of_g.words) + ")", {}};
+      for (std::size_t k = 0; k < all.size(); ++k) {
+        row.values.push_back(of_v.values[k] * along_v(all[k], column) +
+                             of_g.values[k] * along_g(all[k], column));
+      }
+      rows.push_back(row);
     }
   }
-  if (row == 0) {
-    formulas.push_back(
-        {"J_n^T (v + dt M^-1 f_e), with epsilon J_n^T v only where the corner comes down",
-         [](const Asked& a) {
-           const double v_n = a.c.J.col(1).dot(a.c.v);
-           return v_n + std::min(0.0, a.c.params.epsilon * v_n) +
-                  a.c.params.dt * a.c.J.col(1).dot(a.c.params.g);
-         }});
-  }
-  add(sentences, "Your p(" + std::to_string(row) + ")", fitting(formulas, all, entry(i)));
+  return rows;
 }
 
-// What may stand for M^-1 in the block: the diagonal, by the words that say so.
+Formula restitution_of_approach(const std::vector<Asked>& all) {
+  Formula row{"J_n^T (v + dt M^-1 f_e), with epsilon J_n^T v only where the corner comes down", {}};
+  for (const Asked& a : all) {
+    const double v_n = along_v(a, 1);
+    row.values.push_back(v_n + std::min(0.0, a.c.params.epsilon * v_n) + along_g(a, 1));
+  }
+  return row;
+}
+
+void add_row_of_p(Words& sentences, const std::vector<Asked>& all, int row) {
+  const Index i = 16 + row;
+  if (is_right(all, i)) return;
+  std::vector<Formula> rows = rows_of_p(all, row == 0 ? 1 : 0);
+  if (row == 0) rows.push_back(restitution_of_approach(all));
+  add_formula(sentences, "Your p(" + std::to_string(row) + ")", fitting(rows, entry(all, i)));
+}
+
+// --- the block of V ---
+
+// What may stand for M^-1: its first two entries, and its last one.
 struct Diagonal {
-  std::string words;
-  std::function<Vector3(const Parameters&)> value;
+  const char* words;
+  double first, last;
 };
 
-std::vector<Diagonal> diagonals() {
-  using P = const Parameters&;
-  std::vector<Diagonal> all{{"M^-1", [](P p) { return Vector3(p.M().diagonal().cwiseInverse()); }},
-                            {"M", [](P p) { return Vector3(p.M().diagonal()); }},
-                            {"the identity", [](P) { return Vector3(1, 1, 1); }}};
-  const auto inertia = [&](const std::string& words, std::function<double(P)> value) {
-    all.push_back({"M^-1 with " + words + " for the inertia",
-                   [value](P p) { return Vector3(1 / p.m, 1 / p.m, 1 / value(p)); }});
-  };
-  all.push_back({"M^-1 without its last entry", [](P p) { return Vector3(1 / p.m, 1 / p.m, 0); }});
-  inertia("m l^2 / 24", [](P p) { return p.m * p.l * p.l / 24; });
-  inertia("2 m l^2 / 3", [](P p) { return p.m * p.l * p.l * 2 / 3; });
-  inertia("m l^2 / 12", [](P p) { return p.m * p.l * p.l / 12; });
-  inertia("m l^2 / 8", [](P p) { return p.m * p.l * p.l / 8; });
-  inertia("m l^2 / 4", [](P p) { return p.m * p.l * p.l / 4; });
-  inertia("m l^2 / 3", [](P p) { return p.m * p.l * p.l / 3; });
-  inertia("m l^2 / 2", [](P p) { return p.m * p.l * p.l / 2; });
-  inertia("2 m l^2 / 5", [](P p) { return p.m * p.l * p.l * 2 / 5; });
-  inertia("m l^2", [](P p) { return p.m * p.l * p.l; });
-  inertia("m l / 6", [](P p) { return p.m * p.l / 6; });
-  inertia("m l / sqrt(6)", [](P p) { return p.m * p.l / std::sqrt(6); });
-  inertia("l^2 / 6", [](P p) { return p.l * p.l / 6; });
-  inertia("m", [](P p) { return p.m; });
-  inertia("6 / (m l^2)", [](P p) { return 6 / (p.m * p.l * p.l); });
-  return all;
+std::vector<Diagonal> diagonals(const Parameters& p) {
+  const double m = p.m, l = p.l, inertia = m * l * l / 6;
+  return {{"M^-1", 1 / m, 1 / inertia},
+          {"M", m, inertia},
+          {"the identity", 1, 1},
+          {"M^-1 without its last entry", 1 / m, 0},
+          {"M^-1 with m l^2 / 24 for the inertia", 1 / m, 1 / (m * l * l / 24)},
+          {"M^-1 with 2 m l^2 / 3 for the inertia", 1 / m, 1 / (m * l * l * 2 / 3)},
+          {"M^-1 with m l^2 / 12 for the inertia", 1 / m, 1 / (m * l * l / 12)},
+          {"M^-1 with m l^2 / 8 for the inertia", 1 / m, 1 / (m * l * l / 8)},
+          {"M^-1 with m l^2 / 4 for the inertia", 1 / m, 1 / (m * l * l / 4)},
+          {"M^-1 with m l^2 / 3 for the inertia", 1 / m, 1 / (m * l * l / 3)},
+          {"M^-1 with m l^2 / 2 for the inertia", 1 / m, 1 / (m * l * l / 2)},
+          {"M^-1 with 2 m l^2 / 5 for the inertia", 1 / m, 1 / (m * l * l * 2 / 5)},
+          {"M^-1 with m l^2 for the inertia", 1 / m, 1 / (m * l * l)},
+          {"M^-1 with m l / 6 for the inertia", 1 / m, 1 / (m * l / 6)},
+          {"M^-1 with m l / sqrt(6) for the inertia", 1 / m, 1 / (m * l / std::sqrt(6))},
+          {"M^-1 with l^2 / 6 for the inertia", 1 / m, 1 / (l * l / 6)},
+          {"M^-1 with m for the inertia", 1 / m, 1 / m},
+          {"M^-1 with 6 / (m l^2) for the inertia", 1 / m, 1 / (6 / (m * l * l))}};
 }
 
-std::vector<Factor> steps() {
-  using C = const Case&;
-  return {{"dt", [](C c) { return c.params.dt; }},
-          {"1", [](C) { return 1.0; }},
-          {"dt^2", [](C c) { return c.params.dt * c.params.dt; }},
-          {"dt / 2", [](C c) { return c.params.dt / 2; }},
-          {"1/dt", [](C c) { return 1 / c.params.dt; }}};
+std::vector<Value> steps(const Parameters& p) {
+  return {{"dt", p.dt}, {"1", 1}, {"dt^2", p.dt * p.dt}, {"dt / 2", p.dt / 2}, {"1/dt", 1 / p.dt}};
 }
 
-Eigen::Matrix3d block(const Case& c, const Vector3& diagonal, double step) {
-  Eigen::Matrix3d directions;
-  directions << c.J.col(1), -c.J.col(0), c.J.col(0);
-  return directions.transpose() * diagonal.asDiagonal() * directions * step;
+// An entry of J_hat^T D J_hat times the step, for J_hat = [J_n -J_t J_t].
+double block_entry(const Jacobian& J, Index i, Index j, const Diagonal& d, double step) {
+  const Index column[] = {1, 0, 0};
+  const double sign[] = {1, -1, 1};
+  const auto product = [&](Index k) { return J(k, column[i]) * J(k, column[j]); };
+  return sign[i] * sign[j] * (d.first * (product(0) + product(1)) + d.last * product(2)) * step;
 }
 
-// The factor 1, -1 or 0 by which each entry differs, if it is the same in every question.
-std::optional<Eigen::Matrix3d> signs(const std::vector<Asked>& all, const Diagonal& diagonal,
-                                     const Factor& step) {
-  Eigen::Matrix3d found = Eigen::Matrix3d::Constant(2);
+constexpr double kUnknown = 2;
+
+// By which factor 1, -1 or 0 each entry of the block differs from one that is made like this.
+using Signs = Eigen::Matrix3d;
+
+bool are_all(const Signs& signs, double sign) {
+  return std::all_of(signs.data(), signs.data() + 9, [&](double s) { return s == sign; });
+}
+
+// The factors, if they are the same in every question.
+std::optional<Signs> signs_of(const std::vector<Asked>& all, std::size_t diagonal,
+                              std::size_t step) {
+  Signs found = Signs::Constant(kUnknown);
   for (const Asked& a : all) {
-    const auto expected = block(a.c, diagonal.value(a.c.params), step.value(a.c));
-    for (const Index j : {0, 1, 2}) {
-      for (const Index i : {0, 1, 2}) {
-        const double e = expected(i, j), g = a.got(i + 4 * j);
+    const Diagonal d = diagonals(a.c.params)[diagonal];
+    const double dt = steps(a.c.params)[step].value;
+    for (Index j = 0; j < 3; ++j) {
+      for (Index i = 0; i < 3; ++i) {
+        const double e = block_entry(a.c.J, i, j, d, dt), g = a.got(i + 4 * j);
         if (same(e, g) && same(e, -g)) continue;
-        const double sign = same(e, g) ? 1 : same(e, -g) ? -1 : g == 0 ? 0 : 2;
-        if (sign == 2 || (found(i, j) != 2 && found(i, j) != sign)) return std::nullopt;
+        const double sign = same(e, g) ? 1 : same(e, -g) ? -1 : g == 0 ? 0 : kUnknown;
+        if (sign == kUnknown || (found(i, j) != kUnknown && found(i, j) != sign)) {
+          return std::nullopt;
+        }
         found(i, j) = sign;
       }
     }
   }
-  return (found.array() == 2).any() || found.diagonal().isZero(0) ? std::nullopt
-                                                                  : std::optional(found);
+  const bool is_known = std::find(found.data(), found.data() + 9, kUnknown) == found.data() + 9;
+  const bool has_diagonal = found(0, 0) != 0 || found(1, 1) != 0 || found(2, 2) != 0;
+  return is_known && has_diagonal ? std::optional(found) : std::nullopt;
 }
 
-std::string entries_with(double sign, const Eigen::Matrix3d& signs) {
+std::string entries_with(double sign, const Signs& signs) {
   Words names;
-  for (const Index i : {0, 1, 2}) {
-    for (const Index j : {0, 1, 2}) {
+  for (Index i = 0; i < 3; ++i) {
+    for (Index j = 0; j < 3; ++j) {
       if (signs(i, j) == sign) {
         names.push_back("V(" + std::to_string(i) + ", " + std::to_string(j) + ")");
       }
@@ -201,33 +214,34 @@ std::string entries_with(double sign, const Eigen::Matrix3d& signs) {
   return joined(names);
 }
 
+// "J_hat^T M^-1 J_hat dt with M for M^-1"; empty for the right diagonal and step.
+std::string block_words(const std::string& diagonal, const std::string& step) {
+  Words with;
+  if (diagonal != "M^-1") with.push_back(diagonal + " for M^-1");
+  if (step != "dt") with.push_back(step + " for dt");
+  return with.empty() ? "" : "J_hat^T M^-1 J_hat dt with " + joined(with);
+}
+
 void add_block(Words& sentences, const std::vector<Asked>& all) {
-  bool right = true;
-  for (const Index i : {0, 1, 2, 4, 5, 6, 8, 9, 10}) right = right && is_right(all, i);
-  if (right) return;
-  std::vector<std::pair<std::string, Eigen::Matrix3d>> found;
-  for (const Diagonal& diagonal : diagonals()) {
-    for (const Factor& step : steps()) {
-      const auto fit = signs(all, diagonal, step);
-      if (fit)
-        found.push_back({"J_hat^T M^-1 J_hat dt with " + diagonal.words + " for M^-1 and " +
-                             step.words + " for dt",
-                         *fit});
-      if (fit && diagonal.words == "M^-1")
-        found.back().first = "J_hat^T M^-1 J_hat dt with " + step.words + " for dt";
-      if (fit && step.words == "dt")
-        found.back().first = diagonal.words == "M^-1"
-                                 ? ""
-                                 : "J_hat^T M^-1 J_hat dt with " + diagonal.words + " for M^-1";
+  if (are_right(all, {0, 1, 2, 4, 5, 6, 8, 9, 10})) return;
+  std::vector<std::pair<std::string, Signs>> found;
+  const std::vector<Diagonal> diagonal = diagonals({});
+  const std::vector<Value> step = steps({});
+  for (std::size_t i = 0; i < diagonal.size(); ++i) {
+    for (std::size_t k = 0; k < step.size(); ++k) {
+      if (const auto fit = signs_of(all, i, k)) {
+        found.push_back({block_words(diagonal[i].words, step[k].words), *fit});
+      }
     }
   }
   if (found.size() != 1) return;
-  const auto& [words, sign] = found.front();
-  const std::string but = words.empty() ? "" : "in absolute values ";
-  const std::string negative = entries_with(-1, sign), zero = entries_with(0, sign);
-  if (!words.empty())
-    add(sentences, "The 3x3 block of your V", (sign == Eigen::Matrix3d::Ones() ? "" : but) + words);
-  if (sign == -Eigen::Matrix3d::Ones()) {
+  const auto& [words, signs] = found.front();
+  if (!words.empty()) {
+    add_formula(sentences, "The 3x3 block of your V",
+                (are_all(signs, 1) ? "" : "in absolute values ") + words);
+  }
+  const std::string negative = entries_with(-1, signs), zero = entries_with(0, signs);
+  if (are_all(signs, -1)) {
     sentences.push_back("The whole 3x3 block of your V has the other sign.");
   } else if (!negative.empty()) {
     sentences.push_back("The other sign in every question: " + negative + ".");
@@ -237,14 +251,14 @@ void add_block(Words& sentences, const std::vector<Asked>& all) {
 
 }  // namespace
 
-Words of_part2(const std::vector<Asked>& all) {
+Words formulas_of_part2(const std::vector<Asked>& all) {
   Words sentences;
   add_block(sentences, all);
-  add_border(sentences, all, "last column", range(12, 4));
-  add_border(sentences, all, "last row", {3, 7, 11, 15});
+  add_border(sentences, all, "The last column of your V", range(12, 4));
+  add_border(sentences, all, "The last row of your V", {3, 7, 11, 15});
   for (const int row : {0, 1, 2}) add_row_of_p(sentences, all, row);
-  if (!is_right(all, 19)) add(sentences, "Your p(3)", in_factors(all, {19}));
+  add_border(sentences, all, "Your p(3)", {19});
   return sentences;
 }
 
-}  // namespace bounce::tests::formula
+}  // namespace bounce::tests

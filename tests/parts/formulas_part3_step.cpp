@@ -1,68 +1,64 @@
-#include "formula.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "formula.hpp"
 #include "recognise.hpp"
 
-namespace bounce::tests::formula {
+namespace bounce::tests {
 namespace {
 
-Vector3 new_velocity(const Asked& a) { return a.got.tail<3>(); }
+using Eigen::Index;
 
-// A move of q, and what is added to it.
+// A move of q: a sum of v', v and g, each with a factor.
 struct Move {
-  std::string words;
-  std::function<Vector3(const Asked&)> value;
+  const char* words;
+  double new_velocity, velocity, gravity;
 };
 
-std::vector<Move> moves() {
-  return {{"dt v'", [](const Asked& a) { return Vector3(a.c.params.dt * new_velocity(a)); }},
-          {"dt v", [](const Asked& a) { return Vector3(a.c.params.dt * a.c.v); }},
-          {"dt (v + v') / 2",
-           [](const Asked& a) { return Vector3(a.c.params.dt / 2 * (a.c.v + new_velocity(a))); }},
-          {"dt (v + dt M^-1 f_e)",
-           [](const Asked& a) {
-             return Vector3(a.c.params.dt * (a.c.v + a.c.params.dt * a.c.params.g));
-           }},
-          {"dt v + dt^2/2 M^-1 f_e",
-           [](const Asked& a) {
-             const double dt = a.c.params.dt;
-             return Vector3(dt * a.c.v + dt * dt / 2 * a.c.params.g);
-           }},
-          {"dt v' + dt^2/2 M^-1 f_e",
-           [](const Asked& a) {
-             const double dt = a.c.params.dt;
-             return Vector3(dt * new_velocity(a) + dt * dt / 2 * a.c.params.g);
-           }},
-          {"v'", new_velocity},
-          {"", [](const Asked&) { return Vector3(0, 0, 0); }}};
+std::vector<Move> moves(double dt) {
+  return {{" + dt v'", dt, 0, 0},
+          {" + dt v", 0, dt, 0},
+          {" + dt (v + v') / 2", dt / 2, dt / 2, 0},
+          {" + dt (v + dt M^-1 f_e)", 0, dt, dt * dt},
+          {" + dt v + dt^2/2 M^-1 f_e", 0, dt, dt * dt / 2},
+          {" + dt v' + dt^2/2 M^-1 f_e", dt, 0, dt * dt / 2},
+          {" + v'", 1, 0, 0},
+          {"", 0, 0, 0}};
 }
 
-// phi, from q.
-double height(const Asked& a) { return y(a) + lowest_corner(theta(a), l(a))(1); }
+struct Lift {
+  const char* words;
+  double along[3];
+};
 
-std::vector<Move> lifts() {
-  const auto along = [](Vector3 direction) {
-    return [direction](const Asked& a) { return Vector3(a.c.params.delta * direction); };
-  };
-  return {{"", along({0, 0, 0})},
-          {" + (0, delta, 0)", along({0, 1, 0})},
-          {" - (0, delta, 0)", along({0, -1, 0})},
-          {" + (0, 2 delta, 0)", along({0, 2, 0})},
-          {" + (delta, 0, 0)", along({1, 0, 0})},
-          {" + (0, 0, delta)", along({0, 0, 1})},
-          {" + (delta, delta, delta)", along({1, 1, 1})},
-          {" + (delta, delta, 0)", along({1, 1, 0})},
-          {" + dt (0, delta, 0)",
-           [](const Asked& a) { return Vector3(0, a.c.params.dt * a.c.params.delta, 0); }},
-          {" + (0, -phi, 0)", [](const Asked& a) { return Vector3(0, -height(a), 0); }},
-          {" + (0, delta - phi, 0)",
-           [](const Asked& a) { return Vector3(0, a.c.params.delta - height(a), 0); }},
-          {" + (0, delta + max(0, -phi), 0)", [](const Asked& a) {
-             return Vector3(0, a.c.params.delta + std::max(0.0, -height(a)), 0);
-           }}};
+// phi, from q.
+double height(const Asked& a) { return a.c.q(1) + lowest_corner(a.c.q(2), a.c.params.l).y; }
+
+std::vector<Lift> lifts(double delta, double dt, double phi) {
+  return {{"", {0, 0, 0}},
+          {" + (0, delta, 0)", {0, delta, 0}},
+          {" - (0, delta, 0)", {0, -delta, 0}},
+          {" + (0, 2 delta, 0)", {0, 2 * delta, 0}},
+          {" + (delta, 0, 0)", {delta, 0, 0}},
+          {" + (0, 0, delta)", {0, 0, delta}},
+          {" + (delta, delta, delta)", {delta, delta, delta}},
+          {" + (delta, delta, 0)", {delta, delta, 0}},
+          {" + dt (0, delta, 0)", {0, dt * delta, 0}},
+          {" + (0, -phi, 0)", {0, -phi, 0}},
+          {" + (0, delta - phi, 0)", {0, delta - phi, 0}},
+          {" + (0, delta + max(0, -phi), 0)", {0, delta + std::max(0.0, -phi), 0}}};
+}
+
+// Whether this is the part's q' - q. Its answer holds q' - q - dt v'.
+bool moves_like(const Asked& a, const Move& move, const Lift& lift) {
+  for (Index i = 0; i < 3; ++i) {
+    const double v_new = a.got(3 + i);
+    const double moved = move.new_velocity * v_new + move.velocity * a.c.v(i) +
+                         move.gravity * a.c.params.g(i) + lift.along[i];
+    if (!same(a.got(i) + a.c.params.dt * v_new, moved)) return false;
+  }
+  return true;
 }
 
 bool moves_rightly(const std::vector<Asked>& all) {
@@ -72,28 +68,30 @@ bool moves_rightly(const std::vector<Asked>& all) {
 void add_move(Words& sentences, const std::vector<Asked>& all, const std::string& where) {
   if (all.size() < kEnough || moves_rightly(all)) return;
   Words words;
-  for (const Move& move : moves()) {
-    for (const Move& lift : lifts()) {
+  const std::vector<Move> move = moves(1);
+  const std::vector<Lift> lift = lifts(1, 1, 1);
+  for (std::size_t i = 0; i < move.size(); ++i) {
+    for (std::size_t k = 0; k < lift.size(); ++k) {
       const bool fit = std::all_of(all.begin(), all.end(), [&](const Asked& a) {
-        const Vector3 moved = a.got.head<3>() + a.c.params.dt * new_velocity(a);
-        return same_vector(moved, move.value(a) + lift.value(a));
+        const double dt = a.c.params.dt;
+        return moves_like(a, moves(dt)[i], lifts(a.c.params.delta, dt, height(a))[k]);
       });
-      if (fit) words.push_back("q" + (move.words.empty() ? "" : " + " + move.words) + lift.words);
+      if (fit) words.push_back(std::string("q") + move[i].words + lift[k].words);
     }
   }
   if (words.empty() || words.size() > 2) return;
   const std::string formula = words.size() == 2 ? "either " + joined(words, " or ") : words[0];
-  sentences.push_back(where + " your q' is " + formula + " in every question.");
+  add_formula(sentences, where + " your q'", formula);
 }
 
 void add_unmoved(Words& sentences, const std::vector<Asked>& all) {
   const char* const names[] = {"x", "y", "theta"};
-  for (const Index i : {0, 1, 2}) {
+  for (Index i = 0; i < 3; ++i) {
     const bool unmoved = std::all_of(all.begin(), all.end(), [&](const Asked& a) {
-      return same(a.got(i), -a.c.params.dt * new_velocity(a)(i));
+      return same(a.got(i), -a.c.params.dt * a.got(3 + i));
     });
     const std::string name = names[i];
-    if (unmoved) sentences.push_back("Your " + name + "' is " + name + " in every question.");
+    if (unmoved) add_formula(sentences, "Your " + name + "'", name);
   }
 }
 
@@ -109,13 +107,13 @@ bool loses_turns(const std::vector<Asked>& all) {
 
 }  // namespace
 
-Words of_part3(const std::vector<Asked>& all) {
+Words formulas_of_part3(const std::vector<Asked>& all) {
   std::vector<Asked> touching, flying;
   for (const Asked& a : all) {
     if (a.c.corner.rfind("no corner", 0) == 0) flying.push_back(a);
     if (a.c.corner.rfind("corner", 0) == 0) touching.push_back(a);
   }
-  Words sentences = of_new_velocity(touching, flying);
+  Words sentences = formulas_of_new_velocity(touching, flying);
   if (loses_turns(all))
     sentences.push_back("Your theta' differs from the right one by whole turns.");
   if (!moves_rightly(all)) add_unmoved(sentences, all);
@@ -124,4 +122,4 @@ Words of_part3(const std::vector<Asked>& all) {
   return sentences;
 }
 
-}  // namespace bounce::tests::formula
+}  // namespace bounce::tests

@@ -1,20 +1,21 @@
-#include "formula.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "formula.hpp"
 #include "recognise.hpp"
 
-namespace bounce::tests::formula {
+namespace bounce::tests {
 namespace {
+
+using Eigen::Index;
 
 constexpr Index kRows = 6;          // x, y, theta, v_x, v_y, omega of each known column
 constexpr double kOfAFloat = 1e-7;  // a relative difference
 const char* const kNames[] = {"x", "y", "theta", "v_x", "v_y", "omega"};
 
 bool holds_in_row(const std::vector<Asked>& all, Index row, Index from,
-                  const std::function<bool(double right, double got)>& holds) {
+                  bool (*holds)(double right, double got)) {
   return std::all_of(all.begin(), all.end(), [&](const Asked& a) {
     for (Index i = row + from * kRows; i < a.got.size(); i += kRows) {
       if (!holds(a.right(i), a.got(i))) return false;
@@ -42,45 +43,44 @@ void add_rows(Words& sentences, const std::vector<Asked>& all) {
   }
 }
 
+// Columns that may stand in place of column 0.
 struct Start {
-  std::string words;
-  std::function<Numbers(const Case&)> value;
+  const char* words;
+  double numbers[kRows];
 };
 
-Numbers both(const Vector3& q, const Vector3& v) {
-  Numbers numbers(kRows);
-  numbers << q, v;
-  return numbers;
-}
-
-std::vector<Start> starts() {
-  using C = const Case&;
-  const double degree = std::numbers::pi / 180;
-  const auto with_theta = [](C c, double times) {
-    return both({c.q(0), c.q(1), c.q(2) * times}, c.v);
+std::vector<Start> starts(const Case& c) {
+  const double x = c.q(0), y = c.q(1), theta = c.q(2), degree = std::numbers::pi / 180;
+  const double v_x = c.v(0), v_y = c.v(1), omega = c.v(2), dt = c.params.dt;
+  const Vector3& g = c.params.g;
+  const auto fallen = [&](double t) {
+    return Start{"", {x, y, theta, v_x + t * g(0), v_y + t * g(1), omega + t * g(2)}};
   };
+  Start half = fallen(dt / 2), whole = fallen(dt);
+  half.words = "q_0, and v_0 + dt/2 M^-1 f_e";
+  whole.words = "q_0, and v_0 + dt M^-1 f_e";
   return {
-      {"q_0 in reverse order, and v_0", [](C c) { return both(c.q.reverse(), c.v); }},
-      {"q_0 with theta multiplied by pi / 180, and v_0",
-       [=](C c) { return with_theta(c, degree); }},
-      {"q_0 with theta multiplied by 180 / pi, and v_0",
-       [=](C c) { return with_theta(c, 1 / degree); }},
-      {"q_0, and v_0 + dt/2 M^-1 f_e",
-       [](C c) { return both(c.q, c.v + c.params.dt / 2 * c.params.g); }},
-      {"q_0, and v_0 + dt M^-1 f_e", [](C c) { return both(c.q, c.v + c.params.dt * c.params.g); }},
-      {"q_0, and -v_0", [](C c) { return both(c.q, -c.v); }}};
+      {"q_0 in reverse order, and v_0", {theta, y, x, v_x, v_y, omega}},
+      {"q_0 with theta multiplied by pi / 180, and v_0", {x, y, theta * degree, v_x, v_y, omega}},
+      {"q_0 with theta multiplied by 180 / pi, and v_0", {x, y, theta / degree, v_x, v_y, omega}},
+      half,
+      whole,
+      {"q_0, and -v_0", {x, y, theta, -v_x, -v_y, -omega}}};
 }
 
-bool is_start(const Asked& a, const Numbers& start) {
-  return std::equal(start.begin(), start.end(), a.got.begin(),
-                    [](double due, double got) { return same(due, got); });
+bool begins_with(const Asked& a, const Start& start) {
+  for (Index i = 0; i < kRows; ++i) {
+    if (!same(start.numbers[i], a.got(i))) return false;
+  }
+  return true;
 }
 
 void add_start(Words& sentences, const std::vector<Asked>& all) {
-  for (const Start& start : starts()) {
+  const std::size_t count = starts(all[0].c).size();
+  for (std::size_t k = 0; k < count; ++k) {
     if (std::all_of(all.begin(), all.end(),
-                    [&](const Asked& a) { return is_start(a, start.value(a.c)); })) {
-      sentences.push_back("Your column 0 is " + start.words + " in every question.");
+                    [&](const Asked& a) { return begins_with(a, starts(a.c)[k]); })) {
+      add_formula(sentences, "Your column 0", starts(all[0].c)[k].words);
     }
   }
 }
@@ -105,7 +105,7 @@ void add_few_digits(Words& sentences, const std::vector<Asked>& all) {
 
 }  // namespace
 
-Words of_part4(const std::vector<Asked>& all) {
+Words formulas_of_part4(const std::vector<Asked>& all) {
   Words sentences;
   if (all.size() < kEnough) return sentences;
   add_rows(sentences, all);
@@ -114,4 +114,4 @@ Words of_part4(const std::vector<Asked>& all) {
   return sentences;
 }
 
-}  // namespace bounce::tests::formula
+}  // namespace bounce::tests

@@ -59,7 +59,10 @@ std::string first_wrong_column(const std::vector<Case>& cases, const Wrong& wron
 
 // Whether these are a stub's answers, which need no description.
 bool nothing_is_filled_in(const std::vector<Answer>& got) {
-  return std::all_of(got.begin(), got.end(), [](const Answer& a) { return a.numbers.isZero(0); });
+  return std::all_of(got.begin(), got.end(), [](const Answer& a) {
+    return std::all_of(a.numbers.data(), a.numbers.data() + a.numbers.size(),
+                       [](double x) { return x == 0; });
+  });
 }
 
 void add(Words& sentences, const std::string& sentence) {

@@ -7,7 +7,10 @@
 namespace bounce::tests {
 namespace {
 
-using Point = Eigen::Vector2d;
+// Of the world, m; or a way between two points.
+struct Point {
+  double x, y;
+};
 
 constexpr int kWidth = 58, kHeight = 17;  // fits a terminal of 64 columns
 constexpr double kAspect = 2.0;           // a character is about twice as high as wide
@@ -17,10 +20,10 @@ constexpr const char* kMargin = "    | ";
 class Canvas {
  public:
   Canvas(const Point& low, const Point& high) {
-    const Point size = (high - low).cwiseMax(1e-9);
-    metres_ = std::max(size.x() / (kWidth - 1), size.y() / (kAspect * (kHeight - 1)));
-    left_ = (low.x() + high.x() - metres_ * (kWidth - 1)) / 2;
-    bottom_ = low.y();
+    metres_ = std::max(std::max(high.x - low.x, 1e-9) / (kWidth - 1),
+                       std::max(high.y - low.y, 1e-9) / (kAspect * (kHeight - 1)));
+    left_ = (low.x + high.x - metres_ * (kWidth - 1)) / 2;
+    bottom_ = low.y;
     rows_.assign(kHeight, std::string(kWidth, ' '));
   }
 
@@ -31,15 +34,14 @@ class Canvas {
 
   void ground() {
     for (int row = 0; row < kHeight; ++row) {
-      if (std::abs(at(0, row).y()) <= kAspect * metres_ / 2)
-        letters(row) = std::string(kWidth, '=');
+      if (std::abs(at(0, row).y) <= kAspect * metres_ / 2) letters(row) = std::string(kWidth, '=');
     }
   }
 
   // Draws a letter, unless the point is outside the picture or not a number.
   void put(const Point& point, char letter) {
-    const double column = std::round((point.x() - left_) / metres_);
-    const double row = std::round((point.y() - bottom_) / (kAspect * metres_));
+    const double column = std::round((point.x - left_) / metres_);
+    const double row = std::round((point.y - bottom_) / (kAspect * metres_));
     if (!(column >= 0 && column < kWidth && row >= 0 && row < kHeight)) return;
     char& there = letters(static_cast<int>(row))[static_cast<std::size_t>(column)];
     const bool over = (letter == 'Y' && (there == 'R' || there == 'B'));
@@ -47,7 +49,11 @@ class Canvas {
   }
 
   void line(const Point& from, const Point& to, char letter) {
-    for (int i = 1; i <= 2 * kWidth; ++i) put(from + (to - from) * i / (2.0 * kWidth), letter);
+    for (int i = 1; i <= 2 * kWidth; ++i) {
+      put({from.x + (to.x - from.x) * i / (2.0 * kWidth),
+           from.y + (to.y - from.y) * i / (2.0 * kWidth)},
+          letter);
+    }
   }
 
   std::string text(const std::string& legend) const {
@@ -70,14 +76,14 @@ bool touches(const Case& c) { return c.corner.rfind("corner", 0) == 0; }
 
 // How far inside the square a point is, m; negative outside.
 double inside(const Point& point, const Vector3& q, double l) {
-  const double x = point.x() - q.x(), y = point.y() - q.y();
-  const double c = std::cos(q.z()), s = std::sin(q.z());
+  const double x = point.x - q(0), y = point.y - q(1);
+  const double c = std::cos(q(2)), s = std::sin(q(2));
   return l / 2 - std::max(std::abs(c * x + s * y), std::abs(c * y - s * x));
 }
 
 // Draws the outline of the square, and returns the position of its lowest letter.
 Point draw_square(Canvas& canvas, const Vector3& q, double l) {
-  Point lowest = q.head<2>();
+  Point lowest{q(0), q(1)};
   for (int row = kHeight - 1; row >= 0; --row) {
     for (int column = 0; column < kWidth; ++column) {
       const Point point = canvas.at(column, row);
@@ -92,34 +98,43 @@ Point draw_square(Canvas& canvas, const Vector3& q, double l) {
 }  // namespace
 
 std::string picture_of_step(const Case& c, const Vector3& got_v) {
-  const Point centre = c.q.head<2>(), reach(0.9 * c.params.l, 0.8 * c.params.l);
-  const bool near = centre.y() < 1.5 * c.params.l;
-  Point low = centre - reach;
-  if (near) low.y() = std::min(low.y(), -0.05 * c.params.l);
-  Canvas canvas(low, centre + reach);
+  const double l = c.params.l;
+  const Point centre{c.q(0), c.q(1)}, reach{0.9 * l, 0.8 * l};
+  const bool near = centre.y < 1.5 * l;
+  const double low = near ? std::min(centre.y - reach.y, -0.05 * l) : centre.y - reach.y;
+  Canvas canvas({centre.x - reach.x, low}, {centre.x + reach.x, centre.y + reach.y});
   if (near) canvas.ground();
-  const Point lowest = draw_square(canvas, c.q, c.params.l);
+  const Point lowest = draw_square(canvas, c.q, l);
 
-  const double longest = std::max({c.state.v.head<2>().norm(), got_v.head<2>().norm(), 1e-9});
-  const double metres = 0.7 * c.params.l / longest;  // for 1 m/s
-  canvas.line(centre, centre + metres * c.state.v.head<2>(), 'R');
-  canvas.line(centre, centre + metres * got_v.head<2>(), 'Y');
+  const Vector3& right_v = c.state.v;
+  const double longest =
+      std::max({std::hypot(right_v(0), right_v(1)), std::hypot(got_v(0), got_v(1)), 1e-9});
+  const double metres = 0.7 * l / longest;  // for 1 m/s
+  const auto tip = [&](const Vector3& v) {
+    return Point{centre.x + metres * v(0), centre.y + metres * v(1)};
+  };
+  canvas.line(centre, tip(right_v), 'R');
+  canvas.line(centre, tip(got_v), 'Y');
   canvas.put(centre, '+');
   if (touches(c)) canvas.put(lowest, 'o');
   return canvas.text("v of the centre + after the step: R right, Y yours, B both");
 }
 
 std::string picture_of_paths(const Case& c, const Eigen::Matrix3Xd& got_q) {
-  const Eigen::Matrix2Xd right = c.trajectory.q.topRows<2>();
-  Point low = right.rowwise().minCoeff(), high = right.rowwise().maxCoeff();
-  const Point room = 0.1 * (high - low).cwiseMax(c.params.l);
-  low.y() = std::min(low.y(), 0.0);
-  Canvas canvas(low - Point(room.x(), 0), high + room);
+  const Eigen::Matrix3Xd& right = c.trajectory.q;
+  Point low{INFINITY, INFINITY}, high{-INFINITY, -INFINITY};
+  for (Eigen::Index i = 0; i < right.cols(); ++i) {
+    low = {std::min(low.x, right(0, i)), std::min(low.y, right(1, i))};
+    high = {std::max(high.x, right(0, i)), std::max(high.y, right(1, i))};
+  }
+  const Point room{0.1 * std::max(high.x - low.x, c.params.l),
+                   0.1 * std::max(high.y - low.y, c.params.l)};
+  Canvas canvas({low.x - room.x, std::min(low.y, 0.0)}, {high.x + room.x, high.y + room.y});
   canvas.ground();
-  for (Eigen::Index i = 0; i < right.cols(); ++i) canvas.put(right.col(i), 'R');
+  for (Eigen::Index i = 0; i < right.cols(); ++i) canvas.put({right(0, i), right(1, i)}, 'R');
   const Eigen::Index known = c.columns.empty() ? 0 : c.columns.back() + 1;
   for (Eigen::Index i = 0; i < std::min(known, got_q.cols()); ++i) {
-    canvas.put(got_q.col(i).head<2>(), 'Y');
+    canvas.put({got_q(0, i), got_q(1, i)}, 'Y');
   }
   return canvas.text("way of the centre: R right, Y yours, B both");
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <istream>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -226,7 +225,7 @@ bool same(double a, double b) {
 
 bool same(const Answer& a, const Answer& b) {
   return a.thrown == b.thrown && a.numbers.size() == b.numbers.size() &&
-         std::equal(a.numbers.begin(), a.numbers.end(), b.numbers.begin(),
+         std::equal(a.numbers.data(), a.numbers.data() + a.numbers.size(), b.numbers.data(),
                     [](double x, double y) { return same(x, y); });
 }
 

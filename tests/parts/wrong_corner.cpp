@@ -66,7 +66,7 @@ Words corners(const std::vector<Case>& cases, const std::vector<Answer>& right,
   std::set<int> turns;
   for (std::size_t k = 0; k < cases.size(); ++k) {
     const int number = number_of_lowest(cases[k]);
-    if (got[k].numbers.size() != 7 || !got[k].numbers.allFinite()) return {};
+    if (got[k].numbers.size() != 7 || !are_finite(got[k].numbers)) return {};
     if (number == 0) continue;
     const Taken t = taken(cases[k], right[k], got[k]);
     if (t.J < 0) return {};

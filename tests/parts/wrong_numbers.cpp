@@ -53,6 +53,11 @@ Wrong wrong_numbers(const std::vector<Answer>& right, const std::vector<Answer>&
   return wrong;
 }
 
+bool are_finite(const Eigen::VectorXd& numbers) {
+  return std::all_of(numbers.data(), numbers.data() + numbers.size(),
+                     [](double x) { return std::isfinite(x); });
+}
+
 std::string joined(const Words& words, const std::string& last) {
   std::string text;
   for (std::size_t i = 0; i < words.size(); ++i) {

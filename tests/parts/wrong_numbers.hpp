@@ -14,6 +14,12 @@ using Words = std::vector<std::string>;
 // A rule that holds for fewer numbers or cases may be chance.
 inline constexpr std::size_t kEnough = 3;
 
+// A formula or a factor, and its value in one question.
+struct Value {
+  const char* words;
+  double value;
+};
+
 // A quantity: its name, and its entries in an answer.
 struct Quantity {
   std::string name;
@@ -45,6 +51,8 @@ Wrong wrong_numbers(const std::vector<Answer>& right, const std::vector<Answer>&
 
 // To six significant digits.
 std::string digits(double x);
+
+bool are_finite(const Eigen::VectorXd& numbers);
 
 // "a, b and c".
 std::string joined(const Words& words, const std::string& last = " and ");

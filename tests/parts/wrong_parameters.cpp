@@ -1,7 +1,6 @@
 #include "wrong_parameters.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <map>
 #include <optional>
 
@@ -12,37 +11,27 @@ namespace {
 
 using Eigen::Index;
 
-// An input of a question.
-struct Input {
-  std::string name;
-  std::function<double(const Case&)> value;
-};
-
-std::vector<Input> all_inputs() {
-  std::vector<Input> found;
-  const auto add = [&](const char* name, auto member) {
-    found.push_back({name, [member](const Case& c) { return c.params.*member; }});
-  };
-  add("l", &Parameters::l);
-  add("m", &Parameters::m);
-  add("mu", &Parameters::mu);
-  add("epsilon", &Parameters::epsilon);
-  found.push_back({"g", [](const Case& c) { return c.params.g(0) + 100 * c.params.g(1); }});
-  add("dt", &Parameters::dt);
-  add("delta", &Parameters::delta);
-  const char* const names[] = {"x", "y", "theta"};
-  for (const int i : {0, 1, 2}) {
-    found.push_back({names[i], [i](const Case& c) { return c.q(i); }});
-  }
-  return found;
+std::vector<Value> inputs_of(const Case& c) {
+  const Parameters& p = c.params;
+  return {{"l", p.l},
+          {"m", p.m},
+          {"mu", p.mu},
+          {"epsilon", p.epsilon},
+          {"g", p.g(0) + 100 * p.g(1)},
+          {"dt", p.dt},
+          {"delta", p.delta},
+          {"x", c.q(0)},
+          {"y", c.q(1)},
+          {"theta", c.q(2)}};
 }
 
 // The inputs in which two questions differ; nothing if they differ in v, J or T.
 std::optional<Words> differing(const Case& a, const Case& b) {
   if (a.v != b.v || a.J != b.J || a.params.T != b.params.T) return std::nullopt;
   Words names;
-  for (const Input& input : all_inputs()) {
-    if (input.value(a) != input.value(b)) names.push_back(input.name);
+  const std::vector<Value> of_a = inputs_of(a), of_b = inputs_of(b);
+  for (std::size_t i = 0; i < of_a.size(); ++i) {
+    if (of_a[i].value != of_b[i].value) names.push_back(of_a[i].words);
   }
   return names;
 }
@@ -62,7 +51,7 @@ struct Part {
 bool is_finite(const Part& part, std::size_t k) {
   return part.got[k].thrown.empty() && part.right[k].thrown.empty() &&
          part.got[k].numbers.size() == part.right[k].numbers.size() &&
-         part.got[k].numbers.allFinite();
+         are_finite(part.got[k].numbers);
 }
 
 void look(const Part& part, const Quantity& quantity, std::size_t a, std::size_t b, Seen& seen) {
@@ -159,17 +148,17 @@ Words inputs(int part, const std::vector<Case>& cases, const std::vector<Answer>
     }
   }
   std::vector<std::pair<std::string, Words>> missing, intruding;
-  for (const Input& input : all_inputs()) {
+  for (const Value& input : inputs_of(cases.front())) {
     Words without, with;
-    for (std::size_t i = 0; i < all.quantities.size() && seen.count(input.name) > 0; ++i) {
-      const Seen& what = seen[input.name][i];
+    for (std::size_t i = 0; i < all.quantities.size() && seen.count(input.words) > 0; ++i) {
+      const Seen& what = seen[input.words][i];
       if (is_zero(all, all.quantities[i])) continue;
       if (what.ought_to && !what.responds) without.push_back(all.quantities[i].name);
       const bool is_move = part == 3 && i == 0;  // it tells of v', too, where v' doesn't move q
       if (what.intrudes && !what.ought_to && !is_move) with.push_back(all.quantities[i].name);
     }
-    missing.push_back({input.name, without});
-    intruding.push_back({input.name, with});
+    missing.push_back({input.words, without});
+    intruding.push_back({input.words, with});
   }
   if (part >= 3) leave_out_what_needs_a_contact(missing);
   Words sentences = grouped(missing, false);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "recognise.hpp"
 
@@ -27,23 +26,30 @@ std::string capital(std::string text) {
 
 // --- rules ---
 
-bool is_rule(const std::vector<Number>& numbers, const std::function<double(const Number&)>& rule) {
-  return numbers.size() >= kEnough && std::all_of(numbers.begin(), numbers.end(), [&](auto& n) {
-           return std::abs(n.right) > kRounding && same(rule(n), n.got);
+// Whether each wrong number is FACTOR times the right one, plus something.
+bool is_rule(const std::vector<Number>& numbers, double factor, double plus) {
+  return numbers.size() >= kEnough &&
+         std::all_of(numbers.begin(), numbers.end(), [&](const Number& n) {
+           return std::abs(n.right) > kRounding && same(factor * n.right + plus, n.got);
          });
 }
 
+// Whether it is the i-th of the known factors.
+bool is_factor(std::size_t i, const std::vector<Case>& cases, const std::vector<Number>& numbers) {
+  return std::all_of(numbers.begin(), numbers.end(), [&](const Number& n) {
+    const double factor = factors(cases[n.question].params)[i].value;
+    return std::abs(n.right) > kRounding && same(factor * n.right, n.got);
+  });
+}
+
 std::string factor_of(const std::vector<Case>& cases, const std::vector<Number>& numbers) {
-  if (numbers.empty()) return "";
-  const auto names = factors(cases[numbers[0].question].params);
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    const auto scaled = [&](const Number& n) {
-      return factors(cases[n.question].params)[i].second * n.right;
-    };
-    if (is_rule(numbers, scaled)) return names[i].first;
+  if (numbers.size() < kEnough) return "";
+  const std::vector<Value> known = factors({});
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    if (is_factor(i, cases, numbers)) return known[i].words;
   }
   const double ratio = numbers[0].got / numbers[0].right;
-  const bool constant = is_rule(numbers, [&](const Number& n) { return ratio * n.right; });
+  const bool constant = is_rule(numbers, ratio, 0);
   // A smaller ratio is a rounding error of 0, a larger one that of a right 0.
   const bool is_sure = std::abs(ratio) > kLeastRatio && std::abs(ratio) < 1 / kLeastRatio;
   return constant && is_sure ? digits(ratio) : "";
@@ -52,13 +58,13 @@ std::string factor_of(const std::vector<Case>& cases, const std::vector<Number>&
 std::string difference_of(const std::vector<Number>& numbers) {
   if (numbers.empty()) return "";
   const double difference = numbers[0].got - numbers[0].right;
-  const bool constant = is_rule(numbers, [&](const Number& n) { return n.right + difference; });
+  const bool constant = is_rule(numbers, 1, difference);
   return constant ? digits(std::abs(difference)) + (difference > 0 ? " more" : " less") : "";
 }
 
 std::string constant_of(const std::vector<Number>& numbers) {
   if (numbers.empty()) return "";
-  const bool is_one = is_rule(numbers, [&](const Number&) { return numbers[0].got; });
+  const bool is_one = is_rule(numbers, 0, numbers[0].got);
   const bool varies = std::any_of(numbers.begin(), numbers.end(), [&](const Number& n) {
     return !same(n.right, numbers[0].right);
   });
@@ -119,7 +125,7 @@ bool explains(const Exchange& exchange, const std::vector<Answer>& right,
 
 }  // namespace
 
-std::vector<std::pair<std::string, double>> factors(const Parameters& p) {
+std::vector<Value> factors(const Parameters& p) {
   return {{"-1", -1},
           {"2", 2},
           {"1/2", 0.5},

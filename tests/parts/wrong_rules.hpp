@@ -3,7 +3,6 @@
 #pragma once
 
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "wrong_numbers.hpp"
@@ -11,7 +10,7 @@
 namespace bounce::tests {
 
 // Factors by which a number may be wrong, with their names in the assignment.
-std::vector<std::pair<std::string, double>> factors(const Parameters& params);
+std::vector<Value> factors(const Parameters& params);
 
 // One sentence if one rule explains every wrong number; else up to two, each for a quantity with
 // its own rule; else none.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <numbers>
 #include <optional>
 
@@ -11,72 +10,60 @@
 namespace bounce::tests {
 namespace {
 
-// A property that some cases have and others don't.
+// What may be true of a case; the words follow "where".
 struct Trait {
-  std::string words;  // follows "where"
-  std::function<bool(const Case&)> has;
+  const char* words;
+  bool has;
 };
 
-void add_parameters(std::vector<Trait>& traits) {
-  const auto other = [&](const std::string& name, auto member) {
-    traits.push_back(
-        {name, [member](const Case& c) { return c.params.*member != Parameters().*member; }});
-  };
-  other("l", &Parameters::l);
-  other("m", &Parameters::m);
-  other("mu", &Parameters::mu);
-  other("epsilon", &Parameters::epsilon);
-  other("g", &Parameters::g);
-  other("dt", &Parameters::dt);
-  other("delta", &Parameters::delta);
+using Traits = std::vector<Trait>;
+
+Traits other_parameters(const Case& c) {
+  const Parameters &p = c.params, usual;
+  return {{"l", p.l != usual.l},
+          {"m", p.m != usual.m},
+          {"mu", p.mu != usual.mu},
+          {"epsilon", p.epsilon != usual.epsilon},
+          {"g", p.g != usual.g},
+          {"dt", p.dt != usual.dt},
+          {"delta", p.delta != usual.delta}};
 }
 
-Trait saying(const std::string& words) {
-  return {words, [words](const Case& c) { return c.corner.find(words) != std::string::npos; }};
+Traits gravity_sideways(const Case& c) { return {{"gravity has an x part", c.params.g(0) != 0}}; }
+
+Traits what_the_corner_does(const Case& c) {
+  const auto says = [&](const char* words) { return c.corner.find(words) != std::string::npos; };
+  return {{"corner 1 is the lowest", says("corner 1")},
+          {"corner 1 is not the lowest", !says("corner 1")},
+          {"corner 2 is the lowest", says("corner 2")},
+          {"corner 2 is not the lowest", !says("corner 2")},
+          {"corner 3 is the lowest", says("corner 3")},
+          {"corner 3 is not the lowest", !says("corner 3")},
+          {"corner 4 is the lowest", says("corner 4")},
+          {"corner 4 is not the lowest", !says("corner 4")},
+          {"the corner slides", says("slides")},
+          {"the corner slides to the right", says("slides to the right")},
+          {"the corner slides to the left", says("slides to the left")},
+          {"the corner sticks", says("sticks")},
+          {"the corner leaves the ground", says("leaves the ground")},
+          {"no corner touches", says("no corner touches")},
+          {"a corner touches", says("touches") && c.corner.rfind("no ", 0) != 0}};
 }
 
-Trait not_saying(const std::string& corner) {
-  return {corner + " is not the lowest",
-          [corner](const Case& c) { return c.corner.find(corner) == std::string::npos; }};
+Traits corner_and_velocity(const Case& c) {
+  Traits traits = what_the_corner_does(c);
+  const double v_t = c.J.col(0).dot(c.v), v_n = c.J.col(1).dot(c.v);
+  traits.push_back({"the corner slides to the right before the step", v_t > 0});
+  traits.push_back({"the corner slides to the left before the step", v_t < 0});
+  traits.push_back({"the corner comes down before the step", v_n < 0});
+  return traits;
 }
 
-void add_what_the_corner_does(std::vector<Trait>& traits) {
-  for (const char* corner : {"corner 1", "corner 2", "corner 3", "corner 4"}) {
-    traits.push_back({corner + std::string(" is the lowest"), saying(corner).has});
-    traits.push_back(not_saying(corner));
-  }
-  for (const char* mode : {"slides", "slides to the right", "slides to the left", "sticks",
-                           "leaves the ground", "no corner touches"}) {
-    traits.push_back(saying(mode));
-    if (mode[0] != 'n') traits.back().words = "the corner " + traits.back().words;
-  }
-  traits.push_back({"a corner touches", [](const Case& c) {
-                      return c.corner.find("touches") != std::string::npos &&
-                             c.corner.rfind("no ", 0) != 0;
-                    }});
-}
-
-void add_motion(int part, std::vector<Trait>& traits) {
-  if (part == 2) {
-    traits.push_back({"the corner slides to the right before the step",
-                      [](const Case& c) { return c.J.col(0).dot(c.v) > 0; }});
-    traits.push_back({"the corner slides to the left before the step",
-                      [](const Case& c) { return c.J.col(0).dot(c.v) < 0; }});
-    traits.push_back({"the corner comes down before the step",
-                      [](const Case& c) { return c.J.col(1).dot(c.v) < 0; }});
-    return;
-  }
-  traits.push_back({"theta is negative", [](const Case& c) { return c.q(2) < 0; }});
-  traits.push_back({"theta is more than a turn",
-                    [](const Case& c) { return std::abs(c.q(2)) > 2 * std::numbers::pi; }});
-}
-
-std::set<std::size_t> those_with(const Trait& trait, const std::vector<Case>& cases) {
-  std::set<std::size_t> found;
-  for (std::size_t k = 0; k < cases.size(); ++k) {
-    if (trait.has(cases[k])) found.insert(k);
-  }
-  return found;
+Traits corner_and_angle(const Case& c) {
+  Traits traits = what_the_corner_does(c);
+  traits.push_back({"theta is negative", c.q(2) < 0});
+  traits.push_back({"theta is more than a turn", std::abs(c.q(2)) > 2 * std::numbers::pi});
+  return traits;
 }
 
 bool includes(const std::set<std::size_t>& all, const std::set<std::size_t>& some) {
@@ -89,16 +76,24 @@ struct Fit {
   std::set<std::size_t> cases;
 };
 
-std::optional<Fit> closest(const std::vector<Trait>& traits, const std::vector<Case>& cases,
+std::optional<Fit> closest(Traits (*traits_of)(const Case&), const std::vector<Case>& cases,
                            const std::set<std::size_t>& wrong) {
+  std::vector<Fit> fits;
+  for (std::size_t k = 0; k < cases.size(); ++k) {
+    const Traits traits = traits_of(cases[k]);
+    fits.resize(traits.size());
+    for (std::size_t i = 0; i < traits.size(); ++i) {
+      fits[i].words = {traits[i].words};
+      if (traits[i].has) fits[i].cases.insert(k);
+    }
+  }
   std::optional<Fit> best;
-  for (const Trait& trait : traits) {
-    const auto with = those_with(trait, cases);
-    if (!includes(with, wrong) || with.size() == cases.size()) continue;
-    if (best && with == best->cases) {
-      best->words.push_back(trait.words);
-    } else if (!best || with.size() < best->cases.size()) {
-      best = Fit{{trait.words}, with};
+  for (const Fit& fit : fits) {
+    if (!includes(fit.cases, wrong) || fit.cases.size() == cases.size()) continue;
+    if (best && fit.cases == best->cases) {
+      best->words.push_back(fit.words.front());
+    } else if (!best || fit.cases.size() < best->cases.size()) {
+      best = fit;
     }
   }
   return best;
@@ -117,10 +112,9 @@ bool are_nearly_all(const std::set<std::size_t>& wrong, const std::set<std::size
 // Tried first: it is a better explanation than a parameter that isn't the assignment's.
 std::string where_gravity_is_not_vertical(const std::vector<Case>& cases,
                                           const std::set<std::size_t>& wrong) {
-  const Trait sideways{"gravity has an x part", [](const Case& c) { return c.params.g(0) != 0; }};
-  const auto fit = closest({sideways}, cases, wrong);
+  const auto fit = closest(gravity_sideways, cases, wrong);
   if (!fit || !are_nearly_all(wrong, fit->cases)) return "";
-  return "Wrong only where " + sideways.words + ", " + out_of(*fit, wrong) + ".";
+  return "Wrong only where " + fit->words.front() + ", " + out_of(*fit, wrong) + ".";
 }
 
 }  // namespace
@@ -130,11 +124,8 @@ std::string where(int part, const std::vector<Case>& cases, const std::set<std::
   if (wrong.empty() || cases.size() - wrong.size() < kEnough) return "";
   const std::string sideways = where_gravity_is_not_vertical(cases, wrong);
   if (!sideways.empty()) return sideways;
-  std::vector<Trait> parameters, others;
-  add_parameters(parameters);
-  add_what_the_corner_does(others);
-  add_motion(part, others);
-  const auto numbers = closest(parameters, cases, wrong), traits = closest(others, cases, wrong);
+  const auto numbers = closest(other_parameters, cases, wrong);
+  const auto traits = closest(part == 2 ? corner_and_velocity : corner_and_angle, cases, wrong);
   if (numbers && are_nearly_all(wrong, numbers->cases) &&
       (!traits || numbers->cases.size() <= traits->cases.size())) {
     return "Wrong only where " + joined(numbers->words, " or ") +

@@ -25,6 +25,7 @@ TESTS = (
     "picture.?pp",
     "recognise.?pp",
     "submission.hpp",
+    "formula*.?pp",
     "wrong_*.?pp",
     "part?_*_test.cpp",
     "linked/*.?pp",

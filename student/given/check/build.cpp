@@ -105,6 +105,7 @@ void build_part(Run& run, const Part& part) {
   if (build_targets({run.target(part)})) return;
   run.unbuilt[part.number] = part.number;
   const std::vector<std::string> said = own_lines(read(kBuild));
+  if (is_linker_error(said)) run.unlinked.insert(part.number);
   const std::string meaning = meaning_of(said);
   write(error_file(part.number),
         first_error(said) + (meaning.empty() ? "" : "\n" + folded(meaning, 74, "  ")));
@@ -133,8 +134,15 @@ void build_parts(Run& run) {
   for (const int number : needed) build_part(run, run.part(number));
 }
 
-bool build_given(const Run& run, const Part& part) {
-  return build_targets({run.given_target(part)});
+std::vector<const Part*> build_given(const Run& run, const std::vector<const Part*>& parts) {
+  std::vector<std::string> targets;
+  for (const Part* part : parts) targets.push_back(run.given_target(*part));
+  if (targets.empty() || build_targets(targets)) return parts;
+  std::vector<const Part*> built;
+  for (const Part* part : parts) {
+    if (build_targets({run.given_target(*part)})) built.push_back(part);
+  }
+  return built;
 }
 
 bool build_study() { return build_targets({"study"}); }

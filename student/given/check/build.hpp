@@ -10,8 +10,8 @@ namespace bounce::check {
 // CMake itself fails.
 void build_parts(Run& run);
 
-// A part by itself, with right answers for the earlier ones. Whether that could be built.
-bool build_given(const Run& run, const Part& part);
+// These parts by themselves, with right answers for the earlier ones. Those that could be built.
+std::vector<const Part*> build_given(const Run& run, const std::vector<const Part*>& parts);
 
 // The program that studies all parts. Whether that could be built.
 bool build_study();

@@ -35,6 +35,9 @@ const std::vector<std::pair<std::regex, std::string>>& meanings() {
        "Two columns can't be multiplied with *: a.dot(b) is the scalar product."},
       {std::regex("INVALID_MATRIX_PRODUCT"),
        "The left one needs as many columns as the right one has rows: is a transpose() missing?"},
+      {std::regex("THIS_EXPRESSION_IS_NOT_A_LVALUE"),
+       "What stands on the left can't be changed: it is const, or made with auto, which keeps an "
+       "expression and no numbers. Write its type, such as Vector3."},
       {std::regex("YOU_MIXED_MATRICES_OF_DIFFERENT_SIZES"),
        "Write down rows x columns of both sides: is a transpose() missing, or a block too large?"},
       {std::regex("YOU_MIXED_DIFFERENT_NUMERIC_TYPES"),
@@ -43,17 +46,24 @@ const std::vector<std::pair<std::regex, std::string>>& meanings() {
            "(cannot|could not) convert.*(Matrix|Product|Eigen)|no (viable|known) conversion.*"
            "(Matrix|Product|Eigen)"),
        "A matrix stands where another type is expected; of a 1x1 product take (0), or use dot()."},
+      {std::regex(
+           "ambiguating new declaration|differ only in their return type|conflicting return"),
+       "Compare the function's line with its header in include/bounce/: its arguments, and what it "
+       "returns."},
       {std::regex("discards qualifiers|read-only|const-qualified|is const|marked const"),
        "It is const, as what comes in is: change a copy of your own."},
+      {std::regex("no match for .{1,5}operator=|no viable overloaded '='"),
+       "The left side is const, as what comes in is, or the right side is of another type: change "
+       "a copy of your own, or write down both types."},
       {std::regex("expected ('|\u2018)?[;,)}]|expected ('|\u2018)?[,;]"),
        "Often the line before lacks its semicolon or bracket."},
       {std::regex(
            "not declared|undeclared identifier|not a member of|has no member|no member named"),
-       "Is the name spelled as where it comes from, and its header included?"},
+       "Is it spelled as where it comes from, its header included, and its owner named, as in "
+       "params.mu or Eigen::Matrix3d?"},
       {std::regex("undefined reference|[Uu]ndefined symbols?|unresolved external"),
        "Compare the function's line with its header in include/bounce/: its name, its arguments, "
-       "and "
-       "that it is inside of namespace bounce."},
+       "each const and &, and that it is inside of namespace bounce."},
       {std::regex("multiple definition|duplicate symbol|already defined"),
        "Two files define it: keep one, or make the other static."},
   };
@@ -71,6 +81,19 @@ std::string inside_a_library(std::string said) {
     return c == '_' ? ' ' : static_cast<char>(std::tolower(c));
   });
   return words;
+}
+
+// "bounce::form_lcp(Eigen::Matrix<double, 3, 2, 0, 3, 2> const&, ...)" as the headers write it.
+std::string with_own_types(std::string symbol) {
+  static const std::pair<std::regex, std::string> kTypes[] = {
+      {std::regex("Eigen::Matrix<double, 3, 1[^>]*>"), "Vector3"},
+      {std::regex("Eigen::Matrix<double, 3, 2[^>]*>"), "Jacobian"},
+      {std::regex("bounce::(Parameters|Lcp|Contact)"), "$1"},
+      {std::regex("(\\w+) const&"), "const $1&"},
+      {std::regex("`"), "'"},
+  };
+  for (const auto& [written, own] : kTypes) symbol = std::regex_replace(symbol, written, own);
+  return symbol;
 }
 
 }  // namespace
@@ -99,6 +122,19 @@ std::string compiled_file(const std::string& line) {
 bool is_warning_of_own_file(const std::string& line) {
   static const std::regex kWarning(R"(^src/[^:]*:\d+:(\d+:)? warning: )");
   return has(line, kWarning);
+}
+
+bool is_missing_return(const std::string& line) {
+  return line.find("[-Wreturn-type]") != std::string::npos;
+}
+
+bool is_linker_error(const std::vector<std::string>& lines) {
+  const auto is_compilers = [](const std::string& line) {
+    return has(line, kError) && !has(line, kFromLinker);
+  };
+  return std::none_of(lines.begin(), lines.end(), is_compilers) &&
+         std::any_of(lines.begin(), lines.end(),
+                     [](const std::string& line) { return has(line, kMissing); });
 }
 
 std::string file_of(const std::string& line) { return line.substr(0, line.find(':')); }
@@ -133,7 +169,7 @@ std::string first_error(const std::vector<std::string>& lines) {
     }
     if (more-- > 0) rest += "\n  " + line.substr(0, kLongest);
     if (missing.empty() && has(line, kMissing)) {
-      missing = std::regex_replace(line, std::regex(R"(^.*(\(.*\): |ld: ))"), "");
+      missing = std::regex_replace(line, std::regex(R"(^.*(\+0x\w+\): |error: |ld: ))"), "");
     }
   }
   const auto shown = [](const std::string& line) { return "  " + line.substr(0, kLongest); };
@@ -141,7 +177,7 @@ std::string first_error(const std::vector<std::string>& lines) {
     return shown(std::regex_replace(said, std::regex(R"(:\d+: (fatal )?error: )"), ": ")) + rest;
   }
   if (!said.empty()) return shown((own.empty() ? "a header" : own) + ": " + inside_a_library(said));
-  if (!missing.empty()) return shown(missing);
+  if (!missing.empty()) return shown(with_own_types(missing));
   return "  the build failed; what it says is in " + (kWork / "build.txt").generic_string();
 }
 

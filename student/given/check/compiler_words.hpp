@@ -15,6 +15,9 @@ std::string compiled_file(const std::string& line);
 
 bool is_warning_of_own_file(const std::string& line);
 
+// Whether such a warning says that a function may end without returning anything.
+bool is_missing_return(const std::string& line);
+
 // Of "src/helper.hpp:12:3: warning: what".
 std::string file_of(const std::string& line);
 int line_of(const std::string& line);
@@ -22,6 +25,9 @@ int line_of(const std::string& line);
 // The first error with the file and line that it comes from, indented, and two lines more. Where it
 // is inside of a library, with the student's own line that asked for it.
 std::string first_error(const std::vector<std::string>& lines);
+
+// Whether all files compiled, and the linker missed a function, or found it twice.
+bool is_linker_error(const std::vector<std::string>& lines);
 
 // What the first error usually means, in a sentence; empty where that isn't known.
 std::string meaning_of(const std::vector<std::string>& lines);

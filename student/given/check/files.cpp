@@ -66,9 +66,9 @@ std::string folded(const std::string& text, std::size_t width, const std::string
   for (std::string line : lines_of(text)) {
     while (line.size() > width) {
       const std::size_t blank = line.rfind(' ', width - 1);
-      const std::size_t cut = blank == std::string::npos ? width : blank + 1;
-      out += indent + line.substr(0, cut) + "\n";
-      line.erase(0, cut);
+      const bool has_blank = blank != std::string::npos;
+      out += indent + line.substr(0, has_blank ? blank : width) + "\n";
+      line.erase(0, has_blank ? blank + 1 : width);
     }
     out += indent + line + "\n";
   }

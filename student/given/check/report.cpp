@@ -42,11 +42,13 @@ void print_part(const Run& run, const Part& part) {
   const auto unbuilt = run.unbuilt.find(part.number);
   const int points = unbuilt == run.unbuilt.end() ? points_of(part) : 0;
   const bool is_needed = unbuilt != run.unbuilt.end() && unbuilt->second != part.number;
-  const std::string what =
-      unbuilt == run.unbuilt.end() ? part.title
-      : is_needed
-          ? "not run: it needs part " + std::to_string(unbuilt->second) + ", which does not compile"
-          : "does not compile";
+  std::string what = part.title;
+  if (unbuilt != run.unbuilt.end()) {
+    const bool links = !run.unlinked.count(unbuilt->second);
+    what = (is_needed ? "not run: it needs part " + std::to_string(unbuilt->second) + ", which "
+                      : "") +
+           (links ? "does not compile" : "compiles, but does not link");
+  }
   const std::string heading = "Part " + std::to_string(part.number) + "  " + what;
   std::cout << (is_needed ? style().dim : style().bold)
             << in_columns(heading, 61, points, part.points) << style().plain << "\n";
@@ -74,6 +76,15 @@ void print_what_was_printed(const Part& part, const Note& note) {
   if (lines.size() > kMostPrinted) std::cout << "    ...\n";
 }
 
+// Where a return is missing, numbers are wrong, or the program crashes, for no other reason.
+void print_missing_returns(const Part& part) {
+  for (const std::string& line : warnings()) {
+    if (file_of(line) != part.file() || !is_missing_return(line)) continue;
+    std::cout << "  " << file_of(line) << ":" << line_of(line)
+              << ": the function can end without return, and what it gives is then anything.\n";
+  }
+}
+
 void print_first(const Run& run) {
   const Part& part = *run.first_part;
   if (!run.first_check) {
@@ -88,6 +99,7 @@ void print_first(const Run& run) {
   for (const std::string& line : lines_of(note.text)) {
     if (!line.empty() && (draws || line.rfind("    |", 0) != 0)) std::cout << "  " << line << "\n";
   }
+  print_missing_returns(part);
   print_what_was_printed(part, note);
   if (const std::string mistake = mistake_of(run, part); !mistake.empty()) {
     std::cout << "\n" << folded(mistake, 74, "  ") << "\n";
@@ -120,8 +132,8 @@ void print_warnings() {
 void print_what_does_not_compile(const Run& run) {
   const int broken = run.unbuilt.at(run.first_part->number);
   std::cout << "\n"
-            << style().bold << "First: make " << run.part(broken).stem << ".cpp compile"
-            << style().plain << "\n"
+            << style().bold << "First: make " << run.part(broken).stem << ".cpp "
+            << (run.unlinked.count(broken) ? "link" : "compile") << style().plain << "\n"
             << first_error_of(broken) << "\n";
 }
 

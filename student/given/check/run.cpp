@@ -85,6 +85,8 @@ std::string reason_of(const Termination& ended, const std::string& printed) {
 #endif
     case SIGSEGV:
       return "the program crashed: an index or a pointer out of bounds, or recursion without end";
+    case SIGILL:
+      return "the program crashed: is a return missing?";
 #ifdef SIGKILL
     case SIGKILL:
       return "the program was ended, perhaps for want of memory";
@@ -179,7 +181,6 @@ void fill_in(const Part& part, const fs::path& own) {
 
 // The better result stays.
 void run_with_given(Run& run, const Part& part) {
-  if (!build_given(run, part)) return;
   const fs::path notes = notes_of(part), prints = prints_file(part.number);
   const bool has_own = !run.unbuilt.count(part.number);
   const int own_points = has_own ? points_of(part) : 0;
@@ -210,15 +211,25 @@ bool may_suffer(const Run& run, const Part& part) {
   });
 }
 
-// Runs it as it is, and where that isn't all right, with given earlier parts.
-void judge(Run& run, const Part& part) {
+// Whether it may get more points with given earlier parts.
+bool may_gain(const Run& run, const Part& part) {
   const auto unbuilt = run.unbuilt.find(part.number);
-  const bool compiles = unbuilt == run.unbuilt.end() || unbuilt->second != part.number;
-  if (unbuilt == run.unbuilt.end()) {
-    run_part(run, part);
-    if (points_of(part) == part.points) return;
+  const bool is_built = unbuilt == run.unbuilt.end();
+  const bool compiles = is_built || unbuilt->second != part.number;
+  const bool is_right = is_built && points_of(part) == part.points;
+  return compiles && !is_right && !run.sanitized && may_suffer(run, part);
+}
+
+// Runs them as they are, and where that isn't all right, with given earlier parts.
+void judge(Run& run, const std::vector<const Part*>& parts) {
+  for (const Part* part : parts) {
+    if (!run.unbuilt.count(part->number)) run_part(run, *part);
   }
-  if (compiles && !run.sanitized && may_suffer(run, part)) run_with_given(run, part);
+  std::vector<const Part*> may_gain_points;
+  for (const Part* part : parts) {
+    if (may_gain(run, *part)) may_gain_points.push_back(part);
+  }
+  for (const Part* part : build_given(run, may_gain_points)) run_with_given(run, *part);
 }
 
 }  // namespace
@@ -244,10 +255,12 @@ void run_parts(Run& run) {
   run.score = run.possible = 0;
   run.first_part = nullptr;
   run.first_check = nullptr;
+  std::vector<const Part*> chosen;
+  for (const int number : run.chosen) chosen.push_back(&run.part(number));
+  judge(run, chosen);
   for (const int number : run.chosen) {
     const Part& part = run.part(number);
     run.possible += part.points;
-    judge(run, part);
     if (run.unbuilt.count(number)) {
       if (!run.first_part) run.first_part = &part;
       continue;

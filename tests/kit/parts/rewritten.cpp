@@ -18,12 +18,6 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 const Vector3 kDown(0, -9.81, 0);
 
-Eigen::VectorXd numbers(const Contact& contact) {
-  Eigen::VectorXd all(7);
-  all << contact.J.reshaped(), contact.phi;
-  return all;
-}
-
 // The corner that is the lowest once whole quarter turns are taken off: the third, then the second.
 int by_quarters(double theta, bool truncated) {
   const double quarters = theta / (kPi / 2);
@@ -114,7 +108,7 @@ Eigen::VectorXd Rewritten::part1(const Case& c) {
   contact.phi = nothing_found ? 0 : c.q.y() + r(1, k);
   if (has("part1_phi_without_the_centre")) contact.phi = r(1, k);
   if (has("part1_phi_above_the_corner")) contact.phi = -r(1, k);
-  return numbers(contact);
+  return numbers_of(contact);
 }
 
 // --- part 2 ---
@@ -187,9 +181,7 @@ Eigen::VectorXd Rewritten::part2(const Case& c) const {
   const double gravity_1 = has("part2_gravity_sign_in_the_second_row") ? -1 : 1;
   lcp.p << n.dot(before) + gravity * n.dot(dv), -side * t.dot(bounce * c.v + gravity_1 * dv),
       side * t.dot(bounce * c.v + dv), has("part2_mu_in_the_last_row_of_p") ? p.mu : 0;
-  Eigen::VectorXd all(20);
-  all << lcp.V.reshaped(), lcp.p;
-  return all;
+  return numbers_of(lcp);
 }
 
 // --- part 3 ---

@@ -386,7 +386,10 @@ def test_goes_on_where_a_check_was_killed_while_it_prepared(tmp_path: Path) -> N
             {"c++", "g++", "clang++", "gcc", "cc"},
             "check: a C++ compiler is missing; install it with",
         ),
-        ({"ninja", "make", "gmake"}, "check: the program make is missing; install it with"),
+        (
+            {"ninja", "make", "gmake"},
+            "check: Ninja is missing; install it with: sudo apt install ninja-build",
+        ),
     ],
     ids=["cmake", "compiler", "make"],
 )

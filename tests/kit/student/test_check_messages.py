@@ -152,8 +152,13 @@ ERRORS = {  # what stands before the last statement of part 2, and what is said 
     "a matrix for a number": ("double x = J_n.transpose() * J_hat;", "A matrix stands where"),
     "a const": ("params.mu = 0;", "It is const"),
     "no semicolon": ("int n = 3", "the line before lacks its semicolon"),
-    "no such name": ("v_fre(0);", "Is the name spelled"),
-    "no such member": ("params.nu;", "Is the name spelled"),
+    "no such name": ("v_fre(0);", "Is it spelled as where"),
+    "no such member": ("params.nu;", "Is it spelled as where"),
+    "a column of a const matrix": ("J.col(0) = J_n;", "The left side is const"),
+    "auto in place of a type": (
+        "auto f = params.M() * params.g; f += J_n;",
+        "made with auto, which keeps an expression",
+    ),
 }
 
 
@@ -173,14 +178,34 @@ def test_an_error_of_the_compiler_is_told_in_words(home: Path, error: str) -> No
     "old, new",
     [
         ("const Vector3& v,", "Vector3& v,"),
+        ("Jacobian& J, const Vector3& v,", "Jacobian& J, Vector3 v,"),
         ("namespace bounce {", "using namespace bounce;\nnamespace bouncy {"),
     ],
 )
 def test_another_function_than_the_declared_one_is_told(home: Path, old: str, new: str) -> None:
     put(home)
     change(home, "part2_lcp", old, new)
-    told = first(check(home, "2"))
+    run = check(home, "2")
+    told = first(run)
     assert "Compare the function's line with its header" in " ".join(told.split()), told
+    assert "Part 2  compiles, but does not link" in run.stdout and "not compile" not in run.stdout
+    assert told.startswith("make part2_lcp.cpp link")
+    assert "bounce::form_lcp(const Jacobian&, const Vector3&, const Parameters&)" in told
+
+
+@pytest.mark.long
+def test_another_result_than_the_declared_one_is_told(home: Path) -> None:
+    put(home)
+    change(home, "part2_lcp", "Lcp form_lcp(", "State form_lcp(")
+    told = first(check(home, "2"))
+    assert "its arguments, and what it returns" in " ".join(told.split()), told
+
+
+def test_a_missing_return_comes_before_other_reasons(home: Path) -> None:
+    put(home)
+    change(home, "part2_lcp", "  return lcp;\n", "")
+    told = first(check(home, "2"))
+    assert re.search(r"  src/part2_lcp.cpp:\d+: the function can end without return", told), told
 
 
 @pytest.mark.long

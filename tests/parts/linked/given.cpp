@@ -1,5 +1,7 @@
 #include "given.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -20,8 +22,9 @@ constexpr std::ptrdiff_t kOfAContact = 7, kOfAnLcp = 20;  // numbers of an answe
 
 bool asked_else = false;
 
-void append(Numbers& numbers, const Eigen::MatrixXd& m) {
-  for (const double x : m.reshaped()) numbers.push_back(x);
+template <class Matrix>
+void append(Numbers& numbers, const Matrix& m) {
+  numbers.insert(numbers.end(), m.data(), m.data() + m.size());
 }
 
 Numbers numbers_of(const Parameters& p) {
@@ -70,11 +73,9 @@ template <class... Arguments>
 const double* answer(const Table& table, const Parameters& params, const Arguments&... arguments) {
   Numbers question = numbers_of(params);
   (append(question, arguments), ...);
-  const auto found =
-      Eigen::Map<const Eigen::VectorXd>(question.data(), static_cast<Eigen::Index>(question.size()))
-              .allFinite()
-          ? table.find(question)
-          : table.end();
+  const bool is_finite =
+      std::all_of(question.begin(), question.end(), [](double x) { return std::isfinite(x); });
+  const auto found = is_finite ? table.find(question) : table.end();
   if (found != table.end()) return found->second.data();
   asked_else = true;
   throw std::runtime_error("an earlier part is asked what no right part asks");

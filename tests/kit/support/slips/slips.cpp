@@ -37,18 +37,6 @@ namespace {
 using namespace bounce::tests;
 using Slips = std::set<std::string, std::less<>>;
 
-Eigen::VectorXd numbers(const Contact& contact) {
-  Eigen::VectorXd all(7);
-  all << contact.J.reshaped(), contact.phi;
-  return all;
-}
-
-Eigen::VectorXd numbers(const Lcp& lcp) {
-  Eigen::VectorXd all(20);
-  all << lcp.V.reshaped(), lcp.p;
-  return all;
-}
-
 // Styles in which all parts are written.
 const std::map<std::string, const Style*>& whole_styles() {
   static const std::map<std::string, const Style*> styles{{"helper class", &classes()},
@@ -66,10 +54,10 @@ Function in_style(const std::map<std::string, Function>& styles, const std::stri
 
 Eigen::VectorXd asked(int part, const std::string& style, const Case& c) {
   if (part == 1) {
-    return numbers(in_style(part1_styles(), style, &Style::get_contacts)(c.q, c.params));
+    return numbers_of(in_style(part1_styles(), style, &Style::get_contacts)(c.q, c.params));
   }
   if (part == 2) {
-    return numbers(in_style(part2_styles(), style, &Style::form_lcp)(c.J, c.v, c.params));
+    return numbers_of(in_style(part2_styles(), style, &Style::form_lcp)(c.J, c.v, c.params));
   }
   if (part == 3) {
     return numbers_of(in_style(part3_styles(), style, &Style::step)(c.q, c.v, c.params), c);
