@@ -89,16 +89,16 @@ def _run(changes: list[Change], box: Box, *flags: str) -> processes.Result:
 
 def _refused(changes: list[Change], box: Box) -> set[int]:
     """The numbers of those in which the compiler finds an error, or for which it meets one in a
-    header. Of several changes with the same error in a header it may name the first alone."""
+    header. Of several changes with the same error in a header it may name the first alone, and
+    of some errors in a header it doesn't say where they come from."""
     result = _run(changes, box, "-fsyntax-only")
     if result.ok:
         return set()
-    refused = set()
-    for block in re.split(r"^(?=.*: (?:fatal )?error: )", result.err, flags=re.MULTILINE)[1:]:
-        place = re.search(r"^change_(\d+):", block, re.MULTILINE)
-        if not place:
-            raise KitError(f"an error is in none of the changes: {block}")
-        refused.add(int(place.group(1)))
+    blocks = re.split(r"^(?=.*: (?:fatal )?error: )", result.err, flags=re.MULTILINE)[1:]
+    places = (re.search(r"^change_(\d+):", block, re.MULTILINE) for block in blocks)
+    refused = {int(place.group(1)) for place in places if place}
+    if not refused:
+        raise KitError(f"an error is in none of the changes: {result.err[:1000]}")
     return refused
 
 

@@ -1,6 +1,7 @@
-"""Counts the outcomes of the changes by part and kind."""
+"""Counts the outcomes of the changes by file, by kind, and by the reason why they lose nothing."""
 
 import json
+from collections import Counter
 from collections.abc import Iterable
 from functools import cache
 from pathlib import Path
@@ -9,7 +10,7 @@ from mutation.changes import OPERATORS, Change
 from mutation.trial import Outcome
 
 REASONS = Path(__file__).parent / "equivalent.json"
-COLUMNS = ("made", "compiled", "noticed", "alike", "left", "left by public cases alone")
+COLUMNS = ("made", "compile", "lose points", "equivalent", "left")
 
 
 @cache
@@ -35,60 +36,40 @@ def faults(outcomes: Iterable[Outcome]) -> list[str]:
     return [described(o) for o in outcomes if o.is_noticed == is_alike(o.change)]
 
 
-def survivors(outcomes: Iterable[Outcome]) -> list[Change]:
-    """The changes that compile and cost nothing."""
-    return [outcome.change for outcome in outcomes if not outcome.is_noticed]
-
-
-def by_operator(outcomes: list[Outcome], told_apart: set[str]) -> str:
-    """A row for each file and a column for each kind of change: how many cost points, of those that
-    compile and that the solution isn't like. What costs nothing is like it unless it is among
-    `told_apart`, the names of those that random questions tell from it."""
-    compiled = [o for o in outcomes if o.compiles and (o.lost or str(o.change) in told_apart)]
-    kinds = [k for k in OPERATORS if any(o.change.operator == k for o in compiled)]
-    lines = ["| | made | compile | " + " | ".join(kinds) + " | all |"]
-    lines.append("| --- |" + " ---: |" * (len(kinds) + 3))
-    for file in [*dict.fromkeys(o.change.file for o in outcomes), ""]:
-        made = [o for o in outcomes if file in ("", o.change.file)]
-        rows = [[o for o in compiled if o in made and k in ("", o.change.operator)] for k in kinds]
-        shares = [_share(row) for row in [*rows, [o for row in rows for o in row]]]
-        numbers = [len(made), sum(o.compiles for o in made)]
-        lines.append(f"| {file or 'all'} | {' | '.join([*map(str, numbers), *shares])} |")
-    return "\n".join(lines)
-
-
-def _share(outcomes: list[Outcome]) -> str:
-    return f"{sum(bool(o.lost) for o in outcomes)}/{len(outcomes)}" if outcomes else ""
-
-
 def counts(outcomes: list[Outcome]) -> tuple[int, ...]:
+    """As COLUMNS says."""
     compiled = [o for o in outcomes if o.compiles]
-    different = [o for o in compiled if not is_alike(o.change)]
+    alike = [o for o in compiled if is_alike(o.change)]
+    left = [o for o in compiled if not o.lost and not is_alike(o.change)]
     return (
         len(outcomes),
         len(compiled),
         sum(bool(o.lost) for o in compiled),
-        len(compiled) - len(different),
-        sum(not o.lost for o in different),
-        sum(not o.lost_in_public for o in different),
+        len(alike),
+        len(left),
     )
 
 
-def table(outcomes: list[Outcome]) -> str:
-    """A row for each kind of change of each file, and for each file."""
-    lines = [f"{'':32}" + "".join(f"{column:>{_width(column)}}" for column in COLUMNS)]
-    for file in dict.fromkeys(o.change.file for o in outcomes):
-        of_file = [o for o in outcomes if o.change.file == file]
-        for kind in dict.fromkeys(o.change.operator for o in of_file):
-            rows = [o for o in of_file if o.change.operator == kind]
-            lines.append(_row(f"{file}: {kind}", counts(rows)))
-        lines.append(_row(file, counts(of_file)))
-    return "\n".join([*lines, _row("all", counts(outcomes))])
+def row(name: str, outcomes: list[Outcome]) -> str:
+    return f"| {name} | " + " | ".join(map(str, counts(outcomes))) + " |\n"
 
 
-def _row(name: str, numbers: Iterable[int]) -> str:
-    return f"{name:32}" + "".join(f"{n:>{_width(c)}}" for n, c in zip(numbers, COLUMNS))
+def tables(outcomes: list[Outcome]) -> str:
+    """Those of docs/mutation.md: a row for each file, for each kind of change, and for each reason."""
+    files = dict.fromkeys(o.change.file for o in outcomes)
+    lines = [_head("right program", *COLUMNS)]
+    lines += [row(file, [o for o in outcomes if o.change.file == file]) for file in files]
+    lines += [row("all", outcomes), "\n", _head("kind of change", *COLUMNS)]
+    lines += [row(kind, [o for o in outcomes if o.change.operator == kind]) for kind in OPERATORS]
+    return "".join([*lines, "\n", table_of_reasons()])
 
 
-def _width(column: str) -> int:
-    return max(10, len(column) + 2)
+def table_of_reasons() -> str:
+    count = Counter(reason for of_file in reasons().values() for reason in of_file.values())
+    in_order = sorted(count.items(), key=lambda item: (-item[1], item[0]))
+    rows = [f"| {reason} | {number} |\n" for reason, number in in_order]
+    return _head("why it can't be told from the solution", "changes") + "".join(rows)
+
+
+def _head(name: str, *columns: str) -> str:
+    return f"| {name} | {' | '.join(columns)} |\n| --- |{' ---: |' * len(columns)}\n"

@@ -32,6 +32,7 @@ from mutation.changes import Change, changes
 
 ALIKE = BUILD / "alike"
 SOLUTION = ROOT / "solution" / "src"
+AT_ONCE = 200  # changes in one object
 GALLERY = ROOT / "tests" / "submissions" / "accepted"
 STYLES = (
     "corner_in_closed_form",
@@ -52,7 +53,6 @@ class Outcome:
     change: Change
     compiles: bool
     lost: tuple[str, ...] = ()
-    lost_in_public: tuple[str, ...] = ()
 
     @property
     def is_noticed(self) -> bool:
@@ -101,6 +101,13 @@ def changes_of_style(file: str) -> tuple[Change, ...]:
     return tuple(changes(file, (GALLERY / file).read_text()))
 
 
+def changes_of(file: str) -> tuple[Change, ...]:
+    """Of a file of the solution, or of another style, as its folder and name."""
+    if "/" in file:
+        return changes_of_style(file)
+    return tuple(change for change in all_changes() if change.file == file)
+
+
 def part_of(change: Change) -> Part:
     return next(part for part in parts() if part.file == Path(change.file).name)
 
@@ -108,6 +115,12 @@ def part_of(change: Change) -> Part:
 def outcomes(chosen: Iterable[Change]) -> list[Outcome]:
     """What each of these changes of one part costs."""
     wanted = list(chosen)
+    groups = -(-len(wanted) // AT_ONCE)  # each of all kinds, so that some of it compiles
+    found = {o.change: o for k in range(groups) for o in _outcomes(wanted[k::groups])}
+    return [found[change] for change in wanted]
+
+
+def _outcomes(wanted: list[Change]) -> list[Outcome]:
     hidden = fixtures.hidden_folder()
     with _built(wanted) as (batch, runners):
         numbers = {change.name: number for number, change in enumerate(batch.changes)}
@@ -116,9 +129,7 @@ def outcomes(chosen: Iterable[Change]) -> list[Outcome]:
             if change.name not in numbers:
                 return Outcome(change, compiles=False)
             box = Choosing.of(_box(), numbers[change.name])
-            lost = _lost(runners, hidden, box)
-            public = _lost(runners, fixtures.PUBLIC, box) if lost else ()
-            return Outcome(change, True, lost, public)
+            return Outcome(change, True, _lost(runners, hidden, box))
 
         with ThreadPoolExecutor(os.cpu_count()) as pool:
             return list(pool.map(outcome, wanted))
