@@ -1,5 +1,5 @@
 """python -m mutation [FILE...]: tries every change of these files of the solution or of another
-style (part3_step.cpp, corner_in_closed_form/part1_contacts.cpp), and prints what each of them costs.
+style (part3_step.cpp, corner_in_closed_form/part1_contacts.cpp), and prints what each costs.
 Without FILE, of all of them; then it writes the tables into docs/mutation.md."""
 
 import sys

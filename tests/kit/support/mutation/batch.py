@@ -1,8 +1,8 @@
 """Many changes of a part in one object, since to compile each by itself takes minutes.
 
 Each changed function stands in a namespace of its own, in which calls find the other parts as they
-do in the file itself. The part's function calls the one whose number is the program's last argument.
-Compiler and flags are those of a submission.
+do in the file itself. The part's function calls the one whose number is the program's last
+argument. Compiler and flags are those of a submission.
 """
 
 import hashlib

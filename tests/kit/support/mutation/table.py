@@ -55,7 +55,7 @@ def row(name: str, outcomes: list[Outcome]) -> str:
 
 
 def tables(outcomes: list[Outcome]) -> str:
-    """Those of docs/mutation.md: a row for each file, for each kind of change, and for each reason."""
+    """Those of docs/mutation.md: by file, by kind of change, and by reason."""
     files = dict.fromkeys(o.change.file for o in outcomes)
     lines = [_head("right program", *COLUMNS)]
     lines += [row(file, [o for o in outcomes if o.change.file == file]) for file in files]
