@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from functools import cache
 from pathlib import Path
 
-from bounce_grader.build import eigen_shapes
+from bounce_grader.build import eigen_shapes, error_meanings
 from bounce_grader.common.errors import KitError
 from bounce_grader.common.escaping import printable_text, terminal
 from bounce_grader.common.paths import BUILD, CONTRACT, RUNNER
@@ -130,7 +130,8 @@ def too_large(file: str) -> str:
 
 
 def compile_problem(result: processes.Result, file: str) -> str:
-    """The compiler's first error in one line, with the submission's file and line."""
+    """The compiler's first error in one line, with the submission's file and line, and what it
+    usually means."""
     if ran_out_of_time(result):
         return f"{file} took more than {COMPILE.cpu_seconds} s to compile"
     if result.code in (-25, 128 + 25):
@@ -141,6 +142,14 @@ def compile_problem(result: processes.Result, file: str) -> str:
     if not errors:
         return f"{file}: {_without_a_place(result)}"
     where, what = errors[0]
+    meaning = error_meanings.meaning(what)
+    told = _first_error(where, what, result, file)
+    if not meaning:
+        return told
+    return f"{told} {meaning}" if told.endswith((".", "?")) else f"{told}. {meaning}"
+
+
+def _first_error(where: str, what: str, result: processes.Result, file: str) -> str:
     said_by_eigen = re.search(r'"([A-Z_0-9]{8,})"$', what)
     if said_by_eigen:
         what = said_by_eigen.group(1).replace("_", " ").lower()

@@ -9,7 +9,7 @@ from bounce_grader.grading.record import Record
 STATUS_WORDS = {
     "graded": "graded",
     "not_submitted": "not submitted",
-    "does_not_compile": "does not compile",
+    "does_not_compile": "does not build",
     "crashed": "crashed",
     "timed_out": "ran out of time",
     "out_of_memory": "ran out of memory",

@@ -28,46 +28,18 @@ bool is_own(const std::string& line) {
   return line.rfind("src/", 0) == 0 || line.rfind("include/", 0) == 0;
 }
 
-// What an error of this assignment's usually means, by what the compilers say of it.
-const std::vector<std::pair<std::regex, std::string>>& meanings() {
-  static const std::vector<std::pair<std::regex, std::string>> kMeanings = {
-      {std::regex("INVALID_VECTOR_VECTOR_PRODUCT"),
-       "Two columns can't be multiplied with *: a.dot(b) is the scalar product."},
-      {std::regex("INVALID_MATRIX_PRODUCT"),
-       "The left one needs as many columns as the right one has rows: is a transpose() missing?"},
-      {std::regex("THIS_EXPRESSION_IS_NOT_A_LVALUE"),
-       "What stands on the left can't be changed: it is const, or made with auto, which keeps an "
-       "expression and no numbers. Write its type, such as Vector3."},
-      {std::regex("YOU_MIXED_MATRICES_OF_DIFFERENT_SIZES"),
-       "Write down rows x columns of both sides: is a transpose() missing, or a block too large?"},
-      {std::regex("YOU_MIXED_DIFFERENT_NUMERIC_TYPES"),
-       "Every number in these matrices has to be a double."},
-      {std::regex(
-           "(cannot|could not) convert.*(Matrix|Product|Eigen)|no (viable|known) conversion.*"
-           "(Matrix|Product|Eigen)"),
-       "A matrix stands where another type is expected; of a 1x1 product take (0), or use dot()."},
-      {std::regex(
-           "ambiguating new declaration|differ only in their return type|conflicting return"),
-       "Compare the function's line with its header in include/bounce/: its arguments, and what it "
-       "returns."},
-      {std::regex("discards qualifiers|read-only|const-qualified|is const|marked const"),
-       "It is const, as what comes in is: change a copy of your own."},
-      {std::regex("no match for .{1,5}operator=|no viable overloaded '='"),
-       "The left side is const, as what comes in is, or the right side is of another type: change "
-       "a copy of your own, or write down both types."},
-      {std::regex("expected ('|\u2018)?[;,)}]|expected ('|\u2018)?[,;]"),
-       "Often the line before lacks its semicolon or bracket."},
-      {std::regex(
-           "not declared|undeclared identifier|not a member of|has no member|no member named"),
-       "Is it spelled as where it comes from, its header included, and its owner named, as in "
-       "params.mu or Eigen::Matrix3d?"},
-      {std::regex("undefined reference|[Uu]ndefined symbols?|unresolved external"),
-       "Compare the function's line with its header in include/bounce/: its name, its arguments, "
-       "each const and &, and that it is inside of namespace bounce."},
-      {std::regex("multiple definition|duplicate symbol|already defined"),
-       "Two files define it: keep one, or make the other static."},
-  };
-  return kMeanings;
+// Sentences by patterns of what the compilers say.
+std::vector<std::pair<std::string, std::regex>> read_meanings() {
+  std::vector<std::pair<std::string, std::regex>> meanings;
+  std::string sentence;
+  for (const std::string& line : lines_of(read("given/check/compiler_errors.txt"))) {
+    if (line.rfind("  ", 0) == 0) {
+      meanings.emplace_back(sentence, std::regex(line.substr(2)));
+    } else {
+      sentence = line;
+    }
+  }
+  return meanings;
 }
 
 // "YOU_MIXED_MATRICES_OF_DIFFERENT_SIZES" as words; other texts without what says nothing.
@@ -142,9 +114,10 @@ std::string file_of(const std::string& line) { return line.substr(0, line.find('
 int line_of(const std::string& line) { return std::atoi(line.c_str() + file_of(line).size() + 1); }
 
 std::string meaning_of(const std::vector<std::string>& lines) {
+  const auto meanings = read_meanings();
   for (const std::string& line : lines) {
     if (!has(line, kError) && !has(line, kMissing)) continue;
-    for (const auto& [pattern, sentence] : meanings()) {
+    for (const auto& [sentence, pattern] : meanings) {
       if (has(line, pattern)) return sentence;
     }
     if (has(line, kError)) return "";  // the first error alone
@@ -187,18 +160,18 @@ bool is_of_sanitizers(const std::string& line) {
 }
 
 std::string found_by_sanitizers(const std::vector<std::string>& lines) {
-  static const std::regex kUndefined(R"(((src|include)/[^ :]*:\d+)\S*: runtime error: (.*))");
+  static const std::regex kUndefined(
+      R"((^|[^/])((src|include)/[^ :]*:\d+)\S*: runtime error: (.*))");
   static const std::regex kAddress("ERROR: AddressSanitizer: ([a-zA-Z-]+)");
-  static const std::regex kPlace(R"(((src|include)/[^ :]*:\d+))");
   std::string kind;
   for (const std::string& line : lines) {
     std::smatch found;
     if (std::regex_search(line, found, kUndefined)) {
-      return "UBSan found this at " + found[1].str() + ": " + found[3].str().substr(0, kLongest);
+      return "UBSan found this at " + found[2].str() + ": " + found[4].str().substr(0, kLongest);
     }
     if (kind.empty() && std::regex_search(line, found, kAddress)) kind = found[1];
-    if (!kind.empty() && std::regex_search(line, found, kPlace)) {
-      return "AddressSanitizer found " + kind + ", at " + found[1].str();
+    if (!kind.empty() && std::regex_search(line, found, kOwnPlace)) {
+      return "AddressSanitizer found " + kind + ", at " + found[2].str();
     }
   }
   return kind.empty() ? "" : "AddressSanitizer found " + kind;

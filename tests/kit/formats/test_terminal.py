@@ -2,6 +2,7 @@
 
 import io
 import json
+import re
 from typing import Any
 
 import pytest
@@ -81,7 +82,31 @@ def test_an_error_inside_eigen_names_the_line_that_asked_for_it() -> None:
         "part2_lcp.cpp:11:30: note: in instantiation of function template\n"
     )
     told = compile_problem(failed(err), "part2_lcp.cpp")
-    assert told == "invalid matrix product, asked for at part2_lcp.cpp:11 (Product.h:1:2)"
+    assert told == (
+        "invalid matrix product, asked for at part2_lcp.cpp:11 (Product.h:1:2). The left one needs "
+        "as many columns as the right one has rows: is a transpose() missing?"
+    )
+
+
+@pytest.mark.parametrize(
+    "said, meant",
+    [
+        ("use of undeclared identifier 'mu'", "Is it spelled as where it comes from"),
+        ("unknown type name 'Matrix3d'; did you mean 'Eigen::Matrix3d'?", "Is it spelled as"),
+        ("expected ';' at end of declaration", "Often this line or the one before lacks"),
+        ("reference to non-static member function must be called", "called with parentheses"),
+        ("no viable overloaded '+='", "The left side is const"),
+        ("cannot assign to variable 'params' with const-qualified type 'x'", "It is const"),
+        ("no viable conversion from 'const Product<V, V>' to 'double'", "is a.dot(b)"),
+        ("invalid operands to binary expression ('const double' and 'int')", "^ is no power"),
+        ("no matching function for call to 'form_lcp'", "Compare the call"),
+        ("redefinition of 'lcp'", "leave out the type"),
+        ("extraneous closing brace ('}')", "count { and }"),
+    ],
+)
+def test_a_common_error_is_told_with_what_it_means(said: str, meant: str) -> None:
+    told = compile_problem(failed(f"part2_lcp.cpp:9:1: error: {said}\n"), "part2_lcp.cpp")
+    assert re.match(rf"part2_lcp.cpp:9:1: {re.escape(said)}\.? \w", told) and meant in told
 
 
 def refused_by_eigen(instantiated: str) -> str:
