@@ -163,7 +163,8 @@ std::vector<Curves> speed_curves(const std::vector<Scene>& scenes,
                                  const std::vector<std::unique_ptr<Contender>>& contenders,
                                  double budget_ns) {
   std::vector<exact::Samples> truths;
-  std::transform(scenes.begin(), scenes.end(), std::back_inserter(truths), exact::truth_of);
+  truths.reserve(scenes.size());
+  for (const exact::Scene& scene : scenes) truths.push_back(exact::truth_of(scene));
   std::vector<Measurement> measurements;
   measurements.reserve(contenders.size());
   for (const auto& contender : contenders)
