@@ -109,8 +109,8 @@ def _run(
         return 0
     summaries = final.with_finals(summaries, rules)
     near = near_copies.find(request.out, intake.students, tasks, request.trust, request.corpus)
-    without_page = outputs.write_feedback(request.out, intake, summaries, request.reveal)
-    for reasons in (near.left_out, without_page):
+    feedback = outputs.write_feedback(request.out, intake, summaries, request.reveal)
+    for reasons in (near.left_out, feedback.without):
         summaries = [
             s.with_note(reasons[s.student.id]) if s.student.id in reasons else s for s in summaries
         ]
@@ -128,6 +128,8 @@ def _run(
     )
     lines = [*notes, *remarks, *_alike(near, summaries)]
     status = _say(request, intake, summaries, lines)
+    if feedback.to_upload and not canvas:
+        print(feedback.to_upload)
     return max(status, _to_canvas(request, canvas, summaries) if canvas else 0)
 
 

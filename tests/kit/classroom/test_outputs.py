@@ -76,6 +76,17 @@ def test_what_may_be_a_missing_part_needs_a_look(
         assert "part1_contacts.cpp.txt" in looks
 
 
+def test_parts_of_other_names_alone_are_named(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    odd = {f"roe_301_{number}_Part {number}.cpp": b"// misnamed" for number in (1, 2, 3, 4)}
+    out = tmp_path / "out"
+    grade_class(download(tmp_path / "x.zip", [101], odd), out)
+    reason = "none of the parts is there under its name, but Part 1.cpp, Part 2.cpp, Part 3.cpp"
+    assert f"{reason}, Part 4.cpp" in capsys.readouterr().out
+    assert reason in next((out / "feedback").glob("roe_301_*")).read_text()
+
+
 def test_a_page_of_a_thousand_is_small(tmp_path: Path) -> None:
     entries = {f"doe{user}_{user}_{user}0_part2_lcp.cpp": text_of(user) for user in range(1000)}
     source = download(tmp_path / "x.zip", [], entries)

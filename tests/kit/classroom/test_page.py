@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 import stand_in
 from bounce_grader.classroom.intake import students
-from bounce_grader.classroom.intake.students import Class, Student
+from bounce_grader.classroom.intake.students import Class, Student, Unmatched
 from bounce_grader.classroom.output import charts, page
 from bounce_grader.classroom.output.charts import Point, Curve
 from bounce_grader.classroom.work import near_copies, progress
@@ -251,3 +251,30 @@ def test_progress_is_plain_lines_where_there_is_no_terminal(
     lines = capsys.readouterr().err.splitlines()
     assert re.fullmatch(r"kit: 1 of 2 graded, \d+ a minute, 0 s left", lines[0])
     assert re.fullmatch(r"kit: 2 of 2 graded, \d+ a minute", lines[1])
+
+
+SCROLLS_WITHOUT_KEYS = """
+return [...document.querySelectorAll("*")]
+  .filter(one => ["auto", "scroll"].includes(getComputedStyle(one).overflowX))
+  .filter(one => one.scrollWidth > one.clientWidth)
+  .filter(one => one.tabIndex < 0 && !one.querySelector("a, button, summary"))
+  .map(one => one.outerHTML.slice(0, 80))
+"""
+
+
+@pytest.mark.parametrize("width", [390, 1280])
+def test_all_of_the_page_can_be_reached_on_a_phone_and_by_keys(
+    tmp_path: Path, driver: Any, width: int
+) -> None:
+    unread = Unmatched("dupontemile_1204649_text.html", "is text typed into Canvas")
+    looks = summary(tmp_path, "x" * 60).with_note("a reason that is somewhat longer than others")
+    submitted = Class("a folder", unmatched=[unread])
+    text = page.render(submitted, [summary(tmp_path), looks], NOBODY, [])
+    write(tmp_path, {"class.html": text.encode()})
+    size = {"width": width, "height": 900, "deviceScaleFactor": 1, "mobile": width < 500}
+    driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", size)
+    driver.get((tmp_path / "class.html").as_uri())
+    assert driver.execute_script(SCROLLS_WITHOUT_KEYS) == []
+    assert driver.execute_script("return document.documentElement.scrollWidth") <= width
+    file = "return [...document.querySelectorAll('.names td')].map(cell => cell.offsetWidth)"
+    assert min(driver.execute_script(file)) >= 150  # wide enough for a name with its id

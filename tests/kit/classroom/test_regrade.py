@@ -8,7 +8,7 @@ import pytest
 from bounce_grader.classroom.work import log, results
 from bounce_grader.common.errors import UsageError
 from bounce_grader.common.manifest import parts
-from classes import column, download, grade_class, graded, points_of
+from classes import book, COLUMN, column, download, grade_class, graded, points_of
 from conftest import write
 
 
@@ -129,9 +129,11 @@ def test_regrading_shows_what_would_change_before_it_does(
     capsys.readouterr()
 
     monkeypatch.setattr(results, "__version__", "99")
-    assert grade_class(source, out, regrade="all") == 0
+    export = {"gradebook": book(tmp_path / "export.csv", users), "columns": {0: COLUMN}}
+    assert grade_class(source, out, regrade="all", **export) == 0
     said = capsys.readouterr().out
     assert "10 submissions were graded again: 1 differ, 9 don't." in said
+    assert "\nDoe, Jane (10" in said
     assert said.count("->") == 2 and f"  {check['id']}: failed -> passed" in said
     assert (out / "gradebook.csv").read_bytes() == before
 
@@ -140,6 +142,22 @@ def test_regrading_shows_what_would_change_before_it_does(
     assert column(out / "gradebook.csv") == expected
     assert len(results.keys(out / "results-1")) == len(results.keys(out / "results")) == 10
     assert any(line["event"] == "applied" for line in log.read(out / "log.jsonl"))
+
+
+def test_a_student_whom_only_the_grade_book_tells_is_missed_aloud(
+    tmp_path: Path, users: list[int], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A file's own number makes its name in the download that of one of two users."""
+    odd = {"doejane_120_5000_3_part2_lcp.cpp": b"// whose?"}
+    source, out = download(tmp_path / "x.zip", users, odd), tmp_path / "out"
+    export = {"gradebook": book(tmp_path / "export.csv", [*users, 120]), "columns": {0: COLUMN}}
+    grade_class(source, out, **export)
+    monkeypatch.setattr(results, "__version__", "99")
+    grade_class(source, out, regrade="all")
+    with pytest.raises(UsageError, match=r"hasn't graded all \(doejane\): .* same --gradebook"):
+        grade_class(source, out, **export, apply=True)
+    grade_class(source, out, **export, regrade="all")
+    assert grade_class(source, out, **export, apply=True) == 0
 
 
 def test_regrading_some_keeps_the_others(tmp_path: Path, users: list[int]) -> None:

@@ -61,12 +61,16 @@ def test_corrections_in_the_grade_book_outlive_the_next_weeks(
     assert column(out / "gradebook.csv") == first
 
 
-def test_only_pages_that_changed_go_back_again(tmp_path: Path, users: list[int]) -> None:
+def test_only_pages_that_changed_go_back_again(
+    tmp_path: Path, users: list[int], capsys: pytest.CaptureFixture[str]
+) -> None:
     out = tmp_path / "out"
     grade_class(download(tmp_path / "x.zip", users[:-1]), out)
     assert not (out / "feedback-new.zip").exists()
-    for _ in range(2):
+    assert "\nUpload feedback.zip, with 9 pages.\n" in capsys.readouterr().out
+    for said in ("Upload feedback-new.zip, with 1 page that changed", "No page has changed"):
         grade_class(download(tmp_path / "y.zip", users), out)
+        assert f"\n{said} since the last run" in capsys.readouterr().out
         with zipfile.ZipFile(out / "feedback-new.zip") as archive:
             assert archive.namelist() == ["doejane_110_1100_feedback.html"]
         with zipfile.ZipFile(out / "feedback.zip") as archive:
@@ -98,12 +102,14 @@ def test_a_second_run_grades_nothing_and_writes_the_same(
 ) -> None:
     source, out = download(tmp_path / "x.zip", users), tmp_path / "out"
     grade_class(source, out)
-    names = ("gradebook.csv", "grades.csv", "class.html")
+    names = ("gradebook.csv", "grades.csv", "class.html", "feedback.zip")
     first = [(out / name).read_bytes() for name in names]
     written = {f.name: f.stat().st_mtime_ns for f in (out / "results").iterdir()}
     capsys.readouterr()
     grade_class(source, out)
     assert [(out / name).read_bytes() for name in names] == first
+    with zipfile.ZipFile(out / "feedback.zip") as archive:
+        assert {page.date_time for page in archive.infolist()} == {(1980, 1, 1, 0, 0, 0)}
     assert {f.name: f.stat().st_mtime_ns for f in (out / "results").iterdir()} == written
     assert len(graded(out)) == len(users)
 

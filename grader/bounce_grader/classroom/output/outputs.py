@@ -6,7 +6,7 @@ import zipfile
 from collections.abc import Mapping
 from contextlib import suppress
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from bounce_grader.classroom.intake import canvas
 from bounce_grader.classroom.intake.course import Course
@@ -108,13 +108,17 @@ def _make_up_gradebook(path: Path, marks: Mapping[str, Marks], title: str, log: 
     return []
 
 
+class Feedback(NamedTuple):
+    without: dict[str, str]  # the reasons for missing pages, by student's id
+    to_upload: str  # a sentence: which zip has what students haven't got yet; "" if there is none
+
+
 def write_feedback(
     out: Path, submitted: Class, summaries: list[Summary], reveal: bool = False
-) -> dict[str, str]:
+) -> Feedback:
     """Writes a feedback page for each submission, and for Canvas and Moodle a zip of the pages that
     they can import. Removes pages of earlier runs whose submissions are gone. Only with `reveal` do
-    pages hold the expected answers of hidden cases. Returns the reasons for missing pages, by student's
-    id."""
+    pages hold the expected answers of hidden cases."""
     folder = out / "feedback"
     folder.mkdir(exist_ok=True)
     pages: list[str] = []
@@ -141,15 +145,16 @@ def write_feedback(
     for page_file in folder.glob("*.html"):
         if page_file.name not in pages and _is_ours(page_file):
             page_file.unlink()
-    if submitted.service in ("canvas", "moodle"):
-        of_canvas = submitted.service == "canvas"
-        _write_zips(out, folder, [n for n in pages if not of_canvas or canvas.parse(n)])
-    return without
+    if submitted.service not in ("canvas", "moodle"):
+        return Feedback(without, "")
+    of_canvas = submitted.service == "canvas"
+    zipped = [name for name in pages if not of_canvas or canvas.parse(name)]
+    return Feedback(without, _write_zips(out, folder, zipped))
 
 
-def _write_zips(out: Path, folder: Path, pages: list[str]) -> None:
+def _write_zips(out: Path, folder: Path, pages: list[str]) -> str:
     """All pages; and those that changed since the last time, because Canvas adds a comment for each
-    page that it is given."""
+    page that it is given. Returns which to upload."""
     whole = out / "feedback.zip"
     before: dict[str, bytes] = {}
     with suppress(OSError, zipfile.BadZipFile), zipfile.ZipFile(whole) as archive:
@@ -158,6 +163,18 @@ def _write_zips(out: Path, folder: Path, pages: list[str]) -> None:
     if before and changed:
         write_whole(out / NEW_PAGES, _zip(folder, changed))
     write_whole(whole, _zip(folder, pages))
+    if not pages:
+        return ""
+    if not changed:
+        old = f", and {NEW_PAGES} is an older one" if (out / NEW_PAGES).exists() else ""
+        return f"No page has changed since the last run: there is nothing new to upload{old}."
+    number = f"{len(changed)} page{'s' * (len(changed) > 1)}"
+    if not before:
+        return f"Upload {whole.name}, with {number}."
+    return (
+        f"Upload {NEW_PAGES}, with {number} that changed since the last run, before you give the "
+        "command again: it has only what changed since then."
+    )
 
 
 def _is_ours(page_file: Path) -> bool:
@@ -190,8 +207,10 @@ def _in_the_end(summary: Summary) -> list[html.InTheEnd]:
 
 
 def _zip(folder: Path, pages: list[str]) -> bytes:
+    """The same pages give the same bytes, whenever they were written."""
     data = io.BytesIO()
-    with zipfile.ZipFile(data, "w", zipfile.ZIP_DEFLATED) as archive:
+    with zipfile.ZipFile(data, "w") as archive:
         for name in pages:
-            archive.write(folder / name, name)
+            page_file = (folder / name).read_bytes()
+            archive.writestr(zipfile.ZipInfo(name), page_file, zipfile.ZIP_DEFLATED)
     return data.getvalue()

@@ -17,7 +17,7 @@ from bounce_grader.classroom.work.summary import of_result, Summary
 from bounce_grader.classroom.work.task import task_of, Stamp, Task
 from bounce_grader.classroom.work.unit import result_path
 from bounce_grader.common.errors import UsageError
-from bounce_grader.common.escaping import terminal
+from bounce_grader.common.escaping import first_few, terminal
 from bounce_grader.common.files import write_whole
 
 FILTER = "filter.txt"
@@ -136,7 +136,7 @@ def _difference(old: Summary, new: Summary) -> list[str]:
     ]
     if not checks and (old.state, old.score) == (new.state, new.score):
         return []
-    student = terminal(f"{new.student.name} ({new.student.id})")
+    student = terminal(f"{new.student.shown} ({new.student.id})")
     return [f"{student}: {_points(old)} -> {_points(new)}", *checks]
 
 
@@ -164,7 +164,10 @@ def apply(out: Path, intake: Class, stamp: Stamp, log: Log) -> None:
     chosen = choose(out, intake, (new / FILTER).read_text())
     missing = [s.name for s in chosen if not _result(new, s, stamp)[1]]
     if missing:
-        raise UsageError(f"--regrade hasn't graded all ({missing[0]} is missing): run that again")
+        raise UsageError(
+            f"--regrade hasn't graded all ({first_few(missing)}): run it again, on the same "
+            "submissions and with the same --gradebook, by which some are found"
+        )
     if results.stamp_of(old) == stamp:
         for key in results.keys(old) - results.keys(new):
             os.link(result_path(old, key), result_path(new, key))

@@ -16,7 +16,7 @@ from typing import Any
 from bounce_grader.classroom.intake import handed_in
 from bounce_grader.classroom.work.task import Task
 from bounce_grader.common.errors import KitError, UsageError
-from bounce_grader.common.escaping import printable_name
+from bounce_grader.common.escaping import first_few, printable_name
 from bounce_grader.common.files import write_whole
 from bounce_grader.grading.record import sentence
 from bounce_grader.sandbox.budget import Budget
@@ -99,10 +99,11 @@ def _require_a_part(taken: Submission) -> None:
     """Raises UsageError if no part is found, as with other names: a person should look at it,
     rather than it getting a zero."""
     if not taken.parts and not taken.refused:
-        names = [name for name in taken.ignored if not name.startswith("__MACOSX")]
+        left = [name for name in taken.ignored if not name.startswith("__MACOSX")]
+        names = [*taken.helpers, *left]
         closed = [name for name in names if PurePosixPath(name).suffix.lower() in CLOSED]
         raise UsageError(
             "none of the parts is there under its name"
-            + (f", but {', '.join(map(printable_name, names[:3]))}" if names else "")
+            + (f", but {first_few([*map(printable_name, names)])}" if names else "")
             + (f"; {printable_name(closed[0])} {why_not(closed[0])}" if closed else "")
         )
