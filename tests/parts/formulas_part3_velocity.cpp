@@ -130,11 +130,11 @@ void add_velocity(Words& sentences, const std::vector<Asked>& all, const std::st
 // --- the forces and their moment ---
 
 // What forces change of v: (v_x, v_y, omega), with f_n and f_t of the right v' times these factors.
-struct Change {
+struct ForcesChange {
   double v_x, v_y, omega;
 };
 
-Change of_forces(const Asked& a, double normal, double tangential) {
+ForcesChange of_forces(const Asked& a, double normal, double tangential) {
   const auto [r_x, r_y] = lowest_corner(a.c.q(2), a.c.params.l);
   const double m = a.c.params.m, inertia = a.c.params.M()(2, 2);
   const double f_n = normal * m * without_gravity(a, a.right, 1, 1);
@@ -142,7 +142,7 @@ Change of_forces(const Asked& a, double normal, double tangential) {
   return {f_t / m, f_n / m, (r_x * f_n - r_y * f_t) / inertia};
 }
 
-bool changes_like(const Asked& a, const Change& change) {
+bool changes_like(const Asked& a, const ForcesChange& change) {
   return same(without_gravity(a, a.got, 1, 0), change.v_x) &&
          same(without_gravity(a, a.got, 1, 1), change.v_y) &&
          same(without_gravity(a, a.got, 1, 2), change.omega);
