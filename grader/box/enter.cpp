@@ -178,6 +178,17 @@ void see_only_what_is_named(const Options& options) {
 const char* const kLargePages =
     "GLIBC_TUNABLES=glibc.malloc.hugetlb=1:glibc.malloc.top_pad=33554432";
 
+// /proc leads a compiler from a descriptor back to its pipe, which Landlock doesn't hide: an
+// #include of its own messages would wait for them without end. Descriptors that are open stay of
+// use.
+void keep_pipes_from_being_opened_again() {
+  for (const int fd : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    struct stat about = {};
+    if (::fstat(fd, &about) != 0 || !S_ISFIFO(about.st_mode)) continue;
+    require(::fchmod(fd, 0), "closing a pipe to others");
+  }
+}
+
 [[noreturn]] void become(Options options) {
   std::vector<std::string> environment{"PATH=/usr/bin", kLargePages, "TMPDIR=" + scratch};
   if (options.kind != "build") environment.clear();
@@ -215,7 +226,10 @@ void enter(const Options& options) {
   // Of a run, the judge waits until every process has closed the status.
   guard_what_follows(guarding, build ? std::vector{status, output} : std::vector<int>{});
   close_when_the_command_begins(build);
-  if (options.reduced) see_only_what_is_named(options);
+  if (options.reduced) {
+    keep_pipes_from_being_opened_again();
+    see_only_what_is_named(options);
+  }
   if (boxed) give_up_privileges(options.user);
   if (!options.folder.empty()) require(::chdir(options.folder.c_str()), options.folder);
   if (options.reduced) die_with(guard);

@@ -42,6 +42,11 @@ bool read_file(const Arguments& words) {
   return fd >= 0 && ::read(fd, &byte, 1) >= 0;
 }
 
+// Whether a descriptor's pipe can be opened again, to read what is written to it.
+bool open_again(const Arguments& words) {
+  return ::open(("/proc/self/fd/" + words.at(0)).c_str(), O_RDONLY | O_NONBLOCK) >= 0;
+}
+
 bool write_file(const Arguments& words) {
   const int fd = ::open(words.at(0).c_str(), O_WRONLY | O_CREAT, 0644);
   return fd >= 0 && ::write(fd, "x", 1) == 1;
@@ -250,6 +255,7 @@ bool make_a_namespace(const Arguments&) { return ::unshare(CLONE_NEWUSER) == 0; 
 const std::map<std::string, Attempt> kAttempts = {
     {"nothing", nothing},
     {"read", read_file},
+    {"open-again", open_again},
     {"write", write_file},
     {"fill", fill},
     {"connect", connect_to},

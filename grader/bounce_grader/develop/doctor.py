@@ -142,6 +142,7 @@ def _protections(marker: str, file: IO[str], home: IO[str], port: int) -> list[P
         ),
         Protection("reaches no first process", [["first-process"]]),
         Protection("has none of your open files", [["descriptors", "5"]]),
+        Protection("reads none of its own messages", [["open-again", fd] for fd in ("1", "2")]),
         Protection("connects to nothing", [["connect", str(port)]]),
         Protection("signals no process of yours", [["signal", me]]),
         Protection("sees no clock of your processes", [["clock", me]], ("run", "check")),
