@@ -72,8 +72,6 @@ PEERS = {
         ("bullet", "Bullet", "B"),
         ("mujoco", "MuJoCo", "M"),
         ("dart", "DART", "D"),
-        ("siconos", "Siconos", "S"),
-        ("simbody", "Simbody", "Y"),
         ("numpy", "numpy", "N"),
     )
 }

@@ -1,6 +1,5 @@
 """Works out the facts of the page on the engines from its tables."""
 
-from statistics import median, quantiles
 from typing import Any
 
 from bounce_study import measurements
@@ -36,11 +35,6 @@ def facts(tables: Tables) -> Facts:
         "closest": min(leads, key=lambda lead: lead["times"]),
         "ahead": [lead["scene"] for lead in leads if lead["times"] <= 1],
         "least_dt": min(run.setting for run in engines),
-        "starts": measurements.STARTS,
-        "close_dt": measurements.CLOSE,
-        "slowest": _slowest(engines),
-        "step_ratio": measurements.step_ratio(engines),
-        "saw_tooth": quantiles(_saw_tooth(tables), n=10),
         "numpy_dt": min((r.setting for r in peers if r.method == "numpy"), default=float("inf")),
         **_errors(engines, scenes, names),
         "failures": [_failure(peers, name) for name in names],
@@ -50,14 +44,6 @@ def facts(tables: Tables) -> Facts:
         "soft": _over_steps(tables, "flat_drop", ["mujoco", "mujoco_5"]),
         **_lcp(tables),
     }
-
-
-def _slowest(engines: list[Run]) -> dict[str, float]:
-    """Gives the least step of each engine whose steps don't get as small as the others'."""
-    least: dict[str, float] = {}
-    for run in engines:
-        least[run.method] = min(run.setting, least.get(run.method, run.setting))
-    return {name: dt for name, dt in least.items() if dt > 2 * min(least.values())}
 
 
 def titles(tables: Tables) -> dict[str, str]:
@@ -103,15 +89,7 @@ def _lead(tables: Tables, ours: list[Run], engines: list[Run], scene: str) -> Fa
         for runs in (ours, engines)
     ]
     ratio = {column: float(closest[column] or 0) for column in RATIO}
-    times = [float(row["times"] or 0) for row in rows]
-    spread = {"median": median(times), "most": max(times)}
-    return {"scene": scene, "engine": closest["engine"], "fastest": fastest, **ratio, **spread}
-
-
-def _saw_tooth(tables: Tables) -> list[float]:
-    """Divides the largest error of the starts by the least, for every engine and step."""
-    rows = [row for row in tables["peers"].rows if float(row["least_error_m"]) > 1e-9]
-    return [number(row, "largest_error_m") / number(row, "least_error_m") for row in rows]
+    return {"scene": scene, "engine": closest["engine"], "fastest": fastest, **ratio}
 
 
 def _errors(engines: list[Run], scenes: list[str], names: list[str]) -> Facts:
@@ -136,11 +114,7 @@ def _failure(peers: list[Run], engine: str) -> Facts:
     notes = {run.scene: run.note for run in peers if run.method == engine and run.note}
     stalled = [scene for scene, note in notes.items() if note.startswith("stalls")]
     others = {scene: note for scene, note in notes.items() if scene not in stalled}
-    doubtful = [
-        scene
-        for scene in others
-        if not measurements.converges(measurements.of(peers, scene, engine))
-    ]
+    doubtful = [scene for scene in others if not _converges(measurements.of(peers, scene, engine))]
     return {
         "engine": engine,
         "stalled": stalled,
@@ -148,6 +122,14 @@ def _failure(peers: list[Run], engine: str) -> Facts:
         "doubtful": doubtful,
         "slow": [{"scene": s, "note": note} for s, note in others.items() if s not in doubtful],
     }
+
+
+def _converges(runs: list[Run]) -> bool:
+    """Says whether the error falls at each of the last two steps, and with the root of the step or
+    faster."""
+    before, middle, last = sorted(runs, key=lambda run: -run.setting)[-3:]
+    root = (last.setting / before.setting) ** 0.5
+    return last.error < middle.error < before.error and last.error <= root * before.error
 
 
 def _variant_names(tables: Tables) -> list[str]:
@@ -183,7 +165,6 @@ def _lcp(tables: Tables) -> Facts:
     siconos = [row for row in rows if row["solver"].startswith("Siconos")]
     return {
         "lcp": rows,
-        "lcp_given_more": next((row for row in rows if "given a, b and c" in row["solver"]), None),
         "siconos_apart": max(numbers(siconos, "difference_m_per_s"), default=0.0),
         "siconos_best": min(siconos, key=lambda row: number(row, "ns_per_lcp"), default=None),
     }

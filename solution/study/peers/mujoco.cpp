@@ -129,12 +129,12 @@ Settings settings_with(const std::string& contact) {
 Peers mujoco() {
   const char* const limit =
       "contacts are soft, and their friction is braked no faster than they bounce";
-  return {{"mujoco", "MuJoCo", mj_versionString(), "2022", true,
+  return {{"mujoco", "MuJoCo", mj_versionString(), true,
            settings_with("a contact lasts sqrt(dt 0.25 s)"), limit,
            [](const Scene& scene, double dt) -> std::unique_ptr<Engine> {
              return std::make_unique<MuJoCo>(scene, dt, std::sqrt(dt * kContact));
            }},
-          {"mujoco_5", "MuJoCo, contacts of 5 steps", mj_versionString(), "2022", false,
+          {"mujoco_5", "MuJoCo, contacts of 5 steps", mj_versionString(), false,
            settings_with("a contact lasts 5 steps"), limit,
            [](const Scene& scene, double dt) -> std::unique_ptr<Engine> {
              return std::make_unique<MuJoCo>(scene, dt, kSteps * dt);
