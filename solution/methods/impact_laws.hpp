@@ -42,8 +42,7 @@ struct Collision {
 template <class Real>
 Collision<Real> collision_of(const Motion<Real>& s, const Arm<Real>& r, const Body<Real>& body) {
   const auto k = one_corner<Real>(r, body.gyration, 0, 0, body.mu);
-  return {k.a,     k.b,         k.c, normal_velocity(s, r), sliding_velocity(s, r),
-          body.mu, body.epsilon};
+  return {k.a, k.b, k.c, normal_velocity(s, r), sliding_velocity(s, r), body.mu, body.epsilon};
 }
 
 namespace detail {

@@ -1,18 +1,22 @@
 """What all archives of one submission may take together, and what is left of it."""
 
-from dataclasses import dataclass
 from pathlib import Path
 
 from bounce_grader.common.errors import UsageError
 
 LARGEST = 64 * 1024 * 1024  # bytes of one archive, unpacked
+TOGETHER = 4 * LARGEST  # bytes that are unpacked, or read from other archives
+HEADERS = 8 * 1024 * 1024  # bytes of tars: 5000 entries have that with a pax header each
+SECONDS = 10.0  # of 7-Zip's CPU time
 
 
-@dataclass
 class Room:
-    memory: int = 4 * LARGEST  # bytes that are unpacked, or read from other archives
-    headers: int = 8 * 1024 * 1024  # bytes of tars: 5000 entries have that with a pax header each
-    seconds: float = 10.0  # of 7-Zip's CPU time
+    def __init__(
+        self, memory: int = TOGETHER, headers: int = HEADERS, seconds: float = SECONDS
+    ) -> None:
+        self.memory = memory
+        self.headers = headers
+        self.seconds = seconds
 
     @property
     def for_one(self) -> int:
@@ -24,6 +28,6 @@ class Room:
         if size > self.for_one:
             raise UsageError(
                 f"{path} has more than {LARGEST >> 20} MB unpacked, or more than "
-                f"{Room.memory >> 20} MB with the other archives: submit the parts alone"
+                f"{TOGETHER >> 20} MB with the other archives: submit the parts alone"
             )
         self.memory -= size

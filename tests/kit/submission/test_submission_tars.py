@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 from bounce_grader.common.errors import UsageError
 from bounce_grader.submission import submission, tars
-from bounce_grader.submission.room import LARGEST, Room
+from bounce_grader.submission.room import HEADERS, LARGEST, Room
 from conftest import solution_files
 from handed_in import limited_memory, packed_tar, PARTS, refusal
 
@@ -118,7 +118,7 @@ def hostile() -> Iterable[tuple[str, bytes, str]]:
     yield "fewer", tar_of(member("pax", fewer, b"g"), *many), ""
     chain = member("pax", record(b"comment", b""), b"x") * 60_000
     yield "chain", tar_of(chain), "headers of a kind"
-    smallest = record(b"a", b"") * (Room.headers // tars.RECORDS_WEIGH // 5 - 1000)
+    smallest = record(b"a", b"") * (HEADERS // tars.RECORDS_WEIGH // 5 - 1000)
     yield "records", tar_of(member("pax", smallest, b"x")), ""
     yield "long", tar_of(member("pax", b"n" * (9 << 20), b"L")), "headers of a kind"
     number = record(b"size", b"1" * (1 << 20))
