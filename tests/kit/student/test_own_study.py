@@ -107,6 +107,7 @@ def test_studies_the_students_own_parts(home: Path) -> None:
     assert wrong.returncode == 1 and "Some checks fail" in page.read_text()
     assert "it isn't delta that keeps your program from the truth" in sentences(page)
     assert "most of it comes from somewhere else" in sentences(page)
+    assert "it isn't the step that moves it" in sentences(page)
 
     part4 = home / "src/part4_simulate.cpp"
     part4.write_text((ROOT / "student/src/part4_simulate.cpp").read_text())
