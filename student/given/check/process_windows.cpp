@@ -16,8 +16,8 @@ namespace bounce::check {
 namespace {
 
 constexpr SIZE_T kMemory = SIZE_T{4} << 30;  // bytes
-constexpr DWORD kLongest = 120'000;          // ms; each check ends sooner, a constructor may not
-constexpr UINT kTooLong = 124;               // as a test program's where a check takes too long
+constexpr DWORD kLongestRun = 120'000;       // ms; each check ends sooner, a constructor may not
+constexpr UINT kStopped = 124;               // as a test program's where a check takes too long
 
 // As the program's own start takes the line apart again.
 std::string quoted(const std::string& word) {
@@ -83,9 +83,9 @@ std::optional<Termination> run(const std::vector<std::string>& command,
   SetInformationJobObject(job, JobObjectExtendedLimitInformation, &most, sizeof most);
   AssignProcessToJobObject(job, process.hProcess);
   ResumeThread(process.hThread);
-  const DWORD longest = limits == Limits::of_a_part ? kLongest : INFINITE;
+  const DWORD longest = limits == Limits::of_a_part ? kLongestRun : INFINITE;
   if (WaitForSingleObject(process.hProcess, longest) == WAIT_TIMEOUT) {
-    TerminateJobObject(job, kTooLong);
+    TerminateJobObject(job, kStopped);
     WaitForSingleObject(process.hProcess, INFINITE);
   }
   DWORD code = 0;
