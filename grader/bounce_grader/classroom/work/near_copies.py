@@ -143,7 +143,7 @@ def _find(compared: list[Compared], box: boxes.Box) -> Similar:
     pairs = {ids: Pair(*ids, share) for ids, share in whole.items()}
     of_parts: dict[tuple[str, str], dict[int, int]] = defaultdict(dict)
     for part in parts():
-        there = {id: text for id, text in texts[part.number].items() if id not in left_out}
+        there = [(id, text) for id, text in texts[part.number] if id not in left_out]
         for ids, share in _alike(there, LEAST_OF_PART, box, left_out)[0].items():
             of_parts[ids][part.number] = share
     for ids, shares in of_parts.items():
@@ -155,10 +155,11 @@ def _find(compared: list[Compared], box: boxes.Box) -> Similar:
     return Similar(tuple(wanted[:MOST]), usual, left_out=notes)
 
 
-def _texts(compared: list[Compared], left_out: dict[str, str]) -> dict[int, dict[str, str]]:
-    """The texts to compare, by id: the whole ones under 0, those of part n under n. Each submission
-    is read once, because a reading may take seconds. Adds to `left_out` what can't be compared."""
-    texts: dict[int, dict[str, str]] = defaultdict(dict)
+def _texts(compared: list[Compared], left_out: dict[str, str]) -> dict[int, list[tuple[str, str]]]:
+    """The texts to compare, each with its id: the whole ones under 0, those of part n under n. Each
+    submission is read once, because a reading may take seconds. Adds to `left_out` what can't be
+    compared."""
+    texts: dict[int, list[tuple[str, str]]] = defaultdict(list)
     for one in compared:
         try:
             with about_one_submission("it can't be compared with others"):
@@ -168,18 +169,18 @@ def _texts(compared: list[Compared], left_out: dict[str, str]) -> dict[int, dict
             continue
         for number, text in own.items():
             if text.strip():
-                texts[number][one.id] = text
+                texts[number].append((one.id, text))
     return texts
 
 
 def _alike(
-    texts: Mapping[str, str], least: int, box: boxes.Box, left_out: dict[str, str]
+    texts: list[tuple[str, str]], least: int, box: boxes.Box, left_out: dict[str, str]
 ) -> tuple[dict[tuple[str, str], int], int]:
     """The pairs of texts whose shares stand out, by id; and the usual share. Adds to `left_out`
     what takes too long."""
     with temporary_folder(CLASS_FOLDER) as folder:
         files: dict[str, str] = {}
-        for number, (id, text) in enumerate(texts.items()):
+        for number, (id, text) in enumerate(texts):
             (folder / f"{number:06}.cpp").write_text(text)
             files[f"{number:06}"] = id
         box.give(folder)
