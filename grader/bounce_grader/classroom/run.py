@@ -108,7 +108,8 @@ def _run(
     if summaries and all(summary.state == "waiting" for summary in summaries):
         return 0
     summaries = final.with_finals(summaries, rules)
-    near = near_copies.find(request.out, intake.students, tasks, request.trust, request.corpus)
+    readable = [s.student for s in summaries if s.state != "unreadable"]
+    near = near_copies.find(request.out, readable, tasks, request.trust, request.corpus)
     feedback = outputs.write_feedback(request.out, intake, summaries, request.reveal)
     for reasons in (near.left_out, feedback.without):
         summaries = [

@@ -14,15 +14,17 @@ from bounce_grader.common.numbers import out_of, short
 from bounce_grader.formats import markdown, sentences
 from bounce_grader.formats.sentences import Place
 from bounce_grader.grading.record import Record
-from bounce_grader.submission import intake
+from bounce_grader.submission import folders
 
 VERSION = 1  # of the reporter's format
+Files = tuple[str, ...]  # names of all files in the repository
 
 
 def render(record: Record, root: Path = Path()) -> str:
     """Workflow commands for standard output. `root` is the folder that was graded, as in the
     repository."""
-    lines = [line for part in record["parts"] for line in _part(part, root)]
+    files = _files(root)
+    lines = [line for part in record["parts"] for line in _part(part, files)]
     lines += [_command("warning", "Speed", sentence) for sentence in sentences.speed_words(record)]
     if record["box"] != "full":
         words = "without a box" if record["box"] == "none" else "in the reduced box"
@@ -43,11 +45,12 @@ def reporter_result(record: Record, root: Path = Path(), enough: float = 0.0) ->
     """The result for the reporter, in base64, with a test for each check, because a test passes or
     fails as a whole. The reporter fails the job by the status, as the exit status of --min-score
     does."""
+    files = _files(root)
     report = {
         "version": VERSION,
         "status": "pass" if record["score"] >= enough else "fail",
         "max_score": record["max_score"],
-        "tests": [_test(*numbered, root) for numbered in sentences.numbered(record)],
+        "tests": [_test(*numbered, files) for numbered in sentences.numbered(record)],
     }
     return base64.b64encode(json.dumps(report).encode()).decode()
 
@@ -70,9 +73,9 @@ def _append(variable: str, text: str) -> None:
         raise UsageError(f"{variable} names a file that can't be written: {error}") from error
 
 
-def _test(number: str, part: Record, check: Record, root: Path) -> dict[str, Any]:
+def _test(number: str, part: Record, check: Record, files: Files) -> dict[str, Any]:
     words = sentences.check_words(part, check)
-    place = _place_in([check["message"], sentences.part_words(part)], part, root)
+    place = _place_in([check["message"], sentences.part_words(part)], part, files)
     return {
         "name": f"{number} {check['title']}",
         "status": "pass" if check["passed"] else "fail",
@@ -85,54 +88,54 @@ def _test(number: str, part: Record, check: Record, root: Path) -> dict[str, Any
     }
 
 
-def _part(part: Record, root: Path) -> list[str]:
+def _part(part: Record, files: Files) -> list[str]:
     """At most one annotation for a part, because GitHub shows only ten of each kind in a step. It
     points to a line if one is known."""
     if part["score"] == part["max_score"]:
         return []
     lines = [sentences.part_words(part)]
-    place = _place_in([*lines, *(check["message"] for check in part["checks"])], part, root)
+    place = _place_in([*lines, *(check["message"] for check in part["checks"])], part, files)
     place = place or Place(f"{part['stem']}.cpp", 1, None)
     graded = part["status"] == "graded"
     if graded or part["score"]:
         lines += sentences.mistake_words(part)
         lines += [f"lost: {check['title']}" for check in part["checks"] if not check["passed"]]
     title, text = f"Part {part['part']}: {out_of(part)}", "\n".join(lines).strip()
-    return [_command("warning" if graded else "error", title, text, place, root)]
+    return [_command("warning" if graded else "error", title, text, place, files)]
 
 
 def _command(
-    kind: str, title: str, text: str, place: Place | None = None, root: Path = Path()
+    kind: str, title: str, text: str, place: Place | None = None, files: Files = ()
 ) -> str:
     where: dict[str, str | int] = {}
     if place:
-        where = {"file": _in_repository(place.file, root), "line": place.line}
+        where = {"file": _in_repository(place.file, files), "line": place.line}
         where |= {"col": place.column} if place.column else {}
     return workflow(kind, text, **where, title=title)
 
 
-def _place_in(texts: Iterable[str], part: Record, root: Path) -> Place | None:
+def _place_in(texts: Iterable[str], part: Record, files: Files) -> Place | None:
     """The first place that is in the part's own file or in another file of the repository. The
     texts come from the submission, which could name any file."""
-    own, files = f"{part['stem']}.cpp", _files(root)
+    own = f"{part['stem']}.cpp"
     for place in filter(None, map(sentences.place_in, texts)):
-        if Path(place.file).name == own or _in_repository(place.file, root) in files:
+        if Path(place.file).name == own or _in_repository(place.file, files) in files:
             return place
     return None
 
 
-def _files(root: Path) -> list[str]:
-    """The names of the files in a folder; empty if it can't be read as a submission."""
+def _files(root: Path) -> Files:
+    """The names of the files in a folder, without what is in archives there, which would be
+    unpacked for nothing. Empty if it is no folder, or can't be listed."""
     try:
-        with intake.opened(root) as entries:
-            return [entry.name for entry in entries] if root.is_dir() else []
+        with folders.opened(root) as entries:
+            return tuple(entry.name for entry in entries)
     except UsageError:
-        return []
+        return ()
 
 
-def _in_repository(file: str, root: Path) -> str:
+def _in_repository(file: str, files: Files) -> str:
     """The path of a file in the repository. The grader's paths begin at the submission's top
     folder, which may be deeper in the repository."""
-    files = _files(root)
     deeper = [path for path in files if path.endswith(f"/{file}")]
     return deeper[0] if len(deeper) == 1 and file not in files else file

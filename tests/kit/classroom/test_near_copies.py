@@ -4,10 +4,12 @@ import time
 from pathlib import Path
 
 import pytest
-from bounce_grader.classroom.intake import students
+from bounce_grader.classroom.intake import handed_in, students
+from bounce_grader.classroom.intake.canvas import Upload
 from bounce_grader.classroom.work import near_copies
 from bounce_grader.classroom.work.near_copies import Similar
 from bounce_grader.classroom.work.task import task_of
+from bounce_grader.submission.submission import Submission
 from classes import grade_class
 from conftest import solution_files
 from downloads import STAMP, download
@@ -42,6 +44,26 @@ def test_what_repeats_itself_is_left_out_and_costs_no_other_pair(
     assert [(pair.first, pair.second, pair.share) for pair in near.pairs] == [("1", "2", 100)]
     assert set(near.left_out) == {str(user) for user in range(3, 9)}
     assert compared(source, tmp_path) == near
+
+
+def test_a_submission_is_read_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """An archive may take seconds; one that can't be read isn't read again at all."""
+    whole = handed_in.read
+    read = []
+
+    def counted(path: Path, uploads: tuple[Upload, ...]) -> Submission:
+        read.append(uploads[0].user)
+        return whole(path, uploads)
+
+    monkeypatch.setattr(handed_in, "read", counted)
+    source = class_with(tmp_path / "x.zip", [b"int x;\n"])
+    assert not compared(source, tmp_path).problem
+    in_the_digest = ["1", "2", "3"]
+    assert sorted(read) == sorted(2 * in_the_digest)
+    read.clear()
+    broken = {"doe_1_1_part3_step.cpp": b"int x;\n", "roe_2_2_hw.zip": bytes(1000)}
+    assert grade_class(download(tmp_path / "y.zip", broken), tmp_path / "out") == 0
+    assert sorted(read) == ["1", "1", "2"]  # the gradings read in processes of their own
 
 
 def test_who_is_left_out_needs_a_look(tmp_path: Path) -> None:

@@ -72,14 +72,14 @@ def test_what_nobody_foresaw_in_reading_is_one_students(
 def test_a_submission_that_cannot_be_compared_needs_a_look(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    whole = near_copies.own_text
+    whole = near_copies.own_texts
 
-    def odd(path: Path, uploads: Any, *more: Any) -> str:
+    def odd(path: Path, uploads: Any) -> dict[int, str]:
         if any(upload.user == "301" for upload in uploads):
             raise OverflowError("too large")
-        return whole(path, uploads, *more)
+        return whole(path, uploads)
 
-    monkeypatch.setattr(near_copies, "own_text", odd)
+    monkeypatch.setattr(near_copies, "own_texts", odd)
     page = graded_beside(tmp_path, {"roe_301_1_part2_lcp.cpp": b"// odd"})
     assert "roe (301)" in looks(page) and "can&#x27;t be compared" in looks(page)
 

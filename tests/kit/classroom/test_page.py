@@ -211,7 +211,7 @@ def test_a_renamed_copy_is_found_and_the_handout_is_no_copy(tmp_path: Path) -> N
     assert [(pair.first, pair.second) for pair in near.pairs] == [("1", "2")]
     assert near.pairs[0].share >= 90
     assert near_copies.find(tmp_path, found, tasks, trust=False) == near
-    assert len(near_copies.own_text(found[2].path, found[2].uploads).strip()) < 200
+    assert len(near_copies.own_texts(found[2].path, found[2].uploads)[0].strip()) < 200
 
 
 def test_copies_of_another_year_and_of_two_parts_are_found(tmp_path: Path) -> None:

@@ -5,12 +5,13 @@ It also tests that a broken promise is noticed.
 """
 
 import random
+import re
 import subprocess
 import sys
 
 import pytest
 from conftest import ROOT
-from fuzzing import nasty_words
+from fuzzing import nasty, nasty_words
 from fuzzing.attacks import some_attack
 
 COUNT, FIRST = 20, 7040
@@ -62,6 +63,18 @@ def test_a_string_of_cpp_is_one_whatever_is_in_it() -> None:
         spelled = nasty_words.quoted(words)
         assert spelled.isascii() and spelled.isprintable()
         assert spelled.count('"') == 2
+
+
+def test_what_only_says_something_leaves_nothing_to_link() -> None:
+    """Helpers of such pieces are linked with honest parts, which a missing name would break on a
+    student's machine, too."""
+    declared = 0
+    for seed in range(300):
+        head = nasty.some_piece(random.Random(seed), [], nasty.OF_TEXT).head
+        for name in re.findall(r"\bvoid (\w+)\(\)", head):
+            declared += 1
+            assert f"void {name}() {{" in head
+    assert declared
 
 
 def problems_with(kit: str, seed: int) -> str:

@@ -163,6 +163,16 @@ def test_a_students_files_stay_apart_from_the_kit_on_gitlab(tmp_path: Path) -> N
         assert not (project / "report.xml").is_symlink() and victim.read_text() == "whole"
 
 
+def test_what_would_open_a_job_on_gitlab_to_its_developer_is_named() -> None:
+    """Variables of a pipeline come before the job's own: with another KIT, its token goes elsewhere.
+    A terminal has them all."""
+    flow = (ROOT / "docs" / "workflows" / "gitlab.yml").read_text()
+    assert "ci_pipeline_variables_minimum_override_role=no_one_allowed" in flow
+    for text in (flow.replace('"', "*"), PAGE):
+        assert "*Minimum role to use pipeline variables*" in text and "*No one allowed*" in text
+        assert "[session_server]" in text
+
+
 def test_the_kits_own_tests_run_on_every_system_that_it_promises() -> None:
     yaml = pytest.importorskip("yaml")
     flow = yaml.safe_load((ROOT / ".github" / "workflows" / "test.yml").read_text())

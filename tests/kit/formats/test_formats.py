@@ -18,6 +18,7 @@ from bounce_grader.common.errors import UsageError
 from bounce_grader.common.manifest import parts
 from bounce_grader.formats import github, html, sentences, terminal
 from bounce_grader.formats.templates import fill
+from bounce_grader.submission import folders, zips
 from conftest import ROOT, SOLUTION, write
 from hypothesis import example, given
 from odd_texts import TEXTS
@@ -295,6 +296,30 @@ def test_github_is_pointed_at_no_file_that_was_not_handed_in(
     assert (files["2"], files["3"]) == ("part2_lcp.cpp", "helper.hpp")
 
 
+def test_github_lists_the_repository_once_and_unpacks_nothing(
+    record: dict[str, Any], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """This takes no time of the grading's: a commit of 20 KB took minutes, unpacked for each
+    place that its messages named."""
+    opened: list[Path] = []
+
+    def counted(path: Path, *more: Any) -> Any:
+        opened.append(path)
+        return listing(path, *more)
+
+    listing = folders.opened
+    monkeypatch.setattr(folders, "opened", counted)
+    monkeypatch.setattr(zips, "opened", counted)
+    write(tmp_path, {"hw.zip": (ROOT / "LICENSE").read_bytes()})
+    for part in record["parts"]:
+        for check in part["checks"]:
+            check["message"] = "see elsewhere.cpp:1"
+    github.render(record, tmp_path)
+    assert opened == [tmp_path]
+    github.reporter_result(record, tmp_path)
+    assert opened == [tmp_path] * 2
+
+
 def test_a_submission_that_cannot_be_read_is_an_error_and_no_points() -> None:
     found = commands(formats.refused("github", "x is empty: hand in the parts"))
     assert found == [("error", {"title": "Not graded"}, "x is empty: hand in the parts")]
@@ -402,7 +427,8 @@ def test_the_command_prints_a_format_and_keeps_its_status(tmp_path: Path) -> Non
 
 def test_a_file_of_any_name_is_looked_for(tmp_path: Path) -> None:
     write(tmp_path, {"src/part1_contacts.cpp": b"", "part2_lcp.cpp": b"", "old/part2_lcp.cpp": b""})
-    assert github._in_repository("part1_contacts.cpp", tmp_path) == "src/part1_contacts.cpp"
-    assert github._in_repository("part2_lcp.cpp", tmp_path) == "part2_lcp.cpp"
+    files = github._files(tmp_path)
+    assert github._in_repository("part1_contacts.cpp", files) == "src/part1_contacts.cpp"
+    assert github._in_repository("part2_lcp.cpp", files) == "part2_lcp.cpp"
     for name in ("nothing.cpp", f"{'a' * 300}.cpp", "../../etc/a.cpp"):
-        assert github._in_repository(name, tmp_path) == name
+        assert github._in_repository(name, files) == name

@@ -16,6 +16,7 @@ import statistics
 from collections import defaultdict
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
+from functools import cache
 from pathlib import Path
 from shutil import which
 
@@ -25,7 +26,7 @@ from bounce_grader.classroom.intake.students import Student
 from bounce_grader.classroom.work.task import digest, Task
 from bounce_grader.common.errors import about_one_submission, KitError, UsageError
 from bounce_grader.common.files import CLASS_FOLDER, temporary_folder, write_whole
-from bounce_grader.common.manifest import Part, parts
+from bounce_grader.common.manifest import parts
 from bounce_grader.common.paths import STUBS
 from bounce_grader.sandbox import box as boxes, processes
 
@@ -137,12 +138,13 @@ def _read(path: Path, name: str) -> Similar | None:
 def _find(compared: list[Compared], box: boxes.Box) -> Similar:
     others = {one.id for one in compared if one.of_another_year}
     left_out: dict[str, str] = {}
-    whole, usual = _alike(compared, None, LEAST, box, left_out)
+    texts = _texts(compared, left_out)
+    whole, usual = _alike(texts[0], LEAST, box, left_out)
     pairs = {ids: Pair(*ids, share) for ids, share in whole.items()}
     of_parts: dict[tuple[str, str], dict[int, int]] = defaultdict(dict)
-    there = [one for one in compared if one.id not in left_out]
     for part in parts():
-        for ids, share in _alike(there, part, LEAST_OF_PART, box, left_out)[0].items():
+        there = [(id, text) for id, text in texts[part.number] if id not in left_out]
+        for ids, share in _alike(there, LEAST_OF_PART, box, left_out)[0].items():
             of_parts[ids][part.number] = share
     for ids, shares in of_parts.items():
         if ids not in pairs and len(shares) >= LEAST_PARTS:
@@ -153,27 +155,34 @@ def _find(compared: list[Compared], box: boxes.Box) -> Similar:
     return Similar(tuple(wanted[:MOST]), usual, left_out=notes)
 
 
+def _texts(compared: list[Compared], left_out: dict[str, str]) -> dict[int, list[tuple[str, str]]]:
+    """The texts to compare, each with its id: the whole ones under 0, those of part n under n. Each
+    submission is read once, because a reading may take seconds. Adds to `left_out` what can't be
+    compared."""
+    texts: dict[int, list[tuple[str, str]]] = defaultdict(list)
+    for one in compared:
+        try:
+            with about_one_submission("it can't be compared with others"):
+                own = own_texts(one.path, one.uploads)
+        except UsageError as error:
+            left_out[one.id] = str(error)
+            continue
+        for number, text in own.items():
+            if text.strip():
+                texts[number].append((one.id, text))
+    return texts
+
+
 def _alike(
-    compared: list[Compared],
-    part: Part | None,
-    least: int,
-    box: boxes.Box,
-    left_out: dict[str, str],
+    texts: list[tuple[str, str]], least: int, box: boxes.Box, left_out: dict[str, str]
 ) -> tuple[dict[tuple[str, str], int], int]:
-    """The pairs whose shares stand out, as a whole or in one part; and the usual share. Adds to
-    `left_out` what can't be compared."""
+    """The pairs of texts whose shares stand out, by id; and the usual share. Adds to `left_out`
+    what takes too long."""
     with temporary_folder(CLASS_FOLDER) as folder:
         files: dict[str, str] = {}
-        for number, one in enumerate(compared):
-            try:
-                with about_one_submission("it can't be compared with others"):
-                    text = own_text(one.path, one.uploads, part)
-            except UsageError as error:
-                left_out[one.id] = str(error)
-                continue
-            if text.strip():
-                (folder / f"{number:06}.cpp").write_text(text)
-                files[f"{number:06}"] = one.id
+        for number, (id, text) in enumerate(texts):
+            (folder / f"{number:06}.cpp").write_text(text)
+            files[f"{number:06}"] = id
         box.give(folder)
         output = _by_line([[file] * WITH_ITSELF for file in files], folder, box)
         left_out |= {files.pop(file): TOO_SLOW for file, _ in ENDED.findall(output)}
@@ -235,23 +244,30 @@ def _usual(shares: dict[tuple[str, str], int], number: int) -> int:
     return round(statistics.median(all_closest)) if all_closest else 0
 
 
-def own_text(path: Path, uploads: tuple[Upload, ...], part: Part | None = None) -> str:
-    """The text that a student wrote, of all files or of one part, without lines of the handout."""
+def own_texts(path: Path, uploads: tuple[Upload, ...]) -> dict[int, str]:
+    """The text that a student wrote, without lines of the handout: of all files under 0, of part n
+    under n. Empty if the submission can't be read."""
     try:
         taken = handed_in.read(path, uploads)
     except UsageError:
-        return ""
-    names = sorted(taken.files) if part is None else filter(None, [taken.parts.get(part.number)])
+        return {}
+    of_parts = {number: [taken.files[file]] for number, file in taken.parts.items()}
+    every = {0: [text for _, text in sorted(taken.files.items())], **of_parts}
+    return {number: _own_text(files) for number, files in every.items()}
+
+
+def _own_text(files: Iterable[bytes]) -> str:
     handout = _handout()
     own = ""
-    for file in names:
-        text = io.StringIO(taken.files[file].decode("utf-8", "replace"), newline=None)
+    for file in files:
+        text = io.StringIO(file.decode("utf-8", "replace"), newline=None)
         while len(own) < LONGEST and (lines := text.readlines(LONGEST)):
             own += "".join(line for line in lines if line.strip() not in handout)
         own += "\n"
     return own[:LONGEST] + "\n"
 
 
+@cache
 def _handout() -> set[str]:
     lines = {line.strip() for f in STUBS.glob("*.cpp") for line in f.read_text().splitlines()}
     return lines - {"{", "}", ""}

@@ -19,7 +19,8 @@ def _directive(rng: Random) -> str:
             f"_Pragma({quoted(f'message({quoted(words)})')})\n",
             f"static_assert(false, {quoted(words)});\n",
             f"static_assert(sizeof(int) == 4, {quoted(words)});\n",
-            f"[[deprecated({quoted(words)})]] void {name}(); void also{name}() {{ {name}(); }}\n",
+            f"[[deprecated({quoted(words)})]] void {name}() {{}}\n"
+            f"void also{name}() {{ {name}(); }}\n",
             f"static int {name}[] = {{ {quoted(words)} }};\n",
             f"#line {rng.choice((0, 1, 7, 2147483647))} {quoted(words)}\nint {name} = ;\n",
             f"#line 3 {quoted(words)}\nint {name}() {{ return missing; }}\n",
