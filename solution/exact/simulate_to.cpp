@@ -160,10 +160,11 @@ class Simulation {
 
   Answer checked(Motions motions, const Errors& errors) const {
     for (std::size_t i = 0; i < motions.size(); ++i) {
-      if (errors.shadows[i] > kSameEvents * params_.l)
+      if (errors.shadows[i] > kSameEvents * params_.l) {
         refuse(i,
                "a change of 1e-12 there becomes one of a thousandth of l, and the order or kind "
                "of an impact may be another");
+      }
       if (!(errors.bound[i] <= tolerance_))
         refuse(i, "the bound of the error grows to " + text_of(errors.bound[i]) + " m there");
     }
@@ -216,9 +217,10 @@ class Simulation {
       const double step = params_.dt / double(4 * steps);
       const double unseen = params_.g.norm() * step * step;  // hops shorter than a step
       const double bound = kSafety * (error + unseen) + rounding_of(params_, finest.back());
-      if (bound <= tolerance_)
+      if (bound <= tolerance_) {
         return {times_, finest, "Moreau-Jean, two corners", params_.dt / double(4 * steps),
                 bound,  last()};
+      }
     }
     refuse(0, "there are too many events, and steps do not come near enough");
   }
@@ -232,9 +234,10 @@ class Simulation {
 }  // namespace
 
 Answer simulate_to(const Scene& scene, double tolerance) {
-  if (!(tolerance > 0 && std::isfinite(tolerance)))
+  if (!(tolerance > 0 && std::isfinite(tolerance))) {
     throw std::invalid_argument("the tolerance is " + text_of(tolerance) +
                                 " m; it must be above 0 and finite");
+  }
   return Simulation(scene, tolerance).run();
 }
 

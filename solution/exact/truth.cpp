@@ -23,27 +23,29 @@ double fitting_step(const Scene& scene, double dt, int samples) {
   return scene.until / samples / double(steps_between_samples(scene, dt, samples));
 }
 
-Samples truth_of(const Scene& scene) { return truth_under(methods::ImpactLaw::newton, scene); }
+Samples truth_of(const Scene& scene, int samples) {
+  return truth_under(methods::ImpactLaw::newton, scene, samples);
+}
 
-Samples truth_under(methods::ImpactLaw law, const Scene& scene) {
+Samples truth_under(methods::ImpactLaw law, const Scene& scene, int samples) {
   EventOptions options;
   options.law = law;
   options.tolerance = 1e-18;
   options.cut = 1e-8;
   std::vector<long double> times;
-  times.reserve(kSamples);
-  for (int i = 1; i <= kSamples; ++i) times.push_back((long double)(scene.until) * i / kSamples);
+  times.reserve(std::size_t(samples));
+  for (int i = 1; i <= samples; ++i) times.push_back((long double)(scene.until) * i / samples);
   const auto exact = simulate_events<long double>(
       scene.params, methods::motion_of<long double>(scene.start), times, options);
-  if (exact.size() != kSamples)
+  if (exact.size() != std::size_t(samples))
     throw std::runtime_error(scene.name + ": the truth stalled: events go on without an end");
-  Samples samples;
-  samples.reserve(exact.size());
+  Samples rounded;
+  rounded.reserve(exact.size());
   for (const auto& s : exact) {
-    samples.push_back(
+    rounded.push_back(
         {double(s.x), double(s.y), double(s.theta), double(s.v_x), double(s.v_y), double(s.omega)});
   }
-  return samples;
+  return rounded;
 }
 
 double error_of(const Scene& scene, const Samples& samples, const Samples& truth) {

@@ -18,8 +18,8 @@ std::vector<double> sample_times(const Scene& scene, int samples = kSamples);
 // The truth: event-driven in long double, with tolerances a thousandth of any method's, so that
 // even the error of the event-driven method in double can be measured. Throws std::runtime_error if
 // it stalled.
-Samples truth_of(const Scene& scene);
-Samples truth_under(methods::ImpactLaw law, const Scene& scene);
+Samples truth_of(const Scene& scene, int samples = kSamples);
+Samples truth_under(methods::ImpactLaw law, const Scene& scene, int samples = kSamples);
 
 // The largest distance over the samples, m; infinite if some are missing or not finite.
 double error_of(const Scene& scene, const Samples& samples, const Samples& truth);

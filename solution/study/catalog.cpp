@@ -15,6 +15,8 @@ namespace {
 
 // The assignment's delta for its dt: 0.001 m for 0.01 s.
 constexpr double kDeltaSpeed = 0.1;  // m/s
+// Whose parts the starts of a method without steps lie apart.
+constexpr double kLargestStep = 0.01;  // s
 
 template <class Scheme>
 Samples run_scheme(const Scene& scene, double dt, int samples, double delta_speed = 0) {
@@ -38,9 +40,17 @@ Samples run_events(const Scene& scene, int samples, const EventOptions& options)
                                  sample_times(scene, samples), options);
 }
 
-std::vector<double> steps() { return {1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 3e-5, 1e-5}; }
+std::vector<double> steps() { return steps_down_to(1e-5); }
 
 }  // namespace
+
+Setting measure(const Method& method, double setting, StartsOfScene& starts) {
+  const Starts& own = starts.at(method.has_step ? setting : kLargestStep);
+  const double value = method.has_step ? own.grid().dt : setting;
+  return {value, own.grid().samples, own.errors_of([&](const Scene& scene, const Grid& grid) {
+            return method.look(scene, value, grid.samples);
+          })};
+}
 
 double cpu_ns() {
   timespec time{};
@@ -54,6 +64,7 @@ std::vector<Method> all_methods() {
       one_corner{"moreau_jean_2", "one corner takes what two should share"},
       another_law{"penalty", "its impacts come nearer to Stronge's law than to Newton's",
                   methods::ImpactLaw::stronge},
+      springs{"event_driven", "springs are another law for two corners at once"},
       coarse{"event_driven", "impacts are noticed up to a step too late"};
   return {
       {"assignment",
@@ -103,7 +114,7 @@ std::vector<Method> all_methods() {
        [](const Scene& s, double dt, int samples) {
          return run_scheme<methods::Penalty>(s, dt, samples);
        },
-       {another_law}},
+       {another_law, springs}},
       {"event_driven",
        "event-driven",
        false,

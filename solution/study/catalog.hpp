@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "../exact/truth.hpp"
+#include "starts.hpp"
 
 namespace bounce::study {
 
@@ -29,6 +30,14 @@ struct Method {
 };
 
 std::vector<Method> all_methods();
+
+// A method at one setting, the step as it is run.
+struct Setting {
+  double value;
+  int samples;
+  Errors error;
+};
+Setting measure(const Method& method, double setting, StartsOfScene& starts);
 
 // CPU time of this process, ns.
 double cpu_ns();

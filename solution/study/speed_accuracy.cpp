@@ -15,28 +15,21 @@ constexpr double kFine = 1e-3;  // m
 
 struct Point {
   const Method* method;
-  double setting, error;
+  Setting at;
 };
 
 std::vector<Point> points_of(const Scene& scene, const std::vector<Method>& all) {
-  const Samples truth = truth_of(scene);
+  StartsOfScene starts(scene);
   std::vector<Point> points;
   for (const Method& method : all) {
     for (const double setting : method.settings)
-      points.push_back({&method, setting, error_of(scene, method.run(scene, setting), truth)});
+      points.push_back({&method, measure(method, setting, starts)});
   }
   return points;
 }
 
-Job job_of(const Scene& scene, const Method& method, double setting) {
-  return {[&scene, &method, setting] { method.run(scene, setting); }};
-}
-
-// The setting as it was run, and its kind.
-std::pair<double, const char*> setting_of(const Scene& scene, const Method& method,
-                                          double setting) {
-  if (method.has_step) return {fitting_step(scene, setting), "dt_s"};
-  return {setting, "tolerance"};
+Job job_of(const Scene& scene, const Method& method, double setting, int samples = kSamples) {
+  return {[&scene, &method, setting, samples] { method.look(scene, setting, samples); }};
 }
 
 std::vector<const Point*> points_of_method(const std::vector<Point>& points,
@@ -49,7 +42,8 @@ std::vector<const Point*> points_of_method(const std::vector<Point>& points,
 
 double least_error(const std::vector<Point>& points, const std::string& name) {
   double least = std::numeric_limits<double>::infinity();
-  for (const Point* point : points_of_method(points, name)) least = std::min(least, point->error);
+  for (const Point* point : points_of_method(points, name))
+    least = std::min(least, point->at.error.rms);
   return least;
 }
 
@@ -77,13 +71,13 @@ std::string note_of(const Scene& scene, const std::vector<Point>& points, const 
   const double least = least_error(points, method.name);
   if (least <= kFine) return "";
   const auto own = points_of_method(points, method.name);
-  const Point &last = *own.back(), &before = *own[own.size() - 3];
+  const Point &last = *own.back(), &before = *own[own.size() - 1 - kStepsPerDecade];
   const double order =
-      std::log(before.error / last.error) / std::log(before.setting / last.setting);
+      std::log(before.at.error.rms / last.at.error.rms) / std::log(before.at.value / last.at.value);
   char text[200];
   if (order > 0.4) {
     std::snprintf(text, sizeof text, "order %.1f: would need dt of %.0e s", order,
-                  last.setting * std::pow(kFine / last.error, 1 / order));
+                  last.at.value * std::pow(kFine / last.at.error.rms, 1 / order));
   } else {
     std::snprintf(text, sizeof text, "stalls at %.0e m: %s", least,
                   limit_of(scene, points, method).c_str());
@@ -95,21 +89,23 @@ std::string note_of(const Scene& scene, const std::vector<Point>& points, const 
 
 Table speed_accuracy(const Scenes& scenes, const Extent& extent) {
   Table table({"scene", "method", "setting", "setting_is", "ns_per_simulated_second", "ns_per_step",
-               "error_m", "note"});
+               "error_m", "least_error_m", "largest_error_m", "own_error_m", "note"});
   const std::vector<Method> all = all_methods();
   for (const Scene& scene : scenes) {
     const std::vector<Point> points = points_of(scene, all);
     std::vector<Job> jobs;
     jobs.reserve(points.size());
-    for (const Point& point : points) jobs.push_back(job_of(scene, *point.method, point.setting));
+    for (const Point& point : points)
+      jobs.push_back(job_of(scene, *point.method, point.at.value, point.at.samples));
     time_in_turn(jobs, extent);
     for (std::size_t i = 0; i < points.size(); ++i) {
       const Point& point = points[i];
-      const auto [setting, is] = setting_of(scene, *point.method, point.setting);
       const double ns = quantile(jobs[i].ns) / scene.until;
-      table.add(scene.name, point.method->name, setting, is, ns,
-                point.method->has_step ? std::optional(ns * setting) : std::nullopt, point.error,
-                note_of(scene, points, *point.method));
+      const Errors& error = point.at.error;
+      const bool steps = point.method->has_step;
+      table.add(scene.name, point.method->name, point.at.value, steps ? "dt_s" : "tolerance", ns,
+                steps ? std::optional(ns * point.at.value) : std::nullopt, error.rms, error.least,
+                error.largest, error.own, note_of(scene, points, *point.method));
     }
   }
   return table;
@@ -127,9 +123,10 @@ Table speed_ratios(const Scenes& scenes, const Extent& extent) {
       jobs.push_back(job_of(scene, method, method.has_step ? kStep : kTolerance));
     time_in_turn(jobs, extent);
     for (std::size_t i = 0; i < all.size(); ++i) {
-      const auto [setting, is] = setting_of(scene, all[i], all[i].has_step ? kStep : kTolerance);
       const std::vector<double> times = ratios(jobs[i], jobs[0]);
-      table.add(scene.name, all[i].name, setting, is, quantile(times), quantile(times, 0.25),
+      const bool steps = all[i].has_step;
+      table.add(scene.name, all[i].name, steps ? fitting_step(scene, kStep) : kTolerance,
+                steps ? "dt_s" : "tolerance", quantile(times), quantile(times, 0.25),
                 quantile(times, 0.75));
     }
   }

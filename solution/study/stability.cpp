@@ -339,8 +339,8 @@ Table rest_and_drift(const Scenes& scenes) {
     };
     all.push_back(sinking);
     for (const Method& method : all) {
-      for (const double setting : method.settings) {
-        if (method.has_step && setting < 1e-4) continue;
+      const std::vector<double> steps{1e-2, 3e-3, 1e-3, 3e-4, 1e-4};
+      for (const double setting : method.has_step ? steps : method.settings) {
         double height = 0, depth = 0, drift = 0;
         const int looks = method.has_step ? int(std::lround(scene.until / setting)) : 10'000;
         for (const Motion<double>& s : method.look(scene, setting, looks)) {

@@ -4,6 +4,7 @@ fixtures/scenes."""
 
 import csv
 import json
+import math
 from collections.abc import Iterator
 
 from bounce_grader.common.paths import ROOT, SCENES
@@ -38,11 +39,18 @@ def _scene(name: str) -> Iterator[str]:
             yield " ".join(["truth", row["t_s"], row["x_m"], row["y_m"], row["theta_rad"]])
     for method, title in METHODS.items():
         reached = [
-            f"{float(row['ns_per_simulated_second']) / KERNEL_NS:.4g} {float(row['error_m']):.4g}"
+            f"{float(row['ns_per_simulated_second']) / KERNEL_NS:.4g} {float(row['own_error_m']):.4g}"
             for row in _rows("speed_accuracy.csv")
-            if (row["scene"], row["method"]) == (name, method)
+            if (row["scene"], row["method"]) == (name, method) and _is_shown(row)
         ]
         yield " ".join(["other", *reached, title])
+
+
+def _is_shown(row: dict[str, str]) -> bool:
+    """Says whether a row is in the handout: every tolerance, and of the steps two to a factor of
+    ten."""
+    halves = 2 * math.log10(float(row["setting"]))
+    return row["setting_is"] != "dt_s" or abs(halves - round(halves)) < 0.03
 
 
 def _rows(table: str) -> Iterator[dict[str, str]]:

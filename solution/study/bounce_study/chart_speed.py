@@ -82,7 +82,8 @@ def _lines(axes: Any, runs: list[Run], scene: str) -> None:
 
 def _draw_line(axes: Any, line: list[Run], style: Style) -> None:
     x, y = zip(*map(_point, line))
-    axes.plot(x, y, **style.line(), zorder=2 if line[0].peer else 3)
+    marked = [i for i, run in enumerate(line) if _is_marked(run)]
+    axes.plot(x, y, **style.line(), markevery=marked, zorder=2 if line[0].peer else 3)
     if not measurements.failure(line, chart_style.FINE):
         return
     if chart_style.is_letter(style):  # the letter stays, within an open mark
@@ -91,13 +92,19 @@ def _draw_line(axes: Any, line: list[Run], style: Style) -> None:
         axes.plot(x[-1:], y[-1:], style.marker, mfc="white", mec=style.color, ms=8, zorder=4)
 
 
+def _is_marked(run: Run) -> bool:
+    """Says whether a run has a mark: the steps two to a factor of ten, and every tolerance."""
+    halves = 2 * math.log10(run.setting)
+    return not run.step or abs(halves - round(halves)) < 0.03
+
+
 def _label_points(axes: Any, runs: list[Run], scene: str, digits: dict[str, str]) -> None:
     """Writes the reasons of failures first, then settings where there is room."""
     labels = PointLabels(axes)
     lines = [_line_of(runs, scene, method) for method in measurements.methods(runs)]
     lines = [line for line in lines if line]
     for line in lines:
-        for run in line:
+        for run in filter(_is_marked, line):
             labels.occupy(*_point(run), 4)
     for line in lines:
         reason = measurements.failure(line, chart_style.FINE)

@@ -72,6 +72,8 @@ PEERS = {
         ("bullet", "Bullet", "B"),
         ("mujoco", "MuJoCo", "M"),
         ("dart", "DART", "D"),
+        ("siconos", "Siconos", "S"),
+        ("simbody", "Simbody", "Y"),
         ("numpy", "numpy", "N"),
     )
 }

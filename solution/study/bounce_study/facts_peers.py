@@ -1,5 +1,6 @@
 """Works out the facts of the page on the engines from its tables."""
 
+from statistics import median, median_high, quantiles
 from typing import Any
 
 from bounce_study import measurements
@@ -22,6 +23,8 @@ def facts(tables: Tables) -> Facts:
     swept = [row["engine"] for row in tables["peers_settings"].where(swept="1")]
     names = [name for name in swept if name not in NO_ENGINES]
     leads = [_lead(tables, ours, engines, scene) for scene in scenes]
+    least = _least_steps(engines)
+    least_dt = median_high(least.values())  # of most engines
     dantzig = [name for name in _variant_names(tables) if "_dantzig" in name]
     return {
         "scenes": scenes,
@@ -34,7 +37,12 @@ def facts(tables: Tables) -> Facts:
         "leads": leads,
         "closest": min(leads, key=lambda lead: lead["times"]),
         "ahead": [lead["scene"] for lead in leads if lead["times"] <= 1],
-        "least_dt": min(run.setting for run in engines),
+        "least_dt": least_dt,
+        "starts": measurements.STARTS,
+        "close_dt": measurements.CLOSE,
+        "other_least_dt": {name: dt for name, dt in least.items() if not 0.5 < dt / least_dt < 2},
+        "step_ratio": measurements.step_ratio(engines),
+        "saw_tooth": quantiles(_saw_tooth(tables), n=10),
         "numpy_dt": min((r.setting for r in peers if r.method == "numpy"), default=float("inf")),
         **_errors(engines, scenes, names),
         "failures": [_failure(peers, name) for name in names],
@@ -44,6 +52,13 @@ def facts(tables: Tables) -> Facts:
         "soft": _over_steps(tables, "flat_drop", ["mujoco", "mujoco_5"]),
         **_lcp(tables),
     }
+
+
+def _least_steps(engines: list[Run]) -> dict[str, float]:
+    least: dict[str, float] = {}
+    for run in engines:
+        least[run.method] = min(run.setting, least.get(run.method, run.setting))
+    return least
 
 
 def titles(tables: Tables) -> dict[str, str]:
@@ -89,7 +104,15 @@ def _lead(tables: Tables, ours: list[Run], engines: list[Run], scene: str) -> Fa
         for runs in (ours, engines)
     ]
     ratio = {column: float(closest[column] or 0) for column in RATIO}
-    return {"scene": scene, "engine": closest["engine"], "fastest": fastest, **ratio}
+    times = [float(row["times"] or 0) for row in rows]
+    spread = {"median": median(times), "most": max(times)}
+    return {"scene": scene, "engine": closest["engine"], "fastest": fastest, **ratio, **spread}
+
+
+def _saw_tooth(tables: Tables) -> list[float]:
+    """Divides the largest error of the starts by the least, for every engine and step."""
+    rows = [row for row in tables["peers"].rows if float(row["least_error_m"]) > 1e-9]
+    return [number(row, "largest_error_m") / number(row, "least_error_m") for row in rows]
 
 
 def _errors(engines: list[Run], scenes: list[str], names: list[str]) -> Facts:
@@ -98,14 +121,16 @@ def _errors(engines: list[Run], scenes: list[str], names: list[str]) -> Facts:
         for scene in scenes
     }
     agreeing = {scene: sum(error <= FINE for error in errors) for scene, errors in least.items()}
+    hardest = min(scenes, key=lambda scene: (agreeing[scene], -min(least[scene])))
     return {
         "least_errors": least,
         "reached": {
             tolerance: [sum(e <= tolerance for e in errors) for errors in zip(*least.values())]
             for tolerance in (FINE, FINEST)
         },
-        "agreeing": min(agreeing.values()),
-        "hardest_scene": min(agreeing, key=lambda scene: agreeing[scene]),
+        "agreeing": sum(2 * number >= len(names) for number in agreeing.values()),
+        "hardest_scene": hardest,
+        "hardest_error": min(least[hardest]),
     }
 
 
@@ -114,7 +139,11 @@ def _failure(peers: list[Run], engine: str) -> Facts:
     notes = {run.scene: run.note for run in peers if run.method == engine and run.note}
     stalled = [scene for scene, note in notes.items() if note.startswith("stalls")]
     others = {scene: note for scene, note in notes.items() if scene not in stalled}
-    doubtful = [scene for scene in others if not _converges(measurements.of(peers, scene, engine))]
+    doubtful = [
+        scene
+        for scene in others
+        if not measurements.converges(measurements.of(peers, scene, engine))
+    ]
     return {
         "engine": engine,
         "stalled": stalled,
@@ -122,14 +151,6 @@ def _failure(peers: list[Run], engine: str) -> Facts:
         "doubtful": doubtful,
         "slow": [{"scene": s, "note": note} for s, note in others.items() if s not in doubtful],
     }
-
-
-def _converges(runs: list[Run]) -> bool:
-    """Says whether the error falls at each of the last two steps, and with the root of the step or
-    faster."""
-    before, middle, last = sorted(runs, key=lambda run: -run.setting)[-3:]
-    root = (last.setting / before.setting) ** 0.5
-    return last.error < middle.error < before.error and last.error <= root * before.error
 
 
 def _variant_names(tables: Tables) -> list[str]:
@@ -165,6 +186,7 @@ def _lcp(tables: Tables) -> Facts:
     siconos = [row for row in rows if row["solver"].startswith("Siconos")]
     return {
         "lcp": rows,
+        "lcp_given_more": next((row for row in rows if "given a, b and c" in row["solver"]), None),
         "siconos_apart": max(numbers(siconos, "difference_m_per_s"), default=0.0),
         "siconos_best": min(siconos, key=lambda row: number(row, "ns_per_lcp"), default=None),
     }

@@ -1,6 +1,7 @@
 """Reads the timed runs: those of our table alone; or, where engines were measured, theirs and those
 of our methods in the same rounds. Times of two measurements are never mixed."""
 
+import itertools
 import math
 from dataclasses import dataclass, replace
 
@@ -9,6 +10,9 @@ from bounce_study.tables import number, Row, Tables
 COLUMNS = ("scene", "method", "setting", "setting_is", "ns_per_simulated_second", "error_m", "note")
 PEERS = ("peers", "peers_beside", "peers_ratios")  # of one measurement
 SAME_SCHEME = {"numpy": "assignment"}
+STARTS = 5  # as in solution/study/starts.hpp
+# s, as in solution/study/peers/: below, an engine's steps are further apart
+CLOSE, CLOSE_OF_NUMPY = 1e-3, 1e-2
 TOLERANCES = (1e-2, 1e-3, 1e-4, 1e-5, 1e-6)
 
 
@@ -51,6 +55,16 @@ def compared(tables: Tables) -> bool:
         for row in tables["peers_beside"].rows
         if _key(row) in now
     )
+
+
+def step_ratio(runs: list[Run]) -> float:
+    """Gives the largest ratio of neighbouring close steps of a method in a scene."""
+    by_line: dict[tuple[str, str], set[float]] = {}
+    for run in runs:
+        if run.step and run.setting > 0.97 * (CLOSE_OF_NUMPY if run.method == "numpy" else CLOSE):
+            by_line.setdefault((run.scene, run.method), set()).add(run.setting)
+    lines = [sorted(steps) for steps in by_line.values()]
+    return max(large / small for line in lines for small, large in itertools.pairwise(line))
 
 
 def _key(row: Row) -> tuple[str, str, str]:
@@ -103,7 +117,7 @@ def least_time(runs: list[Run], scene: str, method: str, tolerance: float) -> fl
 
 def failure(runs: list[Run], tolerance: float) -> str:
     """Says why a method never comes within the tolerance in a scene, without the numbers of this
-    scene: by its note, or by its last two steps where a table has none. Empty where it does."""
+    scene: by its note, or by its last steps where a table has none. Empty where it does."""
     if not runs or min(run.error for run in runs) <= tolerance:
         return ""
     note = runs[-1].note
@@ -111,7 +125,27 @@ def failure(runs: list[Run], tolerance: float) -> str:
         return note.partition(": ")[2].replace("delta ", "δ ").replace(" dt ", " Δt ")
     if note and not note.startswith("order"):
         return note
-    finest = sorted(runs, key=lambda run: run.setting)[:2]
-    if note or (len(finest) == 2 and finest[0].error < 0.7 * finest[1].error):
+    if converges(runs):
         return "still converges: needs a smaller Δt than was tried"
-    return "stalls: a smaller Δt does not help"
+    return "stalls: a smaller Δt does not help, or by less than its root"
+
+
+def _finest(runs: list[Run]) -> Run:
+    return min(runs, key=lambda run: run.setting)
+
+
+def _coarser(runs: list[Run], times: float) -> Run | None:
+    """Gives the run with the least step that is this many times the finest or more."""
+    least = 0.97 * times * _finest(runs).setting
+    coarser = [run for run in runs if run.setting >= least]
+    return _finest(coarser) if coarser else None
+
+
+def converges(runs: list[Run]) -> bool:
+    """Says whether the error falls with the root of the step or faster at the end, over a factor of
+    three and of ten."""
+    last, middle, before = _finest(runs), _coarser(runs, 3), _coarser(runs, 10)
+    if middle is None or before is None:
+        return False
+    root = math.sqrt(last.setting / before.setting)
+    return last.error < middle.error < before.error and last.error <= root * before.error

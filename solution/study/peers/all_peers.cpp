@@ -23,6 +23,12 @@ Peers all_peers() {
 #ifdef BOUNCE_PEER_DART
            dart,
 #endif
+#ifdef BOUNCE_PEER_SICONOS_KERNEL
+           siconos_kernel,
+#endif
+#ifdef BOUNCE_PEER_SIMBODY
+           simbody,
+#endif
            numpy,
        }) {
     for (const Peer& peer : engine()) all.push_back(peer);

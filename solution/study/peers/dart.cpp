@@ -104,9 +104,9 @@ Settings settings_with(const std::string& lcp) {
 
 Peers dart() {
   using ::dart::constraint::DantzigBoxedLcpSolver, ::dart::constraint::PgsBoxedLcpSolver;
-  return {{"dart", "DART", DART_VERSION, true, settings_with("projected Gauss-Seidel"),
+  return {{"dart", "DART", DART_VERSION, "2021", true, settings_with("projected Gauss-Seidel"),
            "no restitution below 0.1 m/s", make<PgsBoxedLcpSolver>},
-          {"dart_dantzig", "DART, as it is", DART_VERSION, false, settings_with("Dantzig"),
+          {"dart_dantzig", "DART, as it is", DART_VERSION, "2021", false, settings_with("Dantzig"),
            "friction is bounded by the normal force of a solution without friction",
            make<DantzigBoxedLcpSolver>}};
 }

@@ -38,16 +38,26 @@ class Numpy;  // numpy.hpp
 
 struct Peer {
   std::string name, title, version;
-  bool swept;  // else it is only a variant: its steps are timed, and its errors compared
+  std::string year;  // of this version; empty for numpy, which is no engine
+  bool swept;        // else it is only a variant: its steps are timed, and its errors compared
   Settings settings;
   std::string limit;  // why its error may stop falling, in words
   std::unique_ptr<Engine> (*make)(const Scene& scene, double dt);
   std::shared_ptr<Numpy> numpy = nullptr;  // in whose process it runs; `make` is null then
-  double least_dt = 0;                     // s; smaller steps would take too long
+  // s. Smaller steps would take too long.
+  double least_dt = 3e-5;
+  // s. The steps of a sweep are close together down to here; below, where an engine only shows how
+  // exact it gets, there are two in a factor of ten.
+  double close_dt = 1e-3;
 };
 
 // How far the ground reaches to either side, and how deep if it is a box, m.
 inline constexpr double kGroundHalf = 50, kGroundDepth = 10;
+
+// A square that is this slow for this long falls asleep, in engines that have sleep and let one say
+// so: its steps then cost next to nothing.
+inline constexpr double kAsleep = 0.1;  // s
+inline constexpr double kSlow = 0.01;   // m/s and rad/s
 
 // Each engine with the settings that suit it best; and with its defaults, if these differ much.
 using Peers = std::vector<Peer>;
@@ -57,6 +67,8 @@ Peers ode();
 Peers bullet();
 Peers mujoco();
 Peers dart();
+Peers siconos_kernel();
+Peers simbody();
 // Empty if Python has no numpy.
 Peers numpy();
 

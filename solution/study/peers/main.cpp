@@ -11,7 +11,7 @@
 namespace bounce::study {
 namespace {
 
-const PeerExtent kWhole{Extent{21, 1e6, 0}, 1e-5}, kQuickly{Extent{3, 2e5, 0}, 1e-3};
+const PeerExtent kWhole{Extent{9, 1e6, 0}, 1e-6}, kQuickly{Extent{3, 2e5, 0}, 1e-3};
 
 std::string times_of_sweep(int core, const Extent& extent) {
   std::ostringstream text;

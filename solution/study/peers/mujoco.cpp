@@ -33,6 +33,7 @@ namespace {
 
 constexpr double kContact = 0.25;  // s
 constexpr double kSteps = 5;
+constexpr double kLeastDt = 1e-6;  // s. It takes that to see where its errors stall.
 
 double restitution_of(double zeta) {
   return zeta >= 1 ? 0 : std::exp(-2 * zeta * std::acos(zeta) / std::sqrt(1 - zeta * zeta));
@@ -129,12 +130,13 @@ Settings settings_with(const std::string& contact) {
 Peers mujoco() {
   const char* const limit =
       "contacts are soft, and their friction is braked no faster than they bounce";
-  return {{"mujoco", "MuJoCo", mj_versionString(), true,
+  return {{"mujoco", "MuJoCo", mj_versionString(), "2022", true,
            settings_with("a contact lasts sqrt(dt 0.25 s)"), limit,
            [](const Scene& scene, double dt) -> std::unique_ptr<Engine> {
              return std::make_unique<MuJoCo>(scene, dt, std::sqrt(dt * kContact));
-           }},
-          {"mujoco_5", "MuJoCo, contacts of 5 steps", mj_versionString(), false,
+           },
+           nullptr, kLeastDt},
+          {"mujoco_5", "MuJoCo, contacts of 5 steps", mj_versionString(), "2022", false,
            settings_with("a contact lasts 5 steps"), limit,
            [](const Scene& scene, double dt) -> std::unique_ptr<Engine> {
              return std::make_unique<MuJoCo>(scene, dt, kSteps * dt);

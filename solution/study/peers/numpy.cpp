@@ -14,7 +14,7 @@
 namespace bounce::study {
 namespace {
 
-constexpr double kLeastDt = 1e-4;  // s
+constexpr double kLeastDt = 1e-3, kCloseDt = 1e-2;  // s
 
 struct Pipe {
   std::array<int, 2> ends{};
@@ -35,14 +35,15 @@ struct Pipe {
   _exit(127);
 }
 
-std::string question(const Scene& scene, double dt, long repeats) {
+std::string question(const Scene& scene, const Grid& grid, long repeats) {
   const Parameters& p = scene.params;
   std::ostringstream text;
   text.precision(17);
   text << p.l << " " << p.m << " " << p.mu << " " << p.epsilon << " " << p.delta << " " << p.g.x()
        << " " << p.g.y() << " " << p.g.z() << " " << scene.start.q.transpose() << " "
-       << scene.start.v.transpose() << " " << dt << " " << std::lround(scene.until / kSamples / dt)
-       << " " << kSamples << " " << repeats << "\n";
+       << scene.start.v.transpose() << " " << grid.dt << " "
+       << std::lround(scene.until / grid.samples / grid.dt) << " " << grid.samples << " " << repeats
+       << "\n";
   return text.str();
 }
 
@@ -73,14 +74,14 @@ std::string Numpy::line() {
   return text;
 }
 
-Numpy::Answer Numpy::run(const Scene& scene, double dt, long repeats) {
-  std::fputs(question(scene, dt, repeats).c_str(), to_);
+Numpy::Answer Numpy::run(const Scene& scene, const Grid& grid, long repeats) {
+  std::fputs(question(scene, grid, repeats).c_str(), to_);
   std::fflush(to_);
   std::istringstream text(line());
   Answer answer{};
   text >> answer.ns;
   for (methods::Motion<double> s{}; text >> s.x >> s.y >> s.theta;) answer.samples.push_back(s);
-  if (answer.samples.size() != std::size_t(kSamples))
+  if (answer.samples.size() != std::size_t(grid.samples))
     throw std::runtime_error("the assignment in numpy gave no answer for " + scene.name);
   return answer;
 }
@@ -92,13 +93,15 @@ Peers numpy() {
       {"numpy",
        "numpy",
        process->version(),
+       "",
        true,
        {"double", "by nature", "the assignment's p (eq. 10)", "the assignment's V (eq. 9), Lemke",
         "the assignment's scheme with its fixed delta", "velocity first"},
        "",  // that of the assignment's scheme
        nullptr,
        process,
-       kLeastDt}};
+       kLeastDt,
+       kCloseDt}};
 }
 
 }  // namespace bounce::study

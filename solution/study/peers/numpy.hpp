@@ -21,18 +21,20 @@ class Numpy {
   // Empty if Python has no numpy.
   const std::string& version() const { return version_; }
 
-  // The square at kSamples evenly spaced times up to scene.until. dt must come from fitting_step().
-  Samples samples(const Scene& scene, double dt) { return run(scene, dt, 1).samples; }
+  // The square at the samples of a grid.
+  Samples samples(const Scene& scene, const Grid& grid) { return run(scene, grid, 1).samples; }
 
   // CPU time of so many runs together, ns, as its process counts it.
-  double time_of(const Scene& scene, double dt, long repeats) { return run(scene, dt, repeats).ns; }
+  double time_of(const Scene& scene, const Grid& grid, long repeats) {
+    return run(scene, grid, repeats).ns;
+  }
 
  private:
   struct Answer {
     double ns;
     Samples samples;
   };
-  Answer run(const Scene& scene, double dt, long repeats);
+  Answer run(const Scene& scene, const Grid& grid, long repeats);
   std::string line();
 
   pid_t child_ = -1;

@@ -10,7 +10,7 @@ template <class May>
 const Point* fastest(const std::vector<Point>& points, double error, const May& may) {
   const Point* best = nullptr;
   for (const Point& point : points) {
-    if (!may(point) || !(point.error <= error)) continue;
+    if (!may(point) || !(point.error.rms <= error)) continue;
     if (!best || times_of(point).median < times_of(*best).median) best = &point;
   }
   return best;
@@ -46,7 +46,7 @@ Table empty_ratios() {
 
 void add_ratios(Table& table, const std::string& scene, const std::vector<Point>& points) {
   for (const Point& point : points)
-    if (point.is_peer) add_row(table, scene, points, "peer's own", point.error, point);
+    if (point.is_peer) add_row(table, scene, points, "peer's own", point.error.rms, point);
   for (const double tolerance : kTolerances) {
     for (const std::string& name : peers_of(points)) {
       const Point* peer =

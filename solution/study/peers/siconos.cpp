@@ -1,9 +1,10 @@
 // Compares Siconos's solvers with ours on the LCP of part 2 alone: ns per LCP, and residual.
 //
-// The contacts slide, stick and separate; Siconos gets V and p of eqs. (9) and (10) as they are,
-// through its driver, with each solver's default options and z = 0 to begin with, and its options
-// made once. Its methods that divide by the diagonal are left out, since the cone's entry is 0, and
-// so is its Newton method, which gives up some of these contacts and prints as it does.
+// The contacts slide, stick and separate; all get V and p of eqs. (9) and (10) as they are, and one
+// of ours also a, b and c of the same contacts, which they are made of. Siconos is asked through
+// its driver, with each solver's default options and z = 0 to begin with, and its options made
+// once. Its methods that divide by the diagonal are left out, since the cone's entry is 0, and so
+// is its Newton method, which gives up some of these contacts and prints as it does.
 //
 // Residual, m/s: with p_n = dt f_n / m, p_t = dt (f_t2 - f_t1) / m and w, v_t of one_corner.hpp,
 //
@@ -96,8 +97,21 @@ class SiconosSolver {
   std::shared_ptr<SolverOptions> options_;
 };
 
+// a, b, c, u and mu are entries of V and p, and the unknowns are forces.
+Impulse solve_entries(const Lcp& lcp, const Parameters& params) {
+  const Eigen::Matrix4d& V = lcp.V;
+  const auto f = methods::solve_one_corner(
+      methods::OneCorner<double>{V(0, 0), V(0, 2), V(2, 2), lcp.p(0), lcp.p(2), V(3, 0)});
+  const double per_force = params.dt / params.m;
+  return {f.n * per_force, f.t * per_force};
+}
+
 std::vector<Solver> all_solvers() {
-  return {{"closed form by contact case",
+  return {{"closed form, given V and p",
+           [](const Contacts& contacts, std::size_t i) -> std::optional<Impulse> {
+             return solve_entries(contacts.lcps[i], contacts.params);
+           }},
+          {"closed form, given a, b and c",
            [](const Contacts& contacts, std::size_t i) -> std::optional<Impulse> {
              const auto p = methods::solve_one_corner(contacts.corners[i]);
              return Impulse{p.n, p.t};
@@ -156,7 +170,7 @@ Table lcp_solvers(const PeerExtent& extent) {
   std::vector<Point> points;
   points.reserve(solvers.size());
   for (const Solver& solver : solvers) {
-    points.push_back({solver.name, "", false, 0, 0, "", [&contacts, &solver](long repeats) {
+    points.push_back({solver.name, "", false, 0, {}, "", [&contacts, &solver](long repeats) {
                         return time_of(contacts, solver, repeats);
                       }});
   }

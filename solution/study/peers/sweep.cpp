@@ -47,57 +47,67 @@ double steps_time(const Peer& peer, const Scene& scene, double dt) {
   return cpu_ns() - start - clock;
 }
 
-Point point_of(const Peer& peer, const Scene& scene, double dt, const Samples& truth) {
-  const double fitting = fitting_step(scene, dt);
-  return {
-      peer.name,
-      peer.limit,
-      true,
-      fitting,
-      error_of(scene, samples_of(peer, scene, dt), truth),
-      "dt_s",
-      [&peer, &scene, fitting](long repeats) { return time_of(peer, scene, fitting, repeats); }};
+Point point_of(const Peer& peer, const Scene& scene, const Starts& starts) {
+  const Grid& grid = starts.grid();
+  return {peer.name,
+          peer.limit,
+          true,
+          grid.dt,
+          starts.errors_of([&peer](const Scene& moved, const Grid& its) {
+            return samples_of(peer, moved, its);
+          }),
+          "dt_s",
+          [&peer, &scene, grid](long repeats) { return time_of(peer, scene, grid, repeats); }};
 }
 
-Point point_of(const Method& method, const Scene& scene, double setting, const Samples& truth) {
+Point point_of(const Method& method, const Scene& scene, double setting, StartsOfScene& starts) {
+  const Setting at = measure(method, setting, starts);
   return {method.name,
           "",
           false,
-          method.has_step ? fitting_step(scene, setting) : setting,
-          error_of(scene, method.run(scene, setting), truth),
+          at.value,
+          at.error,
           method.has_step ? "dt_s" : "tolerance",
-          [&method, &scene, setting](long repeats) {
-            return time_of_all(repeats, [&] { method.run(scene, setting); });
+          [&method, &scene, at](long repeats) {
+            return time_of_all(repeats, [&] { method.look(scene, at.value, at.samples); });
           }};
 }
 
-std::vector<double> steps_down_to(double least) {
+std::vector<double> steps_of(const Peer& peer, double least_dt) {
+  const double least = std::max(least_dt, peer.least_dt);
+  std::vector<double> steps = steps_down_to(std::max(least, peer.close_dt));
+  for (double dt = peer.close_dt / std::sqrt(10.0); dt > 0.99 * least; dt /= std::sqrt(10.0))
+    steps.push_back(dt);
+  return steps;
+}
+
+std::vector<double> steps_of_variants(double least) {
   std::vector<double> steps;
-  for (const double dt : {1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 3e-5, 1e-5})
+  for (const double dt : {1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 3e-5})
     if (dt >= least) steps.push_back(dt);
   return steps;
 }
 
 std::vector<Point> points_of(const Scene& scene, const Peers& peers,
                              const std::vector<Method>& methods, double least_dt) {
-  const Samples truth = truth_of(scene);
+  StartsOfScene starts(scene);
   std::vector<Point> points;
   for (const Peer& peer : peers) {
     if (!peer.swept) continue;
-    for (const double dt : steps_down_to(std::max(least_dt, peer.least_dt)))
-      points.push_back(point_of(peer, scene, dt, truth));
+    for (const double dt : steps_of(peer, least_dt))
+      points.push_back(point_of(peer, scene, starts.at(dt)));
   }
   for (const Method& method : methods) {
     for (const double setting : method.settings) {
-      if (!method.has_step || setting >= least_dt)
-        points.push_back(point_of(method, scene, setting, truth));
+      if (!method.has_step || setting >= 0.99 * least_dt)
+        points.push_back(point_of(method, scene, setting, starts));
     }
   }
   return points;
 }
 
 // Why a peer does not get to 1 mm here: it still converges and needs a smaller step, or it has
-// stalled.
+// stalled. The order is that of the last factor of ten.
 std::string note_of(const std::vector<Point>& points, const Point& point) {
   if (!point.is_peer || point.limit.empty()) return "";
   std::vector<const Point*> own;
@@ -105,12 +115,14 @@ std::string note_of(const std::vector<Point>& points, const Point& point) {
   for (const Point& other : points) {
     if (other.method != point.method) continue;
     own.push_back(&other);
-    least = std::min(least, other.error);
+    least = std::min(least, other.error.rms);
   }
   if (least <= kFine || own.size() < 3) return "";
-  const Point &last = *own.back(), &before = *own[own.size() - 3];
+  const Point& last = *own.back();
+  const auto coarser = [&](const Point* other) { return other->setting < 9 * last.setting; };
+  const Point& before = **std::prev(std::find_if(own.begin() + 1, own.end(), coarser));
   const double order =
-      std::log(before.error / last.error) / std::log(before.setting / last.setting);
+      std::log(before.error.rms / last.error.rms) / std::log(before.setting / last.setting);
   char text[200];
   if (order > 0.4) {
     std::snprintf(text, sizeof text, "order %.1f at its smallest steps", order);
@@ -122,7 +134,8 @@ std::string note_of(const std::vector<Point>& points, const Point& point) {
 
 Table empty_table() {
   return Table({"scene", "method", "setting", "setting_is", "ns_per_simulated_second",
-                "lower_quartile", "upper_quartile", "ns_per_step", "error_m", "note"});
+                "lower_quartile", "upper_quartile", "ns_per_step", "error_m", "least_error_m",
+                "largest_error_m", "own_error_m", "note"});
 }
 
 std::string text_of(double value) {
@@ -137,21 +150,24 @@ void add_point(Table& table, const Scene& scene, const std::vector<Point>& point
   const bool steps = point.setting_is == std::string("dt_s");
   table.add(scene.name, point.method, point.setting, point.setting_is, ns / scene.until,
             lower / scene.until, upper / scene.until,
-            steps ? text_of(ns / scene.until * point.setting) : "", point.error,
-            note_of(points, point));
+            steps ? text_of(ns / scene.until * point.setting) : "", point.error.rms,
+            point.error.least, point.error.largest, point.error.own, note_of(points, point));
 }
 
 // A scheme of ours without the samples: the steps alone, as the peers are timed.
 template <class Scheme>
-Point steps_of(const std::string& name, const Scene& scene, const Samples& truth) {
+Point steps_of(const std::string& name, const Scene& scene, const Starts& starts) {
   const auto start = methods::motion_of<double>(scene.start);
   const long steps = std::lround(scene.until / scene.params.dt);
-  const Samples samples = methods::sample(Scheme(scene.params, start), kSamples, steps / kSamples);
   return {name,
           "",
           false,
           scene.params.dt,
-          error_of(scene, samples, truth),
+          starts.errors_of([](const Scene& moved, const Grid& grid) {
+            const auto from = methods::motion_of<double>(moved.start);
+            const long between = steps_between_samples(moved, grid.dt, grid.samples);
+            return methods::sample(Scheme(moved.params, from), grid.samples, between);
+          }),
           "dt_s",
           [&scene, start, steps](long repeats) {
             Motion<double> last{};
@@ -167,17 +183,17 @@ Point steps_of(const std::string& name, const Scene& scene, const Samples& truth
 
 }  // namespace
 
-Samples samples_of(const Peer& peer, const Scene& scene, double dt) {
-  const double fitting = fitting_step(scene, dt);
-  if (peer.numpy) return peer.numpy->samples(scene, fitting);
-  const long steps = std::lround(scene.until / kSamples / fitting);
-  const auto engine = peer.make(scene, fitting);
+Samples samples_of(const Peer& peer, const Scene& scene, const Grid& grid) {
+  if (peer.numpy) return peer.numpy->samples(scene, grid);
+  const long steps = std::lround(scene.until / grid.samples / grid.dt);
+  const auto engine = peer.make(scene, grid.dt);
   Motion<double> before = methods::motion_of<double>(scene.start);
   Samples samples;
-  for (int i = 0; i < kSamples; ++i) {
+  for (int i = 0; i < grid.samples; ++i) {
     for (long n = 0; n < steps; ++n) engine->step();
     Motion<double> s = engine->motion();
-    const double expected = before.theta + scene.until / kSamples * (before.omega + s.omega) / 2;
+    const double expected =
+        before.theta + scene.until / grid.samples * (before.omega + s.omega) / 2;
     const double turn = 2 * std::numbers::pi;
     s.theta += turn * std::round((expected - s.theta) / turn);
     samples.push_back(s);
@@ -186,10 +202,10 @@ Samples samples_of(const Peer& peer, const Scene& scene, double dt) {
   return samples;
 }
 
-double time_of(const Peer& peer, const Scene& scene, double dt, long repeats) {
-  if (peer.numpy) return peer.numpy->time_of(scene, dt, repeats);
+double time_of(const Peer& peer, const Scene& scene, const Grid& grid, long repeats) {
+  if (peer.numpy) return peer.numpy->time_of(scene, grid, repeats);
   double sum = 0;
-  for (long i = 0; i < repeats; ++i) sum += steps_time(peer, scene, dt);
+  for (long i = 0; i < repeats; ++i) sum += steps_time(peer, scene, grid.dt);
   return sum;
 }
 
@@ -211,10 +227,10 @@ Table single_steps(const Scenes& kinds, const Peers& peers, const PeerExtent& ex
   Table table({"engine", "version", "kind", "dt_s", "ns_per_step", "lower_quartile",
                "upper_quartile", "ratio", "ratio_lower", "ratio_upper", "error_m"});
   for (const Scene& scene : kinds) {
-    const Samples truth = truth_of(scene);
-    std::vector<Point> points{steps_of<methods::AssignmentFast>("assignment_fast", scene, truth),
-                              steps_of<methods::Assignment>("assignment", scene, truth)};
-    for (const Peer& peer : peers) points.push_back(point_of(peer, scene, scene.params.dt, truth));
+    const Starts starts(scene, scene.params.dt);
+    std::vector<Point> points{steps_of<methods::AssignmentFast>("assignment_fast", scene, starts),
+                              steps_of<methods::Assignment>("assignment", scene, starts)};
+    for (const Peer& peer : peers) points.push_back(point_of(peer, scene, starts));
     time_in_turns(points, extent.timing);
     const double steps = scene.until / scene.params.dt;
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -222,19 +238,19 @@ Table single_steps(const Scenes& kinds, const Peers& peers, const PeerExtent& ex
       const Quartiles ratio = ratios_of(points[i], points[0]);
       table.add(points[i].method, i < 2 ? std::string("ours") : peers[i - 2].version, scene.name,
                 scene.params.dt, ns / steps, lower / steps, upper / steps, ratio.median,
-                ratio.lower, ratio.upper, points[i].error);
+                ratio.lower, ratio.upper, points[i].error.rms);
     }
   }
   return table;
 }
 
 Table settings(const Peers& peers) {
-  Table table({"engine", "title", "version", "swept", "numbers", "planar", "restitution",
+  Table table({"engine", "title", "version", "year", "swept", "numbers", "planar", "restitution",
                "friction", "contact", "order"});
   for (const Peer& peer : peers) {
     const Settings& s = peer.settings;
-    table.add(peer.name, peer.title, peer.version, peer.swept, s.numbers, s.planar, s.restitution,
-              s.friction, s.contact, s.order);
+    table.add(peer.name, peer.title, peer.version, peer.year, peer.swept, s.numbers, s.planar,
+              s.restitution, s.friction, s.contact, s.order);
   }
   return table;
 }
@@ -245,9 +261,10 @@ Table variants(const Scenes& scenes, const Peers& peers, const PeerExtent& exten
     const Samples truth = truth_of(scene);
     for (const Peer& peer : peers) {
       if (peer.numpy) continue;
-      for (const double dt : steps_down_to(extent.least_dt)) {
-        table.add(scene.name, peer.name, peer.swept, fitting_step(scene, dt),
-                  error_of(scene, samples_of(peer, scene, dt), truth));
+      for (const double dt : steps_of_variants(std::max(extent.least_dt, peer.least_dt))) {
+        const Grid grid{fitting_step(scene, dt), kSamples};
+        table.add(scene.name, peer.name, peer.swept, grid.dt,
+                  error_of(scene, samples_of(peer, scene, grid), truth));
       }
     }
   }

@@ -13,11 +13,11 @@ struct PeerExtent {
   double least_dt;  // s
 };
 
-// The square at the sample times of a scene, with theta unwound to whole turns; not timed.
-Samples samples_of(const Peer& peer, const Scene& scene, double dt);
+// The square at the samples of a grid, with theta unwound to whole turns; not timed.
+Samples samples_of(const Peer& peer, const Scene& scene, const Grid& grid);
 
 // CPU time of `repeats` runs of the steps up to scene.until, ns, without making the world.
-double time_of(const Peer& peer, const Scene& scene, double dt, long repeats);
+double time_of(const Peer& peer, const Scene& scene, const Grid& grid, long repeats);
 
 // Every scene, peer and step, and the same of our own methods, timed in turns: peers and ours with
 // the columns of speed_accuracy.csv and quartiles, and how they compare (ratios.hpp).

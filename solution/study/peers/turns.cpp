@@ -20,8 +20,8 @@ struct Turn {
 };
 
 Turn turn_of(const Point& point, const Extent& extent) {
-  point.time(1);
-  const double once = std::max(point.time(1), 20.0);
+  double once = point.time(1);
+  if (once < kLongNs) once = std::max(point.time(1), 20.0);  // the first found caches cold
   return {std::max(1L, std::lround(extent.least_ns / once)), once > kLongNs ? kLongEvery : 1};
 }
 

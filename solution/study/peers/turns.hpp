@@ -5,19 +5,21 @@
 #include <string>
 #include <vector>
 
+#include "../starts.hpp"
 #include "../timing.hpp"
 
 namespace bounce::study {
 
-// A point that takes longer than this runs only in every third round, so that there are many rounds
-// for the others.
+// A point that takes longer than this runs only in some rounds, so that there are many rounds for
+// the others.
 inline constexpr double kLongNs = 5e7;
-inline constexpr int kLongEvery = 3;
+inline constexpr int kLongEvery = 4;
 
 struct Point {
   std::string method, limit;
   bool is_peer;
-  double setting, error;
+  double setting;
+  Errors error;
   const char* setting_is;
   std::function<double(long repeats)> time;  // of all repeats together, ns
   std::vector<double> ns = {};               // of one run, by round; NaN if it didn't run

@@ -244,6 +244,13 @@ def test_the_choice_by_mechanics_is_mostly_the_least() -> None:
     assert chosen["same"] > chosen["larger"] > chosen["wrong"]
 
 
+def test_a_motion_within_a_tolerance_keeps_its_bound_and_costs_little_more_than_the_best() -> None:
+    for row in committed()["tolerance"].rows:
+        assert int(row["scenes"]) >= 4000 and int(row["violated"]) == 0
+        assert float(row["bound_over_error"]) <= 100
+        assert float(row["time_over_best"]) <= 1.5
+
+
 def test_springs_let_a_held_corner_rebound() -> None:
     tipped = pages.facts_of("speed_accuracy.md", committed())["tipped"]
     assert abs(tipped["Newton"]["held"]) < 1e-9 < 0.01 < tipped["springs"]["held"]

@@ -27,9 +27,13 @@ def only(table: str, column: str, **where: str) -> float:
 def told() -> dict[str, float]:
     """The numbers that the page tells, by the words around them, and as the studies have them."""
     fixed = rows("speed_accuracy", scene="tumble", method="assignment")
-    errors = {row["setting"]: 1000 * float(row["error_m"]) for row in fixed}
+    errors = {row["setting"]: 1000 * float(row["own_error_m"]) for row in fixed}
     scaled = only(
-        "speed_accuracy", "error_m", scene="tumble", method="assignment_delta_dt", setting="1e-05"
+        "speed_accuracy",
+        "own_error_m",
+        scene="tumble",
+        method="assignment_delta_dt",
+        setting="1e-05",
     )
     newton = rows("energy_gain", law="newton")
     most = max(newton, key=lambda row: float(row["largest_gain"]))
@@ -95,7 +99,7 @@ def test_studies_the_students_own_parts(home: Path) -> None:
     said = sentences(page)
     assert "from dt = 0.001 s on a smaller step no longer helps: delta stays" in said
     errors = {
-        r["setting"]: float(r["error_m"])
+        r["setting"]: float(r["own_error_m"])
         for r in rows("speed_accuracy", scene="tumble", method="assignment")
     }
     assert f"stays near {1000 * errors['1e-05']:.3g} mm" in said
