@@ -33,18 +33,19 @@ def _scene(name: str) -> Iterator[str]:
     yield " ".join(["scene", name, *map(repr, map(float, numbers)), scene["title"]])
     if name not in STUDIED:
         return
-    for row in _rows("truth.csv"):
+    for row in rows("truth.csv"):
         if row["scene"] == name:
             yield " ".join(["truth", row["t_s"], row["x_m"], row["y_m"], row["theta_rad"]])
     for method, title in METHODS.items():
         reached = [
             f"{float(row['ns_per_simulated_second']) / KERNEL_NS:.4g} {float(row['error_m']):.4g}"
-            for row in _rows("speed_accuracy.csv")
+            for row in rows("speed_accuracy.csv")
             if (row["scene"], row["method"]) == (name, method)
         ]
         yield " ".join(["other", *reached, title])
 
 
-def _rows(table: str) -> Iterator[dict[str, str]]:
+def rows(table: str) -> Iterator[dict[str, str]]:
+    """The rows of a table of docs/studies."""
     lines = (STUDIES / table).read_text("utf-8").splitlines()
     return csv.DictReader(line for line in lines if not line.startswith("#"))
