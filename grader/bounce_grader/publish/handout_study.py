@@ -6,11 +6,12 @@ import csv
 import json
 from collections.abc import Iterator
 
+from bounce_grader.common.chart_style import WORDS
 from bounce_grader.common.paths import ROOT, SCENES
 
 STUDIED = ("tumble", "oblique_bounce", "slide")
 METHODS = {
-    "assignment": "assignment's scheme, as the course solves it",
+    "assignment": WORDS["Assignment"],
     "moreau_jean_2": "Moreau\N{EN DASH}Jean scheme with two corners",
     "event_driven": "exact, event-driven simulation",
 }

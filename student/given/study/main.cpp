@@ -12,11 +12,13 @@
 #include "chart.hpp"
 #include "page.hpp"
 #include "sentences.hpp"
+#include "words.hpp"
 
 namespace bounce::study {
 namespace {
 
 constexpr double kEnergySeconds = 1.5;
+const std::string kMetres = std::string(kError) + ", m";
 using Points = std::vector<std::pair<double, double>>;
 
 template <class Of>
@@ -30,8 +32,8 @@ std::string charts_of(const Scene& scene, const Both& runs) {
   const auto over_time = [](const Run& r) { return std::pair(r.kernels, r.error); };
   const auto over_step = [](const Run& r) { return std::pair(r.dt, r.error); };
   std::vector<Line> times{
-      {"yours, delta fixed", points(runs.fixed, over_time), true},
-      {"yours, delta in proportion to dt", points(runs.scaled, over_time), true}};
+      {std::string(kYours) + ", delta fixed", points(runs.fixed, over_time), true},
+      {std::string(kYours) + ", delta in proportion to dt", points(runs.scaled, over_time), true}};
   for (const Method& method : scene.others) {
     Points reached;
     for (const Reached& r : method.reached) reached.emplace_back(r.kernels, r.error);
@@ -41,9 +43,9 @@ std::string charts_of(const Scene& scene, const Both& runs) {
       {"delta fixed", points(runs.fixed, over_step), true},
       {"delta in proportion to dt", points(runs.scaled, over_step), true}};
   return "<h2>" + escaped(scene.title) + "</h2>\n<section>\n" +
-         chart("Error over time", {"time of a simulated second, solve_lcp = 1", "error, m", true},
-               times, of_time(scene, runs)) +
-         chart("Error over step", {"dt, s", "error, m", true}, steps, of_steps(scene, runs)) +
+         chart(kErrorOverTime, {std::string(kTime) + ", solve_lcp = 1", kMetres, true}, times,
+               of_time(scene, runs)) +
+         chart("Error over step", {"dt, s", kMetres, true}, steps, of_steps(scene, runs)) +
          "</section>\n";
 }
 

@@ -8,6 +8,8 @@ namespace bounce::study {
 namespace {
 
 constexpr const char* kStyle = R"css(
+:root { color-scheme: light dark; --ink: #1f2430; --paper: #ffffff; }
+@media screen and (prefers-color-scheme: dark) { :root { --ink: #e8e6e1; --paper: #14181f; } }
 * { box-sizing: border-box; }
 body { margin: 0 auto; padding: 1rem 1.2rem 4rem; max-width: 92rem; color: var(--ink);
   background: var(--paper); font: 1rem/1.55 system-ui, sans-serif; }
@@ -25,7 +27,7 @@ ul { display: flex; flex-wrap: wrap; gap: 0 1.2rem; margin: 0.2rem 0; padding: 0
   font-size: 0.9rem; }
 figcaption { margin: 0.3rem 0 0.8rem; }
 @media (max-width: 640px) { text { font-size: 18px; } }
-@media print { body { font-size: 10pt; } section { grid-template-columns: 1fr 1fr; }
+@media print { :root { color-scheme: light; } body { font-size: 10pt; } section { grid-template-columns: 1fr 1fr; }
   figure { break-inside: avoid; } }
 )css";
 
