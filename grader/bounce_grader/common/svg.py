@@ -115,9 +115,9 @@ class Axes(NamedTuple):
             out += [text(left - gap, y + 5, y_label(10.0**decade), "end")]
         return out
 
-    def names(self, time: str, gap: int = 44) -> list[str]:
+    def names(self, time: str, error: str, gap: int = 44) -> list[str]:
         x_name = text(self.left + self.width / 2, self.bottom + gap, time, "middle")
-        return [x_name, upward(16, self.top + self.height / 2, "largest error")]
+        return [x_name, upward(16, self.top + self.height / 2, error)]
 
 
 def _share(value: float, decades: tuple[int, int]) -> float:

@@ -5,6 +5,7 @@ from typing import NamedTuple
 
 from bounce_grader.assignment import picture
 from bounce_grader.common import numbers
+from bounce_grader.common.chart_style import STYLE
 from bounce_grader.formats import case, sentences, speed_chart
 from bounce_grader.formats.templates import fill
 from bounce_grader.grading import speed
@@ -42,6 +43,7 @@ def render(
         in_the_end=in_the_end,
         case=case,
         chart=speed_chart,
+        chart_style=STYLE,
         numbers=numbers,
         picture=picture,
         sentences=sentences,

@@ -14,8 +14,8 @@ PACKED = (
     *("CHANGELOG.md", "CONTRIBUTING.md", "docs", "fixtures", "grader", "solution", "student"),
     "tests",
 )
+BUILT = "student/build"  # by working in the handout; other folders of that name hold sources
 LEFT_OUT = {
-    "build",
     "__pycache__",
     ".pytest_cache",
     ".mypy_cache",
@@ -75,7 +75,8 @@ def write(path: Path) -> None:
 def _packed(root: Path) -> Iterator[Path]:
     for name in PACKED:
         if (root / name).is_dir():
-            yield from _files(root / name)
+            built = root / BUILT
+            yield from (f for f in _files(root / name) if not f.is_relative_to(built))
         else:
             yield root / name
 

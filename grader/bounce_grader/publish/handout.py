@@ -12,7 +12,7 @@ from pathlib import Path
 from bounce_grader.common.errors import UsageError
 from bounce_grader.common.paths import HANDOUT, ROOT
 from bounce_grader.grading.fixtures import PUBLIC
-from bounce_grader.publish import handout_page, handout_study
+from bounce_grader.publish import handout_measured, handout_page, handout_study
 from bounce_grader.publish.points import with_points
 
 TOP = "bounce"  # the folder in the zip
@@ -30,7 +30,8 @@ TESTS = (
     "part?_*_test.cpp",
     "linked/*.?pp",
 )
-SKIPPED = {"build", "animation.html", "study.html", "__pycache__"}  # made by working in student/
+# Made by working in student/.
+SKIPPED = {"build", "animation.html", "real.html", "study.html", "__pycache__"}
 OF_EDITORS = {".clangd", ".devcontainer", ".vscode"}  # other names with a dot are left out
 PAGES = ("README", "explore")
 PROGRAMS = {"check"}
@@ -52,9 +53,10 @@ def files() -> dict[str, Path]:
 
 def contents() -> dict[str, bytes]:
     """What the zip holds, by path in it: these files, the pages made of Markdown, and the numbers
-    of the study."""
+    of the study and of measured impacts."""
     made = {f"{name}.html": handout_page.page(HANDOUT / f"{name}.md") for name in PAGES}
     made["fixtures/study.txt"] = handout_study.text().encode()
+    made["fixtures/measured.txt"] = handout_measured.text().encode()
     held = {name: _said(file) for name, file in files().items()}
     return dict(sorted({**held, **made}.items()))
 

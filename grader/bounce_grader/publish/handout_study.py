@@ -7,11 +7,12 @@ import json
 import math
 from collections.abc import Iterator
 
+from bounce_grader.common.chart_style import WORDS
 from bounce_grader.common.paths import ROOT, SCENES
 
 STUDIED = ("tumble", "oblique_bounce", "slide")
 METHODS = {
-    "assignment": "assignment's scheme, as the course solves it",
+    "assignment": WORDS["Assignment"],
     "moreau_jean_2": "Moreau\N{EN DASH}Jean scheme with two corners",
     "event_driven": "exact, event-driven simulation",
 }
@@ -34,13 +35,13 @@ def _scene(name: str) -> Iterator[str]:
     yield " ".join(["scene", name, *map(repr, map(float, numbers)), scene["title"]])
     if name not in STUDIED:
         return
-    for row in _rows("truth.csv"):
+    for row in rows("truth.csv"):
         if row["scene"] == name:
             yield " ".join(["truth", row["t_s"], row["x_m"], row["y_m"], row["theta_rad"]])
     for method, title in METHODS.items():
         reached = [
             f"{float(row['ns_per_simulated_second']) / KERNEL_NS:.4g} {float(row['own_error_m']):.4g}"
-            for row in _rows("speed_accuracy.csv")
+            for row in rows("speed_accuracy.csv")
             if (row["scene"], row["method"]) == (name, method) and _is_shown(row)
         ]
         yield " ".join(["other", *reached, title])
@@ -53,6 +54,7 @@ def _is_shown(row: dict[str, str]) -> bool:
     return row["setting_is"] != "dt_s" or abs(halves - round(halves)) < 0.03
 
 
-def _rows(table: str) -> Iterator[dict[str, str]]:
+def rows(table: str) -> Iterator[dict[str, str]]:
+    """The rows of a table of docs/studies."""
     lines = (STUDIES / table).read_text("utf-8").splitlines()
     return csv.DictReader(line for line in lines if not line.startswith("#"))

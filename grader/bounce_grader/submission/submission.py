@@ -23,6 +23,7 @@ from bounce_grader.submission.entry import text_of, Entry, NotText
 SOURCES = {".cpp", ".cc", ".cxx"}
 HEADERS = {".hpp", ".h", ".hh", ".hxx", ".ipp", ".inl"}
 GIVEN = {file.name for file in (HANDOUT / "given").iterdir()} | {"main.cpp"}
+GIVEN_IN_FOLDERS = {file.relative_to(HANDOUT).parts for file in (HANDOUT / "given").glob("*/*")}
 MOST_SOURCES = 100
 MOST_BYTES = 8 * 1024 * 1024
 LONGEST_NAME = 255  # bytes, folders and all
@@ -159,6 +160,7 @@ def _wanted(name: PurePosixPath) -> bool:
     theirs = not any(f in NOT_THEIRS or f.startswith((".", "cmake-build")) for f in folders)
     contract = folders[-1:] == ("bounce",)  # <bounce/...> always comes from the kit
     given = name.name in GIVEN or name.name.endswith("_test.cpp")
+    given = given or name.parts[-3:] in GIVEN_IN_FOLDERS
     source = name.suffix.lower() in SOURCES | HEADERS and not name.name.startswith(".")
     return theirs and source and not contract and not given and _usable(str(name))
 

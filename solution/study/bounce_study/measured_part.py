@@ -18,7 +18,9 @@ if TYPE_CHECKING:
     from measured.study import Study
 
 NAME = "measured"
-TABLES = tuple(f"{NAME}_{it}" for it in ("extraction", "ladder", "bodies", "drops", "findings"))
+TABLES = tuple(
+    f"{NAME}_{it}" for it in ("extraction", "ladder", "bodies", "drops", "findings", "impacts")
+)
 SQUARES = FIXTURES / "measured" / "squares.csv.gz"
 ELLIPSES = FIXTURES / "measured" / "ellipses.csv"
 PROGRAM = BUILD / "bounce_measured"

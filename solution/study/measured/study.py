@@ -30,7 +30,8 @@ ONE, TWO, ALL, OVAL, BOTH = (
 )
 FORECASTS = ("newton", "routh_stronge", "compliant")
 TABLES = tuple(
-    f"measured_{name}" for name in ("extraction", "ladder", "bodies", "drops", "findings")
+    f"measured_{name}"
+    for name in ("extraction", "ladder", "bodies", "drops", "findings", "impacts")
 )
 Table = tuple[tuple[str, ...], list[tuple[Any, ...]]]
 
@@ -146,6 +147,7 @@ def tables(study: Study) -> dict[str, bytes]:
         _ladder([replace(verdict, group=name) for name, verdict in study.bodies]),
         _drop_table(study.drops),
         _finding_table(study.findings),
+        _impact_table(study.sorted.one),
     )
     return {f"{name}.csv": _csv(table) for name, table in zip(TABLES, made)}
 
@@ -250,6 +252,21 @@ def _drop_table(made: Drops) -> Table:
 def _finding_table(found: list[Finding]) -> Table:
     columns = ("about", "hypothesis", "quantity", "first_half", "second_half")
     return columns, [(f.about, f.hypothesis, f.quantity, *f.values) for f in found]
+
+
+IMPACT = tuple(
+    "trial r_x_m r_y_m v_x_m_s v_y_m_s omega_rad_s v_x_after_m_s v_y_after_m_s "
+    "omega_after_rad_s".split()
+)
+
+
+def _impact_table(one: Impacts) -> Table:
+    """The impacts of one corner that are judged."""
+    hits = one.only(ladder.halves(one.trial).judge)
+    numbers = np.concatenate([hits.corner, hits.before, hits.after], axis=1)
+    return IMPACT, [
+        (int(trial), *map(float, row)) for trial, row in zip(hits.trial, numbers.tolist())
+    ]
 
 
 # --- as JSON ---

@@ -13,8 +13,8 @@ void build_parts(Run& run);
 // These parts by themselves, with right answers for the earlier ones. Those that could be built.
 std::vector<const Part*> build_given(const Run& run, const std::vector<const Part*>& parts);
 
-// The program that studies all parts. Whether that could be built.
-bool build_study();
+// A program that writes a page: study or real. Whether it could be built.
+bool build_page_writer(const std::string& name);
 
 // The first error in a part's file, indented: file and line, and two lines more.
 std::string first_error_of(int part);

@@ -28,13 +28,14 @@ constexpr const char* kKnown =
     "./check --hint     the next stage of the hint for the first check that fails; or ./check 2 "
     "--hint\n"
     "./check --sanitize finds wrong uses of memory, too; slower\n"
+    "./check --real     what your part 2 makes of measured impacts, as a page\n"
     "./check --study    how accurate, fast and stable your program is, as a page\n"
     "./check --watch    again whenever you save a file; h is the next hint, 1 to 4 a part, a all, "
     "q the end\n";
 
 struct Options {
   int part = 0;  // 0: all
-  bool hints = false, watches = false, sanitized = false, studies = false;
+  bool hints = false, watches = false, sanitized = false, studies = false, real = false;
 };
 
 struct Usage : std::runtime_error {
@@ -65,6 +66,8 @@ Options read_options(const std::vector<std::string>& words, const std::vector<Pa
       throw Failure("--sanitize needs g++ or clang on Linux or macOS");
     } else if (word == "--sanitize") {
       options.sanitized = true;
+    } else if (word == "--real") {
+      options.real = true;
     } else if (word == "--study") {
       options.studies = true;
     } else if (word == "--watch") {
@@ -72,6 +75,9 @@ Options read_options(const std::vector<std::string>& words, const std::vector<Pa
     } else {
       throw Usage("check: " + word + " is not known; there are:\n" + kKnown);
     }
+  }
+  if (options.real && options.part && options.part != 2) {
+    throw Failure("--real asks part 2: ./check 2 --real, or ./check --real");
   }
   return options;
 }
@@ -100,6 +106,7 @@ bool check(const Options& options, bool replaces = false) {
     report(run);
   }
   if (options.studies) study(run);
+  if (options.real) ask_about_real_impacts(run);
   std::cout << std::flush;
   return !run.first_part;
 }

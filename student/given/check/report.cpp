@@ -155,7 +155,8 @@ void report(const Run& run) {
   print_warnings();
   if (!run.first_part && !run.is_one_part()) {
     std::cout
-        << "Watch it: cmake --build build && ./build/bounce. Then submit the files of src/.\n";
+        << "Watch it: cmake --build build && ./build/bounce. Then submit the files of src/.\n"
+           "How near it is to the truth, and what it costs: ./check --study, and explore.html.\n";
   }
   std::cout << std::flush;
 }

@@ -232,6 +232,20 @@ void judge(Run& run, const std::vector<const Part*>& parts) {
   for (const Part* part : build_given(run, may_gain_points)) run_with_given(run, *part);
 }
 
+// Starts build/NAME, which writes NAME.html from its table.
+void write_page(const std::string& name, bool is_wrong, const fs::path& said,
+                const std::string& table) {
+  fs::remove(said);
+  std::vector<std::string> command{"build/" + name, table, name + ".html"};
+  if (is_wrong) command.emplace_back("--wrong");
+  const auto ended = check::run(command, said, Limits::of_a_part);
+  if (!ended) throw Failure(command[0] + " can't be started: remove the folder build");
+  if (ended->code == 1) throw Failure(read(said));
+  if (ended->signal || ended->code) {
+    throw Failure("no page was written, as " + reason_of(*ended, read(said)));
+  }
+}
+
 }  // namespace
 
 std::string prints_file(int part) {
@@ -279,19 +293,19 @@ void run_parts(Run& run) {
 void study(const Run& run) {
   std::cout << "\nStudying your program; building it takes half a minute the first time.\n"
             << std::flush;
-  if (!build_study()) throw Failure("the study needs all four parts to compile");
-  const fs::path said = kWork / "study.txt";
-  fs::remove(said);
-  std::vector<std::string> command{"build/study", "fixtures/study.txt", "study.html"};
-  if (run.first_part) command.emplace_back("--wrong");
-  const auto ended = check::run(command, said, Limits::of_a_part);
-  if (!ended) throw Failure("build/study can't be started: remove the folder build");
-  if (ended->code == 1) throw Failure(read(said));
-  if (ended->signal || ended->code) {
-    throw Failure("the study didn't get to its end, as " + reason_of(*ended, read(said)));
-  }
+  if (!build_page_writer("study")) throw Failure("the study needs all four parts to compile");
+  write_page("study", run.first_part, kWork / "study.txt", "fixtures/study.txt");
   std::cout
       << "The study is in study.html; open it in a browser. explore.html asks what it shows.\n";
+}
+
+void ask_about_real_impacts(const Run& run) {
+  const Part& part = run.part(2);
+  if (run.unbuilt.count(2) || !build_page_writer("real"))
+    throw Failure("--real needs part 2 to compile");
+  write_page("real", points_of(part) < part.points, kWork / "real.txt", "fixtures/measured.txt");
+  std::cout
+      << "\nWhat your form_lcp makes of real impacts is in real.html; open it in a browser.\n";
 }
 
 int points_of(const Part& part) {

@@ -28,6 +28,9 @@ int points_of(const Part& part);
 // program doesn't get to its end.
 void study(const Run& run);
 
+// Asks part 2 about measured impacts, and writes real.html. Throws Failure as study does.
+void ask_about_real_impacts(const Run& run);
+
 // The file with all that a part's program printed.
 std::string prints_file(int part);
 

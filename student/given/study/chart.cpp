@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "page.hpp"
+
 namespace bounce::study {
 namespace {
 
@@ -84,16 +86,31 @@ std::string drawn(const Line& line, const std::string& kind, const Scale& x, con
     path += (path.empty() ? "M " : " L ") + at;
     if (line.points.size() < 30) dots += "M " + at + " h 0 ";
   }
-  return "<path class=\"line " + kind + "\" d=\"" + path + "\"/><path class=\"dots " + kind +
+  return "<path class=\"curve " + kind + "\" d=\"" + path + "\"/><path class=\"dots " + kind +
          "\" d=\"" + dots + "\"/>\n";
 }
 
 }  // namespace
 
-std::string escaped(const std::string& given) {
-  std::string html;
-  for (const char c : given) html += c == '&' ? "&amp;" : c == '<' ? "&lt;" : std::string(1, c);
-  return html;
+std::string bars(const std::string& title, const std::vector<Bar>& rows, double most,
+                 const std::string& sentence) {
+  constexpr double kTall = 48, kWide = 340;  // of a row, and of the longest bar
+  std::string svg;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const Bar& row = rows[i];
+    const double top = kTall * static_cast<double>(i);
+    const double wide = std::isfinite(row.value) ? kWide * std::min(row.value / most, 1.0) : 0;
+    svg += "<text x=\"1\" y=\"" + text(top + 16, "%.0f") + "\">" + escaped(row.name) +
+           "</text><rect class=\"bar" + (row.is_own ? " own" : "") + "\" x=\"1\" y=\"" +
+           text(top + 24, "%.0f") + "\" width=\"" + text(wide, "%.1f") +
+           "\" height=\"12\"/><text x=\"" + text(wide + 8, "%.1f") + "\" y=\"" +
+           text(top + 35, "%.0f") + "\">" + escaped(row.label) +
+           (row.value > most && std::isfinite(row.value) ? ", beyond the chart" : "") + "</text>\n";
+  }
+  return "<figure>\n<h3>" + escaped(title) + "</h3>\n<svg viewBox=\"0 0 474 " +
+         text(kTall * static_cast<double>(rows.size()), "%.0f") + "\" role=\"img\" aria-label=\"" +
+         escaped(title) + "\">\n" + svg + "</svg>\n<figcaption>" + escaped(sentence) +
+         "</figcaption>\n</figure>\n";
 }
 
 std::string chart(const std::string& title, const Axes& axes, const std::vector<Line>& lines,
@@ -116,7 +133,7 @@ std::string chart(const std::string& title, const Axes& axes, const std::vector<
       svg += drawn(lines[i], kind, x, y);
       keys +=
           "<li><svg viewBox=\"0 0 34 10\" width=\"34\" height=\"10\" aria-hidden=\"true\"><path "
-          "class=\"line " +
+          "class=\"curve " +
           kind + "\" d=\"M 1 5 H 33\"/></svg> " + escaped(lines[i].name) + "</li>";
     }
     html += "<svg viewBox=\"0 0 474 306\" role=\"img\" aria-label=\"" + escaped(title) + "\">\n" +

@@ -13,6 +13,12 @@ struct Line {
   bool is_own;                                    // thick, with dots
 };
 
+struct Bar {
+  std::string name, label;  // the label says the value, with its unit
+  double value;             // infinite where there is none
+  bool is_own;
+};
+
 struct Axes {
   std::string x, y;  // with units
   bool logarithmic;  // both, or none
@@ -22,7 +28,8 @@ struct Axes {
 std::string chart(const std::string& title, const Axes& axes, const std::vector<Line>& lines,
                   const std::string& sentence);
 
-// & and < as HTML writes them.
-std::string escaped(const std::string& text);
+// HTML. Horizontal bars from 0; one that is longer than `most` is cut there, and says so.
+std::string bars(const std::string& title, const std::vector<Bar>& rows, double most,
+                 const std::string& sentence);
 
 }  // namespace bounce::study

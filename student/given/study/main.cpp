@@ -6,48 +6,19 @@
 // ./check --study builds and starts it. --wrong: some checks fail, and the page says so.
 #include <cstdio>
 #include <exception>
-#include <fstream>
 #include <iostream>
 #include <string>
 
 #include "chart.hpp"
+#include "page.hpp"
 #include "sentences.hpp"
+#include "words.hpp"
 
 namespace bounce::study {
 namespace {
 
 constexpr double kEnergySeconds = 1.5;
-const char* const kStyle = R"css(
-:root { color-scheme: light dark; --ink: #1f2430; --paper: #ffffff; --soft: #646a73; --grid: #e3e5e8;
-  --a: #0067a3; --b: #b34700; --c: #00704f; --d: #98396f; --e: #5b5f66; }
-@media (prefers-color-scheme: dark) { :root { --ink: #e8e6e1; --paper: #14181f; --soft: #a4a9b1;
-  --grid: #2c323b; --a: #56b4e9; --b: #f0a040; --c: #2fc79b; --d: #e79ac8; --e: #b0b5bd; } }
-* { box-sizing: border-box; }
-body { margin: 0 auto; padding: 1rem 1.2rem 4rem; max-width: 92rem; color: var(--ink);
-  background: var(--paper); font: 1rem/1.55 system-ui, sans-serif; }
-p, .wrong { max-width: 46rem; }
-.wrong { border-left: 4px solid var(--b); padding-left: 0.8rem; }
-section { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 30rem), 1fr));
-  gap: 1rem 2.5rem; }
-figure { margin: 0; }
-h3 { margin: 0.8rem 0 0.3rem; font-size: 1.05rem; }
-figure > svg { width: 100%; height: auto; }
-text { fill: var(--ink); font: 13px system-ui, sans-serif; }
-.grid { stroke: var(--grid); fill: none; }
-.line { fill: none; stroke-width: 1.8; stroke-dasharray: 6 4; }
-.dots { fill: none; stroke-width: 6; stroke-linecap: round; }
-.own { stroke-dasharray: none; stroke-width: 2.6; }
-.dots.own { stroke-width: 7; }
-.k0 { stroke: var(--a); } .k1 { stroke: var(--b); } .k2 { stroke: var(--c); }
-.k3 { stroke: var(--d); } .k4 { stroke: var(--e); }
-ul { display: flex; flex-wrap: wrap; gap: 0 1.2rem; margin: 0.2rem 0; padding: 0; list-style: none;
-  font-size: 0.9rem; }
-figcaption { margin: 0.3rem 0 0.8rem; }
-@media (max-width: 640px) { text { font-size: 18px; } }
-@media print { :root { --ink: #000; --paper: #fff; } body { font-size: 10pt; }
-  figure { break-inside: avoid; } }
-)css";
-
+const std::string kMetres = std::string(kError) + ", m";
 using Points = std::vector<std::pair<double, double>>;
 
 template <class Of>
@@ -61,8 +32,8 @@ std::string charts_of(const Scene& scene, const Both& runs) {
   const auto over_time = [](const Run& r) { return std::pair(r.kernels, r.error); };
   const auto over_step = [](const Run& r) { return std::pair(r.dt, r.error); };
   std::vector<Line> times{
-      {"yours, delta fixed", points(runs.fixed, over_time), true},
-      {"yours, delta in proportion to dt", points(runs.scaled, over_time), true}};
+      {std::string(kYours) + ", delta fixed", points(runs.fixed, over_time), true},
+      {std::string(kYours) + ", delta in proportion to dt", points(runs.scaled, over_time), true}};
   for (const Method& method : scene.others) {
     Points reached;
     for (const Reached& r : method.reached) reached.emplace_back(r.kernels, r.error);
@@ -72,9 +43,9 @@ std::string charts_of(const Scene& scene, const Both& runs) {
       {"delta fixed", points(runs.fixed, over_step), true},
       {"delta in proportion to dt", points(runs.scaled, over_step), true}};
   return "<h2>" + escaped(scene.title) + "</h2>\n<section>\n" +
-         chart("Error over time", {"time of a simulated second, solve_lcp = 1", "error, m", true},
-               times, of_time(scene, runs)) +
-         chart("Error over step", {"dt, s", "error, m", true}, steps, of_steps(scene, runs)) +
+         chart(kErrorOverTime, {std::string(kTime) + ", solve_lcp = 1", kMetres, true}, times,
+               of_time(scene, runs)) +
+         chart("Error over step", {"dt, s", kMetres, true}, steps, of_steps(scene, runs)) +
          "</section>\n";
 }
 
@@ -101,7 +72,7 @@ std::string stability(const Scene& scene, const std::vector<Run>& fixed) {
          "</section>\n";
 }
 
-std::string page(const std::vector<Scene>& scenes, bool is_wrong) {
+std::string study(const std::vector<Scene>& scenes, bool is_wrong) {
   const double kernel = kernel_seconds();
   std::string body, last;
   for (const Scene& scene : scenes) {
@@ -114,20 +85,17 @@ std::string page(const std::vector<Scene>& scenes, bool is_wrong) {
   body += last;
   char cost[80];
   std::snprintf(cost, sizeof cost, "%.0f ns here", kernel * 1e9);
-  return std::string("<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n") +
-         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n" +
-         "<title>Your program: speed, accuracy, stability</title>\n<style>" + kStyle +
-         "</style>\n</head>\n<body>\n<main>\n<h1>Your program: speed, accuracy, stability</h1>\n" +
-         (is_wrong ? "<p class=\"wrong\">Some checks fail. The charts show your program as it is; "
-                     "mend what ./check names first, then study it.</p>\n"
-                   : "") +
-         "<p>Each dot is a run of your four parts with another dt. The truth is an exact "
-         "simulation "
-         "of the same model; the error is the largest distance to it at twenty times. Left and "
-         "below is better. Times are in calls of the given solve_lcp (" +
-         cost + "), so that the dashed lines, measured elsewhere, hold on your machine.</p>\n" +
-         body + "<p>Questions to these charts: <a href=\"explore.html\">Explore</a>.</p>\n" +
-         "</main>\n</body>\n</html>\n";
+  return page(
+      "Your program: speed, accuracy, stability",
+      is_wrong ? "Some checks fail. The charts show your program as it is; mend what ./check "
+                 "names first, then study it."
+               : "",
+      "<p>Each dot is a run of your four parts with another dt. The truth is an exact "
+      "simulation of the same model; the error is the largest distance to it at twenty "
+      "times. Left and below is better. Times are in calls of the given solve_lcp (" +
+          std::string(cost) +
+          "), so that the dashed lines, measured elsewhere, hold on your machine.</p>\n" + body +
+          "<p>Questions to these charts: <a href=\"explore.html\">Explore</a>.</p>\n");
 }
 
 }  // namespace
@@ -140,10 +108,7 @@ int main(int argc, char** argv) {
   }
   try {
     const auto scenes = bounce::study::read_scenes(argv[1]);
-    const std::string html = bounce::study::page(scenes, argc > 3);
-    if (!(std::ofstream(argv[2], std::ios::binary) << html).flush()) {
-      throw std::runtime_error(std::string(argv[2]) + " can't be written");
-    }
+    bounce::study::write_page(argv[2], bounce::study::study(scenes, argc > 3));
   } catch (const std::exception& error) {
     std::cerr << "No study was written: " << error.what() << ".\n";
     return 1;

@@ -2,21 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <optional>
+
+#include "numbers.hpp"
 
 namespace bounce::study {
 namespace {
 
 constexpr const char* kUnusable =
     "Your program returns NaN, or another number of columns, somewhere here: ./check says where.";
-
-std::string number(double x, const char* format = "%.3g") {
-  char text[40];
-  const bool is_large = x >= 100 && x < 1e6;
-  std::snprintf(text, sizeof text, is_large ? "%.0f" : format, x);
-  return text;
-}
 
 bool is_usable(const std::vector<Run>& runs) {
   return std::all_of(runs.begin(), runs.end(), [](const Run& r) { return std::isfinite(r.error); });
@@ -37,14 +31,6 @@ std::optional<Reached> within(const Method& method, double kernels) {
 }
 
 }  // namespace
-
-std::string length(double metres) {
-  if (metres >= 1) return number(metres) + " m";
-  if (metres >= 1e-2) return number(metres * 100) + " cm";
-  if (metres >= 1e-4) return number(metres * 1000) + " mm";
-  if (metres >= 1e-8) return number(metres * 1e6) + " \xc2\xb5m";
-  return metres > 0 ? "less than 0.01 \xc2\xb5m" : "0";
-}
 
 std::size_t where_it_stalls(const std::vector<Run>& runs) {
   for (std::size_t i = 0; i + 1 < runs.size(); ++i) {
@@ -76,11 +62,11 @@ std::string of_steps(const Scene& scene, const Both& runs) {
   const std::string stalls = "With delta fixed, from dt = " + number(runs.fixed[at].dt) +
                              " s on a smaller step no longer helps: ";
   if (scaled > fixed / 2) {
-    return stalls + "the error stays near " + length(fixed) +
-           ". With delta in proportion to dt it stays as well, at " + length(scaled) +
+    return stalls + "the error ends at " + length(fixed) +
+           ". With delta in proportion to dt it ends at " + length(scaled) +
            ": it isn't delta that keeps your program from the truth.";
   }
-  return stalls + "delta stays, and the error stays near " + length(fixed) + ", which is " +
+  return stalls + "delta stays, and the error ends at " + length(fixed) + ", " +
          number(fixed / scene.params.delta, "%.2g") +
          " times delta. With delta in proportion to dt it falls to " + length(scaled) +
          ", with order " + number(order(runs.scaled), "%.1f") + " in dt.";
@@ -110,7 +96,7 @@ std::string of_depth(const std::vector<Run>& runs, double l) {
                        : with + "doesn't sink in";
   };
   return "W" + said(runs.front()) + "; w" + said(runs.back()) +
-         ". It is what the corner falls in the step that notices it, less the lift.";
+         ". In the step in which it lands a corner falls by v dt before contact can be noticed.";
 }
 
 std::string of_energy(const Energy& coarse, const Energy& fine) {
@@ -123,7 +109,7 @@ std::string of_energy(const Energy& coarse, const Energy& fine) {
          " with dt = 0.001 s. The lift alone adds " + percent(fine.lift) +
          (gain > 2     ? ", so most of it comes from somewhere else."
           : gain > 1.2 ? ", so some of it comes from somewhere else."
-                       : " to a step in contact: work that nobody does.");
+                       : " to a step in contact: energy from nowhere.");
 }
 
 std::string of_rest(const Rest& fixed, const Rest& scaled, const Rest& fine_scaled) {

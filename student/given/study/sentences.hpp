@@ -10,9 +10,6 @@ struct Both {
   std::vector<Run> fixed, scaled;
 };
 
-// "1.2 mm": three digits at most, and a unit that suits.
-std::string length(double metres);
-
 // The run from which on a smaller step gains less than half of its error; the last one if every
 // step gains.
 std::size_t where_it_stalls(const std::vector<Run>& runs);

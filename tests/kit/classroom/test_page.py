@@ -100,7 +100,7 @@ def test_the_shapes_differ_without_colour() -> None:
 def test_every_timed_submission_has_a_line_beside_the_solutions(tmp_path: Path) -> None:
     untimed = summary(tmp_path, "slow", speed={"largest_error": 1e-13})
     text = shown(summary(tmp_path, "anna"), summary(tmp_path, "<b>"), untimed)
-    lines = re.findall(r'<path class="curve (\w+)" d="M([^"]*)"><title>([^<]*)', text)
+    lines = re.findall(r'<path class="curve (\w+)[^"]*" d="M([^"]*)"><title>([^<]*)', text)
     assert [title.split(":")[0] for _, _, title in lines[:2]] == ["anna", "&lt;b&gt;"]
     assert [kind for kind, _, _ in lines[2:]] == ["solution", "least"]
     assert {places.count("L") for _, places, _ in lines} == {2}  # three time steps

@@ -243,12 +243,18 @@ def test_the_autograder_for_gradescope_grades(tmp_path: Path) -> None:
 def test_the_autograder_holds_the_kit_and_nothing_that_lies_beside_it(tmp_path: Path) -> None:
     for name in gradescope.PACKED:
         if (ROOT / name).is_dir():
-            write(tmp_path / name, {"x": b"", "build/x": b""})
+            write(tmp_path / name, {"x": b""})
         else:
             write(tmp_path, {name: b""})
     write(tmp_path, {"hw3/out/results/x.json": b"{}", "course-secret": b"", "a.zip": b""})
-    found = {f.relative_to(tmp_path).parts[0] for f in gradescope._packed(tmp_path)}
-    assert found == set(gradescope.PACKED)
+    write(tmp_path / "student/build", {"x": b""})
+    packed = {f.relative_to(tmp_path) for f in gradescope._packed(tmp_path)}
+    assert {file.parts[0] for file in packed} == set(gradescope.PACKED)
+    assert not any("build" in file.parts for file in packed)
+    sources = {file for room in ("grader", "solution") for file in (ROOT / room).rglob("*.?p*")}
+    assert {f for f in sources if f.suffix in {".py", ".cpp", ".hpp"}} <= set(
+        gradescope._packed(ROOT)
+    )
     listed = ["git", "ls-files", "--exclude-standard"]
     tracked = subprocess.run(listed, cwd=ROOT, capture_output=True, text=True, check=False)
     if tracked.returncode == 0:

@@ -12,12 +12,13 @@ from typing import Any
 
 import pytest
 from bounce_grader import formats
-from bounce_grader.common import escaping
+from bounce_grader.common import chart_style, escaping
 from bounce_grader.common.errors import KitError
 from bounce_grader.formats import html, speed_chart, terminal
 from bounce_grader.grading import speed
 from bounce_grader.grading.grade import grade, Options
 from bounce_grader.grading.speed import Point
+from bounce_grader.publish import handout_study
 from conftest import ROOT, solution_files, write
 
 SIMULATE = solution_files()["part4_simulate.cpp"].decode()
@@ -304,12 +305,24 @@ def test_an_error_beyond_all_bounds_is_none() -> None:
     assert speed.curve(found, "submission") == [Point(0.1, 1.0, None)]
 
 
+def test_the_charts_words_are_those_that_a_student_reads() -> None:
+    drawn = speed_chart.of_all(found(RIGHT, RIGHT, LEAST))
+    words = chart_style.WORDS
+    assert set(words) == {"ErrorOverTime", "Time", "Error", "Yours", "Assignment"}
+    for word in words.values():
+        assert escaping.html(word) in drawn
+    program = (chart_style.CHARTS / "main.cpp").read_text()
+    assert all(f"k{name}" in program for name in words if name != "Assignment")
+    assert f" {words['Assignment']}\n" in handout_study.text()
+
+
 def test_the_chart_is_told_apart_without_colour() -> None:
     measured = found(RIGHT, RIGHT, LEAST)
     drawn = speed_chart.of_all(measured) + speed_chart.of_scene(measured["scenes"][0])
-    dashes = set(re.findall(r'stroke-dasharray="([^"]*)"', drawn))
-    assert set(filter(None, speed_chart.DASHES.values())) < dashes
-    assert len(set(speed_chart.DASHES.values())) == 3
+    styles = set(re.findall(r'class="curve ([^"]*)"', drawn))
+    assert styles == set(chart_style.CLASSES.values()) and len(styles) == 3
+    dashes = dict(re.findall(r"\.curve\.(k\d) {[^}]*stroke-dasharray: (.*?);", chart_style.STYLE))
+    assert len({dashes[style.split()[-1]] for style in styles}) == 3
     assert not re.findall(r"#[0-9a-f]{3,6}\b", drawn)
     assert drawn.count("<title>yours, dt = 10 ms: 50 mm in 20") == 2  # whole, and its one scene
     json.dumps(found(RIGHT, RIGHT, LEAST))

@@ -78,6 +78,7 @@ def test_a_student_goes_from_the_stubs_to_full_points(home: Path) -> None:
     done = check(home)
     assert (score(done), done.returncode) == ("100 / 100", 0)
     assert "./build/bounce" in done.stdout and "First" not in done.stdout
+    assert "./check --study" in done.stdout
 
     part2 = home / "src/part2_lcp.cpp"  # the one that takes longest to compile
     part2.write_text(part2.read_text() + "// one line more\n")

@@ -1,11 +1,12 @@
-"""What a student learns of their own program: the study of it, and the page that asks about it."""
+"""What a student learns of their own program: the study of it, what it makes of measured impacts,
+and the page that asks about both."""
 
 import csv
 import re
 from pathlib import Path
 
 import pytest
-from bounce_grader.publish import handout_study
+from bounce_grader.publish import handout_measured, handout_study
 from conftest import ROOT
 from test_check import MISTAKES, check, put
 
@@ -43,6 +44,7 @@ def told() -> dict[str, float]:
     depth = only(
         "depth", "depth_m", method="assignment", speed_m_s="60", dt_s="0.01", epsilon="0.5"
     )
+    laws = {row["law"]: row for row in rows("measured_ladder", group="squares, one corner")}
     whole = sorted(float(r["times_as_fast_as_whole"]) for r in rows("chosen_model", model="asleep"))
     return {
         "dt = 0.001 s with {} mm": errors["0.001"],
@@ -56,6 +58,11 @@ def told() -> dict[str, float]:
         "leaves with {} rad/s": abs(float(landing["omega_rad_s"])),
         "Up to v dt = {} cm": 100 * depth,
         "is {} times as fast in the median": whole[len(whole) // 2],
+        "your `form_lcp` {} measured": float(laws["newton"]["impacts_judged"]),
+        "is off by {} m/s": float(laws["frictionless"]["median_m_s"]),
+        "always sticks by {} m/s": float(laws["sticking"]["median_m_s"]),
+        "with the LCP by {} m/s": float(laws["newton"]["median_m_s"]),
+        "gets below {} m/s": float(laws["newton"]["floor_m_s"]),
     }
 
 
@@ -102,7 +109,7 @@ def test_studies_the_students_own_parts(home: Path) -> None:
         r["setting"]: float(r["own_error_m"])
         for r in rows("speed_accuracy", scene="tumble", method="assignment")
     }
-    assert f"stays near {1000 * errors['1e-05']:.3g} mm" in said
+    assert f"ends at {1000 * errors['1e-05']:.3g} mm" in said
     assert "by up to 2.82 mm up and down and 5.63 cm along the ground" in said
     assert "Some checks fail" not in page.read_text() and not re.search("https?:", page.read_text())
 
@@ -127,3 +134,115 @@ def test_says_why_nothing_was_studied(home: Path) -> None:
     part4.write_text(part4.read_text().replace("{", "{ int x = ;", 1))
     run = check(home, "--study")
     assert run.returncode == 3 and "the study needs all four parts to compile" in run.stderr
+
+
+def bars(page: Path) -> dict[str, str]:
+    """What the page of measured impacts shows: the label of each bar, by its name."""
+    svg = page.read_text().partition("<svg")[2].partition("</svg>")[0]
+    texts = re.findall(r"<text[^>]*>(.*?)</text>", svg)
+    return dict(zip(texts[::2], texts[1::2]))
+
+
+def lines(text: str, kind: str) -> list[list[str]]:
+    return [line.split() for line in text.splitlines() if line.startswith(kind + " ")]
+
+
+def test_measured_impacts_are_those_of_the_study_under_their_licence() -> None:
+    text = handout_measured.text()
+    assert "# Copyright 2020 Dynamic Autonomy and Intelligent Robotics Lab" in text
+    assert "OF THIS SOFTWARE, EVEN IF ADVISED OF THE POSSIBILITY OF SUCH DAMAGE." in text
+    newton = rows("measured_ladder", group="squares, one corner", law="newton")[0]
+    assert len(lines(text, "impact")) == int(newton["impacts_judged"])
+    assert {len(impact) for impact in lines(text, "impact")} == {9}
+    [[_, side, mu, epsilon]] = lines(text, "square")
+    assert (mu, epsilon) == (newton["mu"], newton["epsilon"])
+    gyration = only("measured_extraction", "value", quantity="r_g^2, m^2")
+    assert float(side) ** 2 / 6 == pytest.approx(gyration, rel=1e-4)
+
+
+def error_of_newton(impact: list[float], gyration: float, mu: float, epsilon: float) -> float:
+    """The impact by the assignment's law: the corner leaves at epsilon times its speed, and
+    sticks or slides."""
+    r_x, r_y, *v = impact[:5]
+    a, b, c = 1 + r_x**2 / gyration, -r_x * r_y / gyration, 1 + r_y**2 / gyration
+    v_n, v_t = v[1] + r_x * v[2], v[0] - r_y * v[2]
+    n = (b * v_t - c * (1 + epsilon) * v_n) / (a * c - b * b)
+    t = -(v_t + b * n) / c
+    if abs(t) > mu * n:
+        slides = -1 if t < 0 else 1
+        n = -(1 + epsilon) * v_n / (a + slides * mu * b)
+        t = slides * mu * n
+    after = [v[0] + t, v[1] + n, v[2] + (r_x * n - r_y * t) / gyration]
+    x, y, omega = (p - m for p, m in zip(after, impact[5:]))
+    return float((x * x + y * y + gyration * omega * omega) ** 0.5)
+
+
+def test_the_assignments_line_is_its_law_over_the_table() -> None:
+    text = handout_measured.text()
+    [[_, *square]] = lines(text, "square")
+    side, mu, epsilon = map(float, square)
+    impacts = [[float(x) for x in impact[1:]] for impact in lines(text, "impact")]
+    errors = sorted(error_of_newton(hit, side**2 / 6, mu, epsilon) for hit in impacts)
+    line = only("measured_ladder", "median_m_s", group="squares, one corner", law="newton")
+    assert errors[len(errors) // 2] == pytest.approx(line, rel=1e-3)
+
+
+WRONG_ON_REAL = {
+    "part2_restitution_left_out": "0.26 m/s",
+    "part2_friction_directions_swapped": "0.28 m/s",
+    "part2_mass_in_place_of_its_inverse": "11 m/s, beyond the chart",
+}
+
+
+@pytest.mark.slow
+@pytest.mark.xdist_group("student")
+def test_asks_the_students_own_part_2_about_measured_impacts(home: Path) -> None:
+    page = home / "real.html"
+    page.unlink(missing_ok=True)
+    put(home)
+    run = check(home, "--real")
+    assert run.returncode == 0 and "real impacts is in real.html" in run.stdout, run.stderr
+    assert bars(page) == {
+        "your form_lcp": "0.095 m/s",
+        "the assignment's law, as the course solves it": "0.095 m/s",
+        "a corner without friction": "0.15 m/s",
+        "a corner that always sticks": "0.16 m/s",
+        "the least that any push at the corner leaves": "0.0087 m/s",
+    }
+    assert "what is left is the error of the law, not of your program" in sentences(page)
+    assert "Checks of part 2" not in page.read_text() and not re.search("https?:", page.read_text())
+
+    for mistake, error in WRONG_ON_REAL.items():
+        put(home, MISTAKES / mistake)
+        assert check(home, "2", "--real").returncode == 1
+        assert bars(page)["your form_lcp"] == error
+        assert "what is more comes from your program" in sentences(page)
+        assert "Checks of part 2 fail" in page.read_text()
+
+    put(home, MISTAKES / "part2_force_is_g")
+    check(home, "2", "--real")
+    assert "what the checks find doesn't show in an impact" in sentences(page)
+
+    put(home, MISTAKES / "part2_last_column_left_zero")
+    check(home, "2", "--real")
+    assert bars(page)["your form_lcp"] == "no answer"
+    assert "solve_lcp finds no solution to your V and p, so that there is no" in sentences(page)
+
+
+@pytest.mark.slow
+@pytest.mark.xdist_group("student")
+def test_measured_impacts_need_part_2_alone(home: Path) -> None:
+    page = home / "real.html"
+    put(home)
+    part3 = home / "src/part3_step.cpp"
+    part3.write_text(part3.read_text().replace("{", "{ int x = ;", 1))
+    check(home, "--real")
+    assert bars(page)["your form_lcp"] == "0.095 m/s"
+    assert "Checks of part 2" not in page.read_text()
+
+    part2 = home / "src/part2_lcp.cpp"
+    part2.write_text(part2.read_text().replace("{", "{ int x = ;", 1))
+    broken = check(home, "--real")
+    assert broken.returncode == 3 and "--real needs part 2 to compile" in broken.stderr
+    other = check(home, "3", "--real")
+    assert other.returncode == 3 and "./check 2 --real" in other.stderr

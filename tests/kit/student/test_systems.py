@@ -1,8 +1,10 @@
 """The handout with another compiler, and as built for Windows, where Wine runs it."""
 
 import os
+import re
 import shutil
 import subprocess
+import time
 from pathlib import Path
 
 import pytest
@@ -10,6 +12,7 @@ from conftest import ROOT, SOLUTION
 from handed_out import unzipped
 
 SYSTEM = {"PATH": "/usr/bin:/bin", "HOME": "/nonexistent", "LANG": "C.UTF-8", "TERM": "xterm"}
+PATIENCE = 120  # s
 WINE = Path("/usr/lib/wine/wine64")
 MINGW = "x86_64-w64-mingw32-g++-posix"
 TOOLCHAIN = f"""set(CMAKE_SYSTEM_NAME Windows)
@@ -43,6 +46,18 @@ def put(home: Path, *folders: Path) -> None:
     for folder in (SOLUTION, *folders):
         for file in folder.glob("part*.cpp"):
             shutil.copyfile(file, home / "src" / file.name)
+
+
+def test_files_that_are_compiled_together_name_no_constant_twice() -> None:
+    """Those of the check program, on every system; those for Windows are built in the long run."""
+    together = {*(ROOT / "student/given/check").glob("*.cpp")}
+    for other in ("posix", "windows"):
+        named = [
+            name
+            for file in together - {ROOT / f"student/given/check/process_{other}.cpp"}
+            for name in {*re.findall(r"^constexpr [\w:]+ (k\w+)", file.read_text(), re.MULTILINE)}
+        ]
+        assert sorted(named) == sorted(set(named)) and len(named) > 5
 
 
 @pytest.mark.long
@@ -99,27 +114,59 @@ def built_for_windows(home: Path, prefix: Path) -> None:
         assert done.returncode == 0, done.stdout + done.stderr
 
 
+def says(file: str, words: str) -> None:
+    """Waits until these words are in the file."""
+    deadline = time.monotonic() + PATIENCE
+    while words not in Path(file).read_text("utf-8"):
+        assert time.monotonic() < deadline, Path(file).read_text("utf-8")
+        time.sleep(0.2)
+
+
 @pytest.mark.long
 def test_on_windows_a_check_says_the_same(tmp_path: Path) -> None:
     if not shutil.which(MINGW) or not WINE.exists():
         pytest.skip("g++-mingw-w64-x86-64-posix and wine64 aren't installed")
-    home = unzipped(tmp_path)
+    home = unzipped(tmp_path).rename(tmp_path / "Übung 1 von Müller")
     built_for_windows(home, tmp_path / "prefix")
     # The check itself starts a build; here it has been built already, by a CMake that isn't Windows'.
     (tmp_path / "cmake.cpp").write_text("int main() { return 0; }\n")
     nothing = tmp_path / "cmake.exe"
     assert run(MINGW, "-static", "-o", nothing, "cmake.cpp", cwd=tmp_path).returncode == 0
-    wine = {"WINEPREFIX": str(tmp_path / "wine"), "WINEDEBUG": "-all"}
+    program = home / "build/check_program.exe"
+    wine = {
+        "WINEPREFIX": str(tmp_path / "wine"),
+        "WINEDEBUG": "-all",
+        "WINEPATH": f"Z:{tmp_path}",
+        "LC_ALL": "C.UTF-8",
+    }
+
+    def build() -> None:
+        built = run("cmake", "--build", "build", "--parallel", cwd=home)
+        assert built.returncode == 0 and "warning" not in built.stdout, built.stdout + built.stderr
 
     def check(*options: str) -> subprocess.CompletedProcess[str]:
-        built = run("cmake", "--build", "build", "--parallel", cwd=home)
-        assert built.returncode == 0 and "warning" not in built.stdout, built.stdout
-        program = home / "build/check_program.exe"
-        return run(WINE, program, *options, cwd=home, WINEPATH=f"Z:{tmp_path}", **wine)
+        build()
+        return run(WINE, program, *options, cwd=home, **wine)
 
     put(home)
+    for file in (home / "src").glob("*.cpp"):
+        file.write_bytes(file.read_bytes().replace(b"\n", b"\r\n"))
     right = check()
     assert right.returncode == 0 and "Score on the public checks: 100 / 100." in right.stdout
+    assert check("--study").returncode == 0 and (home / "study.html").stat().st_size > 10_000
+    with open(tmp_path / "watched.txt", "w+", encoding="utf-8") as seen:
+        watching = subprocess.Popen(
+            [WINE, program, "--watch"], cwd=home, stdout=seen, env={**os.environ, **wine}
+        )
+        try:
+            says(seen.name, "100 / 100")
+            put(home, SUBMISSIONS / "mistakes/part3_friction_sign")
+            build()
+            (home / "src/part3_step.cpp").touch()
+            says(seen.name, FAILURES["mistakes/part3_friction_sign"])
+        finally:
+            watching.kill()
+            watching.wait()
     for name, said in FAILURES.items():
         put(home, SUBMISSIONS / name)
         done = check()

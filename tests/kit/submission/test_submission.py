@@ -42,6 +42,8 @@ def test_helpers_are_taken_and_what_the_kit_gives_is_not(tmp_path: Path) -> None
         "src/methods/rotation.hpp": b"#pragma once",
         "include/bounce/types.hpp": b"#error not the kit's",
         "given/solve_lcp.cpp": b"#error not the kit's",
+        "given/check/run.cpp": b"#error not the kit's",
+        "given/study/tables.hpp": b"#error not the kit's",
         "main.cpp": b"int main() {}",
         "CMakeLists.txt": b"message(FATAL_ERROR)",
         "src/part1_contacts.o": b"\x7fELF",

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from bounce_grader.common.chart_style import CLASSES, WORDS
 from bounce_grader.common.numbers import metres, scientific_tick, short
 from bounce_grader.common.svg import Axes, BOLD, cross, decades, Drawing, INK, line, Place, rect
 from bounce_grader.common.svg import svg, text, through, title
@@ -98,7 +99,7 @@ def scatter(points: Sequence[Point], right: float) -> Drawing:
         out.append(
             _point(not_timed if point.x is None else x, not_finite if point.y is None else y, point)
         )
-    out += axes.names("time of a step, over the solution's")
+    out += axes.names("time of a step, over the solution's", "largest error")
     label = "Speed against accuracy, one mark for each submission"
     return svg(out, WIDTH, axes.bottom + 54, label)
 
@@ -127,7 +128,7 @@ def error_against_time(curves: Sequence[Curve], fine: float) -> Drawing:
         *axes.ticks(short, metres),
         line(axes.left, limit, axes.left + axes.width, limit, "2 3"),
         *(_curve(curve, axes) for curve in curves),
-        *axes.names("CPU time for a second of motion, over the solution's at dt = 1 ms"),
+        *axes.names(f"{WORDS['Time']}, over the solution's at dt = 1 ms", WORDS["Error"]),
     ]
     label = "Speed against accuracy, one line for each submission"
     return svg(out, WIDTH, axes.bottom + 54, label)
@@ -150,16 +151,16 @@ def _markers(number: int) -> str:
         for kind, shape in shapes.items()
     )
     rules = "".join(f".{kind}{{marker:url(#{kind})}}" for kind in shapes)
-    lines = f".curve{{fill:none;stroke:#111;stroke-width:.8;stroke-opacity:{faint:.2f}}}"
-    bold = ".solution{stroke-width:2.5;stroke-opacity:1;stroke-dasharray:6 4}"
-    dots = ".least{stroke-width:2;stroke-opacity:1;stroke-dasharray:1.5 4}"
-    dots += ".label{paint-order:stroke;stroke:#fff;stroke-width:4}"
-    return f"<defs>{drawn}</defs><style>{rules}{lines}{bold}{dots}</style>"
+    lines = f".curve.of-one{{stroke-width:.8;stroke-opacity:{faint:.2f};stroke-dasharray:none}}"
+    label = ".label{paint-order:stroke;stroke:#fff;stroke-width:4}"
+    return f"<defs>{drawn}</defs><style>{rules}{lines}{label}</style>"
 
 
 def _curve(curve: Curve, axes: Axes) -> str:
     places = [axes.at(*place) for place in curve.places]
-    drawn = f'<path class="curve {curve.kind}" d="{through(places, 0)}">{title(curve.title)}</path>'
+    style = CLASSES.get(curve.kind) or CLASSES["submission"] + " of-one"
+    kinds = f"curve {curve.kind} {style}"
+    drawn = f'<path class="{kinds}" d="{through(places, 0)}">{title(curve.title)}</path>'
     labels = _labels(places, curve.labels, axes)
     return drawn + (f'<g class="label">{labels}</g>' if labels else "")
 

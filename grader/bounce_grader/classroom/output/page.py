@@ -14,6 +14,7 @@ from bounce_grader.classroom.output import charts
 from bounce_grader.classroom.output.charts import Bar, Point, Curve
 from bounce_grader.classroom.work.near_copies import MOST as MOST_PAIRS, Pair, Similar
 from bounce_grader.classroom.work.summary import Summary
+from bounce_grader.common.chart_style import NAMES, ON_PAPER
 from bounce_grader.common.escaping import first_few, printable_name
 from bounce_grader.common.manifest import parts
 from bounce_grader.common.numbers import percent, scientific, short
@@ -61,6 +62,8 @@ def render(
             [Point(s.ratio, _error(s), _kind(s), _label(s)) for s in graded], RIGHT
         ),
         curves=_curves(summaries, graded),
+        chart_style=ON_PAPER,
+        names=NAMES,
         looks=[[_who(s), "; ".join(s.needs_a_look)] for s in summaries if s.needs_a_look],
         near=near,
         left_out=first_few([names[id] for id in near.left_out]),
@@ -191,9 +194,9 @@ def _median(summaries: Sequence[Summary], whose: str) -> Curve | None:
     times = [statistics.median(step) for step in zip(*([x for x, _ in run] for _, run in runs))]
     places = tuple((x, error) for x, (_, error) in zip(times, errors))
     if whose == "least":
-        return Curve(places, whose, "no more model than each step needs")
+        return Curve(places, whose, NAMES[whose])
     steps = tuple(f"{short(1000 * point.dt)} ms" for point in first.curves[whose])
-    return Curve(places, whose, "the solution", steps)
+    return Curve(places, whose, NAMES[whose], steps)
 
 
 def _together(near: Similar) -> list[list[str]]:
