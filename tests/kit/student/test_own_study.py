@@ -3,6 +3,7 @@ and the page that asks about both."""
 
 import csv
 import re
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -25,6 +26,14 @@ def only(table: str, column: str, **where: str) -> float:
     return float(row[column])
 
 
+def times_of_exact() -> Iterator[float]:
+    """Divides the time of the exact simulation, to rounding, by the scheme's at 0.01 s."""
+    for step in rows("speed_accuracy", method="assignment", setting="0.01"):
+        to = rows("speed_accuracy", method="event_driven", scene=step["scene"], setting="1e-12")
+        column = "ns_per_simulated_second"
+        yield float(to[0][column]) / float(step[column])
+
+
 def told() -> dict[str, float]:
     """The numbers that the page tells, by the words around them, and as the studies have them."""
     fixed = rows("speed_accuracy", scene="tumble", method="assignment")
@@ -45,6 +54,7 @@ def told() -> dict[str, float]:
         "depth", "depth_m", method="assignment", speed_m_s="60", dt_s="0.01", epsilon="0.5"
     )
     laws = {row["law"]: row for row in rows("measured_ladder", group="squares, one corner")}
+    exact = sorted(times_of_exact())
     whole = sorted(float(r["times_as_fast_as_whole"]) for r in rows("chosen_model", model="asleep"))
     return {
         "dt = 0.001 s with {} mm": errors["0.001"],
@@ -62,6 +72,8 @@ def told() -> dict[str, float]:
         "is off by {} m/s": float(laws["frictionless"]["median_m_s"]),
         "always sticks by {} m/s": float(laws["sticking"]["median_m_s"]),
         "with the LCP by {} m/s": float(laws["newton"]["median_m_s"]),
+        "takes {} times as long in the median": exact[len(exact) // 2],
+        "and {} times where": exact[-1],
         "gets below {} m/s": float(laws["newton"]["floor_m_s"]),
     }
 
