@@ -47,10 +47,10 @@ Errors Starts::errors_of(const Run& run) const {
   return {errors.front(), std::sqrt(squares / double(errors.size())), *least, *largest};
 }
 
-std::vector<double> steps_down_to(double least) {
+std::vector<double> steps_down_to(double least, double largest) {
   std::vector<double> steps;
   for (int i = 0;; ++i) {
-    const double dt = std::pow(10.0, -2 - double(i) / kStepsPerDecade);
+    const double dt = largest * std::pow(10.0, -double(i) / kStepsPerDecade);
     if (dt < 0.99 * least) return steps;
     steps.push_back(dt);
   }

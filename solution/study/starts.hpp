@@ -57,9 +57,9 @@ class StartsOfScene {
   std::map<double, Starts> by_step_;
 };
 
-// The steps of a sweep from 0.01 s down to `least`, 20 in a factor of ten: each is 1.12 times the
-// next.
+// The steps of a sweep from `largest` down to `least`, 20 in a factor of ten: each is 1.12 times
+// the next.
 inline constexpr int kStepsPerDecade = 20;
-std::vector<double> steps_down_to(double least);
+std::vector<double> steps_down_to(double least, double largest = 1e-2);
 
 }  // namespace bounce::study

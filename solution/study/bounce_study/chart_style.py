@@ -67,6 +67,7 @@ PEERS = {
     name: Style(label, GREY, rf"$\mathbf{{{mark}}}$", "-", 6.0, 0.7)
     for name, label, mark in (
         ("chipmunk", "Chipmunk", "C"),
+        ("chipmunk_10", "Chipmunk, 10 iterations", "K"),
         ("box2d", "Box2D", "X"),
         ("ode", "ODE", "O"),
         ("bullet", "Bullet", "B"),

@@ -1,6 +1,6 @@
 """Works out the facts of the page on the engines from its tables."""
 
-from statistics import median, median_high, quantiles
+from statistics import median_high, quantiles
 from typing import Any
 
 from bounce_study import measurements
@@ -9,7 +9,8 @@ from bounce_study.measurements import Run
 from bounce_study.tables import number, numbers, Row, Table, Tables
 
 RATIO = ("times", "lower_quartile", "upper_quartile")
-NO_ENGINES = ("numpy", "assignment", "assignment_fast")
+NO_ENGINES = ("numpy", "assignment", "assignment_fast", "moreau_jean_2")
+USEFUL = 1e-2  # m: larger errors aren't compared
 PACKAGED_BY = "Debian 12, of 2023,"
 DIFFERS = 3.0  # times: what a setting has to change to be worth a row
 Facts = dict[str, Any]
@@ -39,6 +40,8 @@ def facts(tables: Tables) -> Facts:
         "ahead": [lead["scene"] for lead in leads if lead["times"] <= 1],
         "least_dt": least_dt,
         "starts": measurements.STARTS,
+        "useful": USEFUL,
+        "largest_dt": max(run.setting for run in engines),
         "close_dt": measurements.CLOSE,
         "other_least_dt": {name: dt for name, dt in least.items() if not 0.5 < dt / least_dt < 2},
         "step_ratio": measurements.step_ratio(engines),
@@ -87,6 +90,7 @@ def _contact_step(table: Table) -> Facts:
     return {
         "ours_contact": contact["assignment_fast"],
         "numpy_contact": contact.get("numpy"),
+        "two_corners_contact": contact["moreau_jean_2"],
         "fastest_contact": min(engines, key=lambda row: number(row, "ns_per_step")),
         "most_exact_contact": min(engines, key=lambda row: number(row, "error_m")),
     }
@@ -95,18 +99,27 @@ def _contact_step(table: Table) -> Facts:
 def _lead(tables: Tables, ours: list[Run], engines: list[Run], scene: str) -> Facts:
     """Says how many times as long the closest engine takes as ours at the same error or less (0:
     none of ours is as good), and the fastest of ours and of the engines, for both tolerances."""
-    rows = tables["peers_ratios"].where(scene=scene, within="peer's own")
-    rows = [row for row in rows if row["engine"] != "numpy"]
-    closest = min(rows, key=lambda row: float(row["times"] or 0))
+    closest = min(compared(tables, scene), key=lambda row: float(row["times"] or 0))
     fastest = [
         next(iter(measurements.ranking(runs, scene, tolerance)), None)
         for tolerance in (FINE, FINEST)
         for runs in (ours, engines)
     ]
     ratio = {column: float(closest[column] or 0) for column in RATIO}
-    times = [float(row["times"] or 0) for row in rows]
-    spread = {"median": median(times), "most": max(times)}
-    return {"scene": scene, "engine": closest["engine"], "fastest": fastest, **ratio, **spread}
+    at = {"dt": number(closest, "engine_dt_s"), "error": number(closest, "error_m")}
+    return {"scene": scene, "engine": closest["engine"], "fastest": fastest, **ratio, **at}
+
+
+def compared(tables: Tables, scene: str) -> list[Row]:
+    """Gives the ratios at the error of each engine and step, where that is of use."""
+    rows = tables["peers_ratios"].where(scene=scene, within="peer's own")
+    own = [row for row in rows if row["engine"] not in NO_ENGINES]
+    return [row for row in own if number(row, "error_m") <= USEFUL]
+
+
+def engine_of(name: str) -> str:
+    """Names the engine of one of its settings."""
+    return name.partition("_")[0]
 
 
 def _saw_tooth(tables: Tables) -> list[float]:
@@ -120,7 +133,11 @@ def _errors(engines: list[Run], scenes: list[str], names: list[str]) -> Facts:
         scene: [min(run.error for run in measurements.of(engines, scene, name)) for name in names]
         for scene in scenes
     }
-    agreeing = {scene: sum(error <= FINE for error in errors) for scene, errors in least.items()}
+    engines_of_all = {engine_of(name) for name in names}
+    agreeing = {
+        scene: len({engine_of(name) for name, error in zip(names, errors) if error <= FINE})
+        for scene, errors in least.items()
+    }
     hardest = min(scenes, key=lambda scene: (agreeing[scene], -min(least[scene])))
     return {
         "least_errors": least,
@@ -128,7 +145,8 @@ def _errors(engines: list[Run], scenes: list[str], names: list[str]) -> Facts:
             tolerance: [sum(e <= tolerance for e in errors) for errors in zip(*least.values())]
             for tolerance in (FINE, FINEST)
         },
-        "agreeing": sum(2 * number >= len(names) for number in agreeing.values()),
+        "number_of_engines": len(engines_of_all),
+        "agreeing": sum(2 * number >= len(engines_of_all) for number in agreeing.values()),
         "hardest_scene": hardest,
         "hardest_error": min(least[hardest]),
     }

@@ -28,7 +28,7 @@ def facts(tables: Tables) -> Facts:
         **{name: tables[source].origin.get(name, "?") for name in ("machine", "times", "date")},
         "ours_csv": source,
         "peers": measurements.peers(runs),
-        "engines": len(set(measurements.peers(runs)) - set(measurements.SAME_SCHEME)),
+        "engines": len(_engines(runs)),
         "peer_leads": _peer_leads(tables, scenes) if compared else [],
         "peer_closest": _peer_closest(tables) if compared else None,
         "analytic_checks": analytic_checks,
@@ -84,13 +84,15 @@ def _peer_leads(tables: Tables, scenes: list[str]) -> list[Facts]:
     return leads
 
 
+def _engines(runs: list[Run]) -> set[str]:
+    names = set(measurements.peers(runs)) - set(measurements.SAME_SCHEME)
+    return {facts_peers.engine_of(name) for name in names}
+
+
 def _peer_closest(tables: Tables) -> Facts | None:
     """Finds the engine, scene and step that come closest to ours at the same error."""
-    rows = [
-        row
-        for row in tables["peers_ratios"].rows
-        if row["within"] == "peer's own" and row["engine"] not in measurements.SAME_SCHEME
-    ]
+    scenes = {row["scene"] for row in tables["peers_ratios"].rows}
+    rows = [row for scene in sorted(scenes) for row in facts_peers.compared(tables, scene)]
     if not rows:
         return None
     closest = min(rows, key=lambda row: float(row["times"] or 0))

@@ -90,8 +90,8 @@ Settings settings_with(const std::string& iterations) {
 Peers chipmunk() {
   return {{"chipmunk", "Chipmunk", cpVersionString, "2019", true, settings_with("50"),
            "impacts are noticed up to a step too late", make<50>},
-          {"chipmunk_10", "Chipmunk, as it is", cpVersionString, "2019", false, settings_with("10"),
-           "ten iterations leave a rest of the impulse", make<10>}};
+          {"chipmunk_10", "Chipmunk, 10 iterations", cpVersionString, "2019", true,
+           settings_with("10"), "ten iterations leave a rest of the impulse", make<10>}};
 }
 
 }  // namespace bounce::study

@@ -23,7 +23,8 @@
 namespace bounce::study {
 namespace {
 
-constexpr double kLeastDt = 1e-4;  // s
+constexpr double kLeastDt = 1e-4;   // s
+constexpr double kTouches = 1e-12;  // m: what rests on the ground may be above it by rounding
 
 // The height of a corner and its x, over the pose.
 class CornerRelation final : public LagrangianScleronomousR {
@@ -80,8 +81,10 @@ class SiconosEngine final : public Engine {
       model->link(std::make_shared<Interaction>(law, corner), square_);
     }
     const auto solver = std::make_shared<FrictionContact>(2, SICONOS_FRICTION_2D_LEMKE);
+    const auto scheme = std::make_shared<MoreauJeanOSI>(0.5);
+    scheme->setConstraintActivationThreshold(kTouches);
     simulation_ = std::make_shared<TimeStepping>(model, std::make_shared<TimeDiscretisation>(0, dt),
-                                                 std::make_shared<MoreauJeanOSI>(0.5), solver);
+                                                 scheme, solver);
     simulation_->setNewtonOptions(SICONOS_TS_LINEAR);
   }
 

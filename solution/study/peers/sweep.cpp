@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "../../methods/assignment_fast.hpp"
+#include "../../methods/moreau_jean.hpp"
 #include "../../methods/scheme.hpp"
 #include "numpy.hpp"
 #include "ratios.hpp"
@@ -18,7 +19,8 @@ namespace {
 
 using methods::Motion;
 
-constexpr double kFine = 1e-3;  // m
+constexpr double kFine = 1e-3;         // m
+constexpr double kLargest = 1.0 / 30;  // s: games take steps of half that, and more
 
 template <class Run>
 double time_of_all(long repeats, const Run& run) {
@@ -75,7 +77,7 @@ Point point_of(const Method& method, const Scene& scene, double setting, StartsO
 
 std::vector<double> steps_of(const Peer& peer, double least_dt) {
   const double least = std::max(least_dt, peer.least_dt);
-  std::vector<double> steps = steps_down_to(std::max(least, peer.close_dt));
+  std::vector<double> steps = steps_down_to(std::max(least, peer.close_dt), kLargest);
   for (double dt = peer.close_dt / std::sqrt(10.0); dt > 0.99 * least; dt /= std::sqrt(10.0))
     steps.push_back(dt);
   return steps;
@@ -229,15 +231,17 @@ Table single_steps(const Scenes& kinds, const Peers& peers, const PeerExtent& ex
   for (const Scene& scene : kinds) {
     const Starts starts(scene, scene.params.dt);
     std::vector<Point> points{steps_of<methods::AssignmentFast>("assignment_fast", scene, starts),
-                              steps_of<methods::Assignment>("assignment", scene, starts)};
+                              steps_of<methods::Assignment>("assignment", scene, starts),
+                              steps_of<methods::MoreauJean<2>>("moreau_jean_2", scene, starts)};
+    const std::size_t ours = points.size();
     for (const Peer& peer : peers) points.push_back(point_of(peer, scene, starts));
     time_in_turns(points, extent.timing);
     const double steps = scene.until / scene.params.dt;
     for (std::size_t i = 0; i < points.size(); ++i) {
       const auto [lower, ns, upper] = times_of(points[i]);
       const Quartiles ratio = ratios_of(points[i], points[0]);
-      table.add(points[i].method, i < 2 ? std::string("ours") : peers[i - 2].version, scene.name,
-                scene.params.dt, ns / steps, lower / steps, upper / steps, ratio.median,
+      table.add(points[i].method, i < ours ? std::string("ours") : peers[i - ours].version,
+                scene.name, scene.params.dt, ns / steps, lower / steps, upper / steps, ratio.median,
                 ratio.lower, ratio.upper, points[i].error.rms);
     }
   }

@@ -256,8 +256,9 @@ def test_the_page_tells_how_the_sweep_is_made(known: Tables) -> None:
 
 
 def test_errors_over_the_step_are_no_saw_tooth(known: Tables) -> None:
-    """Neighbouring steps are at most 1.15 apart (1.155 where a scene has 53 of them), and where a method converges the error over the
-    starts rises between them by less than half, where that of one start may rise tenfold."""
+    """Neighbouring steps are at most 1.15 apart (1.155 where a scene has 53 of them), and where a
+    method converges the error over the starts rises between them by less than half, where that of
+    one start may rise tenfold."""
     runs = measurements.read(known)
     assert measurements.step_ratio(runs) < 1.155
     rises = []
