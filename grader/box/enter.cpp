@@ -46,6 +46,11 @@
 namespace bounce::box {
 namespace {
 
+constexpr rlim_t kOfABuild = 128, kOfARun = 32;  // processes; a thread counts as one
+// Where others of the same user count, too: a run could take what another needs. So there, the
+// limit only bounds what it starts before the judge, which counts its threads, ends it.
+constexpr rlim_t kOfARunAmongOthers = 4096;
+
 struct Options {
   std::string kind;
   bool reduced = false, open = false;
@@ -105,7 +110,27 @@ void limit(__rlimit_resource resource, rlim_t value) {
 }
 
 // A new user namespace counts its processes separately. It maps no user, and gives no rights.
-void leave_the_common_user_namespace() { static_cast<void>(::unshare(CLONE_NEWUSER)); }
+bool leave_the_common_user_namespace() { return ::unshare(CLONE_NEWUSER) == 0; }
+
+// How many processes and threads this user has.
+rlim_t tasks_of_this_user() {
+  rlim_t tasks = 0;
+  std::error_code gone;
+  for (const auto& process : std::filesystem::directory_iterator("/proc", gone)) {
+    struct stat about = {};
+    const std::string folder = process.path().string() + "/task";
+    if (::stat(folder.c_str(), &about) != 0 || about.st_uid != ::geteuid()) continue;
+    tasks += about.st_nlink - 2;  // a folder for each
+  }
+  return tasks;
+}
+
+// The processes that count against our limit, and aren't ours: where an ordinary user has no user
+// namespaces, all of that user's. Root's box has a user of its own; the full box, a namespace.
+rlim_t tasks_beside_ours(const Options& options) {
+  const bool is_ours = !options.reduced || ::geteuid() == 0 || leave_the_common_user_namespace();
+  return is_ours ? 0 : tasks_of_this_user();
+}
 
 // To be called after all changes of privileges, each of which would undo it.
 void die_with(pid_t guard) {
@@ -205,11 +230,11 @@ void keep_pipes_from_being_opened_again() {
   throw std::runtime_error(options.command[0] + ": " + std::strerror(errno));
 }
 
-void limit_and_filter(const std::string& kind, bool reduced) {
+void limit_and_filter(const std::string& kind, bool reduced, rlim_t others) {
   const bool build = kind == "build";
-  leave_the_common_user_namespace();
   limit(RLIMIT_CORE, 0);
-  limit(RLIMIT_NPROC, build ? 128 : 32);  // a thread counts as a process
+  const rlim_t of_a_run = others > 0 ? kOfARunAmongOthers : kOfARun;
+  limit(RLIMIT_NPROC, others + (build ? kOfABuild : of_a_run));
   limit(RLIMIT_NOFILE, build ? 256 : 16);
   if (build) refuse_what_no_compiler_needs();
   if (kind == "check") allow_what_checked_numbers_need();
@@ -226,14 +251,17 @@ void enter(const Options& options) {
   // Of a run, the judge waits until every process has closed the status.
   guard_what_follows(guarding, build ? std::vector{status, output} : std::vector<int>{});
   close_when_the_command_begins(build);
+  const bool root = ::geteuid() == 0;
+  const rlim_t others = boxed ? tasks_beside_ours(options) : 0;  // before /proc is hidden
   if (options.reduced) {
     keep_pipes_from_being_opened_again();
     see_only_what_is_named(options);
   }
   if (boxed) give_up_privileges(options.user);
+  if (boxed && root) leave_the_common_user_namespace();
   if (!options.folder.empty()) require(::chdir(options.folder.c_str()), options.folder);
   if (options.reduced) die_with(guard);
-  if (boxed) limit_and_filter(options.kind, options.reduced);
+  if (boxed) limit_and_filter(options.kind, options.reduced, others);
   become(options);
 }
 

@@ -81,9 +81,8 @@ std::size_t memory_of(const std::string& folder) {
 // Adds up the threads that haven't ended. The first may have ended before the others.
 void add_threads(pid_t pid, ProcessUsage& usage) {
   std::error_code gone;
-  int threads = 0;
   for (const auto& task : std::filesystem::directory_iterator(folder_of(pid) + "/task", gone)) {
-    usage.threads = ++threads > 1;
+    ++usage.threads;
     usage.ready = usage.ready || state_of(task.path()) == 'R';
     if (usage.memory == 0) usage.memory = memory_of(task.path());
     const Scheduled thread = scheduled(task.path());
@@ -124,7 +123,7 @@ std::optional<ProcessUsage> usage_of(pid_t pid) {
     all->reads_a_disk = all->reads_a_disk || more->reads_a_disk;
     all->stopped = all->stopped || more->stopped;
     all->ready = all->ready || more->ready;
-    all->threads = all->threads || more->threads;
+    all->threads = std::max(all->threads, more->threads);
     all->cpu_seconds += more->cpu_seconds;
     all->delay_seconds += more->delay_seconds;
     all->ended_seconds += more->ended_seconds;

@@ -14,7 +14,7 @@ struct ProcessUsage {
   bool reads_a_disk = false;  // one of them is in uninterruptible sleep
   bool stopped = false;       // one was stopped, as by SIGSTOP
   bool ready = false;         // a thread runs, or could
-  bool threads = false;       // one of them has several
+  std::size_t threads = 0;    // of the one that has most
   double cpu_seconds = 0;
   double delay_seconds = 0;  // ready to run while no CPU was free; of the threads that still are
   double ended_seconds = 0;  // CPU time of threads that have ended, or a little less

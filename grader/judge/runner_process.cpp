@@ -217,7 +217,7 @@ void RunnerProcess::count_idle_time(const ProcessUsage& seen) {
   if (seen.ready && !runs) return;
   if (counts_idle_) kept_waiting_ += std::max(wanted - wanted_before_, Seconds::zero());
   if (seen.reads_a_disk) kept_waiting_ += waited_ - waited_before_;
-  const bool threads = seen.threads || seen.ended_seconds > ended_before_;
+  const bool threads = seen.threads > 1 || seen.ended_seconds > ended_before_;
   if (threads) in_threads_ += waited_ - waited_before_ - (spare - spare_before_);
   if (counts_idle_ && !seen.reads_a_disk) {
     const Seconds more = threads ? spare - spare_before_ : idle - idle_before_;
@@ -240,6 +240,10 @@ void RunnerProcess::end_if_it_hangs(bool amid_an_answer) {
   count_idle_time(seen);
   memory_ = std::max(memory_, seen.memory);
   if (seen.memory > limits_.memory) end(out_of_memory(limits_));
+  if (seen.threads > limits_.threads) {
+    end({"crashed", "the program was ended: it had more than " + std::to_string(limits_.threads) +
+                        " threads at a time"});
+  }
   if (seen.cpu_seconds > limits_.cpu_seconds + kCpuGrace) {
     end(out_of_cpu_time(limits_, memory_));
   }

@@ -4,7 +4,7 @@ import errno
 import fcntl
 import os
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
@@ -127,8 +127,7 @@ def _run(
         request.overwrite,
         rules.course,
     )
-    lines = [*notes, *remarks, *_alike(near, summaries)]
-    status = _say(request, intake, summaries, lines)
+    status = _say(request, intake, summaries, [*notes, *remarks], _alike(near, summaries))
     if feedback.to_upload and not canvas:
         print(feedback.to_upload)
     return max(status, _to_canvas(request, canvas, summaries) if canvas else 0)
@@ -256,7 +255,7 @@ def _alone(out: Path) -> Iterator[None]:
     """Locks the output folder, so that only one run writes to it. The lock ends with the
     process."""
     try:
-        out.mkdir(parents=True, exist_ok=True)
+        out.mkdir(mode=0o700, parents=True, exist_ok=True)  # it will hold points and answers
         lock = os.open(out / ".lock", os.O_CREAT | os.O_RDWR, 0o644)
     except OSError as error:
         raise UsageError(f"{out} can't be written: {error.strerror}") from error
@@ -292,12 +291,29 @@ def _regrade(request: Request, intake: Class, stamp: Stamp, log: Log) -> int:
 
 
 def _is_said(remarks: list[str], who: str, why: str) -> bool:
-    """Whether a remark on the grade book names this reason, too: "Doe, Jane (1) has no score,
-    because ..."."""
-    return any(who in remark and f"because {why}: " in remark for remark in remarks)
+    """Whether a remark on the grade book says just this: "Doe, Jane (1) has no score, because ...".
+    A remark that only contains it may have it from the name of another student's file."""
+    said = f"{who} has no score, because {why}: the cell stays as it was"
+    return any(remark.endswith(said) for remark in remarks)
 
 
-def _say(request: Request, intake: Class, summaries: list[Summary], remarks: list[str]) -> int:
+def _shared(kinds: Sequence[list[str]], most: int) -> list[str]:
+    """The first lines of each kind, so that none, which students may make long, pushes off
+    another."""
+    shown = dict.fromkeys(range(len(kinds)), 0)
+    for done, kind in enumerate(sorted(shown, key=lambda kind: len(kinds[kind]))):
+        left = most - sum(shown.values())
+        shown[kind] = min(len(kinds[kind]), left // (len(kinds) - done))
+    return [line for kind, number in shown.items() for line in kinds[kind][:number]]
+
+
+def _say(
+    request: Request,
+    intake: Class,
+    summaries: list[Summary],
+    remarks: list[str],
+    copies: list[str],
+) -> int:
     graded = [s for s in summaries if s.state == "graded"]
     looks = sum(bool(s.needs_a_look) for s in summaries)
     print(f"{len(graded)} of {intake.handed_in} submissions graded ({intake.source}).")
@@ -306,24 +322,26 @@ def _say(request: Request, intake: Class, summaries: list[Summary], remarks: lis
             f"{looks} need a look, {len(intake.unmatched)} can't be graded or aren't matched; "
             f"{request.out / 'class.html'} says which, and why."
         )
-    lines = [
+    not_graded = [
         f"{unmatched.name!r} {unmatched.reason}"
         for unmatched in intake.unmatched
         if not _is_said(remarks, "", f"{unmatched.name} {unmatched.reason}")
     ]
-    lines += [
+    to_look_at = [
         f"{s.student.shown} ({s.student.id}): {why}"
         for s in summaries
         if (why := "; ".join(s.needs_a_look)) and s.state != "waiting"
         if not _is_said(remarks, f"({s.student.id})", why)
     ]
     waiting = sum(s.state == "waiting" for s in summaries)
-    lines += [f"{waiting} wait for a grading"] if waiting else []
-    lines += remarks
-    for line in lines[:MOST_LINES]:
+    to_look_at += [f"{waiting} wait for a grading"] if waiting else []
+    kinds = (not_graded, to_look_at, remarks, copies)
+    lines = _shared(kinds, MOST_LINES)
+    for line in lines:
         print(f"  {terminal(line)}")
-    if len(lines) > MOST_LINES:
-        print(f"  and {len(lines) - MOST_LINES} more, in class.html")
+    more = sum(map(len, kinds)) - len(lines)
+    if more:
+        print(f"  and {more} more, in class.html")
     print(
         f"Written to {request.out}: {_filled_in(request).name}, grades.csv, class.html, feedback/"
     )

@@ -44,6 +44,7 @@ def hidden_folder() -> Path:
     stamp = hashlib.sha256(secret().encode() + WRITER.read_bytes()).hexdigest()
     noted = HIDDEN / "made-from"
     if not noted.exists() or noted.read_text() != stamp:
+        HIDDEN.mkdir(mode=0o700, exist_ok=True)
         write("hidden", HIDDEN, secret())
         noted.write_text(stamp)
     return HIDDEN

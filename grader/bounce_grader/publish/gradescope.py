@@ -60,6 +60,7 @@ def write(path: Path) -> None:
     entries["course-secret"] = fixtures.secret().encode() + b"\n"
     temporary = path.with_name(path.name + ".part")
     try:
+        temporary.touch(mode=0o600)  # it holds the secret
         with zipfile.ZipFile(temporary, "w", zipfile.ZIP_DEFLATED) as archive:
             for name, data in entries.items():
                 _add(archive, name, data, name != "course-secret")

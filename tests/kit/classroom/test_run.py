@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 from bounce_grader import cli
+from bounce_grader.classroom import run
 from bounce_grader.classroom.work import results
 from bounce_grader.common.errors import UsageError
 from classes import COLUMN, book, column, download, grade_class, graded, points_of
@@ -190,3 +191,26 @@ def test_the_command_takes_it_all(tmp_path: Path, users: list[int]) -> None:
     assert cli.main([*arguments, "--column", COLUMN]) == 0
     assert column(out / "gradebook.csv") == {"12": "100.00"}
     assert cli.main([*arguments, "--column", COLUMN, "--part-column", "5=x"]) == 2
+
+
+def test_no_kind_of_line_pushes_another_off_the_terminal() -> None:
+    """A student's forty oddly named uploads leave room for what concerns others."""
+    odd, copies = [f"odd {i}" for i in range(99)], ["two are alike"]
+    assert run._shared([odd, [], ["a remark"], copies], 40) == [*odd[:38], "a remark", *copies]
+    assert run._shared([odd, odd, [], copies], 9) == [*odd[:4], *odd[:4], *copies]
+    assert run._shared([[], copies, [], []], 9) == copies
+
+
+def test_a_remark_with_a_file_of_such_a_name_hides_no_line_of_another_student() -> None:
+    own = "Doe, Jane (1) has no score, because part 1: crashed: the cell stays as it was"
+    named = "x (1) because part 1: crashed: .txt is no C++ source and no zip"
+    of_another = (
+        f"Roe, Max (2) has no score, because it holds nothing: {named}: the cell stays as it was"
+    )
+    assert run._is_said([own], "(1)", "part 1: crashed")
+    assert not run._is_said([of_another], "(1)", "part 1: crashed")
+
+
+def test_the_output_folder_is_its_owners_alone(tmp_path: Path) -> None:
+    with run._alone(tmp_path / "out"):
+        assert (tmp_path / "out").stat().st_mode & 0o077 == 0

@@ -275,3 +275,9 @@ def test_a_file_too_large_keeps_its_size(tmp_path: Path) -> None:
     assert (
         to_grade(student).refused[2] == "part2_lcp.cpp is 3.1 MB large; a source file may have 1 MB"
     )
+
+
+def test_a_student_called_src_stops_no_class(tmp_path: Path) -> None:
+    for name in ("jane", "src"):
+        write(tmp_path / name, solution_files())
+    assert [student.id for student in students.read(tmp_path).students] == ["jane", "src"]

@@ -93,6 +93,14 @@ TEST(RunnerProcess, EndsOneThatSleepsWithThreadsOnceTheCpuHadNothingToDo) {
   EXPECT_LT(judge::spare_seconds() - before, 2 * judge::Limits().idle_seconds);
 }
 
+// Where the box can't limit them, because it can't tell them from others of the same user.
+TEST(RunnerProcess, EndsOneWithManyThreads) {
+  const std::string start =
+      "ulimit -s 256; export MALLOC_ARENA_MAX=1; python3 -c 'import threading, time\n"
+      "for _ in range(40): threading.Thread(target=time.sleep, args=(9,)).start()'";
+  expect(start, "crashed", "more than 32 threads");
+}
+
 TEST(RunnerProcess, CountsNoIdleTimeOfOneThatWorks) {
   RunnerProcess runner({"/bin/sh", "-c", "while :; do :; done"}, judge::Limits());
   EXPECT_THROW(runner.receive(), RunnerEnded);

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 from bounce_grader.common.errors import KitError
-from bounce_grader.common.paths import RUNNER
+from bounce_grader.common.paths import PROBE, RUNNER
 from bounce_grader.develop import doctor
 from bounce_grader.grading import grade
 from bounce_grader.sandbox import box as boxes, processes
@@ -139,6 +139,27 @@ def test_a_reduced_box_that_is_stopped_leaves_nothing() -> None:
     assert not Path(folder).exists()
 
 
+# An ordinary user who may make no user namespaces, as on some clusters, and has other programs.
+CROWDED = """
+echo 0 >/proc/sys/user/max_user_namespaces
+for i in $(seq 150); do sleep 60 & done
+"$@" 2>&1 | cat  # a pipe of its own
+kill $(jobs -p)
+"""
+
+
+@pytest.mark.parametrize("place", ["build", "run"])
+def test_other_programs_of_its_user_take_no_thread_from_a_reduced_box(place: str) -> None:
+    box = Box("reduced")
+    to_build = [*box.to_build(RUNNER, [PROBE]), str(PROBE), "processes", "3"]
+    boxed = to_build if place == "build" else [*box.to_run(PROBE), "allocate-late", "1"]
+    ordinary = ["/usr/bin/setpriv", "--reuid=65534", "--regid=65534", "--clear-groups"]
+    inside = ["/usr/bin/unshare", "--map-user=1000", "--keep-caps", "/bin/bash", "-c", CROWDED]
+    command = [*(ordinary if os.geteuid() == 0 else []), *inside, "-", *boxed]
+    result = processes.run(command)
+    assert "could: " in result.out.decode(), result
+
+
 @pytest.mark.parametrize("kind", ["full", "reduced", "none"])
 def test_a_file_that_does_not_fit_onto_the_disk_is_a_fault_of_the_kit(
     kind: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
@@ -153,7 +174,7 @@ def test_a_file_that_does_not_fit_onto_the_disk_is_a_fault_of_the_kit(
 
 ENDLESS = """
 import sys
-from bounce_grader.common.paths import RUNNER
+from bounce_grader.common.paths import PROBE, RUNNER
 from bounce_grader.sandbox import processes
 from bounce_grader.sandbox.box import Box
 limits = processes.Limits(cpu_seconds=20, wall_seconds=60, memory=1 << 30, file_size=0)

@@ -170,7 +170,8 @@ def _json(body: bytes) -> Any:
 def download(canvas: Canvas, out: Path) -> Class:
     """The class, with its files in OUT/canvas. A file that is there isn't downloaded again."""
     folder = out / FILES
-    folder.mkdir(parents=True, exist_ok=True)
+    out.mkdir(mode=0o700, parents=True, exist_ok=True)
+    folder.mkdir(exist_ok=True)
     uploads: dict[str, list[Upload]] = {}
     late: dict[str, int] = {}
     names: dict[str, str] = {}

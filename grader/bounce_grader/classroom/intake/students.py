@@ -407,10 +407,16 @@ def _folder(path: Path, children: list[Path]) -> Class:
 
 
 def _require_a_folder_of_submissions(path: Path, children: list[Path]) -> None:
-    """Raises UsageError if the folder is itself a submission."""
-    inside = [*children, *((path / "src").iterdir() if (path / "src").is_dir() else ())]
-    if any(part_file(child.name) and _is_file(child) for child in inside):
+    """Raises UsageError if the folder is itself a submission. A student may be called src."""
+    own = (path / "src").iterdir() if (path / "src").is_dir() else ()
+    others = [c for c in children if c.name != "src" and (_is_folder(c) or is_archive(c.name))]
+    in_src = any(map(_is_part, own)) and not any(map(_has_a_part, others))
+    if in_src or any(map(_is_part, children)):
         raise UsageError(f"{path} is one submission, and no class: ./kit grade {path}")
+
+
+def _is_part(child: Path) -> bool:
+    return part_file(child.name) is not None and _is_file(child)
 
 
 def _require_no_download(path: Path, zips: list[Path]) -> None:
