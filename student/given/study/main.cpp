@@ -94,8 +94,9 @@ std::string study(const std::vector<Scene>& scenes, bool is_wrong) {
       "simulation of the same model; the error is the largest distance to it at twenty "
       "times. Left and below is better. Times are in calls of the given solve_lcp (" +
           std::string(cost) +
-          "), so that the dashed lines, measured elsewhere, hold on your machine.</p>\n" + body +
-          "<p>Questions to these charts: <a href=\"explore.html\">Explore</a>.</p>\n");
+          "), so that the lines of the other methods, measured elsewhere, hold on your "
+          "machine.</p>\n" +
+          body + "<p>Questions to these charts: <a href=\"explore.html\">Explore</a>.</p>\n");
 }
 
 }  // namespace

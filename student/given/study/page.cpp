@@ -19,16 +19,17 @@ p { max-width: 46rem; }
 section { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 30rem), 1fr));
   gap: 1rem 2.5rem; }
 figure { margin: 0; max-width: 40rem; }
-h3 { margin: 0.8rem 0 0.3rem; font-size: 1.05rem; }
+h3 { margin: 0.8rem 0 0.3rem; font-size: 1.05em; }
 figure > svg { width: 100%; height: auto; }
 text { fill: var(--ink); font: 13px system-ui, sans-serif; }
 .bar { fill: none; stroke: var(--e); }
 .bar.own { fill: var(--a); stroke: var(--a); }
 ul { display: flex; flex-wrap: wrap; gap: 0 1.2rem; margin: 0.2rem 0; padding: 0; list-style: none;
-  font-size: 0.9rem; }
+  font-size: 0.9em; }
 figcaption { margin: 0.3rem 0 0.8rem; }
-@media (max-width: 640px) { text { font-size: 18px; } }
-@media print { :root { color-scheme: light; } body { font-size: 10pt; } section { grid-template-columns: 1fr 1fr; }
+@media (max-width: 640px), print { text { font-size: 18px; } }
+@media print { :root { color-scheme: light; } body { font-size: 10pt; }
+  section { grid-template-columns: 1fr 1fr; } main > figure { max-width: 24rem; }
   figure { break-inside: avoid; } }
 )css";
 
