@@ -176,6 +176,8 @@ def test_a_repository_nested_deeply_is_no_obstacle_to_an_annotation(tmp_path: Pa
         folder = folder / "d"
         folder.mkdir()
     try:
-        assert github._in_repository("a.cpp", write(tmp_path, {"hw/a.cpp": b""})) == "hw/a.cpp"
+        assert github._in_repository(
+            "a.cpp", github._files(write(tmp_path, {"hw/a.cpp": b""}))
+        ) == ("hw/a.cpp")
     finally:
         subprocess.run(["rm", "-rf", str(tmp_path / "x")], check=True)

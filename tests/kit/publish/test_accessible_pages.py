@@ -12,7 +12,8 @@ import pytest
 from animation_page import file as animation
 from bounce_grader import cli
 from bounce_grader.formats import html
-from bounce_grader.publish import handout, handout_page
+from bounce_grader.common.paths import HANDOUT
+from bounce_grader.publish import handout_page
 from conftest import ROOT, solution_files, write
 
 FIND = """
@@ -57,7 +58,7 @@ def of_a_class(tmp_path: Path) -> Path:
 def of_the_handout(name: str) -> Callable[[Path], Path]:
     def made(tmp_path: Path) -> Path:
         page = tmp_path / f"{name}.html"
-        page.write_bytes(handout_page.page(handout.HANDOUT / f"{name}.md"))
+        page.write_bytes(handout_page.page(HANDOUT / f"{name}.md"))
         return page
 
     return made
