@@ -46,7 +46,7 @@ std::string page(const Measured& measured, bool is_wrong) {
       "<p>A real square of " + study::length(p.l) +
           " was dropped again and again, and filmed at 250 pictures a second. For each impact of "
           "one corner the film gives the velocity just before and just after. Your form_lcp gets "
-          "the one before, with mu = " +
+          "the velocity before, with mu = " +
           study::number(p.mu, "%.2g") + " and epsilon = " + study::number(p.epsilon, "%.2g") +
           ", which fit other impacts of this square best, and without gravity, as an impact takes "
           "next to no time. The forces that solve_lcp finds then give a velocity after the "

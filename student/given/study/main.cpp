@@ -43,8 +43,8 @@ std::string charts_of(const Scene& scene, const Both& runs) {
       {"delta fixed", points(runs.fixed, over_step), true},
       {"delta in proportion to dt", points(runs.scaled, over_step), true}};
   return "<h2>" + escaped(scene.title) + "</h2>\n<section>\n" +
-         chart(kErrorOverTime, {std::string(kTime) + ", solve_lcp = 1", kMetres, true}, times,
-               of_time(scene, runs)) +
+         chart(kErrorOverTime, {std::string(kTime) + ", in calls of solve_lcp", kMetres, true},
+               times, of_time(scene, runs)) +
          chart("Error over step", {"dt, s", kMetres, true}, steps, of_steps(scene, runs)) +
          "</section>\n";
 }
@@ -90,12 +90,13 @@ std::string study(const std::vector<Scene>& scenes, bool is_wrong) {
       is_wrong ? "Some checks fail. The charts show your program as it is; mend what ./check "
                  "names first, then study it."
                : "",
-      "<p>Each dot is a run of your four parts with another dt. The truth is an exact "
-      "simulation of the same model; the error is the largest distance to it at twenty "
-      "times. Left and below is better. Times are in calls of the given solve_lcp (" +
+      "<p>Each dot of your lines is a run of your four parts with another dt. The truth is an "
+      "exact simulation of the same model; the error is the largest distance to it at twenty "
+      "moments. Left and below is better. Computing times are in calls of the given solve_lcp (" +
           std::string(cost) +
           "), so that the lines of the other methods, measured elsewhere, hold on your "
-          "machine.</p>\n" +
+          "machine. The Moreau–Jean scheme has the same laws, looks for contact half a step "
+          "ahead, and lets both corners of a side push.</p>\n" +
           body + "<p>Questions to these charts: <a href=\"explore.html\">Explore</a>.</p>\n");
 }
 

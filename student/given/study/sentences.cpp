@@ -82,7 +82,7 @@ std::string of_time(const Scene& scene, const Both& runs) {
     const auto reached = within(method, mine.kernels);
     text += reached
                 ? " In no more time the " + method.name + " reaches " + length(reached->error) + "."
-                : " The " + method.name + " needs more time than that.";
+                : " The " + method.name + " takes more time than that with each of its steps.";
   }
   return text;
 }
@@ -96,7 +96,8 @@ std::string of_depth(const std::vector<Run>& runs, double l) {
                        : with + "doesn't sink in";
   };
   return "W" + said(runs.front()) + "; w" + said(runs.back()) +
-         ". In the step in which it lands a corner falls by v dt before contact can be noticed.";
+         ". In the step in which it lands a corner falls by up to v dt before contact can be "
+         "noticed.";
 }
 
 std::string of_energy(const Energy& coarse, const Energy& fine) {
@@ -109,7 +110,7 @@ std::string of_energy(const Energy& coarse, const Energy& fine) {
          " with dt = 0.001 s. The lift alone adds " + percent(fine.lift) +
          (gain > 2     ? ", so most of it comes from somewhere else."
           : gain > 1.2 ? ", so some of it comes from somewhere else."
-                       : " to a step in contact: energy from nowhere.");
+                       : " to a step in contact, energy from nowhere; an impact takes some away.");
 }
 
 std::string of_rest(const Rest& fixed, const Rest& scaled, const Rest& fine_scaled) {
@@ -119,7 +120,7 @@ std::string of_rest(const Rest& fixed, const Rest& scaled, const Rest& fine_scal
          " up and down and " + length(fixed.drift) +
          " along the ground, with dt = 0.01 s. With dt = 0.001 s and delta in proportion it is " +
          length(fine_scaled.height) + " and " + length(fine_scaled.drift) +
-         (is_less ? ": one corner can't hold a face, but it matters less."
+         (is_less ? ": one corner can't hold a face, but with a smaller step it moves less."
                   : ": it isn't the step that moves it.");
 }
 
