@@ -104,7 +104,8 @@ def _student(folder: Path) -> list[Line]:
     _seconds(check)
     part = home / "src" / "part2_lcp.cpp"
     build = ["cmake", "--build", str(home / "build"), "--target", "part2_lcp"]
-    compiler, whole = [], []
+    compiler: list[float] = []
+    whole: list[float] = []
     for command, times in 3 * [(build, compiler), (check, whole)]:
         part.write_text(part.read_text() + "// changed\n")
         times.append(_seconds(command))
