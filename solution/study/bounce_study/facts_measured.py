@@ -59,8 +59,11 @@ def facts(tables: Tables) -> Facts:
         "values": values,
         "least_words": _least_words(groups),
         "left_out": [
-            (k.removeprefix(LEFT_OUT), v) for k, v in values.items() if k.startswith(LEFT_OUT)
+            (k.removeprefix(LEFT_OUT), int(v)) for k, v in values.items() if k.startswith(LEFT_OUT)
         ],
+        "left_share": 100
+        * sum(float(v) for k, v in values.items() if k.startswith(LEFT_OUT))
+        / float(values["events"]),
         "bodies": {name: _group(bodies.where(group=name)) for name in bodies.distinct("group")},
         "finding": found,
         "published_side": found["as published", "side, m"][0],

@@ -48,7 +48,7 @@ class Study:
     signs: ellipses.Signs
     flagged: int
     verdicts: list[Verdict]
-    bodies: list[tuple[str, Verdict]]
+    bodies: list[Verdict]
     drops: Drops
     findings: list[Finding]
 
@@ -65,7 +65,9 @@ def run(squares: Path, oval: Path, quick: bool = False) -> Study:
     ordered = sorting.sort(found, body)
     replicates = QUICK if quick else REPLICATES
     grids = Grids()
-    verdicts = [ladder.judge(group, replicates, grids) for group in _groups(ordered, read)]
+    groups = _groups(ordered, read)
+    verdicts = [ladder.judge(group, replicates, grids) for group in groups]
+    judged_bodies, in_metric = _by_body(found, body, ordered, replicates)
     return Study(
         len(trials),
         sum(len(trial.k) for trial in trials),
@@ -77,9 +79,13 @@ def run(squares: Path, oval: Path, quick: bool = False) -> Study:
         ellipses.signs(read),
         read.flagged,
         verdicts,
-        _by_body(found, body, ordered, replicates),
+        judged_bodies,
         _drops(trials, body, air, verdicts),
-        unexplained.findings(trials, found.events, body, air, read),
+        [
+            *unexplained.findings(trials, found.events, body, air, read),
+            *in_metric,
+            *_approaches(groups),
+        ],
     )
 
 
@@ -102,10 +108,22 @@ def _groups(ordered: Sorted, read: Ellipses) -> list[Group]:
     ]
 
 
+def _approaches(groups: list[Group]) -> list[Finding]:
+    """How fast the corner approaches the ground, in the median, in each class of its own."""
+    found = []
+    for group in groups:
+        if len(group.shapes) == 1:
+            half, speed = ladder.halves(group.shapes[0].trial), -group.shapes[0].approach()
+            medians = tuple(float(np.median(speed[own])) for own in (half.fit, half.judge))
+            found.append(Finding("approach", group.name, "v_n before, m/s", medians))
+    return found
+
+
 def _by_body(
     found: impacts.Found, body: Body, ordered: Sorted, replicates: int
-) -> list[tuple[str, Verdict]]:
-    """The same impacts of one corner, by what the body is taken to be."""
+) -> tuple[list[Verdict], list[Finding]]:
+    """The same impacts of one corner, by what the body is taken to be; and Newton's error with each
+    in one metric, that of the fitted body."""
     keys = {
         (trial, round(pose, 9)) for trial, pose in zip(ordered.one.trial, ordered.one.pose[:, 2])
     }
@@ -117,12 +135,23 @@ def _by_body(
         "fitted": body,
         "fitted, inertia side²/6": replace(body, gyration=body.side**2 / 6),
     }
-    judged = []
+    judged, in_metric = [], []
     for name, variant in variants.items():
         hits = bodies.impacts(same, variant)
         group = Group(name, (hits,), (bodies.floor(hits),), laws.ONE_CORNER[:-1])
-        judged.append((name, ladder.judge(group, replicates, Grids())))
-    return judged
+        judged.append(ladder.judge(group, replicates, Grids()))
+        in_metric.append(_in_metric(hits, judged[-1], body.gyration))
+    return judged, in_metric
+
+
+def _in_metric(hits: Impacts, verdict: Verdict, gyration: float) -> Finding:
+    """The median error of Newton's law in the metric of another body, for both halves."""
+    rung = next(rung for rung in verdict.rungs if rung.law.name == "newton")
+    wrong = laws.after(rung.law, hits, rung.setting) - hits.after
+    error = np.sqrt((wrong[:, :2] ** 2).sum(axis=1) + gyration * wrong[:, 2] ** 2)
+    half = ladder.halves(hits.trial)
+    medians = tuple(float(np.median(error[own])) for own in (half.fit, half.judge))
+    return Finding("metric", verdict.group, "Newton's error, m/s", medians)
 
 
 def _drops(trials: list[Trial], body: Body, air: Air, verdicts: list[Verdict]) -> Drops:
@@ -144,7 +173,7 @@ def tables(study: Study) -> dict[str, bytes]:
     made = (
         _extraction(study),
         _ladder(study.verdicts),
-        _ladder([replace(verdict, group=name) for name, verdict in study.bodies]),
+        _ladder(study.bodies),
         _drop_table(study.drops),
         _finding_table(study.findings),
         _impact_table(study.sorted.one),
@@ -276,7 +305,7 @@ def as_json(study: Study) -> dict[str, Any]:
     """What the page is made of."""
     return {
         "shapes": {verdict.group: _verdict(verdict) for verdict in study.verdicts},
-        "bodies": {name: _verdict(verdict) for name, verdict in study.bodies},
+        "bodies": {verdict.group: _verdict(verdict) for verdict in study.bodies},
         "extraction": {name: _number(value) for name, value in _extraction(study)[1]},
         "drops": {
             "count": study.drops.count,

@@ -22,7 +22,7 @@ STILL = (2e-4, 3e-3)  # of y (m) and theta (rad): a square that moves less over 
 
 @dataclass(frozen=True)
 class Finding:
-    about: str  # gravity, inertia or ellipses
+    about: str  # gravity, drag, inertia, ellipses, metric or approach
     hypothesis: str
     quantity: str
     values: tuple[float, ...]  # of the two halves
@@ -33,6 +33,7 @@ def findings(
 ) -> list[Finding]:
     return [
         *_gravity(trials),
+        *_sideways(trials),
         *_inertia(events),
         *_at_rest(trials, body),
         *_without_drag(trials, air),
@@ -57,6 +58,21 @@ def _gravity(trials: list[Trial]) -> list[Finding]:
     if min(map(len, falling)) > 0:
         fast = tuple(-float(np.median(a)) for a in falling)
         found.append(Finding("gravity", "falling at over 2 m/s", "g, m/s^2", fast))
+    return found
+
+
+def _sideways(trials: list[Trial]) -> list[Finding]:
+    """The drag that each coordinate alone asks for, in proportion to its own velocity."""
+    found = []
+    for i, name in enumerate(("v_x", "v_y", "omega")):
+        drags = []
+        for part in (flights.measure(trials[half::2]) for half in (0, 1)):
+            v = part.velocity[:, i]
+            solution, _ = flights.robust(
+                np.stack([np.ones_like(v), v], axis=1), part.acceleration[:, i]
+            )
+            drags.append(-float(solution[1]))
+        found.append(Finding("drag", name, "drag, 1/s", tuple(drags)))
     return found
 
 
