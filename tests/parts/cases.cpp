@@ -1,7 +1,5 @@
 #include "cases.hpp"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -211,7 +209,12 @@ const json& checks_in(const std::filesystem::path& file) {
   return known->second;
 }
 
-// The cases of a check. Those of "part3.FallsFreely" are in files whose stem begins with "part3".
+}  // namespace
+
+std::vector<Case> read_cases(std::istream& file, const std::string& check, bool hidden) {
+  return read_cases(checks_in(file), check, hidden);
+}
+
 std::vector<Case> cases_of(const std::string& check) {
   std::vector<Case> cases;
   for (const auto& folder : fixture_folders()) {
@@ -226,55 +229,6 @@ std::vector<Case> cases_of(const std::string& check) {
   return cases;
 }
 
-struct Asked {
-  std::size_t wrong = 0;
-  std::string told;  // the first wrong case, or the one at which the program ended
-};
-
-Asked ask_all(const std::vector<Case>& cases, Ask ask) {
-  Asked asked;
-  for (const Case& c : cases) {
-    bool ended = false;
-    Problem problem;
-    about_to_ask(c);
-    try {
-      problem = ask(c);
-    } catch (const Ended& end) {
-      problem.sentence = end.what();
-      ended = true;
-    } catch (const std::exception& thrown) {
-      problem.sentence = thrown.what();
-    }
-    if (!problem.empty() && (asked.wrong++ == 0 || ended)) {
-      asked.told = (asked.wrong == 1 ? "the first: " : "the last: ") + c.name +
-                   (c.hidden ? " (a hidden case)" : "") + "\n" + c.input + "\n" +
-                   in_words(c, problem);
-    }
-    if (ended) break;
-  }
-  return asked;
-}
-
-// Reports the first wrong case, and how many are wrong.
-bool all_right(const std::vector<Case>& cases, Ask ask, const std::string& when) {
-  const Asked asked = ask_all(cases, ask);
-  if (asked.wrong == 0) return true;
-  ADD_FAILURE() << asked.wrong << " of " << cases.size() << " cases wrong" << when
-                << (when.empty() ? "; " : " ") << asked.told;
-  return false;
-}
-
-std::string running_check() {
-  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-  return std::string(test->test_suite_name()) + "." + test->name();
-}
-
-}  // namespace
-
-std::vector<Case> read_cases(std::istream& file, const std::string& check, bool hidden) {
-  return read_cases(checks_in(file), check, hidden);
-}
-
 std::vector<Case> read_all_cases(std::istream& file) {
   std::vector<Case> cases;
   for (const json& check : checks_in(file)) {
@@ -282,17 +236,6 @@ std::vector<Case> read_all_cases(std::istream& file) {
   }
   return cases;
 }
-
-void for_each_case(Ask ask) {
-  std::vector<Case> cases = cases_of(running_check());
-  if (!all_right(cases, ask, "")) return;
-  std::reverse(cases.begin(), cases.end());
-  all_right(cases, ask,
-            " when asked again in another order, though right before: is something kept from one "
-            "call to the next?");
-}
-
-void for_each_case_once(Ask ask) { all_right(cases_of(running_check()), ask, ""); }
 
 Marks agrees(const Case& c, const Eigen::MatrixXd& expected, const Eigen::MatrixXd& got) {
   Marks right(got.rows(), got.cols());

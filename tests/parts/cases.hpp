@@ -54,6 +54,10 @@ std::vector<std::filesystem::path> fixture_folders();
 // The cases of a check in one file of fixtures. Throws std::exception if the file is invalid.
 std::vector<Case> read_cases(std::istream& file, const std::string& check, bool hidden);
 
+// The cases of a check in all fixtures. Those of "part3.FallsFreely" are in files whose stem begins
+// with "part3".
+std::vector<Case> cases_of(const std::string& check);
+
 // The cases of all checks in a public file, in its order.
 std::vector<Case> read_all_cases(std::istream& file);
 
