@@ -4,6 +4,7 @@ while it streams.
 """
 
 import errno
+import fcntl
 import os
 import selectors
 import signal
@@ -96,12 +97,12 @@ def run(
             descriptors[OUTPUT] = _opened(output) if output else os.open(os.devnull, os.O_WRONLY)
             stack.callback(os.close, descriptors[OUTPUT])
         words = [str(descriptors.get(word, word)) for word in command]
-        process = _started((limits.prefix() if limits else []) + words, stdin, cwd, descriptors)
+        given = subprocess.DEVNULL
+        if stdin:
+            given = _in_memory(stdin)
+            stack.callback(os.close, given)
+        process = _started((limits.prefix() if limits else []) + words, given, cwd, descriptors)
         try:
-            if process.stdin:
-                with suppress(BrokenPipeError):
-                    process.stdin.write(stdin)
-                    process.stdin.close()
             deadline = time.monotonic() + limits.wall_seconds if limits else None
             result = _collect(process, deadline, out_cap, err_cap)
         finally:
@@ -110,6 +111,19 @@ def run(
     if SHORT in told:
         raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), str(output))
     return result._replace(boxed=told == MADE, cpu_limit=limits.cpu_seconds if limits else 0.0)
+
+
+def _in_memory(data: bytes) -> int:
+    """A file to read these bytes from. Unlike a pipe it has room for all of them, so that we never
+    wait for a process that waits for us. Who gets it can't change it."""
+    descriptor = os.memfd_create("stdin", os.MFD_CLOEXEC | os.MFD_ALLOW_SEALING)
+    with open(descriptor, "wb", closefd=False) as file:
+        file.write(data)
+    fcntl.fcntl(
+        descriptor, fcntl.F_ADD_SEALS, fcntl.F_SEAL_WRITE | fcntl.F_SEAL_GROW | fcntl.F_SEAL_SHRINK
+    )
+    os.lseek(descriptor, 0, os.SEEK_SET)
+    return descriptor
 
 
 def _told(status: int) -> bytes:
@@ -127,12 +141,12 @@ def _opened(output: Path) -> int:
 
 
 def _started(
-    command: list[str], stdin: bytes, cwd: Path | None, descriptors: Mapping[str, int]
+    command: list[str], stdin: int, cwd: Path | None, descriptors: Mapping[str, int]
 ) -> subprocess.Popen[bytes]:
     try:
         return subprocess.Popen(
             command,
-            stdin=subprocess.PIPE if stdin else subprocess.DEVNULL,
+            stdin=stdin,
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,
             cwd=cwd,

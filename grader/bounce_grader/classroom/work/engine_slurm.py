@@ -29,7 +29,7 @@ ARRAY = """#!/bin/sh
 start='import sys; sys.path.insert(0, sys.argv.pop(1)); import bounce_grader.classroom.work.chunk as chunk
 sys.exit(chunk.main(sys.argv[1:]))'
 exec /usr/bin/env -i PATH="$PATH" HOME="$HOME" TMPDIR="${{TMPDIR:-/tmp}}" \\
-  /usr/bin/python3 -I -c "$start" {kit}/grader \\
+  /usr/bin/python3 -I -X utf8 -c "$start" {kit}/grader \\
   {folder}/chunk-"$SLURM_ARRAY_TASK_ID".json --jobs "${{SLURM_CPUS_PER_TASK:-2}}"
 """
 

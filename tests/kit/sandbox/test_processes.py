@@ -1,0 +1,41 @@
+"""Starting processes: what they are given to read."""
+
+import sys
+
+from bounce_grader.common.paths import ROOT
+from bounce_grader.sandbox import processes
+
+LIMITS = processes.Limits(cpu_seconds=10, wall_seconds=1.0, memory=None, file_size=1 << 30)
+MUCH = bytes(range(256)) * 8192  # many times what a pipe holds
+
+
+def test_what_is_longer_than_a_pipe_passes_through() -> None:
+    patient = LIMITS._replace(wall_seconds=60)
+    assert processes.run(["/bin/cat"], patient, stdin=MUCH).out == MUCH
+
+
+def test_who_reads_nothing_is_stopped_when_its_time_is_up() -> None:
+    assert processes.run(["/bin/sleep", "60"], LIMITS, stdin=MUCH).too_long
+
+
+def test_who_ends_without_reading_is_no_fault() -> None:
+    assert processes.run(["/bin/true"], LIMITS._replace(wall_seconds=60), stdin=MUCH).ok
+
+
+def test_what_is_read_cannot_be_changed() -> None:
+    write = "import os; os.write(0, b'x')"
+    patient = LIMITS._replace(wall_seconds=60)
+    result = processes.run([sys.executable, "-c", write], patient, stdin=b"as it is")
+    assert not result.ok and "PermissionError" in result.err
+
+
+def test_python_reads_and_writes_utf8_whatever_the_locale() -> None:
+    """Otherwise one arrow in a comment ends a class on a machine whose locale is Latin-1."""
+    starts = [
+        line
+        for file in ("kit", "grader/bounce_grader/classroom/work/engine_slurm.py")
+        for line in (ROOT / file).read_text("utf-8").splitlines()
+        if "/usr/bin/python3 -I" in line
+    ]
+    assert len(starts) == 3
+    assert all(" -X utf8 " in line for line in starts), starts
