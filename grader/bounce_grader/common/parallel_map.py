@@ -11,6 +11,9 @@ from typing import TypeVar
 X = TypeVar("X")
 Y = TypeVar("Y")
 
+# A signal that arrives just before a wait begins doesn't end it; so we look again after this time.
+SECONDS = 0.5
+
 
 def parallel_map(function: Callable[[X], Y], items: Iterable[X], jobs: int) -> list[Y]:
     """Returns function(item) for all items, in their order, computed in `jobs` threads. After an
@@ -68,7 +71,8 @@ def _in_threads(work: Callable[[], None], number: int, waiting: Iterable[object]
 def _wait_for(workers: Iterable[_Worker]) -> None:
     for worker in workers:
         if worker.ident is not None:  # it was started
-            worker.ended.wait()
+            while not worker.ended.wait(SECONDS):
+                pass
 
 
 def _leave(waiting: Iterable[object]) -> None:
