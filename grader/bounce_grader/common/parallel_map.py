@@ -12,7 +12,7 @@ X = TypeVar("X")
 Y = TypeVar("Y")
 
 # A signal that arrives just before a wait begins doesn't end it; so we look again after this time.
-SECONDS = 0.5
+UNTIL_NEXT_LOOK = 0.5  # s
 
 
 def parallel_map(function: Callable[[X], Y], items: Iterable[X], jobs: int) -> list[Y]:
@@ -71,7 +71,7 @@ def _in_threads(work: Callable[[], None], number: int, waiting: Iterable[object]
 def _wait_for(workers: Iterable[_Worker]) -> None:
     for worker in workers:
         if worker.ident is not None:  # it was started
-            while not worker.ended.wait(SECONDS):
+            while not worker.ended.wait(UNTIL_NEXT_LOOK):
                 pass
 
 

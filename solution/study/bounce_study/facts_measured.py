@@ -44,6 +44,9 @@ def facts(tables: Tables) -> Facts:
     ladder = tables["measured_ladder"]
     groups = {name: _group(ladder.where(group=name)) for name in ladder.distinct("group")}
     values = {row["quantity"]: row["value"] for row in tables["measured_extraction"].rows}
+    left_out = [
+        (k.removeprefix(LEFT_OUT), int(v)) for k, v in values.items() if k.startswith(LEFT_OUT)
+    ]
     bodies = tables["measured_bodies"]
     found = {
         (row["hypothesis"], row["quantity"]): _halves(row)
@@ -58,12 +61,8 @@ def facts(tables: Tables) -> Facts:
         "both": groups[BOTH],
         "values": values,
         "least_words": _least_words(groups),
-        "left_out": [
-            (k.removeprefix(LEFT_OUT), int(v)) for k, v in values.items() if k.startswith(LEFT_OUT)
-        ],
-        "left_share": 100
-        * sum(float(v) for k, v in values.items() if k.startswith(LEFT_OUT))
-        / float(values["events"]),
+        "left_out": left_out,
+        "left_share": 100 * sum(count for _, count in left_out) / int(values["events"]),
         "bodies": {name: _group(bodies.where(group=name)) for name in bodies.distinct("group")},
         "finding": found,
         "published_side": found["as published", "side, m"][0],

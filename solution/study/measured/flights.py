@@ -72,6 +72,11 @@ def drags(flight: Flight) -> list[Drag]:
     return [_fit(name, x, a) for name, x in laws.items()]
 
 
+def linear_drag(flight: Flight, i: int) -> float:
+    """The drag in proportion to the velocity that coordinate i asks for by itself, 1/s."""
+    return _fit("linear", flight.velocity[:, i], flight.acceleration[:, i]).drag
+
+
 def _fit(name: str, x: Array, a: Array) -> Drag:
     columns = np.stack([np.ones_like(x), x], axis=1) if np.any(x) else np.ones((len(x), 1))
     solution, left = robust(columns, a)

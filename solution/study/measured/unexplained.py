@@ -10,7 +10,7 @@ import numpy as np
 from measured import body as bodies
 from measured import ellipses, flights
 from measured.body import Body
-from measured.flights import PUBLISHED_SIDE
+from measured.flights import Flight, PUBLISHED_SIDE
 from measured.impacts import Air, Event, find, RESOLVED
 from measured.ladder import halves
 from measured.rows import Ellipses, INTERVAL, Trial
@@ -31,9 +31,10 @@ class Finding:
 def findings(
     trials: list[Trial], events: list[Event], body: Body, air: Air, read: Ellipses
 ) -> list[Finding]:
+    parts = [flights.measure(trials[i::2]) for i in (0, 1)]
     return [
-        *_gravity(trials),
-        *_sideways(trials),
+        *_gravity(parts),
+        *_drag_alone(parts),
         *_inertia(events),
         *_at_rest(trials, body),
         *_without_drag(trials, air),
@@ -41,8 +42,7 @@ def findings(
     ]
 
 
-def _gravity(trials: list[Trial]) -> list[Finding]:
-    parts = [flights.measure(trials[i::2]) for i in (0, 1)]
+def _gravity(parts: list[Flight]) -> list[Finding]:
     found = []
     for laws in zip(*(flights.drags(part) for part in parts)):
         name = laws[0].name
@@ -61,19 +61,12 @@ def _gravity(trials: list[Trial]) -> list[Finding]:
     return found
 
 
-def _sideways(trials: list[Trial]) -> list[Finding]:
-    """The drag that each coordinate alone asks for, in proportion to its own velocity."""
-    found = []
-    for i, name in enumerate(("v_x", "v_y", "omega")):
-        drags = []
-        for part in (flights.measure(trials[half::2]) for half in (0, 1)):
-            v = part.velocity[:, i]
-            solution, _ = flights.robust(
-                np.stack([np.ones_like(v), v], axis=1), part.acceleration[:, i]
-            )
-            drags.append(-float(solution[1]))
-        found.append(Finding("drag", name, "drag, 1/s", tuple(drags)))
-    return found
+def _drag_alone(parts: list[Flight]) -> list[Finding]:
+    """The drag that the other two coordinates ask for, each by itself."""
+    return [
+        Finding("drag", name, "drag, 1/s", tuple(flights.linear_drag(part, i) for part in parts))
+        for i, name in ((0, "v_x"), (2, "omega"))
+    ]
 
 
 def _inertia(events: list[Event]) -> list[Finding]:

@@ -6,12 +6,12 @@ from bounce_grader.common.paths import ROOT
 from bounce_grader.sandbox import processes
 
 LIMITS = processes.Limits(cpu_seconds=10, wall_seconds=1.0, memory=None, file_size=1 << 30)
+PATIENT = LIMITS._replace(wall_seconds=60)
 MUCH = bytes(range(256)) * 8192  # many times what a pipe holds
 
 
 def test_what_is_longer_than_a_pipe_passes_through() -> None:
-    patient = LIMITS._replace(wall_seconds=60)
-    assert processes.run(["/bin/cat"], patient, stdin=MUCH).out == MUCH
+    assert processes.run(["/bin/cat"], PATIENT, stdin=MUCH).out == MUCH
 
 
 def test_who_reads_nothing_is_stopped_when_its_time_is_up() -> None:
@@ -19,13 +19,12 @@ def test_who_reads_nothing_is_stopped_when_its_time_is_up() -> None:
 
 
 def test_who_ends_without_reading_is_no_fault() -> None:
-    assert processes.run(["/bin/true"], LIMITS._replace(wall_seconds=60), stdin=MUCH).ok
+    assert processes.run(["/bin/true"], PATIENT, stdin=MUCH).ok
 
 
 def test_what_is_read_cannot_be_changed() -> None:
     write = "import os; os.write(0, b'x')"
-    patient = LIMITS._replace(wall_seconds=60)
-    result = processes.run([sys.executable, "-c", write], patient, stdin=b"as it is")
+    result = processes.run([sys.executable, "-c", write], PATIENT, stdin=b"as it is")
     assert not result.ok and "PermissionError" in result.err
 
 

@@ -132,10 +132,13 @@ def test_gravity_and_drag_are_found_from_flight() -> None:
         k = np.arange(12)
         q = flight(k * INTERVAL, np.array([0, 0.5, 0.1]), velocity)
         trials.append(Trial(i, k, q + random.normal(size=q.shape) * NOISE / 100))
-    drags = {drag.name: drag for drag in flights.drags(flights.measure(trials))}
+    measured = flights.measure(trials)
+    drags = {drag.name: drag for drag in flights.drags(measured)}
     assert drags["linear"].g == pytest.approx(AIR.g, rel=2e-3)
     assert drags["linear"].drag == pytest.approx(AIR.drag, rel=2e-2)
     assert drags["linear"].left < drags["none"].left / 3
+    for i in (0, 2):
+        assert flights.linear_drag(measured, i) == pytest.approx(AIR.drag, rel=5e-2)
 
 
 # --- laws ---

@@ -260,9 +260,10 @@ def test_the_page_tells_how_the_sweep_is_made(known: Tables) -> None:
 
 
 def test_errors_over_the_step_are_no_saw_tooth(known: Tables) -> None:
-    """Neighbouring steps below 20 ms are at most 1.15 apart (1.155 where a scene has 53 of them),
-    larger ones two whole numbers of steps between samples, and where a method converges the error over the starts rises between them by less than half, where that of
-    one start may rise tenfold."""
+    """Neighbouring steps below 20 ms are at most 1.15 apart (1.155 where a scene has 53 of them);
+    of larger ones at most nine and eleven make up the time between two samples. Where a method
+    converges, the error over the starts rises between them by less than half; that of one start
+    may rise tenfold."""
     runs = measurements.read(known)
     assert measurements.step_ratio([run for run in runs if run.setting < 0.02]) < 1.155
     assert measurements.step_ratio(runs) < 11.01 / 9

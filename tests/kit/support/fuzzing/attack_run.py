@@ -34,7 +34,7 @@ from fuzzing.attacks import Attack, some_attack
 
 CPU_SECONDS = 60  # for a grading, whatever is in it
 WALL_SECONDS = 120
-TIMES = 3  # that a busy machine is believed in
+ATTEMPTS = 3  # while the kit says that the machine is too busy
 STUDENTS = 4  # of a class, at most
 INPUTS = ROOT / "build" / "fuzz" / "inputs"
 GRACE = 5.0  # s, for processes that are about to end
@@ -108,7 +108,7 @@ def attacked(seed: int, box: str) -> tuple[bool, list[str]]:
         _lay_out(attack, world.submission)
         gradings = STUDENTS if attack.is_class else 1
         command = _command(attack, world, seed, box)
-        done = _run_as_told(command, world, gradings * WALL_SECONDS)
+        done = _run_again_if_busy(command, world, gradings * WALL_SECONDS)
         problems = [*_of_the_run(done, attack, gradings), *_left_behind(world)]
         if not problems:
             problems = _of_points(done, attack, world, box)
@@ -170,11 +170,11 @@ def _command(attack: Attack, world: World, seed: int, box: str) -> list[str]:
     return command + rng.choice(more)
 
 
-def _run_as_told(command: list[str], world: World, seconds: float) -> Done:
+def _run_again_if_busy(command: list[str], world: World, seconds: float) -> Done:
     """Runs the kit again where it says that the machine was too busy: other programs may make that
     true now and then, a submission may not make it true each time."""
     kept: list[Path] = []
-    for _ in range(TIMES):
+    for _ in range(ATTEMPTS):
         done = _run(command, world, seconds)
         kept += done.kept
         if done.code != 3 or b"the machine was too busy" not in done.err:
