@@ -51,6 +51,14 @@ constexpr const char* kVelocity = "m/s, m/s, rad/s";
 // The folders of the fixtures. One named "hidden" holds hidden cases.
 std::vector<std::filesystem::path> fixture_folders();
 
+// Called before each question.
+void about_to_ask(const Case& c);
+
+// Describes the problem: the summary, or more in a student's own build.
+std::string in_words(const Case& c, const Problem& problem);
+
+// --- reading ---
+
 // The cases of a check in one file of fixtures. Throws std::exception if the file is invalid.
 std::vector<Case> read_cases(std::istream& file, const std::string& check, bool hidden);
 
@@ -60,12 +68,6 @@ std::vector<Case> cases_of(const std::string& check);
 
 // The cases of all checks in a public file, in its order.
 std::vector<Case> read_all_cases(std::istream& file);
-
-// Called before each question.
-void about_to_ask(const Case& c);
-
-// Describes the problem: the summary, or more in a student's own build.
-std::string in_words(const Case& c, const Problem& problem);
 
 // --- for the tests ---
 

@@ -12,12 +12,14 @@ from bounce_grader.cli import main
 from bounce_grader.common.errors import UsageError
 from bounce_grader.common.paths import FIXTURES
 from bounce_study import measured_part
+from bounce_study.tables import number
 from measured import body as bodies
 from measured import flights, impacts, ladder, laws, rows, sorting, study
 from measured.body import Body, Impacts
 from measured.impacts import Air
 from measured.ladder import Grids, Group
 from measured.rows import Array, INTERVAL, Trial
+from studies import committed
 
 MEASURED = FIXTURES / "measured"
 NOISE = np.array([2e-5, 4e-5, 8e-4])
@@ -311,3 +313,15 @@ def test_a_file_that_is_not_there_or_cut_short_is_named(tmp_path: Path) -> None:
 def test_options_of_the_measured_part_are_for_it_alone(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["study", "depth", "--squares", "x.csv"]) == 2
     assert "are for ./kit study measured" in capsys.readouterr().err
+
+
+def test_in_the_fitted_bodys_metric_its_own_error_stays() -> None:
+    """And it differs from the published body's error in that body's metric, by r_g."""
+    known = committed()
+    in_metric = known["measured_findings"].where(about="metric")
+    errors = {row["hypothesis"]: number(row, "second_half") for row in in_metric}
+    own = {row["group"]: row for row in known["measured_bodies"].where(law="newton")}
+    assert set(errors) == set(own)
+    assert errors["fitted"] == pytest.approx(number(own["fitted"], "median_m_s"), rel=1e-3)
+    published = number(own["as published"], "median_m_s")
+    assert errors["fitted"] < errors["as published"] < published
