@@ -13,7 +13,7 @@ from bounce_grader.classroom.intake import adjustments, canvas_api, course, rost
 from bounce_grader.classroom.intake.canvas import is_name_of
 from bounce_grader.classroom.intake.canvas_api import Canvas
 from bounce_grader.classroom.intake.roster import Roster
-from bounce_grader.classroom.intake.students import Class, Student
+from bounce_grader.classroom.intake.student import Class, Student
 from bounce_grader.classroom.output import canvas_upload, final, outputs, page
 from bounce_grader.classroom.output.final import Rules
 from bounce_grader.classroom.output.gradebook import Gradebook

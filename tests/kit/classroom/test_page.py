@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 import stand_in
 from bounce_grader.classroom.intake import students
-from bounce_grader.classroom.intake.students import Class, Student, Unmatched
+from bounce_grader.classroom.intake.student import Class, Student, Unmatched
 from bounce_grader.classroom.output import charts, page
 from bounce_grader.classroom.output.charts import Point, Curve
 from bounce_grader.classroom.work import near_copies, progress

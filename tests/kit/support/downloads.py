@@ -4,6 +4,7 @@ import zipfile
 from pathlib import Path
 
 from bounce_grader.classroom.intake import handed_in, students
+from bounce_grader.classroom.intake.student import Student
 from bounce_grader.classroom.work.task import Stamp
 from bounce_grader.submission.submission import Submission
 
@@ -21,5 +22,5 @@ def inner_zip(tmp_path: Path, files: dict[str, bytes]) -> bytes:
     return download(tmp_path / "inner.zip", files).read_bytes()
 
 
-def to_grade(student: students.Student) -> Submission:
+def to_grade(student: Student) -> Submission:
     return handed_in.read(student.path, student.uploads)

@@ -8,10 +8,20 @@ from functools import lru_cache
 from pathlib import Path
 
 from bounce_grader.common.errors import UsageError
+from bounce_grader.submission.archives import is_archive
 from bounce_grader.submission.folders import SAFELY
 from bounce_grader.submission.zips import name_of
 
 FAILURES = (zipfile.BadZipFile, zlib.error, EOFError, OSError, ValueError, RuntimeError, KeyError)
+
+
+def is_file(path: Path) -> bool:
+    """Whether it is an ordinary file, and no link to one."""
+    return os.path.isfile(path) and not os.path.islink(path)
+
+
+def is_folder(path: Path) -> bool:
+    return os.path.isdir(path) and not os.path.islink(path)
 
 
 class Damaged(UsageError):
@@ -36,7 +46,7 @@ class Archive:
     def names(self) -> list[str]:
         if self._zip:
             return list(self._infos)
-        return sorted(name for name in os.listdir(self.path) if not _is_folder(self.path / name))
+        return sorted(name for name in os.listdir(self.path) if not is_folder(self.path / name))
 
     def size(self, name: str) -> int:
         if self._zip:
@@ -62,8 +72,15 @@ class Archive:
             raise UsageError(f"{name} can't be read from {self.path.name}: {error}") from error
 
 
-def _is_folder(path: Path) -> bool:
-    return os.path.isdir(path) and not os.path.islink(path)
+def zip_alone(folder: Path) -> Path | None:
+    """The zip, if it is all that a student's folder holds. None if the folder can't be listed."""
+    try:
+        names = [n for n in os.listdir(folder) if not n.startswith((".", "__MACOSX"))]
+    except OSError:
+        return None
+    inside = [folder / name for name in names]
+    alone = len(inside) == 1 and is_archive(inside[0].name) and is_file(inside[0])
+    return inside[0] if alone else None
 
 
 def opened(path: Path) -> Archive:

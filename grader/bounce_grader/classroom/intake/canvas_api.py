@@ -19,10 +19,11 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from bounce_grader.classroom.intake import students
 from bounce_grader.classroom.intake.archive import opened
 from bounce_grader.classroom.intake.canvas import sanitized, Upload
-from bounce_grader.classroom.intake.students import Class, Unmatched
+from bounce_grader.classroom.intake.from_canvas import take_uploads
+from bounce_grader.classroom.intake.student import Class, Unmatched
+from bounce_grader.classroom.intake.uploads import may_count, MOST_UPLOADS
 from bounce_grader.common.errors import KitError, UsageError
 from bounce_grader.common.escaping import printable_name
 from bounce_grader.common.files import fitting, write_whole
@@ -195,7 +196,7 @@ def download(canvas: Canvas, out: Path) -> Class:
             late[user] = max(1, math.ceil(float(submission.get("seconds_late") or 0) / 86400))
     uploads = {user: taken for user, taken in uploads.items() if taken}
     intake = Class("Canvas's API", service="canvas")
-    students.take_uploads(intake, opened(folder), uploads)
+    take_uploads(intake, opened(folder), uploads)
     intake.unmatched += missing.values()
     intake.students = [
         replace(s, person=names.get(s.id, ""), late_days=late.get(s.id, 0)) for s in intake.students
@@ -219,7 +220,7 @@ def _taken(canvas: Canvas, folder: Path, user: str, submission: dict[str, Any]) 
         upload = _upload(user, person, bool(submission.get("late")), attachment)
         uploads.append(upload)
         path = folder / upload.entry
-        if len(attachments) > students.MOST_UPLOADS or not students.may_count(upload.file):
+        if len(attachments) > MOST_UPLOADS or not may_count(upload.file):
             continue  # named, and never read
         if not path.exists():
             _fetch(canvas, str(attachment.get("url") or ""), path)

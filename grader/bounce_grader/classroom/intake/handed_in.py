@@ -13,7 +13,7 @@ from pathlib import Path
 from bounce_grader.classroom.intake import canvas
 from bounce_grader.classroom.intake.archive import opened, Archive
 from bounce_grader.classroom.intake.canvas import Upload
-from bounce_grader.classroom.intake.students import texts_of
+from bounce_grader.classroom.intake.uploads import texts_of
 from bounce_grader.common.errors import about_one_submission, UsageError
 from bounce_grader.submission import intake, submission
 from bounce_grader.submission.archives import is_archive

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from bounce_grader.classroom.intake import own_table
 from bounce_grader.classroom.intake.canvas import sanitized
-from bounce_grader.classroom.intake.students import Student
+from bounce_grader.classroom.intake.student import Student
 from bounce_grader.common.errors import UsageError
 
 NAME = "roster.csv"

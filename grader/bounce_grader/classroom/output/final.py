@@ -9,7 +9,7 @@ from bounce_grader.classroom.intake.adjustments import EVERYBODY, Adjustment
 from bounce_grader.classroom.intake.canvas import sanitized
 from bounce_grader.classroom.intake.course import Course
 from bounce_grader.classroom.intake.roster import Member, Roster
-from bounce_grader.classroom.intake.students import Student
+from bounce_grader.classroom.intake.student import Student
 from bounce_grader.classroom.work.summary import Applied, Final, Summary
 from bounce_grader.common.errors import UsageError
 from bounce_grader.common.manifest import parts

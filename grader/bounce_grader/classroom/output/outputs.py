@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 from bounce_grader.classroom.intake import canvas
 from bounce_grader.classroom.intake.course import Course
-from bounce_grader.classroom.intake.students import Class
+from bounce_grader.classroom.intake.student import Class
 from bounce_grader.classroom.output import gradebook, grades, history, page
 from bounce_grader.classroom.output.final import adjusted
 from bounce_grader.classroom.output.gradebook import Gradebook, Marks

@@ -9,7 +9,7 @@ from urllib.parse import quote
 
 from bounce_grader.assignment.hints import headings
 from bounce_grader.classroom.intake.course import Course
-from bounce_grader.classroom.intake.students import Class
+from bounce_grader.classroom.intake.student import Class
 from bounce_grader.classroom.output import charts
 from bounce_grader.classroom.output.charts import Bar, Point, Curve
 from bounce_grader.classroom.work.near_copies import MOST as MOST_PAIRS, Pair, Similar

@@ -7,7 +7,7 @@ from collections.abc import Callable, Generator, Mapping
 from contextlib import closing
 from pathlib import Path
 
-from bounce_grader.classroom.intake.students import Student
+from bounce_grader.classroom.intake.student import Student
 from bounce_grader.classroom.work import results
 from bounce_grader.classroom.work.log import Log
 from bounce_grader.classroom.work.progress import progress

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from bounce_grader.classroom.intake.canvas import sanitized
-from bounce_grader.classroom.intake.students import Class, Student
+from bounce_grader.classroom.intake.student import Class, Student
 from bounce_grader.classroom.work import results
 from bounce_grader.classroom.work.log import Log
 from bounce_grader.classroom.work.summary import of_result, Summary

@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from bounce_grader.classroom.intake.students import Student
+from bounce_grader.classroom.intake.student import Student
 from bounce_grader.common.escaping import first_few
 from bounce_grader.grading import speed
 

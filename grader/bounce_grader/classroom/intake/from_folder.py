@@ -1,0 +1,103 @@
+"""Finds each student's submission in a folder of folders or zips, or in a checkout of repositories."""
+
+import os
+from pathlib import Path
+
+from bounce_grader.classroom.intake import canvas
+from bounce_grader.classroom.intake.archive import is_file, is_folder, opened, zip_alone
+from bounce_grader.classroom.intake.student import Class, require_distinct, Student, Unmatched
+from bounce_grader.common.errors import about_one_submission, UsageError
+from bounce_grader.common.files import fitting
+from bounce_grader.common.manifest import parts
+from bounce_grader.submission import submission
+from bounce_grader.submission.archives import is_archive, stem as archive_stem
+from bounce_grader.submission.submission import part_file
+
+
+def read(path: Path, children: list[Path]) -> Class:
+    _require_a_folder_of_submissions(path, children)
+    folders = [c for c in children if is_folder(c)]
+    folders = [c for c in folders if not c.name.startswith((".", "__MACOSX"))]
+    folders = [c for c in folders if not _is_output(c)]
+    zips = [c for c in children if is_file(c) and is_archive(c.name)]
+    cloned = [folder for folder in folders if os.path.exists(folder / ".git")]
+    intake = Class("a folder of submissions")
+    cut = 0
+    if 2 * len(cloned) > len(folders) + len(zips):
+        cut = _common_prefix(path, cloned)
+        before = f", named {cloned[0].name[:cut]!r} and a login" if cut else ""
+        intake.source = f"a checkout of repositories{before}"
+        intake.logins = True
+        folders = cloned
+    for child in [*folders, *zips]:
+        name = child.name[cut:] if is_folder(child) else archive_stem(child.name)
+        submitted = zip_alone(child) or child
+        page = f"{fitting(name)}.html"
+        intake.students.append(Student(name, name, submitted, feedback=page))
+    left = [child for child in children if child not in folders and child not in zips]
+    intake.unmatched += [Unmatched(child.name, _no_submission(child)) for child in left]
+    require_distinct(intake.students)
+    if intake.students and not any(_has_a_part(student.path) for student in intake.students):
+        _require_no_download(path, zips)
+        raise UsageError(
+            f"no folder or zip in {path} holds a part, as {parts()[0].file}: it should be "
+            "Canvas's download, or a folder with one folder or zip a student"
+        )
+    return intake
+
+
+def _require_a_folder_of_submissions(path: Path, children: list[Path]) -> None:
+    """Raises UsageError if the folder is itself a submission. A student may be called src."""
+    own = (path / "src").iterdir() if (path / "src").is_dir() else ()
+    others = [c for c in children if c.name != "src" and (is_folder(c) or is_archive(c.name))]
+    in_src = any(map(_is_part, own)) and not any(map(_has_a_part, others))
+    if in_src or any(map(_is_part, children)):
+        raise UsageError(f"{path} is one submission, and no class: ./kit grade {path}")
+
+
+def _is_part(child: Path) -> bool:
+    return part_file(child.name) is not None and is_file(child)
+
+
+def _require_no_download(path: Path, zips: list[Path]) -> None:
+    """Raises UsageError if a zip here is Canvas's download. Called only if no submission has a
+    part, because a student's own zip may hold names like Canvas's."""
+    for child in zips:
+        try:
+            with about_one_submission("it can't be read"):
+                names = [name for name in opened(child).names() if "/" not in name]
+        except UsageError:
+            continue
+        if any(map(canvas.parse, names)):
+            raise UsageError(f"{path} holds a download of Canvas's: give {child} itself")
+
+
+def _is_output(folder: Path) -> bool:
+    return os.path.exists(folder / "log.jsonl") and os.path.isdir(folder / "results")
+
+
+def _no_submission(child: Path) -> str:
+    if child.name.startswith((".", "__MACOSX")):
+        return "is no submission"
+    if not is_folder(child):
+        return "is neither a folder nor a zip"
+    if _is_output(child):
+        return "was written by ./kit class, and is no submission"
+    return "is no repository, as the others are"
+
+
+def _has_a_part(path: Path) -> bool:
+    try:
+        return bool(submission.read(path).parts)
+    except UsageError:
+        return False
+
+
+def _common_prefix(path: Path, folders: list[Path]) -> int:
+    """The length of the assignment's name, with which each repository's name begins; the login
+    follows."""
+    named = path.name.removesuffix("-submissions") + "-"
+    if all(folder.name.startswith(named) for folder in folders):
+        return len(named)
+    common = os.path.commonprefix([folder.name for folder in folders])
+    return common.rfind("-") + 1 if len(folders) > 1 else 0

@@ -1,0 +1,63 @@
+"""A student's submission, what can't be graded, and a class of both."""
+
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from bounce_grader.classroom.intake.canvas import Upload
+from bounce_grader.common.errors import UsageError
+
+
+@dataclass(frozen=True)
+class Student:
+    """One submission: a person's, or a group's."""
+
+    id: str  # Canvas's user id, a login, or the name of a folder
+    name: str
+    path: Path  # the folder or zip; for Canvas, the whole download
+    uploads: tuple[Upload, ...] = ()  # for Canvas: the files that count
+    late: bool = False
+    feedback: str = ""  # the name of the feedback page
+    unused: tuple[str, ...] = ()  # a sentence for each file that doesn't count
+    person: str = ""  # the name in the grade book or the roster, as "Doe, Jane"
+    late_days: int = 0  # days begun after the due date, where that is known
+
+    @property
+    def shown(self) -> str:
+        """The name for people to read."""
+        return self.person or self.name
+
+
+@dataclass(frozen=True)
+class Unmatched:
+    """Something in SUBMISSIONS that can't be graded."""
+
+    name: str
+    reason: str  # continues a sentence that begins with the name
+    user: str = ""  # the user's id, if known
+    feedback: str = ""  # the name of the feedback page
+    page_text: str = ""  # the text of that page
+
+
+@dataclass
+class Class:
+    source: str  # what kind of folder or zip SUBMISSIONS is
+    students: list[Student] = field(default_factory=list)
+    unmatched: list[Unmatched] = field(default_factory=list)
+    logins: bool = False  # whether a student's id is a login of GitHub's, which students choose
+    service: str = ""  # "canvas", "moodle" or "blackboard", if it is a download of it
+
+    @property
+    def handed_in(self) -> int:
+        """How many students or groups submitted something, whatever it is."""
+        return len({s.id for s in self.students} | {u.user for u in self.unmatched if u.user})
+
+
+def require_distinct(students: list[Student]) -> None:
+    seen: dict[str, Path] = {}
+    for student in students:
+        if student.id in seen:
+            raise UsageError(
+                f"{seen[student.id].name} and {student.path.name} would both be {student.id}: "
+                "keep one of them"
+            )
+        seen[student.id] = student.path
