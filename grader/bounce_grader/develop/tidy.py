@@ -1,5 +1,5 @@
-"""Runs clang-tidy on our C++. It takes several seconds per file, mostly for headers of Eigen and
-the standard library, so only a long run checks every file."""
+"""Runs clang-tidy on our C++, as far as it is built here. It takes several seconds per file, mostly
+for headers of Eigen and the standard library, so only a long run checks every file."""
 
 import hashlib
 import json
@@ -21,14 +21,15 @@ CLEAN = BUILD / "tidied.json"  # {file: digest} of what was found clean
 def run(all_files: bool) -> int:
     """Checks the files that aren't known to be clean: all of them, or in a usual run those that
     changed last."""
-    digests = _digests()
+    folder, built = _commands()
+    digests = {file: digest for file, digest in _digests().items() if str(ROOT / file) in built}
     clean = json.loads(CLEAN.read_text()) if CLEAN.exists() else {}
     waiting = [file for file in _latest_first(digests) if clean.get(file) != digests[file]]
     chosen = waiting if all_files else waiting[:MOST]
     if not chosen:
         return 0
     unknown = "-extra-arg=-Wno-unknown-warning-option"  # g++'s own, in the build's flags
-    command = [sys.executable, "/usr/bin/run-clang-tidy", "-quiet", "-p", str(_commands()), unknown]
+    command = [sys.executable, "/usr/bin/run-clang-tidy", "-quiet", "-p", str(folder), unknown]
     command += ["-j", str(os.cpu_count() or 1), *(f"^{ROOT / file}$" for file in chosen)]
     done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
     if done.returncode:
@@ -40,15 +41,16 @@ def run(all_files: bool) -> int:
     return 0
 
 
-def _commands() -> Path:
+def _commands() -> tuple[Path, set[str]]:
     """Writes the build's commands for each file alone: without precompiled headers, which only g++
-    can read, and without the files that include several."""
+    can read, and without the files that include several. Returns the folder, and the files: those
+    of an engine that isn't installed aren't built."""
     entries = json.loads((BUILD / "compile_commands.json").read_text())
     folder = BUILD / "tidy"
     folder.mkdir(exist_ok=True)
     alone = [command for entry in entries for command in _alone(entry)]
     write_whole(folder / "compile_commands.json", json.dumps(alone))
-    return folder
+    return folder, {entry["file"] for entry in alone}
 
 
 def _alone(entry: dict[str, str]) -> list[dict[str, str]]:

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from bounce_grader.common.paths import BUILD
 from bounce_grader.develop import tidy
 
 
@@ -49,6 +50,18 @@ def test_each_file_has_a_command_of_its_own(stand_in: Tidy) -> None:
     }
     for file in (word.strip("^$") for word in stand_in.asked):
         assert commands[file].endswith(f" -c {file}")
+
+
+def test_a_file_that_is_not_built_here_is_not_called_clean(
+    stand_in: Tidy, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    entries = json.loads((BUILD / "compile_commands.json").read_text())
+    left = [entry for entry in entries if "solution/exact/scene.cpp" not in entry["file"]]
+    (tmp_path / "compile_commands.json").write_text(json.dumps(left))
+    monkeypatch.setattr(tidy, "BUILD", tmp_path)
+    assert tidy.run(all_files=True) == 0
+    assert stand_in.asked and not any("exact/scene.cpp" in file for file in stand_in.asked)
+    assert "solution/exact/scene.cpp" not in json.loads(tidy.CLEAN.read_text())
 
 
 def test_what_was_not_clean_is_looked_at_again(
