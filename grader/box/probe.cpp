@@ -9,9 +9,11 @@
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/ptrace.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
+#include <sys/sysinfo.h>
 #include <sys/uio.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -238,6 +240,22 @@ bool read_the_clock_of(const Arguments& words) {
   return ::syscall(SYS_clock_gettime, clock, &time) == 0;
 }
 
+// These tell that a process is there, too, and the last how many of all users are.
+bool read_the_cpus_of(const Arguments& words) {
+  cpu_set_t cpus;
+  return ::sched_getaffinity(std::stoi(words.at(0)), sizeof cpus, &cpus) == 0;
+}
+
+bool read_the_limits_of(const Arguments& words) {
+  rlimit limits = {};
+  return ::prlimit(std::stoi(words.at(0)), RLIMIT_NOFILE, nullptr, &limits) == 0;
+}
+
+bool count_processes(const Arguments&) {
+  struct sysinfo about = {};
+  return ::sysinfo(&about) == 0 && about.procs > 0;
+}
+
 bool trace(const Arguments& words) {
   return ::ptrace(PTRACE_SEIZE, std::stoi(words.at(0)), nullptr, nullptr) == 0;
 }
@@ -274,6 +292,9 @@ const std::map<std::string, Attempt> kAttempts = {
     {"descriptors", use_inherited_descriptors},
     {"signal", signal_to},
     {"clock", read_the_clock_of},
+    {"cpus", read_the_cpus_of},
+    {"limits", read_the_limits_of},
+    {"count", count_processes},
     {"trace", trace},
     {"privileges", have_privileges},
     {"namespace", make_a_namespace},

@@ -13,40 +13,43 @@ namespace {
 
 struct Outcome {
   std::size_t wrong = 0;
+  bool ended = false;
   std::string told;  // the first wrong case, or the one at which the program ended
 };
 
-Outcome ask_all(const std::vector<Case>& cases, Ask ask) {
+Outcome ask_all(const std::vector<Case>& cases, Ask ask, bool tells) {
   Outcome outcome;
   for (const Case& c : cases) {
-    bool ended = false;
     Problem problem;
     about_to_ask(c);
     try {
       problem = ask(c);
     } catch (const Ended& end) {
       problem.sentence = end.what();
-      ended = true;
+      outcome.ended = true;
     } catch (const std::exception& thrown) {
       problem.sentence = thrown.what();
     }
-    if (!problem.empty() && (outcome.wrong++ == 0 || ended)) {
+    if (!problem.empty() && (outcome.wrong++ == 0 || outcome.ended) && tells) {
       outcome.told = (outcome.wrong == 1 ? "the first: " : "the last: ") + c.name +
                      (c.hidden ? " (a hidden case)" : "") + "\n" + c.input + "\n" +
                      in_words(c, problem);
     }
-    if (ended) break;
+    if (outcome.ended) break;
   }
   return outcome;
 }
 
-// Reports the first wrong case, and how many are wrong.
-bool all_right(const std::vector<Case>& cases, Ask ask, const std::string& when) {
-  const Outcome outcome = ask_all(cases, ask);
-  if (outcome.wrong == 0) return true;
-  ADD_FAILURE() << outcome.wrong << " of " << cases.size() << " cases wrong" << when
-                << (when.empty() ? "; " : " ") << outcome.told;
-  return false;
+// Reports the first wrong case, and how many are wrong, unless the check has failed before. Returns
+// whether the program can be asked more.
+bool ask_and_report(const std::vector<Case>& cases, Ask ask, const std::string& when) {
+  const bool tells = !testing::Test::HasFailure();
+  const Outcome outcome = ask_all(cases, ask, tells);
+  if (outcome.wrong > 0 && tells) {
+    ADD_FAILURE() << outcome.wrong << " of " << cases.size() << " cases wrong" << when
+                  << (when.empty() ? "; " : " ") << outcome.told;
+  }
+  return !outcome.ended;
 }
 
 std::string running_check() {
@@ -58,13 +61,14 @@ std::string running_check() {
 
 void for_each_case(Ask ask) {
   std::vector<Case> cases = cases_of(running_check());
-  if (!all_right(cases, ask, "")) return;
+  if (!ask_and_report(cases, ask, "")) return;
   std::reverse(cases.begin(), cases.end());
-  all_right(cases, ask,
-            " when asked again in another order, though right before: is something kept from one "
-            "call to the next?");
+  ask_and_report(
+      cases, ask,
+      " when asked again in another order, though right before: is something kept from one "
+      "call to the next?");
 }
 
-void for_each_case_once(Ask ask) { all_right(cases_of(running_check()), ask, ""); }
+void for_each_case_once(Ask ask) { ask_and_report(cases_of(running_check()), ask, ""); }
 
 }  // namespace bounce::tests

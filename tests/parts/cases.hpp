@@ -74,9 +74,10 @@ std::vector<Case> read_all_cases(std::istream& file);
 // Asks a question, and returns what is wrong with the answer.
 using Ask = Problem (*)(const Case&);
 
-// Asks every case of the running check, public ones first, and where all are right, once more in
-// reverse order, in which they must be right again. Reports the first wrong case, and how many are
-// wrong. An exception is a wrong answer, too; Ended also ends the check.
+// Asks every case of the running check, public ones first, and then once more in reverse order, in
+// which they must be right again. Reports the first wrong case, and how many are wrong. What is
+// asked doesn't depend on what was right: a program would learn from it, and guess again in the
+// next check. An exception is a wrong answer, too; Ended also ends the check.
 void for_each_case(Ask ask);
 
 // The same in one order alone, for questions that are asked twice by themselves.

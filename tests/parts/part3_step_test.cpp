@@ -70,7 +70,7 @@ TEST(part3, MovesWithTheNewVelocity) {
     return compare(c, "q' - q - dt v', the lift", kConfiguration, lift,
                    got.q - c.q - c.params.dt * got.v);
   });
-  if (!HasFailure()) for_each_case_once(compare_chain);
+  for_each_case_once(compare_chain);
 }
 
 TEST(part3, TakesEveryNumberFromTheParameters) {

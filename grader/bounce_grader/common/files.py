@@ -1,6 +1,7 @@
 """Writes files atomically, and removes temporary ones that a killed process left."""
 
 import fcntl
+import hashlib
 import os
 import shutil
 import tempfile
@@ -48,9 +49,13 @@ def _flush_folder(folder: Path) -> None:
 
 
 def fitting(name: str, most: int = 200) -> str:
-    """Cuts a name to at most so many bytes; a file system allows 255."""
-    cut = os.fsencode(name)[:most]
-    return name if cut == os.fsencode(name) else cut.decode(errors="ignore")
+    """Cuts a name to at most so many bytes; a file system allows 255. Digits in place of what is
+    cut off tell two long names apart."""
+    whole = os.fsencode(name)
+    if len(whole) <= most:
+        return name
+    digits = hashlib.sha256(whole).hexdigest()[:8]
+    return f"{whole[: most - 9].decode(errors='ignore')}-{digits}"
 
 
 @contextmanager

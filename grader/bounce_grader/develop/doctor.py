@@ -146,6 +146,11 @@ def _protections(marker: str, file: IO[str], home: IO[str], port: int) -> list[P
         Protection("connects to nothing", [["connect", str(port)]]),
         Protection("signals no process of yours", [["signal", me]]),
         Protection("sees no clock of your processes", [["clock", me]], ("run", "check")),
+        Protection(
+            "can't tell whether a process is there",
+            [["cpus", me], ["limits", me], ["count"]],
+            ("run", "check"),
+        ),
         Protection("traces no process of yours", [["trace", me]]),
         Protection("has no privileges", [["privileges"]]),
         Protection("makes no namespaces", [["namespace"]]),

@@ -30,6 +30,7 @@ SANITIZED = (
     "fuzz_terminations",
 )
 EXTENTS = ("quick", "usual", "long")
+WORKERS = 2 * (os.cpu_count() or 1)  # a third of the tests' time is waiting
 
 
 @dataclass(frozen=True)
@@ -123,7 +124,7 @@ def _fixtures() -> int:
 
 
 def _ctest() -> int:
-    return _quietly("ctest", "--test-dir", str(BUILD), "--output-on-failure")
+    return _quietly("ctest", "--test-dir", str(BUILD), "--output-on-failure", "-j", str(WORKERS))
 
 
 def _sanitized() -> int:
@@ -132,11 +133,11 @@ def _sanitized() -> int:
     return (
         _quietly("cmake", "--preset", "sanitize")
         or _quietly("ninja", "-C", folder, *SANITIZED)
-        or _quietly("ctest", "--test-dir", folder, "--output-on-failure", "-j", "2")
+        or _quietly("ctest", "--test-dir", folder, "--output-on-failure", "-j", str(WORKERS))
     )
 
 
 def _pytest(extent: str) -> int:
     chosen = {"quick": ["-m", "not slow and not long"], "usual": ["-m", "not long"]}.get(extent, [])
-    workers = ["-n", str(os.cpu_count() or 1), "--dist", "loadgroup"]
+    workers = ["-n", str(WORKERS), "--dist", "loadgroup"]
     return _command(sys.executable, "-m", "pytest", "-q", *workers, *chosen)

@@ -48,7 +48,7 @@ def grade(given: Path | Submission, options: Options = Options()) -> Record:
         grading = _Grading(taken, objects, work, hidden, box)
         compiled = time.monotonic()
         grading.judge_together(jobs)
-        parallel_map(grading.judge_alone, parts(), jobs)
+        grading.judge_alone(jobs)
         records = [grading.record_of(part) for part in parts()]
         if not any(r["score"] for r in records):
             _require_working_kit(Box(box.kind))
@@ -92,6 +92,7 @@ class _Grading:
         self.hidden, self.box = hidden, box
         self.together: Path | None = None  # the runner with all parts, if they link
         self.own: dict[Part, Judged] = {}
+        self.alone: dict[Part, Built | Overrun] = {}  # the runners of those judged alone
         self.best: dict[Part, Judged] = {}
         self.failed: dict[Part, Record] = {}  # parts of which no line could be run
 
@@ -107,8 +108,23 @@ class _Grading:
                 now = [part for part in parts() if bool(part.calls) == calling]
                 parallel_map(partial(self._judge_own, runner), now, jobs)
 
-    def judge_alone(self, part: Part) -> None:
-        """Judges a part alone if that could score better, and takes the better result."""
+    def judge_alone(self, jobs: int) -> None:
+        """Judges each part alone that could score better, and takes the better result. One after
+        the other: side by side, the given answers of a later part could reach an earlier one, by
+        whatever two programs notice of each other, as how busy the machine is."""
+        now = [part for part in parts() if not self._problem(part) and self._could_be_better(part)]
+        parallel_map(self._link_alone, now, jobs)
+        for part in parts():
+            self._take_better(part)
+
+    def _link_alone(self, part: Part) -> None:
+        runner = self.work / f"alone{part.number}"
+        try:
+            self.alone[part] = linking.link_alone(part, self.objects, runner, self.box)
+        except Overrun as overrun:
+            self.alone[part] = overrun
+
+    def _take_better(self, part: Part) -> None:
         try:
             tries = self._tries(part)
         except Overrun as overrun:
@@ -135,9 +151,10 @@ class _Grading:
             self.failed[part] = record.failed_part(part, *problem)
             return []
         tries = [self.own[part]] if part in self.own else []
-        if not tries or self._could_be_better(part, tries[0]):
-            runner = self.work / f"alone{part.number}"
-            alone = linking.link_alone(part, self.objects, runner, self.box)
+        if self._could_be_better(part):
+            alone = self.alone[part]
+            if isinstance(alone, Overrun):
+                raise alone
             if alone.path:
                 tries.append(self._judge(alone.path, bool(part.calls), part, recognise=True))
             elif not tries:
@@ -154,10 +171,13 @@ class _Grading:
             part, runner, given, self.hidden, self.box, recognise=recognise, files=files
         )
 
-    def _could_be_better(self, part: Part, own: Judged) -> bool:
+    def _could_be_better(self, part: Part) -> bool:
         """Whether the part might score more alone: there, neither earlier parts nor code that other
         files run before main can harm it. If it hung while another part answered, code before main
         wasn't the reason."""
+        if part not in self.own:
+            return True
+        own = self.own[part]
         if own.score(part) == part.points:
             return False
         hangs_by_itself = own.status == "timed_out" and any(

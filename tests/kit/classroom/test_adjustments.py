@@ -43,6 +43,7 @@ HEADER = "student,points,percent,late_days,cap,drop,reason,comment\n"
         ("l101,-4,,,,,by the login,", lambda points: points - 4),
     ],
 )
+@pytest.mark.usual(3)
 def test_points_are_changed_for_one_student_with_the_reason(
     tmp_path: Path, users: list[int], row: str, change: Any
 ) -> None:

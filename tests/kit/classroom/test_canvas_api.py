@@ -130,6 +130,7 @@ def test_lateness_is_counted_in_days(
 @pytest.mark.parametrize(
     "name", ["../../../evil.cpp", "a/b.cpp", "x" * 300 + ".cpp", ".cpp", "\x00"]
 )
+@pytest.mark.usual(3)
 def test_no_name_of_a_file_leads_out_of_the_folder(
     tmp_path: Path, server: State, monkeypatch: pytest.MonkeyPatch, name: str
 ) -> None:
@@ -157,6 +158,7 @@ def test_no_name_of_a_file_leads_out_of_the_folder(
         "http://127.0.0.1:port/",
     ],
 )
+@pytest.mark.usual(4)
 def test_a_file_that_cannot_be_had_costs_no_other_student_the_grading(
     tmp_path: Path,
     server: State,

@@ -179,6 +179,7 @@ def test_grading_again_is_in_the_log_though_the_kit_is_the_same(
 
 
 @pytest.mark.parametrize("chosen", ["student=Doe, Jane", "student=Doe*", "student=101"])
+@pytest.mark.usual(1)
 def test_a_student_is_chosen_by_the_name_of_the_grade_book(
     tmp_path: Path, users: list[int], chosen: str
 ) -> None:

@@ -41,6 +41,7 @@ def points(number: int, tmp_path: Path) -> str:
 
 
 @pytest.mark.parametrize("form", ["/", "_/", "_"])
+@pytest.mark.usual(1)
 def test_moodles_worksheet_gets_the_points_of_each_participant(tmp_path: Path, form: str) -> None:
     sheet = services.worksheet(
         tmp_path / "sheet.csv", {FIRST + 1: "7.00", FIRST + 2: "-"}, locked=5
@@ -148,6 +149,7 @@ def blackboard_class(path: Path) -> Path:
 
 
 @pytest.mark.parametrize("kind", ["utf-16", "utf-8"])
+@pytest.mark.usual(1)
 def test_blackboards_file_gets_the_points_of_each_user(tmp_path: Path, kind: str) -> None:
     suffix = "xls" if kind == "utf-16" else "csv"
     grades = {USERS[1]: "7", USERS[2]: "Needs Grading(0.00)"}

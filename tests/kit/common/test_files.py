@@ -49,3 +49,10 @@ def test_nothing_but_folders_of_ours_goes(tmp_path: Path, monkeypatch: pytest.Mo
         assert folder.is_dir()
     left = {path.name for path in tmp_path.iterdir()}
     assert left == {"mine", f"{WORK_FOLDER}file", f"{WORK_FOLDER}link"}
+
+
+def test_long_names_are_cut_and_stay_two() -> None:
+    first, second = (files.fitting("\u00fc" * 200 + end) for end in "ab")
+    assert first != second
+    assert all(180 < len(name.encode()) <= 200 for name in (first, second))
+    assert files.fitting("\u00fc" * 100) == "\u00fc" * 100

@@ -77,6 +77,7 @@ TAKES_LONG = {
     *("hostile/part1_hangs_before_main", "hostile/part1_ignores_its_cpu_limit"),
     *("hostile/part1_prints_without_pause_and_aborts", "hostile/part1_tower_of_macros"),
     *("hostile/part2_traps_every_rounding", "hostile/part3_indirect_function_traps"),
+    "hostile/part3_asks_the_box_next_door",
     *("hostile/part4_constructor_crashes", "hostile/part4_sends_half_of_its_columns"),
 }
 
@@ -86,14 +87,14 @@ def test_entries_that_take_long_are_in_the_gallery() -> None:
 
 
 def run_of(number: int, folder: Path) -> list[pytest.MarkDecorator]:
-    """One in twelve is in the quick run. The usual one grades every second; of the right ones one in
-    three; of the mistakes, which differ in their numbers and not in how they run, one in six, and
-    there the judge sees all."""
+    """One in twenty-four is in the quick run. The usual one grades every third; of the right ones
+    one in six; of the mistakes, which differ in their numbers and not in how they run, one in
+    twelve, and there the judge sees all."""
     if name_of(folder) in TAKES_LONG:
         return [pytest.mark.long]
-    if number % 12 == 0:
+    if number % 24 == 0:
         return []
-    one_in = {"accepted": 3, "mistakes": 6}.get(folder.parent.name, 2)
+    one_in = {"accepted": 6, "mistakes": 12}.get(folder.parent.name, 3)
     return [pytest.mark.long if number % one_in else pytest.mark.slow]
 
 

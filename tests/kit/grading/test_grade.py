@@ -59,29 +59,47 @@ def kit(*arguments: str, **environment: str) -> subprocess.CompletedProcess[str]
 # --- points ---
 
 
-def test_the_solution_gets_every_point() -> None:
-    record = grade_path(SOLUTION)
-    assert record["score"] == 100 and points(record) == FULL
-    assert {part["graded_with"] for part in record["parts"]} == {"own"}
+def test_parts_with_given_answers_are_judged_one_after_the_other(
+    grade: Grade, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Side by side, an answer that is given to a later part could reach an earlier one."""
+    running, judged, original = [0], [], judging.judge
+
+    def counted(*arguments: Any, **named: Any) -> judging.Judged:
+        running[0] += 1
+        judged.append((arguments[0].number, running[0]))
+        try:
+            return original(*arguments, **named)
+        finally:
+            running[0] -= 1
+
+    monkeypatch.setattr(judging, "judge", counted)
+    twice = {file: text + b"\nint defined_twice;\n" for file, text in solution_files().items()}
+    assert points(grade({**twice})) == FULL
+    assert judged == [(1, 1), (2, 1), (3, 1), (4, 1)]
 
 
-def test_the_untouched_stubs_get_none_and_four_kind_lines() -> None:
-    done = kit("grade", str(ROOT / "student"))
-    assert done.returncode == 0 and done.stdout.startswith("Score 0 / 100")
-    assert done.stdout.count("nothing is filled in yet: start at the TODO in part") == 4
-
-
-def test_stubs_with_a_comment_are_run_and_get_none(tmp_path: Path) -> None:
-    stubs = {f.name: b"// mine\n" + f.read_bytes() for f in (ROOT / "student/src").glob("*.cpp")}
-    record = grade_path(write(tmp_path, stubs))
-    assert points(record) == [0, 0, 0, 0]
-    assert {part["status"] for part in record["parts"]} == {"graded"}
-    assert all(check["message"] for part in record["parts"] for check in part["checks"])
+@pytest.mark.parametrize("sign", ["", "-"], ids=["right", "wrong"])
+def test_what_is_asked_does_not_tell_what_was_right(grade: Grade, sign: str) -> None:
+    """Else a program that guesses would learn from the next question whether it guessed rightly, as
+    one that counts them here."""
+    folders = (fixtures.PUBLIC, fixtures.hidden_folder())
+    files = [json.loads((folder / "part1_contacts.json").read_text()) for folder in folders]
+    cases = sum(len(check) for file in files for check in file["checks"].values())
+    solution = solution_files()["part1_contacts.cpp"].decode()
+    assert "J_t(1, 0, -r.y());" in solution
+    for number, status in ((2 * cases, "crashed"), (2 * cases + 1, "graded")):
+        counting = f"static int asked = 0; if (++asked == {number}) std::abort(); Vector3 "
+        changed = f"{counting}J_t(1, 0, -r.y()); J_t = {sign}J_t;"
+        part1 = solution.replace("const Vector3 J_t(1, 0, -r.y());", changed)
+        record = grade({"part1_contacts.cpp": f"#include <cstdlib>\n{part1}".encode()})
+        assert record["parts"][0]["status"] == status
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("part", [1, *(pytest.param(n, marks=pytest.mark.long) for n in (2, 4)), 3])
 @pytest.mark.parametrize("fault", FAULTS)
+@pytest.mark.usual(4)
 def test_a_fault_costs_its_own_part_alone(grade: Grade, part: int, fault: str) -> None:
     body, status, sentence = FAULTS[fault]
     record = grade({parts()[part - 1].file: source(part, body or NAN_ANSWERS[part])})

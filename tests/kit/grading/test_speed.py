@@ -101,6 +101,7 @@ BUILT_FOR_SPEED = {
 
 
 @pytest.mark.parametrize("name", BUILT_FOR_SPEED)
+@pytest.mark.usual(1)
 def test_what_answers_otherwise_built_for_speed_has_no_curve(tmp_path: Path, name: str) -> None:
     record = graded(tmp_path, around(f"\n{BUILT_FOR_SPEED[name]}"))
     assert record["score"] == record["max_score"]
@@ -120,6 +121,7 @@ def test_what_answers_otherwise_built_for_speed_has_no_curve(tmp_path: Path, nam
     ["own_lcp_solver_by_enumeration", "contact_by_cases", "c_arrays_and_loops"]
     + ["jacobian_by_complex_step", "corner_in_closed_form", "dynamic_matrices_and_lu"],
 )
+@pytest.mark.usual(1)
 def test_who_rounds_otherwise_is_right(tmp_path: Path, name: str) -> None:
     files = {f.relative_to(ACCEPTED / name).as_posix(): f for f in (ACCEPTED / name).rglob("*.?pp")}
     changes = {file: path.read_bytes() for file, path in files.items()}
@@ -160,6 +162,7 @@ WRONG = {
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", WRONG)
+@pytest.mark.usual(2)
 def test_what_is_wrong_somewhere_has_no_times(tmp_path: Path, name: str) -> None:
     record = graded(tmp_path, WRONG[name])
     assert set(record["speed"]) == {"otherwise", "largest_error"}
@@ -222,6 +225,7 @@ CUT = {
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", CUT)
+@pytest.mark.usual(2)
 def test_who_goes_too_far_is_cut_and_loses_nothing_by_it(tmp_path: Path, name: str) -> None:
     part4, reason = CUT[name]
     record = graded(tmp_path, part4)

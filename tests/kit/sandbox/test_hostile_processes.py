@@ -127,6 +127,7 @@ SPENDING = {
 
 @pytest.mark.slow
 @pytest.mark.parametrize("way", SPENDING)
+@pytest.mark.usual(2)
 def test_a_part_that_hangs_costs_three_seconds_at_most(tmp_path: Path, way: str) -> None:
     """Two runners of one second of CPU time each, and a second for what ends them late. Other parts
     are asked beside it, and take hardly any."""

