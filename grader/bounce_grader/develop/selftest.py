@@ -30,7 +30,7 @@ SANITIZED = (
     "fuzz_terminations",
 )
 EXTENTS = ("quick", "usual", "long")
-WORKERS = 2 * (os.cpu_count() or 1)  # a third of the tests' time is waiting
+WORKERS = (os.cpu_count() or 1) + 1  # a part of the tests' time is waiting
 
 
 @dataclass(frozen=True)
@@ -70,7 +70,7 @@ def _steps(extent: str) -> list[Step]:
         Step("fixtures are what the kit writes", _fixtures),
         Step("C++ tests", _ctest),
         Step("lint: clang-tidy", lambda: tidy.run(all_files=extent == "long"), "usual", True),
-        Step("known mistakes: what the gallery is taken for", confusion.run, parallel=True),
+        Step("known mistakes: what the gallery is taken for", confusion.run, "long", True),
         Step("C++ tests with sanitizers", _sanitized, "long", True),
         Step("Python tests, the gallery among them", lambda: _pytest(extent), parallel=True),
         Step(

@@ -14,7 +14,7 @@ from conftest import ROOT
 from fuzzing import nasty, nasty_words
 from fuzzing.attacks import some_attack
 
-COUNT, FIRST = 20, 7040
+COUNT, FIRST = 10, 7040
 # Programs that replace the kit.
 LEAKING = """
 import os, subprocess, sys

@@ -24,7 +24,7 @@ from mutation.trial import (
 )
 
 FILES = [*(part.file for part in parts()), *files_of_styles()]
-EVERY = 5  # the usual run tries one in this many changes
+EVERY = 10  # the usual run tries one in this many changes
 QUESTIONS = {1: 20000, 2: 20000, 3: 20000, 4: 2000}
 TOLD_APART = {
     "return {J, q(1) [-+-]{+-+} r.y()};",

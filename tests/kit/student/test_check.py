@@ -139,6 +139,9 @@ def test_each_kind_of_failure_is_named_and_hides_no_other_part(home: Path) -> No
     unlinked = first(check(home, "1"))
     assert "get_contacts" in unlinked and "ld returned" not in unlinked, unlinked
 
+
+@pytest.mark.long
+def test_each_way_to_end_is_named_and_hides_no_other_part(home: Path) -> None:
     put(home, BROKEN / "part2_aborts")
     ended = check(home)
     assert "Part 1  Contact distance and Jacobian                          30 / 30" in ended.stdout

@@ -125,6 +125,11 @@ def test_studies_the_students_own_parts(home: Path) -> None:
     assert "by up to 2.82 mm up and down and 5.63 cm along the ground" in said
     assert "Some checks fail" not in page.read_text() and not re.search("https?:", page.read_text())
 
+
+@pytest.mark.long
+@pytest.mark.xdist_group("student")
+def test_a_study_tells_what_keeps_a_wrong_part_from_the_truth(home: Path) -> None:
+    page = home / "study.html"
     put(home, MISTAKES / "part3_friction_sign")
     wrong = check(home, "--study")
     assert wrong.returncode == 1 and "Some checks fail" in page.read_text()
@@ -224,13 +229,24 @@ def test_asks_the_students_own_part_2_about_measured_impacts(home: Path) -> None
     assert "what is left is the error of the law, not of your program" in sentences(page)
     assert "Checks of part 2" not in page.read_text() and not re.search("https?:", page.read_text())
 
-    for mistake, error in WRONG_ON_REAL.items():
-        put(home, MISTAKES / mistake)
-        assert check(home, "2", "--real").returncode == 1
-        assert bars(page)["your form_lcp"] == error
-        assert "what is more comes from your program" in sentences(page)
-        assert "Checks of part 2 fail" in page.read_text()
 
+@pytest.mark.slow
+@pytest.mark.xdist_group("student")
+@pytest.mark.parametrize("mistake", WRONG_ON_REAL)
+@pytest.mark.usual(1)
+def test_measured_impacts_tell_what_comes_from_the_program(home: Path, mistake: str) -> None:
+    page = home / "real.html"
+    put(home, MISTAKES / mistake)
+    assert check(home, "2", "--real").returncode == 1
+    assert bars(page)["your form_lcp"] == WRONG_ON_REAL[mistake]
+    assert "what is more comes from your program" in sentences(page)
+    assert "Checks of part 2 fail" in page.read_text()
+
+
+@pytest.mark.long
+@pytest.mark.xdist_group("student")
+def test_measured_impacts_may_show_nothing_of_what_the_checks_find(home: Path) -> None:
+    page = home / "real.html"
     put(home, MISTAKES / "part2_force_is_g")
     check(home, "2", "--real")
     assert "what the checks find doesn't show in an impact" in sentences(page)
@@ -241,7 +257,7 @@ def test_asks_the_students_own_part_2_about_measured_impacts(home: Path) -> None
     assert "solve_lcp finds no solution to your V and p, so that there is no" in sentences(page)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.xdist_group("student")
 def test_measured_impacts_need_part_2_alone(home: Path) -> None:
     page = home / "real.html"
