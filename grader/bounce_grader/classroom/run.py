@@ -48,7 +48,8 @@ def run(request: Request) -> int:
 def _whole(request: Request) -> int:
     book = _gradebook(request)
     others = book.people(of_canvas=False) if book else {}
-    listed = roster.read(request.out).named(others)
+    same_person = book.same_person() if book else {}
+    listed = roster.read(request.out).named(others, same_person)
     own = (course.read(request.out), listed, adjustments.read(request.out))
     for folder in request.corpus:
         students.read(folder)  # so that a wrong one is said now
@@ -58,7 +59,9 @@ def _whole(request: Request) -> int:
     else:
         intake = students.read(request.submissions, book.people() if book else {})
     _require_the_same_service(request, book, intake)
-    rules = Rules(*own, book.same_person() if book else {}, intake.logins)
+    people = {**others, **listed.people()}
+    names = {same_person[id]: name for id, name in people.items() if id in same_person}
+    rules = Rules(*own, same_person, names, intake.logins)
     if book and intake.logins and not rules.roster:
         raise UsageError(
             f"{request.gradebook} can't be matched with logins of GitHub's, which students choose: "

@@ -14,6 +14,7 @@ from bounce_grader.sandbox.box import FOLDER, Box
 
 WAIT = processes.Limits(cpu_seconds=30, wall_seconds=120, memory=4 << 30, file_size=FOLDER)
 CURVES = ("submission", "solution", "least")
+LEAST_RATIO = 0.05
 STEP = 1e-3  # s: the dt at which the time of a step is reported
 FINE = 1e-3  # m: errors up to this are near enough
 WRONG = "a trajectory is timed only where every column is right, and one is not"
@@ -90,14 +91,15 @@ def _error(x: object) -> float | None:
 
 
 def _step(measured: Measured) -> Measured:
-    """Nanoseconds per step over all scenes, and the ratio to the solution's. Empty if
-    a scene wasn't timed."""
+    """Nanoseconds per step over all scenes, and the ratio to the solution's. Empty if a scene wasn't
+    timed, or the ratio is so small that something else was timed: such a program may replace what
+    hands its answers over."""
     mine, solution = curve(measured, "submission"), curve(measured, "solution")
     both = [pair for pair in zip(mine, solution) if pair[0].dt >= STEP]
     if not both:
         return {}
     own, solutions = (round(point.ns * point.dt, 1) for point in both[-1])
-    if not solutions:
+    if not own > LEAST_RATIO * solutions > 0:
         return {}
     return {"submission_ns": own, "solution_ns": solutions, "ratio": own / solutions}
 

@@ -174,6 +174,41 @@ def test_a_group_that_takes_anothers_name_costs_nobody_points(tmp_path: Path) ->
     assert any("points of several submissions" in row["needs a look"] for row in rows.values())
 
 
+BOOK = f"Student,ID,SIS Login ID,Section,{COLUMN}\n    Points Possible,,,,100\n"
+NAMED = '"Victim, Ann",302,ann,S,\n"Mallory, Max",666,mal,S,\n"Roe, Max",303,max,S,\n'
+
+
+def of_book(tmp_path: Path, files: dict[str, str], uploads: dict[str, bytes]) -> dict[str, str]:
+    """The column of a grade book with names."""
+    out, export = tmp_path / "out", tmp_path / "named.csv"
+    write(out, {name: text.encode() for name, text in files.items()})
+    export.write_text(BOOK + NAMED)
+    source = download(tmp_path / "z.zip", [], uploads)
+    assert grade_class(source, out, gradebook=export, columns={0: COLUMN}) == 0
+    return column(out / "gradebook.csv")
+
+
+def test_who_is_no_member_of_a_group_gives_it_no_points_by_taking_its_name(tmp_path: Path) -> None:
+    files = {"roster.csv": "submission,id\nteam one,302\nteam one,303\n"}
+    filled = of_book(tmp_path, files, {"teamone_666_6660_part2_lcp.cpp": text_of(1)})
+    assert filled["302"] == filled["303"] == "" and filled["666"]
+
+
+@pytest.mark.parametrize("handed_in", [False, True])
+def test_what_is_written_for_a_name_is_not_for_who_takes_it(
+    tmp_path: Path, handed_in: bool
+) -> None:
+    files = {"adjustments.csv": HEADER + '"Roe, Max",5,,,,,ill: see the dean,\n'}
+    uploads = {"roemax_666_6660_part2_lcp.cpp": b"// nothing"}
+    if handed_in:
+        uploads["roemax_303_3030_part2_lcp.cpp"] = b"// nothing"
+    filled = of_book(tmp_path, files, uploads)
+    own = float(filled["666"])  # of the same text
+    assert filled["303"] == (f"{own + 5:.2f}" if handed_in else "")
+    page = tmp_path / "out" / "feedback" / "roemax_666_6660_feedback.html"
+    assert "dean" not in page.read_text()
+
+
 def checkout(tmp_path: Path, logins: list[str]) -> Path:
     folder = tmp_path / "hw3-submissions"
     for login in logins:

@@ -278,6 +278,13 @@ def test_the_sentence_says_when_it_never_is() -> None:
     ]
 
 
+@pytest.mark.parametrize("times, told", [(0.2, True), (0.01, False), (0.0001, False)])
+def test_no_ratio_is_told_of_what_nothing_could_compute(times: float, told: bool) -> None:
+    mine = [(dt, times * ns, error) for dt, ns, error in RIGHT]
+    answer = {k: v for k, v in found(mine, RIGHT, LEAST).items() if k != "ratio"}
+    assert ("ratio" in speed.read(json.dumps(answer).encode())) == told
+
+
 def test_a_scene_that_was_cut_ends_the_curve_of_all() -> None:
     made = found(RIGHT, RIGHT, LEAST)
     made["scenes"].append({**made["scenes"][0], "seconds": 1.5})

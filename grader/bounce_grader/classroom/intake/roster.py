@@ -22,8 +22,11 @@ class Member(NamedTuple):
 
 
 class Roster:
-    def __init__(self, members: dict[str, list[Member]]) -> None:
+    def __init__(
+        self, members: dict[str, list[Member]], same_person: Mapping[str, str] = {}
+    ) -> None:
         self._members = members
+        self._same_person = same_person
         self._by_name = {name.casefold(): of for name, of in members.items()}
         self._as_in_canvas = {sanitized(name): of for name, of in members.items()}
 
@@ -31,22 +34,32 @@ class Roster:
         return bool(self._members)
 
     def of(self, student: Student) -> list[Member]:
-        """The members of a submission; none if the roster doesn't name it."""
-        for name in (student.id, student.name):
-            found = self._by_name.get(name.casefold())
-            if not found and student.uploads:
-                found = self._as_in_canvas.get(name)
-            if found:
-                return found
-        return []
+        """The members of a submission; none if the roster doesn't name it. A name is one that its
+        students chose: where the grade book knows who handed in, and the members, that person has
+        to be one of them."""
+        own = self._by_name.get(student.id.casefold(), [])
+        if own:
+            return own
+        named = self._by_name.get(student.name.casefold(), [])
+        if not named and student.uploads:
+            named = self._as_in_canvas.get(student.name, [])
+        known = {self._same_person[m.id] for m in named if m.id in self._same_person}
+        person = self._same_person.get(student.id)
+        return named if not known or not person or person in known else []
 
-    def named(self, people: Mapping[str, str]) -> "Roster":
-        """The same, with the names of the grade book where it has none of its own."""
+    def people(self) -> dict[str, str]:
+        """The names that it has, by ids."""
+        return {m.id: m.name for of in self._members.values() for m in of if m.name}
+
+    def named(self, people: Mapping[str, str], same_person: Mapping[str, str]) -> "Roster":
+        """The same, with the names of the grade book where it has none of its own, and with the
+        grade book's ids of a person."""
         return Roster(
             {
                 submission: [m._replace(name=m.name or people.get(m.id, "")) for m in members]
                 for submission, members in self._members.items()
-            }
+            },
+            same_person,
         )
 
 

@@ -24,6 +24,7 @@ class Rules:
     roster: Roster = field(default_factory=lambda: Roster({}))
     adjustments: Sequence[Adjustment] = ()
     same_person: Mapping[str, str] = field(default_factory=dict)  # Canvas's id, by each other id
+    names: Mapping[str, str] = field(default_factory=dict)  # of the grade book, by Canvas's ids
     logins: bool = False  # whether students choose the ids of submissions
 
 
@@ -115,16 +116,24 @@ def _late_days(student: Student, own: Iterable[Adjustment]) -> int:
 
 def _is_meant(adjustment: Adjustment, member: Member, student: Student, rules: Rules) -> bool:
     """By an id or a name. Where students choose the ids of their submissions, such an id doesn't
-    stand for a person of the grade book, and is nobody's name."""
+    stand for a person of the grade book, and is nobody's name. A name of the grade book is that of
+    its person, whoever has given a submission the same one."""
     who, own = adjustment.student, member.id if member.id != student.id else ""
     if who == EVERYBODY:
         return True
-    if who in rules.same_person:
-        ids = [own if rules.logins else member.id]
-        return any(rules.same_person.get(id) == rules.same_person[who] for id in ids)
+    persons = _persons(who, rules)
+    if persons:
+        return rules.same_person.get(own if rules.logins else member.id) in persons
     if who in (member.id, student.id) or _is_called(who, member.name if own else student.person):
         return True
     return not rules.logins and _is_called(who, student.name)
+
+
+def _persons(who: str, rules: Rules) -> set[str]:
+    """Those of the grade book that have this id, or this name; by Canvas's ids."""
+    if who in rules.same_person:
+        return {rules.same_person[who]}
+    return {person for person, name in rules.names.items() if _is_called(who, name)}
 
 
 def _is_called(who: str, name: str) -> bool:
@@ -168,6 +177,12 @@ def require_known(
         )
         where = f"{path}, line {adjustment.line}:"
         submissions = {student.id for _, student in meant}
+        persons = sorted(_persons(adjustment.student, rules))
+        if len(persons) > 1:
+            raise UsageError(
+                f"{where} {adjustment.student!r} is the name of {len(persons)} persons of the grade "
+                f"book: give the id of the one that is meant ({' and '.join(persons)})"
+            )
         if len(meant) > 1 and not exact and (len(submissions) > 1 or _several(adjustment, meant)):
             ids = " and ".join(member.id for member, _ in meant)
             raise UsageError(
