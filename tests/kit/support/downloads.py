@@ -3,7 +3,7 @@
 import zipfile
 from pathlib import Path
 
-from bounce_grader.classroom.intake import handed_in, students
+from bounce_grader.classroom.intake import handed_in
 from bounce_grader.classroom.intake.student import Student
 from bounce_grader.classroom.work.task import Stamp
 from bounce_grader.submission.submission import Submission

@@ -1,4 +1,5 @@
-"""Finds each student's submission in a folder of folders or zips, or in a checkout of repositories."""
+"""Finds each student's submission in a folder of folders or zips, or in a checkout of
+repositories."""
 
 import os
 from pathlib import Path

@@ -1,6 +1,6 @@
 """Finds each student's submission in Moodle's download, packed or unpacked."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from pathlib import Path, PurePosixPath
 
 from bounce_grader.classroom.intake import moodle

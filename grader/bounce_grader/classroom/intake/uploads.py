@@ -1,4 +1,5 @@
-"""What a service's download holds of one student: which uploads count, and what is said of the rest."""
+"""What a service's download holds of one student: which uploads count, and what is said of the
+rest."""
 
 import os
 from collections.abc import Iterable, Sequence
