@@ -162,12 +162,13 @@ def test_every_member_of_a_group_gets_the_points_and_each_their_own_changes(
 
 
 def test_a_group_that_takes_anothers_name_costs_nobody_points(tmp_path: Path) -> None:
+    """Members that hand in apart, under one name, are told."""
     uploads = {
-        "teamone_301_3010_part2_lcp.cpp": text_of(301),
-        "TeamOne_666_6660_part2_lcp.cpp": b"// nothing",
+        "teamone_302_3010_part2_lcp.cpp": text_of(302),
+        "TeamOne_303_6660_part2_lcp.cpp": b"// nothing",
     }
     source = download(tmp_path / "y.zip", [], uploads)
-    roster = 'submission,id,name\nteam one,302,"Roe, Max"\nteamone,303,"Poe, Ann"\n'
+    roster = 'submission,id,name\nteam one,302,"Roe, Max"\nteam one,303,"Poe, Ann"\n'
     filled = graded(tmp_path, [302, 303], {"roster.csv": roster}, source=source)
     assert "0.00" not in filled.values()
     rows = rows_of(tmp_path / "out")
@@ -188,10 +189,18 @@ def of_book(tmp_path: Path, files: dict[str, str], uploads: dict[str, bytes]) ->
     return column(out / "gradebook.csv")
 
 
-def test_who_is_no_member_of_a_group_gives_it_no_points_by_taking_its_name(tmp_path: Path) -> None:
+@pytest.mark.parametrize("uploader", ["666", "777"], ids=["known", "not in the grade book"])
+def test_who_is_no_member_of_a_group_neither_gives_nor_takes_its_points(
+    tmp_path: Path, uploader: str
+) -> None:
     files = {"roster.csv": "submission,id\nteam one,302\nteam one,303\n"}
-    filled = of_book(tmp_path, files, {"teamone_666_6660_part2_lcp.cpp": text_of(1)})
+    stranger = {f"teamone_{uploader}_6660_part2_lcp.cpp": b"// nothing"}
+    own = {"mallorymax_666_7770_part2_lcp.cpp": text_of(1)} if uploader != "666" else {}
+    filled = of_book(tmp_path, files, stranger | own)
     assert filled["302"] == filled["303"] == "" and filled["666"]
+    group = {"teamone_302_8880_part2_lcp.cpp": text_of(302)}
+    filled = of_book(tmp_path, files, stranger | own | group)
+    assert filled["302"] == filled["303"] != ""
 
 
 @pytest.mark.parametrize("handed_in", [False, True])

@@ -35,8 +35,8 @@ class Roster:
 
     def of(self, student: Student) -> list[Member]:
         """The members of a submission; none if the roster doesn't name it. A name is one that its
-        students chose: where the grade book knows who handed in, and the members, that person has
-        to be one of them."""
+        students chose: where the grade book knows the members, who handed in has to be one of
+        them."""
         own = self._by_name.get(student.id.casefold(), [])
         if own:
             return own
@@ -44,8 +44,7 @@ class Roster:
         if not named and student.uploads:
             named = self._as_in_canvas.get(student.name, [])
         known = {self._same_person[m.id] for m in named if m.id in self._same_person}
-        person = self._same_person.get(student.id)
-        return named if not known or not person or person in known else []
+        return named if not known or self._same_person.get(student.id) in known else []
 
     def people(self) -> dict[str, str]:
         """The names that it has, by ids."""
