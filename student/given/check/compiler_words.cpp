@@ -1,9 +1,11 @@
 #include "compiler_words.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdlib>
 #include <filesystem>
-#include <regex>
+#include <iterator>
+#include <utility>
 
 #include "files.hpp"
 
@@ -12,29 +14,116 @@ namespace {
 
 constexpr std::size_t kLongest = 200;  // characters of a line
 
-// ".dir/src/part1_contacts.cpp.o" in the lines of Ninja and Make; Visual Studio says nothing.
-const std::regex kCompiled(R"(\.dir/(src/.*)\.o(bj)?$)");
-const std::regex kVisual(R"(^ *(.*)\((\d+)(,\d+)?\) ?: (fatal )?(error|warning) \w+: (.*)$)");
-const std::regex kOwnPlace(R"((^|[ \t])((src|include)/[^ :]*:\d+))");
-const std::regex kError(R"(: (fatal )?error: )");
-const std::regex kFromLinker("^(collect2|clang[^ ]*|ld[^ ]*): ");
-const std::regex kMissing(
-    "undefined reference to|Undefined symbols|undefined symbol|multiple definition of|"
-    "duplicate symbol|unresolved external symbol|already defined in");
+constexpr const char* kMissing[] = {"undefined reference to", "Undefined symbols",
+                                    "undefined symbol",       "multiple definition of",
+                                    "duplicate symbol",       "unresolved external symbol",
+                                    "already defined in"};
 
-bool has(const std::string& line, const std::regex& what) { return std::regex_search(line, what); }
-
-bool is_own(const std::string& line) {
-  return line.rfind("src/", 0) == 0 || line.rfind("include/", 0) == 0;
+bool has(const std::string& line, const std::string& what) {
+  return line.find(what) != std::string::npos;
 }
 
-// Sentences by patterns of what the compilers say.
-std::vector<std::pair<std::string, std::regex>> read_meanings() {
-  std::vector<std::pair<std::string, std::regex>> meanings;
+bool begins(const std::string& line, const std::string& what) { return line.rfind(what, 0) == 0; }
+
+bool is_own(const std::string& line) { return begins(line, "src/") || begins(line, "include/"); }
+
+bool is_error(const std::string& line) {
+  return has(line, ": error: ") || has(line, ": fatal error: ");
+}
+
+bool is_missing(const std::string& line) {
+  return std::any_of(std::begin(kMissing), std::end(kMissing),
+                     [&](const char* what) { return has(line, what); });
+}
+
+bool is_from_linker(const std::string& line) {
+  const std::string program = line.substr(0, line.find(": "));
+  return !has(program, " ") &&
+         (program == "collect2" || begins(program, "clang") || begins(program, "ld"));
+}
+
+// What stands behind the last `mark`; the whole line where there is none.
+std::string behind(const std::string& line, const std::string& mark) {
+  const std::size_t at = line.rfind(mark);
+  return at == std::string::npos ? line : line.substr(at + mark.size());
+}
+
+// "src/part3_step.cpp:12" if the line has that at `begin`, else empty.
+std::string place_at(const std::string& line, std::size_t begin) {
+  const std::size_t colon = line.find_first_of(" :", begin);
+  if (colon == std::string::npos || line[colon] != ':') return "";
+  const std::size_t end = std::min(line.find_first_not_of("0123456789", colon + 1), line.size());
+  return end > colon + 1 ? line.substr(begin, end - begin) : "";
+}
+
+// The first place in a file of the student's that a line names at its begin or behind a blank.
+std::string own_place(const std::string& line) {
+  for (std::size_t begin = 0; begin != std::string::npos;
+       begin = line.find_first_not_of(" \t", line.find_first_of(" \t", begin))) {
+    if (line.compare(begin, 4, "src/") != 0 && line.compare(begin, 8, "include/") != 0) continue;
+    if (std::string place = place_at(line, begin); !place.empty()) return place;
+  }
+  return "";
+}
+
+// The place right before `end`, also if the program has printed something in front of it.
+std::string place_before(const std::string& line, std::size_t end) {
+  for (const char* folder : {"src/", "include/"}) {
+    const std::size_t begin = line.rfind(folder, end);
+    if (begin == std::string::npos || (begin > 0 && line[begin - 1] == '/')) continue;
+    if (std::string place = place_at(line, begin); !place.empty()) return place;
+  }
+  return "";
+}
+
+// "undefined reference to `f()'", without the linker's name and the object.
+std::string missing_function(const std::string& line) {
+  if (has(line, "already defined in")) return line;  // behind the function's name
+  for (const char* what : kMissing) {
+    if (const std::size_t at = line.find(what); at != std::string::npos) return line.substr(at);
+  }
+  return line;
+}
+
+// "file.cpp(12,3): error C2065: what" of Visual C++ as others write it; other lines as they are.
+std::string as_others_write(const std::string& line) {
+  for (const std::string kind : {"error", "warning"}) {
+    const std::size_t at =
+        std::min(line.find(": " + kind + " "), line.find(": fatal " + kind + " "));
+    if (at == std::string::npos) continue;
+    const std::size_t open = line.rfind('(', at), what = line.find(": ", at + 2);
+    if (open == std::string::npos || what == std::string::npos) continue;
+    const int number = std::atoi(line.c_str() + open + 1);
+    if (number == 0 || line.find(')', open) > at) continue;
+    std::string file = line.substr(0, open);
+    file.erase(0, file.find_first_not_of(' '));
+    std::replace(file.begin(), file.end(), '\\', '/');
+    return file + ":" + std::to_string(number) + ": " + kind + line.substr(what);
+  }
+  return line;
+}
+
+std::string replaced(std::string text, const std::string& what, const std::string& by) {
+  for (std::size_t at = text.find(what); at != std::string::npos;
+       at = text.find(what, at + by.size())) {
+    text.replace(at, what.size(), by);
+  }
+  return text;
+}
+
+// With ' for the quotation marks of all compilers.
+std::string plainly_quoted(std::string line) {
+  for (const char* quote : {"\u2018", "\u2019", "`", "\""}) line = replaced(line, quote, "'");
+  return line;
+}
+
+// Sentences by pieces of what the compilers say.
+std::vector<std::pair<std::string, std::string>> read_meanings() {
+  std::vector<std::pair<std::string, std::string>> meanings;
   std::string sentence;
   for (const std::string& line : lines_of(read("given/check/compiler_errors.txt"))) {
-    if (line.rfind("  ", 0) == 0) {
-      meanings.emplace_back(sentence, std::regex(line.substr(2)));
+    if (begins(line, "  ")) {
+      meanings.emplace_back(sentence, line.substr(2));
     } else {
       sentence = line;
     }
@@ -43,29 +132,46 @@ std::vector<std::pair<std::string, std::regex>> read_meanings() {
 }
 
 // "YOU_MIXED_MATRICES_OF_DIFFERENT_SIZES" as words; other texts without what says nothing.
-std::string inside_a_library(std::string said) {
-  said = std::regex_replace(said, std::regex("^.*error: "), "");
-  said = std::regex_replace(said, std::regex("^static assertion failed:? *"), "");
-  std::smatch shouted;
-  if (!std::regex_search(said, shouted, std::regex("[A-Z]+_[A-Z]+_[A-Z_0-9]+"))) return said;
-  std::string words = shouted.str();
-  std::transform(words.begin(), words.end(), words.begin(), [](unsigned char c) {
-    return c == '_' ? ' ' : static_cast<char>(std::tolower(c));
-  });
-  return words;
+std::string inside_a_library(const std::string& line) {
+  std::string said = behind(line, "error: ");
+  const std::string failed = "static assertion failed";
+  if (begins(said, failed)) said.erase(0, said.find_first_not_of(": ", failed.size()));
+  const auto is_shouted = [](unsigned char c) {
+    return c == '_' || std::isupper(c) || std::isdigit(c);
+  };
+  for (auto begin = said.begin(); begin != said.end();) {
+    begin = std::find_if(begin, said.end(), is_shouted);
+    const auto end = std::find_if_not(begin, said.end(), is_shouted);
+    std::string words(begin, end);
+    if (std::count(words.begin(), words.end(), '_') >= 2 && words.front() != '_') {
+      for (char& c : words) c = c == '_' ? ' ' : static_cast<char>(std::tolower(c));
+      return words;
+    }
+    begin = end;
+  }
+  return said;
 }
 
 // "bounce::form_lcp(Eigen::Matrix<double, 3, 2, 0, 3, 2> const&, ...)" as the headers write it.
 std::string with_own_types(std::string symbol) {
-  static const std::pair<std::regex, std::string> kTypes[] = {
-      {std::regex("Eigen::Matrix<double, 3, 1[^>]*>"), "Vector3"},
-      {std::regex("Eigen::Matrix<double, 3, 2[^>]*>"), "Jacobian"},
-      {std::regex("bounce::(Parameters|Lcp|Contact)"), "$1"},
-      {std::regex("(\\w+) const&"), "const $1&"},
-      {std::regex("`"), "'"},
-  };
-  for (const auto& [written, own] : kTypes) symbol = std::regex_replace(symbol, written, own);
-  return symbol;
+  using Alias = std::pair<const char*, const char*>;
+  for (const auto& [type, name] : {Alias{"Eigen::Matrix<double, 3, 1", "Vector3"},
+                                   Alias{"Eigen::Matrix<double, 3, 2", "Jacobian"}}) {
+    for (std::size_t at = symbol.find(type); at != std::string::npos; at = symbol.find(type)) {
+      const std::size_t end = std::min(symbol.find('>', at), symbol.size() - 1);
+      symbol.replace(at, end + 1 - at, name);
+    }
+  }
+  for (const std::string name : {"Parameters", "Lcp", "Contact"}) {
+    symbol = replaced(symbol, "bounce::" + name, name);
+  }
+  const std::string behind_it = " const&";
+  for (std::size_t at = symbol.find(behind_it); at != std::string::npos;
+       at = symbol.find(behind_it)) {
+    const std::size_t begin = symbol.find_last_of(" (,", at - 1) + 1;  // 0 where there is none
+    symbol.replace(at, behind_it.size(), "&").insert(begin, "const ");
+  }
+  return replaced(symbol, "`", "'");
 }
 
 }  // namespace
@@ -74,12 +180,7 @@ std::vector<std::string> own_lines(const std::string& printed) {
   const std::string here = std::filesystem::current_path().generic_string() + "/";
   std::vector<std::string> lines = lines_of(printed);
   for (std::string& line : lines) {
-    std::smatch visual;
-    if (std::regex_match(line, visual, kVisual)) {
-      std::string file = visual[1];
-      std::replace(file.begin(), file.end(), '\\', '/');
-      line = file + ":" + visual[2].str() + ": " + visual[5].str() + ": " + visual[6].str();
-    }
+    line = as_others_write(line);
     if (const std::size_t at = line.find(here); at != std::string::npos)
       line.erase(at, here.size());
   }
@@ -87,13 +188,16 @@ std::vector<std::string> own_lines(const std::string& printed) {
 }
 
 std::string compiled_file(const std::string& line) {
-  std::smatch found;
-  return std::regex_search(line, found, kCompiled) ? found[1].str() : "";
+  // ".dir/src/part1_contacts.cpp.o" in the lines of Ninja and Make; Visual Studio says nothing.
+  const std::size_t at = line.find(".dir/src/"), end = line.rfind(".o");
+  const bool names_one = at != std::string::npos && end != std::string::npos && end > at &&
+                         (line.substr(end) == ".o" || line.substr(end) == ".obj");
+  return names_one ? line.substr(at + 5, end - at - 5) : "";
 }
 
 bool is_warning_of_own_file(const std::string& line) {
-  static const std::regex kWarning(R"(^src/[^:]*:\d+:(\d+:)? warning: )");
-  return has(line, kWarning);
+  return begins(line, "src/") && has(line, ": warning: ") &&
+         line.find(": ") == line.find(": warning: ");
 }
 
 bool is_missing_return(const std::string& line) {
@@ -102,11 +206,10 @@ bool is_missing_return(const std::string& line) {
 
 bool is_linker_error(const std::vector<std::string>& lines) {
   const auto is_compilers = [](const std::string& line) {
-    return has(line, kError) && !has(line, kFromLinker);
+    return is_error(line) && !is_from_linker(line);
   };
   return std::none_of(lines.begin(), lines.end(), is_compilers) &&
-         std::any_of(lines.begin(), lines.end(),
-                     [](const std::string& line) { return has(line, kMissing); });
+         std::any_of(lines.begin(), lines.end(), is_missing);
 }
 
 std::string file_of(const std::string& line) { return line.substr(0, line.find(':')); }
@@ -116,11 +219,11 @@ int line_of(const std::string& line) { return std::atoi(line.c_str() + file_of(l
 std::string meaning_of(const std::vector<std::string>& lines) {
   const auto meanings = read_meanings();
   for (const std::string& line : lines) {
-    if (!has(line, kError) && !has(line, kMissing)) continue;
-    for (const auto& [sentence, pattern] : meanings) {
-      if (has(line, pattern)) return sentence;
+    if (!is_error(line) && !is_missing(line)) continue;
+    for (const auto& [sentence, piece] : meanings) {
+      if (has(plainly_quoted(line), piece)) return sentence;
     }
-    if (has(line, kError)) return "";  // the first error alone
+    if (is_error(line)) return "";  // the first error alone
   }
   return "";
 }
@@ -129,25 +232,20 @@ std::string first_error(const std::vector<std::string>& lines) {
   std::string said, own, rest, missing;
   int more = 0;
   for (const std::string& line : lines) {
-    std::smatch place;
     const bool leads_here = line.find("required from") != std::string::npos ||
                             line.find("instantiation of") != std::string::npos;
-    if (own.empty() && (!said.empty() || leads_here) && std::regex_search(line, place, kOwnPlace)) {
-      own = place[2];
-    }
-    if (said.empty() && has(line, kError) && !has(line, kFromLinker)) {
+    if (own.empty() && (!said.empty() || leads_here)) own = own_place(line);
+    if (said.empty() && is_error(line) && !is_from_linker(line)) {
       said = line;
       more = 2;
       continue;
     }
     if (more-- > 0) rest += "\n  " + line.substr(0, kLongest);
-    if (missing.empty() && has(line, kMissing)) {
-      missing = std::regex_replace(line, std::regex(R"(^.*(\+0x\w+\): |error: |ld: ))"), "");
-    }
+    if (missing.empty() && is_missing(line)) missing = missing_function(line);
   }
   const auto shown = [](const std::string& line) { return "  " + line.substr(0, kLongest); };
   if (!said.empty() && is_own(said)) {
-    return shown(std::regex_replace(said, std::regex(R"(:\d+: (fatal )?error: )"), ": ")) + rest;
+    return shown(own_place(said) + ": " + said.substr(said.find("error: ") + 7)) + rest;
   }
   if (!said.empty()) return shown((own.empty() ? "a header" : own) + ": " + inside_a_library(said));
   if (!missing.empty()) return shown(with_own_types(missing));
@@ -160,19 +258,20 @@ bool is_of_sanitizers(const std::string& line) {
 }
 
 std::string found_by_sanitizers(const std::vector<std::string>& lines) {
-  static const std::regex kUndefined(
-      R"((^|[^/])((src|include)/[^ :]*:\d+)\S*: runtime error: (.*))");
-  static const std::regex kAddress("ERROR: AddressSanitizer: ([a-zA-Z-]+)");
+  const std::string undefined = ": runtime error: ", address = "ERROR: AddressSanitizer: ";
   std::string kind;
   for (const std::string& line : lines) {
-    std::smatch found;
-    if (std::regex_search(line, found, kUndefined)) {
-      return "UBSan found this at " + found[2].str() + ": " + found[4].str().substr(0, kLongest);
+    if (const std::size_t at = line.find(undefined); at != std::string::npos) {
+      const std::string place = place_before(line, at);
+      const std::string what = line.substr(at + undefined.size(), kLongest);
+      if (!place.empty()) return "UBSan found this at " + place + ": " + what;
     }
-    if (kind.empty() && std::regex_search(line, found, kAddress)) kind = found[1];
-    if (!kind.empty() && std::regex_search(line, found, kOwnPlace)) {
-      return "AddressSanitizer found " + kind + ", at " + found[2].str();
+    if (const std::size_t at = line.find(address); kind.empty() && at != std::string::npos) {
+      kind = line.substr(at + address.size());
+      kind.erase(std::min(kind.find_first_of(" :("), kind.size()));
     }
+    const std::string place = kind.empty() ? "" : own_place(line);
+    if (!place.empty()) return "AddressSanitizer found " + kind + ", at " + place;
   }
   return kind.empty() ? "" : "AddressSanitizer found " + kind;
 }

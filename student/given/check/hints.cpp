@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <functional>
 #include <iostream>
-#include <regex>
 
 #include "files.hpp"
 #include "report.hpp"
@@ -18,6 +17,18 @@ constexpr int kStages = 3;
 
 std::string page_of(const Part& part) { return "hints/" + part.stem + ".md"; }
 
+// Without blanks, either.
+std::string without_numbers(const std::string& text) {
+  std::string kept;
+  bool in_number = false;
+  for (const char c : text) {
+    const bool goes_on = c == '.' || c == 'e' || c == '-' || c == '+';
+    in_number = ('0' <= c && c <= '9') || (in_number && goes_on);
+    if (!in_number && c != ' ' && c != '-') kept += c;
+  }
+  return kept;
+}
+
 // What the check and the answers tell of the mistake, but for its numbers: another try at the same
 // mistake goes on with the next stage, and another mistake starts at the first.
 std::string mistake_in_short(const Note& note, const std::string& mistake) {
@@ -25,9 +36,7 @@ std::string mistake_in_short(const Note& note, const std::string& mistake) {
   for (const std::string& line : lines_of(note.status + "\n" + note.text)) {
     if (line.rfind("    |", 0) != 0) said += line + "\n";
   }
-  said = std::regex_replace(said, std::regex(R"(-*\d[\d.]*(e[-+]\d*)* *)"), "");
-  said.erase(std::remove(said.begin(), said.end(), ' '), said.end());
-  return std::to_string(std::hash<std::string>{}(said + mistake));
+  return std::to_string(std::hash<std::string>{}(without_numbers(said) + mistake));
 }
 
 // The one after the last that was opened for this mistake; build/check/hint remembers it.
@@ -44,8 +53,10 @@ int next_stage(const std::string& mistake) {
 void print_stage(const std::string& page, const std::string& heading, int stage) {
   const std::vector<std::string> lines = lines_of(read(page));
   std::string state;
+  const std::string before_it = "Unless said otherwise, t";
   if (lines.size() > 2) {
-    state = std::regex_replace(lines[2], std::regex("^.*Unless said otherwise, t"), "T");
+    const std::size_t at = lines[2].find(before_it);
+    state = at == std::string::npos ? lines[2] : "T" + lines[2].substr(at + before_it.size());
   }
   bool here = false, fenced = false;
   int n = 0;

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdint>
+#include <cstdio>
 #include <filesystem>
 #include <iostream>
-#include <regex>
 
 #include "build.hpp"
 #include "compiler_words.hpp"
@@ -41,24 +41,25 @@ std::string last_reason(const std::string& printed) {
 }
 
 std::string why_aborted(const std::string& said) {
-  static const std::regex kSize(R"(Eigen/.*(rows\(\)|cols\(\)|size\(\)|index))");
-  static const std::regex kMatrix(R"(Eigen::Matrix<double, (\d+), (\d+))");
+  const auto has = [&](const char* what) { return said.find(what) != std::string::npos; };
   static const std::string kAborted = "the program was aborted: ";
   if (const std::size_t at = said.find("what():"); at != std::string::npos) {
     return "the program threw " + said.substr(said.find_first_not_of(' ', at + 7)) +
            ", and nobody caught it";
   }
-  if (said.find("comma initializer") != std::string::npos) {
+  if (has("comma initializer")) {
     return kAborted + "too few or too many numbers after <<";
   }
-  if (std::regex_search(said, kSize)) {
-    std::smatch size;
-    const std::string of = std::regex_search(said, size, kMatrix)
-                               ? " of a " + size[1].str() + "x" + size[2].str() + " matrix"
-                               : "";
+  if (has("Eigen/") && (has("rows()") || has("cols()") || has("size()") || has("index"))) {
+    const std::size_t type = std::min(said.find("Eigen::Matrix<double, "), said.size());
+    int rows = 0, columns = 0;
+    std::sscanf(said.c_str() + type, "Eigen::Matrix<double, %d, %d", &rows, &columns);
+    const std::string of = rows > 0 && columns > 0 ? " of a " + std::to_string(rows) + "x" +
+                                                         std::to_string(columns) + " matrix"
+                                                   : "";
     return kAborted + "an index or a size" + of + " is out of range, says Eigen";
   }
-  if (said.find("__n < this->size()") != std::string::npos) {
+  if (has("__n < this->size()")) {
     return kAborted + "an index beyond the end of a std::vector or std::array";
   }
   if (const std::size_t at = said.find("Assertion"); at != std::string::npos) {
@@ -246,6 +247,24 @@ void write_page(const std::string& name, bool is_wrong, const fs::path& said,
   }
 }
 
+// Where a line's words on a failed assertion begin: with the program's name, with the file and line
+// of the assertion, or with "Assertion failed". Before it stands what the part has printed.
+std::size_t begin_of_assertion(const std::string& line) {
+  const std::size_t plain = line.find("Assertion failed: ");
+  for (std::size_t end = line.find(": "); end != std::string::npos;
+       end = line.find(": ", end + 1)) {
+    const std::size_t begin = line.rfind(' ', end) + 1;  // 0 where there is no blank
+    const std::string word = line.substr(begin, end - begin);
+    const std::size_t program = word.find("part"), path = word.find('/');
+    const bool is_program = word.find("_test", std::min(program, word.size())) != std::string::npos;
+    const std::size_t last = word.find_last_not_of("0123456789");
+    const bool is_place = last + 1 < word.size() && last != std::string::npos && word[last] == ':';
+    if (is_program) return std::min(plain, begin + program);
+    if (is_place && path != std::string::npos) return std::min(plain, begin + path);
+  }
+  return plain;
+}
+
 }  // namespace
 
 std::string prints_file(int part) {
@@ -324,12 +343,7 @@ std::string without_last_words(const std::string& printed) {
     const bool asserts =
         line.find("Assertion") != std::string::npos && line.find("failed") != std::string::npos;
     std::size_t end = std::string::npos;
-    if (asserts) {
-      static const std::regex kStart(
-          R"(part\d_\w+_test(\.exe)?: |/[^ ]*:\d+: |Assertion failed: )");
-      std::smatch at;
-      if (std::regex_search(line, at, kStart)) end = static_cast<std::size_t>(at.position());
-    }
+    if (asserts) end = begin_of_assertion(line);
     end = std::min(end, line.find("terminate called"));
     if (end != std::string::npos) {
       line.erase(end);

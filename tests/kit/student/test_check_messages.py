@@ -205,6 +205,20 @@ def test_another_result_than_the_declared_one_is_told(home: Path) -> None:
     assert "its arguments, and what it returns" in " ".join(told.split()), told
 
 
+def test_lines_of_any_length_are_read(home: Path) -> None:
+    put(home)
+    asserted = f'static_assert(false, "{"x" * 100_000}");'
+    change(home, "part2_lcp", LAST, f"{asserted}\n  {LAST}")
+    told = first(check(home, "2"))
+    assert "  src/part2_lcp.cpp:2" in told and "static assertion failed" in told
+    put(home)
+    long = 'for (int i = 0; i < 50000; ++i) std::fputs("src/", stdout);'
+    change(home, "part2_lcp", LAST, f"{long}\n  lcp.V(4, 4) = 0;\n  {LAST}")
+    part2 = home / "src/part2_lcp.cpp"
+    part2.write_text("#include <cstdio>\n" + part2.read_text())
+    assert "is out of range, says Eigen" in first(check(home, "2"))
+
+
 def test_a_missing_return_comes_before_other_reasons(home: Path) -> None:
     put(home)
     change(home, "part2_lcp", "  return lcp;\n", "")
