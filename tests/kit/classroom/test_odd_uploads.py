@@ -166,7 +166,7 @@ def check_class(source: Path, alone: Path, honest: str, odd: str, tmp_path: Path
 
 
 @pytest.mark.parametrize("uploads", UPLOADS.values(), ids=UPLOADS)
-@pytest.mark.usual(22)
+@pytest.mark.usual(11)
 def test_no_upload_costs_anybody_else(
     tmp_path: Path, here: None, uploads: dict[str, bytes]
 ) -> None:
@@ -183,7 +183,7 @@ def test_an_upload_that_is_there_twice_costs_nobody_else(tmp_path: Path, here: N
 
 
 @pytest.mark.parametrize("make", FOLDERS.values(), ids=FOLDERS)
-@pytest.mark.usual(14)
+@pytest.mark.usual(7)
 def test_no_folder_costs_anybody_else(
     tmp_path: Path, here: None, make: Callable[[Path], object]
 ) -> None:

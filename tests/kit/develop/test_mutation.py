@@ -193,6 +193,7 @@ WHOLE = [
 
 
 @pytest.mark.parametrize("change", WHOLE)
+@pytest.mark.usual(2)
 def test_a_whole_grading_takes_the_same_points_in_that_part_alone(
     change: Change, grade: Grade
 ) -> None:

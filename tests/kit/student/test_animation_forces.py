@@ -41,6 +41,7 @@ def test_a_column_that_stands_shows_no_force_but_its_own(
 
 @pytest.mark.parametrize("speed", ["0.125", "1"])
 @pytest.mark.parametrize("after, seen", [(0.06, True), (0.3, False)])
+@pytest.mark.usual(2)
 def test_while_playing_an_arrow_lingers_for_a_moment_of_the_readers(
     open_page: Open, scene: dict[str, Any], speed: str, after: float, seen: bool
 ) -> None:

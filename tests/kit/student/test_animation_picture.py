@@ -15,6 +15,7 @@ from selenium.webdriver.common.keys import Keys
 
 
 @pytest.mark.parametrize("t", [0, 1, 75, 149])
+@pytest.mark.usual(2)
 def test_slides_to_a_column_and_shows_its_numbers(
     open_page: Open, scene: dict[str, Any], t: int
 ) -> None:

@@ -263,7 +263,7 @@ def test_what_no_right_part_asks_is_judged_with_the_students_own_parts(home: Pat
 def test_opens_a_stage_of_the_hint_at_a_time(home: Path) -> None:
     (home / "build/check/hint").unlink(missing_ok=True)
     put(home, MISTAKES / "part2_force_is_g")
-    shown = [check(home, "--hint").stdout for _ in range(4)]
+    shown = [check(home, "2", "--hint").stdout for _ in range(4)]
     stages = ["A nudge", "The formula", "A worked number", "A worked number"]
     for n, (text, stage) in enumerate(zip(shown, stages), 1):
         assert f"Hint 2.3 The normal row of p, stage {min(n, 3)} of 3: {stage}" in text
@@ -272,7 +272,7 @@ def test_opens_a_stage_of_the_hint_at_a_time(home: Path) -> None:
     assert "That was the last stage." in shown[2] and "That was the last stage again" in shown[3]
     assert shown[3].startswith(shown[2].partition("That was the last")[0])
     put(home)
-    assert "no hint is needed" in check(home, "--hint").stdout
+    assert "no hint is needed" in check(home, "2", "--hint").stdout
 
 
 @pytest.mark.slow

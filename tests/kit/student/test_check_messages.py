@@ -211,6 +211,10 @@ def test_lines_of_any_length_are_read(home: Path) -> None:
     change(home, "part2_lcp", LAST, f"{asserted}\n  {LAST}")
     told = first(check(home, "2"))
     assert "  src/part2_lcp.cpp:2" in told and "static assertion failed" in told
+
+
+@pytest.mark.long
+def test_prints_of_any_length_are_read(home: Path) -> None:
     put(home)
     long = 'for (int i = 0; i < 50000; ++i) std::fputs("src/", stdout);'
     change(home, "part2_lcp", LAST, f"{long}\n  lcp.V(4, 4) = 0;\n  {LAST}")
