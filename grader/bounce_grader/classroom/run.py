@@ -133,7 +133,7 @@ def _run(
     status = _say(request, intake, summaries, [*notes, *remarks], _alike(near, summaries))
     if feedback.to_upload and not canvas:
         print(feedback.to_upload)
-    return max(status, _to_canvas(request, canvas, summaries) if canvas else 0)
+    return max(status, _to_canvas(request, canvas, intake, summaries) if canvas else 0)
 
 
 def _canvas(request: Request) -> Canvas | None:
@@ -143,10 +143,12 @@ def _canvas(request: Request) -> Canvas | None:
     return Canvas(os.environ.get("CANVAS_URL", ""), request.canvas, token)
 
 
-def _to_canvas(request: Request, canvas: Canvas, summaries: list[Summary]) -> int:
+def _to_canvas(request: Request, canvas: Canvas, intake: Class, summaries: list[Summary]) -> int:
     """Shows what would change on Canvas, and posts it if that was shown before. Returns 1 if
     something is left to do."""
-    changes, kept = canvas_upload.plan(canvas, request.out, summaries, request.overwrite)
+    changes, kept = canvas_upload.plan(
+        canvas, request.out, summaries, intake.unmatched, request.overwrite
+    )
     shown = canvas_upload.was_shown(request.out, changes)
     if request.upload and shown:
         refused = canvas_upload.post(canvas, request.out, changes)

@@ -28,7 +28,7 @@ def inside_name(path: Path, claimed: str) -> str:
     """The name of an archive's entry, with forward slashes. Raises UsageError if it points outside
     of the archive."""
     name = PurePosixPath(claimed.replace("\\", "/"))
-    if name.is_absolute() or ".." in name.parts or re.match("[A-Za-z]:", str(name)):
+    if name.is_absolute() or ".." in name.parts or re.match("[A-Za-z]:(/|$)", str(name)):
         raise UsageError(
             f"{path} has an entry that points outside of it ('{printable_name(str(name))}')"
         )

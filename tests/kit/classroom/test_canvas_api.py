@@ -66,6 +66,31 @@ def test_points_and_pages_are_posted_once_they_were_shown(
     assert "On Canvas, 0 students' points or pages would change" in capsys.readouterr().out
 
 
+def test_who_hands_in_no_file_is_listed_and_gets_a_page(
+    tmp_path: Path,
+    server: State,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    for user, kind in ((201, "online_text_entry"), (202, "online_url"), (203, "media_recording")):
+        server.add(user, f"Roe {user}, Max", {}, submission_type=kind, submitted_at="2026-11-20")
+    server.add(204, "Roe 204, Max", {"photo.jpg": b"x"}, submission_type="online_upload")
+    server.add(205, "Roe 205, Max", {}, submission_type=None, submitted_at=None)
+    out = tmp_path / "out"
+    assert [run(out, monkeypatch, upload=True) for _ in range(2)] == [1, 0]
+    told = capsys.readouterr().out
+    assert "'Roe 201, Max' is text typed into Canvas" in told
+    assert "'Roe 202, Max' is an address typed into Canvas" in told
+    assert "'Roe 203, Max' has no file" in told and "'Roe 204, Max' holds nothing" in told
+    assert "Roe 205" not in told and "8 of 12" in told
+    page = (out / "class.html").read_text()
+    assert all(f"Roe {user}, Max" in page for user in (201, 202, 203, 204))
+    assert all(len(server.comments[user]) == 1 for user in (201, 202, 203, 204))
+    assert 205 not in server.comments and server.submissions[201]["score"] is None
+    assert run(out, monkeypatch) == 0
+    assert "On Canvas, 0 students' points or pages would change" in capsys.readouterr().out
+
+
 def test_what_a_person_has_entered_is_kept_and_an_excuse_too(
     tmp_path: Path,
     server: State,

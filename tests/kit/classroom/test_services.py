@@ -178,6 +178,30 @@ def test_no_files_name_makes_it_another_services_download(tmp_path: Path) -> Non
     assert students.read(folder).service == "canvas"
 
 
+ALONE = {  # of one student, who has named the files after another service
+    "canvas": {
+        "mal_103_9001_hw_bob_attempt_2026-11-20-12-00-00_part2_lcp.cpp": b"// x",
+        "mal_103_9002_hw_bob_attempt_2026-11-20-12-00-00.txt": b"Name: Bob Roe (bob)\n",
+    },
+    "moodle": {
+        "Mal Ory_7_assignsubmission_file_hw_bob_attempt_2026-11-20-12-00-00_x.cpp": b"// x",
+        "Mal Ory_7_assignsubmission_file_x_104_9001_part2_lcp.cpp": b"// y",
+    },
+    "blackboard": {
+        "HW_3_12345_attempt_2026-11-20-12-00-00.txt": b"Name: Mal Ory (12345)\n",
+        "HW_3_12345_attempt_2026-11-20-12-00-00_x_104_9001_part2_lcp.cpp": b"// x",
+    },
+}
+
+
+@pytest.mark.parametrize("service", ALONE)
+def test_who_hands_in_alone_cannot_make_it_another_services(tmp_path: Path, service: str) -> None:
+    intake = students.read(download(tmp_path / "x.zip", [], ALONE[service]))
+    assert intake.service == service
+    (student,) = intake.students
+    assert student.id == {"canvas": "103", "moodle": "7", "blackboard": "12345"}[service]
+
+
 def test_no_files_name_makes_it_another_students_attempt(tmp_path: Path) -> None:
     mine, yours = "hw3_mal_attempt_2026-11-20-23-15-42", "jdoe_attempt_2027-01-01-00-00-00"
     source = download(

@@ -36,6 +36,11 @@ def parse(entry: str) -> Entry | None:
     return Entry(match["head"], int(match["when"].replace("-", "")), match["file"] or "")
 
 
+def wrote_all(entries: Iterable[str]) -> bool:
+    """Whether Blackboard can have written all of these names."""
+    return all(map(parse, entries))
+
+
 def person_of(head: str, text: bytes) -> Person | None:
     """Who submitted, by the first line of the text; None if it isn't about this entry."""
     line = text.decode("utf-8", "replace").partition("\n")[0].strip()

@@ -58,6 +58,15 @@ def parse(entry: str) -> Upload | TextEntry | None:
     return Upload(entry, match["name"] or "", user, bool(match["late"]), attachment, file)
 
 
+def wrote_all(entries: Iterable[str]) -> bool:
+    """Whether Canvas can have written all of these names. It gives each file an id of its own; what
+    Blackboard writes of the user 12345 and an assignment "HW_3" looks like one file, several times.
+    """
+    parsed = [parse(entry) for entry in entries]
+    ids = [upload.attachment for upload in parsed if isinstance(upload, Upload)]
+    return all(parsed) and len(set(ids)) == len(ids)
+
+
 def read_all(
     entries: Iterable[str], people: Mapping[str, str] = {}
 ) -> dict[str, Upload | TextEntry | None]:

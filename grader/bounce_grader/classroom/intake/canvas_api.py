@@ -23,7 +23,7 @@ from bounce_grader.classroom.intake.archive import opened
 from bounce_grader.classroom.intake.canvas import sanitized, Upload
 from bounce_grader.classroom.intake.from_canvas import take_uploads
 from bounce_grader.classroom.intake.student import Class, Unmatched
-from bounce_grader.classroom.intake.uploads import may_count, MOST_UPLOADS
+from bounce_grader.classroom.intake.uploads import HAND_IN, may_count, MOST_UPLOADS
 from bounce_grader.common.errors import KitError, UsageError
 from bounce_grader.common.escaping import printable_name
 from bounce_grader.common.files import fitting, write_whole
@@ -33,6 +33,7 @@ WAIT = 1.0  # s before the second try; doubled each time
 SECONDS = 60.0  # of one request
 LARGEST = 64 << 20  # bytes of one answer, and of all files of a student
 FILES = "canvas"  # the folder in OUT with what was downloaded
+TYPED = {"online_text_entry": "text", "online_url": "an address"}
 
 
 class Refused(Exception):
@@ -192,12 +193,18 @@ def download(canvas: Canvas, out: Path) -> Class:
         except Refused as refused:
             missing[user] = Unmatched(names[user] or user, f"isn't graded: {refused}", user)
             continue
+        kind = str(submission.get("submission_type") or "")
+        if not uploads[user] and (kind or submission.get("submitted_at")):
+            missing[user] = _without_files(names[user] or user, user, kind)
         if submission.get("late"):
             late[user] = max(1, math.ceil(float(submission.get("seconds_late") or 0) / 86400))
     uploads = {user: taken for user, taken in uploads.items() if taken}
     intake = Class("Canvas's API", service="canvas")
     take_uploads(intake, opened(folder), uploads)
-    intake.unmatched += missing.values()
+    intake.unmatched = [
+        *(replace(u, name=names.get(u.user) or u.name) for u in intake.unmatched),
+        *missing.values(),
+    ]
     intake.students = [
         replace(s, person=names.get(s.id, ""), late_days=late.get(s.id, 0)) for s in intake.students
     ]
@@ -208,6 +215,12 @@ def download(canvas: Canvas, out: Path) -> Class:
             f"nobody has submitted a file to the assignment {canvas.assignment} yet{why}"
         )
     return intake
+
+
+def _without_files(name: str, user: str, kind: str) -> Unmatched:
+    what = f"is {TYPED[kind]} typed into Canvas" if kind in TYPED else "has no file"
+    reason = f"{what}, so nothing can be graded: ask for the files of the parts"
+    return Unmatched(name, reason, user, f"{user}_feedback.html", f"It {what}. {HAND_IN}")
 
 
 def _taken(canvas: Canvas, folder: Path, user: str, submission: dict[str, Any]) -> list[Upload]:

@@ -10,6 +10,7 @@ with a hyphen.
 """
 
 import re
+from collections.abc import Iterable
 from typing import NamedTuple
 
 from bounce_grader.common.escaping import printable_name
@@ -33,6 +34,11 @@ class Entry(NamedTuple):
 def parse(entry: str) -> Entry | None:
     match = ENTRY.fullmatch(entry)
     return Entry(match["name"], match["id"], match["kind"], match["file"]) if match else None
+
+
+def wrote_all(entries: Iterable[str]) -> bool:
+    """Whether Moodle can have written all of these names."""
+    return all(map(parse, entries))
 
 
 def parse_folder(name: str) -> Entry | None:

@@ -52,16 +52,18 @@ def read(path: Path, people: Mapping[str, str] = {}) -> Class:
 
 
 def _service(names: Sequence[str]) -> Callable[[Path, Mapping[str, str]], Class] | None:
-    """Which service's download has such files. Students choose a part of each name, so one that looks
-    like another service's proves nothing: all that look like any have to look like this one's."""
+    """Which service's download has such files. Students choose how names end, so one that looks like
+    another service's proves nothing: all that look like any have to look like this one's. Moodle and
+    Canvas write the beginning by themselves, so theirs are known first: Blackboard's begins with any
+    title, and a student who is the first to hand in could write the rest."""
     services = (
-        (blackboard.parse, from_blackboard.read),
-        (moodle.parse, from_moodle.read),
-        (canvas.parse, from_canvas.read),
+        (moodle.wrote_all, from_moodle.read),
+        (canvas.wrote_all, from_canvas.read),
+        (blackboard.wrote_all, from_blackboard.read),
     )
-    known = [name for name in names if any(parse(name) for parse, _ in services)]
-    for parse, reader in services:
-        if known and all(map(parse, known)):
+    known = [name for name in names if any(wrote_all([name]) for wrote_all, _ in services)]
+    for wrote_all, reader in services:
+        if known and wrote_all(known):
             return reader
     return from_canvas.read if known else None
 

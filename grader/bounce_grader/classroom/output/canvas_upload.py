@@ -7,11 +7,12 @@ stopped, and no comment is posted twice.
 import hashlib
 import json
 import secrets
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
 from bounce_grader.classroom.intake.canvas_api import Canvas, Refused
+from bounce_grader.classroom.intake.student import Unmatched
 from bounce_grader.classroom.work.summary import Summary
 from bounce_grader.common.escaping import terminal
 from bounce_grader.common.files import write_whole
@@ -33,9 +34,14 @@ class Change(NamedTuple):
 
 
 def plan(
-    canvas: Canvas, out: Path, summaries: Iterable[Summary], overwrite: bool
+    canvas: Canvas,
+    out: Path,
+    summaries: Sequence[Summary],
+    unmatched: Iterable[Unmatched],
+    overwrite: bool,
 ) -> tuple[list[Change], list[str]]:
-    """The changes, and sentences about points that stay because a person has entered them."""
+    """The changes, and sentences about points that stay because a person has entered them. Who
+    submitted nothing that can be graded gets a page that says so, and no points."""
     now = {str(s["user_id"]): s for s in canvas.all(f"{canvas.path}/submissions?per_page=100")}
     uploaded = read(out)
     changes, kept = [], []
@@ -61,6 +67,12 @@ def plan(
             is_new = _digest(out, page) not in ("", done.get("page"))
             if posted is not None or is_new:
                 changes.append(Change(one.id, one.name, before, posted, page if is_new else None))
+    graded = {one.id for summary in summaries for one in summary.finals}
+    for entry in unmatched:
+        is_new = _digest(out, entry.feedback) not in ("", uploaded.get(entry.user, {}).get("page"))
+        if is_new and entry.user in now and entry.user not in graded:
+            before = now[entry.user].get("score")
+            changes.append(Change(entry.user, entry.name, before, None, entry.feedback))
     return changes, kept
 
 
