@@ -2,6 +2,7 @@
 machine. Only the ratios within one run can be compared between machines."""
 
 import json
+import math
 import statistics
 import subprocess
 import sys
@@ -90,15 +91,18 @@ def _one(folder: Path) -> list[Line]:
 
 def _student(folder: Path) -> list[Line]:
     """Times ./check in a new handout as it comes, and with the parts filled in and part 2 changed.
-    How long the compiler takes for the part's own text is no matter of the kit's."""
+    How long the compiler takes for the part's own text is no matter of the kit's. The better of two
+    first checks counts: before one of them the compiler may have to be read from the disk."""
     from bounce_grader.publish import handout
 
     handout.write(folder / "handout.zip")
-    with zipfile.ZipFile(folder / "handout.zip") as archive:
-        archive.extractall(folder)
-    home = folder / handout.TOP
-    check = ["sh", str(home / "check")]
-    first = _seconds(check, allowed=(0, 1))
+    first = math.inf
+    for place in (folder / "one", folder / "two"):
+        with zipfile.ZipFile(folder / "handout.zip") as archive:
+            archive.extractall(place)
+        home = place / handout.TOP
+        check = ["sh", str(home / "check")]
+        first = min(first, _seconds(check, allowed=(0, 1)))
     for file in SOLUTION.glob("*.cpp"):
         (home / "src" / file.name).write_text(file.read_text())
     _seconds(check)
