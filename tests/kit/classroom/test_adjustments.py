@@ -251,6 +251,36 @@ def test_an_id_of_the_grade_book_is_nobodys_login(tmp_path: Path) -> None:
     assert changes == {"jdoe": "by id -7, by name -2", "101": "", "doejane": ""}
 
 
+def changes_without_a_book(tmp_path: Path, source: Path, files: dict[str, str]) -> dict[str, str]:
+    out = tmp_path / "out"
+    write(out, {name: text.encode() for name, text in files.items()})
+    grade_class(source, out)
+    return {id: row["adjustments"] for id, row in rows_of(out).items() if row["adjustments"]}
+
+
+def test_an_id_of_the_roster_is_nobodys_login(tmp_path: Path) -> None:
+    source = checkout(tmp_path, ["ann", "101", "doejane"])
+    files = {
+        "roster.csv": 'submission,id,name\nann,101,"Doe, Jane"\n',
+        "adjustments.csv": HEADER + '101,-7,,,,,by id,\n"Doe, Jane",-2,,,,,by name,\n',
+    }
+    assert changes_without_a_book(tmp_path, source, files) == {"ann": "by id -7, by name -2"}
+
+
+@pytest.mark.parametrize("handed_in", [True, False])
+def test_an_id_is_nobodys_name(tmp_path: Path, handed_in: bool) -> None:
+    entries = {"101_102_assignsubmission_file_part2_lcp.cpp": text_of(102)}
+    if handed_in:
+        entries["Doe Jane_101_assignsubmission_file_part2_lcp.cpp"] = text_of(101)
+    source = download(tmp_path / "x.zip", [], entries)
+    files = {"adjustments.csv": HEADER + "101,-7,,,,,ill,\n"}
+    if handed_in:
+        assert changes_without_a_book(tmp_path, source, files) == {"101": "ill -7"}
+    else:
+        with pytest.raises(UsageError, match="nobody here is '101'"):
+            changes_without_a_book(tmp_path, source, files)
+
+
 def test_names_are_those_of_the_grade_book(tmp_path: Path) -> None:
     export = f"Student,ID,SIS Login ID,Section,{COLUMN}\n    Points Possible,,,,100\n"
     names = {"401": "O'Brien-Łukasz, Zoë", "402": "Prince", "403": "=cmd|'x'!A1, Eve"}

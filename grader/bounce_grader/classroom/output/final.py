@@ -16,6 +16,9 @@ from bounce_grader.common.manifest import parts
 from bounce_grader.common.numbers import short
 
 
+Person = tuple[Member, Student]  # who gets the points, and what was submitted
+
+
 @dataclass(frozen=True)
 class Rules:
     """What an instructor has written into the files of the output folder."""
@@ -31,7 +34,13 @@ class Rules:
 def with_finals(summaries: Iterable[Summary], rules: Rules) -> list[Summary]:
     """Whom several submissions name as a member gets no points from any: students choose the names
     of groups, so one of them may have taken another's."""
-    all_ = [replace(s, finals=tuple(_finals(s, rules))) for s in summaries]
+    summaries = list(summaries)
+    people = [(m, s.student) for s in summaries for m in members(s.student, rules.roster)]
+    own: dict[tuple[str, str], list[Adjustment]] = {}
+    for adjustment in rules.adjustments:
+        for member, student in _meant(adjustment, people, rules):
+            own.setdefault((member.id, student.id), []).append(adjustment)
+    all_ = [replace(s, finals=tuple(_finals(s, rules, own))) for s in summaries]
     by_id: dict[str, list[str]] = {}
     for summary in all_:
         for one in summary.finals:
@@ -56,11 +65,13 @@ def members(student: Student, roster: Roster) -> list[Member]:
     return roster.of(student) or [Member(student.id, student.shown)]
 
 
-def _finals(summary: Summary, rules: Rules) -> Iterable[Final]:
+def _finals(
+    summary: Summary, rules: Rules, adjustments: Mapping[tuple[str, str], list[Adjustment]]
+) -> Iterable[Final]:
     if summary.score is None:
         return
     for member in members(summary.student, rules.roster):
-        own = [a for a in rules.adjustments if _is_meant(a, member, summary.student, rules)]
+        own = adjustments.get((member.id, summary.student.id), [])
         listed = bool(rules.roster.of(summary.student))
         yield replace(_final(summary, member, own, rules.course), listed=listed)
 
@@ -114,19 +125,37 @@ def _late_days(student: Student, own: Iterable[Adjustment]) -> int:
     return given[-1] if given else student.late_days or int(student.late)
 
 
-def _is_meant(adjustment: Adjustment, member: Member, student: Student, rules: Rules) -> bool:
-    """By an id or a name. Where students choose the ids of their submissions, such an id doesn't
-    stand for a person of the grade book, and is nobody's name. A name of the grade book is that of
-    its person, whoever has given a submission the same one."""
-    who, own = adjustment.student, member.id if member.id != student.id else ""
+def _meant(adjustment: Adjustment, people: Sequence[Person], rules: Rules) -> list[Person]:
+    """Those whom an adjustment is for. What the instructor or the service has written counts before
+    what students choose, the names of their submissions and their logins: an id of the grade book or
+    a name in it, then an id, a login, a name of the roster, and the name of a submission. Digits are
+    nobody's name. Where students choose the ids of their submissions, such an id doesn't stand for a
+    person of the grade book."""
+    who = adjustment.student
     if who == EVERYBODY:
-        return True
+        return list(people)
     persons = _persons(who, rules)
+
+    def is_in_book(member: Member, student: Student) -> bool:
+        own = member.id if not rules.logins or member.id != student.id else ""
+        return rules.same_person.get(own) in persons
+
+    def has_id(member: Member, student: Student) -> bool:
+        return who == member.id and (not rules.logins or member.id != student.id)
+
+    def is_listed(member: Member, student: Student) -> bool:
+        return _is_called(who, member.name if member.id != student.id else student.person)
+
+    def chose(_: Member, student: Student) -> bool:
+        return not rules.logins and _is_called(who, student.name)
+
     if persons:
-        return rules.same_person.get(own if rules.logins else member.id) in persons
-    if who in (member.id, student.id) or _is_called(who, member.name if own else student.person):
-        return True
-    return not rules.logins and _is_called(who, student.name)
+        return [person for person in people if is_in_book(*person)]
+    ways = (has_id, lambda _, student: who == student.id, is_listed, chose)
+    for way in ways[:2] if who.isdigit() else ways:
+        if meant := [person for person in people if way(*person)]:
+            return meant
+    return []
 
 
 def _persons(who: str, rules: Rules) -> set[str]:
@@ -171,7 +200,7 @@ def require_known(
     for adjustment in rules.adjustments:
         if adjustment.student == EVERYBODY:
             continue
-        meant = [pair for pair in people if _is_meant(adjustment, *pair, rules)]
+        meant = _meant(adjustment, people, rules)
         exact = adjustment.student in rules.same_person or any(
             adjustment.student in (m.id, s.id) for m, s in meant
         )
@@ -194,7 +223,7 @@ def require_known(
     return sentences
 
 
-def _several(adjustment: Adjustment, meant: list[tuple[Member, Student]]) -> bool:
+def _several(adjustment: Adjustment, meant: list[Person]) -> bool:
     """Whether these are members of one name, and not all members of a group of that name."""
     return not any(_is_called(adjustment.student, s.name) for _, s in meant)
 
