@@ -91,6 +91,25 @@ def test_who_hands_in_no_file_is_listed_and_gets_a_page(
     assert "On Canvas, 0 students' points or pages would change" in capsys.readouterr().out
 
 
+def test_who_is_called_as_a_group_or_an_id_gives_and_takes_nothing(
+    tmp_path: Path, server: State, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for user, name in ((301, "team seven"), (302, "101")):
+        server.add(user, name, {"part2_lcp.cpp": b"// nothing"})
+    for user in (201, 202):
+        server.add(user, f"Roe {user}, Max", {}, submission_type=None)
+    out = tmp_path / "out"
+    roster = b"submission,id\nteam seven,201\nteam seven,202\n101,101\n"
+    write(out, {"roster.csv": roster, "adjustments.csv": b"student,points,reason\n101,1,good\n"})
+    run(out, monkeypatch)
+    run(out, monkeypatch, upload=True)
+    scores = {user: submission["score"] for user, submission in server.submissions.items()}
+    points = expected(tmp_path)
+    assert scores[201] is scores[202] is None and not {201, 202} & set(server.comments)
+    assert scores[101] == points[101] + 1 and scores[302] == scores[301] < 100
+    assert "good" not in (out / "feedback" / "101_302_3020_feedback.html").read_text()
+
+
 def test_what_a_person_has_entered_is_kept_and_an_excuse_too(
     tmp_path: Path,
     server: State,

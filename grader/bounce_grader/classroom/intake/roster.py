@@ -35,16 +35,15 @@ class Roster:
 
     def of(self, student: Student) -> list[Member]:
         """The members of a submission; none if the roster doesn't name it. A name is one that its
-        students chose: where the grade book knows the members, who handed in has to be one of
-        them."""
+        students chose, so it counts only if who handed in is one of the members."""
         own = self._by_name.get(student.id.casefold(), [])
         if own:
             return own
         named = self._by_name.get(student.name.casefold(), [])
         if not named and student.uploads:
             named = self._as_in_canvas.get(student.name, [])
-        known = {self._same_person[m.id] for m in named if m.id in self._same_person}
-        return named if not known or self._same_person.get(student.id) in known else []
+        ids = {self._same_person.get(member.id, member.id) for member in named}
+        return named if self._same_person.get(student.id, student.id) in ids else []
 
     def people(self) -> dict[str, str]:
         """The names that it has, by ids."""
