@@ -167,7 +167,7 @@ std::string with_own_types(std::string symbol) {
   }
   const std::string behind_it = " const&";
   for (std::size_t at = symbol.find(behind_it); at != std::string::npos;
-       at = symbol.find(behind_it)) {
+       at = symbol.find(behind_it, at + behind_it.size())) {
     const std::size_t begin = symbol.find_last_of(" (,", at - 1) + 1;  // 0 where there is none
     symbol.replace(at, behind_it.size(), "&").insert(begin, "const ");
   }

@@ -17,7 +17,7 @@ constexpr int kStages = 3;
 
 std::string page_of(const Part& part) { return "hints/" + part.stem + ".md"; }
 
-// Without blanks, either.
+// The text without its numbers, and without blanks.
 std::string without_numbers(const std::string& text) {
   std::string kept;
   bool in_number = false;
