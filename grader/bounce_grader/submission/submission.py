@@ -34,6 +34,8 @@ OF_THE_SOLUTION = (
     "methods/",
     "study/",
 )  # other folders of solution/, whose src/ can be graded like a submission
+INCLUDES_GTEST = re.compile(rb'^[ \t]*#[ \t]*include[ \t]*[<"]g(?:test|mock)/', re.M)
+HAS_A_TEST = re.compile(rb"^[ \t]*TEST(?:_F|_P)?[ \t]*\(", re.M)
 COPY = re.compile(r"(?:-\d+|\s?\(\d+\))$")  # the suffix of a file uploaded or downloaded again
 
 
@@ -111,6 +113,9 @@ def take(path: Path, entries: list[Entry]) -> Submission:
             raise _too_much(path)
     _require_a_place_for_each(path, wanted)
     chosen = _choose_parts(list(wanted))
+    for name in [n for n, text in files.items() if n not in chosen.values() and _is_test(n, text)]:
+        del files[name]
+        not_text[name] = "holds tests of GoogleTest's, which aren't run here"
     unused = _other_copies(list(files), chosen)
     left = (names.keys() - wanted.keys()) | {*unused} | (not_text.keys() - {*chosen.values()})
     return Submission(
@@ -120,6 +125,12 @@ def take(path: Path, entries: list[Entry]) -> Submission:
         refused={n: f"{name} {not_text[name]}" for n, name in chosen.items() if name in not_text},
         ignored=tuple(_with_reason(name, not_text) for name in sorted(left)),
     )
+
+
+def _is_test(name: str, text: bytes) -> bool:
+    """Whether it can't be linked, as GoogleTest isn't: then no part could be, either."""
+    is_source = PurePosixPath(name).suffix.lower() in SOURCES
+    return is_source and bool(INCLUDES_GTEST.search(text) and HAS_A_TEST.search(text))
 
 
 def _with_reason(name: str, not_text: dict[str, str]) -> str:

@@ -61,6 +61,24 @@ def test_helpers_are_taken_and_what_the_kit_gives_is_not(tmp_path: Path) -> None
     assert set(taken.ignored) == set(extra) - helpers
 
 
+def test_own_tests_are_left_out_under_any_name(tmp_path: Path) -> None:
+    tests = (
+        b"#include <bounce/part1_contacts.hpp>\n#include <gtest/gtest.h>\n"
+        b"TEST(Own, IsRight) { EXPECT_NEAR(1, 1, 1e-9); }\n"
+    )
+    helper = (
+        b"// TEST(Own, IsRight) is in checks.cpp, with <gtest/gtest.h>\nint one() { return 1; }\n"
+    )
+    more = {"checks.cpp": tests, "helper.cpp": helper}
+    taken = submission.read(write(tmp_path / "x", {**solution_files(), **more}))
+    assert "helper.cpp" in taken.files and "checks.cpp" not in taken.files
+    assert [name for name in taken.ignored if "checks.cpp" in name] == [
+        "checks.cpp (holds tests of GoogleTest's, which aren't run here)"
+    ]
+    part = {"part1_contacts.cpp": tests}  # a part is never left out
+    assert 1 in submission.read(write(tmp_path / "y", {**solution_files(), **part})).parts
+
+
 def test_the_part_nearest_to_the_top_counts(tmp_path: Path) -> None:
     old = {"old/part1_contacts.cpp": b"// last week's"}
     taken = submission.read(write(tmp_path, {**solution_files(), **old}))
