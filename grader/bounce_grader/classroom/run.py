@@ -25,7 +25,7 @@ from bounce_grader.classroom.work.request import Request
 from bounce_grader.classroom.work.summary import Summary
 from bounce_grader.classroom.work.task import task_of, with_times, Stamp, Task
 from bounce_grader.common.errors import KitError, UsageError
-from bounce_grader.common.escaping import terminal
+from bounce_grader.common.escaping import printable_name, terminal
 from bounce_grader.common.files import remove_abandoned
 from bounce_grader.common.manifest import parts
 
@@ -71,12 +71,12 @@ def _whole(request: Request) -> int:
     _name_persons(intake, book, rules.roster)
     if book:
         _require_students_of(book, request, intake, rules.roster)
-    notes = final.require_known(rules, intake.students, others, adjustments.NAME)
+    left_out = final.left_out(rules, intake.students, others)
     with _alone(request.out):
         remove_abandoned(request.out)
         log = Log(request.out / "log.jsonl")
         try:
-            return _run(request, intake, book, log, rules, notes, canvas)
+            return _run(request, intake, book, log, rules, left_out, canvas)
         except OSError as error:
             if error.errno != errno.ENOSPC:
                 raise
@@ -94,7 +94,7 @@ def _run(
     book: Gradebook | Worksheet | None,
     log: Log,
     rules: Rules,
-    notes: list[str],
+    left_out: list[str],
     canvas: Canvas | None,
 ) -> int:
     folder = request.out / "results"
@@ -127,10 +127,11 @@ def _run(
         request.columns.get(0, ""),
         near,
         log,
+        left_out,
         request.overwrite,
         rules.course,
     )
-    status = _say(request, intake, summaries, [*notes, *remarks], _alike(near, summaries))
+    status = _say(request, intake, summaries, remarks, _alike(near, summaries))
     if feedback.to_upload and not canvas:
         print(feedback.to_upload)
     return max(status, _to_canvas(request, canvas, intake, summaries) if canvas else 0)
@@ -328,7 +329,7 @@ def _say(
             f"{request.out / 'class.html'} says which, and why."
         )
     not_graded = [
-        f"{unmatched.name!r} {unmatched.reason}"
+        f"{printable_name(unmatched.name)!r} {unmatched.reason}"
         for unmatched in intake.unmatched
         if not _is_said(remarks, "", f"{unmatched.name} {unmatched.reason}")
     ]

@@ -2,6 +2,7 @@
 after the grading, and never records."""
 
 import csv
+import html
 import io
 from pathlib import Path
 from typing import Any
@@ -114,8 +115,6 @@ def test_lateness_costs_what_the_policy_says_and_an_extension_nothing(tmp_path: 
         ({"adjustments.csv": HEADER + "101,,,1.5,,,x,\n"}, "late_days is a whole number"),
         ({"adjustments.csv": HEADER + "101,,,,,part1.X,x,\n"}, "there is no check 'part1.X'"),
         ({"adjustments.csv": HEADER + '101,"5,,,,,x,\n'}, "is no CSV"),
-        ({"adjustments.csv": HEADER + "Nobody,5,,,,,x,\n"}, "nobody here is 'Nobody'"),
-        ({"adjustments.csv": HEADER + "Jane Doe,5,,,,,x,\n"}, "is the name of 10 persons"),
         ({"course.toml": "late = 3\n"}, "holds 'late'"),
         ({"course.toml": "[late]\npercent_per_day = 200\n"}, "a number from 0 to 100"),
         ({"course.toml": POLICY}, "holds title = no under"),
@@ -274,11 +273,37 @@ def test_an_id_is_nobodys_name(tmp_path: Path, handed_in: bool) -> None:
         entries["Doe Jane_101_assignsubmission_file_part2_lcp.cpp"] = text_of(101)
     source = download(tmp_path / "x.zip", [], entries)
     files = {"adjustments.csv": HEADER + "101,-7,,,,,ill,\n"}
-    if handed_in:
-        assert changes_without_a_book(tmp_path, source, files) == {"101": "ill -7"}
+    expected = {"101": "ill -7"} if handed_in else {}
+    assert changes_without_a_book(tmp_path, source, files) == expected
+    left_out = "adjustments.csv, line 2: nobody here is '101', so it changes nothing"
+    assert (left_out in html.unescape((tmp_path / "out" / "class.html").read_text())) != handed_in
+
+
+@pytest.mark.parametrize("named_by", ["students", "the grade book"])
+def test_a_name_of_two_persons_changes_nothing_and_stops_nothing(
+    tmp_path: Path, named_by: str
+) -> None:
+    """Students can choose their names, and one may have chosen another's."""
+    uploads = {f"doejane_{id}_{id}0_part2_lcp.cpp": text_of(id) for id in (101, 102)}
+    source = download(tmp_path / "x.zip", [], {**uploads, "roe_103_1030_part2_lcp.cpp": b"3"})
+    out, book = tmp_path / "out", tmp_path / "named.csv"
+    lines = '"Doe, Jane",-7,,,,,copied,\n103,5,,,,,ill,\n'
+    write(out, {"adjustments.csv": (HEADER + lines).encode()})
+    if named_by == "the grade book":
+        book.write_text(BOOK + '"Doe, Jane",101,j,S,\n"Doe, Jane",102,d,S,\n"Roe, M",103,m,S,\n')
+        assert grade_class(source, out, gradebook=book, columns={0: COLUMN}) == 0
     else:
-        with pytest.raises(UsageError, match="nobody here is '101'"):
-            changes_without_a_book(tmp_path, source, files)
+        assert grade_class(source, out) == 0
+    rows = rows_of(out)
+    assert {id: row["adjustments"] for id, row in rows.items()} == {
+        "101": "",
+        "102": "",
+        "103": "ill +5",
+    }
+    why = "line 2: 'Doe, Jane' is the name of 2 persons (101, 102), and changes nothing"
+    assert why in rows["101"]["needs a look"] and why in rows["102"]["needs a look"]
+    assert not rows["103"]["needs a look"].count("persons")
+    assert html.unescape((out / "class.html").read_text()).count(why) == 3
 
 
 def test_names_are_those_of_the_grade_book(tmp_path: Path) -> None:

@@ -30,6 +30,7 @@ from bounce_grader.common.files import fitting, write_whole
 
 TRIES = 6
 WAIT = 1.0  # s before the second try; doubled each time
+REDIRECTIONS = 5  # of one request
 SECONDS = 60.0  # of one request
 LARGEST = 64 << 20  # bytes of one answer, and of all files of a student
 FILES = "canvas"  # the folder in OUT with what was downloaded
@@ -118,46 +119,59 @@ class Canvas:
         for attempt in range(TRIES):
             if attempt:
                 time.sleep(WAIT * 2 ** (attempt - 1))
-            own = _address(url)
-            if own.scheme != "https" and own.scheme != urllib.parse.urlsplit(self._origin).scheme:
-                raise Refused("it leads to no address of the web")
-            request = urllib.request.Request(url, data, method=method)
-            if f"{own.scheme}://{own.netloc}" == self._origin:
-                request.add_header("Authorization", f"Bearer {self._token}")
-            if kind:
-                request.add_header("Content-Type", kind)
-            try:
-                with OPENER.open(request, timeout=SECONDS) as answer:
-                    return answer.read(LARGEST + 1), dict(answer.headers)
-            except urllib.error.HTTPError as error:
-                if error.code in (301, 302, 303, 307, 308) and error.headers.get("Location"):
-                    url, method = urllib.parse.urljoin(url, error.headers["Location"]), "GET"
-                    data, kind = None, ""
-                    continue
-                body = error.read(10_000)
-                limited = error.code == 429 or error.code == 403 and b"Rate Limit" in body
-                if error.code == 401:
-                    raise UsageError(
-                        "Canvas doesn't accept the token: make a new one, and put it into "
-                        "CANVAS_TOKEN"
-                    ) from None
-                if not limited and error.code < 500:
-                    raise Refused(f"{error.code} {printable_name(error.reason or '')}") from None
-            except (http.client.InvalidURL, ValueError):
-                raise Refused("it leads to no address of the web") from None
-            except (http.client.HTTPException, OSError):
-                pass
+            answer = self._tried(method, url, data, kind)
+            if answer:
+                return answer
         raise KitError(
             f"Canvas doesn't answer at {self._origin}; what is done is kept, so give the same "
             "command again later"
         )
 
+    def _tried(
+        self, method: str, url: str, data: bytes | None, kind: str
+    ) -> tuple[bytes, Mapping[str, str]] | None:
+        """As `request`, tried once; None where it should be tried again. Follows redirections."""
+        for _ in range(REDIRECTIONS + 1):
+            try:
+                with OPENER.open(self._signed(method, url, data, kind), timeout=SECONDS) as answer:
+                    return answer.read(LARGEST + 1), dict(answer.headers)
+            except urllib.error.HTTPError as error:
+                location = error.headers.get("Location")
+                if error.code not in (301, 302, 303, 307, 308) or not location:
+                    _require_patience(error)
+                    return None
+                url, method = urllib.parse.urljoin(url, location), "GET"
+                data, kind = None, ""
+            except (http.client.InvalidURL, ValueError):
+                raise Refused("it leads to no address of the web") from None
+            except (http.client.HTTPException, OSError):
+                return None
+        raise Refused("it is redirected again and again")
 
-def _address(url: str) -> urllib.parse.SplitResult:
-    try:
-        return urllib.parse.urlsplit(url)
-    except ValueError:
-        raise Refused("it leads to no address of the web") from None
+    def _signed(
+        self, method: str, url: str, data: bytes | None, kind: str
+    ) -> urllib.request.Request:
+        """The request, with the token if it goes to Canvas's own address."""
+        own = urllib.parse.urlsplit(url)
+        if own.scheme != "https" and own.scheme != urllib.parse.urlsplit(self._origin).scheme:
+            raise Refused("it leads to no address of the web")
+        request = urllib.request.Request(url, data, method=method)
+        if f"{own.scheme}://{own.netloc}" == self._origin:
+            request.add_header("Authorization", f"Bearer {self._token}")
+        if kind:
+            request.add_header("Content-Type", kind)
+        return request
+
+
+def _require_patience(error: urllib.error.HTTPError) -> None:
+    """Returns if Canvas asks to wait, or is out of order. Raises UsageError or Refused."""
+    limited = error.code == 429 or error.code == 403 and b"Rate Limit" in error.read(10_000)
+    if error.code == 401:
+        raise UsageError(
+            "Canvas doesn't accept the token: make a new one, and put it into CANVAS_TOKEN"
+        ) from None
+    if not limited and error.code < 500:
+        raise Refused(f"{error.code} {printable_name(error.reason or '')}") from None
 
 
 def _json(body: bytes) -> Any:
@@ -187,7 +201,7 @@ def download(canvas: Canvas, out: Path) -> Class:
     for submission in listed:
         user = str(submission.get("user_id", ""))
         person = submission.get("user") or {}
-        names[user] = str(person.get("sortable_name") or "")
+        names[user] = printable_name(str(person.get("sortable_name") or ""))
         try:
             uploads[user] = _taken(canvas, folder, user, submission)
         except Refused as refused:

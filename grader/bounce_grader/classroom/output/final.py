@@ -5,13 +5,13 @@ import unicodedata
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
-from bounce_grader.classroom.intake.adjustments import EVERYBODY, Adjustment
+from bounce_grader.classroom.intake.adjustments import EVERYBODY, NAME, Adjustment
 from bounce_grader.classroom.intake.canvas import sanitized
 from bounce_grader.classroom.intake.course import Course
 from bounce_grader.classroom.intake.roster import Member, Roster
 from bounce_grader.classroom.intake.student import Student
 from bounce_grader.classroom.work.summary import Applied, Final, Summary
-from bounce_grader.common.errors import UsageError
+from bounce_grader.common.escaping import first_few
 from bounce_grader.common.manifest import parts
 from bounce_grader.common.numbers import short
 
@@ -37,10 +37,23 @@ def with_finals(summaries: Iterable[Summary], rules: Rules) -> list[Summary]:
     summaries = list(summaries)
     people = [(m, s.student) for s in summaries for m in members(s.student, rules.roster)]
     own: dict[tuple[str, str], list[Adjustment]] = {}
+    unclear: dict[str, list[str]] = {}
     for adjustment in rules.adjustments:
-        for member, student in _meant(adjustment, people, rules):
-            own.setdefault((member.id, student.id), []).append(adjustment)
-    all_ = [replace(s, finals=tuple(_finals(s, rules, own))) for s in summaries]
+        meant = _meant(adjustment, people, rules)
+        why = _unclear(adjustment, meant, rules)
+        for member, student in meant:
+            if why:
+                unclear.setdefault(student.id, []).append(why)
+            else:
+                own.setdefault((member.id, student.id), []).append(adjustment)
+    all_ = [
+        replace(
+            s,
+            finals=tuple(_finals(s, rules, own)),
+            notes=(*s.notes, *dict.fromkeys(unclear.get(s.student.id, []))),
+        )
+        for s in summaries
+    ]
     by_id: dict[str, list[str]] = {}
     for summary in all_:
         for one in summary.finals:
@@ -190,48 +203,47 @@ def adjusted(summaries: list[Summary]) -> list[str]:
     return lines
 
 
-def require_known(
-    rules: Rules, students: Sequence[Student], others: Mapping[str, str], path: str
-) -> list[str]:
-    """Raises UsageError for an adjustment of nobody, or of two persons of one name. Returns a
-    sentence for each of somebody without a submission; `others` are all of the course, by id."""
+def left_out(rules: Rules, students: Sequence[Student], others: Mapping[str, str]) -> list[str]:
+    """A sentence for each adjustment that changes nothing: of nobody, of somebody without a
+    submission, or of persons of one name; `others` are all of the course, by id."""
     people = [(m, s) for s in students for m in members(s, rules.roster)]
     sentences = []
     for adjustment in rules.adjustments:
-        if adjustment.student == EVERYBODY:
-            continue
         meant = _meant(adjustment, people, rules)
-        exact = adjustment.student in rules.same_person or any(
-            adjustment.student in (m.id, s.id) for m, s in meant
-        )
-        where = f"{path}, line {adjustment.line}:"
-        submissions = {student.id for _, student in meant}
-        persons = sorted(_persons(adjustment.student, rules))
-        if len(persons) > 1:
-            raise UsageError(
-                f"{where} {adjustment.student!r} is the name of {len(persons)} persons of the grade "
-                f"book: give the id of the one that is meant ({' and '.join(persons)})"
-            )
-        if len(meant) > 1 and not exact and (len(submissions) > 1 or _several(adjustment, meant)):
-            ids = " and ".join(member.id for member, _ in meant)
-            raise UsageError(
-                f"{where} {adjustment.student!r} is the name of {len(meant)} persons: give the id "
-                f"of the one that is meant ({ids})"
-            )
-        if not meant:
-            sentences.append(_unknown(adjustment, others, where))
+        if unclear := _unclear(adjustment, meant, rules):
+            sentences.append(unclear)
+        elif not meant and adjustment.student != EVERYBODY:
+            sentences.append(_unknown(adjustment, others))
     return sentences
 
 
-def _several(adjustment: Adjustment, meant: list[Person]) -> bool:
-    """Whether these are members of one name, and not all members of a group of that name."""
-    return not any(_is_called(adjustment.student, s.name) for _, s in meant)
+def _unclear(adjustment: Adjustment, meant: list[Person], rules: Rules) -> str:
+    """Why it can't be told whom of several an adjustment is for; "" if it can."""
+    who = adjustment.student
+    ids = sorted(_persons(who, rules))
+    if len(ids) < 2:
+        is_id = who in rules.same_person or any(who in (m.id, s.id) for m, s in meant)
+        is_group = len({s.id for _, s in meant}) == 1 and any(
+            _is_called(who, s.name) for _, s in meant
+        )
+        ids = [] if who == EVERYBODY or is_id or is_group else [m.id for m, _ in meant]
+    if len(ids) < 2:
+        return ""
+    return (
+        f"{_where(adjustment)} {who!r} is the name of {len(ids)} persons ({first_few(ids)}), and "
+        "changes nothing for any of them: give the id of the one that is meant"
+    )
 
 
-def _unknown(adjustment: Adjustment, others: Mapping[str, str], where: str) -> str:
+def _unknown(adjustment: Adjustment, others: Mapping[str, str]) -> str:
     who = adjustment.student
     if who in others or any(_is_called(who, name) for name in others.values()):
         return f"{who} has no submission: the adjustment ({adjustment.reason}) changes nothing"
-    raise UsageError(
-        f"{where} nobody here is {who!r}: give an id or a name as in grades.csv, or * for everybody"
+    return (
+        f"{_where(adjustment)} nobody here is {who!r}, so it changes nothing: give an id or a name "
+        "as in grades.csv, or * for everybody"
     )
+
+
+def _where(adjustment: Adjustment) -> str:
+    return f"{NAME}, line {adjustment.line}:"

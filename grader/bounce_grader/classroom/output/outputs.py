@@ -3,7 +3,7 @@
 import io
 import json
 import zipfile
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -40,6 +40,7 @@ def write(
     title: str,
     near: Similar,
     log: Log,
+    adjustments_left_out: Sequence[str] = (),
     overwrite: bool = False,
     course: Course = Course(),
 ) -> list[str]:
@@ -54,7 +55,7 @@ def write(
         write_whole(out / name, filled.data)
         write_whole(out / WRITTEN, json.dumps(filled.written, indent=1, sort_keys=True))
         sentences = [*filled.sentences, *left_out]
-    sentences = [*adjusted(summaries), *sentences]
+    sentences = [*adjustments_left_out, *adjusted(summaries), *sentences]
     write_whole(out / "grades.csv", "\ufeff" + grades.table(summaries))
     write_whole(out / "class.html", page.render(submitted, summaries, near, sentences, course))
     return sentences
