@@ -143,7 +143,7 @@ class Simulation {
     const Motions finer = in_long_double(most);
     if (finer.size() < motions.size()) return {};
     std::vector<double> shadows(motions.size());
-    for (const std::uint64_t seed : {1, 2}) {
+    for (const std::uint64_t seed : {1UL, 2UL}) {
       EventOptions disturbed;
       disturbed.noise = kNoise;
       disturbed.seed = seed;

@@ -30,7 +30,7 @@ SANITIZED = (
     "fuzz_terminations",
 )
 EXTENTS = ("quick", "usual", "long")
-WORKERS = (os.cpu_count() or 1) + 1  # a part of the tests' time is waiting
+WORKERS = (os.cpu_count() or 1) + 2  # much of the tests' time is waiting
 
 
 @dataclass(frozen=True)
@@ -42,13 +42,13 @@ class Step:
 
 
 def run(extent: str) -> int:
-    """The steps that keep one core busy two at a time, and then those that use all of them."""
+    """The steps that keep one core busy side by side, and then those that use all of them."""
     single: list[Step] = []
     parallel: list[Step] = []
     for step in _steps(extent):
         if EXTENTS.index(step.least) <= EXTENTS.index(extent):
             (parallel if step.parallel else single).append(step)
-    passed = [*parallel_map(_passes, single, 2), *map(_passes, parallel)]
+    passed = [*parallel_map(_passes, single, WORKERS), *map(_passes, parallel)]
     failed = [step.name for step, ok in zip([*single, *parallel], passed) if not ok]
     if failed:
         print(f"failed: {', '.join(failed)}")

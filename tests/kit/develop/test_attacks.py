@@ -15,6 +15,7 @@ from fuzzing import nasty, nasty_words
 from fuzzing.attacks import some_attack
 
 COUNT, FIRST = 10, 7040
+ONE_FOLDER = pytest.mark.xdist_group("attacks")  # of tests with the same seed
 # Programs that replace the kit.
 LEAKING = """
 import os, subprocess, sys
@@ -99,6 +100,7 @@ def seed_of(kind: str) -> int:
     return next(seed for seed, attack in made if attack.files and attack.honest_parts)
 
 
+@ONE_FOLDER
 @pytest.mark.slow
 @pytest.mark.parametrize("kind", ["folder", pytest.param("class", marks=pytest.mark.long)])
 def test_what_a_grading_gives_away_or_leaves_behind_is_noticed(kind: str) -> None:
@@ -113,5 +115,6 @@ def test_what_a_grading_gives_away_or_leaves_behind_is_noticed(kind: str) -> Non
         assert problem in said
 
 
+@ONE_FOLDER
 def test_points_that_an_honest_part_loses_are_noticed() -> None:
     assert "is honest, and has 0 points: lost" in problems_with(UNJUST, seed_of("folder"))

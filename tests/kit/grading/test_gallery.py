@@ -69,15 +69,17 @@ def known_as(folder: Path) -> list[str]:
 
 
 # A grading takes several seconds of CPU time, and another entry of the usual run is graded the same
-# way: it hangs, crashes in all parts at once, or is compiled for long.
+# way: it hangs, crashes and is built again with sanitizers, or is compiled for long.
 TAKES_LONG = {
     *("broken/part3_null_pointer_in_contact", "broken/part3_throws_where_it_must_not"),
     *("broken/part4_integer_division_by_zero", "broken/part4_recursion_without_end"),
     *("hostile/part1_constant_without_end", "hostile/part1_goes_on_after_the_cpu_limit"),
     *("hostile/part1_hangs_before_main", "hostile/part1_ignores_its_cpu_limit"),
+    *("hostile/part1_prints_a_riddle_and_aborts", "hostile/part1_starts_a_daemon"),
     *("hostile/part1_prints_without_pause_and_aborts", "hostile/part1_tower_of_macros"),
+    *("hostile/part1_swaps_its_pipes", "hostile/part1_traces_the_first_process"),
     *("hostile/part2_traps_every_rounding", "hostile/part3_indirect_function_traps"),
-    "hostile/part3_asks_the_box_next_door",
+    *("hostile/part3_asks_the_box_next_door", "hostile/part3_throws_before_main"),
     *("hostile/part4_constructor_crashes", "hostile/part4_sends_half_of_its_columns"),
 }
 
@@ -87,14 +89,14 @@ def test_entries_that_take_long_are_in_the_gallery() -> None:
 
 
 def run_of(number: int, folder: Path) -> list[pytest.MarkDecorator]:
-    """One in twenty-four is in the quick run. The usual one grades every third; of the right ones
+    """One in twenty-four is in the quick run. The usual one grades every fourth; of the right ones
     one in six; of the mistakes, which differ in their numbers and not in how they run, one in
     twelve, and there the judge sees all."""
     if name_of(folder) in TAKES_LONG:
         return [pytest.mark.long]
     if number % 24 == 0:
         return []
-    one_in = {"accepted": 6, "mistakes": 12}.get(folder.parent.name, 3)
+    one_in = {"accepted": 6, "mistakes": 12}.get(folder.parent.name, 4)
     return [pytest.mark.long if number % one_in else pytest.mark.slow]
 
 

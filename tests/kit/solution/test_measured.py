@@ -234,7 +234,7 @@ def some_ellipses(folder: Path, count: int) -> Path:
 
 
 def test_the_command_answers_for_other_figures(tmp_path: Path) -> None:
-    squares, oval = some_squares(tmp_path, 120), some_ellipses(tmp_path, 150)
+    squares, oval = some_squares(tmp_path, 60), some_ellipses(tmp_path, 80)
     answers = []
     for name in ("one.json", "two.json"):
         command = ["study", "measured", "--quick", "--squares", str(squares)]

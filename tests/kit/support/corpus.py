@@ -4,6 +4,7 @@ import struct
 import zlib
 from collections.abc import Iterable
 from dataclasses import dataclass
+from functools import lru_cache
 
 STREAMED = 0x8  # sizes and checksum follow the data
 UTF8 = 0x800
@@ -39,10 +40,13 @@ def zip_of(members: Iterable[Member], comment: bytes = b"") -> bytes:
 
 
 def _packed(member: Member) -> bytes:
-    if member.method != DEFLATED:
-        return member.data
+    return _deflated(member.data) if member.method == DEFLATED else member.data
+
+
+@lru_cache(1)  # a bomb's entries have the same data
+def _deflated(data: bytes) -> bytes:
     squeeze = zlib.compressobj(9, zlib.DEFLATED, -15)
-    return squeeze.compress(member.data) + squeeze.flush()
+    return squeeze.compress(data) + squeeze.flush()
 
 
 def _numbers(member: Member) -> tuple[int, int, int]:

@@ -4,6 +4,7 @@ follow from its bytes.
 As a program it grades a class: stand_in.py SUBMISSIONS OUT [SECONDS OF EACH GRADING].
 """
 
+import multiprocessing
 import os
 import sys
 import time
@@ -22,6 +23,11 @@ from bounce_grader.common.errors import KitError
 from bounce_grader.common.manifest import parts
 from bounce_grader.grading.record import whole
 from bounce_grader.submission import submission
+
+# Else every grading would import all of this. The server that gradings are forked from looks for
+# modules in the environment's path alone.
+multiprocessing.set_forkserver_preload(["stand_in"])
+os.environ["PYTHONPATH"] = os.pathsep.join(filter(None, sys.path))
 
 HIDDEN_ANSWER = {
     "message": "1 of 9 cases wrong; the first: x\n  expected phi = 0.8128",

@@ -23,12 +23,6 @@ from bounce_grader.common.errors import UsageError
 TO_CLEAN_UP = 3.0  # seconds in which a terminated grading can remove its files
 LONGEST_TEMPORARY = 75  # bytes: a socket's path has 107, of which multiprocessing takes 32
 LONGEST = 1800.0  # seconds; a grading's own limits are far below
-PRELOADED = [
-    "bounce_grader.grading.grade",
-    "bounce_grader.classroom.work.unit",
-    "bounce_grader.submission.zips",
-    "html",
-]
 
 
 def run(
@@ -36,7 +30,6 @@ def run(
 ) -> Generator[tuple[Task, Outcome], None, None]:
     """Yields outcomes as they come. If the caller stops early, ends the gradings under way."""
     context = multiprocessing.get_context("forkserver")
-    context.set_forkserver_preload(PRELOADED)
     _start_server()
     running = _Running(context, unit)
     waiting = iter(tasks)
