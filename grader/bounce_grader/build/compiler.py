@@ -16,6 +16,7 @@ from bounce_grader.submission.submission import Submission
 
 COMPILE_MEMORY = 2 << 30
 COMPILE = processes.Limits(15, 120, memory=COMPILE_MEMORY, file_size=64 << 20)
+LARGE = 640 << 20  # bytes of a compiler's memory; for an honest part it takes up to 470 MB
 LARGEST_OBJECT = 8 << 20
 BUILDING = processes.Limits(600, 1800, memory=None, file_size=1 << 30)  # of the kit's own
 
@@ -68,11 +69,16 @@ def require_a_compiler(result: processes.Result) -> None:
     if not result.boxed:
         why = terminal(printable_text(result.err.strip().partition("\n")[0], 200))
         raise KitError(f"a box couldn't be made: {why or 'it ended'}")
-    # The system enforces the limit in ticks but reports in nanoseconds, so the two can differ.
-    if result.killed and result.cpu_seconds < 0.7 * result.cpu_limit:
+    if _killed_early(result) and result.peak < LARGE:
         raise KitError("the compiler was killed from outside; is the machine short of memory?")
     if result.too_long and result.cpu_seconds < result.cpu_limit / 2:
         raise KitError("a compiler hardly ran: the machine was too busy, or it was stopped")
+
+
+def _killed_early(result: processes.Result) -> bool:
+    """Whether it wasn't the limit of CPU time that killed it. The system enforces that in ticks but
+    reports in nanoseconds, so the two can differ."""
+    return result.killed and result.cpu_seconds < 0.7 * result.cpu_limit
 
 
 def require_that_gcc_began(result: processes.Result) -> None:
@@ -132,6 +138,8 @@ def too_large(file: str) -> str:
 def compile_problem(result: processes.Result, file: str) -> str:
     """The compiler's first error in one line, with the submission's file and line, and what it
     usually means."""
+    if _killed_early(result):
+        return f"{file} takes more memory to compile than there is"
     if ran_out_of_time(result):
         return f"{file} took more than {COMPILE.cpu_seconds} s to compile"
     if result.code in (-25, 128 + 25):
@@ -165,9 +173,9 @@ def _first_error(where: str, what: str, result: processes.Result, file: str) -> 
 
 
 def _without_a_place(result: processes.Result) -> str:
-    error = re.search(r"^(?:\S+: )?(?:fatal )?error: (.*)$", result.err, re.MULTILINE)
-    if error:
-        return error.group(1)
+    for error in re.findall(r"^(?:\S+: )?(?:fatal )?error: (.*)$", result.err, re.MULTILINE):
+        if not error.startswith("clang frontend command failed"):
+            return str(error)
     return (
         f"the compiler gave up on it: it takes more than {COMPILE_MEMORY >> 30} GB of memory, or "
         "meets a fault of the compiler's own; take lines out until it compiles"

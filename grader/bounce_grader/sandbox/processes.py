@@ -57,6 +57,7 @@ class Result(NamedTuple):
     flooded: bool  # ended because standard output passed its cap
     boxed: bool = True  # the box was made, if one was asked for, and its command was started
     cpu_limit: float = 0.0  # CPU seconds that it was given
+    peak: int = 0  # bytes in memory of the largest of them; 0 if stopped
 
     @property
     def ok(self) -> bool:
@@ -180,8 +181,11 @@ def _collect(
                 kept[key.fd] += chunk[: max(0, room)]
                 flooded = flooded or (key.fd == out and len(chunk) > room)
             too_long = deadline is not None and time.monotonic() >= deadline
+    code, seconds, peak = _ended(process, stop=too_long or flooded)
     return Result(
-        *_code_and_seconds(process, stop=too_long or flooded),
+        code,
+        seconds,
+        peak=peak,
         out=bytes(kept[out]),
         err=kept[err].decode("utf-8", "replace"),
         too_long=too_long,
@@ -189,14 +193,15 @@ def _collect(
     )
 
 
-def _code_and_seconds(process: subprocess.Popen[bytes], stop: bool) -> tuple[int, float]:
+def _ended(process: subprocess.Popen[bytes], stop: bool) -> tuple[int, float, int]:
+    """Its status, CPU seconds and peak of memory."""
     if stop:
         seconds = _seconds_of_all_below(process.pid)  # wait4 wouldn't count them all
         _stop(process)
-        return process.returncode, seconds
+        return process.returncode, seconds, 0
     _, status, usage = os.wait4(process.pid, 0)
     process.returncode = os.waitstatus_to_exitcode(status)
-    return process.returncode, usage.ru_utime + usage.ru_stime
+    return process.returncode, usage.ru_utime + usage.ru_stime, usage.ru_maxrss << 10
 
 
 def _seconds_of_all_below(root: int) -> float:

@@ -239,6 +239,34 @@ def test_a_compiler_that_was_given_less_time_is_no_failure_of_the_machine() -> N
         compiler.require_a_compiler(ended._replace(cpu_limit=15))
 
 
+def test_a_large_compiler_that_is_killed_is_the_submissions_doing() -> None:
+    """As the system does where memory is short."""
+    python = f"import os; x = b'1' * {compiler.LARGE}; os.kill(os.getpid(), 9)"
+    ended = run(["/usr/bin/python3", "-c", python])._replace(cpu_limit=15)
+    compiler.require_a_compiler(ended)
+    said = compiler.compile_problem(ended, "x.cpp")
+    assert said == "x.cpp takes more memory to compile than there is"
+
+
+def test_what_a_compiler_says_of_its_own_failure_is_no_reason() -> None:
+    err = "clang: error: clang frontend command failed with exit code 134 (use -v to see it)\n"
+    said = compiler.compile_problem(Result(134, 3.0, b"", err, False, False), "x.cpp")
+    assert said.startswith("x.cpp: the compiler gave up on it: it takes more than 2 GB of memory")
+
+
+@pytest.mark.parametrize("kind", ["full", "reduced", "none"])
+def test_what_a_compiler_holds_in_memory_is_told_from_within_each_box(
+    kind: str, tmp_path: Path
+) -> None:
+    submission, box = read(SOLUTION), Box(kind)
+    command = compiler.clang("part2_lcp.cpp", submission, "prelude")
+    with temporary_folder(WORK_FOLDER) as work:
+        submission.write_to(Path(work), ["part2_lcp.cpp"])
+        box.give(Path(work))
+        result = compiler.run(command, Path(work), box, tmp_path / "x.o")
+    assert result.ok and 100 << 20 < result.peak < compiler.LARGE
+
+
 @pytest.mark.parametrize("kind", ["full", "reduced", "none"])
 def test_a_signal_that_ends_what_gcc_starts_is_told(kind: str, tmp_path: Path) -> None:
     """By the exit status, because a submission can print any text."""

@@ -94,11 +94,16 @@ def test_results_among_the_submissions_are_no_submission(tmp_path: Path) -> None
     assert found.unmatched[0].reason == "was written by ./kit class, and is no submission"
 
 
-def test_a_folder_and_a_zip_of_one_name_are_refused(tmp_path: Path) -> None:
-    folder = write(tmp_path / "all", {"anna/part2_lcp.cpp": b"// x"})
+def test_neither_a_folder_nor_a_zip_of_its_name_is_graded_and_the_others_are(
+    tmp_path: Path,
+) -> None:
+    folder = write(tmp_path / "all", {"anna/part2_lcp.cpp": b"// x", "ben/part2_lcp.cpp": b"// z"})
     download(folder / "anna.zip", {"part2_lcp.cpp": b"// y"})
-    with pytest.raises(UsageError, match="keep one of them"):
-        students.read(folder)
+    found = students.read(folder)
+    assert [student.id for student in found.students] == ["ben"]
+    assert [(u.name, u.reason) for u in found.unmatched] == [
+        ("anna", "could be anna and anna.zip: keep one of them")
+    ]
 
 
 def test_a_students_zip_with_names_as_canvas_gives_them_is_no_download(tmp_path: Path) -> None:

@@ -4,7 +4,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from bounce_grader.classroom.intake.canvas import Upload
-from bounce_grader.common.errors import UsageError
+from bounce_grader.common.escaping import printable_name
 
 
 @dataclass(frozen=True)
@@ -52,12 +52,18 @@ class Class:
         return len({s.id for s in self.students} | {u.user for u in self.unmatched if u.user})
 
 
-def require_distinct(students: list[Student]) -> None:
-    seen: dict[str, Path] = {}
-    for student in students:
-        if student.id in seen:
-            raise UsageError(
-                f"{seen[student.id].name} and {student.path.name} would both be {student.id}: "
-                "keep one of them"
-            )
-        seen[student.id] = student.path
+def set_twins_aside(intake: Class) -> None:
+    """Grades none of the submissions that would be the same student's, since it can't be told
+    which counts."""
+    by_id: dict[str, list[Student]] = {}
+    for student in intake.students:
+        by_id.setdefault(student.id, []).append(student)
+    intake.students = [same[0] for same in by_id.values() if len(same) == 1]
+    for id, same in by_id.items():
+        if len(same) > 1:
+            files = " and ".join(map(_file_of, same))
+            intake.unmatched.append(Unmatched(id, f"could be {files}: keep one of them", id))
+
+
+def _file_of(student: Student) -> str:
+    return printable_name(student.uploads[0].entry if student.uploads else student.path.name)
