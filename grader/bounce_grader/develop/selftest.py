@@ -69,7 +69,7 @@ def _steps(extent: str) -> list[Step]:
         Step("formatting: black", lambda: _command("black", "-q", "--check", *PYTHON)),
         Step("fixtures are what the kit writes", _fixtures),
         Step("C++ tests", _ctest),
-        Step("lint: clang-tidy", lambda: tidy.run(all_files=extent == "long"), "usual", True),
+        Step("lint: clang-tidy", lambda: tidy.run(all_files=extent == "long"), "usual"),
         Step("known mistakes: what the gallery is taken for", confusion.run, "long", True),
         Step("C++ tests with sanitizers", _sanitized, "long", True),
         Step("Python tests, the gallery among them", lambda: _pytest(extent), parallel=True),

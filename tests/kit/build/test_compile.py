@@ -338,6 +338,7 @@ def test_a_full_disk_costs_no_points_now_or_later(
 
 
 @pytest.mark.parametrize("damage", [b"", bytes(5000), b"half"])
+@pytest.mark.usual(1)
 def test_an_object_that_lost_its_content_is_made_anew(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, damage: bytes
 ) -> None:

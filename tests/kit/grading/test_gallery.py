@@ -89,14 +89,14 @@ def test_entries_that_take_long_are_in_the_gallery() -> None:
 
 
 def run_of(number: int, folder: Path) -> list[pytest.MarkDecorator]:
-    """One in twenty-four is in the quick run. The usual one grades every fourth; of the right ones
-    one in six; of the mistakes, which differ in their numbers and not in how they run, one in
-    twelve, and there the judge sees all."""
+    """One in twenty-four is in the quick run. The usual one grades one in six; of the mistakes,
+    which differ in their numbers and not in how they run, one in twelve, and the judge sees one in
+    three."""
     if name_of(folder) in TAKES_LONG:
         return [pytest.mark.long]
     if number % 24 == 0:
         return []
-    one_in = {"accepted": 6, "mistakes": 12}.get(folder.parent.name, 4)
+    one_in = 12 if folder.parent.name == "mistakes" else 6
     return [pytest.mark.long if number % one_in else pytest.mark.slow]
 
 
@@ -111,6 +111,7 @@ def test_gets_what_it_should(folder: Path, tmp_path: Path) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("folder", MISTAKES, ids=lambda folder: folder.name)
+@pytest.mark.usual(64)
 def test_a_mistake_costs_its_checks_and_is_named(folder: Path, tmp_path: Path) -> None:
     """Judges only the mistaken part, without a box."""
     mistake = known_mistakes.read(folder)
@@ -123,6 +124,7 @@ def test_a_mistake_costs_its_checks_and_is_named(folder: Path, tmp_path: Path) -
 
 @pytest.mark.slow
 @pytest.mark.parametrize("folder", folders("rarely_wrong"), ids=lambda folder: folder.name)
+@pytest.mark.usual(7)
 def test_what_is_rarely_wrong_costs_its_checks(folder: Path, tmp_path: Path) -> None:
     """Judges only the part that is wrong, without a box."""
     part = next(p for p in parts() if folder.name.startswith(f"part{p.number}"))

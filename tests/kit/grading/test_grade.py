@@ -79,7 +79,8 @@ def test_parts_with_given_answers_are_judged_one_after_the_other(
     assert judged == [(1, 1), (2, 1), (3, 1), (4, 1)]
 
 
-@pytest.mark.parametrize("sign", ["", "-"], ids=["right", "wrong"])
+@pytest.mark.parametrize("sign", ["-", ""], ids=["wrong", "right"])
+@pytest.mark.usual(1)
 def test_what_is_asked_does_not_tell_what_was_right(grade: Grade, sign: str) -> None:
     """Else a program that guesses would learn from the next question whether it guessed rightly, as
     one that counts them here."""

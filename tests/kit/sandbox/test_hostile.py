@@ -239,6 +239,7 @@ def test_names_of_files_move_no_cursor_and_break_no_record(tmp_path: Path) -> No
     ],
     ids=["65k lines", "a long line", "10 MB", "a long word", "brackets", "no text", "NUL"],
 )
+@pytest.mark.usual(4)
 def test_sources_of_odd_sizes_cost_their_own_part(
     grade: Callable[..., dict[str, Any]], text: bytes, status: str, sentence: str
 ) -> None:

@@ -211,7 +211,7 @@ TRAJECTORIES: dict[str, dict[str, Any]] = {
 
 
 @pytest.mark.parametrize("name", TRAJECTORIES)
-@pytest.mark.usual(4)
+@pytest.mark.usual(2)
 def test_shows_any_trajectory(
     open_page: Open, file: Path, scene: dict[str, Any], tmp_path: Path, name: str
 ) -> None:
