@@ -13,9 +13,10 @@ namespace {
 double number_of(const std::string& text) {
   double x = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), x);
-  if (error != std::errc() || end != text.data() + text.size())
+  if (error != std::errc() || end != text.data() + text.size()) {
     throw std::invalid_argument("the tolerance is \"" + text +
                                 "\"; it must be a number, in metres");
+  }
   return x;
 }
 
