@@ -4,6 +4,7 @@ step. One output is the result that the action autograding-grading-reporter read
 import base64
 import json
 import os
+import re
 from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
@@ -136,6 +137,8 @@ def _files(root: Path) -> Files:
 
 def _in_repository(file: str, files: Files) -> str:
     """The path of a file in the repository. The grader's paths begin at the submission's top
-    folder, which may be deeper in the repository."""
-    deeper = [path for path in files if path.endswith(f"/{file}")]
+    folder, which may be deeper in the repository, and are cut off at a blank or another unusual
+    sign."""
+    whole = re.compile(rf"(?:.*[^\w.-])?{re.escape(file)}", re.DOTALL)
+    deeper = list(filter(whole.fullmatch, files))
     return deeper[0] if len(deeper) == 1 and file not in files else file

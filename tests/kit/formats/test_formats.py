@@ -283,6 +283,17 @@ def test_github_finds_the_file_where_the_repository_has_it(
     assert found[2][1]["file"] == "hw/src/part3_step.cpp"
 
 
+@pytest.mark.parametrize("folder", ["my hw", "my hw (v2)", "a%b", "été/a b/c"])
+def test_github_finds_a_file_whose_folder_has_an_unusual_sign(
+    record: dict[str, Any], tmp_path: Path, folder: str
+) -> None:
+    """A message's path is cut off there."""
+    write(tmp_path, {f"{folder}/part2_lcp.cpp": b"", "my_part2_lcp.cpp": b""})
+    record["parts"][1]["message"] = f"{folder}/part2_lcp.cpp:7: Assertion `a' failed"
+    found = commands(github.render(record, tmp_path))
+    assert (found[1][1]["file"], found[1][1]["line"]) == (f"{folder}/part2_lcp.cpp", "7")
+
+
 def test_github_is_pointed_at_no_file_that_was_not_handed_in(
     record: dict[str, Any], tmp_path: Path
 ) -> None:
