@@ -137,15 +137,15 @@ def _parser() -> argparse.ArgumentParser:
 def _grade(options: argparse.Namespace) -> int:
     from bounce_grader.formats import terminal
     from bounce_grader.grading.grade import grade, Options
-    from bounce_grader.grading import before
+    from bounce_grader.grading import previous
     from bounce_grader.grading.record import with_answers
 
     if options.format and options.json == "-":
         raise UsageError("--format and --json - both write to standard output: give one")
-    earlier = before.read(options.before) if options.before else None
+    earlier = previous.read(options.before) if options.before else None
     try:
         wanted = Options(_boxes(options), options.speed, answers=options.reveal)
-        record = before.compared(grade(options.submission, wanted), earlier)
+        record = previous.compared(grade(options.submission, wanted), earlier)
     except UsageError as error:
         refused = formats.refused(options.format, str(error))
         if refused:

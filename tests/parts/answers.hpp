@@ -44,7 +44,7 @@ std::optional<std::filesystem::path> public_file(int part, const std::string& fo
 std::vector<Case> questions(int part);
 
 // Registers how to call a part's function; the part's tests do so. Returns true.
-bool is_asked_by(int part, Eigen::VectorXd (*ask)(const Case&));
+bool register_call(int part, Eigen::VectorXd (*ask)(const Case&));
 
 // The answers to all questions. Empty where the program ends before it has answered.
 std::vector<Answer> answers(int part, const std::vector<Case>& questions);

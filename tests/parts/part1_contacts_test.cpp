@@ -14,7 +14,7 @@ Problem compare_contact(const Case& c) {
               compare(c, "J = [J_t J_n]", "1, 1, m", c.contact.J, got.J));
 }
 
-[[maybe_unused]] const bool kPart1IsAsked = is_asked_by(
+[[maybe_unused]] const bool kPart1IsRegistered = register_call(
     1, [](const Case& c) { return numbers_of(submission::get_contacts(c.q, c.params)); });
 
 TEST(part1, MeasuresTheHeightOfTheLowestCorner) {

@@ -8,7 +8,7 @@
 namespace bounce::tests {
 namespace {
 
-[[maybe_unused]] const bool kPart2IsAsked = is_asked_by(
+[[maybe_unused]] const bool kPart2IsRegistered = register_call(
     2, [](const Case& c) { return numbers_of(submission::form_lcp(c.J, c.v, c.params)); });
 
 TEST(part2, FormsTheBlockOfTheForces) {

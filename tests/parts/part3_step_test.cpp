@@ -13,7 +13,7 @@ Problem compare_velocity(const Case& c) {
   return compare(c, "v after the step", kVelocity, c.state.v, got.v);
 }
 
-[[maybe_unused]] const bool kPart3IsAsked = is_asked_by(
+[[maybe_unused]] const bool kPart3IsRegistered = register_call(
     3, [](const Case& c) { return numbers_of(submission::step(c.q, c.v, c.params), c); });
 
 TEST(part3, FallsFreely) { for_each_case(compare_velocity); }

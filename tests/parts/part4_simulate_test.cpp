@@ -31,7 +31,7 @@ Problem compare_columns(const Case& c) {
   return {};
 }
 
-[[maybe_unused]] const bool kPart4IsAsked = is_asked_by(
+[[maybe_unused]] const bool kPart4IsRegistered = register_call(
     4, [](const Case& c) { return numbers_of(submission::simulate(c.q, c.v, c.params)); });
 
 TEST(part4, HasTColumns) {

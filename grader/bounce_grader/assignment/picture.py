@@ -24,8 +24,9 @@ class Figure(NamedTuple):
     title: str = ""
 
 
-def of(shown: Shown) -> list[Figure]:
-    """One picture of a trajectory; of a step, one or two: the right one only if it may be shown."""
+def figures_of(shown: Shown) -> list[Figure]:
+    """Draws a failed case. A trajectory gets one figure. A step gets one with the submission's
+    answer, and another with the expected answer if that may be shown."""
     if "scene" not in shown:
         return []
     if "path" in shown:
@@ -60,7 +61,7 @@ def _steps(scene: Shown, velocity: Shown) -> list[Figure]:
 
 
 class _Longest(NamedTuple):
-    """What the longest arrows stand for."""
+    """The velocity, turning and force that are drawn at the full length of an arrow."""
 
     speed: float  # m/s
     turning: float  # rad/s
@@ -173,7 +174,7 @@ def _trajectories(scene: Shown, path: Shown) -> Figure:
     right = dict(zip(path.get("columns", []), path.get("expected", [])))
     view = _View([*right.values()] or [*got.values()] or [scene["q"]], scene["l"])
     shapes = _ground(view.ground, PATH_SIZE[0], str(PATH_SIZE[1]))
-    shapes += _way(view, right, "", hollow=True) + _way(view, got, "5 4", hollow=False)
+    shapes += _draw_path(view, right, "", hollow=True) + _draw_path(view, got, "5 4", hollow=False)
     last = max(right or got, default=0)
     for known, dash in ((right, ""), (got, "5 4")):
         if last in known:
@@ -183,7 +184,7 @@ def _trajectories(scene: Shown, path: Shown) -> Figure:
     if first in (right or got):
         x, y = view.at((right or got)[first])
         shapes += [svg.line(x + 6, y, x + 26, y), svg.text(x + 30, y + 5, f"column {first}")]
-    words = f"The way of the centre, and the square in column {last}"
+    words = f"The path of the centre, and the square in column {last}"
     key = "rings, solid: right; dots, dashed: yours" if right else "dots, dashed: yours"
     label = f"{words}; column {first} is the first wrong one; {key}"
     return Figure(svg.svg(shapes, *PATH_SIZE, label), [f"{words} ({key})."])
@@ -208,8 +209,9 @@ class _View:
         return min(max(x, -FAR), FAR), min(max(y, -FAR), FAR)
 
 
-def _way(view: _View, known: dict[int, list[float]], dash: str, hollow: bool) -> list[str]:
-    """A mark at each column, or at every few; and a line if no column is missing in between."""
+def _draw_path(view: _View, known: dict[int, list[float]], dash: str, hollow: bool) -> list[str]:
+    """Draws a mark at each column, or at every few; and a line through them if no column is
+    missing."""
     places = {t: view.at(q) for t, q in known.items()}
     columns = sorted(places)
     gapless = len(columns) > 1 and columns[-1] - columns[0] == len(columns) - 1

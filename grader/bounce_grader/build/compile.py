@@ -32,8 +32,8 @@ class Objects(NamedTuple):
 def compile_all(
     submission: Submission, work: Path, box: Box, jobs: int, timed: bool = False
 ) -> Objects:
-    """Every part and helper by itself, in folders inside of the folder `work`. What is `timed` is
-    built as a program is that somebody uses, without checks."""
+    """Compiles every part and helper by itself, in folders inside of the folder `work`. If `timed`,
+    compiles as for normal use, without run-time checks."""
     helpers, spent = submission.helpers, _Spent()
     solvers = compiler.header_of(submission.files, submission) == "solvers"
     if solvers:
@@ -46,7 +46,9 @@ def compile_all(
             return Built(None, f"{file} wasn't compiled: the helpers took {HELPERS_SECONDS} s")
         if own.bytes > HELPERS_BYTES:
             most = f"{HELPERS_BYTES >> 20} MB"
-            return Built(None, f"{file} wasn't compiled: the helpers' objects take more than {most}")
+            return Built(
+                None, f"{file} wasn't compiled: the helpers' objects take more than {most}"
+            )
         try:
             built = _Compiling(file, submission, named, work, box, timed, own).built()
         except Overrun as overrun:
@@ -87,8 +89,8 @@ class _Compiling(NamedTuple):
 
     def built(self) -> Built:
         """Compiles the file, unless its object is in the cache. The cache key covers every file
-        that the compiler can see. So it first sees only the files that the text seems to need, and
-        the object stays valid when other files change; if the compiler misses one, it sees all."""
+        that the compiler can see. So at first it sees only the files that the text seems to need,
+        and the object stays valid when others change. If the compiler misses one, it sees all."""
         needed = object_cache.needed(self.file, self.submission, self.named)
         everything = sorted(self.submission.files)
         if needed != everything:
@@ -98,8 +100,8 @@ class _Compiling(NamedTuple):
         return self._seeing(everything, more=False)
 
     def _seeing(self, names: list[str], more: bool) -> Built:
-        """Compiles while only these files are visible. Returns neither an object nor a problem if
-        the compiler missed a file and `more` files are left to show."""
+        """Compiles with only these files visible. Returns neither an object nor a problem if the
+        compiler missed a file and there are `more` files that it could see."""
         name = object_cache.name_of(self.file, names, self.submission, self.box, self.timed)
         place = object_cache.place(name)
         if object_cache.is_there(place):
@@ -125,7 +127,7 @@ class _Compiling(NamedTuple):
         if not first.ok and not compiler.ran_out_of_time(first) and not first.flooded:
             gcc = compiler.gcc(self.file, self.submission, self.box, self.timed)
             result = self._run(gcc, folder, made, PROGRAMS)
-            compiler.require_that_gcc_began(result)
+            compiler.require_gcc_ran(result)
         size = made.stat().st_size
         self.spent.bytes += size
         if not result.ok or not size:

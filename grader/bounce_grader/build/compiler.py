@@ -37,13 +37,13 @@ def run(
     `made`. Raises KitError if the box or the machine failed, and not the submission."""
     prefix = box.to_build(folder, [CONTRACT, RUNNER], programs)
     result = box.run([*prefix, *command], limits, cwd=folder, output=made)
-    require_a_compiler(result)
+    require_compiler_ran(result)
     return result
 
 
 def require_built(target: str, box: Box) -> None:
-    """Builds what few submissions need, if it isn't built yet; this takes none of a grading's time.
-    From then on ./kit keeps it up to date. Raises KitError."""
+    """Builds a target that few submissions need, if it isn't built yet. This doesn't count against
+    the grading's time. From then on ./kit keeps the target up to date. Raises KitError."""
     needed = BUILD / f"needs-{target}"
     if needed.exists():
         return
@@ -62,10 +62,10 @@ def require_built(target: str, box: Box) -> None:
         ) from error
 
 
-def require_a_compiler(result: processes.Result) -> None:
-    """Raises KitError if the box or the machine failed, and not the submission. It decides by a
-    descriptor that no compiler has and by a signal, not by text: a submission can print any
-    text."""
+def require_compiler_ran(result: processes.Result) -> None:
+    """Raises KitError if the box or the machine kept the compiler from running. This is decided by
+    what the box reports on a descriptor that no compiler has, and by signals and times; never by
+    text, because a submission can make a compiler print any text."""
     if not result.boxed:
         why = terminal(printable_text(result.err.strip().partition("\n")[0], 200))
         raise KitError(f"a box couldn't be made: {why or 'it ended'}")
@@ -76,13 +76,14 @@ def require_a_compiler(result: processes.Result) -> None:
 
 
 def _killed_early(result: processes.Result) -> bool:
-    """Whether it wasn't the limit of CPU time that killed it. The system enforces that in ticks but
-    reports in nanoseconds, so the two can differ."""
+    """Whether it was killed well before its limit of CPU time. The system enforces that limit in
+    ticks but reports times in nanoseconds, so a process at its limit can seem to be below it."""
     return result.killed and result.cpu_seconds < 0.7 * result.cpu_limit
 
 
-def require_that_gcc_began(result: processes.Result) -> None:
-    """Raises KitError if g++ couldn't start a program; if one fails, g++ has another status."""
+def require_gcc_ran(result: processes.Result) -> None:
+    """Raises KitError if g++ couldn't start its compiler or assembler. If one of these fails after
+    it has begun, g++'s exit status is another."""
     if result.code in (1, 125):  # of g++ itself, or of its wrapper
         raise KitError("g++ couldn't start its compiler; is the machine short of processes?")
 

@@ -5,7 +5,7 @@ import functools
 from bounce_grader.common.paths import HANDOUT
 
 FILE = HANDOUT / "given" / "check" / "compiler_errors.txt"
-QUOTES = str.maketrans("‘’`\"", "''''")
+QUOTES = str.maketrans('‘’`"', "''''")
 
 
 def meaning(error: str) -> str:
@@ -16,7 +16,8 @@ def meaning(error: str) -> str:
 
 @functools.cache
 def _meanings() -> list[tuple[str, str]]:
-    """Pieces of what compilers say, which are indented below their sentence."""
+    """Pairs of a piece of a compiler's message and the sentence that explains it. In the file, the
+    pieces are indented below their sentence."""
     found, sentence = [], ""
     for line in FILE.read_text(encoding="utf-8").splitlines():
         if line.startswith("  "):

@@ -5,7 +5,7 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from bounce_grader.build.compile import Built, Objects
-from bounce_grader.build.compiler import COMPILE, compile_problem, gcc, require_a_compiler
+from bounce_grader.build.compiler import COMPILE, compile_problem, gcc, require_compiler_ran
 from bounce_grader.common.manifest import Part
 from bounce_grader.common.paths import CACHE, CONTRACT, RUNNER, SOURCES
 from bounce_grader.sandbox import processes
@@ -112,7 +112,7 @@ def _link(
 
 def _linked(command: list[str], runner: Path, box: Box) -> Built:
     result = box.run(command, LINK, cwd=RUNNER, output=runner)
-    require_a_compiler(result)
+    require_compiler_ran(result)
     if not result.ok or not runner.stat().st_size:
         return Built(None, link_problem(result))
     runner.chmod(0o755)

@@ -47,7 +47,7 @@ def run(request: Request) -> int:
 
 def _whole(request: Request) -> int:
     book = _gradebook(request)
-    others = book.people(of_canvas=False) if book else {}
+    others = book.people(canvas_ids_only=False) if book else {}
     same_person = book.same_person() if book else {}
     listed = roster.read(request.out).named(others, same_person)
     own = (course.read(request.out), listed, adjustments.read(request.out))
@@ -64,7 +64,7 @@ def _whole(request: Request) -> int:
     rules = Rules(*own, same_person, names, intake.logins)
     if book and intake.logins and not rules.roster:
         raise UsageError(
-            f"{request.gradebook} can't be matched with logins of GitHub's, which students choose: "
+            f"{request.gradebook} can't be matched with GitHub logins, which students choose: "
             f"write {request.out / roster.NAME}, whose columns submission and id say whose each "
             "login is; or leave --gradebook out, and take the points from grades.csv"
         )
@@ -72,7 +72,7 @@ def _whole(request: Request) -> int:
     if book:
         _require_students_of(book, request, intake, rules.roster)
     left_out = final.left_out(rules, intake.students, others)
-    with _alone(request.out):
+    with _locked(request.out):
         remove_abandoned(request.out)
         log = Log(request.out / "log.jsonl")
         try:
@@ -150,7 +150,8 @@ def _to_canvas(request: Request, canvas: Canvas, intake: Class, summaries: list[
     changes, kept = canvas_upload.plan(
         canvas, request.out, summaries, intake.unmatched, request.overwrite
     )
-    shown = canvas_upload.was_shown(request.out, changes)
+    shown = canvas_upload.were_shown(request.out, changes)
+    canvas_upload.remember_shown(request.out, changes)
     if request.upload and shown:
         refused = canvas_upload.post(canvas, request.out, changes)
         print(f"{len(changes) - len(refused)} of {len(changes)} students' points or pages posted.")
@@ -169,21 +170,22 @@ def _to_canvas(request: Request, canvas: Canvas, intake: Class, summaries: list[
 def _require_the_same_service(
     request: Request, book: Gradebook | Worksheet | None, intake: Class
 ) -> None:
-    """A number means another student in another service."""
+    """Raises UsageError if the submissions and the grade book come from different services, where
+    the same id can be that of different students."""
     if book and intake.service and book.service != intake.service:
         raise UsageError(
-            f"{request.submissions} is a download of {intake.service.capitalize()}'s, and "
-            f"{request.gradebook} a file of {book.service.capitalize()}'s: give both of one"
+            f"{request.submissions} is a download from {intake.service.capitalize()}, and "
+            f"{request.gradebook} a file from {book.service.capitalize()}: give both from one"
         )
 
 
 def _name_persons(intake: Class, book: Gradebook | Worksheet | None, listed: Roster) -> None:
     """Gives each submission the name of its person, as the roster or the grade book has it. In a
-    download of Canvas's, a group has the id of one of its members, but not the name."""
+    Canvas download, a group has the id of one of its members, but a name of its own."""
     people = book.people(intake.service == "canvas") if book else {}
 
     def name_of(student: Student) -> str:
-        own = listed.of(student)
+        own = listed.members_of(student)
         if own:
             names = [member.name for member in own]
             return " and ".join(names) if all(names) else ""
@@ -233,7 +235,7 @@ def _gradebook(request: Request) -> Gradebook | Worksheet | None:
 
 
 def _filled_in(request: Request) -> Path:
-    """Blackboard's file keeps its kind."""
+    """The path of the filled-in grade book. Blackboard's file keeps its ending."""
     own = request.gradebook.suffix.lower() if request.gradebook else ""
     return request.out / f"gradebook{own if own in ('.xls', '.txt') else '.csv'}"
 
@@ -242,9 +244,9 @@ def _require_students_of(
     book: Gradebook | Worksheet, request: Request, intake: Class, listed: Roster
 ) -> None:
     ids = [student.id for student in intake.students]
-    members = [member.id for student in intake.students for member in listed.of(student)]
+    members = [member.id for student in intake.students for member in listed.members_of(student)]
     if members:
-        book.require_some_of(members, of_canvas=False)
+        book.require_some_of(members, canvas_ids_only=False)
         return
     if all(id.startswith("anon_") for id in ids):
         raise UsageError(
@@ -253,11 +255,11 @@ def _require_students_of(
             "post the grades in Canvas, and download the submissions again; or leave --gradebook "
             "out"
         )
-    book.require_some_of(ids, of_canvas=intake.service == "canvas")
+    book.require_some_of(ids, canvas_ids_only=intake.service == "canvas")
 
 
 @contextmanager
-def _alone(out: Path) -> Iterator[None]:
+def _locked(out: Path) -> Iterator[None]:
     """Locks the output folder, so that only one run writes to it. The lock ends with the
     process."""
     try:
@@ -297,15 +299,16 @@ def _regrade(request: Request, intake: Class, stamp: Stamp, log: Log) -> int:
 
 
 def _is_said(remarks: list[str], who: str, why: str) -> bool:
-    """Whether a remark on the grade book says just this: "Doe, Jane (1) has no score, because ...".
-    A remark that only contains it may have it from the name of another student's file."""
-    said = f"{who} has no score, because {why}: the cell stays as it was"
-    return any(remark.endswith(said) for remark in remarks)
+    """Whether a remark on the grade book ends with this sentence: "Doe, Jane (1) has no score,
+    because ...". It isn't enough that the remark contains it, because the name of another student's
+    file could."""
+    sentence = f"{who} has no score, because {why}: the cell stays as it was"
+    return any(remark.endswith(sentence) for remark in remarks)
 
 
 def _shared(kinds: Sequence[list[str]], most: int) -> list[str]:
-    """The first lines of each kind, so that none, which students may make long, pushes off
-    another."""
+    """At most `most` lines, shared among the kinds. Students can cause many lines of one kind, and
+    these mustn't crowd out the others."""
     shown = dict.fromkeys(range(len(kinds)), 0)
     for done, kind in enumerate(sorted(shown, key=lambda kind: len(kinds[kind]))):
         left = most - sum(shown.values())

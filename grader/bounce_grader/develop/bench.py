@@ -91,8 +91,9 @@ def _one(folder: Path) -> list[Line]:
 
 def _student(folder: Path) -> list[Line]:
     """Times ./check in a new handout as it comes, and with the parts filled in and part 2 changed.
-    How long the compiler takes for the part's own text is no matter of the kit's. The better of two
-    first checks counts: before one of them the compiler may have to be read from the disk."""
+    The time that the compiler takes for the student's own text isn't counted. The first check is
+    timed twice and the shorter time counts, because the first may have to read the compiler from
+    the disk."""
     from bounce_grader.publish import handout
 
     handout.write(folder / "handout.zip")

@@ -42,7 +42,8 @@ class Step:
 
 
 def run(extent: str) -> int:
-    """The steps that keep one core busy side by side, and then those that use all of them."""
+    """Runs the steps of this extent, one of EXTENTS: first those that use one core, several at a
+    time, and then, one by one, those that use all cores. Returns the exit status."""
     single: list[Step] = []
     parallel: list[Step] = []
     for step in _steps(extent):

@@ -42,18 +42,18 @@ def run(all_files: bool) -> int:
 
 
 def _commands() -> tuple[Path, set[str]]:
-    """Writes the build's commands for each file alone: without precompiled headers, which only g++
-    can read, and without the files that include several. Returns the folder, and the files: those
-    of an engine that isn't installed aren't built."""
+    """Writes the build's command for each source by itself: without precompiled headers, which only
+    g++ can read, and without unity builds, which include several sources. Returns the folder, and
+    the sources that are built here; those of a physics engine that isn't installed are missing."""
     entries = json.loads((BUILD / "compile_commands.json").read_text())
     folder = BUILD / "tidy"
     folder.mkdir(exist_ok=True)
-    alone = [command for entry in entries for command in _alone(entry)]
+    alone = [command for entry in entries for command in _standalone(entry)]
     write_whole(folder / "compile_commands.json", json.dumps(alone))
     return folder, {entry["file"] for entry in alone}
 
 
-def _alone(entry: dict[str, str]) -> list[dict[str, str]]:
+def _standalone(entry: dict[str, str]) -> list[dict[str, str]]:
     command = re.sub(r"-include \S+/cmake_pch\.hxx", "", entry["command"])
     together = Path(entry["file"])
     files = [entry["file"]]
@@ -65,8 +65,7 @@ def _alone(entry: dict[str, str]) -> list[dict[str, str]]:
 
 
 def _digests() -> dict[str, str]:
-    """A digest for each file, over its text, all headers of ours, and clang-tidy's
-    configuration."""
+    """A digest for each file, of its text, all of our headers, and clang-tidy's configuration."""
     shared = hashlib.sha256((ROOT / ".clang-tidy").read_bytes())
     for header in sorted(h for folder in HEADERS for h in (ROOT / folder).rglob("*.hpp")):
         shared.update(header.read_bytes())

@@ -172,9 +172,9 @@ class _Grading:
         )
 
     def _could_be_better(self, part: Part) -> bool:
-        """Whether the part might score more alone: there, neither earlier parts nor code that other
-        files run before main can harm it. If it hung while another part answered, code before main
-        wasn't the reason."""
+        """Whether the part might score more when it is linked alone, where neither earlier parts nor
+        static initializers of other files can harm it. If another part answered in the same runner,
+        a static initializer can't be why this part hung."""
         if part not in self.own:
             return True
         own = self.own[part]

@@ -34,8 +34,8 @@ class Verdict(NamedTuple):
 
 class Judged(NamedTuple):
     """The verdicts of one part, by check id. graded_with is "own" or "given" (earlier parts).
-    `mistakes` names the known mistakes that it makes; if there is none, `patterns` describes its
-    numbers."""
+    `mistakes` names the known mistakes that it makes. If there is none, `patterns` says what its
+    wrong numbers have in common, such as a factor or a sign."""
 
     verdicts: dict[str, Verdict]
     largest_error: float | None
@@ -79,10 +79,10 @@ def judge(
         *("--fixtures", str(FIXTURES / "public"), "--fixtures", str(hidden)),
         *("--", *(box.to_check(runner) if checked else box.to_run(runner))),
     ]
-    box.budget.require()
+    box.budget.require_time()
     # Not limited by the budget: the judge keeps to the seconds above, and reports what passed.
     result = processes.run(command, WAIT._replace(memory=None) if checked else WAIT)
-    box.budget.require_machine()
+    box.budget.require_responsive_machine()
     if not result.ok:
         raise KitError(f"the judge failed on part {part.number}: {result.err.strip() or 'killed'}")
     answer = read_answer(result.out, part)

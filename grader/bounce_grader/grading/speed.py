@@ -92,8 +92,8 @@ def _error(x: object) -> float | None:
 
 def _step(measured: Measured) -> Measured:
     """Nanoseconds per step over all scenes, and the ratio to the solution's. Empty if a scene wasn't
-    timed, or the ratio is so small that something else was timed: such a program may replace what
-    hands its answers over."""
+    timed. Empty also if the ratio is too small to be true: such a program may have replaced the
+    functions that hand over its answers."""
     mine, solution = curve(measured, "submission"), curve(measured, "solution")
     both = [pair for pair in zip(mine, solution) if pair[0].dt >= STEP]
     if not both:

@@ -1,6 +1,6 @@
-"""What the handout compares `form_lcp` with, as text: measured impacts of one corner of a square,
-and how far laws of impact are off over them. The numbers are those of docs/studies; the figures'
-licence stands above them."""
+"""Writes the file that the handout's `./check --real` compares `form_lcp` with: measured impacts of
+one corner of a square, and the median error of each law of impact on them, both from docs/studies.
+The licence of the data stands at the top of the file."""
 
 from collections.abc import Iterator
 from math import sqrt

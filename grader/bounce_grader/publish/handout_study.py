@@ -48,8 +48,8 @@ def _scene(name: str) -> Iterator[str]:
 
 
 def _is_shown(row: dict[str, str]) -> bool:
-    """Says whether a row is in the handout: every tolerance, and of the steps two to a factor of
-    ten."""
+    """Whether a row goes into the handout: all rows for a tolerance, but only two steps for each
+    factor of ten."""
     halves = 2 * math.log10(float(row["setting"]))
     return row["setting_is"] != "dt_s" or abs(halves - round(halves)) < 0.03
 

@@ -52,14 +52,14 @@ class Box(NamedTuple):
         cwd: Path | None = None,
         output: Path | None = None,
     ) -> processes.Result:
-        """Runs a command that begins with a box, or starts one. Raises Overrun where the grading
-        has used up what it may take."""
+        """Runs a command that to_run, to_check or to_build made, or a program that runs such
+        commands itself. Raises Overrun if the grading has used up its time."""
         with self.budget.within(limits) as lower:
             result = processes.run(command, lower, cwd=cwd, output=output)
             if result.stopped:
                 self.budget.charge(result.cpu_seconds)
         if not result.ok:
-            self.budget.require()
+            self.budget.require_time()
         return result
 
     def to_run(self, program: Path) -> list[str]:
@@ -237,8 +237,8 @@ def _bubblewrap() -> list[str]:
 
 
 def _open_to_all(paths: Iterable[str]) -> list[str]:
-    """Makes the folders above these paths readable for all; bubblewrap's default is its own user
-    only."""
+    """Makes the folders above these paths readable for every user; by default bubblewrap makes them
+    readable for its own user only."""
     above = sorted({folder for path in paths for folder in _above(path)})
     return [word for path in above for word in ("--perms", "0755", "--dir", path)]
 

@@ -18,8 +18,8 @@ SPARE = 5  # CPU seconds that a process may get less than it asks for, rather th
 
 
 class Shares:
-    """CPU seconds that processes side by side may use together: each takes what it may need, and
-    gives back what it didn't use. `left` says how many are left."""
+    """CPU seconds that concurrent processes share: each takes as many as it may need, and gives them
+    back when it has ended. `left` says how many are left."""
 
     def __init__(self, left: Callable[[], float]) -> None:
         self._left = left
@@ -28,7 +28,8 @@ class Shares:
 
     @contextmanager
     def take(self, most: int) -> Iterator[int]:
-        """Waits while others have taken too much. At least 1, for what is left is counted late."""
+        """Waits until about `most` seconds are free, or until no other process has any. Yields how
+        many this process may use: at most `most`, and at least 1."""
         with self._given_back:
             self._given_back.wait_for(lambda: not self._taken or self._free() >= most - SPARE)
             taken = int(max(1, min(most, self._free() + 1)))
@@ -45,7 +46,7 @@ class Shares:
 
 
 class Overrun(Exception):
-    """A grading has used up its time, and what isn't done yet gets no result. Says why."""
+    """A grading has used up its time, and what isn't done yet gets no result. The text says why."""
 
 
 class Budget:
@@ -65,7 +66,8 @@ class Budget:
         self._wall_end = time.monotonic() + wall_seconds
 
     def charge(self, cpu_seconds: float) -> None:
-        """Adds CPU time that the system doesn't count: that of stopped processes."""
+        """Adds CPU time that the system doesn't count as our children's: that of processes which
+        `processes.run` killed."""
         self._cpu_end -= cpu_seconds
         if self._part_of:
             self._part_of.charge(cpu_seconds)
@@ -74,18 +76,20 @@ class Budget:
         """The CPU seconds and wall-clock seconds that are left; negative if overdrawn."""
         return self._cpu_end - _cpu(), self._wall_end - time.monotonic()
 
-    def require(self) -> None:
-        """Raises Overrun if nothing is left, and KitError if that isn't the submission's doing."""
-        self.require_machine()
+    def require_time(self) -> None:
+        """Raises Overrun if the time is used up; KitError if the machine used it up, and not the
+        submission."""
+        self.require_responsive_machine()
         cpu, wall = self.left()
         if cpu <= 0:
             raise Overrun(f"the grading as a whole had used its {self._limits[0]:g} s of CPU time")
         if wall <= 0:
             raise Overrun(f"the grading as a whole had taken its {self._limits[1]:g} s")
 
-    def require_machine(self) -> None:
-        """Raises KitError if the time is up, but little CPU time is used: the machine was too busy,
-        or the grading was stopped. A program may sleep for a few seconds only."""
+    def require_responsive_machine(self) -> None:
+        """Raises KitError if the wall-clock time is used up but little of the CPU time: the machine
+        was too busy, or the grading was suspended. A submission can't cause this, because each of
+        its programs may sleep for a few seconds only."""
         cpu, wall = self.left()
         if wall <= 0 and cpu > self._limits[0] / 2:
             raise KitError(
@@ -95,7 +99,7 @@ class Budget:
 
     @contextmanager
     def paused(self) -> Iterator[None]:
-        """Counts nothing meanwhile: the kit does something of its own."""
+        """While this context lasts no time is counted: the kit works for itself."""
         cpu, wall = _cpu(), time.monotonic()
         try:
             yield
@@ -110,10 +114,10 @@ class Budget:
 
     @contextmanager
     def within(self, limits: Limits) -> Iterator[Limits]:
-        """The same limits, or less where less is left, for a process that runs meanwhile. Raises
-        Overrun where nothing is left."""
+        """Yields these limits, or lower ones if less is left, for a process that runs while this
+        context lasts. Raises Overrun if nothing is left."""
         with self._shares.take(limits.cpu_seconds) as free:
-            self.require()
+            self.require_time()
             cpu, wall = self.left()
             yield limits._replace(
                 cpu_seconds=int(min(free, cpu + 1)),

@@ -50,14 +50,14 @@ class Limits(NamedTuple):
 
 class Result(NamedTuple):
     code: int  # the exit status; -n for signal n
-    cpu_seconds: float  # of it and children it waited for; if stopped, of all its descendants
+    cpu_seconds: float  # of it and children it waited for; if we killed it, of all its descendants
     out: bytes
     err: str
     too_long: bool  # ended because the wall clock ran out
     flooded: bool  # ended because standard output passed its cap
     boxed: bool = True  # the box was made, if one was asked for, and its command was started
     cpu_limit: float = 0.0  # CPU seconds that it was given
-    peak: int = 0  # bytes in memory of the largest of them; 0 if stopped
+    peak: int = 0  # bytes in memory of the largest of them; 0 if we killed it
 
     @property
     def ok(self) -> bool:
@@ -65,7 +65,7 @@ class Result(NamedTuple):
 
     @property
     def stopped(self) -> bool:
-        """Whether `run` stopped it. Then the system's count of our children's time lacks its
+        """Whether `run` killed it. Then the system's count of our children's CPU time lacks its
         time."""
         return self.too_long or self.flooded
 
@@ -115,8 +115,8 @@ def run(
 
 
 def _in_memory(data: bytes) -> int:
-    """A file to read these bytes from. Unlike a pipe it has room for all of them, so that we never
-    wait for a process that waits for us. Who gets it can't change it."""
+    """A file in memory with these bytes. Unlike a pipe it has room for all of them, so that we never
+    wait for a process that waits for us. The process that gets it can't change it."""
     descriptor = os.memfd_create("stdin", os.MFD_CLOEXEC | os.MFD_ALLOW_SEALING)
     with open(descriptor, "wb", closefd=False) as file:
         file.write(data)

@@ -11,7 +11,7 @@ from bounce_grader.common.manifest import parts
 from bounce_grader.submission import archives, folders
 from bounce_grader.submission.archives import is_archive, CLOSED, SEVEN, START, TARS
 from bounce_grader.submission.entry import MOST_ENTRIES, Entry
-from bounce_grader.submission.room import Room
+from bounce_grader.submission.unpack_limits import UnpackLimits
 
 MOST_INNER = 3  # archives inside of a submission that are opened
 LARGEST_INNER = 32 * 1024 * 1024  # bytes of each
@@ -19,22 +19,22 @@ LARGEST_INNER = 32 * 1024 * 1024  # bytes of each
 
 @contextmanager
 def opened(
-    path: Path, zipped: bytes | None = None, room: Room | None = None
+    path: Path, zipped: bytes | None = None, left: UnpackLimits | None = None
 ) -> Iterator[list[Entry]]:
     """All files, which can be read while this is open. `zipped` is an archive in memory; then
-    `path` is only its name. `room` is for all archives of the submission, if there are others.
+    `path` is only its name. `left` is for all archives of the submission, if there are others.
     Raises UsageError if they can't be listed."""
-    room = room or Room()
+    left = left or UnpackLimits()
     with ExitStack() as stack:
-        listed = list(stack.enter_context(_opened(path, zipped, room)))
-        listed = _with_inner(path, listed, stack, room)
+        listed = list(stack.enter_context(_opened(path, zipped, left)))
+        listed = _with_inner(path, listed, stack, left)
         if not listed:
             raise UsageError(f"{path} is empty: it should hold {parts()[0].file} and so on")
         yield listed
 
 
 def _opened(
-    path: Path, zipped: bytes | None, room: Room
+    path: Path, zipped: bytes | None, left: UnpackLimits
 ) -> AbstractContextManager[Iterator[Entry]]:
     if zipped is None and _is_folder(path):
         return folders.opened(path)
@@ -46,7 +46,7 @@ def _opened(
         raise UsageError(f"{path} {archives.closed(kind)}")
     if kind in TARS or kind == SEVEN:
         data = _whole(path) if zipped is None else zipped
-        return (sevens if kind == SEVEN else tars).opened(path, data, room)
+        return (sevens if kind == SEVEN else tars).opened(path, data, left)
     return zips.opened(path, zipped)
 
 
@@ -65,7 +65,9 @@ def _whole(path: Path) -> bytes:
     return data
 
 
-def _with_inner(path: Path, listed: list[Entry], stack: ExitStack, room: Room) -> list[Entry]:
+def _with_inner(
+    path: Path, listed: list[Entry], stack: ExitStack, left: UnpackLimits
+) -> list[Entry]:
     """Opens archives inside, one level deep, if no part is there beside them."""
     stems = [part.stem for part in parts()]
     if any(stem in entry.name.lower() for entry in listed for stem in stems):
@@ -77,8 +79,8 @@ def _with_inner(path: Path, listed: list[Entry], stack: ExitStack, room: Room) -
         data = archive.read(LARGEST_INNER + 1)
         if len(data) > LARGEST_INNER:
             raise UsageError(f"{path} holds {printable_name(archive.name)}, which is too large")
-        room.take(name, len(data))
-        entries = stack.enter_context(_opened(name, data, room))
+        left.take(name, len(data))
+        entries = stack.enter_context(_opened(name, data, left))
         found += [entry._replace(name=f"{archive.name}/{entry.name}") for entry in entries]
         if len(found) > MOST_ENTRIES:
             raise UsageError(f"{path} holds more than {MOST_ENTRIES} files: submit the parts alone")

@@ -15,7 +15,7 @@ from bounce_grader.common.paths import WORK_FOLDER
 from bounce_grader.sandbox import box as boxes
 from bounce_grader.sandbox.processes import Limits, Result
 from bounce_grader.submission.entry import MOST_ENTRIES, Entry, inside_name
-from bounce_grader.submission.room import Room
+from bounce_grader.submission.unpack_limits import UnpackLimits
 
 # The programs themselves: what Debian has in /usr/bin may be a script, and a box has no shell.
 PROGRAMS = (
@@ -34,14 +34,14 @@ class _Listed(NamedTuple):
 
 
 @contextmanager
-def opened(path: Path, packed: bytes, room: Room) -> Iterator[Iterator[Entry]]:
+def opened(path: Path, packed: bytes, left: UnpackLimits) -> Iterator[Iterator[Entry]]:
     """The entries of the archive. Raises UsageError if they can't be listed and read."""
     program = _program(path)
     with temporary_folder(WORK_FOLDER) as folder:
         (folder / "archive.7z").write_bytes(packed)
-        listed = list(_listed(path, _run(path, folder, room, program, "l", "-slt", "-ba")))
-        room.take(path, sum(one.size for one in listed))
-        data = _run(path, folder, room, program, "x", "-so") if listed else b""
+        listed = list(_listed(path, _run(path, folder, left, program, "l", "-slt", "-ba")))
+        left.take(path, sum(one.size for one in listed))
+        data = _run(path, folder, left, program, "x", "-so") if listed else b""
     yield _entries(path, listed, data)
 
 
@@ -55,15 +55,17 @@ def _program(path: Path) -> str:
     )
 
 
-def _run(path: Path, folder: Path, room: Room, program: str, command: str, *options: str) -> bytes:
+def _run(
+    path: Path, folder: Path, left: UnpackLimits, program: str, command: str, *options: str
+) -> bytes:
     box = boxes.choose()
     box.give(folder)
     prefix = box.to_build(folder, [Path(program)], programs=())
     words = [program, command, *OPTIONS, *options, "archive.7z"]
-    limits = LIMITS._replace(cpu_seconds=max(1, int(room.seconds)))
+    limits = LIMITS._replace(cpu_seconds=max(1, int(left.seconds)))
     result = box.run([*prefix, *words], limits, cwd=folder)
-    room.seconds -= result.cpu_seconds
-    if not result.ok or room.seconds < 0:
+    left.seconds -= result.cpu_seconds
+    if not result.ok or left.seconds < 0:
         raise UsageError(f"{path} is broken ({_why(result)}): make it anew, as a zip")
     return result.out
 

@@ -115,7 +115,7 @@ def take(path: Path, entries: list[Entry]) -> Submission:
     chosen = _choose_parts(list(wanted))
     for name in [n for n, text in files.items() if n not in chosen.values() and _is_test(n, text)]:
         del files[name]
-        not_text[name] = "holds tests of GoogleTest's, which aren't run here"
+        not_text[name] = "holds GoogleTest tests, which aren't run here"
     unused = _other_copies(list(files), chosen)
     left = (names.keys() - wanted.keys()) | {*unused} | (not_text.keys() - {*chosen.values()})
     return Submission(
@@ -128,7 +128,8 @@ def take(path: Path, entries: list[Entry]) -> Submission:
 
 
 def _is_test(name: str, text: bytes) -> bool:
-    """Whether it can't be linked, as GoogleTest isn't: then no part could be, either."""
+    """Whether a file is a GoogleTest test. It couldn't be linked, because runners are linked without
+    GoogleTest, and no part could be linked with it."""
     is_source = PurePosixPath(name).suffix.lower() in SOURCES
     return is_source and bool(INCLUDES_GTEST.search(text) and HAS_A_TEST.search(text))
 

@@ -19,7 +19,7 @@ from typing import NamedTuple, Protocol
 from bounce_grader.common.errors import UsageError
 from bounce_grader.common.escaping import printable_text
 from bounce_grader.submission.entry import MOST_ENTRIES, Entry, inside_name
-from bounce_grader.submission.room import Room
+from bounce_grader.submission.unpack_limits import UnpackLimits
 
 RECORDS_WEIGH = 4  # times a header of the same length: a record may have five bytes
 LARGEST_SLOW = 8 * 1024 * 1024  # packed by bzip2 or xz, which unpack a tenth as fast as gzip
@@ -50,10 +50,10 @@ class _Decompressor(Protocol):
 
 
 @contextmanager
-def opened(path: Path, packed: bytes, room: Room) -> Iterator[Iterator[Entry]]:
+def opened(path: Path, packed: bytes, left: UnpackLimits) -> Iterator[Iterator[Entry]]:
     """The entries of a tar. Raises UsageError if they can't be listed."""
     try:
-        yield _entries(path, _unpacked(path, packed, room), room)
+        yield _entries(path, _unpacked(path, packed, left), left)
     except UsageError:
         raise
     except Exception as error:  # a broken one raises a dozen kinds
@@ -61,10 +61,10 @@ def opened(path: Path, packed: bytes, room: Room) -> Iterator[Iterator[Entry]]:
         raise UsageError(f"{path} is broken ({reason}): make it anew and submit again") from error
 
 
-def _unpacked(path: Path, packed: bytes, room: Room) -> bytes:
+def _unpacked(path: Path, packed: bytes, left: UnpackLimits) -> bytes:
     stream = _decompressor(path, packed)
-    data = stream.decompress(packed, room.for_one + 1) if stream else packed
-    room.take(path, len(data))
+    data = stream.decompress(packed, left.for_one + 1) if stream else packed
+    left.take(path, len(data))
     if stream and not stream.eof:
         raise EOFError("it is cut short")
     # Each of a million empty pieces would cost as much as a decompressor.
@@ -85,9 +85,9 @@ def _decompressor(path: Path, packed: bytes) -> _Decompressor | None:
     return lzma.LZMADecompressor(memlimit=MEMORY)
 
 
-def _entries(path: Path, data: bytes, room: Room) -> Iterator[Entry]:
+def _entries(path: Path, data: bytes, left: UnpackLimits) -> Iterator[Entry]:
     names: set[str] = set()
-    for seen, member in enumerate(_members(path, data, room)):
+    for seen, member in enumerate(_members(path, data, left)):
         if seen >= MOST_ENTRIES:
             raise UsageError(f"{path} holds more than {MOST_ENTRIES} files: submit the parts alone")
         if member is None:
@@ -99,7 +99,7 @@ def _entries(path: Path, data: bytes, room: Room) -> Iterator[Entry]:
         yield Entry(name, member.size, not member.regular, _reader(data, member))
 
 
-def _members(path: Path, data: bytes, room: Room) -> Iterator[_Member | None]:
+def _members(path: Path, data: bytes, left: UnpackLimits) -> Iterator[_Member | None]:
     """All that the tar holds; None for a folder."""
     if not data:
         raise EOFError("it is empty")
@@ -110,8 +110,8 @@ def _members(path: Path, data: bytes, room: Room) -> Iterator[_Member | None]:
         extends = info.type in (b"L", b"K", b"x", b"X", b"g")
         size = info.size if extends else int(records.get("size", "")[:20] or info.size)
         at += BLOCK
-        room.headers -= BLOCK + (RECORDS_WEIGH * size if extends else 0)
-        if room.headers < 0 or info.type == tarfile.GNUTYPE_SPARSE:
+        left.headers -= BLOCK + (RECORDS_WEIGH * size if extends else 0)
+        if left.headers < 0 or info.type == tarfile.GNUTYPE_SPARSE:
             raise UsageError(
                 f"{path} holds headers of a kind that a submission doesn't need: make it anew"
             )

@@ -127,7 +127,7 @@ def failure(runs: list[Run], tolerance: float) -> str:
         return note
     if converges(runs):
         return "still converges: needs a smaller Δt than was tried"
-    return "stalls: a smaller Δt does not help, or by less than its root"
+    return "stalls: a smaller Δt does not help, or the error falls more slowly than √Δt"
 
 
 def _finest(runs: list[Run]) -> Run:

@@ -234,16 +234,16 @@ def test_a_box_or_a_machine_that_fails_is_no_verdict(
 def test_a_compiler_that_was_given_less_time_is_no_failure_of_the_machine() -> None:
     """Where the grading as a whole had little left: it is ended at that limit."""
     ended = Result(137, 1.9, b"", "", False, False, cpu_limit=2)
-    compiler.require_a_compiler(ended)
+    compiler.require_compiler_ran(ended)
     with pytest.raises(KitError, match="killed from outside"):
-        compiler.require_a_compiler(ended._replace(cpu_limit=15))
+        compiler.require_compiler_ran(ended._replace(cpu_limit=15))
 
 
 def test_a_large_compiler_that_is_killed_is_the_submissions_doing() -> None:
     """As the system does where memory is short."""
     python = f"import os; x = b'1' * {compiler.LARGE}; os.kill(os.getpid(), 9)"
     ended = run(["/usr/bin/python3", "-c", python])._replace(cpu_limit=15)
-    compiler.require_a_compiler(ended)
+    compiler.require_compiler_ran(ended)
     said = compiler.compile_problem(ended, "x.cpp")
     assert said == "x.cpp takes more memory to compile than there is"
 
@@ -361,5 +361,5 @@ def test_a_gcc_that_can_start_nothing_is_a_fault_of_the_machine(tmp_path: Path) 
     box = Box("none")
     command = [w.replace(str(box.enter), "/nowhere") for w in compiler.gcc("x", taken, box)]
     with pytest.raises(KitError, match="couldn't start its compiler"):
-        compiler.require_that_gcc_began(compiler.run(command, tmp_path, box, tmp_path / "o"))
+        compiler.require_gcc_ran(compiler.run(command, tmp_path, box, tmp_path / "o"))
     assert compiling.compile_all(taken, tmp_path, box, 1).parts[1].path

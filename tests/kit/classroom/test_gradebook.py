@@ -92,10 +92,10 @@ def test_a_grade_book_without_one_of_the_students_is_refused(tmp_path: Path) -> 
     path = tmp_path / "export.csv"
     path.write_text(EXPORT)
     book = Gradebook(path, {0: COLUMN}, MOST)
-    book.require_some_of(["12", "99"], of_canvas=True)
+    book.require_some_of(["12", "99"], canvas_ids_only=True)
     with pytest.raises(UsageError, match="none of the 2 students who handed in is in export.csv"):
-        book.require_some_of(["jdoe", "99"], of_canvas=True)
-    book.require_some_of(["jdoe", "99"], of_canvas=False)
+        book.require_some_of(["jdoe", "99"], canvas_ids_only=True)
+    book.require_some_of(["jdoe", "99"], canvas_ids_only=False)
 
 
 def test_a_student_chooses_no_name_that_changes_the_grade_book(tmp_path: Path) -> None:
@@ -304,8 +304,8 @@ def test_a_row_that_two_submissions_mean_is_filled_by_none(tmp_path: Path) -> No
 def test_canvas_names_students_by_its_own_ids_alone(tmp_path: Path) -> None:
     """A login in the place of an id comes from a name that a student chose."""
     graded = {
-        "12": Marks("doejane", {0: 100.0}, of_canvas=True),
-        "u12": Marks("oejaned", {0: 0.0}, of_canvas=True),
+        "12": Marks("doejane", {0: 100.0}, from_canvas=True),
+        "u12": Marks("oejaned", {0: 0.0}, from_canvas=True),
     }
     filled = fill(tmp_path, EXPORT, graded)
     assert filled.data.decode() == EXPORT.replace("7.50,,81.2", "7.50,100.00,81.2")

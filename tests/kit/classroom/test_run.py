@@ -37,7 +37,7 @@ def test_no_row_of_the_grade_book_is_found_by_a_login_that_students_choose(tmp_p
     for login in ("101", "jdoe"):
         write(checkout / f"hw3-{login}", {**solution_files(), ".git/HEAD": b""})
     export = book(tmp_path / "export.csv", [101])
-    with pytest.raises(UsageError, match="can't be matched with logins of GitHub's"):
+    with pytest.raises(UsageError, match="can't be matched with GitHub logins"):
         grade_class(checkout, tmp_path / "out", gradebook=export, columns={0: COLUMN})
 
 
@@ -212,5 +212,5 @@ def test_a_remark_with_a_file_of_such_a_name_hides_no_line_of_another_student() 
 
 
 def test_the_output_folder_is_its_owners_alone(tmp_path: Path) -> None:
-    with run._alone(tmp_path / "out"):
+    with run._locked(tmp_path / "out"):
         assert (tmp_path / "out").stat().st_mode & 0o077 == 0

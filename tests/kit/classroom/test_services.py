@@ -267,7 +267,7 @@ def test_a_spoilt_worksheet_is_refused_in_a_sentence(
 
 def test_files_of_two_services_are_not_mixed(tmp_path: Path, users: list[int]) -> None:
     sheet = services.worksheet(tmp_path / "sheet.csv")
-    with pytest.raises(UsageError, match="is a download of Canvas's, and .* a file of Moodle's"):
+    with pytest.raises(UsageError, match="is a download from Canvas, and .* a file from Moodle"):
         grade_class(download(tmp_path / "x.zip", users), tmp_path / "out", gradebook=sheet)
 
 

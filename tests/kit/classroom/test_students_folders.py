@@ -75,7 +75,7 @@ def test_a_folder_that_holds_one_zip_is_that_zip(tmp_path: Path) -> None:
 def test_folders_that_are_no_class_are_refused(tmp_path: Path) -> None:
     around = write(tmp_path / "hw3", {"out/log.jsonl": b"", "out/results/set.json": b"{}"})
     whole = download(around / "submissions.zip", {"doe_1_1_part2_lcp.cpp": b"// x"})
-    with pytest.raises(UsageError, match=f"holds a download of Canvas's: give {whole}"):
+    with pytest.raises(UsageError, match=f"holds a Canvas download: give {whole}"):
         students.read(around)
     for name in ("part1_contacts.cpp", "src/part1_contacts.cpp"):
         one = write(tmp_path / "one" / name.split("/")[0], {name: b"// x", "docs/x": b""})

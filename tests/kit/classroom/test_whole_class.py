@@ -148,7 +148,7 @@ def test_a_class_of_forty_with_every_oddity(
         assert sentence in said, sentence
     assert "\u202e" not in said
     page = (tmp_path / "out" / "class.html").read_text()
-    assert "\u202e" not in page and "<script" not in page
+    assert "\u202e" not in page and page.count("<script") == 1  # the page's own
     pages = {file.name for file in (tmp_path / "out" / "feedback").iterdir()}
     assert len(pages) == len({name for name in pages}) >= 33
     for name in pages:

@@ -58,8 +58,10 @@ namespace {
 
 double asked(const Case& c) { return submission::energy(c.q, c.v, c.params); }
 
-[[maybe_unused]] const bool kPart5IsAsked =
-    is_asked_by(5, [](const Case& c) { return Eigen::VectorXd::Constant(1, asked(c)); });
+[[maybe_unused]] const bool kPart5IsRegistered =
+    register_call(5, [](const Case& c) -> Eigen::VectorXd {
+      return Eigen::VectorXd::Constant(1, asked(c));
+    });
 
 TEST(part5, AddsKineticAndPotentialEnergy) {
   for_each_case([](const Case& c) { return compare(c, "energy", "J", c.energy, asked(c)); });
@@ -74,7 +76,7 @@ TEST(part5, AddsKineticAndPotentialEnergy) {
 
 namespace bounce::tests {
 
-[[maybe_unused]] const bool part5_is_linked = enter('5', &Linked::energy, &bounce::energy);
+[[maybe_unused]] const bool part5_is_linked = link_part('5', &Linked::energy, &bounce::energy);
 
 }  // namespace bounce::tests
 """,
@@ -224,6 +226,17 @@ def test_a_fifth_part_is_graded_beside_the_four(tmp_path: Path) -> None:
     assert points(copy, wrong) == [30, 30, 30, 10, 0]
     part.unlink()
     assert points(copy, wrong) == [30, 30, 30, 10, 0]
+
+
+def test_what_a_fifth_part_adds_compiles(tmp_path: Path) -> None:
+    copy = copy_with_a_fifth_part(tmp_path)
+    changed = {*NEW, *(name for name, _, _ in LINES)}
+    files = [str(copy / name) for name in sorted(changed) if name.endswith(".cpp")]
+    include = ["-I", str(copy / "student" / "include"), "-isystem", "/usr/include/eigen3"]
+    fixtures = f'-DBOUNCE_FIXTURES="{ROOT / "fixtures" / "public"}"'
+    command = ["g++", "-std=c++20", "-fsyntax-only", *include, fixtures, *files]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
 
 
 def test_the_recipe_names_every_file_that_a_part_needs() -> None:

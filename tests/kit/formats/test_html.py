@@ -262,8 +262,8 @@ def test_a_picture_can_be_drawn_of_any_numbers(odd: list[Any]) -> None:
     scene |= {"q": [0.0, 0.1, 0.0], "v": [1.0, 0.0, 0.0]}
     quantity = {"name": picture.VELOCITY, "unit": "", "got": [odd] * 3, "right": [[False]] * 3}
     path = {"first": 1, "got": [odd * 3, [0.0, 1.0, 0.0], odd * 3]}
-    step = picture.of({"scene": scene, "quantities": [quantity]})
-    way = picture.of({"scene": scene, "quantities": [], "path": path})
+    step = picture.figures_of({"scene": scene, "quantities": [quantity]})
+    way = picture.figures_of({"scene": scene, "quantities": [], "path": path})
     assert (len(step), len(way)) == (1, 1)
     for figure in (*step, *way):
         for text in re.findall(r' d="([^"]*)"', figure.drawing):

@@ -80,7 +80,7 @@ def test_what_we_use_ourselves_counts() -> None:
     while time.process_time() < end:
         pass
     with pytest.raises(Overrun):
-        mine.require()
+        mine.require_time()
 
 
 def test_a_grading_without_time_says_so_of_every_part() -> None:

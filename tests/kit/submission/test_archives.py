@@ -11,7 +11,7 @@ from bounce_grader.common.errors import UsageError
 from bounce_grader.sandbox import box, processes
 from bounce_grader.sandbox.box import Box
 from bounce_grader.sandbox.processes import Limits, Result
-from bounce_grader.submission import room, sevens, submission
+from bounce_grader.submission import sevens, submission, unpack_limits
 from bounce_grader.submission.entry import MOST_ENTRIES
 from conftest import solution_files, write
 from handed_in import refusal, zip_of
@@ -72,7 +72,7 @@ def test_a_7z_that_cannot_be_unpacked_is_said(tmp_path: Path) -> None:
 
 @needs_7zip
 def test_a_7z_that_is_a_bomb_is_refused(tmp_path: Path) -> None:
-    bomb = {"part1_contacts.cpp": bytes(room.LARGEST + 1)}
+    bomb = {"part1_contacts.cpp": bytes(unpack_limits.LARGEST + 1)}
     with pytest.raises(UsageError, match="more than 64 MB unpacked"):
         submission.read(seven_of(tmp_path / "x.7z", bomb))
 
@@ -85,7 +85,10 @@ def test_files_of_a_7z_are_taken_apart_without_copies_of_the_rest(
 ) -> None:
     """The rest was copied for each file: minutes for five thousand before a large one."""
     sources = {f"{i}.txt": b"x" for i in range(MOST_ENTRIES - 2)}
-    sources |= {"part1_contacts.cpp": b"int x;\n", "large.txt": bytes(room.LARGEST - 10_000)}
+    sources |= {
+        "part1_contacts.cpp": b"int x;\n",
+        "large.txt": bytes(unpack_limits.LARGEST - 10_000),
+    }
     listed = "\n".join(LISTED.format(n, len(d), zlib.crc32(d)) for n, d in sources.items())
     answers = {"l": listed.encode() + b"\n", "x": b"".join(sources.values())}
     monkeypatch.setattr(sevens, "_program", lambda path: "7zz")

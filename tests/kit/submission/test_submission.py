@@ -73,7 +73,7 @@ def test_own_tests_are_left_out_under_any_name(tmp_path: Path) -> None:
     taken = submission.read(write(tmp_path / "x", {**solution_files(), **more}))
     assert "helper.cpp" in taken.files and "checks.cpp" not in taken.files
     assert [name for name in taken.ignored if "checks.cpp" in name] == [
-        "checks.cpp (holds tests of GoogleTest's, which aren't run here)"
+        "checks.cpp (holds GoogleTest tests, which aren't run here)"
     ]
     part = {"part1_contacts.cpp": tests}  # a part is never left out
     assert 1 in submission.read(write(tmp_path / "y", {**solution_files(), **part})).parts

@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 from bounce_grader.common.errors import UsageError
 from bounce_grader.submission import submission, tars
-from bounce_grader.submission.room import HEADERS, LARGEST, Room
+from bounce_grader.submission.unpack_limits import HEADERS, LARGEST, UnpackLimits
 from conftest import solution_files
 from handed_in import limited_memory, packed_tar, PARTS, refusal
 
@@ -79,7 +79,7 @@ def test_each_format_is_read_as_tarfile_reads_it(tmp_path: Path, written_as: int
             info = tarfile.TarInfo(name)
             info.size = 300 * number if name != "empty" else 0
             archive.addfile(info, io.BytesIO(bytes([number]) * info.size))
-    with tars.opened(Path("x.tar"), data.getvalue(), Room()) as listed:
+    with tars.opened(Path("x.tar"), data.getvalue(), UnpackLimits()) as listed:
         found = {entry.name: entry.read(10_000) for entry in listed}
     data.seek(0)
     with tarfile.open(fileobj=data) as archive:
@@ -95,7 +95,7 @@ def test_a_size_in_a_pax_header_counts() -> None:
     text = b"int y;\n"
     header = member("pax", record(b"size", b"%d" % len(text)) + record(b"path", b"y.cpp"), b"x")
     data = tar_of(header, member("short")[:512] + text + bytes(512 - len(text)))
-    with tars.opened(Path("x.tar"), data, Room()) as listed:
+    with tars.opened(Path("x.tar"), data, UnpackLimits()) as listed:
         assert {e.name: e.read(99) for e in listed} == {"y.cpp": text, **SOURCE}
 
 

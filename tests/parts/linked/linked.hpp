@@ -20,7 +20,7 @@ Linked& linked();
 
 // For a variable's initializer: enters a part's function, and returns true.
 template <class Function>
-bool enter(char part, Function* Linked::*place, Function* function) {
+bool link_part(char part, Function* Linked::*place, Function* function) {
   linked().*place = function;
   linked().parts += part;
   return true;

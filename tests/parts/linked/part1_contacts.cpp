@@ -5,6 +5,6 @@
 namespace bounce::tests {
 
 [[maybe_unused]] const bool part1_is_linked =
-    enter('1', &Linked::get_contacts, &bounce::get_contacts);
+    link_part('1', &Linked::get_contacts, &bounce::get_contacts);
 
 }  // namespace bounce::tests

@@ -4,6 +4,6 @@
 
 namespace bounce::tests {
 
-[[maybe_unused]] const bool part2_is_linked = enter('2', &Linked::form_lcp, &bounce::form_lcp);
+[[maybe_unused]] const bool part2_is_linked = link_part('2', &Linked::form_lcp, &bounce::form_lcp);
 
 }  // namespace bounce::tests

@@ -4,6 +4,6 @@
 
 namespace bounce::tests {
 
-[[maybe_unused]] const bool part3_is_linked = enter('3', &Linked::step, &bounce::step);
+[[maybe_unused]] const bool part3_is_linked = link_part('3', &Linked::step, &bounce::step);
 
 }  // namespace bounce::tests

@@ -4,6 +4,6 @@
 
 namespace bounce::tests {
 
-[[maybe_unused]] const bool part4_is_linked = enter('4', &Linked::simulate, &bounce::simulate);
+[[maybe_unused]] const bool part4_is_linked = link_part('4', &Linked::simulate, &bounce::simulate);
 
 }  // namespace bounce::tests

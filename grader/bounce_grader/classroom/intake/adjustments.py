@@ -3,7 +3,7 @@
 from pathlib import Path
 from typing import NamedTuple
 
-from bounce_grader.classroom.intake import own_table
+from bounce_grader.classroom.intake import instructor_table
 from bounce_grader.common.errors import UsageError
 from bounce_grader.common.manifest import parts
 
@@ -27,7 +27,7 @@ class Adjustment(NamedTuple):
 def read(out: Path) -> list[Adjustment]:
     """The adjustments; none if there is no such file. Raises UsageError."""
     path = out / NAME
-    rows = own_table.read(path, ("student", "reason"), (*CHANGES, "comment"))
+    rows = instructor_table.read(path, ("student", "reason"), (*CHANGES, "comment"))
     return [_adjustment(path, line, cells) for line, cells in rows]
 
 

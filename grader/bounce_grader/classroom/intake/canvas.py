@@ -71,10 +71,10 @@ def read_all(
     entries: Iterable[str], people: Mapping[str, str] = {}
 ) -> dict[str, Upload | TextEntry | None]:
     """Reads the names of all entries. The value is None for a name that Canvas doesn't write, and
-    for one that could be of several users, because students choose their names and their files'.
-    `people` are the students of the grade book, by Canvas's ids: a name that could be of several is
-    taken for the only one of them whose id and name are in it, unless some names are certainly
-    theirs, and others not."""
+    for an ambiguous one: students choose their names and the names of their files, so an entry can
+    often be split in several ways. `people` are the names in the grade book, by Canvas's ids. An
+    ambiguous entry counts for the one person there whose id and name it can be read with, unless
+    another entry certainly has that id, or can be read with that id and another name."""
     possible = {entry: readings(entry) for entry in entries}
     read = {entry: found[0] if len(found) == 1 else None for entry, found in possible.items()}
     certain = {found[0].user for found in possible.values() if len(found) == 1}

@@ -130,7 +130,7 @@ class Canvas:
     def _tried(
         self, method: str, url: str, data: bytes | None, kind: str
     ) -> tuple[bytes, Mapping[str, str]] | None:
-        """As `request`, tried once; None where it should be tried again. Follows redirections."""
+        """One attempt of `request`; None if it should be tried again. Follows redirections."""
         for _ in range(REDIRECTIONS + 1):
             try:
                 with OPENER.open(self._signed(method, url, data, kind), timeout=SECONDS) as answer:
@@ -138,7 +138,7 @@ class Canvas:
             except urllib.error.HTTPError as error:
                 location = error.headers.get("Location")
                 if error.code not in (301, 302, 303, 307, 308) or not location:
-                    _require_patience(error)
+                    _require_retryable(error)
                     return None
                 url, method = urllib.parse.urljoin(url, location), "GET"
                 data, kind = None, ""
@@ -163,8 +163,9 @@ class Canvas:
         return request
 
 
-def _require_patience(error: urllib.error.HTTPError) -> None:
-    """Returns if Canvas asks to wait, or is out of order. Raises UsageError or Refused."""
+def _require_retryable(error: urllib.error.HTTPError) -> None:
+    """Returns if the request should be tried again, because Canvas asks to wait or has an error of
+    its own. Else raises UsageError or Refused."""
     limited = error.code == 429 or error.code == 403 and b"Rate Limit" in error.read(10_000)
     if error.code == 401:
         raise UsageError(

@@ -7,7 +7,7 @@ from pathlib import Path
 from bounce_grader.classroom.intake import blackboard
 from bounce_grader.classroom.intake.archive import opened
 from bounce_grader.classroom.intake.canvas import Upload
-from bounce_grader.classroom.intake.student import Class, set_twins_aside, Unmatched
+from bounce_grader.classroom.intake.student import Class, set_duplicates_aside, Unmatched
 from bounce_grader.classroom.intake.uploads import not_named, take, typed_elsewhere
 from bounce_grader.common.escaping import printable_name
 from bounce_grader.common.files import fitting
@@ -45,5 +45,5 @@ def read(path: Path, _people: Mapping[str, str]) -> Class:
             typed_elsewhere(intake, f"{head}.txt", "Blackboard", user, page)
     left = [name for name in archive.names() if name not in known]
     intake.unmatched += [Unmatched(name, not_named("Blackboard", name)) for name in left]
-    set_twins_aside(intake)
+    set_duplicates_aside(intake)
     return intake

@@ -6,7 +6,7 @@ from pathlib import Path, PurePosixPath
 from bounce_grader.classroom.intake import moodle
 from bounce_grader.classroom.intake.archive import is_folder, opened, zip_alone
 from bounce_grader.classroom.intake.canvas import Upload
-from bounce_grader.classroom.intake.student import Class, set_twins_aside, Student, Unmatched
+from bounce_grader.classroom.intake.student import Class, set_duplicates_aside, Student, Unmatched
 from bounce_grader.classroom.intake.uploads import not_named, take, typed_elsewhere
 
 
@@ -47,7 +47,7 @@ def read_folders(children: list[Path]) -> Class:
         else:
             there = zip_alone(child) or child
             intake.students.append(Student(parsed.participant, parsed.name, there, feedback=page))
-    set_twins_aside(intake)
+    set_duplicates_aside(intake)
     return intake
 
 

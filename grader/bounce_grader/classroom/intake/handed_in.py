@@ -18,7 +18,7 @@ from bounce_grader.common.errors import about_one_submission, UsageError
 from bounce_grader.submission import intake, submission
 from bounce_grader.submission.archives import is_archive
 from bounce_grader.submission.entry import LARGEST_SOURCE, MOST_ENTRIES, Entry
-from bounce_grader.submission.room import Room
+from bounce_grader.submission.unpack_limits import UnpackLimits
 from bounce_grader.submission.submission import Submission
 
 MOST_ZIPS = 10
@@ -59,13 +59,13 @@ def _merged(
     the same name or the same part."""
     texts = texts_of(archive, uploads)
     merged: dict[str, Entry] = {}
-    room, listed = Room(), 0
+    left, listed = UnpackLimits(), 0
     if sum(is_archive(upload.file) for upload in uploads) > MOST_ZIPS:
         raise UsageError(f"{WHOLE} holds more than {MOST_ZIPS} zips: hand in one")
     for upload, data in _contents(archive, uploads):
         if is_archive(upload.file):
             name = Path(upload.file) if len(uploads) > 1 else WHOLE
-            newer = open_zips.enter_context(intake.opened(name, data, room))
+            newer = open_zips.enter_context(intake.opened(name, data, left))
         else:
             newer = [_entry(upload, data, archive.size(upload.entry), texts)]
         listed += len(newer)

@@ -1,17 +1,17 @@
-"""Reads OUT/roster.csv: whose a submission is. It names the students behind logins of GitHub's, and
-the members of groups."""
+"""Reads OUT/roster.csv, which says whose a submission is: the student behind a GitHub login, or the
+members of a group."""
 
 from collections.abc import Mapping
 from pathlib import Path
 from typing import NamedTuple
 
-from bounce_grader.classroom.intake import own_table
+from bounce_grader.classroom.intake import instructor_table
 from bounce_grader.classroom.intake.canvas import sanitized
 from bounce_grader.classroom.intake.student import Student
 from bounce_grader.common.errors import UsageError
 
 NAME = "roster.csv"
-COLUMNS = ("submission", "id")  # a login or a name of a folder or group; and an id of the course's
+COLUMNS = ("submission", "id")  # a login, or the name of a folder or group; a student's id
 
 
 class Member(NamedTuple):
@@ -33,9 +33,10 @@ class Roster:
     def __bool__(self) -> bool:
         return bool(self._members)
 
-    def of(self, student: Student) -> list[Member]:
-        """The members of a submission; none if the roster doesn't name it. A name is one that its
-        students chose, so it counts only if who handed in is one of the members."""
+    def members_of(self, student: Student) -> list[Member]:
+        """The members of a submission; none if the roster doesn't have it. The roster may have the
+        submission's id or its name. Students choose that name, so it counts only if the student who
+        handed in is one of the members."""
         own = self._by_name.get(student.id.casefold(), [])
         if own:
             return own
@@ -46,12 +47,12 @@ class Roster:
         return named if self._same_person.get(student.id, student.id) in ids else []
 
     def people(self) -> dict[str, str]:
-        """The names that it has, by ids."""
+        """The names of the members that have one, by id."""
         return {m.id: m.name for of in self._members.values() for m in of if m.name}
 
     def named(self, people: Mapping[str, str], same_person: Mapping[str, str]) -> "Roster":
-        """The same, with the names of the grade book where it has none of its own, and with the
-        grade book's ids of a person."""
+        """This roster, with the grade book's names where it has none of its own; `same_person` is
+        the grade book's id for each other id of a person."""
         return Roster(
             {
                 submission: [m._replace(name=m.name or people.get(m.id, "")) for m in members]
@@ -66,7 +67,7 @@ def read(out: Path) -> Roster:
     path = out / NAME
     members: dict[str, list[Member]] = {}
     seen: dict[str, int] = {}
-    for line, cells in own_table.read(path, COLUMNS, ("name",)):
+    for line, cells in instructor_table.read(path, COLUMNS, ("name",)):
         submission, id = cells["submission"], cells["id"]
         if not submission or not id:
             raise UsageError(f"{path} lacks the submission or the id in line {line}: fill it in")

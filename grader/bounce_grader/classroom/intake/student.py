@@ -40,11 +40,13 @@ class Unmatched:
 
 @dataclass
 class Class:
+    """All submissions of a class, and the entries that can't be graded."""
+
     source: str  # what kind of folder or zip SUBMISSIONS is
     students: list[Student] = field(default_factory=list)
     unmatched: list[Unmatched] = field(default_factory=list)
-    logins: bool = False  # whether a student's id is a login of GitHub's, which students choose
-    service: str = ""  # "canvas", "moodle" or "blackboard", if it is a download of it
+    logins: bool = False  # whether a student's id is a GitHub login, which students choose
+    service: str = ""  # "canvas", "moodle" or "blackboard", if that wrote the download
 
     @property
     def handed_in(self) -> int:
@@ -52,9 +54,8 @@ class Class:
         return len({s.id for s in self.students} | {u.user for u in self.unmatched if u.user})
 
 
-def set_twins_aside(intake: Class) -> None:
-    """Grades none of the submissions that would be the same student's, since it can't be told
-    which counts."""
+def set_duplicates_aside(intake: Class) -> None:
+    """Moves submissions with one id to the unmatched ones, because it isn't clear which counts."""
     by_id: dict[str, list[Student]] = {}
     for student in intake.students:
         by_id.setdefault(student.id, []).append(student)

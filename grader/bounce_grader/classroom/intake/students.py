@@ -22,8 +22,8 @@ from bounce_grader.submission.archives import is_archive
 
 
 def read(path: Path, people: Mapping[str, str] = {}) -> Class:
-    """`people` are those of the grade book, by Canvas's ids. Raises UsageError where there is no
-    class in it."""
+    """Reads a class. `people` are the names in the grade book, by Canvas's ids. Raises UsageError if
+    there is no submission in `path`."""
     path = path.absolute()
     if path.is_dir():
         children = sorted(path.iterdir())
@@ -52,10 +52,13 @@ def read(path: Path, people: Mapping[str, str] = {}) -> Class:
 
 
 def _service(names: Sequence[str]) -> Callable[[Path, Mapping[str, str]], Class] | None:
-    """Which service's download has such files. Students choose how names end, so one that looks like
-    another service's proves nothing: all that look like any have to look like this one's. Moodle and
-    Canvas write the beginning by themselves, so theirs are known first: Blackboard's begins with any
-    title, and a student who is the first to hand in could write the rest."""
+    """The reader for the service whose download has such files; None if there is no such service.
+
+    Students choose how the names of their files end, so one name proves nothing: every name that
+    looks like some service's has to look like this one's. Moodle and Canvas are tried first, because
+    they write the beginning of each name themselves. Blackboard's names begin with the assignment's
+    title, so a student could write one that looks like another service's.
+    """
     services = (
         (moodle.wrote_all, from_moodle.read),
         (canvas.wrote_all, from_canvas.read),

@@ -40,8 +40,8 @@ def plan(
     unmatched: Iterable[Unmatched],
     overwrite: bool,
 ) -> tuple[list[Change], list[str]]:
-    """The changes, and sentences about points that stay because a person has entered them. Who
-    submitted nothing that can be graded gets a page that says so, and no points."""
+    """The changes, and sentences about points that stay because a person has entered them. A student
+    who submitted nothing that can be graded gets a page that says so, and no points."""
     now = {str(s["user_id"]): s for s in canvas.all(f"{canvas.path}/submissions?per_page=100")}
     uploaded = read(out)
     changes, kept = [], []
@@ -87,16 +87,17 @@ def show(changes: list[Change]) -> list[str]:
     return lines
 
 
-def was_shown(out: Path, changes: list[Change]) -> bool:
-    """Whether these changes are among those that were shown last. Shows that they are now."""
-    text = json.dumps(changes)
-    path = out / PLAN
+def were_shown(out: Path, changes: list[Change]) -> bool:
+    """Whether all of these changes are among those that were shown last."""
     try:
-        shown = {json.dumps(change) for change in json.loads(path.read_text())}
+        shown = {json.dumps(change) for change in json.loads((out / PLAN).read_text())}
     except (OSError, ValueError):
         shown = set()
-    write_whole(path, text)
     return all(json.dumps(change) in shown for change in changes)
+
+
+def remember_shown(out: Path, changes: list[Change]) -> None:
+    write_whole(out / PLAN, json.dumps(changes))
 
 
 def post(canvas: Canvas, out: Path, changes: list[Change]) -> list[str]:

@@ -32,14 +32,15 @@ class Rules:
 
 
 def with_finals(summaries: Iterable[Summary], rules: Rules) -> list[Summary]:
-    """Whom several submissions name as a member gets no points from any: students choose the names
-    of groups, so one of them may have taken another's."""
+    """Adds the final points of each person. Somebody whom the roster finds in several submissions
+    gets points from none of them: students choose the names of groups, so one group may have taken
+    another's name."""
     summaries = list(summaries)
     people = [(m, s.student) for s in summaries for m in members(s.student, rules.roster)]
     own: dict[tuple[str, str], list[Adjustment]] = {}
     unclear: dict[str, list[str]] = {}
     for adjustment in rules.adjustments:
-        meant = _meant(adjustment, people, rules)
+        meant = _people_of(adjustment, people, rules)
         why = _unclear(adjustment, meant, rules)
         for member, student in meant:
             if why:
@@ -59,10 +60,10 @@ def with_finals(summaries: Iterable[Summary], rules: Rules) -> list[Summary]:
         for one in summary.finals:
             if one.listed or not rules.logins:  # a login alone gets no points
                 by_id.setdefault(one.id, []).append(summary.student.shown)
-    return [_without_rivals(summary, by_id) for summary in all_]
+    return [_without_disputed_members(summary, by_id) for summary in all_]
 
 
-def _without_rivals(summary: Summary, by_id: Mapping[str, list[str]]) -> Summary:
+def _without_disputed_members(summary: Summary, by_id: Mapping[str, list[str]]) -> Summary:
     rivals = [one for one in summary.finals if one.listed and len(by_id[one.id]) > 1]
     for one in rivals:
         names = " and ".join(map(repr, by_id[one.id]))
@@ -75,7 +76,7 @@ def _without_rivals(summary: Summary, by_id: Mapping[str, list[str]]) -> Summary
 
 def members(student: Student, roster: Roster) -> list[Member]:
     """Who gets the points of a submission: its members in the roster, or the student."""
-    return roster.of(student) or [Member(student.id, student.shown)]
+    return roster.members_of(student) or [Member(student.id, student.shown)]
 
 
 def _finals(
@@ -85,7 +86,7 @@ def _finals(
         return
     for member in members(summary.student, rules.roster):
         own = adjustments.get((member.id, summary.student.id), [])
-        listed = bool(rules.roster.of(summary.student))
+        listed = bool(rules.roster.members_of(summary.student))
         yield replace(_final(summary, member, own, rules.course), listed=listed)
 
 
@@ -138,12 +139,18 @@ def _late_days(student: Student, own: Iterable[Adjustment]) -> int:
     return given[-1] if given else student.late_days or int(student.late)
 
 
-def _meant(adjustment: Adjustment, people: Sequence[Person], rules: Rules) -> list[Person]:
-    """Those whom an adjustment is for. What the instructor or the service has written counts before
-    what students choose, the names of their submissions and their logins: an id of the grade book or
-    a name in it, then an id, a login, a name of the roster, and the name of a submission. Digits are
-    nobody's name. Where students choose the ids of their submissions, such an id doesn't stand for a
-    person of the grade book."""
+def _people_of(adjustment: Adjustment, people: Sequence[Person], rules: Rules) -> list[Person]:
+    """The people whom an adjustment is for. The first rule that finds somebody counts:
+
+    1. an id or a name in the grade book; if it has that person, only this rule is tried;
+    2. an id in the roster, or an id that the service gave;
+    3. the id of a submission, such as a login;
+    4. a name in the roster or the grade book;
+    5. the name of a submission.
+
+    What students can choose comes last: a login never stands for a person of the grade book, and a
+    number is never a name.
+    """
     who = adjustment.student
     if who == EVERYBODY:
         return list(people)
@@ -172,7 +179,7 @@ def _meant(adjustment: Adjustment, people: Sequence[Person], rules: Rules) -> li
 
 
 def _persons(who: str, rules: Rules) -> set[str]:
-    """Those of the grade book that have this id, or this name; by Canvas's ids."""
+    """The grade book's ids of the people there that have this id or this name."""
     if who in rules.same_person:
         return {rules.same_person[who]}
     return {person for person, name in rules.names.items() if _is_called(who, name)}
@@ -204,12 +211,12 @@ def adjusted(summaries: list[Summary]) -> list[str]:
 
 
 def left_out(rules: Rules, students: Sequence[Student], others: Mapping[str, str]) -> list[str]:
-    """A sentence for each adjustment that changes nothing: of nobody, of somebody without a
-    submission, or of persons of one name; `others` are all of the course, by id."""
+    """A sentence for each adjustment that changes nothing: its name is nobody's, or that of several
+    people, or that person has no submission. `others` are the names of the whole course, by id."""
     people = [(m, s) for s in students for m in members(s, rules.roster)]
     sentences = []
     for adjustment in rules.adjustments:
-        meant = _meant(adjustment, people, rules)
+        meant = _people_of(adjustment, people, rules)
         if unclear := _unclear(adjustment, meant, rules):
             sentences.append(unclear)
         elif not meant and adjustment.student != EVERYBODY:
@@ -218,7 +225,7 @@ def left_out(rules: Rules, students: Sequence[Student], others: Mapping[str, str
 
 
 def _unclear(adjustment: Adjustment, meant: list[Person], rules: Rules) -> str:
-    """Why it can't be told whom of several an adjustment is for; "" if it can."""
+    """Why it isn't clear which of several people an adjustment is for; "" if it is clear."""
     who = adjustment.student
     ids = sorted(_persons(who, rules))
     if len(ids) < 2:

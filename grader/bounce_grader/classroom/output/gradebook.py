@@ -21,11 +21,11 @@ ASSIGNMENT = re.compile(r"\(\d+\)$")
 
 @dataclass(frozen=True)
 class Marks:
-    """A student's points: the total under 0, those of part n under n."""
+    """A student's points."""
 
     name: str
-    points: Mapping[int, float]
-    of_canvas: bool = False  # the name was made by Canvas from a person's or a group's
+    points: Mapping[int, float]  # key 0 is the total, key n is part n
+    from_canvas: bool = False  # the id and the name are those of a Canvas download
 
 
 # A column's title -> Canvas's id -> all points that runs have filled in there.
@@ -59,9 +59,9 @@ class Gradebook:
         self._comma = self._has_decimal_comma()
         self._require_whole_rows()
 
-    def require_some_of(self, ids: Iterable[str], of_canvas: bool) -> None:
+    def require_some_of(self, ids: Iterable[str], canvas_ids_only: bool) -> None:
         """Raises UsageError if no student with one of these ids is in the grade book."""
-        known = self._rows_by_id(of_canvas)
+        known = self._rows_by_id(canvas_ids_only)
         handed_in = list(ids)
         if handed_in and not any(id in known for id in handed_in):
             raise UsageError(
@@ -118,15 +118,15 @@ class Gradebook:
     def _rows_of(
         self, marks: Mapping[str, Marks], without: Mapping[str, str]
     ) -> dict[str, list[Row]]:
-        """The rows of each id. In a download of Canvas's only its own ids count: another number
-        there comes from a student."""
-        of_canvas, all_ids = self._rows_by_id(True), self._rows_by_id(False)
-        any_of_canvas = any(mark.of_canvas for mark in marks.values())
-        found = {id: (of_canvas if any_of_canvas else all_ids).get(id, []) for id in without}
-        found |= {
-            id: (of_canvas if mark.of_canvas else all_ids).get(id, []) for id, mark in marks.items()
+        """The rows of each id."""
+        by_canvas_id, by_any_id = self._rows_by_id(True), self._rows_by_id(False)
+        any_from_canvas = any(mark.from_canvas for mark in marks.values())
+        from_canvas = {id: any_from_canvas for id in without}
+        from_canvas |= {id: mark.from_canvas for id, mark in marks.items()}
+        return {
+            id: (by_canvas_id if known else by_any_id).get(id, [])
+            for id, known in from_canvas.items()
         }
-        return found
 
     def _fill_row(
         self, row: Row, marks: Marks, written: dict[str, dict[str, list[str]]], overwrite: bool
@@ -151,7 +151,7 @@ class Gradebook:
                     f"{self._who(row)} keeps {text} in {title}, where the grading gives {number}; "
                     "--overwrite replaces it"
                 )
-        if is_filled and marks.of_canvas and not is_name_of(self._person(row), marks.name):
+        if is_filled and marks.from_canvas and not is_name_of(self._person(row), marks.name):
             sentences.append(
                 f"{self._who(row)} has the points of {marks.name}: if that is a group, give its "
                 "other members the same"
@@ -167,24 +167,24 @@ class Gradebook:
         names = row.cells[: self._header.index("ID")]
         return ", ".join(cell.text.strip() for cell in names)
 
-    def people(self, of_canvas: bool = True) -> dict[str, str]:
-        """The names of all students, as "Doe, Jane", by Canvas's ids; or by every id that is that
-        of one student alone."""
-        rows = self._rows_by_id(of_canvas)
-        rows = {id: of_id for id, of_id in rows.items() if of_canvas or len(of_id) == 1}
+    def people(self, canvas_ids_only: bool = True) -> dict[str, str]:
+        """The names of all students, as "Doe, Jane", by Canvas's ids; or by every id that only one
+        student has."""
+        rows = self._rows_by_id(canvas_ids_only)
+        rows = {id: of_id for id, of_id in rows.items() if canvas_ids_only or len(of_id) == 1}
         return {id: self._person(of_id[0]) for id, of_id in rows.items()}
 
     def same_person(self) -> dict[str, str]:
-        """By each id that is that of one student alone, the student's id of Canvas's."""
+        """The student's Canvas id, by each id that only one student has."""
         column = self._header.index("ID")
-        rows = self._rows_by_id(of_canvas=False)
+        rows = self._rows_by_id(canvas_ids_only=False)
         return {id: of[0].cells[column].text.strip() for id, of in rows.items() if len(of) == 1}
 
-    def _rows_by_id(self, of_canvas: bool) -> dict[str, list[Row]]:
-        """The rows of each id. Canvas's own ids take precedence, as in its importer. With marks
-        `of_canvas`, only these count: another number in a download comes from a student."""
+    def _rows_by_id(self, canvas_ids_only: bool) -> dict[str, list[Row]]:
+        """The rows of each id. Canvas's own ids take precedence, as in its importer. For a Canvas
+        download only these count, because any other number in it comes from a student."""
         rows: dict[str, list[Row]] = {}
-        for column in self._id_columns()[: 1 if of_canvas else None]:
+        for column in self._id_columns()[: 1 if canvas_ids_only else None]:
             in_column: dict[str, list[Row]] = {}
             for row in self._students():
                 in_column.setdefault(row.cells[column].text.strip(), []).append(row)

@@ -9,7 +9,7 @@ from typing import Any
 from bounce_grader.classroom.work import results
 from bounce_grader.classroom.work.summary import Summary
 from bounce_grader.common.files import write_whole
-from bounce_grader.grading.before import Before, of_record
+from bounce_grader.grading.previous import Previous, of_record
 
 NAME = "history.json"
 History = dict[str, list[str]]  # a student's id -> keys of results, oldest first
@@ -31,7 +31,7 @@ def add(out: Path, history: History, summaries: Iterable[Summary]) -> None:
     write_whole(out / NAME, json.dumps(history, indent=1, sort_keys=True))
 
 
-def before(out: Path, keys: list[str], result: dict[str, Any]) -> Before | None:
+def before(out: Path, keys: list[str], result: dict[str, Any]) -> Previous | None:
     """The newest result of another submission of the same student's."""
     for key in reversed(keys):
         for folder in sorted(out.glob("results*")):

@@ -23,7 +23,7 @@ from bounce_grader.common.errors import about_one_submission, UsageError
 from bounce_grader.common.files import write_whole
 from bounce_grader.common.manifest import parts
 from bounce_grader.formats import html
-from bounce_grader.grading.before import compared, Before
+from bounce_grader.grading.previous import compared, Previous
 from bounce_grader.grading.record import with_answers, without_answers
 
 TITLE = "Bouncing"
@@ -73,8 +73,9 @@ def _read_written(path: Path) -> gradebook.Written:
 
 
 def _marks(submitted: Class, summaries: list[Summary]) -> tuple[dict[str, Marks], list[str]]:
-    """The points of those that have a score, by person; a missing score must not become a zero. A
-    login of GitHub's alone gets none: its student could have chosen another's id for it."""
+    """The points of everyone who has a score, by id; a missing score must not become a zero. A
+    submission that is known by its GitHub login alone gets none: its student could have chosen
+    somebody else's id as a login."""
     marks: dict[str, Marks] = {}
     left_out = []
     for summary in summaries:
@@ -83,14 +84,14 @@ def _marks(submitted: Class, summaries: list[Summary]) -> tuple[dict[str, Marks]
             if submitted.logins and not one.listed:
                 left_out.append(f"{student.id} isn't in roster.csv: the points are in grades.csv")
                 continue
-            of_canvas = not one.listed and submitted.service == "canvas"
+            from_canvas = not one.listed and submitted.service == "canvas"
             name = one.name or student.shown if one.listed else student.name
-            marks[one.id] = Marks(name, one.points, of_canvas)
+            marks[one.id] = Marks(name, one.points, from_canvas)
     return marks, left_out
 
 
 def _without_score(submitted: Class, summaries: list[Summary]) -> dict[str, str]:
-    """Who submitted something without getting a score, and why, by id."""
+    """The reasons of submissions that got no score, by id."""
     entries = {u.user: f"{u.name} {u.reason}" for u in submitted.unmatched if u.user}
     return entries | {s.student.id: s.message for s in summaries if s.score is None}
 
@@ -148,8 +149,8 @@ def write_feedback(
             page_file.unlink()
     if submitted.service not in ("canvas", "moodle"):
         return Feedback(without, "")
-    of_canvas = submitted.service == "canvas"
-    zipped = [name for name in pages if not of_canvas or canvas.parse(name)]
+    to_canvas = submitted.service == "canvas"
+    zipped = [name for name in pages if not to_canvas or canvas.parse(name)]
     return Feedback(without, _write_zips(out, folder, zipped))
 
 
@@ -183,7 +184,7 @@ def _is_ours(page_file: Path) -> bool:
         return f"<title>{html.TITLE}".encode() in stream.read(200)
 
 
-def _page(summary: Summary, result: dict[str, Any], reveal: bool, earlier: Before | None) -> str:
+def _page(summary: Summary, result: dict[str, Any], reveal: bool, earlier: Previous | None) -> str:
     if result["record"]:
         record = (with_answers if reveal else without_answers)(result["record"])
         record = compared(record, earlier)

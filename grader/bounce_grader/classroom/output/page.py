@@ -200,8 +200,8 @@ def _median(summaries: Sequence[Summary], whose: str) -> Curve | None:
 
 
 def _together(near: Similar) -> list[list[str]]:
-    """Groups of similar submissions, largest first. Each submission is compared only with its
-    closest relatives, so a group joins all that pairs connect."""
+    """Groups of similar submissions, largest first: all that pairs connect. Not every two of a group
+    have been compared with each other."""
     groups: dict[str, list[str]] = {}
     for pair in near.pairs:
         one = groups.setdefault(pair.first, [pair.first])

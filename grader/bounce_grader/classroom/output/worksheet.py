@@ -42,7 +42,7 @@ class Worksheet:
         self._column = self._find_column(title)
         self._most = most
 
-    def people(self, of_canvas: bool = False) -> dict[str, str]:
+    def people(self, canvas_ids_only: bool = False) -> dict[str, str]:
         """The names of all students, by their ids."""
         rows = self._by_id()
         return {id: self._person(of_id[0]) for id, of_id in rows.items() if len(of_id) == 1}
@@ -50,7 +50,7 @@ class Worksheet:
     def same_person(self) -> dict[str, str]:
         return {id: id for id in self.people()}
 
-    def require_some_of(self, ids: Iterable[str], of_canvas: bool = False) -> None:
+    def require_some_of(self, ids: Iterable[str], canvas_ids_only: bool = False) -> None:
         """Raises UsageError if no student with one of these ids is in the file."""
         wanted = list(ids)
         if wanted and not self._by_id().keys() & set(wanted):

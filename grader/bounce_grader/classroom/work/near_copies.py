@@ -2,9 +2,9 @@
 
 Comparing every pair in detail would take long in a large class. So sim_c++ runs twice: first on all
 at once, to find each submission's closest relatives; then on these pairs alone, for the share that
-they have in common. Its time grows with the square of the repetition in a text. So submissions that
-take long to compare with themselves are left out first: no pair takes longer than the slower of the
-two with itself.
+they have in common. Its time grows with the square of the repetition in a text. Comparing two
+submissions never takes longer than comparing the slower one with itself. So each is first compared
+with itself, and those that take too long are left out.
 """
 
 import hashlib

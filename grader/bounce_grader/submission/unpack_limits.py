@@ -10,7 +10,7 @@ HEADERS = 8 * 1024 * 1024  # bytes of tars: 5000 entries have that with a pax he
 SECONDS = 10.0  # of 7-Zip's CPU time
 
 
-class Room:
+class UnpackLimits:
     def __init__(
         self, memory: int = TOGETHER, headers: int = HEADERS, seconds: float = SECONDS
     ) -> None:

@@ -9,12 +9,12 @@ from typing import NamedTuple
 from bounce_grader.common.errors import UsageError
 
 
-class OwnRow(NamedTuple):
+class TableRow(NamedTuple):
     line: int
     cells: dict[str, str]  # by column, stripped; "" where nothing is
 
 
-def read(path: Path, needed: Iterable[str], more: Iterable[str] = ()) -> list[OwnRow]:
+def read(path: Path, needed: Iterable[str], more: Iterable[str] = ()) -> list[TableRow]:
     """The rows that aren't empty; none if there is no such file. Columns may be in any order, and
     separated by commas or semicolons. Raises UsageError."""
     if not path.exists():
@@ -35,7 +35,7 @@ def read(path: Path, needed: Iterable[str], more: Iterable[str] = ()) -> list[Ow
 
 def _named(
     path: Path, rows: list[tuple[int, list[str]]], needed: list[str], more: list[str]
-) -> list[OwnRow]:
+) -> list[TableRow]:
     header = [cell.strip().lower() for cell in rows[0][1]] if rows else []
     missing = [column for column in needed if column not in header]
     if missing:
@@ -57,5 +57,5 @@ def _named(
                 f"{path} has {len(cells)} cells in line {line}, and {len(header)} in its first: "
                 "put texts with commas into quotation marks"
             )
-        found.append(OwnRow(line, dict.fromkeys(more, "") | dict(zip(header, cells))))
+        found.append(TableRow(line, dict.fromkeys(more, "") | dict(zip(header, cells))))
     return found

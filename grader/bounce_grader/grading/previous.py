@@ -1,4 +1,4 @@
-"""Compares a record with one of before: what was gained, and what is lost now."""
+"""Compares a record with the previous one: which checks were gained, and which are lost now."""
 
 import json
 from collections.abc import Mapping
@@ -11,18 +11,18 @@ from bounce_grader.common.manifest import parts
 from bounce_grader.grading.record import Record
 
 
-class Before(NamedTuple):
+class Previous(NamedTuple):
     score: float
     passed: Mapping[str, bool]  # by the check's id
 
 
-def of_record(record: Mapping[str, Any]) -> Before:
+def of_record(record: Mapping[str, Any]) -> Previous:
     checks = [check for part in record["parts"] for check in part["checks"]]
-    return Before(float(record["score"]), {c["id"]: bool(c["passed"]) for c in checks})
+    return Previous(float(record["score"]), {c["id"]: bool(c["passed"]) for c in checks})
 
 
-def compared(record: Record, before: Before | None) -> Record:
-    """The record with what has changed since then; the same record if there is none of before."""
+def compared(record: Record, before: Previous | None) -> Record:
+    """The record, with what has changed since the previous one; unchanged if there is none."""
     if before is None:
         return record
     now = of_record(record).passed
@@ -35,9 +35,9 @@ def compared(record: Record, before: Before | None) -> Record:
     return {**record, "before": changes}
 
 
-def read(path: Path) -> Before | None:
-    """Reads a record of before, or Gradescope's submission_metadata.json, of which the newest
-    previous submission with a result counts; None if that has none. Raises UsageError."""
+def read(path: Path) -> Previous | None:
+    """Reads the previous record; or Gradescope's submission_metadata.json, where the newest previous
+    submission with a result counts. None if that file has no result. Raises UsageError."""
     try:
         words = json.loads(path.read_text("utf-8"))
         if "previous_submissions" in words:
@@ -50,9 +50,9 @@ def read(path: Path) -> Before | None:
         ) from error
 
 
-def _of_gradescope(submissions: list[dict[str, Any]]) -> Before | None:
-    """Results of another shape, which another autograder of the assignment may have written, are
-    passed over."""
+def _of_gradescope(submissions: list[dict[str, Any]]) -> Previous | None:
+    """The newest result of ours. Another autograder of the assignment may have written results too:
+    those have another shape, and are passed over."""
     ids = {
         f"{part.number}.{number}": check.id
         for part in parts()
@@ -70,5 +70,5 @@ def _of_gradescope(submissions: list[dict[str, Any]]) -> Before | None:
                 ids[t["number"]]: t["status"] == "passed" for t in tests if t["number"] in ids
             }
             if passed:
-                return Before(sum(float(test["score"]) for test in tests), passed)
+                return Previous(sum(float(test["score"]) for test in tests), passed)
     return None

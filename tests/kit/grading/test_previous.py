@@ -10,7 +10,7 @@ from bounce_grader import formats
 from bounce_grader.common.errors import UsageError
 from bounce_grader.common.manifest import parts
 from bounce_grader.formats import sentences
-from bounce_grader.grading import before
+from bounce_grader.grading import previous
 from bounce_grader.submission import submission
 from conftest import write
 
@@ -51,7 +51,7 @@ def test_what_was_gained_and_lost_is_said(tmp_path: Path, form: str) -> None:
     file = tmp_path / "before.json"
     older = graded(tmp_path, set())
     file.write_text(json.dumps(then if form == "record" else gradescope(then, older)))
-    compared = before.compared(now, before.read(file))
+    compared = previous.compared(now, previous.read(file))
     gained = [SECOND.id, parts()[3].checks[0].id]
     assert compared["before"] == {"score": then["score"], "gained": gained, "lost": [FIRST.id]}
     words = sentences.since_last_time(compared)
@@ -65,7 +65,7 @@ def test_a_first_submission_has_nothing_before(tmp_path: Path) -> None:
     file = tmp_path / "before.json"
     file.write_text(json.dumps(gradescope()))
     record = graded(tmp_path, set())
-    assert before.compared(record, before.read(file)) == record
+    assert previous.compared(record, previous.read(file)) == record
 
 
 @pytest.mark.parametrize("score", [None, "a lot", "missing"])
@@ -81,7 +81,7 @@ def test_results_of_another_autograder_are_passed_over(tmp_path: Path, score: ob
     there["previous_submissions"].append(other)
     file = tmp_path / "before.json"
     file.write_text(json.dumps(there))
-    read = before.read(file)
+    read = previous.read(file)
     assert read is not None and read.score == then["score"]
 
 
@@ -92,4 +92,4 @@ def test_another_file_is_refused_in_a_sentence(tmp_path: Path, text: str) -> Non
     file = tmp_path / "before.json"
     file.write_text(text)
     with pytest.raises(UsageError, match="is neither a score record nor Gradescope's"):
-        before.read(file)
+        previous.read(file)
