@@ -236,9 +236,9 @@ void limit_and_filter(const std::string& kind, bool reduced, rlim_t others) {
   const rlim_t of_a_run = others > 0 ? kOfARunAmongOthers : kOfARun;
   limit(RLIMIT_NPROC, others + (build ? kOfABuild : of_a_run));
   limit(RLIMIT_NOFILE, build ? 256 : 16);
-  if (build) refuse_what_no_compiler_needs();
-  if (kind == "check") allow_what_checked_numbers_need();
-  if (kind == "run") allow_only_what_numbers_need(!reduced);
+  if (build) forbid_non_compiler_calls();
+  if (kind == "check") restrict_to_sanitized_calls();
+  if (kind == "run") restrict_to_submission_calls(!reduced);
 }
 
 void enter(const Options& options) {
@@ -247,7 +247,7 @@ void enter(const Options& options) {
   if (boxed) require(::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0), "no new privileges");
   require(::prctl(PR_SET_DUMPABLE, 0), "hiding this process");
   if (build) make_scratch(options);
-  const Guarding guarding{boxed ? allow_only_what_a_guard_needs : [] {}, hand_out_and_clean_up};
+  const Guarding guarding{boxed ? restrict_to_guard_calls : [] {}, hand_out_and_clean_up};
   // Of a run, the judge waits until every process has closed the status.
   guard_what_follows(guarding, build ? std::vector{status, output} : std::vector<int>{});
   close_when_the_command_begins(build);

@@ -153,7 +153,7 @@ void allow_naming_only(Filter& filter) {
 
 }  // namespace
 
-void allow_only_what_numbers_need(bool has_folder) {
+void restrict_to_submission_calls(bool has_folder) {
   Filter filter(SCMP_ACT_TRAP);
   allow_numbers(filter);
   has_folder ? allow_files(filter) : find_no_file(filter);
@@ -161,7 +161,7 @@ void allow_only_what_numbers_need(bool has_folder) {
   filter.install();
 }
 
-void allow_what_checked_numbers_need() {
+void restrict_to_sanitized_calls() {
   Filter filter(SCMP_ACT_TRAP);
   allow_numbers(filter);
   filter.rules(SCMP_ACT_ALLOW, {SCMP_SYS(open), SCMP_SYS(openat), SCMP_SYS(access), SCMP_SYS(stat),
@@ -171,7 +171,7 @@ void allow_what_checked_numbers_need() {
   filter.install();
 }
 
-void allow_only_what_a_guard_needs() {
+void restrict_to_guard_calls() {
   Filter filter(SCMP_ACT_KILL_PROCESS);
   filter.rules(
       SCMP_ACT_ALLOW,
@@ -185,7 +185,7 @@ void allow_only_what_a_guard_needs() {
   filter.install();
 }
 
-void refuse_what_no_compiler_needs() {
+void forbid_non_compiler_calls() {
   Filter filter(SCMP_ACT_ALLOW);
   filter.rules(no(EPERM), {SCMP_SYS(socket),
                            SCMP_SYS(socketpair),

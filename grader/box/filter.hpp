@@ -3,20 +3,20 @@
 
 namespace bounce::box {
 
-// For a submission: allows what a numerical program needs, threads among it, and, if it has a
-// folder of its own, files; if it hasn't, it finds none. Calls that concern other programs,
-// connections or devices end it with SIGSYS, which names the call.
-void allow_only_what_numbers_need(bool has_folder);
+// For a submission: allows what a numerical program needs, and threads. With a folder of its own it
+// may also use files; without one, opening a file fails as if there were none. Calls that concern
+// other programs, connections or devices end it with SIGSYS, which names the call.
+void restrict_to_submission_calls(bool has_folder);
 
 // For a submission that is built with sanitizers: also allows what these and the dynamic loader
 // need, which read files.
-void allow_what_checked_numbers_need();
+void restrict_to_sanitized_calls();
 
 // For the guard of a box, which waits, kills, and passes out one file.
-void allow_only_what_a_guard_needs();
+void restrict_to_guard_calls();
 
 // For the toolchain, which must read, write and start its own programs: forbids calls that concern
 // connections, other programs and the system.
-void refuse_what_no_compiler_needs();
+void forbid_non_compiler_calls();
 
 }  // namespace bounce::box

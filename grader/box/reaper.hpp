@@ -19,9 +19,9 @@ struct Guarding {
 // If the process that started this one ends, so does the child.
 void guard_what_follows(const Guarding& guarding, std::vector<int> kept);
 
-// Starts a command, waits, and returns its exit status, 3 in place of 1, or 128 + n after signal n.
-// For programs such as g++, which would only print that a signal ended a child, and exit with 1
-// both where a child did and where none could be started.
+// Starts a command, waits, and returns its exit status, or 128 + n after signal n; a status of 1
+// becomes 3. For the programs that g++ starts: g++ passes these statuses on, and exits with 1
+// itself only if it couldn't start a program.
 int status_of(char** command);
 
 }  // namespace bounce::box

@@ -13,9 +13,10 @@ struct Limits {
   int session_seconds = 200;     // wall clock, for all runners of a part
   int session_cpu_seconds = 30;  // CPU time, for all runners of a part
   std::size_t memory = std::size_t{1} << 30;
-  std::size_t threads = 32;  // the box's own limit counts all of a user's where it has no namespace
-  bool checked = false;  // memory is limited as it is used, because sanitizers reserve terabytes
-  bool boxed = false;    // the command is a box, which reports when it is made
+  // Without namespaces, the box's own limit counts the threads of all of the user's processes.
+  std::size_t threads = 32;
+  bool sanitized = false;  // memory is limited as it is used, because sanitizers reserve terabytes
+  bool boxed = false;      // the command is a box, which reports when it is made
   std::size_t prints = std::size_t{8} << 20;  // bytes
 };
 

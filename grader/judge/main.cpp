@@ -1,4 +1,4 @@
-// judge --part N [--given] [--checked] [--boxed] [--recognise] [--cpu-seconds S] [--seconds S]
+// judge --part N [--given] [--sanitized] [--boxed] [--recognise] [--cpu-seconds S] [--seconds S]
 //       --fixtures FOLDER... -- COMMAND...
 //
 // Runs the tests of part N against the runner that COMMAND starts, and prints one JSON object:
@@ -66,8 +66,8 @@ Options read_options(const std::vector<std::string>& arguments) {
       options.part = static_cast<std::uint32_t>(std::stoul(arguments.at(++i)));
     } else if (arguments[i] == "--given") {
       options.given = true;
-    } else if (arguments[i] == "--checked") {
-      options.limits.checked = true;
+    } else if (arguments[i] == "--sanitized") {
+      options.limits.sanitized = true;
     } else if (arguments[i] == "--boxed") {
       options.limits.boxed = true;
     } else if (arguments[i] == "--cpu-seconds") {

@@ -16,8 +16,8 @@ struct ProcessUsage {
   bool ready = false;         // a thread runs, or could
   std::size_t threads = 0;    // of the one that has most
   double cpu_seconds = 0;
-  double delay_seconds = 0;  // ready to run while no CPU was free; of the threads that still are
-  double ended_seconds = 0;  // CPU time of threads that have ended, or a little less
+  double delay_seconds = 0;  // ready to run while no CPU was free; of threads that still exist
+  double ended_seconds = 0;  // CPU time of threads that have ended, at least
   std::size_t memory = 0;    // resident bytes
 };
 
@@ -25,7 +25,7 @@ struct ProcessUsage {
 std::optional<ProcessUsage> usage_of(pid_t pid);
 
 // For how long this process was ready to run while no CPU was free, and for how long the host of a
-// virtual machine gave its CPUs to others, s. The kernel counts the latter as nobody's time.
+// virtual machine gave its CPUs to others (steal time), s.
 double own_delay_seconds();
 
 // For how long the CPUs that this process may use had nothing to do, on average, s; in steps of 10

@@ -9,8 +9,9 @@
 namespace bounce::judge {
 
 // The first column that isn't the solution's step from the column before, or for column 0 not
-// `start`; compared as the checks compare. Where rounding decides what happens in a
-// step (decidable.hpp), it may be what follows from a start a little beside.
+// `start`; compared as the checks compare. Where rounding decides what happens in a step
+// (decidable.hpp), a column is also right if it is the solution's step from a state that differs by
+// as little.
 std::optional<Eigen::Index> wrong_column(const Trajectory& trajectory, const State& start,
                                          const Parameters& params);
 

@@ -70,7 +70,7 @@ void limit(int resource, rlim_t soft, rlim_t hard) {
 
   const auto seconds = static_cast<rlim_t>(limits.cpu_seconds);
   limit(RLIMIT_CPU, seconds, seconds + 1);
-  if (!limits.checked) limit(RLIMIT_AS, limits.memory, limits.memory);
+  if (!limits.sanitized) limit(RLIMIT_AS, limits.memory, limits.memory);
   limit(RLIMIT_FSIZE, kLargestFile, kLargestFile);
   limit(RLIMIT_NOFILE, 64, 64);
   limit(RLIMIT_CORE, 0, 0);

@@ -1,14 +1,15 @@
 // Measures speed against accuracy: several programs take turns at scenes with smaller and smaller
 // steps.
 //
-// The error is that of the columns that were timed, against the truth (event_driven.hpp), which is
-// worked out here and is the same each time. It is that of the first round, the scene itself. The
-// time is that of the other rounds, which begin with velocities drawn anew, a thousandth away: no
-// answer that was kept, known by heart or worked out beforehand is right there. Whoever
-// runs a contender has to look at every round's columns.
+// The error is measured in the first round, which starts as the scene does, against the true motion
+// (event_driven.hpp), which is computed here. The time is measured in the other rounds, whose
+// initial velocities are changed at random by about a thousandth, so that answers which were kept
+// or computed beforehand are wrong there. Whoever runs a contender has to check every round's
+// columns.
 //
 // delta is proportional to dt, and the assignment's at dt = 0.01 s. With a fixed delta, the error
-// of any correct program stops falling at about 1.5 delta, which says nothing about the program.
+// of any correct program stops falling at some multiple of delta, which says nothing about the
+// program.
 #pragma once
 
 #include <memory>

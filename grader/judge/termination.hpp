@@ -19,8 +19,8 @@ struct Termination {
 Termination termination_of(int wait_status, const Limits& limits, const std::string& last_print,
                            std::size_t memory = 0);
 
-// A loop that stores without end may first use up its time or its memory, as the machine's load has
-// it. So one that held an eighth of what it may is out of memory in both cases.
+// A loop that allocates without end may reach either limit first, which depends on the machine's
+// load. So a program that held at least an eighth of its memory is out of memory in both cases.
 Termination out_of_cpu_time(const Limits& limits, std::size_t memory = 0);
 Termination out_of_memory(const Limits& limits);
 

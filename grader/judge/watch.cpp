@@ -9,7 +9,7 @@
 int main(int argc, char** argv) try {
   if (argc < 3) throw std::runtime_error("usage: watch run|check COMMAND...");
   bounce::judge::Limits limits;
-  limits.checked = std::string(argv[1]) == "check";
+  limits.sanitized = std::string(argv[1]) == "check";
   bounce::judge::RunnerProcess runner({argv + 2, argv + argc}, limits);
   try {
     static_cast<void>(runner.receive());

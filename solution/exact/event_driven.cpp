@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "../methods/two_corners.hpp"
-#include "companions.hpp"
 #include "first_contact.hpp"
+#include "perturbed_motions.hpp"
 #include "series.hpp"
 #include "units.hpp"
 
@@ -34,13 +34,13 @@ class Engine {
     if (!options.model.friction) body_.mu = 0;
     cut_ = Real(options.cut);
     set_turns_apart();
-    companions_ = Companions<Real>(s_, Noise(options.companions, options.seed));
+    perturbed_ = PerturbedMotions<Real>(s_, Noise(options.perturbation, options.seed));
     order_ = std::clamp(int(4 - std::log(options.tolerance) / 2), 6, kMaxOrder);
   }
 
   std::vector<Motion<Real>> run() {
     samples_.reserve(times_.size());
-    if (!companions_.lost()) report_.companions.reserve(times_.size());
+    if (!perturbed_.lost()) report_.perturbed_distances.reserve(times_.size());
     collide();
     while (samples_.size() < times_.size()) {
       report_.stalled = stalls();
@@ -85,7 +85,7 @@ class Engine {
   void take(Motion<Real> s) {
     s.theta += turns_ * 2 * std::numbers::pi_v<Real>;
     samples_.push_back(s);
-    if (!companions_.lost()) report_.companions.push_back(double(companions_.apart()));
+    if (!perturbed_.lost()) report_.perturbed_distances.push_back(double(perturbed_.apart()));
   }
 
   // Keeps theta within half a turn.
@@ -93,7 +93,7 @@ class Engine {
     if (std::abs(s_.theta) <= std::numbers::pi_v<Real>) return;
     const Real rest = std::atan2(std::sin(s_.theta), std::cos(s_.theta));
     turns_ += std::round((s_.theta - rest) / (2 * std::numbers::pi_v<Real>));
-    companions_.turn(rest - s_.theta);
+    perturbed_.turn(rest - s_.theta);
     s_.theta = rest;
   }
 
@@ -104,7 +104,7 @@ class Engine {
         options_.model.corners == 0 ? last : std::min(time_above(start, body_), last);
     const NearFlight<Real> flight =
         above > 0 ? NearFlight<Real>{above, false} : first_contact(start, body_, last);
-    companions_.fly_to(fly(start, body_, flight.time), body_, flight.time);
+    perturbed_.fly_to(fly(start, body_, flight.time), body_, flight.time);
     advance(flight.time, report_.flight, [&](Real t) { return fly(start, body_, t); });
     if (flight.contact) {
       disturb(flight.time);
@@ -167,10 +167,10 @@ class Engine {
     if (hit.count == 0) return;
     ++report_.impacts;
     if (hit.count == 1) {
-      if (!companions_.lost() && !is_alone(hit.index[0], r, s_.y)) companions_.lose();
+      if (!perturbed_.lost() && !is_alone(hit.index[0], r, s_.y)) perturbed_.lose();
       collide_corner(hit.index[0], r[hit.index[0]]);
     } else {
-      companions_.lose();
+      perturbed_.lose();
       collide_side(hit, r);
     }
   }
@@ -178,13 +178,13 @@ class Engine {
   void collide_corner(int k, const Arm<Real>& r) {
     methods::Collision<Real> collision = methods::collision_of(s_, r, body_);
     const bool rests = is_cut(collision.v_n, cut_at(r));
-    if (rests) companions_.lose();
+    if (rests) perturbed_.lose();
     if (collision.v_n < 0) {
       if (rests) collision.epsilon = 0;
       const CornerImpulse<Real> p = methods::impact(collision, options_.law);
-      if (!companions_.lost()) companions_.collide(r, s_.theta, body_, p.happens, options_.law);
-      methods::push(s_, r, p.n, p.t, body_.gyration);
-      if (p.happens == methods::Case::sticks) s_.v_x = r.y * s_.omega;
+      if (!perturbed_.lost()) perturbed_.collide(r, s_.theta, body_, p.mode, options_.law);
+      methods::apply_impulse(s_, r, p.n, p.t, body_.gyration_squared);
+      if (p.mode == methods::ContactMode::sticks) s_.v_x = r.y * s_.omega;
     }
     if (rests && methods::normal_velocity(s_, r) < cut_at(r)) close(k, r);
   }
@@ -234,19 +234,19 @@ class Engine {
   Row<Real, 2> press(const Arm<Real>& r_1, const Arm<Real>& r_2, Row<Real, 2> u, Real P_0 = 0) {
     const Real u_t = s_.v_x - (r_1.y + r_2.y) / 2 * s_.omega;
     const SideImpulse<Real> p = methods::solve_two_corners(
-        methods::two_corners(r_1, r_2, body_.gyration, u, u_t, body_.mu, P_0));
+        methods::two_corners(r_1, r_2, body_.gyration_squared, u, u_t, body_.mu, P_0));
     push_side(r_1, r_2, p);
     return p.n;
   }
 
   void push_side(const Arm<Real>& r_1, const Arm<Real>& r_2, const SideImpulse<Real>& p) {
-    methods::push(s_, r_1, p.n[0], p.t / 2, body_.gyration);
-    methods::push(s_, r_2, p.n[1], p.t / 2, body_.gyration);
+    methods::apply_impulse(s_, r_1, p.n[0], p.t / 2, body_.gyration_squared);
+    methods::apply_impulse(s_, r_2, p.n[1], p.t / 2, body_.gyration_squared);
   }
 
   void expand(const Arm<Real>& r_1, const Arm<Real>& r_2, const Row<Real, 2>& p, Real epsilon) {
-    methods::push(s_, r_1, epsilon * p[0], Real(0), body_.gyration);
-    methods::push(s_, r_2, epsilon * p[1], Real(0), body_.gyration);
+    methods::apply_impulse(s_, r_1, epsilon * p[0], Real(0), body_.gyration_squared);
+    methods::apply_impulse(s_, r_2, epsilon * p[1], Real(0), body_.gyration_squared);
     press(r_1, r_2, {methods::normal_velocity(s_, r_1), methods::normal_velocity(s_, r_2)},
           epsilon * (p[0] + p[1]));
   }
@@ -291,7 +291,7 @@ class Engine {
   SideImpulse<Real> side_force(Real v_t) const {
     const methods::TwoCorners<Real> k{{-body_.half, body_.half},
                                       -body_.half,
-                                      body_.gyration,
+                                      body_.gyration_squared,
                                       {body_.g_y, body_.g_y},
                                       body_.g_x,
                                       body_.mu,
@@ -338,7 +338,7 @@ class Engine {
       if (!(k.a + k.b * friction > 0)) friction = 0;
     }
     const Real p = p_n();
-    methods::push(s_, r, p, friction * p, body_.gyration);
+    methods::apply_impulse(s_, r, p, friction * p, body_.gyration_squared);
   }
 
   // Closes one corner: v_n is 0 from now on, and the mode is still to be found.
@@ -362,7 +362,7 @@ class Engine {
 
   // One corner on the ground.
   void follow_corner() {
-    companions_.lose();
+    perturbed_.lose();
     const int k = closed_.index[0];
     const Arm<Real> r = methods::arms(body_, s_.theta)[k];
     if (sliding_ == Sliding::unknown && !find_mode(r)) return;
@@ -381,9 +381,9 @@ class Engine {
 
   // Finds the mode by the LCP in accelerations; false if the corner doesn't stay.
   bool find_mode(const Arm<Real>& r) {
-    const Real v_t = methods::sliding_velocity(s_, r);
+    const Real v_t = methods::tangential_velocity(s_, r);
     auto forces =
-        methods::one_corner<Real>(r, body_.gyration, body_.g_y - r.y * s_.omega * s_.omega,
+        methods::one_corner<Real>(r, body_.gyration_squared, body_.g_y - r.y * s_.omega * s_.omega,
                                   body_.g_x - r.x * s_.omega * s_.omega, body_.mu);
     if (std::abs(v_t) > slow()) {
       direction_ = v_t > 0 ? 1 : -1;
@@ -393,9 +393,9 @@ class Engine {
       }
     } else {
       const CornerImpulse<Real> f = methods::solve_one_corner(forces);
-      direction_ = f.happens == methods::Case::slides_right  ? 1
-                   : f.happens == methods::Case::slides_left ? -1
-                                                             : 0;
+      direction_ = f.mode == methods::ContactMode::slides_right  ? 1
+                   : f.mode == methods::ContactMode::slides_left ? -1
+                                                                 : 0;
       s_.v_x = r.y * s_.omega;
     }
     if (forces.u_n >= 0) {
@@ -409,9 +409,9 @@ class Engine {
   // The impact without approach that stops the sliding corner.
   void jam(const Arm<Real>& r) {
     ++report_.jams;
-    const auto k = methods::one_corner<Real>(r, body_.gyration, 0, 0, body_.mu);
-    const Real v_t = methods::sliding_velocity(s_, r), D = k.a * k.c - k.b * k.b;
-    methods::push(s_, r, k.b * v_t / D, -k.a * v_t / D, body_.gyration);
+    const auto k = methods::one_corner<Real>(r, body_.gyration_squared, 0, 0, body_.mu);
+    const Real v_t = methods::tangential_velocity(s_, r), D = k.a * k.c - k.b * k.b;
+    methods::apply_impulse(s_, r, k.b * v_t / D, -k.a * v_t / D, body_.gyration_squared);
     s_.v_x = r.y * s_.omega;
   }
 
@@ -446,7 +446,7 @@ class Engine {
 
   // A side on the ground. Forces are constant until sliding stops.
   void follow_side() {
-    companions_.lose();
+    perturbed_.lose();
     const SideImpulse<Real> f = side_force(s_.v_x);
     if (!(f.n[0] > 0 && f.n[1] > 0)) {  // it tips over the corner that is pressed, or lifts off
       const auto r = methods::arms(body_, s_.theta);
@@ -479,7 +479,7 @@ class Engine {
   std::vector<Motion<Real>> samples_;
   Clock<Real> clock_;
   Noise noise_{options_.noise, options_.seed};
-  Companions<Real> companions_;
+  PerturbedMotions<Real> perturbed_;
   long events_ = 0;
   Real turns_ = 0, cut_ = 0;
   int order_ = 0;
@@ -505,7 +505,7 @@ std::vector<Motion<Real>> simulate_events(const Parameters& params, const Motion
   auto motions = Engine<Real>(units.in(params), units.in(start), scaled, options, written).run();
   for (Motion<Real>& s : motions) s = units.out(s);
   for (double* mode : {&written.flight, &written.corner, &written.flat}) *mode *= units.time;
-  for (double& apart : written.companions) apart *= units.length;
+  for (double& apart : written.perturbed_distances) apart *= units.length;
   return motions;
 }
 

@@ -12,16 +12,16 @@
 //
 // Zeno: bounces that get ever smaller end where a bounce would leave with less than `cut`: the
 // impact is then without restitution, and contact lasts. What is left out lasts 2 cut / (g (1 -
-// epsilon)) and is cut^2 / 2g high: 2e-6 sqrt(l / g) and 5e-13 l with the usual cut. A bounce much
-// lower than that drowns in the rounding of y. The impulses left out act along the same line; the
-// corner or side that stays is given the rest of them, with its friction, so that v and omega
-// change by the square of cut only.
+// epsilon)) and is cut^2 / (2 g) high: 2e-6 sqrt(l / g) / (1 - epsilon) and 5e-13 l with the usual
+// cut. A bounce much lower than that drowns in the rounding of y. The impulses left out act along
+// the same line; the corner or side that stays is given the rest of them, with its friction, so that
+// v and omega change by the square of cut only.
 //
 // Which mode follows is an LCP in accelerations, the same as that in impulses with a_n and a_t in
 // place of u_n and u_t (Lotstedt 1981; Glocker & Studer 2005, "Formulation and preparation for
 // numerical evaluation of linear complementarity systems in dynamics", Multibody System Dynamics
-// 13). Where it has no solution, a <= mu |b| and the corner slides into the ground, the corner
-// jams: an impact without approach, v_n = 0, which the LCP in impulses has (Moreau 1988,
+// 13). It may have no solution where a <= mu |b| and the corner slides into the ground. Then the
+// corner jams: an impulse acts although v_n = 0, which solves the LCP in impulses (Moreau 1988,
 // "Unilateral contact and dry friction in finite freedom dynamics", on frictional catastrophes).
 #pragma once
 
@@ -45,14 +45,14 @@ struct Model {
 struct EventOptions {
   methods::ImpactLaw law = methods::ImpactLaw::newton;
   Model model;
-  double cut = 1e-6;         // of sqrt(l g), within a factor of 2
-  double tolerance = 1e-15;  // of one step of a series, rad and l / sqrt 2
-  double touching = 1e-13;   // of l, within a factor of 2: corners this near touch together
-  long most_events = 0;      // gives up after these; 0: never
+  double cut = 1e-6;         // in units of sqrt(l g), within a factor of 2
+  double tolerance = 1e-15;  // of one step of a series, in rad and in units of l / sqrt 2
+  double touching = 1e-13;  // in units of l, within a factor of 2: corners this near touch together
+  long most_events = 0;     // gives up after these; 0: never
   // A shadow: random changes of this relative size at each event, as rounding makes them. A square
   // that is exactly parallel to the ground and does not turn stays so.
   double noise = 0;
-  double companions = 0;  // the noise of companions (companions.hpp); 0: none
+  double perturbation = 0;  // the noise of perturbed motions (perturbed_motions.hpp); 0: none
   std::uint64_t seed = 1;
 };
 
@@ -60,9 +60,9 @@ struct EventReport {
   long impacts = 0, series = 0, jams = 0;
   bool stalled = false;  // events went on without an end at one time; what follows is not computed
   bool gave_up = false;  // after most_events; what follows is not computed
-  // The largest distance of the companions up to each time and the end of its flight, m, until
-  // they were lost.
-  std::vector<double> companions;
+  // For each time, the largest distance of the perturbed motions up to the end of the flight in
+  // which that time lies, m. Ends where they were lost.
+  std::vector<double> perturbed_distances;
   // The time in each mode, s.
   double flight = 0, corner = 0, flat = 0;
 };

@@ -6,7 +6,8 @@
 //     s = (f' + sqrt(f'^2 + 2 K f)) / K = 2 f / (sqrt(f'^2 + 2 K f) - f').
 //
 // Stepping from bound to bound comes to the first root from below and never passes one. At a simple
-// root it converges as Newton's method does, at a double one by a factor at most sqrt 1/2 a step.
+// root it converges as Newton's method does. At a double root, where f'' > 0, each step leaves
+// s / (1 + s) of the distance, with s = sqrt(1 + K / f'').
 #pragma once
 
 #include <algorithm>

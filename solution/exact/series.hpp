@@ -162,7 +162,7 @@ class CornerMotion {
 
   void stick(int n) {
     squares(n);
-    const Real inertia = body_.gyration + body_.rho * body_.rho;
+    const Real inertia = body_.gyration_squared + body_.rho * body_.rho;
     alpha_[n] = (r_y_[n] * body_.g_x - r_x_[n] * body_.g_y) / inertia;
     f_t_[n] = product(r_y_, alpha_, n) + product(r_x_, omega2_, n) - (n ? Real(0) : body_.g_x);
     advance(n);
@@ -173,7 +173,7 @@ class CornerMotion {
     const Real friction = Real(sigma_) * body_.mu;
     e_[n] = r_x_[n] + friction * r_y_[n];
     press_[n] = r_y_omega2_[n] - (n ? Real(0) : body_.g_y);
-    inertia_[n] = product(r_x_, e_, n) + (n ? Real(0) : body_.gyration);
+    inertia_[n] = product(r_x_, e_, n) + (n ? Real(0) : body_.gyration_squared);
     Real sum = product(e_, press_, n);
     for (int i = 1; i <= n; ++i) sum -= inertia_[i] * alpha_[n - i];
     alpha_[n] = sum / inertia_[0];

@@ -169,12 +169,12 @@ class LeastModelSimulation {
     warn(problem);
     const double p_n = -problem.u_n / problem.a;
     if (problem.u_t + problem.b * p_n == 0 || friction_is_negligible(p_n)) {
-      methods::push(s_, r, p_n, 0.0, k_.gyration);
+      methods::apply_impulse(s_, r, p_n, 0.0, k_.gyration_squared);
       return ModelLevel::one_normal;
     }
     ++report_.raised;
     const auto p = methods::solve_one_corner(problem);
-    methods::push(s_, r, p.n, p.t, k_.gyration);
+    methods::apply_impulse(s_, r, p.n, p.t, k_.gyration_squared);
     return ModelLevel::one_friction;
   }
 
@@ -249,7 +249,8 @@ void whole_step(Motion<double>& s, const StepConstants& k) {
   if (both) {
     methods::push_side(s, low, p, k);
   } else if (left || right) {
-    methods::push(s, left ? low.left : low.right, p.n[left ? 0 : 1], p.t, k.gyration);
+    methods::apply_impulse(s, left ? low.left : low.right, p.n[left ? 0 : 1], p.t,
+                           k.gyration_squared);
   }
   s.v_x += k.dv_x;
   s.v_y += k.dv_y;

@@ -6,9 +6,9 @@
 //   asleep          Both low corners are in contact, and the step before began and ended at rest.
 //                   Gravity doesn't change, so neither will anything else: all other columns are
 //                   copies.
-//   ballistic       No corner can touch at the middle of the next n steps: while y > rho, and else
-//                   for the time that no height can fall to 0 in (safe_step of first_root.hpp). n
-//                   steps in closed form.
+//   ballistic       No corner can touch at the middle of the next n steps, which are done in closed
+//                   form. n is the number of steps with y > rho, or else the number within the time
+//                   in which no corner can reach the ground (safe_step of first_root.hpp).
 //   one_normal      One corner touches, and the height of the second is positive. Friction is left
 //                   out where mu is 0, where the corner doesn't slide after the normal impulse (p_t
 //                   = 0 solves the LCP then), or where mu p_n is too small to matter until the end.

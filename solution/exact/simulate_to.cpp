@@ -19,7 +19,7 @@ constexpr double kRounding = std::numeric_limits<double>::epsilon();
 constexpr double kNoise = 0x1p-40;
 constexpr double kFelt = kRounding / kNoise;  // what rounding makes of a distance that noise makes
 constexpr double kSafety = 16;                // of every measured error
-constexpr double kSafetyAlone = 128;          // of that which companions say
+constexpr double kSafetyAlone = 128;          // of that which perturbed motions say
 constexpr double kNear = 1e-9;                // of l
 constexpr double kSameEvents = 1e-3;          // of l: shadows this near have the same events
 constexpr double kStepsAnEvent = 20;          // take as long as an event
@@ -65,13 +65,14 @@ class Simulation {
   Answer run() {
     EventReport report;
     EventOptions options;
-    options.companions = kNoise;
+    options.perturbation = kNoise;
     Motions motions = by_events(options, most_events(), &report);
     if (motions.size() < times_.size()) return by_steps();
     if (report.impacts == 0) return in_flight(std::move(motions));
     if (has_rounding_alone(report)) {
-      std::vector<double> bound = bound_of(motions, kSafetyAlone * kFelt, report.companions);
-      return checked(std::move(motions), {std::move(bound), std::move(report.companions)});
+      std::vector<double> bound =
+          bound_of(motions, kSafetyAlone * kFelt, report.perturbed_distances);
+      return checked(std::move(motions), {std::move(bound), std::move(report.perturbed_distances)});
     }
     const std::optional<Errors> errors = errors_of(motions);
     if (!errors) return by_steps();
@@ -123,7 +124,7 @@ class Simulation {
   // never stay on the ground, and rounding decides neither whether nor which of them is first.
   bool has_rounding_alone(const EventReport& report) const {
     const double gap = methods::lowest_gap(start_, methods::Body<double>(params_));
-    return report.companions.size() == times_.size() && gap > kNear * params_.l;
+    return report.perturbed_distances.size() == times_.size() && gap > kNear * params_.l;
   }
 
   // `safety` times the error up to each time, beside the rounding of the numbers themselves.

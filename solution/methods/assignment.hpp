@@ -19,12 +19,12 @@ namespace bounce::methods {
 
 // The constants of a scheme.
 struct StepConstants {
-  double half, rho, gyration, mu, epsilon, dt, delta, dv_x, dv_y;
+  double half, rho, gyration_squared, mu, epsilon, dt, delta, dv_x, dv_y;
 
   explicit StepConstants(const Parameters& params)
       : half(params.l / 2),
         rho(half * std::sqrt(2.0)),
-        gyration(params.l * params.l / 6),
+        gyration_squared(params.l * params.l / 6),
         mu(params.mu),
         epsilon(params.epsilon),
         dt(params.dt),
@@ -41,9 +41,9 @@ inline Arm<double> lowest_arm(double half, double cosine, double sine) {
 // Adds a contact's impulse to v, before gravity.
 inline void strike(Motion<double>& s, const Arm<double>& r, const StepConstants& k) {
   const double u_n = (1 + k.epsilon) * normal_velocity(s, r) + k.dv_y;
-  const double u_t = sliding_velocity(s, r) + k.dv_x;
-  const auto p = solve_one_corner(one_corner(r, k.gyration, u_n, u_t, k.mu));
-  push(s, r, p.n, p.t, k.gyration);
+  const double u_t = tangential_velocity(s, r) + k.dv_x;
+  const auto p = solve_one_corner(one_corner(r, k.gyration_squared, u_n, u_t, k.mu));
+  apply_impulse(s, r, p.n, p.t, k.gyration_squared);
 }
 
 inline void move(Motion<double>& s, const StepConstants& k) {

@@ -72,7 +72,7 @@ class AssignmentFast {
  public:
   AssignmentFast(const Parameters& params, const Motion<double>& start)
       : k_(params),
-        r_g_(std::sqrt(k_.gyration)),
+        r_g_(std::sqrt(k_.gyration_squared)),
         half_(k_.half / r_g_),
         turn_per_speed_(k_.dt / r_g_),
         speed_per_turn_(r_g_ / k_.dt),

@@ -3,11 +3,11 @@
 //
 //     p_n <- max(0, p_n - w / a),    p_t <- p_t - v_t / c  within +-mu p_n.
 //
-// Without friction and for a symmetric positive definite G it converges, with the square of what
-// Jacobi's matrix has as spectral radius: for a square of mass 1 under one of mass R, face on face,
-// by R / (1 + R) a sweep, so that sweeps grow with R. With friction nothing is promised: at mu 2
-// one corner is enough to keep it from converging. The literal 4x4 of eq. (9) has a row without a
-// diagonal, V_44 = 0, for which the step is undefined.
+// Without friction and for a symmetric positive definite G it converges: each sweep multiplies the
+// error by the square of the spectral radius of Jacobi's iteration matrix. For a square of mass R
+// that rests on one of mass 1 that is R / (1 + R), so the number of sweeps grows with R. With
+// friction nothing is promised: at mu 2 a single corner can keep it from converging. In the 4x4
+// matrix of eq. (9) V_44 = 0, so the step of that row is undefined.
 #pragma once
 
 #include <Eigen/Dense>
@@ -16,18 +16,20 @@
 namespace bounce::methods {
 
 struct GaussSeidel {
-  Eigen::VectorXd p;
+  Eigen::VectorXd p;  // the last iterate: the impulses, or z of any LCP
   int sweeps;
   bool converged;
   double residual;  // the largest change of the last sweep times the diagonal, m/s
 };
 
-// w = G p + u with (p_n, p_t) of one contact after the other, per unit of mass. Ends when a sweep
-// changes nothing by more than `tolerance`, m/s.
+// w = G p + u for n contacts: G is 2n x 2n, u has 2n entries, m/s, and p the impulses (p_n, p_t) of
+// one contact after the other, divided by the mass. Ends when a sweep changes no row by more than
+// `tolerance`, m/s, or after `most_sweeps`.
 GaussSeidel gauss_seidel(const Eigen::MatrixXd& G, const Eigen::VectorXd& u, double mu,
                          double tolerance, int most_sweeps);
 
-// On any LCP, row by row: z_i <- max(0, z_i - w_i / V_ii). Empty if a V_ii is 0.
+// The same for any LCP: z_i <- max(0, z_i - w_i / V_ii). `tolerance` has the unit of `p`. Empty if
+// a V_ii is 0.
 std::optional<GaussSeidel> gauss_seidel_lcp(const Eigen::MatrixXd& V, const Eigen::VectorXd& p,
                                             double tolerance, int most_sweeps);
 

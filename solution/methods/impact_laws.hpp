@@ -41,8 +41,8 @@ struct Collision {
 
 template <class Real>
 Collision<Real> collision_of(const Motion<Real>& s, const Arm<Real>& r, const Body<Real>& body) {
-  const auto k = one_corner<Real>(r, body.gyration, 0, 0, body.mu);
-  return {k.a, k.b, k.c, normal_velocity(s, r), sliding_velocity(s, r), body.mu, body.epsilon};
+  const auto k = one_corner<Real>(r, body.gyration_squared, 0, 0, body.mu);
+  return {k.a, k.b, k.c, normal_velocity(s, r), tangential_velocity(s, r), body.mu, body.epsilon};
 }
 
 namespace detail {
@@ -67,7 +67,8 @@ int direction(const Collision<Real>& k, Real v_t) {
   return k.b > 0 ? 1 : -1;
 }
 
-// Routh's impact; restitution(P_c, W_c, v_n, slope, P, W) gives how much longer it lasts.
+// Integrates Routh's impact over P, from one change of the friction case to the next, for Poisson's
+// or Stronge's law.
 template <class Real>
 CornerImpulse<Real> follow_impact(const Collision<Real>& k, ImpactLaw law) {
   constexpr Real never = std::numeric_limits<Real>::infinity();
@@ -101,7 +102,10 @@ CornerImpulse<Real> follow_impact(const Collision<Real>& k, ImpactLaw law) {
     wanted = work * (1 - k.epsilon * k.epsilon);
   }
   const int sigma = direction(k, v_t);
-  return {P, p_t, sigma == 0 ? Case::sticks : sigma > 0 ? Case::slides_right : Case::slides_left};
+  return {P, p_t,
+          sigma == 0  ? ContactMode::sticks
+          : sigma > 0 ? ContactMode::slides_right
+                      : ContactMode::slides_left};
 }
 
 }  // namespace detail
@@ -109,7 +113,7 @@ CornerImpulse<Real> follow_impact(const Collision<Real>& k, ImpactLaw law) {
 // The impulse of an impact; 0 if the corner does not approach.
 template <class Real>
 CornerImpulse<Real> impact(const Collision<Real>& k, ImpactLaw law) {
-  if (k.v_n >= 0) return {0, 0, Case::separates};
+  if (k.v_n >= 0) return {0, 0, ContactMode::separates};
   if (law == ImpactLaw::newton)
     return solve_one_corner<Real>({k.a, k.b, k.c, (1 + k.epsilon) * k.v_n, k.v_t, k.mu});
   return detail::follow_impact(k, law);

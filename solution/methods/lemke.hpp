@@ -21,11 +21,12 @@ struct LemkeResult {
   int pivots;
 };
 
-// 0 <= V z + p perpendicular to z >= 0. Numbers below `pivot` count as 0, absolutely.
+// Solves 0 <= V z + p perpendicular to z >= 0. `pivot` is an absolute tolerance: pivots below it
+// count as 0. z is a solution only if `end` is `solved`.
 LemkeResult lemke(const Eigen::MatrixXd& V, const Eigen::VectorXd& p, double pivot = 1e-12);
 
-// max_i |min(z_i, w_i)| with w = V z + p, and the largest of the negative w_i, in p's unit: how far
-// z is from a solution, whatever a solver says. NaN counts as infinite.
+// max_i |min(z_i, w_i)| with w = V z + p: how far z is from a solution, whatever a solver says.
+// It compares numbers of different units, if z and p have any. NaN counts as infinite.
 double lcp_residual(const Eigen::MatrixXd& V, const Eigen::VectorXd& p, const Eigen::VectorXd& z);
 
 // The LCP of eqs. (9) and (10) for two corners, literally: z = (f_n, f_t1, f_t2, lambda) of the

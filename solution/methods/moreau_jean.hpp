@@ -10,11 +10,11 @@
 // order 1, and a depth up to v dt. Restitution applies only to corners that approach: for one that
 // leaves, epsilon v_n would let it come back through the ground.
 //
-// A corner that is held turns on a circle, which its tangent leaves upward, by less than rho
-// omega^2 dt^2 from one q_m to the next; then it falls free for a step, by g dt^2. So it is in
-// contact only in some steps, and when its neighbour lands, it would be chance whether the impact
-// is one of one corner or of two. Hence a corner this low counts as in contact while the other
-// touches.
+// A square that turns about a sticking corner moves along the tangent of a circle, so the corner
+// rises by up to rho omega^2 dt^2 from one q_m to the next. Without contact it then falls by up to
+// g dt^2. So it is in contact only in some steps, and when its neighbour lands, chance would decide
+// whether the impact is one of one corner or of two. Hence a corner this low counts as in contact
+// while the other touches.
 //
 // kCorners 1 takes the lowest corner only. kCorners 2 takes the two lowest, with merged friction.
 #pragma once
@@ -24,7 +24,7 @@
 
 namespace bounce::methods {
 
-// The lowest two corners at q_m: their arms and whether they touch.
+// The lowest two corners at q_m: their arms and their heights above the ground, m.
 struct LowCorners {
   Arm<double> left, right;  // the lower side of the square, from left to right
   double gap_left, gap_right;
@@ -38,16 +38,16 @@ inline LowCorners low_corners(double half, double cosine, double sine, double y)
   return {left, right, y + left.y, y + right.y};
 }
 
-// How far above the ground a corner that is held may be at q_m, m.
-inline double stray(const Motion<double>& s, const StepConstants& k) {
+// How far above the ground a sticking corner may be at q_m, m.
+inline double contact_tolerance(const Motion<double>& s, const StepConstants& k) {
   const double turn = k.dt * s.omega;
   return k.rho * turn * turn + k.dt * std::abs(k.dv_y);
 }
 
-// Whether both corners are in contact, and one of them touches the ground.
+// Whether one corner is at or below the ground, and the other within the tolerance above.
 inline bool side_touches(const LowCorners& low, const Motion<double>& s, const StepConstants& k) {
   const auto [lower, higher] = std::minmax(low.gap_left, low.gap_right);
-  return lower <= 0 && higher <= stray(s, k);
+  return lower <= 0 && higher <= contact_tolerance(s, k);
 }
 
 // The normal row without impulses.
@@ -58,21 +58,22 @@ inline double normal_row(const Motion<double>& s, const Arm<double>& r, const St
 
 inline OneCorner<double> corner_problem(const Motion<double>& s, const Arm<double>& r,
                                         const StepConstants& k) {
-  return one_corner(r, k.gyration, normal_row(s, r, k), sliding_velocity(s, r) + k.dv_x, k.mu);
+  return one_corner(r, k.gyration_squared, normal_row(s, r, k), tangential_velocity(s, r) + k.dv_x,
+                    k.mu);
 }
 
 inline TwoCorners<double> side_problem(const Motion<double>& s, const LowCorners& low,
                                        const StepConstants& k) {
   const double r_y = (low.left.y + low.right.y) / 2;
-  return two_corners<double>(low.left, low.right, k.gyration,
+  return two_corners<double>(low.left, low.right, k.gyration_squared,
                              {normal_row(s, low.left, k), normal_row(s, low.right, k)},
                              s.v_x - r_y * s.omega + k.dv_x, k.mu);
 }
 
 inline void push_side(Motion<double>& s, const LowCorners& low, const SideImpulse<double>& p,
                       const StepConstants& k) {
-  push(s, low.left, p.n[0], p.t / 2, k.gyration);
-  push(s, low.right, p.n[1], p.t / 2, k.gyration);
+  apply_impulse(s, low.left, p.n[0], p.t / 2, k.gyration_squared);
+  apply_impulse(s, low.right, p.n[1], p.t / 2, k.gyration_squared);
 }
 
 inline void half_step(Motion<double>& s, const StepConstants& k) {
@@ -108,7 +109,7 @@ class MoreauJean {
     } else if (low.gap_left <= 0 || low.gap_right <= 0) {
       const Arm<double>& r = low.gap_left <= low.gap_right ? low.left : low.right;
       const auto p = solve_one_corner(corner_problem(s_, r, k_));
-      push(s_, r, p.n, p.t, k_.gyration);
+      apply_impulse(s_, r, p.n, p.t, k_.gyration_squared);
     }
   }
 

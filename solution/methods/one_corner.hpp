@@ -37,30 +37,35 @@ struct OneCorner {
   Real mu;
 };
 
-enum class Case { separates, sticks, slides_right, slides_left };
+enum class ContactMode { separates, sticks, slides_right, slides_left };
 
 template <class Real>
 struct CornerImpulse {
   Real n, t;  // p_n and p_t, m/s
-  Case happens;
+  ContactMode mode;
 };
 
 template <class Real>
-OneCorner<Real> one_corner(const Arm<Real>& r, Real gyration, Real u_n, Real u_t, Real mu) {
-  return {1 + r.x * r.x / gyration, -r.x * r.y / gyration, 1 + r.y * r.y / gyration, u_n, u_t, mu};
+OneCorner<Real> one_corner(const Arm<Real>& r, Real gyration_squared, Real u_n, Real u_t, Real mu) {
+  return {1 + r.x * r.x / gyration_squared,
+          -r.x * r.y / gyration_squared,
+          1 + r.y * r.y / gyration_squared,
+          u_n,
+          u_t,
+          mu};
 }
 
 template <class Real>
 CornerImpulse<Real> solve_one_corner(const OneCorner<Real>& k) {
-  if (k.u_n >= 0) return {0, 0, Case::separates};
+  if (k.u_n >= 0) return {0, 0, ContactMode::separates};
   const Real N = k.b * k.u_t - k.c * k.u_n, T = k.b * k.u_n - k.a * k.u_t;
   if (std::abs(T) <= k.mu * N) {
     const Real D = k.a * k.c - k.b * k.b;
-    return {N / D, T / D, Case::sticks};
+    return {N / D, T / D, ContactMode::sticks};
   }
   const Real sigma = T < 0 ? 1 : -1;  // the direction in which the corner slides
   const Real n = -k.u_n / (k.a - sigma * k.mu * k.b);
-  return {n, -sigma * k.mu * n, sigma > 0 ? Case::slides_right : Case::slides_left};
+  return {n, -sigma * k.mu * n, sigma > 0 ? ContactMode::slides_right : ContactMode::slides_left};
 }
 
 // All solutions, and their number. For a > mu |b| there is one.
@@ -73,16 +78,17 @@ struct CornerSolutions {
 template <class Real>
 CornerSolutions<Real> all_solutions(const OneCorner<Real>& k) {
   CornerSolutions<Real> found;
-  if (k.u_n >= 0) found.all[found.count++] = {0, 0, Case::separates};
+  if (k.u_n >= 0) found.all[found.count++] = {0, 0, ContactMode::separates};
   const Real D = k.a * k.c - k.b * k.b;
   const Real N = k.b * k.u_t - k.c * k.u_n, T = k.b * k.u_n - k.a * k.u_t;
-  if (N > 0 && std::abs(T) <= k.mu * N) found.all[found.count++] = {N / D, T / D, Case::sticks};
+  if (N > 0 && std::abs(T) <= k.mu * N)
+    found.all[found.count++] = {N / D, T / D, ContactMode::sticks};
   for (const Real sigma : {Real(1), Real(-1)}) {
     const Real n = -k.u_n / (k.a - sigma * k.mu * k.b);
     const Real v_t = k.u_t + (k.b - sigma * k.mu * k.c) * n;
     if (n > 0 && sigma * v_t > 0) {
       found.all[found.count++] = {n, -sigma * k.mu * n,
-                                  sigma > 0 ? Case::slides_right : Case::slides_left};
+                                  sigma > 0 ? ContactMode::slides_right : ContactMode::slides_left};
     }
   }
   return found;

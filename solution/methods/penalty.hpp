@@ -72,7 +72,7 @@ class Penalty {
       sum += arm.x;
     }
     for (const Arm<double>& arm : r)
-      if (touches(arm)) press(before, arm, count + arm.x * sum / k_.gyration);
+      if (touches(arm)) press(before, arm, count + arm.x * sum / k_.gyration_squared);
   }
 
   // Corners that approach at different speeds may give any a, so it is at least that of a free
@@ -82,8 +82,8 @@ class Penalty {
     const double depth = -(before.y + r.y);
     const double f_n = std::max(0.0, stiffness_ * depth - damping * normal_velocity(before, r));
     const double most = k_.mu * f_n;
-    const double f_t = std::clamp(-friction_ * sliding_velocity(before, r), -most, most);
-    push(s_, r, k_.dt * f_n, k_.dt * f_t, k_.gyration);
+    const double f_t = std::clamp(-friction_ * tangential_velocity(before, r), -most, most);
+    apply_impulse(s_, r, k_.dt * f_n, k_.dt * f_t, k_.gyration_squared);
   }
 
   StepConstants k_;

@@ -35,17 +35,17 @@ struct Row {
 
 template <class Real>
 struct Body {
-  Real half;      // l / 2, m
-  Real rho;       // from the centre to a corner, l / sqrt 2, m
-  Real gyration;  // r_g^2 = l^2 / 6, m^2
-  Real mu;        // friction
-  Real epsilon;   // restitution
-  Real g_x, g_y;  // gravity, m/s^2
+  Real half;              // l / 2, m
+  Real rho;               // from the centre to a corner, l / sqrt 2, m
+  Real gyration_squared;  // r_g^2 = l^2 / 6, m^2
+  Real mu;                // friction
+  Real epsilon;           // restitution
+  Real g_x, g_y;          // gravity, m/s^2
 
   explicit Body(const Parameters& params)
       : half(Real(params.l) / 2),
         rho(half * std::sqrt(Real(2))),
-        gyration(Real(params.l) * Real(params.l) / 6),
+        gyration_squared(Real(params.l) * Real(params.l) / 6),
         mu(Real(params.mu)),
         epsilon(Real(params.epsilon)),
         g_x(Real(params.g.x())),
@@ -93,23 +93,23 @@ Real normal_velocity(const Motion<Real>& s, const Arm<Real>& r) {
 }
 
 template <class Real>
-Real sliding_velocity(const Motion<Real>& s, const Arm<Real>& r) {
+Real tangential_velocity(const Motion<Real>& s, const Arm<Real>& r) {
   return s.v_x - r.y * s.omega;
 }
 
-// Adds an impulse m (p_t, p_n) at a corner.
+// Adds the impulse m (p_t t + p_n n) at the corner whose arm is r; p_n and p_t in m/s.
 template <class Real>
-void push(Motion<Real>& s, const Arm<Real>& r, Real p_n, Real p_t, Real gyration) {
+void apply_impulse(Motion<Real>& s, const Arm<Real>& r, Real p_n, Real p_t, Real gyration_squared) {
   s.v_x += p_t;
   s.v_y += p_n;
-  s.omega += (r.x * p_n - r.y * p_t) / gyration;
+  s.omega += (r.x * p_n - r.y * p_t) / gyration_squared;
 }
 
 // Energy per unit of mass, J/kg.
 template <class Real>
 Real energy(const Motion<Real>& s, const Body<Real>& body) {
-  return (s.v_x * s.v_x + s.v_y * s.v_y + body.gyration * s.omega * s.omega) / 2 - body.g_x * s.x -
-         body.g_y * s.y;
+  return (s.v_x * s.v_x + s.v_y * s.v_y + body.gyration_squared * s.omega * s.omega) / 2 -
+         body.g_x * s.x - body.g_y * s.y;
 }
 
 // The height of the lowest corner, m: phi of eq. (4).

@@ -3,7 +3,8 @@
 // Two corners touch at once only where a side lies on the ground, or nearly so. Then r_y is one
 // number for both, J_t is one column, and only the sum of the two friction impulses has a meaning:
 // two sets of friction rows, as in the 8x8, make the matrix singular at theta = 0 and nearly so at
-// theta = 1e-12. Merged, with P = p_1 + p_2 and P_0 >= 0 what has been pressed already:
+// theta = 1e-12. Merged, with P = p_1 + p_2, P_0 >= 0 the normal impulse that acted before, and u_i
+// and u_t the rows' values without impulses (u_n and u_t of one_corner.hpp):
 //
 //     w_i = sum_j A_ij p_j + b_i p_t + u_i >= 0,   p_i >= 0,   w_i p_i = 0,     i = 1, 2
 //     v_t = b_1 p_1 + b_2 p_2 + c p_t + u_t,       |p_t| <= mu (P_0 + P),
@@ -38,14 +39,14 @@ namespace bounce::methods {
 
 template <class Real>
 struct TwoCorners {
-  Row<Real, 2> r_x;    // m
-  Real r_y, gyration;  // m, m^2
-  Row<Real, 2> u;      // u_1, u_2, m/s
-  Real u_t, mu, P_0;   // m/s, none, m/s
+  Row<Real, 2> r_x;            // m
+  Real r_y, gyration_squared;  // m, m^2
+  Row<Real, 2> u;              // u_1, u_2, m/s
+  Real u_t, mu, P_0;           // m/s, none, m/s
 
-  Real A(int i, int j) const { return 1 + r_x[i] * r_x[j] / gyration; }
-  Real b(int i) const { return -r_x[i] * r_y / gyration; }
-  Real c() const { return 1 + r_y * r_y / gyration; }
+  Real A(int i, int j) const { return 1 + r_x[i] * r_x[j] / gyration_squared; }
+  Real b(int i) const { return -r_x[i] * r_y / gyration_squared; }
+  Real c() const { return 1 + r_y * r_y / gyration_squared; }
 };
 
 template <class Real>
@@ -57,9 +58,9 @@ struct SideImpulse {
 
 // The side's problem from its two arms; r_y is their mean.
 template <class Real>
-TwoCorners<Real> two_corners(const Arm<Real>& r_1, const Arm<Real>& r_2, Real gyration,
+TwoCorners<Real> two_corners(const Arm<Real>& r_1, const Arm<Real>& r_2, Real gyration_squared,
                              Row<Real, 2> u, Real u_t, Real mu, Real P_0 = 0) {
-  return {{r_1.x, r_2.x}, (r_1.y + r_2.y) / 2, gyration, u, u_t, mu, P_0};
+  return {{r_1.x, r_2.x}, (r_1.y + r_2.y) / 2, gyration_squared, u, u_t, mu, P_0};
 }
 
 namespace detail {

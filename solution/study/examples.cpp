@@ -32,12 +32,13 @@ double kane(ImpactLaw law) {
   methods::Motion<double> s{0, 0.104267, 0.043633, 0.040023, -0.396829, 6.313089};
   const Jacobian J = get_contacts(methods::state_of(s).q, params).J;
   const Arm<double> r{J(2, 1), -J(2, 0)};
-  const auto k = methods::one_corner<double>(r, body.gyration, 0, 0, body.mu);
+  const auto k = methods::one_corner<double>(r, body.gyration_squared, 0, 0, body.mu);
   const double before = methods::energy(s, body);
-  const auto p = methods::impact<double>({k.a, k.b, k.c, methods::normal_velocity(s, r),
-                                          methods::sliding_velocity(s, r), body.mu, params.epsilon},
-                                         law);
-  methods::push(s, r, p.n, p.t, body.gyration);
+  const auto p =
+      methods::impact<double>({k.a, k.b, k.c, methods::normal_velocity(s, r),
+                               methods::tangential_velocity(s, r), body.mu, params.epsilon},
+                              law);
+  methods::apply_impulse(s, r, p.n, p.t, body.gyration_squared);
   return methods::energy(s, body) / before;
 }
 

@@ -216,9 +216,9 @@ methods::CornerImpulse<Real> impulse_of(const Jacobian& J, const Vector3& v,
   const Arm<Real> r{Real(J(2, 1)), -Real(J(2, 0))};
   const Motion<Real> s{0, 0, 0, Real(v(0)), Real(v(1)), Real(v(2))};
   const methods::Body<Real> body(params);
-  return methods::solve_one_corner(
-      methods::one_corner<Real>(r, body.gyration, (1 + body.epsilon) * normal_velocity(s, r),
-                                sliding_velocity(s, r), body.mu));
+  return methods::solve_one_corner(methods::one_corner<Real>(
+      r, body.gyration_squared, (1 + body.epsilon) * normal_velocity(s, r),
+      tangential_velocity(s, r), body.mu));
 }
 
 // The same contact with another mass and step, by solvers in double; the reference is the closed

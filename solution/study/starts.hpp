@@ -17,8 +17,8 @@ using namespace exact;
 
 inline constexpr int kStarts = 5;
 
-// A step, s, of which a whole number makes up scene.until, and that of samples; it is within 3 % of
-// the one that was asked for where that is a fortieth of scene.until or less.
+// A step dt, s, that divides scene.until into a whole number of steps, and a number of samples that
+// divides that number. dt is within 3 % of the step asked for, if that is at most scene.until / 40.
 struct Grid {
   double dt;
   int samples;

@@ -57,7 +57,7 @@ def link_alone(part: Part, objects: Objects, runner: Path, box: Box) -> Built:
     return second if second.path else alone
 
 
-def checked_alone(part: Part, submission: Submission, work: Path, box: Box) -> Built:
+def link_sanitized(part: Part, submission: Submission, work: Path, box: Box) -> Built:
     """Like link_alone, but compiles and links with g++'s sanitizers."""
     sources = work / SOURCES
     submission.write_to(sources)

@@ -86,7 +86,7 @@ def attempt(
     """Runs one attempt of the probe: whether it succeeded, and the output. Unless it is known to
     have failed, it counts as a success."""
     if place != "compile":
-        boxed = box.to_run(PROBE) if place == "run" else box.to_check(PROBE)
+        boxed = box.to_run(PROBE) if place == "run" else box.to_run_sanitized(PROBE)
         result = processes.run([*above, str(WATCH), place, *boxed, *words], WATCHING)
         answer = result.out.decode("utf-8", "replace").strip()
         could = not result.ok or answer == "answered" or "(exit status 125)" in answer

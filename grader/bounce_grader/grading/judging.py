@@ -59,11 +59,11 @@ def judge(
     given: bool,
     hidden: Path,
     box: Box,
-    checked: bool = False,
+    sanitized: bool = False,
     recognise: bool = False,
     files: frozenset[str] = frozenset(),
 ) -> Judged:
-    """Judges a part. `given`: with given earlier parts; `checked`: the runner has sanitizers;
+    """Judges a part. `given`: with given earlier parts; `sanitized`: the runner has sanitizers;
     `files`: the submission's files, in which a crash is located. Checks that the grading has no
     time left for fail. Raises KitError if the judge fails or doesn't name every check exactly
     once."""
@@ -71,17 +71,17 @@ def judge(
     command = [
         *(str(JUDGE), "--part", str(part.number)),
         *(["--given"] if given else []),
-        *(["--checked"] if checked else []),
+        *(["--sanitized"] if sanitized else []),
         *(["--recognise"] if recognise else []),
         *(["--boxed"] if box.kind != "none" else []),
         *("--cpu-seconds", str(max(1, int(min(cpu, MOST_CPU_SECONDS))))),
         *("--seconds", str(max(1, int(min(wall, MOST_SECONDS))))),
         *("--fixtures", str(FIXTURES / "public"), "--fixtures", str(hidden)),
-        *("--", *(box.to_check(runner) if checked else box.to_run(runner))),
+        *("--", *(box.to_run_sanitized(runner) if sanitized else box.to_run(runner))),
     ]
     box.budget.require_time()
     # Not limited by the budget: the judge keeps to the seconds above, and reports what passed.
-    result = processes.run(command, WAIT._replace(memory=None) if checked else WAIT)
+    result = processes.run(command, WAIT._replace(memory=None) if sanitized else WAIT)
     box.budget.require_responsive_machine()
     if not result.ok:
         raise KitError(f"the judge failed on part {part.number}: {result.err.strip() or 'killed'}")

@@ -27,11 +27,11 @@ def with_cause(
     cpu, wall = min(cpu - MARGIN, CPU_SECONDS), min(wall - MARGIN, WALL_SECONDS)
     box = box._replace(budget=Budget(cpu, wall, part_of=box.budget))
     try:
-        built = linking.checked_alone(part, taken, work, box)
+        built = linking.link_sanitized(part, taken, work, box)
         if not built.path:
             return judged
         given = bool(part.calls)
-        again = judging.judge(part, built.path, given, hidden, box, checked=True)
+        again = judging.judge(part, built.path, given, hidden, box, sanitized=True)
     except (KitError, Overrun):  # the score is valid without the explanation
         return judged
     verdicts = {id: _with_finding(v, again.verdicts[id]) for id, v in judged.verdicts.items()}

@@ -52,7 +52,7 @@ class Box(NamedTuple):
         cwd: Path | None = None,
         output: Path | None = None,
     ) -> processes.Result:
-        """Runs a command that to_run, to_check or to_build made, or a program that runs such
+        """Runs a command that to_run, to_run_sanitized or to_build made, or a program that runs such
         commands itself. Raises Overrun if the grading has used up its time."""
         with self.budget.within(limits) as lower:
             result = processes.run(command, lower, cwd=cwd, output=output)
@@ -77,7 +77,7 @@ class Box(NamedTuple):
         command += ["--remount-ro", "/"]
         return [*command, "--", *_enter(Path("/enter"), "run"), *TO_JUDGE, "--", "/runner"]
 
-    def to_check(self, program: Path) -> list[str]:
+    def to_run_sanitized(self, program: Path) -> list[str]:
         """The command that runs a program built with sanitizers, which also sees the system's
         libraries. Only for the full box."""
         libraries = [p for p in toolchain() if p.endswith(("-linux-gnu", "/usr/lib64"))]

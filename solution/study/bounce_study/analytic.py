@@ -154,8 +154,12 @@ def _after_impact(scene: Scene, motion: Motion) -> Motion:
     """Applies Newton's restitution and Coulomb's friction: the corner sticks or slides."""
     x, y, theta, v_x, v_y, omega = motion
     r_x, r_y = min(_arms(scene, theta), key=lambda arm: arm[1])
-    gyration = scene.l**2 / 6
-    a, b, c = 1 + r_x**2 / gyration, -r_x * r_y / gyration, 1 + r_y**2 / gyration
+    gyration_squared = scene.l**2 / 6
+    a, b, c = (
+        1 + r_x**2 / gyration_squared,
+        -r_x * r_y / gyration_squared,
+        1 + r_y**2 / gyration_squared,
+    )
     u_n, u_t = v_y + r_x * omega, v_x - r_y * omega
     target = -(1 + scene.epsilon) * u_n
     p_n = (c * target + b * u_t) / (a * c - b * b)
@@ -167,7 +171,7 @@ def _after_impact(scene: Scene, motion: Motion) -> Motion:
             for n in [target / (a - sign * scene.mu * b)]
             if sign * (u_t + b * n - sign * scene.mu * c * n) >= 0
         )
-    return [x, y, theta, v_x + p_t, v_y + p_n, omega + (r_x * p_n - r_y * p_t) / gyration]
+    return [x, y, theta, v_x + p_t, v_y + p_n, omega + (r_x * p_n - r_y * p_t) / gyration_squared]
 
 
 def _fly(scene: Scene, motion: Motion, t: Decimal) -> Motion:

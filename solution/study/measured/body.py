@@ -28,7 +28,7 @@ class Body:
     ground: float  # its height at x = 0, m
     slope: float
     tau: float  # s: how far the ground gives way, over the speed of approach
-    gyration: float  # m^2
+    gyration_squared: float  # m^2
     rounding: float = 0.0  # m: the corners' radius
 
 
@@ -42,7 +42,7 @@ class Impacts:
     after: Array
     corner: Array  # r of the corner that strikes: x, y
     other: Array  # r of the other corner of the side below
-    gyration: Array
+    gyration_squared: Array
 
     def __len__(self) -> int:
         return len(self.trial)
@@ -104,7 +104,7 @@ def impacts(events: list[Event], body: Body) -> Impacts:
         after,
         all_arms[n, lowest],
         all_arms[n, second],
-        np.full(len(events), body.gyration),
+        np.full(len(events), body.gyration_squared),
     )
 
 
@@ -125,9 +125,9 @@ def seconds_between(hits: Impacts) -> Array:
     without friction at half its speed. That is for sorting alone."""
     height = hits.other[:, 1] - hits.corner[:, 1]
     x, other_x = hits.corner[:, 0], hits.other[:, 0]
-    pushed = np.maximum(-1.5 * hits.approach(), 0) / (1 + x**2 / hits.gyration)
+    pushed = np.maximum(-1.5 * hits.approach(), 0) / (1 + x**2 / hits.gyration_squared)
     speed = hits.before[:, 1] + other_x * hits.before[:, 2]
-    speed = -(speed + pushed * (1 + x * other_x / hits.gyration))
+    speed = -(speed + pushed * (1 + x * other_x / hits.gyration_squared))
     return np.where(speed > 0, height / np.maximum(speed, 1e-9), np.inf)
 
 
@@ -146,7 +146,7 @@ def fit_geometry(events: list[Event], free: tuple[str, ...] = FREE) -> Body:
             slopes.append((_misses(clear, shifted) - misses) / 1e-6)
         step, _ = robust(np.stack(slopes, axis=1), -misses)
         body = replace(body, **{name: getattr(body, name) + d for name, d in zip(free, step)})
-    return replace(body, gyration=inertia(impacts(clear, body)))
+    return replace(body, gyration_squared=inertia(impacts(clear, body)))
 
 
 def steep(events: list[Event]) -> list[Event]:
@@ -190,15 +190,15 @@ def floor(hits: Impacts) -> Array:
     """
     moment, turned = moments(hits)
     radius = (hits.corner**2).sum(axis=1)
-    left = np.abs(turned - moment / hits.gyration)
-    return np.sqrt(hits.gyration) * left / np.sqrt(1 + radius / hits.gyration)
+    left = np.abs(turned - moment / hits.gyration_squared)
+    return np.sqrt(hits.gyration_squared) * left / np.sqrt(1 + radius / hits.gyration_squared)
 
 
 def floor_of_side(hits: Impacts) -> Array:
     """The same for impulses at both corners: they act like one anywhere between them."""
     change = hits.after - hits.before
     lift = np.where(np.abs(change[:, 1]) > 1e-9, change[:, 1], 1e-9)
-    wanted = (hits.gyration * change[:, 2] + hits.corner[:, 1] * change[:, 0]) / lift
+    wanted = (hits.gyration_squared * change[:, 2] + hits.corner[:, 1] * change[:, 0]) / lift
     low = np.minimum(hits.corner[:, 0], hits.other[:, 0])
     high = np.maximum(hits.corner[:, 0], hits.other[:, 0])
     middle = hits.corner.copy()

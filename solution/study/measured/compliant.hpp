@@ -6,8 +6,8 @@
 //     v_n' = a f_n + b f_t,    v_t' = b f_n + c f_t,    depth' = -v_n,    stretch' = v_t,
 //
 // in units in which the normal stiffness per mass is 1; the impulse doesn't depend on it, because
-// the square doesn't turn during an impact. Where |f_t| is at its bound the stretch slips along.
-// zeta is chosen so that a corner with b = 0 rebounds with epsilon.
+// the square doesn't turn during an impact. While |f_t| is at its bound, the corner slides and the
+// stretch stays the same. zeta is chosen so that a corner with b = 0 rebounds with epsilon.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,8 @@ namespace bounce::measured {
 
 inline constexpr int kStepsPerCompression = 24;
 
-// kappa: tangential stiffness over the normal one.
+// zeta: damping ratio of the normal spring, in place of k.epsilon; kappa: tangential stiffness over
+// the normal one. The friction case of the result has no meaning.
 inline methods::CornerImpulse<double> compliant_impact(const methods::Collision<double>& k,
                                                        double zeta, double kappa) {
   const double root = std::sqrt(k.a), quarter = std::acos(-1.0) / 2;
@@ -41,7 +42,7 @@ inline methods::CornerImpulse<double> compliant_impact(const methods::Collision<
     stretch += h * v_t;
     if (v_n > 0 && (depth <= 0 || depth * root < 2 * zeta * v_n)) break;
   }
-  return {p_n, p_t, methods::Case::separates};
+  return {p_n, p_t, methods::ContactMode::separates};
 }
 
 }  // namespace bounce::measured

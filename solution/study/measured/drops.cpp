@@ -57,7 +57,7 @@ class Drop {
     if (deepest < 0) return;
     const Arm<double>&before = r[(deepest + 3) % 4], &after = r[(deepest + 1) % 4];
     const Arm<double>& other = before.y < after.y ? before : after;
-    const Impact hit{world_.gyration, r[deepest], other, s_.v_x, s_.v_y, s_.omega, 0, 0, 0};
+    const Impact hit{world_.gyration_squared, r[deepest], other, s_.v_x, s_.v_y, s_.omega, 0, 0, 0};
     const Velocity v = (gap(other) < kFlat ? law_ : one_)(hit, with_);
     s_.v_x = v.x, s_.v_y = v.y, s_.omega = v.omega;
   }

@@ -9,10 +9,10 @@
 namespace bounce::measured {
 
 struct World {
-  double side, gyration;  // m, m^2
-  double ground, slope;   // its height at x = 0, m, and dy/dx
-  double g, drag;         // m/s^2 downwards, 1/s of every velocity
-  double interval;        // s between samples
+  double side, gyration_squared;  // m, m^2
+  double ground, slope;           // its height at x = 0, m, and dy/dx
+  double g, drag;                 // m/s^2 downwards, 1/s of every velocity
+  double interval;                // s between samples
 };
 
 // The poses after 1 to `samples` intervals. "assignment" as the law is the assignment's own scheme,

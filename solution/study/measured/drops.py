@@ -96,7 +96,7 @@ def _seen(trial: Trial, body: Body) -> Array:
 def _distance(poses: Array, others: Array, body: Body) -> Array:
     """In the mass metric, m."""
     apart = poses - others
-    return np.sqrt((apart[..., :2] ** 2).sum(axis=-1) + body.gyration * apart[..., 2] ** 2)
+    return np.sqrt((apart[..., :2] ** 2).sum(axis=-1) + body.gyration_squared * apart[..., 2] ** 2)
 
 
 def _forecast(model: str, setting: Array, errors: Array) -> Forecast:

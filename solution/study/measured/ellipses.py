@@ -27,7 +27,7 @@ class Signs:
     turned: float
 
 
-def impacts(read: Ellipses, gyration: float, sign: float = -1.0) -> Impacts:
+def impacts(read: Ellipses, gyration_squared: float, sign: float = -1.0) -> Impacts:
     """`sign` is that of v_x."""
     if len(read.names) < LEAST_IMPACTS:
         raise UsageError(
@@ -37,7 +37,7 @@ def impacts(read: Ellipses, gyration: float, sign: float = -1.0) -> Impacts:
     mirror = np.array([sign, 1, 1])
     pose = np.stack([0 * read.theta, 0 * read.theta, read.theta], axis=1)
     nowhere = np.full_like(corner, np.nan)
-    gyrations = np.full(len(corner), gyration)
+    gyrations = np.full(len(corner), gyration_squared)
     return Impacts(
         read.names, pose, read.before * mirror, read.after * mirror, corner, nowhere, gyrations
     )
@@ -49,7 +49,7 @@ def signs(read: Ellipses) -> Signs:
 
 def _left(hits: Impacts) -> float:
     moment, turned = bodies.moments(hits)
-    return float(np.median(np.abs(turned - moment / hits.gyration)))
+    return float(np.median(np.abs(turned - moment / hits.gyration_squared)))
 
 
 def uniform_gyration() -> float:

@@ -22,28 +22,28 @@ Motion<double> before(const Impact& hit) { return {0, 0, 0, hit.v_x, hit.v_y, hi
 
 Velocity velocity(const Motion<double>& s) { return {s.v_x, s.v_y, s.omega}; }
 
-Collision<double> collision(const Motion<double>& s, const Arm<double>& r, double gyration,
+Collision<double> collision(const Motion<double>& s, const Arm<double>& r, double gyration_squared,
                             const Setting& with) {
-  const auto k = methods::one_corner(r, gyration, 0.0, 0.0, with.mu);
+  const auto k = methods::one_corner(r, gyration_squared, 0.0, 0.0, with.mu);
   return {
-      k.a,     k.b,         k.c, methods::normal_velocity(s, r), methods::sliding_velocity(s, r),
+      k.a,     k.b,         k.c, methods::normal_velocity(s, r), methods::tangential_velocity(s, r),
       with.mu, with.epsilon};
 }
 
 // Applies what `law` gives for one corner; nothing where the corner doesn't approach.
 template <class CornerLaw>
-void strike(Motion<double>& s, const Arm<double>& r, double gyration, const Setting& with,
+void strike(Motion<double>& s, const Arm<double>& r, double gyration_squared, const Setting& with,
             CornerLaw law) {
-  const Collision<double> k = collision(s, r, gyration, with);
+  const Collision<double> k = collision(s, r, gyration_squared, with);
   if (k.v_n >= 0) return;
   const CornerImpulse<double> p = law(k);
-  methods::push(s, r, p.n, p.t, gyration);
+  methods::apply_impulse(s, r, p.n, p.t, gyration_squared);
 }
 
 template <class CornerLaw>
 Velocity one_corner(const Impact& hit, const Setting& with, CornerLaw law) {
   Motion<double> s = before(hit);
-  strike(s, hit.corner, hit.gyration, with, law);
+  strike(s, hit.corner, hit.gyration_squared, with, law);
   return velocity(s);
 }
 
@@ -59,7 +59,7 @@ Velocity sticking(const Impact& hit, const Setting& with) {
   return one_corner(hit, with, [](const Collision<double>& k) -> CornerImpulse<double> {
     const double u_n = (1 + k.epsilon) * k.v_n, D = k.a * k.c - k.b * k.b;
     const double n = std::max(0.0, (k.b * k.v_t - k.c * u_n) / D);
-    return {n, -(k.v_t + k.b * n) / k.c, methods::Case::sticks};
+    return {n, -(k.v_t + k.b * n) / k.c, methods::ContactMode::sticks};
   });
 }
 
@@ -76,7 +76,7 @@ CornerImpulse<double> compression(const Collision<double>& k) {
 Velocity poisson_normal(const Impact& hit, const Setting& with) {
   return one_corner(hit, with, [](const Collision<double>& k) -> CornerImpulse<double> {
     const auto p = compression(k);
-    return {(1 + k.epsilon) * p.n, p.t, p.happens};
+    return {(1 + k.epsilon) * p.n, p.t, p.mode};
   });
 }
 
@@ -84,7 +84,7 @@ Velocity poisson_normal(const Impact& hit, const Setting& with) {
 Velocity stronge_normal(const Impact& hit, const Setting& with) {
   return one_corner(hit, with, [](const Collision<double>& k) -> CornerImpulse<double> {
     const auto p = compression(k);
-    return {p.n + k.epsilon * std::sqrt(-k.v_n * p.n / k.a), p.t, p.happens};
+    return {p.n + k.epsilon * std::sqrt(-k.v_n * p.n / k.a), p.t, p.mode};
   });
 }
 
@@ -115,7 +115,7 @@ Velocity corner_after_corner(const Impact& hit, const Setting& with) {
     left -= wait;
     for (int i = 0; i < 2; ++i)
       gaps[i] = std::max(0.0, gaps[i] + wait * methods::normal_velocity(s, arms[i]));
-    strike(s, arms[next], hit.gyration, with,
+    strike(s, arms[next], hit.gyration_squared, with,
            [](const Collision<double>& k) { return methods::impact(k, law); });
   }
   return velocity(s);
@@ -134,7 +134,7 @@ class Side {
       return v_n + epsilon * std::min(v_n, 0.0);
     };
     const double r_y = (hit_.corner.y + hit_.other.y) / 2, u_t = s_.v_x - r_y * s_.omega;
-    const auto k = methods::two_corners(hit_.corner, hit_.other, hit_.gyration,
+    const auto k = methods::two_corners(hit_.corner, hit_.other, hit_.gyration_squared,
                                         {{u(hit_.corner), u(hit_.other)}}, u_t, mu_, P_0);
     const auto p = methods::solve_two_corners(k);
     push(p.n, p.t);
@@ -142,8 +142,8 @@ class Side {
   }
 
   void push(const Row<double, 2>& n, double t) {
-    methods::push(s_, hit_.corner, n[0], t / 2, hit_.gyration);
-    methods::push(s_, hit_.other, n[1], t / 2, hit_.gyration);
+    methods::apply_impulse(s_, hit_.corner, n[0], t / 2, hit_.gyration_squared);
+    methods::apply_impulse(s_, hit_.other, n[1], t / 2, hit_.gyration_squared);
   }
 
   Velocity after() const { return velocity(s_); }

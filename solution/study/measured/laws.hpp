@@ -1,4 +1,4 @@
-// Every law of impact that the measured ones are compared with, from the smallest model on.
+// Every law of impact that the measured impacts are compared with, from the smallest model on.
 #pragma once
 
 #include <span>
@@ -11,7 +11,7 @@ namespace bounce::measured {
 // An impact as measured. Arms in m, from the centre of mass to the corner that strikes and to the
 // other corner of its side; impulses per mass, as everywhere in methods/.
 struct Impact {
-  double gyration;  // r_g^2, m^2
+  double gyration_squared;  // r_g^2, m^2
   methods::Arm<double> corner, other;
   double v_x, v_y, omega;  // before, m/s and rad/s
   double after_x, after_y, after_omega;

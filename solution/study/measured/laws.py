@@ -87,14 +87,16 @@ def after(law: Law, hits: Impacts, setting: Array) -> Array:
 
 def drops(law: str, body: Body, air: Air, starts: Array, setting: Array, samples: int) -> Array:
     """Poses after 1 to `samples` intervals: drop, sample, (x, y, theta)."""
-    world = np.array([body.side, body.gyration, body.ground, body.slope, air.g, air.drag, INTERVAL])
+    world = np.array(
+        [body.side, body.gyration_squared, body.ground, body.slope, air.g, air.drag, INTERVAL]
+    )
     out = _call("drops", law, [world, starts, setting], str(samples))
     return np.frombuffer(out).reshape(len(starts), samples, 3)
 
 
 def rows(hits: Impacts) -> Array:
     """The impacts as struct Impact of laws.hpp has them."""
-    columns = [hits.gyration[:, None], hits.corner, hits.other, hits.before, hits.after]
+    columns = [hits.gyration_squared[:, None], hits.corner, hits.other, hits.before, hits.after]
     return np.concatenate(columns, axis=1)
 
 

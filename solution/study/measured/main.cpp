@@ -40,7 +40,7 @@ void write(const std::string& file, const std::vector<Item>& items) {
 double error(const Impact& hit, const Velocity& v) {
   const double turn = v.omega - hit.after_omega;
   return std::sqrt(std::pow(v.x - hit.after_x, 2) + std::pow(v.y - hit.after_y, 2) +
-                   hit.gyration * turn * turn);
+                   hit.gyration_squared * turn * turn);
 }
 
 void errors(const std::string& law, const std::string& impacts, const std::string& settings,

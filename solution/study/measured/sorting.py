@@ -60,5 +60,5 @@ def _reason(event: Event, both: bool, approach: float) -> str:
 
 
 def _noise(events: list[Event], body: Body) -> float:
-    metric = np.array([1, 1, body.gyration])
+    metric = np.array([1, 1, body.gyration_squared])
     return float(np.median([np.sqrt((metric * e.deviation**2).sum()) for e in events]))

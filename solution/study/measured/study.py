@@ -131,24 +131,24 @@ def _by_body(
     inertia = bodies.inertia(bodies.impacts(_fitted(same), PUBLISHED))
     variants = {
         "as published": PUBLISHED,
-        "as published, inertia fitted": replace(PUBLISHED, gyration=inertia),
+        "as published, inertia fitted": replace(PUBLISHED, gyration_squared=inertia),
         "fitted": body,
-        "fitted, inertia side²/6": replace(body, gyration=body.side**2 / 6),
+        "fitted, inertia side²/6": replace(body, gyration_squared=body.side**2 / 6),
     }
     judged, in_metric = [], []
     for name, variant in variants.items():
         hits = bodies.impacts(same, variant)
         group = Group(name, (hits,), (bodies.floor(hits),), laws.ONE_CORNER[:-1])
         judged.append(ladder.judge(group, replicates, Grids()))
-        in_metric.append(_in_metric(hits, judged[-1], body.gyration))
+        in_metric.append(_in_metric(hits, judged[-1], body.gyration_squared))
     return judged, in_metric
 
 
-def _in_metric(hits: Impacts, verdict: Verdict, gyration: float) -> Finding:
+def _in_metric(hits: Impacts, verdict: Verdict, gyration_squared: float) -> Finding:
     """The median error of Newton's law in the metric of another body, for both halves."""
     rung = next(rung for rung in verdict.rungs if rung.law.name == "newton")
     wrong = laws.after(rung.law, hits, rung.setting) - hits.after
-    error = np.sqrt((wrong[:, :2] ** 2).sum(axis=1) + gyration * wrong[:, 2] ** 2)
+    error = np.sqrt((wrong[:, :2] ** 2).sum(axis=1) + gyration_squared * wrong[:, 2] ** 2)
     half = ladder.halves(hits.trial)
     medians = tuple(float(np.median(error[own])) for own in (half.fit, half.judge))
     return Finding("metric", verdict.group, "Newton's error, m/s", medians)
@@ -212,7 +212,7 @@ def _extraction(study: Study) -> Table:
         ("ground at x = 0, m", body.ground),
         ("ground's slope", body.slope),
         ("depth over speed, s", body.tau),
-        ("r_g^2, m^2", body.gyration),
+        ("r_g^2, m^2", body.gyration_squared),
         ("events", study.events),
         ("impacts of one corner", len(study.sorted.one)),
         ("impacts of two corners", len(study.sorted.two)),

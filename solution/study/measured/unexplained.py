@@ -108,7 +108,7 @@ def _rounded(body: Body) -> Body:
 def _body_findings(name: str, parts: list[list[Event]], fits: list[Body]) -> list[Finding]:
     hits = [bodies.impacts(bodies.steep(part), fit) for part, fit in zip(parts, fits)]
     inertias = [bodies.inertia(own) for own in hits]
-    own = [replace(h, gyration=np.full(len(h), r)) for h, r in zip(hits, inertias)]
+    own = [replace(h, gyration_squared=np.full(len(h), r)) for h, r in zip(hits, inertias)]
     misses = [h.approach() * f.tau for h, f in zip(hits, fits)]
     gaps = [bodies.gap(h, f) - m for h, f, m in zip(hits, fits, misses)]
 
@@ -143,7 +143,7 @@ def _without_drag(trials: list[Trial], air: Air) -> list[Finding]:
     inertias = []
     for i in (0, 1):
         events = find(trials[i::2], Air(GRAVITY, 0.0, air.noise)).events
-        inertias.append(bodies.fit_geometry(events).gyration)
+        inertias.append(bodies.fit_geometry(events).gyration_squared)
     return [Finding("inertia", "flight without drag", "r_g^2, m^2", tuple(inertias))]
 
 

@@ -17,7 +17,7 @@ struct Termination {
 
 enum class Limits { none, of_a_part };  // of a part: memory, time, the size of what it prints
 
-// Runs the command. What it prints is added to `output`. It reads nothing. Empty where the program
+// Runs the command, with nothing to read. What it prints is added to `output`. Empty if the program
 // can't be started.
 std::optional<Termination> run(const std::vector<std::string>& command,
                                const std::filesystem::path& output, Limits limits);
@@ -25,7 +25,7 @@ std::optional<Termination> run(const std::vector<std::string>& command,
 // Held by one check at a time in this folder; the system takes it back however the program ends.
 class Lock {
  public:
-  // Says so and waits where another check has it. Throws Failure.
+  // If another check holds the lock, prints a message and waits. Throws Failure.
   explicit Lock(const std::filesystem::path& file);
   ~Lock();
   Lock(const Lock&) = delete;
@@ -39,12 +39,12 @@ class Lock {
 #endif
 };
 
-// Of the terminal that standard output is; 80 columns where it is none.
+// Whether standard output is a terminal, and its width in characters; 80 if it is none.
 bool is_terminal();
 int columns();
 
 // Waits half a second for a key, while keys come one at a time and aren't shown. 0: none came.
-// 'q' where standard input ends or isn't a terminal any more.
+// 'q' if standard input ends or isn't a terminal any more.
 class Keys {
  public:
   Keys();

@@ -62,8 +62,8 @@ void print_part(const Run& run, const Part& part) {
 // Those of the case that is told of, and not of those before and after it.
 void print_what_was_printed(const Part& part, const Note& note) {
   const std::string file = prints_file(part.number);
-  if (!note.has_prints || without_last_words(read(file)).empty()) return;
-  const auto lines = lines_of(without_last_words(read(file, note.from, note.to)));
+  if (!note.has_prints || without_termination_message(read(file)).empty()) return;
+  const auto lines = lines_of(without_termination_message(read(file, note.from, note.to)));
   if (lines.empty()) {
     std::cout << "  Your program printed nothing in this case; all that it printed is in " << file
               << ".\n";

@@ -335,7 +335,7 @@ int points_of(const Part& part) {
   return points;
 }
 
-std::string without_last_words(const std::string& printed) {
+std::string without_termination_message(const std::string& printed) {
   std::string kept;
   for (std::string line : lines_of(printed)) {
     if (is_of_sanitizers(line)) break;  // a report is the last that a program says

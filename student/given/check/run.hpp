@@ -8,8 +8,8 @@
 namespace bounce::check {
 
 // Runs the chosen parts that are built, adds up the points, and finds the first thing to do. A part
-// that loses points and calls wrong earlier ones is run with right ones as well, which are numbers;
-// the better result counts, as where the course grades it.
+// that loses points and calls wrong earlier ones is run again with recorded right answers in place
+// of theirs; the better result counts, as in the course's grading.
 void run_parts(Run& run);
 
 // What is known of a check.
@@ -24,7 +24,7 @@ Note note_of(const Part& part, const Check& check);
 // What the part's checks that pass are worth.
 int points_of(const Part& part);
 
-// Measures the parts over the size of the step, and writes study.html. Throws Failure where the
+// Measures the parts for smaller and smaller steps, and writes study.html. Throws Failure if the
 // program doesn't get to its end.
 void study(const Run& run);
 
@@ -34,11 +34,11 @@ void ask_about_real_impacts(const Run& run);
 // The file with all that a part's program printed.
 std::string prints_file(int part);
 
-// What a program's output holds that the program said itself: without what ended it.
-std::string without_last_words(const std::string& printed);
+// A program's own output, without the lines about how it ended.
+std::string without_termination_message(const std::string& printed);
 
-// What the answers to all public cases tell of the mistake, a paragraph a line. Empty where that
-// is nothing, or where the part's program crashes or hangs.
+// What the answers to all public cases tell of the mistake, a paragraph a line. Empty if they tell
+// nothing, or if the part's program crashes or hangs.
 std::string mistake_of(const Run& run, const Part& part);
 
 }  // namespace bounce::check

@@ -42,12 +42,12 @@ double energy_ratio_of_kanes_impact(ImpactLaw law) {
   Arm<double> r = all[0];
   for (const Arm<double>& arm : all)
     if (arm.y < r.y) r = arm;
-  const auto k = methods::one_corner<double>(r, body.gyration, 0, 0, body.mu);
+  const auto k = methods::one_corner<double>(r, body.gyration_squared, 0, 0, body.mu);
   const double before = methods::energy(s, body);
   const auto p = methods::impact<double>({k.a, k.b, k.c, methods::normal_velocity(s, r),
-                                          methods::sliding_velocity(s, r), body.mu, 0.9},
+                                          methods::tangential_velocity(s, r), body.mu, 0.9},
                                          law);
-  methods::push(s, r, p.n, p.t, body.gyration);
+  methods::apply_impulse(s, r, p.n, p.t, body.gyration_squared);
   return methods::energy(s, body) / before;
 }
 

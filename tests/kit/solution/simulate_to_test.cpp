@@ -161,22 +161,22 @@ TEST(simulate_to, KeepsItsBoundWhereRoundingDecidesWhetherTheStartTouches) {
   }
 }
 
-// --- companions ---
+// --- perturbed motions ---
 
 constexpr double kNoise = 0x1p-40;
 
-// How far apart the companions of four seeds come, m; 0 where they are lost.
-double companions_apart(const Scene& scene, const std::vector<double>& times) {
+// How far apart the perturbed motions of four seeds come, m; 0 where they are lost.
+double perturbed_apart(const Scene& scene, const std::vector<double>& times) {
   double apart = 0;
   for (const std::uint64_t seed : {1, 2, 3, 4}) {
     EventOptions options;
-    options.companions = kNoise;
+    options.perturbation = kNoise;
     options.seed = seed;
     EventReport report;
     simulate_events<double>(scene.params, methods::motion_of<double>(scene.start), times, options,
                             &report);
-    if (report.companions.size() < times.size()) return 0;
-    apart = std::max(apart, report.companions.back());
+    if (report.perturbed_distances.size() < times.size()) return 0;
+    apart = std::max(apart, report.perturbed_distances.back());
   }
   return apart;
 }
@@ -197,25 +197,25 @@ double shadows_apart(const Scene& scene, const std::vector<double>& times) {
 }
 
 // Or farther: each of their impacts is late, and rounding's are so by chance.
-TEST(companions, ComeAtLeastAsFarApartAsShadowsDo) {
+TEST(perturbed_motions, ComeAtLeastAsFarApartAsShadowsDo) {
   Random random(24);
   std::vector<double> ratios;
   for (int i = 0; i < 500; ++i) {
     Scene scene = random_scene(random);
     scene.start.q(1) += 0.1 * scene.params.l;
     const auto times = even_times(scene.params.dt * scene.params.T, 20);
-    const double companions = companions_apart(scene, times);
-    if (companions > 0) ratios.push_back(companions / shadows_apart(scene, times));
+    const double perturbed = perturbed_apart(scene, times);
+    if (perturbed > 0) ratios.push_back(perturbed / shadows_apart(scene, times));
   }
   ASSERT_GT(ratios.size(), 100U);
   EXPECT_GT(*std::min_element(ratios.begin(), ratios.end()), 0.3);
   EXPECT_LT(median(ratios), 10);
 }
 
-TEST(companions, AreLostWhereASideLands) {
+TEST(perturbed_motions, AreLostWhereASideLands) {
   Scene scene = drop();
   scene.start.q(2) = 0;
-  EXPECT_EQ(companions_apart(scene, even_times(1.0, 10)), 0);
+  EXPECT_EQ(perturbed_apart(scene, even_times(1.0, 10)), 0);
 }
 
 // Balanced on a corner, as far as doubles say: rounding decides when it falls.

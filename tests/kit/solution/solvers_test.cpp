@@ -93,7 +93,8 @@ Side side_at(double theta, const Vector3& v, const Parameters& params,
                                J_2.col(0) * (z(6) - z(5)));
   methods::Motion<double> s{0, 0, 0, free.x(), free.y(), free.z()};
   for (int i = 0; i < 2; ++i)
-    methods::push(s, r[2 + i], side.merged.n[i], side.merged.t / 2, params.l * params.l / 6);
+    methods::apply_impulse(s, r[2 + i], side.merged.n[i], side.merged.t / 2,
+                           params.l * params.l / 6);
   side.v_merged = {s.v_x, s.v_y, s.omega};
   return side;
 }

@@ -45,8 +45,8 @@ def random_impacts(count: int, seed: int) -> Impacts:
     )
     before[:, 1] = -random.uniform(0.3, 2, count) - corner[:, 0] * before[:, 2]
     pose = np.stack([np.zeros(count), np.zeros(count), theta], axis=1)
-    gyration = np.full(count, BODY.gyration)
-    return Impacts(n, pose, before, before.copy(), corner, other, gyration)
+    gyration_squared = np.full(count, BODY.gyration_squared)
+    return Impacts(n, pose, before, before.copy(), corner, other, gyration_squared)
 
 
 def obeying(law: laws.Law, hits: Impacts, setting: Array) -> Impacts:
@@ -121,7 +121,7 @@ def test_the_body_is_found_from_its_impacts() -> None:
     assert body.turn == pytest.approx(BODY.turn, abs=1e-3)
     assert body.ground == pytest.approx(BODY.ground, abs=5e-5)
     assert body.slope == pytest.approx(BODY.slope, abs=5e-4)
-    assert body.gyration == pytest.approx(BODY.gyration, rel=2e-3)
+    assert body.gyration_squared == pytest.approx(BODY.gyration_squared, rel=2e-3)
     ordered = sorting.sort(found, body)
     assert len(ordered.one) + len(ordered.two) + sum(ordered.left_out.values()) == 120
 

@@ -38,13 +38,13 @@ double residual(const Lcp& lcp, const Vector3& f, const Units& unit) {
 }
 
 ContactForces by_cases(const Numbers& n) {
-  if (n.p_n >= 0.0) return {separates, 0.0, 0.0};
+  if (n.u_n >= 0.0) return {separates, 0.0, 0.0};
   const double determinant = n.a * n.c - n.b * n.b;
-  const double f_n = (n.b * n.slip - n.c * n.p_n) / determinant;
-  const double f = (n.b * n.p_n - n.a * n.slip) / determinant;
+  const double f_n = (n.b * n.u_t - n.c * n.u_n) / determinant;
+  const double f = (n.b * n.u_n - n.a * n.u_t) / determinant;
   if (std::abs(f) <= n.mu * f_n) return {sticks, f_n, f};
-  const double left = -n.p_n / (n.a + n.mu * n.b), right = -n.p_n / (n.a - n.mu * n.b);
-  if (n.slip + (n.b - n.mu * n.c) * right > 0.0) return {slides_right, right, -n.mu * right};
+  const double left = -n.u_n / (n.a + n.mu * n.b), right = -n.u_n / (n.a - n.mu * n.b);
+  if (n.u_t + (n.b - n.mu * n.c) * right > 0.0) return {slides_right, right, -n.mu * right};
   return {slides_left, left, n.mu * left};
 }
 

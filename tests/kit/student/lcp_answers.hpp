@@ -14,8 +14,8 @@ struct Units {
 Units units(const Lcp& lcp);
 
 // max_i |min(z_i, w_i)|, each in its unit, as a part of the largest sum of terms that makes a w_i:
-// rounding grows with that sum. It counts up to a million times p, so that no answer is right that
-// is huge and has nothing to do with p.
+// rounding grows with that sum. The sum counts up to a million times p, so that no huge answer that
+// has nothing to do with p is accepted.
 double residual(const Lcp& lcp, const Vector4d& z, const Units& unit);
 
 // The solver keeps lambda to itself. The lambdas that suit f are an interval; if it isn't empty, it

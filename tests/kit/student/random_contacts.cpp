@@ -79,7 +79,7 @@ Numbers numbers(const Scene& scene) {
 Lcp form(const Numbers& n) {
   Lcp lcp;
   lcp.V << n.a, -n.b, n.b, 0.0, -n.b, n.c, -n.c, 1.0, n.b, -n.c, n.c, 1.0, n.mu, -1.0, -1.0, 0.0;
-  lcp.p << n.p_n, -n.slip, n.slip, 0.0;
+  lcp.p << n.u_n, -n.u_t, n.u_t, 0.0;
   return lcp;
 }
 

@@ -43,8 +43,8 @@ Scene extreme_scene(Random& random);
 
 // The numbers that V and p are made of, with J_t = (1, 0, -r_y) and J_n = (0, 1, r_x), eq. (6).
 struct Numbers {
-  double a, b, c;    // dt J_n^T M^-1 J_n, dt J_n^T M^-1 J_t, dt J_t^T M^-1 J_t, s/kg
-  double p_n, slip;  // p(0), and the sliding velocity if there were no contact, m/s
+  double a, b, c;   // dt J_n^T M^-1 J_n, dt J_n^T M^-1 J_t, dt J_t^T M^-1 J_t, s/kg
+  double u_n, u_t;  // p(0), and the tangential velocity without contact, m/s
   double mu;
 };
 

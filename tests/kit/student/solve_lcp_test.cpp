@@ -92,7 +92,7 @@ TEST(solve_lcp, KeepsTheSmallForceOfAGrazingContact) {
   Random random(10);
   for (int i = 0; i < 10'000; ++i) {
     Numbers n = numbers(any_scene(random));
-    n.p_n = -1e-9 * std::abs(n.slip);
+    n.u_n = -1e-9 * std::abs(n.u_t);
     ASSERT_NEAR(solve(form(n))(0), by_cases(n).f_n, 1e-12 * by_cases(n).f_n) << "contact " << i;
   }
 }
@@ -117,7 +117,7 @@ TEST(solve_lcp, GivesNoFrictionWithoutMu) {
     scene.params.mu = 0.0;
     const Numbers n = numbers(scene);
     const Vector3 f = solve(scene);
-    const double f_n = std::max(0.0, -n.p_n / n.a), size = units(form(n)).force;
+    const double f_n = std::max(0.0, -n.u_n / n.a), size = units(form(n)).force;
     ASSERT_LE((f - Vector3(f_n, 0.0, 0.0)).norm(), 1e-12 * size) << f.transpose();
   }
 }

@@ -1,15 +1,16 @@
-// Two motions beside a first, a little apart from it, for how fast errors grow.
+// Two slightly perturbed motions that follow a reference motion, to measure how fast errors grow.
 //
-// In flight all fly by themselves. At an impact of the first, corner k of a companion is at a
-// height h and strikes t = -h / v_n later: the companion is flown there, struck, and flown back by
-// t, so that both stand at the same time again. That is the saltation matrix of Aizerman &
+// In flight each moves by itself. When the reference has an impact, corner k of a perturbed motion
+// is at a height h and strikes t = -h / v_n later: that motion is advanced by t, struck, and taken
+// back by t, so that all are at the same time again. That is the saltation matrix of Aizerman &
 // Gantmacher (1958, "On the stability of periodic motion", J. Appl. Math. Mech. 22) by a finite
 // difference. It looks for no contact and takes few operations, where a second simulation takes as
 // long as the first.
 //
-// It holds while all have the same impacts, each of one corner alone, and none a touch so slow that
-// its time is uncertain; then the companions are lost. There are two, since one alone may happen to
-// be disturbed in a direction that hardly grows.
+// This is valid as long as all three have the same impacts, each of a single corner, and none so
+// slow that its time is uncertain. After that the perturbed motions are lost, and no distance is
+// measured any more. There are two of them, because a single one may happen to be perturbed in a
+// direction that hardly grows.
 #pragma once
 
 #include "../methods/impact_laws.hpp"
@@ -27,29 +28,30 @@ bool is_alone(int k, const methods::Row<Arm<Real>, 4>& r, Real y) {
 }
 
 template <class Real>
-class Companions {
+class PerturbedMotions {
  public:
-  Companions() = default;
+  PerturbedMotions() = default;
 
-  // The noise disturbs them at every impact; with none they are lost.
-  Companions(const Motion<Real>& start, const Noise& noise)
+  // The noise perturbs them at every impact; without noise they are lost.
+  PerturbedMotions(const Motion<Real>& start, const Noise& noise)
       : both_{start, start}, noise_(noise), lost_(noise.size() == 0) {}
 
   bool lost() const { return lost_; }
   void lose() { lost_ = true; }
 
-  // The largest distance up to now.
+  // The largest distance from the reference so far, m.
   Real apart() const { return apart_; }
 
-  // A flight to where the first is then. Distances are convex in the time of a flight, so that they
-  // are largest at its ends.
-  void fly_to(const Motion<Real>& first, const Body<Real>& body, Real time) {
+  // Advances them by `time` in free flight; `reference` is the reference motion at its end.
+  // Distances are convex in the time of a flight, so they are largest at its ends.
+  void fly_to(const Motion<Real>& reference, const Body<Real>& body, Real time) {
     if (lost_) return;
     flown_ += time;
     Real square = 0;
     for (Motion<Real>& s : both_) {
       s = fly(s, body, time);
-      const Real x = s.x - first.x, y = s.y - first.y, turned = body.rho * (s.theta - first.theta);
+      const Real x = s.x - reference.x, y = s.y - reference.y;
+      const Real turned = body.rho * (s.theta - reference.theta);
       square = std::max(square, x * x + y * y + turned * turned);
     }
     if (struck_) apart_ = std::max(apart_, std::sqrt(square));
@@ -59,17 +61,17 @@ class Companions {
     for (Motion<Real>& s : both_) s.theta += angle;
   }
 
-  // The impact of the corner that has the arm r in the first, which is turned by theta.
-  void collide(const Arm<Real>& r, Real theta, const Body<Real>& body, methods::Case happens,
+  // The impact of the corner whose arm is r in the reference, which is turned by theta.
+  void collide(const Arm<Real>& r, Real theta, const Body<Real>& body, methods::ContactMode mode,
                methods::ImpactLaw law) {
-    for (Motion<Real>& s : both_) collide(s, r, theta, body, happens, law);
+    for (Motion<Real>& s : both_) collide(s, r, theta, body, mode, law);
     struck_ = true;
     flown_ = 0;
   }
 
  private:
   void collide(Motion<Real>& s, Arm<Real> r, Real theta, const Body<Real>& body,
-               methods::Case happens, methods::ImpactLaw law) {
+               methods::ContactMode mode, methods::ImpactLaw law) {
     disturb(s, body, flown_, noise_);
     r = turned(r, s.theta - theta);
     const Real v_n = methods::normal_velocity(s, r);
@@ -78,8 +80,8 @@ class Companions {
     s = fly(s, body, late);
     r = turned(r, s.omega * late);
     const methods::CornerImpulse<Real> p = methods::impact(methods::collision_of(s, r, body), law);
-    if (p.happens != happens) return lose();
-    methods::push(s, r, p.n, p.t, body.gyration);
+    if (p.mode != mode) return lose();
+    methods::apply_impulse(s, r, p.n, p.t, body.gyration_squared);
     s = fly(s, body, -late);
   }
 
