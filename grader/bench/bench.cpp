@@ -10,6 +10,7 @@
 #include <iostream>
 
 #include "../judge/runner_process.hpp"
+#include "../runner/messages.hpp"
 
 namespace bounce {
 namespace {
@@ -23,10 +24,7 @@ void question(benchmark::State& state, const std::string& runner) {
   judge::Limits limits;
   limits.cpu_seconds = limits.wall_seconds = 60;
   judge::RunnerProcess process({runner}, limits);
-  frames::Frame frame;
-  frame.part = 3;
-  frames::put(kParams, frame);
-  frames::put(frame, kQ, kV);
+  const frames::Frame frame = frames::question(3, kParams, kQ, kV);
   for ([[maybe_unused]] auto _ : state) {
     process.send(frame);
     benchmark::DoNotOptimize(process.receive());

@@ -1,4 +1,5 @@
-"""Grades submissions of the bouncing assignment."""
+"""The command ./kit: grades submissions of the bouncing assignment. Each package in here does one job,
+and its docstring says what it may import; docs/architecture.md describes them."""
 
 import os
 import sys

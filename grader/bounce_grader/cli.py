@@ -65,7 +65,7 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--version", action="version", version=f"kit {__version__}")
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
 
-    grade = commands.add_parser("grade", help="grade a submission: a folder or a zip")
+    grade = commands.add_parser("grade", help="grade a submission: a folder or an archive")
     grade.add_argument("submission", type=Path)
     grade.add_argument(
         "--json", metavar="FILE", help="write the score record ('-': to standard output)"
@@ -156,8 +156,8 @@ def _grade(options: argparse.Namespace) -> int:
     if options.json == "-":
         print(text)
     elif options.format:
-        enough = options.min_score or 0.0
-        print(formats.render(options.format, record, options.submission, enough))
+        pass_score = options.min_score or 0.0
+        print(formats.render(options.format, record, options.submission, pass_score))
     else:
         terminal.show(record)
     if options.json not in (None, "-"):
@@ -198,10 +198,7 @@ def _fixtures(options: argparse.Namespace) -> int:
     if not options.check:
         fixtures.write_all()
         return 0
-    differing = fixtures.all_differing()
-    for name in differing:
-        print(f"fixtures/{name} isn't what the kit writes: run ./kit fixtures")
-    return int(bool(differing))
+    return fixtures.check()
 
 
 def _doctor(options: argparse.Namespace) -> int:

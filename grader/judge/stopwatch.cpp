@@ -3,13 +3,13 @@
 // Measures, for each dt, the scenes that the assignment's model can simulate (speed_curves.hpp),
 // with a submission's runner built for speed, the solution's runner, and the simulator that uses
 // the least model for each step. Prints {"dt": [...], "scenes": [{"scene", "title", "seconds",
-// "submission", "solution", "least"}], "cut": sentence or "", "right": bool}; a curve is a list of
-// {"dt", "ns", "error"}, with ns of CPU time for a simulated second and an error in m, or null if
-// it isn't finite. right is false if a timed column is wrong (right_steps.hpp).
+// "submission", "solution", "least"}], "cut": sentence or ""}; a curve is a list of {"dt", "ns",
+// "error"}, with ns of CPU time for a simulated second and an error in m, or null if it isn't
+// finite.
 //
-// In that case the submission's graded runner is asked the same. If its answer is right, the two
-// builds are different programs and the times mean nothing; then it prints only {"otherwise":
-// sentence}.
+// If a timed column is wrong (right_steps.hpp), the submission's graded runner is asked the same,
+// and only one sentence is printed: {"otherwise": place} if that one's answer is right, so that the
+// two builds are different programs and the times mean nothing, and else {"wrong": place}.
 //
 // A runner is timed from outside, by the system's count of its CPU time, from the question to the
 // last column of its answer. The cost of communication is measured with the solution's runner,
@@ -27,6 +27,7 @@
 #include "../../solution/exact/simulate_scene.hpp"
 #include "../../tests/parts/cases.hpp"
 #include "../../tests/parts/submission.hpp"
+#include "../runner/messages.hpp"
 #include "right_steps.hpp"
 #include "session.hpp"
 #include "speed_curves.hpp"
@@ -72,11 +73,8 @@ class InRunner : public Contender {
 
   // The CPU time of an answer, ns; without sending columns if `columns` is null.
   double ask(const Parameters& params, const State& start, Trajectory* columns) {
-    frames::Frame question;
-    question.part = 4;
+    frames::Frame question = frames::question(4, params, start.q, start.v);
     question.silent = columns == nullptr;
-    frames::put(params, question);
-    frames::put(question, start.q, start.v);
     const double before = session_.cpu_ns();
     const frames::Frame answer = session_.ask(question, columns);
     if (columns) submission::require_columns(answer.q_columns, answer.v_columns, params.T);

@@ -14,8 +14,8 @@
 // impact is then without restitution, and contact lasts. What is left out lasts 2 cut / (g (1 -
 // epsilon)) and is cut^2 / (2 g) high: 2e-6 sqrt(l / g) / (1 - epsilon) and 5e-13 l with the usual
 // cut. A bounce much lower than that drowns in the rounding of y. The impulses left out act along
-// the same line; the corner or side that stays is given the rest of them, with its friction, so that
-// v and omega change by the square of cut only.
+// the same line; the corner or side that stays is given the rest of them, with its friction, so
+// that v and omega change by the square of cut only.
 //
 // Which mode follows is an LCP in accelerations, the same as that in impulses with a_n and a_t in
 // place of u_n and u_t (Lotstedt 1981; Glocker & Studer 2005, "Formulation and preparation for

@@ -7,7 +7,8 @@
 //
 // is known exactly with its slope and a bound of its curvature: see first_root.hpp. While y > rho,
 // no corner can touch, whatever theta: that part of the flight is a leg of its own, in closed form.
-// Its end is put at y = rho, where the rounding of a long fall would be that of its height.
+// At its end y is set to rho exactly: computed, it would be off by the rounding of the height from
+// which the square fell.
 #pragma once
 
 #include <limits>

@@ -53,6 +53,8 @@ std::vector<Scene> read_scenes(const std::filesystem::path& folder);
 // Throws std::invalid_argument, naming the field, if these numbers can't be simulated.
 void check(const Parameters& params, const State& start);
 
+// The distance of two poses, m: of (x, y, l / sqrt 2 theta), or of (x, y) where the scene compares
+// these alone. Whole turns count.
 double distance(const Scene& scene, const methods::Motion<double>& one,
                 const methods::Motion<double>& other);
 

@@ -24,8 +24,8 @@ class Clock {
   Real high_ = 0, low_ = 0;
 };
 
-// The units of a scene: powers of two near l and sqrt(l / g), so that scaling rounds nothing. Next
-// to no gravity counts as so much that numbers stay finite.
+// The units of a scene: powers of two near l and sqrt(l / g), so that scaling rounds nothing. g has
+// a lower bound here, which keeps the unit of time finite where gravity is almost zero.
 struct Units {
   double length, time;
 

@@ -18,6 +18,8 @@
 namespace bounce::methods {
 
 // The constants of a scheme.
+// What a step needs of the parameters: l / 2 and the distance of a corner, m; r_g^2, m^2; mu and
+// epsilon; dt, s; delta, m; and dt g, m/s. g(2) of the parameters has to be 0.
 struct StepConstants {
   double half, rho, gyration_squared, mu, epsilon, dt, delta, dv_x, dv_y;
 

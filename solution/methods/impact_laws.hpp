@@ -126,11 +126,12 @@ Real energy_gained(const Collision<Real>& k, const CornerImpulse<Real>& p) {
   return (p.n * (k.v_n + v_n) + p.t * (k.v_t + v_t)) / 2;
 }
 
-// The least epsilon at which Newton's law can gain energy at a corner with these a, b, c, whatever
-// its velocity. With v_n = -1 and b > 0 (mirror it otherwise) the gain is largest at v_t = -b / a,
-// where p_t / p_n = -epsilon b / (c (1 + epsilon) - b^2 / a) if it sticks: the square root above.
-// With less friction it is largest at the edge of sticking, v_t after = 0 with p_t = -mu p_n,
-// where 2 gain / p_n = mu (b - mu c) p_n - (1 - epsilon) with p_n = (1 + epsilon) / (a - mu b).
+// The value of epsilon above which Newton's law can gain energy at a corner with these a, b, c, for
+// some velocity; 1 without friction, or with b = 0. With v_n = -1 and b > 0 (mirror it otherwise)
+// the gain is largest at v_t = -b / a, where p_t / p_n = -epsilon b / (c (1 + epsilon) - b^2 / a)
+// if it sticks: the square root above. With less friction it is largest at the edge of sticking,
+// v_t after = 0 with p_t = -mu p_n, where 2 gain / p_n = mu (b - mu c) p_n - (1 - epsilon) with p_n
+// = (1 + epsilon) / (a - mu b).
 template <class Real>
 Real gain_limit(Real a, Real b, Real c, Real mu) {
   const Real coupling = std::abs(b);

@@ -12,7 +12,7 @@
 //   Case 2, sticks:       w = v_t = 0:  p_n = N / D,  p_t = T / D  with  D = ac - b^2 > 0,
 //                         N = b u_t - c u_n,  T = b u_n - a u_t.  It needs |T| <= mu N.
 //   Case 3, slides right: p_t = -mu p_n:  p_n = -u_n / (a - mu b).  Then v_t = -(T + mu N) / (a -
-//                         mu b), so that v_t > 0 is T < -mu N: what case 2 left open on that side.
+//                         mu b), so that v_t > 0 is T < -mu N, where case 2 doesn't hold.
 //   Case 4, slides left:  p_t = mu p_n:   p_n = -u_n / (a + mu b), for T > mu N.
 //
 // For a > mu |b| exactly one case holds (Lotstedt 1981, "Coulomb friction in two-dimensional rigid
@@ -55,6 +55,8 @@ OneCorner<Real> one_corner(const Arm<Real>& r, Real gyration_squared, Real u_n, 
           mu};
 }
 
+// The solution if a > mu |b|; else one of several, or with a - sigma mu b = 0 no finite number. NaN
+// in gives NaN out.
 template <class Real>
 CornerImpulse<Real> solve_one_corner(const OneCorner<Real>& k) {
   if (k.u_n >= 0) return {0, 0, ContactMode::separates};

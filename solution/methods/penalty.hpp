@@ -12,8 +12,9 @@
 //     epsilon = exp(-2 zeta arccos zeta / sqrt(1 - zeta^2)) = exp(-2 beta cot beta),
 //     zeta = cos beta.
 //
-// A contact lasts about sqrt(kLasting dt): as dt shrinks it gets shorter but has more steps,
-// without which restitution would stay wrong. Corners sink in, and friction creeps at rest.
+// A contact lasts about sqrt(kLasting dt): as dt shrinks, contacts get shorter but take more steps;
+// with a fixed number of steps the error of restitution would not vanish. Corners sink in, and
+// friction creeps at rest.
 #pragma once
 
 #include <algorithm>

@@ -33,6 +33,7 @@ struct Row {
   constexpr T* end() { return items + n; }
 };
 
+// The square without its mass, which no motion depends on. g(2) of the parameters has to be 0.
 template <class Real>
 struct Body {
   Real half;              // l / 2, m

@@ -1,4 +1,4 @@
-"""What is particular to this assignment: its hints and the picture of the square.
+"""What is specific to this assignment: its hints and the picture of the square.
 
-Imports: common.
+May import: common.
 """

@@ -19,6 +19,8 @@ Shown = dict[str, Any]  # a failed case in numbers, as grading/failed_case.py gi
 
 
 class Figure(NamedTuple):
+    """A drawing with its caption."""
+
     drawing: Drawing
     lines: list[str]  # lines of the caption
     title: str = ""

@@ -1,4 +1,4 @@
 """Compiles and links a submission, and caches its object files.
 
-Imports: common, sandbox, submission.
+May import: common, sandbox, submission.
 """

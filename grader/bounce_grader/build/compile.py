@@ -24,6 +24,8 @@ class Built(NamedTuple):
 
 
 class Objects(NamedTuple):
+    """The objects of a submission: of its parts by number, and of its helpers by file name."""
+
     parts: dict[int, Built]
     helpers: dict[str, Built]
     solvers: bool = True  # whether one of them may need what solvers.hpp precompiles

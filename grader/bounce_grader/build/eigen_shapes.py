@@ -24,6 +24,8 @@ Shape = tuple[int, int]
 
 
 class Type(NamedTuple):
+    """A C++ type with its template arguments, as a compiler's note writes it."""
+
     name: str  # without namespaces and const
     arguments: tuple["Type", ...] = ()
 

@@ -224,14 +224,14 @@ def _gradebook(request: Request) -> Gradebook | Worksheet | None:
         return None
     if request.gradebook.resolve() == _filled_in(request).resolve():
         raise UsageError(f"{request.gradebook} would be overwritten: give another folder as --out")
-    most = {0: sum(part.points for part in parts()), **{p.number: p.points for p in parts()}}
+    max_points = {0: sum(part.points for part in parts()), **{p.number: p.points for p in parts()}}
     if is_worksheet(request.gradebook):
         if request.columns.keys() - {0}:
             raise UsageError("--part-column fills Canvas's export alone: leave it out")
-        return Worksheet(request.gradebook, request.columns.get(0, ""), most[0])
+        return Worksheet(request.gradebook, request.columns.get(0, ""), max_points[0])
     if 0 not in request.columns:
         raise UsageError("--gradebook needs --column, the title of the column to fill")
-    return Gradebook(request.gradebook, request.columns, most)
+    return Gradebook(request.gradebook, request.columns, max_points)
 
 
 def _filled_in(request: Request) -> Path:
@@ -306,12 +306,12 @@ def _is_said(remarks: list[str], who: str, why: str) -> bool:
     return any(remark.endswith(sentence) for remark in remarks)
 
 
-def _shared(kinds: Sequence[list[str]], most: int) -> list[str]:
-    """At most `most` lines, shared among the kinds. Students can cause many lines of one kind, and
+def _shared(kinds: Sequence[list[str]], limit: int) -> list[str]:
+    """At most `limit` lines, shared among the kinds. Students can cause many lines of one kind, and
     these mustn't crowd out the others."""
     shown = dict.fromkeys(range(len(kinds)), 0)
     for done, kind in enumerate(sorted(shown, key=lambda kind: len(kinds[kind]))):
-        left = most - sum(shown.values())
+        left = limit - sum(shown.values())
         shown[kind] = min(len(kinds[kind]), left // (len(kinds) - done))
     return [line for kind, number in shown.items() for line in kinds[kind][:number]]
 

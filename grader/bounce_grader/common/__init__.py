@@ -1,4 +1,4 @@
 """Shared by all packages: errors, paths, files, escaping, numbers, drawings, a parallel map.
 
-Imports: nothing of ours.
+May import: nothing of this package.
 """

@@ -37,11 +37,11 @@ def printable(text: str) -> str:
     return printable_text(text, len(text) + 1)
 
 
-def printable_text(text: str, most: int = LONGEST_TEXT) -> str:
+def printable_text(text: str, limit: int = LONGEST_TEXT) -> str:
     """For the record: printable characters and line ends, of bounded length."""
-    text = text[: 2 * most + 2].replace("\r\n", "\n").replace("\t", " ")
+    text = text[: 2 * limit + 2].replace("\r\n", "\n").replace("\t", " ")
     clean = "\n".join(map(_printable_line, text.split("\n")))
-    return clean if len(clean) <= most else clean[: most - 1] + "…"
+    return clean if len(clean) <= limit else clean[: limit - 1] + "…"
 
 
 def _printable_line(line: str) -> str:
@@ -55,11 +55,11 @@ def printable_name(text: str) -> str:
     return printable_text(text, LONGEST_NAME).replace("\n", REPLACEMENT)
 
 
-def first_few(items: Sequence[str], most: int = 5, separator: str = ", ", more: int = 0) -> str:
+def first_few(items: Sequence[str], limit: int = 5, separator: str = ", ", more: int = 0) -> str:
     """Joins the first few items of a list, as "a, b and 7 more"; counts `more` on top of the
     list."""
-    rest = max(0, len(items) - most) + more
-    shown = separator.join(items[:most])
+    rest = max(0, len(items) - limit) + more
+    shown = separator.join(items[:limit])
     return f"{shown} and {rest} more" if rest > 0 else shown
 
 

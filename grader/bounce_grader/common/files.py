@@ -48,14 +48,14 @@ def _flush_folder(folder: Path) -> None:
         os.close(handle)
 
 
-def fitting(name: str, most: int = 200) -> str:
+def fitting(name: str, limit: int = 200) -> str:
     """Cuts a name to at most so many bytes; a file system allows 255. Digits in place of what is
     cut off tell two long names apart."""
     whole = os.fsencode(name)
-    if len(whole) <= most:
+    if len(whole) <= limit:
         return name
     digits = hashlib.sha256(whole).hexdigest()[:8]
-    return f"{whole[: most - 9].decode(errors='ignore')}-{digits}"
+    return f"{whole[: limit - 9].decode(errors='ignore')}-{digits}"
 
 
 @contextmanager

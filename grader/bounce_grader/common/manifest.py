@@ -16,12 +16,16 @@ FIELDS = {"part": int, "stem": str, "title": str, "function": str, "checks": lis
 
 
 class Check(NamedTuple):
+    """A check of parts.json."""
+
     id: str
     title: str
     points: float
 
 
 class Part(NamedTuple):
+    """A part of parts.json."""
+
     number: int
     stem: str
     title: str

@@ -29,7 +29,7 @@ def parallel_map(function: Callable[[X], Y], items: Iterable[X], jobs: int) -> l
                 done[number] = function(item)
         except BaseException as error:
             errors.append(error)
-            _leave(waiting)
+            _discard(waiting)
 
     if min(jobs, len(given)) > 1:
         _in_threads(work, min(jobs, len(given)), waiting)
@@ -64,7 +64,7 @@ def _in_threads(work: Callable[[], None], number: int, waiting: Iterable[object]
             worker.start()
         _wait_for(workers)
     finally:
-        _leave(waiting)
+        _discard(waiting)
         _wait_for(workers)
 
 
@@ -75,6 +75,6 @@ def _wait_for(workers: Iterable[_Worker]) -> None:
                 pass
 
 
-def _leave(waiting: Iterable[object]) -> None:
+def _discard(waiting: Iterable[object]) -> None:
     for _ in waiting:
         pass

@@ -1,4 +1,4 @@
-"""Tools for developing the kit: tests, benchmarks, fuzzing, doctor, the study.
+"""Tools for developing the kit: tests, benchmarks, fuzzing, doctor.
 
-Imports: build, classroom.intake, common, grading, publish, sandbox, submission.
+May import: build, classroom.intake, common, grading, publish, sandbox, submission.
 """

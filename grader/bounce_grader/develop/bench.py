@@ -36,6 +36,8 @@ compile_all(read(Path(sys.argv[1])), Path(sys.argv[2]), Box("none"), jobs=1)
 
 @dataclass(frozen=True)
 class Line:
+    """One measured figure, with its goal if there is one."""
+
     what: str
     value: float
     unit: str

@@ -19,6 +19,8 @@ FIRST_USER = 1_000_000
 
 @dataclass(frozen=True)
 class Measured:
+    """What one run of a class took."""
+
     seconds: float
     megabytes: float  # peak memory of the process that runs the class
 

@@ -24,6 +24,8 @@ TABLE = BUILD / "confusion.txt"
 
 @dataclass(frozen=True)
 class Row:
+    """A mistake, or a right part, and what it was recognised as."""
+
     kind: str  # "mistake" or "right"
     name: str
     part: int
@@ -92,11 +94,11 @@ def _right_parts() -> list[tuple[str, Path, Part, tuple[str, ...]]]:
 
 
 def recognised(
-    asked: Iterable[tuple[Part, Answers]], fixtures: Path = FIXTURES / "public"
+    asked: Iterable[tuple[Part, Answers]],
 ) -> list[tuple[tuple[str, ...], tuple[str, ...]]]:
     """The mistakes and patterns that are recognised in each list of answers."""
     lines = [json.dumps({"part": part.number, "answers": answers}) for part, answers in asked]
-    command = [str(BUILD / "recogniser"), str(fixtures)]
+    command = [str(BUILD / "recogniser"), str(FIXTURES / "public")]
     result = processes.run(command, known_mistakes.LIMITS, stdin="\n".join(lines).encode())
     if not result.ok:
         raise KitError(f"nothing could be recognised: {result.err.strip()}")

@@ -30,6 +30,8 @@ COMPILING = COMPILE._replace(cpu_seconds=1)
 
 @dataclass(frozen=True)
 class Protection:
+    """Something that a box promises, with the attempts that would break it."""
+
     title: str
     attempts: list[Attempt]  # arguments for the probe; none of these attempts may succeed
     places: tuple[str, ...] = PLACES
@@ -156,7 +158,9 @@ def _protections(marker: str, file: IO[str], home: IO[str], port: int) -> list[P
         Protection("makes no namespaces", [["namespace"]]),
         Protection("starts no process", [["processes", "1"]], ("run", "check")),
         Protection("starts few processes", [["processes", "200"]], ("compile",)),
-        Protection("leaves nothing behind", [["daemon", marker]], outside=lambda: _gone(marker)),
+        Protection(
+            "leaves nothing behind", [["daemon", marker]], outside=lambda: _no_process_has(marker)
+        ),
         Protection(
             "is held to its memory",
             [[f"allocate{how}", "1100"] for how in ("", "-unmapped", "-late")],
@@ -173,7 +177,7 @@ def _home() -> str | None:
     return str(Path.home()) if os.access(Path.home(), os.W_OK) else None
 
 
-def _gone(marker: str) -> bool:
+def _no_process_has(marker: str) -> bool:
     """Whether, within a second, no process has this word on its command line."""
     for _ in range(20):
         if not any(marker.encode() in _command_line(p) for p in Path("/proc").glob("[0-9]*")):
@@ -189,7 +193,7 @@ def _command_line(process: Path) -> bytes:
         return b""
 
 
-def run(stream: IO[str] | None = None) -> int:
+def run() -> int:
     """Prints the table. Returns 0 if everything held."""
     from rich.console import Console
     from rich.table import Table
@@ -204,7 +208,7 @@ def run(stream: IO[str] | None = None) -> int:
     for title in dict.fromkeys(finding.protection for finding in all_findings):
         cells = [by_place.get((title, box)) for box in boxes]
         table.add_row(title, *("" if cell is None else _word(cell) for cell in cells))
-    console = Console(file=stream or sys.stdout)
+    console = Console(file=sys.stdout)
     console.print(table)
     for finding in all_findings:
         if finding.held is False:

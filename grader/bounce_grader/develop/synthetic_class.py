@@ -65,17 +65,19 @@ def _rewritten(text: bytes, user: int) -> bytes:
     return text + f"\n// handed in by {user}\n".encode()
 
 
-def canvas_zip(path: Path, of: Sequence[Made], late: int = 7, zipped: int = 3) -> Path:
-    """Writes a download as Canvas does. Every `late`-th submission is late, and every `zipped`-th
-    is a zip, as is each with folders."""
+LATE, ZIPPED = 7, 3  # every seventh submission is late, every third a zip
+
+
+def canvas_zip(path: Path, of: Sequence[Made]) -> Path:
+    """Writes a download as Canvas does. Each submission with folders is a zip, too."""
     attachment = 500_000
     with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
         for i, student in enumerate(of):
-            mark = "LATE_" if i % late == late - 1 else ""
+            mark = "LATE_" if i % LATE == LATE - 1 else ""
             prefix = f"{sanitized(student.sortable_name)}_{mark}{student.user}"
             folders = any("/" in file for file in student.files)
             uploads = student.files
-            if folders or i % zipped == zipped - 1:
+            if folders or i % ZIPPED == ZIPPED - 1:
                 uploads = {"homework.zip": zip_bytes(student.files)}
             for file, data in uploads.items():
                 attachment += 1
@@ -91,9 +93,9 @@ def zip_bytes(files: dict[str, bytes]) -> bytes:
     return out.getvalue()
 
 
-def gradebook_csv(of: Sequence[Made], column: str = "HW3 (98765)") -> str:
+def gradebook_csv(of: Sequence[Made]) -> str:
     """The class's grade book, as Canvas exports it."""
-    lines = [f"Student,ID,SIS User ID,SIS Login ID,Section,Quiz 1 (1111),{column},Final Score"]
+    lines = ["Student,ID,SIS User ID,SIS Login ID,Section,Quiz 1 (1111),HW3 (98765),Final Score"]
     lines += ["    Points Possible,,,,,10.00,100.00,(read only)"]
     for i, student in enumerate(of):
         login = f"login{student.user}"

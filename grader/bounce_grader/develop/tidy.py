@@ -70,10 +70,10 @@ def _digests() -> dict[str, str]:
     for header in sorted(h for folder in HEADERS for h in (ROOT / folder).rglob("*.hpp")):
         shared.update(header.read_bytes())
     sources = [f for folder in FOLDERS for f in sorted((ROOT / folder).rglob("*.cpp"))]
-    return {str(f.relative_to(ROOT)): _with(shared.hexdigest(), f) for f in sources}
+    return {str(f.relative_to(ROOT)): _digest_of(shared.hexdigest(), f) for f in sources}
 
 
-def _with(shared: str, file: Path) -> str:
+def _digest_of(shared: str, file: Path) -> str:
     return hashlib.sha256(shared.encode() + file.read_bytes()).hexdigest()
 
 

@@ -1,6 +1,6 @@
 """Makes reports from the score record: one module for each format, none of which starts a process.
 
-Imports: assignment, common, grading, submission.
+May import: assignment, common, grading, submission.
 """
 
 from importlib import import_module
@@ -22,13 +22,13 @@ NAMES = (
 )
 
 
-def render(name: str, record: dict[str, Any], submission: Path, enough: float = 0.0) -> str:
-    """The report on a record. `enough` is the score from which on the submission passes."""
+def render(name: str, record: dict[str, Any], submission: Path, pass_score: float = 0.0) -> str:
+    """The report on a record. `pass_score` is the score from which on the submission passes."""
     if name == "json":
         return json_document(record, indent=1)
     module = import_module(f"{__name__}.{name}")
     if name == "github":
-        module.leave(record, submission, enough)
+        module.write_outputs(record, submission, pass_score)
         return str(module.render(record, submission))
     report: str = module.render(record)
     return report.rstrip("\n") if name == "html" else report

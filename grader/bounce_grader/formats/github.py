@@ -42,23 +42,23 @@ def refused(sentence: str) -> str:
     return _command("error", "Not graded", sentence)
 
 
-def reporter_result(record: Record, root: Path = Path(), enough: float = 0.0) -> str:
+def reporter_result(record: Record, root: Path = Path(), pass_score: float = 0.0) -> str:
     """The result for the reporter, in base64, with a test for each check, because a test passes or
     fails as a whole. The reporter fails the job by the status, as the exit status of --min-score
     does."""
     files = _files(root)
     report = {
         "version": VERSION,
-        "status": "pass" if record["score"] >= enough else "fail",
+        "status": "pass" if record["score"] >= pass_score else "fail",
         "max_score": record["max_score"],
         "tests": [_test(*numbered, files) for numbered in sentences.numbered(record)],
     }
     return base64.b64encode(json.dumps(report).encode()).decode()
 
 
-def leave(record: Record, root: Path = Path(), enough: float = 0.0) -> None:
+def write_outputs(record: Record, root: Path = Path(), pass_score: float = 0.0) -> None:
     """Writes the outputs and the summary of a workflow's step, if this runs in one."""
-    result = f"result={reporter_result(record, root, enough)}\nscore={short(record['score'])}\n"
+    result = f"result={reporter_result(record, root, pass_score)}\nscore={short(record['score'])}\n"
     _append("GITHUB_OUTPUT", result)
     _append("GITHUB_STEP_SUMMARY", markdown.render(record) + "\n")
 

@@ -1,4 +1,4 @@
 """Grades a submission into its score record, with known mistakes and speed.
 
-Imports: assignment, build, common, sandbox, submission.
+May import: assignment, build, common, sandbox, submission.
 """

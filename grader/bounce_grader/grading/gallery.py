@@ -13,16 +13,16 @@ def expected(folder: Path) -> Expected:
     """The content of expected.json, with parts in "lost" replaced by the ids of their checks. A
     submission that loses nothing needs no file."""
     file = folder / "expected.json"
-    words: Expected = json.loads(file.read_text()) if file.exists() else {}
-    return words | {"lost": _checks(words.get("lost", []))}
+    data: Expected = json.loads(file.read_text()) if file.exists() else {}
+    return data | {"lost": _checks(data.get("lost", []))}
 
 
-def in_reduced_box(words: Expected) -> Expected:
+def in_reduced_box(data: Expected) -> Expected:
     """What is expected in the reduced box: the entries under "reduced" replace the others."""
-    other = dict(words["reduced"])
+    other = dict(data["reduced"])
     if "lost" in other:
         other["lost"] = _checks(other["lost"])
-    return words | other
+    return data | other
 
 
 def points(lost: list[str]) -> list[float]:

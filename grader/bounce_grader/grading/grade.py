@@ -25,6 +25,8 @@ from bounce_grader.submission.submission import Submission
 
 
 class Options(NamedTuple):
+    """How a submission is graded."""
+
     boxes: tuple[str, ...] = boxes.FULL_OR_REDUCED  # the acceptable kinds, best first
     speed: bool = False
     jobs: int = 0  # 0: one per core

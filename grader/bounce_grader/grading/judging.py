@@ -25,6 +25,8 @@ STATUSES = {"graded", "does_not_compile", "crashed", "timed_out", "out_of_memory
 
 
 class Verdict(NamedTuple):
+    """The judge's verdict on one check."""
+
     passed: bool
     status: str
     message: str

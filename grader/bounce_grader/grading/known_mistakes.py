@@ -28,6 +28,7 @@ from bounce_grader.assignment.hints import headings
 from bounce_grader.build import linking
 from bounce_grader.build.compile import compile_all
 from bounce_grader.common.errors import KitError
+from bounce_grader.common.files import write_whole
 from bounce_grader.common.manifest import part_of, parts, Part
 from bounce_grader.common.parallel_map import parallel_map
 from bounce_grader.common.paths import FIXTURES, JUDGE, REFERENCE_RUNNER, ROOT
@@ -50,6 +51,8 @@ Answers = list[Any]  # for each question: a list of numbers, or the text of an e
 
 
 class Mistake(NamedTuple):
+    """A known mistake, as its folder in the gallery describes it."""
+
     name: str
     title: str
     sentence: str
@@ -178,10 +181,8 @@ def write(folder: Path = KNOWN) -> None:
     folder.mkdir(parents=True, exist_ok=True)
     for name, text in texts().items():
         file = folder / name
-        if not (file.exists() and say_the_same(json.loads(file.read_text()), json.loads(text))):
-            temporary = file.with_suffix(".part")
-            temporary.write_text(text, encoding="utf-8")
-            temporary.replace(file)
+        if not _is_fresh(file, text):
+            write_whole(file, text)
 
 
 def differing(folder: Path = KNOWN) -> list[str]:

@@ -12,6 +12,8 @@ from bounce_grader.grading.record import Record
 
 
 class Previous(NamedTuple):
+    """What is known of the previous record."""
+
     score: float
     passed: Mapping[str, bool]  # by the check's id
 
@@ -39,10 +41,10 @@ def read(path: Path) -> Previous | None:
     """Reads the previous record; or Gradescope's submission_metadata.json, where the newest previous
     submission with a result counts. None if that file has no result. Raises UsageError."""
     try:
-        words = json.loads(path.read_text("utf-8"))
-        if "previous_submissions" in words:
-            return _of_gradescope(words["previous_submissions"])
-        return of_record(words)
+        data = json.loads(path.read_text("utf-8"))
+        if "previous_submissions" in data:
+            return _of_gradescope(data["previous_submissions"])
+        return of_record(data)
     except (OSError, ValueError, KeyError, TypeError, AttributeError) as error:
         raise UsageError(
             f"{path} is neither a score record nor Gradescope's submission_metadata.json "

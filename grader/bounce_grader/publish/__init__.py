@@ -1,4 +1,4 @@
 """Writes what is published: fixtures, the handout, and bundles for services.
 
-Imports: common, grading.
+May import: common, grading.
 """

@@ -30,9 +30,14 @@ def _differing(kind: str, folder: Path) -> list[str]:
         return sorted(n for n in names if _bytes(fresh / n) != _bytes(folder / n))
 
 
-def all_differing() -> list[str]:
-    """These, and the files of known mistakes that don't match the gallery."""
-    return [*differing(), *(f"public/mistakes/{name}" for name in known_mistakes.differing())]
+def check() -> int:
+    """Names the committed files that differ from what the solution writes, and those of known
+    mistakes that don't match the gallery. Returns the exit status."""
+    mistakes = [f"public/mistakes/{name}" for name in known_mistakes.differing()]
+    names = [*differing(), *mistakes]
+    for name in names:
+        print(f"fixtures/{name} isn't what the kit writes: run ./kit fixtures")
+    return int(bool(names))
 
 
 def _bytes(file: Path) -> bytes | None:

@@ -44,11 +44,11 @@ def contents() -> dict[str, bytes]:
     made = {f"{name}.html": handout_page.page(HANDOUT / f"{name}.md") for name in PAGES}
     made["fixtures/study.txt"] = handout_study.text().encode()
     made["fixtures/measured.txt"] = handout_measured.text().encode()
-    held = {name: _said(file) for name, file in files().items()}
+    held = {name: _as_handed_out(file) for name, file in files().items()}
     return dict(sorted({**held, **made}.items()))
 
 
-def _said(file: Path) -> bytes:
+def _as_handed_out(file: Path) -> bytes:
     data = file.read_bytes()
     if file.suffix in WITH_POINTS and file.is_relative_to(HANDOUT):
         return with_points(data.decode()).encode()

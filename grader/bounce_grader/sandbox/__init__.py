@@ -1,4 +1,4 @@
 """Boxes, processes, and limits on their resources.
 
-Imports: common.
+May import: common.
 """

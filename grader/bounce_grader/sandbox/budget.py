@@ -27,12 +27,12 @@ class Shares:
         self._given_back = Condition()
 
     @contextmanager
-    def take(self, most: int) -> Iterator[int]:
-        """Waits until about `most` seconds are free, or until no other process has any. Yields how
-        many this process may use: at most `most`, and at least 1."""
+    def take(self, limit: int) -> Iterator[int]:
+        """Waits until about `limit` seconds are free, or until no other process has any. Yields how
+        many this process may use: at most `limit`, and at least 1."""
         with self._given_back:
-            self._given_back.wait_for(lambda: not self._taken or self._free() >= most - SPARE)
-            taken = int(max(1, min(most, self._free() + 1)))
+            self._given_back.wait_for(lambda: not self._taken or self._free() >= limit - SPARE)
+            taken = int(max(1, min(limit, self._free() + 1)))
             self._taken.append(taken)
         try:
             yield taken

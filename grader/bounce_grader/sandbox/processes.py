@@ -1,6 +1,6 @@
-"""The only module of the grader that starts processes. They get a fixed environment and not ours,
-because a program in a box may look for the environments of the processes above it. Output is capped
-while it streams.
+"""Starts every process on the way of a grading. They get a fixed environment and not ours, because
+a program in a box may look for the environments of the processes above it. Output is capped while
+it streams.
 """
 
 import errno
@@ -49,6 +49,8 @@ class Limits(NamedTuple):
 
 
 class Result(NamedTuple):
+    """How a process ended, and what it printed and used."""
+
     code: int  # the exit status; -n for signal n
     cpu_seconds: float  # of it and children it waited for; if we killed it, of all its descendants
     out: bytes

@@ -1,4 +1,4 @@
-"""Reads a folder or a zip into the files of a submission.
+"""Reads a folder or an archive into the files of a submission.
 
-Imports: common, sandbox.
+May import: common, sandbox.
 """

@@ -18,6 +18,8 @@ class NotText(Exception):
 
 
 class Entry(NamedTuple):
+    """A file or folder in a submission's folder or archive."""
+
     name: str  # relative, with forward slashes, without "..", never empty
     size: int  # claimed, not checked; only for messages
     link: bool  # a link, or anything else that is no regular file

@@ -60,11 +60,11 @@ def _children(top: int, folder: tuple[str, ...]) -> list[tuple[str, os.stat_resu
 
 
 def _entry(path: Path, top: int, inside: tuple[str, ...], status: os.stat_result) -> Entry:
-    def read(most: int) -> bytes:
+    def read(limit: int) -> bytes:
         with _readable(path, inside), open(_open(top, inside), "rb") as stream:
             if not stat.S_ISREG(os.fstat(stream.fileno()).st_mode):
                 raise FileNotFoundError(0, "it changed while it was read")
-            return stream.read(most)
+            return stream.read(limit)
 
     return Entry("/".join(inside), status.st_size, not stat.S_ISREG(status.st_mode), read)
 

@@ -50,10 +50,10 @@ def _opened(
     return zips.opened(path, zipped)
 
 
-def _bytes(path: Path, most: int) -> bytes:
+def _bytes(path: Path, limit: int) -> bytes:
     try:
         with path.open("rb") as file:
-            return file.read(most)
+            return file.read(limit)
     except OSError as error:
         raise UsageError(f"{path} can't be read: {error.strerror}") from error
 

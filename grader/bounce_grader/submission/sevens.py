@@ -106,5 +106,5 @@ def _entries(path: Path, listed: list[_Listed], data: bytes) -> Iterator[Entry]:
         yield Entry(name, one.size, one.link, partial(_first, own))
 
 
-def _first(data: memoryview, most: int) -> bytes:
-    return bytes(data[:most])
+def _first(data: memoryview, limit: int) -> bytes:
+    return bytes(data[:limit])

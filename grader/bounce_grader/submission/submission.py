@@ -48,6 +48,8 @@ def part_file(file: str) -> str | None:
 
 
 class Submission(NamedTuple):
+    """The files of a submission, and which of them are parts."""
+
     name: str
     files: dict[str, bytes]  # path in the submission -> text to compile
     parts: dict[int, str]  # part number -> path in files

@@ -149,8 +149,8 @@ def _pax_records(header: bytes) -> dict[str, str]:
 
 
 def _reader(data: bytes, member: _Member) -> Callable[[int], bytes]:
-    def read(most: int) -> bytes:
-        size = min(most, member.size) if member.regular else 0
+    def read(limit: int) -> bytes:
+        size = min(limit, member.size) if member.regular else 0
         return data[member.start : member.start + size]
 
     return read

@@ -1,4 +1,5 @@
-"""What all archives of one submission may take together, and what is left of it."""
+"""How much memory, how many headers and how much time the archives of one submission may take
+together."""
 
 from pathlib import Path
 
@@ -11,12 +12,11 @@ SECONDS = 10.0  # of 7-Zip's CPU time
 
 
 class UnpackLimits:
-    def __init__(
-        self, memory: int = TOGETHER, headers: int = HEADERS, seconds: float = SECONDS
-    ) -> None:
-        self.memory = memory
-        self.headers = headers
-        self.seconds = seconds
+    """What is left."""
+
+    memory = TOGETHER
+    headers = HEADERS
+    seconds = SECONDS
 
     @property
     def for_one(self) -> int:

@@ -84,11 +84,11 @@ def _entry(path: Path, archive: zipfile.ZipFile, info: zipfile.ZipInfo, name: st
     if info.flag_bits & ENCRYPTED:
         raise UsageError(f"{path} is encrypted: submit it without a password")
 
-    def read(most: int) -> bytes:
+    def read(limit: int) -> bytes:
         if info.compress_type not in METHODS:
             raise UsageError(f"{path} is compressed in an unusual way: make it anew, as plain zip")
         with _readable(path), archive.open(info) as stream:
-            return stream.read(most)
+            return stream.read(limit)
 
     kind = stat.S_IFMT(info.external_attr >> 16)  # 0 if the zip wasn't made on Unix
     return Entry(name, info.file_size, kind not in (0, stat.S_IFREG), read)

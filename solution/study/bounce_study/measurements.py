@@ -109,12 +109,6 @@ def ranking(runs: list[Run], scene: str, tolerance: float) -> list[Run]:
     return list(fastest.values())
 
 
-def least_time(runs: list[Run], scene: str, method: str, tolerance: float) -> float:
-    """Gives the least ns per simulated second with an error of at most `tolerance`; infinite where
-    no setting that was tried gets there."""
-    return min((r.ns for r in of(runs, scene, method) if r.error <= tolerance), default=math.inf)
-
-
 def failure(runs: list[Run], tolerance: float) -> str:
     """Says why a method never comes within the tolerance in a scene, without the numbers of this
     scene: by its note, or by its last steps where a table has none. Empty where it does."""

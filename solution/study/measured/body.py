@@ -54,10 +54,6 @@ class Impacts:
         """v_n of the corner before, m/s."""
         return self.before[:, 1] + self.corner[:, 0] * self.before[:, 2]
 
-    def sliding(self) -> Array:
-        """v_t of the corner before, m/s."""
-        return self.before[:, 0] - self.corner[:, 1] * self.before[:, 2]
-
 
 PUBLISHED = Body(PUBLISHED_SIDE, 0, 0, 0, 0, 0, 0, PUBLISHED_SIDE**2 / 6)
 

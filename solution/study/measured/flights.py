@@ -84,11 +84,11 @@ def _fit(name: str, x: Array, a: Array) -> Drag:
     return Drag(name, -float(solution[0]), drag, float(np.median(np.abs(left)) * 1.4826))
 
 
-def robust(columns: Array, target: Array, rounds: int = 30) -> tuple[Array, Array]:
+def robust(columns: Array, target: Array) -> tuple[Array, Array]:
     """Least squares that outliers don't move much: Huber's weights, at 1.5 deviations."""
     weights = np.ones(len(target))
     solution = np.zeros(columns.shape[1])
-    for _ in range(rounds):
+    for _ in range(30):
         root = np.sqrt(weights)
         solution = np.linalg.lstsq(columns * root[:, None], target * root, rcond=None)[0]
         left = target - columns @ solution

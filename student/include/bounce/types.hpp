@@ -35,7 +35,8 @@ struct Contact {
   double phi;  // height of the lowest corner, m; negative below the ground, eq. (4)
 };
 
-// Part 2: find z = (f_n, f_t1, f_t2, lambda) with 0 <= V z + p perpendicular to z >= 0, eq. (8).
+// Part 2: find z = (f_n, f_t1, f_t2, lambda), in N, N, N and m/s, with 0 <= V z + p perpendicular
+// to z >= 0, eq. (8).
 struct Lcp {
   Eigen::Matrix4d V;  // 4x4; the 3x3 block of the forces in s/kg, eq. (9)
   Eigen::Vector4d p;  // 4; the first three in m/s, the last in N, eq. (10)

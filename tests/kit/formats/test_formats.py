@@ -337,9 +337,11 @@ def test_a_submission_that_cannot_be_read_is_an_error_and_no_points() -> None:
     assert formats.refused("junit", "x") == formats.refused(None, "x") == ""
 
 
-def reported(record: dict[str, Any], root: Path = NOWHERE, enough: float = 0.0) -> dict[str, Any]:
+def reported(
+    record: dict[str, Any], root: Path = NOWHERE, pass_score: float = 0.0
+) -> dict[str, Any]:
     result: dict[str, Any] = json.loads(
-        base64.b64decode(github.reporter_result(record, root, enough))
+        base64.b64decode(github.reporter_result(record, root, pass_score))
     )
     return result
 
@@ -358,11 +360,11 @@ def test_the_reporter_adds_up_the_points_of_checks(record: dict[str, Any]) -> No
     assert (second["filename"], second["line_no"]) == ("src/part2_lcp.cpp", 12)
 
 
-@pytest.mark.parametrize("enough, status", [(0, "pass"), (32, "pass"), (32.5, "fail")])
+@pytest.mark.parametrize("pass_score, status", [(0, "pass"), (32, "pass"), (32.5, "fail")])
 def test_the_reporter_fails_the_job_only_below_the_score_that_is_enough(
-    record: dict[str, Any], enough: float, status: str
+    record: dict[str, Any], pass_score: float, status: str
 ) -> None:
-    assert reported(record, NOWHERE, enough)["status"] == status
+    assert reported(record, NOWHERE, pass_score)["status"] == status
 
 
 def test_a_step_of_a_workflow_hands_on_its_result(

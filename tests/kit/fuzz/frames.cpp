@@ -11,6 +11,7 @@
 #include <set>
 
 #include "../../../grader/judge/session.hpp"
+#include "../../../grader/runner/messages.hpp"
 #include "../../parts/cases.hpp"
 #include "fuzz.hpp"
 
@@ -68,11 +69,7 @@ int holding(const std::string& bytes) {
 Frame question_of(const Input& input) {
   Parameters params;
   params.T = input.T;
-  Frame question;
-  question.part = input.part;
-  frames::put(params, question);
-  frames::put(question, Vector3(0, 1, 0.5), Vector3(0, -1, 0));
-  return question;
+  return frames::question(input.part, params, Vector3(0, 1, 0.5), Vector3(0, -1, 0));
 }
 
 void require_termination(judge::Session& session) {

@@ -310,9 +310,7 @@ def test_an_error_beyond_all_bounds_is_none() -> None:
     point = {"dt": 0.1, "ns": 1.0, "error": 1e200}
     curves = {curve: [point] for curve in speed.CURVES}
     scene = {"scene": "drop", "title": "Drop", "seconds": 1.0, **curves}
-    found = speed.read(
-        json.dumps({"dt": [0.1], "scenes": [scene], "cut": "", "right": True}).encode()
-    )
+    found = speed.read(json.dumps({"dt": [0.1], "scenes": [scene], "cut": ""}).encode())
     assert speed.curve(found, "submission") == [Point(0.1, 1.0, None)]
 
 

@@ -260,4 +260,5 @@ def test_springs_let_a_held_corner_rebound() -> None:
 def test_event_driven_comes_within_a_micrometre_in_every_scene() -> None:
     runs = measurements.read(committed())
     for scene in measurements.scenes(runs):
-        assert measurements.least_time(runs, scene, "event_driven", 1e-6) < 1e6
+        times = [r.ns for r in measurements.of(runs, scene, "event_driven") if r.error <= 1e-6]
+        assert times and min(times) < 1e6, scene

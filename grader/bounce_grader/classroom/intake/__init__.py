@@ -1,4 +1,5 @@
-"""Finds the students' submissions in a download from Canvas or a folder.
+"""Finds the students' submissions in a download from Canvas, Moodle or Blackboard, by Canvas's API,
+or in a folder; and reads the files that an instructor writes by hand.
 
-Imports: common, submission.
+May import: common, submission.
 """

@@ -13,6 +13,8 @@ CHANGES = ("points", "percent", "late_days", "cap", "drop")
 
 
 class Adjustment(NamedTuple):
+    """One row of adjustments.csv: what changes for whom, and why."""
+
     line: int
     student: str  # an id or a name; or EVERYBODY
     points: float = 0.0  # added

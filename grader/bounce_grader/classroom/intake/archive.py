@@ -29,7 +29,7 @@ class Damaged(UsageError):
 
 
 class Archive:
-    """Reads entries by name, at most `most` bytes of each. Raises UsageError."""
+    """Reads entries by name, at most `limit` bytes of each. Raises UsageError."""
 
     def __init__(self, path: Path) -> None:
         self.path = path
@@ -53,17 +53,17 @@ class Archive:
             return self._infos[name].file_size
         return (self.path / name).lstat().st_size
 
-    def read(self, name: str, most: int) -> bytes:
+    def read(self, name: str, limit: int) -> bytes:
         try:
             if self._zip:
                 with self._zip.open(self._infos[name]) as stream:
-                    return stream.read(most)
+                    return stream.read(limit)
             if os.path.islink(self.path / name):
                 raise ValueError("it is a link")
             with open(os.open(self.path / name, SAFELY), "rb") as file:
                 if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
                     raise ValueError("it is no ordinary file")
-                return file.read(most)
+                return file.read(limit)
         except FAILURES as error:
             if self._zip:
                 raise Damaged(

@@ -19,12 +19,16 @@ NAME = re.compile(r"\ufeff?Name:\s*(?P<name>.*)\((?P<user>[^()\s]+)\)\s*$")
 
 
 class Entry(NamedTuple):
+    """The name of a file in Blackboard's download, split into its fields."""
+
     head: str  # the assignment and the user
     when: int  # of the attempt, as a number that grows
     file: str  # "" for the text
 
 
 class Person(NamedTuple):
+    """A student, as the text file of an attempt names them."""
+
     user: str
     name: str
 

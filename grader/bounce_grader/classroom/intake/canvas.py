@@ -40,6 +40,8 @@ class Upload:
 
 @dataclass(frozen=True)
 class TextEntry:
+    """A text or a web address that a student or a group typed into Canvas."""
+
     name: str
     user: str
     late: bool

@@ -83,6 +83,8 @@ def token_of_environment() -> str:
 
 
 class Canvas:
+    """One assignment of a course on Canvas, by its API."""
+
     def __init__(self, url: str, assignment: str, token: str) -> None:
         match = re.fullmatch(r"(\d+)/(\d+)", assignment)
         if not match:

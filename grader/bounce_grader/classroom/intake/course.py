@@ -14,6 +14,8 @@ LATE = ("percent_per_day", "at_most_percent")
 
 @dataclass(frozen=True)
 class Course:
+    """The course's title and its policy on lateness, from course.toml."""
+
     title: str = ""
     date: str = ""
     percent_per_day: float = 0.0  # of the assignment's points, for each day begun
@@ -28,21 +30,21 @@ def read(out: Path) -> Course:
         return Course()
     toml = _reader()
     try:
-        words = toml.loads(path.read_text("utf-8"))
+        data = toml.loads(path.read_text("utf-8"))
     except (OSError, ValueError) as error:
         raise UsageError(f"{path} can't be read as TOML: {error}") from error
-    words = {key: str(value) if key == "date" else value for key, value in words.items()}
-    for key, value in words.items():
+    data = {key: str(value) if key == "date" else value for key, value in data.items()}
+    for key, value in data.items():
         if key not in KNOWN or not isinstance(value, KNOWN[key]):
             raise UsageError(f"{path} holds {key!r}, which should be one of {', '.join(KNOWN)}")
-    late = words.pop("late", {})
+    late = data.pop("late", {})
     for key, value in late.items():
         if key not in LATE or type(value) not in (int, float) or not 0 <= value <= 100:
             raise UsageError(
                 f"{path} holds {key} = {value} under [late]; it takes {' and '.join(LATE)}, each a "
                 "number from 0 to 100"
             )
-    return Course(**words, **late)
+    return Course(**data, **late)
 
 
 def _reader() -> Any:

@@ -42,8 +42,8 @@ def _contents(archive: Archive, uploads: Iterable[Upload]) -> Iterator[tuple[Upl
     enough to see that it is too large. Raises UsageError if all together are too large."""
     room = LARGEST
     for upload in uploads:
-        most = room if is_archive(upload.file) else min(room, LARGEST_SOURCE)
-        data = archive.read(upload.entry, most + 1)
+        limit = room if is_archive(upload.file) else min(room, LARGEST_SOURCE)
+        data = archive.read(upload.entry, limit + 1)
         room -= len(data)
         if room < 0:
             raise UsageError(
@@ -83,7 +83,7 @@ def _merged(
 
 def _entry(upload: Upload, data: bytes, size: int, texts: list[bytes]) -> Entry:
     name = upload.file if upload.as_named else canvas.plain_file(upload.file, texts)
-    return Entry(name, size, False, lambda most: data[:most])
+    return Entry(name, size, False, lambda limit: data[:limit])
 
 
 def _without_parts(parts: set[str | None], older: dict[str, Entry]) -> dict[str, Entry]:

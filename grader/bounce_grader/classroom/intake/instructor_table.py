@@ -10,6 +10,8 @@ from bounce_grader.common.errors import UsageError
 
 
 class TableRow(NamedTuple):
+    """One row, with the line in which it ends."""
+
     line: int
     cells: dict[str, str]  # by column, stripped; "" where nothing is
 

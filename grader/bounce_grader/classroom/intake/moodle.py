@@ -25,6 +25,8 @@ FOLDER = re.compile(r"(?P<name>[^_/]+)_(?P<id>[0-9]{1,20})_assignsubmission_(?P<
 
 
 class Entry(NamedTuple):
+    """The name of a file or folder in Moodle's download, split into its fields."""
+
     name: str
     participant: str
     kind: str  # "file" or "onlinetext"

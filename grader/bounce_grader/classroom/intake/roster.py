@@ -22,6 +22,8 @@ class Member(NamedTuple):
 
 
 class Roster:
+    """The members of each submission, by its id or name."""
+
     def __init__(
         self, members: dict[str, list[Member]], same_person: Mapping[str, str] = {}
     ) -> None:

@@ -129,8 +129,8 @@ def post(canvas: Canvas, out: Path, changes: list[Change]) -> list[str]:
 
 def read(out: Path) -> Uploaded:
     try:
-        words = json.loads((out / UPLOADED).read_text())
-        return {str(user): dict(done) for user, done in words.items()}
+        data = json.loads((out / UPLOADED).read_text())
+        return {str(user): dict(done) for user, done in data.items()}
     except (OSError, ValueError, AttributeError, TypeError):
         return {}
 

@@ -14,6 +14,8 @@ LETTER, LINE = 8, 16  # px: at most the width of a letter, and the height of a l
 
 @dataclass(frozen=True)
 class Bar:
+    """One bar of a chart: its label, length and note."""
+
     label: str
     share: float  # 0 to 1
     note: str
@@ -22,6 +24,8 @@ class Bar:
 
 @dataclass(frozen=True)
 class Point:
+    """A submission in the chart of speed against error."""
+
     x: float | None  # None: not measured
     y: float | None  # None: not finite
     kind: str  # whether it got "full", "some" or no ("none") points
@@ -39,11 +43,11 @@ class Curve:
     labels: tuple[str, ...] = ()  # of the places
 
 
-def histogram(scores: Sequence[float], most: float) -> Drawing:
+def histogram(scores: Sequence[float], max_points: float) -> Drawing:
     """The distribution of points, in ten columns, and one more for full points."""
     counts = [0] * 11
     for score in scores:
-        counts[10 if score >= most else min(9, int(10 * score / most))] += 1
+        counts[10 if score >= max_points else min(9, int(10 * score / max_points))] += 1
     highest, height, base = max([*counts, 1]), 190, 220
     step = WIDTH / 11
     out = [line(0, base, WIDTH, base)]
@@ -53,8 +57,8 @@ def histogram(scores: Sequence[float], most: float) -> Drawing:
         out.append(rect(x + 3, base - tall, step - 6, tall, "#444"))
         if count:
             out.append(text(x + step / 2, base - tall - 6, str(count), "middle"))
-        low, high = most * i / 10, most * (i + 1) / 10
-        label = short(most) if i == 10 else f"{short(low)}–{short(high)}"
+        low, high = max_points * i / 10, max_points * (i + 1) / 10
+        label = short(max_points) if i == 10 else f"{short(low)}–{short(high)}"
         out.append(text(x + step / 2, base + 20, label, "middle"))
     out.append(text(WIDTH / 2, base + 44, "points", "middle"))
     return svg(out, WIDTH, base + 54, "How many submissions have how many points")

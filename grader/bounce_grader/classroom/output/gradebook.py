@@ -34,6 +34,8 @@ Written = Mapping[str, Mapping[str, list[str]]]
 
 @dataclass
 class Filled:
+    """A filled-in grade book, as bytes of its file."""
+
     data: bytes
     sentences: list[str]  # what the instructor should know
     written: Written = field(default_factory=dict)
@@ -44,7 +46,9 @@ class Gradebook:
 
     service = "canvas"
 
-    def __init__(self, path: Path, columns: Mapping[int, str], most: Mapping[int, float]) -> None:
+    def __init__(
+        self, path: Path, columns: Mapping[int, str], max_points: Mapping[int, float]
+    ) -> None:
         try:
             data = path.read_bytes()
         except OSError as error:
@@ -55,7 +59,7 @@ class Gradebook:
         self._require_canvas()
         self._columns = {part: self._column(title) for part, title in columns.items()}
         self._require_distinct()
-        self._most = most
+        self._max_points = max_points
         self._comma = self._has_decimal_comma()
         self._require_whole_rows()
 
@@ -288,10 +292,10 @@ class Gradebook:
         for row in self._points_rows():
             for part, column in self._columns.items():
                 points = number_in(row.cells[column].text)
-                if points is not None and points != self._most[part]:
+                if points is not None and points != self._max_points[part]:
                     sentences.append(
                         f"Canvas has {short(points)} points possible for {self._header[column]}, "
-                        f"the kit {short(self._most[part])}: change it in Canvas, or scale there"
+                        f"the kit {short(self._max_points[part])}: change it in Canvas, or scale there"
                     )
         return sentences
 
@@ -330,11 +334,11 @@ def number_in(text: str) -> float | None:
         return None
 
 
-def of_marks(marks: Mapping[str, Marks], title: str, most: float) -> bytes:
+def of_marks(marks: Mapping[str, Marks], title: str, max_points: float) -> bytes:
     """Makes a grade book that Canvas can import, if none was given; Canvas matches students by
     ID."""
     header = ["Student", "ID", "SIS Login ID", "Section", title]
-    rows = [header, ["    Points Possible", "", "", "", f"{most:.2f}"]]
+    rows = [header, ["    Points Possible", "", "", "", f"{max_points:.2f}"]]
     for id, mark in sorted(marks.items(), key=lambda item: (item[1].name, item[0])):
         canvas, login = (id, "") if id.isdigit() else ("", id)
         rows.append([mark.name, canvas, login, "", f"{mark.points[0]:.2f}"])

@@ -17,8 +17,8 @@ History = dict[str, list[str]]  # a student's id -> keys of results, oldest firs
 
 def read(out: Path) -> History:
     try:
-        words = json.loads((out / NAME).read_text())
-        return {str(id): list(map(str, keys)) for id, keys in words.items()}
+        data = json.loads((out / NAME).read_text())
+        return {str(id): list(map(str, keys)) for id, keys in data.items()}
     except (OSError, ValueError, AttributeError, TypeError):
         return {}  # then no page says what has changed
 

@@ -111,6 +111,8 @@ def _make_up_gradebook(path: Path, marks: Mapping[str, Marks], title: str, log: 
 
 
 class Feedback(NamedTuple):
+    """What became of the feedback pages."""
+
     without: dict[str, str]  # the reasons for missing pages, by student's id
     to_upload: str  # a sentence: which zip has what students haven't got yet; "" if there is none
 

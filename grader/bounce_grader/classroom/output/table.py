@@ -12,6 +12,8 @@ BOM = b"\xef\xbb\xbf"
 
 @dataclass
 class Cell:
+    """A cell with its bytes, so that what isn't filled in stays as it was."""
+
     raw: bytes  # including quotes
 
     @property
@@ -34,6 +36,8 @@ class Cell:
 
 @dataclass
 class Row:
+    """A row, with the bytes that end it."""
+
     cells: list[Cell]
     end: bytes  # "\\n", "\\r\\n", or nothing at the end of the file
     line: int
@@ -41,6 +45,8 @@ class Row:
 
 @dataclass
 class Table:
+    """A CSV file whose cells can be filled in, and whose other bytes stay the same."""
+
     start: bytes  # a byte order mark, or nothing
     delimiter: bytes
     rows: list[Row] = field(default_factory=list)

@@ -24,7 +24,7 @@ TOTAL = re.compile(r"\[Total Pts: ([\d.,]+)[^\]]*\]\s*\|\s*\d+\s*$")  # of a Bla
 class Worksheet:
     """Raises UsageError if it can't be filled in."""
 
-    def __init__(self, path: Path, title: str, most: float) -> None:
+    def __init__(self, path: Path, title: str, max_points: float) -> None:
         self._name = path.name
         data = _read(path)
         self._encoding = UTF_16.get(data[:2], "")
@@ -40,7 +40,7 @@ class Worksheet:
         self._rows = self._table.rows[1:]
         self._require_whole_rows()
         self._column = self._find_column(title)
-        self._most = most
+        self._max_points = max_points
 
     def people(self, canvas_ids_only: bool = False) -> dict[str, str]:
         """The names of all students, by their ids."""
@@ -170,23 +170,27 @@ class Worksheet:
                 )
 
     def _has_decimal_comma(self) -> bool:
-        most = self._index("Maximum Grade")
-        columns = [self._column, *([most] if most is not None else [])]
+        maximum = self._index("Maximum Grade")
+        columns = [self._column, *([maximum] if maximum is not None else [])]
         texts = [row.cells[column].text.strip() for row in self._rows for column in columns]
         with_points = any(re.fullmatch(r"\d+\.\d+", text) for text in texts)
         return not with_points and any(re.fullmatch(r"\d+,\d+", text) for text in texts)
 
     def _points_possible(self) -> list[str]:
         title = self._header[self._column]
-        total, most = TOTAL.search(title), self._index("Maximum Grade")
+        total, maximum = TOTAL.search(title), self._index("Maximum Grade")
         if total:
             texts = {total.group(1)}
         else:
-            texts = {row.cells[most].text for row in self._rows} if most is not None else set()
-        others = sorted({n for n in map(number_in, texts) if n is not None and n != self._most})
+            texts = (
+                {row.cells[maximum].text for row in self._rows} if maximum is not None else set()
+            )
+        others = sorted(
+            {n for n in map(number_in, texts) if n is not None and n != self._max_points}
+        )
         return [
             f"{self.service.capitalize()} has {short(points)} points possible for {title}, the kit "
-            f"{short(self._most)}: change it there"
+            f"{short(self._max_points)}: change it there"
             for points in others
         ]
 

@@ -78,8 +78,8 @@ def chunks(tasks: Sequence[Any]) -> list[Sequence[Any]]:
 def _write(tasks: list[Task], folder: Path) -> None:
     cut = chunks(tasks)
     for number, chunk in enumerate(cut, 1):
-        words = json.dumps([task.as_json() for task in chunk])
-        write_whole(folder / f"chunk-{number}.json", words)
+        data = json.dumps([task.as_json() for task in chunk])
+        write_whole(folder / f"chunk-{number}.json", data)
     places = {
         "folder": shlex.quote(str(folder)),
         "kit": shlex.quote(str(ROOT)),

@@ -12,6 +12,8 @@ from bounce_grader.classroom.work.task import Task
 
 
 class Log:
+    """OUT/log.jsonl: what happened to each submission, one event a line."""
+
     def __init__(self, path: Path) -> None:
         path.parent.mkdir(parents=True, exist_ok=True)
         self._path = path
@@ -22,12 +24,12 @@ class Log:
         self._end_a_torn_line()
 
     def write(self, event: str, task: Task | None = None, **more: Any) -> None:
-        words: dict[str, Any] = {"at": datetime.now(timezone.utc).isoformat(timespec="seconds")}
-        words["event"] = event
+        fields: dict[str, Any] = {"at": datetime.now(timezone.utc).isoformat(timespec="seconds")}
+        fields["event"] = event
         if task:
-            words |= {"result": task.key, "submission": task.submission, "kit": task.stamp.kit}
-            words |= {"fixtures": task.stamp.fixtures, "options": task.stamp.options}
-        line = json.dumps({**words, **more}, ensure_ascii=False) + "\n"
+            fields |= {"result": task.key, "submission": task.submission, "kit": task.stamp.kit}
+            fields |= {"fixtures": task.stamp.fixtures, "options": task.stamp.options}
+        line = json.dumps({**fields, **more}, ensure_ascii=False) + "\n"
         os.write(self._file, line.encode(errors="backslashreplace"))  # surrogates, as in JSON
 
     def graded(self, task: Task, state: str, seconds: float | None) -> None:

@@ -43,6 +43,7 @@ SECONDS = 1  # of CPU time, for those six, and later for each pair
 LIMITS = processes.Limits(cpu_seconds=900, wall_seconds=1800, memory=2 << 30, file_size=64 << 20)
 FOUND = re.compile(r"^(\d+)\.cpp consists for (\d+) % of (\d+)\.cpp material$", re.MULTILINE)
 ENDED = re.compile(r"^ended (\d+)\.cpp (\d+)\.cpp", re.MULTILINE)
+ALL_AT_ONCE = [PROGRAM, "-p", "-a", "-t", "10", "-r", RUN, "-T", "-i"]
 EACH_LINE = (  # compares the files named on a line with each other
     "while read -r files; do "
     f"(ulimit -t {SECONDS}; exec {PROGRAM} -p -ae -t 1 -r {RUN} -T $files) || echo ended $files; "
@@ -55,6 +56,8 @@ TOO_SLOW = "it repeats itself too much to be compared with others: look whether 
 
 @dataclass(frozen=True)
 class Pair:
+    """Two submissions that have much in common."""
+
     first: str  # a student's id
     second: str  # another's; or one of another year's
     share: int  # per cent, of the submission of which it is more
@@ -63,6 +66,8 @@ class Pair:
 
 @dataclass(frozen=True)
 class Similar:
+    """The near-copies of a class."""
+
     pairs: tuple[Pair, ...]
     usual: int  # per cent: the median share with the closest relative
     problem: str = ""  # why there is no result
@@ -187,7 +192,7 @@ def _alike(
         output = _by_line([[file] * WITH_ITSELF for file in files], folder, box)
         left_out |= {files.pop(file): TOO_SLOW for file, _ in ENDED.findall(output)}
         names = [f"{file}.cpp" for file in files]
-        relatives = _relatives(_sim([PROGRAM, *_all_at_once(), "-i"], names, folder, box))
+        relatives = _relatives(_sim(ALL_AT_ONCE, names, folder, box))
         output = _by_line(sorted(relatives), folder, box)
         left_out |= {files[file]: TOO_SLOW for pair in ENDED.findall(output) for file in pair}
         shares = _shares(output)
@@ -201,10 +206,6 @@ def _by_line(lines: Iterable[Iterable[str]], folder: Path, box: boxes.Box) -> st
     """The output of sim_c++ on the files of each line, compared with each other."""
     names = [" ".join(f"{file}.cpp" for file in line) for line in lines]
     return _sim(["/bin/sh", "-c", EACH_LINE], names, folder, box)
-
-
-def _all_at_once() -> list[str]:
-    return ["-p", "-a", "-t", "10", "-r", RUN, "-T"]
 
 
 def _sim(command: list[str], lines: list[str], folder: Path, box: boxes.Box) -> str:

@@ -10,6 +10,8 @@ SECONDS_BETWEEN_LINES = 15.0
 
 
 class Progress(Protocol):
+    """Counts the submissions that are done."""
+
     def advance(self) -> None:
         ...
 

@@ -63,10 +63,10 @@ def choose(out: Path, intake: Class, chosen: str) -> list[Student]:
     return students
 
 
-def _filter(words: str) -> Callable[[Summary], bool]:
-    kind, _, value = words.partition("=")
-    below = re.fullmatch(r"score<(\d+(?:\.\d+)?)", words)
-    if words == "all":
+def _filter(expression: str) -> Callable[[Summary], bool]:
+    kind, _, value = expression.partition("=")
+    below = re.fullmatch(r"score<(\d+(?:\.\d+)?)", expression)
+    if expression == "all":
         return lambda summary: True
     if below:
         limit = float(below[1])
@@ -78,7 +78,7 @@ def _filter(words: str) -> Callable[[Summary], bool]:
         )
     if kind == "status" and value:
         return lambda summary: value in {summary.state, *summary.statuses.values()}
-    raise UsageError(f"--regrade doesn't know {words!r}; it takes {KINDS}")
+    raise UsageError(f"--regrade doesn't know {expression!r}; it takes {KINDS}")
 
 
 def _summary(folder: Path, student: Student, stamp: Stamp) -> Summary:

@@ -11,6 +11,8 @@ from bounce_grader.classroom.work.unit import Outcome
 
 @dataclass(frozen=True)
 class Request:
+    """The arguments of ./kit class."""
+
     submissions: Path
     out: Path
     gradebook: Path | None = None

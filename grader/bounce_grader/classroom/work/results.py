@@ -68,12 +68,12 @@ def keys(folder: Path) -> set[str]:
 def stamp_of(folder: Path) -> Stamp | None:
     """The stamp of a folder's results; None if there are none yet."""
     try:
-        words = json.loads((folder / SET).read_bytes())
+        data = json.loads((folder / SET).read_bytes())
     except FileNotFoundError:
         return None
     except ValueError as error:
         raise UsageError(f"{folder / SET} is broken: choose another folder for --out") from error
-    return Stamp(words["kit"], words["fixtures"], words["options"])
+    return Stamp(data["kit"], data["fixtures"], data["options"])
 
 
 def begin(folder: Path, stamp: Stamp) -> None:

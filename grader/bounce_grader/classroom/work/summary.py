@@ -32,6 +32,8 @@ class Final:
 
 @dataclass(frozen=True)
 class Summary:
+    """What is known of one submission, graded or not: what the class's outputs are made of."""
+
     student: Student
     key: str
     state: str  # "graded", "unreadable", "failed" (the kit), or "waiting"

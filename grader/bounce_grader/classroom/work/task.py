@@ -39,10 +39,10 @@ class Task:
         return asdict(self)
 
 
-def from_json(words: dict[str, Any]) -> Task:
-    stamp = Stamp(**words["stamp"])
-    uploads = tuple(Upload(**upload) for upload in words["uploads"])
-    rest = {name: words[name] for name in words.keys() - {"stamp", "uploads"}}
+def from_json(data: dict[str, Any]) -> Task:
+    stamp = Stamp(**data["stamp"])
+    uploads = tuple(Upload(**upload) for upload in data["uploads"])
+    rest = {name: data[name] for name in data.keys() - {"stamp", "uploads"}}
     return Task(stamp=stamp, uploads=uploads, **rest)
 
 
@@ -58,19 +58,19 @@ def with_times(task: Task) -> Task:
 
 
 def _key(submission: str, stamp: Stamp, speed: bool) -> str:
-    words = [submission, stamp.kit, stamp.fixtures, stamp.options, *(["timed"] if speed else [])]
-    return hashlib.sha256("\0".join(words).encode()).hexdigest()
+    data = [submission, stamp.kit, stamp.fixtures, stamp.options, *(["timed"] if speed else [])]
+    return hashlib.sha256("\0".join(data).encode()).hexdigest()
 
 
 def digest(student: Student) -> str:
     """A digest of all that is used of a submission, or of the reason if it can't be read. Raises
     Damaged if the class's download is damaged."""
-    words: list[Any] = [os.path.isdir(student.path)]
+    data: list[Any] = [os.path.isdir(student.path)]
     try:
         taken = handed_in.read(student.path, student.uploads)
-        words += [taken.sha256, taken.parts, taken.refused, taken.ignored]
+        data += [taken.sha256, taken.parts, taken.refused, taken.ignored]
     except Damaged:
         raise
     except UsageError as error:
-        words.append(str(error).replace(str(student.path), ""))
-    return hashlib.sha256(repr(words).encode()).hexdigest()
+        data.append(str(error).replace(str(student.path), ""))
+    return hashlib.sha256(repr(data).encode()).hexdigest()
