@@ -48,7 +48,7 @@ Setting measure(const Method& method, double setting, StartsOfScene& starts) {
   const Starts& own = starts.at(method.has_step ? setting : kLargestStep);
   const double value = method.has_step ? own.grid().dt : setting;
   return {value, own.grid().samples, own.errors_of([&](const Scene& scene, const Grid& grid) {
-            return method.look(scene, value, grid.samples);
+            return method.simulate(scene, value, grid.samples);
           })};
 }
 

@@ -23,10 +23,12 @@ struct Method {
   std::string name, title;
   bool has_step;  // the setting is a time step, s; otherwise it is a tolerance
   std::vector<double> settings;
-  std::function<Samples(const Scene&, double setting, int samples)> look;
+  std::function<Samples(const Scene&, double setting, int samples)> simulate;
   std::vector<Limit> limits;
 
-  Samples run(const Scene& scene, double setting) const { return look(scene, setting, kSamples); }
+  Samples run(const Scene& scene, double setting) const {
+    return simulate(scene, setting, kSamples);
+  }
 };
 
 std::vector<Method> all_methods();

@@ -29,7 +29,7 @@ std::vector<Point> points_of(const Scene& scene, const std::vector<Method>& all)
 }
 
 Job job_of(const Scene& scene, const Method& method, double setting, int samples = kSamples) {
-  return {[&scene, &method, setting, samples] { method.look(scene, setting, samples); }};
+  return {[&scene, &method, setting, samples] { method.simulate(scene, setting, samples); }};
 }
 
 std::vector<const Point*> points_of_method(const std::vector<Point>& points,

@@ -333,9 +333,9 @@ Table rest_and_drift(const Scenes& scenes) {
     std::vector<Method> all = all_methods();
     Method sinking = all.front();
     sinking.name = "assignment_delta_0";
-    sinking.look = [look = sinking.look](Scene without, double dt, int samples) {
+    sinking.simulate = [simulate = sinking.simulate](Scene without, double dt, int samples) {
       without.params.delta = 0;
-      return look(without, dt, samples);
+      return simulate(without, dt, samples);
     };
     all.push_back(sinking);
     for (const Method& method : all) {
@@ -343,7 +343,7 @@ Table rest_and_drift(const Scenes& scenes) {
       for (const double setting : method.has_step ? steps : method.settings) {
         double height = 0, depth = 0, drift = 0;
         const int looks = method.has_step ? int(std::lround(scene.until / setting)) : 10'000;
-        for (const Motion<double>& s : method.look(scene, setting, looks)) {
+        for (const Motion<double>& s : method.simulate(scene, setting, looks)) {
           height = std::max(height, s.y - scene.start.q(1));
           depth = std::max(depth, scene.start.q(1) - s.y);
           drift = std::max(drift, std::abs(s.x - scene.start.q(0)));

@@ -71,7 +71,7 @@ Point point_of(const Method& method, const Scene& scene, double setting, StartsO
           at.error,
           method.has_step ? "dt_s" : "tolerance",
           [&method, &scene, at](long repeats) {
-            return time_of_all(repeats, [&] { method.look(scene, at.value, at.samples); });
+            return time_of_all(repeats, [&] { method.simulate(scene, at.value, at.samples); });
           }};
 }
 

@@ -5,22 +5,23 @@
 
 namespace bounce::check {
 
-// Every chosen part whose file compiles, with the earlier parts that it calls. Fills in
-// run.unbuilt, and leaves the first error of each file that doesn't compile. Throws Failure where
-// CMake itself fails.
+// Builds every chosen part whose file compiles, with the earlier parts that it calls. Fills in
+// run.unbuilt, and writes the first error of each file that doesn't compile to a file. Throws
+// Failure if CMake itself fails.
 void build_parts(Run& run);
 
-// These parts by themselves, with right answers for the earlier ones. Those that could be built.
+// Builds these parts by themselves, with right answers for the earlier ones. Returns those that
+// could be built.
 std::vector<const Part*> build_given(const Run& run, const std::vector<const Part*>& parts);
 
-// A program that writes a page: study or real. Whether it could be built.
+// Builds a program that writes a page, study or real. Returns whether it could be built.
 bool build_page_writer(const std::string& name);
 
 // The first error in a part's file, indented: file and line, and two lines more.
 std::string first_error_of(int part);
 
-// The compiler's warnings about the student's own files, of this build or an earlier one of what
-// didn't change since; one a line, by file and line.
+// The compiler's warnings about the student's own files, one a line, sorted by file and line. Those
+// about files that haven't changed are kept from earlier builds.
 std::vector<std::string> warnings();
 
 // A text that changes whenever a file in src/ or include/ does.

@@ -29,12 +29,12 @@ std::vector<Part> read_parts();
 // What one run of the checks is about, and what came out.
 struct Run {
   std::vector<Part> all;
-  std::vector<int> chosen;      // numbers of the parts to check
-  std::map<int, int> unbuilt;   // a part that wasn't built: by the part whose file has the error
-  std::set<int> unlinked;       // those that compile, but don't link
-  std::set<int> given;          // parts whose result is that with right earlier parts
-  bool sanitized = false;       // whether the parts are built with sanitizers
-  int score = 0, possible = 0;  // of the chosen parts
+  std::vector<int> chosen;             // numbers of the parts to check
+  std::map<int, int> unbuilt;          // part that wasn't built -> part whose file has the error
+  std::set<int> unlinked;              // those that compile, but don't link
+  std::set<int> given;                 // parts whose better result is that with right earlier parts
+  bool sanitized = false;              // whether the parts are built with sanitizers
+  int score = 0, possible = 0;         // of the chosen parts
   const Part* first_part = nullptr;    // where the first thing to do is, if there is one
   const Check* first_check = nullptr;  // null where that part isn't built
 

@@ -29,14 +29,14 @@ Points points(const std::vector<Run>& runs, const Of& of) {
 }
 
 std::string charts_of(const Scene& scene, const Both& runs) {
-  const auto over_time = [](const Run& r) { return std::pair(r.kernels, r.error); };
+  const auto over_time = [](const Run& r) { return std::pair(r.lcp_calls, r.error); };
   const auto over_step = [](const Run& r) { return std::pair(r.dt, r.error); };
   std::vector<Line> times{
       {std::string(kYours) + ", delta fixed", points(runs.fixed, over_time), true},
       {std::string(kYours) + ", delta in proportion to dt", points(runs.scaled, over_time), true}};
   for (const Method& method : scene.others) {
     Points reached;
-    for (const Reached& r : method.reached) reached.emplace_back(r.kernels, r.error);
+    for (const Reached& r : method.reached) reached.emplace_back(r.lcp_calls, r.error);
     times.push_back({method.name, reached, false});
   }
   const std::vector<Line> steps{
@@ -73,18 +73,18 @@ std::string stability(const Scene& scene, const std::vector<Run>& fixed) {
 }
 
 std::string study(const std::vector<Scene>& scenes, bool is_wrong) {
-  const double kernel = kernel_seconds();
+  const double one_lcp = lcp_seconds();
   std::string body, last;
   for (const Scene& scene : scenes) {
     if (scene.truth.empty()) continue;
     std::cout << "  " << scene.title << std::endl;
-    const Both both{runs(scene, Lift::fixed, kernel), runs(scene, Lift::scaled, kernel)};
+    const Both both{runs(scene, Lift::fixed, one_lcp), runs(scene, Lift::scaled, one_lcp)};
     body += charts_of(scene, both);
     if (&scene == &scenes.front()) last = stability(scene, both.fixed);
   }
   body += last;
   char cost[80];
-  std::snprintf(cost, sizeof cost, "%.0f ns here", kernel * 1e9);
+  std::snprintf(cost, sizeof cost, "%.0f ns here", one_lcp * 1e9);
   return page(
       "Your program: speed, accuracy, stability",
       is_wrong ? "Some checks fail. The charts show your program as it is; mend what ./check "

@@ -52,7 +52,7 @@ double seconds_of(const Act& act) {
 }
 
 // The step is fitted so that a whole number of them makes up the time between two samples.
-Run run(const Scene& scene, double wanted, Lift lift, double kernel) {
+Run run(const Scene& scene, double wanted, Lift lift, double one_lcp) {
   const double between = scene.truth.front().t;
   const auto n = static_cast<Eigen::Index>(std::max(1.0, std::round(between / wanted)));
   const auto samples = static_cast<Eigen::Index>(scene.truth.size());
@@ -61,7 +61,7 @@ Run run(const Scene& scene, double wanted, Lift lift, double kernel) {
   const auto [q_0, v_0] = scene.start;
   Trajectory trajectory;
   const double took = seconds_of([&, q = q_0, v = v_0] { trajectory = simulate(q, v, params); });
-  Run result{dt, kInfinity, took / scene.truth.back().t / kernel, 0};
+  Run result{dt, kInfinity, took / scene.truth.back().t / one_lcp, 0};
   if (!is_usable(trajectory, params)) return result;
   result.error = 0;
   for (Eigen::Index k = 0; k < samples; ++k) {
@@ -80,15 +80,15 @@ double energy_of(const Vector3& q, const Vector3& v, const Parameters& params) {
 
 }  // namespace
 
-std::vector<Run> runs(const Scene& scene, Lift lift, double kernel) {
+std::vector<Run> runs(const Scene& scene, Lift lift, double one_lcp) {
   std::vector<Run> all;
   for (const double dt : {2e-2, 1e-2, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1e-4, 5e-5, 2e-5, 1e-5}) {
-    all.push_back(run(scene, dt, lift, kernel));
+    all.push_back(run(scene, dt, lift, one_lcp));
   }
   return all;
 }
 
-double kernel_seconds() {
+double lcp_seconds() {
   Eigen::Matrix4d V;
   V << 0.0551012, 0.0412668, -0.0412668, 0, 0.0412668, 0.111565, -0.111565, 1, -0.0412668,
       -0.111565, 0.111565, 1, 0.3, -1, -1, 0;

@@ -11,17 +11,17 @@ enum class Lift { fixed, scaled };
 // One run of a scene. `error` is the largest distance to the truth over the samples, an angle
 // counted as the way of a corner; infinite where the trajectory isn't finite or has another size.
 struct Run {
-  double dt;       // s
-  double error;    // m
-  double kernels;  // time for a simulated second, in calls of the kernel
-  double depth;    // how far the lowest corner was below the ground, m
+  double dt;         // s
+  double error;      // m
+  double lcp_calls;  // time for a simulated second, in calls of solve_lcp
+  double depth;      // how far the lowest corner was below the ground, m
 };
 
-// From dt = 0.02 s to 1e-5 s.
-std::vector<Run> runs(const Scene& scene, Lift lift, double kernel_seconds);
+// From dt = 0.02 s to 1e-5 s. `one_lcp` is the time of one call of solve_lcp, s.
+std::vector<Run> runs(const Scene& scene, Lift lift, double one_lcp);
 
 // The time of one call of solve_lcp with the handout's worked example, s.
-double kernel_seconds();
+double lcp_seconds();
 
 struct Energy {
   std::vector<double> t, share;  // s; of the energy at the start

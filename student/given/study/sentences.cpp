@@ -22,10 +22,10 @@ const Run& best(const std::vector<Run>& runs) {
 }
 
 // The least error of a method in no more than this time.
-std::optional<Reached> within(const Method& method, double kernels) {
+std::optional<Reached> within(const Method& method, double lcp_calls) {
   std::optional<Reached> least;
   for (const Reached& r : method.reached) {
-    if (r.kernels <= kernels && (!least || r.error < least->error)) least = r;
+    if (r.lcp_calls <= lcp_calls && (!least || r.error < least->error)) least = r;
   }
   return least;
 }
@@ -79,7 +79,7 @@ std::string of_time(const Scene& scene, const Both& runs) {
                      length(mine.error) + ", with dt = " + number(mine.dt) + " s.";
   for (const Method& method : scene.others) {
     if (method.name.rfind("assignment", 0) == 0) continue;
-    const auto reached = within(method, mine.kernels);
+    const auto reached = within(method, mine.lcp_calls);
     text += reached
                 ? " In no more time the " + method.name + " reaches " + length(reached->error) + "."
                 : " The " + method.name + " takes more time than that with each of its steps.";

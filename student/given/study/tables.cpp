@@ -30,7 +30,7 @@ Sample read_sample(std::istringstream& line) {
 
 Method read_method(std::istringstream& line) {
   Method method;
-  for (Reached r{}; line >> r.kernels >> r.error;) method.reached.push_back(r);
+  for (Reached r{}; line >> r.lcp_calls >> r.error;) method.reached.push_back(r);
   line.clear();
   std::getline(line >> std::ws, method.name);
   return method;

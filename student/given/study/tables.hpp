@@ -14,10 +14,10 @@ struct Sample {
   Vector3 q;  // m, m, rad
 };
 
-// What a method reached in a scene. The time is for a simulated second, in calls of the kernel
-// (kernel_seconds in measure.hpp), so that it holds on every machine.
+// What a method reached in a scene. The time is for a simulated second, in calls of solve_lcp
+// (lcp_seconds in measure.hpp), so that it holds on every machine.
 struct Reached {
-  double kernels, error;  // error in m
+  double lcp_calls, error;  // error in m
 };
 
 struct Method {

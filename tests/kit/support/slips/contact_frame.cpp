@@ -62,7 +62,7 @@ double height(const Vector3& q, const Pair& r, const Parameters& params) {
 }
 
 Contact touching(const Vector3& q, const Parameters& given) {
-  const Parameters params = seen(given, "l");
+  const Parameters params = with_parameter_slips(given, "l");
   const double half = slip("half diagonal is l")       ? params.l / std::sqrt(2)
                       : slip("half diagonal is l / 2") ? params.l / std::sqrt(8)
                                                        : params.l / 2;
@@ -151,7 +151,7 @@ Eigen::Vector4d rates(const Jacobian& J, const Vector3& v, const Parameters& P) 
 }
 
 Lcp form(const Jacobian& J, const Vector3& v, const Parameters& given) {
-  const Parameters P = seen(given, "lmuegd");
+  const Parameters P = with_parameter_slips(given, "lmuegd");
   return {responses(J, P), rates(J, v, P)};
 }
 
@@ -239,7 +239,7 @@ State one_step(const Vector3& q, const Vector3& v, const Parameters& P) {
 }
 
 State stepped(const Vector3& q, const Vector3& v, const Parameters& given) {
-  Parameters P = seen(given, "lmuegdD");
+  Parameters P = with_parameter_slips(given, "lmuegdD");
   State s = slip("step(v, q)") ? State{v, q} : State{q, v};
   const int substeps = slip("two substeps of dt/2") ? 2 : 1;
   P.dt /= substeps;
@@ -274,7 +274,7 @@ State next_column(int column, const State& now, const State& first, const Parame
 }
 
 Trajectory filmed(const Vector3& q_0, const Vector3& v_0, const Parameters& given) {
-  const Parameters P = seen(given, "TlmuegdD");
+  const Parameters P = with_parameter_slips(given, "TlmuegdD");
   State first{q_0, v_0};
   const bool all = slip("the assignment's q_0 and v_0 written down");
   if (all || slip("the assignment's q_0 written down")) first.q = Vector3(0, 1.5, pi / 6);

@@ -140,7 +140,7 @@ Contact in_body(const Vector3& q, const Parameters& p, double rx, double ry, dou
 }
 
 Contact loop(const Vector3& q, const Parameters& given) {
-  const Parameters params = seen(given, "l");
+  const Parameters params = with_parameter_slips(given, "l");
   const auto R = rotation(angle(q));
   std::array<int, 4> order{0, 1, 2, 3};
   if (slip("corners in another order, one left out")) order = {2, 1, 0, 0};
@@ -197,7 +197,7 @@ Contact loop(const Vector3& q, const Parameters& given) {
 }
 
 Contact written(const Vector3& q, const Parameters& given) {
-  const Parameters params = seen(given, "l");
+  const Parameters params = with_parameter_slips(given, "l");
   const double theta = angle(q), h = params.l / 2, c = std::cos(theta), s = std::sin(theta);
   double x[4], y[4];
   for (int k = 0; k < 4; ++k) {
@@ -245,7 +245,7 @@ Contact written(const Vector3& q, const Parameters& given) {
 }
 
 Contact matrix(const Vector3& q, const Parameters& given) {
-  const Parameters params = seen(given, "l");
+  const Parameters params = with_parameter_slips(given, "l");
   const auto r = rotation(angle(q));
   Eigen::Matrix2d R;
   R << r.a, r.b, r.c, r.d;
@@ -270,7 +270,7 @@ Contact matrix(const Vector3& q, const Parameters& given) {
 }
 
 Contact complex_numbers(const Vector3& q, const Parameters& given) {
-  const Parameters params = seen(given, "l");
+  const Parameters params = with_parameter_slips(given, "l");
   using C = std::complex<double>;
   double theta = angle(q);
   double radius = params.l / std::sqrt(2.0), offset = pi / 4;
@@ -303,7 +303,7 @@ Contact complex_numbers(const Vector3& q, const Parameters& given) {
 }
 
 Contact closed(const Vector3& q, const Parameters& given) {
-  const Parameters params = seen(given, "l");
+  const Parameters params = with_parameter_slips(given, "l");
   const double theta = angle(q), h = params.l / 2;
   double c = std::cos(theta), s = std::sin(theta);
   double quarter = pi / 2;

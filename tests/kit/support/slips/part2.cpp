@@ -156,7 +156,7 @@ Blocks blocks(const Jacobian& J, const Vector3& v, const Vector3& a) {
 }
 
 Lcp matrix(const Jacobian& J, const Vector3& v, const Parameters& given) {
-  const Parameters P = seen(given, names);
+  const Parameters P = with_parameter_slips(given, names);
   const Vector3 M = inertia(P);
   Eigen::Matrix3d H;
   H << J.col(1), -J.col(0), J.col(0);
@@ -187,7 +187,7 @@ Lcp matrix(const Jacobian& J, const Vector3& v, const Parameters& given) {
 }
 
 Lcp written(const Jacobian& J, const Vector3& v, const Parameters& given) {
-  const Parameters P = seen(given, names);
+  const Parameters P = with_parameter_slips(given, names);
   const Vector3 M = inertia(P), w = inverse_in_V(M);
   Vector3 t = J.col(0), n = J.col(1);
   if (slip("J_t and J_n exchanged")) std::swap(t, n);
@@ -225,7 +225,7 @@ Lcp written(const Jacobian& J, const Vector3& v, const Parameters& given) {
 }
 
 Lcp loops(const Jacobian& J, const Vector3& v, const Parameters& given) {
-  const Parameters P = seen(given, names);
+  const Parameters P = with_parameter_slips(given, names);
   const Vector3 M = inertia(P), w = inverse_in_V(M), a = acceleration(M, P);
   double d[3][3];
   for (int i = 0; i < 3; ++i) {

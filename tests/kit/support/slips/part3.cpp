@@ -107,7 +107,7 @@ Vector3 gravity(const Vector3& M, const Parameters& P) {
 
 State general(const Vector3& q_given, const Vector3& v_given, const Parameters& given, bool cases,
               bool impulses) {
-  const Parameters P = seen(given, names);
+  const Parameters P = with_parameter_slips(given, names);
   Vector3 q = q_given, v = v_given;
   if (slip("step(v, q)")) std::swap(q, v);
   if (slip("theta wrapped to 2 pi")) q(2) = std::fmod(q(2), 2 * std::numbers::pi);
@@ -296,7 +296,7 @@ State helper_step(const Vector3& q, const Vector3& v, const Parameters& P) {
 }
 
 Trajectory part4(const Vector3& q_given, const Vector3& v_given, const Parameters& given) {
-  const Parameters P = seen(given, "TlmuegdD");
+  const Parameters P = with_parameter_slips(given, "TlmuegdD");
   Vector3 q_0 = q_given, v_0 = v_given;
   if (slip("the assignment's q_0 and v_0 written down")) {
     q_0 = Vector3(0, 1.5, std::numbers::pi / 6);

@@ -29,8 +29,10 @@ inline double pick(std::string_view name, double wrong, double right) {
   return slip(name) ? wrong : right;
 }
 
-// What is the same slip in every part: where the parameters come from.
-inline Parameters seen(const Parameters& given, std::string_view names) {
+// The parameters as a part sees them that gets some of them from elsewhere: slips that every part
+// may have. `names` has a letter for each that the part uses: l, m, u (mu), e (epsilon), g, d (dt),
+// D (delta), T.
+inline Parameters with_parameter_slips(const Parameters& given, std::string_view names) {
   Parameters p = given;
   const auto has = [&](char letter) { return names.find(letter) != names.npos; };
   if (slip("all constants at the top")) {
