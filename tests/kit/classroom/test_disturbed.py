@@ -4,31 +4,17 @@ import os
 import random
 import signal
 import subprocess
-import sys
 import tempfile
 import time
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
 
 import pytest
 from bounce_grader.classroom.work import grading, log, results
 from bounce_grader.common.errors import KitError, UsageError
 from classes import COLUMN, book, column, download, grade_class, graded, points_of
-from conftest import ROOT
+from stand_in import started
 from waiting import wait_for
-
-STAND_IN = ROOT / "tests" / "kit" / "support" / "stand_in.py"
-
-
-def started(source: Path, out: Path, seconds: float = 0.0) -> Any:
-    environment = {**os.environ, "PYTHONPATH": f"{ROOT / 'grader'}:{ROOT / 'tests/kit/support'}"}
-    # If the tests run in the background, Ctrl-C may be ignored, and children would inherit that.
-    command = ["env", "--default-signal=INT", sys.executable]
-    command += [str(STAND_IN), str(source), str(out), str(seconds)]
-    return subprocess.Popen(
-        command, env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
-    )
 
 
 @pytest.fixture
@@ -67,10 +53,10 @@ def test_ctrl_c_stops_and_says_how_to_go_on(
 ) -> None:
     source, out = download(tmp_path / "x.zip", users), tmp_path / "out"
     monkeypatch.setenv("TMPDIR", str(short_folder))
-    process = started(source, out, seconds=2)
-    wait_for(lambda: len(results.keys(out / "results")) >= 2)
-    process.send_signal(signal.SIGINT)
-    _, said = process.communicate(timeout=30)
+    with started(source, out, seconds=2) as process:
+        wait_for(lambda: len(results.keys(out / "results")) >= 2)
+        process.send_signal(signal.SIGINT)
+        _, said = process.communicate(timeout=30)
     assert process.returncode != 0
     assert "of 10 submissions are graded and kept. Run the same command again to go on." in said
     assert not [left for left in short_folder.iterdir() if left.name.startswith("bounce-")]
@@ -83,10 +69,8 @@ def test_ctrl_c_stops_and_says_how_to_go_on(
 def test_gradings_end_with_the_class(tmp_path: Path, users: list[int]) -> None:
     """If the class is killed, no grading goes on."""
     source, out = download(tmp_path / "x.zip", users), tmp_path / "out"
-    process = started(source, out, seconds=2.0)
-    wait_for(lambda: len(results.keys(out / "results")) >= 1)
-    process.kill()
-    process.communicate()
+    with started(source, out, seconds=2.0):
+        wait_for(lambda: len(results.keys(out / "results")) >= 1)
     there = results.keys(out / "results")
     time.sleep(3.0)
     assert results.keys(out / "results") == there
@@ -108,10 +92,8 @@ def test_survives_being_killed_at_any_moment(tmp_path: Path, number: int, kills:
     out = tmp_path / "out"
     known: set[str] = set()
     for _ in range(kills):
-        process = started(source, out, seconds=0.02)
-        time.sleep(chance.uniform(0.05, 1.5))
-        process.kill()
-        process.communicate()
+        with started(source, out, seconds=0.02):
+            time.sleep(chance.uniform(0.05, 1.5))
         there = results.keys(out / "results")
         assert known <= there
         known = {key for key in there if results.load(out / "results", key)}

@@ -9,6 +9,7 @@ import time
 import zipfile
 from collections.abc import Iterator
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from shutil import which
 
@@ -16,7 +17,15 @@ import classes
 import pytest
 import stand_in
 from bounce_grader.classroom import run
-from bounce_grader.classroom.work import engine_local, engine_slurm, results
+from bounce_grader.classroom.intake import students
+from bounce_grader.classroom.work import (
+    engine_dask,
+    engine_local,
+    engine_slurm,
+    results,
+    task,
+    unit,
+)
 from bounce_grader.classroom.work.request import Request
 from bounce_grader.common.errors import KitError, UsageError
 from bounce_grader.submission.submission import Submission
@@ -52,22 +61,64 @@ def same(out: Path, source: Path, tmp_path: Path) -> bool:
 def test_dask_survives_workers_that_are_killed(cluster: Cluster, tmp_path: Path) -> None:
     source, out = download(tmp_path / "x.zip", 40), tmp_path / "out"
     first, second = cluster.worker(), cluster.worker()
-    dask = {"engine": "dask", "scheduler": cluster.address}
-    child = os.fork()
-    if child == 0:  # runs the class, so that the parent can kill workers meanwhile
-        os._exit(run.run(stand_in.request(source, out, 0.2, **dask)))
-    chance = random.Random(1)
-    for worker in (first, second):
-        there = len(results.keys(out / "results")) if out.exists() else 0
-        wait_for(lambda: out.exists() and len(results.keys(out / "results")) >= there + 4)
-        time.sleep(chance.uniform(0, 0.2))
-        worker.send_signal(signal.SIGKILL)
-        cluster.worker()
-    _, status = os.waitpid(child, 0)
-    assert os.waitstatus_to_exitcode(status) == 0
+    with stand_in.started(source, out, 0.2, cluster.address) as the_class:
+        chance = random.Random(1)
+        for worker in (first, second):
+            there = len(results.keys(out / "results")) if out.exists() else 0
+            wait_for(lambda: out.exists() and len(results.keys(out / "results")) >= there + 4)
+            time.sleep(chance.uniform(0, 0.2))
+            worker.send_signal(signal.SIGKILL)
+            cluster.worker()
+        _, said = the_class.communicate()
+    assert the_class.returncode == 0, said
     assert same(out, source, tmp_path)
     graded = classes.graded(out)
     assert len(graded) == len(set(graded)) == 40
+
+
+@needs_dask
+@pytest.mark.slow
+def test_dask_does_again_what_a_worker_took_with_it(cluster: Cluster, tmp_path: Path) -> None:
+    """A worker may die between the end of a grading and the collection of its outcome."""
+    from distributed import Client
+
+    worker = cluster.worker()
+    asked = stand_in.request(download(tmp_path / "x.zip", 3), tmp_path / "out")
+    tasks = [
+        task.task_of(student, results.stamp_now(False), tmp_path / "r", True, False)
+        for student in students.read(asked.submissions).students
+    ]
+    outcomes = engine_dask.run(tasks, cluster.address, asked.unit)
+    collected = [next(outcomes)]
+    with Client(cluster.address, set_as_default=False) as observer:
+        wait_for(lambda: sum(map(len, observer.has_what().values())) == 3)
+        worker.kill()
+        wait_for(lambda: not observer.has_what())
+    cluster.worker()
+    collected += outcomes
+    assert sorted(of.key for of, _ in collected) == sorted(of.key for of in tasks)
+    assert {outcome.state for _, outcome in collected} == {"graded"}
+
+
+@needs_dask
+@pytest.mark.slow
+def test_dask_goes_on_if_a_worker_dies_when_it_is_asked_for_the_kit(
+    cluster: Cluster, tmp_path: Path
+) -> None:
+    from distributed import Client
+
+    worker = cluster.worker()
+    with Client(cluster.address, set_as_default=False) as client:
+        client.wait_for_workers(1, timeout=60)
+    worker.send_signal(signal.SIGSTOP)
+    source, out = download(tmp_path / "x.zip", 3), tmp_path / "out"
+    with stand_in.started(source, out, 0.0, cluster.address) as the_class:
+        time.sleep(2.0)  # it waits for the worker's answer; if it isn't so far yet, none is asked
+        worker.kill()
+        cluster.worker()
+        _, said = the_class.communicate()
+    assert the_class.returncode == 0, said
+    assert len(classes.graded(out)) == 3
 
 
 @needs_dask
@@ -198,11 +249,6 @@ def test_a_real_slurm_grades_the_class_and_collects(slurm_node: Path, tmp_path: 
 
 def test_an_unknown_failure_of_a_unit_is_the_kits(tmp_path: Path) -> None:
     """It isn't the student's fault: no result is stored."""
-    from functools import partial
-
-    from bounce_grader.classroom.intake import students
-    from bounce_grader.classroom.work import task, unit
-
     (student,) = students.read(download(tmp_path / "x.zip", 1)).students
     made = task.task_of(student, results.stamp_now(False), tmp_path / "r", True, False)
 

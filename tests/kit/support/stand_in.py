@@ -1,13 +1,17 @@
 """A quick stand-in for grading, for tests of the process around it: the points of a submission
 follow from its bytes.
 
-As a program it grades a class: stand_in.py SUBMISSIONS OUT [SECONDS OF EACH GRADING].
+As a program it grades a class:
+stand_in.py SUBMISSIONS OUT SECONDS_OF_EACH_GRADING [DASK_SCHEDULER]
 """
 
 import multiprocessing
 import os
+import subprocess
 import sys
 import time
+from collections.abc import Iterator
+from contextlib import contextmanager
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -111,6 +115,25 @@ def request(submissions: Path, out: Path, seconds: float = 0.0, **more: Any) -> 
     return Request(submissions, out, jobs=2, unit=worker, **more)
 
 
+@contextmanager
+def started(
+    source: Path, out: Path, seconds: float = 0.0, scheduler: str = ""
+) -> Iterator["subprocess.Popen[str]"]:
+    """Grades a class in a process of its own, which can be stopped and ends with the test."""
+    environment = {**os.environ, "PYTHONPATH": f"{ROOT / 'grader'}:{Path(__file__).parent}"}
+    # If the tests run in the background, Ctrl-C may be ignored, and children would inherit that.
+    command = ["env", "--default-signal=INT", sys.executable, __file__]
+    command += [str(source), str(out), str(seconds), *([scheduler] if scheduler else [])]
+    pipe = subprocess.PIPE
+    with subprocess.Popen(command, env=environment, stdout=pipe, stderr=pipe, text=True) as process:
+        try:
+            yield process
+        finally:
+            process.kill()
+            process.communicate()  # its gradings have ended, too
+
+
 if __name__ == "__main__":
-    pause = float(sys.argv[3]) if len(sys.argv) > 3 else 0.0
-    sys.exit(run(request(Path(sys.argv[1]), Path(sys.argv[2]), pause)))
+    submissions, results, pause, *cluster = sys.argv[1:]
+    more = {"engine": "dask", "scheduler": cluster[0]} if cluster else {}
+    sys.exit(run(request(Path(submissions), Path(results), float(pause), **more)))

@@ -59,19 +59,16 @@ def _client(scheduler: str) -> Any:
 
 
 def _require_the_kit(client: Any) -> None:
-    """Raises UsageError if workers can't import the unit: they would fail on every submission."""
-    try:
-        importable = client.run(_try_import)
-    except (OSError, CancelledError):
-        raise
-    except Exception as error:  # Dask raises its own kind if a worker can't unpickle
-        if "bounce_grader" not in repr(error):
-            raise
+    """Raises UsageError if a worker can't import the unit: it would fail on every submission. A
+    worker that dies meanwhile isn't missed."""
+    answers = client.run(_try_import, on_error="return").values()
+    errors = [repr(answer) for answer in answers if isinstance(answer, Exception)]
+    if any("bounce_grader" in error for error in errors):
         raise UsageError(
             "the Dask workers don't find the kit: start them with PYTHONPATH=KIT/grader, where KIT "
             "is this folder under the same path"
-        ) from error
-    if not importable:
+        )
+    if not answers:
         print("kit: the Dask scheduler has no workers yet; waiting for them", file=sys.stderr)
 
 
@@ -82,8 +79,8 @@ def _try_import() -> str:
 
 
 def _outcome(task: Task, future: Any) -> Outcome:
-    if future.status in ("cancelled", "lost"):
-        raise KitError(LOST)
+    """Waits for a task whose worker died after it was done: Dask does it again. Raises
+    CancelledError if the scheduler is lost."""
     error = future.exception()
     if error is None:
         outcome: Outcome = future.result()
