@@ -2,11 +2,11 @@
 """Grades a submission on Classroom 50 by the public cases, and writes its result.json.
 
 Put it with the handout's zip, as bounce.zip, into CLASSROOM/autograders/ASSIGNMENT/ of the
-classroom50 repository. That folder is published: the handout holds nothing that students don't have.
-The hidden cases are graded by ./kit class, or on a runner of the course's own.
+classroom50 repository. That folder is published: the handout holds nothing that students don't
+have. The hidden cases are graded by ./kit class, or on a runner of the course's own.
 
-The tests run in one process with the submission, without a box: a student who wants to can write any
-result. It is for practice; the points that count come from ./kit class.
+The tests run in one process with the submission, without a box: a student who wants to can write
+any result. It is for practice; the points that count come from ./kit class.
 """
 
 import contextlib

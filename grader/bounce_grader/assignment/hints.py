@@ -1,4 +1,4 @@
-"""Finds the heading in the student's hints that belongs to a check, and the first stage below it."""
+"""Finds a check's heading in the student's hints, and the first stage below it."""
 
 import re
 from functools import cache

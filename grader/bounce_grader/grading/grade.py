@@ -174,9 +174,9 @@ class _Grading:
         )
 
     def _could_be_better(self, part: Part) -> bool:
-        """Whether the part might score more when it is linked alone, where neither earlier parts nor
-        static initializers of other files can harm it. If another part answered in the same runner,
-        a static initializer can't be why this part hung."""
+        """Whether the part might score more when it is linked alone, where neither earlier parts
+        nor static initializers of other files can harm it. If another part answered in the same
+        runner, a static initializer can't be why this part hung."""
         if part not in self.own:
             return True
         own = self.own[part]

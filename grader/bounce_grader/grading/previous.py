@@ -38,8 +38,8 @@ def compared(record: Record, before: Previous | None) -> Record:
 
 
 def read(path: Path) -> Previous | None:
-    """Reads the previous record; or Gradescope's submission_metadata.json, where the newest previous
-    submission with a result counts. None if that file has no result. Raises UsageError."""
+    """Reads the previous record; or Gradescope's submission_metadata.json, where the newest
+    previous submission with a result counts. None if that file has no result. Raises UsageError."""
     try:
         data = json.loads(path.read_text("utf-8"))
         if "previous_submissions" in data:

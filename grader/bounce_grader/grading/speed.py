@@ -91,9 +91,9 @@ def _error(x: object) -> float | None:
 
 
 def _step(measured: Measured) -> Measured:
-    """Nanoseconds per step over all scenes, and the ratio to the solution's. Empty if a scene wasn't
-    timed. Empty also if the ratio is too small to be true: such a program may have replaced the
-    functions that hand over its answers."""
+    """Nanoseconds per step over all scenes, and the ratio to the solution's. Empty if a scene
+    wasn't timed. Empty also if the ratio is too small to be true: such a program may have replaced
+    the functions that hand over its answers."""
     mine, solution = curve(measured, "submission"), curve(measured, "solution")
     both = [pair for pair in zip(mine, solution) if pair[0].dt >= STEP]
     if not both:

@@ -52,8 +52,8 @@ class Box(NamedTuple):
         cwd: Path | None = None,
         output: Path | None = None,
     ) -> processes.Result:
-        """Runs a command that to_run, to_run_sanitized or to_build made, or a program that runs such
-        commands itself. Raises Overrun if the grading has used up its time."""
+        """Runs a command that to_run, to_run_sanitized or to_build made, or a program that runs
+        such commands itself. Raises Overrun if the grading has used up its time."""
         with self.budget.within(limits) as lower:
             result = processes.run(command, lower, cwd=cwd, output=output)
             if result.stopped:
@@ -64,8 +64,8 @@ class Box(NamedTuple):
 
     def to_run(self, program: Path) -> list[str]:
         """The command that runs a statically linked program. The program sees only its own file,
-        read-only, and in the full box an empty folder in memory, in which it begins; and it may make
-        only the system calls that the filter allows."""
+        read-only, and in the full box an empty folder in memory, in which it begins; and it may
+        make only the system calls that the filter allows."""
         if self.kind == "none":
             return [str(program)]
         if self.kind == "reduced":

@@ -18,8 +18,8 @@ SPARE = 5  # CPU seconds that a process may get less than it asks for, rather th
 
 
 class Shares:
-    """CPU seconds that concurrent processes share: each takes as many as it may need, and gives them
-    back when it has ended. `left` says how many are left."""
+    """CPU seconds that concurrent processes share: each takes as many as it may need, and gives
+    them back when it has ended. `left` says how many are left."""
 
     def __init__(self, left: Callable[[], float]) -> None:
         self._left = left

@@ -117,8 +117,8 @@ def run(
 
 
 def _in_memory(data: bytes) -> int:
-    """A file in memory with these bytes. Unlike a pipe it has room for all of them, so that we never
-    wait for a process that waits for us. The process that gets it can't change it."""
+    """A file in memory with these bytes. Unlike a pipe it has room for all of them, so that we
+    never wait for a process that waits for us. The process that gets it can't change it."""
     descriptor = os.memfd_create("stdin", os.MFD_CLOEXEC | os.MFD_ALLOW_SEALING)
     with open(descriptor, "wb", closefd=False) as file:
         file.write(data)

@@ -1,4 +1,4 @@
-"""Which archives are opened, what kind a file's first bytes show, and what is said of the others."""
+"""Which archives are opened, what is said of others, and what kind a file's first bytes show."""
 
 from pathlib import PurePosixPath
 

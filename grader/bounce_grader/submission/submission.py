@@ -130,8 +130,8 @@ def take(path: Path, entries: list[Entry]) -> Submission:
 
 
 def _is_test(name: str, text: bytes) -> bool:
-    """Whether a file is a GoogleTest test. It couldn't be linked, because runners are linked without
-    GoogleTest, and no part could be linked with it."""
+    """Whether a file is a GoogleTest test. It couldn't be linked, because runners are linked
+    without GoogleTest, and no part could be linked with it."""
     is_source = PurePosixPath(name).suffix.lower() in SOURCES
     return is_source and bool(INCLUDES_GTEST.search(text) and HAS_A_TEST.search(text))
 

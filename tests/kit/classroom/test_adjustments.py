@@ -1,5 +1,5 @@
-"""What an instructor writes by hand: adjustments, lateness, whose a submission is. It changes points
-after the grading, and never records."""
+"""What an instructor writes by hand: adjustments, lateness, whose a submission is. It changes
+points after the grading, and never records."""
 
 import csv
 import html

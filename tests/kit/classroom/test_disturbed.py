@@ -84,7 +84,7 @@ def test_gradings_end_with_the_class(tmp_path: Path, users: list[int]) -> None:
     ],
 )
 def test_survives_being_killed_at_any_moment(tmp_path: Path, number: int, kills: int) -> None:
-    """No result is lost, none is there twice, none half, and the grade book is as if undisturbed."""
+    """No result is lost, half or there twice, and the grade book is as if undisturbed."""
     users = list(range(101, 101 + number))
     source = download(tmp_path / "x.zip", users)
     export = book(tmp_path / "export.csv", users)

@@ -1,6 +1,6 @@
-"""A term, week by week: first hand-ins, late ones, corrections by hand, a copy, a group, new weights,
-appeals, and in the end the answers. At each stage the grade book is the right one, worked out here
-without the class."""
+"""A term, week by week: first hand-ins, late ones, corrections by hand, a copy, a group, new
+weights, appeals, and in the end the answers. At each stage the grade book is the right one, worked
+out here without the class."""
 
 import csv
 import io
@@ -52,7 +52,7 @@ class Term:
         return float(stand_in.record_of(submission.read(folder))["score"])
 
     def run(self, **more: object) -> dict[str, str]:
-        """Canvas's export has what was imported last; its new import is what a run has filled in."""
+        """Canvas's export has what was imported last; its import is what a run has filled in."""
         export = io.StringIO()
         writer = csv.writer(export)
         writer.writerow(["Student", "ID", "SIS Login ID", "Section", COLUMN])

@@ -164,8 +164,8 @@ def test_a_students_files_stay_apart_from_the_kit_on_gitlab(tmp_path: Path) -> N
 
 
 def test_what_would_open_a_job_on_gitlab_to_its_developer_is_named() -> None:
-    """Variables of a pipeline come before the job's own: with another KIT, its token goes elsewhere.
-    A terminal has them all."""
+    """Variables of a pipeline come before the job's own: with another KIT, its token goes
+    elsewhere. A terminal has them all."""
     flow = (ROOT / "docs" / "workflows" / "gitlab.yml").read_text()
     assert "ci_pipeline_variables_minimum_override_role=no_one_allowed" in flow
     for text in (flow.replace('"', "*"), PAGE):

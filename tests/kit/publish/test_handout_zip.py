@@ -1,4 +1,4 @@
-"""The handout's zip: the same bytes each time, all that a student needs, and nothing of a teacher's."""
+"""The handout's zip: the same bytes each time, all that a student needs, and nothing of teachers."""
 
 import io
 import json

@@ -1,5 +1,5 @@
-"""What hostile submissions must never do with processes and time: leave one behind, or cost more than
-a part may have."""
+"""What hostile submissions must never do with processes and time: leave one behind, or cost more
+than a part may have."""
 
 import contextlib
 import os

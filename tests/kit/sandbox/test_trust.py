@@ -77,6 +77,6 @@ def test_every_row_says_who_and_what_for() -> None:
 
 
 def test_what_is_kept_is_named_by_all_that_it_is_made_from() -> None:
-    """A key reads the submission's files, the flags and the box, and nothing that a compiler says."""
+    """A key reads the submission's files, the flags and the box, and no compiler's output."""
     tree = ast.parse((PACKAGE / "build" / "object_cache.py").read_text())
     assert not any(isinstance(n, ast.Attribute) and n.attr in RESULT for n in ast.walk(tree))

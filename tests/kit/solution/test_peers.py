@@ -1,5 +1,5 @@
-"""The engines beside our methods: the page and its data hold, and each engine that is installed does
-what its settings say."""
+"""The engines beside our methods: the page and its data hold, and each engine that is installed
+does what its settings say."""
 
 import itertools
 import json

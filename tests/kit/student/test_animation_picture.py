@@ -1,4 +1,4 @@
-"""The given animation in a real browser: numbers, forces, plots, and the right motion beside them."""
+"""The given animation in a real browser: numbers, forces, plots, and the right motion."""
 
 from __future__ import annotations
 

@@ -232,7 +232,7 @@ def test_a_missing_return_comes_before_other_reasons(home: Path) -> None:
 
 @pytest.mark.long
 def test_sanitizers_find_what_a_right_answer_hides(home: Path) -> None:
-    """The product refers to M, which is gone when it is worked out; the numbers may still be there."""
+    """The product refers to M, which is gone when it is worked out; its numbers may remain."""
     put(home)
     assert score(check(home, "2", "--sanitize")) == "30 / 30"
     force = "const Vector3 f_e = M * params.g;"

@@ -1,4 +1,4 @@
-"""Chromium without a window, for tests of pages. Who imports this is skipped where it is missing."""
+"""Chromium without a window, for tests of pages. Where it is missing, they are skipped."""
 
 from __future__ import annotations
 

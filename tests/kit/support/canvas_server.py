@@ -1,5 +1,5 @@
-"""A small server that speaks as much of Canvas's documented API as ./kit class uses: lists in pages,
-uploads in three steps, limits of the rate, and failures on request."""
+"""A small server that speaks as much of Canvas's documented API as ./kit class uses: lists in
+pages, uploads in three steps, limits of the rate, and failures on request."""
 
 import json
 import re

@@ -22,8 +22,8 @@ from bounce_grader.submission.archives import is_archive
 
 
 def read(path: Path, people: Mapping[str, str] = {}) -> Class:
-    """Reads a class. `people` are the names in the grade book, by Canvas's ids. Raises UsageError if
-    there is no submission in `path`."""
+    """Reads a class. `people` are the names in the grade book, by Canvas's ids. Raises UsageError
+    if there is no submission in `path`."""
     path = path.absolute()
     if path.is_dir():
         children = sorted(path.iterdir())
@@ -55,9 +55,9 @@ def _service(names: Sequence[str]) -> Callable[[Path, Mapping[str, str]], Class]
     """The reader for the service whose download has such files; None if there is no such service.
 
     Students choose how the names of their files end, so one name proves nothing: every name that
-    looks like some service's has to look like this one's. Moodle and Canvas are tried first, because
-    they write the beginning of each name themselves. Blackboard's names begin with the assignment's
-    title, so a student could write one that looks like another service's.
+    looks like some service's has to look like this one's. Moodle and Canvas are tried first,
+    because they write the beginning of each name themselves. Blackboard's may begin with anything,
+    the assignment's title, so in another service's download a student could write one.
     """
     services = (
         (moodle.wrote_all, from_moodle.read),

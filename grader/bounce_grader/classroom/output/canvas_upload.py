@@ -40,8 +40,8 @@ def plan(
     unmatched: Iterable[Unmatched],
     overwrite: bool,
 ) -> tuple[list[Change], list[str]]:
-    """The changes, and sentences about points that stay because a person has entered them. A student
-    who submitted nothing that can be graded gets a page that says so, and no points."""
+    """The changes, and sentences about points that stay because a person has entered them. A
+    student who submitted nothing that can be graded gets a page that says so, and no points."""
     now = {str(s["user_id"]): s for s in canvas.all(f"{canvas.path}/submissions?per_page=100")}
     uploaded = read(out)
     changes, kept = [], []

@@ -200,8 +200,8 @@ def _median(summaries: Sequence[Summary], whose: str) -> Curve | None:
 
 
 def _together(near: Similar) -> list[list[str]]:
-    """Groups of similar submissions, largest first: all that pairs connect. Not every two of a group
-    have been compared with each other."""
+    """Groups of similar submissions, largest first: all that pairs connect. Not every two of a
+    group have been compared with each other."""
     groups: dict[str, list[str]] = {}
     for pair in near.pairs:
         one = groups.setdefault(pair.first, [pair.first])

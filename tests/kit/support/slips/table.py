@@ -3,8 +3,8 @@
 The programs are C++ functions with switches (part1.cpp and the others here); the program `slips`
 runs them, and prints what the recogniser says. truth.json holds, by part and slip, what is true of
 it: names of known mistakes, and words of which a sentence must hold one to name the slip. A known
-mistake that is said of a program and stands with none of its slips is false. "a and b" holds what is
-true of two slips together alone: pairs whose numbers are exactly those of other mistakes.
+mistake that is said of a program and stands with none of its slips is false. "a and b" holds what
+is true of two slips together alone: pairs whose numbers are exactly those of other mistakes.
 """
 
 import json
