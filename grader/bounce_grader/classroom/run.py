@@ -154,16 +154,18 @@ def _to_canvas(request: Request, canvas: Canvas, intake: Class, summaries: list[
     canvas_upload.remember_shown(request.out, changes)
     if request.upload and shown:
         refused = canvas_upload.post(canvas, request.out, changes)
-        print(f"{len(changes) - len(refused)} of {len(changes)} students' points or pages posted.")
+        posted = len(changes) - len(refused)
+        print(f"Students whose points or pages were posted: {posted} of {len(changes)}.")
         print("".join(f"  {terminal(line)}\n" for line in [*refused, *kept]), end="")
         return int(bool(refused))
-    print(f"On Canvas, {len(changes)} students' points or pages would change:")
+    print(f"Students whose points or pages would change on Canvas: {len(changes)}.")
     lines = [*canvas_upload.show(changes), *map(terminal, kept)]
     print("".join(f"  {line}\n" for line in lines), end="")
     if request.upload:
         print("This wasn't shown before: give the same command again to post it.")
         return 1
-    print("Nothing is posted yet: add --upload.")
+    if changes:
+        print("Nothing is posted yet: add --upload.")
     return 0
 
 
@@ -284,7 +286,9 @@ def _regrade(request: Request, intake: Class, stamp: Stamp, log: Log) -> int:
     tasks = _tasks(request, chosen, stamp, folder)
     failed = grading.grade_missing(tasks, folder, request, log)
     if failed:
-        raise KitError(f"{len(failed)} submissions could not be graded again; nothing is changed")
+        raise KitError(
+            f"submissions that could not be graded again: {len(failed)}; nothing is changed"
+        )
     waiting = {task.key for task in tasks.values()} - results.keys(folder)
     if waiting:
         print(f"{len(waiting)} wait for a grading; then give the same command again.")

@@ -63,8 +63,10 @@ def test_points_and_pages_are_posted_once_they_were_shown(
     said = capsys.readouterr()
     assert TOKEN not in said.out + said.err
     assert not any(TOKEN in f.read_text(errors="replace") for f in out.rglob("*") if f.is_file())
-    assert run(out, monkeypatch) == 0  # nothing is left to do
-    assert "On Canvas, 0 students' points or pages would change" in capsys.readouterr().out
+    assert run(out, monkeypatch) == 0
+    again = capsys.readouterr().out
+    assert "Students whose points or pages would change on Canvas: 0." in again
+    assert "--upload" not in again
 
 
 def test_who_hands_in_no_file_is_listed_and_gets_a_page(
@@ -89,7 +91,7 @@ def test_who_hands_in_no_file_is_listed_and_gets_a_page(
     assert all(len(server.comments[user]) == 1 for user in (201, 202, 203, 204))
     assert 205 not in server.comments and server.submissions[201]["score"] is None
     assert run(out, monkeypatch) == 0
-    assert "On Canvas, 0 students' points or pages would change" in capsys.readouterr().out
+    assert "Students whose points or pages would change on Canvas: 0." in capsys.readouterr().out
 
 
 def test_who_is_called_as_a_group_or_an_id_gives_and_takes_nothing(

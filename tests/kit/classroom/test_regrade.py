@@ -109,7 +109,7 @@ def test_new_weights_are_told_once_and_then_who_has_other_points(
         f"  {other.id} gives {other.points - 2:g} -> {other.points:g} points",
     ]
     told = lines[3:-1]
-    assert f": {len(told)} differ" in lines[0] and not any(line[0] == " " for line in told)
+    assert f"other result: {len(told)}." in lines[0] and not any(line[0] == " " for line in told)
     for line in told:
         before, now = line.rpartition(": ")[2].split(" -> ")
         assert abs(float(before) - float(now)) == 2
@@ -132,7 +132,7 @@ def test_regrading_shows_what_would_change_before_it_does(
     export = {"gradebook": book(tmp_path / "export.csv", users), "columns": {0: COLUMN}}
     assert grade_class(source, out, regrade="all", **export) == 0
     said = capsys.readouterr().out
-    assert "10 submissions were graded again: 1 differ, 9 don't." in said
+    assert "Submissions graded again: 10; with another result: 1." in said
     assert "\nDoe, Jane (1" in said
     assert said.count("->") == 2 and f"  {check['id']}: failed -> passed" in said
     assert (out / "gradebook.csv").read_bytes() == before

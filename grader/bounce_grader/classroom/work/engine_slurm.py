@@ -55,7 +55,7 @@ def run(tasks: list[Task], out: Path) -> Generator[tuple[Task, Outcome], None, N
         folder = _new_folder(out / "slurm")
         _write(tasks, folder)
         print(
-            f"kit: {len(tasks)} submissions wait for a grading; hand them to Slurm with\n"
+            f"kit: submissions that wait for a grading: {len(tasks)}; hand them to Slurm with\n"
             f"       sh {shlex.quote(str(folder / 'submit.sh'))}",
             file=sys.stderr,
         )

@@ -105,9 +105,8 @@ def differences(out: Path, chosen: list[Student], tasks: Mapping[str, Task]) -> 
         for s in chosen
     ]
     differing = [lines for old, new in pairs if (lines := _difference(old, new))]
-    same = len(chosen) - len(differing)
     return [
-        f"{len(chosen)} submissions were graded again: {len(differing)} differ, {same} don't.",
+        f"Submissions graded again: {len(chosen)}; with another result: {len(differing)}.",
         *_weights(pairs),
         *(line for lines in differing for line in lines),
     ]
