@@ -1,4 +1,4 @@
-"""The handout's zip: the same bytes each time, all that a student needs, and nothing of teachers."""
+"""The handout's zip: the same bytes each time, all that a student needs, and no hidden answer."""
 
 import io
 import json

@@ -56,8 +56,9 @@ def _service(names: Sequence[str]) -> Callable[[Path, Mapping[str, str]], Class]
 
     Students choose how the names of their files end, so one name proves nothing: every name that
     looks like some service's has to look like this one's. Moodle and Canvas are tried first,
-    because they write the beginning of each name themselves. Blackboard's may begin with anything,
-    the assignment's title, so in another service's download a student could write one.
+    because they write the beginning of each name themselves. Blackboard's names begin with the
+    assignment's title, which may be anything. So in a download of another service, a student could
+    give a file a name that looks like Blackboard's.
     """
     services = (
         (moodle.wrote_all, from_moodle.read),
