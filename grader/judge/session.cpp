@@ -114,7 +114,7 @@ Frame Session::answer_of(const Frame& question, Trajectory* columns) {
   runner_->send(question);
   Frame answer = runner_->receive();
   for (std::int64_t callbacks = 0; answer.kind == Kind::callback; ++callbacks) {
-    if (!given_ || answer.part < 1 || answer.part >= part_) {
+    if (!answers_for(answer.part)) {
       throw RunnerEnded({"no_answer", "the program asked for what isn't given to it"});
     }
     if (callbacks > most_callbacks(question)) {

@@ -28,6 +28,9 @@ class Session {
   // the check can't go on, std::runtime_error if this question has no answer.
   frames::Frame ask(frames::Frame question, Trajectory* columns = nullptr);
 
+  // Whether it answers callbacks for this part.
+  bool answers_for(std::uint32_t part) const { return given_ && part >= 1 && part < part_; }
+
   // CPU time of the current runner, ns; 0 if there is none.
   double cpu_ns() const { return runner_ ? runner_->cpu_ns() : 0; }
 

@@ -1,6 +1,8 @@
 // Calls the submission in another process: each function that the tests call asks it a question.
 #include "../../tests/parts/submission.hpp"
 
+#include <bounce/part3_step.hpp>
+
 #include "../runner/messages.hpp"
 #include "session.hpp"
 
@@ -23,7 +25,7 @@ Lcp form_lcp(const Jacobian& J, const Vector3& v, const Parameters& params) {
 }
 
 State step(const Vector3& q, const Vector3& v, const Parameters& params) {
-  return ask<State>(3, params, q, v);
+  return judge::session->answers_for(3) ? bounce::step(q, v, params) : ask<State>(3, params, q, v);
 }
 
 Trajectory simulate(const Vector3& q_0, const Vector3& v_0, const Parameters& params) {

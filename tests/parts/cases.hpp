@@ -26,6 +26,7 @@ struct Case {
   State state{Vector3::Zero(), Vector3::Zero()};              // expected, part 3
   std::vector<int> columns;                                   // part 4: the columns that are stored
   Trajectory trajectory;                                      // expected, part 4, these columns
+  bool is_long = false;  // part 4: only its steps are decidable
 };
 
 // A wrong quantity.
@@ -74,10 +75,18 @@ std::vector<Case> read_all_cases(std::istream& file);
 // Asks a question, and returns what is wrong with the answer.
 using Ask = Problem (*)(const Case&);
 
+// Set where recorded answers stand for the earlier parts (linked/given.hpp), and the submission
+// asks them something else: its own answer then decides nothing.
+inline bool asked_what_is_not_recorded = false;
+
+// The property of a check with cases that are undecided, as something else was asked in them.
+constexpr const char* kUndecided = "undecided";
+
 // Asks every case of the running check, public ones first, and then once more in reverse order, in
 // which they must be right again. Reports the first wrong case, and how many are wrong. What is
 // asked doesn't depend on what was right: a program would learn from it, and guess again in the
-// next check. An exception is a wrong answer, too; Ended also ends the check.
+// next check. An exception is a wrong answer, too; Ended also ends the check. A case that can't be
+// decided is neither right nor wrong.
 void for_each_case(Ask ask);
 
 // The same in one order alone, for questions that are asked twice by themselves.

@@ -1,6 +1,8 @@
 // Part 3: step. Each test is a fact about one time step, eqs. (11) to (14).
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "answers.hpp"
 #include "cases.hpp"
 #include "submission.hpp"
@@ -44,6 +46,7 @@ Problem compare_chain(const Case& c) {
   } catch (const std::exception&) {
     // A wrong step may lead to where the next one throws; other checks see that it is wrong.
   }
+  if (std::exchange(asked_what_is_not_recorded, false)) chain.resize(1);
   for (std::size_t t = chain.size() - 1; t > 0; --t) {
     const State alone = submission::step(chain[t - 1].q, chain[t - 1].v, c.params);
     const Problem wrong = both(compare(c, "v, asked again", kVelocity, chain[t].v, alone.v),

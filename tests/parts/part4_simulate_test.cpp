@@ -2,6 +2,9 @@
 // of columns; the others check those of the first T that are there.
 #include <gtest/gtest.h>
 
+#include <stdexcept>
+#include <utility>
+
 #include "answers.hpp"
 #include "cases.hpp"
 #include "submission.hpp"
@@ -31,6 +34,29 @@ Problem compare_columns(const Case& c) {
   return {};
 }
 
+// Compares each column with the step from the column before, the submission's own if it was linked
+// with its own. For a long run, in which rounding errors grow too much for a stored trajectory.
+Problem compare_steps(const Case& c) {
+  const Trajectory got = submission::first_columns(c.q, c.v, c.params);
+  if (asked_what_is_not_recorded) return {};
+  for (Eigen::Index t = 0; t + 1 < got.q.cols(); ++t) {
+    State next;
+    try {
+      next = submission::step(got.q.col(t), got.v.col(t), c.params);
+    } catch (const std::runtime_error&) {
+      if (!std::exchange(asked_what_is_not_recorded, false)) throw;
+      continue;
+    }
+    const std::string column = "column " + std::to_string(t + 1);
+    Problem wrong = both(compare(c, "q in " + column, kConfiguration, next.q, got.q.col(t + 1)),
+                         compare(c, "v in " + column, kVelocity, next.v, got.v.col(t + 1)));
+    if (wrong.empty()) continue;
+    wrong.sentence = column + " is not one step from the column before";
+    return wrong;
+  }
+  return {};
+}
+
 [[maybe_unused]] const bool kPart4IsRegistered = register_call(
     4, [](const Case& c) { return numbers_of(submission::simulate(c.q, c.v, c.params)); });
 
@@ -49,7 +75,9 @@ TEST(part4, StartsAtTheInitialState) {
   });
 }
 
-TEST(part4, StepsFromTheColumnBefore) { for_each_case(compare_columns); }
+TEST(part4, StepsFromTheColumnBefore) {
+  for_each_case([](const Case& c) { return c.is_long ? compare_steps(c) : compare_columns(c); });
+}
 
 TEST(part4, PassesParametersOn) { for_each_case(compare_columns); }
 

@@ -9,6 +9,8 @@ namespace bounce::submission {
 
 Contact get_contacts(const Vector3& q, const Parameters& params);
 Lcp form_lcp(const Jacobian& J, const Vector3& v, const Parameters& params);
+
+// For part 4, which calls it, also where right earlier parts are given: then the right step.
 State step(const Vector3& q, const Vector3& v, const Parameters& params);
 
 // Throws std::runtime_error unless q and v are both 3xT.

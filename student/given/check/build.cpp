@@ -145,7 +145,7 @@ std::vector<const Part*> build_given(const Run& run, const std::vector<const Par
   return built;
 }
 
-bool build_page_writer(const std::string& name) { return build_targets({name}); }
+bool build_program(const std::string& name) { return build_targets({name}); }
 
 std::string first_error_of(int part) { return read(error_file(part)); }
 

@@ -15,7 +15,7 @@ void build_parts(Run& run);
 std::vector<const Part*> build_given(const Run& run, const std::vector<const Part*>& parts);
 
 // Builds a program that writes a page, study or real. Returns whether it could be built.
-bool build_page_writer(const std::string& name);
+bool build_program(const std::string& name);
 
 // The first error in a part's file, indented: file and line, and two lines more.
 std::string first_error_of(int part);

@@ -94,7 +94,9 @@ std::string heading_of(const Check& check) {
 
 void hint(const Run& run) {
   if (!run.first_part) {
-    std::cout << "Every public check passes: no hint is needed.\n";
+    std::cout << (run.is_right()
+                      ? "Every public check passes: no hint is needed.\n"
+                      : "First make the earlier parts right; what is left needs them.\n");
     return;
   }
   if (!run.first_check) {

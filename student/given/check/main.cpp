@@ -108,7 +108,7 @@ bool check(const Options& options, bool replaces = false) {
   if (options.studies) study(run);
   if (options.real) ask_about_real_impacts(run);
   std::cout << std::flush;
-  return !run.first_part;
+  return run.is_right();
 }
 
 // Until a file changes, or a key asks for something. False: it asks for the end.

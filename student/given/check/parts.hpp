@@ -35,8 +35,13 @@ struct Run {
   std::set<int> given;                 // parts whose better result is that with right earlier parts
   bool sanitized = false;              // whether the parts are built with sanitizers
   int score = 0, possible = 0;         // of the chosen parts
+  int undecided = 0;                   // points of checks that wait for right earlier parts
   const Part* first_part = nullptr;    // where the first thing to do is, if there is one
   const Check* first_check = nullptr;  // null where that part isn't built
+  // A part that scores better with right earlier parts than with the student's, though these pass
+  // their own checks; and what its first check that fails says with the student's.
+  const Part* fault_shows_in = nullptr;
+  std::string fault;
 
   const Part& part(int number) const { return all.at(static_cast<std::size_t>(number) - 1); }
   // The program that runs a part's checks, as CMake calls it; it is in the folder build.
@@ -45,6 +50,7 @@ struct Run {
   }
   // The one in which right answers stand for those of the earlier parts.
   std::string given_target(const Part& part) const { return part.stem + "_given_test"; }
+  bool is_right() const { return !first_part && !undecided && !fault_shows_in; }
   bool is_one_part() const { return chosen.size() == 1; }
   // " 2" where part 2 alone is checked: for commands that are named to the student.
   std::string option() const { return is_one_part() ? " " + std::to_string(chosen[0]) : ""; }

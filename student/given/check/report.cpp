@@ -25,7 +25,8 @@ std::string in_columns(const std::string& text, int width, int points, int of) {
 void print_checks(const Part& part) {
   for (const Check& check : part.checks) {
     const std::string status = note_of(part, check).status;
-    const bool passed = status == "passed", unknown = status == "unknown";
+    const bool passed = status == "passed";
+    const bool unknown = status == "unknown" || status == kUndecided;
     std::cout << "  "
               << (passed    ? style().green
                   : unknown ? style().dim
@@ -56,7 +57,13 @@ void print_part(const Run& run, const Part& part) {
     std::cout << style().dim << "        with right earlier parts in place of yours"
               << style().plain << "\n";
   }
-  if (&part == run.first_part && run.first_check) print_checks(part);
+  const int undecided = undecided_of(run, part);
+  if (undecided > 0) {
+    std::cout << style().dim << "        " << undecided
+              << " more can be decided once the earlier parts are right" << style().plain << "\n";
+  }
+  const bool is_open = undecided > 0 && run.is_one_part();
+  if ((&part == run.first_part && run.first_check) || is_open) print_checks(part);
 }
 
 // Those of the case that is told of, and not of those before and after it.
@@ -85,6 +92,21 @@ void print_missing_returns(const Part& part) {
   }
 }
 
+void print_text(const std::string& text) {
+  const bool draws = columns() >= 64 && style().has_pictures;
+  for (const std::string& line : lines_of(text)) {
+    if (!line.empty() && (draws || line.rfind("    |", 0) != 0)) std::cout << "  " << line << "\n";
+  }
+}
+
+void print_fault_of_earlier(const Run& run) {
+  std::cout << "\n"
+            << style().bold << "Part " << run.fault_shows_in->number
+            << " does better with right earlier parts in place of yours." << style().plain
+            << "\nSo one of yours is wrong in a case that its own checks don't ask. With yours:\n";
+  print_text(run.fault);
+}
+
 void print_first(const Run& run) {
   const Part& part = *run.first_part;
   if (!run.first_check) {
@@ -95,10 +117,7 @@ void print_first(const Run& run) {
             << style().bold << "First: " << run.first_check->title << style().plain << "  "
             << style().dim << "(" << part.file() << ")" << style().plain << "\n";
   const Note note = note_of(part, *run.first_check);
-  const bool draws = columns() >= 64 && style().has_pictures;
-  for (const std::string& line : lines_of(note.text)) {
-    if (!line.empty() && (draws || line.rfind("    |", 0) != 0)) std::cout << "  " << line << "\n";
-  }
+  print_text(note.text);
   print_missing_returns(part);
   print_what_was_printed(part, note);
   if (const std::string mistake = mistake_of(run, part); !mistake.empty()) {
@@ -149,11 +168,12 @@ void report(const Run& run) {
               << style().plain << "\n";
   }
   if (run.first_part) print_first(run);
+  if (run.fault_shows_in) print_fault_of_earlier(run);
   std::cout << "\n"
             << style().bold << "Score on the public checks: " << run.score << " / " << run.possible
             << "." << style().plain << " There are hidden ones as well, with other numbers.\n";
   print_warnings();
-  if (!run.first_part && !run.is_one_part()) {
+  if (run.is_right() && !run.is_one_part()) {
     std::cout
         << "Watch it: cmake --build build && ./build/bounce. Then submit the files of src/.\n"
            "How near it is to the truth, and what it costs: ./check --study, and explore.html.\n";

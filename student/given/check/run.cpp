@@ -29,6 +29,11 @@ fs::path notes_of(const Part& part) {
   return kWork / "notes" / ("part" + std::to_string(part.number));
 }
 
+// Those of the run with the student's own earlier parts, where given ones score better.
+fs::path own_notes_of(const Part& part) {
+  return kWork / "own_notes" / ("part" + std::to_string(part.number));
+}
+
 // The last line in which a program says why it stops.
 std::string last_reason(const std::string& printed) {
   std::string last;
@@ -169,32 +174,57 @@ void run_part(const Run& run, const Part& part) {
   }
 }
 
-// What is unknown with the given earlier parts, as they were asked something else, is as it was
-// with the student's own.
-void fill_in(const Part& part, const fs::path& own) {
+int points_of(const Part& part, const std::string& status) {
+  int points = 0;
   for (const Check& check : part.checks) {
-    const std::string note = read(own / check.id);
-    if (note.empty() || note_of(part, check).status != "unknown") continue;
-    const std::size_t end = note.find('\n');
-    write(notes_of(part) / check.id, note.substr(0, note.find_first_of(" \n")) + note.substr(end));
+    if (note_of(part, check).status == status) points += check.points;
+  }
+  return points;
+}
+
+// Whether an earlier part that this one calls is wrong, as far as public checks can tell.
+bool is_an_earlier_wrong(const Run& run, const Part& part) {
+  return std::any_of(part.calls.begin(), part.calls.end(), [&](int number) {
+    const Part& earlier = run.part(number);
+    if (run.unbuilt.count(number) || run.given.count(number)) return true;
+    if (run.is_one_part()) {  // only that one was run
+      if (!build_program(run.target(earlier))) return true;
+      run_part(run, earlier);
+    }
+    return points_of(earlier) < earlier.points;
+  });
+}
+
+// What is undecided with the given earlier parts is as it was with the student's own, if it passed
+// or if those are right.
+void fill_in(const Run& run, const Part& part) {
+  const bool waits = undecided_of(run, part) > 0 && is_an_earlier_wrong(run, part);
+  for (const Check& check : part.checks) {
+    if (note_of(part, check).status != kUndecided) continue;
+    const std::string own = read(own_notes_of(part) / check.id);
+    const std::string status = own.substr(0, own.find_first_of(" \n"));
+    if (status != "passed" && (own.empty() || waits)) continue;
+    write(notes_of(part) / check.id, status + own.substr(own.find('\n')));
   }
 }
 
 // The better result stays.
 void run_with_given(Run& run, const Part& part) {
   const fs::path notes = notes_of(part), prints = prints_file(part.number);
+  const fs::path own_notes = own_notes_of(part), own_prints = kWork / "own_prints.txt";
   const bool has_own = !run.unbuilt.count(part.number);
   const int own_points = has_own ? points_of(part) : 0;
-  const fs::path own_notes = kWork / "own_notes", own_prints = kWork / "own_prints.txt";
   fs::remove_all(own_notes);
   if (has_own) {
+    fs::create_directories(own_notes.parent_path());
     fs::rename(notes, own_notes);
     fs::rename(prints, own_prints);
   }
   run.given.insert(part.number);
   run_part(run, part);
-  fill_in(part, own_notes);
-  if (!has_own || points_of(part) > own_points) {
+  fill_in(run, part);
+  const int points = points_of(part);
+  if (!has_own || points > own_points || (points == own_points && undecided_of(run, part) > 0)) {
     run.unbuilt.erase(part.number);
     return;
   }
@@ -204,21 +234,13 @@ void run_with_given(Run& run, const Part& part) {
   fs::rename(own_prints, prints);
 }
 
-// Whether an earlier part that this one calls may be what is wrong.
-bool may_suffer(const Run& run, const Part& part) {
-  if (run.is_one_part()) return !part.calls.empty();
-  return std::any_of(part.calls.begin(), part.calls.end(), [&](int earlier) {
-    return run.unbuilt.count(earlier) || points_of(run.part(earlier)) < run.part(earlier).points;
-  });
-}
-
 // Whether it may get more points with given earlier parts.
 bool may_gain(const Run& run, const Part& part) {
   const auto unbuilt = run.unbuilt.find(part.number);
   const bool is_built = unbuilt == run.unbuilt.end();
   const bool compiles = is_built || unbuilt->second != part.number;
   const bool is_right = is_built && points_of(part) == part.points;
-  return compiles && !is_right && !run.sanitized && may_suffer(run, part);
+  return compiles && !is_right && !run.sanitized && !part.calls.empty();
 }
 
 // Runs them as they are, and where that isn't all right, with given earlier parts.
@@ -231,6 +253,18 @@ void judge(Run& run, const std::vector<const Part*>& parts) {
     if (may_gain(run, *part)) may_gain_points.push_back(part);
   }
   for (const Part* part : build_given(run, may_gain_points)) run_with_given(run, *part);
+}
+
+// A fault of an earlier part that its own public checks don't ask.
+void find_fault_of_earlier(Run& run, const Part& part) {
+  if (!run.given.count(part.number) || is_an_earlier_wrong(run, part)) return;
+  for (const Check& check : part.checks) {
+    const Noted own = read_note(own_notes_of(part) / check.id);
+    if (own.status == "passed" || own.text.empty()) continue;
+    run.fault_shows_in = &part;
+    run.fault = own.text;
+    return;
+  }
 }
 
 // Starts build/NAME, which writes NAME.html from its table.
@@ -285,7 +319,8 @@ Note note_of(const Part& part, const Check& check) {
 }
 
 void run_parts(Run& run) {
-  run.score = run.possible = 0;
+  run.score = run.possible = run.undecided = 0;
+  run.fault_shows_in = nullptr;
   run.first_part = nullptr;
   run.first_check = nullptr;
   std::vector<const Part*> chosen;
@@ -294,14 +329,17 @@ void run_parts(Run& run) {
   for (const int number : run.chosen) {
     const Part& part = run.part(number);
     run.possible += part.points;
+    if (!run.fault_shows_in) find_fault_of_earlier(run, part);
     if (run.unbuilt.count(number)) {
       if (!run.first_part) run.first_part = &part;
       continue;
     }
+    run.undecided += undecided_of(run, part);
     for (const Check& check : part.checks) {
-      if (note_of(part, check).status == "passed") {
+      const std::string status = note_of(part, check).status;
+      if (status == "passed") {
         run.score += check.points;
-      } else if (!run.first_part) {
+      } else if (status != kUndecided && !run.first_part) {
         run.first_part = &part;
         run.first_check = &check;
       }
@@ -312,7 +350,7 @@ void run_parts(Run& run) {
 void study(const Run& run) {
   std::cout << "\nStudying your program; building it takes half a minute the first time.\n"
             << std::flush;
-  if (!build_page_writer("study")) throw Failure("the study needs all four parts to compile");
+  if (!build_program("study")) throw Failure("the study needs all four parts to compile");
   write_page("study", run.first_part, kWork / "study.txt", "fixtures/study.txt");
   std::cout
       << "The study is in study.html; open it in a browser. explore.html asks what it shows.\n";
@@ -320,19 +358,17 @@ void study(const Run& run) {
 
 void ask_about_real_impacts(const Run& run) {
   const Part& part = run.part(2);
-  if (run.unbuilt.count(2) || !build_page_writer("real"))
+  if (run.unbuilt.count(2) || !build_program("real"))
     throw Failure("--real needs part 2 to compile");
   write_page("real", points_of(part) < part.points, kWork / "real.txt", "fixtures/measured.txt");
   std::cout
       << "\nWhat your form_lcp makes of real impacts is in real.html; open it in a browser.\n";
 }
 
-int points_of(const Part& part) {
-  int points = 0;
-  for (const Check& check : part.checks) {
-    if (note_of(part, check).status == "passed") points += check.points;
-  }
-  return points;
+int points_of(const Part& part) { return points_of(part, "passed"); }
+
+int undecided_of(const Run& run, const Part& part) {
+  return run.unbuilt.count(part.number) ? 0 : points_of(part, kUndecided);
 }
 
 std::string without_termination_message(const std::string& printed) {

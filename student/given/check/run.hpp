@@ -12,17 +12,22 @@ namespace bounce::check {
 // of theirs; the better result counts, as in the course's grading.
 void run_parts(Run& run);
 
+// The status of a check that can't be decided before the earlier parts are right: the recorded
+// answers that stand for theirs were asked something else.
+constexpr const char* kUndecided = "undecided";
+
 // What is known of a check.
 struct Note {
-  std::string status;            // passed, failed, crashed or hung; or unknown
+  std::string status;            // passed, failed, crashed, hung, kUndecided; unknown if not run
   std::size_t from = 0, to = 0;  // bytes of what the program printed, around the case
   bool has_prints = false;       // whether these are known
   std::string text;              // what there is to say
 };
 Note note_of(const Part& part, const Check& check);
 
-// What the part's checks that pass are worth.
+// What the part's checks that pass are worth; and those that are undecided.
 int points_of(const Part& part);
+int undecided_of(const Run& run, const Part& part);
 
 // Measures the parts for smaller and smaller steps, and writes study.html. Throws Failure if the
 // program doesn't get to its end.

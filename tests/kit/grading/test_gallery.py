@@ -13,7 +13,7 @@ from bounce_grader.build.compile import compile_all
 from bounce_grader.build.linking import link_alone, link_together
 from bounce_grader.common.files import temporary_folder
 from bounce_grader.common.manifest import parts
-from bounce_grader.common.paths import WORK_FOLDER
+from bounce_grader.common.paths import STUBS, WORK_FOLDER
 from bounce_grader.formats import terminal
 from bounce_grader.grading import gallery, known_mistakes
 from bounce_grader.grading.fixtures import hidden_folder, write as write_fixtures
@@ -132,6 +132,35 @@ def test_what_is_rarely_wrong_costs_its_checks(folder: Path, tmp_path: Path) -> 
     judged = judge(part, runner, bool(part.calls), hidden_folder(), known_mistakes.TRUSTED)
     lost_checks = [id for id, verdict in judged.verdicts.items() if not verdict.passed]
     assert sorted(lost_checks) == sorted(expected(folder)["lost"]) != []
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("folder", folders("accepted"), ids=lambda folder: folder.name)
+@pytest.mark.usual(6)
+def test_a_right_part_loses_nothing_beside_stubs(folder: Path, tmp_path: Path) -> None:
+    submission = submission_of(folder, tmp_path / "submission")
+    for stub in sorted(STUBS.glob("part[12]*.cpp")):
+        for path in submission.rglob(stub.name):
+            shutil.copy(stub, path)
+    assert points(grade(submission))[2:] == [30, 10]
+
+
+WRONG = [f for f in (*MISTAKES, *folders("rarely_wrong")) if not f.name.startswith("part4")]
+RIGHT = [f for f in folders("accepted") if not expected(f).get("alone")]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("number, wrong", enumerate(WRONG), ids=lambda x: getattr(x, "name", ""))
+@pytest.mark.usual(8)
+def test_a_wrong_part_costs_the_right_ones_nothing(
+    number: int, wrong: Path, tmp_path: Path
+) -> None:
+    """The right ones are of another submission each time."""
+    submission = submission_of(RIGHT[number % len(RIGHT)], tmp_path / "submission")
+    for file in wrong.glob("*.cpp"):
+        shutil.copy(file, submission)
+    lost_parts = {check.split(".")[0] for check in lost(grade(submission))}
+    assert lost_parts == {wrong.name.split("_")[0]}
 
 
 SECRETS = 5

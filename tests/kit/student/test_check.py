@@ -91,6 +91,63 @@ def test_a_student_goes_from_the_stubs_to_full_points(home: Path) -> None:
     assert used < building / 6, f"{used:.1f} s of the processor after {building:.1f} s"
 
 
+def points(run: subprocess.CompletedProcess[str]) -> list[str]:
+    return re.findall(r"^Part \d  .*?(\d+ / \d+)$", run.stdout, re.M)
+
+
+def only_parts(folder: Path) -> bool:
+    return all(file.name[:4] == "part" for file in folder.iterdir() if file.suffix != ".json")
+
+
+STUBS = ROOT / "student/src"
+ACCEPTED = sorted((ROOT / "tests/submissions/accepted").iterdir())
+RIGHT = [
+    folder
+    for folder in ACCEPTED
+    if any(folder.glob("part[34]*.cpp")) and only_parts(folder) and "main_" not in folder.name
+]
+WRONG = sorted(MISTAKES.glob("part[123]_*"))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("folder", RIGHT, ids=lambda folder: folder.name)
+@pytest.mark.usual(3)
+def test_a_right_part_loses_nothing_beside_stubs(home: Path, folder: Path) -> None:
+    put(home, folder)
+    for stub in STUBS.glob("part[12]*.cpp"):
+        shutil.copy(stub, home / "src")
+    run = check(home)
+    if points(run)[2:] != ["30 / 30", "10 / 10"]:  # what it asks can't be recorded
+        assert re.search(
+            r"^ +22 more can be decided once the earlier", run.stdout, re.M
+        ), run.stdout
+        assert folder.name == "relative_to_the_start" and points(run)[2:] == ["8 / 30", "10 / 10"]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("number, wrong", enumerate(WRONG), ids=lambda x: getattr(x, "name", ""))
+@pytest.mark.usual(4)
+def test_a_wrong_part_costs_the_right_ones_nothing(home: Path, number: int, wrong: Path) -> None:
+    put(home, RIGHT[number % len(RIGHT)], wrong)
+    run = check(home)
+    part = int(wrong.name[4])
+    full = ["30 / 30", "30 / 30", "30 / 30", "10 / 10"]
+    assert [p for i, p in enumerate(points(run), 1) if i != part] == full[: part - 1] + full[part:]
+
+
+@pytest.mark.slow
+def test_a_fault_that_its_own_checks_miss_is_not_the_later_parts(home: Path) -> None:
+    """Part 1 is wrong beyond two turns, where only part 3 has public cases."""
+    put(home)
+    part1 = home / "src/part1_contacts.cpp"
+    side = "(std::abs(q(2) - 16) < 4 ? 0.9 : 1) * (params.l / 2)"
+    part1.write_text(part1.read_text().replace("(params.l / 2)", side))
+    run = check(home)
+    assert points(run) == ["30 / 30", "30 / 30", "30 / 30", "10 / 10"], run.stdout
+    assert "Part 3 does better with right earlier parts in place of yours" in run.stdout
+    assert run.returncode == 1 and "Then submit" not in run.stdout
+
+
 @pytest.mark.slow
 def test_each_kind_of_failure_is_named_and_hides_no_other_part(home: Path) -> None:
     put(home, MISTAKES / "part3_friction_sign")

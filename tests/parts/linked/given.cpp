@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "../cases.hpp"
@@ -19,8 +18,6 @@ using Numbers = std::vector<double>;
 using Table = std::map<Numbers, Numbers>;  // answers by questions
 
 constexpr std::ptrdiff_t kOfAContact = 7, kOfAnLcp = 20;  // numbers of an answer
-
-bool asked_else = false;
 
 template <class Matrix>
 void append(Numbers& numbers, const Matrix& m) {
@@ -77,7 +74,7 @@ const double* answer(const Table& table, const Parameters& params, const Argumen
       std::all_of(question.begin(), question.end(), [](double x) { return std::isfinite(x); });
   const auto found = is_finite ? table.find(question) : table.end();
   if (found != table.end()) return found->second.data();
-  asked_else = true;
+  asked_what_is_not_recorded = true;
   throw std::runtime_error("an earlier part is asked what no right part asks");
 }
 
@@ -98,7 +95,5 @@ State given_state(const Vector3& q, const Vector3& v, const Parameters& params) 
   const double* numbers = answer(tables().states, params, q, v);
   return {Eigen::Map<const Vector3>(numbers), Eigen::Map<const Vector3>(numbers + 3)};
 }
-
-bool asked_something_else() { return std::exchange(asked_else, false); }
 
 }  // namespace bounce::tests

@@ -11,7 +11,4 @@ Contact given_contact(const Vector3& q, const Parameters& params);
 Lcp given_lcp(const Jacobian& J, const Vector3& v, const Parameters& params);
 State given_state(const Vector3& q, const Vector3& v, const Parameters& params);
 
-// Whether something was asked since the last call that isn't recorded.
-bool asked_something_else();
-
 }  // namespace bounce::tests

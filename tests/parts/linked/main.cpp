@@ -3,13 +3,13 @@
 //   part1_contacts_test [--notes FOLDER PRINTED | --mistake FILE | --debug]
 //
 // With --notes, it writes a file for each check, named after the check: "running" while it runs,
-// then "passed" or "failed" and the feedback, or "unknown" if the given earlier parts were asked
-// what isn't recorded. After this word come the sizes of PRINTED, the file of standard output,
-// before and after the reported case. A check that already has its file isn't run again, so that
-// after a crash a second run continues with the next one. A check that takes too long ends the
-// program. With --mistake no test runs: it writes to FILE which mistakes the answers to all public
-// cases point to. With --debug it stops in the debugger at the first wrong case, then asks it once
-// more.
+// then "passed" or "failed" and the feedback, or "undecided" if no case is wrong, but the given
+// earlier parts were asked what isn't recorded. After this word come the sizes of PRINTED, the file
+// of standard output, before and after the reported case. A check that already has its file isn't
+// run again, so that after a crash a second run continues with the next one. A check that takes too
+// long ends the program. With --mistake no test runs: it writes to FILE which mistakes the answers
+// to all public cases point to. With --debug it stops in the debugger at the first wrong case, then
+// asks it once more.
 #include <gtest/gtest.h>
 
 #include <csignal>
@@ -21,7 +21,6 @@
 
 #include "../answers.hpp"
 #include "../feedback.hpp"
-#include "given.hpp"
 #include "linked.hpp"
 #include "mistake.hpp"
 #include "time_limit.hpp"
@@ -81,8 +80,10 @@ class Notes : public testing::EmptyTestEventListener {
     }
     const std::string prefix = "Failed\n";
     if (text.rfind(prefix, 0) == 0) text.erase(0, prefix.size());
-    const bool is_unknown = asked_something_else();  // there is no given answer to what was asked
-    note(is_unknown ? "unknown" : test.result()->Passed() ? "passed" : "failed" + from_to, text);
+    note(test.result()->Failed()                    ? "failed" + from_to
+         : test.result()->test_property_count() > 0 ? kUndecided
+                                                    : "passed",
+         text);
   }
 };
 
