@@ -84,7 +84,7 @@ void read_expected(const json& expected, Case& c) {
   if (expected.contains("V")) {
     c.lcp = {matrix<Eigen::Matrix4d>(expected.at("V")), matrix<Eigen::Vector4d>(expected.at("p"))};
   }
-  c.is_long = expected.contains("steps");
+  c.has_decidable_steps = expected.contains("steps");
   if (expected.contains("columns")) {
     read_trajectory(expected, c);
   } else if (expected.contains("v")) {

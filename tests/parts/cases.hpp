@@ -26,7 +26,7 @@ struct Case {
   State state{Vector3::Zero(), Vector3::Zero()};              // expected, part 3
   std::vector<int> columns;                                   // part 4: the columns that are stored
   Trajectory trajectory;                                      // expected, part 4, these columns
-  bool is_long = false;  // part 4: only its steps are decidable
+  bool has_decidable_steps = false;  // those that follow, too: parts 3 and 4
 };
 
 // A wrong quantity.

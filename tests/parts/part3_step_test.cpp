@@ -67,6 +67,7 @@ Problem compare_chain(const Case& c) {
 // Expected is the part of q' - q that doesn't come from the new velocity: 0 or (0, delta, 0).
 TEST(part3, MovesWithTheNewVelocity) {
   for_each_case([](const Case& c) {
+    if (c.has_decidable_steps) return Problem();  // followed below; phi is near delta
     const bool contact = (c.state.q - c.q - c.params.dt * c.state.v).y() > c.params.delta / 2;
     const Vector3 lift(0, contact ? c.params.delta : 0, 0);
     const State got = submission::step(c.q, c.v, c.params);

@@ -37,7 +37,14 @@ Problem compare_columns(const Case& c) {
 // Compares each column with the step from the column before, the submission's own if it was linked
 // with its own. For a long run, in which rounding errors grow too much for a stored trajectory.
 Problem compare_steps(const Case& c) {
-  const Trajectory got = submission::first_columns(c.q, c.v, c.params);
+  Trajectory got;
+  try {
+    got = submission::first_columns(c.q, c.v, c.params);
+  } catch (const Ended&) {
+    throw;
+  } catch (const std::exception&) {
+    return {};  // columns are missing, which other checks see
+  }
   if (asked_what_is_not_recorded) return {};
   for (Eigen::Index t = 0; t + 1 < got.q.cols(); ++t) {
     State next;
@@ -76,7 +83,8 @@ TEST(part4, StartsAtTheInitialState) {
 }
 
 TEST(part4, StepsFromTheColumnBefore) {
-  for_each_case([](const Case& c) { return c.is_long ? compare_steps(c) : compare_columns(c); });
+  for_each_case(
+      [](const Case& c) { return c.has_decidable_steps ? compare_steps(c) : compare_columns(c); });
 }
 
 TEST(part4, PassesParametersOn) { for_each_case(compare_columns); }
