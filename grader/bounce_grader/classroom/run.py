@@ -71,7 +71,11 @@ def _whole(request: Request) -> int:
     _name_persons(intake, book, rules.roster)
     if book:
         _require_students_of(book, request, intake, rules.roster)
-    left_out = final.left_out(rules, intake.students, others)
+    is_told = _find_out_lateness(intake, book)
+    left_out = [
+        *final.unknown_lateness(rules.course, intake, is_told),
+        *final.left_out(rules, intake.students, others),
+    ]
     with _locked(request.out):
         remove_abandoned(request.out)
         log = Log(request.out / "log.jsonl")
@@ -199,6 +203,17 @@ def _name_persons(intake: Class, book: Gradebook | Worksheet | None, listed: Ros
 
     intake.students = [replace(s, person=name_of(s) or s.person) for s in intake.students]
     intake.students.sort(key=lambda student: (student.shown.casefold(), student.id))
+
+
+def _find_out_lateness(intake: Class, book: Gradebook | Worksheet | None) -> bool:
+    """Gives each submission the lateness that the grade book has. Returns whether the service tells
+    who was late."""
+    late = book.days_late() if isinstance(book, Worksheet) else {}
+    intake.students = [
+        replace(s, late=late[s.id] != 0, late_days=late[s.id] or 0) if s.id in late else s
+        for s in intake.students
+    ]
+    return intake.service == "canvas" or bool(late)
 
 
 def _alike(near: Similar, summaries: list[Summary]) -> list[str]:

@@ -1,5 +1,6 @@
 """Moodle's and Blackboard's downloads and grade files, with names as students have them."""
 
+import html
 import io
 import tarfile
 import zipfile
@@ -8,7 +9,7 @@ from typing import Any
 
 import pytest
 import services
-from bounce_grader.classroom.intake import students
+from bounce_grader.classroom.intake import moodle, students
 from bounce_grader.common.errors import UsageError
 from classes import download, grade_class, points_of, text_of
 from conftest import write
@@ -132,6 +133,74 @@ def test_a_second_week_replaces_what_the_first_has_filled_in(
     now = {id: g for id, (_, g) in _filled(out).items()}
     assert now[FIRST + 2] == "12.34"
     assert {id for id in now if now[id] != grades[id]} <= {FIRST + 1}
+
+
+EXTENSION = "Extension granted until: Friday, 20 November 2026, 11:15 PM"
+
+
+@pytest.mark.parametrize(
+    "status, days",
+    [
+        ("Submitted for grading", 0),
+        ("Submitted for grading -  - ", 0),
+        ("Submitted for grading - Graded -  - ", 0),
+        (f"Submitted for grading - {EXTENSION}", 0),
+        ("Submitted for grading - 45 secs late", 1),
+        ("Submitted for grading - 5 mins 3 secs late - Graded", 1),
+        ("Submitted for grading - 23 hours 59 mins late", 1),
+        ("Submitted for grading - 1 day late", 1),
+        ("Submitted for grading - 2 days 3 hours late", 3),
+        (f"Submitted for grading - 1 day 1 hour late - Graded - {EXTENSION}", 2),
+        ("Submitted for grading - 1 year 3 days late", 368),
+        ("Zur Bewertung abgegeben - 36 Tage 10 Stunden zu spät -  - ", 37),
+        ("Remis pour évaluation - 1 jour 2 heures en retard", 2),
+        ("S'ha tramès per qualificar - 3 hores 20 minuts tard", 1),
+        ("Ответы для оценки - Срок выполнения закончился 2 дн. 3 час. назад", 3),
+        ("已经提交等待评分 - 2 天 3 小时 迟交", 3),
+        ("Kutumwa - siku 2 masaa 3", None),
+    ],
+)
+def test_days_late_are_read_from_moodles_words(status: str, days: int | None) -> None:
+    assert moodle.days_late(status) == days
+
+
+POLICY = {"course.toml": b"[late]\npercent_per_day = 10\n"}
+
+
+def test_each_day_begun_of_moodles_worksheet_costs_points(tmp_path: Path) -> None:
+    late = {FIRST: "2 days 3 hours late", FIRST + 1: "siku 2 masaa 3", FIRST + 2: "8 hours late"}
+    statuses = {id: f"Submitted for grading - {words}" for id, words in late.items()}
+    sheet = services.worksheet(tmp_path / "sheet.csv", statuses=statuses)
+    out = write(tmp_path / "out", POLICY)
+    assert grade_class(moodle_class(tmp_path / "x.zip"), out, gradebook=sheet) == 0
+    cost = {FIRST: 30, FIRST + 1: 10, FIRST + 2: 10}
+    for id, (_, grade) in _filled(out).items():
+        assert float(grade) == max(0, float(points(id - FIRST, tmp_path)) - cost.get(id, 0))
+    page = html.unescape((out / "class.html").read_text())
+    vague = "can't be read from Moodle's files, and counts as one day unless"
+    assert f"{vague} adjustments.csv says otherwise: José María de la Cruz y García<" in page
+
+
+TELL_NOTHING = {
+    "Moodle": {"Ann B_9_assignsubmission_file/part2_lcp.cpp": b"// x"},
+    "Blackboard": services.blackboard_entries(0, "2026-11-20-23-15-42", {"part2_lcp.cpp": b"1"}),
+}
+
+
+@pytest.mark.parametrize("policy", [POLICY, {}])
+@pytest.mark.parametrize("service", [*TELL_NOTHING, "folder"])
+def test_where_nobody_tells_who_was_late_a_policy_is_answered(
+    tmp_path: Path, service: str, policy: dict[str, bytes], capsys: pytest.CaptureFixture[str]
+) -> None:
+    source, out = tmp_path / "class", write(tmp_path / "out", policy)
+    if service == "folder":
+        write(source / "ann", {"part2_lcp.cpp": b"// x"})
+    else:
+        download(source, [], TELL_NOTHING[service])
+    assert grade_class(source, out) == 0
+    sentence = "doesn't say who was late"
+    assert (sentence in capsys.readouterr().out) == bool(policy)
+    assert (sentence in html.unescape((out / "class.html").read_text())) == bool(policy)
 
 
 def _filled(out: Path) -> dict[int, tuple[str, str]]:

@@ -40,7 +40,11 @@ def full_name(number: int) -> str:
 
 
 def worksheet(
-    path: Path, grades: dict[int, str] = {}, locked: int = -1, comma: bool = False
+    path: Path,
+    grades: dict[int, str] = {},
+    locked: int = -1,
+    comma: bool = False,
+    statuses: dict[int, str] = {},
 ) -> Path:
     """As mod/assign/feedback/offline writes it."""
     text = io.StringIO()
@@ -49,7 +53,8 @@ def worksheet(
     most = "100,00" if comma else "100.00"
     for number in range(len(NAMES)):
         id, can = FIRST + number, "No" if number == locked else "Yes"
-        row = [f"Participant {id}", full_name(number), f"s{id}@x.org", "Submitted for grading"]
+        status = statuses.get(id, "Submitted for grading -  - ")
+        row = [f"Participant {id}", full_name(number), f"s{id}@x.org", status]
         writer.writerow([*row, grades.get(id, ""), most, can, "Friday, 20 November", "-", ""])
     path.write_text("\ufeff" + text.getvalue())
     return path

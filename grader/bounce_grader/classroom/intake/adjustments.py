@@ -19,7 +19,7 @@ class Adjustment(NamedTuple):
     student: str  # an id or a name; or EVERYBODY
     points: float = 0.0  # added
     percent: float = 0.0  # of the assignment's points, added
-    late_days: int | None = None  # in place of Canvas's; 0 for an extension
+    late_days: int | None = None  # in place of the service's; 0 for an extension
     cap: float | None = None  # the most points
     drop: tuple[str, ...] = ()  # checks whose points are given
     reason: str = ""

@@ -7,6 +7,14 @@
 
 A full name holds no "_", because Moodle writes blanks in their place; a group's comes before it,
 with a hyphen.
+
+Its grading worksheet says how late a submission is, in the site's language. The cell is made of
+pieces (`assign_grading_table::col_status`):
+
+    Submitted for grading - 2 days 3 hours late - Graded - Extension granted until: 20 November 2026
+
+The time is counted from an extension, if there is one. It has the two largest units that aren't 0,
+of years, days, hours, minutes and seconds (`format_time`).
 """
 
 import re
@@ -21,6 +29,16 @@ ENTRY = re.compile(
     r"(?:_?/|_)(?P<file>.+)",
     re.DOTALL,
 )
+STATUS = (  # titles of the column
+    *("Status", "Statut", "Estado", "Estatus", "Estat", "Stato", "Stav", "Tila", "Durum"),
+    *("Állapot", "Stare", "Состояние", "Статус", "Стан", "Κατάσταση", "ステータス", "状态", "狀態", "상태"),
+)
+UNITS = {  # what the words for a unit begin with, by the days in it
+    365: "year|jahr|an|añ|jaar|år|rok|vuo|yıl|év|год|рік|年|년",
+    1: "day|tag|jour|día|dia|dies|giorn|dag|dzie|dni|den|dn|päiv|gün|nap|zi|день|дн|ημέρ|日|天|일",
+    0: "hour|hr|stunde|heure|hora|hore|ora|ore|óra|uur|uren|timm|time|godz|hod|tunti|saat|час|годин"
+    "|ώρ|時間|小时|小時|시간|min|мин|хв|λεπτ|perc|dakika|分|분|sec|sek|seg|saniye|сек|δευτ|秒|초",
+}
 FOLDER = re.compile(r"(?P<name>[^_/]+)_(?P<id>[0-9]{1,20})_assignsubmission_(?P<kind>\w+?)_?")
 
 
@@ -46,6 +64,23 @@ def wrote_all(entries: Iterable[str]) -> bool:
 def parse_folder(name: str) -> Entry | None:
     match = FOLDER.fullmatch(name)
     return Entry(match["name"], match["id"], match["kind"], "") if match else None
+
+
+def days_late(status: str) -> int | None:
+    """How many days are begun after the deadline, by a cell of the worksheet; None if the words
+    aren't known. Full hours count, so that "2 days late" is two days."""
+    pieces = status.split(" - ")
+    late = pieces[1] if len(pieces) > 1 else ""
+    if re.search(r"\d{4}|\d:\d", late):  # the date of an extension
+        return 0
+    days, begun = 0, False
+    for number, word in re.findall(r"(\d+)\s+([^\W\d]+)", late):
+        unit = next((d for d, words in UNITS.items() if re.match(words, word.lower())), None)
+        if unit is None:
+            return None
+        days += int(number) * unit
+        begun = begun or unit == 0
+    return days + begun
 
 
 def feedback_name(name: str, participant: str) -> str:

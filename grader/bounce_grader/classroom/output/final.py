@@ -9,7 +9,7 @@ from bounce_grader.classroom.intake.adjustments import EVERYBODY, NAME, Adjustme
 from bounce_grader.classroom.intake.canvas import sanitized
 from bounce_grader.classroom.intake.course import Course
 from bounce_grader.classroom.intake.roster import Member, Roster
-from bounce_grader.classroom.intake.student import Student
+from bounce_grader.classroom.intake.student import Class, Student
 from bounce_grader.classroom.work.summary import Applied, Final, Summary
 from bounce_grader.common.escaping import first_few
 from bounce_grader.common.manifest import parts
@@ -132,9 +132,27 @@ def _dropped(summary: Summary, adjustment: Adjustment) -> dict[int, float]:
     return lost
 
 
+def unknown_lateness(course: Course, intake: Class, is_told: bool) -> list[str]:
+    """A sentence if lateness costs points, and isn't known of somebody."""
+    vague = [s.shown for s in intake.students if s.late and not s.late_days]
+    if not course.percent_per_day or (is_told and not vague):
+        return []
+    if is_told:
+        service = intake.service.capitalize()
+        return [
+            f"how many days late these are can't be read from {service}'s files, and counts as one "
+            f"day unless {NAME} says otherwise: {first_few(vague)}"
+        ]
+    worksheet = ", except in the grading worksheet, under Status (give it as --gradebook)"
+    return [
+        f"lateness costs points by course.toml, but {intake.source} doesn't say who was late"
+        f"{worksheet if intake.service == 'moodle' else ''}: only {NAME} can tell"
+    ]
+
+
 def _late_days(student: Student, own: Iterable[Adjustment]) -> int:
-    """The days that count as late: those that were written down, or Canvas's; its download says
-    only that a submission is late, which counts as one day."""
+    """The days that count as late: those that were written down, or the service's; where it says
+    only that a submission is late, that counts as one day."""
     given = [a.late_days for a in own if a.late_days is not None]
     return given[-1] if given else student.late_days or int(student.late)
 

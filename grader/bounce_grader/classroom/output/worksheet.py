@@ -9,6 +9,7 @@ import re
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 
+from bounce_grader.classroom.intake import moodle
 from bounce_grader.classroom.output import table as tables
 from bounce_grader.classroom.output.gradebook import Filled, Marks, Written, number_in, perhaps_old
 from bounce_grader.classroom.output.table import Row
@@ -49,6 +50,15 @@ class Worksheet:
 
     def same_person(self) -> dict[str, str]:
         return {id: id for id in self.people()}
+
+    def days_late(self) -> dict[str, int | None]:
+        """How many days each student is late, by id; None if the words aren't known. Empty if the
+        file doesn't tell."""
+        column = next((i for i, title in enumerate(self._header) if title in moodle.STATUS), None)
+        if self.service != "moodle" or column is None:
+            return {}
+        rows = self._by_id()
+        return {id: moodle.days_late(of_id[0].cells[column].text) for id, of_id in rows.items()}
 
     def require_some_of(self, ids: Iterable[str], canvas_ids_only: bool = False) -> None:
         """Raises UsageError if no student with one of these ids is in the file."""
