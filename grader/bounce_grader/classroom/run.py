@@ -29,7 +29,6 @@ from bounce_grader.common.escaping import printable_name, terminal
 from bounce_grader.common.files import remove_abandoned
 from bounce_grader.common.manifest import parts
 
-MOST_PAIRS = 10  # of near-copies, there
 MOST_LINES = 40  # on the terminal; class.html has them all
 
 
@@ -118,7 +117,7 @@ def _run(
     readable = [s.student for s in summaries if s.state != "unreadable"]
     near = near_copies.find(request.out, readable, tasks, request.trust, request.corpus)
     feedback = outputs.write_feedback(request.out, intake, summaries, request.reveal)
-    for reasons in (near.left_out, feedback.without):
+    for reasons in (near.incomplete, feedback.without):
         summaries = [
             s.with_note(reasons[s.student.id]) if s.student.id in reasons else s for s in summaries
         ]
@@ -219,11 +218,12 @@ def _find_out_lateness(intake: Class, book: Gradebook | Worksheet | None) -> boo
 def _alike(near: Similar, summaries: list[Summary]) -> list[str]:
     """A sentence for each of the nearest copies."""
     names = page.names_of(summaries)
-    return [
+    sentences = [
         f"{' and '.join(page.pair_names(pair, names))} have {page.pair_share(pair)} in common: "
         "look whether one is a copy"
-        for pair in near.pairs[:MOST_PAIRS]
+        for pair in near.pairs
     ]
+    return sentences + [f"{near.more} more pairs stand out"] * bool(near.more)
 
 
 def _tasks(request: Request, chosen: list[Student], stamp: Stamp, folder: Path) -> dict[str, Task]:
@@ -345,6 +345,9 @@ def _say(
     graded = [s for s in summaries if s.state == "graded"]
     looks = sum(bool(s.needs_a_look) for s in summaries)
     print(f"{len(graded)} of {intake.handed_in} submissions graded ({intake.source}).")
+    if equal := len(graded) - len({s.key for s in graded}):
+        whose = f"{equal} of them equal others" if equal > 1 else "One of them equals another"
+        print(f"{whose} letter for letter: equal ones are graded once.")
     if looks or intake.unmatched:
         print(
             f"{looks} need a look, {len(intake.unmatched)} can't be graded or aren't matched; "

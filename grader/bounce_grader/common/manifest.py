@@ -3,7 +3,7 @@
 import json
 import math
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from functools import cache
 from typing import Any, NamedTuple
 
@@ -62,6 +62,14 @@ def parts() -> tuple[Part, ...]:
         )
         for part in found
     )
+
+
+def named_together(numbers: Sequence[int]) -> str:
+    """Some parts in words: "part 2", "parts 1, 2 and 4", or "all parts"."""
+    if len(numbers) == len(parts()) > 1:
+        return "all parts"
+    *first, last = map(str, numbers)
+    return f"parts {', '.join(first)} and {last}" if first else f"part {last}"
 
 
 def part_of(name: str) -> Part:

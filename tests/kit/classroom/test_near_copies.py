@@ -1,5 +1,6 @@
 """Near-copies in a class with submissions that take long to compare."""
 
+import random
 import time
 from pathlib import Path
 
@@ -42,8 +43,47 @@ def test_what_repeats_itself_is_left_out_and_costs_no_other_pair(
     assert time.monotonic() - start < 60
     assert not near.problem
     assert [(pair.first, pair.second, pair.share) for pair in near.pairs] == [("1", "2", 100)]
-    assert set(near.left_out) == {str(user) for user in range(3, 9)}
+    assert set(near.incomplete) == {str(user) for user in range(3, 9)}
     assert compared(source, tmp_path) == near
+
+
+SOLVED = solution_files()["part3_step.cpp"]
+
+
+HIDDEN = {  # how a copy is hidden, as text before and after it
+    "a long comment": (b"/*" + b"x y " * 16_500 + b"*/\n", b""),
+    "many comments": (b"// x y z\n" * 8_000, b""),
+    "blanks": (b" " * 70_000 + b"\n" * 70_000, b""),
+    "a comment that goes on": (b"// x \\\ny /*\n", b"// */\n"),
+    "a string": (b'const char* s = "/*";\n', b'const char* t = "*/";\n'),
+    "a header's name": (b"#if __has_include(</*>)\n#endif\n", b"// */\n"),
+    "digits apart": (b"const int n = 1'000; const char c = '\"';\n", b"// \"'\n"),
+    "a raw string": (b'auto r = R"x(" /* )x";\n', b'auto s = R"(*/)";\n'),
+}
+
+
+@pytest.mark.parametrize("how", HIDDEN)
+@pytest.mark.usual(2)
+def test_nothing_hides_a_copy(tmp_path: Path, how: str) -> None:
+    before, after = HIDDEN[how]
+    near = compared(class_with(tmp_path / "x.zip", [before + SOLVED + after]), tmp_path)
+    assert ("1", "3") in {(pair.first, pair.second) for pair in near.pairs}
+    assert not near.incomplete
+
+
+def test_who_is_compared_only_in_part_is_named(tmp_path: Path) -> None:
+    words = random.Random(1).choices("if for ( ) { } ; + * = x 1 return".split(), k=60_000)
+    near = compared(class_with(tmp_path / "x.zip", [" ".join(words).encode()]), tmp_path)
+    assert near.incomplete == {"3": near_copies.IN_PART}
+
+
+@pytest.mark.parametrize(
+    "unit", ["/*", 'R"x(', '\\"', "'", "#include<", "# ", "\\ ", "1'a", '"', "//", "__has_include("]
+)
+def test_comments_are_found_in_time_that_grows_with_the_text(unit: str) -> None:
+    start = time.process_time()
+    near_copies.code_of((unit * (200_000 // len(unit))).encode())
+    assert time.process_time() - start < 5
 
 
 def test_a_submission_is_read_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -71,8 +111,9 @@ def test_who_is_left_out_needs_a_look(tmp_path: Path) -> None:
     assert grade_class(source, out) == 0
     page = (out / "class.html").read_text()
     looks, near = page.split("<h2>Needs a look")[1].split("<h2>Near-copies")
+    assert looks.index("<h2>Not graded, not matched") < looks.index("<h2>Points")
     assert "roe (3)</td><td>it repeats itself too much to be compared" in looks
-    assert "Left out: roe (3). Needs a look" in near
+    assert "Not compared, or only in part: roe (3). Needs a look" in near
     assert "it repeats itself" in (out / "grades.csv").read_text()
 
 

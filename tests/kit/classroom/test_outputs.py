@@ -70,7 +70,7 @@ def test_what_may_be_a_missing_part_needs_a_look(
     said = capsys.readouterr().out
     assert "4 need a look" in said
     for looks in (said, (out / "class.html").read_text()):
-        assert looks.count("parts 1 and 3 and 4 not there, but ") == 4
+        assert looks.count("parts 1, 3 and 4 not there, but ") == 4
         assert looks.count("part1.rar") >= 2
         assert "part1.cpp is no part by its name" in looks
         assert "part1_contacts.cpp.txt" in looks

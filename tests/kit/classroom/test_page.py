@@ -58,15 +58,18 @@ def test_only_what_has_all_points_stands_among_right_answers(tmp_path: Path) -> 
     assert line and at["lost"] < 56 < float(line[1]) < at["full"]
 
 
-def test_many_alike_are_named_together(tmp_path: Path) -> None:
-    made = [summary(tmp_path, name) for name in "abcdef"]
-    linked = [("a", "b"), ("c", "d"), ("b", "c"), ("e", "f")]
-    pairs = tuple(Pair(one, other, 90) for one, other in linked)
-    text = page.render(Class("a folder"), made, Similar(pairs, 40), [])
-    assert re.findall(r"<li>(\d alike: [^<]*)", text) == ["4 alike: a, b, c, d"]
-    assert "pairs with most in common" not in text
-    many = Similar((Pair("a", "b", 90),) * near_copies.MOST, 40)
-    assert "200 pairs with most in common" in page.render(Class("a folder"), made, many, [])
+def test_pairs_that_stand_out_are_named_and_the_others_counted(tmp_path: Path) -> None:
+    made = [summary(tmp_path, name) for name in "abcd"]
+    pairs = (Pair("a", "b", 90), Pair("c", "d", 95, (1, 2, 4)), Pair("a", "d", 91, (1, 2, 3, 4)))
+    text = page.render(Class("a folder"), made, Similar(pairs, 40, more=1), [])
+    shares = re.findall(r"<td>([a-d])</td><td>([a-d])</td><td class=.n.>(.*?)</td>", text)
+    assert shares == [
+        ("a", "b", "90 %"),
+        ("c", "d", "95 % of parts 1, 2 and 4"),
+        ("a", "d", "91 % of all parts"),
+    ]
+    assert "And 1 more pair." in text
+    assert "more pair" not in page.render(Class("a folder"), made, Similar(pairs, 40), [])
 
 
 def test_a_page_about_a_thousand_stays_small(tmp_path: Path) -> None:
@@ -84,9 +87,9 @@ def test_a_page_about_a_thousand_stays_small(tmp_path: Path) -> None:
     pairs = (Pair("400001", "400002", 90),) * near_copies.MOST
     text = page.render(Class("a folder"), made, Similar(pairs, 40), ["a sentence of fifty"] * 1000)
     assert len(text.encode()) < 1_500_000
-    assert "<details><summary>200 pairs" in text
-    few = page.render(Class("a folder"), made[:3], Similar(pairs[:1], 40), [])
-    assert "<details open><summary>1 pair" in few
+    assert "<details><summary>Adjustments and the grade book: 1000" in text
+    few = page.render(Class("a folder"), made[:3], NOBODY, ["a sentence"])
+    assert "<details open><summary>Adjustments and the grade book: 1<" in few
 
 
 def test_the_shapes_differ_without_colour() -> None:
@@ -146,26 +149,25 @@ def test_the_histogram_counts(scores: list[float], counts: list[str]) -> None:
 
 
 def test_recognised_mistakes_are_counted_with_the_instructors_line(tmp_path: Path) -> None:
+    """A mistake of one student alone is one line."""
     one = summary(tmp_path, "one")
     both = {"part1_degrees": "theta is taken for degrees", "part2_dt_squared": "dt twice <in> V"}
     some = [
         replace(one, mistakes=both),
         replace(one, mistakes={"part1_degrees": both["part1_degrees"]}),
     ]
-    text = shown(*some, one).split("Most frequent mistakes")[1].split("</section>")[0]
-    rows = re.findall(
+    text = shown(*some, one).split("Known mistakes")[1].split("</section>")[0]
+    (row,) = re.findall(
         r"<tr><td>(.*?)</td><td>(.*?)</td><td>(.*?)</td><td><details><summary>(.*?)</summary>"
         r"(.*?)</details></td></tr>",
         text,
     )
-    assert [(row[0], row[1], row[3], row[4]) for row in rows] == [
-        ("1", "theta is taken for degrees", "2", "one; one"),
-        ("2", "dt twice &lt;in&gt; V", "1", "one"),
-    ]
+    assert (row[0], row[1], row[3], row[4]) == ("1", "theta is taken for degrees", "2", "one; one")
     words, heading = for_the_instructor("part1_degrees")
     said = f'{words} <details class="small"><summary>hint {heading}</summary>phi is the distance'
-    assert words and rows[0][2].startswith(said)
-    assert "<svg" in text and "No known mistake" not in text
+    assert words and row[2].startswith(said)
+    assert re.findall("<li>(.*?)</li>", text) == ["Part 2. dt twice &lt;in&gt; V: one"]
+    assert "<svg" not in text and "No known mistake" not in text
 
 
 def test_without_a_known_mistake_the_checks_that_failed_are_counted(tmp_path: Path) -> None:
@@ -179,7 +181,11 @@ def test_who_needs_a_look_is_named_with_the_reason(tmp_path: Path) -> None:
     slow = summary(tmp_path, "slow", parts=record["parts"])
     boxless = summary(tmp_path, "boxless", box="none")
     failed = Summary(Student("x", "x", tmp_path), "k", "failed", "the kit failed: no compiler")
-    looks = shown(slow, boxless, failed).split("Needs a look")[1].split("Near-copies")[0]
+    text = shown(slow, boxless, summary(tmp_path, "also", box="none"), failed)
+    before, looks = text.split("<h2>Needs a look")
+    assert "<svg" not in before
+    looks = looks.split("<h2>Points")[0]
+    assert "boxless; also</td>" in looks
     assert "part 3: timed out" in looks and "graded with no box" in looks
     assert "the kit failed: no compiler" in looks
 

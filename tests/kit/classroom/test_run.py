@@ -11,7 +11,7 @@ from bounce_grader import cli
 from bounce_grader.classroom import run
 from bounce_grader.classroom.work import results
 from bounce_grader.common.errors import UsageError
-from classes import COLUMN, book, column, download, grade_class, graded, points_of
+from classes import COLUMN, book, column, download, grade_class, graded, points_of, text_of
 from conftest import solution_files, write
 
 
@@ -30,6 +30,26 @@ def test_writes_all_that_it_promises(tmp_path: Path, users: list[int]) -> None:
         assert archive.read("doejane_101_1010_feedback.html").startswith(b"<!doctype html>")
     assert "Doe, Jane (999) has no submission" in (out / "class.html").read_text()
     assert sorted(graded(out)) == sorted(results.keys(out / "results"))
+
+
+@pytest.mark.parametrize(
+    "same, sentence",
+    [
+        (0, ""),
+        (1, "One of them equals another letter for letter: equal ones are graded once."),
+        (2, "2 of them equal others letter for letter: equal ones are graded once."),
+    ],
+)
+def test_equal_submissions_are_graded_once_and_that_is_said(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], same: int, sentence: str
+) -> None:
+    copies = {f"roe_{user}_{user}0_part2_lcp.cpp": text_of(101) for user in range(201, 201 + same)}
+    grade_class(download(tmp_path / "x.zip", [101], copies), tmp_path / "out")
+    said = capsys.readouterr()
+    assert "1 of 1 graded" in said.err
+    first, second = said.out.splitlines()[:2]
+    assert first == f"{1 + same} of {1 + same} submissions graded (a Canvas download)."
+    assert second == sentence or not sentence
 
 
 def test_no_row_of_the_grade_book_is_found_by_a_login_that_students_choose(tmp_path: Path) -> None:

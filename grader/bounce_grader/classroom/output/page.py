@@ -12,11 +12,11 @@ from bounce_grader.classroom.intake.course import Course
 from bounce_grader.classroom.intake.student import Class
 from bounce_grader.classroom.output import charts
 from bounce_grader.classroom.output.charts import Bar, Point, Curve
-from bounce_grader.classroom.work.near_copies import MOST as MOST_PAIRS, Pair, Similar
+from bounce_grader.classroom.work.near_copies import Pair, Similar
 from bounce_grader.classroom.work.summary import Summary
 from bounce_grader.common.chart_style import NAMES, ON_PAPER
 from bounce_grader.common.escaping import first_few, printable_name
-from bounce_grader.common.manifest import parts
+from bounce_grader.common.manifest import named_together, part_of, parts
 from bounce_grader.common.numbers import percent, scientific, short
 from bounce_grader.common.svg import Drawing
 from bounce_grader.formats.sentences import nudge
@@ -39,8 +39,7 @@ def render(
     names = names_of(summaries)
     graded = [s for s in summaries if s.score is not None]
     scores = [s.score for s in summaries if s.score is not None]
-    mistakes = Counter(name for s in graded for name in s.mistakes).most_common(15)
-    titles = {name: title for s in graded for name, title in s.mistakes.items()}
+    mistakes = [_mistake(*made) for made in _who_made_mistakes(graded)]
     return fill(
         "classroom/output/class.html.j2",
         title=course.title or "The class",
@@ -49,13 +48,8 @@ def render(
         histogram=charts.histogram(scores, _full()),
         graded=graded,
         success=_success(graded) if graded else None,
-        mistakes=[
-            [name[4], titles[name], *_words(name), _who_made(name, graded)] for name, _ in mistakes
-        ],
-        mistake_bars=charts.bars(
-            [Bar(titles[name], count / len(graded), str(count)) for name, count in mistakes],
-            "Submissions by mistake",
-        ),
+        mistakes=[mistake for mistake in mistakes if len(mistake["who"]) > 1],
+        mistakes_of_one=[mistake for mistake in mistakes if len(mistake["who"]) == 1],
         failed_checks=_failed_checks(graded),
         timed=any(s.ratio is not None for s in summaries),
         scatter=charts.scatter(
@@ -64,16 +58,10 @@ def render(
         curves=_curves(summaries, graded),
         chart_style=ON_PAPER,
         names=NAMES,
-        looks=[[_who(s), "; ".join(s.needs_a_look)] for s in summaries if s.needs_a_look],
+        looks=_looks(summaries),
         near=near,
-        left_out=first_few([names[id] for id in near.left_out]),
-        groups=[
-            [names.get(id, printable_name(id)) for id in group]
-            for group in _together(near)
-            if len(group) > 2
-        ],
+        incomplete=first_few([names[id] for id in near.incomplete]),
         pairs=[[*pair_names(p, names), pair_share(p)] for p in near.pairs],
-        most_pairs=MOST_PAIRS,
         unmatched=[[printable_name(entry.name), entry.reason] for entry in submitted.unmatched],
         gradebook_sentences=gradebook_sentences,
         adjusted=any(s.is_adjusted for s in summaries),
@@ -85,10 +73,36 @@ def render(
     )
 
 
-def _words(mistake: str) -> list[str]:
-    """What the mistake is, and the hint that students have, by heading and text."""
-    words, heading = for_the_instructor(mistake)
-    return [words, heading, nudge(heading)]
+def _looks(summaries: Sequence[Summary]) -> list[Row]:
+    """Who needs a look, and why; in one row if the reasons are the same, as with a reduced box."""
+    who: dict[str, list[str]] = {}
+    for summary in summaries:
+        if summary.needs_a_look:
+            who.setdefault("; ".join(summary.needs_a_look), []).append(_who(summary))
+    return [[first_few(names, separator="; "), why] for why, names in who.items()]
+
+
+def _who_made_mistakes(graded: Sequence[Summary]) -> list[tuple[str, str, list[str]]]:
+    """The name, the title and the students of each known mistake, the most frequent first,
+    and then by part."""
+    made: dict[str, tuple[str, str, list[str]]] = {}
+    for summary in graded:
+        for name, title in summary.mistakes.items():
+            made.setdefault(name, (name, title, []))[2].append(_who(summary))
+    return sorted(made.values(), key=lambda mistake: (-len(mistake[2]), mistake[0]))
+
+
+def _mistake(name: str, title: str, who: list[str]) -> dict[str, Any]:
+    """A mistake with the line for the instructor, and the hint that students have."""
+    words, heading = for_the_instructor(name)
+    return {
+        "part": part_of(name).number,
+        "title": title,
+        "words": words,
+        "heading": heading,
+        "hint": nudge(heading),
+        "who": who,
+    }
 
 
 def pair_names(pair: Pair, names: Mapping[str, str]) -> list[str]:
@@ -97,8 +111,7 @@ def pair_names(pair: Pair, names: Mapping[str, str]) -> list[str]:
 
 
 def pair_share(pair: Pair) -> str:
-    of = f" of parts {' and '.join(map(str, pair.parts))}" if pair.parts else ""
-    return f"{pair.share} %{of}"
+    return f"{pair.share} %{f' of {named_together(pair.parts)}' if pair.parts else ''}"
 
 
 def _full() -> float:
@@ -197,24 +210,6 @@ def _median(summaries: Sequence[Summary], whose: str) -> Curve | None:
         return Curve(places, whose, NAMES[whose])
     steps = tuple(f"{short(1000 * point.dt)} ms" for point in first.curves[whose])
     return Curve(places, whose, NAMES[whose], steps)
-
-
-def _together(near: Similar) -> list[list[str]]:
-    """Groups of similar submissions, largest first: all that pairs connect. Not every two of a
-    group have been compared with each other."""
-    groups: dict[str, list[str]] = {}
-    for pair in near.pairs:
-        one = groups.setdefault(pair.first, [pair.first])
-        other = groups.setdefault(pair.second, [pair.second])
-        if one is not other:
-            one += other
-            groups |= {id: one for id in other}
-    distinct = {id(group): group for group in groups.values()}
-    return sorted(distinct.values(), key=lambda group: -len(group))
-
-
-def _who_made(mistake: str, graded: Sequence[Summary]) -> list[str]:
-    return [_who(s) for s in graded if mistake in s.mistakes]
 
 
 def _speed_and_error(summary: Summary) -> list[str]:

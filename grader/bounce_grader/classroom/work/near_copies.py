@@ -15,7 +15,7 @@ import re
 import statistics
 from collections import defaultdict
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import asdict, dataclass, field
 from functools import cache
 from pathlib import Path
 from shutil import which
@@ -36,8 +36,8 @@ RELATIVES = 3  # of each submission
 LEAST = 60  # per cent in common
 LEAST_OF_PART = 90  # per cent of one part; right answers to a short task look alike
 LEAST_PARTS = 2  # alike, for a pair that isn't alike as a whole
-MOST = 200  # pairs
-LONGEST = 64 * 1024  # characters that are compared of each
+MOST = 20  # pairs that are named
+LONGEST = 64 * 1024  # characters that are compared of each, without comments and blanks
 WITH_ITSELF = 4  # copies, which make six pairs; ulimit can only limit whole seconds
 SECONDS = 1  # of CPU time, for those six, and later for each pair
 LIMITS = processes.Limits(cpu_seconds=900, wall_seconds=1800, memory=2 << 30, file_size=64 << 20)
@@ -51,6 +51,20 @@ EACH_LINE = (  # compares the files named on a line with each other
 )
 
 
+# What hides code, or seems to: comments, and what may hold the signs that begin one. Matching takes
+# time that grows with the text, whatever a student writes.
+HIDING = re.compile(
+    r"""(?P<comment>//[^\n]* | /\*.*?\*/) | /\*(?P<never_closed>.*)\Z
+    | (?P<header>(?:\#\s*include | __has_include\s*\()\s*<[^>\n]{0,200}>)
+    | (?<!\w)(?P<number>\.?\d(?:'?[\w.])*)
+    | (?P<literal>(?<!\w)(?:u8|[uUL])?R"(?P<mark>[^()\\\s]{0,16})\(.*?(?:\)(?P=mark)"|\Z)
+        | "(?:\\.|[^"\\\n])*(?:"|\\?$) | '(?:\\.|[^'\\\n])*(?:'|\\?$))""",
+    re.DOTALL | re.MULTILINE | re.VERBOSE,
+)
+IN_PART = (
+    f"it is longer than {LONGEST >> 10} KB even without comments, and only its beginning is compared "
+    "with others: look whether it is a copy"
+)
 TOO_SLOW = "it repeats itself too much to be compared with others: look whether it is a copy"
 
 
@@ -70,8 +84,10 @@ class Similar:
 
     pairs: tuple[Pair, ...]
     usual: int  # per cent: the median share with the closest relative
+    more: int = 0  # pairs that stand out, too
     problem: str = ""  # why there is no result
-    left_out: Mapping[str, str] = field(default_factory=dict)  # sentences, by a student's id
+    # Why somebody is left out or compared in part alone, by a student's id.
+    incomplete: Mapping[str, str] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -95,16 +111,15 @@ def find(
     """Finds near-copies, also of submissions in the folders `corpus`. The result is cached in a
     file until the submissions change."""
     if which(PROGRAM) is None:
-        return Similar(
-            (), 0, "similarity-tester isn't installed: apt-get install similarity-tester"
-        )
+        missing = "similarity-tester isn't installed: apt-get install similarity-tester"
+        return Similar((), 0, problem=missing)
     own = [Compared(s.id, s.path, s.uploads, graded[s.id].submission) for s in students]
     try:
         compared = [*own, *(other for folder in corpus for other in _of_another_year(folder))]
     except UsageError as error:
-        return Similar((), 0, str(error))  # of a damaged download; the grades are there
+        return Similar((), 0, problem=str(error))  # of a damaged download; the grades are there
     words = [
-        f"{RUN} {RELATIVES} {LEAST} {LEAST_OF_PART} {SECONDS}",
+        f"{RUN} {RELATIVES} {LEAST} {LEAST_OF_PART} {SECONDS} {MOST} {LONGEST} without comments",
         *(f"{one.id} {one.digest}" for one in compared),
     ]
     name = hashlib.sha256(os.fsencode("\n".join(words))).hexdigest()
@@ -114,10 +129,8 @@ def find(
     try:
         similar = _find(compared, boxes.choose(boxes.kinds(trust)))
     except KitError as error:
-        return Similar((), 0, str(error))
-    pairs = [[pair.first, pair.second, pair.share, pair.parts] for pair in similar.pairs]
-    whole = {"of": name, "pairs": pairs, "usual": similar.usual, "left_out": similar.left_out}
-    write_whole(out / "similar.json", json.dumps(whole))
+        return Similar((), 0, problem=str(error))
+    write_whole(out / "similar.json", json.dumps({"of": name, **asdict(similar)}))
     return similar
 
 
@@ -136,14 +149,18 @@ def _read(path: Path, name: str) -> Similar | None:
         return None
     if kept.get("of") != name:
         return None
-    pairs = tuple(Pair(one, two, share, tuple(ps)) for one, two, share, ps in kept["pairs"])
-    return Similar(pairs, kept["usual"], left_out=kept["left_out"])
+    pairs = tuple(
+        Pair(pair["first"], pair["second"], pair["share"], tuple(pair["parts"]))
+        for pair in kept["pairs"]
+    )
+    return Similar(pairs, kept["usual"], kept["more"], incomplete=kept["incomplete"])
 
 
 def _find(compared: list[Compared], box: boxes.Box) -> Similar:
     others = {one.id for one in compared if one.of_another_year}
     left_out: dict[str, str] = {}
-    texts = _texts(compared, left_out)
+    in_part: dict[str, str] = {}
+    texts = _texts(compared, left_out, in_part)
     whole, usual = _alike(texts[0], LEAST, box, left_out)
     pairs = {ids: Pair(*ids, share) for ids, share in whole.items()}
     of_parts: dict[tuple[str, str], dict[int, int]] = defaultdict(dict)
@@ -156,14 +173,16 @@ def _find(compared: list[Compared], box: boxes.Box) -> Similar:
             pairs[ids] = Pair(*ids, min(shares.values()), tuple(sorted(shares)))
     wanted = [pair for pair in pairs.values() if not {pair.first, pair.second} <= others]
     wanted.sort(key=lambda pair: (bool(pair.parts), -pair.share, pair.first, pair.second))
-    notes = {id: why for id, why in left_out.items() if id not in others}
-    return Similar(tuple(wanted[:MOST]), usual, left_out=notes)
+    notes = {id: why for id, why in {**in_part, **left_out}.items() if id not in others}
+    return Similar(tuple(wanted[:MOST]), usual, len(wanted[MOST:]), incomplete=notes)
 
 
-def _texts(compared: list[Compared], left_out: dict[str, str]) -> dict[int, list[tuple[str, str]]]:
+def _texts(
+    compared: list[Compared], left_out: dict[str, str], in_part: dict[str, str]
+) -> dict[int, list[tuple[str, str]]]:
     """The texts to compare, each with its id: the whole ones under 0, those of part n under n. Each
     submission is read once, because a reading may take seconds. Adds to `left_out` what can't be
-    compared."""
+    compared, and to `in_part` what is cut."""
     texts: dict[int, list[tuple[str, str]]] = defaultdict(list)
     for one in compared:
         try:
@@ -173,8 +192,10 @@ def _texts(compared: list[Compared], left_out: dict[str, str]) -> dict[int, list
             left_out[one.id] = str(error)
             continue
         for number, text in own.items():
-            if text.strip():
-                texts[number].append((one.id, text))
+            if len(text) > LONGEST:
+                in_part[one.id] = IN_PART
+            if text:
+                texts[number].append((one.id, text[:LONGEST] + "\n"))
     return texts
 
 
@@ -246,29 +267,39 @@ def _usual(shares: dict[tuple[str, str], int], number: int) -> int:
 
 
 def own_texts(path: Path, uploads: tuple[Upload, ...]) -> dict[int, str]:
-    """The text that a student wrote, without lines of the handout: of all files under 0, of part n
-    under n. Empty if the submission can't be read."""
+    """The code that a student wrote, without comments and lines of the handout: of all files under
+    0, the parts first; of part n under n. Empty if the submission can't be read."""
     try:
         taken = handed_in.read(path, uploads)
     except UsageError:
         return {}
-    of_parts = {number: [taken.files[file]] for number, file in taken.parts.items()}
-    every = {0: [text for _, text in sorted(taken.files.items())], **of_parts}
-    return {number: _own_text(files) for number, files in every.items()}
-
-
-def _own_text(files: Iterable[bytes]) -> str:
     handout = _handout()
-    own = ""
-    for file in files:
-        text = io.StringIO(file.decode("utf-8", "replace"), newline=None)
-        while len(own) < LONGEST and (lines := text.readlines(LONGEST)):
-            own += "".join(line for line in lines if line.strip() not in handout)
-        own += "\n"
-    return own[:LONGEST] + "\n"
+    own = {
+        name: "".join(f"{line}\n" for line in code_of(text) if line not in handout)
+        for name, text in taken.files.items()
+    }
+    of_parts = {number: own[file] for number, file in taken.parts.items()}
+    helpers = [own[name] for name in sorted(own.keys() - set(taken.parts.values()))]
+    return {0: "".join([*of_parts.values(), *helpers]), **of_parts}
+
+
+def code_of(text: bytes) -> list[str]:
+    """The lines of a source that hold code, without comments, indentation and the contents of
+    literals."""
+    whole = io.StringIO(text.decode("utf-8", "replace"), newline=None).read()
+    spliced = re.sub(r"\\[ \t]*\n", "", whole)
+    code = HIDING.sub(_without_content, spliced)
+    return [line for line in (" ".join(line.split()) for line in code.split("\n")) if line]
+
+
+def _without_content(match: re.Match[str]) -> str:
+    if match["comment"]:
+        return " "
+    if match["number"]:
+        return match["number"].replace("'", "")
+    return match["never_closed"] or ("#include" if match["header"] else '""')
 
 
 @cache
 def _handout() -> set[str]:
-    lines = {line.strip() for f in STUBS.glob("*.cpp") for line in f.read_text().splitlines()}
-    return lines - {"{", "}", ""}
+    return {line for f in STUBS.glob("*.cpp") for line in code_of(f.read_bytes())} - {"{", "}"}

@@ -7,6 +7,7 @@ from typing import Any
 
 from bounce_grader.classroom.intake.student import Student
 from bounce_grader.common.escaping import first_few
+from bounce_grader.common.manifest import named_together
 from bounce_grader.grading import speed
 
 
@@ -83,10 +84,8 @@ class Summary:
         """A missing part may be there under another name, or in a file that can't be read."""
         missing = [number for number, status in self.statuses.items() if status == "not_submitted"]
         others = [*self.unused, *(f"{name} is no part by its name" for name in self.beside)]
-        words = "parts" if len(missing) > 1 else "part"
-        numbers = " and ".join(map(str, missing))
         there = first_few(others, separator="; ", more=self.ignored_more)
-        return [f"{words} {numbers} not there, but {there}"] if missing and others else []
+        return [f"{named_together(missing)} not there, but {there}"] if missing and others else []
 
 
 def of_result(student: Student, key: str, result: dict[str, Any]) -> Summary:
