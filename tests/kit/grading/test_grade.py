@@ -346,26 +346,38 @@ def test_speed_is_a_ratio_of_one_run() -> None:
     assert 0 < speed["largest_error"] < 1e-9
 
 
-def test_missing_packages_are_named_and_not_installed_where_that_is_refused(tmp_path: Path) -> None:
-    """The kit in a fresh folder, on a machine where dpkg knows of no package."""
-    dpkg = tmp_path / "bin" / "dpkg-query"
-    dpkg.parent.mkdir()
-    dpkg.write_text("#!/bin/sh\nexit 1\n")
-    dpkg.chmod(0o755)
-    copy = tmp_path / "kit"
-    copy.write_bytes((ROOT / "kit").read_bytes())
-    copy.chmod(0o755)
-    path = f"{dpkg.parent}:{os.environ['PATH']}"
+@pytest.mark.parametrize("installed", [False, True])
+def test_missing_packages_are_named_and_nothing_is_fetched_where_none_is_missing(
+    tmp_path: Path, installed: bool
+) -> None:
+    """The kit in a fresh folder, on a machine where dpkg knows of all packages or of none."""
+    programs = {
+        "dpkg-query": "echo installed" if installed else "exit 1",
+        "apt-get": f"touch {tmp_path}/asked",
+        "sudo": f"touch {tmp_path}/asked",
+    }
+    write(tmp_path / "bin", {name: f"#!/bin/sh\n{do}\n".encode() for name, do in programs.items()})
+    copy = write(tmp_path, {"kit": (ROOT / "kit").read_bytes()}) / "kit"
+    for program in [copy, *(tmp_path / "bin").iterdir()]:
+        program.chmod(0o755)
     done = subprocess.run(
         [str(copy), "grade", "x"],
-        env={"PATH": path, "KIT_NO_INSTALL": "1"},
+        env={
+            "PATH": f"{tmp_path / 'bin'}:{os.environ['PATH']}",
+            **({} if installed else {"KIT_NO_INSTALL": "1"}),
+        },
         capture_output=True,
         text=True,
         check=False,
     )
-    assert done.returncode == 3 and done.stdout == ""
-    assert "apt-get install -y --no-install-recommends" in done.stderr
-    assert "libeigen3-dev" in done.stderr and done.stderr.count("\n") == 1
+    assert not (tmp_path / "asked").exists() and done.stdout == ""
+    if not installed:
+        assert done.returncode == 3
+        assert "apt-get install -y --no-install-recommends" in done.stderr
+        assert "libeigen3-dev" in done.stderr and done.stderr.count("\n") == 1
+    else:
+        assert (tmp_path / "build" / "kit" / "installed-to-grade").exists()
+        assert "apt-get" not in done.stderr
 
 
 def test_a_grading_imports_nothing_that_takes_longer_than_a_judge() -> None:
