@@ -230,7 +230,7 @@ void keep_pipes_from_being_opened_again() {
   throw std::runtime_error(options.command[0] + ": " + std::strerror(errno));
 }
 
-void limit_and_filter(const std::string& kind, bool reduced, rlim_t others) {
+void limit_and_filter(const std::string& kind, rlim_t others) {
   const bool build = kind == "build";
   limit(RLIMIT_CORE, 0);
   const rlim_t of_a_run = others > 0 ? kOfARunAmongOthers : kOfARun;
@@ -238,7 +238,7 @@ void limit_and_filter(const std::string& kind, bool reduced, rlim_t others) {
   limit(RLIMIT_NOFILE, build ? 256 : 16);
   if (build) forbid_non_compiler_calls();
   if (kind == "check") restrict_to_sanitized_calls();
-  if (kind == "run") restrict_to_submission_calls(!reduced);
+  if (kind == "run") restrict_to_submission_calls();
 }
 
 void enter(const Options& options) {
@@ -261,7 +261,7 @@ void enter(const Options& options) {
   if (boxed && root) leave_the_common_user_namespace();
   if (!options.folder.empty()) require(::chdir(options.folder.c_str()), options.folder);
   if (options.reduced) die_with(guard);
-  if (boxed) limit_and_filter(options.kind, options.reduced, others);
+  if (boxed) limit_and_filter(options.kind, others);
   become(options);
 }
 

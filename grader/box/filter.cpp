@@ -8,9 +8,11 @@
 #include <sys/prctl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <climits>
 #include <initializer_list>
+#include <iterator>
 
 #include "require.hpp"
 
@@ -54,6 +56,20 @@ void allow_threads(Filter& filter) {
   filter.rule(no(ENOSYS), SCMP_SYS(clone3));
 }
 
+// What malloc, the threads and the sanitizers tell the system of their memory. Other advice fails
+// as on a system that doesn't know it: some of it is about memory that processes share.
+void allow_usual_advice(Filter& filter) {
+  constexpr scmp_datum_t kUsual[] = {MADV_DONTNEED, MADV_FREE, MADV_HUGEPAGE, MADV_NOHUGEPAGE,
+                                     MADV_DONTDUMP};
+  constexpr scmp_datum_t kLast = *std::max_element(std::begin(kUsual), std::end(kUsual));
+  for (scmp_datum_t advice = 0; advice <= kLast; ++advice) {
+    const bool usual = std::find(std::begin(kUsual), std::end(kUsual), advice) != std::end(kUsual);
+    filter.rule(usual ? SCMP_ACT_ALLOW : no(EINVAL), SCMP_SYS(madvise),
+                SCMP_A2(SCMP_CMP_EQ, advice));
+  }
+  filter.rule(no(EINVAL), SCMP_SYS(madvise), SCMP_A2(SCMP_CMP_GT, kLast));
+}
+
 void allow_numbers(Filter& filter) {
   // The box starts the program with execve; there is no other program in it to start.
   filter.rules(SCMP_ACT_ALLOW, {SCMP_SYS(read),
@@ -61,13 +77,10 @@ void allow_numbers(Filter& filter) {
                                 SCMP_SYS(readv),
                                 SCMP_SYS(writev),
                                 SCMP_SYS(lseek),
-                                SCMP_SYS(fstat),
-                                SCMP_SYS(close),
                                 SCMP_SYS(brk),
                                 SCMP_SYS(munmap),
                                 SCMP_SYS(mremap),
                                 SCMP_SYS(mprotect),
-                                SCMP_SYS(madvise),
                                 SCMP_SYS(rt_sigaction),
                                 SCMP_SYS(rt_sigprocmask),
                                 SCMP_SYS(rt_sigreturn),
@@ -118,32 +131,40 @@ void allow_numbers(Filter& filter) {
   filter.rule(SCMP_ACT_ALLOW, SCMP_SYS(mmap), SCMP_A3(SCMP_CMP_MASKED_EQ, MAP_SHARED, 0));
   filter.rule(no(EPERM), SCMP_SYS(mmap), SCMP_A3(SCMP_CMP_MASKED_EQ, MAP_SHARED, MAP_SHARED));
   allow_threads(filter);
+  allow_usual_advice(filter);
 }
 
-// What makes, reads and writes files and folders. Links, devices and other owners aren't among it.
-constexpr int kOfFiles[] = {
-    SCMP_SYS(open),      SCMP_SYS(openat),     SCMP_SYS(creat),     SCMP_SYS(access),
-    SCMP_SYS(faccessat), SCMP_SYS(faccessat2), SCMP_SYS(stat),      SCMP_SYS(lstat),
-    SCMP_SYS(statx),     SCMP_SYS(newfstatat), SCMP_SYS(readlink),  SCMP_SYS(readlinkat),
-    SCMP_SYS(getcwd),    SCMP_SYS(chdir),      SCMP_SYS(fchdir),    SCMP_SYS(mkdir),
-    SCMP_SYS(mkdirat),   SCMP_SYS(rmdir),      SCMP_SYS(unlink),    SCMP_SYS(unlinkat),
-    SCMP_SYS(rename),    SCMP_SYS(renameat),   SCMP_SYS(renameat2), SCMP_SYS(getdents64),
-    SCMP_SYS(truncate),  SCMP_SYS(ftruncate),  SCMP_SYS(fsync),     SCMP_SYS(umask),
-    SCMP_SYS(chmod),     SCMP_SYS(fchmod),     SCMP_SYS(fchmodat),  SCMP_SYS(pread64),
-    SCMP_SYS(pwrite64),  SCMP_SYS(statfs),     SCMP_SYS(utimensat), SCMP_SYS(sendfile)};
-
-void allow_files(Filter& filter) {
-  for (const int call : kOfFiles) filter.rule(SCMP_ACT_ALLOW, call);
-  // Of fcntl, what opening and closing a stream asks.
+// What a program writes goes nowhere: the file that it makes is its standard input, /dev/null,
+// which stays open, and the folder that it makes isn't there. `others` is for files that it only
+// reads.
+void write_to_nothing(Filter& filter, std::uint32_t others) {
+  constexpr std::uint32_t kSaysZero = no(0);
+  constexpr scmp_datum_t kMake = O_CREAT;
+  filter.rule(kSaysZero, SCMP_SYS(open), SCMP_A1(SCMP_CMP_MASKED_EQ, kMake, kMake));
+  filter.rule(others, SCMP_SYS(open), SCMP_A1(SCMP_CMP_MASKED_EQ, kMake, 0));
+  filter.rule(kSaysZero, SCMP_SYS(openat), SCMP_A2(SCMP_CMP_MASKED_EQ, kMake, kMake));
+  filter.rule(others, SCMP_SYS(openat), SCMP_A2(SCMP_CMP_MASKED_EQ, kMake, 0));
+  filter.rules(kSaysZero, {SCMP_SYS(creat), SCMP_SYS(mkdir), SCMP_SYS(mkdirat)});
+  filter.rule(kSaysZero, SCMP_SYS(close), SCMP_A0(SCMP_CMP_EQ, STDIN_FILENO));
+  filter.rule(SCMP_ACT_ALLOW, SCMP_SYS(close), SCMP_A0(SCMP_CMP_GT, STDIN_FILENO));
+  // What opening and closing a stream asks.
   for (const scmp_datum_t what : {F_GETFD, F_SETFD, F_GETFL}) {
     filter.rule(SCMP_ACT_ALLOW, SCMP_SYS(fcntl), SCMP_A1(SCMP_CMP_EQ, what));
   }
 }
 
-// Attempts fail as if there were no such file.
-void find_no_file(Filter& filter) {
-  for (const int call : kOfFiles) filter.rule(no(ENOENT), call);
-}
+// Fail as if there were no such file. A descriptor's numbers, and how full a disk is, would tell
+// what other processes do.
+constexpr std::initializer_list<int> kOfFiles = {
+    SCMP_SYS(access),   SCMP_SYS(faccessat),  SCMP_SYS(faccessat2), SCMP_SYS(stat),
+    SCMP_SYS(lstat),    SCMP_SYS(fstat),      SCMP_SYS(statx),      SCMP_SYS(newfstatat),
+    SCMP_SYS(readlink), SCMP_SYS(readlinkat), SCMP_SYS(getcwd),     SCMP_SYS(chdir),
+    SCMP_SYS(fchdir),   SCMP_SYS(rmdir),      SCMP_SYS(unlink),     SCMP_SYS(unlinkat),
+    SCMP_SYS(rename),   SCMP_SYS(renameat),   SCMP_SYS(renameat2),  SCMP_SYS(getdents64),
+    SCMP_SYS(truncate), SCMP_SYS(ftruncate),  SCMP_SYS(fsync),      SCMP_SYS(umask),
+    SCMP_SYS(chmod),    SCMP_SYS(fchmod),     SCMP_SYS(fchmodat),   SCMP_SYS(pread64),
+    SCMP_SYS(pwrite64), SCMP_SYS(statfs),     SCMP_SYS(fstatfs),    SCMP_SYS(utimensat),
+    SCMP_SYS(sendfile)};
 
 // Of all prctl operations, allows only setting the process's name.
 void allow_naming_only(Filter& filter) {
@@ -153,10 +174,11 @@ void allow_naming_only(Filter& filter) {
 
 }  // namespace
 
-void restrict_to_submission_calls(bool has_folder) {
+void restrict_to_submission_calls() {
   Filter filter(SCMP_ACT_TRAP);
   allow_numbers(filter);
-  has_folder ? allow_files(filter) : find_no_file(filter);
+  write_to_nothing(filter, no(ENOENT));
+  filter.rules(no(ENOENT), kOfFiles);
   allow_naming_only(filter);
   filter.install();
 }
@@ -164,7 +186,8 @@ void restrict_to_submission_calls(bool has_folder) {
 void restrict_to_sanitized_calls() {
   Filter filter(SCMP_ACT_TRAP);
   allow_numbers(filter);
-  filter.rules(SCMP_ACT_ALLOW, {SCMP_SYS(open), SCMP_SYS(openat), SCMP_SYS(access), SCMP_SYS(stat),
+  write_to_nothing(filter, SCMP_ACT_ALLOW);
+  filter.rules(SCMP_ACT_ALLOW, {SCMP_SYS(access), SCMP_SYS(stat), SCMP_SYS(fstat),
                                 SCMP_SYS(newfstatat), SCMP_SYS(readlink), SCMP_SYS(readlinkat),
                                 SCMP_SYS(pipe), SCMP_SYS(pipe2), SCMP_SYS(pread64)});
   allow_naming_only(filter);

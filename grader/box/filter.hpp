@@ -3,10 +3,11 @@
 
 namespace bounce::box {
 
-// For a submission: allows what a numerical program needs, and threads. With a folder of its own it
-// may also use files; without one, opening a file fails as if there were none. Calls that concern
-// other programs, connections or devices end it with SIGSYS, which names the call.
-void restrict_to_submission_calls(bool has_folder);
+// For a submission: allows what a numerical program needs, and threads. It finds no file, and what
+// it writes to one goes nowhere; its standard input has to be /dev/null for that, open to write,
+// too. Calls that concern other programs, connections or devices end it with SIGSYS, which names
+// the call.
+void restrict_to_submission_calls();
 
 // For a submission that is built with sanitizers: also allows what these and the dynamic loader
 // need, which read files.

@@ -15,6 +15,7 @@
 #include <sys/syscall.h>
 #include <sys/sysinfo.h>
 #include <sys/uio.h>
+#include <sys/vfs.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -64,7 +65,24 @@ bool fill(const Arguments& words) {
   for (int left = std::stoi(words.at(0)) + 1; left > 0; --left) {
     if (::write(fd, megabyte.data(), megabyte.size()) != ssize_t{1 << 20}) return false;
   }
-  return fd >= 0;
+  return ::lseek(fd, 0, SEEK_CUR) > 0;  // not so in /dev/null
+}
+
+// Makes a file in the current folder. A box may say so without doing it.
+bool make_a_file(const Arguments& words) {
+  const int fd = ::open(words.at(0).c_str(), O_WRONLY | O_CREAT, 0644);
+  return fd >= 0 && ::access(words.at(0).c_str(), F_OK) == 0 && ::unlink(words.at(0).c_str()) == 0;
+}
+
+bool see_how_full_a_disk_is(const Arguments&) {
+  struct statfs disk = {};
+  return ::statfs("/", &disk) == 0 || ::fstatfs(STDIN_FILENO, &disk) == 0;
+}
+
+// The number of a pipe grows with every pipe that another program makes.
+bool see_the_number_of_a_pipe(const Arguments&) {
+  struct stat about = {};
+  return ::fstat(STDOUT_FILENO, &about) == 0;
 }
 
 bool connect_to(const Arguments& words) {
@@ -112,6 +130,14 @@ bool allocate(const Arguments& words) {
   if (!memory) return false;
   for (std::size_t at = 0; at < size; at += kPage) memory[at] = 1;
   return keep_it();
+}
+
+// Gives advice N on a page.
+bool give_advice(const Arguments& words) {
+  volatile char* page = mapped(kPage, MAP_PRIVATE);
+  if (!page) return false;
+  page[0] = 1;
+  return ::madvise(const_cast<char*>(page), kPage, std::stoi(words.at(0))) == 0;
 }
 
 // Uses N MB of shared memory, which stays while one page of it is mapped.
@@ -224,9 +250,8 @@ bool reach_the_first_process(const Arguments&) {
 
 // Tries every descriptor from N on.
 bool use_inherited_descriptors(const Arguments& words) {
-  struct stat about = {};
   for (int fd = std::stoi(words.at(0)); fd < 1024; ++fd) {
-    if (::fstat(fd, &about) == 0) return true;
+    if (::lseek(fd, 0, SEEK_CUR) >= 0 || errno != EBADF) return true;
   }
   return false;
 }
@@ -276,11 +301,15 @@ const std::map<std::string, Attempt> kAttempts = {
     {"open-again", open_again},
     {"write", write_file},
     {"fill", fill},
+    {"file", make_a_file},
+    {"disk", see_how_full_a_disk_is},
+    {"pipe", see_the_number_of_a_pipe},
     {"connect", connect_to},
     {"processes", start_processes},
     {"allocate", allocate},
     {"allocate-unmapped", allocate_unmapped},
     {"allocate-late", allocate_late},
+    {"advice", give_advice},
     {"spin", spin},
     {"flood", flood},
     {"daemon", leave_a_daemon},

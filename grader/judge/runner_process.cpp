@@ -25,7 +25,7 @@ namespace {
 constexpr std::size_t kKeptPrints = std::size_t{16} << 10;
 constexpr std::chrono::milliseconds kBetweenLooks(100);  // between two checks of a silent runner
 constexpr double kCpuGrace = 0.2;                        // s, for SIGXCPU to end a runner by itself
-constexpr rlim_t kLargestFile = rlim_t{16} << 20;        // bytes, of what it writes
+constexpr rlim_t kLargestFile = rlim_t{16} << 20;        // bytes, of what it writes without a box
 constexpr int kStatus = frames::kAnswers + 1;            // where a box reports that it is made
 
 std::set<pid_t> started;  // the running runners
@@ -59,7 +59,7 @@ void limit(int resource, rlim_t soft, rlim_t hard) {
   answers = ::fcntl(answers, F_DUPFD, 10);
   prints = ::fcntl(prints, F_DUPFD, 10);
   status = ::fcntl(status, F_DUPFD, 10);
-  const int nothing = ::open("/dev/null", O_RDONLY);
+  const int nothing = ::open("/dev/null", O_RDWR);  // as grader/box/filter.hpp wants it
   ::dup2(nothing, 0);
   ::dup2(prints, 1);
   ::dup2(prints, 2);

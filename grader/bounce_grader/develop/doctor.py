@@ -26,6 +26,7 @@ PLACES = ("compile", "run", "check")
 ABOVE = ["/bin/sh", "-c", 'BOUNCE_DOCTOR="$0" "$@"; status=$?; kept="$0"; exit $status']
 WATCHING = processes.Limits(cpu_seconds=20, wall_seconds=90, memory=None, file_size=0)
 COMPILING = COMPILE._replace(cpu_seconds=1)
+ADVICE = [["advice", str(number)] for number in (12, 21)]  # to merge a page with others; to swap it
 
 
 @dataclass(frozen=True)
@@ -128,6 +129,7 @@ def _protections(marker: str, file: IO[str], home: IO[str], port: int) -> list[P
             outside=lambda: all(os.path.getsize(path) == 0 for path in hidden[:2]),
         ),
         Protection("writes no large file", [["fill", "65"]]),
+        Protection("makes no file", [["file", "made"]], ("run", "check")),
         Protection("has none of your variables", [["environment", "BOUNCE_DOCTOR"]], canary=marker),
         # In two halves, so that the probe doesn't find its own command line.
         *(
@@ -153,6 +155,9 @@ def _protections(marker: str, file: IO[str], home: IO[str], port: int) -> list[P
             [["cpus", me], ["limits", me], ["count"]],
             ("run", "check"),
         ),
+        Protection("can't tell how full a disk is", [["disk"]], ("run", "check")),
+        Protection("can't tell how many pipes there are", [["pipe"]], ("run",)),
+        Protection("gives no advice on others' memory", ADVICE, ("run", "check")),
         Protection("traces no process of yours", [["trace", me]]),
         Protection("has no privileges", [["privileges"]]),
         Protection("makes no namespaces", [["namespace"]]),

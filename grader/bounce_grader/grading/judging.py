@@ -15,11 +15,11 @@ from bounce_grader.common.paths import FIXTURES, JUDGE, SOURCES, WORK_FOLDER
 from bounce_grader.grading import failed_case
 from bounce_grader.grading.failed_case import Shown
 from bounce_grader.sandbox import processes
-from bounce_grader.sandbox.box import FOLDER, Box
+from bounce_grader.sandbox.box import LARGEST_FILE, Box
 from bounce_grader.sandbox.budget import Overrun
 
 SYMBOLS = processes.Limits(cpu_seconds=5, wall_seconds=30, memory=1 << 30, file_size=0)
-WAIT = processes.Limits(cpu_seconds=60, wall_seconds=300, memory=4 << 30, file_size=FOLDER)
+WAIT = processes.Limits(cpu_seconds=60, wall_seconds=300, memory=4 << 30, file_size=LARGEST_FILE)
 MOST_CPU_SECONDS, MOST_SECONDS = 30, 200  # for all runners of a part together
 STATUSES = {"graded", "does_not_compile", "crashed", "timed_out", "out_of_memory", "no_answer"}
 

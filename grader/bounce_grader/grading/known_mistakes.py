@@ -34,13 +34,13 @@ from bounce_grader.common.parallel_map import parallel_map
 from bounce_grader.common.paths import FIXTURES, JUDGE, REFERENCE_RUNNER, ROOT
 from bounce_grader.grading.gallery import expected
 from bounce_grader.sandbox import processes
-from bounce_grader.sandbox.box import FOLDER, Box
+from bounce_grader.sandbox.box import LARGEST_FILE, Box
 from bounce_grader.submission import submission
 
 GALLERY = ROOT / "tests" / "submissions" / "mistakes"
 KNOWN = FIXTURES / "public" / "mistakes"
 TRUSTED = Box("none")  # the gallery is the kit's own
-LIMITS = processes.Limits(cpu_seconds=20, wall_seconds=120, memory=4 << 30, file_size=FOLDER)
+LIMITS = processes.Limits(cpu_seconds=20, wall_seconds=120, memory=4 << 30, file_size=LARGEST_FILE)
 DIGITS = 12  # significant ones
 LAYOUT = re.compile(
     r"# (?P<title>.+)\n\n(?P<sentence>.+)\n\n- Equations: (?P<equations>\d+(?:, \d+)*)\n"

@@ -10,9 +10,9 @@ from bounce_grader.common.escaping import printable_text
 from bounce_grader.common.numbers import metres, seconds, two_digits
 from bounce_grader.common.paths import REFERENCE_RUNNER, SCENES, STOPWATCH
 from bounce_grader.sandbox import processes
-from bounce_grader.sandbox.box import FOLDER, Box
+from bounce_grader.sandbox.box import LARGEST_FILE, Box
 
-WAIT = processes.Limits(cpu_seconds=30, wall_seconds=120, memory=4 << 30, file_size=FOLDER)
+WAIT = processes.Limits(cpu_seconds=30, wall_seconds=120, memory=4 << 30, file_size=LARGEST_FILE)
 CURVES = ("submission", "solution", "least")
 LEAST_RATIO = 0.05
 STEP = 1e-3  # s: the dt at which the time of a step is reported

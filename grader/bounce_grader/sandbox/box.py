@@ -33,7 +33,7 @@ LIBRARIES = ("/usr/include", "/usr/lib/gcc", "/usr/lib64", "/usr/libexec/gcc")
 PROGRAMS = ("g++", "as", "ld", "addr2line")
 LARGE_PAGES = "/sys/kernel/mm/transparent_hugepage"  # malloc reads it
 TEMPORARY = 256 * 1024 * 1024  # of a build, in bytes
-FOLDER = 16 * 1024 * 1024  # of a running program
+LARGEST_FILE = 16 * 1024 * 1024  # that a running program writes where it has no box, in bytes
 TO_KIT = ("--status", processes.STATUS, "--output", processes.OUTPUT)
 TO_JUDGE = ("--status", "5")  # as in grader/judge/runner_process.cpp
 
@@ -64,17 +64,14 @@ class Box(NamedTuple):
 
     def to_run(self, program: Path) -> list[str]:
         """The command that runs a statically linked program. The program sees only its own file,
-        read-only, and in the full box an empty folder in memory, in which it begins; and it may
-        make only the system calls that the filter allows."""
+        read-only; and it may make only the system calls that the filter allows, none of which
+        opens a file."""
         if self.kind == "none":
             return [str(program)]
         if self.kind == "reduced":
             entering = [*_enter(ENTER, "run"), *TO_JUDGE, "--reduced", "--see", str(program)]
             return [*entering, "--", str(program)]
-        command = [*_bubblewrap(), "--ro-bind", str(program), "/runner"]
-        if "--size" in _help():  # an older bubblewrap couldn't bound what it holds
-            command += [*_temporary(FOLDER), "--chdir", "/tmp"]
-        command += ["--remount-ro", "/"]
+        command = [*_bubblewrap(), "--ro-bind", str(program), "/runner", "--remount-ro", "/"]
         return [*command, "--", *_enter(Path("/enter"), "run"), *TO_JUDGE, "--", "/runner"]
 
     def to_run_sanitized(self, program: Path) -> list[str]:
