@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <map>
+#include <regex>
 #include <string_view>
 
 #include "../runner/crash.hpp"
@@ -35,11 +36,14 @@ std::string_view line_after(std::string_view print, std::string_view mark) {
   return up_to(print.substr(at + mark.size()), "\n");
 }
 
-// The last such line counts: a submission can print one, too, but not after it has crashed.
+// The last such line counts: a submission can print one, too, but not after it has crashed. One
+// that the runner can't have printed counts for nothing.
 std::string stack_in(std::string_view print) {
-  const std::string_view line = line_after(print, runner::kStack);
-  const bool addresses = line.find_first_not_of(" 0123456789abcdefx") == std::string_view::npos;
-  return addresses ? std::string(line) : "";
+  static const std::regex kAddresses("(?: 0x[0-9a-f]{" + std::to_string(runner::kDigits) + "}){1," +
+                                     std::to_string(runner::kFrames) + "}");
+  constexpr std::size_t kLongestStack = runner::kFrames * (runner::kDigits + 3);
+  const std::string line(line_after(print, runner::kStack).substr(0, kLongestStack + 1));
+  return std::regex_match(line, kAddresses) ? line : "";
 }
 
 // Whether glibc reports that its heap data were overwritten.

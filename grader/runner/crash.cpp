@@ -12,7 +12,6 @@
 namespace bounce::runner {
 namespace {
 
-constexpr int kFrames = 40;
 constexpr std::size_t kLongestText = 200;
 constexpr std::uintptr_t kNearNull = 64 * 1024;
 constexpr std::uintptr_t kBelowTheStack = 64 * 1024;  // that a call may touch below its pointer
@@ -39,7 +38,8 @@ char* put_hexadecimal(char* to, std::uintptr_t x) {
   *to++ = ' ';
   *to++ = '0';
   *to++ = 'x';
-  for (int shift = 60; shift >= 0; shift -= 4) *to++ = "0123456789abcdef"[(x >> shift) & 15];
+  for (int shift = 4 * (kDigits - 1); shift >= 0; shift -= 4)
+    *to++ = "0123456789abcdef"[(x >> shift) & 15];
   return to;
 }
 
@@ -94,7 +94,7 @@ char* put_cause(char* to, int signal, const siginfo_t& info, void* context) {
 void tell(int signal, siginfo_t* info, void* context) {
   Stack stack;
   _Unwind_Backtrace(note_frame, &stack);
-  char lines[sizeof kCause + sizeof kStack + 300 + kFrames * 19];
+  char lines[sizeof kCause + sizeof kStack + 300 + kFrames * (kDigits + 3)];
   char* end = put_text(put_cause(lines, signal, *info, context), kStack);
   for (int i = 0; i < stack.size; ++i) end = put_hexadecimal(end, stack.addresses[i]);
   *end++ = '\n';

@@ -12,7 +12,9 @@ inline constexpr char kDivision[] = "integer division";   // by zero
 inline constexpr char kFloat[] = "floating point";        // an exception that the program enabled
 inline constexpr char kFound[] = "found: ";               // and the sanitizers' name for it
 inline constexpr char kUnknown[] = "unknown";             // anything else
-inline constexpr char kStack[] = "stack of the crash:";   // and the addresses on the stack
+inline constexpr char kStack[] = "stack of the crash:";   // and the addresses on the stack:
+inline constexpr int kFrames = 40;                        // at most so many,
+inline constexpr int kDigits = 16;                        // each " 0x" and so many digits
 
 // Sets the cause of the next crash; `what` must stay valid.
 void note_finding(const char* what);

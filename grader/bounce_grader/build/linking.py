@@ -4,8 +4,14 @@ import re
 from collections.abc import Iterable
 from pathlib import Path
 
-from bounce_grader.build.compile import Built, Objects
-from bounce_grader.build.compiler import COMPILE, compile_problem, gcc, require_compiler_ran
+from bounce_grader.build.compile import HELPERS_BYTES, Built, Objects
+from bounce_grader.build.compiler import (
+    COMPILE,
+    compile_problem,
+    gcc,
+    require_compiler_ran,
+    too_large,
+)
 from bounce_grader.common.manifest import Part
 from bounce_grader.common.paths import CACHE, CONTRACT, RUNNER, SOURCES
 from bounce_grader.sandbox import processes
@@ -76,6 +82,8 @@ def link_sanitized(part: Part, submission: Submission, work: Path, box: Box) -> 
         )
         if not result.ok:
             return Built(None, compile_problem(result, file))
+        if sum(path.stat().st_size for path in objects) > HELPERS_BYTES:
+            return Built(None, too_large(file))
     kit = [str(RUNNER / f"{name}.o") for name in (*RUNNER_OBJECTS, "sanitizers")]
     command = ["/usr/bin/g++", *SANITIZERS, *CHECKED_LINK, "-o", "OUTPUT"]
     command += [*kit, *map(str, objects), *_given(part)]

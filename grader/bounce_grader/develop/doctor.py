@@ -95,7 +95,7 @@ def attempt(
         could = not result.ok or answer == "answered" or "(exit status 125)" in answer
         return could, answer or result.err.strip()
     command = [*above, *box.to_build(folder, [PROBE]), str(PROBE), *words]
-    result = processes.run(command, COMPILING, cwd=folder, out_cap=1 << 20)
+    result = processes.run(command, COMPILING, cwd=folder)
     stopped = result.flooded or result.too_long or result.code < 0 or result.code > 128
     answer = (result.out[:200].decode("utf-8", "replace") + result.err).strip()
     return not stopped and result.code != 3, answer or f"ended with status {result.code}"

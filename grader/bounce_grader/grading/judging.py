@@ -19,7 +19,7 @@ from bounce_grader.sandbox.box import LARGEST_FILE, Box
 from bounce_grader.sandbox.budget import Overrun
 
 SYMBOLS = processes.Limits(cpu_seconds=5, wall_seconds=30, memory=1 << 30, file_size=0)
-WAIT = processes.Limits(cpu_seconds=60, wall_seconds=300, memory=4 << 30, file_size=LARGEST_FILE)
+WAIT = processes.Limits(60, 300, memory=4 << 30, file_size=LARGEST_FILE)
 MOST_CPU_SECONDS, MOST_SECONDS = 30, 200  # for all runners of a part together
 STATUSES = {"graded", "does_not_compile", "crashed", "timed_out", "out_of_memory", "no_answer"}
 
@@ -158,8 +158,8 @@ def _with_place(check: dict[str, str], runner: Path, files: frozenset[str], box:
 def _place(stack: str, runner: Path, files: frozenset[str], box: Box) -> str | None:
     """The innermost line on the stack that is in the submission's own files."""
     command = ["/usr/bin/addr2line", "-i", "-e", str(runner), *stack.split()]
-    lines = box.run(box.to_build(runner.parent, [runner]) + command, SYMBOLS).out
-    return place_in(lines, files.__contains__)
+    result = box.run(box.to_build(runner.parent, [runner]) + command, SYMBOLS)
+    return place_in(result.out, files.__contains__) if result.ok else None
 
 
 def place_in(lines: bytes, is_submitted: Callable[[str], bool] = bool) -> str | None:

@@ -40,7 +40,7 @@ from bounce_grader.submission import submission
 GALLERY = ROOT / "tests" / "submissions" / "mistakes"
 KNOWN = FIXTURES / "public" / "mistakes"
 TRUSTED = Box("none")  # the gallery is the kit's own
-LIMITS = processes.Limits(cpu_seconds=20, wall_seconds=120, memory=4 << 30, file_size=LARGEST_FILE)
+LIMITS = processes.Limits(20, 120, memory=4 << 30, file_size=LARGEST_FILE, output=64 << 20)
 DIGITS = 12  # significant ones
 LAYOUT = re.compile(
     r"# (?P<title>.+)\n\n(?P<sentence>.+)\n\n- Equations: (?P<equations>\d+(?:, \d+)*)\n"
@@ -123,7 +123,7 @@ def answers(part: Part, runner: Path) -> Answers:
     command = [str(JUDGE), "--answers", "--part", str(part.number)]
     command += [*(["--given"] if part.calls else [])]
     command += ["--fixtures", str(FIXTURES / "public"), "--", str(runner)]
-    # There it may make files, as in a box.
+    # There it may make files: it has no box.
     result = processes.run(command, LIMITS, cwd=runner.parent)
     if not result.ok:
         raise KitError(f"the judge could not ask part {part.number}: {result.err.strip()}")

@@ -1,6 +1,7 @@
 """Starts every process on the way of a grading. They get a fixed environment and not ours, because
 a program in a box may look for the environments of the processes above it. Output is capped while
-it streams.
+it streams: this is the one place that reads what a process prints, so no reader takes more than the
+process's Limits say.
 """
 
 import errno
@@ -9,6 +10,7 @@ import os
 import selectors
 import signal
 import subprocess
+import sys
 import time
 from collections.abc import Mapping
 from contextlib import ExitStack, suppress
@@ -17,7 +19,6 @@ from typing import NamedTuple
 
 from bounce_grader.common.errors import KitError
 
-DIAGNOSTICS = 64 * 1024
 CHUNK = 64 * 1024
 GRACE = 2.0  # seconds
 ENVIRONMENT = {"PATH": "/usr/bin:/bin", "LC_ALL": "C.UTF-8"}
@@ -30,12 +31,16 @@ MADE, SHORT = b"m", b"s"  # what a box reports on STATUS
 
 class Limits(NamedTuple):
     """What a process may use. The CPU limit decides; the wall-clock limit is a loose backstop. The
-    CPU limit ends it by SIGKILL, because a compiler answers SIGXCPU with a long stack trace."""
+    CPU limit ends it by SIGKILL, because a compiler answers SIGXCPU with a long stack trace. A
+    process that prints more than `output` bytes is ended; of its standard error as many as `errors`
+    are kept."""
 
     cpu_seconds: int
     wall_seconds: float
     memory: int | None  # None: limited elsewhere
     file_size: int
+    output: int = 256 * 1024
+    errors: int = 64 * 1024
 
     def prefix(self) -> list[str]:
         return [
@@ -56,7 +61,7 @@ class Result(NamedTuple):
     out: bytes
     err: str
     too_long: bool  # ended because the wall clock ran out
-    flooded: bool  # ended because standard output passed its cap
+    flooded: bool  # ended because it printed too much
     boxed: bool = True  # the box was made, if one was asked for, and its command was started
     cpu_limit: float = 0.0  # CPU seconds that it was given
     peak: int = 0  # bytes in memory of the largest of them; 0 if we killed it
@@ -85,11 +90,10 @@ def run(
     stdin: bytes = b"",
     cwd: Path | None = None,
     output: Path | None = None,
-    out_cap: int = 64 * 1024 * 1024,
-    err_cap: int = DIAGNOSTICS,
 ) -> Result:
     """Runs a command to its end, with `stdin` as its standard input. The file that a box passes out
-    is written to the new file `output`."""
+    is written to the new file `output`. Without limits, for the kit's own programs, all that it
+    prints is kept."""
     with ExitStack() as stack:
         descriptors = {}
         if STATUS in command:
@@ -106,8 +110,7 @@ def run(
             stack.callback(os.close, given)
         process = _started((limits.prefix() if limits else []) + words, given, cwd, descriptors)
         try:
-            deadline = time.monotonic() + limits.wall_seconds if limits else None
-            result = _collect(process, deadline, out_cap, err_cap)
+            result = _collect(process, limits)
         finally:
             _end(process)
         told = _told(status) if STATUS in command else MADE
@@ -161,13 +164,12 @@ def _started(
         raise KitError(f"{command[0]} could not be started: {error.strerror}") from error
 
 
-def _collect(
-    process: subprocess.Popen[bytes], deadline: float | None, out_cap: int, err_cap: int
-) -> Result:
+def _collect(process: subprocess.Popen[bytes], limits: Limits | None) -> Result:
     assert process.stdout and process.stderr
     out, err = process.stdout.fileno(), process.stderr.fileno()
     kept = {out: bytearray(), err: bytearray()}
-    caps = {out: out_cap, err: err_cap}
+    caps = {out: limits.output, err: limits.errors} if limits else dict.fromkeys(kept, sys.maxsize)
+    deadline = time.monotonic() + limits.wall_seconds if limits else None
     too_long = flooded = False
     with selectors.DefaultSelector() as selector:
         for fd in kept:

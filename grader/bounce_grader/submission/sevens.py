@@ -15,14 +15,14 @@ from bounce_grader.common.paths import WORK_FOLDER
 from bounce_grader.sandbox import box as boxes
 from bounce_grader.sandbox.processes import Limits, Result
 from bounce_grader.submission.entry import MOST_ENTRIES, Entry, inside_name
-from bounce_grader.submission.unpack_limits import UnpackLimits
+from bounce_grader.submission.unpack_limits import LARGEST, UnpackLimits
 
 # The programs themselves: what Debian has in /usr/bin may be a script, and a box has no shell.
 PROGRAMS = (
     "/usr/bin/7zz",
     *(f"/usr/lib/{p}/{n}" for p in ("7zip", "p7zip") for n in ("7zr", "7za")),
 )
-LIMITS = Limits(cpu_seconds=10, wall_seconds=60, memory=1 << 30, file_size=0)
+LIMITS = Limits(cpu_seconds=10, wall_seconds=60, memory=1 << 30, file_size=0, output=LARGEST)
 OPTIONS = ("-t7z", "-p", "-mmt=1", "-bd", "-sccUTF-8")  # no password, thread, progress
 
 

@@ -13,14 +13,13 @@ from bounce_study.numbers import short
 from bounce_study.run import PROGRAM
 
 REFUSED = 1
-LARGEST = 1 << 32  # bytes of an answer
 
 
 def simulate(scene: Path, tolerance: str, out: Path | None) -> int:
     """Writes the motion to `out` and says how it was had. Returns 1, with the reason and the
     horizon on standard error, if it can't be had within the tolerance."""
     command = [str(PROGRAM), "simulate", os.path.abspath(scene), tolerance]
-    done = processes.run(command, out_cap=LARGEST)
+    done = processes.run(command)
     if not done.ok:
         message = done.err.strip().removeprefix("bounce_study: ") or f"status {done.code}"
         if done.code == REFUSED:

@@ -4,6 +4,7 @@ finds. ./kit test --long takes a million for each."""
 import json
 import time
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import fuzzing
@@ -12,6 +13,8 @@ from bounce_grader.common.errors import KitError
 from bounce_grader.common.manifest import parts
 from bounce_grader.common.paths import WORK_FOLDER
 from bounce_grader.grading import judging
+from bounce_grader.sandbox import processes
+from bounce_grader.sandbox.box import Box
 from fuzzing import answers
 from fuzzing.mutation import Random
 
@@ -62,6 +65,18 @@ def test_what_addr2line_says_of_a_megabyte_is_read_in_no_time() -> None:
     start = time.process_time()
     assert judging.place_in((FOLDER + "x/").encode() * 50_000 + b"y.cpp:?") is None
     assert time.process_time() - start < 0.5
+
+
+@pytest.mark.parametrize("flooded", [False, True])
+def test_what_addr2line_says_counts_if_it_ended_in_order(
+    flooded: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    line = f"/tmp/{WORK_FOLDER}a1b2/sources/part1_contacts.cpp:12\n".encode()
+    result = processes.Result(0, 0.0, line, "", too_long=False, flooded=flooded)
+    monkeypatch.setattr(processes, "run", lambda *_, **__: result)
+    files = frozenset({"part1_contacts.cpp"})
+    place = judging._place(f" 0x{flooded:016x}", Path("runner"), files, Box("none"))
+    assert place == (None if flooded else "part1_contacts.cpp:12")
 
 
 def test_a_place_is_one_line_of_bounded_length() -> None:

@@ -154,6 +154,11 @@ TEST(Termination, KeepsTheStackOfACrashAlone) {
   const std::string stack = "stack of the crash: 0x0000000000401000 0x0000000000402000\n";
   EXPECT_EQ(by_signal(SIGSEGV, stack).stack, " 0x0000000000401000 0x0000000000402000");
   EXPECT_EQ(by_signal(SIGSEGV, "stack of the crash: -e /etc/passwd\n").stack, "");
+  EXPECT_EQ(by_signal(SIGSEGV, "stack of the crash: 0x1 0x2\n").stack, "");
+  std::string most = " 0x0000000000401000";
+  while (most.size() < 40 * 19) most += " 0x0000000000402000";
+  EXPECT_EQ(by_signal(SIGSEGV, "stack of the crash:" + most + "\n").stack, most);
+  EXPECT_EQ(by_signal(SIGSEGV, "stack of the crash:" + most + " 0x0000000000402000\n").stack, "");
   EXPECT_EQ(by_signal(SIGXCPU, stack).stack, "");
 }
 

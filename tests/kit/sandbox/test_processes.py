@@ -11,11 +11,16 @@ MUCH = bytes(range(256)) * 8192  # many times what a pipe holds
 
 
 def test_what_is_longer_than_a_pipe_passes_through() -> None:
-    assert processes.run(["/bin/cat"], PATIENT, stdin=MUCH).out == MUCH
+    assert processes.run(["/bin/cat"], PATIENT._replace(output=len(MUCH)), stdin=MUCH).out == MUCH
 
 
 def test_who_reads_nothing_is_stopped_when_its_time_is_up() -> None:
     assert processes.run(["/bin/sleep", "60"], LIMITS, stdin=MUCH).too_long
+
+
+def test_who_prints_more_than_it_may_is_stopped_and_no_more_is_kept() -> None:
+    result = processes.run(["/bin/cat", "/dev/zero"], PATIENT)
+    assert result.flooded and not result.ok and len(result.out) == PATIENT.output == 256 << 10
 
 
 def test_who_ends_without_reading_is_no_fault() -> None:

@@ -40,7 +40,7 @@ MOST = 20  # pairs that are named
 LONGEST = 64 * 1024  # characters that are compared of each, without comments and blanks
 WITH_ITSELF = 4  # copies, which make six pairs; ulimit can only limit whole seconds
 SECONDS = 1  # of CPU time, for those six, and later for each pair
-LIMITS = processes.Limits(cpu_seconds=900, wall_seconds=1800, memory=2 << 30, file_size=64 << 20)
+LIMITS = processes.Limits(900, 1800, memory=2 << 30, file_size=64 << 20, output=64 << 20)
 FOUND = re.compile(r"^(\d+)\.cpp consists for (\d+) % of (\d+)\.cpp material$", re.MULTILINE)
 ENDED = re.compile(r"^ended (\d+)\.cpp (\d+)\.cpp", re.MULTILINE)
 ALL_AT_ONCE = [PROGRAM, "-p", "-a", "-t", "10", "-r", RUN, "-T", "-i"]

@@ -19,7 +19,7 @@ from bounce_grader.sandbox.box import Box
 
 from mutation.changes import Change
 
-COMPILE = processes.Limits(cpu_seconds=600, wall_seconds=3600, memory=8 << 30, file_size=64 << 20)
+COMPILE = processes.Limits(600, 3600, 8 << 30, file_size=64 << 20, errors=64 << 20)
 NAMESPACE = "namespace bounce {"
 MOST_ROUNDS = 20
 
@@ -84,7 +84,7 @@ def _run(changes: list[Change], box: Box, *flags: str) -> processes.Result:
         command = [compiler(), f"@{RUNNER / 'clang_flags.txt'}", "-ferror-limit=0", *flags]
         command += ["-include-pch", str(RUNNER / "prelude.pch"), "batch.cpp"]
         built = [*box.to_build(folder, [CONTRACT, RUNNER]), *command]
-        return processes.run(built, COMPILE, cwd=folder, err_cap=64 << 20)
+        return processes.run(built, COMPILE, cwd=folder)
 
 
 def _refused(changes: list[Change], box: Box) -> set[int]:

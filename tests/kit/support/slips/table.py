@@ -19,7 +19,7 @@ from bounce_grader.sandbox import processes
 
 TRUTH = Path(__file__).with_name("truth.json")
 PAIRS = 250  # of random slips, for each part and style
-LIMITS = processes.Limits(cpu_seconds=300, wall_seconds=3000, memory=2 << 30, file_size=0)
+LIMITS = processes.Limits(300, 3000, memory=2 << 30, file_size=0, output=64 << 20)
 INPUTS = re.compile(r"Where only (.+?) is changed, ")
 HEAD = "| part | style | programs | rightly named | silent | falsely said |"
 
