@@ -6,7 +6,10 @@ classroom50 repository. That folder is published: the handout holds nothing that
 have. The hidden cases are graded by ./kit class, or on a runner of the course's own.
 
 The tests run in one process with the submission, without a box: a student who wants to can write
-any result. It is for practice; the points that count come from ./kit class.
+any result, and read what the machine's user may read. So this keeps only a few variables, and none
+of them secret; but the processes above it, which are the service's, have their own: let nothing in
+that workflow be a secret to the student. It is for practice; the points that count come from
+./kit class.
 """
 
 import contextlib
@@ -23,17 +26,24 @@ from pathlib import Path
 
 BUNDLE = Path(os.environ.get("CLASSROOM50_BUNDLE_DIR") or Path(__file__).resolve().parent)
 SECONDS = 300
+LARGEST = 1 << 20  # bytes of the tests' report
+KEPT = (  # of the environment
+    *("PATH", "HOME", "LANG", "LC_ALL", "TMPDIR", "CLASSROOM50_BUNDLE_DIR", "CLASSROOM"),
+    *("ASSIGNMENT", "SUBMISSION_TAG", "COMMIT_URL", "RELEASE_URL", "REVIEW_URL"),
+)
 
 
-KEPT = ("PATH", "HOME", "LANG", "LC_ALL", "TMPDIR")  # of the environment: tokens aren't handed on
+def keep_no_secret() -> None:
+    """Starts this program again without other variables, before anything is built: a submission
+    could look for them in the /proc of this process."""
+    if sys.argv[1:] != ["again"]:
+        kept = {name: value for name, value in os.environ.items() if name in KEPT}
+        os.execve(sys.executable, [sys.executable, __file__, "again"], kept)
 
 
 def run(*command: str, cwd: Path) -> None:
     """Ends it with all that it started if it takes too long."""
-    kept = {name: os.environ[name] for name in KEPT if name in os.environ}
-    process = subprocess.Popen(
-        command, cwd=cwd, env=kept, stdout=sys.stderr, start_new_session=True
-    )
+    process = subprocess.Popen(command, cwd=cwd, stdout=sys.stderr, start_new_session=True)
     try:
         process.wait(SECONDS)
     except subprocess.TimeoutExpired:
@@ -64,9 +74,10 @@ def passed_checks(home: Path, stem: str) -> set[str]:
     program = home / "build" / f"{stem}_test"
     if program.exists():
         run(str(program), f"--gtest_output=json:{report}", cwd=home)
-    if not report.exists():
+    if not report.is_file():
         return set()
-    suites = json.loads(report.read_text())["testsuites"]
+    with report.open() as file:
+        suites = json.loads(file.read(LARGEST))["testsuites"]
     tests = [(suite["name"], test) for suite in suites for test in suite["testsuite"]]
     return {f"{suite}.{t['name']}" for suite, t in tests if not t.get("failures")}
 
@@ -90,7 +101,16 @@ def result(rows: list[dict[str, object]]) -> dict[str, object]:
     }
 
 
+def write_anew(path: Path, text: str) -> None:
+    """Writes a new file in place of what is there, which may be a link of the student's."""
+    with tempfile.NamedTemporaryFile("w", dir=path.parent, delete=False) as file:
+        file.write(text)
+        os.fchmod(file.fileno(), 0o644)
+    os.replace(file.name, path)
+
+
 def main() -> None:
+    keep_no_secret()
     rows = []
     with tempfile.TemporaryDirectory() as name:
         home = unpack(Path(name))
@@ -111,7 +131,7 @@ def main() -> None:
                         "max-score": most,
                     }
                 )
-    Path("result.json").write_text(json.dumps(result(rows), indent=1))
+    write_anew(Path("result.json"), json.dumps(result(rows), indent=1))
 
 
 if __name__ == "__main__":

@@ -25,9 +25,10 @@ def write_whole(path: Path, data: str | bytes, durable: bool = False) -> None:
         path.write_bytes(data.encode() if isinstance(data, str) else data)
         return
     path.parent.mkdir(parents=True, exist_ok=True)
-    temporary = path.with_name(f".{fitting(path.name, 100)}.{os.getpid()}.part")
+    # A name that nobody can foresee, to put a link there.
+    temporary = path.with_name(f".{fitting(path.name, 100)}.{os.urandom(8).hex()}.part")
     try:
-        with temporary.open("wb") as stream:
+        with temporary.open("xb") as stream:
             stream.write(data.encode() if isinstance(data, str) else data)
             if durable:
                 stream.flush()

@@ -1,5 +1,6 @@
 """./kit gradescope: packs the kit into one zip, an autograder to upload to Gradescope."""
 
+import stat
 import zipfile
 from collections.abc import Iterator
 from pathlib import Path
@@ -56,17 +57,17 @@ mv "$results.part" "$results"
 
 def write(path: Path) -> None:
     """Writes the zip: the kit's files, the course's secret, and the two scripts."""
-    entries = {"setup.sh": SETUP.encode(), "run_autograder": RUN.encode()}
-    entries["course-secret"] = fixtures.secret().encode() + b"\n"
+    secret = fixtures.secret().encode() + b"\n"
     temporary = path.with_name(path.name + ".part")
     try:
         temporary.touch(mode=0o600)  # it holds the secret
         with zipfile.ZipFile(temporary, "w", zipfile.ZIP_DEFLATED) as archive:
-            for name, data in entries.items():
-                _add(archive, name, data, name != "course-secret")
+            _add(archive, "setup.sh", SETUP.encode(), 0o755)
+            _add(archive, "run_autograder", RUN.encode(), 0o755)
+            _add(archive, "course-secret", secret, 0o600)  # the autograder runs as root
             for file in sorted(_packed(ROOT)):
-                name = file.relative_to(ROOT).as_posix()
-                _add(archive, name, file.read_bytes(), bool(file.stat().st_mode & 0o100))
+                mode = 0o755 if file.stat().st_mode & 0o100 else 0o644
+                _add(archive, file.relative_to(ROOT).as_posix(), file.read_bytes(), mode)
         temporary.replace(path)
     except OSError as error:
         temporary.unlink(missing_ok=True)
@@ -92,8 +93,8 @@ def _files(folder: Path) -> Iterator[Path]:
             yield child
 
 
-def _add(archive: zipfile.ZipFile, name: str, data: bytes, executable: bool) -> None:
+def _add(archive: zipfile.ZipFile, name: str, data: bytes, mode: int) -> None:
     info = zipfile.ZipInfo(name, TIME)
     info.compress_type = zipfile.ZIP_DEFLATED
-    info.external_attr = (0o100755 if executable else 0o100644) << 16
+    info.external_attr = (stat.S_IFREG | mode) << 16
     archive.writestr(info, data)

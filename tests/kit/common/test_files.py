@@ -1,5 +1,6 @@
 """Temporary folders: those of killed processes go, those of running ones stay."""
 
+import os
 import signal
 import subprocess
 import sys
@@ -56,3 +57,14 @@ def test_long_names_are_cut_and_stay_two() -> None:
     assert first != second
     assert all(180 < len(name.encode()) <= 200 for name in (first, second))
     assert files.fitting("\u00fc" * 100) == "\u00fc" * 100
+
+
+def test_no_link_that_somebody_left_is_followed_when_a_file_is_written(tmp_path: Path) -> None:
+    victim = tmp_path / "victim"
+    victim.write_text("whole")
+    for name in ("record.json", f".record.json.{os.getpid()}.part"):
+        (tmp_path / name).symlink_to(victim)
+    files.write_whole(tmp_path / "record.json", "new")
+    assert victim.read_text() == "whole"
+    assert not (tmp_path / "record.json").is_symlink()
+    assert (tmp_path / "record.json").read_text() == "new"

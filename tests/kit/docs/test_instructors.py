@@ -6,6 +6,7 @@ import json
 import os
 import re
 import shutil
+import stat
 import subprocess
 import sys
 import zipfile
@@ -117,6 +118,17 @@ def test_the_workflow_keeps_its_secrets_from_the_grading() -> None:
     assert all(not step["with"]["persist-credentials"] for step in checkouts)
 
 
+def test_what_a_workflow_uses_is_pinned() -> None:
+    """A tag can be moved to another commit. The version stands beside the digest."""
+    for file in (WORKFLOW, ROOT / ".github" / "workflows" / "test.yml"):
+        uses = re.findall(r"uses: (.*)", file.read_text())
+        assert uses
+        for used in uses:
+            assert re.match(r"[\w/-]+@[0-9a-f]{40} # v\d+\.\d+\.\d+", used), used
+    flow = (ROOT / "docs" / "workflows" / "gitlab.yml").read_text()
+    assert re.search(r"^  image: ubuntu:24.04@sha256:[0-9a-f]{64}$", flow, re.MULTILINE)
+
+
 @pytest.mark.parametrize("name", ["github.yml", "gitlab.yml"])
 def test_the_scripts_of_a_workflow_are_shell(name: str) -> None:
     yaml = pytest.importorskip("yaml")
@@ -221,6 +233,47 @@ def test_classroom_50_takes_the_result_of_its_autograder(tmp_path: Path) -> None
         assert not any("hidden" in name or "solution" in name for name in archive.namelist())
 
 
+LOOKS = r"""
+#include <unistd.h>
+#include <fstream>
+#include <iterator>
+#include <string>
+int main(int, char** words) {  // passes if its parent holds no token
+  std::ifstream file("/proc/" + std::to_string(getppid()) + "/environ");
+  const std::string all{std::istreambuf_iterator<char>(file), {}};
+  const bool found = all.find("GH_TOKEN") != std::string::npos || all.empty();
+  std::ofstream(std::string(words[1]).substr(20)) << R"({"testsuites": [{"name": "part1",
+    "testsuite": [{"name": "A", "failures": [)" << (found ? "1" : "") << "]}]}]}";
+}
+"""
+
+
+@pytest.mark.slow
+def test_classroom_50s_autograder_hands_on_no_token_and_follows_no_link(tmp_path: Path) -> None:
+    part = {"part": 1, "stem": "part1", "checks": [{"id": "part1.A", "title": "a", "points": 1}]}
+    handout_of_one = {
+        "CMakeLists.txt": "cmake_minimum_required(VERSION 3.22)\nproject(bounce CXX)\n"
+        "add_executable(part1_test src/part1.cpp)\n",
+        "src/part1.cpp": "",
+        "tests/parts.json": json.dumps({"parts": [part]}),
+    }
+    script = shutil.copy(ROOT / "docs" / "workflows" / "classroom50" / "autograder.py", tmp_path)
+    with zipfile.ZipFile(tmp_path / "bounce.zip", "w") as archive:
+        for name, text in handout_of_one.items():
+            archive.writestr(f"bounce/{name}", text)
+    checkout = write(tmp_path / "checkout", {"part1.cpp": LOOKS.encode()})
+    victim = tmp_path / "victim"
+    victim.write_text("whole")
+    (checkout / "result.json").symlink_to(victim)
+    env = {**os.environ, "GH_TOKEN": "secret", "CLASSROOM": "cs1", "ASSIGNMENT": "bounce"}
+    env |= {"SUBMISSION_TAG": "submit/1", "COMMIT_URL": "https://x", "RELEASE_URL": "https://x"}
+    subprocess.run([sys.executable, script], cwd=checkout, env=env, check=True, timeout=300)
+    assert victim.read_text() == "whole" and not (checkout / "result.json").is_symlink()
+    result = json.loads((checkout / "result.json").read_text())
+    accepted_by_classroom50(result, "cs1", "bounce")
+    assert result["score"] == 1
+
+
 def test_the_autograder_for_gradescope_grades(tmp_path: Path) -> None:
     """Unpacks it where Gradescope does, in /autograder, builds and runs it."""
     packed = tmp_path / "autograder.zip"
@@ -232,6 +285,7 @@ def test_the_autograder_for_gradescope_grades(tmp_path: Path) -> None:
         names = set(archive.namelist())
         for script in ("setup.sh", "run_autograder", "kit"):
             assert archive.getinfo(script).external_attr >> 16 & 0o111
+        assert archive.getinfo("course-secret").external_attr >> 16 == stat.S_IFREG | 0o600
     assert {"course-secret", "grader/parts.json", "solution/src/part1_contacts.cpp"} <= names
     assert not any(name.startswith(("build/", ".git/", "fixtures/hidden/")) for name in names)
     for script in ("setup.sh", "run_autograder"):
