@@ -226,7 +226,7 @@ void keep_pipes_from_being_opened_again() {
   };
   const std::vector<char*> command = pointers(options.command), names = pointers(environment);
   tell('m');
-  ::execve(command[0], command.data(), names.data());
+  start(command.data(), names.data());
   throw std::runtime_error(options.command[0] + ": " + std::strerror(errno));
 }
 

@@ -13,6 +13,10 @@ void restrict_to_submission_calls();
 // need, which read files.
 void restrict_to_sanitized_calls();
 
+// Becomes the command, and returns if it can't, with errno. With one of the two filters above, this
+// is the only way to start a program.
+void start(char* const* command, char* const* environment);
+
 // For the guard of a box, which waits, kills, and passes out one file.
 void restrict_to_guard_calls();
 

@@ -45,6 +45,14 @@ bool read_file(const Arguments& words) {
   return fd >= 0 && ::read(fd, &byte, 1) >= 0;
 }
 
+// Whether execve looks for the file: how it fails then tells whether there is one.
+bool look_by_execve(const Arguments& words) {
+  char* const none[] = {nullptr};
+  const char* const path = words.at(0).c_str();
+  if (::execve(path, none, none) != 0 && errno != ENOSYS) return true;
+  return ::syscall(SYS_execveat, AT_FDCWD, path, none, none, 0) != 0 && errno != ENOSYS;
+}
+
 // Whether a descriptor's pipe can be opened again, to read what is written to it.
 bool open_again(const Arguments& words) {
   return ::open(("/proc/self/fd/" + words.at(0)).c_str(), O_RDONLY | O_NONBLOCK) >= 0;
@@ -298,6 +306,7 @@ bool make_a_namespace(const Arguments&) { return ::unshare(CLONE_NEWUSER) == 0; 
 const std::map<std::string, Attempt> kAttempts = {
     {"nothing", nothing},
     {"read", read_file},
+    {"look-by-execve", look_by_execve},
     {"open-again", open_again},
     {"write", write_file},
     {"fill", fill},

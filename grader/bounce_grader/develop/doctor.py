@@ -122,6 +122,11 @@ def _protections(marker: str, file: IO[str], home: IO[str], port: int) -> list[P
     me = str(os.getpid())
     return [
         Protection("sees no file of yours", [["read", path] for path in hidden]),
+        Protection(
+            "can't tell whether a file is there",
+            [["look-by-execve", path] for path in (hidden[0], "/no/such/file")],
+            ("run", "check"),
+        ),
         Protection("sees no process of yours", [["read", f"/proc/{me}/environ"]]),
         Protection(
             "writes no file of yours",
