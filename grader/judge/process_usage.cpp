@@ -132,6 +132,11 @@ std::optional<ProcessUsage> usage_of(pid_t pid) {
   return all;
 }
 
+pid_t last_below(pid_t pid) {
+  const auto children = children_of(pid);
+  return children && !children->empty() ? last_below(children->front()) : pid;
+}
+
 double own_delay_seconds() { return scheduled("/proc/self").delay + stolen_seconds(); }
 
 // Field 4 of each CPU's line in /proc/stat, ticks.

@@ -24,6 +24,10 @@ struct ProcessUsage {
 // Empty if the system doesn't report it, or the process is gone.
 std::optional<ProcessUsage> usage_of(pid_t pid);
 
+// The last of a chain of processes in which each has started the next, as in a box; `pid` itself if
+// it has started none.
+pid_t last_below(pid_t pid);
+
 // For how long this process was ready to run while no CPU was free, and for how long the host of a
 // virtual machine gave its CPUs to others (steal time), s.
 double own_delay_seconds();

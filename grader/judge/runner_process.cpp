@@ -5,6 +5,7 @@
 #include <sched.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -26,6 +27,7 @@ constexpr std::size_t kKeptPrints = std::size_t{16} << 10;
 constexpr std::chrono::milliseconds kBetweenLooks(100);  // between two checks of a silent runner
 constexpr double kCpuGrace = 0.2;                        // s, for SIGXCPU to end a runner by itself
 constexpr rlim_t kLargestFile = rlim_t{16} << 20;        // bytes, of what it writes without a box
+constexpr int kOrderlyTries = 200;                       // of 10 ms, to end a box from within
 constexpr int kStatus = frames::kAnswers + 1;            // where a box reports that it is made
 
 std::set<pid_t> started;  // the running runners
@@ -320,14 +322,7 @@ void RunnerProcess::end(const Termination& termination, bool waits) {
 int RunnerProcess::wait_for_exit() {
   if (pid_ < 0) return 0;
   for (int tries = 0; tries < 1000; ++tries) {
-    int status = 0;
-    rusage usage = {};
-    if (::wait4(pid_, &status, WNOHANG, &usage) == pid_) {
-      spent_ = seconds(usage.ru_utime) + seconds(usage.ru_stime);
-      memory_ = std::max(memory_, static_cast<std::size_t>(usage.ru_maxrss) << 10);
-      forget();
-      return status;
-    }
+    if (const std::optional<int> status = status_if_ended()) return *status;
     if (prints_ >= 0) drain_prints();
     const auto start = Clock::now();
     ::poll(nullptr, 0, 1);
@@ -337,12 +332,28 @@ int RunnerProcess::wait_for_exit() {
   return -1;
 }
 
+std::optional<int> RunnerProcess::status_if_ended() {
+  int status = 0;
+  rusage usage = {};
+  if (::wait4(pid_, &status, WNOHANG, &usage) != pid_) return std::nullopt;
+  spent_ = seconds(usage.ru_utime) + seconds(usage.ru_stime);
+  memory_ = std::max(memory_, static_cast<std::size_t>(usage.ru_maxrss) << 10);
+  forget();
+  return status;
+}
+
+// Ends the program, and not its box, whose processes then wait for each other and end: the system
+// counts CPU time only of a process that its parent waits for.
 void RunnerProcess::kill() {
   if (pid_ < 0) return;
-  spent_ = usage_of(pid_).value_or(ProcessUsage{}).cpu_seconds;
-  ::kill(pid_, SIGKILL);
-  ::waitpid(pid_, nullptr, 0);
-  forget();
+  const int ended = static_cast<int>(::syscall(SYS_pidfd_open, pid_, 0));
+  for (int tries = 0; pid_ >= 0 && !status_if_ended(); ++tries) {
+    const bool orderly = limits_.boxed && tries < kOrderlyTries;
+    if (!orderly || ::kill(last_below(pid_), SIGKILL) != 0) ::kill(pid_, SIGKILL);
+    pollfd end{ended, POLLIN, 0};
+    ::poll(&end, 1, 10);
+  }
+  ::close(ended);
 }
 
 // The process has ended; also ends processes that it left.

@@ -5,6 +5,7 @@
 #include <sys/types.h>
 
 #include <chrono>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -88,6 +89,7 @@ class RunnerProcess {
   [[noreturn]] void end(const Termination& termination, bool waits = false);
   void close_prints();
   int wait_for_exit();
+  std::optional<int> status_if_ended();
   void kill();
   void forget();
 

@@ -37,8 +37,7 @@ def measure(timed: Path, graded: Path, box: Box) -> Measured | None:
     None if the stopwatch fails."""
     command = [str(STOPWATCH), "--scenes", str(SCENES), *box.to_run(timed)]
     command += ["::", *box.to_run(REFERENCE_RUNNER), "::", *box.to_run(graded)]
-    with box.budget.within(WAIT) as limits:
-        result = processes.run(command, limits)
+    result = box.run(command, WAIT)
     return read(result.out) if result.ok else None
 
 

@@ -108,10 +108,14 @@ def test_points_earned_stay_when_the_time_is_up(
     assert "had taken its 120 s" in record["parts"][2]["message"]
 
 
-def test_the_judge_keeps_to_what_is_left(tmp_path: Path) -> None:
-    """Even if each answer takes half of a runner's limit, and each new runner starts from 0."""
-    works = "#include <ctime>\n#include <cstdlib>\nstatic void attack() "
-    works += "{ while (clock() < CLOCKS_PER_SEC / 2) {} abort(); }"
+@pytest.mark.parametrize(
+    "end", ["abort();", "(void)!write(4, junk, sizeof junk); for (;;) pause();"]
+)
+def test_the_judge_keeps_to_what_is_left(end: str, tmp_path: Path) -> None:
+    """Even if each answer takes half of a runner's limit, and each new runner starts from 0; and
+    whether a runner ends by itself, or is ended for writing what is no answer."""
+    works = "#include <ctime>\n#include <cstdlib>\n#include <unistd.h>\nstatic char junk[4096];\n"
+    works += "static void attack() { while (clock() < CLOCKS_PER_SEC / 2) {} " + end + " }"
     write(tmp_path, {part.file: hostile.part(part.number, works) for part in parts()})
     before = _cpu_seconds_of_children()
     record = grade_path(tmp_path, Options(within=Budget(4, 120)))
