@@ -42,17 +42,20 @@ constexpr Operation kOperations[] = {
     {"Too many rows passed to comma", "<< with more rows than the matrix has"},
     {"Too many coefficients passed to comma", "<< with more numbers than the matrix has"},
     {"Too few coefficients passed to comma", "<< with fewer numbers than the matrix has"},
-    {"Cannot comma-initialize", "<< into a matrix without entries"}};
+    {"Cannot comma-initialize", "<< into a matrix without entries"},
+    {"__n < this->size()", "an index beyond the end of a std::vector or std::array"},
+    {"startRow >= 0", "a block that isn't inside its matrix"},
+    {"BlockRows==1", "a row or a column that the matrix doesn't have"},
+    {"AtCompileTime", "a size that is negative, or that a matrix of fixed size doesn't have"},
+    {"row >= 0 && row < rows()", "an index is out of range"},
+    {"index >= 0 && index < size()", "an index is out of range"}};
 
-// The operation's words; for another assertion, its own, cut.
-std::string in_words(View what) {
+// The operation's words; for another assertion, its place and its own words, cut.
+std::string in_words(View place, View what) {
   for (const Operation& operation : kOperations) {
     if (what.find(operation.assertion) != View::npos) return std::string(operation.words);
   }
-  what = what.substr(0, 120);
-  const bool of_size = what.find("index") != View::npos || what.find("rows()") != View::npos ||
-                       what.find("__n <") != View::npos;
-  return std::string(what) + (of_size ? "; an index or a size is out of range" : "");
+  return std::string(place.substr(0, 120)) + ": " + std::string(what.substr(0, 120));
 }
 
 // Parses a line of assert() or __glibcxx_assert: place: function: Assertion `what' failed.
@@ -64,8 +67,7 @@ std::string in_line(View line) {
   if (line[quote] != '`' && line[quote] != '\'') return "";
   const View place = place_in(line.substr(0, at));
   if (place.empty()) return "";
-  return "an assertion failed (" + std::string(place.substr(0, 120)) +
-         "): " + in_words(line.substr(quote + 1, std::min<std::size_t>(end - quote - 1, 400)));
+  return in_words(place, line.substr(quote + 1, std::min<std::size_t>(end - quote - 1, 400)));
 }
 
 }  // namespace

@@ -6,8 +6,8 @@
 
 namespace bounce::judge {
 
-// "an assertion failed (File.h:12): what", or empty. Takes linear time, whatever a submission has
-// printed.
+// "an index is out of range", or "File.h:12: what" of another assertion; empty if there is none.
+// Takes linear time, whatever a submission has printed.
 std::string assertion_in(std::string_view print);
 
 }  // namespace bounce::judge

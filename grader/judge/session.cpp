@@ -30,11 +30,12 @@ std::uint64_t unforeseen() {
 // More than any correct program needs; stops a program that calls back in an endless loop.
 std::int64_t most_callbacks(const Frame& question) { return 1000 + 20 * question.T; }
 
-// The text of what(), as much of it as fits into a frame.
+// With the text of what(), as much of it as fits into a frame.
 std::string thrown_text(const Frame& answer) {
   const std::string text = frames::text(answer);
   const bool cut = text.size() == sizeof answer.text - 1;
-  return sanitize_line(text, sizeof answer.text) + (cut ? "..." : "");
+  return (text == frames::kNoException ? "" : "an exception: ") +
+         sanitize_line(text, sizeof answer.text) + (cut ? "..." : "");
 }
 
 }  // namespace

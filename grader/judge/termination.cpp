@@ -67,7 +67,7 @@ std::string_view last_words(std::string_view print) {
 
 Termination of_abort(const Limits& limits, const std::string& print) {
   if (const std::string assertion = assertion_in(print); !assertion.empty()) {
-    return {"crashed", "the program aborted: " + sanitize_line(assertion, 3 * kLongest)};
+    return {"crashed", "an assertion failed: " + sanitize_line(assertion, 3 * kLongest)};
   }
   const std::string_view thrown =
       up_to(line_after(print, "terminate called after throwing an instance of '"), "'");

@@ -65,6 +65,9 @@ void take(const Frame& frame, Matrices&... matrices) {
    ...);
 }
 
+// The text of what is thrown and has none.
+inline constexpr char kNoException[] = "something that isn't a std::exception";
+
 inline void put_text(Frame& frame, const char* text) {
   std::strncpy(frame.text, text, sizeof frame.text - 1);
 }

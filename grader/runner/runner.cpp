@@ -60,7 +60,7 @@ Frame answer_to(const Frame& question, Trajectory& trajectory) {
     frames::put_text(answer, thrown.what());
   } catch (...) {
     answer.kind = Kind::threw;
-    frames::put_text(answer, "something that is not a std::exception");
+    frames::put_text(answer, frames::kNoException);
   }
   return answer;
 }

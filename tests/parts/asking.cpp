@@ -13,15 +13,18 @@ namespace bounce::tests {
 namespace {
 
 struct Outcome {
-  std::size_t wrong = 0, undecided = 0;
+  std::size_t right = 0, wrong = 0, undecided = 0;
   bool ended = false;
   std::string told;  // the first wrong case, or the one at which the program ended
 };
+
+Outcome answered;  // of the cases before the one that is asked
 
 Outcome ask_all(const std::vector<Case>& cases, Ask ask, bool tells) {
   Outcome outcome;
   for (const Case& c : cases) {
     Problem problem;
+    answered = outcome;
     about_to_ask(c);
     try {
       problem = ask(c);
@@ -35,8 +38,9 @@ Outcome ask_all(const std::vector<Case>& cases, Ask ask, bool tells) {
       ++outcome.undecided;
       continue;
     }
+    outcome.right += problem.empty();
     if (!problem.empty() && (outcome.wrong++ == 0 || outcome.ended) && tells) {
-      outcome.told = (outcome.wrong == 1 ? "the first: " : "the last: ") + c.name +
+      outcome.told = (outcome.ended ? "the last: " : "the first: ") + c.name +
                      (c.hidden ? " (a hidden case)" : "") + "\n" + c.input + "\n" +
                      in_words(c, problem);
     }
@@ -45,14 +49,23 @@ Outcome ask_all(const std::vector<Case>& cases, Ask ask, bool tells) {
   return outcome;
 }
 
+// "2 of 9 cases wrong"; or where the program ended, which is asked no more.
+std::string counts(const Outcome& outcome, std::size_t cases) {
+  const std::string of = " of " + std::to_string(cases);
+  if (!outcome.ended) return std::to_string(outcome.wrong) + of + " cases wrong";
+  const std::string before = answered_before();
+  return "ended at case " + std::to_string(outcome.right + outcome.wrong + outcome.undecided) + of +
+         (before.empty() ? "" : ", with " + before + " before it");
+}
+
 // Reports the first wrong case, and how many are wrong, unless the check has failed before. Returns
 // whether the program can be asked more.
 bool ask_and_report(const std::vector<Case>& cases, Ask ask, const std::string& when) {
   const bool tells = !testing::Test::HasFailure();
   const Outcome outcome = ask_all(cases, ask, tells);
   if (outcome.wrong > 0 && tells) {
-    ADD_FAILURE() << outcome.wrong << " of " << cases.size() << " cases wrong" << when
-                  << (when.empty() ? "; " : " ") << outcome.told;
+    ADD_FAILURE() << counts(outcome, cases.size()) << when << (when.empty() ? "; " : " ")
+                  << outcome.told;
   }
   if (outcome.undecided > 0) testing::Test::RecordProperty(kUndecided, "");
   return !outcome.ended;
@@ -64,6 +77,13 @@ std::string running_check() {
 }
 
 }  // namespace
+
+std::string answered_before() {
+  const std::string right = std::to_string(answered.right) + " right";
+  const std::string wrong = std::to_string(answered.wrong) + " wrong";
+  if (answered.wrong == 0) return answered.right == 0 ? "" : right;
+  return answered.right == 0 ? wrong : right + " and " + wrong;
+}
 
 void for_each_case(Ask ask) {
   std::vector<Case> cases = cases_of(running_check());

@@ -55,6 +55,10 @@ std::vector<std::filesystem::path> fixture_folders();
 // Called before each question.
 void about_to_ask(const Case& c);
 
+// The answers of the running check before this question: "3 right and 1 wrong"; empty if there are
+// none. Defined in asking.cpp.
+std::string answered_before();
+
 // Describes the problem: the summary, or more in a student's own build.
 std::string in_words(const Case& c, const Problem& problem);
 

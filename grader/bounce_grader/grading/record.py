@@ -35,30 +35,32 @@ def part_record(part: Part, judged: Judged) -> Record:
         "patterns": [printable_text(sentence) for sentence in judged.patterns],
         "checks": [
             _check_record(check, verdict.passed, verdict.message, mistakes) | _numbers(verdict)
-            for check, verdict in _with_each_exception_once(part, judged)
+            for check, verdict in _with_each_reason_once(part, judged)
         ],
     }
 
 
-def _with_each_exception_once(part: Part, judged: Judged) -> Iterator[tuple[Check, Verdict]]:
-    """The checks with their verdicts. One that fails by the same exception as an earlier check
-    refers to that check, in place of repeating its case."""
+def _with_each_reason_once(part: Part, judged: Judged) -> Iterator[tuple[Check, Verdict]]:
+    """The checks with their verdicts. One that fails by the same exception or crash as an earlier
+    check refers to that check, in place of repeating its case."""
     first: dict[str, Check] = {}
     for check in part.checks:
         verdict = judged.verdicts[check.id]
-        thrown = _exception(verdict)
-        if thrown in first:
+        reason = _reason(verdict)
+        if reason in first:
             cases = verdict.message.partition(";")[0]
-            message = f'{cases}, as in "{first[thrown].title}": {thrown}'
+            message = f'{cases}, as in "{first[reason].title}": {reason}'
             yield check, verdict._replace(message=message, shown=None, revealed=None)
         else:
             yield check, verdict
-            if thrown:
-                first[thrown] = check
+            if reason:
+                first[reason] = check
 
 
-def _exception(verdict: Verdict) -> str:
-    """The exception of the failed case; empty if there is none, or if the runner ended."""
+def _reason(verdict: Verdict) -> str:
+    """The exception of the failed case, or how the program crashed; empty if there is neither."""
+    if verdict.status == "crashed":
+        return _end(verdict.message)
     shown = verdict.shown if verdict.status == "graded" else None
     return str(shown["sentence"]) if shown and not shown["quantities"] else ""
 

@@ -76,3 +76,19 @@ def test_one_exception_is_told_once() -> None:
     again = f'2 of 9 cases wrong, as in "{PART.checks[0].title}": the program threw x'
     assert all(c["message"] == again and "shown" not in c for c in checks[1:-1])
     assert checks[-1]["message"] == text and checks[-1]["shown"] == other
+
+
+def test_one_crash_is_told_once() -> None:
+    """With what was answered before it; a crash in another line is told by itself."""
+
+    def crash(case: int, line: int) -> Verdict:
+        ended = f"ended at case {case} of 9; the last: x\nin"
+        return Verdict(False, "crashed", f"{ended}\n  got      out of range, at a.cpp:{line}")
+
+    verdicts = {check.id: crash(n, 7) for n, check in enumerate(PART.checks, 1)}
+    verdicts[PART.checks[-1].id] = crash(9, 8)
+    checks = record.part_record(PART, Judged(verdicts, None, "own"))["checks"]
+    first = f'as in "{PART.checks[0].title}": out of range, at a.cpp:7'
+    assert checks[0]["message"].endswith("the last: x\nin\n  got      out of range, at a.cpp:7")
+    assert checks[1]["message"] == f"ended at case 2 of 9, {first}"
+    assert checks[-1]["message"].endswith("at a.cpp:8") and "as in" not in checks[-1]["message"]

@@ -182,7 +182,7 @@ TEST(RunnerProcess, EndsAFloodOfPrints) {
 TEST(RunnerProcess, ReadsTheEndOfALongPrint) {
   expect(
       "head -c 3000000 /dev/zero; echo 'x: y.cpp:3: f(): Assertion `a' \"' failed\"; kill -ABRT $$",
-      "crashed", "an assertion failed (y.cpp:3): a");
+      "crashed", "an assertion failed: y.cpp:3: a");
 }
 
 TEST(RunnerProcess, EndsWhatARunnerLeavesBehind) {

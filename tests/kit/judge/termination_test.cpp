@@ -115,17 +115,15 @@ TEST(Termination, NamesAnAssertion) {
   expect(by_signal(SIGABRT,
                    "runner: /usr/include/eigen3/Eigen/src/Core/DenseCoeffsBase.h:366: Scalar& f() "
                    "[with T = int]: Assertion `index >= 0 && index < size()' failed.\n"),
-         "crashed",
-         "(DenseCoeffsBase.h:366): index >= 0 && index < size(); an index or a size is out of "
-         "range");
+         "crashed", "an assertion failed: an index is out of range");
   expect(by_signal(SIGABRT,
                    "/usr/include/c++/12/bits/stl_vector.h:1123: reference "
                    "std::vector<double>::operator[](size_type): Assertion '__n < "
                    "this->size()' failed.\n" +
                        cause(runner::kUnknown)),
-         "crashed", "(stl_vector.h:1123): __n < this->size(); an index");
+         "crashed", "an assertion failed: an index beyond the end of a std::vector or std::array");
   expect(by_signal(SIGABRT, "runner: part1.cpp:7: void f(): Assertion `mass > 0' failed."),
-         "crashed", "an assertion failed (part1.cpp:7): mass > 0");
+         "crashed", "an assertion failed: part1.cpp:7: mass > 0");
 }
 
 TEST(Termination, NamesAnExceptionThatNothingCaught) {
