@@ -21,6 +21,27 @@ def headings() -> dict[str, str]:
     return heading_of
 
 
+def diagnosed(part: int, diagnosis: str) -> str:
+    """The heading of the hint for what is told of a part's mistake; empty if it names none."""
+    found = {diagnosis.find(words): to for words, to in _words() if to.startswith(f"{part}.")}
+    return found[min(found.keys() - {-1})] if found.keys() - {-1} else ""
+
+
+@cache
+def _words() -> list[tuple[str, str]]:
+    """What a diagnosis says, and the heading of its hint."""
+    words: list[tuple[str, str]] = []
+    for part in parts():
+        heading = ""
+        for line in _text(part).splitlines():
+            if line.startswith("## "):
+                heading = line[3:]
+                words.append((f"hint {heading}", heading))
+            if line.startswith("Diagnoses: "):
+                words += [(said, heading) for said in line.partition(": ")[2].split("; ")]
+    return words
+
+
 @cache
 def nudges() -> dict[str, str]:
     """Heading -> the hint's first stage, a paragraph of plain text."""

@@ -51,7 +51,7 @@ def _summary(record: Record) -> str:
 
 
 def _test(number: str, part: Record, check: Record) -> dict[str, Any]:
-    hint = sentences.hint(check)
+    hint = sentences.hint(part, check)
     return {
         "number": number,
         "name": check["title"],

@@ -29,15 +29,15 @@ def render(record: Record) -> str:
     text = "\n".join(lines) + "\n"
     for number, part, check in sentences.numbered(record):
         if not check["passed"] and check["message"]:
-            detail = _check(number, check)
+            detail = _check(number, part, check)
             if len(text) + len(detail) > LONGEST:
                 return text + "\nMore checks failed than there is room for.\n"
             text += detail
     return text.rstrip("\n")
 
 
-def _check(number: str, check: Record) -> str:
+def _check(number: str, part: Record, check: Record) -> str:
     heading = f"<details><summary>✗ {number} {escaping.html(check['title'])}</summary>"
-    hint = sentences.hint(check)
+    hint = sentences.hint(part, check)
     advice = f"\nHint {escaping.markdown(hint)}\n" if hint else ""
     return f"\n{heading}\n\n{escaping.markdown_block(check['message'])}\n{advice}\n</details>\n"

@@ -27,7 +27,7 @@ def refused(sentence: str) -> str:
 
 def _test(number: str, part: Record, check: Record) -> dict[str, Any]:
     """A test with its points; PrairieLearn shows points only if every test has them."""
-    hint = sentences.hint(check)
+    hint = sentences.hint(part, check)
     return {
         "name": f"{number} {check['title']}",
         "description": f"Part {part['part']}: {part['title']}",

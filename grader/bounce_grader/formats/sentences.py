@@ -55,8 +55,7 @@ def check_words(part: Record, check: Record) -> str:
     """A check's message, or why its part never ran. The first failed check begins with the part's
     known mistakes, for formats that have no other place for them."""
     message = check["message"] or ("" if check["passed"] else part_words(part))
-    first_failed = next((c for c in part["checks"] if not c["passed"]), None)
-    mistakes = mistake_words(part) if check is first_failed else []
+    mistakes = mistake_words(part) if check is _first_failed(part) else []
     return "\n".join(filter(None, [*mistakes, message]))
 
 
@@ -113,16 +112,24 @@ def first_to_do(record: Record) -> str:
         if not check["passed"]:
             if not has_run(part):
                 return f"First: part {part['part']}, {part_words(part)}"
-            advice = hint(check)
+            advice = hint(part, check)
             return f"First: {number} {check['title']}" + (f"; hint {advice}" if advice else "")
     return ""
 
 
-def hint(check: Record) -> str:
-    """The heading of the hint for a failed check; empty for a passed one."""
-    from bounce_grader.assignment.hints import headings
+def hint(part: Record, check: Record) -> str:
+    """The heading of the hint for a failed check, for the first one that of the part's mistake;
+    empty for a passed one."""
+    from bounce_grader.assignment.hints import diagnosed, headings
 
-    return "" if check["passed"] else headings().get(check["id"], "")
+    if check["passed"]:
+        return ""
+    diagnosis = " ".join(mistake_words(part)) if check is _first_failed(part) else ""
+    return diagnosed(part["part"], diagnosis) or headings().get(check["id"], "")
+
+
+def _first_failed(part: Record) -> Record | None:
+    return next((check for check in part["checks"] if not check["passed"]), None)
 
 
 def nudge(heading: str) -> str:

@@ -66,7 +66,7 @@ def _part(part: Record) -> list[tuple[str, str]]:
     out += [("", f"  {sentence}") for sentence in part["patterns"]]
     if sentences.has_run(part):
         for check in part["checks"]:
-            out += _check(check)
+            out += _check(part, check)
     if sentences.had_help(part):
         out.append(
             ("dim", "  judged with the earlier parts given: a mistake there costs nothing here")
@@ -74,12 +74,12 @@ def _part(part: Record) -> list[tuple[str, str]]:
     return [*out, ("", "")]
 
 
-def _check(check: Record) -> list[tuple[str, str]]:
+def _check(part: Record, check: Record) -> list[tuple[str, str]]:
     mark, style = ("✓", "green") if check["passed"] else ("✗", "red")
     out = [(style, f"  {mark} {check['title']:<64}{out_of(check):>8}")]
     out += [("", f"      {terminal(line)}") for line in check["message"].split("\n") if line]
     if check["message"]:
-        out.append(("dim", f"      hint {sentences.hint(check)}"))
+        out.append(("dim", f"      hint {sentences.hint(part, check)}"))
     return out
 
 

@@ -11,8 +11,6 @@
 namespace bounce::check {
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr int kStages = 3;
 
 std::string page_of(const Part& part) { return "hints/" + part.stem + ".md"; }
@@ -41,7 +39,7 @@ std::string mistake_in_short(const Note& note, const std::string& mistake) {
 
 // The one after the last that was opened for this mistake; build/check/hint remembers it.
 int next_stage(const std::string& mistake) {
-  const fs::path file = kWork / "hint";
+  const std::filesystem::path file = kWork / "hint";
   const std::vector<std::string> last = lines_of(read(file));
   const bool same = last.size() == 2 && last[1] == mistake;
   const int stage = same ? std::stoi(last[0]) + 1 : 1;
@@ -80,16 +78,29 @@ void print_stage(const std::string& page, const std::string& heading, int stage)
 
 }  // namespace
 
-std::string heading_of(const Check& check) {
-  for (const auto& page : fs::directory_iterator("hints")) {
-    std::string heading;
-    for (const std::string& line : lines_of(read(page.path()))) {
-      if (line.rfind("## ", 0) == 0) heading = line.substr(3);
-      if (line.rfind("Checks: ", 0) != 0) continue;
-      if ((line.substr(8) + ",").find(check.id + ",") != std::string::npos) return heading;
+std::string heading_of(const Part& part, const Check& check, const std::string& mistake) {
+  std::string heading, of_check, of_mistake;
+  std::size_t first = std::string::npos;
+  const auto look_for = [&](const std::string& words) {
+    if (const std::size_t at = mistake.find(words); at < first) {
+      first = at;
+      of_mistake = heading;
+    }
+  };
+  const std::string checks = "Checks: ", diagnoses = "Diagnoses: ";
+  for (const std::string& line : lines_of(read(page_of(part)))) {
+    if (line.rfind("## ", 0) == 0) {
+      heading = line.substr(3);
+      look_for("hint " + heading);
+    } else if (line.rfind(checks, 0) == 0) {
+      if ((line + ",").find(check.id + ",") != std::string::npos) of_check = heading;
+    } else if (line.rfind(diagnoses, 0) == 0) {
+      for (const std::string& words : split(line.substr(diagnoses.size()), ';')) {
+        look_for(words.substr(words.find_first_not_of(' ')));
+      }
     }
   }
-  return "";
+  return of_mistake.empty() ? of_check : of_mistake;
 }
 
 void hint(const Run& run) {
@@ -103,11 +114,11 @@ void hint(const Run& run) {
     print_what_does_not_compile(run);
     return;
   }
-  const std::string heading = heading_of(*run.first_check);
+  const std::string mistake = mistake_of(run, *run.first_part);
+  const std::string heading = heading_of(*run.first_part, *run.first_check, mistake);
   const std::string number = heading.substr(0, heading.find(' '));
   const Note note = note_of(*run.first_part, *run.first_check);
-  const int stage =
-      next_stage(number + " " + mistake_in_short(note, mistake_of(run, *run.first_part)));
+  const int stage = next_stage(number + " " + mistake_in_short(note, mistake));
   const std::string page = page_of(*run.first_part);
   std::cout << "For: " << run.first_check->title << "\n";
   print_stage(page, heading, std::min(stage, kStages));

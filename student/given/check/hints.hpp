@@ -7,7 +7,8 @@ namespace bounce::check {
 
 void hint(const Run& run);
 
-// The hint's heading for a check: "1.1 The height of the lowest corner".
-std::string heading_of(const Check& check);
+// "1.1 The height of the lowest corner": the heading of the hint for what is told of the mistake,
+// or else for the check.
+std::string heading_of(const Part& part, const Check& check, const std::string& mistake);
 
 }  // namespace bounce::check

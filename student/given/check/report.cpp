@@ -120,11 +120,10 @@ void print_first(const Run& run) {
   print_text(note.text);
   print_missing_returns(part);
   print_what_was_printed(part, note);
-  if (const std::string mistake = mistake_of(run, part); !mistake.empty()) {
-    std::cout << "\n" << folded(mistake, 74, "  ") << "\n";
-  }
-  std::cout << "  Hint " << heading_of(*run.first_check) << ": ./check" << run.option()
-            << " --hint opens it, stage by stage.\n";
+  const std::string mistake = mistake_of(run, part);
+  if (!mistake.empty()) std::cout << "\n" << folded(mistake, 74, "  ") << "\n";
+  std::cout << "  Hint " << heading_of(part, *run.first_check, mistake) << ": ./check"
+            << run.option() << " --hint opens it, stage by stage.\n";
 }
 
 void print_warnings() {

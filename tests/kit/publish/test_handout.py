@@ -312,6 +312,15 @@ def test_every_check_has_one_hint() -> None:
     assert sorted(pointed) == sorted(c["id"] for p in MANIFEST for c in p["checks"])
 
 
+def test_hints_name_what_diagnoses_say() -> None:
+    """Word for word; a number or an input is filled in."""
+    sources = "\n".join(f.read_text("utf-8") for f in (ROOT / "tests/parts").glob("*.cpp"))
+    for file in HINTS:
+        for line in re.findall(r"^Diagnoses: (.*)$", file.read_text("utf-8"), re.M):
+            pieces = re.split(r"; |\d|\bl\b", line)
+            assert all(piece.strip() in sources for piece in pieces), line
+
+
 @pytest.mark.parametrize("part", MANIFEST, ids=lambda part: part["stem"])
 def test_hints_are_numbered_and_staged(part: dict[str, Any]) -> None:
     text = (ROOT / f"student/hints/{part['stem']}.md").read_text("utf-8")
