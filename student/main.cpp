@@ -1,11 +1,11 @@
 // Simulates a square with your four parts and writes an animation of it.
 //
-//   bounce [--compare] [PAGE]
+//   bounce [--compare] [PAGE.html]
 //   bounce --scene NAME [dt=0.001 ...]
 //   bounce --worked
 //
-// PAGE is the file to write (default: animation.html in this folder). With --compare the scene is
-// one of the public fixtures, and the right square is shown beside yours. With --scene it is one
+// PAGE.html is the file to write (default: animation.html in this folder). With --compare the scene
+// is one of the public fixtures, and the right square is shown beside yours. With --scene it is one
 // of the scenes of explore.md, with numbers changed as you say. With --worked it takes the one step
 // that the handout carries through, and prints what each part returns.
 #include <bounce/part4_simulate.hpp>
@@ -20,6 +20,9 @@
 #include "given/stored_scene.hpp"
 #include "given/study/tables.hpp"
 #include "given/worked_example.hpp"
+#ifndef BOUNCE_FIXTURES
+#include "paths.hpp"  // which student/CMakeLists.txt makes
+#endif
 
 namespace {
 
@@ -73,7 +76,7 @@ int animate_scene(const std::vector<std::string>& words) {
   for (bounce::study::Scene& scene : bounce::study::read_scenes(BOUNCE_STUDY)) {
     names += " " + scene.name;
     if (words.empty() || scene.name != words[0]) continue;
-    for (std::size_t i = 1; i < words.size(); ++i) change(scene, words[i]);
+    change(scene, {words.begin() + 1, words.end()});
     return animate({scene.start.q, scene.start.v, scene.params, Eigen::Matrix3Xd(3, 0)},
                    "animation.html");
   }
@@ -81,25 +84,34 @@ int animate_scene(const std::vector<std::string>& words) {
   return 2;
 }
 
+int run(std::vector<std::string> words) {
+  const std::string option = words.empty() ? "" : words[0];
+  if (option == "--worked" && words.size() == 1) {
+    bounce::worked_example();
+    return 0;
+  }
+  if (option == "--scene") return animate_scene({words.begin() + 1, words.end()});
+  const bool compares = option == "--compare";
+  if (compares) words.erase(words.begin());
+  const bool names_page = words.size() == 1 && words[0][0] != '-' && words[0].ends_with(".html");
+  if (!words.empty() && !names_page) {
+    std::cerr << "bounce: " << words.back()
+              << " is not understood; there are:\n"
+                 "./build/bounce [--compare] [PAGE.html]\n"
+                 "./build/bounce --scene NAME [dt=0.001 ...]\n"
+                 "./build/bounce --worked\n";
+    return 2;
+  }
+  const std::string page = words.empty() ? "animation.html" : words[0];
+  if (compares) return animate(bounce::stored_scene(BOUNCE_FIXTURES), page);
+  return animate({q_0, v_0, scene_parameters(), Eigen::Matrix3Xd(3, 0)}, page);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   try {
-    if (argc == 2 && std::string(argv[1]) == "--worked") {
-      bounce::worked_example();
-      return 0;
-    }
-    if (argc > 1 && std::string(argv[1]) == "--scene")
-      return animate_scene({argv + 2, argv + argc});
-    const bool compare = argc > 1 && std::string(argv[1]) == "--compare";
-    const char* page = argc > 1 + compare ? argv[1 + compare] : "animation.html";
-    if (page[0] == '-') {
-      std::cerr
-          << "usage: bounce [--compare] [PAGE.html], bounce --scene NAME, or bounce --worked\n";
-      return 2;
-    }
-    if (compare) return animate(bounce::stored_scene(BOUNCE_FIXTURES), page);
-    return animate({q_0, v_0, scene_parameters(), Eigen::Matrix3Xd(3, 0)}, page);
+    return run({argv + 1, argv + argc});
   } catch (const std::exception& error) {
     std::cerr << "No animation was written: " << error.what() << ".\n";
     return 1;

@@ -257,6 +257,14 @@ bool is_of_sanitizers(const std::string& line) {
          line.find("ERROR: AddressSanitizer: ") != std::string::npos;
 }
 
+std::string place_in_sources(const std::vector<std::string>& lines) {
+  for (std::string line : lines) {
+    std::replace(line.begin(), line.end(), '(', ' ');  // atos writes "step (src/part3_step.cpp:12)"
+    if (const std::string place = own_place(line); begins(place, "src/")) return place;
+  }
+  return "";
+}
+
 std::string found_by_sanitizers(const std::vector<std::string>& lines) {
   const std::string undefined = ": runtime error: ", address = "ERROR: AddressSanitizer: ";
   std::string kind;

@@ -49,28 +49,46 @@ std::string why_aborted(const std::string& said) {
   const auto has = [&](const char* what) { return said.find(what) != std::string::npos; };
   static const std::string kAborted = "the program was aborted: ";
   if (const std::size_t at = said.find("what():"); at != std::string::npos) {
-    return "the program threw " + said.substr(said.find_first_not_of(' ', at + 7)) +
+    return "the program threw an exception: " + said.substr(said.find_first_not_of(' ', at + 7)) +
            ", and nobody caught it";
   }
   if (has("comma initializer")) {
     return kAborted + "too few or too many numbers after <<";
   }
   if (has("Eigen/") && (has("rows()") || has("cols()") || has("size()") || has("index"))) {
+    const bool is_index = has("index < size()") || has("row < rows()");
     const std::size_t type = std::min(said.find("Eigen::Matrix<double, "), said.size());
     int rows = 0, columns = 0;
     std::sscanf(said.c_str() + type, "Eigen::Matrix<double, %d, %d", &rows, &columns);
     const std::string of = rows > 0 && columns > 0 ? " of a " + std::to_string(rows) + "x" +
                                                          std::to_string(columns) + " matrix"
                                                    : "";
-    return kAborted + "an index or a size" + of + " is out of range, says Eigen";
+    return kAborted + (is_index ? "an index" : "an index or a size") + of + " is out of range";
   }
   if (has("__n < this->size()")) {
-    return kAborted + "an index beyond the end of a std::vector or std::array";
+    return kAborted + "an index is beyond the end of a std::vector or std::array";
   }
   if (const std::size_t at = said.find("Assertion"); at != std::string::npos) {
     return kAborted + "a failed assertion: " + said.substr(at + 9).substr(0, 100);
   }
   return kAborted + "a failed assertion, or an exception nobody caught";
+}
+
+// ", at src/part4_simulate.cpp:10": the innermost of the addresses that is the student's. Empty
+// where that can't be had, as on Windows.
+std::string place_of_crash(const std::string& program, const fs::path& stack) {
+#ifdef __APPLE__
+  std::vector<std::string> command{"atos", "-fullPath", "-o", program};
+#else
+  std::vector<std::string> command{"addr2line", "-e", program};
+#endif
+  const std::vector<std::string> addresses = lines_of(read(stack));
+  if (addresses.empty()) return "";
+  command.insert(command.end(), addresses.begin(), addresses.end());
+  fs::remove(stack);
+  check::run(command, stack, Limits::none);
+  const std::string place = place_in_sources(own_lines(read(stack)));
+  return place.empty() ? "" : ", at " + place;
 }
 
 std::string reason_of(const Termination& ended, const std::string& printed) {
@@ -118,10 +136,10 @@ Noted read_note(const fs::path& file) {
 }
 
 void say_how_it_ended(const fs::path& file, const Noted& note, const Termination& ended,
-                      const std::string& printed, std::uintmax_t size) {
+                      const std::string& printed, const std::string& place, std::uintmax_t size) {
   const bool hung = ended.signal == 0 && ended.code == kTooLong;
   write(file, (hung ? "hung " : "crashed ") + note.from + " " + std::to_string(size) + "\n" +
-                  reason_of(ended, printed) + "\nIt was asked: " + note.text);
+                  reason_of(ended, printed) + place + "\nIt was asked: " + note.text);
 }
 
 // As where a global object's constructor crashes: none of the checks was run.
@@ -153,20 +171,24 @@ void run_part(const Run& run, const Part& part) {
   fs::create_directories(notes);
   fs::remove(prints);
   write(prints, "");
-  const std::vector<std::string> command{program_of(run, part), "--notes", notes.string(),
-                                         prints.string()};
+  const fs::path stack = kWork / "stack.txt";
+  std::vector<std::string> command{program_of(run, part), "--notes", notes.string(),
+                                   prints.string()};
+  if (!run.sanitized) command.push_back(stack.string());  // sanitizers say it themselves
   int hung = 0;
   for (bool again = true; again;) {
     again = false;
+    fs::remove(stack);
     const auto ended = check::run(command, prints, limits_of(run));
     if (!ended) throw Failure(program_of(run, part) + " can't be started: remove the folder build");
     const std::string printed = read(prints);
+    const std::string place = place_of_crash(command[0], stack);
     if (fs::is_empty(notes)) say_that_none_began(notes, part, *ended, printed);
     for (const fs::path& file : files_in(notes)) {
       const Noted note = read_note(file);
       const bool is_new_hang = note.status == "hung" && note.text.rfind("no answer", 0) != 0;
       if (note.status != "running" && !is_new_hang) continue;
-      say_how_it_ended(file, note, is_new_hang ? Termination{kTooLong, 0} : *ended, printed,
+      say_how_it_ended(file, note, is_new_hang ? Termination{kTooLong, 0} : *ended, printed, place,
                        fs::file_size(prints));
       hung += is_new_hang;
       again = hung < kMostHung && ended->signal != kPrintedTooMuch;

@@ -5,6 +5,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "paths.hpp"
+
 namespace bounce::study {
 namespace {
 

@@ -1,13 +1,15 @@
 #include "tables.hpp"
 
-#include <algorithm>
+#include <cmath>
 #include <fstream>
+#include <map>
 #include <sstream>
 #include <stdexcept>
-#include <utility>
 
 namespace bounce::study {
 namespace {
+
+constexpr int kMostColumns = 1'000'000;
 
 Scene read_scene(std::istringstream& line) {
   Scene scene;
@@ -54,26 +56,36 @@ std::vector<Scene> read_scenes(const std::filesystem::path& file) {
   return scenes;
 }
 
-void change(Scene& scene, const std::string& assignment) {
+void change(Scene& scene, const std::vector<std::string>& assignments) {
   auto& [q, v] = scene.start;
   Parameters& p = scene.params;
-  double columns = p.T;
-  const std::pair<const char*, double*> numbers[] = {
+  const double seconds = (p.T - 1) * p.dt;
+  double columns = NAN;
+  const std::map<std::string, double*> numbers = {
       {"l", &p.l},     {"m", &p.m},         {"mu", &p.mu},   {"epsilon", &p.epsilon},
       {"dt", &p.dt},   {"delta", &p.delta}, {"T", &columns}, {"x", &q(0)},
       {"y", &q(1)},    {"theta", &q(2)},    {"vx", &v(0)},   {"vy", &v(1)},
       {"omega", &v(2)}};
-  const std::size_t sign = assignment.find('=');
-  for (const auto& [name, place] : numbers) {
-    if (assignment.substr(0, sign) != name || sign == std::string::npos) continue;
-    std::istringstream text(assignment.substr(sign + 1));
-    if (double x = 0; text >> x && text.eof()) {
-      *place = x;
-      p.T = std::clamp(static_cast<int>(columns), 1, 1'000'000);
-      return;
+  for (const std::string& assignment : assignments) {
+    const std::size_t sign = assignment.find('=');
+    const auto number = numbers.find(assignment.substr(0, sign));
+    std::istringstream text(sign == std::string::npos ? "" : assignment.substr(sign + 1));
+    double x = 0;
+    if (number == numbers.end() || !(text >> x) || !text.eof()) {
+      throw std::invalid_argument(assignment + " sets no number of a scene; dt=0.001 would");
     }
+    *number->second = x;
   }
-  throw std::invalid_argument(assignment + " sets no number of a scene; dt=0.001 would");
+  if (!(p.l > 0 && p.m > 0 && p.dt > 0)) {
+    throw std::invalid_argument("l, m and dt have to be greater than 0");
+  }
+  if (std::isnan(columns)) columns = std::round(seconds / p.dt) + 1;
+  if (!(columns >= 1 && columns <= kMostColumns && columns == std::floor(columns))) {
+    std::ostringstream message;
+    message << "T has to be a whole number from 1 to " << kMostColumns << ", and it is " << columns;
+    throw std::invalid_argument(message.str());
+  }
+  p.T = static_cast<int>(columns);
 }
 
 }  // namespace bounce::study

@@ -36,7 +36,8 @@ struct Scene {
 // Throws std::runtime_error, naming the file.
 std::vector<Scene> read_scenes(const std::filesystem::path& file);
 
-// Sets a number of the scene: "dt=0.001", "vy=-60". Throws std::invalid_argument.
-void change(Scene& scene, const std::string& assignment);
+// Sets numbers of the scene: "dt=0.001", "vy=-60". It lasts as long as before, unless T is set.
+// Throws std::invalid_argument.
+void change(Scene& scene, const std::vector<std::string>& assignments);
 
 }  // namespace bounce::study

@@ -46,6 +46,17 @@ def test_the_program_says_in_one_sentence_what_went_wrong(tmp_path: Path) -> Non
     assert run.stderr.count("\n") == 1
 
 
+@pytest.mark.parametrize(
+    "words", ["dt=0.001", "page", "--compar", "a.html b.html", "--compare dt=0.001", "--worked 2"]
+)
+def test_the_program_refuses_what_it_does_not_understand(tmp_path: Path, words: str) -> None:
+    run = subprocess.run(
+        [PROGRAM, *words.split()], cwd=tmp_path, capture_output=True, text=True, timeout=PATIENCE
+    )
+    assert (run.returncode, run.stdout, list(tmp_path.iterdir())) == (2, "", [])
+    assert run.stderr.startswith(f"bounce: {words.split()[-1]} is not understood; there are:\n")
+
+
 # ---- time ----
 
 

@@ -433,6 +433,36 @@ def test_names_the_part_that_is_missing(tmp_path: Path, home: Path) -> None:
         part.write_bytes((SOLUTION / part.name).read_bytes())
 
 
+@pytest.mark.slow
+@pytest.mark.usual(1)
+@pytest.mark.parametrize(
+    "name",
+    [
+        "-HW #3 [2] 100% $HOME it's ~a & b (c), {d}=e@f@+^:!`x` Ü  ",
+        *("HW #3", "C#", "$HOME", "it's", "100%d", "R&D (2)", "Übung 1 für Müller", "-dash"),
+        *("  blanks  ", "[abc]"),
+    ],
+)
+def test_a_folder_may_have_any_name(tmp_path: Path, name: str) -> None:
+    folder = unzipped(tmp_path).rename(tmp_path / name)
+    put(folder)
+    run = check(folder, "1")
+    assert score(run) == "30 / 30", run.stderr
+    (folder / "src/part1_contacts.cpp").write_text("int x = ;\n")
+    assert "src/part1_contacts.cpp:1:" in first(check(folder, "1"))
+
+
+@pytest.mark.parametrize(
+    "name", ["a;b", '"a"', "a\\b", "a|b", "<a>", "a*", "a?", "$(HOME)", "${HOME}", "a\nb"]
+)
+def test_a_name_that_cmake_cannot_hold_is_refused_in_a_sentence(tmp_path: Path, name: str) -> None:
+    folder = unzipped(tmp_path).rename(tmp_path / name)
+    run = check(folder)
+    assert run.returncode == 3 and not (folder / "build").exists()
+    assert run.stderr.startswith("check: CMake can not build in a folder whose path has ")
+    assert run.stderr.count("\n") == 1
+
+
 def test_goes_on_where_a_check_was_killed_while_it_prepared(tmp_path: Path) -> None:
     folder = unzipped(tmp_path)
     (folder / "build").mkdir()

@@ -2,11 +2,14 @@
 and the page that asks about both."""
 
 import csv
+import json
 import re
+import subprocess
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from animation_page import DATA
 from bounce_grader.publish import handout_measured, handout_study
 from conftest import ROOT
 from test_check import MISTAKES, check, put
@@ -101,6 +104,30 @@ def test_names_scenes_that_are_there() -> None:
     assert named <= set(scenes) == {f.stem for f in (ROOT / "fixtures/scenes").glob("*.json")}
     assert len(re.findall(r"^truth ", text, re.M)) == 20 * len(handout_study.STUDIED)
     assert len(re.findall(r"^other ", text, re.M)) == 3 * len(handout_study.STUDIED)
+
+
+@pytest.mark.slow
+@pytest.mark.xdist_group("student")
+def test_a_scene_lasts_as_long_with_another_step_unless_its_columns_are_told(home: Path) -> None:
+    put(home)
+    assert check(home).returncode == 0
+    subprocess.run(["cmake", "--build", "build", "--target", "bounce"], cwd=home, check=True)
+
+    def bounce(*words: str) -> subprocess.CompletedProcess[str]:
+        command = ["./build/bounce", "--scene", "tumble", *words]
+        return subprocess.run(command, cwd=home, capture_output=True, text=True, check=False)
+
+    def columns(*words: str) -> int:
+        assert bounce(*words).returncode == 0
+        [data] = DATA.findall((home / "animation.html").read_text())
+        return len(json.loads(data)["q"][0])
+
+    assert columns() == columns("T=41") == columns("dt=0.001", "T=41") == 41
+    assert columns("dt=0.001", "epsilon=1") == 401
+    for word in ("dt=0", "l=-1", "T=0", "T=2.5", "dt=1e-9", "nu=1", "mu=x", "page.html"):
+        refused = bounce(word)
+        assert refused.returncode == 1 and refused.stdout == "", word
+        assert refused.stderr.startswith("No animation was written: "), word
 
 
 def sentences(page: Path) -> str:

@@ -1,15 +1,15 @@
 // Runs the tests with the code under test linked in, on the public fixtures only.
 //
-//   part1_contacts_test [--notes FOLDER PRINTED | --mistake FILE | --debug]
+//   part1_contacts_test [--notes FOLDER PRINTED [STACK] | --mistake FILE | --debug]
 //
 // With --notes, it writes a file for each check, named after the check: "running" while it runs,
 // then "passed" or "failed" and the feedback, or "undecided" if no case is wrong, but the given
 // earlier parts were asked what isn't recorded. After this word come the sizes of PRINTED, the file
 // of standard output, before and after the reported case. A check that already has its file isn't
-// run again, so that after a crash a second run continues with the next one. A check that takes too
-// long ends the program. With --mistake no test runs: it writes to FILE which mistakes the answers
-// to all public cases point to. With --debug it stops in the debugger at the first wrong case, then
-// asks it once more.
+// run again, so that after a crash a second run continues with the next one; STACK then tells where
+// it came. A check that takes too long ends the program. With --mistake no test runs: it writes to
+// FILE which mistakes the answers to all public cases point to. With --debug it stops in the
+// debugger at the first wrong case, then asks it once more.
 #include <gtest/gtest.h>
 
 #include <csignal>
@@ -23,7 +23,11 @@
 #include "../feedback.hpp"
 #include "linked.hpp"
 #include "mistake.hpp"
+#include "stack.hpp"
 #include "time_limit.hpp"
+#ifndef BOUNCE_FIXTURES
+#include "paths.hpp"  // which student/CMakeLists.txt makes
+#endif
 
 namespace bounce::tests {
 
@@ -128,7 +132,8 @@ void write_mistakes(const std::string& file) {
 
 void about_to_ask(const Case& c) {
   if (notes.empty()) return;
-  asked = c.name + "\n" + c.input;
+  const std::string before = answered_before();
+  asked = c.name + "\n" + c.input + (before.empty() ? "" : "\n  before   " + before);
   from = bytes_printed();
   note("running" + from, asked);
 }
@@ -152,6 +157,7 @@ int main(int argc, char** argv) {
     return 0;
   }
   bounce::tests::debugs = argc == 2 && std::string(argv[1]) == "--debug";
-  if (option == "--notes" && argc == 4) bounce::tests::take_notes(argv[2], argv[3]);
+  if (option == "--notes" && argc > 3) bounce::tests::take_notes(argv[2], argv[3]);
+  if (option == "--notes" && argc > 4) bounce::tests::write_stack_of_crash(argv[4]);
   return RUN_ALL_TESTS();
 }
