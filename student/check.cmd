@@ -2,7 +2,7 @@
 rem Builds the program that checks (given\check\), where it isn't there yet, and starts it.
 setlocal
 cd /d "%~dp0"
-if not "%cd:;=%"=="%cd%" (echo check: CMake can not build in a folder whose path has ; in it: rename the folder>&2 & exit /b 3)
+if not "%cd:;=%"=="%cd%" (echo check: CMake cannot build in a folder whose path has ; in it: rename the folder>&2 & exit /b 3)
 where cmake >nul 2>nul || (echo check: CMake is missing; it comes with Visual Studio, or: winget install cmake>&2 & exit /b 3)
 set toolchain=
 if defined VCPKG_ROOT set toolchain="-DCMAKE_TOOLCHAIN_FILE=%VCPKG_ROOT%/scripts/buildsystems/vcpkg.cmake"

@@ -459,7 +459,7 @@ def test_a_name_that_cmake_cannot_hold_is_refused_in_a_sentence(tmp_path: Path, 
     folder = unzipped(tmp_path).rename(tmp_path / name)
     run = check(folder)
     assert run.returncode == 3 and not (folder / "build").exists()
-    assert run.stderr.startswith("check: CMake can not build in a folder whose path has ")
+    assert run.stderr.startswith("check: CMake cannot build in a folder whose path has ")
     assert run.stderr.count("\n") == 1
 
 
