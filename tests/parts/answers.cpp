@@ -97,7 +97,9 @@ std::vector<Case> questions(int part) {
   const std::vector<Case> others = diagnostic_questions(part, cases);
   std::stable_partition(cases.begin(), cases.end(), has_other_parameters);
   cases.insert(cases.end(), others.begin(), others.end());
-  cases.push_back(cases.front());
+  for (int again = part == 4 ? 1 : 4; again > 0; --again) {
+    cases.push_back(Case(cases[static_cast<std::size_t>(again - 1)]));
+  }
   return cases;
 }
 

@@ -38,7 +38,8 @@ int numbers_together(int part);
 std::optional<std::filesystem::path> public_file(int part, const std::string& folder = "");
 
 // What a wrong part is asked: its public cases and the diagnostic questions, and at last the first
-// one again, by which a program that keeps something between calls gives itself away. Cases whose
+// ones again, in reverse order: so a program gives itself away that keeps something between calls,
+// or reads what was never set. Cases whose
 // parameters aren't the assignment's come first, so that a program which stores parameters in its
 // first call is wrong in the next ones.
 std::vector<Case> questions(int part);

@@ -46,6 +46,7 @@ struct Problem {
 
 constexpr const char* kConfiguration = "m, m, rad";
 constexpr const char* kVelocity = "m/s, m/s, rad/s";
+constexpr const char* kNewVelocity = "v after the step";  // what is drawn as a step
 
 // --- defined by the program that runs the tests ---
 

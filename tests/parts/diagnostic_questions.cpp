@@ -50,9 +50,10 @@ bool has_room_to_turn(const Case& c) {
   return in_quarter > 0.01 && in_quarter + kTurn < quarter - 0.01;
 }
 
-Case moved(Case c, const Vector3& by) {
-  c.q += by;
-  c.corner.clear();  // it may be another one, or do something else
+// A corner in contact, raised out of it or lowered.
+Case raised(Case c, double height) {
+  c.q(1) += height;
+  if (height > 0) c.corner = "no corner touches; " + c.corner.substr(0, 8) + " is the lowest";
   return c;
 }
 
@@ -73,10 +74,12 @@ void add_one_parameter_each(std::vector<Case>& questions, const Case& base) {
 }
 
 std::vector<Case> of_part1(const std::vector<Case>& cases) {
-  std::vector<Case> questions;
-  for (const Case& c : those_that_say("corner 3", 3, cases)) {
+  std::vector<Case> questions, bases = those_that_say("corner 3", 2, cases);
+  const std::vector<Case> below = those_that_say("below the ground", 1, cases);
+  bases.insert(bases.end(), below.begin(), below.end());
+  for (const Case& c : bases) {
     for (const int quarters : {1, 2, 3}) questions.push_back(turned(c, quarters));
-    questions.push_back(changed(c, one_parameter().front()));
+    questions.push_back(changed(c, [](Case& larger) { larger.params.l *= 20; }));
     questions.push_back(changed(c, [](Case& aside) { aside.q(0) += 0.7; }));
     questions.push_back(changed(c, [](Case& higher) { higher.q(1) += 0.4; }));
     if (has_room_to_turn(c)) questions.push_back(changed(c, [](Case& on) { on.q(2) += kTurn; }));
@@ -89,19 +92,23 @@ std::vector<Case> of_part2(const std::vector<Case>& cases) {
   for (const Case& c : {cases.front(), cases.back()}) {
     add_one_parameter_each(questions, c);
     questions.push_back(changed(c, [](Case& turned_round) { turned_round.v *= -1; }));
+    add_one_parameter_each(questions, Case(questions.back()));
   }
   return questions;
 }
 
 std::vector<Case> of_part3(const std::vector<Case>& cases) {
   std::vector<Case> questions;
-  for (const Case& c : those_that_say("slides", 2, cases)) add_one_parameter_each(questions, c);
-  for (const Case& c : those_that_say("no corner touches", 1, cases)) {
-    add_one_parameter_each(questions, c);
+  for (const char* what : {"0 < phi < delta", "no corner touches", "sticks", "leaves"}) {
+    for (const Case& c : those_that_say(what, 1, cases)) add_one_parameter_each(questions, c);
+  }
+  for (const Case& c : those_that_say("slides to the left", 1, cases)) {
+    questions.push_back(raised(c, -c.params.l));  // below any threshold
+    add_one_parameter_each(questions, Case(questions.back()));
   }
   for (const Case& c : those_that_say("0 < phi < delta", 2, cases)) {
     for (const double height : {0.06, 0.02, -c.params.delta}) {
-      questions.push_back(moved(c, Vector3(0, height, 0)));
+      questions.push_back(raised(c, height));
       questions.push_back(changed(questions.back(), [](Case& up) { up.v(1) = 0.5; }));
     }
   }

@@ -103,15 +103,20 @@ std::string explanation(const Case& c, const Difference& d) {
                             : "  it is 0: not filled in, or a smallest that was never found?\n";
   }
   const Marks right = agrees(c, d.expected, d.got);
+  Words fit;
+  double times = 1;
   for (const auto& [name, factor] : factors(c.params)) {
     const Marks scaled = agrees(c, factor * d.expected, d.got);
     Index i = 0;
     while (i < d.got.size() && (right(i) || (scaled(i) && d.expected(i) != 0))) ++i;
-    if (i == d.got.size()) {
-      return std::string("  wrong entries are ") + name + " times the right ones\n";
-    }
+    if (i < d.got.size()) continue;
+    fit.push_back(name);
+    times = factor;
   }
-  return "";
+  if (fit.empty()) return "";
+  const std::string words = joined(fit, " or "), value = number(times, 6);
+  return "  wrong entries are " + words + (words == value ? "" : " = " + value) +
+         " times the right ones\n";
 }
 
 // The force that follows from a velocity after the step: M (v' - v) / dt - f_e.
@@ -132,7 +137,7 @@ std::string corner_before(const Case& c) {
 }
 
 std::string about_step(const Case& c, const Difference& d) {
-  if (d.unit != kVelocity || !d.got.allFinite() || !c.columns.empty()) return "";
+  if (d.name != kNewVelocity || !d.got.allFinite()) return "";
   std::string text;
   if (c.corner.rfind("corner", 0) == 0) {
     text = "  the contact force (f_t2 - f_t1, f_n) that v' tells of:\n    yours " +

@@ -12,7 +12,7 @@ namespace {
 
 Problem compare_velocity(const Case& c) {
   const State got = submission::step(c.q, c.v, c.params);
-  return compare(c, "v after the step", kVelocity, c.state.v, got.v);
+  return compare(c, kNewVelocity, kVelocity, c.state.v, got.v);
 }
 
 [[maybe_unused]] const bool kPart3IsRegistered = register_call(
@@ -80,7 +80,7 @@ TEST(part3, MovesWithTheNewVelocity) {
 TEST(part3, TakesEveryNumberFromTheParameters) {
   for_each_case([](const Case& c) {
     const State got = submission::step(c.q, c.v, c.params);
-    return both(compare(c, "v after the step", kVelocity, c.state.v, got.v),
+    return both(compare(c, kNewVelocity, kVelocity, c.state.v, got.v),
                 compare(c, "q after the step", kConfiguration, c.state.q, got.q));
   });
 }

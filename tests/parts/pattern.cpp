@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "recognise.hpp"
 #include "wrong_corner.hpp"
 #include "wrong_formulas.hpp"
 #include "wrong_numbers.hpp"
@@ -27,7 +28,12 @@ std::string with_entries(const Quantity& quantity, const std::set<Index>& wrong)
   return quantity.name + " (" + joined(names) + ")";
 }
 
-std::string which(int part, const Wrong& wrong) {
+// "in every public question"; with an exception, that is also said.
+std::string in_those(bool all_answered) {
+  return std::string("in every public question") + (all_answered ? "" : " that it answers");
+}
+
+std::string which(int part, const Wrong& wrong, bool all_answered) {
   Words right, touched;
   for (const Quantity& quantity : quantities(part)) {
     const bool is_wrong = is_touched(quantity, wrong.entries);
@@ -36,10 +42,11 @@ std::string which(int part, const Wrong& wrong) {
   }
   const std::string what = "wrong: " + joined(touched) + ".";
   return right.empty() ? "W" + what.substr(1)
-                       : "Right in every question: " + joined(right) + "; " + what;
+                       : "Right " + in_those(all_answered) + ": " + joined(right) + "; " + what;
 }
 
-std::string first_wrong_column(const std::vector<Case>& cases, const Wrong& wrong) {
+std::string first_wrong_column(const std::vector<Case>& cases, const Wrong& wrong,
+                               bool all_answered) {
   std::set<int> firsts;
   for (const std::size_t k : wrong.questions) {
     const auto first = std::find_if(wrong.numbers.begin(), wrong.numbers.end(),
@@ -48,13 +55,13 @@ std::string first_wrong_column(const std::vector<Case>& cases, const Wrong& wron
     firsts.insert(known_columns(cases[k].params.T)[column]);
   }
   if (firsts.empty()) return "";
-  if (*firsts.begin() < 2 && firsts.size() == 1) {
+  if (*firsts.begin() < 2 && firsts.size() == 1 && all_answered) {
     return "Column " + std::to_string(*firsts.begin()) +
            " is the first wrong one in every case that is wrong.";
   }
-  return *firsts.begin() == 0
-             ? "In some cases column 0 is wrong already."
-             : "Column 0 is right in every question; the first wrong one comes after it.";
+  return *firsts.begin() == 0 ? "In some cases column 0 is wrong already."
+                              : "Column 0 is right " + in_those(all_answered) +
+                                    "; the first wrong one comes after it.";
 }
 
 // Whether these are a stub's answers, which need no description.
@@ -63,6 +70,16 @@ bool nothing_is_filled_in(const std::vector<Answer>& got) {
     return std::all_of(a.numbers.data(), a.numbers.data() + a.numbers.size(),
                        [](double x) { return x == 0; });
   });
+}
+
+// A number that is garbage; 0 if there is none.
+double garbage(const std::vector<Answer>& got) {
+  for (const Answer& answer : got) {
+    for (const double x : answer.numbers) {
+      if (is_garbage(x)) return x;
+    }
+  }
+  return 0;
 }
 
 void add(Words& sentences, const std::string& sentence) {
@@ -90,17 +107,32 @@ std::vector<std::string> patterns(int part, const std::vector<Case>& cases,
   if (got.size() != right.size() || got.size() != cases.size()) return {};
   const Wrong wrong = wrong_numbers(right, got);
   if (wrong.numbers.empty() || nothing_is_filled_in(got)) return {};
+  const bool all_answered = std::equal(
+      got.begin(), got.end(), right.begin(),
+      [](const Answer& a, const Answer& b) { return a.numbers.size() == b.numbers.size(); });
   Words sentences;
-  add(sentences, part == 4 ? first_wrong_column(cases, wrong) : which(part, wrong));
+  add(sentences, part == 4 ? first_wrong_column(cases, wrong, all_answered)
+                           : which(part, wrong, all_answered));
+  if (const double x = garbage(got); x != 0) {
+    add(sentences, "A number in an answer is " + digits(x) + ": was it ever set?");
+    return sentences;
+  }
+  if (answers_differ_when_asked_again(cases, got)) {
+    add(sentences,
+        "The same question, asked again after others, gets another answer. Often: a static or "
+        "global variable, a number that is never set, or `auto` for an expression of Eigen.");
+    return sentences;
+  }
   const std::string exchange = part == 4 ? "" : exchanged(part, right, got);
   if (!exchange.empty()) {
     add(sentences, exchange);
     return sentences;
   }
-  const Words responses = inputs(part, cases, right, got);
+  const Words follows = formula_or_rule(part, cases, right, got, wrong);
+  const Words responses = inputs(part, cases, right, got, follows);
   add(sentences, responses);
-  if (responses.empty()) add(sentences, where(part, cases, wrong.questions));
-  add(sentences, formula_or_rule(part, cases, right, got, wrong));
+  if (responses.empty() && all_answered) add(sentences, where(part, cases, wrong.questions));
+  add(sentences, follows);
   if (sentences.size() > kMost) sentences.resize(kMost);
   return sentences;
 }

@@ -210,12 +210,20 @@ KnownMistakes read_mistakes(std::istream& file, int part) {
 
 std::vector<Mistake> recognise(const KnownMistakes& known, const std::vector<Answer>& got) {
   if (got.size() != known.right.size() || !evidence(got, known.right, known).enough()) return {};
+  for (const Answer& answer : got) {
+    if (std::any_of(answer.numbers.begin(), answer.numbers.end(), is_garbage)) return {};
+  }
   std::vector<Names> explanations = singles(known, got);
   if (explanations.empty()) explanations = pairs(known, got);
   if (explanations.empty()) explanations = singles_of_velocity(known, got);
   std::vector<Mistake> named;
   for (const std::size_t i : in_common(explanations)) named.push_back(known.mistakes[i]);
   return named;
+}
+
+bool is_garbage(double x) {
+  constexpr double kLargest = 1e290;
+  return std::isfinite(x) && (std::abs(x) > kLargest || (x != 0 && std::abs(x) < 1 / kLargest));
 }
 
 bool same(double a, double b) {

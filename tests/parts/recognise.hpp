@@ -31,8 +31,11 @@ KnownMistakes read_mistakes(std::istream& file, int part);
 // explain every answer by one rule that combines the two, and each of them must show by itself in
 // as many answers. In part 3 one mistake may also explain every v' alone, where the move of q is
 // wrong in a way that isn't known. If several explanations fit, returns only what they have in
-// common.
+// common; and nothing if a number is garbage.
 std::vector<Mistake> recognise(const KnownMistakes& known, const std::vector<Answer>& got);
+
+// Whether no calculation of a part gives this number: memory that was never set may hold it.
+bool is_garbage(double x);
 
 // Whether two answers agree to 1e-9, absolute or relative. NaN and infinity agree with each other.
 bool same(double a, double b);

@@ -44,6 +44,9 @@ int number_of_lowest(const Case& c) {
   return at == std::string::npos ? 0 : c.corner[at + 7] - '0';
 }
 
+// A program may number them otherwise.
+const std::string kNumbered = " Corners are numbered as in eq. (3).";
+
 int after(int corner, int quarters) { return (corner - 1 + quarters) % 4 + 1; }
 
 // The lowest of the other three is the one on the lower side.
@@ -85,7 +88,7 @@ Words corners(const std::vector<Case>& cases, const std::vector<Answer>& right,
   if (!wrong_J || a_formula || lowest_ones.size() < 4) return {};
   const std::string whose = one_corner ? "Your answer" : "Your J";
   if (of_J.size() == 1) {
-    return {whose + " is always that of corner " + std::to_string(*of_J.begin()) + "."};
+    return {whose + " is always that of corner " + std::to_string(*of_J.begin()) + "." + kNumbered};
   }
   std::set<int> never;
   for (const int corner : lowest_ones) {
@@ -95,7 +98,8 @@ Words corners(const std::vector<Case>& cases, const std::vector<Answer>& right,
     return {plural(never) + " never chosen, also where " +
             (never.size() == 1 ? "it is the lowest" : "they are the lowest") +
             (by_others && never.size() == 1 ? "; your answer is that of the lowest of the others."
-                                            : ".")};
+                                            : ".") +
+            kNumbered};
   }
   if (one_corner) return {"Each answer is that of a corner, but not always of the lowest one."};
   if (!wrong_phi) {

@@ -23,8 +23,8 @@ std::vector<Quantity> quantities(int part) {
   }
   if (part == 2) {
     return {{"the 3x3 block of V", {0, 1, 2, 4, 5, 6, 8, 9, 10}, {}},
-            {"the last column of V", range(12, 4), {}},
-            {"the last row of V", range(3, 3, 4), {}},
+            {"the last column of V", range(12, 4), {"V(0, 3)", "V(1, 3)", "V(2, 3)", "V(3, 3)"}},
+            {"the last row of V", range(3, 4, 4), {"V(3, 0)", "V(3, 1)", "V(3, 2)", "V(3, 3)"}},
             {"p(0)", {16}, {}},
             {"p(1)", {17}, {}},
             {"p(2)", {18}, {}},

@@ -38,9 +38,9 @@ std::optional<Words> differing(const Case& a, const Case& b) {
 
 // What was seen of an input and a quantity in all questions that differ in this input alone.
 struct Seen {
-  bool ought_to = false;  // the right answers differ
-  bool responds = false;  // and so do the part's, where the right ones do
-  bool intrudes = false;  // the part's differ where the right ones don't
+  bool ought_to = false;   // the right answers differ somewhere
+  bool responds = false;   // the part's differ somewhere
+  bool everywhere = true;  // the part's differ each time
 };
 
 struct Part {
@@ -61,9 +61,9 @@ void look(const Part& part, const Quantity& quantity, std::size_t a, std::size_t
     right_differs = right_differs || !same(part.right[a].numbers(i), part.right[b].numbers(i));
     got_differs = got_differs || !same(part.got[a].numbers(i), part.got[b].numbers(i));
   }
-  seen.responds = seen.responds || (right_differs && got_differs);
   seen.ought_to = seen.ought_to || right_differs;
-  seen.intrudes = seen.intrudes || (got_differs && !right_differs);
+  seen.responds = seen.responds || got_differs;
+  seen.everywhere = seen.everywhere && got_differs;
 }
 
 // Whether a quantity is 0 in all answers: then it isn't filled in, which is said in other words.
@@ -72,6 +72,16 @@ bool is_zero(const Part& part, const Quantity& quantity) {
     return std::all_of(quantity.entries.begin(), quantity.entries.end(), [&](Index i) {
       return i >= answer.numbers.size() || answer.numbers(i) == 0;
     });
+  });
+}
+
+// Whether one of these sentences says what a quantity is: "The 3x3 block of your V is ...".
+bool are_about(const Words& formulas, const Quantity& quantity) {
+  return std::any_of(formulas.begin(), formulas.end(), [&](std::string words) {
+    words.erase(std::min(words.find(" is "), words.size()));
+    words[0] = words[0] == 'J' ? 'J' : static_cast<char>(std::tolower(words[0]));
+    if (const std::size_t at = words.find("your "); at != words.npos) words.erase(at, 5);
+    return words == "every wrong number" || words.find(quantity.name) != words.npos;
   });
 }
 
@@ -125,21 +135,26 @@ std::vector<Quantity> quantities_of(int part, const std::vector<Answer>& right) 
 
 }  // namespace
 
+bool answers_differ_when_asked_again(const std::vector<Case>& cases,
+                                     const std::vector<Answer>& got) {
+  for (std::size_t a = 0; a < cases.size(); ++a) {
+    for (std::size_t b = a + 1; b < cases.size(); ++b) {
+      const auto names = differing(cases[a], cases[b]);
+      if (names && names->empty() && !same(got[a], got[b])) return true;
+    }
+  }
+  return false;
+}
+
 Words inputs(int part, const std::vector<Case>& cases, const std::vector<Answer>& right,
-             const std::vector<Answer>& got) {
+             const std::vector<Answer>& got, const Words& formulas) {
   const Part all{quantities_of(part, right), right, got};
   std::map<std::string, std::vector<Seen>> seen;
   for (std::size_t a = 0; a < cases.size(); ++a) {
     for (std::size_t b = a + 1; b < cases.size(); ++b) {
       if (!is_finite(all, a) || !is_finite(all, b)) continue;
       const auto names = differing(cases[a], cases[b]);
-      if (!names || names->size() > 1) continue;
-      if (names->empty() && !same(got[a], got[b])) {
-        return {
-            "The same question, asked again after others, gets another answer. Often: a static or "
-            "global variable, or a number that is never set."};
-      }
-      if (names->empty()) continue;
+      if (!names || names->size() != 1) continue;
       auto& of_input = seen[names->front()];
       of_input.resize(all.quantities.size());
       for (std::size_t i = 0; i < all.quantities.size(); ++i) {
@@ -152,10 +167,15 @@ Words inputs(int part, const std::vector<Case>& cases, const std::vector<Answer>
     Words without, with;
     for (std::size_t i = 0; i < all.quantities.size() && seen.count(input.words) > 0; ++i) {
       const Seen& what = seen[input.words][i];
-      if (is_zero(all, all.quantities[i])) continue;
-      if (what.ought_to && !what.responds) without.push_back(all.quantities[i].name);
+      if (is_zero(all, all.quantities[i]) || are_about(formulas, all.quantities[i])) continue;
+      // Where only a threshold depends on it, no difference may be chance.
+      const bool is_threshold = input.words == std::string(part == 3   ? "y"
+                                                           : part == 4 ? "delta"
+                                                                       : "");
+      if (what.ought_to && !what.responds && !is_threshold)
+        without.push_back(all.quantities[i].name);
       const bool is_move = part == 3 && i == 0;  // it tells of v', too, where v' doesn't move q
-      if (what.intrudes && !what.ought_to && !is_move) with.push_back(all.quantities[i].name);
+      if (what.everywhere && !what.ought_to && !is_move) with.push_back(all.quantities[i].name);
     }
     missing.push_back({input.words, without});
     intruding.push_back({input.words, with});

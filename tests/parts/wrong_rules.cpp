@@ -13,15 +13,23 @@ using Eigen::Index;
 constexpr double kFewDigits = 1e-4;
 constexpr double kRounding = 1e-9;  // numbers below this count as 0
 constexpr double kLeastRatio = 1e-6;
-constexpr const char* kDividedByZero =
-    "Often: something is divided by 0; as whole numbers, 1/2 and 1/6 are 0.";
 
 // --- words ---
 
-std::string capital(std::string text) {
-  const bool is_word = text.size() > 1 && text.rfind("the ", 0) == 0;
-  if (is_word) text[0] = 'T';
-  return text;
+// What the numbers are, if none is finite; else empty.
+std::string not_finite(const std::vector<Number>& numbers) {
+  const auto count = [&](bool (*is)(double)) {
+    return std::count_if(numbers.begin(), numbers.end(),
+                         [&](const Number& n) { return is(n.got); });
+  };
+  const auto all = static_cast<std::ptrdiff_t>(numbers.size());
+  const auto nan = count([](double x) { return std::isnan(x); });
+  const auto infinite = count([](double x) { return std::isinf(x); });
+  if (numbers.size() < kEnough || nan + infinite < all) return "";
+  if (nan == 0)
+    return "inf. Often: something is divided by 0; as whole numbers, 1/2 and 1/6 are 0.";
+  return std::string(infinite == 0 ? "nan" : "nan or inf") +
+         ": was it ever set? If so, look for a division by 0, or sqrt(-1).";
 }
 
 // --- rules ---
@@ -44,15 +52,16 @@ bool is_factor(std::size_t i, const std::vector<Case>& cases, const std::vector<
 
 std::string factor_of(const std::vector<Case>& cases, const std::vector<Number>& numbers) {
   if (numbers.size() < kEnough) return "";
-  const std::vector<Value> known = factors({});
-  for (std::size_t i = 0; i < known.size(); ++i) {
-    if (is_factor(i, cases, numbers)) return known[i].words;
-  }
   const double ratio = numbers[0].got / numbers[0].right;
-  const bool constant = is_rule(numbers, ratio, 0);
   // A smaller ratio is a rounding error of 0, a larger one that of a right 0.
   const bool is_sure = std::abs(ratio) > kLeastRatio && std::abs(ratio) < 1 / kLeastRatio;
-  return constant && is_sure ? digits(ratio) : "";
+  if (is_rule(numbers, ratio, 0)) return is_sure ? digits(ratio) : "";
+  const std::vector<Value> known = factors({});
+  Words fit;  // a parameter only where it varies: else it may as well be a number
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    if (is_factor(i, cases, numbers)) fit.push_back(known[i].words);
+  }
+  return joined(fit, " or ");
 }
 
 std::string difference_of(const std::vector<Number>& numbers) {
@@ -74,9 +83,10 @@ std::string constant_of(const std::vector<Number>& numbers) {
 
 std::string rule_of(const std::string& subject, const std::vector<Case>& cases,
                     const std::vector<Number>& numbers) {
+  const std::string infinite = not_finite(numbers);
+  if (!infinite.empty()) return subject + " is " + infinite;
   const std::string constant = constant_of(numbers), factor = factor_of(cases, numbers);
-  if (constant == "inf") return subject + " is inf, whatever the question. " + kDividedByZero;
-  if (!constant.empty()) return subject + " is " + constant + ", whatever the question.";
+  if (!constant.empty()) return subject + " is " + constant + ", whatever the right one.";
   if (!factor.empty()) return subject + " is " + factor + " times the right one.";
   const std::string difference = difference_of(numbers);
   return difference.empty() ? "" : subject + " is " + difference + " than the right one.";
@@ -134,6 +144,7 @@ std::vector<Value> factors(const Parameters& p) {
           {"m", p.m},
           {"1/m", 1 / p.m},
           {"m^2", p.m * p.m},
+          {"mu", p.mu},
           {"epsilon", p.epsilon},
           {"1 + epsilon", 1 + p.epsilon},
           {"1/(1 + epsilon)", 1 / (1 + p.epsilon)}};
@@ -153,8 +164,8 @@ Words rules(int part, const std::vector<Case>& cases, const Wrong& wrong) {
     std::vector<Number> own;
     std::copy_if(wrong.numbers.begin(), wrong.numbers.end(), std::back_inserter(own),
                  [&](const Number& n) { return is_touched(quantity, {n.entry}); });
-    const std::string subject = own.empty() || quantity.entries.size() == 1
-                                    ? capital(quantity.name)
+    const std::string subject = quantity.entries.size() == 1
+                                    ? "Every wrong " + quantity.name
                                     : "Every wrong number in " + quantity.name;
     const std::string own_rule = rule_of(subject, cases, own);
     if (!own_rule.empty() && found.size() < 2) found.push_back(own_rule);

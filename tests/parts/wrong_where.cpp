@@ -56,6 +56,8 @@ Traits corner_and_velocity(const Case& c) {
   traits.push_back({"the corner slides to the right before the step", v_t > 0});
   traits.push_back({"the corner slides to the left before the step", v_t < 0});
   traits.push_back({"the corner comes down before the step", v_n < 0});
+  traits.push_back({"the first two rows of J aren't (1, 0) and (0, 1), as in an arbitrary J",
+                    !c.J.topRows<2>().isIdentity(0)});
   return traits;
 }
 

@@ -188,7 +188,7 @@ def _trajectories(scene: Shown, path: Shown) -> Figure:
         shapes += [svg.line(x + 6, y, x + 26, y), svg.text(x + 30, y + 5, f"column {first}")]
     words = f"The path of the centre, and the square in column {last}"
     key = "rings, solid: right; dots, dashed: yours" if right else "dots, dashed: yours"
-    label = f"{words}; column {first} is the first wrong one; {key}"
+    label = f"{words}; column {first} is wrong; {key}"
     return Figure(svg.svg(shapes, *PATH_SIZE, label), [f"{words} ({key})."])
 
 

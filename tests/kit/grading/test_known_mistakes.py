@@ -220,7 +220,7 @@ def test_an_unknown_mistake_is_described_by_its_numbers(grade: Grade) -> None:
     part = grade(changed("part1_contacts", ("q(1) + r.y()}", "0.7 * (q(1) + r.y())}")))["parts"][0]
     assert part["mistakes"] == []
     assert part["patterns"] == [
-        "Right in every question: J_t and J_n; wrong: phi.",
+        "Right in every public question: J_t and J_n; wrong: phi.",
         "Every wrong number is 0.7 times the right one.",
     ]
 

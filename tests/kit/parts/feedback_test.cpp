@@ -19,8 +19,8 @@ Case some_case() {
 }
 
 std::string told(const Case& c, const Eigen::MatrixXd& expected, const Eigen::MatrixXd& got,
-                 const std::string& unit = "m") {
-  return feedback(c, compare(c, "a quantity", unit, expected, got));
+                 const std::string& name = "a quantity") {
+  return feedback(c, compare(c, name, "m", expected, got));
 }
 
 bool says(const std::string& text, const std::string& words) {
@@ -44,8 +44,9 @@ TEST(feedback, NamesTheFactorThatExplainsEveryWrongEntry) {
   const Case c = some_case();
   const Vector3 right(1, 2, 3);
   EXPECT_TRUE(says(told(c, right, -right), "wrong entries are -1 times the right ones"));
-  EXPECT_TRUE(says(told(c, right, right / c.params.dt), "1/dt times the right ones"));
-  EXPECT_TRUE(says(told(c, right, Vector3(1, 2, 3 * c.params.m)), " m times the right ones"));
+  EXPECT_TRUE(says(told(c, right, right / c.params.dt), "1/dt = 100 times the right ones"));
+  EXPECT_TRUE(
+      says(told(c, right, Vector3(1, 2, 3 * c.params.m)), " m or mu = 0.3 times the right ones"));
   EXPECT_FALSE(says(told(c, right, Vector3(-1, 2, 7)), "times the right ones"));
   EXPECT_FALSE(says(told(c, Vector3(1, 0, 3), Vector3(-1, 5, 3)), "times the right ones"));
 }
@@ -67,14 +68,15 @@ TEST(feedback, TellsTheForceAndDrawsTheStep) {
   Case c = some_case();
   // f_e is taken off: a corner that isn't pushed has the velocity of free flight.
   const Vector3 free = c.v + c.params.dt * c.params.g;
-  const std::string text = told(c, c.state.v, free, kVelocity);
+  const std::string text = told(c, c.state.v, free, kNewVelocity);
   EXPECT_TRUE(says(text, "yours (0, 0) N, right (-15, 26.943) N")) << text;
   EXPECT_TRUE(says(text, "corner 3 touches and slides to the right")) << text;
   for (const char* letter : {"o", "+", "R", "Y", "#", "====="}) {
     EXPECT_TRUE(says(text.substr(text.find("    | ")), letter)) << letter << "\n" << text;
   }
   c.corner = "no corner touches; corner 3 is the lowest";
-  EXPECT_FALSE(says(told(c, c.state.v, free, kVelocity), "contact force"));
+  EXPECT_FALSE(says(told(c, c.state.v, free, kNewVelocity), "contact force"));
+  EXPECT_FALSE(says(told(c, c.v, free, "v in column 0"), "after the step"));
 }
 
 TEST(feedback, DrawsBothPaths) {
@@ -122,7 +124,7 @@ TEST(summary, PutsTheWrongEntriesInBrackets) {
 TEST(feedback, DoesNotTellTheAnswerOfAHiddenCase) {
   Case c = some_case();
   c.hidden = true;
-  const std::string text = told(c, Vector3(17, 2.5, -11), Vector3(1, 2, 3), kVelocity);
+  const std::string text = told(c, Vector3(17, 2.5, -11), Vector3(1, 2, 3), kNewVelocity);
   for (const char* answer : {"17", "2.5", "-11", "corner", "right", ">", "|"}) {
     EXPECT_FALSE(says(text, answer)) << text;
   }

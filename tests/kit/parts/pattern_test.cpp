@@ -69,7 +69,7 @@ TEST(pattern, SaysNothingOfAStub) {
 
 TEST(pattern, NamesWhatIsRightAndWhatIsWrong) {
   const std::string text = told(1, [](const Case& c, auto& x) { x(2) += c.q(0) * c.q(2); });
-  EXPECT_TRUE(says(text, "Right in every question: J_n and phi; wrong: J_t (third entry)."))
+  EXPECT_TRUE(says(text, "Right in every public question: J_n and phi; wrong: J_t (third entry)."))
       << text;
   EXPECT_FALSE(says(text, "times") || says(text, "only where")) << text;
 }
@@ -99,10 +99,33 @@ TEST(pattern, NamesADifferenceThatIsAlwaysTheSame) {
 
 TEST(pattern, NamesANumberThatIsTheSameWhateverTheQuestion) {
   EXPECT_TRUE(says(told(1, [](const Case&, auto& x) { x(0) = 7; }),
-                   "Every wrong number is 7, whatever the question."));
+                   "Every wrong number is 7, whatever the right one."));
   EXPECT_TRUE(says(told(2, [](const Case&, auto& x) { x(0) = INFINITY; }),
-                   "Every wrong number is inf, whatever the question. Often: something is divided "
-                   "by 0"));
+                   "Every wrong number is inf. Often: something is divided by 0"));
+  EXPECT_TRUE(says(told(2, [](const Case&, auto& x) { x(0) = NAN; }),
+                   "Every wrong number is nan: was it ever set?"));
+  EXPECT_TRUE(says(told(2, [](const Case& c, auto& x) { x(0) = c.v(0) > 0 ? NAN : INFINITY; }),
+                   "Every wrong number is nan or inf: was it ever set?"));
+}
+
+// Where p(0) is right, it is another number.
+TEST(pattern, SaysOfTheWrongNumbersAloneWhatTheyAre) {
+  const std::string text = told(2, [](const Case& c, auto& x) {
+    if (c.v(0) > -6) x(16) = 0;
+    x(17) += c.q(0) * c.q(0);
+  });
+  EXPECT_TRUE(says(text, "Every wrong p(0) is 0, whatever the right one.")) << text;
+}
+
+// V(3, 3) belongs to both.
+TEST(pattern, CallsNoRowRightThatHoldsAWrongEntryOfTheColumn) {
+  const std::string text = told(2, [](const Case&, auto& x) { x.segment(12, 4).setConstant(NAN); });
+  EXPECT_TRUE(says(text, "wrong: the last column of V and the last row of V (V(3, 3)).")) << text;
+}
+
+TEST(pattern, SaysOfGarbageThatItIsNotSet) {
+  const std::string text = told(1, [](const Case&, auto& x) { x(5) = 6.9e-310; });
+  EXPECT_TRUE(says(text, "A number in an answer is 6.9e-310: was it ever set?")) << text;
 }
 
 TEST(pattern, NamesExchangedPlaces) {
@@ -180,7 +203,7 @@ TEST(pattern, NamesTheFirstWrongColumn) {
   };
   EXPECT_TRUE(says(from(0), "Column 0 is the first wrong one in every case that is wrong."));
   EXPECT_TRUE(says(from(1), "Column 1 is the first wrong one in every case that is wrong."));
-  EXPECT_TRUE(says(from(3), "Column 0 is right in every question"));
+  EXPECT_TRUE(says(from(3), "Column 0 is right in every public question;"));
 }
 
 // --- questions that differ in one input alone ---
@@ -253,6 +276,32 @@ TEST(pattern, NamesAnInputThatShouldMakeNoDifference) {
       << text;
 }
 
+// It is clamped where y changes alone, and nowhere else.
+TEST(pattern, NamesNoInputThatMakesADifferenceElsewhere) {
+  std::vector<Case> cases = squares();
+  cases.push_back(cases[5]);
+  cases.back().q(1) -= 0.2;
+  std::vector<Answer> right, got;
+  for (const Case& c : cases) right.push_back({of_corner(c, 0), ""});
+  for (const Answer& answer : right) {
+    got.push_back(answer);
+    got.back().numbers(6) = std::min(0.0, answer.numbers(6));
+  }
+  std::string text;
+  for (const auto& sentence : patterns(1, cases, right, got)) text += sentence + "\n";
+  EXPECT_FALSE(says(text, "Where only")) << text;
+}
+
+TEST(pattern, NamesNoInputWhereAFormulaSaysIt) {
+  const std::string text = told_of_squares([](const Case& c) {
+    Eigen::VectorXd x = of_corner(c, 0);
+    x(6) = c.q(1);
+    return x;
+  });
+  EXPECT_TRUE(says(text, "Your phi is y, the height of the centre in every question.")) << text;
+  EXPECT_FALSE(says(text, "Where only")) << text;
+}
+
 TEST(pattern, NamesWhatOutlivesACall) {
   int calls = 0;
   const std::string text = told_of_squares([&](const Case& c) {
@@ -271,6 +320,7 @@ TEST(pattern, NamesTheCornersThatAreNeverChosen) {
     });
   };
   EXPECT_TRUE(says(taken_in_place_of("4", 3), "Corner 4 is never chosen"));
+  EXPECT_TRUE(says(taken_in_place_of("4", 3), "Corners are numbered as in eq. (3)."));
   EXPECT_TRUE(says(taken_in_place_of("13", 3), "Corners 1 and 3 are never chosen"));
   const std::string always =
       told_of_squares([](const Case& c) { return of_corner(c, (6 - (c.corner[7] - '0')) % 4); });
@@ -431,6 +481,7 @@ TEST(pattern, LeavesOutWhatIsNoNumberAndWhatThrew) {
   got[4].numbers(6) = NAN;
   const auto told = patterns(1, some_cases(), right_answers(1), got);
   ASSERT_FALSE(told.empty());
+  EXPECT_TRUE(says(told[0], "Right in every public question that it answers: J_t"));
   EXPECT_TRUE(says(told[0], "wrong: phi."));
   EXPECT_TRUE(patterns(1, some_cases(), right_answers(1), {}).empty());
 }

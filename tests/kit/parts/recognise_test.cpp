@@ -202,6 +202,12 @@ TEST(recognise, KnowsAnAnswerByWhatWasThrown) {
   EXPECT_TRUE(names(known({mistake("shape", thrown)}), other).empty());
 }
 
+TEST(recognise, NamesNothingWhereANumberIsGarbage) {
+  const std::vector<Answer> garbage = changed(0, [](double) { return 6.9e-310; });
+  EXPECT_TRUE(names(known({mistake("left zero", changed(0, [](double) { return 0.0; }))}), garbage)
+                  .empty());
+}
+
 TEST(recognise, TakesNoNumberForNoEvidence) {
   const std::vector<Answer> nan = changed(0, [](double) { return double(NAN); });
   EXPECT_TRUE(names(known({mistake("nan", nan)}), nan).empty());

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bounce/part1_contacts.hpp>
+#include <cmath>
 #include <fstream>
 #include <iostream>
 #include <map>
@@ -81,6 +83,26 @@ TEST(rewritten, IsRightWithoutAMistake) {
           << number << " " << way;
       EXPECT_EQ(named(part, answers_of(part, {}, way)), Names{});
     }
+  }
+}
+
+// What the corner does, by the right answer: q' - q - dt v', and v'.
+std::string mode_of(const Case& c, const Eigen::VectorXd& right) {
+  const Vector3 v = right.tail(3);
+  if (right(1) < c.params.delta / 2) return "no corner touches";
+  if ((v - c.v - c.params.dt * c.params.g).norm() < 1e-12) return "leaves the ground";
+  const Contact contact = get_contacts(c.q, c.params);
+  const double v_t = contact.J.col(0).dot(v);
+  if (std::abs(v_t) < 1e-9) return "sticks";
+  return v_t > 0 ? "slides to the right" : "slides to the left";
+}
+
+TEST(rewritten, EveryQuestionOfPart3IsWhatItSays) {
+  const Part& part = part_of(3);
+  for (std::size_t k = 0; k < part.cases.size(); ++k) {
+    const std::string mode = mode_of(part.cases[k], part.known.right[k].numbers);
+    EXPECT_NE(part.cases[k].corner.find(mode), std::string::npos)
+        << part.cases[k].corner << ", and not " << mode;
   }
 }
 
