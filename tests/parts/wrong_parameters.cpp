@@ -81,7 +81,8 @@ bool are_about(const Words& formulas, const Quantity& quantity) {
     words.erase(std::min(words.find(" is "), words.size()));
     words[0] = words[0] == 'J' ? 'J' : static_cast<char>(std::tolower(words[0]));
     if (const std::size_t at = words.find("your "); at != words.npos) words.erase(at, 5);
-    return words == "every wrong number" || words.find(quantity.name) != words.npos;
+    const bool is_rule = words.rfind("every wrong", 0) == 0;  // of wrong numbers, not of all
+    return !is_rule && words.find(quantity.name) != words.npos;
   });
 }
 

@@ -267,7 +267,7 @@ TEST(pattern, SaysOfNoInputThatItMakesNoDifferenceWhereAWrongEntryDiffers) {
 TEST(pattern, NamesAnInputThatShouldMakeNoDifference) {
   const std::string text = told_of_squares([](const Case& c) {
     Eigen::VectorXd x = of_corner(c, 0);
-    x(5) += c.q(0);
+    x(5) += c.q(0) * c.q(0);
     return x;
   });
   EXPECT_TRUE(says(text,
