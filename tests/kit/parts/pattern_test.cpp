@@ -276,11 +276,13 @@ TEST(pattern, NamesAnInputThatShouldMakeNoDifference) {
       << text;
 }
 
-// It is clamped where y changes alone, and nowhere else.
+// Above the ground it is clamped.
 TEST(pattern, NamesNoInputThatMakesADifferenceElsewhere) {
   std::vector<Case> cases = squares();
   cases.push_back(cases[5]);
   cases.back().q(1) -= 0.2;
+  cases.push_back(cases[5]);
+  cases.back().params.l *= 1.25;
   std::vector<Answer> right, got;
   for (const Case& c : cases) right.push_back({of_corner(c, 0), ""});
   for (const Answer& answer : right) {
