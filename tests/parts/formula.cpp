@@ -1,5 +1,6 @@
 #include "formula.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "recognise.hpp"
@@ -26,6 +27,12 @@ std::vector<double> entry(const std::vector<Asked>& all, Eigen::Index i) {
   return numbers;
 }
 
+std::vector<double> right_entry(const std::vector<Asked>& all, Eigen::Index i) {
+  std::vector<double> numbers;
+  for (const Asked& asked : all) numbers.push_back(asked.right(i));
+  return numbers;
+}
+
 bool is_right(const std::vector<Asked>& all, Eigen::Index i) {
   for (const Asked& asked : all) {
     if (!same(asked.got(i), asked.right(i))) return false;
@@ -47,6 +54,34 @@ std::string fitting(const std::vector<Formula>& formulas, const std::vector<doub
 
 void add_formula(Words& sentences, const std::string& subject, const std::string& formula) {
   if (!formula.empty()) sentences.push_back(subject + " is " + formula + " in every question.");
+}
+
+std::string product(const std::string& factor, const std::string& of) {
+  return factor == "0" ? factor : factor + of;
+}
+
+std::string sum(const std::string& a, const std::string& b) {
+  if (b == "0") return a;
+  if (a == "0") return b;
+  return b[0] == '-' ? a + " - " + b.substr(1) : a + " + " + b;
+}
+
+void add_bounds(Words& sentences, const std::string& name, const std::vector<double>& right,
+                const std::vector<double>& got) {
+  double least = -INFINITY, most = INFINITY;
+  std::size_t wrong = 0;
+  for (std::size_t k = 0; k < got.size(); ++k) {
+    if (same(got[k], right[k])) continue;
+    (got[k] > right[k] ? least : most) = got[k];
+    ++wrong;
+  }
+  if (wrong < kEnough || got.size() - wrong < kEnough) return;
+  for (std::size_t k = 0; k < got.size(); ++k)
+    if (!same(got[k], std::min(std::max(right[k], least), most))) return;
+  std::string words = name;
+  if (std::isfinite(least)) words = "max(" + digits(least) + ", " + words + ")";
+  if (std::isfinite(most)) words = "min(" + digits(most) + ", " + words + ")";
+  add_formula(sentences, "Your " + name, words);
 }
 
 Corner lowest_corner(double angle, double side) {

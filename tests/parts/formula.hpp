@@ -21,8 +21,9 @@ struct Formula {
 std::vector<Formula> in_all(const std::vector<Asked>& all,
                             std::vector<Value> (*in_one)(const Asked&));
 
-// The part's entry i in all questions.
+// The part's entry i in all questions, and the right one.
 std::vector<double> entry(const std::vector<Asked>& all, Eigen::Index i);
+std::vector<double> right_entry(const std::vector<Asked>& all, Eigen::Index i);
 
 // Whether that entry is right in all questions.
 bool is_right(const std::vector<Asked>& all, Eigen::Index i);
@@ -33,6 +34,15 @@ std::string fitting(const std::vector<Formula>& formulas, const std::vector<doub
 
 // Adds "SUBJECT is FORMULA in every question."; nothing if there is no formula.
 void add_formula(Words& sentences, const std::string& subject, const std::string& formula);
+
+// "2 v", or "0"; and "2 v - dt M^-1 f_e", in which a "0" is left out.
+std::string product(const std::string& factor, const std::string& of);
+std::string sum(const std::string& a, const std::string& b);
+
+// Adds "Your phi is min(1, phi) in every question.": a number of the answers, by its name, that is
+// right between two bounds, and one of them elsewhere.
+void add_bounds(Words& sentences, const std::string& name, const std::vector<double>& right,
+                const std::vector<double>& got);
 
 // From the centre of a square to its lowest corner: x and y.
 struct Corner {

@@ -28,6 +28,8 @@ std::vector<Value> heights(const Asked& a) {
           {"the absolute value of phi", std::abs(phi)},
           {"max(0, phi)", std::max(0.0, phi)},
           {"max(0, -phi)", std::max(0.0, -phi)},
+          {"min(delta, phi)", std::min(a.c.params.delta, phi)},
+          {"min(l, phi)", std::min(l, phi)},
           {"phi - delta", phi - a.c.params.delta},
           {"r_y", r_y},
           {"-r_y", -r_y},
@@ -138,7 +140,9 @@ Words formulas_of_part1(const std::vector<Asked>& all) {
   add_length(sentences, all, "J_t", 0);
   add_length(sentences, all, "J_n", 3);
   if (!is_right(all, kPhi)) {
-    add_formula(sentences, "Your phi", fitting(in_all(all, heights), entry(all, kPhi)));
+    const std::string formula = fitting(in_all(all, heights), entry(all, kPhi));
+    add_formula(sentences, "Your phi", formula);
+    if (formula.empty()) add_bounds(sentences, "phi", right_entry(all, kPhi), entry(all, kPhi));
   }
   if (is_right(all, 0)) add_arm(sentences, all, "J_t", 2, "-r_y");
   if (is_right(all, 4)) add_arm(sentences, all, "J_n", 5, "r_x");

@@ -80,14 +80,6 @@ std::vector<Value> gravity_factors(const Asked& a) {
           {"m^2 dt M^-1 f_e", m * m}};
 }
 
-// What is added in the brackets of "J^T (a v + b)".
-std::string sum(const std::string& velocity, const std::string& gravity) {
-  const std::string v = velocity == "0" ? "" : velocity + "v";
-  if (gravity == "0") return v.empty() ? "0" : v;
-  if (v.empty()) return gravity;
-  return gravity[0] == '-' ? v + " - " + gravity.substr(1) : v + " + " + gravity;
-}
-
 // The components of v and of dt M^-1 f_e along a column of J.
 double along_v(const Asked& a, Index column) { return a.c.J.col(column).dot(a.c.v); }
 double along_g(const Asked& a, Index column) {
@@ -99,7 +91,8 @@ std::vector<Formula> rows_of_p(const std::vector<Asked>& all, Index column) {
   for (const Formula& of_v : in_all(all, velocity_factors)) {
     for (const Formula& of_g : in_all(all, gravity_factors)) {
       if (of_v.words == "0" && of_g.words == "0") continue;  // said in other words
-      Formula row{(column == 1 ? "J_n^T (" : "J_t^T (") + sum(of_v.words, of_g.words) + ")", {}};
+      const std::string terms = sum(product(of_v.words, "v"), of_g.words);
+      Formula row{(column == 1 ? "J_n^T (" : "J_t^T (") + terms + ")", {}};
       for (std::size_t k = 0; k < all.size(); ++k) {
         row.values.push_back(of_v.values[k] * along_v(all[k], column) +
                              of_g.values[k] * along_g(all[k], column));
@@ -124,12 +117,15 @@ void add_row_of_p(Words& sentences, const std::vector<Asked>& all, int row) {
   if (is_right(all, i)) return;
   std::vector<Formula> rows = rows_of_p(all, row == 0 ? 1 : 0);
   if (row == 0) rows.push_back(restitution_of_approach(all));
-  add_formula(sentences, "Your p(" + std::to_string(row) + ")", fitting(rows, entry(all, i)));
+  const std::string name = "p(" + std::to_string(row) + ")";
+  const std::string formula = fitting(rows, entry(all, i));
+  add_formula(sentences, "Your " + name, formula);
+  if (formula.empty()) add_bounds(sentences, name, right_entry(all, i), entry(all, i));
 }
 
 // --- the block of V ---
 
-// What may stand for M^-1: its first two entries, and its last one.
+// What may stand for M^-1, in words that follow "with": its first two entries, and its last one.
 struct Diagonal {
   const char* words;
   double first, last;
@@ -138,23 +134,23 @@ struct Diagonal {
 std::vector<Diagonal> diagonals(const Parameters& p) {
   const double m = p.m, l = p.l, inertia = m * l * l / 6;
   return {{"M^-1", 1 / m, 1 / inertia},
-          {"M", m, inertia},
-          {"the identity", 1, 1},
-          {"M^-1 without its last entry", 1 / m, 0},
-          {"M^-1 with m l^2 / 24 for the inertia", 1 / m, 1 / (m * l * l / 24)},
-          {"M^-1 with 2 m l^2 / 3 for the inertia", 1 / m, 1 / (m * l * l * 2 / 3)},
-          {"M^-1 with m l^2 / 12 for the inertia", 1 / m, 1 / (m * l * l / 12)},
-          {"M^-1 with m l^2 / 8 for the inertia", 1 / m, 1 / (m * l * l / 8)},
-          {"M^-1 with m l^2 / 4 for the inertia", 1 / m, 1 / (m * l * l / 4)},
-          {"M^-1 with m l^2 / 3 for the inertia", 1 / m, 1 / (m * l * l / 3)},
-          {"M^-1 with m l^2 / 2 for the inertia", 1 / m, 1 / (m * l * l / 2)},
-          {"M^-1 with 2 m l^2 / 5 for the inertia", 1 / m, 1 / (m * l * l * 2 / 5)},
-          {"M^-1 with m l^2 for the inertia", 1 / m, 1 / (m * l * l)},
-          {"M^-1 with m l / 6 for the inertia", 1 / m, 1 / (m * l / 6)},
-          {"M^-1 with m l / sqrt(6) for the inertia", 1 / m, 1 / (m * l / std::sqrt(6))},
-          {"M^-1 with l^2 / 6 for the inertia", 1 / m, 1 / (l * l / 6)},
-          {"M^-1 with m for the inertia", 1 / m, 1 / m},
-          {"M^-1 with 6 / (m l^2) for the inertia", 1 / m, 1 / (6 / (m * l * l))}};
+          {"M for M^-1", m, inertia},
+          {"the identity for M^-1", 1, 1},
+          {"0 for the last entry of M^-1", 1 / m, 0},
+          {"m l^2 / 24 for the inertia", 1 / m, 1 / (m * l * l / 24)},
+          {"2 m l^2 / 3 for the inertia", 1 / m, 1 / (m * l * l * 2 / 3)},
+          {"m l^2 / 12 for the inertia", 1 / m, 1 / (m * l * l / 12)},
+          {"m l^2 / 8 for the inertia", 1 / m, 1 / (m * l * l / 8)},
+          {"m l^2 / 4 for the inertia", 1 / m, 1 / (m * l * l / 4)},
+          {"m l^2 / 3 for the inertia", 1 / m, 1 / (m * l * l / 3)},
+          {"m l^2 / 2 for the inertia", 1 / m, 1 / (m * l * l / 2)},
+          {"2 m l^2 / 5 for the inertia", 1 / m, 1 / (m * l * l * 2 / 5)},
+          {"m l^2 for the inertia", 1 / m, 1 / (m * l * l)},
+          {"m l / 6 for the inertia", 1 / m, 1 / (m * l / 6)},
+          {"m l / sqrt(6) for the inertia", 1 / m, 1 / (m * l / std::sqrt(6))},
+          {"l^2 / 6 for the inertia", 1 / m, 1 / (l * l / 6)},
+          {"m for the inertia", 1 / m, 1 / m},
+          {"6 / (m l^2) for the inertia", 1 / m, 1 / (6 / (m * l * l))}};
 }
 
 std::vector<Value> steps(const Parameters& p) {
@@ -217,7 +213,7 @@ std::string entries_with(double sign, const Signs& signs) {
 // "J_hat^T M^-1 J_hat dt with M for M^-1"; empty for the right diagonal and step.
 std::string block_words(const std::string& diagonal, const std::string& step) {
   Words with;
-  if (diagonal != "M^-1") with.push_back(diagonal + " for M^-1");
+  if (diagonal != "M^-1") with.push_back(diagonal);
   if (step != "dt") with.push_back(step + " for dt");
   return with.empty() ? "" : "J_hat^T M^-1 J_hat dt with " + joined(with);
 }

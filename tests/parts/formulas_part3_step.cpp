@@ -95,6 +95,28 @@ void add_unmoved(Words& sentences, const std::vector<Asked>& all) {
   }
 }
 
+// A number of q' that is right between two bounds. Tells more than its move.
+void add_bounds_of_q(Words& sentences, const std::vector<Asked>& all) {
+  const char* const names[] = {"x'", "y'", "theta'"};
+  for (Index i = 0; i < 3; ++i) {
+    std::vector<double> right, got;
+    for (const Asked& a : all) {
+      const auto next = [&](const Eigen::VectorXd& x) {
+        return x(i) + a.c.q(i) + a.c.params.dt * x(3 + i);
+      };
+      right.push_back(next(a.right));
+      got.push_back(next(a.got));
+    }
+    if (is_right(all, 3 + i)) add_bounds(sentences, names[i], right, got);
+  }
+}
+
+void add_bounds_of_v(Words& sentences, const std::vector<Asked>& all) {
+  const char* const names[] = {"v_x'", "v_y'", "omega'"};
+  for (Index i = 0; i < 3; ++i)
+    add_bounds(sentences, names[i], right_entry(all, 3 + i), entry(all, 3 + i));
+}
+
 bool is_whole(double turns) { return same(turns, std::round(turns)); }
 
 // Whether theta' is wrong by whole turns, and x' and y' are right.
@@ -114,6 +136,8 @@ Words formulas_of_part3(const std::vector<Asked>& all) {
     if (a.c.corner.rfind("corner", 0) == 0) touching.push_back(a);
   }
   Words sentences = formulas_of_new_velocity(touching, flying);
+  if (sentences.empty()) add_bounds_of_v(sentences, all);
+  add_bounds_of_q(sentences, all);
   if (loses_turns(all))
     sentences.push_back("Your theta' differs from the right one by whole turns.");
   if (!moves_rightly(all)) add_unmoved(sentences, all);

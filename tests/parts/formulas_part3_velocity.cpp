@@ -172,7 +172,7 @@ void add_forces(Words& sentences, const std::vector<Asked>& touching) {
 // What f_n, or f_t, may be multiplied by in the moment.
 std::vector<Value> moment_arms(const Asked& a) {
   const auto [r_x, r_y] = lowest_corner(a.c.q(2), a.c.params.l);
-  return {{"0", 0}, {"r_x", r_x}, {"-r_x", -r_x}, {"r_y", r_y}, {"-r_y", -r_y}};
+  return {{"0", 0}, {"r_x ", r_x}, {"-r_x ", -r_x}, {"r_y ", r_y}, {"-r_y ", -r_y}};
 }
 
 // Where v_x' and v_y' tell the forces and omega' doesn't fit them: the moment that omega' fits.
@@ -185,14 +185,14 @@ void add_moment(Words& sentences, const std::vector<Asked>& touching) {
   std::vector<Formula> sums;
   for (const Formula& normal : arms) {
     for (const Formula& tangential : arms) {
-      Formula sum{"(" + normal.words + ") f_n + (" + tangential.words + ") f_t", {}};
+      Formula moments{sum(product(normal.words, "f_n"), product(tangential.words, "f_t")), {}};
       for (std::size_t k = 0; k < touching.size(); ++k) {
         const Asked& a = touching[k];
         const double f_n = a.c.params.m * without_gravity(a, a.right, 1, 1);
         const double f_t = a.c.params.m * without_gravity(a, a.right, 1, 0);
-        sum.values.push_back(normal.values[k] * f_n + tangential.values[k] * f_t);
+        moments.values.push_back(normal.values[k] * f_n + tangential.values[k] * f_t);
       }
-      sums.push_back(sum);
+      sums.push_back(moments);
     }
   }
   add_formula(sentences, "Where a corner touches, the moment of your forces, by omega',",

@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <climits>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "formula.hpp"
 #include "recognise.hpp"
@@ -40,6 +42,70 @@ void add_rows(Words& sentences, const std::vector<Asked>& all) {
   if (!zero.empty()) {
     sentences.push_back("Zero in every column that is compared, after column 0: " + joined(zero) +
                         ".");
+  }
+}
+
+// The columns that are compared, as far as they are right, and from where on they are 0.
+struct Filled {
+  int right, zero;
+};
+
+std::optional<Filled> filled(const Asked& a) {
+  const std::vector<int> columns = known_columns(a.c.params.T);
+  const auto is = [&](std::size_t k, auto&& holds) {
+    for (Index i = 0; i < kRows; ++i)
+      if (!holds(static_cast<Index>(k) * kRows + i)) return false;
+    return true;
+  };
+  std::size_t k = 0;
+  while (k < columns.size() && is(k, [&](Index i) { return same(a.got(i), a.right(i)); })) ++k;
+  const Filled found{k == 0 ? -1 : columns[k - 1], k < columns.size() ? columns[k] : a.c.params.T};
+  while (k < columns.size() && is(k, [&](Index i) { return a.got(i) == 0; })) ++k;
+  return k < columns.size() || found.right < 0 ? std::nullopt : std::optional(found);
+}
+
+void add_zeros(Words& sentences, const std::vector<Asked>& all) {
+  int right = 0, zero = INT_MAX;
+  std::size_t unfinished = 0;
+  for (const Asked& a : all) {
+    const std::optional<Filled> found = filled(a);
+    if (!found) return;
+    right = std::max(right, found->right);
+    if (found->zero == a.c.params.T) continue;
+    zero = std::min(zero, found->zero);
+    ++unfinished;
+  }
+  if (unfinished < kEnough) return;
+  const std::string compared = ", of those that are compared.";
+  sentences.push_back(right < zero
+                          ? "The trajectory is right up to column " + std::to_string(right) +
+                                ", and 0 from column " + std::to_string(zero) + " on" + compared
+                          : "The trajectory is right in its first columns, and 0 in all columns "
+                            "after them" +
+                                compared);
+}
+
+// q or v of columns 1 and 2 that belong into the columns before or after them.
+void add_shift(Words& sentences, const std::vector<Asked>& all) {
+  for (const Index first : {0, 3}) {
+    for (const Index columns : {1, -1}) {
+      std::size_t shifted = 0, others = 0;
+      for (const Asked& a : all) {
+        if (a.c.params.T < 4) continue;
+        const auto is = [&](Index by) {
+          return same(Answer{a.got.segment(kRows + first, 3), ""},
+                      Answer{a.right.segment((1 + by) * kRows + first, 3), ""}) &&
+                 same(Answer{a.got.segment(2 * kRows + first, 3), ""},
+                      Answer{a.right.segment((2 + by) * kRows + first, 3), ""});
+        };
+        (is(columns) && !is(0) ? shifted : others) += 1;
+      }
+      if (shifted < kEnough || others > 0) continue;
+      const std::string name = first == 0 ? "q" : "v";
+      sentences.push_back("Your " + name + " in columns 1 and 2 is the right one of columns " +
+                          (columns > 0 ? "2 and 3" : "0 and 1") + " in every question: is " + name +
+                          " one column " + (columns > 0 ? "ahead?" : "late?"));
+    }
   }
 }
 
@@ -108,7 +174,9 @@ void add_few_digits(Words& sentences, const std::vector<Asked>& all) {
 Words formulas_of_part4(const std::vector<Asked>& all) {
   Words sentences;
   if (all.size() < kEnough) return sentences;
-  add_rows(sentences, all);
+  add_zeros(sentences, all);
+  if (sentences.empty()) add_rows(sentences, all);
+  add_shift(sentences, all);
   add_start(sentences, all);
   add_few_digits(sentences, all);
   return sentences;

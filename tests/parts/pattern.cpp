@@ -101,10 +101,11 @@ Words formula_or_rule(int part, const std::vector<Case>& cases, const std::vecto
 
 }  // namespace
 
-std::vector<std::string> patterns(int part, const std::vector<Case>& cases,
+std::vector<std::string> patterns(int part, const std::vector<Case>& asked,
                                   const std::vector<Answer>& right,
                                   const std::vector<Answer>& got) {
-  if (got.size() != right.size() || got.size() != cases.size()) return {};
+  if (got.size() != right.size() || got.size() != asked.size()) return {};
+  const std::vector<Case> cases = part == 3 ? named_by_answer(asked, right) : asked;
   const Wrong wrong = wrong_numbers(right, got);
   if (wrong.numbers.empty() || nothing_is_filled_in(got)) return {};
   const bool all_answered = std::equal(

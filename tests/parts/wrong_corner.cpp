@@ -1,6 +1,6 @@
 #include "wrong_corner.hpp"
 
-#include <optional>
+#include <cmath>
 
 #include "recognise.hpp"
 
@@ -48,6 +48,30 @@ int number_of_lowest(const Case& c) {
 const std::string kNumbered = " Corners are numbered as in eq. (3).";
 
 int after(int corner, int quarters) { return (corner - 1 + quarters) % 4 + 1; }
+
+// What may be smallest at the corner that is taken in place of the lowest one.
+struct Choice {
+  const char* words;
+  double (*least)(const Case&, const Corner&);
+};
+
+constexpr Choice kChoices[] = {
+    {"leftmost corner", [](const Case&, const Corner& r) { return r.x; }},
+    {"rightmost corner", [](const Case&, const Corner& r) { return -r.x; }},
+    {"corner nearest to y = 0, on either side",
+     [](const Case& c, const Corner& r) { return std::abs(c.q(1) + r.y); }},
+    {"corner nearest to the world's origin",
+     [](const Case& c, const Corner& r) { return std::hypot(c.q(0) + r.x, c.q(1) + r.y); }},
+};
+
+// How many corners after the lowest one it is.
+int chosen(const Choice& choice, const Case& c, const Corner& r) {
+  int best = 0;
+  for (const int quarters : {1, 2, 3}) {
+    if (choice.least(c, turned(r, quarters)) < choice.least(c, turned(r, best))) best = quarters;
+  }
+  return best;
+}
 
 // The lowest of the other three is the one on the lower side.
 int lowest_of_the_others(const Corner& r) { return turned(r, 1).y < turned(r, 3).y ? 1 : 3; }
@@ -101,7 +125,19 @@ Words corners(const std::vector<Case>& cases, const std::vector<Answer>& right,
                                             : ".") +
             kNumbered};
   }
-  if (one_corner) return {"Each answer is that of a corner, but not always of the lowest one."};
+  if (one_corner) {
+    for (const Choice& choice : kChoices) {
+      std::size_t k = 0;
+      while (k < cases.size() &&
+             (number_of_lowest(cases[k]) == 0 ||
+              taken(cases[k], right[k], got[k]).J == chosen(choice, cases[k], lowest(right[k])))) {
+        ++k;
+      }
+      if (k == cases.size())
+        return {std::string("Your answer is always that of the ") + choice.words + "."};
+    }
+    return {"Each answer is that of a corner, but not always of the lowest one."};
+  }
   if (!wrong_phi) {
     return {
         "phi is that of the lowest corner, and your J is that of another one in some questions."};

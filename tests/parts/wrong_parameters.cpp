@@ -11,6 +11,8 @@ namespace {
 
 using Eigen::Index;
 
+constexpr std::size_t kParameters = 7;  // among the inputs; they come first
+
 std::vector<Value> inputs_of(const Case& c) {
   const Parameters& p = c.params;
   return {{"l", p.l},
@@ -127,6 +129,59 @@ void leave_out_what_needs_a_contact(std::vector<std::pair<std::string, Words>>& 
   if (none == 3) std::erase_if(missing, needs_a_contact);
 }
 
+// Inputs, each with the quantities in which it makes no difference.
+using Missing = std::vector<std::pair<std::string, Words>>;
+
+// Whether a quantity is right wherever all inputs that it lacks are those of the first question,
+// which are not the assignment's, and mostly wrong elsewhere: then the program may keep them from
+// its first call.
+bool may_be_kept(const Part& part, const Quantity& quantity, const std::vector<Case>& cases,
+                 const Missing& missing) {
+  const auto lacks = [&](const std::string& input) {
+    return std::any_of(missing.begin(), missing.end(), [&](const auto& m) {
+      return m.first == input && std::count(m.second.begin(), m.second.end(), quantity.name) > 0;
+    });
+  };
+  const std::vector<Value> first = inputs_of(cases.front()), usual = inputs_of({});
+  std::size_t others = 0, wrong = 0;
+  for (std::size_t k = 0; k < cases.size(); ++k) {
+    const std::vector<Value> now = inputs_of(cases[k]);
+    bool as_first = true;
+    for (std::size_t i = 0; i < now.size(); ++i) {
+      if (!lacks(first[i].words)) continue;
+      const bool is_parameter = i < kParameters;
+      if (!is_parameter || first[i].value == usual[i].value) return false;
+      as_first = as_first && now[i].value == first[i].value;
+    }
+    const bool is_wrong =
+        std::any_of(quantity.entries.begin(), quantity.entries.end(), [&](Index i) {
+          return i < part.got[k].numbers.size() &&
+                 !same(part.got[k].numbers(i), part.right[k].numbers(i));
+        });
+    if (as_first && is_wrong) return false;
+    others += !as_first;
+    wrong += is_wrong;
+  }
+  return 2 * wrong >= others;
+}
+
+// Takes from the inputs those that a program may keep from its first call.
+Missing take_kept(const Part& part, const std::vector<Case>& cases, Missing& missing) {
+  Missing kept;
+  const Missing all = missing;
+  for (auto& [input, names] : missing) {
+    Words of_first;
+    for (const Quantity& quantity : part.quantities) {
+      const auto at = std::find(names.begin(), names.end(), quantity.name);
+      if (at == names.end() || !may_be_kept(part, quantity, cases, all)) continue;
+      of_first.push_back(*at);
+      names.erase(at);
+    }
+    kept.push_back({input, of_first});
+  }
+  return kept;
+}
+
 std::vector<Quantity> quantities_of(int part, const std::vector<Answer>& right) {
   if (part != 4) return quantities(part);
   Index most = 0;
@@ -182,7 +237,12 @@ Words inputs(int part, const std::vector<Case>& cases, const std::vector<Answer>
     intruding.push_back({input.words, with});
   }
   if (part >= 3) leave_out_what_needs_a_contact(missing);
-  Words sentences = grouped(missing, false);
+  Words sentences;
+  for (std::string words : grouped(take_kept(all, cases, missing), false)) {
+    words.back() = ':';
+    sentences.push_back(words + " kept from an earlier call?");
+  }
+  for (const std::string& words : grouped(missing, false)) sentences.push_back(words);
   for (const std::string& words : grouped(intruding, true)) sentences.push_back(words);
   return sentences;
 }

@@ -1,6 +1,7 @@
 #include "wrong_rules.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "recognise.hpp"
@@ -106,6 +107,35 @@ struct Exchange {
   std::vector<Index> from;  // the place that each entry comes from
 };
 
+// V and p, or only some of them, for unknowns in another order than eq. (8)'s.
+void add_orders_of_unknowns(std::vector<Exchange>& all) {
+  const char* const names[] = {"f_n", "f_t1", "f_t2", "lambda"};
+  const auto from = [](const std::array<Index, 4>& order, bool block, bool border, bool p) {
+    std::vector<Index> places = range(0, 20);
+    for (std::size_t k = 0; k < 20; ++k) {
+      const std::size_t i = k % 4, j = k / 4;
+      const bool is_in_block = i < 3 && j < 3;
+      if (j == 4 && p) places[k] = 16 + order[i];
+      if (j < 4 && (is_in_block ? block : border)) places[k] = order[i] + 4 * order[j];
+    }
+    return places;
+  };
+  std::array<Index, 4> order{0, 1, 2, 3};
+  while (std::next_permutation(order.begin(), order.end())) {
+    Words unknowns;
+    for (const Index i : order) unknowns.push_back(names[i]);
+    const std::string words = " in the order z = (" + joined(unknowns, ", ") + ")";
+    all.push_back({2, "V and p are" + words, from(order, true, true, true)});
+    all.push_back({2, "V is" + words + ", and p isn't", from(order, true, true, false)});
+    all.push_back({2, "p is" + words + ", and V isn't", from(order, false, false, true)});
+    if (order[3] != 3) continue;
+    all.push_back({2, "p and the 3x3 block of V are" + words + ", and the border of V isn't",
+                   from(order, true, false, true)});
+    all.push_back({2, "the 3x3 block of V is" + words + ", and its border and p aren't",
+                   from(order, true, false, false)});
+  }
+}
+
 std::vector<Exchange> exchanges() {
   const auto matrix = [](Index rows, auto&& from) {
     std::vector<Index> all = range(0, 20);
@@ -116,10 +146,14 @@ std::vector<Exchange> exchanges() {
   };
   std::vector<Index> p_swapped = range(0, 20);
   std::swap(p_swapped[17], p_swapped[18]);
-  return {{1, "the two columns of J are exchanged", {3, 4, 5, 0, 1, 2, 6}},
-          {1, "J is filled row by row with what belongs into its columns", {0, 2, 4, 1, 3, 5, 6}},
-          {2, "V is transposed", matrix(4, [](Index i, Index j) { return j + 4 * i; })},
-          {2, "p(1) and p(2) are exchanged", p_swapped}};
+  std::vector<Exchange> all{
+      {1, "the two columns of J are exchanged", {3, 4, 5, 0, 1, 2, 6}},
+      {1, "J is filled row by row with what belongs into its columns", {0, 2, 4, 1, 3, 5, 6}},
+      {1, "J is filled column by column with what belongs into its rows", {0, 3, 1, 4, 2, 5, 6}},
+      {2, "V is transposed", matrix(4, [](Index i, Index j) { return j + 4 * i; })},
+      {2, "p(1) and p(2) are exchanged", p_swapped}};
+  add_orders_of_unknowns(all);
+  return all;
 }
 
 bool explains(const Exchange& exchange, const std::vector<Answer>& right,

@@ -5,7 +5,8 @@
 #include <numbers>
 #include <optional>
 
-#include "wrong_numbers.hpp"
+#include "formula.hpp"
+#include "recognise.hpp"
 
 namespace bounce::tests {
 namespace {
@@ -63,9 +64,29 @@ Traits corner_and_velocity(const Case& c) {
 
 Traits corner_and_angle(const Case& c) {
   Traits traits = what_the_corner_does(c);
+  const double phi = c.q(1) + lowest_corner(c.q(2), c.params.l).y;
+  traits.push_back({"phi < 0", phi < 0});
+  traits.push_back({"phi < delta", phi < c.params.delta});
+  traits.push_back({"phi >= delta", phi >= c.params.delta});
   traits.push_back({"theta is negative", c.q(2) < 0});
   traits.push_back({"theta is more than a turn", std::abs(c.q(2)) > 2 * std::numbers::pi});
   return traits;
+}
+
+// What the corner of part 3 does, by the right v'.
+std::string by_the_right_answer(const Case& c, const Answer& right) {
+  const auto r = lowest_corner(c.q(2), c.params.l);
+  const double quarters = std::floor(c.q(2) / (std::numbers::pi / 2));
+  const int of_a_turn = static_cast<int>(quarters - 4 * std::floor(quarters / 4));
+  const std::string corner = "corner " + std::to_string((6 - of_a_turn) % 4 + 1);
+  if (c.q(1) + r.y >= c.params.delta) return "no corner touches; " + corner + " is the lowest";
+  const Answer v{right.numbers.tail(3), ""}, free{c.v + c.params.dt * c.params.g, ""};
+  if (same(v, free)) return corner + " touches and leaves the ground";
+  const double v_t = v.numbers(0) - r.y * v.numbers(2);
+  return corner + " touches and " +
+         (same(v_t, 0) ? "sticks"
+          : v_t > 0    ? "slides to the right"
+                       : "slides to the left");
 }
 
 bool includes(const std::set<std::size_t>& all, const std::set<std::size_t>& some) {
@@ -120,6 +141,12 @@ std::string where_gravity_is_not_vertical(const std::vector<Case>& cases,
 }
 
 }  // namespace
+
+std::vector<Case> named_by_answer(std::vector<Case> cases, const std::vector<Answer>& right) {
+  for (std::size_t k = 0; k < cases.size(); ++k)
+    cases[k].corner = by_the_right_answer(cases[k], right[k]);
+  return cases;
+}
 
 // Empty if few cases are right: a trait that separates only these may be chance.
 std::string where(int part, const std::vector<Case>& cases, const std::set<std::size_t>& wrong) {

@@ -14,12 +14,13 @@ constexpr int kCases = 12;
 
 using Change = std::function<void(const Case&, Eigen::VectorXd&)>;
 
-// Four of them with another l and m; the corners, and what they do, in turn.
+// Four of them with another l and m; the corners, and what they do, in turn. All touch the ground.
 std::vector<Case> some_cases() {
   std::vector<Case> cases;
   for (int k = 0; k < kCases; ++k) {
     Case c;
-    c.q = {0.5 * k + 1, 0.3, k % 2 == 0 ? 0.4 + k : -0.7 - k};
+    const double turns = k % 2 == 0 ? 0 : -2 - k;
+    c.q = {0.5 * k + 1, 0.1, 0.4 + std::numbers::pi / 2 * (4 * turns + (6 - k % 4) % 4)};
     c.v = {1.5 - k, -1, 0.5};
     c.J << 1, 0, 0, 1, 0.1, 0.2;
     c.corner = "corner " + std::to_string(k % 4 + 1) +
@@ -31,12 +32,26 @@ std::vector<Case> some_cases() {
   return cases;
 }
 
+Eigen::Vector2d lowest_corner(const Case& c) {
+  Eigen::Vector2d r(0, 1);
+  for (int k = 0; k < 4; ++k) {
+    const Eigen::Vector2d corner(k % 2 == 0 ? 1 : -1, k < 2 ? 1 : -1);
+    const Eigen::Vector2d turned = Eigen::Rotation2Dd(c.q(2)) * corner * c.params.l / 2;
+    if (turned.y() < r.y()) r = turned;
+  }
+  return r;
+}
+
 std::vector<Answer> right_answers(int part) {
+  const std::vector<Case> cases = some_cases();
   const int size = part == 1 ? 7 : part == 2 ? 20 : part == 3 ? 6 : 30;
   std::vector<Answer> answers;
   for (int k = 0; k < kCases; ++k) {
     Answer answer{Eigen::VectorXd(size), ""};
     for (int i = 0; i < size; ++i) answer.numbers(i) = 1 + 0.37 * i + 1.1 * k * (i % 3 + 1);
+    const Case& c = cases[static_cast<std::size_t>(k)];
+    const bool sticks = part == 3 && k % 4 >= 2;
+    if (sticks) answer.numbers(5) = answer.numbers(3) / lowest_corner(c).y();
     answers.push_back(answer);
   }
   return answers;
@@ -144,6 +159,61 @@ TEST(pattern, NamesExchangedPlaces) {
                    "V is transposed"));
   EXPECT_TRUE(says(told(2, [](const Case&, auto& x) { std::swap(x(17), x(18)); }),
                    "p(1) and p(2) are exchanged"));
+  EXPECT_TRUE(says(told(1,
+                        [](const Case&, auto& x) {
+                          const Eigen::VectorXd old = x;
+                          x << old(0), old(3), old(1), old(4), old(2), old(5), old(6);
+                        }),
+                   "J is filled column by column with what belongs into its rows"));
+}
+
+TEST(pattern, NamesTheOrderOfTheUnknowns) {
+  // f_n last of the forces; V, its border, and p, as far as asked.
+  const auto in_order = [](bool border, bool p, double more) {
+    return told(2, [=](const Case&, auto& x) {
+      const Eigen::Vector4i from(1, 2, 0, 3);
+      const Eigen::VectorXd old = x;
+      for (int i = 0; i < 4; ++i) {
+        for (int j = 0; j < 4; ++j) {
+          if (border || (i < 3 && j < 3)) x(i + 4 * j) = old(from(i) + 4 * from(j));
+        }
+        if (p) x(16 + i) = old(16 + from(i));
+      }
+      x(5) += more;
+    });
+  };
+  EXPECT_TRUE(
+      says(in_order(true, true, 0), "V and p are in the order z = (f_t1, f_t2, f_n, lambda)"));
+  EXPECT_TRUE(
+      says(in_order(true, false, 0), "V is in the order z = (f_t1, f_t2, f_n, lambda), and p"));
+  EXPECT_TRUE(says(in_order(false, true, 0), "lambda), and the border of V isn't."));
+  EXPECT_FALSE(says(in_order(true, true, 0.5), "in the order"));
+}
+
+TEST(pattern, NamesAnotherInertiaInPlainWords) {
+  const auto with = [](double last, double more) {
+    return told(2, [=](const Case& c, auto& x) {
+      const double m = c.params.m, l = c.params.l;
+      Eigen::Matrix3d J_hat;
+      J_hat << c.J.col(1), -c.J.col(0), c.J.col(0);
+      const Vector3 inverse(1 / m, 1 / m, 1 / (last * l * l));
+      Eigen::Map<Eigen::Matrix4d>(x.data()).topLeftCorner<3, 3>() =
+          J_hat.transpose() * inverse.asDiagonal() * J_hat * c.params.dt;
+      x(0) += more;
+    });
+  };
+  EXPECT_TRUE(says(with(1.0 / 6, 0), "dt with l^2 / 6 for the inertia in every question."));
+  EXPECT_FALSE(says(with(1.0 / 6, 0.01), "for the inertia"));
+}
+
+TEST(pattern, NamesANumberThatStopsAtABound) {
+  const auto bounded = [](double more) {
+    return told(3, [=](const Case&, auto& x) {
+      if (x(4) > 8) x(4) = x(4) > 20 ? 8 + more : 8;
+    });
+  };
+  EXPECT_TRUE(says(bounded(0), "Your v_y' is min(8, v_y') in every question.")) << bounded(0);
+  EXPECT_FALSE(says(bounded(0.1), "min(")) << bounded(0.1);
 }
 
 // A rounding error of 0 is no factor.
@@ -255,6 +325,38 @@ TEST(pattern, NamesAnInputThatMakesNoDifference) {
       << text;
 }
 
+TEST(pattern, AsksWhetherANumberIsKeptFromAnEarlierCall) {
+  std::vector<Case> cases = squares();
+  std::swap(cases[0], cases[8]);  // first the one whose l isn't the assignment's
+  const auto with = [&](double l) {
+    std::vector<Answer> right, got;
+    for (Case c : cases) {
+      right.push_back({of_corner(c, 0), ""});
+      c.params.l = l;
+      got.push_back({of_corner(c, 0), ""});
+    }
+    std::string text;
+    for (const auto& sentence : patterns(1, cases, right, got)) text += sentence + "\n";
+    return text;
+  };
+  const std::string kept = with(cases[0].params.l);
+  EXPECT_TRUE(says(kept, "they should change: kept from an earlier call?")) << kept;
+  EXPECT_FALSE(says(with(0.4), "kept")) << with(0.4);
+}
+
+TEST(pattern, NamesTheCasesAboveDelta) {
+  const auto where = [](bool also_below) {
+    return told_of_squares([=](const Case& c) {
+      Eigen::VectorXd x = of_corner(c, 0);
+      if (x(6) >= c.params.delta || (also_below && c.corner[7] == '2')) x(5) *= 3;
+      return x;
+    });
+  };
+  EXPECT_TRUE(says(where(false), "Wrong only where phi >= delta, in all 7 such cases."))
+      << where(false);
+  EXPECT_FALSE(says(where(true), "only where phi")) << where(true);
+}
+
 TEST(pattern, SaysOfNoInputThatItMakesNoDifferenceWhereAWrongEntryDiffers) {
   const std::string text = told_of_squares([](const Case& c) {
     Eigen::VectorXd x = of_corner(c, 0);
@@ -329,6 +431,15 @@ TEST(pattern, NamesTheCornersThatAreNeverChosen) {
   EXPECT_TRUE(says(always, "Your answer is always that of corner 2.")) << always;
 }
 
+TEST(pattern, NamesWhereACornerIsLeftmost) {
+  const auto places = [](int of_corner_2) {
+    return told_of_squares(
+        [=](const Case& c) { return of_corner(c, c.corner[7] == '2' ? of_corner_2 : 3); });
+  };
+  EXPECT_TRUE(says(places(3), "Your answer is always that of the leftmost corner.")) << places(3);
+  EXPECT_FALSE(says(places(0), "leftmost")) << places(0);
+}
+
 TEST(pattern, NamesTooFewDigitsOfPi) {
   const auto by = [](double pi) {
     return told_of_squares([=](const Case& c) {
@@ -399,16 +510,6 @@ TEST(pattern, NamesTheFormulaOfPhi) {
 
 // --- part 3 ---
 
-Eigen::Vector2d lowest_corner(const Case& c) {
-  Eigen::Vector2d r(0, 1);
-  for (int k = 0; k < 4; ++k) {
-    const Eigen::Vector2d corner(k % 2 == 0 ? 1 : -1, k < 2 ? 1 : -1);
-    const Eigen::Vector2d turned = Eigen::Rotation2Dd(c.q(2)) * corner * c.params.l / 2;
-    if (turned.y() < r.y()) r = turned;
-  }
-  return r;
-}
-
 // The change of v that the forces make.
 Vector3 by_forces(const Case& c, const Eigen::VectorXd& x) {
   return x.tail(3) - c.v - c.params.dt * c.params.g;
@@ -430,8 +531,8 @@ TEST(pattern, NamesTheMomentOfTheForces) {
       x(5) = c.v(2) + moment / c.params.M()(2, 2);
     });
   };
-  EXPECT_TRUE(says(with(1, 1), "is (r_x) f_n + (r_y) f_t in every question."));
-  EXPECT_TRUE(says(with(-1, 0), "is (-r_x) f_n + (0) f_t in every question."));
+  EXPECT_TRUE(says(with(1, 1), ", is r_x f_n + r_y f_t in every question."));
+  EXPECT_TRUE(says(with(-1, 0), ", is -r_x f_n in every question."));
   EXPECT_FALSE(says(with(1, -0.5), "moment"));
 }
 
@@ -462,6 +563,29 @@ TEST(pattern, NamesTheRowsOfATrajectoryThatAreRight) {
                    "x."))
       << text;
   EXPECT_TRUE(says(text, "Zero in every column that is compared, after column 0: x.")) << text;
+}
+
+TEST(pattern, NamesTheColumnFromWhichATrajectoryIsZero) {
+  const auto with = [](double last) {
+    return told(4, [=](const Case&, auto& x) {
+      x.tail(12).setZero();
+      x(29) = last;
+    });
+  };
+  EXPECT_TRUE(says(with(0), "The trajectory is right up to column 2, and 0 from column 3 on"));
+  EXPECT_FALSE(says(with(1), "0 from column")) << with(1);
+}
+
+TEST(pattern, AsksWhetherAVelocityIsAColumnAhead) {
+  const auto with = [](int in_place_of_2) {
+    return told(4, [=](const Case&, auto& x) {
+      x.segment(9, 3) = x.segment(15, 3).eval();
+      x.segment(15, 3) = x.segment(6 * in_place_of_2 + 3, 3).eval();
+    });
+  };
+  EXPECT_TRUE(
+      says(with(3), "Your v in columns 1 and 2 is the right one of columns 2 and 3 in every"));
+  EXPECT_FALSE(says(with(4), "ahead")) << with(4);
 }
 
 TEST(pattern, NamesTheStartOfATrajectory) {
