@@ -149,7 +149,7 @@ std::string other_parameters(const Parameters& p) {
   }
   add("dt", p.dt, usual.dt, " s");
   add("delta", p.delta, usual.delta, " m");
-  add("T", p.T, usual.T, " columns");
+  add("T", p.T, usual.T, p.T == 1 ? " column" : " columns");
   return text.empty() ? "the assignment's" : text;
 }
 

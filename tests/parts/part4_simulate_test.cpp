@@ -14,6 +14,15 @@ namespace {
 
 Problem problem(const std::string& sentence) { return {sentence, {}, {}, -1}; }
 
+// "; from column 20 on every entry is 0", if the trajectory ends like this.
+std::string zeros_at_the_end(const Trajectory& got) {
+  Eigen::Index column = got.q.cols();
+  while (column > 0 && got.q.col(column - 1).isZero(0) && got.v.col(column - 1).isZero(0)) --column;
+  return column == got.q.cols() || column == 0
+             ? ""
+             : "; from column " + std::to_string(column) + " on every entry is 0";
+}
+
 // Reports only the first wrong column, because one wrong step makes everything after it wrong.
 Problem compare_columns(const Case& c) {
   const Trajectory got = submission::first_columns(c.q, c.v, c.params);
@@ -31,6 +40,7 @@ Problem compare_columns(const Case& c) {
         column + " is the first wrong one" + (leaves_out ? " of those that are compared" : "");
     wrong.path = got.q;
     wrong.column = c.columns[i];
+    wrong.sentence += zeros_at_the_end(got);
     return wrong;
   }
   return {};
