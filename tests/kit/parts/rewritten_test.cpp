@@ -205,8 +205,6 @@ const std::map<std::string, Names> kTwoInOne{
     {"part1_arm_points_to_the_centre",
      {"part1_sign_of_the_normal_arm", "part1_sign_of_the_tangential_arm"}},
     {"part2_mass_and_epsilon_hard_coded", {"part2_epsilon_hard_coded", "part2_mass_hard_coded"}},
-    {"part3_contact_above_delta",
-     {"part3_bounces_in_the_air", "part3_tests_the_height_of_the_centre"}},
     {"part3_normal_force_alone",
      {"part3_friction_to_the_left_alone", "part3_one_friction_force_alone"}},
     {"part4_column_zero_left_zero",
