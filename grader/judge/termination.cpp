@@ -9,10 +9,10 @@
 #include <regex>
 #include <string_view>
 
+#include "../../student/given/check/sanitizer_report.hpp"
 #include "../runner/crash.hpp"
 #include "assertion.hpp"
 #include "sanitize_line.hpp"
-#include "sanitizer_report.hpp"
 #include "system_call.hpp"
 
 namespace bounce::judge {
@@ -141,7 +141,7 @@ Termination of_signal(int signal, const Limits& limits, const std::string& print
   const std::string cause(line_after(print, runner::kCause));
   const std::optional<std::string> found =
       cause.rfind(runner::kFound, 0) == 0
-          ? words_for_report(std::string_view(cause).substr(std::strlen(runner::kFound)))
+          ? check::words_for_report(std::string_view(cause).substr(std::strlen(runner::kFound)))
           : std::nullopt;
   Termination termination = found               ? Termination{"crashed", *found}
                             : signal == SIGABRT ? of_abort(limits, print)

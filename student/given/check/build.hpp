@@ -5,6 +5,12 @@
 
 namespace bounce::check {
 
+#ifdef _WIN32
+inline constexpr bool kHasSanitizers = false;
+#else
+inline constexpr bool kHasSanitizers = true;
+#endif
+
 // Builds every chosen part whose file compiles, with the earlier parts that it calls. Fills in
 // run.unbuilt, and writes the first error of each file that doesn't compile to a file. Throws
 // Failure if CMake itself fails.
@@ -14,7 +20,8 @@ void build_parts(Run& run);
 // could be built.
 std::vector<const Part*> build_given(const Run& run, const std::vector<const Part*>& parts);
 
-// Builds a program that writes a page, study or real. Returns whether it could be built.
+// Builds a program for a page: study, real, or the checks of the optimised parts. Returns whether
+// it could be built.
 bool build_program(const std::string& name);
 
 // The first error in a part's file, indented: file and line, and two lines more.

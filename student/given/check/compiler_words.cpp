@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "files.hpp"
+#include "sanitizer_report.hpp"
 
 namespace bounce::check {
 namespace {
@@ -174,6 +175,82 @@ std::string with_own_types(std::string symbol) {
   return replaced(symbol, "`", "'");
 }
 
+// --- `auto` that keeps an expression of Eigen ---
+
+bool is_of_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
+
+// Where the word stands in the text, from `begin` on; npos where it doesn't.
+std::size_t find_word(const std::string& text, const std::string& word, std::size_t begin = 0) {
+  for (std::size_t at = text.find(word, begin); at != std::string::npos;
+       at = text.find(word, at + 1)) {
+    const std::size_t end = at + word.size();
+    const bool begins_there = at == 0 || !is_of_name(text[at - 1]);
+    if (begins_there && (end == text.size() || !is_of_name(text[end]))) return at;
+  }
+  return std::string::npos;
+}
+
+// `auto name = value;`, or by reference.
+struct Kept {
+  std::string name, value;
+  std::size_t at = 0;
+};
+
+std::vector<Kept> kept_by_auto(const std::string& text) {
+  std::vector<Kept> all;
+  for (std::size_t at = find_word(text, "auto"); at != std::string::npos;
+       at = find_word(text, "auto", at + 1)) {
+    const std::size_t begin = std::min(text.find_first_not_of(" &", at + 4), text.size());
+    std::size_t end = begin;
+    while (end < text.size() && is_of_name(text[end])) ++end;
+    const std::size_t equals = std::min(text.find_first_not_of(' ', end), text.size());
+    if (end == begin || equals == text.size() || text[equals] != '=') continue;
+    const std::size_t stop = std::min(text.find(';', equals), text.size());
+    all.push_back({text.substr(begin, end - begin), text.substr(equals, stop - equals), at});
+  }
+  return all;
+}
+
+// Whether the value may be an expression of Eigen that refers to a temporary value.
+bool may_refer(const std::string& value) {
+  return value.find('(') != std::string::npos && !has(value, "eval()") && !has(value, "[") &&
+         value.find_first_of(".*+-") != std::string::npos;
+}
+
+// "src/part2_lcp.cpp:14", where `auto` keeps what the statement at `place` uses when it is gone.
+// The place itself where several may; empty where none does.
+std::string place_of_auto(const std::string& place) {
+  const std::string text = read(file_of(place));
+  std::size_t line = 0;
+  for (int i = 1; i < line_of(place); ++i) line = text.find('\n', line) + 1;  // 0 beyond the end
+  const std::size_t begin = text.find_last_of(";{}", line) + 1;
+  const std::size_t end = std::min(text.find(';', line), text.size());
+  std::string used = text.substr(begin, end - begin);
+  std::vector<Kept> may, of_temporary;
+  const std::size_t function = std::min(text.rfind("\n}", line) + 1, line);
+  const std::vector<Kept> all = kept_by_auto(text.substr(function, line - function));
+  for (auto kept = all.rbegin(); kept != all.rend(); ++kept) {  // one may keep another
+    if (find_word(used, kept->name) == std::string::npos) continue;
+    used += kept->value;
+    if (may_refer(kept->value)) may.push_back(*kept);
+    if (has(kept->value, "M()")) of_temporary.push_back(*kept);
+  }
+  const std::vector<Kept>& likely = of_temporary.empty() ? may : of_temporary;
+  if (likely.empty()) return "";
+  if (likely.size() > 1) return place;
+  const auto at = static_cast<std::ptrdiff_t>(function + likely[0].at);
+  const auto above = std::count(text.begin(), text.begin() + at, '\n');
+  return file_of(place) + ":" + std::to_string(above + 1);
+}
+
+std::string in_words(const std::string& kind, const std::string& place, bool in_eigen) {
+  const bool gone = kind == "stack-use-after-scope" || kind == "stack-use-after-return" ||
+                    kind == "heap-use-after-free";
+  const std::string by_auto = gone && in_eigen ? place_of_auto(place) : "";
+  if (!by_auto.empty()) return by_auto + ": " + kAutoKeeps;
+  return place + (place.empty() ? "" : ": ") + words_for_report(kind).value_or(kind);
+}
+
 }  // namespace
 
 std::vector<std::string> own_lines(const std::string& printed) {
@@ -268,20 +345,22 @@ std::string place_in_sources(const std::vector<std::string>& lines) {
 std::string found_by_sanitizers(const std::vector<std::string>& lines) {
   const std::string undefined = ": runtime error: ", address = "ERROR: AddressSanitizer: ";
   std::string kind;
+  bool in_eigen = false;
   for (const std::string& line : lines) {
     if (const std::size_t at = line.find(undefined); at != std::string::npos) {
       const std::string place = place_before(line, at);
       const std::string what = line.substr(at + undefined.size(), kLongest);
-      if (!place.empty()) return "UBSan found this at " + place + ": " + what;
+      if (!place.empty()) return place + ": " + what;
     }
     if (const std::size_t at = line.find(address); kind.empty() && at != std::string::npos) {
       kind = line.substr(at + address.size());
       kind.erase(std::min(kind.find_first_of(" :("), kind.size()));
     }
+    in_eigen = in_eigen || (!kind.empty() && has(line, " in Eigen::"));
     const std::string place = kind.empty() ? "" : own_place(line);
-    if (!place.empty()) return "AddressSanitizer found " + kind + ", at " + place;
+    if (!place.empty()) return in_words(kind, place, in_eigen);
   }
-  return kind.empty() ? "" : "AddressSanitizer found " + kind;
+  return kind.empty() ? "" : in_words(kind, "", false);
 }
 
 }  // namespace bounce::check

@@ -38,8 +38,7 @@ bool is_of_sanitizers(const std::string& line);
 // "src/part4_simulate.cpp:10" of the first line that names a place in src/; empty if none does.
 std::string place_in_sources(const std::vector<std::string>& lines);
 
-// "AddressSanitizer found stack-use-after-scope, at src/part3_step.cpp:12"; empty if they found
-// nothing.
+// "src/part3_step.cpp:12: it uses a variable that is gone"; empty if they found nothing.
 std::string found_by_sanitizers(const std::vector<std::string>& lines);
 
 }  // namespace bounce::check

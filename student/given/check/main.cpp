@@ -16,11 +16,6 @@
 namespace bounce::check {
 namespace {
 
-#ifdef _WIN32
-constexpr bool kHasSanitizers = false;
-#else
-constexpr bool kHasSanitizers = true;
-#endif
 constexpr int kAllPass = 0, kSomethingFails = 1, kUsage = 2, kCannotCheck = 3;
 constexpr const char* kKnown =
     "./check            all four parts\n"
@@ -92,7 +87,8 @@ Run run_of(const Options& options) {
   return run;
 }
 
-// Whether all checks pass. The screen is cleared before the result, where that `replaces` another.
+// Whether there is nothing to mend. The screen is cleared before the result, where that `replaces`
+// another.
 bool check(const Options& options, bool replaces = false) {
   std::filesystem::create_directories(kWork);
   const Lock alone(kWork / "lock");
@@ -100,15 +96,16 @@ bool check(const Options& options, bool replaces = false) {
   build_parts(run);
   run_parts(run);
   if (replaces && is_terminal()) std::cout << "\033[H\033[2J";
+  bool is_right = !run.first_part;
   if (options.hints) {
     hint(run);
   } else {
-    report(run);
+    is_right = report(run);
   }
   if (options.studies) study(run);
   if (options.real) ask_about_real_impacts(run);
   std::cout << std::flush;
-  return run.is_right();
+  return is_right;
 }
 
 // Until a file changes, or a key asks for something. False: it asks for the end.

@@ -10,6 +10,7 @@
 #include "process.hpp"
 #include "run.hpp"
 #include "style.hpp"
+#include "undefined.hpp"
 
 namespace bounce::check {
 namespace {
@@ -120,6 +121,7 @@ void print_first(const Run& run) {
   print_text(note.text);
   print_missing_returns(part);
   print_what_was_printed(part, note);
+  if (run.sanitized && note.status == "crashed") return;  // what was found says more than a hint
   const std::string mistake = mistake_of(run, part);
   if (!mistake.empty()) std::cout << "\n" << folded(mistake, 74, "  ") << "\n";
   std::cout << "  Hint " << heading_of(part, *run.first_check, mistake) << ": ./check"
@@ -145,6 +147,23 @@ void print_warnings() {
   }
 }
 
+// Prints what sanitizers find in a program that passes all checks.
+bool has_defined_behaviour() {
+  const auto [found, not_asked] = undefined_behaviour();
+  if (!not_asked.empty()) {
+    std::cout << "Undefined behaviour was not looked for: " << not_asked << ".\n";
+  }
+  if (found.empty()) return true;
+  std::cout << "\n"
+            << style().bold << "First: undefined behaviour" << style().plain << "\n"
+            << folded(printable(found) + (found.back() == '?' ? "" : "."), 74, "  ")
+            << folded(
+                   "The numbers are right here and now, and may be others on another machine or "
+                   "when the program is optimised. Mend this before you submit.",
+                   74, "  ");
+  return false;
+}
+
 }  // namespace
 
 void print_what_does_not_compile(const Run& run) {
@@ -155,7 +174,7 @@ void print_what_does_not_compile(const Run& run) {
             << first_error_of(broken) << "\n";
 }
 
-void report(const Run& run) {
+bool report(const Run& run) {
   for (const int number : run.chosen) print_part(run, run.part(number));
   const bool calls = !run.part(run.chosen.back()).calls.empty();
   if (run.first_part && !run.is_one_part() && run.first_part != &run.part(run.chosen.back())) {
@@ -172,12 +191,12 @@ void report(const Run& run) {
             << style().bold << "Score on the public checks: " << run.score << " / " << run.possible
             << "." << style().plain << " There are hidden ones as well, with other numbers.\n";
   print_warnings();
-  if (run.is_right() && !run.is_one_part()) {
-    std::cout
-        << "Watch it: cmake --build build && ./build/bounce. Then submit the files of src/.\n"
-           "How near it is to the truth, and what it costs: ./check --study, and explore.html.\n";
-  }
-  std::cout << std::flush;
+  if (!run.is_right() || run.is_one_part()) return run.is_right();
+  if (!run.sanitized && !has_defined_behaviour()) return false;
+  std::cout
+      << "Watch it: cmake --build build && ./build/bounce. Then submit the files of src/.\n"
+         "How near it is to the truth, and what it costs: ./check --study, and explore.html.\n";
+  return true;
 }
 
 }  // namespace bounce::check

@@ -5,7 +5,9 @@
 
 namespace bounce::check {
 
-void report(const Run& run);
+// Whether there is nothing to mend: all checks pass, and where those of all parts do, sanitizers
+// find nothing.
+bool report(const Run& run);
 
 // Under the first thing to do, where that is an error of the compiler.
 void print_what_does_not_compile(const Run& run);

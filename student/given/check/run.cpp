@@ -289,6 +289,31 @@ void find_fault_of_earlier(Run& run, const Part& part) {
   }
 }
 
+// A check that passes must pass when the program is optimised, too: of one that gives other numbers
+// then, a page would tell what is not so.
+void require_same_when_optimised(const Run& run) {
+  const fs::path notes = kWork / "optimised", prints = kWork / "optimised.txt";
+  fs::remove_all(notes);
+  fs::create_directories(notes);
+  fs::remove(prints);
+  const std::string program = "build/optimised_test";
+  if (!check::run({program, "--notes", notes.string(), prints.string()}, prints,
+                  Limits::of_a_part)) {
+    throw Failure(program + " can't be started: remove the folder build");
+  }
+  for (const int number : run.chosen) {
+    if (run.given.count(number)) continue;
+    for (const Check& check : run.part(number).checks) {
+      const bool passes = note_of(run.part(number), check).status == "passed";
+      const std::string optimised = read_note(notes / check.id).status;
+      if (!passes || optimised == "passed") continue;
+      const std::string does = optimised == "failed" ? "gives other numbers" : "gives no numbers";
+      throw Failure("no study was written: your program " + does +
+                    " when it is optimised; usually `auto` for a matrix");
+    }
+  }
+}
+
 // Starts build/NAME, which writes NAME.html from its table.
 void write_page(const std::string& name, bool is_wrong, const fs::path& said,
                 const std::string& table) {
@@ -372,7 +397,11 @@ void run_parts(Run& run) {
 void study(const Run& run) {
   std::cout << "\nStudying your program; building it takes half a minute the first time.\n"
             << std::flush;
-  if (!build_program("study")) throw Failure("the study needs all four parts to compile");
+  fs::remove("study.html");  // one of another program
+  if (!build_program("study") || !build_program("optimised_test")) {
+    throw Failure("the study needs all four parts to compile");
+  }
+  require_same_when_optimised(run);
   write_page("study", run.first_part, kWork / "study.txt", "fixtures/study.txt");
   std::cout
       << "The study is in study.html; open it in a browser. explore.html asks what it shows.\n";
@@ -380,6 +409,7 @@ void study(const Run& run) {
 
 void ask_about_real_impacts(const Run& run) {
   const Part& part = run.part(2);
+  fs::remove("real.html");  // one of another program
   if (run.unbuilt.count(2) || !build_program("real"))
     throw Failure("--real needs part 2 to compile");
   write_page("real", points_of(part) < part.points, kWork / "real.txt", "fixtures/measured.txt");

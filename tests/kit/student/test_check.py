@@ -17,6 +17,7 @@ pytestmark = pytest.mark.xdist_group("student")
 
 MISTAKES = ROOT / "tests/submissions/mistakes"
 BROKEN = ROOT / "tests/submissions/broken"
+UNDEFINED = ROOT / "tests/submissions/undefined"
 SYSTEM = {"PATH": "/usr/bin:/bin", "HOME": "/nonexistent", "LANG": "C.UTF-8", "TERM": "xterm"}
 
 
@@ -31,10 +32,10 @@ def check(home: Path, *arguments: str, **environment: str) -> subprocess.Complet
     )
 
 
-def timed(home: Path) -> tuple[subprocess.CompletedProcess[str], float]:
+def timed(home: Path, *arguments: str) -> tuple[subprocess.CompletedProcess[str], float]:
     """Runs ./check, and returns its output and CPU time."""
     before = os.times()
-    run = check(home)
+    run = check(home, *arguments)
     after = os.times()
     return run, sum(after[2:4]) - sum(before[2:4])
 
@@ -85,8 +86,8 @@ def test_a_student_goes_from_the_stubs_to_full_points(home: Path) -> None:
 
     part2 = home / "src/part2_lcp.cpp"  # the one that takes longest to compile
     part2.write_text(part2.read_text() + "// one line more\n")
-    changed, used = timed(home)
-    assert score(changed) == "100 / 100"
+    changed, used = timed(home, "--hint")
+    assert "Every public check passes" in changed.stdout
     # Both take longer on a busy machine, and so the one is measured by the other.
     assert used < building / 6, f"{used:.1f} s of the processor after {building:.1f} s"
 

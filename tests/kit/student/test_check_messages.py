@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 from conftest import SOLUTION
-from test_check import check, first, MISTAKES, put, score
+from test_check import check, first, MISTAKES, put, score, UNDEFINED
 
 pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("student")]
 
@@ -241,13 +241,47 @@ def test_sanitizers_find_what_a_right_answer_hides(home: Path) -> None:
     force = "const Vector3 f_e = M * params.g;"
     change(home, "part2_lcp", force, "const auto f_e = params.M() * params.g;")
     told = first(check(home, "2", "--sanitize"))
-    assert "AddressSanitizer found stack-use-after-scope, at src/part2_lcp.cpp:22" in told
-    assert "=====" not in told and "It was asked: " in told
+    assert "src/part2_lcp.cpp:14: `auto` keeps an expression of Eigen" in told
+    assert "=====" not in told and "It was asked: " in told and "Hint" not in told
     change(home, "part2_lcp", force, f"{force}\n  const int half = 1 << (33 + int(params.m));")
     part2 = home / "src/part2_lcp.cpp"
     part2.write_text(part2.read_text().replace("lcp.p <<", "lcp.V(3, 3) = 0 * half;\n  lcp.p <<"))
     told = first(check(home, "2", "--sanitize"))
-    assert "UBSan found this at src/part2_lcp.cpp:14: shift exponent" in told
+    assert "src/part2_lcp.cpp:15: shift exponent" in told
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    "folder, place",
+    [
+        ("part1_index_into_the_next_row", "src/part1_contacts.cpp:13: index 2 out of bounds"),
+        ("part2_view_of_the_inverse", "src/part2_lcp.cpp:9: `auto` keeps an expression of Eigen"),
+    ],
+)
+def test_full_points_are_looked_at_with_sanitizers(home: Path, folder: str, place: str) -> None:
+    put(home, UNDEFINED / folder)
+    run = check(home)
+    assert (score(run), run.returncode) == ("100 / 100", 1)
+    told = " ".join(run.stdout.partition("\nFirst: undefined behaviour")[2].split())
+    assert told.startswith(place)
+    assert not re.search("submit the files|known mistake|[Hh]int", run.stdout)
+    assert "Looking for undefined behaviour" in run.stdout
+    again = check(home)
+    assert again.returncode == 1 and told in " ".join(again.stdout.split())
+    assert "Looking for undefined behaviour" not in again.stdout
+
+
+@pytest.mark.slow
+def test_where_there_are_no_sanitizers_it_says_so(home: Path) -> None:
+    put(home)
+    (home / "src/part1_contacts.cpp").write_text(
+        (SOLUTION / "part1_contacts.cpp").read_text()
+        + "#ifdef __SANITIZE_ADDRESS__\n#error no sanitizers\n#endif\n"
+    )
+    run = check(home)
+    assert run.returncode == 0 and "submit the files" in run.stdout
+    assert "Undefined behaviour was not looked for: the sanitizers of this" in run.stdout
+    put(home)
 
 
 def stage(home: Path) -> tuple[str, str]:

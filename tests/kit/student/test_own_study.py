@@ -12,7 +12,7 @@ import pytest
 from animation_page import DATA
 from bounce_grader.publish import handout_measured, handout_study
 from conftest import ROOT
-from test_check import MISTAKES, check, put
+from test_check import MISTAKES, UNDEFINED, check, put
 
 STUDIES = ROOT / "docs/studies"
 EXPLORE = (ROOT / "student/explore.md").read_text()
@@ -151,6 +151,17 @@ def test_studies_the_students_own_parts(home: Path) -> None:
     assert f"ends at {1000 * errors['1e-05']:.3g} mm" in said
     assert "by up to 2.82 mm up and down and 5.63 cm along the ground" in said
     assert "Some checks fail" not in page.read_text() and not re.search("https?:", page.read_text())
+
+
+@pytest.mark.slow
+@pytest.mark.xdist_group("student")
+def test_no_page_of_a_program_that_gives_other_numbers_when_it_is_optimised(home: Path) -> None:
+    page = home / "study.html"
+    page.write_text("of an earlier program")
+    put(home, UNDEFINED / "part2_view_of_the_inverse")
+    run = check(home, "--study")
+    assert run.returncode == 3 and not page.exists()
+    assert "your program gives other numbers when it is optimised; usually `auto`" in run.stderr
 
 
 @pytest.mark.long

@@ -2,7 +2,7 @@
 
 #include <map>
 
-namespace bounce::judge {
+namespace bounce::check {
 
 // The names are those of LLVM's compiler-rt, lib/asan/asan_errors.h and lib/ubsan/ubsan_checks.inc.
 std::optional<std::string> words_for_report(std::string_view kind) {
@@ -17,9 +17,7 @@ std::optional<std::string> words_for_report(std::string_view kind) {
       {"container-overflow", "it reads or writes beyond the end of a container"},
       {"heap-use-after-free", "it uses memory that was freed: of a vector that has grown, perhaps"},
       {"stack-use-after-return", "it uses a local variable of a function that has returned"},
-      {"stack-use-after-scope",
-       "it uses a variable that is gone: `auto` for an expression of Eigen's keeps references to "
-       "temporary values, for one"},
+      {"stack-use-after-scope", "it uses a variable that is gone"},
       {"double-free", "it frees the same memory twice"},
       {"attempting double-free", "it frees the same memory twice"},
       {"bad-free", "it frees what it didn't get from new or malloc"},
@@ -60,4 +58,4 @@ std::optional<std::string> words_for_report(std::string_view kind) {
   return known->second;
 }
 
-}  // namespace bounce::judge
+}  // namespace bounce::check
