@@ -111,7 +111,8 @@ def gcc(
 ) -> list[str]:
     """Used for what clang rejects: code that a student's own compiler accepts must count. If a
     signal ends a program that g++ starts, the exit status tells which."""
-    require_built("gcc_prelude", box)
+    if not flags:  # with others, g++ can't use it
+        require_built("gcc_prelude", box)
     kind = "gcc_speed_flags" if timed else "gcc_flags"
     command = ["/usr/bin/g++", "-wrapper", f"{box.enter},step", "-pass-exit-codes"]
     command += [f"@{RUNNER / kind}.txt", *flags, "-include", str(RUNNER / "prelude.hpp")]

@@ -4,18 +4,13 @@ import re
 from collections.abc import Iterable
 from pathlib import Path
 
+from bounce_grader.build import compiler
 from bounce_grader.build.compile import HELPERS_BYTES, Built, Objects
-from bounce_grader.build.compiler import (
-    COMPILE,
-    compile_problem,
-    gcc,
-    require_compiler_ran,
-    too_large,
-)
+from bounce_grader.build.compiler import compile_problem, gcc, require_compiler_ran, too_large
 from bounce_grader.common.manifest import Part
-from bounce_grader.common.paths import CACHE, CONTRACT, RUNNER, SOURCES
+from bounce_grader.common.paths import CACHE, RUNNER, SOURCES
 from bounce_grader.sandbox import processes
-from bounce_grader.sandbox.box import Box
+from bounce_grader.sandbox.box import PROGRAMS, Box
 from bounce_grader.submission.submission import Submission
 
 LINK = processes.Limits(cpu_seconds=10, wall_seconds=60, memory=2 << 30, file_size=64 << 20)
@@ -27,7 +22,14 @@ KIT_OBJECTS = ("prelude", *RUNNER_OBJECTS)
 # of a link.
 SOLVERS = ("--start-lib", str(RUNNER / "solvers.o"), "--end-lib")
 
-SANITIZERS = ("-fsanitize=address,undefined", "-fno-sanitize-recover=all")
+# Without what AddressSanitizer finds, too, and what a file does that can't be opened in the box.
+SANITIZERS = (
+    "-fsanitize=address,undefined",
+    "-fno-sanitize=alignment,null,object-size,vptr,nonnull-attribute,returns-nonnull-attribute",
+    "-fno-sanitize-recover=all",
+)
+# Eigen allocates in another way for sanitizers, and the kit's objects free as without them.
+ALLOCATES_ALIKE = "-DEIGEN_MALLOC_ALREADY_ALIGNED=1"
 CHECKED_LINK = (
     "-no-pie",
     "-static-libasan",
@@ -71,15 +73,9 @@ def link_sanitized(part: Part, submission: Submission, work: Path, box: Box) -> 
     objects: list[Path] = []
     for file in [submission.parts[part.number], *submission.helpers]:
         objects.append(work / f"checked{part.number}-{len(objects)}.o")
-        result = box.run(
-            [
-                *box.to_build(sources, [CONTRACT, RUNNER]),
-                *gcc(file, submission, box, flags=SANITIZERS),
-            ],
-            COMPILE,
-            cwd=sources,
-            output=objects[-1],
-        )
+        command = gcc(file, submission, box, flags=(*SANITIZERS, ALLOCATES_ALIKE))
+        result = compiler.run(command, sources, box, objects[-1], PROGRAMS)
+        compiler.require_gcc_ran(result)
         if not result.ok:
             return Built(None, compile_problem(result, file))
         if sum(path.stat().st_size for path in objects) > HELPERS_BYTES:

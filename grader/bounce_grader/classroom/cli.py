@@ -61,6 +61,11 @@ def add(commands: Any) -> None:
         "--speed", action="store_true", help="chart speed against accuracy; takes twice as long"
     )
     parser.add_argument(
+        "--sanitize",
+        action="store_true",
+        help="remark undefined behaviour in parts with all points; takes twelve times as long",
+    )
+    parser.add_argument(
         "--reveal",
         action="store_true",
         help="put the expected answers of hidden cases into the feedback; may be added later",
@@ -101,6 +106,7 @@ def _class(options: argparse.Namespace) -> int:
         jobs=options.jobs,
         scheduler=options.scheduler,
         speed=options.speed,
+        sanitize=options.sanitize,
         trust=options.trust_submission,
         reveal=options.reveal,
         regrade=options.regrade or "",

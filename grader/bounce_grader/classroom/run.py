@@ -102,7 +102,7 @@ def _run(
 ) -> int:
     folder = request.out / "results"
     regrade.finish(request.out)
-    stamp = results.stamp_now(request.trust)
+    stamp = results.stamp_now(request.trust, request.sanitize)
     if request.regrade:
         return _regrade(request, intake, stamp, log)
     if request.apply:

@@ -113,15 +113,18 @@ def _student(folder: Path) -> list[Line]:
     build = ["cmake", "--build", str(home / "build"), "--target", "part2_lcp"]
     compiler: list[float] = []
     whole: list[float] = []
-    for command, times in 3 * [(build, compiler), (check, whole)]:
+    sanitized: list[float] = []
+    for command, times in 3 * [(build, compiler), ([*check, "--hint"], whole), (check, sanitized)]:
         part.write_text(part.read_text() + "// changed\n")
         times.append(_seconds(command))
+    looking = statistics.median(sanitized) - statistics.median(whole)
     alone = statistics.median(compiler)
     beyond = statistics.median(whole) - alone
     return [
         Line("a student's first check", first, "s", "at most 20", first <= 20),
         Line("a change of part 2: compiling it", alone, "s"),
         Line("  and the rest of its check", beyond, "s", "at most 1", beyond <= 1),
+        Line("  and, at full points, its sanitizers", looking, "s", "at most 8", looking <= 8),
     ]
 
 
@@ -205,11 +208,11 @@ def _mistaken(folder: Path, mistake: Path, number: int) -> Path:
 
 
 def _grading(submission: Path) -> list[str]:
-    return [str(ROOT / "kit"), "grade", str(submission), "--min-score", "100"]
+    return [str(ROOT / "kit"), "grade", str(submission), "--no-sanitize", "--min-score", "100"]
 
 
 def _score(submission: Path) -> float:
-    command = [str(ROOT / "kit"), "grade", str(submission), "--json", "-"]
+    command = [str(ROOT / "kit"), "grade", str(submission), "--no-sanitize", "--json", "-"]
     done = subprocess.run(command, stdout=subprocess.PIPE, check=True)
     return float(json.loads(done.stdout)["score"])
 

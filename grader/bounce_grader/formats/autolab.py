@@ -23,6 +23,10 @@ def _presentation(record: Record) -> dict[str, Any]:
         stage: {check["title"]: _test(part, check) for check in part["checks"]}
         for stage, part in zip(stages, record["parts"])
     }
+    for stage, part in zip(stages, record["parts"]):
+        if part.get("remarks"):
+            hint = printable("\n".join(part["remarks"]))
+            tests[stage]["A remark without points"] = {"passed": False, "hint": hint}
     for sentence in sentences.speed_words(record):
         stages.append("Speed")
         tests["Speed"] = {"Measured": {"passed": False, "hint": printable(sentence)}}

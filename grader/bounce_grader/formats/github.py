@@ -92,7 +92,7 @@ def _test(number: str, part: Record, check: Record, files: Files) -> dict[str, A
 def _part(part: Record, files: Files) -> list[str]:
     """At most one annotation for a part, because GitHub shows only ten of each kind in a step. It
     points to a line if one is known."""
-    if part["score"] == part["max_score"]:
+    if part["score"] == part["max_score"] and not part.get("remarks"):
         return []
     lines = [sentences.part_words(part)]
     place = _place_in([*lines, *(check["message"] for check in part["checks"])], part, files)

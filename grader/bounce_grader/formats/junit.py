@@ -35,6 +35,8 @@ def _suite(part: Record) -> ElementTree.Element:
     for name in ("score", "max_score"):
         ElementTree.SubElement(properties, "property", name=name, value=short(part[name]))
     suite.extend(_case(part, check) for check in part["checks"])
+    for remark in part.get("remarks", []):
+        ElementTree.SubElement(suite, "system-out").text = printable(remark)
     return suite
 
 

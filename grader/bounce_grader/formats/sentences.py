@@ -45,17 +45,22 @@ def had_help(part: Record) -> bool:
 
 
 def part_words(part: Record) -> str:
-    """One sentence about a part as a whole."""
+    """One sentence about a part as a whole, and the remarks about it."""
     if part["status"] == "graded":
-        return str(part["message"])
+        remarks = [f"a remark without points: {remark}" for remark in part.get("remarks", [])]
+        return "; ".join([part["message"], *remarks])
     return f"{STATUS_WORDS.get(part['status'], part['status'])}: {part['message']}"
 
 
 def check_words(part: Record, check: Record) -> str:
     """A check's message, or why its part never ran. The first failed check begins with the part's
-    known mistakes, for formats that have no other place for them."""
+    known mistakes, for formats that have no other place for them; the first of a part with all
+    points has the remarks."""
     message = check["message"] or ("" if check["passed"] else part_words(part))
-    mistakes = mistake_words(part) if check is _first_failed(part) else []
+    first_failed = _first_failed(part)
+    if not first_failed and check is part["checks"][0]:
+        return "\n".join(part.get("remarks", []))
+    mistakes = mistake_words(part) if check is first_failed else []
     return "\n".join(filter(None, [*mistakes, message]))
 
 

@@ -59,6 +59,7 @@ def _part(part: Record) -> list[tuple[str, str]]:
         out.append(("red", f"  {status}: {terminal(part['message'])}"))
     elif part["score"] < part["max_score"]:
         out.append(("", f"  {terminal(part['message'])}"))
+    out += [("yellow", f"  remark, no points: {terminal(r)}") for r in part.get("remarks", [])]
     for mistake in part["mistakes"]:
         out.append(("yellow", f"  looks like: {mistake['title']}"))
         out.append(("", f"    {mistake['sentence']}"))

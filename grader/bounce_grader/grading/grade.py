@@ -29,6 +29,7 @@ class Options(NamedTuple):
 
     boxes: tuple[str, ...] = boxes.FULL_OR_REDUCED  # the acceptable kinds, best first
     speed: bool = False
+    sanitize: bool = False  # run parts with all points with sanitizers, for remarks
     jobs: int = 0  # 0: one per core
     answers: bool = False  # keep the expected answers of hidden cases, for with_answers
     within: Budget | None = None  # the grading's budget; None: a new one from its start on
@@ -57,6 +58,8 @@ def grade(given: Path | Submission, options: Options = Options()) -> Record:
         measured = None
         if options.speed:
             measured = _speed(grading, jobs)
+        if options.sanitize:
+            records = parallel_map(grading.with_remarks, records, jobs)
     end = time.monotonic()
     graded = record.whole(
         taken,
@@ -146,6 +149,14 @@ class _Grading:
         if best.status == "crashed":
             best = sanitizing.with_cause(part, best, self.taken, self.work, self.hidden, self.box)
         return record.part_record(part, best)
+
+    def with_remarks(self, graded: Record) -> Record:
+        """The record of a part; if it has all points, with what the sanitizers find in it."""
+        if graded["score"] < graded["max_score"]:
+            return graded
+        part = parts()[graded["part"] - 1]
+        found = sanitizing.remark(part, self.taken, self.work, self.box)
+        return {**graded, "remarks": [record.sentence(found)] if found else []}
 
     def _tries(self, part: Part) -> list[Judged]:
         problem = self._problem(part)

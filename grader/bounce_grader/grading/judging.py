@@ -59,16 +59,16 @@ def judge(
     part: Part,
     runner: Path,
     given: bool,
-    hidden: Path,
+    hidden: Path | None,
     box: Box,
     sanitized: bool = False,
     recognise: bool = False,
     files: frozenset[str] = frozenset(),
 ) -> Judged:
-    """Judges a part. `given`: with given earlier parts; `sanitized`: the runner has sanitizers;
-    `files`: the submission's files, in which a crash is located. Checks that the grading has no
-    time left for fail. Raises KitError if the judge fails or doesn't name every check exactly
-    once."""
+    """Judges a part; without `hidden`, on the public cases alone. `given`: with given earlier
+    parts; `sanitized`: the runner has sanitizers; `files`: the submission's files, in which a crash
+    is located. Checks that the grading has no time left for fail. Raises KitError if the judge
+    fails or doesn't name every check exactly once."""
     cpu, wall = box.budget.left()
     command = [
         *(str(JUDGE), "--part", str(part.number)),
@@ -78,7 +78,8 @@ def judge(
         *(["--boxed"] if box.kind != "none" else []),
         *("--cpu-seconds", str(max(1, int(min(cpu, MOST_CPU_SECONDS))))),
         *("--seconds", str(max(1, int(min(wall, MOST_SECONDS))))),
-        *("--fixtures", str(FIXTURES / "public"), "--fixtures", str(hidden)),
+        *("--fixtures", str(FIXTURES / "public")),
+        *(["--fixtures", str(hidden)] if hidden else []),
         *("--", *(box.to_run_sanitized(runner) if sanitized else box.to_run(runner))),
     ]
     box.budget.require_time()

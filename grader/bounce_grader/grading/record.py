@@ -33,6 +33,7 @@ def part_record(part: Part, judged: Judged) -> Record:
         "graded_with": judged.graded_with,
         "mistakes": mistakes,
         "patterns": [printable_text(sentence) for sentence in judged.patterns],
+        "remarks": [],
         "checks": [
             _check_record(check, verdict.passed, verdict.message, mistakes) | _numbers(verdict)
             for check, verdict in _with_each_reason_once(part, judged)
@@ -76,6 +77,7 @@ def failed_part(part: Part, status: str, message: str) -> Record:
         "graded_with": "own",
         "mistakes": [],
         "patterns": [],
+        "remarks": [],
         "checks": [_check_record(check, False, "", []) for check in part.checks],
     }
 

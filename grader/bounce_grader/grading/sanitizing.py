@@ -1,5 +1,6 @@
-"""Builds and runs a part that crashed again, with AddressSanitizer and UBSan, which report the
-first wrong memory access, not the last. This explains the crash and never changes the score."""
+"""Builds and runs a part again with AddressSanitizer and UBSan: one that crashed, as they report the
+first wrong memory access, not the last; or one with all points, whose right numbers may be luck.
+This never changes the score."""
 
 import re
 from pathlib import Path
@@ -13,29 +14,70 @@ from bounce_grader.sandbox.box import Box
 from bounce_grader.sandbox.budget import Budget, Overrun
 from bounce_grader.submission.submission import Submission
 
-CPU_SECONDS, WALL_SECONDS = 20.0, 40.0  # for the explanation of one part
+CPU_SECONDS, WALL_SECONDS = 20.0, 80.0  # for one part
 MARGIN = 5.0  # s, to stop it
+GONE = "it uses a variable that is gone"
+AUTO_KEEPS = (
+    "`auto` keeps an expression of Eigen that refers to a value which is gone by the next line; "
+    "write `Eigen::Matrix3d`, or the type that it has"
+)
+# `auto name = value;`, or by reference.
+KEPT = re.compile(r"\bauto\b[ &]*\b([A-Za-z_]\w*) *=([^;]{1,500})")
+# What an expression of Eigen looks like that may refer to a temporary value.
+MAY_REFER = re.compile(r"(?=.*\()(?!.*eval\(\))(?!.*\[).*[-.*+]", re.DOTALL)
 
 
 def with_cause(
     part: Part, judged: Judged, taken: Submission, work: Path, hidden: Path, box: Box
 ) -> Judged:
     """The same verdicts; those about crashes also say what the sanitizers found, if anything."""
-    if box.kind != "full" or not any(map(_is_unclear, judged.verdicts.values())):
+    if not any(map(_is_unclear, judged.verdicts.values())):
         return judged
-    cpu, wall = box.budget.left()
-    cpu, wall = min(cpu - MARGIN, CPU_SECONDS), min(wall - MARGIN, WALL_SECONDS)
-    box = box._replace(budget=Budget(cpu, wall, part_of=box.budget))
-    try:
-        built = linking.link_sanitized(part, taken, work, box)
-        if not built.path:
-            return judged
-        given = bool(part.calls)
-        again = judging.judge(part, built.path, given, hidden, box, sanitized=True)
-    except (KitError, Overrun):  # the score is valid without the explanation
+    again = _again(part, taken, work, hidden, box)
+    if not again:
         return judged
     verdicts = {id: _with_finding(v, again.verdicts[id]) for id, v in judged.verdicts.items()}
     return judged._replace(verdicts=verdicts)
+
+
+def remark(part: Part, taken: Submission, work: Path, box: Box) -> str:
+    """What the sanitizers find in a part with all points, in the public cases; empty if nothing."""
+    again = _again(part, taken, work, None, box)
+    verdicts = again.verdicts if again else {}
+    for verdict in verdicts.values():
+        if finding := _finding(verdict):
+            what, _, place = finding.partition(", at ")
+            return _by_auto(what, place, taken) or f"{place or part.file}: {what}"
+    for check in part.checks if again else []:
+        verdict = verdicts[check.id]
+        answered = verdict.status == "graded" and (verdict.shown or {}).get("quantities")
+        if not verdict.passed and answered:
+            return (
+                f'{part.file}: built with g++ and its sanitizers, it fails "{check.title}": does '
+                "it use a value that was never set, or that is gone?"
+            )
+    return ""
+
+
+def _again(
+    part: Part, taken: Submission, work: Path, hidden: Path | None, box: Box
+) -> Judged | None:
+    """Judged with sanitizers and given parts, on the public cases alone where no folder of hidden
+    ones is given. None where that can't be done: the score is valid without it."""
+    if box.kind != "full":
+        return None
+    cpu, wall = box.budget.left()
+    cpu, wall = min(cpu - MARGIN, CPU_SECONDS), min(wall - MARGIN, WALL_SECONDS)
+    box = box._replace(budget=Budget(cpu, wall, part_of=box.budget))
+    files = frozenset(taken.files)
+    try:
+        built = linking.link_sanitized(part, taken, work, box)
+        if not built.path:
+            return None
+        given = bool(part.calls)
+        return judging.judge(part, built.path, given, hidden, box, sanitized=True, files=files)
+    except (KitError, Overrun):
+        return None
 
 
 def _is_unclear(verdict: Verdict) -> bool:
@@ -43,10 +85,41 @@ def _is_unclear(verdict: Verdict) -> bool:
     return verdict.status == "crashed" and "assertion" not in verdict.message
 
 
+def _finding(verdict: Verdict) -> str:
+    """What the sanitizers found; empty if nothing."""
+    ended = re.search(r"^  got      (.*)$", verdict.message, re.MULTILINE)
+    if verdict.status != "crashed" or not ended or ended.group(1).startswith("the program"):
+        return ""
+    return ended.group(1)
+
+
 def _with_finding(verdict: Verdict, again: Verdict) -> Verdict:
-    finding = re.search(r"^  got      (.*)$", again.message, re.MULTILINE)
-    if not _is_unclear(verdict) or again.status != "crashed" or not finding:
+    finding = _finding(again)
+    if not _is_unclear(verdict) or not finding:
         return verdict
-    if finding.group(1).startswith("the program"):  # the sanitizers found nothing
-        return verdict
-    return verdict._replace(message=f"{verdict.message}\n  checked  {finding.group(1)}")
+    return verdict._replace(message=f"{verdict.message}\n  checked  {finding}")
+
+
+def _by_auto(what: str, place: str, taken: Submission) -> str:
+    """The remark where `auto` keeps what the statement at a place uses when it is gone, with the
+    line of the `auto` if only one may be it; else empty."""
+    file, _, number = place.rpartition(":")
+    if not what.startswith(GONE) or file not in taken.files:
+        return ""
+    text = taken.files[file].decode("utf-8", "replace")
+    lines = text.splitlines(keepends=True)
+    at = len("".join(lines[: int(number) - 1]))
+    begin = max(text.rfind(sign, 0, at) for sign in ";{}") + 1
+    used = text[begin : at + (text[at:] + ";").index(";")]
+    function = max(text.rfind("\n}", 0, at), 0)
+    kept = []
+    for found in reversed([*KEPT.finditer(text, function, at)]):  # one may keep another
+        if re.search(rf"\b{found[1]}\b", used):
+            used += found[2]
+            kept.append(found)
+    temporary = [found for found in kept if "M()" in found[2]]
+    likely = temporary or [found for found in kept if MAY_REFER.match(found[2])]
+    if not likely:
+        return ""
+    line = text.count("\n", 0, likely[0].start()) + 1 if len(likely) == 1 else int(number)
+    return f"{file}:{line}: {AUTO_KEEPS}"

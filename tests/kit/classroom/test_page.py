@@ -178,6 +178,7 @@ def test_who_needs_a_look_is_named_with_the_reason(tmp_path: Path) -> None:
     slow = summary(tmp_path, "slow")
     record = stand_in.record_of(submission.read(tmp_path / "slow"))
     record["parts"][2]["status"] = "timed_out"
+    record["parts"][0]["remarks"] = ["part1_contacts.cpp:10: it uses a variable that is gone"]
     slow = summary(tmp_path, "slow", parts=record["parts"])
     boxless = summary(tmp_path, "boxless", box="none")
     failed = Summary(Student("x", "x", tmp_path), "k", "failed", "the kit failed: no compiler")
@@ -187,6 +188,7 @@ def test_who_needs_a_look_is_named_with_the_reason(tmp_path: Path) -> None:
     looks = looks.split("<h2>Points")[0]
     assert "boxless; also</td>" in looks
     assert "part 3: timed out" in looks and "graded with no box" in looks
+    assert "part 1: part1_contacts.cpp:10: it uses a variable that is gone" in looks
     assert "the kit failed: no compiler" in looks
 
 

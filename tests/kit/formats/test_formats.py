@@ -48,6 +48,17 @@ def test_the_students_page_is_what_a_person_has_read(record: dict[str, Any]) -> 
     assert page == (FOLDER / "feedback.html").read_text()
 
 
+@pytest.mark.parametrize("name", [name for name in formats.NAMES if name != "json"])
+def test_has_the_remarks_of_a_part_with_all_points(name: str, record: dict[str, Any]) -> None:
+    part = record["parts"][3]
+    for whole in (part, *part["checks"]):
+        whole.update(score=whole["max_score"], message="", passed=True)
+    part.update(status="graded", remarks=["part4_simulate.cpp:11: it uses a variable that is gone"])
+    assert "it uses a variable that is gone" in formats.render(name, record, NOWHERE)
+    text = "".join(line for _, line in terminal.lines(record))
+    assert "  remark, no points: part4_simulate.cpp:11: it uses" in text
+
+
 def test_the_record_written_by_hand_adds_up(record: dict[str, Any]) -> None:
     assert record["score"] == sum(part["score"] for part in record["parts"])
     for written, part in zip(record["parts"], parts()):

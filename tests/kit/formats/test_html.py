@@ -128,9 +128,7 @@ def test_a_trajectory_is_drawn_beside_the_right_one(show: Show, record: dict[str
     case = page.find_element(By.XPATH, f"//li[contains(., '{title}')]")
     drawing = case.find_element(By.TAG_NAME, "svg")
     first = shown["path"]["first"]
-    assert first > 0 and f"column {first} is wrong" in drawing.get_attribute(
-        "aria-label"
-    )
+    assert first > 0 and f"column {first} is wrong" in drawing.get_attribute("aria-label")
     fills = [c.get_attribute("fill") for c in drawing.find_elements(By.TAG_NAME, "circle")]
     assert set(fills) == {"none", "currentColor"}
 

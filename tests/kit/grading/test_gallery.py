@@ -26,7 +26,7 @@ from bounce_grader.submission.submission import read
 from conftest import ROOT, SOLUTION, lost, points
 
 GALLERY = ROOT / "tests" / "submissions"
-KINDS = ("accepted", "mistakes", "rarely_wrong", "broken", "hostile")
+KINDS = ("accepted", "mistakes", "rarely_wrong", "undefined", "broken", "hostile")
 
 
 def folders(kind: str) -> list[Path]:
@@ -104,9 +104,17 @@ def run_of(number: int, folder: Path) -> list[pytest.MarkDecorator]:
     "folder", [pytest.param(f, marks=run_of(i, f)) for i, f in enumerate(ALL)], ids=name_of
 )
 def test_gets_what_it_should(folder: Path, tmp_path: Path) -> None:
-    record = grade(submission_of(folder, tmp_path / "submission"))
+    remarked = Options(sanitize=folder.parent.name == "undefined")
+    record = grade(submission_of(folder, tmp_path / "submission"), remarked)
     gets(expected(folder), record)
     assert named(record) == known_as(folder), shown(record)
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("folder", folders("accepted"), ids=lambda folder: folder.name)
+def test_a_right_submission_gets_no_remark(folder: Path, tmp_path: Path) -> None:
+    record = grade(submission_of(folder, tmp_path / "submission"), Options(sanitize=True))
+    assert not any(part["remarks"] for part in record["parts"]), shown(record)
 
 
 @pytest.mark.slow
@@ -238,7 +246,8 @@ def test_is_written_down_rightly(folder: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    "kind, least", [("accepted", 100), ("mistakes", 120), ("broken", 16), ("hostile", 85)]
+    "kind, least",
+    [("accepted", 100), ("mistakes", 120), ("undefined", 11), ("broken", 16), ("hostile", 85)],
 )
 def test_the_gallery_is_large_enough(kind: str, least: int) -> None:
     assert len(folders(kind)) >= least

@@ -21,6 +21,7 @@ class Request:
     jobs: int = 0
     scheduler: str = ""
     speed: bool = False
+    sanitize: bool = False
     trust: bool = False
     reveal: bool = False
     overwrite: bool = False

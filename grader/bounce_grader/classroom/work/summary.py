@@ -112,4 +112,9 @@ def of_result(student: Student, key: str, result: dict[str, Any]) -> Summary:
         ignored=tuple(record["ignored"]),
         ignored_more=record.get("ignored_more", 0),
         beside=tuple(result.get("beside", ())),
+        notes=tuple(
+            f"part {part['part']}: {remark}"
+            for part in record["parts"]
+            for remark in part.get("remarks", [])
+        ),
     )

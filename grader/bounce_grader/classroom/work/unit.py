@@ -42,7 +42,14 @@ def grade_submission(taken: Submission, task: Task, within: Budget) -> Record:
     from bounce_grader.grading.grade import grade, Options
     from bounce_grader.sandbox import box
 
-    wanted = Options(box.kinds(task.trust), task.speed, jobs=1, answers=True, within=within)
+    wanted = Options(
+        box.kinds(task.trust),
+        task.speed,
+        sanitize='"sanitize": true' in task.stamp.options,
+        jobs=1,
+        answers=True,
+        within=within,
+    )
     return grade(taken, wanted)
 
 

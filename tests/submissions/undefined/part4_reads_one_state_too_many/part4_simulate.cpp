@@ -1,3 +1,4 @@
+#include <stdexcept>
 #include <vector>
 
 #include <bounce/part3_step.hpp>
@@ -18,6 +19,7 @@ Trajectory simulate(const Vector3& q_0, const Vector3& v_0, const Parameters& pa
   }
   int rising = 0;
   for (int t = 0; t < params.T; ++t) rising += height[t + 1] > height[t];
+  if (rising > params.T) throw std::logic_error("it rises more often than it moves");
   return path;
 }
 
