@@ -41,7 +41,7 @@ std::string_view line_after(std::string_view print, std::string_view mark) {
 std::string stack_in(std::string_view print) {
   static const std::regex kAddresses("(?: 0x[0-9a-f]{" + std::to_string(runner::kDigits) + "}){1," +
                                      std::to_string(runner::kFrames) + "}");
-  constexpr std::size_t kLongestStack = runner::kFrames * (runner::kDigits + 3);
+  constexpr std::size_t kLongestStack = std::size_t{runner::kFrames} * (runner::kDigits + 3);
   const std::string line(line_after(print, runner::kStack).substr(0, kLongestStack + 1));
   return std::regex_match(line, kAddresses) ? line : "";
 }

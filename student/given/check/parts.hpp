@@ -31,7 +31,7 @@ struct Run {
   std::vector<Part> all;
   std::vector<int> chosen;             // numbers of the parts to check
   std::map<int, int> unbuilt;          // part that wasn't built -> part whose file has the error
-  std::set<int> unlinked;              // those that compile, but don't link
+  std::set<int> unlinked;              // those that compile, but don't link with the earlier ones
   std::set<int> given;                 // parts whose better result is that with right earlier parts
   bool sanitized = false;              // whether the parts are built with sanitizers
   int score = 0, possible = 0;         // of the chosen parts

@@ -167,7 +167,8 @@ bool has_defined_behaviour() {
 }  // namespace
 
 void print_what_does_not_compile(const Run& run) {
-  const int broken = run.unbuilt.at(run.first_part->number);
+  const auto unbuilt = run.unbuilt.find(run.first_part->number);
+  const int broken = unbuilt == run.unbuilt.end() ? run.first_part->number : unbuilt->second;
   std::cout << "\n"
             << style().bold << "First: make " << run.part(broken).stem << ".cpp "
             << (run.unlinked.count(broken) ? "link" : "compile") << style().plain << "\n"

@@ -260,7 +260,8 @@ void run_with_given(Run& run, const Part& part) {
 bool may_gain(const Run& run, const Part& part) {
   const auto unbuilt = run.unbuilt.find(part.number);
   const bool is_built = unbuilt == run.unbuilt.end();
-  const bool compiles = is_built || unbuilt->second != part.number;
+  const bool compiles =
+      is_built || unbuilt->second != part.number || run.unlinked.count(part.number);
   const bool is_right = is_built && points_of(part) == part.points;
   return compiles && !is_right && !run.sanitized && !part.calls.empty();
 }
@@ -382,6 +383,7 @@ void run_parts(Run& run) {
       continue;
     }
     run.undecided += undecided_of(run, part);
+    if (run.unlinked.count(number) && !run.first_part) run.first_part = &part;  // with the others
     for (const Check& check : part.checks) {
       const std::string status = note_of(part, check).status;
       if (status == "passed") {

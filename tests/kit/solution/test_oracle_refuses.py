@@ -131,8 +131,13 @@ def test_refuses_friction_that_can_jam_the_corner() -> None:
     assert "mu |b|" in found
 
 
-def test_refuses_gravity_that_turns() -> None:
-    assert "g turns" in undecidable("part2_lcp", {"g": [0, -9.81, 0.1]})
+def test_refuses_steps_that_are_called_decidable_and_are_not() -> None:
+    case = question("part3_step")
+    case["input"] = {"q": [0, 0.14, 0], "v": [0, -1, 0]}  # it lands flat, in the fourth step
+    case["expected"] = rounded(answer("part3_step", "a check", case))
+    assert complaints("part3_step", "a check", [case]) == []
+    case["expected"]["steps"] = "decidable"
+    assert complaints("part3_step", "a check", [case])
 
 
 @pytest.mark.parametrize(

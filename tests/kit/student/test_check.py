@@ -137,6 +137,16 @@ def test_a_wrong_part_costs_the_right_ones_nothing(home: Path, number: int, wron
 
 
 @pytest.mark.slow
+def test_parts_that_cannot_be_linked_together_keep_their_points(home: Path) -> None:
+    """As where the course grades each by itself."""
+    put(home, ROOT / "tests/submissions/accepted/same_helper_in_two_parts")
+    run = check(home)
+    assert points(run) == ["30 / 30", "30 / 30", "30 / 30", "10 / 10"]
+    assert "First: make part3_step.cpp link" in run.stdout and "drop" in run.stdout
+    assert run.returncode == 1
+
+
+@pytest.mark.slow
 def test_a_fault_that_its_own_checks_miss_is_not_the_later_parts(home: Path) -> None:
     """Part 1 is wrong beyond two turns, where only part 3 has public cases."""
     put(home)
@@ -307,14 +317,15 @@ def test_the_points_are_those_that_the_course_gives(home: Path, names: tuple[str
 
 
 @pytest.mark.slow
-def test_what_no_right_part_asks_is_judged_with_the_students_own_parts(home: Path) -> None:
+def test_what_no_right_part_asks_is_left_undecided_beside_a_wrong_part(home: Path) -> None:
     put(
         home,
         MISTAKES / "part1_turned_clockwise",
         MISTAKES / "part3_contact_of_the_next_configuration",
     )
     run = check(home, "3")
-    assert "no right part asks" not in run.stdout and "First: " in run.stdout
+    assert "20 more can be decided once the earlier parts are right" in run.stdout
+    assert "  ✗" not in run.stdout and run.returncode == 1
 
 
 @pytest.mark.slow

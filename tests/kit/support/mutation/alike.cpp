@@ -57,7 +57,7 @@ Parameters any_parameters(RandomNumbers& draw) {
   params.m = power_of_ten(draw, -decades, decades);
   params.mu = draw.below(4) == 0 ? 0 : draw.between(0.01, 1.3);
   params.epsilon = draw.below(4) == 0 ? draw.below(2) : draw.between(0, 1);
-  params.g = Vector3(draw.either_sign(0, 10), draw.between(-15, 5), 0);
+  params.g = Vector3(draw.either_sign(0, 10), draw.between(-15, 5), draw.either_sign(0, 5));
   if (draw.below(8) == 0) params.g.setZero();
   params.dt = power_of_ten(draw, kind == 2 ? -3.5 : -7, kind == 2 ? -1 : 0);
   params.delta = params.l * power_of_ten(draw, -3, -1);

@@ -1,16 +1,14 @@
-"""Counts the outcomes of the changes by file, by kind, and by the reason why they lose nothing."""
+"""Counts the outcomes of the changes, and knows why some lose nothing."""
 
 import json
-from collections import Counter
 from collections.abc import Iterable
 from functools import cache
 from pathlib import Path
 
-from mutation.changes import OPERATORS, Change
+from mutation.changes import Change
 from mutation.trial import Outcome
 
 REASONS = Path(__file__).parent / "equivalent.json"
-COLUMNS = ("made", "compile", "lose points", "equivalent", "left")
 
 
 @cache
@@ -37,7 +35,8 @@ def faults(outcomes: Iterable[Outcome]) -> list[str]:
 
 
 def counts(outcomes: list[Outcome]) -> tuple[int, ...]:
-    """As COLUMNS says."""
+    """Those made, that compile, that lose points, that can't be told from the program, and that
+    are left."""
     compiled = [o for o in outcomes if o.compiles]
     alike = [o for o in compiled if is_alike(o.change)]
     left = [o for o in compiled if not o.lost and not is_alike(o.change)]
@@ -50,26 +49,9 @@ def counts(outcomes: list[Outcome]) -> tuple[int, ...]:
     )
 
 
-def row(name: str, outcomes: list[Outcome]) -> str:
-    return f"| {name} | " + " | ".join(map(str, counts(outcomes))) + " |\n"
-
-
-def tables(outcomes: list[Outcome]) -> str:
-    """Those of docs/mutation.md: by file, by kind of change, and by reason."""
-    files = dict.fromkeys(o.change.file for o in outcomes)
-    lines = [_head("right program", *COLUMNS)]
-    lines += [row(file, [o for o in outcomes if o.change.file == file]) for file in files]
-    lines += [row("all", outcomes), "\n", _head("kind of change", *COLUMNS)]
-    lines += [row(kind, [o for o in outcomes if o.change.operator == kind]) for kind in OPERATORS]
-    return "".join([*lines, "\n", table_of_reasons()])
-
-
-def table_of_reasons() -> str:
-    count = Counter(reason for of_file in reasons().values() for reason in of_file.values())
-    in_order = sorted(count.items(), key=lambda item: (-item[1], item[0]))
-    rows = [f"| {reason} | {number} |\n" for reason, number in in_order]
-    return _head("why it can't be told from the solution", "changes") + "".join(rows)
-
-
-def _head(name: str, *columns: str) -> str:
-    return f"| {name} | {' | '.join(columns)} |\n| --- |{' ---: |' * len(columns)}\n"
+def summary(name: str, outcomes: list[Outcome]) -> str:
+    made, compiled, lost, alike, left = counts(outcomes)
+    return (
+        f"{name}: {made} small changes, {compiled} compile, {lost} lose points, "
+        f"{alike} can't be told from it, {left} left without explanation"
+    )

@@ -34,16 +34,7 @@ ALIKE = BUILD / "alike"
 SOLUTION = ROOT / "solution" / "src"
 AT_ONCE = 200  # changes in one object
 GALLERY = ROOT / "tests" / "submissions" / "accepted"
-STYLES = (
-    "corner_in_closed_form",
-    "dynamic_matrices_and_lu",
-    "force_is_m_times_g",
-    "impulses_inside_part3",
-    "lcp_entry_by_entry",
-    "lcp_solved_in_every_step",
-    "using_namespace_std_and_eigen",
-    "vectors_and_algorithms",
-)
+STYLES = ("dynamic_matrices_and_lu", "vectors_and_algorithms")
 
 
 @dataclass(frozen=True)
