@@ -24,7 +24,7 @@ AUTO_KEEPS = (
 # `auto name = value;`, or by reference.
 KEPT = re.compile(r"\bauto\b[ &]*\b([A-Za-z_]\w*) *=([^;]{1,500})")
 # What an expression of Eigen looks like that may refer to a temporary value.
-MAY_REFER = re.compile(r"(?=.*\()(?!.*eval\(\))(?!.*\[).*[-.*+]", re.DOTALL)
+MAY_REFER = re.compile(r"(?! *std::)(?=.*\()(?!.*eval\(\))(?!.*\[).*[-.*+]", re.DOTALL)
 
 
 def with_cause(

@@ -213,8 +213,9 @@ std::vector<Kept> kept_by_auto(const std::string& text) {
 
 // Whether the value may be an expression of Eigen that refers to a temporary value.
 bool may_refer(const std::string& value) {
-  return value.find('(') != std::string::npos && !has(value, "eval()") && !has(value, "[") &&
-         value.find_first_of(".*+-") != std::string::npos;
+  const bool is_of_std = value.find("std::") == value.find_first_not_of("= ");
+  return value.find('(') != std::string::npos && !is_of_std && !has(value, "eval()") &&
+         !has(value, "[") && value.find_first_of(".*+-") != std::string::npos;
 }
 
 // "src/part2_lcp.cpp:14", where `auto` keeps what the statement at `place` uses when it is gone.

@@ -284,8 +284,8 @@ def without_claims(stem: str, case: dict[str, Any]) -> dict[str, Any]:
     if expected.get("steps") == "decidable":
         del expected["steps"]
         names, last = CHAINS[stem]
-        start = [vector(case["input"][name]) for name in names]
-        simulate(*start, Parameters.read(case["params"]), last)
+        q, v = (vector(case["input"][name]) for name in names)
+        simulate(q, v, Parameters.read(case["params"]), last)
     return expected
 
 
