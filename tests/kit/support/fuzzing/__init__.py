@@ -1,11 +1,10 @@
 """Fuzzes the readers of submissions, and of text that submissions can influence.
 
     PYTHONPATH=grader:tests/kit/support python3 -m fuzzing READER COUNT
-    PYTHONPATH=grader:tests/kit/support python3 -m fuzzing attacks COUNT [SEED [full|reduced]]
 
 COUNT inputs, made from real ones, each from its own number, so that a run can be repeated. Whatever
 comes must be taken within the limits or refused in one sentence. An input at which that fails is
-written to build/fuzz/inputs/, and named. "attacks" grades whole submissions (attack_run.py).
+written to build/fuzz/inputs/, and named.
 """
 
 import random

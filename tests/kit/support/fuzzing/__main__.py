@@ -6,7 +6,7 @@ import time
 from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
-from fuzzing import READERS, attack_run, run
+from fuzzing import READERS, run
 
 MOST_MEMORY = 512 << 20  # more than the program has at its start
 CHUNK = 2000
@@ -35,7 +35,4 @@ def main(name: str, count: int) -> None:
 
 
 if __name__ == "__main__":
-    if sys.argv[1] == "attacks":
-        seed, box = [*sys.argv[3:], *("0", "full")[len(sys.argv) - 3 :]]
-        sys.exit(attack_run.main(int(sys.argv[2]), int(seed), box))
     main(sys.argv[1], int(sys.argv[2]))
