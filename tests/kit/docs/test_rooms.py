@@ -59,35 +59,7 @@ def test_imports_run_one_way() -> None:
     TopologicalSorter({room: set(imported(room)) for room in ROOMS}).prepare()  # no cycle
 
 
-def test_every_module_is_in_a_room() -> None:
-    alone = {file.name for file in PACKAGE.glob("*.py")}
-    assert alone == {"__init__.py", "__main__.py", "cli.py"}
-    assert all(
-        room_of(str(f.relative_to(PACKAGE).parent).replace("/", "."))
-        for f in PACKAGE.glob("*/**/*.py")
-    )
-
-
 def rows(page: str, heading: str) -> dict[str, str]:
     """The folders in a page's tables below a heading, with their descriptions."""
     text = (ROOT / page).read_text().split(f"## {heading}\n")[1].split("\n## ")[0]
     return dict(re.findall(r"^\| `([a-z_/]+)/` \| (.+) \|$", text, re.MULTILINE))
-
-
-def folders(*places: str) -> set[str]:
-    found = {f for place in places for f in (ROOT / place).iterdir() if f.is_dir()}
-    names = {str(folder.relative_to(ROOT)) for folder in found}
-    return {n for n in names if not Path(n).name.startswith((".", "__"))} - {"build"}
-
-
-def test_the_readme_names_every_folder() -> None:
-    assert set(rows("README.md", "Layout")) == folders(".")
-
-
-def test_the_page_on_architecture_names_every_room() -> None:
-    named = set(rows("docs/architecture.md", "The folders"))
-    packages = {
-        name.removeprefix("grader/bounce_grader/") for name in folders("grader/bounce_grader")
-    }
-    parted = {"solution", "tests", "grader"}
-    assert named == folders(*parted) | (folders(".") - parted) | packages
