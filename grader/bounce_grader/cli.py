@@ -129,9 +129,7 @@ def _parser() -> argparse.ArgumentParser:
     bench.set_defaults(command=_bench)
 
     test = commands.add_parser("test", help="run every test of the kit")
-    extent = test.add_mutually_exclusive_group()
-    extent.add_argument("--quick", action="store_true", help="the short tests alone")
-    extent.add_argument(
+    test.add_argument(
         "--long",
         action="store_true",
         help="with sanitizers, and a million inputs for each reader, too",
@@ -235,4 +233,4 @@ def _bench(options: argparse.Namespace) -> int:
 def _test(options: argparse.Namespace) -> int:
     from bounce_grader.develop import selftest
 
-    return selftest.run("quick" if options.quick else "long" if options.long else "usual")
+    return selftest.run(options.long)

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 from bounce_grader.common.parallel_map import parallel_map
 from bounce_grader.common.paths import BUILD, ROOT
-from bounce_grader.develop import confusion, fuzz
+from bounce_grader.develop import fuzz
 from bounce_grader.grading.fixtures import hidden_folder
 from bounce_grader.publish import fixtures
 
@@ -21,7 +21,6 @@ CPP = (
     "tests/kit",
 )
 PYTHON = ("grader/bounce_grader", "tests", "solution")
-EXTENTS = ("quick", "usual", "long")
 WORKERS = (os.cpu_count() or 1) + 2  # much of the tests' time is waiting
 
 
@@ -31,17 +30,17 @@ class Step:
 
     name: str
     run: Callable[[], int]
-    least: str = "quick"  # the least extent that it belongs to
+    is_long: bool = False  # whether only a long run has it
     parallel: bool = False  # whether it uses all cores
 
 
-def run(extent: str) -> int:
-    """Runs the steps of this extent, one of EXTENTS: first those that use one core, several at a
-    time, and then, one by one, those that use all cores. Returns the exit status."""
+def run(is_long: bool) -> int:
+    """Runs the steps: first those that use one core, several at a time, and then, one by one, those
+    that use all cores. Returns the exit status."""
     single: list[Step] = []
     parallel: list[Step] = []
-    for step in _steps(extent):
-        if EXTENTS.index(step.least) <= EXTENTS.index(extent):
+    for step in _steps(is_long):
+        if is_long or not step.is_long:
             (parallel if step.parallel else single).append(step)
     passed = [*parallel_map(_passes, single, WORKERS), *map(_passes, parallel)]
     failed = [step.name for step, ok in zip([*single, *parallel], passed) if not ok]
@@ -57,18 +56,17 @@ def _passes(step: Step) -> bool:
     return passed
 
 
-def _steps(extent: str) -> list[Step]:
+def _steps(is_long: bool) -> list[Step]:
     return [
         Step("types: mypy", _mypy),
         Step("formatting: clang-format", _clang_format),
         Step("formatting: black", lambda: _command("black", "-q", "--check", *PYTHON)),
         Step("fixtures are what the kit writes", _fixtures),
         Step("C++ tests", _ctest),
-        Step("lint: clang-tidy", lambda: _clang_tidy(extent), "usual"),
-        Step("known mistakes: what the gallery is taken for", confusion.run, "long", True),
-        Step("C++ tests with sanitizers", _sanitized, "long", True),
-        Step("Python tests, the gallery among them", lambda: _pytest(extent), parallel=True),
-        Step("readers with a million inputs each", fuzz.run, "long", True),
+        Step("lint: clang-tidy", lambda: _clang_tidy(is_long)),
+        Step("C++ tests with sanitizers", _sanitized, True, True),
+        Step("Python tests, the gallery among them", lambda: _pytest(is_long), parallel=True),
+        Step("readers with a million inputs each", fuzz.run, True, True),
     ]
 
 
@@ -101,11 +99,11 @@ def _clang_format() -> int:
     return _command("clang-format", "--dry-run", "-Werror", *_sources(*CPP))
 
 
-def _clang_tidy(extent: str) -> int:
+def _clang_tidy(is_long: bool) -> int:
     """Looks at what was changed since the last commit but one; in a long run, at every file: each
     takes several seconds, mostly for headers of Eigen and the standard library."""
     files = ["(solution|grader/judge)/.*"]
-    if extent != "long":
+    if not is_long:
         command = ["git", "diff", "--name-only", "HEAD~1", "--", "solution", "grader/judge"]
         changed = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
         files = [name for name in changed.stdout.split() if name.endswith(".cpp")]
@@ -139,7 +137,7 @@ def _sanitized() -> int:
     )
 
 
-def _pytest(extent: str) -> int:
-    chosen = {"quick": ["-m", "not slow and not long"], "usual": ["-m", "not long"]}.get(extent, [])
+def _pytest(is_long: bool) -> int:
+    chosen = [] if is_long else ["-m", "not long"]
     workers = ["-n", str(WORKERS), "--dist", "loadgroup"]
     return _command(sys.executable, "-m", "pytest", "-q", *workers, *chosen)

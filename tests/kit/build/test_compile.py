@@ -192,7 +192,6 @@ def test_what_is_timed_is_built_by_gcc_as_a_program_is_too(tmp_path: Path) -> No
     assert not compiling.compile_all(taken, tmp_path, Box("none"), 1).parts[1].path
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("size, kept", [(8_000_000, 5), (30_000_000, 0)])
 def test_helpers_fill_no_disk(tmp_path: Path, size: int, kept: int) -> None:
     """Neither by what is kept nor by what is refused."""
@@ -314,7 +313,6 @@ def test_words_of_a_submission_are_not_the_boxs(grade: Grade) -> None:
     assert record["parts"][0]["status"] == "does_not_compile"
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize(
     "room", [100, *(pytest.param(kb, marks=pytest.mark.long) for kb in range(20, 2000, 30))]
 )

@@ -79,7 +79,7 @@ def test_gradings_end_with_the_class(tmp_path: Path, users: list[int]) -> None:
 @pytest.mark.parametrize(
     "number, kills",
     [
-        pytest.param(20, 4, marks=pytest.mark.slow),
+        (20, 4),
         pytest.param(100, 20, marks=pytest.mark.long),
     ],
 )

@@ -57,7 +57,6 @@ def same(out: Path, source: Path, tmp_path: Path) -> bool:
 
 
 @needs_dask
-@pytest.mark.slow
 def test_dask_survives_workers_that_are_killed(cluster: Cluster, tmp_path: Path) -> None:
     source, out = download(tmp_path / "x.zip", 40), tmp_path / "out"
     first, second = cluster.worker(), cluster.worker()
@@ -77,7 +76,6 @@ def test_dask_survives_workers_that_are_killed(cluster: Cluster, tmp_path: Path)
 
 
 @needs_dask
-@pytest.mark.slow
 def test_dask_does_again_what_a_worker_took_with_it(cluster: Cluster, tmp_path: Path) -> None:
     """A worker may die between the end of a grading and the collection of its outcome."""
     from distributed import Client
@@ -101,7 +99,6 @@ def test_dask_does_again_what_a_worker_took_with_it(cluster: Cluster, tmp_path: 
 
 
 @needs_dask
-@pytest.mark.slow
 def test_dask_goes_on_if_a_worker_dies_when_it_is_asked_for_the_kit(
     cluster: Cluster, tmp_path: Path
 ) -> None:
@@ -191,7 +188,6 @@ def by_hand(folder: Path, jobs: range) -> None:
         assert done.returncode == 0, done.stderr
 
 
-@pytest.mark.slow
 def test_slurms_chunks_run_by_hand_give_the_class(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

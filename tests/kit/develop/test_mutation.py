@@ -48,7 +48,6 @@ def of_part(part: Part) -> list[Change]:
     return [change for change in all_changes() if change.file == part.file]
 
 
-@pytest.mark.slow
 def test_a_sample_of_small_changes_loses_points(record_property: Tell) -> None:
     found = [outcome for part in parts() for outcome in outcomes(of_part(part)[::EVERY])]
     assert faults(found) == []
@@ -63,7 +62,6 @@ def test_every_small_change_loses_points_or_is_excused(file: str, record_propert
     assert faults(found) == []
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("part", parts(), ids=lambda part: part.stem)
 def test_random_questions_tell_the_solution_from_a_change(part: Part) -> None:
     wrong = next(c for c in of_part(part) if c.name in TOLD_APART)
@@ -90,7 +88,7 @@ def test_random_questions_tell_what_loses_points_from_the_solution(part: Part) -
 
 # One in three hundred, from all parts; one in thirty in the long run.
 WHOLE = [
-    pytest.param(c, marks=[pytest.mark.slow if i % 10 == 0 else pytest.mark.long], id=str(i))
+    pytest.param(c, marks=[pytest.mark.long] if i % 10 else [], id=str(i))
     for i, c in enumerate(all_changes()[::30])
 ]
 

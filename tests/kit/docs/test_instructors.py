@@ -44,7 +44,6 @@ def place(tmp_path: Path) -> Path:
     return here
 
 
-@pytest.mark.slow
 def test_the_commands_run_in_their_order(place: Path) -> None:
     ran = []
     for command in COMMANDS:
@@ -68,7 +67,6 @@ def test_the_commands_run_in_their_order(place: Path) -> None:
     assert (place.parent / "hw3" / "cluster" / "slurm" / "1" / "submit.sh").exists()
 
 
-@pytest.mark.slow
 def test_the_grade_book_of_the_page_has_the_points(place: Path) -> None:
     command = next(c for c in COMMANDS if "--part-column" in c)
     subprocess.run(command, shell=True, cwd=place, check=True, capture_output=True)
@@ -248,7 +246,6 @@ int main(int, char** words) {  // passes if its parent holds no token
 """
 
 
-@pytest.mark.slow
 def test_classroom_50s_autograder_hands_on_no_token_and_follows_no_link(tmp_path: Path) -> None:
     part = {"part": 1, "stem": "part1", "checks": [{"id": "part1.A", "title": "a", "points": 1}]}
     handout_of_one = {

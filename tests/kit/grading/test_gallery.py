@@ -68,36 +68,11 @@ def known_as(folder: Path) -> list[str]:
     return [expected(folder).get("recognised_as", name) for name in own]
 
 
-# A grading takes several seconds of CPU time, and another entry of the usual run is graded the same
-# way: it hangs, crashes and is built again with sanitizers, or is compiled for long.
-TAKES_LONG = {
-    *("broken/part3_null_pointer_in_contact", "broken/part3_throws_where_it_must_not"),
-    *("broken/part4_integer_division_by_zero", "broken/part4_recursion_without_end"),
-    *("hostile/part1_constant_without_end", "hostile/part1_goes_on_after_the_cpu_limit"),
-    *("hostile/part1_hangs_before_main", "hostile/part1_ignores_its_cpu_limit"),
-    *("hostile/part1_prints_a_riddle_and_aborts", "hostile/part1_starts_a_daemon"),
-    *("hostile/part1_prints_without_pause_and_aborts", "hostile/part1_tower_of_macros"),
-    *("hostile/part1_swaps_its_pipes", "hostile/part1_traces_the_first_process"),
-    *("hostile/part2_traps_every_rounding", "hostile/part3_indirect_function_traps"),
-    *("hostile/part3_asks_the_box_next_door", "hostile/part3_throws_before_main"),
-    *("hostile/part4_constructor_crashes", "hostile/part4_sends_half_of_its_columns"),
-}
-
-
-def test_entries_that_take_long_are_in_the_gallery() -> None:
-    assert TAKES_LONG <= {name_of(folder) for folder in ALL}
-
-
 def run_of(number: int, folder: Path) -> list[pytest.MarkDecorator]:
-    """One in twenty-four is in the quick run. The usual one grades one in six; of the mistakes,
-    which differ in their numbers and not in how they run, one in twelve, and the judge sees one in
-    three."""
-    if name_of(folder) in TAKES_LONG:
-        return [pytest.mark.long]
-    if number % 24 == 0:
-        return []
+    """The usual run grades one in six; of the mistakes, which differ in their numbers and not in
+    how they run, one in twelve, and the judge sees one in three."""
     one_in = 12 if folder.parent.name == "mistakes" else 6
-    return [pytest.mark.long if number % one_in else pytest.mark.slow]
+    return [pytest.mark.long] if number % one_in else []
 
 
 @pytest.mark.parametrize(
@@ -117,7 +92,6 @@ def test_a_right_submission_gets_no_remark(folder: Path, tmp_path: Path) -> None
     assert not any(part["remarks"] for part in record["parts"]), shown(record)
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("folder", MISTAKES, ids=lambda folder: folder.name)
 @pytest.mark.usual(64)
 def test_a_mistake_costs_its_checks_and_is_named(folder: Path, tmp_path: Path) -> None:
@@ -130,7 +104,6 @@ def test_a_mistake_costs_its_checks_and_is_named(folder: Path, tmp_path: Path) -
     assert judged.mistakes == (mistake.recognised_as,)
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("folder", folders("rarely_wrong"), ids=lambda folder: folder.name)
 @pytest.mark.usual(7)
 def test_what_is_rarely_wrong_costs_its_checks(folder: Path, tmp_path: Path) -> None:
@@ -142,7 +115,6 @@ def test_what_is_rarely_wrong_costs_its_checks(folder: Path, tmp_path: Path) -> 
     assert sorted(lost_checks) == sorted(expected(folder)["lost"]) != []
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("folder", folders("accepted"), ids=lambda folder: folder.name)
 @pytest.mark.usual(6)
 def test_a_right_part_loses_nothing_beside_stubs(folder: Path, tmp_path: Path) -> None:
@@ -157,7 +129,6 @@ WRONG = [f for f in (*MISTAKES, *folders("rarely_wrong")) if not f.name.startswi
 RIGHT = [f for f in folders("accepted") if not expected(f).get("alone")]
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("number, wrong", enumerate(WRONG), ids=lambda x: getattr(x, "name", ""))
 @pytest.mark.usual(8)
 def test_a_wrong_part_costs_the_right_ones_nothing(
@@ -206,11 +177,9 @@ def test_a_right_submission_loses_nothing_under_any_secret(
 IN_BOTH = [folder for folder in ALL if "reduced" in expected(folder)]
 
 
-def run_in_reduced_box(number: int, folder: Path) -> pytest.MarkDecorator:
-    return pytest.mark.long if number % 8 or name_of(folder) in TAKES_LONG else pytest.mark.slow
-
-
-IN_REDUCED = [pytest.param(f, marks=run_in_reduced_box(i, f)) for i, f in enumerate(IN_BOTH)]
+IN_REDUCED = [
+    pytest.param(f, marks=[pytest.mark.long] if i % 8 else []) for i, f in enumerate(IN_BOTH)
+]
 
 
 @pytest.mark.parametrize("folder", IN_REDUCED, ids=name_of)

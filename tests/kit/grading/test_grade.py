@@ -97,7 +97,6 @@ def test_what_is_asked_does_not_tell_what_was_right(grade: Grade, sign: str) -> 
         assert record["parts"][0]["status"] == status
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("part", [1, *(pytest.param(n, marks=pytest.mark.long) for n in (2, 4)), 3])
 @pytest.mark.parametrize("fault", FAULTS)
 @pytest.mark.usual(4)

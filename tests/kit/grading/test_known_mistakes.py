@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 from bounce_grader.common.errors import KitError
 from bounce_grader.common.manifest import parts
-from bounce_grader.develop import confusion
+from bounce_grader.common.paths import BUILD, FIXTURES
 from bounce_grader.grading import fixtures, known_mistakes
 from bounce_grader.grading.known_mistakes import (
     GALLERY,
@@ -18,6 +18,7 @@ from bounce_grader.grading.known_mistakes import (
     say_the_same,
     Mistake,
 )
+from bounce_grader.sandbox import processes
 from conftest import ROOT, Grade, solution_files
 
 MISTAKE = """# A title
@@ -167,9 +168,12 @@ def test_every_mistake_is_taken_for_itself_by_its_stored_answers() -> None:
         for entry in stored["mistakes"]:
             asked.append((part, _answers(stored["right"], entry["answers"]), entry["name"]))
         asked.append((part, stored["right"], ""))
-    told = confusion.recognised((part, answers) for part, answers, _ in asked)
-    for (_, _, name), (names, _) in zip(asked, told):
-        assert names == ((name,) if name else ())
+    lines = [json.dumps({"part": part.number, "answers": got}) for part, got, _ in asked]
+    command = [str(BUILD / "recogniser"), str(FIXTURES / "public")]
+    result = processes.run(command, known_mistakes.LIMITS, stdin="\n".join(lines).encode())
+    assert result.ok, result.err
+    for (_, _, name), line in zip(asked, result.out.splitlines()):
+        assert json.loads(line)["mistakes"] == ([name] if name else [])
 
 
 def _answers(right: list[Any], differences: dict[str, Any]) -> list[Any]:

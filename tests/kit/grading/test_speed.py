@@ -69,7 +69,6 @@ def test_the_solution_is_as_exact_and_as_fast_as_itself(tmp_path: Path) -> None:
     assert times["least"] < times["solution"] / 2
 
 
-@pytest.mark.slow
 def test_the_error_falls_with_the_step_and_is_the_same_each_time(tmp_path: Path) -> None:
     first, second = timed(tmp_path / "a"), timed(tmp_path / "b")
     assert worst(first) == worst(second)
@@ -79,7 +78,6 @@ def test_the_error_falls_with_the_step_and_is_the_same_each_time(tmp_path: Path)
         assert scene["least"][-1]["error"] <= scene["least"][0]["error"] + 1e-14  # rounding
 
 
-@pytest.mark.slow
 def test_who_does_everything_twice_takes_twice_as_long(tmp_path: Path) -> None:
     found = timed(tmp_path, around("const Trajectory first = honest(q_0, v_0, params);"))
     assert 1.4 < found["ratio"] < 3
@@ -115,7 +113,6 @@ def test_what_answers_otherwise_built_for_speed_has_no_curve(tmp_path: Path, nam
     assert board["name"] == "Points"
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize(
     "name",
     ["own_lcp_solver_by_enumeration", "contact_by_cases", "c_arrays_and_loops"]
@@ -160,7 +157,6 @@ WRONG = {
 }
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("name", WRONG)
 @pytest.mark.usual(2)
 def test_what_is_wrong_somewhere_has_no_times(tmp_path: Path, name: str) -> None:
@@ -223,7 +219,6 @@ CUT = {
 }
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("name", CUT)
 @pytest.mark.usual(2)
 def test_who_goes_too_far_is_cut_and_loses_nothing_by_it(tmp_path: Path, name: str) -> None:

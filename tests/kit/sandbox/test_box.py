@@ -54,14 +54,12 @@ def test_without_a_box_the_probe_can_do_it(words: list[str], tmp_path: Path) -> 
     assert could and words[0] in said or words[0] == "flood", said
 
 
-@pytest.mark.slow
 def test_the_doctor_finds_that_everything_holds() -> None:
     found = doctor.findings()
     assert len(found) >= 100
     assert not [f for f in found if not f.held]
 
 
-@pytest.mark.slow
 def test_it_holds_for_an_ordinary_user_too() -> None:
     if os.geteuid() != 0:
         pytest.skip("only root can become somebody else; the other test is an ordinary user's")

@@ -125,7 +125,6 @@ SPENDING = {
 }
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("way", SPENDING)
 @pytest.mark.usual(2)
 def test_a_part_that_hangs_costs_three_seconds_at_most(tmp_path: Path, way: str) -> None:

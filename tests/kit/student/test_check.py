@@ -62,7 +62,6 @@ def first(run: subprocess.CompletedProcess[str]) -> str:
     return run.stdout.partition("\nFirst: ")[2].partition("\nScore on")[0]
 
 
-@pytest.mark.slow
 def test_a_student_goes_from_the_stubs_to_full_points(home: Path) -> None:
     started, building = timed(home)
     assert (score(started), started.returncode) == ("0 / 100", 1)
@@ -110,7 +109,6 @@ RIGHT = [
 WRONG = sorted(MISTAKES.glob("part[123]_*"))
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("folder", RIGHT, ids=lambda folder: folder.name)
 @pytest.mark.usual(3)
 def test_a_right_part_loses_nothing_beside_stubs(home: Path, folder: Path) -> None:
@@ -125,7 +123,6 @@ def test_a_right_part_loses_nothing_beside_stubs(home: Path, folder: Path) -> No
         assert folder.name == "relative_to_the_start" and points(run)[2:] == ["8 / 30", "10 / 10"]
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("number, wrong", enumerate(WRONG), ids=lambda x: getattr(x, "name", ""))
 @pytest.mark.usual(4)
 def test_a_wrong_part_costs_the_right_ones_nothing(home: Path, number: int, wrong: Path) -> None:
@@ -136,7 +133,6 @@ def test_a_wrong_part_costs_the_right_ones_nothing(home: Path, number: int, wron
     assert [p for i, p in enumerate(points(run), 1) if i != part] == full[: part - 1] + full[part:]
 
 
-@pytest.mark.slow
 def test_parts_that_cannot_be_linked_together_keep_their_points(home: Path) -> None:
     """As where the course grades each by itself."""
     put(home, ROOT / "tests/submissions/accepted/same_helper_in_two_parts")
@@ -146,7 +142,6 @@ def test_parts_that_cannot_be_linked_together_keep_their_points(home: Path) -> N
     assert run.returncode == 1
 
 
-@pytest.mark.slow
 def test_a_fault_that_its_own_checks_miss_is_not_the_later_parts(home: Path) -> None:
     """Part 1 is wrong beyond two turns, where only part 3 has public cases."""
     put(home)
@@ -159,7 +154,6 @@ def test_a_fault_that_its_own_checks_miss_is_not_the_later_parts(home: Path) -> 
     assert run.returncode == 1 and "Then submit" not in run.stdout
 
 
-@pytest.mark.slow
 def test_each_kind_of_failure_is_named_and_hides_no_other_part(home: Path) -> None:
     put(home, MISTAKES / "part3_friction_sign")
     wrong = check(home)
@@ -227,7 +221,6 @@ def test_each_way_to_end_is_named_and_hides_no_other_part(home: Path) -> None:
     assert "Your program printed" in first(exits) and "phi = " in first(exits)
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize(
     "constructor, told",
     [
@@ -246,7 +239,6 @@ def test_what_ends_before_main_is_told(home: Path, constructor: str, told: str) 
     assert told in first(run) and "Look at what runs before main" in first(run)
 
 
-@pytest.mark.slow
 def test_an_older_file_that_comes_back_is_built(home: Path) -> None:
     """As from a backup or a zip, with the time that it had."""
     put(home)
@@ -260,7 +252,6 @@ def test_an_older_file_that_comes_back_is_built(home: Path) -> None:
     assert score(check(home, "1")) == "30 / 30"
 
 
-@pytest.mark.slow
 def test_one_part_alone_says_what_else_may_be_wrong(home: Path) -> None:
     put(home, MISTAKES / "part3_friction_sign")
     alone = check(home, "3")
@@ -270,7 +261,6 @@ def test_one_part_alone_says_what_else_may_be_wrong(home: Path) -> None:
     assert both.returncode == 3 and "one part at a time, or all: ./check 3" in both.stderr
 
 
-@pytest.mark.slow
 def test_says_the_score_that_the_checks_add_up_to_and_one_part_alone(home: Path) -> None:
     put(home, MISTAKES / "part2_force_is_g")
     whole, alone = check(home), check(home, "2")
@@ -291,7 +281,6 @@ def worth(lost: list[str]) -> int:
     )
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize(
     "names",
     [
@@ -316,7 +305,6 @@ def test_the_points_are_those_that_the_course_gives(home: Path, names: tuple[str
     assert re.search(r"^  ✗ .* 0 / [1-9]$", run.stdout, re.M)  # what it is worth
 
 
-@pytest.mark.slow
 def test_what_no_right_part_asks_is_left_undecided_beside_a_wrong_part(home: Path) -> None:
     put(
         home,
@@ -328,7 +316,6 @@ def test_what_no_right_part_asks_is_left_undecided_beside_a_wrong_part(home: Pat
     assert "  ✗" not in run.stdout and run.returncode == 1
 
 
-@pytest.mark.slow
 def test_opens_a_stage_of_the_hint_at_a_time(home: Path) -> None:
     (home / "build/check/hint").unlink(missing_ok=True)
     put(home, MISTAKES / "part2_force_is_g")
@@ -344,7 +331,6 @@ def test_opens_a_stage_of_the_hint_at_a_time(home: Path) -> None:
     assert "no hint is needed" in check(home, "2", "--hint").stdout
 
 
-@pytest.mark.slow
 def test_watches_until_it_is_stopped(home: Path) -> None:
     put(home)
     watch = subprocess.Popen(
@@ -370,7 +356,6 @@ def test_watches_until_it_is_stopped(home: Path) -> None:
         watch.wait()
 
 
-@pytest.mark.slow
 def test_keys_while_watching_open_hints_choose_parts_and_end_it(home: Path) -> None:
     put(home, MISTAKES / "part1_turned_clockwise")
     (home / "build/check/hint").unlink(missing_ok=True)
@@ -408,7 +393,6 @@ def test_keys_while_watching_open_hints_choose_parts_and_end_it(home: Path) -> N
         os.close(of_check)
 
 
-@pytest.mark.slow
 def test_checks_at_the_same_time_give_one_score(home: Path) -> None:
     put(home, MISTAKES / "part3_friction_sign")
     several = [
@@ -445,7 +429,6 @@ def test_names_the_part_that_is_missing(tmp_path: Path, home: Path) -> None:
         part.write_bytes((SOLUTION / part.name).read_bytes())
 
 
-@pytest.mark.slow
 @pytest.mark.usual(1)
 @pytest.mark.parametrize(
     "name",

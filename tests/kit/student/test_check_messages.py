@@ -8,7 +8,7 @@ import pytest
 from conftest import SOLUTION
 from test_check import check, first, MISTAKES, put, score, UNDEFINED
 
-pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("student")]
+pytestmark = pytest.mark.xdist_group("student")
 
 
 def change(home: Path, stem: str, old: str, new: str) -> None:
@@ -250,7 +250,6 @@ def test_sanitizers_find_what_a_right_answer_hides(home: Path) -> None:
     assert "src/part2_lcp.cpp:15: shift exponent" in told
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize(
     "folder, place",
     [
@@ -271,7 +270,6 @@ def test_full_points_are_looked_at_with_sanitizers(home: Path, folder: str, plac
     assert "Looking for undefined behaviour" not in again.stdout
 
 
-@pytest.mark.slow
 def test_where_there_are_no_sanitizers_it_says_so(home: Path) -> None:
     put(home)
     (home / "src/part1_contacts.cpp").write_text(

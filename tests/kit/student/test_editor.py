@@ -47,7 +47,6 @@ def test_clangd_finds_no_fault_in_the_stubs(tmp_path: Path) -> None:
         assert not re.search(r"^[EW]\[", done.stderr, re.M), done.stderr
 
 
-@pytest.mark.slow
 @pytest.mark.xdist_group("student")
 def test_the_worked_example_prints_the_handouts_numbers(home: Path) -> None:
     put(home)
@@ -63,7 +62,6 @@ def test_the_worked_example_prints_the_handouts_numbers(home: Path) -> None:
     assert "0.0551012" in printed and "phi = 0.00041433 m" in printed
 
 
-@pytest.mark.slow
 @pytest.mark.xdist_group("student")
 def test_a_debugger_stops_before_the_first_wrong_case_is_asked_again(home: Path) -> None:
     put(home, MISTAKES / "part2_force_is_g")

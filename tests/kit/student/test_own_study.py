@@ -106,7 +106,6 @@ def test_names_scenes_that_are_there() -> None:
     assert len(re.findall(r"^other ", text, re.M)) == 3 * len(handout_study.STUDIED)
 
 
-@pytest.mark.slow
 @pytest.mark.xdist_group("student")
 def test_a_scene_lasts_as_long_with_another_step_unless_its_columns_are_told(home: Path) -> None:
     put(home)
@@ -134,7 +133,6 @@ def sentences(page: Path) -> str:
     return "\n".join(re.findall(r"<figcaption>(.*?)</figcaption>", page.read_text(), re.S))
 
 
-@pytest.mark.slow
 @pytest.mark.xdist_group("student")
 def test_studies_the_students_own_parts(home: Path) -> None:
     page = home / "study.html"
@@ -153,7 +151,6 @@ def test_studies_the_students_own_parts(home: Path) -> None:
     assert "Some checks fail" not in page.read_text() and not re.search("https?:", page.read_text())
 
 
-@pytest.mark.slow
 @pytest.mark.xdist_group("student")
 def test_no_page_of_a_program_that_gives_other_numbers_when_it_is_optimised(home: Path) -> None:
     page = home / "study.html"
@@ -181,7 +178,6 @@ def test_a_study_tells_what_keeps_a_wrong_part_from_the_truth(home: Path) -> Non
     assert "another number of columns" in sentences(page)
 
 
-@pytest.mark.slow
 @pytest.mark.xdist_group("student")
 def test_says_why_nothing_was_studied(home: Path) -> None:
     put(home)
@@ -249,7 +245,6 @@ WRONG_ON_REAL = {
 }
 
 
-@pytest.mark.slow
 @pytest.mark.xdist_group("student")
 def test_asks_the_students_own_part_2_about_measured_impacts(home: Path) -> None:
     page = home / "real.html"
@@ -268,7 +263,6 @@ def test_asks_the_students_own_part_2_about_measured_impacts(home: Path) -> None
     assert "Checks of part 2" not in page.read_text() and not re.search("https?:", page.read_text())
 
 
-@pytest.mark.slow
 @pytest.mark.xdist_group("student")
 @pytest.mark.parametrize("mistake", WRONG_ON_REAL)
 @pytest.mark.usual(1)
