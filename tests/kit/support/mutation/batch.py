@@ -19,7 +19,7 @@ from bounce_grader.sandbox.box import Box
 
 from mutation.changes import Change
 
-COMPILE = processes.Limits(600, 3600, 8 << 30, file_size=64 << 20, errors=64 << 20)
+COMPILE = processes.Limits(600, 3600, 8 << 30, file_size=64 << 20, output=64 << 20, errors=64 << 20)
 NAMESPACE = "namespace bounce {"
 MOST_ROUNDS = 20
 
