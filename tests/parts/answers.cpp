@@ -1,6 +1,7 @@
 #include "answers.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <map>
 
@@ -58,7 +59,9 @@ Eigen::VectorXd numbers_of(const Lcp& lcp) {
 Eigen::VectorXd numbers_of(const State& next, const Case& c) {
   Eigen::VectorXd numbers(6);
   for (Eigen::Index i = 0; i < 3; ++i) {
-    numbers(i) = next.q(i) - c.q(i) - c.params.dt * next.v(i);
+    const double move = next.q(i) - c.q(i) - c.params.dt * next.v(i);
+    const double rounding = 1e-14 * (1 + std::abs(next.q(i)) + std::abs(c.q(i)));
+    numbers(i) = std::abs(move) < rounding ? 0 : move;
     numbers(3 + i) = next.v(i);
   }
   return numbers;

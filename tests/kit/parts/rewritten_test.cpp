@@ -136,7 +136,10 @@ TEST(rewritten, TheSameIsSaidOfTheNumbersOfOtherCode) {
     };
     for (const Mistake& m : part.known.mistakes) {
       const std::vector<Answer> got = answers_of(part, {m.name}, 1 % Rewritten::kWays[number - 1]);
-      if (!same_answers(got, part.known.right)) EXPECT_EQ(said(got), said(m.answers)) << m.name;
+      const bool shows = !same_answers(got, part.known.right);
+      if (shows) {
+        EXPECT_EQ(said(got), said(m.answers)) << m.name;
+      }
     }
   }
 }
