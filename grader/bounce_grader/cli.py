@@ -129,7 +129,13 @@ def _parser() -> argparse.ArgumentParser:
     bench.set_defaults(command=_bench)
 
     test = commands.add_parser("test", help="run every test of the kit")
-    test.add_argument(
+    extent = test.add_mutually_exclusive_group()
+    extent.add_argument(
+        "--accept",
+        action="store_true",
+        help="write what golden tests expect anew, for you to read in the diff",
+    )
+    extent.add_argument(
         "--long",
         action="store_true",
         help="with sanitizers, and a million inputs for each reader, too",
@@ -233,4 +239,4 @@ def _bench(options: argparse.Namespace) -> int:
 def _test(options: argparse.Namespace) -> int:
     from bounce_grader.develop import selftest
 
-    return selftest.run(options.long)
+    return selftest.accept() if options.accept else selftest.run(options.long)

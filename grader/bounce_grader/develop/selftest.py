@@ -7,6 +7,7 @@ import time
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from bounce_grader.common.errors import UsageError
 from bounce_grader.common.parallel_map import parallel_map
 from bounce_grader.common.paths import BUILD, ROOT
 from bounce_grader.develop import fuzz
@@ -47,6 +48,16 @@ def run(is_long: bool) -> int:
     if failed:
         print(f"failed: {', '.join(failed)}")
     return int(bool(failed))
+
+
+def accept() -> int:
+    """Writes anew what the golden tests expect. Raises UsageError in CI, where nobody reads it."""
+    if os.environ.get("CI"):
+        raise UsageError("--accept is for a person who reads the diff; in CI there is none")
+    os.environ["BOUNCE_ACCEPT"] = "1"
+    status = _command(sys.executable, "-m", "pytest", "-q", "-n", str(WORKERS), "-m", "golden")
+    print("What is expected was written anew; read it: git diff tests/kit", flush=True)
+    return status
 
 
 def _passes(step: Step) -> bool:
