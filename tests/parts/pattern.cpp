@@ -17,14 +17,16 @@ namespace {
 using Eigen::Index;
 
 constexpr std::size_t kMost = 5;  // sentences
+constexpr std::size_t kMostEntries = 4;
 
-// "J_t (third entry)", or the name alone if all entries are wrong.
+// "J_t (third entry)", or the name alone if all entries are wrong, or many.
 std::string with_entries(const Quantity& quantity, const std::set<Index>& wrong) {
   Words names;
   for (std::size_t i = 0; i < quantity.names.size(); ++i) {
     if (wrong.count(quantity.entries[i]) > 0) names.push_back(quantity.names[i]);
   }
-  if (names.empty() || names.size() == quantity.names.size()) return quantity.name;
+  const bool are_all = names.size() == quantity.names.size();
+  if (names.empty() || are_all || names.size() > kMostEntries) return quantity.name;
   return quantity.name + " (" + joined(names) + ")";
 }
 

@@ -22,7 +22,13 @@ std::vector<Quantity> quantities(int part) {
     return {{"J_t", range(0, 3), entries}, {"J_n", range(3, 3), entries}, {"phi", {6}, {}}};
   }
   if (part == 2) {
-    return {{"the 3x3 block of V", {0, 1, 2, 4, 5, 6, 8, 9, 10}, {}},
+    Words block;
+    for (const char* column : {"0", "1", "2"}) {
+      for (const char* row : {"0", "1", "2"}) {
+        block.push_back(std::string("V(") + row + ", " + column + ")");
+      }
+    }
+    return {{"the 3x3 block of V", {0, 1, 2, 4, 5, 6, 8, 9, 10}, block},
             {"the last column of V", range(12, 4), {"V(0, 3)", "V(1, 3)", "V(2, 3)", "V(3, 3)"}},
             {"the last row of V", range(3, 4, 4), {"V(3, 0)", "V(3, 1)", "V(3, 2)", "V(3, 3)"}},
             {"p(0)", {16}, {}},

@@ -68,16 +68,7 @@ def known_as(folder: Path) -> list[str]:
     return [expected(folder).get("recognised_as", name) for name in own]
 
 
-def run_of(number: int, folder: Path) -> list[pytest.MarkDecorator]:
-    """The usual run grades one in six; of the mistakes, which differ in their numbers and not in
-    how they run, one in twelve, and the judge sees one in three."""
-    one_in = 12 if folder.parent.name == "mistakes" else 6
-    return [pytest.mark.long] if number % one_in else []
-
-
-@pytest.mark.parametrize(
-    "folder", [pytest.param(f, marks=run_of(i, f)) for i, f in enumerate(ALL)], ids=name_of
-)
+@pytest.mark.parametrize("folder", ALL, ids=name_of)
 def test_gets_what_it_should(folder: Path, tmp_path: Path) -> None:
     remarked = Options(sanitize=folder.parent.name == "undefined")
     record = grade(submission_of(folder, tmp_path / "submission"), remarked)
@@ -92,31 +83,8 @@ def test_a_right_submission_gets_no_remark(folder: Path, tmp_path: Path) -> None
     assert not any(part["remarks"] for part in record["parts"]), shown(record)
 
 
-@pytest.mark.parametrize("folder", MISTAKES, ids=lambda folder: folder.name)
-@pytest.mark.usual(64)
-def test_a_mistake_costs_its_checks_and_is_named(folder: Path, tmp_path: Path) -> None:
-    """Judges only the mistaken part, without a box."""
-    mistake = known_mistakes.read(folder)
-    runner = known_mistakes.runner_of(folder, mistake.part, tmp_path)
-    given, box = bool(mistake.part.calls), known_mistakes.TRUSTED
-    judged = judge(mistake.part, runner, given, hidden_folder(), box, recognise=True)
-    assert sorted(id for id, v in judged.verdicts.items() if not v.passed) == sorted(mistake.lost)
-    assert judged.mistakes == (mistake.recognised_as,)
-
-
-@pytest.mark.parametrize("folder", folders("rarely_wrong"), ids=lambda folder: folder.name)
-@pytest.mark.usual(7)
-def test_what_is_rarely_wrong_costs_its_checks(folder: Path, tmp_path: Path) -> None:
-    """Judges only the part that is wrong, without a box."""
-    part = next(p for p in parts() if folder.name.startswith(f"part{p.number}"))
-    runner = known_mistakes.runner_of(folder, part, tmp_path)
-    judged = judge(part, runner, bool(part.calls), hidden_folder(), known_mistakes.TRUSTED)
-    lost_checks = [id for id, verdict in judged.verdicts.items() if not verdict.passed]
-    assert sorted(lost_checks) == sorted(expected(folder)["lost"]) != []
-
-
+@pytest.mark.long
 @pytest.mark.parametrize("folder", folders("accepted"), ids=lambda folder: folder.name)
-@pytest.mark.usual(6)
 def test_a_right_part_loses_nothing_beside_stubs(folder: Path, tmp_path: Path) -> None:
     submission = submission_of(folder, tmp_path / "submission")
     for stub in sorted(STUBS.glob("part[12]*.cpp")):
@@ -135,7 +103,7 @@ RIGHT = [
 
 
 @pytest.mark.parametrize("number, wrong", enumerate(WRONG), ids=lambda x: getattr(x, "name", ""))
-@pytest.mark.usual(8)
+@pytest.mark.long
 def test_a_wrong_part_costs_the_right_ones_nothing(
     number: int, wrong: Path, tmp_path: Path
 ) -> None:
@@ -182,12 +150,8 @@ def test_a_right_submission_loses_nothing_under_any_secret(
 IN_BOTH = [folder for folder in ALL if "reduced" in expected(folder)]
 
 
-IN_REDUCED = [
-    pytest.param(f, marks=[pytest.mark.long] if i % 8 else []) for i, f in enumerate(IN_BOTH)
-]
-
-
-@pytest.mark.parametrize("folder", IN_REDUCED, ids=name_of)
+@pytest.mark.long
+@pytest.mark.parametrize("folder", IN_BOTH, ids=name_of)
 def test_gets_what_it_should_in_the_reduced_box(folder: Path, tmp_path: Path) -> None:
     """For submissions that attack the box, or write a file in it."""
     submission = submission_of(folder, tmp_path / "submission")
