@@ -22,7 +22,11 @@ def headings() -> dict[str, str]:
 
 
 def diagnosed(part: int, diagnosis: str) -> str:
-    """The heading of the hint for what is told of a part's mistake; empty if it names none."""
+    """The heading of the hint for what is told of a part's mistake: the one that is named, or that
+    of the words which come first; empty if there is none."""
+    named = re.search(r"and hint (\d+\.\d+ .+?)\.", diagnosis)
+    if named:
+        return named[1]
     found = {diagnosis.find(words): to for words, to in _words() if to.startswith(f"{part}.")}
     return found[min(found.keys() - {-1})] if found.keys() - {-1} else ""
 
@@ -36,7 +40,6 @@ def _words() -> list[tuple[str, str]]:
         for line in _text(part).splitlines():
             if line.startswith("## "):
                 heading = line[3:]
-                words.append((f"hint {heading}", heading))
             if line.startswith("Diagnoses: "):
                 words += [(said, heading) for said in line.partition(": ")[2].split("; ")]
     return words

@@ -305,6 +305,12 @@ def test_opens_the_hint_of_what_the_diagnosis_names(home: Path) -> None:
     assert stage(home) == ("1.3", "1")
 
 
+def test_opens_the_hint_that_a_known_mistake_names(home: Path) -> None:
+    """And not the one whose words its sentence has: "your q'", 3.6."""
+    put(home, MISTAKES / "part3_no_lift_when_leaving")
+    assert "Hint 3.4 A corner that leaves: ./check 3 --hint" in first(check(home, "3"))
+
+
 def test_another_mistake_starts_at_the_first_stage(home: Path) -> None:
     put(home)
     stub = (SOLUTION.parents[1] / "student/src/part1_contacts.cpp").read_text()
