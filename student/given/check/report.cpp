@@ -104,7 +104,9 @@ void print_fault_of_earlier(const Run& run) {
   std::cout << "\n"
             << style().bold << "Part " << run.fault_shows_in->number
             << " does better with right earlier parts in place of yours." << style().plain
-            << "\nSo one of yours is wrong in a case that its own checks don't ask. With yours:\n";
+            << "\nSo one of yours is wrong in a case that its own checks don't ask, unless part "
+            << run.fault_shows_in->number
+            << " keeps\nsomething from one call to the next. With yours:\n";
   print_text(run.fault);
 }
 

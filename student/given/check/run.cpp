@@ -281,6 +281,7 @@ void judge(Run& run, const std::vector<const Part*>& parts) {
 // A fault of an earlier part that its own public checks don't ask.
 void find_fault_of_earlier(Run& run, const Part& part) {
   if (!run.given.count(part.number) || is_an_earlier_wrong(run, part)) return;
+  if (points_of(part) < part.points) return;  // that it is wrong itself comes first
   for (const Check& check : part.checks) {
     const Noted own = read_note(own_notes_of(part) / check.id);
     if (own.status == "passed" || own.text.empty()) continue;
