@@ -25,13 +25,12 @@ class State:
         self.gone: set[int] = set()  # files
         self.elsewhere: dict[int, str] = {}  # where a file's address leads
         self.tokens_elsewhere: list[str] = []
-        self.requests = 0
 
-    def add(self, user: int, name: str, files: dict[str, bytes], **more: Any) -> None:
+    def add(self, user: int, name: str, files: dict[str, str | int], **more: Any) -> None:
         attachments = []
-        for number, (file, data) in enumerate(files.items()):
+        for number, (file, text) in enumerate(files.items()):
             id = user * 10 + number
-            self.files[id] = data
+            self.files[id] = text.encode() if isinstance(text, str) else bytes(text)
             attachments.append({"id": id, "display_name": file, "url": f"@/files/{id}/download"})
         self.submissions[user] = {
             "user_id": user,
@@ -42,6 +41,28 @@ class State:
             "seconds_late": 0,
             **more,
         }
+
+    def change(self, changes: dict[str, Any]) -> None:
+        """What is added, becomes other or goes wrong from now on."""
+        for one in changes.get("add", []):
+            self.add(**one)
+        for user, values in changes.get("set", {}).items():
+            self.submissions[int(user)] |= {name: value or None for name, value in values.items()}
+        for user, values in changes.get("attachment", {}).items():
+            self.submissions[int(user)]["attachments"][0] |= values  # "" is none
+        self.elsewhere |= {int(file): url for file, url in changes.get("elsewhere", {}).items()}
+        self.gone |= set(changes.get("gone", []))
+        self.refused |= set(changes.get("refused", []))
+        self.limited = changes.get("limited", self.limited)
+        self.broken_after = changes.get("broken_after", self.broken_after)
+
+    def shown(self) -> str:
+        """The points and the number of pages that everybody has, and where the token went."""
+        return "".join(
+            f"{user} {one['user']['sortable_name']}: {one['score']} points, "
+            f"{len(self.comments.get(user, []))} pages\n"
+            for user, one in self.submissions.items()
+        ) + "".join(f"elsewhere: {token}\n" for token in self.tokens_elsewhere)
 
 
 class Handler(BaseHTTPRequestHandler):
@@ -60,7 +81,6 @@ class Handler(BaseHTTPRequestHandler):
         self.wfile.write(data)
 
     def _is_refused(self) -> bool:
-        self.state.requests += 1
         if self.state.limited:
             self.state.limited -= 1
             code = 403 if self.state.limited % 2 else 429
