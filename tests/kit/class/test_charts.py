@@ -63,16 +63,12 @@ def test_marks_and_lines_differ_without_colour() -> None:
     marks = re.findall(r"<((?:circle|path) [^>]*)><title>", str(drawn))
     assert len({re.sub(r' (c?[xyr]|d)="[^"]*"', "", mark) for mark in marks}) == 3
     places = tuple((10.0**-k, 10.0**k) for k in range(7))
-    lines = charts.error_against_time([Curve(places, kind, kind) for kind in kinds], 1e-3)
+    odd = Curve(((1e-300, None), (1e300, 1e300), (1.0, 0.0)), "none", "<b>")
+    lines = charts.error_against_time([*(Curve(places, kind, kind) for kind in kinds), odd], 1e-3)
+    assert "nan" not in lines and "<b>" not in lines
     shapes = dict(re.findall(r'<marker id="(\w+)"[^>]*>(<[^>]*>)', lines))
     assert set(shapes) == set(kinds) and len(set(shapes.values())) == len(kinds)
     assert set(re.findall(r"#[0-9a-f]{3,6}\b", drawn + lines)) <= {"#111", "#444", "#999", "#fff"}
-
-
-def test_odd_numbers_and_names_are_drawn() -> None:
-    odd = Curve(((1e-300, None), (1e300, 1e300), (1.0, 0.0)), "none", "<b>")
-    drawn = charts.error_against_time([odd], 1e-3)
-    assert "nan" not in drawn and "<b>" not in drawn
 
 
 def test_labels_of_a_curve_lie_apart_and_within_the_frame() -> None:

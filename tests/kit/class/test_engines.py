@@ -166,15 +166,6 @@ def test_a_scheduler_that_dies_is_said_and_costs_nothing(cluster: Cluster, tmp_p
     assert same(out, source, tmp_path)
 
 
-def by_hand(folder: Path, jobs: range) -> None:
-    """The array's script, as Slurm would run it."""
-    for job in jobs:
-        environment = {**os.environ, "SLURM_ARRAY_TASK_ID": str(job)}
-        script = ["sh", str(folder / "grade.sbatch")]
-        done = subprocess.run(script, env=environment, capture_output=True, text=True, check=False)
-        assert done.returncode == 0, done.stderr
-
-
 def test_slurms_chunks_run_by_hand_give_the_class(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -185,9 +176,11 @@ def test_slurms_chunks_run_by_hand_give_the_class(
     folder = out / "slurm" / "1"
     assert not (out / "gradebook.csv").exists()
     assert subprocess.run(["sh", "-n", str(folder / "submit.sh")], check=False).returncode == 0
-    by_hand(folder, range(1, 2))
-    assert run.run(asked) == 0
+    environment = {**os.environ, "SLURM_ARRAY_TASK_ID": "1"}
+    subprocess.run(["sh", str(folder / "grade.sbatch")], env=environment, check=True)
+    assert run.run(asked) == run.run(Request(source, tmp_path / "calm")) == 0
     assert not (out / "slurm" / "2").exists()
+    assert all((out / n).read_bytes() == (tmp_path / "calm" / n).read_bytes() for n in NAMES)
     assert (out / "gradebook.csv").read_text().count("100.00") == 1 + 21
 
 

@@ -17,13 +17,6 @@ from stand_in import started
 from waiting import wait_for
 
 
-@pytest.fixture
-def short_folder() -> Iterator[Path]:
-    """A short TMPDIR: sockets are made there, and their paths may have about a hundred bytes."""
-    with tempfile.TemporaryDirectory() as name:
-        yield Path(name)
-
-
 def test_ctrl_c_says_how_to_go_on_wherever_it_comes(
     tmp_path: Path,
     users: list[int],
@@ -41,20 +34,22 @@ def test_ctrl_c_says_how_to_go_on_wherever_it_comes(
 
 
 def test_ctrl_c_stops_and_says_how_to_go_on(
-    tmp_path: Path, users: list[int], short_folder: Path, monkeypatch: pytest.MonkeyPatch
+    tmp_path: Path, users: list[int], monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    """And leaves no temporary folder; one for sockets needs a short path."""
     source, out = download(tmp_path / "x.zip", users), tmp_path / "out"
-    monkeypatch.setenv("TMPDIR", str(short_folder))
-    with started(source, out, seconds=2) as process:
+    short = tempfile.TemporaryDirectory()
+    monkeypatch.setenv("TMPDIR", short.name)
+    with short, started(source, out, seconds=2) as process:
         wait_for(lambda: len(results.keys(out / "results")) >= 2)
         with pytest.raises(UsageError, match="another run is under way"):
             grade_class(source, out)
         process.send_signal(signal.SIGINT)
         _, said = process.communicate(timeout=30)
+        assert not list(Path(short.name).glob("bounce-*"))
     assert process.returncode != 0
     assert "of 10 submissions are graded and kept. Run the same command again to go on." in said
     assert out.stat().st_mode & 0o077 == 0  # it holds points and answers
-    assert not [left for left in short_folder.iterdir() if left.name.startswith("bounce-")]
     there = results.keys(out / "results")
     assert 2 <= len(there) < 10
     assert grade_class(source, out) == 0
@@ -71,13 +66,10 @@ def test_gradings_end_with_the_class(tmp_path: Path, users: list[int]) -> None:
     assert results.keys(out / "results") == there
 
 
-@pytest.mark.parametrize(
-    "number, kills",
-    [
-        (20, 4),
-        pytest.param(100, 20, marks=pytest.mark.long),
-    ],
-)
+LONG = pytest.param(100, 20, marks=pytest.mark.long)
+
+
+@pytest.mark.parametrize("number, kills", [(20, 4), LONG])
 def test_survives_being_killed_at_any_moment(tmp_path: Path, number: int, kills: int) -> None:
     """No result is lost, half or there twice, and the grade book is as if undisturbed."""
     users = list(range(101, 101 + number))
@@ -108,18 +100,13 @@ def test_survives_being_killed_at_any_moment(tmp_path: Path, number: int, kills:
 def test_a_grading_that_kills_its_worker_costs_nobody_else(
     tmp_path: Path, users: list[int], capsys: pytest.CaptureFixture[str]
 ) -> None:
-    bad = {
-        "roe_301_3010_part2_lcp.cpp": b"// kills its grader",
-        "poe_302_3020_part2_lcp.cpp": b"// breaks the kit",
-    }
-    out = tmp_path / "out"
+    bad, out = {"roe_301_3010_part2_lcp.cpp": b"// kills its grader"}, tmp_path / "out"
     assert grade_class(download(tmp_path / "x.zip", users, bad), out) == 3
-    said = capsys.readouterr().out
-    assert "roe (301): the kit failed: its process ended with status -9" in said
-    assert "poe (302): the kit failed: no compiler" in said
+    said = "roe (301): the kit failed: its process ended with status -9"
+    assert said in capsys.readouterr().out
     assert column(out / "gradebook.csv") == points_of(users)
     failed = [line for line in log.read(out / "log.jsonl") if line["event"] == "failed"]
-    assert len(failed) == 2 * grading.TRIES
+    assert len(failed) == grading.TRIES
     assert not any("roe" in page.name for page in (out / "feedback").iterdir())
 
 

@@ -3,7 +3,6 @@ have a row for each."""
 
 import csv
 import io
-import zipfile
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
@@ -12,6 +11,7 @@ from bounce_grader.classroom.intake import blackboard, canvas, handed_in, moodle
 from bounce_grader.classroom.intake.canvas import Upload
 from bounce_grader.submission import submission
 from conftest import write
+from corpus import Member, zip_of
 
 
 def table(name: str) -> list[list[str]]:
@@ -88,20 +88,9 @@ def test_a_helper_has_the_name_that_it_is_included_by(
     assert set(files) == {"part1_contacts.cpp", included}
 
 
-class Unflagged(zipfile.ZipInfo):
-    """An entry whose name is UTF-8 without saying so, as Canvas and macOS write it."""
-
-    def _encodeFilenameFlags(self) -> tuple[bytes, int]:
-        return self.filename.encode(), self.flag_bits & ~0x800
-
-
-def test_names_that_canvas_writes_in_utf_8_without_saying_so(tmp_path: Path) -> None:
-    within = io.BytesIO()
-    with zipfile.ZipFile(within, "w") as archive:
-        archive.writestr(Unflagged("größe.hpp"), "// x")
-        archive.writestr(Unflagged("part2_lcp.cpp"), "// x")
-    with zipfile.ZipFile(tmp_path / "x.zip", "w") as archive:
-        archive.writestr(Unflagged("weißjürgen_1_2_hw.zip"), within.getvalue())
+def test_names_that_canvas_and_macos_write_in_utf_8_without_saying_so(tmp_path: Path) -> None:
+    within = zip_of(Member(name.encode()) for name in ("größe.hpp", "part2_lcp.cpp"))
+    write(tmp_path, {"x.zip": zip_of([Member("weißjürgen_1_2_hw.zip".encode(), within)])})
     (student,) = students.read(tmp_path / "x.zip").students
     assert student.feedback == "weißjürgen_1_2_feedback.html"
     files = handed_in.read(student.path, student.uploads).files

@@ -15,7 +15,6 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-import stand_in
 from bounce_grader import cli
 from bounce_grader.classroom import run
 from bounce_grader.classroom.output import outputs
@@ -142,30 +141,6 @@ def test_who_cannot_be_compared_needs_a_look(
     assert grade_class(download(tmp_path / "x.zip", [101, 102], uploads), tmp_path / "out") == 0
     assert "can't be compared" in row(tmp_path / "out", "301")["needs a look"]
     assert not row(tmp_path / "out", "101")["needs a look"]
-
-
-@pytest.mark.parametrize(
-    "error, status", [(KitError("x: No space left on device"), 3), (OSError(28, "full"), None)]
-)
-def test_a_full_disk_is_told_by_no_text(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, error: Exception, status: int | None
-) -> None:
-    """A failure of the kit on one submission may quote its texts; a full disk ends the run."""
-    whole = stand_in.grade
-
-    def grade(taken: submission.Submission, *more: Any, **named: Any) -> dict[str, Any]:
-        if b"// odd" in taken.files.values():
-            raise error
-        return whole(taken, *more, **named)
-
-    monkeypatch.setattr(stand_in, "grade", grade)
-    source = download(tmp_path / "x.zip", [101, 102], {"roe_001_1_part2_lcp.cpp": b"// odd"})
-    if status is None:
-        with pytest.raises(KitError, match="is full"):
-            grade_class(source, tmp_path / "out")
-    else:
-        assert grade_class(source, tmp_path / "out") == status
-        assert row(tmp_path / "out", "101")["score"]
 
 
 def test_a_page_for_which_there_is_no_room_is_no_students_fault(

@@ -10,7 +10,6 @@ import html
 import io
 import re
 import shlex
-import tarfile
 import zipfile
 from collections.abc import Iterator
 from functools import partial
@@ -25,6 +24,8 @@ from bounce_grader.classroom.intake import canvas_api, course
 from bounce_grader.classroom.work import engine_local, results, unit
 from canvas_server import running, State, TOKEN
 from conftest import write
+from corpus import Member, UTF8, zip_of
+from handed_in import packed_tar
 
 STORIES = Path(__file__).parent / "stories"
 COLUMNS = "id student late state score final adjustments".split() + ["needs a look", "not used"]
@@ -35,18 +36,9 @@ Outputs = dict[str, str]
 def packed(name: str, entries: dict[str, Any]) -> bytes:
     """A zip, or a tar by its name; an entry with entries of its own is an archive, too."""
     files = {n: packed(n, e) if isinstance(e, dict) else e.encode() for n, e in entries.items()}
-    data = io.BytesIO()
     if ".t" in name:
-        with tarfile.open(fileobj=data, mode="w:xz" if name.endswith("xz") else "w:gz") as tar:
-            for entry, text in files.items():
-                info = tarfile.TarInfo(entry)
-                info.size = len(text)
-                tar.addfile(info, io.BytesIO(text))
-    else:
-        with zipfile.ZipFile(data, "w") as archive:
-            for entry, text in files.items():
-                archive.writestr(entry, text)
-    return data.getvalue()
+        return packed_tar(files, "xz" if name.endswith("xz") else "gz")
+    return zip_of(Member(n.encode(), text, method=0, flags=UTF8) for n, text in files.items())
 
 
 def encoding_of(name: str) -> str:
@@ -77,7 +69,9 @@ def prepare(folder: Path, round: dict[str, Any]) -> None:
             text = text.replace(old, new)
         write(folder, {name: encoded(name, text)})
     for name, (old, new) in round.get("spoil", {}).items():
-        write(folder, {name: (folder / name).read_bytes().replace(old.encode(), new.encode())})
+        data = (folder / name).read_bytes()
+        assert old.encode() in data
+        write(folder, {name: data.replace(old.encode(), new.encode())})
     for name, source in round.get("move", {}).items():
         (folder / source).rename(folder / name)
     for name, target in round.get("link", {}).items():

@@ -12,6 +12,7 @@ from typing import Any
 
 TOKEN = "7~secretsecretsecret"
 PAGE = 3  # entries
+HTML = b"<!doctype html>"
 
 
 class State:
@@ -60,7 +61,7 @@ class State:
         """The points and the number of pages that everybody has, and where the token went."""
         return "".join(
             f"{user} {one['user']['sortable_name']}: {one['score']} points, "
-            f"{len(self.comments.get(user, []))} pages\n"
+            f"{sum(page.startswith(HTML) for page in self.comments.get(user, []))} pages\n"
             for user, one in self.submissions.items()
         ) + "".join(f"elsewhere: {token}\n" for token in self.tokens_elsewhere)
 
@@ -95,6 +96,11 @@ class Handler(BaseHTTPRequestHandler):
     def _origin(self) -> str:
         return f"http://{self.headers['Host']}"
 
+    @property
+    def _elsewhere(self) -> str:
+        """Another server, to which the token must not go."""
+        return self._origin.replace("127.0.0.1", "localhost")
+
     def do_GET(self) -> None:
         url = urllib.parse.urlsplit(self.path)
         if url.path.startswith("/stored/"):  # elsewhere, as on a server of files
@@ -109,9 +115,7 @@ class Handler(BaseHTTPRequestHandler):
         elif file and int(file[1]) in self.state.elsewhere:
             self._answer(302, b"", Location=self.state.elsewhere[int(file[1])])
         elif file:
-            host, port = self.headers["Host"].split(":")
-            other = {"127.0.0.1": "localhost"}.get(host, "127.0.0.1")
-            self._answer(302, b"", Location=f"http://{other}:{port}/stored/{file[1]}")
+            self._answer(302, b"", Location=f"{self._elsewhere}/stored/{file[1]}")
         elif url.path == "/api/v1/courses/7/assignments/9/submissions":
             first = int(urllib.parse.parse_qs(url.query).get("page", ["0"])[0])
             some = list(self.state.submissions.values())[first : first + PAGE]
@@ -126,20 +130,17 @@ class Handler(BaseHTTPRequestHandler):
         data = self.rfile.read(int(self.headers["Content-Length"]))
         if self.path == "/upload":
             self.state.tokens_elsewhere += filter(None, [self.headers.get("Authorization")])
+            assert b'name="key"' in data
             body = data.partition(b'filename="feedback.html"')[2].partition(b"\r\n\r\n")[2]
             id = 900_000 + len(self.state.files)
-            self.state.files[id] = body.rpartition(b"\r\n--")[0][: -len(b"")] or body
-            assert b'name="key"' in data
+            self.state.files[id] = body.rpartition(b"\r\n--")[0]
             self._answer(201, {"id": id})
             return
         if self._is_refused():
             return
         assert self.path.endswith("/comments/files") and b"content_type=text%2Fhtml" in data
-        host, port = self.headers["Host"].split(":")
-        other = {"127.0.0.1": "localhost"}.get(host, "127.0.0.1")
-        self._answer(
-            200, {"upload_url": f"http://{other}:{port}/upload", "upload_params": {"key": "x"}}
-        )
+        url = f"{self._elsewhere}/upload"
+        self._answer(200, {"upload_url": url, "upload_params": {"key": "x"}})
 
     def do_PUT(self) -> None:
         data = self.rfile.read(int(self.headers["Content-Length"]))

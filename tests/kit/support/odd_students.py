@@ -7,6 +7,7 @@ from functools import partial
 from pathlib import Path
 
 import corpus
+from conftest import write
 from corpus import Member
 
 PART = b"part2_lcp.cpp"
@@ -156,20 +157,19 @@ def _many(top: Path) -> None:
 
 
 def _zip(top: Path, data: bytes) -> None:
-    (top / "hw.zip").write_bytes(data)
+    write(top, {"hw.zip": data})
 
 
 def _git(top: Path) -> None:
-    (top / ".git" / "hooks").mkdir(parents=True)
-    (top / ".git" / "config").write_text("[core]\n\tfsmonitor = touch /tmp/was-run\n")
-    for name in ("post-checkout", "pre-commit"):
-        (top / ".git" / "hooks" / name).write_text("#!/bin/sh\ntouch /tmp/was-run\n")
+    hooks = ("post-checkout", "pre-commit")
+    write(top, {".git/config": b"[core]\n\tfsmonitor = touch /tmp/was-run\n"})
+    write(top / ".git" / "hooks", {name: b"#!/bin/sh\ntouch /tmp/was-run\n" for name in hooks})
+    for name in hooks:
         (top / ".git" / "hooks" / name).chmod(0o755)
 
 
 def _output(top: Path) -> None:
-    (top / "results").mkdir()
-    (top / "log.jsonl").write_text("{")
+    write(top, {"results/set.json": b"{", "log.jsonl": b"{"})
 
 
 FOLDERS: dict[str, Callable[[Path], None]] = {

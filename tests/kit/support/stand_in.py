@@ -51,9 +51,10 @@ def _said(text: str, word: str, otherwise: str = "") -> str:
 
 
 def _part(part: Part, text: str | None, later: bool, points: Mapping[str, float]) -> dict[str, Any]:
-    failing = int(_said(text or "", "fails", "0")) if text is not None else len(part.checks)
+    said = partial(_said, text or "")
+    failing = len(part.checks) if text is None else int(said("fails", "0"))
     if later:
-        failing = int(_said(text or "", "later", str(failing)))
+        failing = int(said("later", str(failing)))
     checks: list[dict[str, Any]] = [
         {
             "id": check.id,
@@ -67,18 +68,17 @@ def _part(part: Part, text: str | None, later: bool, points: Mapping[str, float]
         }
         for number, check in enumerate(part.checks)
     ]
-    name = _said(text or "", "mistake")
-    mistakes = [{**MISTAKE, "name": name}] if name else []
+    mistakes = [{**MISTAKE, "name": name}] if (name := said("mistake")) else []
     if "breaks its page" in (text or ""):
         mistakes = [UNPRINTABLE]
-    remark = _said(text or "", "remark")
+    remark = said("remark")
     return {
         "part": part.number,
         "stem": part.stem,
         "title": part.title,
         "score": sum(check["score"] for check in checks),
         "max_score": part.points,
-        "status": "not_submitted" if text is None else _said(text, "status", "graded"),
+        "status": "not_submitted" if text is None else said("status", "graded"),
         "message": "",
         "graded_with": "own",
         "mistakes": mistakes,
@@ -134,7 +134,7 @@ def grade(
     if b"kills its grader" in text:
         os.kill(os.getpid(), 9)
     if b"breaks the kit" in text:
-        raise KitError("no compiler")
+        raise KitError("no compiler: No space left on device")  # of its own words
     if b"divides by zero" in text:
         raise ZeroDivisionError("nobody thought of it")
     record = record_of(taken, later, points)
