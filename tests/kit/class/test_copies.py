@@ -7,13 +7,11 @@ from collections.abc import Sequence
 from pathlib import Path
 
 import pytest
-from bounce_grader.classroom.intake import handed_in, students
-from bounce_grader.classroom.intake.canvas import Upload
+from bounce_grader.classroom.intake import students
 from bounce_grader.classroom.work import near_copies
 from bounce_grader.classroom.work.near_copies import Similar
 from bounce_grader.classroom.work.task import Stamp, task_of
 from bounce_grader.common.paths import STUBS
-from bounce_grader.submission.submission import Submission
 from classes import grade_class, zipped
 from conftest import ROOT, solution_files, write
 from odd_students import repetitive
@@ -132,22 +130,6 @@ def test_comments_are_found_in_time_that_grows_with_the_text(unit: str) -> None:
     start = time.process_time()
     near_copies.code_of((unit * (200_000 // len(unit))).encode())
     assert time.process_time() - start < 5
-
-
-def test_a_submission_is_read_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """An archive may take seconds; one that can't be read isn't read again at all."""
-    whole = handed_in.read
-    read = []
-
-    def counted(path: Path, uploads: tuple[Upload, ...]) -> Submission:
-        read.append(uploads[0].user)
-        return whole(path, uploads)
-
-    monkeypatch.setattr(handed_in, "read", counted)
-    broken = {"doe_1_1_part3_step.cpp": b"int x;\n", "roe_2_2_hw.zip": bytes(1000)}
-    assert grade_class(zipped(tmp_path / "y.zip", broken), tmp_path / "out") == 0
-    # For its digest, and to be compared; the gradings read in processes of their own.
-    assert sorted(read) == ["1", "1", "2"]
 
 
 def test_who_is_left_out_needs_a_look(tmp_path: Path) -> None:

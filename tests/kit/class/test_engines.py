@@ -16,20 +16,12 @@ import pytest
 import stand_in
 from bounce_grader.classroom import run
 from bounce_grader.classroom.intake import students
-from bounce_grader.classroom.work import (
-    engine_dask,
-    engine_local,
-    engine_slurm,
-    results,
-    task,
-)
+from bounce_grader.classroom.work import engine_dask, engine_local, engine_slurm, results, task
 from bounce_grader.classroom.work.request import Request
 from bounce_grader.common.errors import KitError, UsageError
 from clusters import Cluster, needs_dask
 from conftest import ROOT, solution_files
 from waiting import wait_for
-
-NAMES = ("gradebook.csv", "grades.csv", "class.html")
 
 
 def download(path: Path, number: int) -> Path:
@@ -49,7 +41,7 @@ def solutions(path: Path, number: int, contents: int) -> Path:
 def same(out: Path, source: Path, tmp_path: Path) -> bool:
     """Whether the results are those of the built-in engine."""
     assert run.run(stand_in.request(source, tmp_path / "calm")) == 0
-    return all((out / n).read_bytes() == (tmp_path / "calm" / n).read_bytes() for n in NAMES)
+    return classes.same(out, tmp_path / "calm")
 
 
 @needs_dask
@@ -180,7 +172,7 @@ def test_slurms_chunks_run_by_hand_give_the_class(
     subprocess.run(["sh", str(folder / "grade.sbatch")], env=environment, check=True)
     assert run.run(asked) == run.run(Request(source, tmp_path / "calm")) == 0
     assert not (out / "slurm" / "2").exists()
-    assert all((out / n).read_bytes() == (tmp_path / "calm" / n).read_bytes() for n in NAMES)
+    assert classes.same(out, tmp_path / "calm")
     assert (out / "gradebook.csv").read_text().count("100.00") == 1 + 21
 
 

@@ -16,14 +16,14 @@ from typing import Any
 
 import pytest
 from bounce_grader import cli
-from bounce_grader.classroom import run
 from bounce_grader.classroom.output import outputs
 from bounce_grader.classroom.work import engine_local, near_copies
 from bounce_grader.common.errors import KitError, UsageError
+from bounce_grader.formats import github
 from bounce_grader.submission import submission
 from classes import download, grade_class
 from conftest import write
-from odd_students import FOLDERS, PART, UPLOADS, zip_that_claims, ZIPS
+from odd_students import FOLDERS, nested, PART, UPLOADS, zip_that_claims, ZIPS
 
 
 @pytest.fixture(autouse=True)
@@ -86,13 +86,12 @@ def test_no_folder_costs_anybody_else(tmp_path: Path, make: Callable[[Path], obj
 
 
 def test_names_that_are_no_text_are_names_all_the_same(tmp_path: Path) -> None:
-    odd, out = os.fsdecode(b"ann\xe4"), tmp_path / "out"
-    long = "n" * 255
+    odd, long, out = os.fsdecode(b"ann\xe4"), "n" * 255, tmp_path / "out"
     files = {f"{odd}/part2_lcp.cpp": b"// x", f"{odd}/notes\udcfc.txt": b""}
     write(tmp_path / "all", {**files, f"{long}/part2_lcp.cpp": b"// y"})
     assert grade_class(tmp_path / "all", out) == 0
-    ours, other = sorted((file.name for file in (out / "feedback").iterdir()), key=len)
-    assert ours == f"{odd}.html" and len(other) < 240
+    pages = sorted((file.name for file in (out / "feedback").iterdir()), key=len)
+    assert pages[0] == f"{odd}.html" and len(pages[1]) < 240
     assert "ann\ufffd" in (out / "class.html").read_text()
     assert "notes\ufffd.txt" in (out / "grades.csv").read_text()
 
@@ -108,6 +107,16 @@ def test_no_zip_ends_a_grading_without_a_sentence(
     except UsageError:
         assert cli.main(["grade", str(tmp_path / "x.zip")]) == 2
         assert len(capsys.readouterr().err.splitlines()) == 1
+
+
+def test_a_deep_repository_is_no_obstacle_to_an_annotation(tmp_path: Path) -> None:
+    """Deeper than Python's limit on recursion."""
+    write(tmp_path, {"hw/a.cpp": b""})
+    nested(tmp_path, 1500)
+    try:
+        assert github._in_repository("a.cpp", github._files(tmp_path)) == "hw/a.cpp"
+    finally:
+        subprocess.run(["rm", "-rf", str(tmp_path / "d")], check=True)
 
 
 # --- what nobody foresaw ---
@@ -149,33 +158,3 @@ def test_a_page_for_which_there_is_no_room_is_no_students_fault(
     monkeypatch.setattr(outputs, "_page", partial(fails, OSError(28, "No space left on device")))
     with pytest.raises(KitError, match="is full"):
         grade_class(download(tmp_path / "x.zip", [101]), tmp_path / "out")
-
-
-# --- what is printed ---
-
-
-@pytest.mark.parametrize(
-    "kinds, limit, shown",
-    [
-        ([99, 0, 1, 1], 40, [38, 0, 1, 1]),
-        ([99, 99, 0, 1], 9, [4, 4, 0, 1]),
-        ([0, 1, 0, 0], 9, [0, 1, 0, 0]),
-    ],
-)
-def test_no_kind_of_line_pushes_another_off_the_terminal(
-    kinds: list[int], limit: int, shown: list[int]
-) -> None:
-    """A student's forty oddly named uploads leave room for what concerns others."""
-    lines = [[f"{kind} {i}" for i in range(number)] for kind, number in enumerate(kinds)]
-    left = [line for of_kind, number in zip(lines, shown) for line in of_kind[:number]]
-    assert run._shared(lines, limit) == left
-
-
-def test_a_file_of_such_a_name_hides_no_line_of_another_student() -> None:
-    own = "Doe, Jane (1) has no score, because part 1: crashed: the cell stays as it was"
-    named = "x (1) because part 1: crashed: .txt is no C++ source and no zip"
-    other = (
-        f"Roe, Max (2) has no score, because it holds nothing: {named}: the cell stays as it was"
-    )
-    assert run._is_said([own], "(1)", "part 1: crashed")
-    assert not run._is_said([other], "(1)", "part 1: crashed")

@@ -1,9 +1,12 @@
 """Stories of a class: folders with what is handed in, the commands that are given week by week, and
 what has to come out.
 
-A story.toml has rounds. Each writes files, packs archives, and gives a command, as ./kit takes it.
-With `apart`, each round begins anew. What is written down of a round is what has changed since the
-last one. Gradings are a stand-in's: the text of a part, as "fails: 2", says its points."""
+A story.toml has rounds. Each prepares files (`write`, `copy`, `pack` archives, `edit`, `spoil`,
+`move`, `link`), changes what is on Canvas (`canvas`, `token`, `largest` download), and gives the
+words after ./kit class: its own `command`, or the story's and `more`. With `apart`, each round
+begins anew, with the files of the story. `show` names what is written down of a round, if it has
+changed since the last one. Gradings are a stand-in's: the text of a part, as "fails: 2", says its
+points; another `kit` grades `later`, or has other `points` for checks."""
 
 import csv
 import html
