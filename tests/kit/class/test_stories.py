@@ -129,6 +129,7 @@ def pages(out: Path) -> Outputs:
         if (out / name).exists():
             with zipfile.ZipFile(out / name) as archive:
                 found[f"page {name}"] = "".join(f"{n}\n" for n in sorted(archive.namelist()))
+                assert {page.date_time[0] for page in archive.infolist()} <= {1980}
     return found
 
 
@@ -153,6 +154,7 @@ def grades(table: str) -> str:
 def outputs(out: Path) -> Outputs:
     if not (out / "class.html").exists():
         return {}
+    assert "0.8128" not in decoded(out / "class.html") + decoded(out / "grades.csv")
     books = {book.name: decoded(book) for book in out.glob("gradebook.*")}
     return {
         **books,
@@ -197,7 +199,9 @@ def play(
         status = give(story["command"] + round.get("more", ""), here, round, kit)
         said = capsys.readouterr()
         name = round["name"]
-        printed += f"=== {name}\n{plain(said.err + said.out, here)}status {status}\n\n"
+        graded = "" if (here / "out" / "results").exists() else ", nothing graded"
+        printed += f"=== {name}\n{plain(said.err + said.out, here)}status {status}{graded}\n\n"
+        assert not any(TOKEN in decoded(file) for file in here.rglob("*.*") if file.is_file())
         now = {file: plain(text, here) for file, text in outputs(here / "out").items()}
         if state.submissions:
             now["canvas.txt"] = state.shown()
