@@ -12,6 +12,7 @@ from typing import Any
 
 TOKEN = "7~secretsecretsecret"
 PAGE = 3  # entries
+HTML = b"<!doctype html>"
 
 
 class State:
@@ -25,13 +26,12 @@ class State:
         self.gone: set[int] = set()  # files
         self.elsewhere: dict[int, str] = {}  # where a file's address leads
         self.tokens_elsewhere: list[str] = []
-        self.requests = 0
 
-    def add(self, user: int, name: str, files: dict[str, bytes], **more: Any) -> None:
+    def add(self, user: int, name: str, files: dict[str, str | int], **more: Any) -> None:
         attachments = []
-        for number, (file, data) in enumerate(files.items()):
+        for number, (file, text) in enumerate(files.items()):
             id = user * 10 + number
-            self.files[id] = data
+            self.files[id] = text.encode() if isinstance(text, str) else bytes(text)
             attachments.append({"id": id, "display_name": file, "url": f"@/files/{id}/download"})
         self.submissions[user] = {
             "user_id": user,
@@ -42,6 +42,28 @@ class State:
             "seconds_late": 0,
             **more,
         }
+
+    def change(self, changes: dict[str, Any]) -> None:
+        """What is added, becomes other or goes wrong from now on."""
+        for one in changes.get("add", []):
+            self.add(**one)
+        for user, values in changes.get("set", {}).items():
+            self.submissions[int(user)] |= {name: value or None for name, value in values.items()}
+        for user, values in changes.get("attachment", {}).items():
+            self.submissions[int(user)]["attachments"][0] |= values  # "" is none
+        self.elsewhere |= {int(file): url for file, url in changes.get("elsewhere", {}).items()}
+        self.gone |= set(changes.get("gone", []))
+        self.refused |= set(changes.get("refused", []))
+        self.limited = changes.get("limited", self.limited)
+        self.broken_after = changes.get("broken_after", self.broken_after)
+
+    def shown(self) -> str:
+        """The points and the number of pages that everybody has, and where the token went."""
+        return "".join(
+            f"{user} {one['user']['sortable_name']}: {one['score']} points, "
+            f"{sum(page.startswith(HTML) for page in self.comments.get(user, []))} pages\n"
+            for user, one in self.submissions.items()
+        ) + "".join(f"elsewhere: {token}\n" for token in self.tokens_elsewhere)
 
 
 class Handler(BaseHTTPRequestHandler):
@@ -60,7 +82,6 @@ class Handler(BaseHTTPRequestHandler):
         self.wfile.write(data)
 
     def _is_refused(self) -> bool:
-        self.state.requests += 1
         if self.state.limited:
             self.state.limited -= 1
             code = 403 if self.state.limited % 2 else 429
@@ -74,6 +95,11 @@ class Handler(BaseHTTPRequestHandler):
     @property
     def _origin(self) -> str:
         return f"http://{self.headers['Host']}"
+
+    @property
+    def _elsewhere(self) -> str:
+        """Another server, to which the token must not go."""
+        return self._origin.replace("127.0.0.1", "localhost")
 
     def do_GET(self) -> None:
         url = urllib.parse.urlsplit(self.path)
@@ -89,9 +115,7 @@ class Handler(BaseHTTPRequestHandler):
         elif file and int(file[1]) in self.state.elsewhere:
             self._answer(302, b"", Location=self.state.elsewhere[int(file[1])])
         elif file:
-            host, port = self.headers["Host"].split(":")
-            other = {"127.0.0.1": "localhost"}.get(host, "127.0.0.1")
-            self._answer(302, b"", Location=f"http://{other}:{port}/stored/{file[1]}")
+            self._answer(302, b"", Location=f"{self._elsewhere}/stored/{file[1]}")
         elif url.path == "/api/v1/courses/7/assignments/9/submissions":
             first = int(urllib.parse.parse_qs(url.query).get("page", ["0"])[0])
             some = list(self.state.submissions.values())[first : first + PAGE]
@@ -106,20 +130,17 @@ class Handler(BaseHTTPRequestHandler):
         data = self.rfile.read(int(self.headers["Content-Length"]))
         if self.path == "/upload":
             self.state.tokens_elsewhere += filter(None, [self.headers.get("Authorization")])
+            assert b'name="key"' in data
             body = data.partition(b'filename="feedback.html"')[2].partition(b"\r\n\r\n")[2]
             id = 900_000 + len(self.state.files)
-            self.state.files[id] = body.rpartition(b"\r\n--")[0][: -len(b"")] or body
-            assert b'name="key"' in data
+            self.state.files[id] = body.rpartition(b"\r\n--")[0]
             self._answer(201, {"id": id})
             return
         if self._is_refused():
             return
         assert self.path.endswith("/comments/files") and b"content_type=text%2Fhtml" in data
-        host, port = self.headers["Host"].split(":")
-        other = {"127.0.0.1": "localhost"}.get(host, "127.0.0.1")
-        self._answer(
-            200, {"upload_url": f"http://{other}:{port}/upload", "upload_params": {"key": "x"}}
-        )
+        url = f"{self._elsewhere}/upload"
+        self._answer(200, {"upload_url": url, "upload_params": {"key": "x"}})
 
     def do_PUT(self) -> None:
         data = self.rfile.read(int(self.headers["Content-Length"]))

@@ -7,6 +7,7 @@ from functools import partial
 from pathlib import Path
 
 import corpus
+from conftest import write
 from corpus import Member
 
 PART = b"part2_lcp.cpp"
@@ -119,7 +120,7 @@ def _sparse(path: Path, size: int) -> None:
     os.truncate(path, size)
 
 
-def _nested(top: Path, depth: int) -> None:
+def nested(top: Path, depth: int) -> None:
     for _ in range(depth):
         top = top / "d"
         top.mkdir()
@@ -145,34 +146,20 @@ def _links_inside(top: Path) -> None:
         (top / f"{number}.cpp").symlink_to(target)
 
 
-def _odd_names(top: Path) -> None:
-    for name in (b"\xff.cpp", b"a\nb.cpp", b"\x1b[2J"):
-        (top / os.fsdecode(name)).write_bytes(b"x")
-
-
-def _many(top: Path) -> None:
-    for number in range(6000):
-        (top / f"{number}.o").touch()
-
-
 def _zip(top: Path, data: bytes) -> None:
-    (top / "hw.zip").write_bytes(data)
+    write(top, {"hw.zip": data})
 
 
 def _git(top: Path) -> None:
-    (top / ".git" / "hooks").mkdir(parents=True)
-    (top / ".git" / "config").write_text("[core]\n\tfsmonitor = touch /tmp/was-run\n")
-    for name in ("post-checkout", "pre-commit"):
-        (top / ".git" / "hooks" / name).write_text("#!/bin/sh\ntouch /tmp/was-run\n")
+    hooks = ("post-checkout", "pre-commit")
+    write(top, {".git/config": b"[core]\n\tfsmonitor = touch /tmp/was-run\n"})
+    write(top / ".git" / "hooks", {name: b"#!/bin/sh\ntouch /tmp/was-run\n" for name in hooks})
+    for name in hooks:
         (top / ".git" / "hooks" / name).chmod(0o755)
 
 
-def _output(top: Path) -> None:
-    (top / "results").mkdir()
-    (top / "log.jsonl").write_text("{")
-
-
-FOLDERS: dict[str, Callable[[Path], None]] = {
+ODD_NAMES = (b"\xff.cpp", b"a\nb.cpp", b"\x1b[2J")
+FOLDERS: dict[str, Callable[[Path], object]] = {
     "empty": lambda top: None,
     "closed": lambda top: top.chmod(0),
     "to be listed alone": _listed_alone,
@@ -186,13 +173,13 @@ FOLDERS: dict[str, Callable[[Path], None]] = {
     "a link to all": lambda top: _link(top, "/"),
     "a link too long": lambda top: _link(top, "n" * 300),
     "links inside": _links_inside,
-    "deeply nested": lambda top: _nested(top, 1200),
+    "deeply nested": lambda top: nested(top, 1200),
     "a repository with hooks": _git,
     "a folder as a part": lambda top: (top / "part2_lcp.cpp").mkdir(),
     "a terabyte of zip": lambda top: _sparse(top / "hw.zip", 1 << 40),
     "a terabyte of source": lambda top: _sparse(top / "part2_lcp.cpp", 1 << 40),
-    "an output's files": _output,
-    "odd names": _odd_names,
-    "many files": _many,
+    "an output's files": lambda top: write(top, {"results/set.json": b"{", "log.jsonl": b"{"}),
+    "odd names": lambda top: write(top, {os.fsdecode(name): b"x" for name in ODD_NAMES}),
+    "many files": lambda top: write(top, {f"{number}.o": b"" for number in range(6000)}),
     **{f"zip: {name}": partial(_zip, data=data) for name, data in ZIPS.items()},
 }

@@ -1,5 +1,5 @@
-"""A quick stand-in for grading, for tests of the process around it: the points of a submission
-follow from its bytes.
+"""A quick stand-in for grading, for tests of the process around it: the text of a part says what
+becomes of it.
 
 As a program it grades a class:
 stand_in.py SUBMISSIONS OUT SECONDS_OF_EACH_GRADING [DASK_SCHEDULER]
@@ -7,10 +7,11 @@ stand_in.py SUBMISSIONS OUT SECONDS_OF_EACH_GRADING [DASK_SCHEDULER]
 
 import multiprocessing
 import os
+import re
 import subprocess
 import sys
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from functools import partial
 from pathlib import Path
@@ -24,69 +25,83 @@ from bounce_grader.classroom.work import unit
 from bounce_grader.classroom.work.request import Request
 from bounce_grader.classroom.work.task import Task
 from bounce_grader.common.errors import KitError
-from bounce_grader.common.manifest import parts
+from bounce_grader.common.manifest import Part, parts
 from bounce_grader.grading.record import whole
-from bounce_grader.submission import submission
+from bounce_grader.submission.submission import Submission
 
 # Else every grading would import all of this. The server that gradings are forked from looks for
 # modules in the environment's path alone.
 multiprocessing.set_forkserver_preload(["stand_in"])
 os.environ["PYTHONPATH"] = os.pathsep.join(filter(None, sys.path))
 
-HIDDEN_ANSWER = {
-    "message": "1 of 9 cases wrong; the first: x\n  expected phi = 0.8128",
-    "shown": {"name": "x", "input": "", "sentence": "", "quantities": []},
-}
+MESSAGE = "1 of 9 cases wrong; the first: a corner sticks"
+SHOWN: dict[str, Any] = {"name": "x", "input": "", "sentence": "", "quantities": []}
+REVEALED: dict[str, Any] = {"message": f"{MESSAGE}\n  expected phi = 0.8128", "shown": SHOWN}
+MISTAKE: dict[str, Any] = {"title": "it is so", "sentence": "", "equations": [1], "hint": "1.1"}
+UNPRINTABLE: dict[str, Any] = {
+    "name": "part2_dt_squared",
+    "title": "it is so",
+}  # what a page says is missing
 
 
-def record_of(taken: submission.Submission) -> dict[str, Any]:
-    """Each check is passed or not as a bit of the digest says."""
-    bits = int(taken.sha256, 16)
-    part_records = []
-    for part in parts():
-        checks: list[dict[str, Any]] = []
-        for check in part.checks:
-            passed = bool(bits & 3)
-            bits >>= 2
-            checks.append(
-                {
-                    "id": check.id,
-                    "title": check.title,
-                    "score": check.points if passed else 0,
-                    "max_score": check.points,
-                    "passed": passed,
-                    "message": "" if passed else "1 of 9 cases wrong; the first: a corner sticks",
-                    "mistake": None,
-                    **({} if passed else {"revealed": HIDDEN_ANSWER}),
-                }
-            )
-        part_records.append(
-            {
-                "part": part.number,
-                "stem": part.stem,
-                "title": part.title,
-                "score": sum(check["score"] for check in checks),
-                "max_score": part.points,
-                "status": "graded" if part.number in taken.parts else "not_submitted",
-                "message": "",
-                "graded_with": "own",
-                "mistakes": [],
-                "patterns": [],
-                "checks": checks,
-            }
-        )
-    speed = {
-        "submission_ns": 200.0 + bits % 300,
-        "solution_ns": 200.0,
-        "ratio": 1 + bits % 300 / 200,
-        "largest_error": 1e-13 if bits % 3 else 0.1,
-        **curves(200.0 + bits % 300, 1.0 if bits % 3 else 20.0),
+def _said(text: str, word: str, otherwise: str = "") -> str:
+    """What a text says after a word: "fails: 2" fails the first two checks of a part."""
+    found = re.search(rf"\b{word}: ([^;\n]*)", text)
+    return found[1] if found else otherwise
+
+
+def _part(part: Part, text: str | None, later: bool, points: Mapping[str, float]) -> dict[str, Any]:
+    said = partial(_said, text or "")
+    failing = len(part.checks) if text is None else int(said("fails", "0"))
+    if later:
+        failing = int(said("later", str(failing)))
+    checks: list[dict[str, Any]] = [
+        {
+            "id": check.id,
+            "title": check.title,
+            "score": 0 if number < failing else points.get(check.id, check.points),
+            "max_score": points.get(check.id, check.points),
+            "passed": number >= failing,
+            "message": MESSAGE if number < failing else "",
+            "mistake": None,
+            **({"revealed": REVEALED} if number < failing else {}),
+        }
+        for number, check in enumerate(part.checks)
+    ]
+    mistakes = [{**MISTAKE, "name": name}] if (name := said("mistake")) else []
+    if "breaks its page" in (text or ""):
+        mistakes = [UNPRINTABLE]
+    remark = said("remark")
+    return {
+        "part": part.number,
+        "stem": part.stem,
+        "title": part.title,
+        "score": sum(check["score"] for check in checks),
+        "max_score": part.points,
+        "status": "not_submitted" if text is None else said("status", "graded"),
+        "message": "",
+        "graded_with": "own",
+        "mistakes": mistakes,
+        "patterns": [],
+        "checks": checks,
+        **({"remarks": [remark]} if remark else {}),
     }
+
+
+def record_of(
+    taken: Submission, later: bool = False, points: Mapping[str, float] = {}
+) -> dict[str, Any]:
+    """The record of a submission, whose text may say "later: 1" for another version of the kit.
+    `points` are those of checks in a version that weighs them differently."""
+    texts = {n: taken.files[name].decode(errors="replace") for n, name in taken.parts.items()}
+    made = [_part(part, texts.get(part.number), later, points) for part in parts()]
     seconds = {"compile": 0.0, "run": 0.0, "total": 0.0}
-    return whole(taken, part_records, "full", seconds, "0" * 64, speed)
+    text = " ".join(texts.values())
+    timed = _times(float(_said(text, "ns", "200")), float(_said(text, "error", "1e-13")))
+    return whole(taken, made, _said(text, "box", "full"), seconds, "0" * 64, timed)
 
 
-def curves(ns: float, wrong: float) -> dict[str, Any]:
+def _times(ns: float, error: float) -> dict[str, Any]:
     """One scene: a time for each step, and errors that fall with it."""
     dts = [1e-2, 3e-3, 1e-3]
 
@@ -94,19 +109,35 @@ def curves(ns: float, wrong: float) -> dict[str, Any]:
         return [{"dt": dt, "ns": a_step / dt, "error": times * dt} for dt in dts]
 
     scene = {"scene": "tumble", "title": "Tumble", "seconds": 0.4}
-    scene |= {"submission": curve(ns, wrong), "solution": curve(200.0, 1.0)}
-    return {"cut": "", "dt": dts, "scenes": [{**scene, "least": curve(10.0, 0.5)}]}
+    scene |= {"submission": curve(ns, 1.0), "solution": curve(200.0, 1.0)}
+    return {
+        "submission_ns": ns,
+        "solution_ns": 200.0,
+        "ratio": ns / 200,
+        "largest_error": error,
+        "cut": "",
+        "dt": dts,
+        "scenes": [{**scene, "least": curve(10.0, 0.5)}],
+    }
 
 
-def grade(taken: submission.Submission, task: Task, seconds: float = 0.0) -> dict[str, Any]:
+def grade(
+    taken: Submission,
+    task: Task,
+    seconds: float = 0.0,
+    later: bool = False,
+    points: Mapping[str, float] = {},
+) -> dict[str, Any]:
     """Grades a submission. Its text can ask for a fault of the worker, such as a crash."""
     time.sleep(seconds)
     text = b"".join(taken.files.values())
     if b"kills its grader" in text:
         os.kill(os.getpid(), 9)
     if b"breaks the kit" in text:
-        raise KitError("no compiler")
-    record = record_of(taken)
+        raise KitError("no compiler: No space left on device")  # of its own words
+    if b"divides by zero" in text:
+        raise ZeroDivisionError("nobody thought of it")
+    record = record_of(taken, later, points)
     return record if task.speed else {**record, "speed": None}
 
 

@@ -1,0 +1,142 @@
+"""Near-copies: what is found however it is hidden, what isn't one, and who can't be compared."""
+
+import random
+import re
+import time
+from collections.abc import Sequence
+from pathlib import Path
+
+import pytest
+from bounce_grader.classroom.intake import students
+from bounce_grader.classroom.work import near_copies
+from bounce_grader.classroom.work.near_copies import Similar
+from bounce_grader.classroom.work.task import Stamp, task_of
+from bounce_grader.common.paths import STUBS
+from classes import grade_class, zipped
+from conftest import ROOT, solution_files, write
+from odd_students import repetitive
+
+Files = dict[str, bytes]
+SOLUTION = solution_files()
+STEP = SOLUTION["part3_step.cpp"]
+STAMP = Stamp("kit", "fixtures", "options")
+
+
+def class_of(path: Path, submissions: Sequence[Files]) -> Path:
+    return zipped(
+        path,
+        {
+            f"doe{user}_{user}_{user}{number}_{name}": text
+            for user, files in enumerate(submissions, 1)
+            for number, (name, text) in enumerate(files.items())
+        },
+    )
+
+
+def compared(tmp_path: Path, submissions: Sequence[Files], corpus: Sequence[Path] = ()) -> Similar:
+    """Of a class in which the first student is number 1. A second comparison says the same."""
+    found = students.read(class_of(tmp_path / "x.zip", submissions)).students
+    tasks = {s.id: task_of(s, STAMP, tmp_path, False, False) for s in found}
+    near = near_copies.find(tmp_path, found, tasks, trust=False, corpus=corpus)
+    assert not near.problem
+    assert near_copies.find(tmp_path, found, tasks, trust=False, corpus=corpus) == near
+    return near
+
+
+def step(*texts: bytes) -> list[Files]:
+    """Two students with the solution's part 3, and these."""
+    return [{"part3_step.cpp": text} for text in (STEP, STEP, *texts)]
+
+
+def pairs(near: Similar) -> set[tuple[str, str]]:
+    return {(pair.first, pair.second) for pair in near.pairs}
+
+
+def renamed(text: bytes) -> bytes:
+    """Disguises a copy: other names, other comments, another layout."""
+    for name in (b"corner", b"params", b"lowest", b"impulse", b"contact_"):
+        text = re.sub(rb"\b" + name + rb"\b", b"my_" + name[::-1], text)
+    return b"// my own work\n\n" + text.replace(b"\n", b"\n\n")
+
+
+COPY = {name: renamed(text) for name, text in SOLUTION.items()}
+
+
+def test_a_renamed_copy_is_found_and_the_handout_is_no_copy(tmp_path: Path) -> None:
+    """Two students who left the stubs unchanged share nothing of their own."""
+    stubs = {file.name: file.read_bytes() for file in STUBS.glob("*.cpp")}
+    near = compared(tmp_path, [SOLUTION, COPY, stubs, stubs])
+    assert pairs(near) == {("1", "2")} and near.pairs[0].share >= 90
+
+
+def test_copies_of_another_year_and_of_two_parts_are_found(tmp_path: Path) -> None:
+    """One has handed in last year's; another has two parts of somebody's, and two of their own."""
+    other = {
+        name: (ROOT / "tests/submissions/accepted" / folder / name).read_bytes()
+        for folder, name in (
+            ("corner_in_closed_form", "part1_contacts.cpp"),
+            ("lcp_entry_by_entry", "part2_lcp.cpp"),
+        )
+    }
+    last_year = write(tmp_path / "2025" / "old", COPY).parent
+    near = compared(tmp_path, [SOLUTION, {**COPY, **other}], [last_year])
+    assert ("1", "2025/old") in pairs(near) and {"1", "2"} <= {id for p in pairs(near) for id in p}
+    assert not any(pair.first.startswith("2025") for pair in near.pairs)
+
+
+@pytest.mark.parametrize(
+    "unit", [b"{", *(pytest.param(u, marks=pytest.mark.long) for u in (b"x;\n", b"if(a){b;}\n"))]
+)
+def test_what_repeats_itself_is_left_out_and_costs_no_other_pair(
+    tmp_path: Path, unit: bytes
+) -> None:
+    start = time.monotonic()
+    near = compared(tmp_path, step(*[repetitive(60_000, unit)] * 6))
+    assert time.monotonic() - start < 60
+    assert [(pair.first, pair.second, pair.share) for pair in near.pairs] == [("1", "2", 100)]
+    assert set(near.incomplete) == {str(user) for user in range(3, 9)}
+
+
+HIDDEN = {  # how a copy is hidden, as text before and after it
+    "a long comment": (b"/*" + b"x y " * 16_500 + b"*/\n", b""),
+    "many comments": (b"// x y z\n" * 8_000, b""),
+    "blanks": (b" " * 70_000 + b"\n" * 70_000, b""),
+    "a comment that goes on": (b"// x \\\ny /*\n", b"// */\n"),
+    "a string": (b'const char* s = "/*";\n', b'const char* t = "*/";\n'),
+    "a header's name": (b"#if __has_include(</*>)\n#endif\n", b"// */\n"),
+    "digits apart": (b"const int n = 1'000; const char c = '\"';\n", b"// \"'\n"),
+    "a raw string": (b'auto r = R"x(" /* )x";\n', b'auto s = R"(*/)";\n'),
+}
+
+
+@pytest.mark.parametrize("how", HIDDEN)
+@pytest.mark.usual(2)
+def test_nothing_hides_a_copy(tmp_path: Path, how: str) -> None:
+    before, after = HIDDEN[how]
+    near = compared(tmp_path, step(before + STEP + after))
+    assert ("1", "3") in pairs(near) and not near.incomplete
+
+
+def test_who_is_compared_only_in_part_is_named(tmp_path: Path) -> None:
+    words = random.Random(1).choices("if for ( ) { } ; + * = x 1 return".split(), k=60_000)
+    near = compared(tmp_path, step(" ".join(words).encode()))
+    assert near.incomplete == {"3": near_copies.IN_PART}
+
+
+@pytest.mark.parametrize(
+    "unit", ["/*", 'R"x(', '\\"', "'", "#include<", "# ", "\\ ", "1'a", '"', "//", "__has_include("]
+)
+def test_comments_are_found_in_time_that_grows_with_the_text(unit: str) -> None:
+    start = time.process_time()
+    near_copies.code_of((unit * (200_000 // len(unit))).encode())
+    assert time.process_time() - start < 5
+
+
+def test_who_is_left_out_needs_a_look(tmp_path: Path) -> None:
+    source, out = class_of(tmp_path / "x.zip", step(repetitive(60_000))), tmp_path / "out"
+    assert grade_class(source, out) == 0
+    looks, near = (out / "class.html").read_text().split("<h2>Near-copies")
+    assert "doe3 (3)</td><td>it repeats itself too much to be compared" in looks
+    assert "Not compared, or only in part: doe3 (3). Needs a look" in near
+    assert "doe1 (1)</td><td>doe2 (2)</td>" in near
+    assert "it repeats itself" in (out / "grades.csv").read_text()

@@ -1,0 +1,224 @@
+"""The same class through Dask and Slurm: the same results as with the built-in workers."""
+
+import os
+import random
+import signal
+import subprocess
+import threading
+import time
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+from shutil import which
+
+import classes
+import pytest
+import stand_in
+from bounce_grader.classroom import run
+from bounce_grader.classroom.intake import students
+from bounce_grader.classroom.work import engine_dask, engine_local, engine_slurm, results, task
+from bounce_grader.classroom.work.request import Request
+from bounce_grader.common.errors import KitError, UsageError
+from clusters import Cluster, needs_dask
+from conftest import ROOT, solution_files
+from waiting import wait_for
+
+
+def download(path: Path, number: int) -> Path:
+    return classes.download(path, list(range(101, 101 + number)))
+
+
+def solutions(path: Path, number: int, contents: int) -> Path:
+    """Copies of the solution with several different contents; equal objects are cached."""
+    entries = {
+        f"doejane_{user}_{user}{i}_{name}": text + b"\n" * (user % contents)
+        for user in range(101, 101 + number)
+        for i, (name, text) in enumerate(solution_files().items())
+    }
+    return classes.zipped(path, entries)
+
+
+def same(out: Path, source: Path, tmp_path: Path) -> bool:
+    """Whether the results are those of the built-in engine."""
+    assert run.run(stand_in.request(source, tmp_path / "calm")) == 0
+    return classes.same(out, tmp_path / "calm")
+
+
+@needs_dask
+def test_dask_survives_workers_that_are_killed(cluster: Cluster, tmp_path: Path) -> None:
+    source, out = download(tmp_path / "x.zip", 40), tmp_path / "out"
+    first, second = cluster.worker(), cluster.worker()
+    with stand_in.started(source, out, 0.2, cluster.address) as the_class:
+        chance = random.Random(1)
+        for worker in (first, second):
+            there = len(results.keys(out / "results")) if out.exists() else 0
+            wait_for(lambda: out.exists() and len(results.keys(out / "results")) >= there + 4)
+            time.sleep(chance.uniform(0, 0.2))
+            worker.send_signal(signal.SIGKILL)
+            cluster.worker()
+        _, said = the_class.communicate()
+    assert the_class.returncode == 0, said
+    assert same(out, source, tmp_path)
+    assert len(classes.graded(out)) == len(set(classes.graded(out))) == 40
+
+
+@needs_dask
+def test_dask_does_again_what_a_worker_took_with_it(cluster: Cluster, tmp_path: Path) -> None:
+    """A worker may die between the end of a grading and the collection of its outcome."""
+    from distributed import Client
+
+    worker = cluster.worker()
+    asked = stand_in.request(download(tmp_path / "x.zip", 3), tmp_path / "out")
+    tasks = [
+        task.task_of(student, results.stamp_now(False), tmp_path / "r", True, False)
+        for student in students.read(asked.submissions).students
+    ]
+    outcomes = engine_dask.run(tasks, cluster.address, asked.unit)
+    collected = [next(outcomes)]
+    with Client(cluster.address, set_as_default=False) as observer:
+        wait_for(lambda: sum(map(len, observer.has_what().values())) == 3)
+        worker.kill()
+        wait_for(lambda: not observer.has_what())
+    cluster.worker()
+    collected += outcomes
+    assert sorted(of.key for of, _ in collected) == sorted(of.key for of in tasks)
+    assert {outcome.state for _, outcome in collected} == {"graded"}
+
+
+@needs_dask
+def test_dask_goes_on_if_a_worker_dies_when_it_is_asked_for_the_kit(
+    cluster: Cluster, tmp_path: Path
+) -> None:
+    from distributed import Client
+
+    worker = cluster.worker()
+    with Client(cluster.address, set_as_default=False) as client:
+        client.wait_for_workers(1, timeout=60)
+    worker.send_signal(signal.SIGSTOP)
+    source, out = download(tmp_path / "x.zip", 3), tmp_path / "out"
+    with stand_in.started(source, out, 0.0, cluster.address) as the_class:
+        time.sleep(2.0)  # it waits for the worker's answer; if it isn't so far yet, none is asked
+        worker.kill()
+        cluster.worker()
+        _, said = the_class.communicate()
+    assert the_class.returncode == 0, said
+    assert len(classes.graded(out)) == 3
+
+
+@needs_dask
+@pytest.mark.long
+def test_a_dask_that_cannot_grade_is_said(cluster: Cluster, tmp_path: Path) -> None:
+    from distributed import Client
+
+    source = download(tmp_path / "x.zip", 1)
+    asked = Request(source, tmp_path / "out", engine="dask")
+    with pytest.raises(UsageError, match="needs --scheduler"):
+        run.run(asked)
+    with pytest.raises(UsageError, match="no Dask scheduler answers at tcp://127.0.0.1:9"):
+        run.run(replace(asked, scheduler="tcp://127.0.0.1:9"))
+    cluster.worker(path="")
+    with Client(cluster.address, set_as_default=False) as client:
+        client.wait_for_workers(1, timeout=60)
+    with pytest.raises(UsageError, match="start them with PYTHONPATH=KIT/grader"):
+        run.run(replace(asked, scheduler=cluster.address))
+
+
+@needs_dask
+@pytest.mark.long
+def test_dask_without_workers_says_that_it_waits(
+    cluster: Cluster, tmp_path: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    later = threading.Timer(5.0, cluster.worker)
+    later.start()
+    source = download(tmp_path / "x.zip", 1)
+    asked = stand_in.request(source, tmp_path / "out", engine="dask", scheduler=cluster.address)
+    assert run.run(asked) == 0
+    assert "has no workers yet; waiting for them" in capfd.readouterr().err
+
+
+@needs_dask
+@pytest.mark.long
+def test_a_scheduler_that_dies_is_said_and_costs_nothing(cluster: Cluster, tmp_path: Path) -> None:
+    source, out = download(tmp_path / "x.zip", 20), tmp_path / "out"
+    cluster.worker()
+
+    def kill_scheduler() -> None:
+        wait_for(lambda: len(results.keys(out / "results")) >= 3)
+        cluster.processes[0].kill()
+
+    killer = threading.Thread(target=kill_scheduler)
+    killer.start()
+    asked = stand_in.request(source, out, 0.3, engine="dask", scheduler=cluster.address)
+    with pytest.raises(KitError, match="the Dask scheduler was lost: start it, and run the same"):
+        run.run(asked)
+    killer.join()
+    assert len(results.keys(out / "results")) >= 3
+    assert run.run(stand_in.request(source, out)) == 0
+    assert same(out, source, tmp_path)
+
+
+def test_slurms_chunks_run_by_hand_give_the_class(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    source, out = solutions(tmp_path / "x.zip", 21, 2), tmp_path / "with a space"
+    asked = Request(source, out, engine="slurm")
+    assert run.run(asked) == 0
+    assert "submit.sh" in capsys.readouterr().err
+    folder = out / "slurm" / "1"
+    assert not (out / "gradebook.csv").exists()
+    assert subprocess.run(["sh", "-n", str(folder / "submit.sh")], check=False).returncode == 0
+    environment = {**os.environ, "SLURM_ARRAY_TASK_ID": "1"}
+    subprocess.run(["sh", str(folder / "grade.sbatch")], env=environment, check=True)
+    assert run.run(asked) == run.run(Request(source, tmp_path / "calm")) == 0
+    assert not (out / "slurm" / "2").exists()
+    assert classes.same(out, tmp_path / "calm")
+    assert (out / "gradebook.csv").read_text().count("100.00") == 1 + 21
+
+
+@pytest.mark.parametrize(
+    "number, sizes", [(1, [1]), (45, [20, 20, 5]), (2000, [32] * 62 + [16]), (9000, [50] * 180)]
+)
+def test_chunks_are_neither_small_nor_large(number: int, sizes: list[int]) -> None:
+    assert [len(chunk) for chunk in engine_slurm.chunks(list(range(number)))] == sizes
+
+
+@pytest.fixture
+def slurm_node(tmp_path: Path) -> Iterator[Path]:
+    if which("slurmctld") is None or os.geteuid() != 0:
+        pytest.skip("a Slurm of one's own needs slurm-wlm and root")
+    started = subprocess.run(
+        ["sh", str(ROOT / "tests" / "kit" / "support" / "slurm_node.sh"), str(tmp_path / "node")],
+        capture_output=True,
+        check=False,
+    )
+    folder = tmp_path / "node"
+    if started.returncode != 0:
+        pytest.skip("Slurm doesn't start here")
+    yield folder
+    for name in ("slurmd", "slurmctld"):
+        pid = folder / f"{name}.pid"
+        if pid.exists():
+            os.kill(int(pid.read_text()), signal.SIGTERM)
+
+
+@pytest.mark.long
+def test_a_real_slurm_grades_the_class_and_collects(slurm_node: Path, tmp_path: Path) -> None:
+    source, out = solutions(tmp_path / "x.zip", 45, 45), tmp_path / "out"
+    environment = {**os.environ, "SLURM_CONF": str(slurm_node / "slurm.conf")}
+    kit = [str(ROOT / "kit"), "class", str(source), "--out", str(out), "--engine", "slurm"]
+    subprocess.run(kit, check=True)
+    submit = ["sh", str(out / "slurm" / "1" / "submit.sh")]
+    subprocess.run(submit, env=environment, check=True)
+    wait_for((out / "class.html").exists, 600)
+    assert (out / "gradebook.csv").read_text().count("100.00") == 1 + 45
+    assert len(list((out / "slurm" / "1").glob("chunk-*.log"))) == 3
+
+
+def test_a_temporary_folder_too_deep_for_sockets_is_said(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    deep = tmp_path / ("d" * 100)
+    deep.mkdir()
+    monkeypatch.setattr("tempfile.tempdir", str(deep))
+    with pytest.raises(UsageError, match="set TMPDIR to a shorter one"):
+        list(engine_local.run([], 1))

@@ -1,0 +1,153 @@
+"""A class that is stopped, killed or out of disk: nothing is lost, and the same command goes on."""
+
+import os
+import random
+import signal
+import subprocess
+import tempfile
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from bounce_grader.classroom.work import grading, log, results
+from bounce_grader.common.errors import KitError, UsageError
+from classes import COLUMN, book, column, download, grade_class, graded, points_of, same
+from stand_in import started
+from waiting import wait_for
+
+
+def test_ctrl_c_says_how_to_go_on_wherever_it_comes(
+    tmp_path: Path,
+    users: list[int],
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    def stop(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    source, out = download(tmp_path / "x.zip", users), tmp_path / "out"
+    for place in ("near_copies.find", "task_of", "students.read"):
+        monkeypatch.setattr(f"bounce_grader.classroom.run.{place}", stop)
+        assert grade_class(source, out) == 130
+        assert "Run the same command again to go on." in capsys.readouterr().err
+
+
+def test_ctrl_c_stops_and_says_how_to_go_on(
+    tmp_path: Path, users: list[int], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """And leaves no temporary folder; one for sockets needs a short path."""
+    source, out = download(tmp_path / "x.zip", users), tmp_path / "out"
+    short = tempfile.TemporaryDirectory()
+    monkeypatch.setenv("TMPDIR", short.name)
+    with short, started(source, out, seconds=2) as process:
+        wait_for(lambda: len(results.keys(out / "results")) >= 2)
+        with pytest.raises(UsageError, match="another run is under way"):
+            grade_class(source, out)
+        process.send_signal(signal.SIGINT)
+        _, said = process.communicate(timeout=30)
+        assert not list(Path(short.name).glob("bounce-*"))
+    assert process.returncode != 0
+    assert "of 10 submissions are graded and kept. Run the same command again to go on." in said
+    assert out.stat().st_mode & 0o077 == 0  # it holds points and answers
+    there = results.keys(out / "results")
+    assert 2 <= len(there) < 10
+    assert grade_class(source, out) == 0
+    assert len(graded(out)) == len(set(graded(out))) == 10
+
+
+def test_gradings_end_with_the_class(tmp_path: Path, users: list[int]) -> None:
+    """If the class is killed, no grading goes on."""
+    source, out = download(tmp_path / "x.zip", users), tmp_path / "out"
+    with started(source, out, seconds=2.0):
+        wait_for(lambda: len(results.keys(out / "results")) >= 1)
+    there = results.keys(out / "results")
+    time.sleep(3.0)
+    assert results.keys(out / "results") == there
+
+
+@pytest.mark.parametrize("number, kills", [(20, 4), pytest.param(99, 20, marks=pytest.mark.long)])
+def test_survives_being_killed_at_any_moment(tmp_path: Path, number: int, kills: int) -> None:
+    """No result is lost, half or there twice, and the grade book is as if undisturbed."""
+    users = list(range(101, 101 + number))
+    source = download(tmp_path / "x.zip", users)
+    export = book(tmp_path / "export.csv", users)
+    chance = random.Random(number)
+    out = tmp_path / "out"
+    known: set[str] = set()
+    for _ in range(kills):
+        with started(source, out, seconds=0.02):
+            time.sleep(chance.uniform(0.05, 1.5))
+        there = results.keys(out / "results")
+        assert known <= there
+        known = {key for key in there if results.load(out / "results", key)}
+        assert known == there, "a result is half-written"
+    grade_class(source, out, gradebook=export, columns={0: COLUMN})
+    assert len(graded(out)) == len(set(graded(out))) == number
+    left = [file for file in out.rglob(".*.part")]
+    for file in left:
+        os.utime(file, (0, 0))
+    grade_class(source, tmp_path / "calm", gradebook=export, columns={0: COLUMN})
+    assert same(out, tmp_path / "calm")
+    grade_class(source, out)
+    assert not any(file.exists() for file in left)
+
+
+def test_a_grading_that_kills_its_worker_costs_nobody_else(
+    tmp_path: Path, users: list[int], capsys: pytest.CaptureFixture[str]
+) -> None:
+    bad, out = {"roe_301_3010_part2_lcp.cpp": b"// kills its grader"}, tmp_path / "out"
+    assert grade_class(download(tmp_path / "x.zip", users, bad), out) == 3
+    said = "roe (301): the kit failed: its process ended with status -9"
+    assert said in capsys.readouterr().out
+    assert column(out / "gradebook.csv") == points_of(users)
+    failed = [line for line in log.read(out / "log.jsonl") if line["event"] == "failed"]
+    assert len(failed) == grading.TRIES
+    assert not any("roe" in page.name for page in (out / "feedback").iterdir())
+
+
+def test_a_broken_result_is_graded_again(tmp_path: Path, users: list[int]) -> None:
+    source, out = download(tmp_path / "x.zip", users), tmp_path / "out"
+    grade_class(source, out)
+    first = (out / "gradebook.csv").read_bytes()
+    torn, empty, *_ = sorted(f for f in (out / "results").iterdir() if f.name != "set.json")
+    torn.write_bytes(torn.read_bytes()[:100])
+    empty.write_bytes(b"")
+    (out / "gradebook.csv").unlink()
+    grade_class(source, out)
+    assert (out / "gradebook.csv").read_bytes() == first
+
+
+@pytest.fixture
+def small_disk(tmp_path: Path) -> Iterator[Path]:
+    """A file system of half a megabyte."""
+    folder = tmp_path / "disk"
+    folder.mkdir()
+    mount = ["mount", "-t", "tmpfs", "-o", "size=512k", "tmpfs", str(folder)]
+    if subprocess.run(mount, capture_output=True, check=False).returncode != 0:
+        pytest.skip("mounting needs root")
+    yield folder
+    subprocess.run(["umount", str(folder)], check=True)
+
+
+def test_a_full_disk_loses_nothing(
+    tmp_path: Path, users: list[int], small_disk: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    source, out = download(tmp_path / "x.zip", users), small_disk / "out"
+    grade_class(download(tmp_path / "y.zip", users[:4]), out)
+    before = {f: f.read_bytes() for f in out.rglob("*.json")}
+    filler = small_disk / "filler"
+    with pytest.raises(OSError), filler.open("wb", buffering=0) as file:
+        while True:
+            file.write(bytes(1024))
+    capsys.readouterr()
+    with pytest.raises(KitError, match="is full: make room, and run the same command again"):
+        grade_class(source, out)
+    for kept, data in before.items():
+        assert kept.read_bytes() == data
+    for key in results.keys(out / "results"):
+        assert results.load(out / "results", key)
+    filler.unlink()
+    assert grade_class(source, out) == 0
+    assert column(out / "gradebook.csv") == points_of(users)
+    assert len(graded(out)) == len(set(graded(out))) == 10

@@ -1,0 +1,108 @@
+"""What the services write into names and cells: whose a file is, and how late it came. The tables
+have a row for each."""
+
+import csv
+import io
+from collections.abc import Callable, Sequence
+from pathlib import Path
+
+import pytest
+from bounce_grader.classroom.intake import blackboard, canvas, handed_in, moodle, students
+from bounce_grader.classroom.intake.canvas import Upload
+from bounce_grader.submission import submission
+from conftest import write
+from corpus import Member, zip_of
+
+
+def table(name: str) -> list[list[str]]:
+    text = (Path(__file__).parent / "tables" / f"{name}.csv").read_text("utf-8")
+    return list(csv.reader(io.StringIO(text, newline="")))[1:]
+
+
+def of_canvas(entry: str) -> Sequence[object]:
+    """The names are Canvas's own: lib/content_zipper.rb, spec/lib/content_zipper_spec.rb."""
+    read = canvas.parse(entry)
+    if read is None:
+        return []
+    rest = (read.attachment, read.file) if isinstance(read, Upload) else ("", read.kind)
+    return [read.name, read.user, "late" if read.late else "", *rest]
+
+
+def of_moodle(entry: str) -> Sequence[object]:
+    read = moodle.parse(entry)
+    return [read.name, read.participant, "", read.kind, read.file] if read else []
+
+
+def of_blackboard(entry: str) -> Sequence[object]:
+    read = blackboard.parse(entry)
+    return [read.head, read.when, "", "", read.file] if read else []
+
+
+READ: dict[str, Callable[[str], Sequence[object]]] = {
+    "canvas": of_canvas,
+    "moodle": of_moodle,
+    "blackboard": of_blackboard,
+    "sanitized": lambda name: [canvas.sanitized(name)],
+    "part": lambda file: [submission.part_file(file) or ""],
+}
+
+
+@pytest.mark.parametrize("row", table("names"), ids=lambda row: "-".join(row[:2]))
+def test_a_name_is_read(row: list[str]) -> None:
+    service, entry, *expected = row
+    fields = [str(field) for field in READ[service](entry)]
+    assert fields + [""] * (5 - len(fields)) == expected
+
+
+@pytest.mark.parametrize("status, days", table("lateness"))
+def test_days_late_in_moodles_words(status: str, days: str) -> None:
+    assert moodle.days_late(status) == (int(days) if days else None)
+
+
+@pytest.mark.parametrize("entries, people, users", table("whose"))
+def test_whose_a_file_is(entries: str, people: str, users: str) -> None:
+    """A "?" where it could be of several: a person has to look at it. In most rows, a name would put
+    a file into another's submission; in the others, the grade book tells whose it is."""
+    named = dict(line.split("=") for line in people.split("; ") if line)
+    read = canvas.read_all(entries.split(" + "), named).values()
+    assert [upload.user if upload else "?" for upload in read] == users.split()
+
+
+@pytest.mark.parametrize(
+    "included, handed_in_as",
+    [
+        ("rotation.hpp", "rotation-1.hpp"),
+        ("solver-2.hpp", "solver-2.hpp"),  # the student's own number
+        ("solve.lcp.hpp", "solve.lcp-1.hpp"),
+        ("solve.lcp.hpp", "solve-1.lcp.hpp"),  # of later versions of Canvas
+        ("solve.lcp.hpp", "solve.lcp.hpp"),
+    ],
+)
+def test_a_helper_has_the_name_that_it_is_included_by(
+    tmp_path: Path, included: str, handed_in_as: str
+) -> None:
+    text = f'#include "{included}"'.encode()
+    uploads = {"doe_1_1_part1_contacts.cpp": text, f"doe_1_2_{handed_in_as}": b"// helps"}
+    (student,) = students.read(write(tmp_path, uploads)).students
+    files = handed_in.read(student.path, student.uploads).files
+    assert set(files) == {"part1_contacts.cpp", included}
+
+
+def test_names_that_canvas_and_macos_write_in_utf_8_without_saying_so(tmp_path: Path) -> None:
+    within = zip_of(Member(name.encode()) for name in ("größe.hpp", "part2_lcp.cpp"))
+    write(tmp_path, {"x.zip": zip_of([Member("weißjürgen_1_2_hw.zip".encode(), within)])})
+    (student,) = students.read(tmp_path / "x.zip").students
+    assert student.feedback == "weißjürgen_1_2_feedback.html"
+    files = handed_in.read(student.path, student.uploads).files
+    assert set(files) == {"größe.hpp", "part2_lcp.cpp"}
+
+
+@pytest.mark.parametrize("letters", ["李" * 200, "ä" * 110, "n" * 200])
+def test_the_name_of_a_page_fits_into_a_file_system_and_keeps_its_ids(letters: str) -> None:
+    ids = f"{'9' * 20}_{'8' * 20}"
+    upload = canvas.parse(f"{letters}_LATE_{ids}_photo.jpg")
+    assert isinstance(upload, Upload)
+    page = canvas.feedback_name((upload,))
+    assert len(page.encode()) < 240 and page.endswith(f"_LATE_{ids}_feedback.html")
+    back = canvas.parse(page)
+    assert isinstance(back, Upload) and (back.user, back.attachment) == ("9" * 20, int("8" * 20))

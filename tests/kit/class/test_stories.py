@@ -1,0 +1,226 @@
+"""Stories of a class: folders with what is handed in, the commands that are given week by week, and
+what has to come out.
+
+A story.toml has rounds. Each prepares files (`write`, `copy`, `pack` archives, `edit`, `spoil`,
+`move`, `link`), changes what is on Canvas (`canvas`, `token`, `largest` download), and gives the
+words after ./kit class: its own `command`, or the story's and `more`. With `apart`, each round
+begins anew, with the files of the story. `show` names what is written down of a round, if it has
+changed since the last one. Gradings are a stand-in's: the text of a part, as "fails: 2", says its
+points; another `kit` grades `later`, or has other `points` for checks."""
+
+import csv
+import html
+import io
+import re
+import shlex
+import zipfile
+from collections.abc import Iterator
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+import golden
+import pytest
+import stand_in
+from bounce_grader import cli
+from bounce_grader.classroom.intake import canvas_api, course
+from bounce_grader.classroom.work import engine_local, results, unit
+from canvas_server import running, State, TOKEN
+from conftest import write
+from corpus import Member, UTF8, zip_of
+from handed_in import packed_tar
+
+STORIES = Path(__file__).parent / "stories"
+COLUMNS = "id student late state score final adjustments".split() + ["needs a look", "not used"]
+SHOWN = ("gradebook.csv", "gradebook.xls", "grades.csv", "pages.txt")
+Outputs = dict[str, str]
+
+
+def packed(name: str, entries: dict[str, Any]) -> bytes:
+    """A zip, or a tar by its name; an entry with entries of its own is an archive, too."""
+    files = {n: packed(n, e) if isinstance(e, dict) else e.encode() for n, e in entries.items()}
+    if ".t" in name:
+        return packed_tar(files, "xz" if name.endswith("xz") else "gz")
+    return zip_of(Member(n.encode(), text, method=0, flags=UTF8) for n, text in files.items())
+
+
+def encoding_of(name: str) -> str:
+    """Blackboard writes its .xls in UTF-16."""
+    known = {".xls": "utf-16", "utf-16": "utf-16", "latin-1": "latin-1"}
+    return next((known[part] for part in known if part in name), "utf-8")
+
+
+def encoded(name: str, text: str) -> bytes:
+    return text.encode(encoding_of(name))
+
+
+def decoded(path: Path) -> str:
+    return path.read_bytes().decode(encoding_of(path.name), "backslashreplace")
+
+
+def prepare(folder: Path, round: dict[str, Any]) -> None:
+    for name, text in round.get("write", {}).items():
+        write(folder, {name: encoded(name, text.removeprefix("\n"))})
+    for name, source in round.get("copy", {}).items():
+        write(folder, {name: (folder / source).read_bytes()})
+    for name, entries in round.get("pack", {}).items():
+        write(folder, {name: packed(name, entries)})
+    for name, changes in round.get("edit", {}).items():
+        text = decoded(folder / name)
+        for old, new in changes:
+            assert old in text, f"{old!r} isn't in {name}"
+            text = text.replace(old, new)
+        write(folder, {name: encoded(name, text)})
+    for name, (old, new) in round.get("spoil", {}).items():
+        data = (folder / name).read_bytes()
+        assert old.encode() in data
+        write(folder, {name: data.replace(old.encode(), new.encode())})
+    for name, source in round.get("move", {}).items():
+        (folder / source).rename(folder / name)
+    for name, target in round.get("link", {}).items():
+        (folder / name).symlink_to(target)
+
+
+def set_stage(kit: dict[str, Any], patch: pytest.MonkeyPatch) -> None:
+    """Gradings by the stand-in in this process, perhaps of another version of the kit."""
+    version = kit.get("version", repr(kit))
+    grade = partial(stand_in.grade, **{name: kit[name] for name in kit.keys() - {"version"}})
+
+    def run(tasks: Any, jobs: int, _: Any = None) -> Iterator[Any]:
+        yield from ((task, unit.run(task, grade)) for task in tasks)
+
+    patch.setattr(engine_local, "run", run)
+    patch.setattr(results, "__version__", version)
+    patch.setattr(results, "_sources", lambda: iter(()))
+
+
+def text_of(page: str) -> str:
+    """The words of a piece of HTML, a line for each block."""
+    page = re.sub(r"\s*\n\s*", " ", page)
+    page = re.sub(r"</(p|h\d|li|tr|summary|div)>", "\n", page)
+    page = re.sub(r"</t[dh]>", " | ", page)
+    lines = html.unescape(re.sub(r"<[^>]*>", "", page)).splitlines()
+    return "".join(f"{line.strip(' |')}\n" for line in lines if line.strip(" |"))
+
+
+def class_page(page: str) -> str:
+    looks = text_of(page.partition("<h2>Needs a look")[2].partition("<section><h2>Points")[0])
+    near = text_of(page.partition("<h2>Near-copies</h2>")[2].partition("</section>")[0])
+    near = re.sub("The share of one .*\n", "", near)
+    curves = page.count('<path class="curve ')
+    figures = re.findall(r"<b>([^<]*)</b>([^<]*)", page.partition("</ul>")[0])
+    said = "".join(f"{number} {name}\n" for number, name in figures) + f"Needs a look\n{looks}"
+    return said + f"Near-copies\n{near}Curves: {curves}\n"
+
+
+def feedback_page(page: str) -> str:
+    """A page without what is said of each part."""
+    body = page.partition("<body>")[2]
+    head, _, rest = body.partition('<div class="bar">')
+    unused = rest.partition("Not used:")[2].partition("</ul>")[0]
+    answers = "The expected answers are shown.\n" if "0.8128" in page else ""
+    return text_of(head) + answers + (f"Not used:\n{text_of(unused)}" if unused else "")
+
+
+def pages(out: Path) -> Outputs:
+    """By name; and which pages are in the zips."""
+    found = {f"page {file.name}": feedback_page(decoded(file)) for file in out.glob("feedback/*")}
+    for name in ("feedback.zip", "feedback-new.zip"):
+        if (out / name).exists():
+            with zipfile.ZipFile(out / name) as archive:
+                found[f"page {name}"] = "".join(f"{n}\n" for n in sorted(archive.namelist()))
+                assert {page.date_time[0] for page in archive.infolist()} <= {1980}
+    return found
+
+
+def changed(now: Outputs, last: Outputs) -> Outputs:
+    """The changed outputs, and all changed pages in one."""
+    new = {name: text for name, text in now.items() if last.get(name) != text}
+    of_pages = {name[5:]: new.pop(name) for name in sorted(new) if name.startswith("page ")}
+    texts = [f"{n}\n{re.sub('^(?=.)', '  ', text, flags=re.M)}" for n, text in of_pages.items()]
+    gone = [f"{name[5:]} is gone\n" for name in sorted(last.keys() - now.keys())]
+    return new | ({"pages.txt": "".join(texts + gone)} if texts or gone else {})
+
+
+def grades(table: str) -> str:
+    rows = csv.DictReader(io.StringIO(table.removeprefix("\ufeff"), newline=""))
+    text = io.StringIO()
+    writer = csv.DictWriter(text, COLUMNS, extrasaction="ignore", lineterminator="\n")
+    writer.writeheader()
+    writer.writerows(rows)
+    return text.getvalue()
+
+
+def outputs(out: Path) -> Outputs:
+    if not (out / "class.html").exists():
+        return {}
+    assert "0.8128" not in decoded(out / "class.html") + decoded(out / "grades.csv")
+    books = {book.name: decoded(book) for book in out.glob("gradebook.*")}
+    return {
+        **books,
+        "grades.csv": grades(decoded(out / "grades.csv")),
+        "class.txt": class_page(decoded(out / "class.html")),
+        **pages(out),
+    }
+
+
+def plain(text: str, folder: Path) -> str:
+    """What is printed, without what differs each time."""
+    text = re.sub(r"kit: .* left\n", "", text)
+    text = re.sub(r"\d+ a minute", "N a minute", text.replace(f"{folder}/", ""))
+    return re.sub(r"http://[\w.]+:\d+", "http://canvas", text)
+
+
+def give(command: str, here: Path, round: dict[str, Any], kit: dict[str, Any]) -> int:
+    """Gives a command to ./kit class in a folder, and returns its status."""
+    with pytest.MonkeyPatch.context() as patch:
+        set_stage(kit, patch)
+        patch.chdir(here)
+        patch.setattr(canvas_api, "LARGEST", round.get("largest", canvas_api.LARGEST))
+        patch.setenv("CANVAS_TOKEN", round.get("token", TOKEN))
+        return cli.main(["class", *shlex.split(round.get("command", command))])
+
+
+def play(
+    story: dict[str, Any], folder: Path, capsys: pytest.CaptureFixture[str], state: State
+) -> Outputs:
+    printed, here = "", folder
+    got: Outputs = {}
+    last: Outputs = {}
+    kit: dict[str, Any] = {}
+    for number, round in enumerate(story["round"]):
+        if story.get("apart") or not number:
+            here, last = folder / str(number), {}
+            here.mkdir()
+            prepare(here, story)
+        prepare(here, round)
+        state.change(round.get("canvas", {}))
+        kit = round.get("kit", kit)
+        status = give(story["command"] + round.get("more", ""), here, round, kit)
+        said = capsys.readouterr()
+        name = round["name"]
+        graded = "" if (here / "out" / "results").exists() else ", nothing graded"
+        printed += f"=== {name}\n{plain(said.err + said.out, here)}status {status}{graded}\n\n"
+        assert not any(TOKEN in decoded(file) for file in here.rglob("*.*") if file.is_file())
+        now = {file: plain(text, here) for file, text in outputs(here / "out").items()}
+        if state.submissions:
+            now["canvas.txt"] = state.shown()
+        new = changed(now, last)
+        got |= {f"{name}/{file}": new[file] for file in story.get("show", SHOWN) if file in new}
+        last = now
+    return {"printed.txt": printed, **got}
+
+
+@pytest.mark.golden
+@pytest.mark.parametrize("folder", sorted(STORIES.iterdir()), ids=lambda folder: folder.name)
+def test_a_story_comes_out_as_it_is_written_down(
+    folder: Path,
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    story = course._reader().loads((folder / "story.toml").read_text("utf-8"))
+    monkeypatch.setattr(canvas_api, "WAIT", 0.001)
+    with running() as (url, state):
+        monkeypatch.setenv("CANVAS_URL", url)
+        golden.compare(folder / "expected", play(story, tmp_path, capsys, state))
