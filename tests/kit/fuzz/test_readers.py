@@ -24,7 +24,6 @@ from bounce_grader.common.paths import WORK_FOLDER
 from bounce_grader.grading import judging, speed
 from bounce_grader.sandbox.processes import Result
 from bounce_grader.submission import entry, submission
-from bounce_grader.submission.entry import Entry
 from conftest import ROOT
 from corpus import Member
 from handed_in import limited_memory, packed_tar
@@ -92,7 +91,7 @@ def some_member(rng: Random) -> Member:
     odd = rng.random() < 0.15
     return Member(
         name=some_name(rng).encode("utf-8", "surrogateescape"),
-        data=rng.choice(TEXTS),
+        data=b" " * entry.LARGEST_SOURCE if rng.random() < 0.0005 else rng.choice(TEXTS),
         method=rng.choice((0, 8, 8, 8, 9, 12, 14, 99) if odd else (0, 8)),
         flags=rng.choice((0, 1, 8, 32, 64, 0x800) if odd else (0, 8, 0x800)),
         attributes=rng.choice(MODES) << 16,
@@ -118,7 +117,8 @@ TARS = [packed_tar(PARTS, ""), packed_tar(MAC, "")]
 def some_zip(rng: Random) -> bytes:
     if rng.random() < 0.3:
         return mutated(rng, ZIPS)
-    made = corpus.zip_of(some_member(rng) for _ in range(rng.randrange(7)))
+    count = 130 if rng.random() < 0.002 else rng.randrange(7)
+    made = corpus.zip_of(some_member(rng) for _ in range(count))
     return mutated(rng, [made], 3) if rng.random() < 0.2 else made
 
 
@@ -147,22 +147,6 @@ def put(top: Path, source: Source) -> None:
         pass  # there can't be such a name, or it is taken
 
 
-def some_entries(rng: Random) -> list[Entry]:
-    """What a folder or a zip may hold, with sizes that need not be true."""
-    count = 130 if rng.random() < 0.01 else rng.randrange(1, 9)
-    return [some_entry(rng, number) for number in range(count)]
-
-
-def some_entry(rng: Random, number: int) -> Entry:
-    raw = PurePosixPath(some_name(rng).replace("\\", "/").replace("..", "").lstrip("/"))
-    known = raw.parts and rng.random() < 0.8
-    large = rng.random() < 0.002
-    text = b" " * (entry.LARGEST_SOURCE + rng.randrange(2)) if large else rng.choice(TEXTS)
-    size = rng.choice(EDGES) if rng.random() < 0.05 else len(text)
-    name = str(raw) if known else f"{number}.{rng.choice(('hpp', 'txt'))}"
-    return Entry(name, size, rng.random() < 0.05, lambda most: text[:most])
-
-
 # --- what must hold, whatever comes ---
 
 
@@ -179,10 +163,6 @@ def check_folder(sources: list[Source], path: Path) -> bool:
     taken = is_taken(lambda: submission.read(path))
     shutil.rmtree(path)
     return taken
-
-
-def check_entries(entries: list[Entry], path: Path) -> bool:
-    return is_taken(lambda: submission.take(path, entries))
 
 
 def is_taken(read: Callable[[], submission.Submission]) -> bool:
@@ -248,7 +228,6 @@ READERS = {
     "x.zip": Reader(some_zip, check_file, 0.2),
     "x.tar": Reader(lambda rng: mutated(rng, TARS), check_file, 0.2),
     "folder": Reader(some_sources, check_folder, 0.5),
-    "sources": Reader(some_entries, check_entries, 0.2),
     "judge": Reader(lambda rng: mutated(rng, ANSWERS, 4), check_judge, 0.1),
     "compiler": Reader(lambda rng: mutated(rng, MESSAGE_SEEDS), check_compiler, 0.2),
 }

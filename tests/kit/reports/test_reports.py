@@ -11,6 +11,8 @@ import json
 import os
 import re
 import subprocess
+from collections.abc import Callable
+from functools import partial
 from html.parser import HTMLParser
 from pathlib import Path
 from typing import Any
@@ -155,37 +157,26 @@ def check_github(record: Record, text: str) -> None:
     assert sum(test["score"] for test in result["tests"]) == record["score"]
 
 
+def check_json(record: Record, text: str, points: str = "score", most: str = "max_score") -> None:
+    """Services add up the points of the tests. Where they are scaled, they are whole numbers."""
+    tests = json.loads(text)["tests"]
+    got, best = (sum(test[key] for test in tests) for key in (points, most))
+    assert got / best == pytest.approx(record["score"] / record["max_score"])
+    assert best == record["max_score"] or all(type(test[points]) is int for test in tests)
+
+
 def check_gradescope(record: Record, text: str) -> None:
-    jsonschema, result = pytest.importorskip("jsonschema"), json.loads(text)
-    jsonschema.validate(result, json.loads((HERE / "gradescope.schema.json").read_text()))
-    assert "score" not in result  # it would override the sum
-    for points in ("score", "max_score"):
-        assert sum(test[points] for test in result["tests"]) == record[points]
-
-
-def check_prairielearn(record: Record, text: str) -> None:
-    result = json.loads(text)
-    assert result["gradable"] is True
-    assert result["score"] == pytest.approx(record["score"] / record["max_score"])
-    points, most = (sum(test[k] for test in result["tests"]) for k in ("points", "max_points"))
-    assert points / most == pytest.approx(result["score"])
+    schema = json.loads((HERE / "gradescope.schema.json").read_text())
+    pytest.importorskip("jsonschema").validate(json.loads(text), schema)
+    check_json(record, text)
 
 
 def check_autolab(record: Record, text: str) -> None:
     shown, scores = map(json.loads, text.splitlines())
     assert scores["scores"] == {part["stem"]: part["score"] for part in record["parts"]}
-    assert shown["_presentation"] == "semantic"
-    for stage in shown["stages"]:
-        assert all(isinstance(test["passed"], bool) for test in shown[stage].values())
-
-
-def check_classroom50(record: Record, text: str) -> None:
-    result = json.loads(text)
-    for one in (result, *result["tests"]):
-        assert type(one["score"]) is int and type(one["max-score"]) is int
-    scale = result["max-score"] / record["max_score"]
-    assert result["score"] == sum(test["score"] for test in result["tests"])
-    assert result["score"] == scale * record["score"] and scale in (1, 2)
+    assert all(
+        type(t["passed"]) is bool for stage in shown["stages"] for t in shown[stage].values()
+    )
 
 
 def check_junit(record: Record, text: str) -> None:
@@ -201,30 +192,32 @@ def check_junit(record: Record, text: str) -> None:
         assert counts == (len(list(suite)), kinds.count("Failure"), kinds.count("Error"))
 
 
-def check_html(record: Record, text: str) -> None:
-    """The hostile texts add no element: only those of the mixed record are there."""
-    tags: set[str] = set()
-    attributes: set[str] = set()
+def check_html(_: Record, text: str) -> None:
+    """The record's texts add no element and no attribute."""
+    markup: set[str] = set()
 
     class Reader(HTMLParser):
-        def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
-            tags.add(tag)
-            attributes.update(name for name, _ in attrs)
+        def handle_starttag(self, tag: str, attributes: list[tuple[str, str | None]]) -> None:
+            markup.update({tag, *(name for name, _ in attributes)})
 
     Reader().feed(text)
-    assert not tags & {"script", "img", "i", "b" * (record["parts"][0]["mistakes"] == [])}
-    assert not any(name.startswith("on") for name in attributes)
+    assert not markup & {"script", "img", "i", "onerror"}
 
 
-def check_markdown(record: Record, text: str) -> None:
+def check_markdown(_: Record, text: str) -> None:
     outside = re.sub(r"(`{3,})text\n.*?\n\1", "", text, flags=re.DOTALL)
     outside = re.sub(r"</?(details|summary)>", "", outside)
     assert not re.search(r"(?<!\\)[<\[]|@everyone|<!--|#1", outside)
 
 
-READ_BY = {"github": check_github, "gradescope": check_gradescope, "html": check_html}
-READ_BY |= {"prairielearn": check_prairielearn, "autolab": check_autolab, "junit": check_junit}
-READ_BY |= {"classroom50": check_classroom50, "markdown": check_markdown}
+READ_BY: dict[str, Callable[[Record, str], None]] = {
+    "github": check_github,
+    "gradescope": check_gradescope,
+    "html": check_html,
+}
+READ_BY |= {"markdown": check_markdown, "autolab": check_autolab, "junit": check_junit}
+READ_BY["prairielearn"] = partial(check_json, points="points", most="max_points")
+READ_BY["classroom50"] = partial(check_json, most="max-score")
 
 
 @every_record
