@@ -1,13 +1,14 @@
 """Submissions by what is odd about them: files that a folder, a zip and a tar can hold, names that
 only a zip can, and paths that are none of these."""
 
+import json
 import os
 import subprocess
 from collections.abc import Callable
 from pathlib import Path
 
 from bounce_grader.submission import entry
-from conftest import write
+from conftest import ROOT, write
 from handed_in import zip_of
 
 Files = dict[str, bytes]
@@ -15,54 +16,29 @@ Make = Callable[[Path], Path]  # makes a submission in an empty folder, and retu
 
 STEMS = ("part1_contacts", "part2_lcp", "part3_step", "part4_simulate")
 PARTS: Files = {f"{stem}.cpp": b"// " + stem.encode() for stem in STEMS}
-TESTS = (
-    b"#include <bounce/part1_contacts.hpp>\n#include <gtest/gtest.h>\n"
-    b"TEST(Own, IsRight) { EXPECT_NEAR(1, 1, 1e-9); }\n"
-)
-NO_TESTS = (
-    b"// TEST(Own, IsRight) is in checks.cpp, with <gtest/gtest.h>\nint one() { return 1; }\n"
-)
-OWN_HELPERS = ("src/helpers/rotation.cpp", "src/helpers/rotation.hpp", "src/methods/rotation.hpp")
-NOT_THEIRS = (
-    ("include/bounce/types.hpp", "given/solve_lcp.cpp", "given/check/run.cpp", "main.cpp")
-    + ("given/study/tables.hpp", "CMakeLists.txt", "src/part1_contacts.o", "libstudent.a")
-    + ("evil.so", "bounce/types.hpp.gch", "build/CMakeFiles/part1_contacts.cpp")
-    + ("__MACOSX/._part1_contacts.cpp",)
-)
 
 
 def inside(folder: str, files: Files = PARTS) -> Files:
     return {f"{folder}/{name}": text for name, text in files.items()}
 
 
-FILES: dict[str, Files] = {
-    "the four parts": PARTS,
-    "in a folder": inside("my homework"),
-    "in a folder of a folder": inside("a/b"),
-    "helpers, and what the kit gives": inside("src")
-    | dict.fromkeys(OWN_HELPERS, b"// own")
-    | dict.fromkeys(NOT_THEIRS, b"#error not the kit's"),
-    "tests of one's own, and a helper that only mentions them": PARTS
-    | {"checks.cpp": TESTS, "helper.cpp": NO_TESTS},
-    "a part that holds tests": PARTS | {"part1_contacts.cpp": TESTS},
-    "last week's part in a folder": PARTS | {"old/part1_contacts.cpp": b"// last week's"},
-    "a part twice": {"a/part1_contacts.cpp": b"", "b/part1_contacts.cpp": b""},
-    "a copy alone": {"a/part1_contacts (1).cpp": b"// x"},
-    "a browser's copy alone": {"a/part1_contacts-1.cpp": b"// x"},
-    "copies beside the part": {"part1_contacts (1).cpp": b"no C++", "part1_contacts.cpp": b"// x"}
-    | {"part1_contacts-1.cpp": b"no C++"},
-    "two copies without the part": {"part2_lcp-1.cpp": b"// x", "part2_lcp-2.cpp": b"// x"},
-    "in capitals": {"PART1_CONTACTS.CPP": b"int x;", "H.CPP": b""},
+def written(files: dict[str, str]) -> Files:
+    """Files as files.json has them, where * in a name stands for the four parts."""
+    made: Files = {}
+    for name, text in files.items():
+        own = {name: text.encode()} if "*" not in name else PARTS
+        made |= {name.replace("*", part): data for part, data in own.items()}
+    return made
+
+
+TABLES = ROOT / "tests" / "kit" / "submission"
+FILES = {k: written(files) for k, files in json.loads((TABLES / "files.json").read_text()).items()}
+FILES |= {
     "UTF-16, and no text": {"part1_contacts.cpp": "// Höhe\nint x;\n".encode("utf-16")}
     | {"part2_lcp.cpp": b"int\0x;"},
     "a large helper": PARTS | {"table.hpp": b" " * (2 << 20), "notes.txt": b""},
-    "an odd blank": {"a\u00a0b/part1_contacts.cpp": b"", "README": b""},
-    "two odd blanks": {"a\u00a0b/part1_contacts.cpp": b"", "a\u3000b/part1_contacts.cpp": b""},
-    "of macOS": inside("hw")
-    | {f"__MACOSX/hw/._{name}": b"\0\5\x16\7" for name in PARTS}
-    | {"hw/.DS_Store": b"\0"},
     "5001 files": {f"{i}.txt": b"" for i in range(entry.MOST_ENTRIES + 1)},
-    "20 MB of sources": {f"{i}.cpp": b" " * entry.LARGEST_SOURCE for i in range(20)},
+    "20 MB of sources": dict.fromkeys([f"{i}.cpp" for i in range(20)], b" " * entry.LARGEST_SOURCE),
     "5000 sources that are no text": {f"{i}.cpp": b"\0" * 99 for i in range(entry.MOST_ENTRIES)},
 }
 

@@ -1,6 +1,7 @@
 """Zips as other programs write them, and as nobody should."""
 
 import io
+import json
 import random
 import zipfile
 from collections.abc import Iterator
@@ -9,14 +10,10 @@ import corpus
 from bounce_grader.submission import entry
 from corpus import Member, zip_of
 from handed_in import packed_tar
-from odd_submissions import PARTS
+from odd_submissions import PARTS, TABLES
 
 Archive = tuple[str, str, bytes]  # what is odd about it, its file's name, and its bytes
 
-PART = b"part1_contacts.cpp"
-OUTSIDE = ["/etc/x.cpp", "../x.cpp", "a/../../x.cpp", "..\\x.cpp", "C:/x.cpp"]
-SPELLED_AGAIN = ["a//x.cpp", "a/./x.cpp", "./a/x.cpp", "a\\x.cpp"]
-NAMELESS = ["\0x.cpp", ".", "./."]
 RAR = b"Rar!\x1a\x07\x01\x00" + bytes(100)
 
 
@@ -24,15 +21,10 @@ def holding(files: dict[str, bytes]) -> bytes:
     return zip_of(Member(name.encode(), text) for name, text in files.items())
 
 
-def named(*names: str) -> bytes:
-    return zip_of(Member(name.encode()) for name in names)
-
-
-def of_method(method: int) -> bytes:
-    data = io.BytesIO()
-    with zipfile.ZipFile(data, "w", method) as archive:
-        archive.writestr("part1_contacts.cpp", "int x;")
-    return data.getvalue()
+def member(
+    name: str, data: str = "int x;", mode: str = "0", method: int = corpus.DEFLATED, flags: int = 0
+) -> Member:
+    return Member(name.encode(), data.encode(), method, flags, int(mode, 8) << 16)
 
 
 def damaged() -> bytes:
@@ -67,19 +59,11 @@ def zips() -> Iterator[Archive]:
 def _zips() -> Iterator[tuple[str, bytes]]:
     yield "only its beginning", b"PK\x03\x04 and then nothing"
     yield "damaged in the middle", damaged()
-    yield "encrypted", zip_of([Member(PART, flags=1)])
-    yield from ((f"outside: {name}", named(name)) for name in OUTSIDE)
-    yield from ((f"a/x.cpp and {name}", named("a/x.cpp", name)) for name in SPELLED_AGAIN)
-    yield from ((f"the name {name!r}", named(name)) for name in NAMELESS)
-    yield "a file that is a folder, too", named("a.hpp", "a.hpp/b/c.hpp")
-    yield "5000 folders", named(*(f"{i}/" for i in range(entry.MOST_ENTRIES)), "a.cpp")
-    yield "sizes after the data, as of Java", corpus.streamed({"part1_contacts.cpp": b"int x;"})
+    for what, members in json.loads((TABLES / "zips.json").read_text()).items():
+        yield what, zip_of(member(**properties) for properties in members)
+    yield "5000 folders", zip_of(member(f"{i}/") for i in range(entry.MOST_ENTRIES + 1))
     yield "zip64", corpus.zip64({"part1_contacts.cpp": b"int x;"})
-    link = Member(PART, b"/etc/passwd", attributes=0o120777 << 16)
-    yield "a link", zip_of([link, Member(b"part2_lcp.cpp")])
-    yield "a size that is a lie", zip_of([Member(PART, b" " * (2 << 20), size=100)])
-    yield "bzip2", of_method(zipfile.ZIP_BZIP2)
-    yield "LZMA, which allocates what its header asks for", of_method(zipfile.ZIP_LZMA)
+    yield "a size that is a lie", zip_of([Member(b"a.cpp", b" " * (2 << 20), size=100)])
     yield "65535 entries, as many as there can be without zip64", corpus.many_entries(65535)
     yield "sources that hold one another", corpus.overlapping(90, entry.LARGEST_SOURCE // 2)
     yield "sources that share their bytes", sharing()
