@@ -3,7 +3,6 @@ each submission which."""
 
 import os
 import re
-import shutil
 import subprocess
 import sys
 import time
@@ -15,12 +14,12 @@ import golden
 import odd_submissions
 import pytest
 from bounce_grader.common.errors import UsageError
-from bounce_grader.submission import entry, intake, submission
+from bounce_grader.submission import intake, submission
 from bounce_grader.submission.submission import Submission
 from bounce_grader.submission.unpack_limits import LARGEST
 from conftest import ROOT, write
 from handed_in import limited_memory, packed_tar, zip_of
-from odd_submissions import FILES, FOLDERS
+from odd_submissions import FILES, FOLDERS, PARTS
 from odd_tars import tars
 from odd_zips import Archive, zips
 
@@ -93,13 +92,21 @@ def test_files_are_the_same_in_a_folder_a_zip_and_a_tar(tmp_path: Path) -> None:
 
 def test_folders_and_paths(tmp_path: Path) -> None:
     def rows() -> Iterator[tuple[str, str]]:
-        for number, (what, make) in enumerate(FOLDERS.items()):
-            folder = tmp_path / f"{number}"
-            folder.mkdir()
-            yield what, read(make(folder))
-            odd_submissions.remove(folder)
+        write(tmp_path / "parts", PARTS)
+        for number, (what, (command, path)) in enumerate(FOLDERS.items()):
+            yield what, read(bash(command, tmp_path / f"{number}") / path)
+        yield "3000 folders deep", read(odd_submissions.deep(tmp_path / "deep"))
+        bash("rm -rf deep", tmp_path)
+        misleading = dict.fromkeys(odd_submissions.MISLEADING, b"int x;")
+        yield "misleading names", read(zip_of(tmp_path / "x.zip", PARTS | misleading))
 
     golden.compare(EXPECTED / "folders", story(rows()))
+
+
+def bash(command: str, folder: Path) -> Path:
+    folder.mkdir(exist_ok=True)
+    subprocess.run(["bash", "-ec", command], cwd=folder, check=True)
+    return folder
 
 
 @pytest.mark.parametrize("make", [zips, tars])
@@ -115,39 +122,24 @@ def test_archives(tmp_path: Path, make: Callable[[], Iterator[Archive]]) -> None
 # --- changes while it is read ---
 
 
-def removed(path: Path) -> None:
-    path.unlink()
-
-
-def a_link(path: Path) -> None:
-    path.unlink()
-    path.symlink_to("/etc/passwd")
-
-
-def a_pipe(path: Path) -> None:
-    path.unlink()
-    os.mkfifo(path)
-
-
-def in_a_link_to_a_folder(path: Path) -> None:
-    elsewhere = path.parent.parent / "elsewhere"
-    shutil.move(path.parent, elsewhere)
-    path.parent.symlink_to(elsewhere)
-
-
-def larger(path: Path) -> None:
-    path.write_bytes(b" " * 2 * entry.LARGEST_SOURCE)
+CHANGES = {
+    "removed": "rm part1_contacts.cpp",
+    "a link": "ln -sf /etc/passwd part1_contacts.cpp",
+    "a pipe": "rm part1_contacts.cpp; mkfifo part1_contacts.cpp",
+    "in a link to a folder": "cd ..; mv src ../elsewhere; ln -s ../elsewhere src",
+    "larger": "truncate -s 2M part1_contacts.cpp",
+}
 
 
 def test_a_folder_that_changes_while_it_is_read_leads_nowhere_else(tmp_path: Path) -> None:
     def rows() -> Iterator[tuple[str, str]]:
-        for change in (removed, a_link, a_pipe, in_a_link_to_a_folder, larger):
-            folder = tmp_path / change.__name__
+        for what, command in CHANGES.items():
+            folder = tmp_path / what / "x"
             write(folder, {"src/part1_contacts.cpp": b"int x;", "README": b""})
             with intake.opened(folder) as entries:
-                change(folder / "src" / "part1_contacts.cpp")
+                bash(command, folder / "src")
                 words = taken_or_refused(folder, lambda: submission.take(folder, entries))
-            yield change.__name__.replace("_", " "), words
+            yield what, words
 
     golden.compare(EXPECTED / "changes", story(rows()))
 
@@ -161,10 +153,9 @@ def test_a_zip_that_is_replaced_while_it_is_read_stays_the_first_one(tmp_path: P
 
 
 def test_the_name_of_a_submission_is_its_content(tmp_path: Path) -> None:
-    files = odd_submissions.PARTS
-    first = submission.read(write(tmp_path / "a", files))
-    again = submission.read(write(tmp_path / "b", files))
-    other = submission.read(write(tmp_path / "c", files | {"part2_lcp.cpp": b"\n"}))
+    first = submission.read(write(tmp_path / "a", PARTS))
+    again = submission.read(write(tmp_path / "b", PARTS))
+    other = submission.read(write(tmp_path / "c", PARTS | {"part2_lcp.cpp": b"\n"}))
     odd = first._replace(files={**first.files, "L\udcf6sung.hpp": b""})
     assert first.sha256 == again.sha256
     assert len({first.sha256, other.sha256, odd.sha256, odd._replace(files={}).sha256}) == 4

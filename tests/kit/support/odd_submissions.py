@@ -3,16 +3,12 @@ only a zip can, and paths that are none of these."""
 
 import json
 import os
-import subprocess
-from collections.abc import Callable
 from pathlib import Path
 
 from bounce_grader.submission import entry
 from conftest import ROOT, write
-from handed_in import zip_of
 
 Files = dict[str, bytes]
-Make = Callable[[Path], Path]  # makes a submission in an empty folder, and returns its path
 
 STEMS = ("part1_contacts", "part2_lcp", "part3_step", "part4_simulate")
 PARTS: Files = {f"{stem}.cpp": b"// " + stem.encode() for stem in STEMS}
@@ -47,37 +43,26 @@ MISLEADING = ["-o.cpp", "@options.cpp", "a\nb.hpp", "\x1b[2J.cpp", "a\u202eppc.h
 MISLEADING += [f"{'a' * 300}.cpp", "a/" * 200 + "a.cpp"]
 
 
-def no_utf8(folder: Path) -> Path:
-    (write(folder, PARTS) / os.fsdecode(b"L\xf6sung.hpp")).write_bytes(b"")
-    return folder
-
-
-def huge(folder: Path) -> Path:
-    with (write(folder, PARTS) / "part2_lcp.cpp").open("wb") as stream:
-        stream.truncate(1_000_000_000)
-    return folder
-
-
-def links_and_pipes(folder: Path) -> Path:
-    (write(folder, PARTS) / "helper.cpp").symlink_to("/etc/passwd")
-    (folder / "folder").symlink_to("/etc")
-    os.mkfifo(folder / "pipe.cpp")
-    return folder
-
-
-def pipe(folder: Path) -> Path:
-    os.mkfifo(folder / "pipe")
-    return folder / "pipe"
-
-
-def folders(folder: Path) -> Path:
-    for i in range(entry.MOST_ENTRIES + 1):
-        (folder / f"{i}").mkdir()
-    return folder
+# Commands of bash in an empty folder beside the parts, and which path is then read.
+FOLDERS = {
+    "an empty folder": ("true", "."),
+    "a name that is no UTF-8": (r"cp ../parts/* .; touch $'L\xf6sung.hpp'", "."),
+    "a part of 1 GB": ("cp ../parts/* .; truncate -s 1000000000 part2_lcp.cpp", "."),
+    "links and a pipe": (
+        "cp ../parts/* .; ln -s /etc/passwd helper.cpp; ln -s /etc folder; mkfifo pipe.cpp",
+        ".",
+    ),
+    "5001 folders": ("mkdir {1..5001}", "."),
+    "nothing": ("true", "nowhere"),
+    "a file alone": ("cp ../parts/* .", "part2_lcp.cpp"),
+    "a pipe": ("mkfifo pipe", "pipe"),
+    "/dev/zero": ("true", "/dev/zero"),
+    "/dev/null": ("true", "/dev/null"),
+}
 
 
 def deep(folder: Path) -> Path:
-    """Deeper than a path can be long."""
+    """Deeper than a path can be long. shutil can't remove it, but rm can."""
     here = os.open(write(folder, PARTS), os.O_RDONLY)
     for _ in range(3000):
         os.mkdir("d", dir_fd=here)
@@ -86,30 +71,3 @@ def deep(folder: Path) -> Path:
         here = below
     os.close(here)
     return folder
-
-
-def remove(folder: Path) -> None:
-    """Removes also what is deeper than shutil can."""
-    subprocess.run(["rm", "-rf", folder], check=True)
-
-
-def no_zip(folder: Path) -> Path:
-    return write(folder, {"part1_contacts.cpp": b"int x;"}) / "part1_contacts.cpp"
-
-
-FOLDERS: dict[str, Make] = {
-    "an empty folder": lambda folder: folder,
-    "a name that is no UTF-8": no_utf8,
-    "a part of 1 GB": huge,
-    "links and a pipe": links_and_pipes,
-    "5001 folders": folders,
-    "3000 folders deep": deep,
-    "nothing": lambda folder: folder / "nowhere",
-    "a file alone": no_zip,
-    "a pipe": pipe,
-    "/dev/zero": lambda _: Path("/dev/zero"),
-    "/dev/null": lambda _: Path("/dev/null"),
-    "misleading names": lambda folder: zip_of(
-        folder / "x.zip", PARTS | dict.fromkeys(MISLEADING, b"int x;")
-    ),
-}
