@@ -100,16 +100,9 @@ def block_reads(document: str) -> str:
 
 
 def runner_reads(line: str) -> str:
-    """Decodes as GitHub's runner does: https://github.com/actions/toolkit documents these
-    escapes."""
-    assert "\n" not in line and "\r" not in line
-    match = re.fullmatch(r"::error file=(.*?),line=3::(.*)", line)
-    assert match and not re.search("[:,]", match[1])
-    for escaped, plain in (("%3A", ":"), ("%2C", ","), ("%0D", "\r"), ("%0A", "\n"), ("%25", "%")):
-        line = line.replace(escaped, plain)
-    file, _, data = line.removeprefix("::error file=").partition(",line=3::")
-    assert file == data
-    return data
+    [(command, where, message)] = odd_texts.runner_commands(line)
+    assert (command, where) == ("error", {"file": message, "line": "3"}) and "\r" not in line
+    return message
 
 
 # --- the destinations ---

@@ -24,14 +24,13 @@ from bounce_grader import cli, formats
 from bounce_grader.assignment import picture
 from bounce_grader.common import escaping
 from bounce_grader.common.errors import UsageError
-from bounce_grader.common.manifest import parts
 from bounce_grader.formats import github, html, sentences, terminal
 from bounce_grader.formats.templates import fill
 from bounce_grader.submission import folders, zips
 from conftest import ROOT, SOLUTION, write
 from edits import edited
 from hypothesis import example, given
-from odd_texts import TEXTS
+from odd_texts import runner_commands, TEXTS
 
 Record = dict[str, Any]
 HERE = Path(__file__).parent
@@ -101,15 +100,6 @@ def test_a_submission_that_cannot_be_read_is_told_where_there_is_a_place() -> No
 # --- the record ---
 
 
-@pytest.mark.parametrize("name", ["mixed", "hostile", "mistakes"])
-def test_records_of_these_tests_are_of_this_manifest(name: str) -> None:
-    record = RECORDS[name]
-    assert record["score"] == sum(part["score"] for part in record["parts"])
-    for written, part in zip(record["parts"], parts()):
-        assert [check["id"] for check in written["checks"]] == [check.id for check in part.checks]
-        assert written["score"] == sum(check["score"] for check in written["checks"])
-
-
 def test_records_follow_the_published_schema(tmp_path: Path) -> None:
     jsonschema = pytest.importorskip("jsonschema")
     jsonschema.Draft202012Validator.check_schema(SCHEMA)
@@ -124,24 +114,6 @@ def test_records_follow_the_published_schema(tmp_path: Path) -> None:
 
 
 # --- read by another reader ---
-
-
-def runner_commands(text: str) -> list[tuple[str, dict[str, str], str]]:
-    """As actions/runner reads them (ActionCommand.TryParseV2): "::name k=v,k=v::data"."""
-
-    def unescaped(escaped: str, *codes: str) -> str:
-        for code in (*codes, "%0D", "%0A", "%25"):
-            escaped = escaped.replace(code, chr(int(code[1:], 16)))
-        return escaped
-
-    matches = [re.fullmatch(r"::(\w+) ?([^:]*)::(.*)", line) for line in text.split("\n")]
-    assert all(matches), text
-    found = []
-    for match in filter(None, matches):
-        pairs = (pair.split("=", 1) for pair in match[2].split(",") if pair)
-        where = {name: unescaped(value, "%3A", "%2C") for name, value in pairs}
-        found.append((match[1], where, unescaped(match[3])))
-    return found
 
 
 def check_github(record: Record, text: str) -> None:
