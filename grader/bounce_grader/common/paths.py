@@ -20,5 +20,4 @@ WORK_FOLDER = "bounce-submission-"  # prefix of the temporary folder of a gradin
 SOURCES = "sources"  # the folder in it with the submission's files
 FIXTURES = ROOT / "fixtures"
 SCENES = FIXTURES / "scenes"
-SUPPORT = ROOT / "tests" / "kit" / "support"  # shared by the kit's tests
 SECRET = ROOT / "course-secret"

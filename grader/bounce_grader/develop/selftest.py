@@ -77,7 +77,7 @@ def _steps(is_long: bool) -> list[Step]:
         Step("lint: clang-tidy", lambda: _clang_tidy(is_long)),
         Step("C++ tests with sanitizers", _sanitized, True, True),
         Step("Python tests, the gallery among them", lambda: _pytest(is_long), parallel=True),
-        Step("readers with a million inputs each", fuzz.run, True, True),
+        Step("C++ readers with a million inputs each", fuzz.run, True, True),
     ]
 
 

@@ -90,10 +90,6 @@ def zip64(files: dict[str, bytes]) -> bytes:
     return plain[:-22] + record + locator + unknown
 
 
-def renamed(name: str) -> bytes:
-    return zip_of([Member(name.encode())])
-
-
 def many_entries(count: int) -> bytes:
     """A zip of empty files that share one place."""
     first = Member(b"0", b"", 0)

@@ -36,3 +36,21 @@ def commands_in(log: str) -> list[str]:
     with "::", and those with "##[" anywhere; with a name between, Azure's."""
     lines = re.split("[\r\n]", log)
     return [line for line in lines if line.strip().startswith("::") or re.search(r"##\w*\[", line)]
+
+
+def runner_commands(log: str) -> list[tuple[str, dict[str, str], str]]:
+    """As actions/runner reads them (ActionCommand.TryParseV2): "::name k=v,k=v::data"."""
+
+    def unescaped(escaped: str, *codes: str) -> str:
+        for code in (*codes, "%0D", "%0A", "%25"):
+            escaped = escaped.replace(code, chr(int(code[1:], 16)))
+        return escaped
+
+    found = []
+    for line in log.split("\n"):
+        match = re.fullmatch(r"::(\w+) ?([^:]*)::(.*)", line)
+        assert match, line
+        pairs = (pair.split("=", 1) for pair in match[2].split(",") if pair)
+        where = {name: unescaped(value, "%3A", "%2C") for name, value in pairs}
+        found.append((match[1], where, unescaped(match[3])))
+    return found

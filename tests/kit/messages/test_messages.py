@@ -1,0 +1,98 @@
+"""What a student or an instructor is told for what a program says or a file holds. Each file of
+expected/ has both: some lines of input and, after "->", the sentence. For a new one, write the
+input and "->", run ./kit test --accept, and read the sentence."""
+
+import json
+import re
+from collections.abc import Callable, Iterator
+from functools import partial, reduce
+from pathlib import Path
+
+import golden
+import pytest
+from bounce_grader import cli
+from bounce_grader.build.compiler import compile_problem
+from bounce_grader.build.linking import link_problem
+from bounce_grader.common import manifest
+from bounce_grader.common.errors import UsageError
+from bounce_grader.common.paths import WORK_FOLDER
+from bounce_grader.grading import judging
+from bounce_grader.sandbox.processes import Result
+from conftest import ROOT
+from edits import edited
+
+Sentences = dict[str, Callable[[str], str]]
+EXPECTED = Path(__file__).parent / "expected"
+MANIFEST = json.loads((ROOT / "grader" / "parts.json").read_text())
+
+
+def failed(said: str, code: int = 1, too_long: bool = False, flooded: bool = False) -> Result:
+    return Result(code, 0.0, b"", said, too_long, flooded)
+
+
+def of_the_manifest(edits: str, where: Path) -> str:
+    """About parts.json after some edits, or after "{" about that in its place."""
+    text = edits
+    if not edits.startswith("{"):
+        text = json.dumps(reduce(edited, edits.splitlines(), MANIFEST))
+    (where / manifest.NAME).write_text(text)
+    manifest.parts.cache_clear()
+    try:
+        return ", ".join(f"{len(p.checks)} checks for {p.points} points" for p in manifest.parts())
+    except UsageError as refused:
+        return str(refused)
+
+
+def of_addr2line(lines: str) -> str:
+    return str(judging.place_in(lines.replace("WORK", WORK_FOLDER).replace("ESC", "\x1b").encode()))
+
+
+SENTENCES: Sentences = {
+    "compiler": lambda said: compile_problem(failed(said), "part2_lcp.cpp"),
+    "linker": lambda said: link_problem(failed(said)),
+    "addr2line": of_addr2line,
+}
+
+
+@pytest.fixture
+def elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
+    """A folder for another manifest, beside the kit's own checks."""
+    (tmp_path / "grader").mkdir()
+    (tmp_path / "tests").symlink_to(ROOT / "tests")
+    monkeypatch.setattr(manifest, "ROOT", tmp_path)
+    yield tmp_path
+    manifest.parts.cache_clear()
+
+
+@pytest.mark.golden
+def test_each_message_has_its_sentence(elsewhere: Path) -> None:
+    told: dict[str, str] = {}
+    about_manifest = partial(of_the_manifest, where=elsewhere)
+    sentences: Sentences = {**SENTENCES, "manifest": about_manifest}
+    for name, sentence in sentences.items():
+        written = (EXPECTED / f"{name}.txt").read_text()
+        said = re.findall(r"(.+?)\n->[^\n]*\n+", written, re.DOTALL)
+        assert len(said) == written.count("\n->"), name
+        told[f"{name}.txt"] = "\n".join(f"{one}\n-> {sentence(one)}\n" for one in said)
+    golden.compare(EXPECTED, told)
+
+
+@pytest.mark.parametrize(
+    "result, sentence",
+    [
+        (failed("", too_long=True), "part2_lcp.cpp took more than 15 s to compile"),
+        (failed("", code=128 + 24), "part2_lcp.cpp took more than 15 s to compile"),
+        (failed("", code=128 + 25), "part2_lcp.cpp makes an object of more than 8 MB"),
+        (failed("", flooded=True), "part2_lcp.cpp makes the compiler print without end"),
+    ],
+)
+def test_how_a_compiler_ended_is_told(result: Result, sentence: str) -> None:
+    assert compile_problem(result, "part2_lcp.cpp").startswith(sentence)
+
+
+def test_a_wrong_manifest_ends_a_command_before_it_builds_anything(
+    elsewhere: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    of_the_manifest("parts 0 checks 0 points = 7", elsewhere)
+    assert cli.check_manifest() == 2
+    assert capsys.readouterr().err.startswith("kit: grader/parts.json: part 1 gives 30 points")

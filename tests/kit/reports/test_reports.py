@@ -1,0 +1,357 @@
+"""Every report on every record of records/ is what a person has read in expected/, and is read by
+another reader of its format. The records: a mixed one, written by hand; a right one with remarks,
+half points and a record before it; a hostile one, each of whose texts tries to break out of its
+format; one with a mistake in each part, pictures and curves; and a submission that can't be
+read."""
+
+import base64
+import copy
+import io
+import json
+import os
+import re
+import subprocess
+from collections.abc import Callable
+from functools import partial
+from html.parser import HTMLParser
+from pathlib import Path
+from typing import Any
+
+import golden
+import odd_texts
+import pytest
+from bounce_grader import cli, formats
+from bounce_grader.assignment import picture
+from bounce_grader.common import escaping
+from bounce_grader.common.errors import UsageError
+from bounce_grader.formats import github, html, sentences, terminal
+from bounce_grader.formats.templates import fill
+from bounce_grader.submission import folders, zips
+from conftest import ROOT, SOLUTION, write
+from edits import edited
+from hypothesis import example, given
+from odd_texts import runner_commands, TEXTS
+
+Record = dict[str, Any]
+HERE = Path(__file__).parent
+RECORDS: dict[str, Record] = {
+    file.stem: json.loads(file.read_text()) for file in sorted((HERE / "records").glob("*.json"))
+}
+REFUSED = RECORDS.pop("unreadable")["refused"]
+MIXED = RECORDS["mixed"]
+SCHEMA = json.loads((ROOT / "docs" / "record.schema.json").read_text())
+NOWHERE = Path("/nowhere")
+ENDINGS = {"html": "html", "junit": "xml", "markdown": "md", "github": "txt", "autolab": "txt"}
+every_record = pytest.mark.parametrize("record", RECORDS.values(), ids=RECORDS)
+
+
+@pytest.fixture(autouse=True)
+def classroom50(monkeypatch: pytest.MonkeyPatch) -> None:
+    """What its runner sets."""
+    for name in ("CLASSROOM", "ASSIGNMENT", "COMMIT_URL", "RELEASE_URL"):
+        monkeypatch.setenv(name, name.lower())
+    monkeypatch.setenv("SUBMISSION_TAG", "submit/1")
+
+
+def in_a_terminal(record: Record) -> str:
+    stream = io.StringIO()
+    terminal.show(record, stream)
+    return stream.getvalue()
+
+
+def result_for_reporter(record: Record, root: Path = NOWHERE, enough: float = 0.0) -> Record:
+    result: Record = json.loads(base64.b64decode(github.reporter_result(record, root, enough)))
+    return result
+
+
+# --- what a person has read ---
+
+
+def compare(record: str, texts: dict[str, str]) -> None:
+    """Compares reports without styles and times."""
+    style, now = r"(?s)<style>.*?</style>", r'"datetime": "\d{4}-\d\d-\d\dT\d\d:\d\d:\d\dZ"'
+    for file, text in texts.items():
+        text = re.sub(style, "<style>...</style>", text)
+        texts[file] = re.sub(now, '"datetime": "..."', text).rstrip("\n") + "\n"
+    golden.compare(HERE / "expected" / record, texts)
+
+
+@pytest.mark.golden
+@pytest.mark.parametrize("name", RECORDS)
+def test_reports_are_what_a_person_has_read(name: str) -> None:
+    record = RECORDS[name]
+    made = {f"{format}.{ENDINGS.get(format, 'json')}": format for format in formats.NAMES}
+    del made["json.json"]  # the record itself
+    texts = {file: formats.render(format, record, NOWHERE) for file, format in made.items()}
+    texts["html.html"] = html.render(record, "doejane", ("a.pdf is no C++ source and no zip",))
+    texts["terminal.txt"] = in_a_terminal(record)
+    texts["github_result.json"] = json.dumps(result_for_reporter(record), indent=1)
+    compare(name, texts)
+    assert json.loads(formats.render("json", record, NOWHERE)) == record
+
+
+@pytest.mark.golden
+def test_a_submission_that_cannot_be_read_is_told_where_there_is_a_place() -> None:
+    made = {f"{name}.txt": formats.refused(name, REFUSED) for name in formats.NAMES}
+    assert formats.refused(None, REFUSED) == ""
+    compare("unreadable", {file: text for file, text in made.items() if text})
+
+
+# --- the record ---
+
+
+def test_records_follow_the_published_schema(tmp_path: Path) -> None:
+    jsonschema = pytest.importorskip("jsonschema")
+    jsonschema.Draft202012Validator.check_schema(SCHEMA)
+    real = tmp_path / "record.json"
+    assert cli.main(["grade", str(SOLUTION), "--speed", "--json", str(real)]) == 0
+    for record in (*RECORDS.values(), json.loads(real.read_text())):
+        jsonschema.validate(record, SCHEMA)
+    wrong = ('score = "32"', 'box = "x"', "parts = []", 'submission_sha256 = "5"')
+    for edit in (*wrong, 'speed = {"ratio": 2}'):
+        with pytest.raises(jsonschema.ValidationError):
+            jsonschema.validate(edited(MIXED, edit), SCHEMA)
+
+
+# --- read by another reader ---
+
+
+def check_github(record: Record, text: str) -> None:
+    found = runner_commands(text)
+    assert {"error", "warning", "notice"} >= {kind for kind, _, _ in found}
+    total = {"totalPoints": record["score"], "maxPoints": record["max_score"]}
+    kind, where, report = found[-1]
+    assert kind == "notice" and where["title"] == "Autograding report"
+    assert json.loads(report) == total
+    assert [w.get("title") for _, w, _ in found].count("Autograding report") == 1
+    result = result_for_reporter(record)
+    assert (result["version"], result["max_score"]) == (1, record["max_score"])
+    assert sum(test["score"] for test in result["tests"]) == record["score"]
+
+
+def check_json(record: Record, text: str, points: str = "score", most: str = "max_score") -> None:
+    """Services add up the points of the tests. Where they are scaled, they are whole numbers."""
+    tests = json.loads(text)["tests"]
+    got, best = (sum(test[key] for test in tests) for key in (points, most))
+    assert got / best == pytest.approx(record["score"] / record["max_score"])
+    assert best == record["max_score"] or all(type(test[points]) is int for test in tests)
+
+
+def check_gradescope(record: Record, text: str) -> None:
+    schema = json.loads((HERE / "gradescope.schema.json").read_text())
+    pytest.importorskip("jsonschema").validate(json.loads(text), schema)
+    check_json(record, text)
+
+
+def check_autolab(record: Record, text: str) -> None:
+    shown, scores = map(json.loads, text.splitlines())
+    assert scores["scores"] == {part["stem"]: part["score"] for part in record["parts"]}
+    assert all(
+        type(t["passed"]) is bool for stage in shown["stages"] for t in shown[stage].values()
+    )
+
+
+def check_junit(record: Record, text: str) -> None:
+    junitparser = pytest.importorskip("junitparser")
+    suites = list(junitparser.JUnitXml.fromstring(text.encode()))
+    assert [suite.name for suite in suites] == [part["stem"] for part in record["parts"]]
+    failed = {f"{c.classname.split('_')[0]}.{c.name}" for s in suites for c in s if c.result}
+    checks = [check for part in record["parts"] for check in part["checks"]]
+    assert failed == {check["id"] for check in checks if not check["passed"]}
+    for suite in suites:
+        kinds = [type(result).__name__ for case in suite for result in case.result]
+        counts = (suite.tests, suite.failures, suite.errors)
+        assert counts == (len(list(suite)), kinds.count("Failure"), kinds.count("Error"))
+
+
+def check_html(_: Record, text: str) -> None:
+    """The record's texts add no element and no attribute."""
+    markup: set[str] = set()
+
+    class Reader(HTMLParser):
+        def handle_starttag(self, tag: str, attributes: list[tuple[str, str | None]]) -> None:
+            markup.update({tag, *(name for name, _ in attributes)})
+
+    Reader().feed(text)
+    assert not markup & {"script", "img", "i", "onerror"}
+
+
+def check_markdown(_: Record, text: str) -> None:
+    outside = re.sub(r"(`{3,})text\n.*?\n\1", "", text, flags=re.DOTALL)
+    outside = re.sub(r"</?(details|summary)>", "", outside)
+    assert not re.search(r"(?<!\\)[<\[]|@everyone|<!--|#1", outside)
+
+
+READ_BY: dict[str, Callable[[Record, str], None]] = {
+    "github": check_github,
+    "gradescope": check_gradescope,
+    "html": check_html,
+}
+READ_BY |= {"markdown": check_markdown, "autolab": check_autolab, "junit": check_junit}
+READ_BY["prairielearn"] = partial(check_json, points="points", most="max_points")
+READ_BY["classroom50"] = partial(check_json, most="max-score")
+
+
+@every_record
+@pytest.mark.parametrize("name", READ_BY)
+def test_each_report_is_read_by_another_reader(name: str, record: Record) -> None:
+    READ_BY[name](record, formats.render(name, record, NOWHERE))
+
+
+# --- whatever a submission says ---
+
+
+def saying(record: Record, text: str) -> Record:
+    """The record of a submission that puts this text wherever it can."""
+    words = escaping.printable_text(text)
+    changed: Record = copy.deepcopy({**record, "ignored": [escaping.printable_name(text)]})
+    changed["speed"] = {"largest_error": None, "otherwise": f"at {words}"}
+    for part in changed["parts"]:
+        part["message"] = words
+        for check in part["checks"]:
+            check["message"] = "" if check["passed"] else words
+            if check.get("shown"):
+                check["shown"]["sentence"] = check["shown"]["input"] = words
+    return changed
+
+
+@given(TEXTS)
+@example("##[group]a\n::error::b")
+@example("a##[add-mask]b\n  ::stop-commands::x")
+def test_nothing_that_is_printed_is_a_command_in_a_log(text: str) -> None:
+    record = saying(MIXED, text)
+    for name in formats.NAMES:
+        printed = formats.render(name, record, NOWHERE)
+        ours = printed.split("\n") if name == "github" else []
+        assert odd_texts.commands_in(printed) == ours, name
+        refused = formats.refused(name, escaping.printable_text(text))
+        assert odd_texts.commands_in(refused) == ([refused] if ours else []), name
+    assert odd_texts.commands_in(in_a_terminal(record)) == []
+
+
+def test_a_long_report_stays_below_what_github_takes() -> None:
+    record = saying(MIXED, "x" * 20_000)
+    text = formats.render("markdown", record, NOWHERE)
+    assert len(text) < 65_536 and text.endswith("More checks failed than there is room for.\n")
+
+
+@pytest.mark.parametrize("odd", [["nan"], ["inf"], [1e300], [-1e300], [0.0], [1e-300]])
+def test_a_picture_can_be_drawn_of_any_numbers(odd: list[Any]) -> None:
+    scene: Record = {"l": 0.2, "m": 0.3, "g": [0.0, -9.81, 0.0], "dt": 0.01, "delta": 0.001}
+    scene |= {"q": [0.0, 0.1, 0.0], "v": [1.0, 0.0, 0.0]}
+    quantity = {"name": picture.VELOCITY, "unit": "", "got": [odd] * 3, "right": [[False]] * 3}
+    path = {"first": 1, "got": [odd * 3, [0.0, 1.0, 0.0], odd * 3]}
+    [step] = picture.figures_of({"scene": scene, "quantities": [quantity]})
+    [way] = picture.figures_of({"scene": scene, "quantities": [], "path": path})
+    for text in re.findall(r' d="([^"]*)"', step.drawing + way.drawing):
+        assert re.fullmatch(r"[MLAZ\d .-]*", text), text
+        assert max(abs(float(x)) for x in re.findall(r"-?[\d.]+", text)) <= picture.FAR
+
+
+# --- files and lines, for GitHub ---
+
+PART2 = "part2_lcp.cpp"
+ODD_FOLDERS = ["hw", "my hw", "my hw (v2)", "a%b", "été/a b/c"]
+
+
+@pytest.mark.parametrize(
+    "files, message, place",
+    [
+        ([], "part2_lcp.cpp:12:5: expected ';'", (PART2, "12", "5")),
+        ([], "a crash, at src/part2_lcp.cpp:21", (f"src/{PART2}", "21", None)),
+        ([], "part2_lcp.cpp:3 uses rotation(double)", (PART2, "3", None)),
+        ([], "got phi = 1.5:2, nothing.cpp", (PART2, "1", None)),
+        ([PART2], "kit/judge.cpp:7: Assertion `forged' failed", (PART2, "1", None)),
+        ([PART2], "../../etc/a.cpp:7: forged", (PART2, "1", None)),
+        ([PART2], f"{'a' * 300}.cpp:7: forged", (PART2, "1", None)),
+        ([PART2, "helper.hpp"], "a crash, at helper.hpp:5", ("helper.hpp", "5", None)),
+        ([PART2, f"old/{PART2}"], "part2_lcp.cpp:5: x", (PART2, "5", None)),
+    ]
+    + [
+        # A message's path is cut off at an unusual sign.
+        (
+            [f"{folder}/{PART2}", f"my_{PART2}"],
+            f"{folder}/{PART2}:7: x",
+            (f"{folder}/{PART2}", "7", None),
+        )
+        for folder in ODD_FOLDERS
+    ],
+)
+def test_github_is_pointed_at_lines_of_files_that_were_handed_in(
+    files: list[str], message: str, place: tuple[str, str, str | None], tmp_path: Path
+) -> None:
+    write(tmp_path, dict.fromkeys(files, b""))
+    record = edited(MIXED, f"parts 1 message = {json.dumps(message)}")
+    _, where, _ = runner_commands(github.render(record, tmp_path))[1]
+    assert (where["file"], where["line"], where.get("col")) == place
+    if place[0] in (PART2, "helper.hpp"):
+        tests = result_for_reporter(record, tmp_path)["tests"]
+        assert {test["filename"] for test in tests if test["name"][0] == "2"} == {place[0]}
+
+
+def test_github_lists_the_repository_once_and_unpacks_nothing(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """This takes no time of the grading's: a commit of 20 KB took minutes, unpacked for each
+    place that its messages named."""
+    opened: list[Path] = []
+    listing = folders.opened
+
+    def counted(path: Path, *more: Any) -> Any:
+        opened.append(path)
+        return listing(path, *more)
+
+    monkeypatch.setattr(folders, "opened", counted)
+    monkeypatch.setattr(zips, "opened", counted)
+    write(tmp_path, {"hw.zip": (ROOT / "LICENSE").read_bytes()})
+    record = saying(MIXED, "see elsewhere.cpp:1")
+    github.render(record, tmp_path)
+    github.reporter_result(record, tmp_path)
+    assert opened == [tmp_path] * 2
+
+
+@pytest.mark.parametrize("enough, status", [(0, "pass"), (32, "pass"), (32.5, "fail")])
+def test_the_reporter_fails_the_job_only_below_the_score_that_is_enough(
+    enough: float, status: str
+) -> None:
+    assert result_for_reporter(MIXED, NOWHERE, enough)["status"] == status
+
+
+def test_a_step_of_a_workflow_hands_on_its_result(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("GITHUB_OUTPUT", str(tmp_path / "output"))
+    monkeypatch.setenv("GITHUB_STEP_SUMMARY", str(tmp_path / "summary"))
+    formats.render("github", MIXED, NOWHERE)
+    lines = (tmp_path / "output").read_text().splitlines()
+    assert lines == [f"result={github.reporter_result(MIXED)}", "score=32"]
+    summary = (tmp_path / "summary").read_text()
+    assert summary == formats.render("markdown", MIXED, NOWHERE) + "\n"
+
+
+# --- the rest ---
+
+
+def test_what_a_runner_or_a_template_lacks_is_an_error(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv("CLASSROOM")
+    with pytest.raises(UsageError, match="CLASSROOM isn't set"):
+        formats.render("classroom50", MIXED, NOWHERE)
+    with pytest.raises(Exception, match="'title' is undefined"):
+        fill("formats/page.html.j2")
+
+
+def kit(*arguments: str) -> "subprocess.CompletedProcess[str]":
+    command = [str(ROOT / "kit"), *arguments]
+    return subprocess.run(command, capture_output=True, text=True, check=False)
+
+
+def test_the_command_prints_a_format_and_keeps_its_status(tmp_path: Path) -> None:
+    done = kit("grade", str(SOLUTION), "--format", "gradescope", "--min-score", "100")
+    assert done.returncode == 0
+    assert sum(test["score"] for test in json.loads(done.stdout)["tests"]) == 100
+    done = kit("grade", str(tmp_path), "--format", "gradescope")
+    assert done.returncode == 2 and "is empty" in json.loads(done.stdout)["output"]
+    done = kit("grade", str(tmp_path), "--format", "autolab")
+    assert done.returncode == 2 and done.stdout == ""
+    done = kit("grade", str(SOLUTION), "--format", "junit", "--json", "-")
+    assert done.returncode == 2 and "give one" in done.stderr

@@ -1,0 +1,73 @@
+"""Submissions by what is odd about them: files that a folder, a zip and a tar can hold, names that
+only a zip can, and paths that are none of these."""
+
+import json
+import os
+from pathlib import Path
+
+from bounce_grader.submission import entry
+from conftest import ROOT, write
+
+Files = dict[str, bytes]
+
+STEMS = ("part1_contacts", "part2_lcp", "part3_step", "part4_simulate")
+PARTS: Files = {f"{stem}.cpp": b"// " + stem.encode() for stem in STEMS}
+
+
+def inside(folder: str, files: Files = PARTS) -> Files:
+    return {f"{folder}/{name}": text for name, text in files.items()}
+
+
+def written(files: dict[str, str]) -> Files:
+    """Files as files.json has them, where * in a name stands for the four parts."""
+    made: Files = {}
+    for name, text in files.items():
+        own = {name: text.encode()} if "*" not in name else PARTS
+        made |= {name.replace("*", part): data for part, data in own.items()}
+    return made
+
+
+TABLES = ROOT / "tests" / "kit" / "submission"
+FILES = {k: written(files) for k, files in json.loads((TABLES / "files.json").read_text()).items()}
+FILES |= {
+    "UTF-16, and no text": {"part1_contacts.cpp": "// Höhe\nint x;\n".encode("utf-16")}
+    | {"part2_lcp.cpp": b"int\0x;"},
+    "a large helper": PARTS | {"table.hpp": b" " * (2 << 20), "notes.txt": b""},
+    "5001 files": {f"{i}.txt": b"" for i in range(entry.MOST_ENTRIES + 1)},
+    "20 MB of sources": dict.fromkeys([f"{i}.cpp" for i in range(20)], b" " * entry.LARGEST_SOURCE),
+    "5000 sources that are no text": {f"{i}.cpp": b"\0" * 99 for i in range(entry.MOST_ENTRIES)},
+}
+
+# Each could mislead a compiler or a reader.
+MISLEADING = ["-o.cpp", "@options.cpp", "a\nb.hpp", "\x1b[2J.cpp", "a\u202eppc.hpp"]
+MISLEADING += [f"{'a' * 300}.cpp", "a/" * 200 + "a.cpp"]
+
+
+# Commands of bash in an empty folder beside the parts, and which path is then read.
+FOLDERS = {
+    "an empty folder": ("true", "."),
+    "a name that is no UTF-8": (r"cp ../parts/* .; touch $'L\xf6sung.hpp'", "."),
+    "a part of 1 GB": ("cp ../parts/* .; truncate -s 1000000000 part2_lcp.cpp", "."),
+    "links and a pipe": (
+        "cp ../parts/* .; ln -s /etc/passwd helper.cpp; ln -s /etc folder; mkfifo pipe.cpp",
+        ".",
+    ),
+    "5001 folders": ("mkdir {1..5001}", "."),
+    "nothing": ("true", "nowhere"),
+    "a file alone": ("cp ../parts/* .", "part2_lcp.cpp"),
+    "a pipe": ("mkfifo pipe", "pipe"),
+    "/dev/zero": ("true", "/dev/zero"),
+    "/dev/null": ("true", "/dev/null"),
+}
+
+
+def deep(folder: Path) -> Path:
+    """Deeper than a path can be long. shutil can't remove it, but rm can."""
+    here = os.open(write(folder, PARTS), os.O_RDONLY)
+    for _ in range(3000):
+        os.mkdir("d", dir_fd=here)
+        below = os.open("d", os.O_RDONLY, dir_fd=here)
+        os.close(here)
+        here = below
+    os.close(here)
+    return folder

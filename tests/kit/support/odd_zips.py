@@ -1,0 +1,74 @@
+"""Zips as other programs write them, and as nobody should."""
+
+import io
+import json
+import random
+import zipfile
+from collections.abc import Iterator
+
+import corpus
+from bounce_grader.submission import entry
+from corpus import Member, zip_of
+from handed_in import packed_tar
+from odd_submissions import PARTS, TABLES
+
+Archive = tuple[str, str, bytes]  # what is odd about it, its file's name, and its bytes
+
+RAR = b"Rar!\x1a\x07\x01\x00" + bytes(100)
+
+
+def holding(files: dict[str, bytes]) -> bytes:
+    return zip_of(Member(name.encode(), text) for name, text in files.items())
+
+
+def member(
+    name: str, data: str = "int x;", mode: str = "0", method: int = corpus.DEFLATED, flags: int = 0
+) -> Member:
+    return Member(name.encode(), data.encode(), method, flags, int(mode, 8) << 16)
+
+
+def damaged() -> bytes:
+    data = bytearray(holding(PARTS))
+    data[50:60] = bytes(10)  # inside the first entry's compressed bytes
+    return bytes(data)
+
+
+def sharing() -> bytes:
+    """Entries that would be unpacked from the same bytes: a small zip that takes minutes."""
+    data = io.BytesIO()
+    with zipfile.ZipFile(data, "w", zipfile.ZIP_DEFLATED) as archive:
+        archive.writestr("part1_contacts.cpp", random.Random(1).randbytes(5000))
+        first = archive.infolist()[0]
+        for n in range(3):
+            again = zipfile.ZipInfo(f"helper{n}.cpp")
+            for field in ("compress_type", "compress_size", "file_size", "CRC", "header_offset"):
+                setattr(again, field, getattr(first, field))
+            archive.filelist.append(again)
+    return data.getvalue()
+
+
+def zips() -> Iterator[Archive]:
+    for what, data in _zips():
+        yield what, "x.zip", data
+    for name in ("x.tar.gz", "x.7z"):
+        yield f"a zip named {name}", name, holding(PARTS)
+    for name in ("x.zip", "x.rar", "x.7z"):
+        yield f"a RAR archive named {name}", name, RAR
+
+
+def _zips() -> Iterator[tuple[str, bytes]]:
+    yield "only its beginning", b"PK\x03\x04 and then nothing"
+    yield "damaged in the middle", damaged()
+    for what, members in json.loads((TABLES / "zips.json").read_text()).items():
+        yield what, zip_of(member(**properties) for properties in members)
+    yield "5000 folders", zip_of(member(f"{i}/") for i in range(entry.MOST_ENTRIES + 1))
+    yield "zip64", corpus.zip64({"part1_contacts.cpp": b"int x;"})
+    yield "a size that is a lie", zip_of([Member(b"a.cpp", b" " * (2 << 20), size=100)])
+    yield "65535 entries, as many as there can be without zip64", corpus.many_entries(65535)
+    yield "sources that hold one another", corpus.overlapping(90, entry.LARGEST_SOURCE // 2)
+    yield "sources that share their bytes", sharing()
+    inner, tar = holding(PARTS), holding({"inner.tgz": packed_tar(PARTS), "notes.txt": b""})
+    yield "a zip inside", holding({"a/inner.zip": inner})
+    yield "a tar inside", tar
+    yield "an old zip beside the parts", holding(PARTS | {"old.zip": inner})
+    yield "an archive in an archive in an archive", holding({"x.zip": tar})
