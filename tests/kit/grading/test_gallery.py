@@ -70,10 +70,19 @@ def known_as(folder: Path) -> list[str]:
 
 @pytest.mark.parametrize("folder", ALL, ids=name_of)
 def test_gets_what_it_should(folder: Path, tmp_path: Path) -> None:
-    remarked = Options(sanitize=folder.parent.name == "undefined")
-    record = grade(submission_of(folder, tmp_path / "submission"), remarked)
+    record = grade(submission_of(folder, tmp_path / "submission"))
     gets(expected(folder), record)
     assert named(record) == known_as(folder), shown(record)
+
+
+REMARKED = [folder for folder in folders("undefined") if "remark" in expected(folder)]
+
+
+@pytest.mark.parametrize("folder", REMARKED, ids=lambda folder: folder.name)
+def test_undefined_behaviour_is_remarked(folder: Path) -> None:
+    """Without the other parts, which would be looked at, too."""
+    text = shown(grade(folder, Options(sanitize=True)))
+    assert f"  remark, no points: {expected(folder)['remark']}" in text
 
 
 @pytest.mark.long

@@ -314,7 +314,7 @@ def test_what_the_compiler_can_see_was_made_without_the_solution() -> None:
 
 def test_exit_status_and_json(tmp_path: Path) -> None:
     file = tmp_path / "record.json"
-    done = kit("grade", str(SOLUTION), "--json", str(file), "--min-score", "100")
+    done = kit("grade", str(SOLUTION), "--no-sanitize", "--json", str(file), "--min-score", "100")
     assert done.returncode == 0 and "Score 100 / 100" in done.stdout and done.stderr == ""
     assert json.loads(file.read_text())["score"] == 100
 
@@ -324,7 +324,10 @@ def test_exit_status_and_json(tmp_path: Path) -> None:
     done = kit("grade", str(tmp_path / "nowhere"))
     assert done.returncode == 2 and done.stdout == "" and done.stderr.count("\n") == 1
     assert kit("grade").returncode == 2
-    assert kit("grade", str(SOLUTION), "--json", "/nonexistent/x.json").returncode == 2
+    assert (
+        kit("grade", str(SOLUTION), "--no-sanitize", "--json", "/nonexistent/x.json").returncode
+        == 2
+    )
 
 
 def test_a_pipe_is_written_to_and_stays_one(tmp_path: Path) -> None:
@@ -332,13 +335,13 @@ def test_a_pipe_is_written_to_and_stays_one(tmp_path: Path) -> None:
     pipe = tmp_path / "pipe"
     os.mkfifo(pipe)
     reader = subprocess.Popen(["/bin/cat", str(pipe)], stdout=subprocess.PIPE)
-    assert kit("grade", str(SOLUTION), "--json", str(pipe)).returncode == 0
+    assert kit("grade", str(SOLUTION), "--no-sanitize", "--json", str(pipe)).returncode == 0
     assert json.loads(reader.communicate()[0])["score"] == 100
     assert pipe.is_fifo()
 
 
 def test_speed_is_a_ratio_of_one_run() -> None:
-    done = kit("grade", str(SOLUTION), "--speed", "--json", "-")
+    done = kit("grade", str(SOLUTION), "--no-sanitize", "--speed", "--json", "-")
     speed = json.loads(done.stdout)["speed"]
     assert speed["submission_ns"] > 0 and speed["solution_ns"] > 0
     assert speed["ratio"] == pytest.approx(speed["submission_ns"] / speed["solution_ns"])
@@ -384,7 +387,9 @@ def test_a_grading_imports_nothing_that_takes_longer_than_a_judge() -> None:
     (start,) = re.findall(r"^import='(.+)'$", (ROOT / "kit").read_text(), re.MULTILINE)
     start += "; import bounce_grader.__main__"
     command = ["/usr/bin/python3", "-IS", "-X", "importtime", "-c", start, str(ROOT / "grader")]
-    done = subprocess.run([*command, "grade", str(SOLUTION)], capture_output=True, text=True)
+    done = subprocess.run(
+        [*command, "grade", "--no-sanitize", str(SOLUTION)], capture_output=True, text=True
+    )
     assert done.returncode == 0 and "Score 100 / 100" in done.stdout
     imported = set(re.findall(r"^import time:.*\| *(\S+)$", done.stderr, re.MULTILINE))
     assert "bounce_grader.grading.judging" in imported

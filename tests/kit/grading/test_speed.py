@@ -1,6 +1,6 @@
 """Speed against accuracy: what the stopwatch measures, and which tricks can't deceive it.
 
-Times are CPU times and ratios within one run, so that the tests hold on a busy machine, too.
+No test compares times, so that they hold on a busy machine, too: ./kit bench does.
 """
 
 import json
@@ -64,9 +64,6 @@ def test_the_solution_is_as_exact_and_as_fast_as_itself(tmp_path: Path) -> None:
     for scene in found["scenes"]:
         assert [p["error"] for p in scene["submission"]] == [p["error"] for p in scene["solution"]]
         assert [p["dt"] for p in scene["submission"]] == pytest.approx(found["dt"], rel=0.3)
-    assert 0.5 < found["ratio"] < 2
-    times = {whose: speed.curve(found, whose)[-1].ns for whose in speed.CURVES}
-    assert times["least"] < times["solution"] / 2
 
 
 def test_the_error_falls_with_the_step_and_is_the_same_each_time(tmp_path: Path) -> None:
@@ -78,9 +75,8 @@ def test_the_error_falls_with_the_step_and_is_the_same_each_time(tmp_path: Path)
         assert scene["least"][-1]["error"] <= scene["least"][0]["error"] + 1e-14  # rounding
 
 
-def test_who_does_everything_twice_takes_twice_as_long(tmp_path: Path) -> None:
+def test_who_does_everything_twice_is_as_exact(tmp_path: Path) -> None:
     found = timed(tmp_path, around("const Trajectory first = honest(q_0, v_0, params);"))
-    assert 1.4 < found["ratio"] < 3
     assert worst(found) == [p.error for p in speed.curve(found, "solution")]
 
 
@@ -123,7 +119,8 @@ def test_who_rounds_otherwise_is_right(tmp_path: Path, name: str) -> None:
     files = {f.relative_to(ACCEPTED / name).as_posix(): f for f in (ACCEPTED / name).rglob("*.?pp")}
     changes = {file: path.read_bytes() for file, path in files.items()}
     folder = write(tmp_path, {**solution_files(), **changes})
-    assert "ratio" in grade(folder, Options(speed=True))["speed"]
+    found = grade(folder, Options(speed=True))["speed"]
+    assert found.get("cut") == "" and "otherwise" not in found
 
 
 MOVED = "r.q.colwise() += q_0 - Vector3(r.q.col(0)); r.v.colwise() += v_0 - Vector3(r.v.col(0));"

@@ -40,7 +40,7 @@ def graded(tmp_path: Path) -> Path:
     wrong = ROOT / "tests" / "submissions" / "mistakes" / "part3_friction_sign"
     files = solution_files() | {f.name: f.read_bytes() for f in wrong.glob("*.cpp")}
     folder, record = write(tmp_path / "doejane", files), tmp_path / "record.json"
-    assert cli.main(["grade", str(folder), "--speed", "--json", str(record)]) == 0
+    assert cli.main(["grade", str(folder), "--no-sanitize", "--speed", "--json", str(record)]) == 0
     page = tmp_path / "grade.html"
     page.write_text(html.render(json.loads(record.read_text()), "doejane"), "utf-8")
     return page
