@@ -296,8 +296,7 @@ def _locked(out: Path) -> Iterator[None]:
 
 
 def _regrade(request: Request, intake: Class, stamp: Stamp, log: Log) -> int:
-    folder = regrade.begin(request.out, request.regrade, stamp)
-    chosen = regrade.choose(request.out, intake, request.regrade)
+    folder, chosen = regrade.begin(request.out, intake, request.regrade, stamp)
     tasks = _tasks(request, chosen, stamp, folder)
     failed = grading.grade_missing(tasks, folder, request, log)
     if failed:

@@ -126,7 +126,7 @@ def markdown(text: str) -> str:
 
     line = escape(printable(text).replace("\n", " "), quote=False)
     marked = re.sub(r"([\\`*_{}\[\]()#+!|~-])", r"\\\1", line)
-    return re.sub(r"(@|#|://|www\.)", rf"\1{ZERO_WIDTH_SPACE}", marked)
+    return _no_command(re.sub(r"(@|#|://|www\.)", rf"\1{ZERO_WIDTH_SPACE}", marked))
 
 
 def markdown_block(text: str) -> str:

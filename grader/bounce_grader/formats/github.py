@@ -83,7 +83,7 @@ def _test(number: str, part: Record, check: Record, files: Files) -> dict[str, A
         "score": check["score"],
         "message": "" if check["passed"] else words,
         "test_code": "",
-        "filename": place.file if place else f"{part['stem']}.cpp",
+        "filename": _in_repository(place.file, files) if place else f"{part['stem']}.cpp",
         "line_no": place.line if place else 0,
         "duration": 0,
     }

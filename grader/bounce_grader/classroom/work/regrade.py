@@ -26,9 +26,9 @@ SAME = "same"  # a file in a set that changes nothing
 KINDS = "all, student=NAME (with * for any letters), status=STATUS, or score<POINTS"
 
 
-def begin(out: Path, chosen: str, stamp: Stamp) -> Path:
-    """The folder of the new set. A set begun by another version of the kit is discarded, and so is
-    one that changes nothing."""
+def begin(out: Path, intake: Class, chosen: str, stamp: Stamp) -> tuple[Path, list[Student]]:
+    """The folder of the new set, and whom the filter chooses. A set begun by another version of the
+    kit is discarded, and so is one that changes nothing."""
     _filter(chosen)
     there = results.stamp_of(out / "results")
     if there is None:
@@ -38,6 +38,7 @@ def begin(out: Path, chosen: str, stamp: Stamp) -> Path:
             f"the results in {out / 'results'} were made {results.difference(there, stamp)}, and "
             "one class is graded by one kit: use --regrade all"
         )
+    students = _choose(out, intake, chosen)
     folder = out / "regrade"
     noted = folder / FILTER
     dropped = results.stamp_of(folder) != stamp or not noted.exists() or (folder / SAME).exists()
@@ -50,10 +51,10 @@ def begin(out: Path, chosen: str, stamp: Stamp) -> Path:
         )
     results.begin(folder, stamp)
     write_whole(noted, chosen)
-    return folder
+    return folder, students
 
 
-def choose(out: Path, intake: Class, chosen: str) -> list[Student]:
+def _choose(out: Path, intake: Class, chosen: str) -> list[Student]:
     there = results.stamp_of(out / "results")
     assert there
     wanted = _filter(chosen)
@@ -160,7 +161,7 @@ def apply(out: Path, intake: Class, stamp: Stamp, log: Log) -> None:
         raise UsageError(f"{out} holds nothing to take over: run with --regrade FILTER first")
     if results.stamp_of(new) != stamp:
         raise UsageError("the kit or its fixtures changed since --regrade: run that again")
-    chosen = choose(out, intake, (new / FILTER).read_text())
+    chosen = _choose(out, intake, (new / FILTER).read_text())
     missing = [s.name for s in chosen if not _result(new, s, stamp)[1]]
     if missing:
         raise UsageError(
