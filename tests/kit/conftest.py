@@ -1,7 +1,6 @@
 """Shared by the Python tests: puts the grader on the path, and makes submissions from the
 solution."""
 
-import os
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -33,13 +32,6 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
         kept = {i * count // usual for i in range(usual)}
         for i in set(range(count)) - kept:
             same[i].add_marker(pytest.mark.long)
-
-
-@pytest.hookimpl(tryfirst=True)  # type: ignore[misc]
-def pytest_runtest_setup(item: pytest.Item) -> None:
-    """The tests that share a worker take longest, so the other workers give way to theirs."""
-    if "xdist_group" not in item.keywords and os.getpriority(os.PRIO_PROCESS, 0) == 0:
-        os.nice(5)
 
 
 ROOT = Path(__file__).resolve().parents[2]
