@@ -7,8 +7,7 @@ import io
 import re
 import resource
 import tarfile
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from pathlib import Path
 
 import corpus

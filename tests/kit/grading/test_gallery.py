@@ -16,7 +16,7 @@ from bounce_grader.common.manifest import parts
 from bounce_grader.common.paths import STUBS, WORK_FOLDER
 from bounce_grader.formats import terminal
 from bounce_grader.grading import gallery, known_mistakes
-from bounce_grader.grading.fixtures import hidden_folder, write as write_fixtures
+from bounce_grader.grading.fixtures import write as write_fixtures
 from bounce_grader.grading.gallery import expected, Expected, in_reduced_box
 from bounce_grader.grading.grade import grade, Options
 from bounce_grader.grading.judging import judge

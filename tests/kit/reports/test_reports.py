@@ -24,7 +24,7 @@ from bounce_grader import cli, formats
 from bounce_grader.assignment import picture
 from bounce_grader.common import escaping
 from bounce_grader.common.errors import UsageError
-from bounce_grader.formats import github, html, sentences, terminal
+from bounce_grader.formats import github, html, terminal
 from bounce_grader.formats.templates import fill
 from bounce_grader.submission import folders, zips
 from conftest import ROOT, SOLUTION, write
