@@ -5,7 +5,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from bounce_grader.common.errors import UsageError
 from bounce_grader.common.parallel_map import parallel_map
@@ -25,8 +25,7 @@ PYTHON = ("grader/bounce_grader", "tests", "solution")
 WORKERS = (os.cpu_count() or 1) + 2  # much of the tests' time is waiting
 
 
-@dataclass(frozen=True)
-class Step:
+class Step(NamedTuple):
     """One step of ./kit test."""
 
     name: str
@@ -38,13 +37,21 @@ class Step:
 def run(is_long: bool) -> int:
     """Runs the steps: first those that use one core, several at a time, and then, one by one, those
     that use all cores. Returns the exit status."""
-    single: list[Step] = []
-    parallel: list[Step] = []
-    for step in _steps(is_long):
-        if is_long or not step.is_long:
-            (parallel if step.parallel else single).append(step)
-    passed = [*parallel_map(_passes, single, WORKERS), *map(_passes, parallel)]
-    failed = [step.name for step, ok in zip([*single, *parallel], passed) if not ok]
+    steps = [step for step in _steps(is_long) if is_long or not step.is_long]
+    single = [step for step in steps if not step.parallel]
+    parallel = [step for step in steps if step.parallel]
+    ordered = [*single, *parallel]
+
+    def passes(step: Step) -> bool:
+        place = f"== {ordered.index(step) + 1} of {len(ordered)}, {step.name}"
+        print(f"{place} ...", flush=True)
+        start = time.monotonic()
+        passed = step.run() == 0
+        print(f"{place}: {time.monotonic() - start:.1f} s", flush=True)
+        return passed
+
+    passed = [*parallel_map(passes, single, WORKERS), *map(passes, parallel)]
+    failed = [step.name for step, ok in zip(ordered, passed) if not ok]
     if failed:
         print(f"failed: {', '.join(failed)}")
     return int(bool(failed))
@@ -58,13 +65,6 @@ def accept() -> int:
     status = _command(sys.executable, "-m", "pytest", "-q", "-n", str(WORKERS), "-m", "golden")
     print("What is expected was written anew; read it: git diff tests/kit", flush=True)
     return status
-
-
-def _passes(step: Step) -> bool:
-    start = time.monotonic()
-    passed = step.run() == 0
-    print(f"== {step.name}: {time.monotonic() - start:.1f} s", flush=True)
-    return passed
 
 
 def _steps(is_long: bool) -> list[Step]:
