@@ -140,10 +140,6 @@ std::vector<Real> even_times(Real until, int count) {
   return times;
 }
 
-inline Motion<double> rounded(const Motion<long double>& s) {
-  return {double(s.x), double(s.y), double(s.theta), double(s.v_x), double(s.v_y), double(s.omega)};
-}
-
 inline std::vector<Scene> scenes() { return read_scenes(BOUNCE_SCENES); }
 
 inline Scene scene_named(const std::string& name) {
