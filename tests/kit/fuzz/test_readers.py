@@ -9,6 +9,7 @@ import random
 import re
 import shutil
 import signal
+import stat
 import tempfile
 from collections.abc import Callable, Iterator
 from pathlib import Path, PurePosixPath
@@ -32,7 +33,6 @@ from handed_in import limited_memory, packed_tar
 from odd_submissions import inside, MISLEADING, PARTS
 
 Random = random.Random
-Source = tuple[str, str, bytes]  # a name, a kind and a text
 INPUTS, CHUNKS = 1_000_000, 200  # for each reader; the usual run has one chunk
 MOST_SECONDS = 10  # of CPU time for one input
 MOST_MEMORY = 512 << 20  # bytes more than at the start
@@ -75,7 +75,6 @@ PIECES += ["helper.cpp", "._part1_contacts.cpp", "main.cpp", "x.o", "inner.zip",
 ODD = [*MISLEADING, "..", ".", "", "C:", "a b.cpp", "\0.cpp", "a\\b.cpp", "CON.cpp", "\udcff.cpp"]
 TEXTS = [b"", b"int x;\n", b"\xff\xfei\0;\0", b"\xfe\xff\xd8\0", b"\0", b"\xff" * 9, b" " * 3000]
 MODES = [0, 0, 0, 0, 0, 0o100644, 0o100755, 0o120777, 0o010644, 0o020666, 0o060666, 0o140777]
-KINDS = ("file", "file", "file", "file", "file", "folder", "link", "pipe")
 
 
 def some_name(rng: Random) -> str:
@@ -119,25 +118,26 @@ def some_zip(rng: Random) -> bytes:
     return mutated(rng, [made], 3) if rng.random() < 0.2 else made
 
 
-def some_sources(rng: Random) -> list[Source]:
-    count = rng.randrange(1, 9)
-    return [(some_name(rng), rng.choice(KINDS), rng.choice(TEXTS)) for _ in range(count)]
+def some_members(rng: Random) -> list[Member]:
+    return [some_member(rng) for _ in range(rng.randrange(1, 9))]
 
 
-def put(top: Path, name: str, kind: str, text: bytes) -> None:
-    pieces = [piece for piece in name.split("/") if piece not in ("", ".", "..")]
-    path = top.joinpath(*pieces)
+def put(top: Path, member: Member) -> None:
+    """The member as a file, or by its mode as a link, a pipe or (for a device) a folder."""
+    name = member.name.decode("utf-8", "surrogateescape")
+    path = top.joinpath(*(piece for piece in name.split("/") if piece not in ("", ".", "..")))
+    mode = member.attributes >> 16
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
-        if kind == "file":
-            with path.open("xb") as stream:  # never into a pipe, which would wait
-                stream.write(text)
-        elif kind == "folder":
-            path.mkdir()
-        elif kind == "link":
-            path.symlink_to(f"/etc/{path.name}" if len(pieces) > 1 else "..")
-        else:
+        if stat.S_ISLNK(mode):
+            path.symlink_to(f"/etc/{path.name}" if path.parent != top else "..")
+        elif stat.S_ISFIFO(mode):
             os.mkfifo(path)
+        elif stat.S_ISBLK(mode) or stat.S_ISCHR(mode):
+            path.mkdir()
+        else:
+            with path.open("xb") as stream:  # never into a pipe, which would wait
+                stream.write(member.data)
     except (OSError, ValueError):
         pass  # there can't be such a name, or it is taken
 
@@ -150,10 +150,10 @@ def check_file(data: bytes, path: Path) -> bool:
     return is_taken(path)
 
 
-def check_folder(sources: list[Source], path: Path) -> bool:
+def check_folder(members: list[Member], path: Path) -> bool:
     path.mkdir()
-    for source in sources:
-        put(path, *source)
+    for member in members:
+        put(path, member)
     taken = is_taken(path)
     shutil.rmtree(path)
     return taken
@@ -272,7 +272,7 @@ MESSAGES = [
 READERS = {
     "x.zip": Reader(some_zip, check_file, 0.2),
     "x.tar": Reader(lambda rng: mutated(rng, TARS), check_file, 0.2),
-    "folder": Reader(some_sources, check_folder, 0.5, INPUTS // CHUNKS // 10),  # made on disk
+    "folder": Reader(some_members, check_folder, 0.5, INPUTS // CHUNKS // 10),  # made on disk
     "judge": Reader(lambda rng: mutated(rng, ANSWERS, 4), check_judge, 0.1),
     "compiler": Reader(lambda rng: mutated(rng, MESSAGES), check_compiler, 0.2),
 }
