@@ -291,23 +291,6 @@ def test_a_motion_that_can_not_be_had_is_refused_with_its_horizon(
     assert not out.exists()
 
 
-@pytest.mark.parametrize(
-    "tolerance, sentence",
-    [
-        ("nan", "the tolerance is nan m; it must be above 0"),
-        ("inf", "the tolerance is inf m; it must be above 0"),
-        ("0", "the tolerance is 0 m; it must be above 0"),
-        ("-1", "the tolerance is -1 m; it must be above 0"),
-        ("small", "it must be a number"),
-    ],
-)
-def test_a_tolerance_is_a_length(
-    tmp_path: Path, capsys: Said, tolerance: str, sentence: str
-) -> None:
-    scene = written(tmp_path, START)
-    assert sentence in refusal(capsys, "simulate", scene, f"--tolerance={tolerance}")
-
-
 # --- what can't be used ---
 
 IN_SCENES: list[tuple[str, Any, str]] = [
@@ -374,6 +357,11 @@ def test_a_file_that_is_no_scene_is_named(
         ("examples --out OUT/file/out", "file/out can't be written"),
         ("examples --out OUT", "peers.csv: a row has another number of fields"),
         ("simulate OUT/file", "--tolerance"),
+        ("simulate OUT/scene.json --tolerance=nan", "the tolerance is nan m; it must be above 0"),
+        ("simulate OUT/scene.json --tolerance=inf", "the tolerance is inf m; it must be above 0"),
+        ("simulate OUT/scene.json --tolerance=0", "the tolerance is 0 m; it must be above 0"),
+        ("simulate OUT/scene.json --tolerance=-1", "the tolerance is -1 m; it must be above 0"),
+        ("simulate OUT/scene.json --tolerance=small", "it must be a number"),
         ("--tolerance 1", "--tolerance is for ./kit study simulate"),
         ("depth --squares x.csv", "are for ./kit study measured"),
     ],
@@ -382,7 +370,13 @@ def test_a_command_that_can_not_be_done_is_refused(
     tmp_path: Path, capfd: Said, options: str, sentence: str
 ) -> None:
     (tmp_path / "file").write_text("")
+    written(tmp_path, START)
     (tmp_path / "peers.csv").write_text("scene,method\nrest\n")
     assert main(["study", *options.replace("OUT", str(tmp_path)).split()]) == 2
     assert sentence in capfd.readouterr().err.splitlines()[-1]
-    assert {file.name for file in tmp_path.iterdir()} <= {"file", "peers.csv", ".unfinished"}
+    assert {file.name for file in tmp_path.iterdir()} <= {
+        "file",
+        "peers.csv",
+        "scene.json",
+        ".unfinished",
+    }
