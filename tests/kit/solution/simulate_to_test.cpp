@@ -55,16 +55,16 @@ Scene scene_at_any_scale(Random& random) {
 struct Kind {
   const char* name;
   Scene (*make)(Random&);
-  int share;      // one case of so many
+  int share;      // one case of so many; 0: a few, which take long
   bool answered;  // most of them are, with a bound near the error
 };
 
 TEST(simulate_to, KeepsItsBoundOrRefuses) {
   for (const Kind& kind : {Kind{"ordinary", random_scene, 2, true},
                            Kind{"touching by rounding", scene_at_any_scale, 5, false},
-                           Kind{"crowded", short_crowded_scene, 50, false}}) {
+                           Kind{"crowded", short_crowded_scene, 0, false}}) {
     Random random(41);
-    const int count = random_cases(1000) / kind.share;
+    const int count = kind.share > 0 ? random_cases(1000) / kind.share : 20;
     int refused = 0, stepped = 0;
     std::vector<double> ratios;
     for (int i = 0; i < count; ++i) {
