@@ -17,16 +17,16 @@ using Random = std::mt19937_64;
 std::size_t below(Random& random, std::size_t n) { return n == 0 ? 0 : random() % n; }
 
 void change(std::string& data, const std::vector<std::string>& all, Random& random) {
-  const std::size_t at = below(random, data.size() + 1);
-  const std::size_t length = std::size_t{1} << below(random, 8);
+  const std::size_t at = below(random, data.size() + 1),
+                    length = std::size_t{1} << below(random, 8);
+  const std::string& other = all[below(random, all.size())];
   switch (below(random, 5)) {
     case 0:
       if (at < data.size()) data[at] = static_cast<char>(data[at] ^ (1 << below(random, 8)));
       break;
     case 1:
-      for (std::size_t i = at; i < std::min(at + length, data.size()); ++i) {
+      for (std::size_t i = at; i < std::min(at + length, data.size()); ++i)
         data[i] = static_cast<char>(random());
-      }
       break;
     case 2:
       data.erase(at, length);
@@ -34,10 +34,8 @@ void change(std::string& data, const std::vector<std::string>& all, Random& rand
     case 3:
       data.insert(at, data.substr(at, length));
       break;
-    default: {
-      const std::string& other = all[below(random, all.size())];
+    default:
       data.replace(at, std::string::npos, other, below(random, other.size() + 1));
-    }
   }
 }
 

@@ -1,5 +1,4 @@
 // Fuzzes the reader of fixtures: it returns complete cases, or refuses the file.
-#include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -17,17 +16,10 @@ namespace fuzz {
 
 // Each check of the public fixtures by itself, with its first case.
 std::vector<std::string> seeds() {
-  std::vector<std::filesystem::path> files;
-  for (const auto& file : std::filesystem::directory_iterator(BOUNCE_FIXTURES)) {
-    if (!file.is_regular_file()) continue;
-    files.push_back(file.path());
-  }
-  std::sort(files.begin(), files.end());
   std::vector<std::string> all;
-  for (const auto& file : files) {
-    std::ifstream in(file);
+  for (const char* stem : {"part1_contacts", "part2_lcp", "part3_step", "part4_simulate"}) {
+    std::ifstream in(std::string(BOUNCE_FIXTURES) + "/" + stem + ".json");
     const nlohmann::json whole = nlohmann::json::parse(in);
-    if (!whole.contains("checks")) continue;  // what earlier parts answer
     for (const auto& [check, cases] : whole.at("checks").items()) {
       all.push_back(nlohmann::json{{"checks", {{check, {cases.at(0)}}}}}.dump());
     }

@@ -19,9 +19,7 @@ namespace bounce {
 
 std::vector<std::filesystem::path> tests::fixture_folders() { return {}; }
 void tests::about_to_ask(const Case&) {}
-std::string tests::in_words(const Case& c, const Problem& problem) {
-  return tests::summary(c, problem);
-}
+std::string tests::in_words(const Case& c, const Problem& problem) { return summary(c, problem); }
 
 namespace fuzz {
 namespace {
@@ -49,54 +47,45 @@ Input input_of(const std::uint8_t* data, std::size_t size) {
 }
 
 struct Pipe {
-  int read = -1, write = -1;
-};
+  int read, write;
 
-Pipe make_pipe() {
-  int ends[2];
-  require(::pipe2(ends, O_CLOEXEC) == 0);
-  return {ends[0], ends[1]};
-}
+  Pipe() {
+    int ends[2];
+    require(::pipe2(ends, O_CLOEXEC) == 0);
+    read = ends[0];
+    write = ends[1];
+  }
+};
 
 // The reading end of a pipe that holds these bytes and then ends.
 int holding(const std::string& bytes) {
-  const Pipe pipe = make_pipe();
+  const Pipe pipe;
   require(::write(pipe.write, bytes.data(), bytes.size()) == static_cast<ssize_t>(bytes.size()));
   ::close(pipe.write);
   return pipe.read;
 }
 
-Frame question_of(const Input& input) {
-  Parameters params;
-  params.T = input.T;
-  return frames::question(input.part, params, Vector3(0, 1, 0.5), Vector3(0, -1, 0));
-}
-
-void require_termination(judge::Session& session) {
-  static const std::set<std::string> kStatuses = {"does_not_compile", "crashed", "timed_out",
-                                                  "out_of_memory", "no_answer"};
-  const auto end = session.take_end();
-  require(end && kStatuses.count(end->status) == 1);
-}
-
 // Whether the runner can be asked more.
 bool ask(judge::Session& session, const Input& input) {
+  static const std::set<std::string> kStatuses = {"does_not_compile", "crashed", "timed_out",
+                                                  "out_of_memory", "no_answer"};
+  Parameters params;
+  params.T = input.T;
   Trajectory columns;
-  const Frame question = question_of(input);
   try {
-    const Frame answer = session.ask(question, input.part == 4 ? &columns : nullptr);
+    const Frame answer =
+        session.ask(frames::question(input.part, params, Vector3(0, 1, 0.5), Vector3(0, -1, 0)),
+                    input.part == 4 ? &columns : nullptr);
     require(answer.kind == Kind::answer && answer.part == input.part);
-    if (input.part == 4) {
-      const Eigen::Index n = columns.q.cols();
-      require((n == input.T || n == input.T - 1) && n >= 1 && columns.v.cols() == n);
-    }
+    const Eigen::Index n = columns.q.cols();
+    require(input.part != 4 || ((n == input.T || n == input.T - 1) && n >= 1));
+    require(input.part != 4 || columns.v.cols() == n);
   } catch (const tests::Ended& ended) {
-    require(is_sentence(ended.what()));
-    require_termination(session);
+    const auto end = session.take_end();
+    require(is_sentence(ended.what()) && end && kStatuses.count(end->status) == 1);
     return false;
   } catch (const std::runtime_error& no_answer) {
-    require(is_sentence(no_answer.what()));
-    require(!session.take_end());
+    require(is_sentence(no_answer.what()) && !session.take_end());
   }
   return true;
 }
@@ -159,7 +148,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace bounce;
   if (size < fuzz::kHead) return 0;
   const fuzz::Input input = fuzz::input_of(data, size);
-  const fuzz::Pipe questions = fuzz::make_pipe();
+  const fuzz::Pipe questions;
   const auto start = [&](const judge::Limits& limits) {
     return std::make_unique<judge::RunnerProcess>(::dup(questions.write), fuzz::holding(input.sent),
                                                   fuzz::holding(input.prints), limits);

@@ -1,7 +1,7 @@
 """Tries the readers of submissions, and of text that submissions can influence, on inputs made from
-real ones, each from its own number. Whatever comes must be taken within the limits or refused in
-one sentence. The usual run takes a few thousand inputs for each reader, ./kit test --long a
-million."""
+real ones, each from its own number, and on handmade ones that mutation rarely finds. Whatever comes
+must be taken within the limits or refused in one sentence. The usual run takes a few thousand
+inputs for each reader, ./kit test --long a million."""
 
 import json
 import os
@@ -9,8 +9,8 @@ import random
 import re
 import shutil
 import signal
+import stat
 import tempfile
-import time
 from collections.abc import Callable, Iterator
 from pathlib import Path, PurePosixPath
 from typing import Any, NamedTuple
@@ -22,20 +22,20 @@ from bounce_grader.common.errors import KitError, UsageError
 from bounce_grader.common.manifest import parts
 from bounce_grader.common.paths import WORK_FOLDER
 from bounce_grader.grading import judging, speed
+from bounce_grader.sandbox import processes
+from bounce_grader.sandbox.box import Box
 from bounce_grader.sandbox.processes import Result
 from bounce_grader.submission import entry, submission
 from conftest import ROOT
 from corpus import Member
+from edits import edited
 from handed_in import limited_memory, packed_tar
 from odd_submissions import inside, MISLEADING, PARTS
 
 Random = random.Random
-Source = tuple[str, str, bytes]  # a name, a kind and a text
 INPUTS, CHUNKS = 1_000_000, 200  # for each reader; the usual run has one chunk
 MOST_SECONDS = 10  # of CPU time for one input
 MOST_MEMORY = 512 << 20  # bytes more than at the start
-SEEDS = Path(__file__).parent / "seeds"
-MESSAGES = ROOT / "tests" / "kit" / "messages" / "expected"
 
 # --- bytes that are nearly right ---
 
@@ -53,18 +53,16 @@ def mutated(rng: Random, seeds: list[bytes], most: int = 8) -> bytes:
     for _ in range(rng.randrange(most)):
         at = rng.randrange(len(data) + 1)
         length = min(rng.choice((1, 2, 4, 8, 40, 400)), len(data) - at)
-        size = rng.choice((2, 4, 8))
-        other = rng.choice(seeds)
-        end, new = rng.choice(
-            (
-                (at + length, rng.randbytes(length)),
-                (at + length, b""),
-                (at, data[at : at + length] * rng.choice((1, 1, 1, 30))),
-                (at, rng.choice(WORDS)),
-                (at + size, (rng.choice(EDGES) % (1 << 8 * size)).to_bytes(size, "little")),
-                (len(data), other[rng.randrange(len(other) + 1) :]),
-            )
+        size, other = rng.choice((2, 4, 8)), rng.choice(seeds)
+        changes = (
+            (at + length, rng.randbytes(length)),
+            (at + length, b""),
+            (at, data[at : at + length] * rng.choice((1, 1, 1, 30))),
+            (at, rng.choice(WORDS)),
+            (at + size, (rng.choice(EDGES) % (1 << 8 * size)).to_bytes(size, "little")),
+            (len(data), other[rng.randrange(len(other) + 1) :]),
         )
+        end, new = rng.choice(changes)
         data[at:end] = new
     return bytes(data)
 
@@ -77,7 +75,6 @@ PIECES += ["helper.cpp", "._part1_contacts.cpp", "main.cpp", "x.o", "inner.zip",
 ODD = [*MISLEADING, "..", ".", "", "C:", "a b.cpp", "\0.cpp", "a\\b.cpp", "CON.cpp", "\udcff.cpp"]
 TEXTS = [b"", b"int x;\n", b"\xff\xfei\0;\0", b"\xfe\xff\xd8\0", b"\0", b"\xff" * 9, b" " * 3000]
 MODES = [0, 0, 0, 0, 0, 0o100644, 0o100755, 0o120777, 0o010644, 0o020666, 0o060666, 0o140777]
-KINDS = ("file", "file", "file", "file", "file", "folder", "link", "pipe")
 
 
 def some_name(rng: Random) -> str:
@@ -111,7 +108,6 @@ ZIPS = [
     corpus.overlapping(3, 100),
     corpus.many_entries(20),
 ]
-TARS = [packed_tar(PARTS, ""), packed_tar(MAC, "")]
 
 
 def some_zip(rng: Random) -> bytes:
@@ -122,27 +118,26 @@ def some_zip(rng: Random) -> bytes:
     return mutated(rng, [made], 3) if rng.random() < 0.2 else made
 
 
-def some_sources(rng: Random) -> list[Source]:
-    return [
-        (some_name(rng), rng.choice(KINDS), rng.choice(TEXTS)) for _ in range(rng.randrange(1, 9))
-    ]
+def some_members(rng: Random) -> list[Member]:
+    return [some_member(rng) for _ in range(rng.randrange(1, 9))]
 
 
-def put(top: Path, source: Source) -> None:
-    name, kind, text = source
-    pieces = [piece for piece in name.split("/") if piece not in ("", ".", "..")]
-    path = top.joinpath(*pieces)
+def put(top: Path, member: Member) -> None:
+    """The member as a file, or by its mode as a link, a pipe or (for a device) a folder."""
+    name = member.name.decode("utf-8", "surrogateescape")
+    path = top.joinpath(*(piece for piece in name.split("/") if piece not in ("", ".", "..")))
+    mode = member.attributes >> 16
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
-        if kind == "file":
-            with path.open("xb") as stream:  # never into a pipe, which would wait
-                stream.write(text)
-        elif kind == "folder":
-            path.mkdir()
-        elif kind == "link":
-            path.symlink_to(f"/etc/{path.name}" if len(pieces) > 1 else "..")
-        else:
+        if stat.S_ISLNK(mode):
+            path.symlink_to(f"/etc/{path.name}" if path.parent != top else "..")
+        elif stat.S_ISFIFO(mode):
             os.mkfifo(path)
+        elif stat.S_ISBLK(mode) or stat.S_ISCHR(mode):
+            path.mkdir()
+        else:
+            with path.open("xb") as stream:  # never into a pipe, which would wait
+                stream.write(member.data)
     except (OSError, ValueError):
         pass  # there can't be such a name, or it is taken
 
@@ -152,36 +147,35 @@ def put(top: Path, source: Source) -> None:
 
 def check_file(data: bytes, path: Path) -> bool:
     path.write_bytes(data)
-    return is_taken(lambda: submission.read(path))
+    return is_taken(path)
 
 
-def check_folder(sources: list[Source], path: Path) -> bool:
-    path = path.with_suffix("")
+def check_folder(members: list[Member], path: Path) -> bool:
     path.mkdir()
-    for source in sources:
-        put(path, source)
-    taken = is_taken(lambda: submission.read(path))
+    for member in members:
+        put(path, member)
+    taken = is_taken(path)
     shutil.rmtree(path)
     return taken
 
 
-def is_taken(read: Callable[[], submission.Submission]) -> bool:
+def is_taken(path: Path) -> bool:
     """Checks that what was taken is within the limits, and that no path leads outside."""
     try:
-        taken = read()
+        taken = submission.read(path)
     except UsageError as refused:
         assert str(refused).isprintable() and len(str(refused)) < 100_000
         return False
     assert len(taken.files) <= submission.MOST_SOURCES
     assert sum(map(len, taken.files.values())) <= submission.MOST_BYTES
     for name, text in taken.files.items():
-        path = PurePosixPath(name)
-        assert str(path) == name and not path.is_absolute() and ".." not in path.parts
+        own = PurePosixPath(name)
+        assert str(own) == name and not own.is_absolute() and ".." not in own.parts
         assert len(name.encode("utf-8")) <= submission.LONGEST_NAME and name[0] not in "-@"
         assert not re.search("[\0-\x1f\x7f\u202e]", name)
-        assert path.suffix.lower() in submission.SOURCES | submission.HEADERS
+        assert own.suffix.lower() in submission.SOURCES | submission.HEADERS
         assert b"\0" not in text and len(text) <= 3 * entry.LARGEST_SOURCE
-        assert not any(str(folder) in taken.files for folder in path.parents)
+        assert not any(str(folder) in taken.files for folder in own.parents)
     assert set(taken.parts.values()) <= set(taken.files)
     assert not set(taken.parts) & set(taken.refused)
     assert len(taken.ignored) <= entry.MOST_ENTRIES and len(taken.sha256) == 64
@@ -189,23 +183,71 @@ def is_taken(read: Callable[[], submission.Submission]) -> bool:
 
 
 def check_judge(data: bytes, _: Path) -> bool:
-    def is_read(reader: Callable[..., Any], *arguments: Any) -> bool:
+    taken = False
+    for read in (lambda: judging.read_answer(data, parts()[3]), lambda: speed.read(data)):
         try:
-            json.dumps(reader(*arguments), allow_nan=False)
+            taken |= bool(json.dumps(read(), allow_nan=False))
         except KitError:
-            return False
-        return True
-
-    return any([is_read(judging.read_answer, data, parts()[3]), is_read(speed.read, data)])
+            pass
+    return taken
 
 
-def check_compiler(data: bytes, _: Path = Path()) -> bool:
-    said = Result(1, 0.0, b"", data.decode("utf-8", "replace"), False, False)
-    problem, link = compiler.compile_problem(said, "part2_lcp.cpp"), linking.link_problem(said)
-    assert problem and "\n" not in problem and "\n" not in link
+def check_compiler(data: bytes, _: Path) -> bool:
+    printed = Result(1, 0.0, b"", data.decode("utf-8", "replace"), False, False)
+    problem = compiler.compile_problem(printed, "part2_lcp.cpp")
+    assert problem and "\n" not in problem and "\n" not in linking.link_problem(printed)
     place = judging.place_in(data)
     assert place is None or len(place) <= 300
     return place is not None or ": " in problem
+
+
+# --- handmade: half an answer of the judge, and towers of what a compiler may say ---
+
+SEEDS = {file.stem: file.read_bytes() for file in sorted(Path(__file__).parent.glob("seeds/*"))}
+SHOWN, HUGE = "checks 0 revealed shown", "1" + "0" * 400
+EDITS = ["largest_error = NaN", "largest_error = Infinity", 'largest_error = "0"']
+EDITS += [f"largest_error = {HUGE}", "checks = null", "checks = []", "checks 0"]
+EDITS += ["checks 0 passed = 1", "checks 0 stack", 'checks 0 status = "fine"']
+EDITS += ['checks 1 id = "part4.HasTColumns"', f"{SHOWN} scene g 2"]
+EDITS += [f"{SHOWN} scene q = [0, 0, 0, 0]", f"{SHOWN} scene v = 7", f"{SHOWN} scene l = {HUGE}"]
+EDITS += [f"{SHOWN} quantities 0 got = [[{HUGE}]]"]
+EDITS += [f"checks = {json.dumps(json.loads(SEEDS['right'])['checks'] * 2)}"]
+HALF = [b"", b"null", b"[]", b"{}", b"\xff", b"[" * 100_000, b"9" * 5000]
+HALF += [json.dumps(edited(json.loads(SEEDS["crashed"]), edit)).encode() for edit in EDITS]
+HALF += [SEEDS["right"].replace(b"1e-13", b"1e999")]
+
+FOLDER, K = f"/{WORK_FOLDER}", 64 * 1024
+TALL = [(":1", ""), ("1", ":"), (": error: ", ""), (":1:1: ", ""), (" ", ""), ("\n", "")]
+TALL += [("A_", 'a:1:1: error: "'), ('"AAAAAAAA', "a:1:1: error: "), ("undefined symbol: ", "")]
+TALL += [("undefined symbol: \n>>> referenced by ", ""), (FOLDER, ""), (FOLDER + "x/a:1", "")]
+TALL += [("A<", "/e.h:1:1: error: x\npart2_lcp.cpp:1:1: note: 'Eigen::"), (FOLDER + "x/", "")]
+ENDS = ("", "'", ":?", "x", "y.cpp:?", ":1")
+TOWERS = [(base + piece * (K // len(piece)) + end) for piece, base in TALL for end in ENDS]
+
+
+@pytest.mark.parametrize("out", HALF, ids=range(len(HALF)))
+def test_half_an_answer_of_the_judge_is_a_fault_of_the_kit(out: bytes) -> None:
+    with pytest.raises(KitError, match="the judge's"):
+        judging.read_answer(out, parts()[3])
+
+
+def test_a_whole_answer_is_taken_without_checks_that_the_manifest_leaves_out() -> None:
+    fewer = parts()[3]._replace(checks=parts()[3].checks[1:])
+    checks = judging.read_answer(SEEDS["crashed"], fewer)["checks"]
+    assert [check["id"] for check in checks] == [check.id for check in fewer.checks]
+
+
+@pytest.mark.parametrize("flooded", [False, True])
+def test_what_addr2line_prints_counts_if_it_ended_in_order(
+    flooded: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    line = f"/tmp/{WORK_FOLDER}a1b2/sources/part1_contacts.cpp:12\n".encode()
+    result = Result(0, 0.0, line, "", too_long=False, flooded=flooded)
+    monkeypatch.setattr(processes, "run", lambda *_, **__: result)
+    files = frozenset({"part1_contacts.cpp"})
+    place = judging._place(f" 0x{flooded:016x}", Path("runner"), files, Box("none"))
+    assert place == (None if flooded else "part1_contacts.cpp:12")
+    assert judging.place_in(f"{FOLDER}x/sources/{'a' * 9999}:1".encode()) is None
 
 
 # --- the readers ---
@@ -217,53 +259,68 @@ class Reader(NamedTuple):
     make: Callable[[Random], Any]
     check: Callable[[Any, Path], bool]
     least_taken: float  # the least share of inputs that must be taken, else they test too little
+    inputs: int = INPUTS // CHUNKS
 
 
-ANSWERS = [file.read_bytes() for file in sorted(SEEDS.glob("*.json"))] + [b"[" * 3000]
-SAID = "\n".join(file.read_text() for file in sorted(MESSAGES.glob("[acl]*.txt")))
-MESSAGE_SEEDS = [
-    said.replace("WORK", WORK_FOLDER).encode() for said in re.split(r"\n->.*\n+", SAID) if said
+TARS = [packed_tar(PARTS, ""), packed_tar(MAC, "")]
+ANSWERS = [*SEEDS.values(), b"[" * 3000]
+EXPECTED = ROOT / "tests" / "kit" / "messages" / "expected"
+PRINTED = "\n".join(file.read_text() for file in sorted(EXPECTED.glob("[acl]*.txt")))
+MESSAGES = [
+    text.replace("WORK", WORK_FOLDER).encode() for text in re.split(r"\n->.*\n+", PRINTED) if text
 ]
 READERS = {
     "x.zip": Reader(some_zip, check_file, 0.2),
     "x.tar": Reader(lambda rng: mutated(rng, TARS), check_file, 0.2),
-    "folder": Reader(some_sources, check_folder, 0.5),
+    "folder": Reader(some_members, check_folder, 0.5, INPUTS // CHUNKS // 10),  # made on disk
     "judge": Reader(lambda rng: mutated(rng, ANSWERS, 4), check_judge, 0.1),
-    "compiler": Reader(lambda rng: mutated(rng, MESSAGE_SEEDS), check_compiler, 0.2),
+    "compiler": Reader(lambda rng: mutated(rng, MESSAGES), check_compiler, 0.2),
 }
 
 
 @pytest.fixture
 def folder() -> Iterator[Path]:
-    """A folder in memory, where there is such a place. An input that waits, or that takes too much
-    memory, raises an error."""
+    """A folder in memory, where there is such a place. An input that takes too long or too much
+    memory raises an error."""
 
     def too_long(*_: object) -> None:
         raise TimeoutError("it takes too long, or it waits")
 
-    before = signal.signal(signal.SIGALRM, too_long)
+    before = [signal.signal(it, too_long) for it in (signal.SIGALRM, signal.SIGVTALRM)]
     memory = "/dev/shm" if os.access("/dev/shm", os.W_OK) else None
     with tempfile.TemporaryDirectory(dir=memory) as made, limited_memory(MOST_MEMORY):
         yield Path(made)
-    signal.alarm(0)
-    signal.signal(signal.SIGALRM, before)
+    limit(0)
+    for it, handler in zip((signal.SIGALRM, signal.SIGVTALRM), before):
+        signal.signal(it, handler)
 
 
-@pytest.mark.usual(len(READERS))
-@pytest.mark.parametrize("chunk", range(CHUNKS))
+def limit(seconds: int) -> None:
+    signal.setitimer(signal.ITIMER_VIRTUAL, seconds)
+    signal.alarm(6 * seconds)
+
+
+def test_a_tower_of_what_a_compiler_may_print_is_read_in_linear_time(folder: Path) -> None:
+    """A submission can put text there by #error, #line and its names."""
+    for tower in TOWERS:
+        limit(MOST_SECONDS)
+        check_compiler(tower.encode(), folder)
+
+
+LATER = [pytest.param(i, marks=pytest.mark.long) for i in range(1, CHUNKS)]
+
+
+@pytest.mark.parametrize("chunk", [0, *LATER])
 @pytest.mark.parametrize("name", READERS)
 def test_whatever_comes_is_taken_within_the_limits_or_refused(
     name: str, chunk: int, folder: Path
 ) -> None:
     reader, taken = READERS[name], 0
-    count = INPUTS // CHUNKS // (10 if name == "folder" else 1)  # those are made on disk
-    for number in range(chunk * count, (chunk + 1) * count):
+    for number in range(chunk * reader.inputs, (chunk + 1) * reader.inputs):
         made = reader.make(Random(f"{name} {number}"))
-        start = time.process_time()
-        signal.alarm(6 * MOST_SECONDS)
+        limit(MOST_SECONDS)
         try:
             taken += reader.check(made, folder / name)
-            assert time.process_time() - start < MOST_SECONDS
         except BaseException as error:
             raise AssertionError(f"input {number}: {made!r}") from error
-    assert taken >= reader.least_taken * count
+    assert taken >= reader.least_taken * reader.inputs

@@ -1,243 +1,382 @@
-"""./kit study writes complete results or none, and names files that it can't read."""
+"""./kit study writes whole results or none, right ones, and says in a sentence what it can't use."""
 
+import copy
+import csv
 import json
+import math
 import os
 import re
-import shutil
 import signal
 import subprocess
 import sys
+from collections.abc import Iterator
+from dataclasses import replace
+from functools import reduce
+from operator import getitem
 from pathlib import Path
 from typing import Any
 
 import pytest
-
 from bounce_grader.cli import main
-from bounce_grader.common.errors import UsageError
-from bounce_grader.common.paths import ROOT
-from bounce_study import charts, measured_part, measurements, pages, run, tables
-from bounce_study.run import QUESTIONS, Request
-from studies import SCENES, STUDIES, committed
+from bounce_grader.common.paths import BUILD, FIXTURES, ROOT
+from oracle import (
+    contact_velocity,
+    get_contacts,
+    mp,
+    mpf,
+    Parameters,
+    plus,
+    product,
+    vector,
+    Vector,
+)
 from waiting import wait_for
 
-SMALL = ("examples", "depth", "flat_landing")
+SCENES = FIXTURES / "scenes"
+QUICK = ("examples", "depth", "truth")
+Said = pytest.CaptureFixture[str]
 
 
-@pytest.fixture(scope="module")
-def quick(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A study of the small questions."""
-    out = tmp_path_factory.mktemp("study")
-    assert run.run(Request(out, quick=True, questions=SMALL)) == 0
-    return out
+def command(out: Path, *questions: str) -> list[str]:
+    return [
+        sys.executable,
+        "-m",
+        "bounce_grader",
+        "study",
+        "--quick",
+        "--out",
+        str(out),
+        *questions,
+    ]
 
 
-@pytest.fixture
-def measured(monkeypatch: pytest.MonkeyPatch) -> list[str]:
-    """The questions that are answered while a test runs."""
-    names: list[str] = []
-    measure = run._measure
+def environment(**changes: str) -> dict[str, str]:
+    return {**os.environ, "PYTHONPATH": str(ROOT / "grader"), **changes}
 
-    def counting(name: str, request: Request, file: Path) -> None:
-        names.append(name)
-        measure(name, request, file)
 
-    monkeypatch.setattr(run, "_measure", counting)
-    return names
+def rows(file: Path) -> list[dict[str, str]]:
+    lines = file.read_text().splitlines()
+    return list(csv.DictReader(line for line in lines if not line.startswith("#")))
+
+
+def refusal(capsys: Said, *options: object, status: int = 2) -> str:
+    """The one sentence that ./kit study ends with."""
+    assert main(["study", *map(str, options)]) == status
+    message = capsys.readouterr().err
+    assert message.startswith("kit: ") and message.count("\n") == 1
+    return message
 
 
 # --- what is written ---
 
 
-def test_a_study_leaves_its_tables_their_charts_and_nothing_else(quick: Path) -> None:
-    expected = {f"{name}.csv" for name in SMALL} | {"depth.svg", "flat_landing.svg"}
-    assert {file.name for file in quick.iterdir()} == expected
-
-
-def test_tables_say_where_they_are_from(quick: Path) -> None:
-    origin = tables.read(quick / "depth.csv").origin
-    assert set(origin) == {"machine", "compiler", "flags", "date"}
-    for word in ("cores", "family", "model", "MHz", "Linux"):
-        assert word in origin["machine"]
-    assert "-O2" in origin["flags"]
-
-
-def test_tables_with_times_say_how_they_were_taken_and_others_do_not() -> None:
-    timed = {"speed_accuracy", "speed_ratios", "least_model", "chosen_model", "bad_input"}
-    timed |= {"tolerance"}
-    timed |= {"peers", "peers_beside", "peers_ratios", "peers_steps", "peers_lcp"}
-    for name, table in committed().items():
-        assert ("times" in table.origin) == (name in timed), name
-        if name in timed:
-            assert re.match(r"CPU time, pinned to core \d+, the median of", table.origin["times"])
-
-
-def test_the_quick_study_finds_what_the_whole_one_finds(quick: Path) -> None:
-    for name in ("examples", "depth"):
-        assert tables.read(quick / f"{name}.csv").rows == tables.read(STUDIES / f"{name}.csv").rows
-
-
-def test_the_same_table_gives_the_same_bytes_in_another_process(quick: Path) -> None:
-    program = (
-        "import sys, pathlib; from bounce_study import charts, tables;"
-        "folder = pathlib.Path(sys.argv[1]);"
-        "known = {f.stem: tables.read(f) for f in folder.glob('*.csv')};"
-        "sys.stdout.buffer.write(charts.draw(known)['depth.svg'])"
-    )
-    path = f"{ROOT / 'grader'}:{ROOT / 'solution' / 'study'}"
-    environment = {**os.environ, "PYTHONPATH": path, "PYTHONHASHSEED": "7"}
-    command = [sys.executable, "-c", program, str(quick)]
-    drawn = subprocess.run(command, env=environment, stdout=subprocess.PIPE, check=True).stdout
-    assert drawn == (quick / "depth.svg").read_bytes()
-    assert b"<dc:date>" not in drawn
-
-
-def test_a_study_that_has_ended_measures_anew(tmp_path: Path, measured: list[str]) -> None:
-    for _ in range(2):
-        run.run(Request(tmp_path, quick=True, questions=("examples",)))
-    assert measured == ["examples", "examples"]
-
-
-def test_the_questions_are_those_of_the_program() -> None:
-    command = [str(run.PROGRAM), str(SCENES), "/nowhere", "no-such-question"]
-    done = subprocess.run(command, capture_output=True, text=True, check=False)
-    assert done.returncode == 2
-    assert set(done.stderr.partition("there are:")[2].split()) == set(QUESTIONS)
-
-
-def test_without_a_terminal_progress_is_plain_lines(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    run.run(Request(tmp_path, quick=True, questions=("examples",)))
-    lines = capsys.readouterr().err.splitlines()
-    assert [re.sub(r"\d+ s", "_ s", line) for line in lines] == [
-        "kit: 1 of 2, _ s: examples",
-        "kit: 2 of 2, _ s: charts and pages",
+@pytest.fixture(scope="module")
+def quick(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    out = tmp_path_factory.mktemp("study")
+    done = subprocess.run(command(out, *QUICK), env=environment(), capture_output=True, text=True)
+    assert done.returncode == 0
+    assert [re.sub(r"\d+ s", "_ s", line) for line in done.stderr.splitlines()] == [
+        *(f"kit: {i + 1} of 4, _ s: {name}" for i, name in enumerate(QUICK)),
+        "kit: 4 of 4, _ s: charts and pages",
     ]
+    return out
+
+
+def test_a_study_leaves_its_tables_and_charts_and_says_where_they_are_from(quick: Path) -> None:
+    expected = {f"{name}.csv" for name in QUICK} | {"depth.svg"}
+    assert {file.name for file in quick.iterdir()} == expected
+    for name in QUICK:
+        lines = (quick / f"{name}.csv").read_text().splitlines()
+        origin = dict(line[2:].split(": ", 1) for line in lines if line.startswith("# "))
+        assert set(origin) == {"machine", "compiler", "flags", "date"}, "no times were taken"
+        for word in ("cores", "family", "model", "MHz", "Linux"):
+            assert word in origin["machine"]
+        assert "-O2" in origin["flags"]
+
+
+def test_the_same_questions_give_the_same_bytes(quick: Path, tmp_path: Path) -> None:
+    again = environment(PYTHONHASHSEED="7")
+    subprocess.run(command(tmp_path, *QUICK), env=again, check=True, capture_output=True)
+    assert (tmp_path / "depth.svg").read_bytes() == (quick / "depth.svg").read_bytes()
+    assert all(rows(tmp_path / f"{name}.csv") == rows(quick / f"{name}.csv") for name in QUICK)
 
 
 @pytest.mark.long
-def test_the_quick_study_is_whole(tmp_path: Path) -> None:
-    assert run.run(Request(tmp_path, quick=True)) == 0
-    drawn = {chart.name for chart in charts.CHARTS if "peers_steps" not in chart.needs}
-    expected = {f"{name}.csv" for name in (*QUESTIONS, *measured_part.TABLES)} | drawn
-    expected |= {page.name for page in pages.PAGES} - {pages.PEERS_PAGE}
-    assert {file.name for file in tmp_path.iterdir()} == expected
+def test_the_quick_study_answers_every_question(tmp_path: Path) -> None:
+    subprocess.run(command(tmp_path), env=environment(), check=True, capture_output=True)
+    for name, columns in NEEDED.items():
+        table = rows(tmp_path / f"{name}.csv")
+        assert table and set(columns.split()) <= set(table[0]), name
+        timed = "\n# times: CPU time, pinned to core" in (tmp_path / f"{name}.csv").read_text()
+        assert timed == (name in TIMED), name
+    assert len(list(tmp_path.glob("*.svg"))) >= 10 and len(list(tmp_path.glob("*.md"))) >= 3
+    for page in tmp_path.glob("*.md"):
+        for link in re.findall(r"\]\(([\w.]+)(?:#[^)]*)?\)", page.read_text()):
+            assert (tmp_path / link).exists() or link == "peers.md", (page.name, link)
+    models = [row for row in rows(tmp_path / "least_model.csv") if row["least"] == "1"]
+    assert len(models) == 11 and all(row["expected"] == "1" for row in models)
+    for row in rows(tmp_path / "tolerance.csv"):
+        assert int(row["violated"]) == 0 < int(row["scenes"])
+        assert float(row["bound_over_error"]) <= 100
+
+
+NEEDED = {  # the columns without which a question isn't answered
+    "speed_accuracy": "scene method setting ns_per_simulated_second error_m note",
+    "order": "scene method dt_s error_m order",
+    "least_model": "scene model error_m least expected",
+    "tolerance": "tolerance_m scenes refused violated bound_over_error time_over_best",
+    "depth": "method speed_m_s dt_s depth_m",
+    "rest_and_drift": "method setting height_m depth_m drift_m",
+    "flat_landing": "method theta_rad omega_rad_s",
+    "energy_gain": "law mu epsilon largest_gain limit_epsilon",
+    "solution_count": "alpha_rad mu most_solutions mu_star",
+    "gauss_seidel": "problem value sweeps predicted_sweeps share_without_end",
+    "almost_flat": "theta_rad lemke_8x8_residual_m_s merged_residual_m_s",
+    "scaling": "m_kg dt_s plain_lemke_error closed_form_error",
+    "bad_input": "input unchecked checked",
+    "measured_ladder": "group law impacts_fitted impacts_judged median_m_s best least floor_m_s",
+}
+TIMED = {"speed_accuracy", "least_model", "bad_input", "tolerance"}
+
+
+# --- the truth, by other means ---
+
+
+def of_examples(quick: Path, example: str) -> list[float]:
+    return [
+        float(row["value"]) for row in rows(quick / "examples.csv") if row["example"] == example
+    ]
+
+
+def test_the_examples_are_what_their_authors_found(quick: Path) -> None:
+    newton, poisson, stronge = of_examples(quick, "kane")
+    assert newton == pytest.approx(1.25, abs=0.005) and max(poisson, stronge) < 1
+    assert of_examples(quick, "rectangle") == pytest.approx([0.8, 4 / 3, 0.5], abs=1e-4)
+    assert of_examples(quick, "painleve")[3:] == pytest.approx([3, 0, 0.125, 0.215])
+    assert of_examples(quick, "gauss_seidel") == [0]
+
+
+def slide(q: Vector, v: Vector, params: Parameters, times: list[Any]) -> Iterator[Vector]:
+    """Friction brakes the square at mu g until nothing moves."""
+    rate = -params.mu * params.g[1]
+    for t in times:
+        braked = min(t, v[0] / rate)
+        yield q[0] + v[0] * braked - rate * braked * braked / 2, q[1], q[2]
+
+
+def bounces(q: Vector, v: Vector, params: Parameters, times: list[Any]) -> Iterator[Vector]:
+    """A drop without tilt: each bounce lasts epsilon times as long as the one before."""
+    drop, g = get_contacts(q, params).phi, -params.g[1]
+    for t in times:
+        speed, late = mp.sqrt(2 * drop * g), t + mp.sqrt(2 * drop / g)
+        while late >= 2 * speed / g and speed > mpf("1e-30"):
+            late -= 2 * speed / g
+            speed *= params.epsilon
+        height = speed * late - g * late * late / 2
+        yield q[0], q[1] - drop + max(height, mpf(0)), q[2]
+
+
+def impacts(q: Vector, v: Vector, params: Parameters, times: list[Any]) -> Iterator[Vector]:
+    """Flights, and impacts of single corners by the oracle, in fifty digits."""
+    weightless = replace(params, g=vector([0, 0, 0]))
+
+    def flight(t: Any) -> Vector:
+        return plus(plus(q, t, v), t * t / 2, params.g)
+
+    def height(t: Any) -> Any:
+        return get_contacts(flight(t), params).phi
+
+    now = mpf(0)
+    while True:
+        low, high = mpf(0), mpf("1e-3")
+        while height(high) > 0 and now + high <= times[-1]:
+            low, high = high, high + mpf("1e-3")
+        if height(high) <= 0:
+            for _ in range(110):
+                middle = (low + high) / 2
+                low, high = (middle, high) if height(middle) > 0 else (low, middle)
+        yield from (flight(t - now) for t in times if now <= t < now + high)
+        if now + high > times[-1]:
+            return
+        now, q, v = now + high, flight(high), plus(v, high, params.g)
+        v = contact_velocity(get_contacts(q, params).J, v, weightless)
+
+
+KNOWN = {"rest": bounces, "slide": slide, "flat_drop": bounces, "zeno": bounces}
+KNOWN |= {"pointed_drop": bounces}
+SINGLE = ("free_flight", "oblique_bounce", "projectile", "spin", "tumble")
+
+
+@pytest.mark.parametrize("name", [*KNOWN, *SINGLE])
+def test_the_truth_is_what_is_known_of_a_scene(quick: Path, name: str) -> None:
+    scene = json.loads((SCENES / f"{name}.json").read_text())
+    params = Parameters.read(scene["params"])
+    table = [row for row in rows(quick / "truth.csv") if row["scene"] == name]
+    times = [mpf(scene["compare"]["until"]) * (i + 1) / len(table) for i in range(len(table))]
+    known = KNOWN.get(name, impacts)(vector(scene["q"]), vector(scene["v"]), params, times)
+    allowed = 1e-12 if name == "pointed_drop" else 1e-14
+    for row, (x, y, theta) in zip(table, known, strict=True):
+        errors = (float(row["x_m"]) - x, float(row["y_m"]) - y, float(row["theta_rad"]) - theta)
+        assert all(abs(error) < allowed for error in errors)
 
 
 # --- stopped half way ---
 
 
-def test_a_killed_study_goes_on_and_shows_no_half_of_itself(
-    tmp_path: Path, measured: list[str]
-) -> None:
+def test_a_killed_study_goes_on_and_shows_no_half_of_itself(tmp_path: Path) -> None:
     questions = ("examples", "gauss_seidel")  # the second takes a second or two
-    command = [sys.executable, "-m", "bounce_grader", "study", "--quick", "--out", str(tmp_path)]
-    environment = {**os.environ, "PYTHONPATH": str(ROOT / "grader")}
-    study = subprocess.Popen([*command, *questions], env=environment, stderr=subprocess.DEVNULL)
-    unfinished = tmp_path / run.UNFINISHED
-    wait_for(lambda: list(unfinished.glob("examples-*.csv")) + list(unfinished.glob("measuring-*")))
-    wait_for(lambda: list(unfinished.glob("examples-*.csv")))
+    study = subprocess.Popen(
+        command(tmp_path, *questions), env=environment(), stderr=subprocess.DEVNULL
+    )
+    wait_for(lambda: list(tmp_path.glob(".unfinished/examples-*.csv")))
     study.send_signal(signal.SIGKILL)
     study.wait()
     assert not list(tmp_path.glob("*.csv")) + list(tmp_path.glob("*.svg"))
-    run.run(Request(tmp_path, quick=True, questions=questions))
-    assert measured == ["gauss_seidel"]
+    (kept,) = tmp_path.glob(".unfinished/examples-*.csv")
+    kept.write_text("# kept: yes\n" + kept.read_text())
+    assert main(["study", "--quick", "--out", str(tmp_path), *questions]) == 0
+    assert (tmp_path / "examples.csv").read_text().startswith("# kept: yes")
     written = {"examples.csv", "gauss_seidel.csv", "gauss_seidel.svg"}
-    assert {file.name for file in tmp_path.iterdir()} - {run.UNFINISHED} == written
+    assert {file.name for file in tmp_path.iterdir()} == written
 
 
-def test_kept_tables_of_other_scenes_are_measured_again(
-    tmp_path: Path, measured: list[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    out, scenes = tmp_path / "out", _scenes(tmp_path, {})
-    request = Request(out, quick=True, questions=("examples",), scenes=scenes)
-    monkeypatch.setattr(run, "_publish", _stop)
-    for changed in (False, False, True):
-        if changed:
-            _spoil(scenes / "rest.json", "title", "Another rest")
-        with pytest.raises(KeyboardInterrupt):
-            run.run(request)
-    assert measured == ["examples", "examples"]
+# --- a motion within a tolerance ---
+
+TUMBLE = json.loads((SCENES / "tumble.json").read_text())
+START = {name: TUMBLE[name] for name in ("params", "q", "v")}  # all that a motion needs
 
 
-def _stop(out: Path, measured: dict[str, Path]) -> list[str]:
-    raise KeyboardInterrupt
-
-
-# --- bad input ---
-
-
-def _scenes(folder: Path, changes: dict[str, Any]) -> Path:
-    copy = shutil.copytree(SCENES, folder / "scenes")
-    for path, value in changes.items():
-        _spoil(copy / "rest.json", path, value)
-    return copy
-
-
-def _spoil(file: Path, path: str, value: Any) -> None:
-    """Sets the field, or takes it away where the value is None."""
-    scene = json.loads(file.read_text())
-    *above, last = path.split(".")
-    inner = scene
-    for name in above:
-        inner = inner[name]
+def changed(scene: Any, path: str, value: Any) -> Any:
+    """With another value at "params mu", or without it if that is None."""
+    scene = copy.deepcopy(scene)
+    *above, last = [int(word) if word.isdigit() else word for word in path.split()]
+    holder = reduce(getitem, above, scene)
     if value is None:
-        del inner[last]
+        del holder[last]
     else:
-        inner[last] = value
-    file.write_text(json.dumps(scene))
+        holder[last] = value
+    return scene
+
+
+def written(folder: Path, scene: Any) -> Path:
+    file = folder / "scene.json"
+    file.write_text(scene if isinstance(scene, str) else json.dumps(scene))
+    return file
+
+
+def test_a_motion_has_what_it_promises(tmp_path: Path, capsys: Said) -> None:
+    out, scene = tmp_path / "answer.json", written(tmp_path, START)
+    options = ["simulate", str(scene), "--tolerance", "1e-3", "--json", str(out)]
+    assert main(["study", *options]) == 0
+    answer = json.loads(out.read_text())
+    assert set(answer) == set("times q v method step bound horizon seconds".split())
+    assert len(answer["times"]) == len(answer["q"]) == len(answer["v"]) == 41
+    assert answer["q"][0] == [0, 0.5, 0.3] and answer["horizon"] == answer["times"][-1]
+    assert 0 < answer["bound"] <= 1e-3
+    assert "event-driven: within" in capsys.readouterr().out
+    for file in sorted(SCENES.glob("*.json")):
+        own = json.loads(file.read_text())
+        until = 1 + int(own["compare"]["until"] / own["params"]["dt"])
+        scene = written(tmp_path, changed(own, "params T", until))
+        assert main(["study", "simulate", str(scene), "--tolerance", "1e-6"]) == 0, file.name
+
+
+def test_a_motion_that_can_not_be_had_is_refused_with_its_horizon(
+    tmp_path: Path, capsys: Said
+) -> None:
+    out, params = tmp_path / "answer.json", START["params"] | {"T": 5000, "epsilon": 1, "mu": 0}
+    scene = written(tmp_path, START | {"params": params})
+    options = ("simulate", scene, "--tolerance", "1e-9", "--json", out)
+    assert "can be had up to" in refusal(capsys, *options, status=1)
+    assert not out.exists()
+
+
+# --- what can't be used ---
+
+IN_SCENES: list[tuple[str, Any, str]] = [
+    ("q", None, "q is missing"),
+    ("params", None, "params is missing"),
+    ("params mu", None, "params.mu is missing"),
+    ("params my", 0.3, "params.my is unknown; take it out or correct its name"),
+    ("params mu", -0.1, "params.mu is -0.1; it must be 0 or above"),
+    ("params dt", 0, "params.dt is 0; it must be above 0"),
+    ("params m", -0.3, "params.m is -0.3; it must be above 0"),
+    ("params epsilon", 1.5, "params.epsilon is 1.5; it must be from 0 to 1"),
+    ("params T", 0, "params.T is 0; it must be 1 or more"),
+    ("params T", 2_000_000_000, "params.T is 2000000000: the columns need 96 GB"),
+    ("params T", 1e12, "params.T must be an integer below two billion"),
+    ("params l", "long", "params.l must be a number"),
+    ("params l", math.nan, "l can't be read as JSON"),
+    ("q", [1, 2], "q must be a list of 3 numbers"),
+    ("q 1", [], "q[1] must be a number"),
+    ("q 1", 0.05, "q[1] puts the lowest corner "),  # below the ground
+    ("q 2", 2e9, "q[2] is 2e+09 rad; beyond 1e9"),
+    ("v", [0, math.nan, 0], "v can't be read as JSON"),
+    ("v 0", 1e-310, "v[0] is 1e-310, too small for a normal number; write 0"),
+]
+IN_A_STUDY: list[tuple[str, Any, str]] = [
+    ("compare until", -1, "compare.until is -1; it must be above 0"),
+    ("least_model", "clairvoyance", 'least_model is "clairvoyance", which is no model'),
+]
+
+
+@pytest.mark.parametrize("path, value, sentence", [*IN_SCENES, *IN_A_STUDY])
+def test_a_bad_scene_is_a_sentence_that_names_file_and_field(
+    tmp_path: Path, capsys: Said, path: str, value: Any, sentence: str
+) -> None:
+    file = written(tmp_path, changed(TUMBLE, path, value))
+    study: list[str | Path] = [BUILD / "bounce_study", tmp_path, tmp_path / "out", "examples"]
+    done = subprocess.run(study, capture_output=True, text=True)
+    assert done.returncode == 2 and done.stderr.startswith(f"bounce_study: {file}: {sentence}")
+    assert done.stderr.count("\n") == 1 and not list(tmp_path.glob("out/*"))
+    if (path, value, sentence) in IN_SCENES:
+        assert f"{file}: {sentence}" in refusal(capsys, "simulate", file, "--tolerance", "1")
 
 
 @pytest.mark.parametrize(
-    "path, value, message",
+    "text, sentence",
     [
-        ("params.mu", None, "params.mu is missing"),
-        ("params.my", 0.3, "params.my is unknown; take it out or correct its name"),
-        ("params.m", -0.3, "params.m is -0.3; it must be above 0"),
-        ("v", [0, float("nan"), 0], "v can't be read as JSON"),
-        ("params.dt", 0, "params.dt is 0; it must be above 0"),
-        ("params.T", 2_000_000_000, "params.T is 2000000000: the columns need 96 GB"),
-        ("least_model", "clairvoyance", 'least_model is "clairvoyance", which is no model'),
+        ("hello", "can't be read as JSON"),
+        ("[]", "the file must be an object"),
+        (json.dumps(START).replace('"mu": 0.3', '"mu": 1e999'), "mu is not finite"),
+        (None, "the file can't be opened"),
     ],
 )
-def test_a_bad_scene_is_one_sentence_that_names_file_and_field(
-    tmp_path: Path, path: str, value: Any, message: str
+def test_a_file_that_is_no_scene_is_named(
+    tmp_path: Path, capsys: Said, text: str | None, sentence: str
 ) -> None:
-    scenes = _scenes(tmp_path, {path: value})
-    out = tmp_path / "out"
-    with pytest.raises(UsageError) as refusal:
-        run.run(Request(out, quick=True, questions=("examples",), scenes=scenes))
-    sentence = str(refusal.value)
-    assert sentence.startswith(f"{scenes / 'rest.json'}: {message}")
-    assert "\n" not in sentence
-    assert not list(out.glob("*.*v*"))
+    file = written(tmp_path, text) if text else tmp_path / "none.json"
+    message = refusal(capsys, "simulate", file, "--tolerance", "1")
+    assert str(file) in message and sentence in message
 
 
-def test_an_unknown_question_is_named(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["study", "--quick", "--out", str(tmp_path / "out"), "speed"]) == 2
-    message = capsys.readouterr().err
-    assert message.startswith("kit: there is no question 'speed'; there are almost_flat,")
-    assert not (tmp_path / "out").exists()
-
-
-def test_a_folder_that_can_not_be_written_is_named(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+@pytest.mark.parametrize(
+    "options, sentence",
+    [
+        ("speed --out OUT/new", "kit: there is no question 'speed'; there are almost_flat,"),
+        ("examples --out OUT/file/out", "file/out can't be written"),
+        ("examples --out OUT", "peers.csv: a row has another number of fields"),
+        ("simulate OUT/file", "--tolerance"),
+        ("simulate OUT/scene.json --tolerance=nan", "the tolerance is nan m; it must be above 0"),
+        ("simulate OUT/scene.json --tolerance=inf", "the tolerance is inf m; it must be above 0"),
+        ("simulate OUT/scene.json --tolerance=0", "the tolerance is 0 m; it must be above 0"),
+        ("simulate OUT/scene.json --tolerance=-1", "the tolerance is -1 m; it must be above 0"),
+        ("simulate OUT/scene.json --tolerance=small", "it must be a number"),
+        ("--tolerance 1", "--tolerance is for ./kit study simulate"),
+        ("depth --squares x.csv", "are for ./kit study measured"),
+    ],
+)
+def test_a_command_that_can_not_be_done_is_refused(
+    tmp_path: Path, capfd: Said, options: str, sentence: str
 ) -> None:
     (tmp_path / "file").write_text("")
-    assert main(["study", "--out", str(tmp_path / "file" / "out"), "examples"]) == 2
-    assert f"{tmp_path / 'file' / 'out'} can't be written" in capsys.readouterr().err
-
-
-@pytest.mark.parametrize(
-    "text, message",
-    [
-        ("scene,method\nrest,box2d\n", "peers.csv has no column setting"),
-        ("scene,method\nrest\n", "peers.csv: a row has another number of fields"),
-    ],
-)
-def test_a_table_of_another_form_is_named(tmp_path: Path, text: str, message: str) -> None:
-    (tmp_path / "peers.csv").write_text(text)
-    with pytest.raises(UsageError) as refusal:
-        known = {**committed(), "peers": tables.read(tmp_path / "peers.csv")}
-        measurements.read(known)
-    assert message in str(refusal.value)
+    written(tmp_path, START)
+    (tmp_path / "peers.csv").write_text("scene,method\nrest\n")
+    assert main(["study", *options.replace("OUT", str(tmp_path)).split()]) == 2
+    assert sentence in capfd.readouterr().err.splitlines()[-1]
+    assert {file.name for file in tmp_path.iterdir()} <= {
+        "file",
+        "peers.csv",
+        "scene.json",
+        ".unfinished",
+    }

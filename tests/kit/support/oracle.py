@@ -1,8 +1,7 @@
 """A second opinion on the fixtures: the four parts once more, at 50 digits.
 
-Written from the handout's equations alone. Nothing is shared with the C++ solution, and the
-contact forces come from the four things that a corner can do, not from a pivoting LCP solver.
-A vector is a tuple of mpf, and a Jacobian is the pair of its columns (J_t, J_n).
+Written from the handout's equations alone: nothing is shared with the C++ solution, and no LCP is
+pivoted. A vector is a tuple of mpf, and a Jacobian is the pair of its columns (J_t, J_n).
 """
 
 from __future__ import annotations
@@ -220,48 +219,27 @@ def leaves(tree: Any, name: str = "") -> dict[str, Any]:
     return {leaf: x for name, branch in names for leaf, x in leaves(branch, name).items()}
 
 
-def answer_contacts(question: dict[str, Any], params: Parameters) -> dict[str, Any]:
-    contact = get_contacts(vector(question["q"]), params)
-    require(contact.gap > MARGIN, f"the second corner is {mp.nstr(contact.gap, 5)} m higher")
-    return {"phi": contact.phi, "J": list(zip(*contact.J))}
-
-
-def answer_lcp(question: dict[str, Any], params: Parameters) -> dict[str, Any]:
-    J_t, J_n = zip(*question["J"], strict=True)
-    V, p = form_lcp((vector(J_t), vector(J_n)), vector(question["v"]), params)
-    return {"V": V, "p": p}
-
-
-def answer_step(question: dict[str, Any], params: Parameters) -> dict[str, Any]:
-    q, v = step(vector(question["q"]), vector(question["v"]), params)
-    return {"q": q, "v": v}
-
-
-def answer_simulate(
-    question: dict[str, Any], params: Parameters, check: str, columns: list[int]
-) -> dict[str, Any]:
-    if len(set(columns)) != len(columns) or not set(columns) <= set(range(params.T)):
-        raise ValueError(f"columns {columns} are not different ones of 0 to {params.T - 1}")
-    last = max(columns, default=0) if check in LISTED_COLUMNS_ONLY else None
-    states = simulate(vector(question["q_0"]), vector(question["v_0"]), params, last)
-    return {name: [states[t][i] for t in columns] for i, name in enumerate("qv")}
-
-
 def answer(stem: str, check: str, case: dict[str, Any]) -> dict[str, Any]:
     """The exact answer to a case, shaped as its expected one."""
-    params = Parameters.read(case["params"])
+    params, asked = Parameters.read(case["params"]), case["input"]
+    if stem == "part2_lcp":
+        J_t, J_n = zip(*asked["J"], strict=True)
+        V, p = form_lcp((vector(J_t), vector(J_n)), vector(asked["v"]), params)
+        return {"V": V, "p": p}
     if stem == "part4_simulate":
         columns = case["expected"].get("columns", [])
-        return {
-            "columns": columns,
-            **answer_simulate(case["input"], params, check, columns),
-        }
-    parts = {
-        "part1_contacts": answer_contacts,
-        "part2_lcp": answer_lcp,
-        "part3_step": answer_step,
-    }
-    return parts[stem](case["input"], params)
+        if len(set(columns)) != len(columns) or not set(columns) <= set(range(params.T)):
+            raise ValueError(f"columns {columns} are not different ones of 0 to {params.T - 1}")
+        last = max(columns, default=0) if check in LISTED_COLUMNS_ONLY else None
+        states = simulate(vector(asked["q_0"]), vector(asked["v_0"]), params, last)
+        listed = {name: [states[t][i] for t in columns] for i, name in enumerate("qv")}
+        return {"columns": columns, **listed}
+    q = vector(asked["q"])
+    if stem == "part3_step":
+        return dict(zip("qv", step(q, vector(asked["v"]), params)))
+    contact = get_contacts(q, params)
+    require(contact.gap > MARGIN, f"the second corner is {mp.nstr(contact.gap, 5)} m higher")
+    return {"phi": contact.phi, "J": list(zip(*contact.J))}
 
 
 def differences(expected: dict[str, Any], truth: dict[str, Any]) -> Iterator[str]:

@@ -1,0 +1,262 @@
+// The exact motion: what holds of every motion at every scale, and what is known of it by other
+// means: closed forms, a second precision, and schemes that find no times of impact.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <functional>
+
+#include "cases.hpp"
+#include "exact/truth.hpp"
+#include "methods/moreau_jean.hpp"
+#include "methods/scheme.hpp"
+
+namespace bounce::exact::tests {
+namespace {
+
+using Motions = std::vector<Motion<double>>;
+
+Motions motion_at(const Case& c, const std::vector<double>& times, EventReport* report = nullptr,
+                  EventOptions options = {}) {
+  options.law = c.law;
+  return simulate_events<double>(c.params, c.start, times, options, report);
+}
+
+// --- every motion ---
+
+// How far rounding alone can sink a corner, m: that of y, of theta and of the time; and what counts
+// as touching.
+double rounding_depth(const Case& c, const Motion<double>& s, double t) {
+  const double corner_speed = std::abs(s.v_y) + c.params.l * std::abs(s.omega);
+  return 1e-12 * c.params.l +
+         0x1p-48 * (std::abs(s.y) + c.params.l * (1 + std::abs(s.theta)) + t * corner_speed);
+}
+
+struct Kind {
+  const char* name;
+  std::function<Case(Random&, int)> make;
+  int samples;
+  bool loses_energy;  // Newton's law does so only where epsilon is small; the others always do
+};
+
+const Kind kKinds[] = {
+    {"Newton", [](Random& random, int i) { return ordinary_case(random, i, 0.79); }, 50, true},
+    {"Poisson and Stronge",
+     [](Random& random, int i) {
+       Case c = ordinary_case(random, i, 1);
+       c.law = kLaws[1 + i % 2];
+       return c;
+     },
+     50, true},
+    {"rocking", rocking_case, 20, false},
+    {"wide", wide_case, 20, false},
+};
+
+TEST(exact, EveryMotionEndsAndNeitherSinksNorGainsEnergy) {
+  for (const Kind& kind : kKinds) {
+    Random random(3);
+    for (int i = 0; i < random_cases(2000); ++i) {
+      SCOPED_TRACE(kind.name + std::string(" ") + std::to_string(i));
+      const Case c = kind.make(random, i);
+      const methods::Body<double> body(c.params);
+      EventReport report;
+      const Motions motions = motion_at(c, even_times(c.until, kind.samples), &report);
+      ASSERT_FALSE(report.stalled);
+      ASSERT_EQ(motions.size(), std::size_t(kind.samples));
+      double before = methods::energy(c.start, body);
+      const double rounding = 1e-13 * (std::abs(before) + 10);
+      for (int j = 0; j < kind.samples; ++j) {
+        const Motion<double>& s = motions[std::size_t(j)];
+        ASSERT_TRUE(std::isfinite(s.x + s.y + s.theta + s.v_x + s.v_y + s.omega));
+        const double t = c.until * (j + 1) / kind.samples;
+        ASSERT_GE(methods::lowest_gap(s, body), -rounding_depth(c, s, t)) << "at " << t;
+        const double now = methods::energy(s, body);
+        if (kind.loses_energy) {
+          ASSERT_LE(now, before + rounding) << "at " << t;
+        }
+        before = now;
+      }
+    }
+  }
+}
+
+// A change of the case, and what it does to a motion.
+struct Symmetry {
+  const char* name;
+  std::function<Case(Random&, int)> make;
+  std::function<void(Case&)> change;
+  std::function<Motion<double>(Motion<double>)> expected;
+  double tolerance;  // of x, y and theta
+};
+
+constexpr double kLength = 0x1p-17, kTime = 0x1p6;
+
+Case in_other_units(const Case& c) {
+  Case other = c;
+  other.params.l *= kLength;
+  other.params.g *= kLength / (kTime * kTime);
+  other.until *= kTime;
+  return other;
+}
+
+Motion<double> in_other_units(const Motion<double>& s) {
+  const double speed = kLength / kTime;
+  return {s.x * kLength, s.y * kLength, s.theta, s.v_x * speed, s.v_y * speed, s.omega / kTime};
+}
+
+Motion<double> mirrored(const Motion<double>& s) {
+  return {-s.x, s.y, -s.theta, -s.v_x, s.v_y, -s.omega};
+}
+
+Motion<double> moved(Motion<double> s) {
+  s.x += 3;
+  s.theta += 16 * 2 * std::numbers::pi;
+  return s;
+}
+
+Case ordinary(Random& random, int i) { return ordinary_case(random, i, 0.79); }
+
+const Symmetry kSymmetries[] = {
+    {"units", wide_case,
+     [](Case& c) {
+       const Motion<double> start = in_other_units(c.start);
+       c = in_other_units(c);
+       c.start = start;
+     },
+     [](const Motion<double>& s) { return in_other_units(s); }, 0},
+    {"mirror", ordinary,
+     [](Case& c) {
+       c.params.g.x() *= -1;
+       c.start = mirrored(c.start);
+     },
+     mirrored, 1e-7},
+    {"shift and turns", ordinary, [](Case& c) { c.start = moved(c.start); }, moved, 1e-4},
+};
+
+TEST(exact, ChangesWithTheUnitsAMirrorAShiftAndWholeTurnsAsItShould) {
+  for (const Symmetry& symmetry : kSymmetries) {
+    Random random(8);
+    for (int i = 0; i < random_cases(1000) / 2; ++i) {
+      SCOPED_TRACE(symmetry.name + std::string(" ") + std::to_string(i));
+      Case c = symmetry.make(random, i);
+      const Motions here = motion_at(c, even_times(c.until, 10));
+      symmetry.change(c);
+      const Motions there = motion_at(c, even_times(c.until, 10));
+      ASSERT_EQ(here.size(), there.size());
+      for (std::size_t j = 0; j < here.size(); ++j) {
+        const Motion<double> expected = symmetry.expected(here[j]);
+        ASSERT_NEAR(there[j].x, expected.x, symmetry.tolerance);
+        ASSERT_NEAR(there[j].y, expected.y, symmetry.tolerance);
+        ASSERT_NEAR(there[j].theta, expected.theta, symmetry.tolerance);
+      }
+    }
+  }
+}
+
+// --- what is known in closed form, or has no end ---
+
+Motions motion_of(const Parameters& params, const Motion<double>& start,
+                  const std::vector<double>& times) {
+  return simulate_events<double>(params, start, times, {});
+}
+
+TEST(exact, NeedsNoGravity) {
+  Parameters params;
+  params.g.setZero();
+  params.epsilon = 1;
+  for (const double speed : {1e-7, 1.0, 1e7}) {
+    const auto s = motion_of(params, {0, 1, 0, 0, -speed, 0}, {0.5 / speed, 2 / speed});
+    EXPECT_NEAR(s[0].y, 0.5, 1e-15) << speed;
+    EXPECT_NEAR(s[1].y, 1.2, 1e-15) << "it falls by 0.9 m and bounces";
+  }
+  EXPECT_EQ(motion_of(params, {0, 0.1, 0, 0, 0, 0}, {1.0}).at(0).y, 0.1);
+}
+
+// Where a <= mu |b|, accelerations have no solution: the corner below the centre leans back from
+// the way it slides.
+TEST(exact, JamsWhereAccelerationsHaveNoSolution) {
+  Parameters params;
+  params.mu = 3;
+  const double lean = std::atan(0.5), rho = params.l / std::sqrt(2.0);
+  for (const double sign : {-1.0, 1.0}) {
+    const double theta = std::atan(1.0) - sign * lean;
+    const auto s = motion_of(params, {0, rho * std::cos(lean), theta, -sign, 0, 0}, {1e-6});
+    EXPECT_GT(std::abs(s[0].omega), 1) << "the corner has stopped, and the square tips over it";
+  }
+}
+
+// One corner cannot carry a face: the square rocks ever faster.
+TEST(exact, ReportsThatEventsGoOnWithoutAnEnd) {
+  Case c;
+  c.start = {0, 0.3, 0, 0, 0, 0};
+  EventOptions options;
+  options.model.corners = 1;
+  EventReport report;
+  EXPECT_LT(motion_at(c, even_times(2.0, 10), &report, options).size(), 10u);
+  EXPECT_TRUE(report.stalled);
+}
+
+// --- another precision, other tolerances ---
+
+TEST(exact, IsTheSameInLongDouble) {
+  for (const Scene& scene : scenes()) {
+    const auto start = methods::motion_of<double>(scene.start);
+    const auto usual = motion_of(scene.params, start, sample_times(scene));
+    EXPECT_LE(error_of(scene, usual, truth_of(scene)), 1e-9) << scene.name;
+  }
+}
+
+// --- beside Moreau-Jean, which finds no times of impact ---
+
+constexpr int kTimes = 20;
+
+// In units of l.
+double apart(const Case& c, const Motions& one, const Motions& other) {
+  Scene scene{};
+  scene.params = c.params;
+  return error_of(scene, one, other) / c.params.l;
+}
+
+// How far a motion comes that begins as far off as a step's way, which is what being late by a step
+// may do; and whose corners strike together where a step finds them both low.
+double sensitivity(const Case& c, const Motions& motions, double way) {
+  double worst = 0;
+  for (const double share : {0.0, 0.1, 0.3, 1.0, 3.0}) {
+    for (const double turn : {-1.0, 0.0, 1.0}) {
+      Case other = c;
+      other.start.y += 3 * share * way * c.params.l;
+      other.start.theta += turn * share * way;
+      EventOptions options;
+      if (turn == 0) options.touching = 3 * share * way;
+      const Motions late = motion_at(other, even_times(c.until, kTimes), nullptr, options);
+      worst = std::max(worst, apart(c, motions, late));
+    }
+  }
+  return worst;
+}
+
+TEST(exact, AgreesWithMoreauJeanAsFarAsItsStepsAreExact) {
+  Random random(11);
+  constexpr long kSteps = 2500;  // between two samples
+  const int cases = random_cases(1000) / 10;
+  int agree = 0;
+  for (int i = 0; i < cases; ++i) {
+    Case c = wide_case(random, i);
+    c.law = ImpactLaw::newton;
+    c.until = std::min(c.until, 10 * c.unit_time());
+    c.start.theta = std::remainder(c.start.theta, 2 * std::numbers::pi);
+    c.params.dt = c.until / double(kTimes * kSteps);
+    const Motions exact = motion_at(c, even_times(c.until, kTimes));
+    const auto stepped = methods::sample(methods::MoreauJean<2>(c.params, c.start), kTimes, kSteps);
+    double fastest = c.unit_speed();
+    for (const auto& s : exact)
+      fastest = std::max(fastest, std::hypot(s.v_x, s.v_y, s.omega * c.params.l));
+    const double way = fastest * c.params.dt / c.params.l, error = apart(c, exact, stepped);
+    agree += error <= 10 * way;
+    if (error <= 10 * way || c.params.mu > 4.0 / 3) continue;  // above, there may be more solutions
+    EXPECT_LE(error, 10 * sensitivity(c, exact, way)) << i;
+  }
+  EXPECT_GT(agree, cases / 2);
+}
+
+}  // namespace
+}  // namespace bounce::exact::tests
