@@ -161,12 +161,6 @@ def test_what_only_gcc_takes_is_compiled_by_it(grade: Grade, tmp_path: Path) -> 
     assert not compiling.compile_all(taken, tmp_path, Box("none"), 1).parts[1].path
 
 
-def test_clang_needs_no_help_in_a_box(monkeypatch: pytest.MonkeyPatch, grade: Grade) -> None:
-    """If clang missed a file, g++ would compile instead, silently and five times as slowly."""
-    monkeypatch.setattr(compiler, "gcc", lambda *_: ["/nowhere"])
-    assert points(grade({n: _new() + text for n, text in solution_files().items()})) == FULL
-
-
 def test_a_gcc_that_can_start_nothing_is_a_fault_of_the_machine(tmp_path: Path) -> None:
     """Of what clang rejects and g++ accepts, no error of clang's may be told instead."""
     only = b"#ifdef __clang__\n#error\n#endif\n" + solution_files()["part1_contacts.cpp"]

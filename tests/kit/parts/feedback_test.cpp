@@ -1,9 +1,12 @@
-// The feedback on a wrong answer in a student's own build.
+// The feedback on a wrong answer, and on a part that throws, in a student's own build.
 #include "../../parts/feedback.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <stdexcept>
+
+#include "../../parts/linked/thrown.hpp"
 
 namespace bounce::tests {
 namespace {
@@ -125,6 +128,24 @@ TEST(feedback, DoesNotTellTheAnswerOfAHiddenCase) {
     EXPECT_FALSE(says(text, answer)) << text;
   }
   EXPECT_TRUE(says(text, "is not shown, this case is hidden")) << text;
+}
+
+template <class Thrown>
+std::string thrown(const Thrown& what) {
+  try {
+    naming_the_part("part 1", [&]() -> int { throw what; });
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(feedback, NamesThePartAndSaysWhatItSaid) {
+  EXPECT_EQ(thrown(std::out_of_range("oh")), "part 1 threw an exception: oh");
+  EXPECT_EQ(thrown(std::string("oh")), "part 1 threw: oh");
+  EXPECT_EQ(thrown<const char*>("oh"), "part 1 threw: oh");
+  EXPECT_EQ(thrown(5), "part 1 threw something that isn't a std::exception");
+  EXPECT_EQ(naming_the_part("part 1", [] { return 5; }), 5);
 }
 
 }  // namespace

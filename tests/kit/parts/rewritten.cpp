@@ -244,14 +244,12 @@ class Rewritten {
   Eigen::VectorXd part4(const Case& c) {
     const Parameters p = has("part4_default_parameters") ? Parameters() : c.params;
     State start{c.q, has("part4_initial_velocity_ignored") ? Vector3(0, 0, 0) : c.v};
-    if (has("part4_state_kept_between_calls") && state_) start = *state_;
     if (has("part4_starts_after_a_step")) start = next(start, p);
     int T = has("part4_always_150_columns") ? 150 : c.params.T;
     T += has("part4_one_column_too_many") - has("part4_one_column_missing");
     std::vector<State> states{start};
     while (static_cast<int>(states.size()) < T) states.push_back(state_after(states, p));
     states.resize(static_cast<std::size_t>(T));
-    state_ = states.empty() ? start : next(states.back(), p);
 
     const auto columns = static_cast<Eigen::Index>(states.size());
     Trajectory got{Eigen::Matrix3Xd(3, columns), Eigen::Matrix3Xd(3, columns)};
@@ -274,7 +272,6 @@ class Rewritten {
 
   std::set<std::string> mistakes_;
   std::optional<Parameters> first_;  // of the first question
-  std::optional<State> state_;       // at the end of the last trajectory
 };
 
 }  // namespace
