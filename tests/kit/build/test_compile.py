@@ -1,4 +1,4 @@
-"""Compiling submissions: never a stale object, limits, and whose fault it is if nothing compiles."""
+"""Compiling submissions: never a stale object, limits, and whose fault it is if none is made."""
 
 import os
 import secrets
@@ -226,7 +226,8 @@ def test_what_a_compiler_takes_is_known_from_within_each_box(kind: str, tmp_path
         read(SOLUTION).write_to(work, ["part2_lcp.cpp"])
         box.give(work)
         prefix = box.to_build(work, [CONTRACT, RUNNER])
-        ended = run([*prefix, *compiler.gcc("part1_contacts.cpp", slow, box, flags=endless)], limits)
+        gcc = compiler.gcc("part1_contacts.cpp", slow, box, flags=endless)
+        ended = run([*prefix, *gcc], limits)
         clang = compiler.clang("part2_lcp.cpp", read(SOLUTION), "prelude")
         usual = compiler.run(clang, work, box, tmp_path / "x.o")
     assert ended.boxed and ended.code == 128 + 9 and ended.cpu_seconds > 0.4, ended

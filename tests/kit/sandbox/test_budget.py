@@ -94,7 +94,11 @@ def test_the_judge_keeps_to_what_is_left(end: str, tmp_path: Path) -> None:
     assert _cpu_seconds_of_children() - before < 20  # and not the 60 that the runners could take
 
 
-PRINTS = b"""constexpr long spend() { long x = 0; for (long i = 0; i < 900000; ++i) x += i & 7; return x; }
+PRINTS = b"""constexpr long spend() {
+  long x = 0;
+  for (long i = 0; i < 900000; ++i) x += i & 7;
+  return x;
+}
 static_assert(spend() > 0);
 asm(".rept 2000000\\n.print \\"a line of some forty characters, and again\\"\\n.endr");
 """

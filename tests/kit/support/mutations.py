@@ -11,7 +11,9 @@ from dataclasses import dataclass
 # A value: a number, or a name with members, calls and indices; or what is in brackets.
 INSIDE = r"\((?:[^()]|\([^()]*\))*\)"
 VALUE = rf"(?:\b\d[\d.]*\b|\b[A-Za-z_]\w*(?:::\w+)*(?:<[\w, ]+>)?(?:{INSIDE}|\.\w+)*|{INSIDE})"
+# A number with a name: what rounding, an absolute value or a threshold would change.
 SCALAR = r"(?:params\.(?!M|g\b|T\b)\w+|\b[qvpr]\([0-3]\)|\b[qrp]\w*\.[xy]\(\)|\bphi\b(?! =|;|,|\]))"
+# A statement that declares and returns nothing; and the place before a declaration.
 STATEMENT = r"(?<=[;{}\n/]) *(?!return|const |using|[}\]]|\w[\w:<>, ]* \w+[ ;({])\S[^;{}]*;"
 DECLARATION = r"(?:(?<=\n  )|(?<=\n    ))(?=(?:const )?(?!return|const)[A-Z][\w:]*(?:<.*?>)? \w+)"
 DOUBLES = ("params.l", "params.m", "params.mu", "params.epsilon", "params.dt", "params.delta")
