@@ -74,13 +74,17 @@ double first_side(Q) { return known_part(1).cases[0].params.l; }
 // In place of these corners, one that comes so many places after it.
 Formula corner_in_place_of(const std::string& corners, int places) {
   return [=](Q c, X x) {
-    const Contact lowest = get_contacts(c.q, c.params);
     const Eigen::Vector2d r = Eigen::Rotation2Dd(-c.q(2)) * arm(x);
     const char number = r.y() > 0 ? (r.x() > 0 ? '1' : '2') : (r.x() < 0 ? '3' : '4');
     if (corners.find(number) == std::string::npos) return;
     set_arm(c, x, Eigen::Rotation2Dd(places * std::numbers::pi / 2) * arm(x));
-    x(6) += lowest.phi - c.q(1) + lowest.J(2, 0);
   };
+}
+
+void always_corner_2(Q c, X x) {
+  for (const auto& [corner, places] : {std::pair("1", 1), {"3", 3}, {"4", 2}}) {
+    corner_in_place_of(corner, places)(c, x);
+  }
 }
 
 Formula written_pi(double pi) {
@@ -152,6 +156,15 @@ Formula from_column(Eigen::Index column, double factor, double last = 0) {
   };
 }
 
+// The velocities of columns 1 and 2 are those of columns 2 and this one.
+Formula velocity_ahead(Eigen::Index column) {
+  return [=](Q, X x) {
+    if (x.size() < 6 * column + 6) return;  // so short a trajectory
+    x.segment(9, 3) = x.segment(15, 3).eval();
+    x.segment(15, 3) = x.segment(6 * column + 3, 3).eval();
+  };
+}
+
 // --- the table ---
 
 constexpr const char* kNothing = "\n\n";  // which no text holds
@@ -176,7 +189,11 @@ const Row kRows[] = {
     {1, [](Q, X x) { x(0) = -x(0); }, "Every wrong number is -1 times the right one."},
     {1, [](Q c, X x) { x(6) *= c.params.m; }, "Every wrong number is m times the right one."},
     {3, [](Q, X x) { x.tail(3) *= 0.75; }, "Every wrong number is 0.75 times the right one."},
-    {1, [](Q, X x) { x(0) = -x(0), x(6) *= 2; },
+    {1,
+     [](Q, X x) {
+       x(0) = -x(0);
+       x(6) *= 2;
+     },
      "Every wrong number in J_t is -1 times the right one.|phi is 2 times the right one."},
     {3, [](Q, X x) { x.head(3) *= 4.04769e-15; }, "", "times"},
     {2, [](Q, X x) { x(16) += 0.5; }, "Every wrong number is 0.5 more than the right one."},
@@ -243,6 +260,8 @@ const Row kRows[] = {
     {1, corner_in_place_of("4", 3), "Corner 4 is never chosen|Corners are numbered as in eq. (3)."},
     {1, corner_in_place_of("13", 3), "Corners 1 and 3 are never chosen"},
     {1, corner_in_place_of("1234", 3), "Your answer is always that of the leftmost corner."},
+    {1, corner_in_place_of("134", 3), "", "leftmost"},
+    {1, always_corner_2, "Your answer is always that of corner 2."},
     // where
     {2, [](Q c, X x) { x(0) += c.params.l == 0.2 ? 0 : 1 + c.v(0) * c.v(0); },
      "Wrong only where l isn't the assignment's, in all "},
@@ -273,6 +292,9 @@ const Row kRows[] = {
     {4, from_column(1, 1.5), "Column 1 is the first wrong one in every case that is wrong."},
     {4, from_column(3, 1.5), "Column 0 is right in every public question;"},
     {4, from_column(3, 0), "The trajectory is right up to column 2, and 0 from column 3 on"},
+    {4, velocity_ahead(3),
+     "Your v in columns 1 and 2 is the right one of columns 2 and 3 in every"},
+    {4, velocity_ahead(4), "", "ahead"},
     {4, from_column(3, 0, 1), "", "0 from column"},
     {4,
      [](Q, X x) {
