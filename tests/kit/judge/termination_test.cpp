@@ -1,11 +1,14 @@
-// The description of how a program ended.
+// The description of how a program ended: by its wait status and its last print, which may hold the
+// runner's report of a crash.
 #include "../../../grader/judge/termination.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <csignal>
+#include <functional>
 #include <string>
 
 #include "../../../grader/runner/crash.hpp"
@@ -15,49 +18,102 @@ namespace {
 
 using judge::Termination;
 
-Termination by_signal(int signal, const std::string& print = "") {
-  return judge::termination_of(W_EXITCODE(0, signal), judge::Limits(), print);
+// The runner's own line on the cause of a crash, and others' last words.
+std::string cause(const std::string& words) { return "\n" + (runner::kCause + words) + "\n"; }
+std::string call(long number) { return cause(runner::kCall + std::to_string(number)); }
+std::string found(const std::string& kind) { return cause(runner::kFound + kind); }
+
+std::string thrown(const std::string& type, const std::string& what = "") {
+  return "terminate called after throwing an instance of '" + type + "'\n" +
+         (what.empty() ? "" : "  what():  " + what + "\n");
+}
+
+std::string failed(const std::string& what) {
+  return "a print\nrunner: /usr/include/eigen3/Eigen/src/Core/Block.h:120: Eigen::Block<X>::"
+         "Block(X&, Index): Assertion `" +
+         what + "' failed.\nmore";
+}
+
+Termination by_signal(int signal, const std::string& print = "", std::size_t memory = 0) {
+  return judge::termination_of(W_EXITCODE(0, signal), judge::Limits(), print, memory);
 }
 
 Termination by_exit(int status) {
   return judge::termination_of(W_EXITCODE(status, 0), judge::Limits(), "");
 }
 
-std::string cause(const std::string& words) { return "\n" + (runner::kCause + words) + "\n"; }
+struct Row {
+  int signal;
+  std::string print;
+  const char* status;
+  std::string words;
+};
 
-void expect(const Termination& termination, const std::string& status, const std::string& words) {
-  EXPECT_EQ(termination.status, status);
-  EXPECT_NE(termination.sentence.find(words), std::string::npos) << termination.sentence;
-  EXPECT_EQ(termination.sentence.find('\n'), std::string::npos) << termination.sentence;
-}
+const Row kRows[] = {
+    {SIGSEGV, "", "crashed", "segmentation fault"},
+    {SIGFPE, "", "crashed", "integer division by zero"},
+    {SIGBUS, "", "crashed", "bus error"},
+    {SIGXFSZ, "", "crashed", "write a file"},
+    {SIGKILL, "", "crashed", "killed: by itself, or by the system for want of memory or time"},
+    {SIGXCPU, "", "timed_out", "more than 1 s of CPU time"},
+    {SIGTERM, "", "crashed", "signal SIGTERM, which it sent itself"},
+    {SIGRTMIN + 1, "", "crashed", "signal " + std::to_string(SIGRTMIN + 1)},
+    {SIGSYS, "", "crashed", "isn't given: a process, a thread, a file, a connection"},
+    {SIGSYS, call(SYS_socket), "crashed", "isn't given: a connection (socket)"},
+    {SIGSYS, call(SYS_ptrace), "crashed", "isn't given: another process's memory (ptrace)"},
+    {SIGSYS, call(4000), "crashed", "isn't given: system call 4000"},
+    {SIGSEGV, cause(runner::kFullStack), "crashed", "its stack is full: a recursion without end"},
+    {SIGSEGV, cause(runner::kUnknown), "crashed", "an index out of range"},
+    {SIGFPE, cause(runner::kDivision), "crashed", "integer division by zero"},
+    {SIGABRT, found("stack-use-after-scope"), "crashed", "a variable that is gone"},
+    {SIGABRT, found("out-of-bounds-index"), "crashed", "out of the bounds of a C array"},
+    {SIGABRT, found("SECRET=1"), "crashed", "called abort() or std::terminate(), perhaps"},
+    {SIGABRT, "hello\n" + thrown("std::out_of_range", "vector") + cause(runner::kUnknown),
+     "crashed", "std::out_of_range: vector"},
+    {SIGABRT, thrown("std::bad_alloc", "std::bad_alloc"), "out_of_memory",
+     "ran out of memory (1024 MB)"},
+    {SIGABRT, "free(): double free detected in tcache 2\n" + cause("unknown"), "crashed",
+     "freed some twice (free(): double free detected in tcache 2)"},
+    // Assertions: their words, or what Eigen's and the library's mean.
+    {SIGABRT, "runner: part1.cpp:7: void f(): Assertion `mass > 0' failed.", "crashed",
+     "an assertion failed: part1.cpp:7: mass > 0"},
+    {SIGABRT, failed("(i>=0) && (i<rows())"), "crashed", "Block.h:120: (i>=0) && (i<rows())"},
+    {SIGABRT, failed("index >= 0 && index < size()"), "crashed", "an index is out of range"},
+    {SIGABRT,
+     failed("lhs.cols() == rhs.rows() && \"invalid matrix product\" && \"if you wanted a "
+            "coeff-wise or a dot product use the respective explicit functions\""),
+     "crashed",
+     "a product whose left matrix has another number of columns than the right one has rows"},
+    {SIGABRT, failed("aLhs.rows() == aRhs.rows() && aLhs.cols() == aRhs.cols()"), "crashed",
+     "a sum, a difference or another operation by entries on two different shapes"},
+    {SIGABRT,
+     failed("((m_row+m_currentBlockRows) == m_xpr.rows() || m_xpr.cols() == 0) && m_col == "
+            "m_xpr.cols() && \"Too few coefficients passed to comma initializer (operator<<)\""),
+     "crashed", "<< with fewer numbers than the matrix has"},
+    {SIGABRT,
+     failed("(i>=0) && ( ((BlockRows==1) && (BlockCols==XprType::ColsAtCompileTime) && "
+            "i<xpr.rows()) ||((BlockRows==XprType::RowsAtCompileTime) && (BlockCols==1) && "
+            "i<xpr.cols()))"),
+     "crashed", "a row or a column that the matrix doesn't have"},
+    {SIGABRT,
+     "/usr/include/c++/12/bits/stl_vector.h:1123: reference std::vector<double>::operator[]"
+     "(size_type): Assertion '__n < this->size()' failed.\n" +
+         cause(runner::kUnknown),
+     "crashed", "an assertion failed: an index beyond the end of a std::vector or std::array"},
+    {SIGABRT, "x:1: Assertion x failed", "crashed", "called abort()"},
+    {SIGABRT, ":1: Assertion `x' failed", "crashed", "called abort()"},
+    {SIGABRT, "x:: Assertion `x' failed", "crashed", "called abort()"},
+    {SIGABRT, "Assertion `x' failed", "crashed", "called abort()"},
+};
 
-TEST(Termination, EachSignalHasWordsOfItsOwn) {
-  expect(by_signal(SIGSEGV), "crashed", "segmentation fault");
-  expect(by_signal(SIGABRT), "crashed", "aborted");
-  expect(by_signal(SIGFPE), "crashed", "integer division by zero");
-  expect(by_signal(SIGILL), "crashed", "a function that returns no value");
-  expect(by_signal(SIGBUS), "crashed", "bus error");
-  expect(by_signal(SIGTRAP), "crashed", "trap");
-  expect(by_signal(SIGXFSZ), "crashed", "write a file");
-  expect(by_signal(SIGKILL), "crashed",
-         "killed: by itself, or by the system for want of memory or time");
-  expect(by_signal(SIGXCPU), "timed_out", "more than 1 s of CPU time");
-  expect(by_signal(SIGTERM), "crashed", "signal SIGTERM, which it sent itself");
-  expect(by_signal(SIGALRM), "crashed", "signal SIGALRM");
-  expect(by_signal(SIGRTMIN + 1), "crashed", "signal " + std::to_string(SIGRTMIN + 1));
-}
-
-TEST(Termination, OneThatStoresWithoutEndIsOutOfMemoryWhateverEndsItFirst) {
-  const judge::Limits limits;
-  for (const int signal : {SIGXCPU, SIGKILL}) {
-    const int status = W_EXITCODE(0, signal);
-    expect(judge::termination_of(status, limits, "", limits.memory / 2), "out_of_memory",
-           "stores without end");
+TEST(Termination, SaysInOneLineHowAProgramEnded) {
+  for (const Row& row : kRows) {
+    const Termination end = by_signal(row.signal, row.print);
+    EXPECT_EQ(end.status, row.status) << row.words;
+    EXPECT_NE(end.sentence.find(row.words), std::string::npos) << end.sentence;
+    EXPECT_EQ(end.sentence.find('\n'), std::string::npos) << end.sentence;
+    EXPECT_EQ(end.sentence.find("SECRET"), std::string::npos) << end.sentence;
   }
-  const std::size_t little = limits.memory / 100;
-  expect(judge::termination_of(W_EXITCODE(0, SIGXCPU), limits, "", little), "timed_out",
-         "CPU time");
-  expect(judge::termination_of(W_EXITCODE(0, SIGKILL), limits, "", little), "crashed", "killed");
 }
 
 TEST(Termination, TellsASignalThroughABoxAsWell) {
@@ -65,114 +121,105 @@ TEST(Termination, TellsASignalThroughABoxAsWell) {
     EXPECT_EQ(by_exit(128 + signal).sentence, by_signal(signal).sentence);
     EXPECT_EQ(by_exit(128 + signal).status, by_signal(signal).status);
   }
+  for (const int status : {0, 3, 255}) {
+    const std::string words = "ended by itself (exit status " + std::to_string(status) + ")";
+    EXPECT_EQ(by_exit(status).status, "no_answer");
+    EXPECT_NE(by_exit(status).sentence.find(words), std::string::npos);
+  }
 }
 
-TEST(Termination, NamesWhatASanitizerFound) {
-  const auto found = [](const std::string& kind) {
-    return by_signal(SIGABRT, cause(runner::kFound + kind));
-  };
-  expect(found("stack-use-after-scope"), "crashed", "a variable that is gone");
-  expect(found("out-of-bounds-index"), "crashed", "out of the bounds of a C array");
-}
-
-TEST(Termination, RepeatsNothingThatIsNoNameOfASanitizers) {
-  const Termination termination =
-      by_signal(SIGABRT, cause(std::string(runner::kFound) + "SECRET=1"));
-  expect(termination, "crashed", "aborted");
-  EXPECT_EQ(termination.sentence.find("SECRET"), std::string::npos);
-}
-
-TEST(Termination, ExitIsNoAnswer) {
-  expect(by_exit(0), "no_answer", "ended by itself (exit status 0)");
-  expect(by_exit(3), "no_answer", "ended by itself (exit status 3)");
-  expect(by_exit(255), "no_answer", "ended by itself (exit status 255)");
-}
-
-TEST(Termination, NamesWhyASegmentationFaultCame) {
-  expect(by_signal(SIGSEGV, cause(runner::kNull)), "crashed", "fault: it followed a null pointer");
-  expect(by_signal(SIGSEGV, cause(runner::kFullStack)), "crashed",
-         "its stack is full: a recursion without end");
-  expect(by_signal(SIGSEGV, cause(runner::kUnknown)), "crashed", "an index out of range");
-}
-
-TEST(Termination, TellsADivisionByZeroFromATrapThatWasAskedFor) {
-  expect(by_signal(SIGFPE, cause(runner::kDivision)), "crashed", "integer division by zero");
-  expect(by_signal(SIGFPE, cause(runner::kFloat)), "crashed", "turned floating-point traps on");
-}
-
-TEST(Termination, NamesTheRefusedCall) {
-  const auto call = [](long number) {
-    return by_signal(SIGSYS, cause(runner::kCall + std::to_string(number)));
-  };
-  expect(call(SYS_socket), "crashed", "isn't given: a connection (socket)");
-  expect(call(SYS_clone), "crashed", "isn't given: another process (clone)");
-  expect(call(SYS_ptrace), "crashed", "isn't given: another process's memory (ptrace)");
-  expect(call(4000), "crashed", "isn't given: system call 4000");
-  expect(by_signal(SIGSYS), "crashed", "isn't given: a process, a thread, a file, a connection");
-}
-
-TEST(Termination, NamesAnAssertion) {
-  expect(by_signal(SIGABRT,
-                   "runner: /usr/include/eigen3/Eigen/src/Core/DenseCoeffsBase.h:366: Scalar& f() "
-                   "[with T = int]: Assertion `index >= 0 && index < size()' failed.\n"),
-         "crashed", "an assertion failed: an index is out of range");
-  expect(by_signal(SIGABRT,
-                   "/usr/include/c++/12/bits/stl_vector.h:1123: reference "
-                   "std::vector<double>::operator[](size_type): Assertion '__n < "
-                   "this->size()' failed.\n" +
-                       cause(runner::kUnknown)),
-         "crashed", "an assertion failed: an index beyond the end of a std::vector or std::array");
-  expect(by_signal(SIGABRT, "runner: part1.cpp:7: void f(): Assertion `mass > 0' failed."),
-         "crashed", "an assertion failed: part1.cpp:7: mass > 0");
-}
-
-TEST(Termination, NamesAnExceptionThatNothingCaught) {
-  expect(by_signal(SIGABRT,
-                   "hello\nterminate called after throwing an instance of "
-                   "'std::out_of_range'\n  what():  vector::_M_range_check\n" +
-                       cause(runner::kUnknown)),
-         "crashed", "std::out_of_range: vector::_M_range_check");
-  expect(by_signal(SIGABRT, "terminate called after throwing an instance of 'int'\n"), "crashed",
-         "threw where nothing catches it");
-}
-
-TEST(Termination, NamesMemoryThatRanOutBeforeMain) {
-  expect(by_signal(SIGABRT,
-                   "terminate called after throwing an instance of 'std::bad_alloc'\n"
-                   "  what():  std::bad_alloc\n"),
-         "out_of_memory", "ran out of memory (1024 MB)");
-}
-
-TEST(Termination, NamesMemoryThatWasFreedTwice) {
-  expect(by_signal(SIGABRT, "free(): double free detected in tcache 2\n" + cause("unknown")),
-         "crashed", "freed some twice (free(): double free detected in tcache 2)");
+TEST(Termination, OneThatStoresWithoutEndIsOutOfMemoryWhateverEndsItFirst) {
+  const std::size_t all = judge::Limits().memory;
+  EXPECT_EQ(by_signal(SIGXCPU, "", all / 2).status, "out_of_memory");
+  EXPECT_EQ(by_signal(SIGKILL, "", all / 2).status, "out_of_memory");
+  EXPECT_EQ(by_signal(SIGXCPU, "", all / 100).status, "timed_out");
+  EXPECT_EQ(by_signal(SIGKILL, "", all / 100).status, "crashed");
 }
 
 TEST(Termination, KeepsTheStackOfACrashAlone) {
-  const std::string stack = "stack of the crash: 0x0000000000401000 0x0000000000402000\n";
-  EXPECT_EQ(by_signal(SIGSEGV, stack).stack, " 0x0000000000401000 0x0000000000402000");
-  EXPECT_EQ(by_signal(SIGSEGV, "stack of the crash: -e /etc/passwd\n").stack, "");
-  EXPECT_EQ(by_signal(SIGSEGV, "stack of the crash: 0x1 0x2\n").stack, "");
-  std::string most = " 0x0000000000401000";
-  while (most.size() < 40 * 19) most += " 0x0000000000402000";
-  EXPECT_EQ(by_signal(SIGSEGV, "stack of the crash:" + most + "\n").stack, most);
-  EXPECT_EQ(by_signal(SIGSEGV, "stack of the crash:" + most + " 0x0000000000402000\n").stack, "");
-  EXPECT_EQ(by_signal(SIGXCPU, stack).stack, "");
+  const std::string frame = " 0x0000000000401000";
+  const auto stack = [](int signal, const std::string& addresses) {
+    return by_signal(signal, "stack of the crash:" + addresses + "\n").stack;
+  };
+  std::string most;
+  for (int i = 0; i < 40; ++i) most += frame;
+  EXPECT_EQ(stack(SIGSEGV, frame + frame), frame + frame);
+  EXPECT_EQ(stack(SIGSEGV, most), most);
+  for (const std::string& none : {most + frame, std::string(" -e /etc/passwd"), frame + " 0x2"}) {
+    EXPECT_EQ(stack(SIGSEGV, none), "");
+  }
+  EXPECT_EQ(stack(SIGXCPU, frame), "");
 }
 
-// A program's text must not cost the judge much time or overflow its stack.
+// A megabyte, far more than is ever kept. A careless reader takes quadratic time, which is minutes,
+// or overflows its stack.
 TEST(Termination, OutlivesAnyPrint) {
-  const std::string tall(16 * 1024, ':');
-  const std::string wide = "a.b:1: " + std::string(16 * 1024, '`');
-  for (const std::string& print :
-       {tall, wide, ": Assertion " + tall, wide + ": Assertion " + wide + "' failed",
-        std::string(": Assertion "),
-        std::string("terminate called after throwing an instance of '"),
-        std::string("\0\0: Assertion \0", 16), "\x1b[2J" + tall}) {
-    const Termination termination = by_signal(SIGABRT, print);
-    EXPECT_EQ(termination.status, "crashed");
-    EXPECT_LT(termination.sentence.size(), 800u);
-    EXPECT_EQ(termination.sentence.find('\x1b'), std::string::npos);
+  for (const std::string word : {"a", ":", "`", "a:1: ", "1:", "Assertion `", "a:1: Assertion `",
+                                 "\n", "' failed", "a:1: Assertion `x' faile"}) {
+    std::string print;
+    while (print.size() < 1'000'000) print += word;
+    const Termination end = by_signal(SIGABRT, print + "' failed");
+    EXPECT_EQ(end.status, "crashed");
+    EXPECT_LT(end.sentence.size(), 800u);
+  }
+}
+
+// --- what a real crash reports: a child of this process crashes ---
+
+int* volatile nowhere = nullptr;
+int* volatile wild = reinterpret_cast<int*>(std::uintptr_t{0x123456789000});
+volatile int zero = 0;
+
+// UBSan would end the program before it crashes.
+[[gnu::no_sanitize("undefined")]] void write_to(int* place) { *place = 1; }
+[[gnu::no_sanitize("undefined")]] void divide_by(int divisor) { zero = 7 / divisor; }
+
+int deeper(volatile int* depth) {
+  if (*depth < 0) return 0;
+  volatile int here[1000] = {*depth + 1};
+  return deeper(here) + here[7];
+}
+
+void fill_the_stack() {
+  volatile int depth = 0;
+  zero = deeper(&depth);
+}
+
+Termination after(const std::function<void()>& crash) {
+  int prints[2];
+  EXPECT_EQ(::pipe(prints), 0);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    ::dup2(prints[1], STDERR_FILENO);
+    crash();
+    ::_exit(0);
+  }
+  ::close(prints[1]);
+  std::string print;
+  char chunk[4096];
+  for (ssize_t n = 0; (n = ::read(prints[0], chunk, sizeof chunk)) > 0;) {
+    print.append(chunk, static_cast<std::size_t>(n));
+  }
+  ::close(prints[0]);
+  int status = 0;
+  EXPECT_EQ(::waitpid(child, &status, 0), child);
+  return judge::termination_of(status, judge::Limits(), print);
+}
+
+TEST(Crash, SaysWhatItWas) {
+  const std::pair<std::function<void()>, const char*> rows[] = {
+      {[] { write_to(nowhere); }, "it followed a null pointer"},
+      {[] { write_to(nowhere + 100); }, "it followed a null pointer"},
+      {[] { write_to(wild); }, "memory that isn't its own"},
+      {fill_the_stack, "its stack is full"},
+      {[] { divide_by(zero); }, "an integer division by zero"},
+      {[] { ::raise(SIGSEGV); }, "segmentation fault"},
+  };
+  for (const auto& [crash, words] : rows) {
+    const Termination end = after(crash);
+    EXPECT_EQ(end.status, "crashed") << words;
+    EXPECT_NE(end.sentence.find(words), std::string::npos) << end.sentence;
+    EXPECT_EQ(end.stack.substr(0, 3), " 0x") << words;
   }
 }
 

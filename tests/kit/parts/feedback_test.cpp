@@ -1,9 +1,12 @@
-// The feedback on a wrong answer in a student's own build.
+// The feedback on a wrong answer, and on a part that throws, in a student's own build.
 #include "../../parts/feedback.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <stdexcept>
+
+#include "../../parts/linked/thrown.hpp"
 
 namespace bounce::tests {
 namespace {
@@ -27,41 +30,37 @@ bool says(const std::string& text, const std::string& words) {
   return text.find(words) != std::string::npos;
 }
 
-TEST(feedback, MarksTheWrongEntriesAndNoOther) {
-  const std::string text = told(some_case(), Vector3(1, 2, 3), Vector3(1, 5, 3));
-  EXPECT_TRUE(says(text, "[ 1 ]             [ 1 ]")) << text;
-  EXPECT_TRUE(says(text, "[>5<]             [ 2 ]")) << text;
-  EXPECT_TRUE(says(text, "[ 3 ]             [ 3 ]")) << text;
-  EXPECT_TRUE(says(text, "a quantity, in m\n")) << text;
-}
-
-TEST(feedback, ShowsAsManyDigitsAsItTakesToSeeTheDifference) {
-  const std::string text = told(some_case(), Vector3(1, 2, 3), Vector3(1, 2.0000001, 3));
-  EXPECT_TRUE(says(text, ">2.0000001<")) << text;
-}
-
-TEST(feedback, NamesTheFactorThatExplainsEveryWrongEntry) {
+TEST(feedback, MarksWhatIsWrongAndNamesAFactorOrWhatIsNoNumber) {
   const Case c = some_case();
   const Vector3 right(1, 2, 3);
-  EXPECT_TRUE(says(told(c, right, -right), "wrong entries are -1 times the right ones"));
-  EXPECT_TRUE(says(told(c, right, right / c.params.dt), "1/dt = 100 times the right ones"));
-  EXPECT_TRUE(
-      says(told(c, right, Vector3(1, 2, 3 * c.params.m)), " m or mu = 0.3 times the right ones"));
-  EXPECT_FALSE(says(told(c, right, Vector3(-1, 2, 7)), "times the right ones"));
+  const struct {
+    Vector3 got;
+    const char* says;
+    const char* never = "\n\n\n";
+  } rows[] = {
+      {{1, 5, 3}, "[ 1 ]             [ 1 ]"},
+      {{1, 5, 3}, "[>5<]             [ 2 ]"},
+      {{1, 5, 3}, "a quantity, in m\n", "[>3<]"},
+      {{1, 2.0000001, 3}, ">2.0000001<"},
+      {-right, "wrong entries are -1 times the right ones"},
+      {right / c.params.dt, "1/dt = 100 times the right ones"},
+      {{1, 2, 3 * c.params.m}, " m or mu = 0.3 times the right ones"},
+      {{-1, 2, 7}, "", "times the right ones"},
+      {{1, NAN, 3}, ">nan<"},
+      {{1, -NAN, 3}, "an entry is nan: was it ever set?"},
+      {{1, -INFINITY, 3}, "an entry is -inf: a division by zero?"},
+      {{0, 0, 0}, "is it filled in?"},
+  };
+  for (const auto& row : rows) {
+    const std::string text = told(c, right, row.got);
+    EXPECT_TRUE(says(text, row.says)) << text;
+    EXPECT_FALSE(says(text, row.never)) << text;
+  }
   EXPECT_FALSE(says(told(c, Vector3(1, 0, 3), Vector3(-1, 5, 3)), "times the right ones"));
-}
-
-TEST(feedback, SaysWhatIsNoNumber) {
-  EXPECT_TRUE(says(told(some_case(), Vector3(1, 2, 3), Vector3(1, NAN, 3)), ">nan<"));
-  EXPECT_TRUE(says(told(some_case(), Vector3(1, 2, 3), Vector3(1, -NAN, 3)),
-                   "an entry is nan: was it ever set?"));
-  EXPECT_TRUE(says(told(some_case(), Vector3(1, 2, 3), Vector3(1, -INFINITY, 3)),
-                   "an entry is -inf: a division by zero?"));
   const Eigen::MatrixXd phi = Eigen::MatrixXd::Constant(1, 1, 0.2);
-  EXPECT_TRUE(says(told(some_case(), phi, NAN * phi), "it is nan: was it ever set?"));
-  EXPECT_TRUE(says(told(some_case(), phi, -2.7e304 * phi), "it is -5.4e+303: was it ever set?"));
-  EXPECT_FALSE(says(told(some_case(), phi, 1e30 * phi), "ever set"));
-  EXPECT_TRUE(says(told(some_case(), Vector3(1, 2, 3), Vector3::Zero()), "is it filled in?"));
+  EXPECT_TRUE(says(told(c, phi, NAN * phi), "it is nan: was it ever set?"));
+  EXPECT_TRUE(says(told(c, phi, -2.7e304 * phi), "it is -5.4e+303: was it ever set?"));
+  EXPECT_FALSE(says(told(c, phi, 1e30 * phi), "ever set"));
 }
 
 TEST(feedback, TellsTheForceAndDrawsTheStep) {
@@ -129,6 +128,24 @@ TEST(feedback, DoesNotTellTheAnswerOfAHiddenCase) {
     EXPECT_FALSE(says(text, answer)) << text;
   }
   EXPECT_TRUE(says(text, "is not shown, this case is hidden")) << text;
+}
+
+template <class Thrown>
+std::string thrown(const Thrown& what) {
+  try {
+    naming_the_part("part 1", [&]() -> int { throw what; });
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(feedback, NamesThePartAndSaysWhatItSaid) {
+  EXPECT_EQ(thrown(std::out_of_range("oh")), "part 1 threw an exception: oh");
+  EXPECT_EQ(thrown(std::string("oh")), "part 1 threw: oh");
+  EXPECT_EQ(thrown<const char*>("oh"), "part 1 threw: oh");
+  EXPECT_EQ(thrown(5), "part 1 threw something that isn't a std::exception");
+  EXPECT_EQ(naming_the_part("part 1", [] { return 5; }), 5);
 }
 
 }  // namespace

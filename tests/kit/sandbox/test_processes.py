@@ -2,7 +2,6 @@
 
 import sys
 
-from bounce_grader.common.paths import ROOT
 from bounce_grader.sandbox import processes
 
 LIMITS = processes.Limits(cpu_seconds=10, wall_seconds=1.0, memory=None, file_size=1 << 30)
@@ -31,15 +30,3 @@ def test_what_is_read_cannot_be_changed() -> None:
     write = "import os; os.write(0, b'x')"
     result = processes.run([sys.executable, "-c", write], PATIENT, stdin=b"as it is")
     assert not result.ok and "PermissionError" in result.err
-
-
-def test_python_reads_and_writes_utf8_whatever_the_locale() -> None:
-    """Otherwise one arrow in a comment ends a class on a machine whose locale is Latin-1."""
-    starts = [
-        line
-        for file in ("kit", "grader/bounce_grader/classroom/work/engine_slurm.py")
-        for line in (ROOT / file).read_text("utf-8").splitlines()
-        if "/usr/bin/python3 -I" in line
-    ]
-    assert len(starts) == 3
-    assert all(" -X utf8 " in line for line in starts), starts

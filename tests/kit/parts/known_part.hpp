@@ -1,0 +1,25 @@
+// The questions of a part, the right answers and the known mistakes, as the fixtures hold them.
+#pragma once
+
+#include <fstream>
+#include <map>
+
+#include "../../parts/recognise.hpp"
+
+namespace bounce::tests {
+
+struct KnownPart {
+  std::vector<Case> cases;
+  KnownMistakes known;
+};
+
+inline const KnownPart& known_part(int number) {
+  static std::map<int, KnownPart> parts;
+  if (parts.count(number) == 0) {
+    std::ifstream in(public_file(number, "mistakes").value());
+    parts.emplace(number, KnownPart{questions(number), read_mistakes(in, number)});
+  }
+  return parts.at(number);
+}
+
+}  // namespace bounce::tests
