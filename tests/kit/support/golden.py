@@ -4,6 +4,10 @@ to read in the diff."""
 import os
 import shutil
 from pathlib import Path
+from typing import Any
+
+import pytest
+from bounce_grader.classroom.intake import course
 
 
 def compare_file(expected: Path, got: str) -> None:
@@ -23,3 +27,15 @@ def compare(expected: Path, got: dict[str, str]) -> None:
         compare_file(expected / name, text)
     names = {str(path.relative_to(expected)) for path in expected.rglob("*") if path.is_file()}
     assert names == got.keys(), f"{expected} has a file too many, or lacks one"
+
+
+def table(file: Path) -> dict[str, Any]:
+    return course._reader().loads(file.read_text("utf-8"))
+
+
+def rows(file: Path, name: str) -> list[Any]:
+    """The rows of a table in TOML, each a parameter of a test; with `long = true`, of the long
+    run."""
+    table = course._reader().loads(file.read_text("utf-8"))[name]
+    long = {True: [pytest.mark.long], False: []}
+    return [pytest.param(row, id=row["name"], marks=long[row.get("long", False)]) for row in table]
