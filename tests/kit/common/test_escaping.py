@@ -57,7 +57,10 @@ class Heard(HTMLParser):
     def handle_comment(self, data: str) -> None:
         self.markup.append(data)
 
-    handle_decl = handle_pi = unknown_decl = handle_comment
+    def handle_decl(self, decl: str) -> None:
+        self.markup.append(decl)
+
+    handle_pi = unknown_decl = handle_comment
 
 
 def html_reads(document: str) -> str:

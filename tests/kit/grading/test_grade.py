@@ -5,6 +5,7 @@ import json
 import os
 import subprocess
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -79,8 +80,7 @@ def test_a_grading_says_the_same_again_and_writes_nothing_where_it_is(
     write(tmp_path / "x", {**solution_files(), "part1_contacts.cpp": PART1[:-30].encode()})
     before = {file: file.stat().st_mtime_ns for file in tmp_path.rglob("*")}
     monkeypatch.chdir(tmp_path)
-    first, second = ({**grade_path(Path("x")), "seconds": {}} for _ in range(2))
-    assert first == second
+    assert {**grade_path(Path("x")), "seconds": {}} == {**grade_path(Path("x")), "seconds": {}}
     assert {file: file.stat().st_mtime_ns for file in tmp_path.rglob("*")} == before
 
 
@@ -142,11 +142,11 @@ def judge_that(patch: Patch, script: Path, does: str) -> None:
     patch.setattr(judging, "JUDGE", script)
 
 
-def box_that_fails_after(patch: Patch, runs: int) -> None:
+def box_that_fails(patch: Patch, _: Path, after: int) -> None:
     to_run, calls = box.Box.to_run, iter(range(99))
 
     def fails(its: box.Box, program: Path) -> list[str]:
-        return to_run(its, program) if next(calls) < runs else ["/bin/sh", "-c", "echo no room"]
+        return to_run(its, program) if next(calls) < after else ["/bin/sh", "-c", "echo no room"]
 
     patch.setattr(box.Box, "to_run", fails)
 
@@ -158,19 +158,15 @@ def compiler_that_fails(patch: Patch, nothing: Path) -> None:
 
 
 FAULTS: dict[str, tuple[Callable[[Patch, Path], None], str]] = {
-    "a judge that fails": (lambda p, x: judge_that(p, x, "exit 1"), "the judge failed on part"),
+    "a judge that fails": (partial(judge_that, does="exit 1"), "the judge failed on part"),
     "a judge that leaves checks out": (
-        lambda p, x: judge_that(p, x, f"echo {NO_CHECKS}"),
+        partial(judge_that, does=f"echo {NO_CHECKS}"),
         "lack some of parts.json",
     ),
     "a compiler that fails": (compiler_that_fails, "box couldn.t be made"),
-    **{
-        f"a box that fails after {n}": (
-            lambda p, _, n=n: box_that_fails_after(p, n),
-            "couldn't be made: no room",
-        )
-        for n in (0, 1, 3)
-    },
+    "no box at all": (partial(box_that_fails, after=0), "couldn't be made: no room"),
+    "a box that fails after one": (partial(box_that_fails, after=1), "couldn't be made: no room"),
+    "a box that fails after three": (partial(box_that_fails, after=3), "couldn't be made: no room"),
 }
 
 

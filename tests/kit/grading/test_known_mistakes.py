@@ -61,7 +61,7 @@ def test_every_mistake_is_taken_for_itself_by_its_stored_answers() -> None:
         text = (KNOWN / f"{part.stem}.json").read_text()
         stored = json.loads(text, parse_constant=lambda word: pytest.fail(word))
         for entry in [{"name": "", "answers": {}}, *stored["mistakes"]]:
-            got = [list(answer) for answer in stored["right"]]
+            got: list[Any] = [list(answer) for answer in stored["right"]]
             for question, what in entry["answers"].items():
                 if isinstance(what, str):
                     got[int(question)] = what  # of an exception

@@ -29,9 +29,9 @@ def of_gradescope(*records: dict[str, Any]) -> dict[str, Any]:
     """submission_metadata.json, as its documentation has it: the newest isn't the last; one has
     failed, and others are another autograder's."""
     results = [json.loads(formats.render("gradescope", r, Path("/nowhere"))) for r in records]
-    for score in ({"score": None}, {"score": "a lot"}, {}):
-        tests = [{"number": "1.1", "status": "passed", **score}]
-        results.insert(0, {"tests": tests})
+    others: list[dict[str, Any]] = [{"score": None}, {"score": "a lot"}, {}]
+    for other in others:
+        results.insert(0, {"tests": [{"number": "1.1", "status": "passed", **other}]})
     submissions = [
         {"submission_time": f"2026-11-{20 - n}T10:00:00-08:00", "results": result}
         for n, result in enumerate(results)

@@ -30,12 +30,14 @@ def compare(expected: Path, got: dict[str, str]) -> None:
 
 
 def table(file: Path) -> dict[str, Any]:
-    return course._reader().loads(file.read_text("utf-8"))
+    found: dict[str, Any] = course._reader().loads(file.read_text("utf-8"))
+    return found
 
 
 def rows(file: Path, name: str) -> list[Any]:
     """The rows of a table in TOML, each a parameter of a test; with `long = true`, of the long
     run."""
-    table = course._reader().loads(file.read_text("utf-8"))[name]
-    long = {True: [pytest.mark.long], False: []}
-    return [pytest.param(row, id=row["name"], marks=long[row.get("long", False)]) for row in table]
+    return [
+        pytest.param(row, id=row["name"], marks=[pytest.mark.long] * row.get("long", False))
+        for row in table(file)[name]
+    ]

@@ -28,7 +28,7 @@ def written(files: dict[str, str]) -> Files:
     return made
 
 
-TABLES = ROOT / "tests" / "kit" / "submission"
+TABLES = ROOT / "tests" / "kit" / "bad_input"
 FILES = {k: written(files) for k, files in json.loads((TABLES / "files.json").read_text()).items()}
 FILES |= {
     "UTF-16, and no text": {"part1_contacts.cpp": "// Höhe\nint x;\n".encode("utf-16")}
@@ -59,7 +59,7 @@ FOLDERS = {
     "ln -s nowhere 2.cpp; ln -s /proc/self/mem 3.cpp; mkfifo pipe.cpp",
     "5001 folders": "mkdir {1..5001}",
     "6000 files": "touch {1..6000}.o",
-    "1200 folders deep": "for i in {1..1200}; do mkdir d; cd d; done",
+    "1200 folders deep": "mkdir -p $(printf 'd/%.0s' {1..1200})",
     "a repository with hooks": "mkdir -p .git/hooks; cd .git; "
     r"printf '[core]\n\tfsmonitor = touch /tmp/was-run\n' > config; "
     r"printf '#!/bin/sh\ntouch /tmp/was-run\n' > hooks/pre-commit; chmod +x hooks/pre-commit; "
