@@ -1,6 +1,7 @@
 """A command that can't be carried out ends in one sentence and a status, with nothing half-written.
 commands.toml has the commands, commands.txt what comes out. Most run in this process, as a start of
-Python for each would take longer than all of them; those that end before Python begins run ./kit."""
+Python for each would take longer than all of them; those that end before Python begins, or
+print a whole report, run ./kit."""
 
 import os
 import re
@@ -9,6 +10,7 @@ import subprocess
 from pathlib import Path
 from typing import Any
 
+import bounce_grader.formats.terminal  # keeps the output that it finds when imported
 import golden
 import pytest
 from bounce_grader import cli
@@ -49,7 +51,7 @@ def outcome(row: dict[str, Any], folder: Path, capsys: pytest.CaptureFixture[str
     before = files(folder)
     words = shlex.split(command.replace("BYTE_FF", "\udcff"))
     if "program" in row:
-        status, out, err = by_the_program(row["program"], words, row["env"])
+        status, out, err = by_the_program(row["program"], words, row.get("env", {}))
     else:
         status, out, err = in_this_process(words, capsys)
     err = USAGE.sub("", err)

@@ -95,7 +95,7 @@ def test_folders_and_paths(tmp_path: Path) -> None:
         for number, (what, (command, path)) in enumerate(PATHS.items()):
             yield what, read(bash(command, tmp_path / f"{number}") / path)
         yield "3000 folders deep", read(odd_submissions.deep(tmp_path / "deep"))
-        bash("rm -rf deep", tmp_path)
+        bash("rm -rf *", tmp_path)  # pytest can't remove what is deep
         misleading = dict.fromkeys(odd_submissions.MISLEADING, b"int x;")
         yield "misleading names", read(zip_of(tmp_path / "x.zip", PARTS | misleading))
 
