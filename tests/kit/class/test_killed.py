@@ -1,5 +1,6 @@
 """A class that is stopped, killed or out of disk: nothing is lost, and the same command goes on."""
 
+import json
 import os
 import random
 import signal
@@ -7,12 +8,15 @@ import subprocess
 import tempfile
 import time
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from bounce_grader.classroom.work import grading, log, results
+from bounce_grader.classroom.intake import students
+from bounce_grader.classroom.work import grading, log, results, task
 from bounce_grader.common.errors import KitError, UsageError
 from classes import COLUMN, book, column, download, grade_class, graded, points_of, same
+from conftest import write
 from stand_in import started
 from waiting import wait_for
 
@@ -151,3 +155,41 @@ def test_a_full_disk_loses_nothing(
     assert grade_class(source, out) == 0
     assert column(out / "gradebook.csv") == points_of(users)
     assert len(graded(out)) == len(set(graded(out))) == 10
+
+
+# --- which results are kept ---
+
+
+def test_a_result_is_named_by_all_that_it_follows_from(tmp_path: Path) -> None:
+    stamp = task.Stamp("kit", "fixtures", "options")
+    stamps = [stamp, *(replace(stamp, **{n: "2"}) for n in ("kit", "fixtures", "options"))]
+    keys = set()
+    for text in (b"// x", b"// y", b"// x"):
+        write(tmp_path, {"all/anna/part2_lcp.cpp": text})
+        (student,) = students.read(tmp_path / "all").students
+        made = [task.task_of(student, one, tmp_path, False, False) for one in stamps]
+        keys |= {one.key for one in made}
+        assert task.from_json(json.loads(json.dumps(made[0].as_json()))) == made[0]
+    assert len(keys) == 8
+
+
+def test_another_kit_is_known_wherever_it_lies(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Even in a folder with the name of one of the kit's own."""
+    root = tmp_path / "classroom" / "formats"
+    folders = {"ROOT": root, "CONTRACT": root / "student/include", "HANDOUT": root / "student"}
+    for name, folder in folders.items():
+        monkeypatch.setattr(results, name, folder)
+    package = "grader/bounce_grader"
+    needed = [f"{package}/grading/judging.py", f"{package}/classroom/work/unit.py"]
+    needed += ["grader/runner/prelude.sed", "grader/parts.json", "tests/parts/cases.cpp"]
+    later = [f"{package}/formats/html.py", "tests/kit/judge/judge_test.cpp"]
+    write(root, {name: b"0" for name in (*needed, *later)})
+    before = results._kit_digest()
+    write(root, {name: b"changed" for name in later})
+    assert results._kit_digest() == before
+    for name in needed:
+        write(root, {name: b"2"})
+        assert results._kit_digest() != before, name
+        write(root, {name: b"0"})

@@ -1,5 +1,6 @@
 """Whatever one student's files contain, nobody else loses anything: the class is graded, and that
-student is named."""
+student is named. odd_uploads.txt and odd_folders.txt say what becomes of each; what is odd are the
+zips of odd_zips.py, the uploads of odd_students.py and the folders of odd_submissions.py."""
 
 import csv
 import io
@@ -9,21 +10,42 @@ import re
 import subprocess
 import time
 import zipfile
-from collections.abc import Callable
+from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
 from typing import Any
 
+import golden
 import pytest
 from bounce_grader import cli
 from bounce_grader.classroom.output import outputs
 from bounce_grader.classroom.work import engine_local, near_copies
-from bounce_grader.common.errors import KitError, UsageError
-from bounce_grader.formats import github
-from bounce_grader.submission import submission
-from classes import download, grade_class
+from bounce_grader.common.errors import KitError
+from classes import download, grade_class, zipped
 from conftest import write
-from odd_students import FOLDERS, nested, PART, UPLOADS, zip_that_claims, ZIPS
+from corpus import Member, UTF8, zip_of
+from odd_students import long_names, UPLOADS
+from odd_submissions import bash, FOLDERS, PARTS
+from odd_zips import PLAIN
+
+HERE = Path(__file__).parent
+HONEST = {"doejane_101_1010_part2_lcp.cpp": b"// fails: 1\n"}
+TWICE = ("an upload that is there twice", "roe_299_1_part2_lcp.cpp")
+# What root may read, and others not: it isn't written down what becomes of these.
+CLOSED = {
+    "closed": "chmod 0 .",
+    "closed, to be listed alone": "touch part2_lcp.cpp; chmod 0 part2_lcp.cpp; chmod 444 .",
+    "closed, its source": "touch part2_lcp.cpp; chmod 0 part2_lcp.cpp",
+    "closed, its zip": "touch hw.zip; chmod 0 hw.zip",
+    "closed, a folder": "mkdir -m 0 src",
+}
+INSTEAD = 'cd ..; rmdir "$OLDPWD"; ln -s {} "$OLDPWD"'
+LINKS = {
+    "a link that leads nowhere": INSTEAD.format("nowhere"),
+    "a link to itself": INSTEAD.format('"$OLDPWD"'),
+    "a link to all": INSTEAD.format("/"),
+    "a link too long": INSTEAD.format("$(printf 'n%.0s' {1..300})"),
+}
 
 
 @pytest.fixture(autouse=True)
@@ -34,89 +56,95 @@ def in_this_process(monkeypatch: pytest.MonkeyPatch) -> None:
     )
 
 
-def row(out: Path, id: str) -> dict[str, str]:
-    rows = csv.DictReader(io.StringIO((out / "grades.csv").read_text("utf-8-sig")))
-    return next(row for row in rows if row["id"] == id)
+def rows(out: Path) -> dict[str, dict[str, str]]:
+    table = (out / "grades.csv").read_text("utf-8-sig")
+    return {row["id"]: row for row in csv.DictReader(io.StringIO(table))}
 
 
-def check_class(source: Path, alone: Path, honest: str, odd: str) -> None:
-    """The honest one's results are the same as alone; the other is named."""
+def short(text: str) -> str:
+    """A text without what a library says of a broken archive, and cut if it is long."""
+    text = re.sub(r"broken \((?!its entries).*?\):", "broken (...):", text)
+    text = text if text.isprintable() else ascii(text)
+    return text if len(text) < 200 else f"{text[:80]}... ({len(text)} characters)"
+
+
+def outcomes(source: Path, alone: Path, honest: str, names: Mapping[str, str]) -> str:
+    """What becomes of each student, by what is odd. The honest one's row is the same as alone."""
     out, start = source.parent / "out", time.process_time()
     assert grade_class(source, out) == 0
-    assert time.process_time() - start < 10
+    assert time.process_time() - start < 120
     assert grade_class(alone, source.parent / "alone") == 0
-    assert row(out, honest) == row(source.parent / "alone", honest)
+    found = rows(out)
+    assert found.pop(honest) == rows(source.parent / "alone")[honest]
     page = (out / "class.html").read_text()
-    named = re.sub(r'<td class="who">(?:<a [^>]*>)?|<td>&#x27;', "<td>", page)
-    assert f"<td>{odd}" in named and len(page) < 100_000
+    assert len(page) < 300_000
     for line in (out / "log.jsonl").read_bytes().splitlines():
         json.loads(line)
+    told = [
+        (names.get(id, id), f"{row['state']}, needs a look: {row['needs a look']}", row["not used"])
+        for id, row in found.items()
+    ]
+    listed = page.partition("Not graded, not matched")[2].partition("</table>")[0]
+    told += [("not matched", row, "") for row in re.findall(r"<tr><td[^>]*>(.*?)</tr>", listed)]
+    lines = [
+        f"{short(what)}\n    {short(state)}\n" + f"    not used: {short(unused)}\n" * bool(unused)
+        for what, state, unused in told
+        if what not in CLOSED
+    ]
+    return "\n".join(lines)
 
 
-@pytest.mark.parametrize("uploads", UPLOADS.values(), ids=UPLOADS)
-@pytest.mark.usual(11)
-def test_no_upload_costs_anybody_else(tmp_path: Path, uploads: dict[str, bytes]) -> None:
-    source = download(tmp_path / "x.zip", [101], uploads)
-    check_class(source, download(tmp_path / "alone.zip", [101]), "101", "roe")
+@pytest.mark.golden
+def test_no_upload_costs_anybody_else(tmp_path: Path) -> None:
+    users = {str(user): what for user, what in enumerate(UPLOADS, 300)}
+    entries = [*HONEST.items(), (TWICE[1], b"// one"), (TWICE[1], b"// two")]
+    for user, what in users.items():
+        entries += [(name.replace("USER", user), text) for name, text in UPLOADS[what].items()]
+    download = zip_of(Member(name.encode(), text, flags=UTF8) for name, text in entries)
+    (tmp_path / "x.zip").write_bytes(download)
+    alone = zipped(tmp_path / "alone.zip", HONEST)
+    names = {**users, "299": TWICE[0]}
+    golden.compare_file(HERE / "odd_uploads.txt", outcomes(tmp_path / "x.zip", alone, "101", names))
 
 
-def test_an_upload_that_is_there_twice_costs_nobody_else(tmp_path: Path) -> None:
-    source = download(tmp_path / "x.zip", [101], {"roe_301_1_part2_lcp.cpp": b"// one"})
-    with zipfile.ZipFile(source, "a") as archive, pytest.warns(UserWarning, match="Duplicate"):
-        archive.writestr("roe_301_1_part2_lcp.cpp", b"// two")
-    check_class(source, download(tmp_path / "alone.zip", [101]), "101", "roe")
-    assert row(tmp_path / "out", "301")["not used"] == ""
-
-
-@pytest.mark.parametrize("make", FOLDERS.values(), ids=FOLDERS)
-@pytest.mark.usual(7)
-def test_no_folder_costs_anybody_else(tmp_path: Path, make: Callable[[Path], object]) -> None:
-    for top in ("all", "alone"):
-        write(tmp_path / f"{top}_" / "anna", {"part2_lcp.cpp": b"// anna"})
-    odd = tmp_path / "all_" / "zoe"
-    odd.mkdir()
-    make(odd)
+@pytest.mark.golden
+def test_no_folder_costs_anybody_else(tmp_path: Path) -> None:
+    every, alone = (write(tmp_path / top / "parts", PARTS).parent for top in ("all", "one"))
+    odd = os.fsdecode(b"ann\xe4")
+    write(every, {f"{odd}/part2_lcp.cpp": b"// x", f"{odd}/notes\udcfc.txt": b""})
+    write(every / ("n" * 255), {"part2_lcp.cpp": b"// y"})
     try:
-        check_class(tmp_path / "all_", tmp_path / "alone_", "anna", "zoe")
-        assert not Path("/tmp/was-run").exists()
+        for what, command in {**FOLDERS, **CLOSED, **LINKS}.items():
+            bash(command, every / what)
+        got = outcomes(every, alone, "parts", {})
     finally:
-        if not odd.is_symlink():
-            odd.chmod(0o755)
-        subprocess.run(["rm", "-rf", str(odd)], check=True)  # however deep
+        subprocess.run(["chmod", "-R", "u+rwX", str(every)], check=False)
+        subprocess.run(["rm", "-rf", str(every)], check=True)  # however deep
+    assert not Path("/tmp/was-run").exists()
+    golden.compare_file(HERE / "odd_folders.txt", got)
+    pages = [os.fsencode(file.name) for file in (tmp_path / "out" / "feedback").iterdir()]
+    assert b"ann\xe4.html" in pages and max(map(len, pages)) < 240
 
 
-def test_names_that_are_no_text_are_names_all_the_same(tmp_path: Path) -> None:
-    odd, long, out = os.fsdecode(b"ann\xe4"), "n" * 255, tmp_path / "out"
-    files = {f"{odd}/part2_lcp.cpp": b"// x", f"{odd}/notes\udcfc.txt": b""}
-    write(tmp_path / "all", {**files, f"{long}/part2_lcp.cpp": b"// y"})
-    assert grade_class(tmp_path / "all", out) == 0
-    pages = sorted((file.name for file in (out / "feedback").iterdir()), key=len)
-    assert pages[0] == f"{odd}.html" and len(pages[1]) < 240
-    assert "ann\ufffd" in (out / "class.html").read_text()
-    assert "notes\ufffd.txt" in (out / "grades.csv").read_text()
-
-
-@pytest.mark.parametrize("data", ZIPS.values(), ids=ZIPS)
-def test_no_zip_ends_a_grading_without_a_sentence(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str], data: bytes
-) -> None:
-    """Zips that hold something usable are graded for real elsewhere."""
-    (tmp_path / "x.zip").write_bytes(data)
-    try:
-        submission.read(tmp_path / "x.zip")
-    except UsageError:
-        assert cli.main(["grade", str(tmp_path / "x.zip")]) == 2
-        assert len(capsys.readouterr().err.splitlines()) == 1
-
-
-def test_a_deep_repository_is_no_obstacle_to_an_annotation(tmp_path: Path) -> None:
-    """Deeper than Python's limit on recursion."""
-    write(tmp_path, {"hw/a.cpp": b""})
-    nested(tmp_path, 1500)
-    try:
-        assert github._in_repository("a.cpp", github._files(tmp_path)) == "hw/a.cpp"
-    finally:
-        subprocess.run(["rm", "-rf", str(tmp_path / "d")], check=True)
+def test_of_many_files_the_first_are_named(tmp_path: Path) -> None:
+    odd = {
+        "doe_1_1_part2_lcp.cpp": b"// two\n",
+        "doe_1_2_hw.zip": long_names(1900),
+        "roe_2_3_hw.zip": long_names(1900),
+        "poe_3_4_hw.zip": long_names(90, "/part1_contacts.cpp"),
+        "moe_5_9_part2_lcp.cpp": b"// two\n",
+    }
+    odd |= {f"foe_4_{i}_{'n' * 240}{i}.jpg": b"" for i in range(5, 95)}
+    odd |= {f"moe_5_{i}_{'n' * 240}{i}.jpg": b"" for i in range(105, 195)}
+    out = tmp_path / "out"
+    assert grade_class(zipped(tmp_path / "x.zip", odd), out) == 0
+    cells = [cell for row in rows(out).values() for cell in row.values()]
+    page = (out / "class.html").read_text()
+    assert max(map(len, [*cells, *re.findall(r"<td[^>]*>(.*?)</td>", page)])) < 8_000
+    assert all(file.stat().st_size < 40_000 for file in (out / "feedback").iterdir())
+    for words in ("and 1895 more", "and 1890 more", "and 85 more", "is there 90 times"):
+        assert words in page
+    assert any("and 1880 more" in cell for cell in cells)
 
 
 # --- what nobody foresaw ---
@@ -130,7 +158,7 @@ def fails(error: Exception, *_: Any, **__: Any) -> Any:
 def test_in_reading_it_is_one_students(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, error: Exception
 ) -> None:
-    (tmp_path / "odd.zip").write_bytes(zip_that_claims(1, PART))
+    write(tmp_path, {"odd.zip": PLAIN})
     monkeypatch.setattr(zipfile.ZipFile, "infolist", partial(fails, error))
     assert cli.main(["grade", str(tmp_path / "odd.zip")]) == 2
 
@@ -148,8 +176,9 @@ def test_who_cannot_be_compared_needs_a_look(
     monkeypatch.setattr(near_copies, "own_texts", odd)
     uploads = {"roe_301_1_part2_lcp.cpp": b"// odd"}
     assert grade_class(download(tmp_path / "x.zip", [101, 102], uploads), tmp_path / "out") == 0
-    assert "can't be compared" in row(tmp_path / "out", "301")["needs a look"]
-    assert not row(tmp_path / "out", "101")["needs a look"]
+    found = rows(tmp_path / "out")
+    assert "can't be compared" in found["301"]["needs a look"]
+    assert not found["101"]["needs a look"]
 
 
 def test_a_page_for_which_there_is_no_room_is_no_students_fault(

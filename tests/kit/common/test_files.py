@@ -1,4 +1,5 @@
-"""Temporary folders: those of killed processes go, those of running ones stay."""
+"""Temporary folders: those of killed processes go, those of running ones stay. And files are
+written where they should be."""
 
 import os
 import signal
@@ -17,39 +18,31 @@ import sys, time
 sys.path.insert(0, {str(ROOT / "grader")!r})
 from bounce_grader.common.files import temporary_folder
 with temporary_folder({WORK_FOLDER!r}) as folder:
-    (folder / "sources").mkdir()
     print(folder, flush=True)
     time.sleep(600)
 """
 
 
-def test_what_a_killed_grading_left_goes_with_the_next_one(
+def test_what_a_killed_grading_left_goes_with_the_next_one_and_nothing_else(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
+    (tmp_path / "mine").mkdir()
+    (tmp_path / f"{WORK_FOLDER}file").touch()
+    (tmp_path / f"{WORK_FOLDER}link").symlink_to(tmp_path / "mine")
+    ours = set(tmp_path.iterdir())
     command = [sys.executable, "-c", HOLDER]
     environment = {"TMPDIR": str(tmp_path)}
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True, env=environment) as holder:
         assert holder.stdout
         folder = Path(holder.stdout.readline().strip())
+        (folder / "sources").mkdir()
         files.remove_unlocked()
         assert (folder / "sources").is_dir()
         holder.send_signal(signal.SIGKILL)
     assert folder.is_dir()
     files.remove_unlocked()
-    assert list(tmp_path.iterdir()) == []
-
-
-def test_nothing_but_folders_of_ours_goes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
-    (tmp_path / "mine").mkdir()
-    (tmp_path / f"{WORK_FOLDER}file").touch()
-    (tmp_path / f"{WORK_FOLDER}link").symlink_to(tmp_path / "mine")
-    with files.temporary_folder(WORK_FOLDER) as folder:
-        files.remove_unlocked()
-        assert folder.is_dir()
-    left = {path.name for path in tmp_path.iterdir()}
-    assert left == {"mine", f"{WORK_FOLDER}file", f"{WORK_FOLDER}link"}
+    assert set(tmp_path.iterdir()) == ours
 
 
 def test_long_names_are_cut_and_stay_two() -> None:

@@ -20,7 +20,6 @@ from bounce_grader.grading.fixtures import write as write_fixtures
 from bounce_grader.grading.gallery import expected, Expected, in_reduced_box
 from bounce_grader.grading.grade import grade, Options
 from bounce_grader.grading.judging import judge
-from bounce_grader.grading.known_mistakes import known
 from bounce_grader.sandbox import box as boxes
 from bounce_grader.submission.submission import read
 from conftest import ROOT, SOLUTION, lost, points
@@ -56,23 +55,14 @@ def shown(record: dict[str, Any]) -> str:
     return stream.getvalue()
 
 
-def named(record: dict[str, Any]) -> list[str]:
-    """The known mistakes that the record names."""
-    return [mistake["name"] for part in record["parts"] for mistake in part["mistakes"]]
-
-
-def known_as(folder: Path) -> list[str]:
-    """A mistake is named as itself, or as its twin with the same answers; no other folder is
-    named."""
-    own = [folder.name] if folder.parent.name == "mistakes" else []
-    return [expected(folder).get("recognised_as", name) for name in own]
-
-
 @pytest.mark.parametrize("folder", ALL, ids=name_of)
 def test_gets_what_it_should(folder: Path, tmp_path: Path) -> None:
+    """A mistake is named as itself, or as its twin with the same answers; nothing else is."""
     record = grade(submission_of(folder, tmp_path / "submission"))
     gets(expected(folder), record)
-    assert named(record) == known_as(folder), shown(record)
+    named = [mistake["name"] for part in record["parts"] for mistake in part["mistakes"]]
+    mistakes = [folder.name] if folder in MISTAKES else []
+    assert named == [expected(folder).get("recognised_as", name) for name in mistakes]
 
 
 REMARKED = [folder for folder in folders("undefined") if "remark" in expected(folder)]
@@ -124,12 +114,9 @@ def test_a_wrong_part_costs_the_right_ones_nothing(
     assert lost_parts == {wrong.name.split("_")[0]}
 
 
-SECRETS = 5
-
-
 @pytest.fixture(scope="module")
 def hidden_of_secrets(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
-    found = [tmp_path_factory.mktemp("secret") / "hidden" for _ in range(SECRETS)]
+    found = [tmp_path_factory.mktemp("secret") / "hidden" for _ in range(5)]
     for number, folder in enumerate(found):
         write_fixtures("hidden", folder, f"secret {number}")
     return found
@@ -184,13 +171,10 @@ def gets(words: Expected, record: dict[str, Any]) -> None:
         assert sentence not in text
 
 
-def test_every_mistake_is_in_the_fixtures() -> None:
+def test_every_mistake_is_in_the_fixtures_and_loses_points_in_one_part_alone() -> None:
     """Raises with a sentence that says what a folder lacks."""
     alone = {m.name for m in known_mistakes.gallery() if m.recognised_as == m.name}
-    assert alone == set(known()), "run ./kit fixtures"
-
-
-def test_a_mistake_loses_points_in_one_part_alone() -> None:
-    for folder in folders("mistakes"):
+    assert alone == set(known_mistakes.known()), "run ./kit fixtures"
+    for folder in MISTAKES:
         left = gallery.points(expected(folder)["lost"])
         assert sum(p < part.points for p, part in zip(left, parts())) == 1, folder.name

@@ -1,5 +1,5 @@
-"""The record is valid JSON in UTF-8, printable and of bounded length, whatever a submission
-does."""
+"""The record is valid JSON in UTF-8, printable and of bounded length, whatever a submission does,
+and tells one exception or crash once."""
 
 import json
 from typing import Any
@@ -8,74 +8,51 @@ from bounce_grader.common.escaping import LONGEST_NAME, LONGEST_TEXT
 from bounce_grader.common.manifest import parts
 from bounce_grader.grading import record
 from bounce_grader.grading.judging import Judged, Verdict
-from bounce_grader.grading.record import LONGEST_SENTENCE
 from bounce_grader.submission.submission import Submission
 from hypothesis import given
 from hypothesis import strategies as st
 from odd_texts import TEXTS
 
 PART = parts()[0]
+IDS = [check.id for check in PART.checks]
 LONG = st.builds(lambda text, times: text * times, TEXTS, st.sampled_from([1, 1, 1, 5000]))
 
 
-def judged(message: str, status: str) -> Judged:
-    return Judged({check.id: Verdict(False, status, message) for check in PART.checks}, 0.5, "own")
+def judged(*verdicts: Verdict) -> list[dict[str, Any]]:
+    part = record.part_record(PART, Judged(dict(zip(IDS, verdicts)), None, "own"))
+    return list(part["checks"])
 
 
-def written(part: dict[str, Any], names: tuple[str, ...]) -> dict[str, Any]:
-    """Writes a record as ./kit grade --json does, and reads it with a strict reader."""
-    submission = Submission("x", {}, {}, {}, names)
-    whole = record.whole(submission, [part], "full", {"run": 1.0}, "", None)
+@given(LONG, st.lists(LONG, max_size=3), st.sampled_from(["graded", "crashed", ""]))
+def test_whatever_is_said_the_record_stays_json(text: str, names: list[str], status: str) -> None:
+    """By a program, or by a compiler; and whatever files are called."""
+    verdicts = {id: Verdict(False, status, text) for id in IDS}
+    part = record.failed_part(PART, "does_not_compile", text)
+    if status:
+        part = record.part_record(PART, Judged(verdicts, 0.5, "own"))
+    taken = Submission("x", {}, {}, {}, tuple(names))
+    whole = record.whole(taken, [part], "full", {"run": 1.0}, "", None)
     data = json.dumps(whole, ensure_ascii=False, allow_nan=False).encode("utf-8")
-    read: dict[str, Any] = json.loads(data.decode("utf-8"))
-    assert read == whole
-    return read
-
-
-def check_texts(whole: dict[str, Any]) -> None:
-    part = whole["parts"][0]
-    assert part["message"].isprintable() and len(part["message"]) <= LONGEST_SENTENCE
+    assert json.loads(data.decode("utf-8")) == whole
+    assert part["message"].isprintable() and len(part["message"]) <= record.LONGEST_SENTENCE
     for check in part["checks"]:
         assert len(check["message"]) <= LONGEST_TEXT
         assert check["message"].replace("\n", "").isprintable()
     assert all(name.isprintable() and len(name) <= LONGEST_NAME for name in whole["ignored"])
 
 
-@given(LONG, st.lists(LONG, max_size=3), st.sampled_from(["graded", "crashed"]))
-def test_whatever_a_program_says_the_record_stays_json(
-    message: str, names: list[str], status: str
-) -> None:
-    check_texts(written(record.part_record(PART, judged(message, status)), tuple(names)))
-
-
-@given(LONG)
-def test_whatever_a_compiler_says_the_record_stays_json(message: str) -> None:
-    check_texts(written(record.failed_part(PART, "does_not_compile", message), ()))
-
-
-def test_how_a_program_ended_is_the_parts_message() -> None:
-    message = "1 of 1 cases wrong; the first: x\n  got      the program crashed"
-    assert record.part_record(PART, judged(message, "crashed"))["message"] == "the program crashed"
-
-
 def test_one_exception_is_told_once() -> None:
     """The other checks that fail by it refer to the first; another exception is told by itself."""
-    thrown: dict[str, Any] = {
-        "name": "x",
-        "input": "in",
-        "sentence": "the program threw x",
-        "quantities": [],
-    }
     text = "2 of 9 cases wrong; the first: x\nin\n  got the program threw x"
-    verdicts = {c.id: Verdict(False, "graded", text, thrown) for c in PART.checks}
-    last = PART.checks[-1]
+    thrown: dict[str, Any] = {"name": "x", "input": "in", "quantities": []}
+    thrown["sentence"] = "the program threw x"
     other = {**thrown, "sentence": "the program threw y"}
-    verdicts[last.id] = Verdict(False, "graded", text, other)
-    checks = record.part_record(PART, Judged(verdicts, None, "own"))["checks"]
-    assert checks[0]["message"] == text and checks[0]["shown"] == thrown
-    again = f'2 of 9 cases wrong, as in "{PART.checks[0].title}": the program threw x'
-    assert all(c["message"] == again and "shown" not in c for c in checks[1:-1])
-    assert checks[-1]["message"] == text and checks[-1]["shown"] == other
+    same = Verdict(False, "graded", text, thrown)
+    first, *again, last = judged(*[same] * (len(IDS) - 1), Verdict(False, "graded", text, other))
+    assert (first["message"], first["shown"]) == (text, thrown)
+    refers = f'2 of 9 cases wrong, as in "{PART.checks[0].title}": the program threw x'
+    assert all(check["message"] == refers and "shown" not in check for check in again)
+    assert (last["message"], last["shown"]) == (text, other)
 
 
 def test_one_crash_is_told_once() -> None:
@@ -85,10 +62,8 @@ def test_one_crash_is_told_once() -> None:
         ended = f"ended at case {case} of 9; the last: x\nin"
         return Verdict(False, "crashed", f"{ended}\n  got      out of range, at a.cpp:{line}")
 
-    verdicts = {check.id: crash(n, 7) for n, check in enumerate(PART.checks, 1)}
-    verdicts[PART.checks[-1].id] = crash(9, 8)
-    checks = record.part_record(PART, Judged(verdicts, None, "own"))["checks"]
-    first = f'as in "{PART.checks[0].title}": out of range, at a.cpp:7'
-    assert checks[0]["message"].endswith("the last: x\nin\n  got      out of range, at a.cpp:7")
-    assert checks[1]["message"] == f"ended at case 2 of 9, {first}"
-    assert checks[-1]["message"].endswith("at a.cpp:8") and "as in" not in checks[-1]["message"]
+    first, second, *_, last = judged(*(crash(n, 7) for n in range(1, len(IDS))), crash(9, 8))
+    assert first["message"].endswith("the last: x\nin\n  got      out of range, at a.cpp:7")
+    refers = f'as in "{PART.checks[0].title}": out of range, at a.cpp:7'
+    assert second["message"] == f"ended at case 2 of 9, {refers}"
+    assert last["message"].endswith("at a.cpp:8") and "as in" not in last["message"]

@@ -14,9 +14,9 @@ from bounce_grader import cli
 from bounce_grader.build.compiler import compile_problem
 from bounce_grader.build.linking import link_problem
 from bounce_grader.common import manifest
-from bounce_grader.common.errors import UsageError
+from bounce_grader.common.errors import KitError, UsageError
 from bounce_grader.common.paths import WORK_FOLDER
-from bounce_grader.grading import judging
+from bounce_grader.grading import judging, known_mistakes
 from bounce_grader.sandbox.processes import Result
 from conftest import ROOT
 from edits import edited
@@ -40,6 +40,18 @@ def of_the_manifest(edits: str, where: Path) -> str:
     try:
         return ", ".join(f"{len(p.checks)} checks for {p.points} points" for p in manifest.parts())
     except UsageError as refused:
+        return str(refused)
+
+
+def of_a_mistake(words: str, where: Path) -> str:
+    of_the_manifest("", where)  # with the kit's own
+    folder = where / "part1_new"
+    folder.mkdir(exist_ok=True)
+    (folder / "expected.json").write_text('{"lost": ["part1.X"]}')
+    (folder / "mistake.md").write_text(f"{words}\n")
+    try:
+        return known_mistakes.read(folder).title
+    except KitError as refused:
         return str(refused)
 
 
@@ -67,8 +79,8 @@ def elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]
 @pytest.mark.golden
 def test_each_message_has_its_sentence(elsewhere: Path) -> None:
     told: dict[str, str] = {}
-    about_manifest = partial(of_the_manifest, where=elsewhere)
-    sentences: Sentences = {**SENTENCES, "manifest": about_manifest}
+    sentences: Sentences = {**SENTENCES, "mistake": partial(of_a_mistake, where=elsewhere)}
+    sentences["manifest"] = partial(of_the_manifest, where=elsewhere)
     for name, sentence in sentences.items():
         written = (EXPECTED / f"{name}.txt").read_text()
         said = re.findall(r"(.+?)\n->[^\n]*\n+", written, re.DOTALL)

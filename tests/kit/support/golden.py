@@ -1,23 +1,43 @@
-"""Folders of what has to come out: compared with what does, or written anew by ./kit test --accept
-for a person to read in the diff."""
+"""What has to come out: compared with what does, or written anew by ./kit test --accept for a person
+to read in the diff."""
 
 import os
 import shutil
 from pathlib import Path
+from typing import Any
+
+import pytest
+from bounce_grader.classroom.intake import course
+
+
+def compare_file(expected: Path, got: str) -> None:
+    if os.environ.get("BOUNCE_ACCEPT"):
+        expected.parent.mkdir(parents=True, exist_ok=True)
+        expected.write_text(got, encoding="utf-8", newline="")
+    written = expected.read_bytes().decode("utf-8") if expected.exists() else None
+    says = "if that is right, run ./kit test --accept, and read the diff"
+    assert got == written, f"{expected} differs: {says}"
 
 
 def compare(expected: Path, got: dict[str, str]) -> None:
-    """Compares texts, by their file's name, with the files of a folder. Raises AssertionError if
-    one differs, is missing, or is one too many."""
+    """Compares texts, by their file's name, with the files of a folder."""
     if os.environ.get("BOUNCE_ACCEPT"):
         shutil.rmtree(expected, ignore_errors=True)
-        for name, text in got.items():
-            path = expected / name
-            path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_text(text, encoding="utf-8", newline="")
-        return
-    files = (path for path in sorted(expected.rglob("*")) if path.is_file())
-    written = {str(path.relative_to(expected)): path.read_bytes().decode("utf-8") for path in files}
-    for name in sorted(written.keys() | got.keys()):
-        says = "if that is right, run ./kit test --accept, and read the diff"
-        assert got.get(name) == written.get(name), f"{expected / name} differs: {says}"
+    for name, text in got.items():
+        compare_file(expected / name, text)
+    names = {str(path.relative_to(expected)) for path in expected.rglob("*") if path.is_file()}
+    assert names == got.keys(), f"{expected} has a file too many, or lacks one"
+
+
+def table(file: Path) -> dict[str, Any]:
+    found: dict[str, Any] = course._reader().loads(file.read_text("utf-8"))
+    return found
+
+
+def rows(file: Path, name: str) -> list[Any]:
+    """The rows of a table in TOML, each a parameter of a test; with `long = true`, of the long
+    run."""
+    return [
+        pytest.param(row, id=row["name"], marks=[pytest.mark.long] * row.get("long", False))
+        for row in table(file)[name]
+    ]

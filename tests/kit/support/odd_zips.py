@@ -3,6 +3,7 @@
 import io
 import json
 import random
+import struct
 import zipfile
 from collections.abc import Iterator
 
@@ -47,6 +48,29 @@ def sharing() -> bytes:
     return data.getvalue()
 
 
+PLAIN = zip_of([Member(b"part2_lcp.cpp", b"// odd\n")])
+DIRECTORY, END, DESCRIPTOR = b"PK\1\2", b"PK\5\6", b"PK\7\10"
+LIES = [2**31, 2**32 + 1, 2**62, 2**63, 2**64 - 1]  # of a size, in bytes
+
+
+def claiming(size: int) -> bytes:
+    """A zip whose table of contents claims these sizes, in the fields for large files."""
+    extra = struct.pack("<HHQ", 1, 8, size)
+    return zip_of([Member(b"part2_lcp.cpp", b"// odd\n", size=0xFFFFFFFF, extra=extra)])
+
+
+def bomb(sources: int, name: str = "helper") -> bytes:
+    """Sources of 1 MB of spaces: a thousandth of that as they are handed in."""
+    text = b" " * (1 << 20)
+    return zip_of(Member(f"{name}{i}.cpp".encode(), text) for i in range(sources))
+
+
+def changed(at: bytes, offset: int, field: bytes, data: bytes = PLAIN) -> bytes:
+    """A zip in which a field of a record is another."""
+    start = data.index(at) + offset
+    return data[:start] + field + data[start + len(field) :]
+
+
 def zips() -> Iterator[Archive]:
     for what, data in _zips():
         yield what, "x.zip", data
@@ -57,7 +81,28 @@ def zips() -> Iterator[Archive]:
 
 
 def _zips() -> Iterator[tuple[str, bytes]]:
+    yield "empty", b""
+    yield "no zip", b"Rar!"
     yield "only its beginning", b"PK\x03\x04 and then nothing"
+    yield "cut short", PLAIN[:-30]
+    yield "a picture, too", b"GIF89a" + PLAIN
+    yield "a source, too", b"int x; //" + PLAIN
+    yield "65535 entries that aren't there", changed(END, 8, b"\xff" * 4)
+    yield "a directory before the start", changed(END, 16, b"\xff\xff\xff\x7f")
+    yield "a directory of 4 GB", changed(END, 12, b"\xfe\xff\xff\xff")
+    yield "a ZIP64 record that isn't there", changed(END, 8, b"\xff" * 12)
+    yield "a wrong checksum", changed(DIRECTORY, 16, b"\0" * 4)
+    streamed = corpus.streamed({"part2_lcp.cpp": b"// odd\n"})
+    yield "a wrong data descriptor", changed(DESCRIPTOR, 4, b"\xff" * 12, streamed)
+    short = struct.pack("<HHB", 1, 8, 1)
+    yield "a ZIP64 field cut short", zip_of([Member(b"a.cpp", size=0xFFFFFFFF, extra=short)])
+    yield "an entry beyond the end", zip_of([Member(b"part2_lcp.cpp", at=10**6)])
+    yield "a name that isn't UTF-8", zip_of([Member(b"\xff\xfe.cpp", flags=corpus.UTF8)])
+    yield "a name of 65,000 bytes", zip_of([Member(b"n" * 65_000 + b".cpp")])
+    yield "20000 folders deep", zip_of([Member(b"d/" * 20_000 + b"part2_lcp.cpp")])
+    yield "a bomb", bomb(400)
+    for size in LIES:
+        yield f"claims {size} bytes", claiming(size)
     yield "damaged in the middle", damaged()
     for what, members in json.loads((TABLES / "zips.json").read_text()).items():
         yield what, zip_of(member(**properties) for properties in members)

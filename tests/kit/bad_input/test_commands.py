@@ -1,0 +1,82 @@
+"""A command that can't be carried out ends in one sentence and a status, with nothing half-written.
+commands.toml has the commands, commands.txt what comes out. Most run in this process, as a start of
+Python for each would take longer than all of them; those that end before Python begins, or
+print a whole report, run ./kit."""
+
+import os
+import re
+import shlex
+import subprocess
+from pathlib import Path
+from typing import Any
+
+import bounce_grader.formats.terminal  # keeps the output that it finds when imported
+import golden
+import pytest
+from bounce_grader import cli
+from conftest import ROOT, SOLUTION
+
+HERE = Path(__file__).parent
+KEYS = ("shell", "command")
+USAGE = re.compile(r"usage: .*?\n(?=kit)", re.DOTALL)
+
+
+def in_this_process(words: list[str], capsys: pytest.CaptureFixture[str]) -> tuple[int, str, str]:
+    try:
+        status = cli.main(words)
+    except SystemExit as ended:  # as argparse ends
+        status = int(ended.code or 0)
+    printed = capsys.readouterr()
+    return status, printed.out, printed.err
+
+
+def by_the_program(program: str, words: list[str], more: dict[str, str]) -> tuple[int, str, str]:
+    """By ./kit, or by a copy of it, which has looked for no packages yet."""
+    if program == "copy":
+        Path("kit").write_bytes((ROOT / "kit").read_bytes())
+    command = ["sh", "./kit" if program == "copy" else str(ROOT / "kit"), *words]
+    env = {**os.environ, **more}
+    done = subprocess.run(command, env=env, capture_output=True, text=True, check=False)
+    Path("kit").unlink(missing_ok=True)
+    return done.returncode, done.stdout, done.stderr
+
+
+def files(folder: Path) -> set[str]:
+    return {str(path.relative_to(folder)) for path in folder.rglob("*") if path.is_file()}
+
+
+def outcome(row: dict[str, Any], folder: Path, capsys: pytest.CaptureFixture[str]) -> str:
+    shell, command = (row.get(key, "").replace("SOLUTION", str(SOLUTION)) for key in KEYS)
+    subprocess.run(["sh", "-ec", shell], cwd=folder, check=True)
+    before = files(folder)
+    words = shlex.split(command.replace("BYTE_FF", "\udcff"))
+    if "program" in row:
+        status, out, err = by_the_program(row["program"], words, row.get("env", {}))
+    else:
+        status, out, err = in_this_process(words, capsys)
+    err = USAGE.sub("", err)
+    assert err.replace("\n", "").isprintable(), row["name"]
+    assert status in (0, 1) or err.startswith("kit") and "\n::" not in err, row["name"]
+    printed = err + (out if status > 1 and "--format" in words else "")
+    new = sorted(files(folder) - before)
+    return f"{plain(printed, folder)}status {status}{', new: ' * bool(new)}{', '.join(new)}\n"
+
+
+def plain(text: str, folder: Path) -> str:
+    text = text.replace(f"{folder}/", "").replace(str(ROOT), "KIT")
+    text = re.sub(r" \(choose from .*\)", "", text)  # each Python writes it in its own way
+    return re.sub(r"(install -y --no-install-recommends) .*", r"\1 ...", text)
+
+
+@pytest.mark.golden
+def test_each_command_ends_as_it_is_written_down(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    got = ""
+    for number, row in enumerate(golden.table(HERE / "commands.toml")["command"]):
+        folder = tmp_path / str(number)
+        folder.mkdir()
+        monkeypatch.chdir(folder)
+        command = repr(row["command"])[1:-1]
+        got += f"=== {row['name']}\n$ kit {command}\n{outcome(row, folder, capsys)}\n"
+    golden.compare_file(HERE / "commands.txt", got)

@@ -1,0 +1,163 @@
+"""docs/workflows: what GitHub, GitLab and Classroom 50 run keeps the kit, its secret and its tokens
+from the submissions."""
+
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+import zipfile
+from pathlib import Path
+from typing import Any
+
+import pytest
+from bounce_grader.publish import handout
+from conftest import ROOT, write
+
+yaml = pytest.importorskip("yaml")
+WORKFLOWS = ROOT / "docs" / "workflows"
+GITHUB = (WORKFLOWS / "github.yml").read_text()
+GITLAB = (WORKFLOWS / "gitlab.yml").read_text()
+(STEPS,) = (job["steps"] for job in yaml.safe_load(GITHUB)["jobs"].values())
+JOB = yaml.safe_load(GITLAB)["grade"]
+AUTOGRADER = WORKFLOWS / "classroom50" / "autograder.py"
+IDENTITY = ("-c", "user.name=a", "-c", "user.email=a@example.org")
+
+
+def test_githubs_workflow_keeps_its_secrets_from_the_grading() -> None:
+    graded = next(step for step in STEPS if step.get("name") == "Grade")
+    assert graded["run"].startswith("kit/kit grade submission --format github --min-score 70")
+    assert "env" not in graded
+    uses = [step.get("uses", step.get("name", "")) for step in STEPS]
+    saved = next(i for i, use in enumerate(uses) if use.startswith("actions/cache/save"))
+    secret = next(i for i, step in enumerate(STEPS) if "course-secret" in step.get("run", ""))
+    assert saved < secret < STEPS.index(graded)  # no cache holds the secret
+    checkouts = [step for step in STEPS if step.get("uses", "").startswith("actions/checkout")]
+    assert checkouts and all(not step["with"]["persist-credentials"] for step in checkouts)
+
+
+def test_what_a_workflow_uses_is_pinned() -> None:
+    """A tag can be moved to another commit. The version stands beside the digest."""
+    for text in (GITHUB, (ROOT / ".github" / "workflows" / "test.yml").read_text()):
+        uses = re.findall(r"uses: (.*)", text)
+        pinned = r"[\w/-]+@[0-9a-f]{40} # v\d+\.\d+\.\d+"
+        assert uses and all(re.match(pinned, used) for used in uses), uses
+    assert re.search(r"^  image: ubuntu:24.04@sha256:[0-9a-f]{64}$", GITLAB, re.MULTILINE)
+
+
+def test_the_scripts_of_a_workflow_are_shell() -> None:
+    for script in [*(step.get("run", "") for step in STEPS), *JOB["script"]]:
+        text = re.sub(r"\$\{\{.*?\}\}", "x", script)
+        assert subprocess.run(["bash", "-n"], input=text.encode(), check=False).returncode == 0
+
+
+def test_a_students_files_stay_apart_from_the_kit_on_gitlab(tmp_path: Path) -> None:
+    """Runs the script with the kit replaced by a program that shows what lies beside it."""
+    assert JOB["variables"]["GIT_STRATEGY"] == "none"
+    # Variables of a pipeline come before the job's own: with another KIT, its token goes elsewhere.
+    assert "ci_pipeline_variables_minimum_override_role=no_one_allowed" in GITLAB
+    victim = tmp_path / "victim"
+    victim.write_text("whole")
+    kit = write(tmp_path / "kit_there", {"kit": b"#!/bin/sh\nls ${0%/*} ${0%/*}/grader\n"})
+    (kit / "kit").chmod(0o755)
+    student = write(tmp_path / "student", {".kit/grader/argparse.py": b"", "src/part1.cpp": b""})
+    (student / "report.xml").symlink_to(victim)
+    for folder in (kit, student):
+        for words in (["init", "-q"], ["add", "-f", "."], ["commit", "-qm", "all"]):
+            subprocess.run(["git", *IDENTITY, *words], cwd=folder, check=True)
+    project = tmp_path / "project"
+    for _ in range(2):  # the second time with what the first has kept
+        project.mkdir(exist_ok=True)
+        script = "\n".join(line for line in JOB["script"] if not line.startswith("apt-get"))
+        script = script.replace("https://oauth2:$KIT_TOKEN@$KIT", str(kit))
+        script = script.replace("/srv/", f"{tmp_path}/srv/")
+        (tmp_path / "srv" / "kit" / "build").mkdir(parents=True, exist_ok=True)
+        script = script.replace("&& cp -a .kit", "&& mkdir -p .kit/build && cp -a .kit")
+        environment = {
+            **os.environ,
+            "CI_PROJECT_DIR": str(project),
+            "CI_REPOSITORY_URL": str(student),
+            "CI_COMMIT_SHA": "HEAD",
+            "BOUNCE_COURSE_SECRET": "secret",
+        }
+        subprocess.run(["bash", "-e"], input=script.encode(), cwd=project, env=environment)
+        assert (tmp_path / "srv" / "submission" / "src" / "part1.cpp").exists()
+        assert not (tmp_path / "srv" / "kit" / "grader").exists()
+        assert "kit" in (project / "report.xml").read_text()
+        assert not (project / "report.xml").is_symlink() and victim.read_text() == "whole"
+
+
+def graded_by_classroom50(bundle: Path, checkout: Path) -> Any:
+    """The result, which has what its collecting script demands, beside what its runner adds."""
+    words = {"CLASSROOM": "cs1", "ASSIGNMENT": "bounce", "SUBMISSION_TAG": "submit/1"}
+    words |= {"GH_TOKEN": "secret", "COMMIT_URL": "https://x", "RELEASE_URL": "https://x"}
+    command = [sys.executable, str(bundle / "autograder.py")]
+    subprocess.run(command, cwd=checkout, env={**os.environ, **words}, check=True, timeout=900)
+    result = json.loads((checkout / "result.json").read_text())
+    assert result["schema"] == "classroom50/result/v1"
+    assert (result["classroom"], result["assignment"]) == ("cs1", "bounce")
+    assert result["submission"].startswith("submit/")
+    for field in ("submission", "commit", "release", "review", "datetime"):
+        assert isinstance(result[field], str) and result[field], field
+    for scored in (result, *result["tests"]):
+        score, most = scored["score"], scored["max-score"]
+        assert type(score) is int and type(most) is int and 0 <= score <= most
+    for test in result["tests"]:
+        assert type(test["passed"]) is bool and isinstance(test["test-name"], str)
+        assert test["test-name"]
+    return result
+
+
+@pytest.mark.long
+def test_classroom_50_takes_the_result_of_its_autograder(tmp_path: Path) -> None:
+    """One part right, one that doesn't compile, and two that are stubs."""
+    bundle, checkout = tmp_path / "bundle", tmp_path / "checkout"
+    (checkout / "src").mkdir(parents=True)
+    bundle.mkdir()
+    shutil.copy(AUTOGRADER, bundle)
+    handout.write(bundle / "bounce.zip")
+    for file in (ROOT / "student" / "src").glob("*.cpp"):
+        shutil.copy(file, checkout / "src")
+    shutil.copy(ROOT / "solution" / "src" / "part1_contacts.cpp", checkout / "src")
+    (checkout / "src" / "part2_lcp.cpp").write_text("#error")
+    result = graded_by_classroom50(bundle, checkout)
+    assert (result["score"], result["max-score"]) == (30, 100)
+    with zipfile.ZipFile(bundle / "bounce.zip") as archive:
+        assert not any("hidden" in name or "solution" in name for name in archive.namelist())
+
+
+LOOKS = r"""
+#include <unistd.h>
+#include <fstream>
+#include <iterator>
+#include <string>
+int main(int, char** words) {  // passes if its parent holds no token
+  std::ifstream file("/proc/" + std::to_string(getppid()) + "/environ");
+  const std::string all{std::istreambuf_iterator<char>(file), {}};
+  const bool found = all.find("GH_TOKEN") != std::string::npos || all.empty();
+  std::ofstream(std::string(words[1]).substr(20)) << R"({"testsuites": [{"name": "part1",
+    "testsuite": [{"name": "A", "failures": [)" << (found ? "1" : "") << "]}]}]}";
+}
+"""
+
+
+def test_classroom_50s_autograder_hands_on_no_token_and_follows_no_link(tmp_path: Path) -> None:
+    part = {"part": 1, "stem": "part1", "checks": [{"id": "part1.A", "title": "a", "points": 1}]}
+    handout_of_one = {
+        "CMakeLists.txt": "cmake_minimum_required(VERSION 3.22)\nproject(bounce CXX)\n"
+        "add_executable(part1_test src/part1.cpp)\n",
+        "src/part1.cpp": "",
+        "tests/parts.json": json.dumps({"parts": [part]}),
+    }
+    shutil.copy(AUTOGRADER, tmp_path)
+    with zipfile.ZipFile(tmp_path / "bounce.zip", "w") as archive:
+        for name, text in handout_of_one.items():
+            archive.writestr(f"bounce/{name}", text)
+    checkout = write(tmp_path / "checkout", {"part1.cpp": LOOKS.encode()})
+    victim = tmp_path / "victim"
+    victim.write_text("whole")
+    (checkout / "result.json").symlink_to(victim)
+    result = graded_by_classroom50(tmp_path, checkout)
+    assert victim.read_text() == "whole" and not (checkout / "result.json").is_symlink()
+    assert result["score"] == 1
