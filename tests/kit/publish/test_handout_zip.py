@@ -1,6 +1,6 @@
-"""The handout's zip: the same bytes each time, all that a student needs, and no hidden answer."""
+"""The handout's zip: the same bytes each time, all that a student needs, the points of the
+manifest, and no hidden answer."""
 
-import io
 import json
 import re
 import zipfile
@@ -8,31 +8,38 @@ from pathlib import Path
 
 import pytest
 from bounce_grader import cli
+from bounce_grader.common.manifest import parts
 from bounce_grader.grading import fixtures
-from bounce_grader.publish import handout
+from bounce_grader.publish import handout, points
 from conftest import ROOT, SOLUTION
 
+SUBMISSIONS = ROOT / "tests/submissions"
 # A line says nothing of the solution when it is short, is no more than punctuation, an include or
 # a namespace, or stands in what students are given anyway: the stubs and the contract.
 TRIVIAL = re.compile(r"\W*|#.*|\}?\s*(?:// )?namespace.*|using .*|return \w+;|for \(.*\) \{")
 SHORT = 16
 
 
-def telling_lines(text: bytes) -> set[str]:
-    lines = (" ".join(line.split()) for line in text.decode("utf-8", "replace").splitlines())
-    return {line for line in lines if len(line) >= SHORT and not TRIVIAL.fullmatch(line)}
+def written(tmp_path: Path) -> zipfile.ZipFile:
+    assert cli.main(["handout", "--out", str(tmp_path / "a.zip")]) == 0
+    return zipfile.ZipFile(tmp_path / "a.zip")
 
 
-def given_lines() -> set[str]:
-    given = [*(ROOT / "student/src").glob("*.cpp"), *(ROOT / "student/include").rglob("*.hpp")]
-    return set().union(*(telling_lines(file.read_bytes()) for file in given))
+def contents(tmp_path: Path) -> dict[str, bytes]:
+    with written(tmp_path) as archive:
+        return {name.removeprefix("bounce/"): archive.read(name) for name in archive.namelist()}
+
+
+def telling_lines(*texts: bytes) -> set[str]:
+    lines = b"\n".join(texts).decode("utf-8", "replace").splitlines()
+    joined = {" ".join(line.split()) for line in lines}
+    return {line for line in joined if len(line) >= SHORT and not TRIVIAL.fullmatch(line)}
 
 
 def test_the_same_kit_gives_the_same_bytes(tmp_path: Path) -> None:
-    for name in "ab":
-        assert cli.main(["handout", "--out", str(tmp_path / f"{name}.zip")]) == 0
-    assert (tmp_path / "a.zip").read_bytes() == (tmp_path / "b.zip").read_bytes()
-    assert sorted(file.name for file in tmp_path.iterdir()) == ["a.zip", "b.zip"]
+    first = (written(tmp_path).filename, (tmp_path / "a.zip").read_bytes())
+    assert (written(tmp_path).filename, (tmp_path / "a.zip").read_bytes()) == first
+    assert [file.name for file in tmp_path.iterdir()] == ["a.zip"]
 
 
 def test_a_zip_that_cannot_be_written_is_said(
@@ -43,58 +50,43 @@ def test_a_zip_that_cannot_be_written_is_said(
 
 
 def test_holds_the_folder_the_tests_and_the_public_fixtures(tmp_path: Path) -> None:
-    handout.write(tmp_path / "a.zip")
-    archive = zipfile.ZipFile(io.BytesIO((tmp_path / "a.zip").read_bytes()))
-    names = archive.namelist()
-    assert all(name.startswith("bounce/") for name in names) and names == sorted(set(names))
-    folders = {name.split("/")[1] for name in names if name.count("/") > 1}
-    of_editors = {".devcontainer", ".vscode"}
-    assert folders == {"fixtures", "given", "hints", "include", "src", "tests"} | of_editors
-    assert {n.removeprefix("bounce/") for n in names if n.count("/") == 1} == {
-        *(".clang-format", ".clangd", "CMakeLists.txt", "CMakePresets.json"),
-        *("README.html", "README.md", "explore.html", "explore.md", "check", "check.cmd"),
-        *("complementarity.svg", "figure.svg", "main.cpp"),
-    }
-    modes = {info.filename: info.external_attr >> 16 for info in archive.infolist()}
+    with written(tmp_path) as archive:
+        modes = {info.filename: info.external_attr >> 16 for info in archive.infolist()}
     assert [name for name, mode in modes.items() if mode & 0o111] == ["bounce/check"]
+    assert list(modes) == sorted(set(modes))
+    assert {name.partition("/")[0] for name in modes} == {"bounce"}
+    assert {name.split("/")[1] for name in modes} == {
+        *(".clang-format", ".clangd", ".devcontainer", ".vscode", "CMakeLists.txt"),
+        *("CMakePresets.json", "README.html", "README.md", "explore.html", "explore.md"),
+        *("check", "check.cmd", "complementarity.svg", "figure.svg", "main.cpp"),
+        *("fixtures", "given", "hints", "include", "src", "tests"),
+    }
 
 
-def test_the_parts_are_the_stubs() -> None:
-    parts = {name: text for name, text in handout.contents().items() if name.startswith("src/")}
-    assert len(parts) == 4 and all(b"// TODO: " in text for text in parts.values())
-
-
-def test_no_line_of_the_solution_is_in_it() -> None:
-    solution = set().union(*(telling_lines(f.read_bytes()) for f in SOLUTION.glob("*.cpp")))
-    secret = solution - given_lines()
+def test_no_answer_is_in_it(tmp_path: Path) -> None:
+    """No line of the solution, no submission of the gallery, and no hidden case."""
+    inside = contents(tmp_path)
+    stubs = [text for name, text in inside.items() if name.startswith("src/")]
+    assert len(stubs) == 4 and all(b"// TODO: " in text for text in stubs)
+    contract = [text for name, text in inside.items() if name.startswith("include/")]
+    solution = telling_lines(*(file.read_bytes() for file in SOLUTION.glob("*.cpp")))
+    secret = solution - telling_lines(*stubs, *contract)
     assert len(secret) > 20, "the solution has lines of its own"
-    for name, text in handout.contents().items():
-        assert not secret & telling_lines(text), name
+    lines = telling_lines(*inside.values())
+    assert not secret & lines
 
+    wrong = {file.read_bytes() for file in SUBMISSIONS.rglob("*.?pp")}
+    given = {file.read_bytes() for file in (ROOT / "student").rglob("*.?pp")}
+    assert len(wrong) > 50 and not wrong & {*inside.values()} - given
+    mistakes = list((SUBMISSIONS / "mistakes").rglob("*.cpp"))
+    assert not [str(file) for file in mistakes if telling_lines(file.read_bytes()) <= lines]
 
-def test_no_mistake_is_in_it() -> None:
-    inside = set(handout.contents().values())
-    wrong = list((ROOT / "tests/submissions").rglob("*.?pp"))
-    stubs = {file.read_bytes() for file in (ROOT / "student").rglob("*.?pp")}
-    assert len(wrong) > 50
-    for file in wrong:
-        assert file.read_bytes() not in inside - stubs, file
-    own = given_lines() | set().union(
-        *(telling_lines(text) for text in handout.contents().values())
-    )
-    mistakes = (ROOT / "tests/submissions/mistakes").rglob("*.cpp")
-    assert not [str(file) for file in mistakes if telling_lines(file.read_bytes()) <= own]
-
-
-def test_no_hidden_case_is_in_it() -> None:
-    everything = b"\n".join(handout.contents().values()).decode("utf-8", "replace")
-    hidden = fixtures.hidden_folder()
-    for file in sorted(hidden.glob("*.json")):
+    everything = b"\n".join(inside.values()).decode("utf-8", "replace")
+    for file in fixtures.hidden_folder().glob("*.json"):
         for cases in json.loads(file.read_text())["checks"].values():
             for case in cases:
-                question = json.dumps(case["input"], separators=(",", ":"))
-                assert question not in everything
-    assert "hidden" not in {part for name in handout.contents() for part in Path(name).parts}
+                assert json.dumps(case["input"], separators=(",", ":")) not in everything
+    assert not any("hidden" in name.split("/") for name in inside)
 
 
 def test_what_work_in_the_folder_leaves_behind_is_left_out(
@@ -108,3 +100,21 @@ def test_what_work_in_the_folder_leaves_behind_is_left_out(
     monkeypatch.setattr(handout, "HANDOUT", folder)
     own = [name for name in handout.files() if not name.startswith(("tests/", "fixtures/"))]
     assert own == [".clang-format", "README.md"]
+
+
+def test_says_other_points_where_the_manifest_does(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    other = [41, 23.5, 37, 17]
+    changed = tuple(part._replace(points=other[part.number - 1]) for part in parts())
+    monkeypatch.setattr(points, "parts", lambda: changed)
+    inside = contents(tmp_path)
+    texts = [
+        text.decode()
+        for name, text in inside.items()
+        if name.endswith((".md", ".hpp")) and not name.startswith("tests/")
+    ]
+    printed = re.findall(r"([\d.]+) points|^\| \d \|.*\| ([\d.]+) \|$", "\n".join(texts), re.M)
+    assert {one or other for one, other in printed} == {"41", "23.5", "37", "17", "118.5"}
+    readme = inside["README.md"].decode()
+    assert "41, 23.5, 37 and 17 points" in readme and "worth 118.5 points" in readme

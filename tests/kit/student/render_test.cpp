@@ -1,4 +1,4 @@
-// The given render: the content of its page, and the state that it leaves if it can't write one.
+// The given render: what is in its page, and what it leaves where it can't write one.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -8,6 +8,7 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <locale>
@@ -15,16 +16,17 @@
 #include <string>
 #include <vector>
 
-namespace fs = std::filesystem;
-
 namespace bounce::tests {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
+namespace fs = std::filesystem;
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+const Eigen::Matrix3Xd kNone(3, 0);
 
 // A parabola with a steady turn: no number of it is short in decimal.
-Eigen::Matrix3Xd parabola(int T, double x_0 = 0) {
+Eigen::Matrix3Xd parabola(int T, double x_0 = 0.0) {
   const Eigen::ArrayXd t = Eigen::ArrayXd::LinSpaced(T, 0, T - 1) / 30;
   Eigen::Matrix3Xd q(3, T);
   q.row(0) = x_0 + t / 3;
@@ -33,16 +35,12 @@ Eigen::Matrix3Xd parabola(int T, double x_0 = 0) {
   return q;
 }
 
-std::string read(const fs::path& page) {
-  std::ifstream in(page, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
+std::vector<double> row(const nlohmann::json& rows, std::size_t i) {
+  return rows[i].get<std::vector<double>>();
 }
 
-// The object that the page's script draws.
-nlohmann::json animation(const std::string& text) {
-  const std::string start = "const animation = ";
-  const auto from = text.find(start) + start.size();
-  return nlohmann::json::parse(text.substr(from, text.find(";\n", from) - from));
+std::vector<double> row(const Eigen::Matrix3Xd& q, Eigen::Index i) {
+  return {q.row(i).begin(), q.row(i).end()};
 }
 
 class render : public ::testing::Test {
@@ -51,99 +49,77 @@ class render : public ::testing::Test {
     std::string name = ::testing::TempDir() + "render_test_XXXXXX";
     ASSERT_NE(mkdtemp(name.data()), nullptr);
     folder = name;
+    page = folder / "animation.html";
   }
   void TearDown() override { fs::remove_all(folder); }
 
-  fs::path page() const { return folder / "animation.html"; }
-
-  std::vector<std::string> files() const {
-    std::vector<std::string> names;
-    for (const auto& entry : fs::directory_iterator(folder)) {
-      names.push_back(entry.path().filename().string());
-    }
-    return names;
+  std::string text() const {
+    std::ifstream in(page, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
   }
 
-  std::string text_of(const Eigen::Matrix3Xd& q, const Parameters& params = {}) const {
-    bounce::render(q, params, page());
-    return read(page());
+  // The object that the page's script draws.
+  nlohmann::json animation() const {
+    const std::string start = "const animation = ", all = text();
+    const auto from = all.find(start) + start.size();
+    return nlohmann::json::parse(all.substr(from, all.find(";\n", from) - from));
   }
 
-  // The sentence that render throws as an Error; empty when it throws nothing.
+  // The sentence that render throws, if it throws; the old page is as it was, and no other file.
   template <typename Error>
-  std::string complaint(const Eigen::Matrix3Xd& q, const Parameters& params,
-                        const fs::path& where) const {
+  std::string refusal(const std::function<void()>& rendered) const {
+    const auto files = [this] {
+      return std::distance(fs::directory_iterator(folder), fs::directory_iterator());
+    };
+    const bool is_file = fs::is_regular_file(page);
+    const std::string before = is_file ? text() : "";
+    const auto count = files();
     try {
-      bounce::render(q, params, where);
+      rendered();
     } catch (const Error& error) {
+      EXPECT_EQ(files(), count);
+      EXPECT_EQ(is_file ? text() : "", before);
       return error.what();
     }
-    return "";
+    return "nothing was refused";
   }
 
-  fs::path folder;
+  fs::path folder, page;
 };
 
 TEST_F(render, WritesEveryNumberSoThatItReadsBackTheSame) {
   Parameters params;
-  params.l = 1.0 / 3;
+  params.l = params.m = 1.0 / 3;
   params.dt = 1.0 / 240;
   params.delta = 0.7e-3;
-  for (const int T : {1, 2, 150, 20000}) {
-    const Eigen::Matrix3Xd q = parabola(T, 1e9);
-    const nlohmann::json data = animation(text_of(q, params));
+  for (const int T : {20000, 150, 2, 1}) {  // a shorter page in place of a longer one
+    const Eigen::Matrix3Xd q = parabola(T, 1e9), v = parabola(T, 2.0), right = parabola(40, 3.0);
+    bounce::render(q, params, page);
+    const nlohmann::json alone = animation();
+    EXPECT_TRUE(alone["motion"].is_null() && alone["right"].is_null());
+    bounce::render({q, v}, params, page, right);
+    const nlohmann::json data = animation();
     EXPECT_EQ(data["l"].get<double>(), params.l);
     EXPECT_EQ(data["dt"].get<double>(), params.dt);
     EXPECT_EQ(data["delta"].get<double>(), params.delta);
-    for (Eigen::Index i = 0; i < 3; ++i) {
-      const auto row = data["q"][static_cast<std::size_t>(i)].get<std::vector<double>>();
-      EXPECT_EQ(row, std::vector<double>(q.row(i).begin(), q.row(i).end())) << "T = " << T;
+    EXPECT_EQ(data["motion"]["m"].get<double>(), params.m);
+    EXPECT_EQ(data["motion"]["g"], nlohmann::json({0.0, -9.81}));
+    for (int i = 0; i < 3; ++i) {
+      EXPECT_EQ(row(data["q"], std::size_t(i)), row(q, i));
+      EXPECT_EQ(row(data["motion"]["v"], std::size_t(i)), row(v, i));
+      EXPECT_EQ(row(data["right"], std::size_t(i)), row(right, i));
     }
   }
-}
-
-TEST_F(render, WritesVelocitiesAndTheRightOneWhereTheyAreKnown) {
-  const Eigen::Matrix3Xd q = parabola(150), v = parabola(150, 2), right = parabola(40, 3);
-  Parameters params;
-  params.m = 1.0 / 3;
-  bounce::render(Trajectory{q, v}, params, page(), right);
-  const nlohmann::json data = animation(read(page()));
-  EXPECT_EQ(data["motion"]["m"].get<double>(), params.m);
-  EXPECT_EQ(data["motion"]["g"], nlohmann::json({0.0, -9.81}));
-  const auto x = [](const nlohmann::json& rows) { return rows[0].get<std::vector<double>>(); };
-  EXPECT_EQ(x(data["motion"]["v"]), std::vector<double>(v.row(0).begin(), v.row(0).end()));
-  EXPECT_EQ(x(data["right"]), std::vector<double>(right.row(0).begin(), right.row(0).end()));
-  EXPECT_TRUE(animation(text_of(q))["motion"].is_null());
-  EXPECT_TRUE(animation(text_of(q))["right"].is_null());
-}
-
-TEST_F(render, RefusesVelocitiesThatDoNotFit) {
-  const auto refusal = [&](const Trajectory& trajectory, const Eigen::Matrix3Xd& right) {
-    try {
-      bounce::render(trajectory, {}, page(), right);
-    } catch (const std::invalid_argument& error) {
-      return std::string(error.what());
-    }
-    return std::string();
-  };
-  const Eigen::Matrix3Xd q = parabola(4), none(3, 0);
-  Eigen::Matrix3Xd bad = q;
-  bad(1, 2) = nan;
-  EXPECT_EQ(refusal({q, parabola(3)}, none), "cannot draw: q has 4 columns, and v has 3");
-  EXPECT_EQ(refusal({q, bad}, none).find("cannot draw: column 2 of v must be finite"), 0u);
-  EXPECT_EQ(refusal({q, q}, bad).find("cannot draw: column 2 of the right q must be finite"), 0u);
-  EXPECT_TRUE(files().empty());
 }
 
 TEST_F(render, WritesOnePageThatAsksForNothing) {
-  const std::string text = text_of(parabola(150));
-  EXPECT_EQ(files(), std::vector<std::string>{"animation.html"});
-  EXPECT_EQ(text.find("<!doctype html>"), 0u);
-  EXPECT_EQ(text.substr(text.size() - 8), "</html>\n");
-  EXPECT_NE(text.find("default-src 'none'"), std::string::npos);
-  for (const char* reference : {"http:", "https:", "src=", "url(", "@import", "fetch(", "//\""}) {
-    EXPECT_EQ(text.find(reference), std::string::npos) << reference;
-  }
+  bounce::render(parabola(150), {}, page);
+  const std::string all = text();
+  EXPECT_EQ(all.find("<!doctype html>"), 0u);
+  EXPECT_EQ(all.substr(all.size() - 8), "</html>\n");
+  EXPECT_NE(all.find("default-src 'none'"), std::string::npos);
+  for (const char* reference : {"http:", "https:", "src=", "url(", "@import", "fetch(", "//\""})
+    EXPECT_EQ(all.find(reference), std::string::npos) << reference;
 }
 
 TEST_F(render, WritesTheSamePageInEveryLocale) {
@@ -152,108 +128,72 @@ TEST_F(render, WritesTheSamePageInEveryLocale) {
     char do_thousands_sep() const override { return '.'; }
     std::string do_grouping() const override { return "\3"; }
   };
-  const std::string expected = text_of(parabola(150, 1e9));
+  bounce::render(parabola(150, 1e9), {}, page);
+  const std::string expected = text();
   const std::locale before = std::locale::global(std::locale(std::locale(), new Comma));
   std::setlocale(LC_ALL, "de_DE.UTF-8");  // where it is installed
-  const std::string got = text_of(parabola(150, 1e9));
+  bounce::render(parabola(150, 1e9), {}, page);
   std::setlocale(LC_ALL, "C");
   std::locale::global(before);
-  EXPECT_EQ(got, expected);
+  EXPECT_EQ(text(), expected);
 }
 
-TEST_F(render, ReplacesAnOlderPage) {
-  const std::string older = text_of(parabola(300));
-  const std::string text = text_of(parabola(3));
-  EXPECT_EQ(text.find("<!doctype html>"), 0u);
-  EXPECT_LT(text.size(), older.size());
-  EXPECT_EQ(files(), std::vector<std::string>{"animation.html"});
-}
-
-TEST_F(render, RefusesNoColumn) {
-  EXPECT_EQ(complaint<std::invalid_argument>(Eigen::Matrix3Xd(3, 0), {}, page()),
-            "cannot draw: q has no column");
-  EXPECT_TRUE(files().empty());
-}
-
-TEST_F(render, NamesTheFirstColumnThatIsNotFinite) {
-  for (const double bad : {nan, infinity, -infinity}) {
+TEST_F(render, SaysWhatCannotBeDrawnAndKeepsTheOldPage) {
+  bounce::render(parabola(3), {}, page);
+  const auto says = [&](const std::string& begin, const Trajectory& trajectory,
+                        const Parameters& params = {}, const Eigen::Matrix3Xd& right = kNone) {
+    const auto draw = [&] { bounce::render(trajectory, params, page, right); };
+    EXPECT_EQ(refusal<std::invalid_argument>(draw).find("cannot draw: " + begin), 0u) << begin;
+  };
+  const Eigen::Matrix3Xd q = parabola(150);
+  says("q has no column", {kNone, kNone});
+  says("q has 150 columns, and v has 149", {q, parabola(149)});
+  for (const double bad : {kNan, kInfinity, -kInfinity}) {
     for (Eigen::Index i = 0; i < 3; ++i) {
-      Eigen::Matrix3Xd q = parabola(150);
-      q(i, 37) = q(i, 40) = bad;
-      const std::string sentence = complaint<std::invalid_argument>(q, {}, page());
-      EXPECT_EQ(sentence.find("cannot draw: column 37 of q must be finite, and it is ("), 0u)
-          << sentence;
-      EXPECT_TRUE(files().empty());
+      Eigen::Matrix3Xd wrong = q;
+      wrong(i, 37) = wrong(i, 40) = bad;
+      says("column 37 of q must be finite, and it is (", {wrong, q});
+      says("column 37 of v must be finite", {q, wrong});
+      says("column 37 of the right q must be finite", {q, q}, {}, wrong);
     }
   }
-}
-
-TEST_F(render, NamesTheParameterThatIsNotPositive) {
-  for (const double bad : {0.0, -0.2, nan, infinity}) {
-    Parameters params;
-    params.l = bad;
-    std::string sentence = complaint<std::invalid_argument>(parabola(3), params, page());
-    EXPECT_EQ(sentence.find("cannot draw: l must be positive and finite"), 0u) << sentence;
-    params = {};
-    params.dt = bad;
-    sentence = complaint<std::invalid_argument>(parabola(3), params, page());
-    EXPECT_EQ(sentence.find("cannot draw: dt must be positive and finite"), 0u) << sentence;
+  for (const double bad : {0.0, -0.2, kNan, kInfinity}) {
+    Parameters side, step;
+    side.l = step.dt = bad;
+    says("l must be positive and finite", {q, q}, side);
+    says("dt must be positive and finite", {q, q}, step);
   }
   Parameters params;
-  params.delta = nan;
-  EXPECT_EQ(complaint<std::invalid_argument>(parabola(3), params, page()),
-            "cannot draw: delta must be finite, and it is nan");
-  EXPECT_TRUE(files().empty());
+  params.delta = kNan;
+  says("delta must be finite, and it is nan", {q, q}, params);
 }
 
-TEST_F(render, KeepsTheOldPageWhenItRefuses) {
-  const std::string old = text_of(parabola(3));
-  EXPECT_NE(complaint<std::invalid_argument>(Eigen::Matrix3Xd(3, 0), {}, page()), "");
-  EXPECT_EQ(read(page()), old);
-}
-
-TEST_F(render, OverwritesNothingThatItDidNotWrite) {
+TEST_F(render, SaysWhyThePageCannotBeWritten) {
+  const auto says = [&](const std::string& why, const fs::path& where, int T = 3) {
+    const auto write = [&] { bounce::render(parabola(T), {}, where); };
+    EXPECT_EQ(refusal<std::runtime_error>(write), "cannot write " + where.string() + ": " + why);
+  };
+  says("its folder is missing or may not be written to", folder / "missing" / "animation.html");
+  says("it is there already and is not a file", folder);
+  ASSERT_EQ(mkfifo(page.c_str(), 0600), 0);
+  says("it is there already and is not a file", page);
+  EXPECT_TRUE(fs::is_fifo(page));
+  fs::remove(page);
   for (const std::string text : {"int main() {}\n", "<!doctype html>\n<p>Mine</p>\n"}) {
-    std::ofstream(page()) << text;
-    EXPECT_EQ(complaint<std::runtime_error>(parabola(3), {}, page()),
-              "cannot write " + page().string() + ": it is there already and is not an animation");
-    EXPECT_EQ(read(page()), text);
+    std::ofstream(page) << text;
+    says("it is there already and is not an animation", page);
+    fs::remove(page);
   }
-}
 
-TEST_F(render, NamesThePageThatCannotBeWritten) {
-  const fs::path missing = folder / "missing" / "animation.html";
-  EXPECT_EQ(
-      complaint<std::runtime_error>(parabola(3), {}, missing),
-      "cannot write " + missing.string() + ": its folder is missing or may not be written to");
-  EXPECT_EQ(complaint<std::runtime_error>(parabola(3), {}, folder),
-            "cannot write " + folder.string() + ": it is there already and is not a file");
-  EXPECT_TRUE(files().empty());
-}
-
-TEST_F(render, LeavesWhatIsNotAFileAsItIs) {
-  ASSERT_EQ(mkfifo(page().c_str(), 0600), 0);
-  EXPECT_EQ(complaint<std::runtime_error>(parabola(3), {}, page()),
-            "cannot write " + page().string() + ": it is there already and is not a file");
-  EXPECT_TRUE(fs::is_fifo(page()));
-  EXPECT_EQ(files(), std::vector<std::string>{"animation.html"});
-}
-
-// A limit on the size of files stands for a full disk.
-TEST_F(render, KeepsTheOldPageWhenTheDiskIsFull) {
-  const std::string old = text_of(parabola(3));
-  rlimit before;
+  bounce::render(parabola(3), {}, page);
+  rlimit before;  // of the size of files, for a full disk
   ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
   const rlimit small{1 << 14, before.rlim_max};
   const auto handler = std::signal(SIGXFSZ, SIG_IGN);
   ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
-  const std::string sentence = complaint<std::runtime_error>(parabola(20000), {}, page());
+  says("the disk may be full", page, 20000);
   ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
   std::signal(SIGXFSZ, handler);
-
-  EXPECT_EQ(sentence, "cannot write " + page().string() + ": the disk may be full");
-  EXPECT_EQ(read(page()), old);
-  EXPECT_EQ(files(), std::vector<std::string>{"animation.html"});
 }
 
 }  // namespace

@@ -1,17 +1,13 @@
 """The handout with another compiler, and as built for Windows, where Wine runs it."""
 
-import os
-import re
 import shutil
 import subprocess
 import time
 from pathlib import Path
 
 import pytest
-from conftest import ROOT, SOLUTION
-from handed_out import unzipped
+from handed_out import SYSTEM, Done, check, put, run, unzipped
 
-SYSTEM = {"PATH": "/usr/bin:/bin", "HOME": "/nonexistent", "LANG": "C.UTF-8", "TERM": "xterm"}
 PATIENCE = 120  # s
 WINE = Path("/usr/lib/wine/wine64")
 MINGW = "x86_64-w64-mingw32-g++-posix"
@@ -22,10 +18,10 @@ set(CMAKE_EXE_LINKER_FLAGS -static)
 """
 # All that a check may ask CMake for.
 TARGETS = ("all", "study", "real", "part3_step_given_test", "part4_simulate_given_test")
-SUBMISSIONS = ROOT / "tests/submissions"
-# What is said of each on Windows, where there are no signals.
+FRICTION = "mistakes/part3_friction_sign"
+# What is told of each with any compiler, and on Windows, where there are no signals.
 FAILURES = {
-    "mistakes/part3_friction_sign": "Friction pushes the wrong way",
+    FRICTION: "Friction pushes the wrong way",
     "broken/part2_aborts": "the program was aborted",
     "broken/part3_null_pointer": "an index or a pointer out of bounds",
     "broken/part4_counter_stands_still": "no answer within 3 s of work: an endless loop?",
@@ -33,66 +29,21 @@ FAILURES = {
 }
 
 
-def run(*command: str | Path, cwd: Path, **environment: str) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
-        list(map(str, command)),
-        cwd=cwd,
-        env={**os.environ, **environment},
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-
-
-def put(home: Path, *folders: Path) -> None:
-    for folder in (SOLUTION, *folders):
-        for file in folder.glob("part*.cpp"):
-            shutil.copyfile(file, home / "src" / file.name)
-
-
-def test_files_that_are_compiled_together_name_no_constant_twice() -> None:
-    """Those of the check program, on every system; those for Windows are built in the long run."""
-    together = {*(ROOT / "student/given/check").glob("*.cpp")}
-    for other in ("posix", "windows"):
-        named = [
-            name
-            for file in together - {ROOT / f"student/given/check/process_{other}.cpp"}
-            for name in {*re.findall(r"^constexpr [\w:]+ (k\w+)", file.read_text(), re.MULTILINE)}
-        ]
-        assert sorted(named) == sorted(set(named)) and len(named) > 5
-
-
 @pytest.mark.long
 def test_with_clang_a_check_says_the_same(tmp_path: Path) -> None:
     if not shutil.which("clang++"):
         pytest.skip("there is no clang++ here")
     home = unzipped(tmp_path)
-    for name, said in FAILURES.items():
-        put(home, SUBMISSIONS / name)
-        done = subprocess.run(
-            ["./check"],
-            cwd=home,
-            env={**SYSTEM, "CXX": "clang++"},
-            capture_output=True,
-            text=True,
-            check=False,
-        )
-        assert said in done.stdout, done.stdout + done.stderr
-    put(home)
-    part2 = home / "src/part2_lcp.cpp"
-    part2.write_text(part2.read_text().replace("{", "{ int x = ;", 1))
-    broken = subprocess.run(
-        ["./check", "2"],
-        cwd=home,
-        env={**SYSTEM, "CXX": "clang++"},
-        capture_output=True,
-        text=True,
-        check=False,
-    )
+    for name, told in FAILURES.items():
+        put(home, name)
+        done = check(home, CXX="clang++")
+        assert told in done.stdout, done.stdout + done.stderr
+    put(home, edits={"part2_lcp": [["{", "{ int x = ;"]]})
+    broken = check(home, "2", CXX="clang++")
     assert "  src/part2_lcp.cpp:" in broken.stdout and "expected expression" in broken.stdout
 
 
-def built_for_windows(home: Path, prefix: Path) -> None:
+def build_for_windows(home: Path, prefix: Path) -> None:
     """With GoogleTest made for it, too; Eigen and nlohmann-json are headers alone."""
     prefix.mkdir()
     (prefix / "windows.cmake").write_text(TOOLCHAIN)
@@ -112,15 +63,14 @@ def built_for_windows(home: Path, prefix: Path) -> None:
         ["cmake", "--build", prefix / "gtest", "--parallel", "--target", "install"],
         ["cmake", "-S", ".", "-B", "build", for_windows, *found],
     ):
-        done = run(*command, cwd=home)
+        done = run(home, *map(str, command))
         assert done.returncode == 0, done.stdout + done.stderr
 
 
-def says(file: str, words: str) -> None:
-    """Waits until these words are in the file."""
+def wait_for(file: Path, words: str) -> None:
     deadline = time.monotonic() + PATIENCE
-    while words not in Path(file).read_text("utf-8"):
-        assert time.monotonic() < deadline, Path(file).read_text("utf-8")
+    while words not in file.read_text("utf-8"):
+        assert time.monotonic() < deadline, file.read_text("utf-8")
         time.sleep(0.2)
 
 
@@ -129,55 +79,50 @@ def test_on_windows_a_check_says_the_same(tmp_path: Path) -> None:
     if not shutil.which(MINGW) or not WINE.exists():
         pytest.skip("g++-mingw-w64-x86-64-posix and wine64 aren't installed")
     home = unzipped(tmp_path).rename(tmp_path / "Übung 1 von Müller")
-    built_for_windows(home, tmp_path / "prefix")
-    # The check itself starts a build; here it has been built already, by a CMake that isn't Windows'.
+    build_for_windows(home, tmp_path / "prefix")
+    # The check itself starts a build; here it is built already, by a CMake that isn't Windows'.
     (tmp_path / "cmake.cpp").write_text("int main() { return 0; }\n")
-    nothing = tmp_path / "cmake.exe"
-    assert run(MINGW, "-static", "-o", nothing, "cmake.cpp", cwd=tmp_path).returncode == 0
-    program = home / "build/check_program.exe"
-    wine = {
-        "WINEPREFIX": str(tmp_path / "wine"),
-        "WINEDEBUG": "-all",
-        "WINEPATH": f"Z:{tmp_path}",
-        "LC_ALL": "C.UTF-8",
-    }
+    built = run(tmp_path, MINGW, "-static", "-o", "cmake.exe", "cmake.cpp")
+    assert built.returncode == 0, built.stderr
+    program = [str(WINE), str(home / "build/check_program.exe")]
+    wine = {"WINEPREFIX": str(tmp_path / "wine"), "WINEDEBUG": "-all"}
+    wine |= {"WINEPATH": f"Z:{tmp_path}", "LC_ALL": "C.UTF-8"}
 
     def build() -> None:
-        built = run("cmake", "--build", "build", "--parallel", "--target", *TARGETS, cwd=home)
+        built = run(home, "cmake", "--build", "build", "--parallel", "--target", *TARGETS)
         assert built.returncode == 0 and "warning" not in built.stdout, built.stdout + built.stderr
 
-    def check(*options: str) -> subprocess.CompletedProcess[str]:
+    def check_there(*options: str) -> Done:
         build()
-        return run(WINE, program, *options, cwd=home, **wine)
+        return run(home, *program, *options, **wine)
 
     put(home)
     for file in (home / "src").glob("*.cpp"):
         file.write_bytes(file.read_bytes().replace(b"\n", b"\r\n"))
-    right = check()
+    right = check_there()
     assert right.returncode == 0 and "Score on the public checks: 100 / 100." in right.stdout
     for page in ("study", "real"):
-        assert check(f"--{page}").returncode == 0
+        assert check_there(f"--{page}").returncode == 0
         assert "<svg" in (home / f"{page}.html").read_text("utf-8")
-    with open(tmp_path / "watched.txt", "w+", encoding="utf-8") as seen:
-        watching = subprocess.Popen(
-            [WINE, program, "--watch"], cwd=home, stdout=seen, env={**os.environ, **wine}
-        )
-        try:
-            says(seen.name, "100 / 100")
-            put(home, SUBMISSIONS / "mistakes/part3_friction_sign")
-            build()
-            with open(home / "src/part3_step.cpp", "a", encoding="utf-8") as part:
-                part.write("// Saved once more, now that it is built.\n")
-            says(seen.name, FAILURES["mistakes/part3_friction_sign"])
-        finally:
-            watching.kill()
-            watching.wait()
-    for name, said in FAILURES.items():
-        put(home, SUBMISSIONS / name)
-        done = check()
-        assert done.returncode == 1 and said in done.stdout, done.stdout + done.stderr
-    assert "stage 1 of 3: A nudge" in check("3", "--hint").stdout
-    assert check("--nonsense").returncode == 2
-    sanitized = check("--sanitize")
+    printed = tmp_path / "printed.txt"
+    with open(printed, "w") as out:
+        watch = subprocess.Popen([*program, "--watch"], cwd=home, stdout=out, env=SYSTEM | wine)
+    try:
+        wait_for(printed, "100 / 100")
+        put(home, FRICTION)
+        build()
+        part3 = home / "src/part3_step.cpp"
+        part3.write_text(part3.read_text() + "// Saved once more, now that it is built.\n")
+        wait_for(printed, FAILURES[FRICTION])
+    finally:
+        watch.kill()
+        watch.wait()
+    for name, told in FAILURES.items():
+        put(home, name)
+        done = check_there()
+        assert done.returncode == 1 and told in done.stdout, done.stdout + done.stderr
+    assert "stage 1 of 3: A nudge" in check_there("3", "--hint").stdout
+    assert check_there("--nonsense").returncode == 2
+    sanitized = check_there("--sanitize")
     assert sanitized.returncode == 3
     assert "--sanitize needs g++ or clang on Linux or macOS" in sanitized.stderr

@@ -1,12 +1,9 @@
-"""The given animation as its reader meets it. Who tests it imports these fixtures by name.
-
-Most tests hand the page a clock of their own, so that no fact depends on how fast the machine is.
-"""
+"""The given animation as its reader meets it. Who tests it imports these fixtures by name. Most
+tests hand the page a clock of their own, so that no fact depends on how fast the machine is."""
 
 from __future__ import annotations
 
 import json
-import math
 import os
 import re
 import subprocess
@@ -118,33 +115,33 @@ class Page:
 Open = Callable[..., Page]
 
 
+def written(page: Path, *options: str) -> str:
+    assert PROGRAM.exists(), f"{PROGRAM} is not built"
+    command = [str(PROGRAM), *options, str(page)]
+    subprocess.run(command, check=True, capture_output=True, timeout=PATIENCE)
+    return page.read_text("utf-8")
+
+
+def animation(text: str) -> dict[str, Any]:
+    """What a page's script draws."""
+    return dict(json.loads(DATA.findall(text)[0]))
+
+
+def with_animation(text: str, data: dict[str, Any]) -> str:
+    return DATA.sub(json.dumps(data), text, count=1)
+
+
 @pytest.fixture(scope="module")
 def file(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The page of the assignment's scene, as the built program writes it."""
-    assert PROGRAM.exists(), f"{PROGRAM} is not built"
     page = tmp_path_factory.mktemp("page") / "animation.html"
-    subprocess.run([PROGRAM, page], check=True, capture_output=True, timeout=PATIENCE)
+    written(page)
     return page
 
 
 @pytest.fixture(scope="module")
 def scene(file: Path) -> dict[str, Any]:
-    data: dict[str, Any] = json.loads(DATA.findall(file.read_text("utf-8"))[0])
-    return data
-
-
-@pytest.fixture(scope="module")
-def compared(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The page of a stored scene, where the square leaves the right way at column 12."""
-    page = tmp_path_factory.mktemp("compared") / "animation.html"
-    command = [str(PROGRAM), "--compare", str(page)]
-    subprocess.run(command, check=True, capture_output=True, timeout=PATIENCE)
-    text = page.read_text("utf-8")
-    data = json.loads(DATA.findall(text)[0])
-    for row in data["q"][:2]:
-        row[12:] = [x + 0.01 * (t + 1) for t, x in enumerate(row[12:])]
-    page.write_text(DATA.sub(json.dumps(data), text, count=1), "utf-8")
-    return page
+    return animation(file.read_text("utf-8"))
 
 
 @pytest.fixture
@@ -154,10 +151,10 @@ def open_page(driver: Any, file: Path) -> Iterator[Open]:
     driver.get_log("browser")
     page.media()
     page.screen(1000, 800, 1)
-    clocks = []
+    clocks: list[Any] = []
 
     def open_(path: Path = file, own_clock: bool = True) -> Page:
-        if own_clock:
+        if own_clock and not clocks:
             add = "Page.addScriptToEvaluateOnNewDocument"
             clocks.append(driver.execute_cdp_cmd(add, {"source": CLOCK}))
         driver.get(path.as_uri())
@@ -168,10 +165,3 @@ def open_page(driver: Any, file: Path) -> Iterator[Open]:
     for clock in clocks:
         driver.execute_cdp_cmd("Page.removeScriptToEvaluateOnNewDocument", clock)
     assert driver.get_log("browser") == []
-
-
-def lowest_corner(scene: dict[str, Any], t: int) -> float:
-    """phi of column t, eqs. (3) and (4)."""
-    theta = scene["q"][2][t]
-    arms = (math.sin(theta + math.pi / 4 + k * math.pi / 2) for k in range(4))
-    return float(scene["q"][1][t] + scene["l"] / math.sqrt(2) * min(arms))

@@ -1,9 +1,17 @@
-"""The handout, as a student has it."""
+"""The handout, as a student has it, and what a student does with it."""
 
+import subprocess
 import zipfile
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from bounce_grader.publish import handout
+from conftest import ROOT, SOLUTION
+
+SUBMISSIONS = ROOT / "tests/submissions"
+SYSTEM = {"PATH": "/usr/bin:/bin", "HOME": "/nonexistent", "LANG": "C.UTF-8", "TERM": "xterm"}
+Done = subprocess.CompletedProcess[str]
+Edits = Mapping[str, Sequence[Sequence[str]]]
 
 
 def unzipped(folder: Path) -> Path:
@@ -14,3 +22,36 @@ def unzipped(folder: Path) -> Path:
             path = Path(archive.extract(entry, folder))
             path.chmod(entry.external_attr >> 16 & 0o777)
     return folder / "bounce"
+
+
+def run(home: Path, *command: str, **environment: str) -> Done:
+    variables = SYSTEM | environment
+    return subprocess.run(command, cwd=home, env=variables, capture_output=True, text=True)
+
+
+def check(home: Path, *words: str, **environment: str) -> Done:
+    return run(home, "./check", *words, **environment)
+
+
+def put(home: Path, *laid: str, edits: Edits = {}, files: Mapping[str, str] = {}) -> None:
+    """Fills src/ with the solution's parts, over which are laid those of a folder of
+    tests/submissions, or "stub 1". What is there already isn't built again."""
+    texts = {file.name: file.read_bytes() for file in SOLUTION.glob("*.cpp")}
+    for name in laid:
+        stubs = ROOT.glob(f"student/src/part{name[-1]}_*.cpp")
+        found = stubs if name[:4] == "stub" else (SUBMISSIONS / name).glob("part*.cpp")
+        texts |= {file.name: file.read_bytes() for file in found}
+    for stem, changes in edits.items():
+        text = texts[f"{stem}.cpp"].decode()
+        for old, new in changes:
+            assert old in text, f"{old} isn't in {stem}"
+            text = text.replace(old, new, 1)
+        texts[f"{stem}.cpp"] = text.encode()
+    texts |= {name: text.encode() for name, text in files.items()}
+    for file in (home / "src").iterdir():
+        if file.name not in texts:
+            file.unlink()
+    for name, data in texts.items():
+        there = home / "src" / name
+        if not there.exists() or there.read_bytes() != data:
+            there.write_bytes(data)

@@ -1,0 +1,96 @@
+"""The student's folder without ./check: CMake builds it and runs its tests part by part, and
+editors and debuggers find their way."""
+
+import json
+import re
+import shutil
+import signal
+from pathlib import Path
+
+import pytest
+from conftest import ROOT
+from handed_out import Done, check, put, run, unzipped
+
+STEMS = ["part1_contacts", "part2_lcp", "part3_step", "part4_simulate"]
+STUBS = ["stub 1", "stub 2", "stub 3", "stub 4"]
+STUDENT = ROOT / "student"
+
+
+@pytest.fixture(scope="module")
+def fresh(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return unzipped(tmp_path_factory.mktemp("fresh"))
+
+
+def configure(folder: Path, *options: str) -> Done:
+    return run(folder, "cmake", "-S", ".", "-B", "build", "-G", "Ninja", *options)
+
+
+@pytest.mark.long
+def test_builds_without_a_warning_and_goes_from_no_part_to_all(tmp_path: Path) -> None:
+    folder = unzipped(tmp_path)
+    assert configure(folder, "-DCMAKE_CXX_FLAGS=-Werror").returncode == 0
+    for right in (0, 1, 4):
+        put(folder, *STUBS[right:])
+        built = run(folder, "cmake", "--build", "build")
+        assert built.returncode == 0 and "warning" not in built.stdout + built.stderr, built.stdout
+        out = run(folder, "ctest", "--test-dir", "build").stdout
+        assert [stem for stem in STEMS if f"{stem} (Failed)" in out] == STEMS[right:]
+        drawn = run(folder, "./build/bounce")
+        if right < 4:
+            assert (drawn.returncode, drawn.stdout) == (1, "")
+            assert "fill in src/part4_simulate.cpp" in drawn.stderr
+    assert drawn.returncode == 0 and (folder / "animation.html").stat().st_size > 10_000
+
+
+@pytest.mark.parametrize("version, is_taken", [("3.3.9", False), ("3.4.1", True), ("5.0.1", True)])
+def test_takes_an_eigen_of_any_later_version(
+    fresh: Path, tmp_path: Path, version: str, is_taken: bool
+) -> None:
+    """Its package refuses whoever asks for another major version."""
+    eigen = shutil.copytree("/usr/share/eigen3/cmake", tmp_path / "share/eigen3/cmake")
+    (tmp_path / "include").mkdir()
+    (tmp_path / "include/eigen3").symlink_to("/usr/include/eigen3")
+    [config] = eigen.glob("*ConfigVersion.cmake")
+    config.write_text(config.read_text().replace("3.4.0", version))
+    done = configure(fresh, f"-DEigen3_DIR={eigen}")
+    assert (done.returncode == 0) == is_taken, done.stderr
+    assert is_taken or "Missing:         Eigen3-3.4" in done.stderr, done.stderr
+
+
+def test_says_what_is_gone_when_the_tests_are(tmp_path: Path) -> None:
+    folder = unzipped(tmp_path)
+    shutil.rmtree(folder / "tests")
+    assert "unpack the handout anew" in configure(folder).stderr
+
+
+# ---- editors and debuggers ----
+
+
+def test_settings_of_editors_can_be_read_and_name_what_is_there() -> None:
+    settings = [STUDENT / "CMakePresets.json", *STUDENT.glob(".*/*.json")]
+    read = {file.name: json.loads(file.read_text()) for file in settings}
+    labels = {task["label"] for task in read["tasks.json"]["tasks"]}
+    named = r'"(?:preLaunchTask|dependsOn)": "([^"]+)"'
+    text = json.dumps([read["tasks.json"], read["launch.json"]])
+    assert {"check", "check this part"} <= labels and {*re.findall(named, text)} <= labels
+    assert [p["name"] for p in read["CMakePresets.json"]["buildPresets"]] == ["debug"]
+
+
+@pytest.mark.long
+def test_clangd_finds_no_fault_in_the_stubs(tmp_path: Path) -> None:
+    if not shutil.which("clangd"):
+        pytest.skip("clangd isn't installed")
+    folder = unzipped(tmp_path)
+    assert configure(folder).returncode == 0
+    for part in sorted(folder.glob("src/part*.cpp")):
+        done = run(folder, "clangd", f"--check={part}")
+        assert "All checks completed, 0 errors" in done.stderr, done.stderr
+        assert not re.search(r"^[EW]\[", done.stderr, re.M), done.stderr
+
+
+@pytest.mark.xdist_group("student")
+def test_a_debugger_stops_before_the_first_wrong_case_is_asked_again(home: Path) -> None:
+    put(home, "mistakes/part2_force_is_g")
+    check(home, "part2_lcp")
+    done = run(home, "build/part2_lcp_test", "--debug")
+    assert done.returncode == -signal.SIGTRAP and "yours, >wrong<" in done.stdout, done.stdout

@@ -1,0 +1,231 @@
+"""What ./check does besides printing: it prepares a build, watches, waits for another one, and says
+what it lacks."""
+
+import os
+import pty
+import re
+import subprocess
+from pathlib import Path
+
+import pytest
+from conftest import ROOT
+from handed_out import SUBMISSIONS, SYSTEM, check, put, run, unzipped
+
+of_home = pytest.mark.xdist_group("student")
+PIPE = subprocess.PIPE
+CLOCKWISE = "mistakes/part1_turned_clockwise"
+
+
+# ---- the gallery ----
+
+
+def is_right(folder: Path) -> bool:
+    """Whether it replaces part 3 or 4, and brings nothing but parts, without a main()."""
+    names = [file.name for file in folder.iterdir() if file.suffix != ".json"]
+    only_parts = all(name.startswith("part") for name in names)
+    return only_parts and any(name[4] in "34" for name in names) and "main_" not in folder.name
+
+
+ACCEPTED = sorted((SUBMISSIONS / "accepted").iterdir())
+RIGHT = [f"accepted/{folder.name}" for folder in ACCEPTED if is_right(folder)]
+WRONG = [f"mistakes/{f.name}" for f in sorted((SUBMISSIONS / "mistakes").glob("part[123]_*"))]
+POINTS = [30, 30, 30, 10]
+
+
+def points(printed: str) -> list[int]:
+    return [int(got) for got in re.findall(r"^Part \d  .*?(\d+) / \d+$", printed, re.M)]
+
+
+@of_home
+@pytest.mark.long
+@pytest.mark.parametrize("right", RIGHT)
+def test_a_right_part_loses_nothing_beside_stubs(home: Path, right: str) -> None:
+    put(home, right, "stub 1", "stub 2")
+    beside = [8, 10] if right == "accepted/relative_to_the_start" else [30, 10]
+    assert points(check(home).stdout)[2:] == beside
+
+
+@of_home
+@pytest.mark.long
+@pytest.mark.parametrize("number, wrong", enumerate(WRONG))
+def test_a_wrong_part_costs_the_right_ones_nothing(home: Path, number: int, wrong: str) -> None:
+    put(home, RIGHT[number % len(RIGHT)], wrong)
+    got = points(check(home).stdout)
+    part = int(wrong.removeprefix("mistakes/part")[0]) - 1
+    assert got[:part] + got[part + 1 :] == POINTS[:part] + POINTS[part + 1 :]
+
+
+# ---- building ----
+
+
+@of_home
+def test_only_a_part_that_changed_is_compiled(home: Path) -> None:
+    put(home)
+    check(home, "2")
+    built = {file: file.stat().st_mtime_ns for file in home.rglob("*.o")}
+    part2 = home / "src/part2_lcp.cpp"
+    part2.write_text(part2.read_text() + "// one line more\n")
+    assert points(check(home, "2").stdout) == [30]
+    anew = [file.parent.parent.name for file in built if file.stat().st_mtime_ns != built[file]]
+    assert anew == ["part2_lcp.dir"]
+
+
+@of_home
+def test_an_older_file_that_comes_back_is_built(home: Path) -> None:
+    """As from a backup or a zip, with the time that it had."""
+    put(home)
+    part1 = home / "src/part1_contacts.cpp"
+    right = part1.read_bytes()
+    for time, text, score in [(1, b"", 0), (2, right, 30)]:
+        part1.write_bytes(text)
+        os.utime(part1, (time, time))
+        assert points(check(home, "1").stdout) == [score]
+
+
+@of_home
+def test_checks_at_the_same_time_give_one_score(home: Path) -> None:
+    put(home, CLOCKWISE)
+    command = ["./check"]
+    several = [
+        subprocess.Popen(command, cwd=home, env=SYSTEM, stdout=PIPE, stderr=PIPE, text=True)
+        for _ in range(3)
+    ]
+    printed = [process.communicate() for process in several]
+    assert len({out for out, _ in printed}) == 1 and points(printed[0][0])[1:] == POINTS[1:]
+    assert sum("this one waits for it" in err for _, err in printed) == 2, printed
+
+
+# ---- watching ----
+
+
+def until_it_waits(watch: "subprocess.Popen[str]") -> str:
+    lines: list[str] = []
+    while not (lines and "Waiting" in lines[-1]):
+        lines.append(watch.stdout.readline())  # type: ignore[union-attr]
+        assert lines[-1], "".join(lines)
+    return "".join(lines)
+
+
+@of_home
+def test_watches_until_it_is_stopped(home: Path) -> None:
+    put(home)
+    (home / "build/check/hint").unlink(missing_ok=True)
+    terminal, keys = pty.openpty()
+    command = ["./check", "1", "--watch"]
+    watch = subprocess.Popen(command, cwd=home, env=SYSTEM, stdin=keys, stdout=PIPE, text=True)
+    try:
+        first = until_it_waits(watch)
+        assert points(first) == [30] and "Part 2" not in first
+        put(home, CLOCKWISE)
+        assert "First: " in until_it_waits(watch)
+        os.write(terminal, b"h")
+        hint = until_it_waits(watch)
+        assert "the result above is the last one" in hint and "stage 1 of 3" in hint
+        os.write(terminal, b"a")
+        assert len(points(until_it_waits(watch))) == 4
+        os.write(terminal, b"q")
+        assert watch.wait(timeout=60) == 0
+    finally:
+        watch.kill()
+        watch.communicate()
+        os.close(terminal)
+        os.close(keys)
+
+
+# ---- what is missing ----
+
+
+@pytest.mark.long
+@pytest.mark.parametrize(
+    "name", ["-HW #3 [2] 100% $HOME it's ~a & b (c), {d}=e@f@+^:!`x` Ü  ", "  a"]
+)
+def test_a_folder_may_have_any_name(tmp_path: Path, name: str) -> None:
+    folder = unzipped(tmp_path).rename(tmp_path / name)
+    put(folder)
+    done = check(folder, "1")
+    assert points(done.stdout) == [30], done.stderr
+    put(folder, edits={"part1_contacts": [["{", "{ int x = ;"]]})
+    assert "src/part1_contacts.cpp:6: " in check(folder, "1").stdout
+
+
+@pytest.fixture(scope="module")
+def fresh(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder that was never built in; who builds there takes the build away again."""
+    return unzipped(tmp_path_factory.mktemp("fresh"))
+
+
+@pytest.mark.parametrize(
+    "name", ["a;b", '"a"', "a\\b", "a|b", "<a>", "a*", "a?", "$(HOME)", "${HOME}", "a\nb"]
+)
+def test_a_name_that_cmake_cannot_hold_is_refused(tmp_path: Path, name: str) -> None:
+    folder = tmp_path / name
+    folder.mkdir()
+    (folder / "check").write_bytes((ROOT / "student/check").read_bytes())
+    done = run(folder, "sh", "./check")
+    assert done.returncode == 3 and not (folder / "build").exists()
+    assert re.fullmatch("check: CMake cannot build in a folder whose path has .*\n", done.stderr)
+
+
+def test_goes_on_where_a_check_was_killed_while_it_prepared(fresh: Path) -> None:
+    cmake = fresh / "CMakeLists.txt"
+    right = cmake.read_text()
+    (fresh / "build").mkdir(exist_ok=True)
+    (fresh / "build/preparing").symlink_to("999999999")  # a process that isn't there any more
+    cmake.write_text("message(FATAL_ERROR reached)\n")
+    done = check(fresh)
+    cmake.write_text(right)
+    assert done.returncode == 3 and "building for the first time" in done.stderr
+    assert "reached" in done.stderr and "CMake could not prepare the build" in done.stderr
+    assert not (fresh / "build/preparing").is_symlink()
+
+
+def test_names_the_file_that_is_missing(fresh: Path) -> None:
+    part = fresh / "src/part2_lcp.cpp"
+    text = part.read_bytes()
+    part.unlink()
+    done = check(fresh)
+    part.write_bytes(text)
+    assert (done.returncode, done.stdout) == (3, "")
+    assert done.stderr == "check: src/part2_lcp.cpp is missing: copy it from the handout's zip\n"
+
+
+COMPILERS = r"(.*(g|clang)\+\+|c\+\+|icpx|gcc|cc)(-[\d.]+)?"
+
+
+@pytest.mark.parametrize(
+    "gone, sentence",
+    [
+        ("cmake", "CMake is missing; install it with: sudo apt install cmake"),
+        (COMPILERS, "a C++ compiler is missing; install it with: sudo apt install g++"),
+        ("ninja|g?make", "Ninja is missing; install it with: sudo apt install ninja-build"),
+    ],
+    ids=["cmake", "compiler", "make"],
+)
+def test_names_the_program_that_is_missing(
+    fresh: Path, tmp_path: Path, gone: str, sentence: str
+) -> None:
+    for name in {*os.listdir("/usr/bin"), *os.listdir("/bin")}:
+        if not re.fullmatch(gone, name):
+            (tmp_path / name).symlink_to(Path("/usr/bin") / name)
+    done = check(fresh, PATH=str(tmp_path))
+    assert (done.returncode, done.stdout) == (3, "")
+    assert done.stderr == f"check: {sentence}\n"
+
+
+def test_names_the_libraries_that_are_missing(fresh: Path) -> None:
+    cmake = fresh / "CMakeLists.txt"
+    right = cmake.read_text()
+    names = ("Eigen3", "GTest", "nlohmann_json")
+    without = "".join(f"set(CMAKE_DISABLE_FIND_PACKAGE_{name} ON)\n" for name in names)
+    cmake.write_text(right.replace("LANGUAGES CXX)\n", f"LANGUAGES CXX)\n{without}"))
+    done = check(fresh)
+    cmake.write_text(right)
+    assert done.returncode == 3
+    last = re.sub(r"-[\d.]+(?= )", "", done.stderr.splitlines()[-1])
+    assert last == (
+        "check: missing: Eigen3 GTest nlohmann_json (or later); install with: "
+        "sudo apt install libeigen3-dev libgtest-dev nlohmann-json3-dev"
+    )
+    log = (fresh / "build/prepare.txt").read_text()
+    assert "brew install eigen googletest nlohmann-json\n" in log
+    assert "vcpkg install eigen3 gtest nlohmann-json\n" in log
