@@ -20,18 +20,8 @@ settings.load_profile("kit")
 @pytest.hookimpl(tryfirst=True)  # type: ignore[misc]  # before what isn't wanted is left out
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Puts the tests that share one worker first: it takes them long, and the others have the rest
-    to do meanwhile. Of a test's cases, those that the usual run leaves out are long."""
+    to do meanwhile."""
     items.sort(key=lambda item: "xdist_group" not in item.keywords)
-    cases: dict[str, list[pytest.Item]] = {}
-    for item in items:
-        if item.get_closest_marker("usual") and not item.get_closest_marker("long"):
-            cases.setdefault(item.nodeid.partition("[")[0], []).append(item)
-    for same in cases.values():
-        count = len(same)
-        usual = same[0].get_closest_marker("usual").args[0]  # type: ignore[union-attr]
-        kept = {i * count // usual for i in range(usual)}
-        for i in set(range(count)) - kept:
-            same[i].add_marker(pytest.mark.long)
 
 
 ROOT = Path(__file__).resolve().parents[2]
