@@ -152,6 +152,9 @@ def _grade(options: argparse.Namespace) -> int:
 
     if options.format and options.json == "-":
         raise UsageError("--format and --json - both write to standard output: give one")
+    folder = Path(options.json or "").parent
+    if not folder.is_dir():
+        raise UsageError(f"{options.json} can't be written: there is no folder {folder}")
     earlier = previous.read(options.before) if options.before else None
     try:
         wanted = Options(
@@ -189,8 +192,6 @@ def _write(path: Path, text: str) -> None:
     """Writes a file whole or not at all."""
     from bounce_grader.common.files import write_whole
 
-    if not path.parent.is_dir():
-        raise UsageError(f"{path} can't be written: there is no folder {path.parent}")
     try:
         write_whole(path, text)
     except OSError as error:

@@ -85,6 +85,8 @@ def _class(options: argparse.Namespace) -> int:
         raise UsageError("--regrade needs a FILTER, as in --regrade all")
     if options.part_column and not options.gradebook:
         raise UsageError("--part-column needs --gradebook, Canvas's export")
+    if options.engine == "dask" and not options.scheduler:
+        raise UsageError("--engine dask needs --scheduler ADDRESS, as in tcp://10.0.0.1:8786")
     if options.jobs < 0:
         raise UsageError(f"--jobs takes a number of gradings, not {options.jobs}")
     if bool(options.canvas) == bool(options.submissions):

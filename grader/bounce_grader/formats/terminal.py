@@ -13,8 +13,9 @@ from bounce_grader.grading import speed
 from bounce_grader.grading.record import Record
 
 
-def show(record: Record, stream: TextIO = sys.stdout) -> None:
+def show(record: Record, stream: TextIO | None = None) -> None:
     """Prints the report; in colour where the stream is a terminal."""
+    stream = stream or sys.stdout
     if not stream.isatty():
         stream.writelines(f"{line}\n" for _, line in lines(record))
         return

@@ -98,4 +98,4 @@ def _is_folder(path: Path) -> bool:
         raise UsageError(f"{path} can't be read: {error.strerror}") from error
     if there:
         raise UsageError(f"{path} is neither a folder nor a zip")
-    raise UsageError(f"there is no file or folder {path}")
+    raise UsageError(f"there is no file or folder {printable_name(str(path))}")

@@ -246,7 +246,8 @@ void run_with_given(Run& run, const Part& part) {
   run_part(run, part);
   fill_in(run, part);
   const int points = points_of(part);
-  if (!has_own || points > own_points || (points == own_points && undecided_of(run, part) > 0)) {
+  const bool own_decide_less = undecided_of(run, part) > 0 && is_an_earlier_wrong(run, part);
+  if (!has_own || points > own_points || (points == own_points && own_decide_less)) {
     run.unbuilt.erase(part.number);
     return;
   }

@@ -10,7 +10,6 @@ import subprocess
 from pathlib import Path
 from typing import Any
 
-import bounce_grader.formats.terminal  # keeps the output that it finds when imported
 import golden
 import pytest
 from bounce_grader import cli

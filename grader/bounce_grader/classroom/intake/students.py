@@ -18,6 +18,7 @@ from bounce_grader.classroom.intake import (
 from bounce_grader.classroom.intake.archive import is_file, opened
 from bounce_grader.classroom.intake.student import Class
 from bounce_grader.common.errors import UsageError
+from bounce_grader.common.escaping import printable_name
 from bounce_grader.submission.archives import is_archive
 
 
@@ -36,7 +37,7 @@ def read(path: Path, people: Mapping[str, str] = {}) -> Class:
         else:
             intake = from_folder.read(path, children)
     elif not path.exists():
-        raise UsageError(f"there is no file or folder {path}")
+        raise UsageError(f"there is no file or folder {printable_name(str(path))}")
     elif zipfile.is_zipfile(path):
         service = _service(opened(path).names()) or from_canvas.read
         intake = service(path, people)

@@ -42,8 +42,6 @@ def run(
 
 
 def _client(scheduler: str) -> Any:
-    if not scheduler:
-        raise UsageError("--engine dask needs --scheduler ADDRESS, as in tcp://10.0.0.1:8786")
     try:
         from distributed import Client
     except ImportError as error:
