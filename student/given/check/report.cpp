@@ -183,7 +183,7 @@ bool report(const Run& run) {
   if (run.first_part && !run.is_one_part() && run.first_part != &run.part(run.chosen.back())) {
     std::cout << style().dim << "Parts 3 and 4 call earlier ones, so part "
               << run.first_part->number << " comes first." << style().plain << "\n";
-  } else if (run.first_part && run.is_one_part() && calls) {
+  } else if ((run.first_part || run.undecided > 0) && run.is_one_part() && calls) {
     std::cout << style().dim << "Part " << run.chosen[0]
               << " calls earlier ones; where ./check finds one of them wrong, mend that first."
               << style().plain << "\n";
