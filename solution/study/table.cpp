@@ -100,8 +100,7 @@ std::vector<std::string> origin(const std::string& times) {
   std::vector<std::string> lines{
       "# machine: " + processor() + ", " + std::to_string(std::thread::hardware_concurrency()) +
           " cores, " + kernel(),
-      "# compiler: " + compiler(), "# flags: -std=c++20 " BOUNCE_FLAGS,
-      "# date: " + today()};
+      "# compiler: " + compiler(), "# flags: -std=c++20 " BOUNCE_FLAGS, "# date: " + today()};
   if (!times.empty()) lines.push_back("# times: " + times);
   return lines;
 }
