@@ -19,7 +19,7 @@ MARGIN = 5.0  # s, to stop it
 GONE = "it uses a variable that is gone"
 AUTO_KEEPS = (
     "`auto` keeps an expression of Eigen that refers to a value which is gone by the next line; "
-    "write its type, such as `Eigen::Vector3d`"
+    "write `Eigen::Matrix3d`, or the type that it has"
 )
 # `auto name = value;`, or by reference.
 KEPT = re.compile(r"\bauto\b[ &]*\b([A-Za-z_]\w*) *=([^;]{1,500})")
