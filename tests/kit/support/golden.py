@@ -1,6 +1,7 @@
 """What has to come out: compared with what does, or written anew by ./kit test --accept for a person
 to read in the diff."""
 
+import difflib
 import os
 import shutil
 from pathlib import Path
@@ -15,8 +16,9 @@ def compare_file(expected: Path, got: str) -> None:
         expected.parent.mkdir(parents=True, exist_ok=True)
         expected.write_text(got, encoding="utf-8", newline="")
     written = expected.read_bytes().decode("utf-8") if expected.exists() else None
-    says = "if that is right, run ./kit test --accept, and read the diff"
-    assert got == written, f"{expected} differs: {says}"
+    lines = difflib.unified_diff((written or "").splitlines(), got.splitlines(), "expected", "got")
+    says = "differs: if that is right, run ./kit test --accept, and read the diff"
+    assert got == written, "\n".join([f"{expected} {says}", *lines])
 
 
 def compare(expected: Path, got: dict[str, str]) -> None:
