@@ -1,4 +1,4 @@
-"""The same class through Dask and Slurm: the same results as with the built-in workers."""
+"""The same class through Dask, and in Slurm's chunks: the same results as with the built-in workers."""
 
 import os
 import random
@@ -6,21 +6,19 @@ import signal
 import subprocess
 import threading
 import time
-from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
-from shutil import which
 
 import classes
 import pytest
 import stand_in
 from bounce_grader.classroom import run
 from bounce_grader.classroom.intake import students
-from bounce_grader.classroom.work import engine_dask, engine_local, engine_slurm, results, task
+from bounce_grader.classroom.work import engine_dask, engine_local, results, task
 from bounce_grader.classroom.work.request import Request
 from bounce_grader.common.errors import KitError, UsageError
 from clusters import Cluster, needs_dask
-from conftest import ROOT, solution_files
+from conftest import solution_files
 from waiting import wait_for
 
 
@@ -28,10 +26,10 @@ def download(path: Path, number: int) -> Path:
     return classes.download(path, list(range(101, 101 + number)))
 
 
-def solutions(path: Path, number: int, contents: int) -> Path:
-    """Copies of the solution with several different contents; equal objects are cached."""
+def solutions(path: Path, number: int) -> Path:
+    """Copies of the solution, of two contents; equal objects are cached."""
     entries = {
-        f"doejane_{user}_{user}{i}_{name}": text + b"\n" * (user % contents)
+        f"doejane_{user}_{user}{i}_{name}": text + b"\n" * (user % 2)
         for user in range(101, 101 + number)
         for i, (name, text) in enumerate(solution_files().items())
     }
@@ -158,7 +156,7 @@ def test_a_scheduler_that_dies_is_said_and_costs_nothing(cluster: Cluster, tmp_p
 def test_slurms_chunks_run_by_hand_give_the_class(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    source, out = solutions(tmp_path / "x.zip", 21, 2), tmp_path / "with a space"
+    source, out = solutions(tmp_path / "x.zip", 21), tmp_path / "with a space"
     asked = Request(source, out, engine="slurm")
     assert run.run(asked) == 0
     assert "submit.sh" in capsys.readouterr().err
@@ -171,45 +169,6 @@ def test_slurms_chunks_run_by_hand_give_the_class(
     assert not (out / "slurm" / "2").exists()
     assert classes.same(out, tmp_path / "calm")
     assert (out / "gradebook.csv").read_text().count("100.00") == 1 + 21
-
-
-@pytest.mark.parametrize(
-    "number, sizes", [(1, [1]), (45, [20, 20, 5]), (2000, [32] * 62 + [16]), (9000, [50] * 180)]
-)
-def test_chunks_are_neither_small_nor_large(number: int, sizes: list[int]) -> None:
-    assert [len(chunk) for chunk in engine_slurm.chunks(list(range(number)))] == sizes
-
-
-@pytest.fixture
-def slurm_node(tmp_path: Path) -> Iterator[Path]:
-    if which("slurmctld") is None or os.geteuid() != 0:
-        pytest.skip("a Slurm of one's own needs slurm-wlm and root")
-    started = subprocess.run(
-        ["sh", str(ROOT / "tests" / "kit" / "support" / "slurm_node.sh"), str(tmp_path / "node")],
-        capture_output=True,
-        check=False,
-    )
-    folder = tmp_path / "node"
-    if started.returncode != 0:
-        pytest.skip("Slurm doesn't start here")
-    yield folder
-    for name in ("slurmd", "slurmctld"):
-        pid = folder / f"{name}.pid"
-        if pid.exists():
-            os.kill(int(pid.read_text()), signal.SIGTERM)
-
-
-@pytest.mark.long
-def test_a_real_slurm_grades_the_class_and_collects(slurm_node: Path, tmp_path: Path) -> None:
-    source, out = solutions(tmp_path / "x.zip", 45, 45), tmp_path / "out"
-    environment = {**os.environ, "SLURM_CONF": str(slurm_node / "slurm.conf")}
-    kit = [str(ROOT / "kit"), "class", str(source), "--out", str(out), "--engine", "slurm"]
-    subprocess.run(kit, check=True)
-    submit = ["sh", str(out / "slurm" / "1" / "submit.sh")]
-    subprocess.run(submit, env=environment, check=True)
-    wait_for((out / "class.html").exists, 600)
-    assert (out / "gradebook.csv").read_text().count("100.00") == 1 + 45
-    assert len(list((out / "slurm" / "1").glob("chunk-*.log"))) == 3
 
 
 def test_a_temporary_folder_too_deep_for_sockets_is_said(
