@@ -47,7 +47,7 @@ def add(commands: Any) -> None:
         help="other years' submissions, among which near-copies are looked for, too",
     )
     parser.add_argument("--jobs", type=int, default=0, metavar="N", help="gradings side by side")
-    parser.add_argument("--engine", choices=["local", "dask", "slurm"], default="local")
+    parser.add_argument("--engine", choices=["local", "dask"], default="local")
     parser.add_argument("--scheduler", default="", metavar="ADDRESS", help="of Dask")
     again = parser.add_mutually_exclusive_group()
     again.add_argument(

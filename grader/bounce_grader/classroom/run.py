@@ -111,8 +111,6 @@ def _run(
     tasks = _tasks(request, intake.students, stamp, folder)
     failed = grading.grade_missing(tasks, folder, request, log)
     summaries = grading.summarize(intake.students, tasks, folder, failed)
-    if summaries and all(summary.state == "waiting" for summary in summaries):
-        return 0
     summaries = final.with_finals(summaries, rules)
     readable = [s.student for s in summaries if s.state != "unreadable"]
     near = near_copies.find(request.out, readable, tasks, request.trust, request.corpus)
@@ -303,10 +301,6 @@ def _regrade(request: Request, intake: Class, stamp: Stamp, log: Log) -> int:
         raise KitError(
             f"submissions that could not be graded again: {len(failed)}; nothing is changed"
         )
-    waiting = {task.key for task in tasks.values()} - results.keys(folder)
-    if waiting:
-        print(f"{len(waiting)} wait for a grading; then give the same command again.")
-        return 0
     lines = regrade.differences(request.out, chosen, tasks)
     print("\n".join(lines))
     if regrade.nothing_differs(request.out, lines):
@@ -360,11 +354,9 @@ def _say(
     to_look_at = [
         f"{s.student.shown} ({s.student.id}): {why}"
         for s in summaries
-        if (why := "; ".join(s.needs_a_look)) and s.state != "waiting"
+        if (why := "; ".join(s.needs_a_look))
         if not _is_said(remarks, f"({s.student.id})", why)
     ]
-    waiting = sum(s.state == "waiting" for s in summaries)
-    to_look_at += [f"{waiting} wait for a grading"] if waiting else []
     kinds = (not_graded, to_look_at, remarks, copies)
     lines = _shared(kinds, MOST_LINES)
     for line in lines:

@@ -1,9 +1,7 @@
-"""The same class through Dask, and in Slurm's chunks: the same results as with the built-in workers."""
+"""The same class through Dask: the same results as with the built-in workers."""
 
-import os
 import random
 import signal
-import subprocess
 import threading
 import time
 from dataclasses import replace
@@ -18,22 +16,11 @@ from bounce_grader.classroom.work import engine_dask, engine_local, results, tas
 from bounce_grader.classroom.work.request import Request
 from bounce_grader.common.errors import KitError, UsageError
 from clusters import Cluster, needs_dask
-from conftest import solution_files
 from waiting import wait_for
 
 
 def download(path: Path, number: int) -> Path:
     return classes.download(path, list(range(101, 101 + number)))
-
-
-def solutions(path: Path, number: int) -> Path:
-    """Copies of the solution, of two contents; equal objects are cached."""
-    entries = {
-        f"doejane_{user}_{user}{i}_{name}": text + b"\n" * (user % 2)
-        for user in range(101, 101 + number)
-        for i, (name, text) in enumerate(solution_files().items())
-    }
-    return classes.zipped(path, entries)
 
 
 def same(out: Path, source: Path, tmp_path: Path) -> bool:
@@ -151,24 +138,6 @@ def test_a_scheduler_that_dies_is_said_and_costs_nothing(cluster: Cluster, tmp_p
     assert len(results.keys(out / "results")) >= 3
     assert run.run(stand_in.request(source, out)) == 0
     assert same(out, source, tmp_path)
-
-
-def test_slurms_chunks_run_by_hand_give_the_class(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    source, out = solutions(tmp_path / "x.zip", 21), tmp_path / "with a space"
-    asked = Request(source, out, engine="slurm")
-    assert run.run(asked) == 0
-    assert "submit.sh" in capsys.readouterr().err
-    folder = out / "slurm" / "1"
-    assert not (out / "gradebook.csv").exists()
-    assert subprocess.run(["sh", "-n", str(folder / "submit.sh")], check=False).returncode == 0
-    environment = {**os.environ, "SLURM_ARRAY_TASK_ID": "1"}
-    subprocess.run(["sh", str(folder / "grade.sbatch")], env=environment, check=True)
-    assert run.run(asked) == run.run(Request(source, tmp_path / "calm")) == 0
-    assert not (out / "slurm" / "2").exists()
-    assert classes.same(out, tmp_path / "calm")
-    assert (out / "gradebook.csv").read_text().count("100.00") == 1 + 21
 
 
 def test_a_temporary_folder_too_deep_for_sockets_is_said(

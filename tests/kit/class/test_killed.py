@@ -1,6 +1,5 @@
 """A class that is stopped, killed or out of disk: nothing is lost, and the same command goes on."""
 
-import json
 import os
 import random
 import signal
@@ -169,7 +168,6 @@ def test_a_result_is_named_by_all_that_it_follows_from(tmp_path: Path) -> None:
         (student,) = students.read(tmp_path / "all").students
         made = [task.task_of(student, one, tmp_path, False, False) for one in stamps]
         keys |= {one.key for one in made}
-        assert task.from_json(json.loads(json.dumps(made[0].as_json()))) == made[0]
     assert len(keys) == 8
 
 

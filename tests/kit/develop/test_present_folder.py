@@ -45,18 +45,6 @@ def test_a_class_runs_nothing_of_the_present_folder(among_strangers: Path) -> No
     assert not (among_strangers.parent / "canary").exists()
 
 
-def test_a_chunk_on_a_cluster_runs_nothing_of_the_present_folder(among_strangers: Path) -> None:
-    source, out = classes.download(among_strangers.parent / "x.zip", [101]), "../out"
-    done = kit("class", str(source), "--out", out, "--engine", "slurm", cwd=among_strangers)
-    assert done.returncode == 0, done.stderr
-    script = among_strangers.parent / "out" / "slurm" / "1" / "grade.sbatch"
-    environment = {"PATH": "/usr/bin:/bin", "SLURM_ARRAY_TASK_ID": "1", "SLURM_CPUS_PER_TASK": "1"}
-    chunk = subprocess.run(["sh", script], cwd=among_strangers, env=environment)
-    assert chunk.returncode == 0
-    assert list((among_strangers.parent / "out" / "results").iterdir())
-    assert not (among_strangers.parent / "canary").exists()
-
-
 def test_the_kit_is_found_through_a_link_to_it(tmp_path: Path) -> None:
     (tmp_path / "bounce").symlink_to(ROOT / "kit")
     (tmp_path / "again").symlink_to("bounce")

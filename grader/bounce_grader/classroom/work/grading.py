@@ -78,11 +78,9 @@ def summarize(
         result = results.load(folder, key)
         if result:
             summaries.append(of_result(student, key, result))
-        elif key in failed:
+        else:
             message = f"the kit failed: {failed[key].message}"
             summaries.append(Summary(student, key, "failed", message))
-        else:
-            summaries.append(Summary(student, key, "waiting", "not graded yet"))
     return summaries
 
 
@@ -92,10 +90,6 @@ def _engine(request: Request) -> Engine:
         from bounce_grader.classroom.work import engine_dask
 
         return lambda tasks: engine_dask.run(tasks, request.scheduler, request.unit)
-    if request.engine == "slurm":
-        from bounce_grader.classroom.work import engine_slurm
-
-        return lambda tasks: engine_slurm.run(tasks, request.out)
     from bounce_grader.classroom.work import engine_local
 
     return lambda tasks: engine_local.run(tasks, jobs, request.unit)

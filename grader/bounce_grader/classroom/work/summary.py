@@ -37,7 +37,7 @@ class Summary:
 
     student: Student
     key: str
-    state: str  # "graded", "unreadable", "failed" (the kit), or "waiting"
+    state: str  # "graded", "unreadable", or "failed" (the kit)
     message: str = ""
     score: float | None = None
     parts: Mapping[int, float] = field(default_factory=dict)

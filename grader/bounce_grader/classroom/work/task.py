@@ -2,7 +2,7 @@
 
 import hashlib
 import os
-from dataclasses import asdict, dataclass, replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -34,16 +34,6 @@ class Task:
     results: str  # folder
     speed: bool
     trust: bool
-
-    def as_json(self) -> dict[str, Any]:
-        return asdict(self)
-
-
-def from_json(data: dict[str, Any]) -> Task:
-    stamp = Stamp(**data["stamp"])
-    uploads = tuple(Upload(**upload) for upload in data["uploads"])
-    rest = {name: data[name] for name in data.keys() - {"stamp", "uploads"}}
-    return Task(stamp=stamp, uploads=uploads, **rest)
 
 
 def task_of(student: Student, stamp: Stamp, results: Path, speed: bool, trust: bool) -> Task:
