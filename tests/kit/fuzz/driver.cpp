@@ -1,76 +1,38 @@
-// fuzz_NAME COUNT           tries COUNT mutations of the seeds, the same each time
-// fuzz_NAME --seeds FOLDER  writes the seeds, for libFuzzer to begin with
+// fuzz_NAME --seeds FOLDER  writes the seeds, to be mutated
+// fuzz_NAME FOLDER...       takes the inputs in these folders
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <random>
-#include <stdexcept>
+#include <sstream>
 
 #include "fuzz.hpp"
 
-namespace bounce::fuzz {
 namespace {
-
-using Random = std::mt19937_64;
-
-// Gives the same with every standard library, unlike std::uniform_int_distribution.
-std::size_t below(Random& random, std::size_t n) { return n == 0 ? 0 : random() % n; }
-
-void change(std::string& data, const std::vector<std::string>& all, Random& random) {
-  const std::size_t at = below(random, data.size() + 1),
-                    length = std::size_t{1} << below(random, 8);
-  const std::string& other = all[below(random, all.size())];
-  switch (below(random, 5)) {
-    case 0:
-      if (at < data.size()) data[at] = static_cast<char>(data[at] ^ (1 << below(random, 8)));
-      break;
-    case 1:
-      for (std::size_t i = at; i < std::min(at + length, data.size()); ++i)
-        data[i] = static_cast<char>(random());
-      break;
-    case 2:
-      data.erase(at, length);
-      break;
-    case 3:
-      data.insert(at, data.substr(at, length));
-      break;
-    default:
-      data.replace(at, std::string::npos, other, below(random, other.size() + 1));
-  }
-}
-
-void take(std::size_t count) {
-  const std::vector<std::string> all = seeds();
-  Random random(1);
-  for (std::size_t i = 0; i < count; ++i) {
-    std::string data = all[i % all.size()];
-    for (std::size_t changes = i < all.size() ? 0 : below(random, 6); changes > 0; --changes) {
-      change(data, all, random);
-    }
-    LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(data.data()), data.size());
-  }
-}
 
 void write_seeds(const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
-  const std::vector<std::string> all = seeds();
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    std::ofstream(folder / ("seed" + std::to_string(i)), std::ios::binary) << all[i];
+  int i = 0;
+  for (const std::string& seed : bounce::fuzz::seeds()) {
+    std::ofstream(folder / ("seed" + std::to_string(i++)), std::ios::binary) << seed;
   }
 }
 
-}  // namespace
-}  // namespace bounce::fuzz
+void take(const std::filesystem::path& input) {
+  std::cout << input << std::endl;  // so that the last one is known
+  std::ostringstream read;
+  read << std::ifstream(input, std::ios::binary).rdbuf();
+  const std::string data = read.str();
+  LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(data.data()), data.size());
+}
 
-int main(int argc, char** argv) try {
+}  // namespace
+
+int main(int argc, char** argv) {
   if (argc == 3 && argv[1] == std::string("--seeds")) {
-    bounce::fuzz::write_seeds(argv[2]);
-  } else if (argc == 2) {
-    bounce::fuzz::take(std::stoul(argv[1]));
-  } else {
-    throw std::runtime_error("usage: fuzz_NAME COUNT | --seeds FOLDER");
+    write_seeds(argv[2]);
+    return 0;
   }
-} catch (const std::exception& e) {
-  std::cerr << e.what() << std::endl;
-  return 3;
+  for (int i = 1; i < argc; ++i) {
+    for (const auto& input : std::filesystem::directory_iterator(argv[i])) take(input.path());
+  }
 }

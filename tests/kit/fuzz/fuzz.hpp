@@ -1,6 +1,6 @@
 // The interface of the fuzzers, each of which tests one reader of the judge on arbitrary bytes.
-// With driver.cpp, it tries a few thousand mutations of its seeds, the same each time; with
-// libFuzzer (cmake --preset fuzz), any number.
+// With driver.cpp, it takes those that test_readers.py makes; with libFuzzer (cmake --preset fuzz),
+// its own.
 #pragma once
 
 #include <cstddef>

@@ -7,9 +7,8 @@ import json
 import os
 import random
 import re
-import shutil
 import signal
-import stat
+import subprocess
 import tempfile
 from collections.abc import Callable, Iterator
 from pathlib import Path, PurePosixPath
@@ -20,10 +19,8 @@ import pytest
 from bounce_grader.build import compiler, linking
 from bounce_grader.common.errors import KitError, UsageError
 from bounce_grader.common.manifest import parts
-from bounce_grader.common.paths import WORK_FOLDER
+from bounce_grader.common.paths import BUILD, WORK_FOLDER
 from bounce_grader.grading import judging, speed
-from bounce_grader.sandbox import processes
-from bounce_grader.sandbox.box import Box
 from bounce_grader.sandbox.processes import Result
 from bounce_grader.submission import entry, submission
 from conftest import ROOT
@@ -34,15 +31,14 @@ from odd_submissions import inside, MISLEADING, PARTS
 
 Random = random.Random
 INPUTS, CHUNKS = 1_000_000, 200  # for each reader; the usual run has one chunk
+HERE = Path(__file__).parent
 MOST_SECONDS = 10  # of CPU time for one input
 MOST_MEMORY = 512 << 20  # bytes more than at the start
 
 # --- bytes that are nearly right ---
 
-WORDS = [b"PK\1\2", b"PK\3\4", b"PK\5\6", b"PK\6\6", b"PK\6\7", b"PK\7\10", b"../", b"\\", b"\0"]
-WORDS += [b"__MACOSX/", b"\xff\xfe", b"\x1b[2J", b".cpp", b'"', b"{", b"[", b"]", b"}", b"1e999"]
-WORDS += [b"null", b"NaN", b"-1", b"true", b"\\ud800", b":1:1: error: ", b"undefined symbol: "]
-WORDS += [b"\n", f"/{WORK_FOLDER}".encode(), b"/", b":12", b"\n>>> referenced by ", b"9 size=-1\n"]
+PIECES = json.loads((HERE / "pieces.json").read_text())
+WORDS = [word.replace("WORK", WORK_FOLDER).encode("latin-1") for word in PIECES["words"]]
 EDGES = [0, 1, 2, 7, 8, 0x7F, 0x80, 0xFF, 0x7FFF, 0x8000, 0xFFFE, 0xFFFF, 1 << 16, 1 << 20]
 EDGES += [(1 << 31) - 1, 1 << 31, (1 << 32) - 1, 1 << 32, (1 << 63) - 1, (1 << 64) - 1]
 
@@ -69,16 +65,13 @@ def mutated(rng: Random, seeds: list[bytes], most: int = 8) -> bytes:
 
 # --- names, and what stands under them ---
 
-PIECES = ["src", "hw", "__MACOSX", "build", "include", "bounce", ".git", "a", "A", "é", "e\u0301"]
-PIECES += ["part1_contacts.cpp", "part2_lcp.cpp", "PART1_CONTACTS.CPP", "part3_step.cpp", "h.hpp"]
-PIECES += ["helper.cpp", "._part1_contacts.cpp", "main.cpp", "x.o", "inner.zip", "h.hpp", "a.cpp"]
-ODD = [*MISLEADING, "..", ".", "", "C:", "a b.cpp", "\0.cpp", "a\\b.cpp", "CON.cpp", "\udcff.cpp"]
+ODD = [*MISLEADING, *PIECES["odd_names"]]
 TEXTS = [b"", b"int x;\n", b"\xff\xfei\0;\0", b"\xfe\xff\xd8\0", b"\0", b"\xff" * 9, b" " * 3000]
 MODES = [0, 0, 0, 0, 0, 0o100644, 0o100755, 0o120777, 0o010644, 0o020666, 0o060666, 0o140777]
 
 
 def some_name(rng: Random) -> str:
-    pieces = rng.choices(PIECES, k=rng.choice((1, 1, 1, 2, 2, 3)))
+    pieces = rng.choices(PIECES["names"], k=rng.choice((1, 1, 1, 2, 2, 3)))
     if rng.random() < 0.1:
         pieces[rng.randrange(len(pieces))] = rng.choice(ODD)
     return rng.choice(("/", "/", "/", "/", "\\", "//")).join(pieces)
@@ -118,49 +111,12 @@ def some_zip(rng: Random) -> bytes:
     return mutated(rng, [made], 3) if rng.random() < 0.2 else made
 
 
-def some_members(rng: Random) -> list[Member]:
-    return [some_member(rng) for _ in range(rng.randrange(1, 9))]
-
-
-def put(top: Path, member: Member) -> None:
-    """The member as a file, or by its mode as a link, a pipe or (for a device) a folder."""
-    name = member.name.decode("utf-8", "surrogateescape")
-    path = top.joinpath(*(piece for piece in name.split("/") if piece not in ("", ".", "..")))
-    mode = member.attributes >> 16
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        if stat.S_ISLNK(mode):
-            path.symlink_to(f"/etc/{path.name}" if path.parent != top else "..")
-        elif stat.S_ISFIFO(mode):
-            os.mkfifo(path)
-        elif stat.S_ISBLK(mode) or stat.S_ISCHR(mode):
-            path.mkdir()
-        else:
-            with path.open("xb") as stream:  # never into a pipe, which would wait
-                stream.write(member.data)
-    except (OSError, ValueError):
-        pass  # there can't be such a name, or it is taken
-
-
 # --- what must hold, whatever comes ---
 
 
 def check_file(data: bytes, path: Path) -> bool:
-    path.write_bytes(data)
-    return is_taken(path)
-
-
-def check_folder(members: list[Member], path: Path) -> bool:
-    path.mkdir()
-    for member in members:
-        put(path, member)
-    taken = is_taken(path)
-    shutil.rmtree(path)
-    return taken
-
-
-def is_taken(path: Path) -> bool:
     """Checks that what was taken is within the limits, and that no path leads outside."""
+    path.write_bytes(data)
     try:
         taken = submission.read(path)
     except UsageError as refused:
@@ -203,26 +159,19 @@ def check_compiler(data: bytes, _: Path) -> bool:
 
 # --- handmade: half an answer of the judge, and towers of what a compiler may say ---
 
-SEEDS = {file.stem: file.read_bytes() for file in sorted(Path(__file__).parent.glob("seeds/*"))}
-SHOWN, HUGE = "checks 0 revealed shown", "1" + "0" * 400
-EDITS = ["largest_error = NaN", "largest_error = Infinity", 'largest_error = "0"']
-EDITS += [f"largest_error = {HUGE}", "checks = null", "checks = []", "checks 0"]
-EDITS += ["checks 0 passed = 1", "checks 0 stack", 'checks 0 status = "fine"']
-EDITS += ['checks 1 id = "part4.HasTColumns"', f"{SHOWN} scene g 2"]
-EDITS += [f"{SHOWN} scene q = [0, 0, 0, 0]", f"{SHOWN} scene v = 7", f"{SHOWN} scene l = {HUGE}"]
-EDITS += [f"{SHOWN} quantities 0 got = [[{HUGE}]]"]
+SEEDS = {file.stem: file.read_bytes() for file in sorted(HERE.glob("seeds/*"))}
+EDITS = [edit.replace("HUGE", "1" + "0" * 400) for edit in PIECES["edits"]]
 EDITS += [f"checks = {json.dumps(json.loads(SEEDS['right'])['checks'] * 2)}"]
 HALF = [b"", b"null", b"[]", b"{}", b"\xff", b"[" * 100_000, b"9" * 5000]
 HALF += [json.dumps(edited(json.loads(SEEDS["crashed"]), edit)).encode() for edit in EDITS]
 HALF += [SEEDS["right"].replace(b"1e-13", b"1e999")]
 
-FOLDER, K = f"/{WORK_FOLDER}", 64 * 1024
-TALL = [(":1", ""), ("1", ":"), (": error: ", ""), (":1:1: ", ""), (" ", ""), ("\n", "")]
-TALL += [("A_", 'a:1:1: error: "'), ('"AAAAAAAA', "a:1:1: error: "), ("undefined symbol: ", "")]
-TALL += [("undefined symbol: \n>>> referenced by ", ""), (FOLDER, ""), (FOLDER + "x/a:1", "")]
-TALL += [("A<", "/e.h:1:1: error: x\npart2_lcp.cpp:1:1: note: 'Eigen::"), (FOLDER + "x/", "")]
 ENDS = ("", "'", ":?", "x", "y.cpp:?", ":1")
-TOWERS = [(base + piece * (K // len(piece)) + end) for piece, base in TALL for end in ENDS]
+TOWERS = [
+    (tower["begin"] + tower["piece"] * (65536 // len(tower["piece"])) + end)
+    for tower in PIECES["towers"]
+    for end in ENDS
+]
 
 
 @pytest.mark.parametrize("out", HALF, ids=range(len(HALF)))
@@ -235,19 +184,6 @@ def test_a_whole_answer_is_taken_without_checks_that_the_manifest_leaves_out() -
     fewer = parts()[3]._replace(checks=parts()[3].checks[1:])
     checks = judging.read_answer(SEEDS["crashed"], fewer)["checks"]
     assert [check["id"] for check in checks] == [check.id for check in fewer.checks]
-
-
-@pytest.mark.parametrize("flooded", [False, True])
-def test_what_addr2line_prints_counts_if_it_ended_in_order(
-    flooded: bool, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    line = f"/tmp/{WORK_FOLDER}a1b2/sources/part1_contacts.cpp:12\n".encode()
-    result = Result(0, 0.0, line, "", too_long=False, flooded=flooded)
-    monkeypatch.setattr(processes, "run", lambda *_, **__: result)
-    files = frozenset({"part1_contacts.cpp"})
-    place = judging._place(f" 0x{flooded:016x}", Path("runner"), files, Box("none"))
-    assert place == (None if flooded else "part1_contacts.cpp:12")
-    assert judging.place_in(f"{FOLDER}x/sources/{'a' * 9999}:1".encode()) is None
 
 
 # --- the readers ---
@@ -272,7 +208,6 @@ MESSAGES = [
 READERS = {
     "x.zip": Reader(some_zip, check_file, 0.2),
     "x.tar": Reader(lambda rng: mutated(rng, TARS), check_file, 0.2),
-    "folder": Reader(some_members, check_folder, 0.5, INPUTS // CHUNKS // 10),  # made on disk
     "judge": Reader(lambda rng: mutated(rng, ANSWERS, 4), check_judge, 0.1),
     "compiler": Reader(lambda rng: mutated(rng, MESSAGES), check_compiler, 0.2),
 }
@@ -304,7 +239,7 @@ def test_a_tower_of_what_a_compiler_may_print_is_read_in_linear_time(folder: Pat
     """A submission can put text there by #error, #line and its names."""
     for tower in TOWERS:
         limit(MOST_SECONDS)
-        check_compiler(tower.encode(), folder)
+        check_compiler(tower.replace("WORK", WORK_FOLDER).encode(), folder)
 
 
 LATER = [pytest.param(i, marks=pytest.mark.long) for i in range(1, CHUNKS)]
@@ -324,3 +259,15 @@ def test_whatever_comes_is_taken_within_the_limits_or_refused(
         except BaseException as error:
             raise AssertionError(f"input {number}: {made!r}") from error
     assert taken >= reader.least_taken * reader.inputs
+
+
+@pytest.mark.parametrize("name", ["frames", "fixtures", "terminations"])
+def test_the_readers_of_the_judge_keep_their_promises(name: str, tmp_path: Path) -> None:
+    """Its fuzzers write their seeds, and end at the first input for which a promise is broken."""
+    program, seeds, inputs = BUILD / f"fuzz_{name}", tmp_path / "seeds", tmp_path / "inputs"
+    subprocess.run([program, "--seeds", seeds], check=True)
+    some = [file.read_bytes() for file in sorted(seeds.iterdir())]
+    inputs.mkdir()
+    for number in range(2000):
+        (inputs / str(number)).write_bytes(mutated(Random(f"{name} {number}"), some))
+    subprocess.run([program, seeds, inputs], check=True)

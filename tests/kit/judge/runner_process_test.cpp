@@ -18,10 +18,8 @@ using judge::RunnerEnded;
 using judge::RunnerProcess;
 
 // How one question to a runner ends. A failure of the kit has the status "kit".
-RunnerEnded end_of(const std::string& script, bool boxed = false) {
+RunnerEnded end_of(const std::string& script, const Limits& limits = {}) {
   std::signal(SIGPIPE, SIG_IGN);
-  Limits limits;
-  limits.boxed = boxed;
   RunnerProcess runner({"/bin/sh", "-c", script}, limits);
   try {
     for (;;) {
@@ -87,7 +85,9 @@ const Row kRows[] = {
 
 TEST(RunnerProcess, NamesTheEndOfARunner) {
   for (const Row& row : kRows) {
-    const RunnerEnded end = end_of(row.script, row.boxed);
+    Limits limits;
+    limits.boxed = row.boxed;
+    const RunnerEnded end = end_of(row.script, limits);
     EXPECT_EQ(end.termination.status, row.status) << row.script;
     EXPECT_NE(end.termination.sentence.find(row.words), std::string::npos)
         << row.script << ": " << end.termination.sentence;
@@ -98,12 +98,16 @@ TEST(RunnerProcess, NamesTheEndOfARunner) {
 
 // On a busy machine nobody can tell how long threads that have ended wanted a CPU.
 TEST(RunnerProcess, EndsOneThatSleepsWithThreadsOnceTheCpuHadNothingToDo) {
+  Limits limits;
+  limits.idle_seconds = 0.5;
+  limits.wall_seconds = 5;
   const double before = judge::spare_seconds();
   const RunnerEnded end = end_of(
-      kThreads + "while True:\n t = Thread(target=int)\n t.start()\n t.join()\n time.sleep(.02)'");
+      kThreads + "while True:\n t = Thread(target=int)\n t.start()\n t.join()\n time.sleep(.02)'",
+      limits);
   const bool busy = end.termination.sentence.find("too busy") != std::string::npos;
   EXPECT_TRUE(end.waits || busy) << end.termination.sentence;
-  EXPECT_LT(judge::spare_seconds() - before, 2 * Limits().idle_seconds);
+  EXPECT_LT(judge::spare_seconds() - before, 2 * limits.idle_seconds + 1);
 }
 
 TEST(RunnerProcess, CountsNoTimeInWhichTheJudgeItselfIsStopped) {

@@ -133,27 +133,8 @@ def test_the_same_figures_give_the_same_answer(
     assert "ellipses have no flag" in capsys.readouterr().err
 
 
-def test_the_figures_have_their_licence() -> None:
-    text = (MEASURED / "README.md").read_text()
-    assert "BSD 3-Clause License" in text and "Copyright 2020 Dynamic Autonomy" in text
-    for file in MEASURED.iterdir():
-        assert f"`{file.name}`" in text or file.name == "README.md"
-
-
-HEADER = "trial,k,x,y,theta\n"
-BAD_SQUARES = {
-    "has no column theta": "trial,k,x,y\n1,0,0,0\n",
-    "line 3: y is 'high', no number": HEADER + "1,0,0,1,0\n1,1,0,high,0\n",
-    "line 2: theta is missing": HEADER + "1,0,0,1\n",
-    "line 2: y is nan": HEADER + "1,0,0,nan,0\n",
-    "has no rows": HEADER,
-    "has no column trial": "",
-    "trial 1 has a row twice": HEADER + "1,0,0,1,0\n1,0,0,1,0\n",
-    "k has to be whole numbers": HEADER + "1,0.5,0,1,0\n",
-    "it takes four": HEADER + "1,0,0,1,0\n1,1,0,1,0\n",
-    "it takes 30 to find gravity": HEADER + "".join(f"{i},0,0,1,0\n" for i in range(9)),
-}
-BYTES: dict[str, bytes | None] = {name: text.encode() for name, text in BAD_SQUARES.items()}
+TABLES = json.loads((Path(__file__).parent / "study.json").read_text())
+BYTES: dict[str, bytes | None] = {name: text.encode() for name, text in TABLES["squares"].items()}
 BYTES |= {
     "squares.csv can't be read": None,
     "squares.csv can't be read: ": (MEASURED / "squares.csv.gz").read_bytes()[:5000],

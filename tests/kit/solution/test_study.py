@@ -3,7 +3,6 @@
 import copy
 import csv
 import json
-import math
 import os
 import re
 import signal
@@ -19,35 +18,20 @@ from typing import Any
 import pytest
 from bounce_grader.cli import main
 from bounce_grader.common.paths import BUILD, FIXTURES, ROOT
-from oracle import (
-    contact_velocity,
-    get_contacts,
-    mp,
-    mpf,
-    Parameters,
-    plus,
-    product,
-    vector,
-    Vector,
-)
+from oracle import contact_velocity, get_contacts, mp, mpf, Parameters, plus, vector, Vector
 from waiting import wait_for
 
 SCENES = FIXTURES / "scenes"
+# Commands and scenes that are refused, with the sentence; and the columns without which a question
+# of the study isn't answered.
+TABLES: Any = json.loads((Path(__file__).parent / "study.json").read_text())
 QUICK = ("examples", "depth", "truth")
 Said = pytest.CaptureFixture[str]
 
 
 def command(out: Path, *questions: str) -> list[str]:
-    return [
-        sys.executable,
-        "-m",
-        "bounce_grader",
-        "study",
-        "--quick",
-        "--out",
-        str(out),
-        *questions,
-    ]
+    study = "-m bounce_grader study --quick --out".split()
+    return [sys.executable, *study, str(out), *questions]
 
 
 def environment(**changes: str) -> dict[str, str]:
@@ -104,7 +88,7 @@ def test_the_same_questions_give_the_same_bytes(quick: Path, tmp_path: Path) -> 
 @pytest.mark.long
 def test_the_quick_study_answers_every_question(tmp_path: Path) -> None:
     subprocess.run(command(tmp_path), env=environment(), check=True, capture_output=True)
-    for name, columns in NEEDED.items():
+    for name, columns in TABLES["columns"].items():
         table = rows(tmp_path / f"{name}.csv")
         assert table and set(columns.split()) <= set(table[0]), name
         timed = "\n# times: CPU time, pinned to core" in (tmp_path / f"{name}.csv").read_text()
@@ -120,22 +104,6 @@ def test_the_quick_study_answers_every_question(tmp_path: Path) -> None:
         assert float(row["bound_over_error"]) <= 100
 
 
-NEEDED = {  # the columns without which a question isn't answered
-    "speed_accuracy": "scene method setting ns_per_simulated_second error_m note",
-    "order": "scene method dt_s error_m order",
-    "least_model": "scene model error_m least expected",
-    "tolerance": "tolerance_m scenes refused violated bound_over_error time_over_best",
-    "depth": "method speed_m_s dt_s depth_m",
-    "rest_and_drift": "method setting height_m depth_m drift_m",
-    "flat_landing": "method theta_rad omega_rad_s",
-    "energy_gain": "law mu epsilon largest_gain limit_epsilon",
-    "solution_count": "alpha_rad mu most_solutions mu_star",
-    "gauss_seidel": "problem value sweeps predicted_sweeps share_without_end",
-    "almost_flat": "theta_rad lemke_8x8_residual_m_s merged_residual_m_s",
-    "scaling": "m_kg dt_s plain_lemke_error closed_form_error",
-    "bad_input": "input unchecked checked",
-    "measured_ladder": "group law impacts_fitted impacts_judged median_m_s best least floor_m_s",
-}
 TIMED = {"speed_accuracy", "least_model", "bad_input", "tolerance"}
 
 
@@ -293,31 +261,7 @@ def test_a_motion_that_can_not_be_had_is_refused_with_its_horizon(
 
 # --- what can't be used ---
 
-IN_SCENES: list[tuple[str, Any, str]] = [
-    ("q", None, "q is missing"),
-    ("params", None, "params is missing"),
-    ("params mu", None, "params.mu is missing"),
-    ("params my", 0.3, "params.my is unknown; take it out or correct its name"),
-    ("params mu", -0.1, "params.mu is -0.1; it must be 0 or above"),
-    ("params dt", 0, "params.dt is 0; it must be above 0"),
-    ("params m", -0.3, "params.m is -0.3; it must be above 0"),
-    ("params epsilon", 1.5, "params.epsilon is 1.5; it must be from 0 to 1"),
-    ("params T", 0, "params.T is 0; it must be 1 or more"),
-    ("params T", 2_000_000_000, "params.T is 2000000000: the columns need 96 GB"),
-    ("params T", 1e12, "params.T must be an integer below two billion"),
-    ("params l", "long", "params.l must be a number"),
-    ("params l", math.nan, "l can't be read as JSON"),
-    ("q", [1, 2], "q must be a list of 3 numbers"),
-    ("q 1", [], "q[1] must be a number"),
-    ("q 1", 0.05, "q[1] puts the lowest corner "),  # below the ground
-    ("q 2", 2e9, "q[2] is 2e+09 rad; beyond 1e9"),
-    ("v", [0, math.nan, 0], "v can't be read as JSON"),
-    ("v 0", 1e-310, "v[0] is 1e-310, too small for a normal number; write 0"),
-]
-IN_A_STUDY: list[tuple[str, Any, str]] = [
-    ("compare until", -1, "compare.until is -1; it must be above 0"),
-    ("least_model", "clairvoyance", 'least_model is "clairvoyance", which is no model'),
-]
+IN_SCENES, IN_A_STUDY = TABLES["scenes"], TABLES["scenes of a study"]
 
 
 @pytest.mark.parametrize("path, value, sentence", [*IN_SCENES, *IN_A_STUDY])
@@ -329,43 +273,27 @@ def test_a_bad_scene_is_a_sentence_that_names_file_and_field(
     done = subprocess.run(study, capture_output=True, text=True)
     assert done.returncode == 2 and done.stderr.startswith(f"bounce_study: {file}: {sentence}")
     assert done.stderr.count("\n") == 1 and not list(tmp_path.glob("out/*"))
-    if (path, value, sentence) in IN_SCENES:
+    if [path, value, sentence] in IN_SCENES:
         assert f"{file}: {sentence}" in refusal(capsys, "simulate", file, "--tolerance", "1")
 
 
-@pytest.mark.parametrize(
-    "text, sentence",
-    [
-        ("hello", "can't be read as JSON"),
-        ("[]", "the file must be an object"),
-        (json.dumps(START).replace('"mu": 0.3', '"mu": 1e999'), "mu is not finite"),
-        (None, "the file can't be opened"),
-    ],
-)
-def test_a_file_that_is_no_scene_is_named(
-    tmp_path: Path, capsys: Said, text: str | None, sentence: str
-) -> None:
+NO_SCENES = {
+    "can't be read as JSON": "hello",
+    "the file must be an object": "[]",
+    "mu is not finite": json.dumps(START).replace('"mu": 0.3', '"mu": 1e999'),
+    "the file can't be opened": None,
+}
+
+
+@pytest.mark.parametrize("sentence", NO_SCENES)
+def test_a_file_that_is_no_scene_is_named(tmp_path: Path, capsys: Said, sentence: str) -> None:
+    text = NO_SCENES[sentence]
     file = written(tmp_path, text) if text else tmp_path / "none.json"
     message = refusal(capsys, "simulate", file, "--tolerance", "1")
     assert str(file) in message and sentence in message
 
 
-@pytest.mark.parametrize(
-    "options, sentence",
-    [
-        ("speed --out OUT/new", "kit: there is no question 'speed'; there are almost_flat,"),
-        ("examples --out OUT/file/out", "file/out can't be written"),
-        ("examples --out OUT", "peers.csv: a row has another number of fields"),
-        ("simulate OUT/file", "--tolerance"),
-        ("simulate OUT/scene.json --tolerance=nan", "the tolerance is nan m; it must be above 0"),
-        ("simulate OUT/scene.json --tolerance=inf", "the tolerance is inf m; it must be above 0"),
-        ("simulate OUT/scene.json --tolerance=0", "the tolerance is 0 m; it must be above 0"),
-        ("simulate OUT/scene.json --tolerance=-1", "the tolerance is -1 m; it must be above 0"),
-        ("simulate OUT/scene.json --tolerance=small", "it must be a number"),
-        ("--tolerance 1", "--tolerance is for ./kit study simulate"),
-        ("depth --squares x.csv", "are for ./kit study measured"),
-    ],
-)
+@pytest.mark.parametrize("options, sentence", TABLES["commands"].items())
 def test_a_command_that_can_not_be_done_is_refused(
     tmp_path: Path, capfd: Said, options: str, sentence: str
 ) -> None:
@@ -374,9 +302,20 @@ def test_a_command_that_can_not_be_done_is_refused(
     (tmp_path / "peers.csv").write_text("scene,method\nrest\n")
     assert main(["study", *options.replace("OUT", str(tmp_path)).split()]) == 2
     assert sentence in capfd.readouterr().err.splitlines()[-1]
-    assert {file.name for file in tmp_path.iterdir()} <= {
-        "file",
-        "peers.csv",
-        "scene.json",
-        ".unfinished",
-    }
+    left = {file.name for file in tmp_path.iterdir()}
+    assert left <= {"file", "peers.csv", "scene.json", ".unfinished"}
+
+
+# --- more random cases than the tests in C++ look at in the usual run ---
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("tests", ["exact.*", "simulate_to.Keeps*:simulate_scene.*RandomDrops"])
+def test_many_random_cases_hold(tests: str) -> None:
+    done = subprocess.run(
+        [BUILD / "study_test", f"--gtest_filter={tests}"],
+        env={**os.environ, "BOUNCE_RANDOM_CASES": "20000"},
+        capture_output=True,
+        text=True,
+    )
+    assert done.returncode == 0, done.stdout[-4000:]
