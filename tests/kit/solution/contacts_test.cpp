@@ -101,6 +101,24 @@ TEST(one_corner, IsSolvedAlikeInClosedFormAndBySweeps) {
   }
 }
 
+TEST(one_corner, HasOneSolutionBelowMuStarAndSometimesMoreAbove) {
+  Random random(5);
+  int several = 0;
+  for (int i = 0; i < 100'000; ++i) {
+    const auto k = leaning(random.uniform(-1.5, 1.5), random.uniform(-1, 1), random.uniform(-5, 5),
+                           random.uniform(0, 4));
+    const auto found = methods::all_solutions(k);
+    ASSERT_GE(found.count, 1) << i;
+    ASSERT_TRUE(found.count == 1 || k.a <= k.mu * std::abs(k.b)) << i;
+    for (int j = 0; j < found.count; ++j) {
+      const auto& p = found.all[j];
+      ASSERT_LE(residual(k, p.n, p.t), 1e-9 * (1 + p.n * p.n)) << i;
+    }
+    several += found.count > 1;
+  }
+  EXPECT_GT(several, 500);
+}
+
 // --- two corners: a side that lands ---
 
 struct Side {

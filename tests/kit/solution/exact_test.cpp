@@ -80,20 +80,17 @@ TEST(exact, EveryMotionEndsAndNeitherSinksNorGainsEnergy) {
   }
 }
 
-// A corner of a square that leaves the ground and spins may come down to it and rise again within a
-// short step. The motion has bounced where samples of free flight, close together, show one below.
+// A corner of a square that spins fast may come down to the ground and rise again within a short
+// step. The motion has bounced where samples of free flight, close together, show a corner below.
 TEST(exact, FindsTheFirstContactHoweverFastASquareSpins) {
   Random random(1);
-  for (int i = 0; i < random_cases(2000); ++i) {
+  for (int i = 0; i < random_cases(2000) / 4; ++i) {
     Case c = ordinary_case(random, i, 1);
-    const double l = c.params.l, unit = 1 / c.unit_time();
-    c.start.y = height_of(l, c.start.theta) + l * log_uniform(random, 1e-6, 0.3);
-    c.start.v_y = l * unit * random.uniform(-1, 1.5);
-    c.start.omega = either_sign(random) * unit * log_uniform(random, 0.1, 100);
+    c.start.omega = either_sign(random) * log_uniform(random, 1, 1e3);
     const methods::Body<double> body(c.params);
-    const double step = 0.003 / (unit + std::abs(c.start.omega));
+    if (methods::lowest_gap(c.start, body) < 0) continue;
     double t = 0;
-    while (methods::lowest_gap(fly(c.start, body, t), body) > -1e-9 * l) t += step;
+    while (methods::lowest_gap(fly(c.start, body, t), body) > -1e-9) t += 0.01 / 1e3;
     const Motion<double> s = motion_at(c, {t}).at(0);
     ASSERT_GE(methods::lowest_gap(s, body), -rounding_depth(c, s, t)) << i << " at " << t;
   }
@@ -236,9 +233,36 @@ TEST(exact, IsTheSameInLongDouble) {
 
 // --- beside Moreau-Jean, which finds no times of impact ---
 
+constexpr int kTimes = 20;
+
+// In units of l.
+double apart(const Case& c, const Motions& one, const Motions& other) {
+  Scene scene{};
+  scene.params = c.params;
+  return error_of(scene, one, other) / c.params.l;
+}
+
+// How far a motion comes that begins as far off as a step's way, which is what being late by a step
+// may do; and whose corners strike together where a step finds them both low.
+double sensitivity(const Case& c, const Motions& motions, double way) {
+  double worst = 0;
+  for (const double share : {0.0, 0.1, 0.3, 1.0, 3.0}) {
+    for (const double turn : {-1.0, 0.0, 1.0}) {
+      Case other = c;
+      other.start.y += 3 * share * way * c.params.l;
+      other.start.theta += turn * share * way;
+      EventOptions options;
+      if (turn == 0) options.touching = 3 * share * way;
+      const Motions late = motion_at(other, even_times(c.until, kTimes), nullptr, options);
+      worst = std::max(worst, apart(c, motions, late));
+    }
+  }
+  return worst;
+}
+
 TEST(exact, AgreesWithMoreauJeanAsFarAsItsStepsAreExact) {
   Random random(11);
-  constexpr int kTimes = 20, kSteps = 2500;  // between two of the times
+  constexpr long kSteps = 2500;  // between two samples
   const int cases = random_cases(1000) / 10;
   int agree = 0;
   for (int i = 0; i < cases; ++i) {
@@ -248,16 +272,16 @@ TEST(exact, AgreesWithMoreauJeanAsFarAsItsStepsAreExact) {
     c.start.theta = std::remainder(c.start.theta, 2 * std::numbers::pi);
     c.params.dt = c.until / double(kTimes * kSteps);
     const Motions exact = motion_at(c, even_times(c.until, kTimes));
-    Scene scene{};
-    scene.params = c.params;
     const auto stepped = methods::sample(methods::MoreauJean<2>(c.params, c.start), kTimes, kSteps);
     double fastest = c.unit_speed();
     for (const auto& s : exact)
       fastest = std::max(fastest, std::hypot(s.v_x, s.v_y, s.omega * c.params.l));
-    const double way = fastest * c.params.dt / c.params.l;
-    agree += error_of(scene, exact, stepped) <= 10 * way * c.params.l;
+    const double way = fastest * c.params.dt / c.params.l, error = apart(c, exact, stepped);
+    agree += error <= 10 * way;
+    if (error <= 10 * way || c.params.mu > 4.0 / 3) continue;  // above, there may be more solutions
+    EXPECT_LE(error, 10 * sensitivity(c, exact, way)) << i;
   }
-  EXPECT_GT(agree, cases / 2) << "the others are sensitive to the times of impacts";
+  EXPECT_GT(agree, cases / 2);
 }
 
 }  // namespace

@@ -72,6 +72,20 @@ TEST(schemes, ConvergeWithOrderOneOrStayAtAFloor) {
   }
 }
 
+TEST(schemes, OfOneCornerSpinASquareThatLandsFlatByWhatRoundingSays) {
+  const Parameters params = with_dt(1e-4);
+  const auto omega = [&](auto scheme, double theta) {
+    return after<decltype(scheme)>(params, {0, 0.3, theta, 0, 0, 0}, 0.205).omega;
+  };
+  const Assignment assignment(params, kFlat);
+  EXPECT_GT(std::abs(omega(assignment, 0)), 0.3);
+  EXPECT_GT(std::abs(omega(assignment, 1e-16)), 0.3);
+  EXPECT_NEAR(omega(assignment, 1e-16), -omega(assignment, -1e-16), 1e-6);
+  EXPECT_GT(std::abs(omega(MoreauJean<1>(params, kFlat), 0)), 0.3);
+  EXPECT_EQ(omega(MoreauJean<2>(params, kFlat), 0), 0);
+  EXPECT_NEAR(omega(MoreauJean<2>(params, kFlat), 1e-16), 0, 1e-12);
+}
+
 // --- the assignment's ---
 
 double apart(const State& one, const State& other) {
@@ -100,6 +114,17 @@ TEST(assignment, IsTheSolutionsStepPlainOrWithCosineAndSineCarried) {
     }
   }
   EXPECT_GT(contacts, 1000) << "of the starts are in contact";
+}
+
+TEST(assignment, DoesNotDriftWithCosineAndSineCarriedForAMillionSteps) {
+  Parameters params;
+  params.mu = 0;
+  const Motion<double> start{0, 0.1, 1e-3, 0.3, 0, 0};
+  const Motion<double> plain = after<Assignment>(params, start, 1e4);
+  const Motion<double> fast = after<AssignmentFast>(params, start, 1e4);
+  const methods::Body<double> body(params);
+  EXPECT_NEAR(methods::lowest_gap(plain, body), methods::lowest_gap(fast, body), 0.01);
+  EXPECT_NEAR(fast.x, 0.3 * 1e4, 1e-6);
 }
 
 TEST(assignment, NeverComesToRestAndASmallerStepDoesNotHelp) {
@@ -134,6 +159,18 @@ TEST(moreau_jean, LeavesACornerThatLeavesAlone) {
     const double v_y = start.v_y - 1e-3 * 9.81;
     EXPECT_EQ(after<MoreauJean<1>>(params, start, 1e-3).v_y, v_y);
     EXPECT_EQ(after<MoreauJean<2>>(params, start, 1e-3).v_y, v_y);
+  }
+}
+
+TEST(moreau_jean, GainsNoEnergyBelowTheLimit) {
+  Random random(4);
+  for (int i = 0; i < 5000; ++i) {
+    Case c = ordinary_case(random, i, 0.7);
+    c.params.dt = 5e-3;
+    const methods::Body<double> body(c.params);
+    const double before = methods::energy(c.start, body);
+    const double now = methods::energy(after<MoreauJean<2>>(c.params, c.start, 0.5), body);
+    ASSERT_LE(now, before + 1e-9 * (1 + std::abs(before))) << i;
   }
 }
 

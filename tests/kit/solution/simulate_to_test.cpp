@@ -102,6 +102,13 @@ Scene drop(double theta, int T) {
   return scene;
 }
 
+TEST(simulate_to, FollowsAFlatDropAndRestExactly) {
+  const Scene scene = drop(0, 300);
+  const Answer answer = simulate_to(scene, 1e-9);
+  EXPECT_EQ(answer.motions.back().y, scene.params.l / 2);
+  EXPECT_LE(true_error(scene, answer), answer.bound);
+}
+
 // Balanced on a corner, as far as doubles say: rounding decides when it falls.
 TEST(simulate_to, RefusesWhatRoundingDecides) {
   Scene scene = drop(std::atan(1.0), 1000);

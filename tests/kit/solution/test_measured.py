@@ -133,6 +133,13 @@ def test_the_same_figures_give_the_same_answer(
     assert "ellipses have no flag" in capsys.readouterr().err
 
 
+def test_the_figures_have_their_licence() -> None:
+    text = (MEASURED / "README.md").read_text()
+    assert "BSD 3-Clause License" in text and "Copyright 2020 Dynamic Autonomy" in text
+    for file in MEASURED.iterdir():
+        assert f"`{file.name}`" in text or file.name == "README.md"
+
+
 TABLES = json.loads((Path(__file__).parent / "study.json").read_text())
 BYTES: dict[str, bytes | None] = {name: text.encode() for name, text in TABLES["squares"].items()}
 BYTES |= {
