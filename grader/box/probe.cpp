@@ -284,6 +284,12 @@ bool read_the_limits_of(const Arguments& words) {
   return ::prlimit(std::stoi(words.at(0)), RLIMIT_NOFILE, nullptr, &limits) == 0;
 }
 
+bool set_a_limit(const Arguments&) {
+  rlimit limits = {};
+  ::getrlimit(RLIMIT_NOFILE, &limits);
+  return ::setrlimit(RLIMIT_NOFILE, &limits) == 0;
+}
+
 bool count_processes(const Arguments&) {
   struct sysinfo about = {};
   return ::sysinfo(&about) == 0 && about.procs > 0;
@@ -332,6 +338,7 @@ const std::map<std::string, Attempt> kAttempts = {
     {"clock", read_the_clock_of},
     {"cpus", read_the_cpus_of},
     {"limits", read_the_limits_of},
+    {"set-limit", set_a_limit},
     {"count", count_processes},
     {"trace", trace},
     {"privileges", have_privileges},

@@ -160,6 +160,7 @@ def _protections(marker: str, file: IO[str], home: IO[str], port: int) -> list[P
             [["cpus", me], ["limits", me], ["count"]],
             ("run", "check"),
         ),
+        Protection("sets no limits", [["set-limit"]], ("run", "check")),
         Protection("can't tell how full a disk is", [["disk"]], ("run", "check")),
         Protection("can't tell how many pipes there are", [["pipe"]], ("run",)),
         Protection("gives no advice on others' memory", ADVICE, ("run", "check")),

@@ -134,8 +134,8 @@ TEST(Termination, OneThatStoresWithoutEndIsOutOfMemoryWhateverEndsItFirst) {
   const std::size_t all = judge::Limits().memory;
   EXPECT_EQ(by_signal(SIGXCPU, "", all / 2).status, "out_of_memory");
   EXPECT_EQ(by_signal(SIGKILL, "", all / 2).status, "out_of_memory");
-  EXPECT_EQ(by_signal(SIGXCPU, "", all / 100).status, "timed_out");
-  EXPECT_EQ(by_signal(SIGKILL, "", all / 100).status, "crashed");
+  EXPECT_EQ(by_signal(SIGXCPU, "", all / 9).status, "timed_out");
+  EXPECT_EQ(by_signal(SIGKILL, "", all / 9).status, "crashed");
 }
 
 TEST(Termination, KeepsTheStackOfACrashAlone) {

@@ -215,6 +215,7 @@ const Row kRows[] = {
     {"always nan", 2, [](Q, X x) { x(0) = NAN; }},
     {"nan or infinite", 2, [](Q c, X x) { x(0) = c.v(0) > 0 ? NAN : INFINITY; }},
     {"sometimes 0, and more", 2, zero_or_more},
+    {"where it comes down", 2, [](Q c, X x) { x(16) += c.J.col(1).dot(c.v) < 0 ? odd(c) : 0; }},
     {"never set", 1, [](Q, X x) { x(5) = 6.9e-310; }},
     {"floats", 1, rounded_to_float},
     {"floats, part 4", 4, rounded_to_float},
