@@ -197,6 +197,17 @@ TEST(exact, NeedsNoGravity) {
   EXPECT_EQ(motion_of(params, {0, 0.1, 0, 0, 0, 0}, {1.0}).at(0).y, 0.1);
 }
 
+// Of a flat side, one corner comes down by 1 m/s and bounces, and the other one leaves by 0.1 m/s:
+// the impulse of the first would press it into the ground, which stops it there.
+TEST(exact, GivesNoRestitutionToACornerThatLeaves) {
+  Parameters params;
+  params.g.setZero();
+  params.mu = 0;
+  const auto s = motion_of(params, {0, params.l / 2, 0, 0, -0.45, 1.1 / params.l}, {1e-9}).at(0);
+  EXPECT_NEAR(s.v_y, params.epsilon / 2, 1e-9);
+  EXPECT_NEAR(s.omega, -params.epsilon / params.l, 1e-9);
+}
+
 // Where a <= mu |b|, accelerations have no solution: the corner below the centre leans back from
 // the way it slides.
 TEST(exact, JamsWhereAccelerationsHaveNoSolution) {
