@@ -84,6 +84,18 @@ def test_copies_of_another_year_and_of_two_parts_are_found(tmp_path: Path) -> No
     assert not any(pair.first.startswith("2025") for pair in near.pairs)
 
 
+def code(seed: int, size: int) -> bytes:
+    words = "if for while ( ) { } [ ] ; , + - * / = < x 1 return double".split()
+    return " ".join(random.Random(seed).choices(words, k=size)).encode()
+
+
+def test_what_a_whole_class_has_in_common_is_no_copy(tmp_path: Path) -> None:
+    """As from an exercise of before: two thirds of each program."""
+    shared = [{"part3_step.cpp": code(0, 400) + code(n, 200)} for n in range(1, 7)]
+    near = compared(tmp_path, shared)
+    assert not near.pairs and 50 < near.usual < 80
+
+
 HIDDEN = {  # how a copy is hidden, as text before and after it
     "a long comment": (b"/*" + b"x y " * 16_500 + b"*/\n", b""),
     "many comments": (b"// x y z\n" * 8_000, b""),
