@@ -2,7 +2,7 @@
 ./check, and may first change src/. One that names `laid` submissions, `edits` of parts or more
 `files` begins with the solution's parts. Of what is printed, `only` lines that match are
 written down, where memory that was never set decides the others; of a file that is `counted`, the
-number of lines."""
+number of lines. What is printed stands in a text beside the story."""
 
 import re
 from pathlib import Path
@@ -10,15 +10,13 @@ from typing import Any
 
 import golden
 import pytest
-from bounce_grader.classroom.intake import course
 from handed_out import check, put
 
 pytestmark = pytest.mark.xdist_group("student")
 
-HERE = Path(__file__).parent
 STORIES = {
-    file.stem: course._reader().loads(file.read_text("utf-8"))
-    for file in sorted((HERE / "stories").glob("*.toml"))
+    file.with_suffix(".txt"): golden.table(file)
+    for file in sorted(Path(__file__).parent.glob("stories/*.toml"))
 }
 FILES = ("edits", "files")
 CHANGES = {"laid", *FILES}
@@ -47,13 +45,13 @@ def play(home: Path, round: dict[str, Any]) -> str:
 
 @pytest.mark.golden
 @pytest.mark.parametrize(
-    "name",
+    "expected",
     [
-        pytest.param(name, marks=[pytest.mark.long] if story.get("long") else [])
-        for name, story in STORIES.items()
+        pytest.param(file, id=file.stem, marks=[pytest.mark.long] * story.get("long", False))
+        for file, story in STORIES.items()
     ],
 )
-def test_a_student_is_told(name: str, home: Path) -> None:
+def test_a_student_is_told(expected: Path, home: Path) -> None:
     (home / "build/check/hint").unlink(missing_ok=True)
-    told = [play(home, round) for round in STORIES[name]["round"]]
-    golden.compare(HERE / "expected" / name, {"printed.txt": "\n".join(told)})
+    told = [play(home, round) for round in STORIES[expected]["round"]]
+    golden.compare_file(expected, "\n".join(told))
