@@ -23,17 +23,6 @@ axe.run().then(
 """
 
 
-@pytest.fixture(scope="module")
-def checker() -> str:
-    root = ""
-    if shutil.which("npm"):
-        root = subprocess.run(["npm", "root", "-g"], capture_output=True, text=True).stdout.strip()
-    program = Path(root) / "axe-core/axe.min.js"
-    if not program.exists():
-        pytest.skip("axe-core is not installed: npm install -g axe-core")
-    return program.read_text("utf-8")
-
-
 def make(name: str, folder: Path) -> Path:
     """Makes a page, and gives its file."""
     page = folder / f"{name}.html"
@@ -59,11 +48,16 @@ def make(name: str, folder: Path) -> Path:
 
 @pytest.mark.long
 @pytest.mark.parametrize("name", ["grade", "class", "README", "explore", "animation"])
-def test_a_page_has_no_fault(name: str, tmp_path: Path, driver: Any, checker: str) -> None:
+def test_a_page_has_no_fault(name: str, tmp_path: Path, driver: Any) -> None:
+    npm = shutil.which("npm") or pytest.skip("npm is not installed")
+    root = subprocess.run([npm, "root", "-g"], capture_output=True, text=True).stdout.strip()
+    checker = Path(root) / "axe-core/axe.min.js"
+    if not checker.exists():
+        pytest.skip("axe-core is not installed: npm install -g axe-core")
     page = make(name, tmp_path)
     for scheme in ("light", "dark"):
         features = [{"name": "prefers-color-scheme", "value": scheme}]
         driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": features})
         driver.get(page.as_uri())
-        driver.execute_script(checker)
+        driver.execute_script(checker.read_text("utf-8"))
         assert driver.execute_async_script(FIND) == [], scheme
