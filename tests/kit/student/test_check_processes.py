@@ -19,15 +19,16 @@ CLOCKWISE = "mistakes/part1_turned_clockwise"
 # ---- the gallery ----
 
 
-def is_right(folder: Path) -> bool:
-    """Whether it replaces part 3 or 4, and brings nothing but parts, without a main()."""
-    names = [file.name for file in folder.iterdir() if file.suffix != ".json"]
-    only_parts = all(name.startswith("part") for name in names)
-    return only_parts and any(name[4] in "34" for name in names) and "main_" not in folder.name
-
-
-ACCEPTED = sorted((SUBMISSIONS / "accepted").iterdir())
-RIGHT = [f"accepted/{folder.name}" for folder in ACCEPTED if is_right(folder)]
+# Of accepted ones, those that replace part 3 or 4, bring parts alone, and have no main().
+ACCEPTED = {
+    f"accepted/{folder.name}": {
+        file.name[:5] for file in folder.iterdir() if file.suffix != ".json"
+    }
+    for folder in sorted((SUBMISSIONS / "accepted").iterdir())
+    if "main_" not in folder.name
+}
+PARTS = {"part1", "part2", "part3", "part4"}
+RIGHT = [name for name, made in ACCEPTED.items() if made <= PARTS and made & {"part3", "part4"}]
 WRONG = [f"mistakes/{f.name}" for f in sorted((SUBMISSIONS / "mistakes").glob("part[123]_*"))]
 POINTS = [30, 30, 30, 10]
 
@@ -98,14 +99,6 @@ def test_checks_at_the_same_time_give_one_score(home: Path) -> None:
 # ---- watching ----
 
 
-def until_it_waits(watch: "subprocess.Popen[str]") -> str:
-    lines: list[str] = []
-    while not (lines and "Waiting" in lines[-1]):
-        lines.append(watch.stdout.readline())  # type: ignore[union-attr]
-        assert lines[-1], "".join(lines)
-    return "".join(lines)
-
-
 @of_home
 def test_watches_until_it_is_stopped(home: Path) -> None:
     put(home)
@@ -113,16 +106,24 @@ def test_watches_until_it_is_stopped(home: Path) -> None:
     terminal, keys = pty.openpty()
     command = ["./check", "1", "--watch"]
     watch = subprocess.Popen(command, cwd=home, env=SYSTEM, stdin=keys, stdout=PIPE, text=True)
+
+    def until_it_waits() -> str:
+        lines: list[str] = []
+        while not (lines and "Waiting" in lines[-1]):
+            lines.append(watch.stdout.readline())  # type: ignore[union-attr]
+            assert lines[-1], "".join(lines)
+        return "".join(lines)
+
     try:
-        first = until_it_waits(watch)
+        first = until_it_waits()
         assert points(first) == [30] and "Part 2" not in first
         put(home, CLOCKWISE)
-        assert "First: " in until_it_waits(watch)
+        assert "First: " in until_it_waits()
         os.write(terminal, b"h")
-        hint = until_it_waits(watch)
+        hint = until_it_waits()
         assert "the result above is the last one" in hint and "stage 1 of 3" in hint
         os.write(terminal, b"a")
-        assert len(points(until_it_waits(watch))) == 4
+        assert len(points(until_it_waits())) == 4
         os.write(terminal, b"q")
         assert watch.wait(timeout=60) == 0
     finally:
