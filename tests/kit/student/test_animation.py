@@ -17,18 +17,12 @@ from selenium.webdriver.common.keys import Keys
 TABLES = Path(__file__).with_name("animation.toml")
 LAYOUT = """
 const stage = document.getElementById("stage");
-const places = ["stage", "controls", "plots", "numbers"].map((id) => {
-  const { top, bottom, left, right } = document.getElementById(id).getBoundingClientRect();
-  return [id, { top: top + scrollY, bottom: bottom + scrollY, left, right }];
-});
+const sharpness = [stage.width / stage.clientWidth, stage.height / stage.clientHeight];
 return {
-  screen: [innerWidth, innerHeight, devicePixelRatio],
-  isSharp: [[stage.width, stage.clientWidth], [stage.height, stage.clientHeight]].every(
-    ([drawn, shown]) => drawn === shown * devicePixelRatio),
-  side: l * camera().scale, // of the square, in the picture
+  screen: [innerWidth, innerHeight, devicePixelRatio, ...sharpness],
   width: document.documentElement.scrollWidth,
+  side: l * camera().scale, // of the square, in the picture
   background: getComputedStyle(document.body).backgroundColor,
-  ...Object.fromEntries(places),
 };
 """
 AFTER_FIVE_FRAMES = """
@@ -117,16 +111,16 @@ def test_fits_every_screen_in_full_sharpness_and_takes_its_colours(open_page: Op
     page.slide(40)
     for width, height, ratio in [(320, 900, 1), (375, 667, 2), (844, 390, 2), (1600, 1000, 1)]:
         page.screen(width, height, ratio)
-        page.wait_until(lambda: layout()["screen"] == [width, height, ratio])
-        page.wait_until(lambda: bool(layout()["isSharp"]))
+        sharp = [width, height, ratio, ratio, ratio]
+        page.wait_until(lambda: layout()["screen"] == sharp)
         now = layout()
-        assert now["width"] <= width
-        assert now["plots"]["bottom"] - now["plots"]["top"] >= 200
-        assert (now["plots"]["left"] > now["stage"]["right"]) == (width >= 1200)
+        assert now["width"] <= width and page.find("plots").size["height"] >= 200
+        stage, *others = (page.find(id_).rect for id_ in ("stage", "controls", "plots", "numbers"))
+        assert (others[1]["x"] > stage["x"] + stage["width"]) == (width >= 1200)
         assert page.pixels("square") > 100 and (height < 600 or now["side"] >= 59.9)
         if width == 375:  # on a phone the numbers come last
-            ends = [now[id_]["bottom"] for id_ in ("stage", "controls", "plots")]
-            assert ends == sorted(ends) and ends[-1] < min(height, now["numbers"]["top"])
+            ends = [rect["y"] + rect["height"] for rect in (stage, *others[:2])]
+            assert ends == sorted(ends) and ends[-1] < min(height, others[2]["y"])
             more = page.find("more")  # which goes when the end is seen
             page.wait_until(more.is_displayed)
             page.driver.execute_script("scrollTo(0, document.documentElement.scrollHeight)")
