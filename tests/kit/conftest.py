@@ -68,9 +68,9 @@ def cluster() -> Iterator[clusters.Cluster]:
 
 @pytest.fixture(scope="module")
 def driver(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Any]:
-    import browser
+    import animation_page
 
-    with browser.started(tmp_path_factory.mktemp("browser")) as made:
+    with animation_page.started(tmp_path_factory.mktemp("browser")) as made:
         yield made
 
 

@@ -2,23 +2,25 @@
 ./check, and may first change src/. One that names `laid` submissions, `edits` of parts or more
 `files` begins with the solution's parts. Of what is printed, `only` lines that match are
 written down, where memory that was never set decides the others; of a file that is `counted`, the
-number of lines."""
+number of lines. What is printed stands in a text beside the story.
 
+A story that `is_fresh` has a folder of its own, which was never built. There files may be `gone` or
+`changed`, programs `hidden`; and what is in a file is shown `also`."""
+
+import os
 import re
 from pathlib import Path
 from typing import Any
 
 import golden
 import pytest
-from bounce_grader.classroom.intake import course
-from handed_out import check, put
+from handed_out import check, put, unzipped
 
 pytestmark = pytest.mark.xdist_group("student")
 
-HERE = Path(__file__).parent
 STORIES = {
-    file.stem: course._reader().loads(file.read_text("utf-8"))
-    for file in sorted((HERE / "stories").glob("*.toml"))
+    file.with_suffix(".txt"): golden.table(file)
+    for file in sorted(Path(__file__).parent.glob("stories/*.toml"))
 }
 FILES = ("edits", "files")
 CHANGES = {"laid", *FILES}
@@ -27,16 +29,38 @@ CHANGES = {"laid", *FILES}
 def plain(text: str, home: Path) -> str:
     """What is printed, without what differs each time."""
     text = re.sub("check: building for the first time.*\n", "", text)
+    text = re.sub(r"(Eigen3|GTest|nlohmann_json)-[\d.]+", r"\1", text)
     text = re.sub(r"-?\d(\.\d+)?e[+-]3\d\d", "UNSET", text)  # what happens to be in memory
     return text.replace(str(home), "FOLDER")
+
+
+def programs_without(hidden: str, folder: Path) -> str:
+    """A PATH."""
+    folder.mkdir()
+    for name in {*os.listdir("/usr/bin"), *os.listdir("/bin")}:
+        if not re.fullmatch(hidden, name):
+            (folder / name).symlink_to(Path("/usr/bin") / name)
+    return str(folder)
 
 
 def play(home: Path, round: dict[str, Any]) -> str:
     if CHANGES & round.keys():
         put(home, *round.get("laid", []), **{key: round.get(key, {}) for key in FILES})
+    for name in round.get("gone", []):
+        (home / name).unlink()
+    for name, (old, new) in round.get("changed", {}).items():
+        text = (home / name).read_text()
+        assert old in text
+        (home / name).write_text(text.replace(old, new))
+    environment = dict(round.get("environment", {}))
+    if "hidden" in round:
+        environment["PATH"] = programs_without(round["hidden"], home.parent / round["name"])
     words = round["check"].split()
-    done = check(home, *words, **round.get("environment", {}))
-    lines = f"{done.stdout}{done.stderr}status {done.returncode}".splitlines()
+    done = check(home, *words, **environment)
+    printed = f"{done.stdout}{done.stderr}status {done.returncode}\n"
+    if "also" in round:
+        printed += (home / round["also"]).read_text()
+    lines = printed.splitlines()
     text = [f"=== {round['name']}", " ".join(["$ ./check", *words])]
     text += [line for line in lines if re.search(round.get("only", ""), line)]
     if "counted" in round:
@@ -47,13 +71,15 @@ def play(home: Path, round: dict[str, Any]) -> str:
 
 @pytest.mark.golden
 @pytest.mark.parametrize(
-    "name",
+    "expected",
     [
-        pytest.param(name, marks=[pytest.mark.long] if story.get("long") else [])
-        for name, story in STORIES.items()
+        pytest.param(file, id=file.stem, marks=[pytest.mark.long] * story.get("long", False))
+        for file, story in STORIES.items()
     ],
 )
-def test_a_student_is_told(name: str, home: Path) -> None:
+def test_a_student_is_told(expected: Path, tmp_path: Path, request: pytest.FixtureRequest) -> None:
+    is_fresh = STORIES[expected].get("is_fresh")
+    home = unzipped(tmp_path) if is_fresh else request.getfixturevalue("home")
     (home / "build/check/hint").unlink(missing_ok=True)
-    told = [play(home, round) for round in STORIES[name]["round"]]
-    golden.compare(HERE / "expected" / name, {"printed.txt": "\n".join(told)})
+    told = [play(home, round) for round in STORIES[expected]["round"]]
+    golden.compare_file(expected, "\n".join(told))

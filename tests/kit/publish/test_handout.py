@@ -43,9 +43,7 @@ def worked_sections() -> list[tuple[str, str]]:
     return readme + hints
 
 
-def worked_blocks() -> list[Any]:
-    blocks = [(name, block) for name, text in worked_sections() for block in fenced(text)]
-    return [pytest.param(block, id=f"{name}-{i}") for i, (name, block) in enumerate(blocks)]
+WORKED = [(name, block) for name, text in worked_sections() for block in fenced(text)]
 
 
 def defaults() -> dict[str, Any]:
@@ -54,7 +52,7 @@ def defaults() -> dict[str, Any]:
     scalars = re.findall(rf"^  (?:double|int) (\w+) = ({NUMBER});", header, re.M)
     (g,) = re.findall(r"^  Vector3 g\{(.*?)\};", header, re.M)
     numbers = {name: float(number) for name, number in scalars}
-    return {**numbers, "T": int(numbers["T"]), "g": [float(x) for x in g.split(",")]}
+    return {**numbers, "g": [float(x) for x in g.split(",")]}
 
 
 def givens(block: str) -> dict[str, Any]:
@@ -66,88 +64,62 @@ def givens(block: str) -> dict[str, Any]:
     return found
 
 
-def scene(block: str) -> dict[str, Any]:
-    (handout,) = sections(README.read_text("utf-8"), "One contact by numbers")
-    inputs = {**defaults(), **givens(fenced(handout)[0]), **givens(block)}
-    return {**inputs, "T": int(inputs["T"])}
-
-
-def corners(q: oracle.Vector, l: Any) -> dict[str, Any]:
-    """c_1 to c_4, counter-clockwise from the top right one at theta = 0 (eq. 3)."""
-    cos, sin, signs = mp.cos(q[2]), mp.sin(q[2]), ((1, 1), (-1, 1), (-1, -1), (1, -1))
-    arms = [(l / 2 * i, l / 2 * j) for i, j in signs]
-    turned = [(cos * x - sin * y, sin * x + cos * y) for x, y in arms]
-    return {f"c_{k}": (q[0] + x, q[1] + y) for k, (x, y) in enumerate(turned, 1)}
-
-
-def input_facts(inputs: dict[str, Any]) -> dict[str, Any]:
+def facts(inputs: dict[str, Any]) -> dict[str, Any]:
+    """Everything that the equations say of one state, by the names that the texts use."""
+    inputs["T"] = int(inputs["T"])
+    params = oracle.Parameters.read({k: x for k, x in inputs.items() if k not in "qv"})
     q, v, g = (oracle.vector(inputs[name]) for name in "qvg")
-    found = {name: oracle.exact(x) for name, x in inputs.items() if name not in "qvg"}
-    found |= {"q": q, "x": q[0], "y": q[1], "theta": q[2]}
-    found |= {"v": v, "v_x": v[0], "v_y": v[1], "omega": v[2]}
-    return found | {"g": g, "g_x": g[0], "g_y": g[1]}
-
-
-def contact_facts(q: oracle.Vector, v: oracle.Vector, params: oracle.Parameters) -> dict[str, Any]:
     contact = oracle.get_contacts(q, params)
-    J_t, J_n = contact.J
-    found = {"phi": contact.phi, "J_t": J_t, "J_n": J_n, "J": list(zip(J_t, J_n))}
+    J = J_t, J_n = contact.J
+    V, p = oracle.form_lcp(J, v, params)
+    f_n, f_t = next(oracle.contact_forces(J, v, params))
+    # lambda is the speed at which the corner still slides after the step.
+    slides = abs(oracle.dot(J_t, oracle.contact_velocity(J, v, params)))
+    z = [f_n, max(-f_t, mpf(0)), max(f_t, mpf(0)), slides]
+    w = [sum((a * b for a, b in zip(row, z)), p[i]) for i, row in enumerate(V)]
+    assert all(x >= -EXACT and y >= -EXACT and abs(x * y) <= EXACT for x, y in zip(z, w)), (z, w)
+    columns = oracle.simulate(q, v, params, last=3)
+    q_next, v_next = columns[1]
+
+    found = {name: oracle.exact(x) for name, x in inputs.items() if name not in "qvg"}
+    found |= zip(("x", "y", "theta", "v_x", "v_y", "omega", "g_x", "g_y"), (*q, *v, *g))
+    found |= {"phi": contact.phi, "J_t": J_t, "J_n": J_n, "J": list(zip(J_t, J_n))}
     found |= {"J_hat": list(zip(J_n, (-x for x in J_t), J_t))}
     found |= {"r": (J_n[2], -J_t[2]), "r_x": J_n[2], "r_y": -J_t[2]}
     for name, column in {"t": J_t, "n": J_n}.items():
         found |= {f"J_{name}^T v": oracle.dot(column, v), f"v_{name}": oracle.dot(column, v)}
-        found |= {f"J_{name}^T M^-1 f_e": oracle.dot(column, params.g)}
-    return found | corners(q, params.l)
-
-
-def lcp_facts(q: oracle.Vector, v: oracle.Vector, params: oracle.Parameters) -> dict[str, Any]:
-    J = oracle.get_contacts(q, params).J
-    V, p = oracle.form_lcp(J, v, params)
-    f_n, f_t = next(oracle.contact_forces(J, v, params))
-    # lambda is the speed at which the corner still slides after the step.
-    slides = abs(oracle.dot(J[0], oracle.contact_velocity(J, v, params)))
-    z = [f_n, max(-f_t, mpf(0)), max(f_t, mpf(0)), slides]
-    w = [sum((a * b for a, b in zip(row, z)), p[i]) for i, row in enumerate(V)]
-    assert all(x >= -EXACT and y >= -EXACT and abs(x * y) <= EXACT for x, y in zip(z, w)), (z, w)
-    found = {"V": V, "p": p, "z": z, "V z + p": w, "f_n": z[0], "f_t1": z[1], "f_t2": z[2]}
-    found |= {"lambda": slides, "v + dt M^-1 f_e": oracle.plus(v, params.dt, params.g)}
-    found |= {"f_e": tuple(g / w for g, w in zip(params.g, params.inverse_inertia()))}
-    return found | {"J_hat^T M^-1 J_hat dt": [row[:3] for row in V[:3]]}
-
-
-def step_facts(q: oracle.Vector, v: oracle.Vector, params: oracle.Parameters) -> dict[str, Any]:
-    J_t, J_n = oracle.get_contacts(q, params).J
-    columns = oracle.simulate(q, v, params, last=3)
-    found = {f"q_{t}": q_t for t, (q_t, _) in enumerate(columns)}
-    found |= {f"v_{t}": v_t for t, (_, v_t) in enumerate(columns)}
-    q_next, v_next = columns[1]
-    found |= {"q'": q_next, "v'": v_next, "phi'": oracle.get_contacts(q_next, params).phi}
-    return found | {"J_t^T v'": oracle.dot(J_t, v_next), "J_n^T v'": oracle.dot(J_n, v_next)}
-
-
-def facts(inputs: dict[str, Any]) -> dict[str, Any]:
-    """Everything that the equations say of one state, by the names that the texts use."""
-    params = oracle.Parameters.read({k: x for k, x in inputs.items() if k not in "qv"})
-    state = oracle.vector(inputs["q"]), oracle.vector(inputs["v"]), params
-    return input_facts(inputs) | contact_facts(*state) | lcp_facts(*state) | step_facts(*state)
-
-
-def entry(matrix: Any, at: tuple[int, ...]) -> Any:
-    return entry(matrix[at[0]], at[1:]) if at else matrix
-
-
-def python(formula: str) -> str:
-    return formula.replace("^", "**").replace("'", "_next")
+        found |= {f"J_{name}^T v'": oracle.dot(column, v_next)}
+        found |= {f"J_{name}^T M^-1 f_e": oracle.dot(column, g)}
+        free = oracle.dot(column, oracle.plus(v, params.dt, g))
+        found[f"J_{name}^T (v + dt M^-1 f_e)"] = free
+        bounced = free + params.epsilon * oracle.dot(column, v)
+        found[f"J_{name}^T ((1 + epsilon) v + dt M^-1 f_e)"] = bounced
+        weighed = oracle.product(params.inverse_inertia(), column)
+        for other, row in {"t": J_t, "n": J_n}.items():
+            found[f"J_{other}^T M^-1 J_{name} dt"] = oracle.dot(weighed, row) * params.dt
+    found |= {"V": V, "p": p, "J_hat^T M^-1 J_hat dt": [row[:3] for row in V[:3]], "V z + p": w}
+    found |= zip(("f_n", "f_t1", "f_t2", "lambda"), z)
+    found |= {"f_e": tuple(x / i for x, i in zip(g, params.inverse_inertia()))}
+    found |= {"v + dt M^-1 f_e": oracle.plus(v, params.dt, g), "q'": q_next, "v'": v_next}
+    found |= {"phi'": oracle.get_contacts(q_next, params).phi}
+    for t, (q_t, v_t) in enumerate(columns):
+        found |= {f"q_{t}": q_t, f"v_{t}": v_t}
+    # c_1 to c_4, counter-clockwise from the top right one at theta = 0 (eq. 3).
+    cos, sin, half = mp.cos(q[2]), mp.sin(q[2]), params.l / 2
+    for k, (i, j) in enumerate(((1, 1), (-1, 1), (-1, -1), (1, -1)), 1):
+        found[f"c_{k}"] = (q[0] + half * (cos * i - sin * j), q[1] + half * (sin * i + cos * j))
+    return found
 
 
 def worked_out(formula: str, known: dict[str, Any]) -> Any:
     """The value of a name, or of a formula in numbers and names; p(0) is an entry of p."""
     if formula in known:
         return known[formula]
-    names = {"cos": mp.cos, "sin": mp.sin, "pi": mp.pi}
-    for name, x in known.items():
-        names[python(name)] = (lambda *at, x=x: entry(x, at)) if isinstance(x, (list, tuple)) else x
-    return eval(python(formula), {"__builtins__": {}}, names)
+    python = re.sub(r"\b(?!cos|sin)([\w']+)\(([\d,]+)\)", r"\1[\2]", formula)
+    python = re.sub(r"\[(\d),(\d)\]", r"[\1][\2]", python).replace("^", "**")
+    names = {name.replace("'", "_next"): x for name, x in known.items()}
+    names |= {"cos": mp.cos, "sin": mp.sin, "__builtins__": {}}
+    return eval(python.replace("'", "_next"), names)
 
 
 def statements(block: str) -> Iterator[tuple[list[str], list[str]]]:
@@ -171,9 +143,9 @@ def agrees(printed: str, exact: Any) -> bool:
     return len(digits) == SIGNIFICANT_DIGITS and error <= mpf(10) ** int(exponent) / 2
 
 
-@pytest.mark.parametrize("block", worked_blocks())
+@pytest.mark.parametrize("block", [block for _, block in WORKED])
 def test_worked_numbers_follow_from_the_equations(block: str) -> None:
-    known = facts(scene(block))
+    known = facts(defaults() | givens(WORKED[0][1]) | givens(block))
     checked = 0
     for formulas, printed in statements(block):
         for formula in formulas:
@@ -209,51 +181,30 @@ def test_equations_that_are_mentioned_exist(pages: str) -> None:
     assert not [(str(f), n) for f, n in found if not 1 <= n <= 15]
 
 
-def block_of(blocks: list[str], start: str) -> list[str]:
-    """The rows of the one matrix whose block starts so, without their bars."""
-    (block,) = [b for b in blocks if re.search(start, b)]
-    rows = [row.strip() for row in re.findall(r"\|(.*)\|", block)]
-    assert len(rows) == 4
-    return rows
-
-
 def test_V_and_p_as_printed_are_those_of_eqs_9_and_10() -> None:
     """Of a question where no entry is zero or equal to another by chance."""
-    params = oracle.Parameters.read({**defaults(), "g": [1.5, -9.0, 0.0], "mu": 0.7})
-    J_t, J_n = oracle.vector([0.9, -0.4, 0.3]), oracle.vector([0.2, 1.1, -0.6])
-    v = oracle.vector([0.5, -0.8, 1.7])
-    known = {"mu": params.mu}
-    for a, column in {"t": J_t, "n": J_n}.items():
-        weighed = oracle.product(params.inverse_inertia(), column)
-        for b, other in {"t": J_t, "n": J_n}.items():
-            known[f"J_{b}^T M^-1 J_{a} dt"] = oracle.dot(weighed, other) * params.dt
-        free = oracle.dot(column, oracle.plus(v, params.dt, params.g))
-        known[f"J_{a}^T (v + dt M^-1 f_e)"] = free
-        bounced = free + params.epsilon * oracle.dot(column, v)
-        known[f"J_{a}^T ((1 + epsilon) v + dt M^-1 f_e)"] = bounced
-    known |= {f"-{name}": -value for name, value in known.items()}
-
-    V, p = oracle.form_lcp((J_t, J_n), v, params)
+    state = {"q": [0.1, 0.5, 0.3], "v": [0.5, -1.8, 1.7], "g": [1.5, -9.0, 0.0], "mu": 0.7}
+    known = facts(defaults() | state)
     hint = (ROOT / "student/hints/part2_lcp.md").read_text("utf-8")
     assert "J_n^T M^-1 J_n dt" not in README.read_text("utf-8")  # it is an exercise
-    printed_V = block_of(re.findall(r"(?:^    .*\n)+", hint, re.M), r"M\^-1 J_n dt")
-    printed_p = block_of(fenced(README.read_text("utf-8")), r"\np = \| -J_t")
-    for row, expected in zip(printed_V + printed_p, [*V, *([x] for x in p)]):
-        values = [known[e] if e in known else mpf(e) for e in re.split(" {2,}", row)]
+    [V] = [b for b in re.findall(r"(?:^    .*\n)+", hint, re.M) if "M^-1 J_n dt" in b]
+    [p] = [b for b in fenced(README.read_text("utf-8")) if "\np = | -J_t" in b]
+    rows = [re.split(" {2,}", row.strip()) for row in re.findall(r"\|(.*)\|", V + p)]
+    known |= {f"-{name}": -x for name, x in known.items() if isinstance(x, type(mpf(0)))}
+    for row, expected in zip(rows, [*known["V"], *([x] for x in known["p"])], strict=True):
+        values = [known[e] if e in known else mpf(e) for e in row]
         assert all(abs(a - b) < EXACT for a, b in zip(values, expected, strict=True)), row
 
 
-def test_parameter_table_has_the_defaults_of_the_contract() -> None:
-    rows = re.findall(r"^\| `(\w+)` \|.*\| ([^|]+) \|[^|]*\|$", README.read_text("utf-8"), re.M)
+def test_tables_have_the_defaults_of_the_contract_and_the_parts_of_the_manifest() -> None:
+    text = README.read_text("utf-8")
+    rows = re.findall(r"^\| `(\w+)` \|.*\| ([^|]+) \|[^|]*\|$", text, re.M)
     table = {name: [float(x) for x in re.findall(NUMBER, value)] for name, value in rows}
     expected = {k: x if isinstance(x, list) else [x] for k, x in defaults().items()}
     assert {name: table.get(name) for name in expected} == expected
-
-
-def test_parts_are_those_of_the_manifest() -> None:
-    row = r"^\| (\d) \| `(\w+)` .*`src/(\w+)\.cpp` \| \d+ \|$"
     manifest = [(str(p["part"]), p["function"], p["stem"]) for p in MANIFEST]
-    assert re.findall(row, README.read_text("utf-8"), re.M) == manifest
+    row = r"^\| (\d) \| `(\w+)` .*`src/(\w+)\.cpp` \| \d+ \|$"
+    assert re.findall(row, text, re.M) == manifest
 
 
 def test_each_check_and_diagnosis_has_a_staged_hint() -> None:

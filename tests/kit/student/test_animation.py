@@ -1,4 +1,4 @@
-"""The given animation in a real browser: what a reader of the page can do with it."""
+"""The given animation in a real browser: what a reader of the page can do with it, and sees."""
 
 from __future__ import annotations
 
@@ -8,16 +8,22 @@ import subprocess
 from pathlib import Path
 from typing import Any
 
+import golden
 import pytest
-from animation_page import PATIENCE, PROGRAM, Open, file, open_page, scene, with_animation
+from animation_page import PATIENCE, PROGRAM, Open, animation, written
+from animation_page import file, open_page, scene, with_animation
 from selenium.webdriver.common.keys import Keys
 
-REST = 0.8  # s that the last column stays before the loop starts again
-IS_SHARP = """
+TABLES = Path(__file__).with_name("animation.toml")
+LAYOUT = """
 const stage = document.getElementById("stage");
-const [width, height, ratio] = arguments;
-return innerWidth === width && innerHeight === height && devicePixelRatio === ratio
-  && stage.width === stage.clientWidth * ratio && stage.height === stage.clientHeight * ratio;
+const sharpness = [stage.width / stage.clientWidth, stage.height / stage.clientHeight];
+return {
+  screen: [innerWidth, innerHeight, devicePixelRatio, ...sharpness],
+  width: document.documentElement.scrollWidth,
+  side: l * camera().scale, // of the square, in the picture
+  background: getComputedStyle(document.body).backgroundColor,
+};
 """
 AFTER_FIVE_FRAMES = """
 const done = arguments[arguments.length - 1];
@@ -25,38 +31,25 @@ let left = 5;
 const wait = () => (left-- ? requestAnimationFrame(wait) : done());
 wait();
 """
-SIDE = "return l * camera().scale"  # of the square, in the picture
-PLACES = """
-return Object.fromEntries(["stage", "controls", "plots", "numbers"].map((id) => {
-  const { top, bottom, left, right } = document.getElementById(id).getBoundingClientRect();
-  return [id, { top: top + scrollY, bottom: bottom + scrollY, left, right }];
-}));
+# Whether the stage is another one without any force; the page has none from then on.
+DRAWS_A_FORCE = """
+const before = stage.toDataURL();
+forces.fill(null);
+draw();
+return stage.toDataURL() !== before;
 """
-BACKGROUND = "return getComputedStyle(document.body).backgroundColor"
+DASHES = "return panels().map((p) => p.lines.map((line) => [line.name, line.dash.join()]))"
 
 
-@pytest.mark.parametrize(
-    "words, status, printed",
-    [
-        ("", 0, "The animation is in FOLDER/animation.html; open it in a browser.\n"),
-        ("missing/a.html", 1, "No animation was written: cannot write missing/a.html: "),
-        *(
-            (words, 2, f"bounce: {words.split()[-1]} is not understood; there are:\n")
-            for words in ("dt=0.001", "page", "--compar", "a.html b.html", "--compare dt=0.001")
-        ),
-        ("--worked 2", 2, "bounce: 2 is not understood; there are:\n"),
-    ],
-)
+@pytest.mark.parametrize("row", golden.rows(TABLES, "program"))
 def test_the_program_says_where_the_page_is_or_what_went_wrong(
-    tmp_path: Path, words: str, status: int, printed: str
+    tmp_path: Path, row: dict[str, Any]
 ) -> None:
-    command = [str(PROGRAM), *words.split()]
+    command, status = [str(PROGRAM), *row["words"].split()], row["status"]
     done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=PATIENCE)
-    assert done.returncode == status
-    assert (done.stderr if status else done.stdout).startswith(
-        printed.replace("FOLDER", str(tmp_path))
-    )
-    assert (done.stdout if status else done.stderr) == ""
+    said, other = (done.stderr, done.stdout) if status else (done.stdout, done.stderr)
+    assert (done.returncode, other) == (status, "")
+    assert said.startswith(row["says"].replace("FOLDER", str(tmp_path)))
     assert [file.name for file in tmp_path.iterdir()] == ([] if status else ["animation.html"])
 
 
@@ -81,18 +74,8 @@ def test_plays_by_itself_from_one_file_and_stands_when_paused(
     assert {url for url in sent if not url.startswith("data:")} == {file.as_uri()}
 
 
-def test_moves_on_by_time_at_a_speed_in_a_loop(open_page: Open, scene: dict[str, Any]) -> None:
-    last = len(scene["q"][0]) - 1
-    loop = last * scene["dt"] + REST
-    for speed, frames, expected in [
-        *((speed, [0.6], 0.6 * float(speed)) for speed in ("0.125", "0.25", "0.5", "1", "2")),
-        *(("1", frames, 0.5) for frames in ([0.05] * 10, [0.4, 0.001, 0.099])),
-        ("fit", [5.0], 0.745),  # half of all, which it shows in ten seconds
-        ("fit", [5.0, 5.0], 1.49),
-        ("1", [loop - REST / 2], 1.49),
-        ("1", [loop + 0.2], 0.2),
-        ("1", [0.2, 1000 * loop], 0.2),
-    ]:
+def test_moves_on_by_time_at_a_speed_in_a_loop(open_page: Open) -> None:
+    for speed, frames, expected in golden.table(TABLES)["time"]["rows"]:
         page = open_page()
         page.choose(speed)
         page.pass_time(0, *frames)
@@ -100,36 +83,18 @@ def test_moves_on_by_time_at_a_speed_in_a_loop(open_page: Open, scene: dict[str,
         assert page.playing()
 
 
-def test_starts_paused_when_motion_is_unwelcome(open_page: Open) -> None:
+def test_obeys_the_keyboard_and_leaves_a_control_its_keys(open_page: Open) -> None:
     page = open_page()
-    page.media(prefers_reduced_motion="reduce")
+    page.media(prefers_reduced_motion="reduce")  # then it starts paused
     page.driver.refresh()
     page.pass_time(0, 0.5)
     assert (page.playing(), page.column()) == (False, 0)
     page.press(Keys.SPACE)
     page.pass_time(0, 0.5)
     assert page.column() > 0
-
-
-# ---- reach ----
-
-
-def test_obeys_the_keyboard_and_leaves_a_control_its_keys(open_page: Open) -> None:
-    page = open_page()
-    left, right = Keys.ARROW_LEFT, Keys.ARROW_RIGHT
-    for keys, expected in [
-        ([Keys.SPACE, Keys.END], (False, 149)),
-        ([right], (False, 149)),
-        ([left, left, right], (False, 148)),
-        ([Keys.HOME], (False, 0)),
-        ([Keys.SPACE], (True, 0)),
-        ([Keys.TAB, Keys.SPACE], (False, 0)),  # on the button a space is a click, and only one
-        ([Keys.TAB, Keys.HOME, right], (False, 1)),  # on the slider
-        ([Keys.SPACE, Keys.SPACE], (False, 1)),
-        ([Keys.TAB, Keys.ARROW_DOWN], (False, 1)),  # on the choice of speed
-    ]:
-        page.press(*keys)
-        assert (page.playing(), page.column()) == expected, keys
+    for keys, plays, column in golden.table(TABLES)["keys"]["rows"]:
+        page.press(*(getattr(Keys, key) for key in keys.split()))
+        assert (page.playing(), page.column()) == (plays, column), keys
     assert page.find("speed").get_attribute("value") == "2"
     value = page.find("slider").get_attribute("aria-valuetext")
     assert value == "step 1 of 149, 0.01 seconds"
@@ -139,60 +104,168 @@ def test_obeys_the_keyboard_and_leaves_a_control_its_keys(open_page: Open) -> No
 
 def test_fits_every_screen_in_full_sharpness_and_takes_its_colours(open_page: Open) -> None:
     page = open_page()
-    run = page.driver.execute_script
+
+    def layout() -> dict[str, Any]:
+        return dict(page.driver.execute_script(LAYOUT))
+
     page.slide(40)
     for width, height, ratio in [(320, 900, 1), (375, 667, 2), (844, 390, 2), (1600, 1000, 1)]:
         page.screen(width, height, ratio)
-        page.wait_until(lambda: bool(run(IS_SHARP, width, height, ratio)))
-        places = run(PLACES)
-        assert run("return document.documentElement.scrollWidth") <= width
-        assert page.find("plots").size["height"] >= 200
-        assert (places["plots"]["left"] > places["stage"]["right"]) == (width >= 1200)
-        assert page.pixels("square") > 100 and (height < 600 or run(SIDE) >= 59.9)
+        sharp = [width, height, ratio, ratio, ratio]
+        page.wait_until(lambda: layout()["screen"] == sharp)
+        now = layout()
+        assert now["width"] <= width and page.find("plots").size["height"] >= 200
+        stage, *others = (page.find(id_).rect for id_ in ("stage", "controls", "plots", "numbers"))
+        assert (others[1]["x"] > stage["x"] + stage["width"]) == (width >= 1200)
+        assert page.pixels("square") > 100 and (height < 600 or now["side"] >= 59.9)
         if width == 375:  # on a phone the numbers come last
-            ends = [places[id_]["bottom"] for id_ in ("stage", "controls", "plots")]
-            assert ends == sorted(ends) and ends[-1] < height
-            assert places["numbers"]["top"] > ends[-1]
+            ends = [rect["y"] + rect["height"] for rect in (stage, *others[:2])]
+            assert ends == sorted(ends) and ends[-1] < min(height, others[2]["y"])
             more = page.find("more")  # which goes when the end is seen
             page.wait_until(more.is_displayed)
-            run("scrollTo(0, document.documentElement.scrollHeight)")
+            page.driver.execute_script("scrollTo(0, document.documentElement.scrollHeight)")
             page.wait_until(lambda: not more.is_displayed())
-    light = run(BACKGROUND)
     page.media(prefers_color_scheme="dark")
     page.wait_until(lambda: page.pixels("square") > 50)  # the dark scheme's blue
-    assert run(BACKGROUND) != light
+    assert layout()["background"] != now["background"]
+
+
+# ---- numbers, forces, plots, and the right motion ----
+
+
+def distance(scene: dict[str, Any], t: int) -> float:
+    """phi of column t, eqs. (3) and (4)."""
+    theta = scene["q"][2][t]
+    arms = (math.sin(theta + math.pi / 4 + k * math.pi / 2) for k in range(4))
+    return float(scene["q"][1][t] + scene["l"] / math.sqrt(2) * min(arms))
+
+
+def forces(scene: dict[str, Any]) -> dict[int, list[float]]:
+    """Of the ground, along x and y, in each column with a contact."""
+    m, g, v = (scene["motion"][name] for name in "mgv")
+    columns = range(len(scene["q"][0]) - 1)
+    touching = [t for t in columns if distance(scene, t) < scene["delta"]]
+    return {
+        t: [m * ((v[i][t + 1] - v[i][t]) / scene["dt"] - g[i]) for i in range(2)] for t in touching
+    }
+
+
+def pushed(scene: dict[str, Any]) -> list[int]:
+    """The columns in which the ground pushes: one a bounce, and in this scene far apart."""
+    return [t for t, force in forces(scene).items() if force[1] > 1]
+
+
+def test_a_column_is_chosen_and_shows_its_numbers(open_page: Open, scene: dict[str, Any]) -> None:
+    page = open_page()
+    for t in [0, 1, 75, 149]:
+        page.slide(t)
+        assert (page.playing(), page.column()) == (False, t)
+        expected = [t * scene["dt"], *(row[t] for row in scene["q"]), distance(scene, t)]
+        shown = [page.number(name) for name in ["time", "x", "y", "theta", "phi"]]
+        assert shown == pytest.approx(expected, abs=0.51e-4)
+    traces = []
+    for t in [0, 30, 60, 149]:
+        page.slide(t)
+        traces.append(page.pixels("corner"))
+    # The view follows the square, so that an older part of the trace may leave it later on.
+    assert traces[0] + 20 < traces[1] < traces[2] - 20 and traces[-1] > 4 * traces[1], traces
+    for colour in ("corner", "square", "force"):
+        assert page.pixels(colour, "plots") > 50, f"the {colour} line is missing"
+    page.point_at_plots(0.5)
+    assert not page.playing() and page.column() == pytest.approx(149 / 2, abs=1.5)
+    page.point_at_plots(1)
+    assert page.column() == 149
+
+
+def test_a_column_shows_its_contact_and_no_force_but_its_own(
+    open_page: Open, scene: dict[str, Any]
+) -> None:
+    page = open_page()
+    touching = forces(scene)
+    assert pushed(scene)
+    for t in sorted({0, *touching, *(t - 1 for t in touching)}):
+        page.slide(t)
+        assert page.find("contact").is_displayed() == (t in touching)
+    for t in pushed(scene):
+        for other in (t - 1, t + 1, t + 2):
+            page.slide(other)
+            text = "0.0" if other in touching else "\N{EN DASH}"
+            assert (page.find("f_n").text, page.pixels("force")) == (text, 0)
+        page.slide(t)
+        shown = [page.number("f_t"), page.number("f_n")]
+        assert shown == pytest.approx(touching[t], abs=0.051)
+        assert page.pixels("force") > 10
+
+
+def test_while_playing_an_arrow_lingers_for_a_moment_of_the_readers(
+    open_page: Open, scene: dict[str, Any]
+) -> None:
+    for speed, after, lingers in golden.table(TABLES)["arrow"]["rows"]:
+        page = open_page()
+        page.find("play").click()
+        page.choose(speed)
+        page.slide(pushed(scene)[0])
+        page.find("play").click()
+        page.pass_time(0, scene["dt"] / float(speed) + after)  # of which the contact takes a step
+        assert page.playing() and page.column() > pushed(scene)[0]
+        assert page.driver.execute_script(DRAWS_A_FORCE) == lingers, (speed, after)
+
+
+def test_shows_the_right_one_beside_another(open_page: Open, tmp_path: Path) -> None:
+    right, other = tmp_path / "right.html", tmp_path / "other.html"
+    text = written(right, "--compare")
+    data = animation(text)
+    for row in data["q"][:2]:  # the square leaves the right way at column 12
+        row[12:] = [x + 0.01 * (t + 1) for t, x in enumerate(row[12:])]
+    other.write_text(with_animation(text, data), "utf-8")
+
+    assert "yours does the same" in open_page(right).find("other").text
+    page = open_page(other)
+    assert "from step 12 on, at 0.12 s" in page.find("other").text
+    for lines in page.driver.execute_script(DASHES):  # they differ by more than colour
+        assert len({dash for _, dash in lines}) == len(lines) == len({name for name, _ in lines})
+    page.slide(30)
+    both = page.pixels("right")
+    assert both > 50 and page.pixels("right", "plots") > 20
+    page.find("compare").click()
+    assert (page.pixels("right"), page.pixels("right", "plots")) == (0, 0)
+    assert not page.find("other").is_displayed()
+    page.press("c")
+    assert page.pixels("right") == both
+    page.press(Keys.SPACE)  # the box has the focus, and a space is its own
+    assert page.pixels("right") == 0 and not page.playing()
+
+    page = open_page()  # where no right one is known
+    assert not any(page.find(id_).is_displayed() for id_ in ("choice", "other", "key"))
+    page.press("c")
+    assert page.pixels("right") == 0
 
 
 # ---- any trajectory ----
 
 
-def bounces(T: int, x_0: float = 0, v: float = 0.6, y: float = 1.5) -> list[list[float]]:
-    steps = range(T)
-    heights = [abs(y * math.cos(t / 40)) + 0.2 for t in steps]
-    return [[x_0 + v * t / 100 for t in steps], heights, [t / 25 for t in steps]]
+def bounces(columns: int = 150, x_0: float = 0, **other: float) -> dict[str, Any]:
+    steps = range(columns)
+    heights = [abs(1.5 * math.cos(t / 40)) + 0.2 for t in steps]
+    q = [[x_0 + 0.6 * t / 100 for t in steps], heights, [t / 25 for t in steps]]
+    return {"q": q, **other}
 
 
-TRAJECTORIES: dict[str, dict[str, Any]] = {
-    **{f"{T} columns": {"q": bounces(T)} for T in (1, 2, 20000)},
-    "far in x": {"q": bounces(150, x_0=1e9)},
-    "farther than a double can step": {"q": bounces(150, x_0=1e18)},
-    "a tiny square": {"l": 1e-4, "q": bounces(150)},
-    "a house": {"l": 30.0, "q": bounces(150)},
+ODD: dict[str, dict[str, Any]] = {
     "far below the ground": {"q": [[0.0] * 150, [-t * t / 100 for t in range(150)], [0.0] * 150]},
     "to infinity, nearly": {
         "motion": {"m": 0.3, "g": [0, -9.81], "v": [[1e300] * 150] * 3},
         "q": [[1.4**t * f for t in range(150)] for f in (1e285, -3e280, 1.0)],
     },
     "at rest on the ground": {"q": [[2.0] * 150, [0.1] * 150, [0.0] * 150]},
-    "in an instant": {"dt": 1e-9, "q": bounces(150)},
-    "for years": {"dt": 1e6, "q": bounces(150)},
 }
 
 
 def test_shows_any_trajectory(
     open_page: Open, file: Path, scene: dict[str, Any], tmp_path: Path
 ) -> None:
-    for name, changes in TRAJECTORIES.items():
+    table = golden.table(TABLES)["trajectory"]
+    for name, changes in (ODD | {name: bounces(**row) for name, row in table.items()}).items():
         data: dict[str, Any] = {**scene, "motion": None, **changes}
         other = tmp_path / "other.html"
         other.write_text(with_animation(file.read_text("utf-8"), data), "utf-8")

@@ -19,15 +19,16 @@ CLOCKWISE = "mistakes/part1_turned_clockwise"
 # ---- the gallery ----
 
 
-def is_right(folder: Path) -> bool:
-    """Whether it replaces part 3 or 4, and brings nothing but parts, without a main()."""
-    names = [file.name for file in folder.iterdir() if file.suffix != ".json"]
-    only_parts = all(name.startswith("part") for name in names)
-    return only_parts and any(name[4] in "34" for name in names) and "main_" not in folder.name
-
-
-ACCEPTED = sorted((SUBMISSIONS / "accepted").iterdir())
-RIGHT = [f"accepted/{folder.name}" for folder in ACCEPTED if is_right(folder)]
+# Of accepted ones, those that replace part 3 or 4, bring parts alone, and have no main().
+ACCEPTED = {
+    f"accepted/{folder.name}": {
+        file.name[:5] for file in folder.iterdir() if file.suffix != ".json"
+    }
+    for folder in sorted((SUBMISSIONS / "accepted").iterdir())
+    if "main_" not in folder.name
+}
+PARTS = {"part1", "part2", "part3", "part4"}
+RIGHT = [name for name, made in ACCEPTED.items() if made <= PARTS and made & {"part3", "part4"}]
 WRONG = [f"mistakes/{f.name}" for f in sorted((SUBMISSIONS / "mistakes").glob("part[123]_*"))]
 POINTS = [30, 30, 30, 10]
 
@@ -98,14 +99,6 @@ def test_checks_at_the_same_time_give_one_score(home: Path) -> None:
 # ---- watching ----
 
 
-def until_it_waits(watch: "subprocess.Popen[str]") -> str:
-    lines: list[str] = []
-    while not (lines and "Waiting" in lines[-1]):
-        lines.append(watch.stdout.readline())  # type: ignore[union-attr]
-        assert lines[-1], "".join(lines)
-    return "".join(lines)
-
-
 @of_home
 def test_watches_until_it_is_stopped(home: Path) -> None:
     put(home)
@@ -113,16 +106,24 @@ def test_watches_until_it_is_stopped(home: Path) -> None:
     terminal, keys = pty.openpty()
     command = ["./check", "1", "--watch"]
     watch = subprocess.Popen(command, cwd=home, env=SYSTEM, stdin=keys, stdout=PIPE, text=True)
+
+    def until_it_waits() -> str:
+        lines: list[str] = []
+        while not (lines and "Waiting" in lines[-1]):
+            lines.append(watch.stdout.readline())  # type: ignore[union-attr]
+            assert lines[-1], "".join(lines)
+        return "".join(lines)
+
     try:
-        first = until_it_waits(watch)
+        first = until_it_waits()
         assert points(first) == [30] and "Part 2" not in first
         put(home, CLOCKWISE)
-        assert "First: " in until_it_waits(watch)
+        assert "First: " in until_it_waits()
         os.write(terminal, b"h")
-        hint = until_it_waits(watch)
+        hint = until_it_waits()
         assert "the result above is the last one" in hint and "stage 1 of 3" in hint
         os.write(terminal, b"a")
-        assert len(points(until_it_waits(watch))) == 4
+        assert len(points(until_it_waits())) == 4
         os.write(terminal, b"q")
         assert watch.wait(timeout=60) == 0
     finally:
@@ -148,12 +149,6 @@ def test_a_folder_may_have_any_name(tmp_path: Path, name: str) -> None:
     assert "src/part1_contacts.cpp:6: " in check(folder, "1").stdout
 
 
-@pytest.fixture(scope="module")
-def fresh(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A folder that was never built in; who builds there takes the build away again."""
-    return unzipped(tmp_path_factory.mktemp("fresh"))
-
-
 @pytest.mark.parametrize(
     "name", ["a;b", '"a"', "a\\b", "a|b", "<a>", "a*", "a?", "$(HOME)", "${HOME}", "a\nb"]
 )
@@ -166,66 +161,12 @@ def test_a_name_that_cmake_cannot_hold_is_refused(tmp_path: Path, name: str) -> 
     assert re.fullmatch("check: CMake cannot build in a folder whose path has .*\n", done.stderr)
 
 
-def test_goes_on_where_a_check_was_killed_while_it_prepared(fresh: Path) -> None:
-    cmake = fresh / "CMakeLists.txt"
-    right = cmake.read_text()
-    (fresh / "build").mkdir(exist_ok=True)
+def test_goes_on_where_a_check_was_killed_while_it_prepared(tmp_path: Path) -> None:
+    fresh = unzipped(tmp_path)
+    (fresh / "build").mkdir()
     (fresh / "build/preparing").symlink_to("999999999")  # a process that isn't there any more
-    cmake.write_text("message(FATAL_ERROR reached)\n")
+    (fresh / "CMakeLists.txt").write_text("message(FATAL_ERROR reached)\n")
     done = check(fresh)
-    cmake.write_text(right)
     assert done.returncode == 3 and "building for the first time" in done.stderr
     assert "reached" in done.stderr and "CMake could not prepare the build" in done.stderr
     assert not (fresh / "build/preparing").is_symlink()
-
-
-def test_names_the_file_that_is_missing(fresh: Path) -> None:
-    part = fresh / "src/part2_lcp.cpp"
-    text = part.read_bytes()
-    part.unlink()
-    done = check(fresh)
-    part.write_bytes(text)
-    assert (done.returncode, done.stdout) == (3, "")
-    assert done.stderr == "check: src/part2_lcp.cpp is missing: copy it from the handout's zip\n"
-
-
-COMPILERS = r"(.*(g|clang)\+\+|c\+\+|icpx|gcc|cc)(-[\d.]+)?"
-
-
-@pytest.mark.parametrize(
-    "gone, sentence",
-    [
-        ("cmake", "CMake is missing; install it with: sudo apt install cmake"),
-        (COMPILERS, "a C++ compiler is missing; install it with: sudo apt install g++"),
-        ("ninja|g?make", "Ninja is missing; install it with: sudo apt install ninja-build"),
-    ],
-    ids=["cmake", "compiler", "make"],
-)
-def test_names_the_program_that_is_missing(
-    fresh: Path, tmp_path: Path, gone: str, sentence: str
-) -> None:
-    for name in {*os.listdir("/usr/bin"), *os.listdir("/bin")}:
-        if not re.fullmatch(gone, name):
-            (tmp_path / name).symlink_to(Path("/usr/bin") / name)
-    done = check(fresh, PATH=str(tmp_path))
-    assert (done.returncode, done.stdout) == (3, "")
-    assert done.stderr == f"check: {sentence}\n"
-
-
-def test_names_the_libraries_that_are_missing(fresh: Path) -> None:
-    cmake = fresh / "CMakeLists.txt"
-    right = cmake.read_text()
-    names = ("Eigen3", "GTest", "nlohmann_json")
-    without = "".join(f"set(CMAKE_DISABLE_FIND_PACKAGE_{name} ON)\n" for name in names)
-    cmake.write_text(right.replace("LANGUAGES CXX)\n", f"LANGUAGES CXX)\n{without}"))
-    done = check(fresh)
-    cmake.write_text(right)
-    assert done.returncode == 3
-    last = re.sub(r"-[\d.]+(?= )", "", done.stderr.splitlines()[-1])
-    assert last == (
-        "check: missing: Eigen3 GTest nlohmann_json (or later); install with: "
-        "sudo apt install libeigen3-dev libgtest-dev nlohmann-json3-dev"
-    )
-    log = (fresh / "build/prepare.txt").read_text()
-    assert "brew install eigen googletest nlohmann-json\n" in log
-    assert "vcpkg install eigen3 gtest nlohmann-json\n" in log

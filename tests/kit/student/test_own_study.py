@@ -51,8 +51,9 @@ def test_measured_impacts_are_those_of_the_study_under_their_licence() -> None:
 
 
 @of_home
-def test_a_scene_lasts_as_long_with_another_step_unless_its_columns_are_given(home: Path) -> None:
+def test_draws_a_scene_as_long_with_another_step_or_the_worked_example(home: Path) -> None:
     put(home)
+    check(home, "--help")  # prepares the build
     assert run(home, "cmake", "--build", "build", "--target", "bounce").returncode == 0
     for words, columns in {"": 41, "T=41": 41, "dt=0.001 T=41": 41, "dt=0.001": 401}.items():
         assert run(home, "build/bounce", "--scene", "tumble", *words.split()).returncode == 0
@@ -61,18 +62,12 @@ def test_a_scene_lasts_as_long_with_another_step_unless_its_columns_are_given(ho
         refused = run(home, "build/bounce", "--scene", "tumble", word)
         assert refused.returncode == 1 and refused.stdout == "", word
         assert refused.stderr.startswith("No animation was written: "), word
-
-
-@of_home
-def test_the_worked_example_has_the_handouts_numbers(home: Path) -> None:
-    put(home)
-    assert run(home, "cmake", "--build", "build", "--target", "bounce").returncode == 0
     printed = run(home, "build/bounce", "--worked").stdout
     readme = (ROOT / "student/README.md").read_text()
     [v] = re.findall(r"^v' = (\(.*\)) m/s", readme, re.M)
     [q] = re.findall(r"^q' = (\(.*\)) m, m, rad  ", readme, re.M)
-    assert f"v' = {v} m/s" in printed and f"q' = {q} m" in printed, printed
-    assert "0.0551012" in printed and "phi = 0.00041433 m" in printed
+    for number in (f"v' = {v} m/s", f"q' = {q} m", "0.0551012", "phi = 0.00041433 m"):
+        assert number in printed, printed
 
 
 def sentences(page: Path) -> str:
@@ -125,51 +120,41 @@ def bars(page: Path) -> dict[str, str]:
 
 
 @of_home
-def test_asks_the_students_own_part_2_alone_about_measured_impacts(home: Path) -> None:
-    page = home / "real.html"
-    page.unlink(missing_ok=True)
-    put(home, edits={"part3_step": [["{", "{ int x = ;"]]})
-    done = check(home, "2", "--real")
-    assert done.returncode == 0 and "real impacts is in real.html" in done.stdout, done.stderr
-    assert bars(page) == {
-        "your form_lcp": "0.095 m/s",
-        "the assignment's law, as the course solves it": "0.095 m/s",
-        "a corner without friction": "0.15 m/s",
-        "a corner that always sticks": "0.16 m/s",
-        "the least that any push at the corner leaves": "0.0087 m/s",
-    }
-    assert "what is left is the error of the law, not of your program" in sentences(page)
-    assert "Checks of part 2" not in page.read_text() and not re.search("https?:", page.read_text())
-
-
-FROM_THE_PROGRAM = "what is more comes from your program"
-
-
-@of_home
 @pytest.mark.parametrize(
     "mistake, error, sentence",
     [
-        ("restitution_left_out", "0.26 m/s", FROM_THE_PROGRAM),
+        ("", "0.095 m/s", "what is left is the error of the law, not of your program"),
         *(
             pytest.param(*row, marks=pytest.mark.long)
             for row in [
-                ("friction_directions_swapped", "0.28 m/s", FROM_THE_PROGRAM),
-                ("mass_in_place_of_its_inverse", "11 m/s, beyond the chart", FROM_THE_PROGRAM),
+                ("restitution_left_out", "0.26 m/s", "what is more comes from your program"),
+                ("friction_directions_swapped", "0.28 m/s", "what is more comes from your program"),
+                ("mass_in_place_of_its_inverse", "11 m/s, beyond the chart", "what is more comes"),
                 ("force_is_g", "0.095 m/s", "what the checks find doesn't show in an impact"),
                 (
                     "last_column_left_zero",
                     "no answer",
-                    "solve_lcp finds no solution to your V and p, so that there is no",
+                    "solve_lcp finds no solution to your V and p",
                 ),
             ]
         ),
     ],
 )
-def test_measured_impacts_show_what_comes_from_the_program(
+def test_asks_the_students_own_part_2_alone_about_measured_impacts(
     home: Path, mistake: str, error: str, sentence: str
 ) -> None:
     page = home / "real.html"
-    put(home, f"mistakes/part2_{mistake}")
-    assert check(home, "2", "--real").returncode == 1
-    assert bars(page)["your form_lcp"] == error and sentence in sentences(page)
-    assert "Checks of part 2 fail" in page.read_text()
+    page.unlink(missing_ok=True)
+    laid = [f"mistakes/part2_{mistake}"] if mistake else []
+    put(home, *laid, edits={"part3_step": [["{", "{ int x = ;"]]})
+    done = check(home, "2", "--real")
+    assert done.returncode == bool(mistake) and "real impacts is in real.html" in done.stdout
+    assert bars(page) == {
+        "your form_lcp": error,
+        "the assignment's law, as the course solves it": "0.095 m/s",
+        "a corner without friction": "0.15 m/s",
+        "a corner that always sticks": "0.16 m/s",
+        "the least that any push at the corner leaves": "0.0087 m/s",
+    }
+    assert sentence in sentences(page) and not re.search("https?:", page.read_text())
+    assert ("Checks of part 2 fail" in page.read_text()) == bool(mistake)

@@ -8,18 +8,24 @@ import os
 import re
 import subprocess
 from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import pytest
-from browser import webdriver
 from conftest import ROOT
+
+webdriver = pytest.importorskip("selenium.webdriver", reason="selenium is not installed")
+from selenium.webdriver.chrome.service import Service
 from selenium.webdriver.common.by import By
 from selenium.webdriver.support.select import Select
 from selenium.webdriver.support.wait import WebDriverWait
 
 PROGRAM = Path(os.environ.get("BOUNCE_BUILD", ROOT / "build/kit")) / "animation"
+BROWSER, DRIVER = Path("/usr/bin/chromium"), Path("/usr/bin/chromedriver")
+FLAGS = """--headless --no-sandbox --disable-gpu --disable-quic --no-first-run --disable-sync
+    --disable-background-networking --disable-component-update --disable-dev-shm-usage""".split()
 DATA = re.compile(r"(?<=const animation = ).*(?=;\n)")
 PATIENCE = 30  # s, for what a busy machine may delay
 
@@ -129,6 +135,23 @@ def animation(text: str) -> dict[str, Any]:
 
 def with_animation(text: str, data: dict[str, Any]) -> str:
     return DATA.sub(json.dumps(data), text, count=1)
+
+
+@contextmanager
+def started(profile: Path) -> Iterator[Any]:
+    """Chromium without a window, which keeps what pages say on the console, and what they ask the
+    network for. Where it is missing, its tests are skipped."""
+    for program in (BROWSER, DRIVER):
+        if not program.exists():
+            pytest.skip(f"{program} is not installed")
+    options = webdriver.ChromeOptions()
+    options.binary_location = str(BROWSER)
+    for flag in [*FLAGS, f"--user-data-dir={profile}"]:
+        options.add_argument(flag)
+    options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
+    browser = webdriver.Chrome(service=Service(str(DRIVER)), options=options)
+    yield browser
+    browser.quit()
 
 
 @pytest.fixture(scope="module")

@@ -54,4 +54,5 @@ def put(home: Path, *laid: str, edits: Edits = {}, files: Mapping[str, str] = {}
     for name, data in texts.items():
         there = home / "src" / name
         if not there.exists() or there.read_bytes() != data:
-            there.write_bytes(data)
+            (home / "new").write_bytes(data)
+            (home / "new").rename(there)  # at once: a watch sees one change

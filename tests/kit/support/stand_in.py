@@ -38,10 +38,6 @@ MESSAGE = "1 of 9 cases wrong; the first: a corner sticks"
 SHOWN: dict[str, Any] = {"name": "x", "input": "", "sentence": "", "quantities": []}
 REVEALED: dict[str, Any] = {"message": f"{MESSAGE}\n  expected phi = 0.8128", "shown": SHOWN}
 MISTAKE: dict[str, Any] = {"title": "it is so", "sentence": "", "equations": [1], "hint": "1.1"}
-UNPRINTABLE: dict[str, Any] = {
-    "name": "part2_dt_squared",
-    "title": "it is so",
-}  # what a page says is missing
 
 
 def _said(text: str, word: str, otherwise: str = "") -> str:
@@ -55,22 +51,20 @@ def _part(part: Part, text: str | None, later: bool, points: Mapping[str, float]
     failing = len(part.checks) if text is None else int(said("fails", "0"))
     if later:
         failing = int(said("later", str(failing)))
-    checks: list[dict[str, Any]] = [
-        {
+    checks: list[dict[str, Any]] = []
+    for number, check in enumerate(part.checks):
+        right, most = number >= failing, points.get(check.id, check.points)
+        made = {
             "id": check.id,
             "title": check.title,
-            "score": 0 if number < failing else points.get(check.id, check.points),
-            "max_score": points.get(check.id, check.points),
-            "passed": number >= failing,
-            "message": MESSAGE if number < failing else "",
-            "mistake": None,
-            **({"revealed": REVEALED} if number < failing else {}),
+            "score": most if right else 0,
+            "max_score": most,
         }
-        for number, check in enumerate(part.checks)
-    ]
+        made |= {"passed": right, "message": "" if right else MESSAGE, "mistake": None}
+        checks.append(made if right else made | {"revealed": REVEALED})
     mistakes = [{**MISTAKE, "name": name}] if (name := said("mistake")) else []
     if "breaks its page" in (text or ""):
-        mistakes = [UNPRINTABLE]
+        mistakes = [{"name": "part2_dt_squared", "title": "it is so"}]  # no sentence
     remark = said("remark")
     return {
         "part": part.number,
@@ -110,15 +104,9 @@ def _times(ns: float, error: float) -> dict[str, Any]:
 
     scene = {"scene": "tumble", "title": "Tumble", "seconds": 0.4}
     scene |= {"submission": curve(ns, 1.0), "solution": curve(200.0, 1.0)}
-    return {
-        "submission_ns": ns,
-        "solution_ns": 200.0,
-        "ratio": ns / 200,
-        "largest_error": error,
-        "cut": "",
-        "dt": dts,
-        "scenes": [{**scene, "least": curve(10.0, 0.5)}],
-    }
+    scene |= {"least": curve(10.0, 0.5)}
+    times = {"submission_ns": ns, "solution_ns": 200.0, "ratio": ns / 200, "largest_error": error}
+    return {**times, "cut": "", "dt": dts, "scenes": [scene]}
 
 
 def grade(
