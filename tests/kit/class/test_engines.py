@@ -6,36 +6,24 @@ import signal
 import subprocess
 import threading
 import time
-from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
-from shutil import which
 
 import classes
 import pytest
 import stand_in
 from bounce_grader.classroom import run
 from bounce_grader.classroom.intake import students
-from bounce_grader.classroom.work import engine_dask, engine_local, engine_slurm, results, task
+from bounce_grader.classroom.work import engine_dask, engine_local, results, task
 from bounce_grader.classroom.work.request import Request
 from bounce_grader.common.errors import KitError, UsageError
-from clusters import Cluster, needs_dask
-from conftest import ROOT, solution_files
+from clusters import Cluster
+from conftest import solution_files
 from waiting import wait_for
 
 
 def download(path: Path, number: int) -> Path:
     return classes.download(path, list(range(101, 101 + number)))
-
-
-def solutions(path: Path, number: int, contents: int) -> Path:
-    """Copies of the solution with several different contents; equal objects are cached."""
-    entries = {
-        f"doejane_{user}_{user}{i}_{name}": text + b"\n" * (user % contents)
-        for user in range(101, 101 + number)
-        for i, (name, text) in enumerate(solution_files().items())
-    }
-    return classes.zipped(path, entries)
 
 
 def same(out: Path, source: Path, tmp_path: Path) -> bool:
@@ -44,7 +32,6 @@ def same(out: Path, source: Path, tmp_path: Path) -> bool:
     return classes.same(out, tmp_path / "calm")
 
 
-@needs_dask
 def test_dask_survives_workers_that_are_killed(cluster: Cluster, tmp_path: Path) -> None:
     source, out = download(tmp_path / "x.zip", 40), tmp_path / "out"
     first, second = cluster.worker(), cluster.worker()
@@ -62,7 +49,6 @@ def test_dask_survives_workers_that_are_killed(cluster: Cluster, tmp_path: Path)
     assert len(classes.graded(out)) == len(set(classes.graded(out))) == 40
 
 
-@needs_dask
 def test_dask_does_again_what_a_worker_took_with_it(cluster: Cluster, tmp_path: Path) -> None:
     """A worker may die between the end of a grading and the collection of its outcome."""
     from distributed import Client
@@ -85,15 +71,11 @@ def test_dask_does_again_what_a_worker_took_with_it(cluster: Cluster, tmp_path: 
     assert {outcome.state for _, outcome in collected} == {"graded"}
 
 
-@needs_dask
 def test_dask_goes_on_if_a_worker_dies_when_it_is_asked_for_the_kit(
     cluster: Cluster, tmp_path: Path
 ) -> None:
-    from distributed import Client
-
     worker = cluster.worker()
-    with Client(cluster.address, set_as_default=False) as client:
-        client.wait_for_workers(1, timeout=60)
+    cluster.wait_for_worker()
     worker.send_signal(signal.SIGSTOP)
     source, out = download(tmp_path / "x.zip", 3), tmp_path / "out"
     with stand_in.started(source, out, 0.0, cluster.address) as the_class:
@@ -105,23 +87,18 @@ def test_dask_goes_on_if_a_worker_dies_when_it_is_asked_for_the_kit(
     assert len(classes.graded(out)) == 3
 
 
-@needs_dask
 @pytest.mark.long
 def test_a_dask_that_cannot_grade_is_said(cluster: Cluster, tmp_path: Path) -> None:
-    from distributed import Client
-
     source = download(tmp_path / "x.zip", 1)
     asked = Request(source, tmp_path / "out", engine="dask")
     with pytest.raises(UsageError, match="no Dask scheduler answers at tcp://127.0.0.1:9"):
         run.run(replace(asked, scheduler="tcp://127.0.0.1:9"))
     cluster.worker(path="")
-    with Client(cluster.address, set_as_default=False) as client:
-        client.wait_for_workers(1, timeout=60)
+    cluster.wait_for_worker()
     with pytest.raises(UsageError, match="start them with PYTHONPATH=KIT/grader"):
         run.run(replace(asked, scheduler=cluster.address))
 
 
-@needs_dask
 @pytest.mark.long
 def test_dask_without_workers_says_that_it_waits(
     cluster: Cluster, tmp_path: Path, capfd: pytest.CaptureFixture[str]
@@ -134,7 +111,6 @@ def test_dask_without_workers_says_that_it_waits(
     assert "has no workers yet; waiting for them" in capfd.readouterr().err
 
 
-@needs_dask
 @pytest.mark.long
 def test_a_scheduler_that_dies_is_said_and_costs_nothing(cluster: Cluster, tmp_path: Path) -> None:
     source, out = download(tmp_path / "x.zip", 20), tmp_path / "out"
@@ -158,7 +134,12 @@ def test_a_scheduler_that_dies_is_said_and_costs_nothing(cluster: Cluster, tmp_p
 def test_slurms_chunks_run_by_hand_give_the_class(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    source, out = solutions(tmp_path / "x.zip", 21, 2), tmp_path / "with a space"
+    uploads = {  # of two contents; equal objects are cached
+        f"doejane_{user}_{user}{i}_{name}": text + b"\n" * (user % 2)
+        for user in range(101, 122)
+        for i, (name, text) in enumerate(solution_files().items())
+    }
+    source, out = classes.zipped(tmp_path / "x.zip", uploads), tmp_path / "with a space"
     asked = Request(source, out, engine="slurm")
     assert run.run(asked) == 0
     assert "submit.sh" in capsys.readouterr().err
@@ -171,45 +152,6 @@ def test_slurms_chunks_run_by_hand_give_the_class(
     assert not (out / "slurm" / "2").exists()
     assert classes.same(out, tmp_path / "calm")
     assert (out / "gradebook.csv").read_text().count("100.00") == 1 + 21
-
-
-@pytest.mark.parametrize(
-    "number, sizes", [(1, [1]), (45, [20, 20, 5]), (2000, [32] * 62 + [16]), (9000, [50] * 180)]
-)
-def test_chunks_are_neither_small_nor_large(number: int, sizes: list[int]) -> None:
-    assert [len(chunk) for chunk in engine_slurm.chunks(list(range(number)))] == sizes
-
-
-@pytest.fixture
-def slurm_node(tmp_path: Path) -> Iterator[Path]:
-    if which("slurmctld") is None or os.geteuid() != 0:
-        pytest.skip("a Slurm of one's own needs slurm-wlm and root")
-    started = subprocess.run(
-        ["sh", str(ROOT / "tests" / "kit" / "support" / "slurm_node.sh"), str(tmp_path / "node")],
-        capture_output=True,
-        check=False,
-    )
-    folder = tmp_path / "node"
-    if started.returncode != 0:
-        pytest.skip("Slurm doesn't start here")
-    yield folder
-    for name in ("slurmd", "slurmctld"):
-        pid = folder / f"{name}.pid"
-        if pid.exists():
-            os.kill(int(pid.read_text()), signal.SIGTERM)
-
-
-@pytest.mark.long
-def test_a_real_slurm_grades_the_class_and_collects(slurm_node: Path, tmp_path: Path) -> None:
-    source, out = solutions(tmp_path / "x.zip", 45, 45), tmp_path / "out"
-    environment = {**os.environ, "SLURM_CONF": str(slurm_node / "slurm.conf")}
-    kit = [str(ROOT / "kit"), "class", str(source), "--out", str(out), "--engine", "slurm"]
-    subprocess.run(kit, check=True)
-    submit = ["sh", str(out / "slurm" / "1" / "submit.sh")]
-    subprocess.run(submit, env=environment, check=True)
-    wait_for((out / "class.html").exists, 600)
-    assert (out / "gradebook.csv").read_text().count("100.00") == 1 + 45
-    assert len(list((out / "slurm" / "1").glob("chunk-*.log"))) == 3
 
 
 def test_a_temporary_folder_too_deep_for_sockets_is_said(

@@ -1,6 +1,5 @@
 """A class that is stopped, killed or out of disk: nothing is lost, and the same command goes on."""
 
-import json
 import os
 import random
 import signal
@@ -8,7 +7,6 @@ import subprocess
 import tempfile
 import time
 from collections.abc import Iterator
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -74,27 +72,23 @@ def test_gradings_end_with_the_class(tmp_path: Path, users: list[int]) -> None:
 def test_survives_being_killed_at_any_moment(tmp_path: Path, number: int, kills: int) -> None:
     """No result is lost, half or there twice, and the grade book is as if undisturbed."""
     users = list(range(101, 101 + number))
-    source = download(tmp_path / "x.zip", users)
-    export = book(tmp_path / "export.csv", users)
-    chance = random.Random(number)
-    out = tmp_path / "out"
+    source, out = download(tmp_path / "x.zip", users), tmp_path / "out"
+    export, chance = book(tmp_path / "export.csv", users), random.Random(number)
     known: set[str] = set()
     for _ in range(kills):
         with started(source, out, seconds=0.02):
             time.sleep(chance.uniform(0.05, 1.5))
         there = results.keys(out / "results")
-        assert known <= there
-        known = {key for key in there if results.load(out / "results", key)}
-        assert known == there, "a result is half-written"
+        assert known <= there and all(results.load(out / "results", key) for key in there)
+        known = there
     grade_class(source, out, gradebook=export, columns={0: COLUMN})
     assert len(graded(out)) == len(set(graded(out))) == number
-    left = [file for file in out.rglob(".*.part")]
-    for file in left:
-        os.utime(file, (0, 0))
     grade_class(source, tmp_path / "calm", gradebook=export, columns={0: COLUMN})
     assert same(out, tmp_path / "calm")
+    for file in out.rglob(".*.part"):
+        os.utime(file, (0, 0))
     grade_class(source, out)
-    assert not any(file.exists() for file in left)
+    assert not list(out.rglob(".*.part"))
 
 
 def test_a_grading_that_kills_its_worker_costs_nobody_else(
@@ -161,16 +155,20 @@ def test_a_full_disk_loses_nothing(
 
 
 def test_a_result_is_named_by_all_that_it_follows_from(tmp_path: Path) -> None:
-    stamp = task.Stamp("kit", "fixtures", "options")
-    stamps = [stamp, *(replace(stamp, **{n: "2"}) for n in ("kit", "fixtures", "options"))]
+    words = ("kit", "fixtures", "options")
+    stamps = [task.Stamp(*words), *(task.Stamp(*words[:n], "2", *words[n + 1 :]) for n in range(3))]
     keys = set()
     for text in (b"// x", b"// y", b"// x"):
         write(tmp_path, {"all/anna/part2_lcp.cpp": text})
         (student,) = students.read(tmp_path / "all").students
-        made = [task.task_of(student, one, tmp_path, False, False) for one in stamps]
-        keys |= {one.key for one in made}
-        assert task.from_json(json.loads(json.dumps(made[0].as_json()))) == made[0]
+        keys |= {task.task_of(student, one, tmp_path, False, False).key for one in stamps}
     assert len(keys) == 8
+
+
+PACKAGE = "grader/bounce_grader"
+MAKES_RESULTS = [f"{PACKAGE}/grading/judging.py", f"{PACKAGE}/classroom/work/unit.py"]
+MAKES_RESULTS += ["grader/runner/prelude.sed", "grader/parts.json", "tests/parts/cases.cpp"]
+SHOWS_RESULTS = [f"{PACKAGE}/formats/html.py", "tests/kit/judge/judge_test.cpp"]
 
 
 def test_another_kit_is_known_wherever_it_lies(
@@ -178,18 +176,13 @@ def test_another_kit_is_known_wherever_it_lies(
 ) -> None:
     """Even in a folder with the name of one of the kit's own."""
     root = tmp_path / "classroom" / "formats"
-    folders = {"ROOT": root, "CONTRACT": root / "student/include", "HANDOUT": root / "student"}
-    for name, folder in folders.items():
-        monkeypatch.setattr(results, name, folder)
-    package = "grader/bounce_grader"
-    needed = [f"{package}/grading/judging.py", f"{package}/classroom/work/unit.py"]
-    needed += ["grader/runner/prelude.sed", "grader/parts.json", "tests/parts/cases.cpp"]
-    later = [f"{package}/formats/html.py", "tests/kit/judge/judge_test.cpp"]
-    write(root, {name: b"0" for name in (*needed, *later)})
+    for name, folder in (("ROOT", ""), ("CONTRACT", "student/include"), ("HANDOUT", "student")):
+        monkeypatch.setattr(results, name, root / folder)
+    write(root, dict.fromkeys([*MAKES_RESULTS, *SHOWS_RESULTS], b"0"))
     before = results._kit_digest()
-    write(root, {name: b"changed" for name in later})
+    write(root, dict.fromkeys(SHOWS_RESULTS, b"changed"))
     assert results._kit_digest() == before
-    for name in needed:
+    for name in MAKES_RESULTS:
         write(root, {name: b"2"})
         assert results._kit_digest() != before, name
         write(root, {name: b"0"})

@@ -17,7 +17,7 @@ from bounce_grader.submission.submission import Submission
 from bounce_grader.submission.unpack_limits import LARGEST
 from conftest import write
 from handed_in import limited_memory, packed_tar, zip_of
-from odd_submissions import bash, FILES, PARTS, PATHS
+from odd_submissions import bash, COMMANDS, FILES, PARTS, PATHS
 from odd_tars import tars
 from odd_zips import Archive, zips
 
@@ -115,18 +115,9 @@ def test_archives(tmp_path: Path, make: Callable[[], Iterator[Archive]]) -> None
 # --- changes while it is read ---
 
 
-CHANGES = {
-    "removed": "rm part1_contacts.cpp",
-    "a link": "ln -sf /etc/passwd part1_contacts.cpp",
-    "a pipe": "rm part1_contacts.cpp; mkfifo part1_contacts.cpp",
-    "in a link to a folder": "cd ..; mv src ../elsewhere; ln -s ../elsewhere src",
-    "larger": "truncate -s 2M part1_contacts.cpp",
-}
-
-
 def test_a_folder_that_changes_while_it_is_read_leads_nowhere_else(tmp_path: Path) -> None:
     def rows() -> Iterator[tuple[str, str]]:
-        for what, command in CHANGES.items():
+        for what, command in COMMANDS["changes"].items():
             folder = tmp_path / what / "x"
             write(folder, {"src/part1_contacts.cpp": b"int x;", "README": b""})
             with intake.opened(folder) as entries:
