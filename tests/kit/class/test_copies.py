@@ -12,8 +12,9 @@ from bounce_grader.classroom.work import near_copies
 from bounce_grader.classroom.work.near_copies import Similar
 from bounce_grader.classroom.work.task import Stamp, task_of
 from bounce_grader.common.paths import STUBS
-from classes import grade_class, zipped
+from classes import grade_class
 from conftest import ROOT, solution_files, write
+from handed_in import zipped
 from odd_students import repetitive
 
 Files = dict[str, bytes]

@@ -19,6 +19,7 @@ from bounce_grader.classroom.work.request import Request
 from bounce_grader.common.errors import KitError, UsageError
 from clusters import Cluster
 from conftest import solution_files
+from handed_in import zipped
 from waiting import wait_for
 
 
@@ -139,7 +140,7 @@ def test_slurms_chunks_run_by_hand_give_the_class(
         for user in range(101, 122)
         for i, (name, text) in enumerate(solution_files().items())
     }
-    source, out = classes.zipped(tmp_path / "x.zip", uploads), tmp_path / "with a space"
+    source, out = zipped(tmp_path / "x.zip", uploads), tmp_path / "with a space"
     asked = Request(source, out, engine="slurm")
     assert run.run(asked) == 0
     assert "submit.sh" in capsys.readouterr().err

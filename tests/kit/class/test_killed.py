@@ -7,6 +7,7 @@ import subprocess
 import tempfile
 import time
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -155,8 +156,8 @@ def test_a_full_disk_loses_nothing(
 
 
 def test_a_result_is_named_by_all_that_it_follows_from(tmp_path: Path) -> None:
-    words = ("kit", "fixtures", "options")
-    stamps = [task.Stamp(*words), *(task.Stamp(*words[:n], "2", *words[n + 1 :]) for n in range(3))]
+    stamp = task.Stamp("kit", "fixtures", "options")
+    stamps = [stamp, *(replace(stamp, **{n: "2"}) for n in ("kit", "fixtures", "options"))]
     keys = set()
     for text in (b"// x", b"// y", b"// x"):
         write(tmp_path, {"all/anna/part2_lcp.cpp": text})

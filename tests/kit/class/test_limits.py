@@ -11,9 +11,8 @@ from bounce_grader.classroom.intake import handed_in, students
 from bounce_grader.common.errors import UsageError
 from bounce_grader.submission.entry import LARGEST_SOURCE, MOST_ENTRIES
 from bounce_grader.submission.submission import Submission
-from classes import zipped
 from corpus import Member, zip_of
-from handed_in import limited_memory, packed_tar
+from handed_in import limited_memory, packed_tar, zipped
 from odd_zips import bomb, claiming, LIES
 
 Uploads = dict[str, bytes]

@@ -20,9 +20,10 @@ from bounce_grader import cli
 from bounce_grader.classroom.output import outputs
 from bounce_grader.classroom.work import engine_local, near_copies
 from bounce_grader.common.errors import KitError
-from classes import download, grade_class, zipped
+from classes import download, grade_class
 from conftest import write
 from corpus import Member, UTF8, zip_of
+from handed_in import zipped
 from odd_students import UPLOADS
 from odd_submissions import bash, COMMANDS, PARTS
 from odd_zips import PLAIN

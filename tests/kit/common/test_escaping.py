@@ -4,7 +4,6 @@ read by an independent reader of its format, as the text that it was."""
 import csv
 import html
 import io
-import json
 import re
 import unicodedata
 from collections.abc import Callable
@@ -85,14 +84,6 @@ class Destination(NamedTuple):
     keeps_spaces: bool = True  # none is added to break up a command
 
 
-def json_of(text: str) -> str:
-    return escaping.json_document({"said": escaping.printable(text)}, 1)
-
-
-def json_reads(document: str) -> str:
-    return str(json.loads(document)["said"])
-
-
 def a_cell(text: str) -> str:
     return f"| a | b |\n|--|--|\n| {escaping.markdown(text)} | end |\n"
 
@@ -105,7 +96,6 @@ DESTINATIONS = {
     "a terminal": Destination(escaping.terminal, str, escaping.REPLACEMENT, False),
     "HTML": Destination(escaping.html, html_reads),
     "XML": Destination(xml_of, xml_reads),
-    "JSON": Destination(json_of, json_reads),
     "a cell of Markdown": Destination(a_cell, cell_reads, " ", False),
     "a block of Markdown": Destination(escaping.markdown_block, block_reads, "\n", False),
     "GitHub's log": Destination(a_command, runner_reads, "\n", False),
