@@ -108,13 +108,12 @@ def test_a_grading_that_kills_its_worker_costs_nobody_else(
 def test_a_broken_result_is_graded_again(tmp_path: Path, users: list[int]) -> None:
     source, out = download(tmp_path / "x.zip", users), tmp_path / "out"
     grade_class(source, out)
-    first = (out / "gradebook.csv").read_bytes()
     torn, empty, *_ = sorted(f for f in (out / "results").iterdir() if f.name != "set.json")
     torn.write_bytes(torn.read_bytes()[:100])
     empty.write_bytes(b"")
     (out / "gradebook.csv").unlink()
     grade_class(source, out)
-    assert (out / "gradebook.csv").read_bytes() == first
+    assert column(out / "gradebook.csv") == points_of(users)
 
 
 @pytest.fixture
