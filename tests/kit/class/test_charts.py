@@ -18,6 +18,7 @@ from bounce_grader.submission import submission
 from conftest import write
 
 NOBODY = Similar((), 0)
+DEGREES = {"part1_degrees": "theta is taken for degrees"}
 
 
 def summary(tmp_path: Path, name: str = "anna", **changes: Any) -> Summary:
@@ -38,9 +39,8 @@ def test_every_graded_submission_has_a_mark_and_a_line_if_it_was_timed(tmp_path:
     speeds = [times | {"ratio": 1e9, "largest_error": 0.0}, {"largest_error": None}]
     speeds += [{"largest_error": 1e300}, times | {"largest_error": 1e-13}]
     made = [summary(tmp_path, f"s{i}", speed=speed) for i, speed in enumerate(speeds)]
-    text = shown(
-        *made, summary(tmp_path, "<b>"), Summary(Student("x", "x", tmp_path), "k", "failed")
-    )
+    failed = Summary(Student("x", "x", tmp_path), "k", "failed")
+    text = shown(*made, summary(tmp_path, "<b>"), failed)
     assert text.count("<title>s") == 4
     lines = re.findall(r'<path class="curve (\w+)[^"]*" d="M[^"]*"><title>([^<:]*)', text)
     assert [kind for kind, _ in lines] == ["some", "solution", "least"]
@@ -48,7 +48,7 @@ def test_every_graded_submission_has_a_mark_and_a_line_if_it_was_timed(tmp_path:
 
 
 def test_only_what_has_all_points_stands_among_right_answers(tmp_path: Path) -> None:
-    """A missing answer has no error, however small the errors of the others are."""
+    """A missing answer has no error, however small those of the others are."""
     full = replace(summary(tmp_path, "full"), score=100.0, error=4.9e-13)
     lost = replace(summary(tmp_path, "lost"), score=70.0, error=4.9e-13)
     text = shown(full, lost)
@@ -86,21 +86,19 @@ def test_labels_of_a_curve_lie_apart_and_within_the_frame() -> None:
 
 
 def test_the_histogram_counts() -> None:
-    rows: list[tuple[list[float], list[str]]] = [([], []), ([100] * 7, ["7"])]
-    for scores, counts in [*rows, ([0, 9.9, 10, 99.9, 100], ["2", "1", "1", "1"])]:
-        drawn = charts.histogram(scores, 100)
-        assert re.findall(r">(\d+)</text>", drawn.replace(">100</text>", "")) == counts
+    drawn = charts.histogram([0, 9.9, 10, 99.9, *[100] * 7], 100)
+    counts = re.findall(r">(\d+)</text>", drawn.replace(">100</text>", ""))
+    assert counts == ["2", "1", "1", "7"]
 
 
 def test_known_mistakes_are_counted_with_the_instructors_line(tmp_path: Path) -> None:
     """A mistake of one student alone is one line; without any, the failed checks are counted."""
     one = summary(tmp_path, "one")
-    degrees = {"part1_degrees": "theta is taken for degrees"}
-    both = {**degrees, "part2_dt_squared": "dt twice <in> V"}
-    text = shown(replace(one, mistakes=both), replace(one, mistakes=degrees), one)
+    both = {**DEGREES, "part2_dt_squared": "dt twice <in> V"}
+    text = shown(replace(one, mistakes=both), replace(one, mistakes=DEGREES), one)
     words, heading = for_the_instructor("part1_degrees")
     line = f'{words} <details class="small"><summary>hint {heading}</summary>phi is the distance'
-    assert f"<td>1</td><td>{degrees['part1_degrees']}</td><td>{line}" in text
+    assert f"<td>1</td><td>{DEGREES['part1_degrees']}</td><td>{line}" in text
     assert "<summary>2</summary>one; one</details>" in text
     assert "<li>Part 2. dt twice &lt;in&gt; V: one" in text
     assert "No known mistake was recognised" in shown(one) and "Nothing is graded" in shown()
@@ -115,15 +113,10 @@ def test_pairs_that_stand_out_are_named_and_the_others_counted(tmp_path: Path) -
 
 
 def test_a_page_about_a_thousand_stays_small_and_needs_nothing_else(tmp_path: Path) -> None:
-    one = replace(
-        summary(tmp_path, "one"),
-        mistakes={"part1_degrees": "theta is taken for degrees"},
-        notes=("something that a person should look at, with a reason",),
-    )
-    made = [
-        replace(one, student=Student(f"4{i:05}", f"Surname {i}, First Middle", tmp_path))
-        for i in range(1000)
-    ]
+    looks = ("something that a person should look at, with a reason",)
+    one = replace(summary(tmp_path, "one"), mistakes=DEGREES, notes=looks)
+    people = [Student(f"4{i:05}", f"Surname {i}, First Middle", tmp_path) for i in range(1000)]
+    made = [replace(one, student=student) for student in people]
     pairs = Similar((Pair("400001", "400002", 90),) * near_copies.MOST, 40)
     text = page.render(Class("a folder"), made, pairs, ["a sentence of fifty"] * 1000)
     assert len(text.encode()) < 2_000_000
@@ -139,21 +132,19 @@ return [...document.querySelectorAll("*")]
   .filter(one => one.tabIndex < 0 && !one.querySelector("a, button, summary"))
   .map(one => one.outerHTML.slice(0, 80))
 """
+NAMES = "return [...document.querySelectorAll('.names td:first-child')].map(one => one.offsetWidth)"
 
 
-@pytest.mark.parametrize("width", [390, 1280])
-def test_all_of_the_page_can_be_reached_on_a_phone_and_by_keys(
-    tmp_path: Path, driver: Any, width: int
-) -> None:
+def test_all_of_the_page_can_be_reached_on_a_phone_and_by_keys(tmp_path: Path, driver: Any) -> None:
     unread = Unmatched("dupontemile_1204649_text.html", "is text typed into Canvas")
     looks = summary(tmp_path, "x" * 60).with_note("a reason that is somewhat longer than others")
     submitted = Class("a folder", unmatched=[unread])
     text = page.render(submitted, [summary(tmp_path), looks], NOBODY, [])
     write(tmp_path, {"class.html": text.encode()})
-    size = {"width": width, "height": 900, "deviceScaleFactor": 1, "mobile": width < 500}
-    driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", size)
-    driver.get((tmp_path / "class.html").as_uri())
-    assert driver.execute_script(SCROLLS_WITHOUT_KEYS) == []
-    assert driver.execute_script("return document.documentElement.scrollWidth") <= width
-    names = "[...document.querySelectorAll('.names td:first-child')].map(cell => cell.offsetWidth)"
-    assert min(driver.execute_script(f"return {names}")) >= 150  # a name with its id
+    for width in (390, 1280):
+        size = {"width": width, "height": 900, "deviceScaleFactor": 1, "mobile": width < 500}
+        driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", size)
+        driver.get((tmp_path / "class.html").as_uri())
+        assert driver.execute_script(SCROLLS_WITHOUT_KEYS) == []
+        assert driver.execute_script("return document.documentElement.scrollWidth") <= width
+        assert min(driver.execute_script(NAMES)) >= 150  # a name with its id

@@ -15,7 +15,7 @@ from bounce_grader.classroom.intake import students
 from bounce_grader.classroom.work import engine_dask, engine_local, results, task
 from bounce_grader.classroom.work.request import Request
 from bounce_grader.common.errors import KitError, UsageError
-from clusters import Cluster, needs_dask
+from clusters import Cluster
 from waiting import wait_for
 
 
@@ -29,7 +29,6 @@ def same(out: Path, source: Path, tmp_path: Path) -> bool:
     return classes.same(out, tmp_path / "calm")
 
 
-@needs_dask
 def test_dask_survives_workers_that_are_killed(cluster: Cluster, tmp_path: Path) -> None:
     source, out = download(tmp_path / "x.zip", 40), tmp_path / "out"
     first, second = cluster.worker(), cluster.worker()
@@ -47,7 +46,6 @@ def test_dask_survives_workers_that_are_killed(cluster: Cluster, tmp_path: Path)
     assert len(classes.graded(out)) == len(set(classes.graded(out))) == 40
 
 
-@needs_dask
 def test_dask_does_again_what_a_worker_took_with_it(cluster: Cluster, tmp_path: Path) -> None:
     """A worker may die between the end of a grading and the collection of its outcome."""
     from distributed import Client
@@ -70,15 +68,11 @@ def test_dask_does_again_what_a_worker_took_with_it(cluster: Cluster, tmp_path: 
     assert {outcome.state for _, outcome in collected} == {"graded"}
 
 
-@needs_dask
 def test_dask_goes_on_if_a_worker_dies_when_it_is_asked_for_the_kit(
     cluster: Cluster, tmp_path: Path
 ) -> None:
-    from distributed import Client
-
     worker = cluster.worker()
-    with Client(cluster.address, set_as_default=False) as client:
-        client.wait_for_workers(1, timeout=60)
+    cluster.wait_for_worker()
     worker.send_signal(signal.SIGSTOP)
     source, out = download(tmp_path / "x.zip", 3), tmp_path / "out"
     with stand_in.started(source, out, 0.0, cluster.address) as the_class:
@@ -90,23 +84,18 @@ def test_dask_goes_on_if_a_worker_dies_when_it_is_asked_for_the_kit(
     assert len(classes.graded(out)) == 3
 
 
-@needs_dask
 @pytest.mark.long
 def test_a_dask_that_cannot_grade_is_said(cluster: Cluster, tmp_path: Path) -> None:
-    from distributed import Client
-
     source = download(tmp_path / "x.zip", 1)
     asked = Request(source, tmp_path / "out", engine="dask")
     with pytest.raises(UsageError, match="no Dask scheduler answers at tcp://127.0.0.1:9"):
         run.run(replace(asked, scheduler="tcp://127.0.0.1:9"))
     cluster.worker(path="")
-    with Client(cluster.address, set_as_default=False) as client:
-        client.wait_for_workers(1, timeout=60)
+    cluster.wait_for_worker()
     with pytest.raises(UsageError, match="start them with PYTHONPATH=KIT/grader"):
         run.run(replace(asked, scheduler=cluster.address))
 
 
-@needs_dask
 @pytest.mark.long
 def test_dask_without_workers_says_that_it_waits(
     cluster: Cluster, tmp_path: Path, capfd: pytest.CaptureFixture[str]
@@ -119,7 +108,6 @@ def test_dask_without_workers_says_that_it_waits(
     assert "has no workers yet; waiting for them" in capfd.readouterr().err
 
 
-@needs_dask
 @pytest.mark.long
 def test_a_scheduler_that_dies_is_said_and_costs_nothing(cluster: Cluster, tmp_path: Path) -> None:
     source, out = download(tmp_path / "x.zip", 20), tmp_path / "out"

@@ -11,9 +11,8 @@ from bounce_grader.classroom.intake import handed_in, students
 from bounce_grader.common.errors import UsageError
 from bounce_grader.submission.entry import LARGEST_SOURCE, MOST_ENTRIES
 from bounce_grader.submission.submission import Submission
-from classes import zipped
 from corpus import Member, zip_of
-from handed_in import limited_memory, packed_tar
+from handed_in import limited_memory, packed_tar, zipped
 from odd_zips import bomb, claiming, LIES
 
 Uploads = dict[str, bytes]
@@ -31,8 +30,12 @@ def read(path: Path, uploads: Uploads) -> Submission:
         resource.setrlimit(resource.RLIMIT_FSIZE, before)
 
 
+def numbered(archives: dict[int, bytes], ending: str = "zip") -> Uploads:
+    return {f"doe_1_{i}_hw{i}a.{ending}": data for i, data in archives.items()}
+
+
 def ten(ending: str, data: bytes) -> Uploads:
-    return {f"doe_1_{i}_hw{i}.{ending}": data for i in range(1, 11)}
+    return numbered(dict.fromkeys(range(10), data), ending)
 
 
 def headers() -> bytes:
@@ -48,15 +51,13 @@ def test_all_uploads_are_counted_together(tmp_path: Path) -> None:
     three = zip_of(Member(b"%d.tar.gz" % i, large) for i in range(3))
     half = range(MOST_ENTRIES // 2 + 1)
     texts = {i: zip_of(Member(b"%d_%d.txt" % (i, n)) for n in half) for i in (1, 2)}
+    bombs = {i: bomb(60, f"help_{i}_") for i in (1, 2)}
     for uploads, sentence in (
         (ten("tar.gz", large), "more than 256 MB with the other archives"),
         (ten("zip", three), "more than 256 MB with the other archives"),
         (ten("tar.gz", headers()), "headers"),
-        (
-            {f"doe_1_{i}_hw{i}a.zip": bomb(60, f"help_{i}_") for i in (1, 2)},
-            "more than 100 sources or 8 MB",
-        ),
-        ({f"doe_1_{i}_hw{i}a.zip": data for i, data in texts.items()}, "more than 5000 files"),
+        (numbered(bombs), "more than 100 sources or 8 MB"),
+        (numbered(texts), "more than 5000 files"),
     ):
         with pytest.raises(UsageError) as refused:
             read(tmp_path, uploads)

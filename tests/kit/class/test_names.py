@@ -68,18 +68,9 @@ def test_whose_a_file_is(entries: str, people: str, users: str) -> None:
     assert [upload.user if upload else "?" for upload in read] == users.split()
 
 
-@pytest.mark.parametrize(
-    "included, handed_in_as",
-    [
-        ("rotation.hpp", "rotation-1.hpp"),
-        ("solver-2.hpp", "solver-2.hpp"),  # the student's own number
-        ("solve.lcp.hpp", "solve.lcp-1.hpp"),
-        ("solve.lcp.hpp", "solve-1.lcp.hpp"),  # of later versions of Canvas
-        ("solve.lcp.hpp", "solve.lcp.hpp"),
-    ],
-)
+@pytest.mark.parametrize("included, handed_in_as, _", table("helpers"))
 def test_a_helper_has_the_name_that_it_is_included_by(
-    tmp_path: Path, included: str, handed_in_as: str
+    tmp_path: Path, included: str, handed_in_as: str, _: str
 ) -> None:
     text = f'#include "{included}"'.encode()
     uploads = {"doe_1_1_part1_contacts.cpp": text, f"doe_1_2_{handed_in_as}": b"// helps"}

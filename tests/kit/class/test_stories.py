@@ -23,7 +23,7 @@ import golden
 import pytest
 import stand_in
 from bounce_grader import cli
-from bounce_grader.classroom.intake import canvas_api, course
+from bounce_grader.classroom.intake import canvas_api
 from bounce_grader.classroom.work import engine_local, results, unit
 from canvas_server import running, State, TOKEN
 from conftest import write
@@ -50,17 +50,13 @@ def encoding_of(name: str) -> str:
     return next((known[part] for part in known if part in name), "utf-8")
 
 
-def encoded(name: str, text: str) -> bytes:
-    return text.encode(encoding_of(name))
-
-
 def decoded(path: Path) -> str:
     return path.read_bytes().decode(encoding_of(path.name), "backslashreplace")
 
 
 def prepare(folder: Path, round: dict[str, Any]) -> None:
     for name, text in round.get("write", {}).items():
-        write(folder, {name: encoded(name, text.removeprefix("\n"))})
+        write(folder, {name: text.removeprefix("\n").encode(encoding_of(name))})
     for name, source in round.get("copy", {}).items():
         write(folder, {name: (folder / source).read_bytes()})
     for name, entries in round.get("pack", {}).items():
@@ -70,7 +66,7 @@ def prepare(folder: Path, round: dict[str, Any]) -> None:
         for old, new in changes:
             assert old in text, f"{old!r} isn't in {name}"
             text = text.replace(old, new)
-        write(folder, {name: encoded(name, text)})
+        write(folder, {name: text.encode(encoding_of(name))})
     for name, (old, new) in round.get("spoil", {}).items():
         data = (folder / name).read_bytes()
         assert old.encode() in data
@@ -103,9 +99,13 @@ def text_of(page: str) -> str:
     return "".join(f"{line.strip(' |')}\n" for line in lines if line.strip(" |"))
 
 
+def between(page: str, start: str, end: str) -> str:
+    return page.partition(start)[2].partition(end)[0]
+
+
 def class_page(page: str) -> str:
-    looks = text_of(page.partition("<h2>Needs a look")[2].partition("<section><h2>Points")[0])
-    near = text_of(page.partition("<h2>Near-copies</h2>")[2].partition("</section>")[0])
+    looks = text_of(between(page, "<h2>Needs a look", "<section><h2>Points"))
+    near = text_of(between(page, "<h2>Near-copies</h2>", "</section>"))
     near = re.sub("The share of one .*\n", "", near)
     curves = page.count('<path class="curve ')
     figures = re.findall(r"<b>([^<]*)</b>([^<]*)", page.partition("</ul>")[0])
@@ -115,9 +115,8 @@ def class_page(page: str) -> str:
 
 def feedback_page(page: str) -> str:
     """A page without what is said of each part."""
-    body = page.partition("<body>")[2]
-    head, _, rest = body.partition('<div class="bar">')
-    unused = rest.partition("Not used:")[2].partition("</ul>")[0]
+    head = between(page, "<body>", '<div class="bar">')
+    unused = between(page, "Not used:", "</ul>")
     answers = "The expected answers are shown.\n" if "0.8128" in page else ""
     return text_of(head) + answers + (f"Not used:\n{text_of(unused)}" if unused else "")
 
@@ -143,11 +142,11 @@ def changed(now: Outputs, last: Outputs) -> Outputs:
 
 
 def grades(table: str) -> str:
+    """The columns that are told of here."""
     rows = csv.DictReader(io.StringIO(table.removeprefix("\ufeff"), newline=""))
     text = io.StringIO()
-    writer = csv.DictWriter(text, COLUMNS, extrasaction="ignore", lineterminator="\n")
-    writer.writeheader()
-    writer.writerows(rows)
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerows([COLUMNS, *([row[column] for column in COLUMNS] for row in rows)])
     return text.getvalue()
 
 
@@ -155,9 +154,8 @@ def outputs(out: Path) -> Outputs:
     if not (out / "class.html").exists():
         return {}
     assert "0.8128" not in decoded(out / "class.html") + decoded(out / "grades.csv")
-    books = {book.name: decoded(book) for book in out.glob("gradebook.*")}
     return {
-        **books,
+        **{book.name: decoded(book) for book in out.glob("gradebook.*")},
         "grades.csv": grades(decoded(out / "grades.csv")),
         "class.txt": class_page(decoded(out / "class.html")),
         **pages(out),
@@ -179,11 +177,6 @@ def give(command: str, here: Path, round: dict[str, Any], kit: dict[str, Any]) -
         patch.setattr(canvas_api, "LARGEST", round.get("largest", canvas_api.LARGEST))
         patch.setenv("CANVAS_TOKEN", round.get("token", TOKEN))
         return cli.main(["class", *shlex.split(round.get("command", command))])
-
-
-def section(name: str, text: str) -> str:
-    end = "" if text.endswith("\n") else "\n\\ no end of the last line\n"
-    return f"--- {name}\n{text}{end}\n"
 
 
 def play(
@@ -210,7 +203,9 @@ def play(
         if state.submissions:
             now["canvas.txt"] = state.shown()
         new = changed(now, last)
-        got += "".join(section(name, new[name]) for name in story.get("show", SHOWN) if name in new)
+        for name in filter(new.get, story.get("show", SHOWN)):
+            end = "" if new[name].endswith("\n") else "\n\\ no end of the last line\n"
+            got += f"--- {name}\n{new[name]}{end}\n"
         last = now
     return got
 
@@ -218,12 +213,9 @@ def play(
 @pytest.mark.golden
 @pytest.mark.parametrize("file", sorted(STORIES.glob("*.toml")), ids=lambda file: file.stem)
 def test_a_story_comes_out_as_it_is_written_down(
-    file: Path,
-    tmp_path: Path,
-    capsys: pytest.CaptureFixture[str],
-    monkeypatch: pytest.MonkeyPatch,
+    file: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    story = course._reader().loads(file.read_text("utf-8"))
+    story = golden.table(file)
     monkeypatch.setattr(canvas_api, "WAIT", 0.001)
     with running() as (url, state):
         monkeypatch.setenv("CANVAS_URL", url)

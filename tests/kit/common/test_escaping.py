@@ -2,12 +2,11 @@
 read by an independent reader of its format, as the text that it was."""
 
 import csv
+import html
 import io
-import json
 import re
 import unicodedata
 from collections.abc import Callable
-from html.parser import HTMLParser
 from typing import NamedTuple
 from xml.etree import ElementTree
 
@@ -33,40 +32,10 @@ def _moves(c: str) -> bool:
     return c != "\n" and c != " " and (kind[0] == "C" or kind in ("Zl", "Zp", "Zs"))
 
 
-def unbroken(text: str) -> str:
-    """The text without spaces, including those that break up commands."""
-    return text.replace(" ", "")
-
-
-class Heard(HTMLParser):
-    """Collects the text, and any markup."""
-
-    def __init__(self, document: str) -> None:
-        super().__init__(convert_charrefs=True)
-        self.text = ""
-        self.markup: list[object] = []
-        self.feed(document)
-        self.close()
-
-    def handle_starttag(self, tag: str, attributes: list[tuple[str, str | None]]) -> None:
-        self.markup.append((tag, attributes))
-
-    def handle_data(self, data: str) -> None:
-        self.text += data
-
-    def handle_comment(self, data: str) -> None:
-        self.markup.append(data)
-
-    def handle_decl(self, decl: str) -> None:
-        self.markup.append(decl)
-
-    handle_pi = unknown_decl = handle_comment
-
-
 def html_reads(document: str) -> str:
-    heard = Heard(f'<pre title="{document}">{document}</pre>')
-    assert heard.markup == [("pre", [("title", heard.text)])]
-    return heard.text
+    """As the text of an element or of an attribute: no sign of markup is left in it."""
+    assert not set("<>\"'") & set(document)
+    return html.unescape(document)
 
 
 def xml_of(text: str) -> str:
@@ -115,13 +84,6 @@ class Destination(NamedTuple):
     keeps_spaces: bool = True  # none is added to break up a command
 
 
-def json_in(indent: int | None) -> Destination:
-    return Destination(
-        lambda text: escaping.json_document({"said": escaping.printable(text)}, indent),
-        lambda document: str(json.loads(document)["said"]),
-    )
-
-
 def a_cell(text: str) -> str:
     return f"| a | b |\n|--|--|\n| {escaping.markdown(text)} | end |\n"
 
@@ -134,8 +96,6 @@ DESTINATIONS = {
     "a terminal": Destination(escaping.terminal, str, escaping.REPLACEMENT, False),
     "HTML": Destination(escaping.html, html_reads),
     "XML": Destination(xml_of, xml_reads),
-    "JSON": json_in(None),
-    "JSON in lines": json_in(1),
     "a cell of Markdown": Destination(a_cell, cell_reads, " ", False),
     "a block of Markdown": Destination(escaping.markdown_block, block_reads, "\n", False),
     "GitHub's log": Destination(a_command, runner_reads, "\n", False),
@@ -161,20 +121,16 @@ def test_a_text_is_read_as_what_it_was(name: str, text: str) -> None:
     document = to.write(text)
     document.encode("utf-8")
     read, shown = to.read(document), printable(text).replace("\n", to.new_line)
-    assert read == shown if to.keeps_spaces else unbroken(read) == unbroken(shown)
+    if not to.keeps_spaces:
+        read, shown = read.replace(" ", ""), shown.replace(" ", "")
+    assert read == shown
     assert odd_texts.commands_in(document) == [document] * (name == "GitHub's log")
 
 
-def test_a_harmless_text_stays_as_it_is() -> None:
-    for text in (
-        "",
-        "part1.cpp:3:9: no member in std::vector",
-        "a # b [c]",
-        "[bold]x[/]",
-        "(1, 2)",
-    ):
-        assert escaping.terminal(text) == escaping.printable_text(text) == text
-        assert escaping.html(text) == text
+@pytest.mark.parametrize("text", ["", "part1.cpp:3:9: no std::x", "a # b [c]", "[bold]x[/] (1, 2)"])
+def test_a_harmless_text_stays_as_it_is(text: str) -> None:
+    assert escaping.terminal(text) == escaping.printable_text(text) == text
+    assert escaping.html(text) == text
 
 
 # --- the record ---
@@ -207,6 +163,7 @@ def unguarded(cell: str) -> str:
 
 @given(st.lists(VALUES, min_size=2))
 @example([None, "\r\n="])
+@example([1, 87.5, -0.25, "-3", float("nan"), 'O\'Neil, "Jo"'])
 def test_csv_is_read_as_the_row_that_it_was(values: list[escaping.Value]) -> None:
     line = escaping.csv_row(values)
     line.encode("utf-8")
@@ -234,8 +191,3 @@ def test_no_text_is_calculated_by_a_spreadsheet(text: str) -> None:
     # As where semicolons separate: the first comma is then within a field, and quotes mean nothing.
     [_, *fields] = next(csv.reader([escaping.csv_row([0, text.replace("\n", " ")])], delimiter=";"))
     assert not any(f.strip(" \"'").startswith(FORMULAS) and "'" not in f for f in fields)
-
-
-def test_numbers_in_csv_stay_numbers() -> None:
-    row = escaping.csv_row([1, 87.5, -0.25, "-3", None, float("nan"), 'O\'Neil, "Jo"'])
-    assert row == '1,87.5,-0.25,"-3",,,"O\'Neil, ""Jo"""\r\n'

@@ -45,13 +45,6 @@ def test_what_a_killed_grading_left_goes_with_the_next_one_and_nothing_else(
     assert set(tmp_path.iterdir()) == ours
 
 
-def test_long_names_are_cut_and_stay_two() -> None:
-    first, second = (files.fitting("\u00fc" * 200 + end) for end in "ab")
-    assert first != second
-    assert all(180 < len(name.encode()) <= 200 for name in (first, second))
-    assert files.fitting("\u00fc" * 100) == "\u00fc" * 100
-
-
 def test_no_link_that_somebody_left_is_followed_when_a_file_is_written(tmp_path: Path) -> None:
     victim = tmp_path / "victim"
     victim.write_text("whole")

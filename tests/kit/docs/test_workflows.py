@@ -39,10 +39,9 @@ def test_githubs_workflow_keeps_its_secrets_from_the_grading() -> None:
 
 def test_what_a_workflow_uses_is_pinned() -> None:
     """A tag can be moved to another commit. The version stands beside the digest."""
-    for text in (GITHUB, (ROOT / ".github" / "workflows" / "test.yml").read_text()):
-        uses = re.findall(r"uses: (.*)", text)
-        pinned = r"[\w/-]+@[0-9a-f]{40} # v\d+\.\d+\.\d+"
-        assert uses and all(re.match(pinned, used) for used in uses), uses
+    uses = re.findall(r"uses: (.*)", GITHUB)
+    pinned = r"[\w/-]+@[0-9a-f]{40} # v\d+\.\d+\.\d+"
+    assert uses and all(re.match(pinned, used) for used in uses), uses
     assert re.search(r"^  image: ubuntu:24.04@sha256:[0-9a-f]{64}$", GITLAB, re.MULTILINE)
 
 
@@ -95,17 +94,16 @@ def graded_by_classroom50(bundle: Path, checkout: Path) -> Any:
     command = [sys.executable, str(bundle / "autograder.py")]
     subprocess.run(command, cwd=checkout, env={**os.environ, **words}, check=True, timeout=900)
     result = json.loads((checkout / "result.json").read_text())
-    assert result["schema"] == "classroom50/result/v1"
-    assert (result["classroom"], result["assignment"]) == ("cs1", "bounce")
+    named = [result[name] for name in ("schema", "classroom", "assignment")]
+    assert named == ["classroom50/result/v1", "cs1", "bounce"]
     assert result["submission"].startswith("submit/")
-    for field in ("submission", "commit", "release", "review", "datetime"):
+    for field in ("commit", "release", "review", "datetime"):
         assert isinstance(result[field], str) and result[field], field
     for scored in (result, *result["tests"]):
         score, most = scored["score"], scored["max-score"]
         assert type(score) is int and type(most) is int and 0 <= score <= most
     for test in result["tests"]:
-        assert type(test["passed"]) is bool and isinstance(test["test-name"], str)
-        assert test["test-name"]
+        assert type(test["passed"]) is bool and test["test-name"] > ""
     return result
 
 

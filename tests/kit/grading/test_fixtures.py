@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 from bounce_grader.common.manifest import parts
-from bounce_grader.grading import fixtures, known_mistakes
+from bounce_grader.grading import fixtures
 from bounce_grader.publish import fixtures as published
 
 SECRETS = ["a", "correct horse", "ü" * 200, ""]
@@ -79,17 +79,3 @@ def test_a_byte_of_difference_is_noticed(monkeypatch: pytest.MonkeyPatch, tmp_pa
     (tmp_path / "part5.json").write_text("{}")
     monkeypatch.setattr(published, "PUBLIC", tmp_path)
     assert published.differing() == ["public/part2_lcp.json", "public/part5.json"]
-
-
-def test_a_mistakes_answers_stay_where_only_rounding_differs(
-    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
-) -> None:
-    texts = {name: '{"right": [[0.25, 1]]}' for name in ("near.json", "far.json")}
-    monkeypatch.setattr(known_mistakes, "texts", lambda: texts)
-    (tmp_path / "near.json").write_text('{"right": [[0.2500000000001, 1]]}')
-    (tmp_path / "far.json").write_text('{"right": [[0.250001, 1]]}')
-    (tmp_path / "part5.json").write_text("{}")
-    assert known_mistakes.differing(tmp_path) == ["far.json", "part5.json"]
-    known_mistakes.write(tmp_path)
-    assert "0.2500000000001" in (tmp_path / "near.json").read_text()
-    assert (tmp_path / "far.json").read_text() == texts["far.json"]

@@ -56,7 +56,8 @@ def test_numbers_say_the_same_but_for_rounding() -> None:
 
 
 def test_every_mistake_is_taken_for_itself_by_its_stored_answers() -> None:
-    asked: list[tuple[int, list[Any], str]] = []
+    asked: list[dict[str, Any]] = []
+    names: list[str] = []
     for part in parts():
         text = (KNOWN / f"{part.stem}.json").read_text()
         stored = json.loads(text, parse_constant=lambda word: pytest.fail(word))
@@ -68,10 +69,11 @@ def test_every_mistake_is_taken_for_itself_by_its_stored_answers() -> None:
                     continue
                 for place, x in what.items():
                     got[int(question)][int(place)] = x
-            asked.append((part.number, got, entry["name"]))
-    lines = [json.dumps({"part": number, "answers": got}) for number, got, _ in asked]
+            asked.append({"part": part.number, "answers": got})
+            names.append(entry["name"])
     command = [str(BUILD / "recogniser"), str(FIXTURES / "public")]
-    result = processes.run(command, known_mistakes.LIMITS, stdin="\n".join(lines).encode())
+    lines = "\n".join(map(json.dumps, asked)).encode()
+    result = processes.run(command, known_mistakes.LIMITS, stdin=lines)
     assert result.ok, result.err
-    for (_, _, name), line in zip(asked, result.out.splitlines()):
-        assert json.loads(line)["mistakes"] == ([name] if name else [])
+    found = [json.loads(line)["mistakes"] for line in result.out.splitlines()]
+    assert found == [[name] if name else [] for name in names]

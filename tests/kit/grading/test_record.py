@@ -56,7 +56,7 @@ def test_one_exception_is_told_once() -> None:
 
 
 def test_one_crash_is_told_once() -> None:
-    """With what was answered before it; a crash in another line is told by itself."""
+    """A crash in another line is told by itself."""
 
     def crash(case: int, line: int) -> Verdict:
         ended = f"ended at case {case} of 9; the last: x\nin"

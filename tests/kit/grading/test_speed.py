@@ -26,6 +26,7 @@ WORDS = {
     "OFTEN": "params.dt < 0.0035 && std::abs(params.delta - 0.1 * params.dt) < 1e-12",
     "ROUND": "std::round(1e4 * v_0(0)) == 1e4 * v_0(0) && std::round(1e4 * v_0(1)) == 1e4 * v_0(1)",
 }
+TIMINGS = Path(__file__).parent / "timings.toml"
 ACCEPTED = ROOT / "tests" / "submissions" / "accepted"
 
 
@@ -42,7 +43,7 @@ def timed(folder: Path, changes: dict[str, bytes]) -> dict[str, Any]:
     return grade(write(folder, {**solution_files(), **changes}), Options(speed=True))
 
 
-@pytest.mark.parametrize("row", golden.rows(Path(__file__).parent / "timings.toml", "timing"))
+@pytest.mark.parametrize("row", golden.rows(TIMINGS, "timing"))
 def test_who_is_not_right_everywhere_has_no_times(tmp_path: Path, row: dict[str, Any]) -> None:
     record = timed(tmp_path / "x", {"part4_simulate.cpp": part4(row)})
     found, printed = record["speed"], str(terminal.lines(record))
@@ -97,7 +98,6 @@ def test_parts_that_do_not_run_together_are_not_timed(tmp_path: Path, name: str)
     record = timed(tmp_path, {name: b"#error no\n"})
     assert set(record["speed"]) == {"largest_error"}
     assert "Speed: not measured (the parts don't run together)" in str(terminal.lines(record))
-    assert "Speed against accuracy" not in formats.render("html", record, tmp_path)
 
 
 def test_the_largest_error_tells_no_expected_number(tmp_path: Path) -> None:
@@ -133,17 +133,9 @@ def read(measured: dict[str, Any]) -> dict[str, Any]:
     return speed.read(json.dumps(measured).encode())
 
 
-def test_the_sentence_says_when_a_millimetre_is_reached_and_what_that_costs() -> None:
-    assert speed.sentences(read(found(3.0))) == [
-        "Your program is within 1 mm of the exact motion from dt = 100 \N{MICRO SIGN}s on, and "
-        "then takes 6 ms for a second of motion, 3 times the solution's time; no more model than "
-        "each step needs does that in 10 \N{MICRO SIGN}s."
-    ]
-    assert speed.sentences(read(found(error=0.02, cut="at dt = 1e-05 s: x"))) == [
-        "Your program doesn't get within 1 mm: at dt = 100 \N{MICRO SIGN}s it is still off by "
-        "20 mm; the solution does at dt = 100 \N{MICRO SIGN}s.",
-        "It was cut at dt = 1e-05 s: x.",
-    ]
+def test_who_never_reaches_a_millimetre_is_told_how_far_off_it_is() -> None:
+    [said] = speed.sentences(read(found(error=0.02)))
+    assert "doesn't get within 1 mm: at dt = 100 \N{MICRO SIGN}s it is still off by 20 mm" in said
 
 
 def test_no_ratio_is_told_of_what_nothing_could_compute() -> None:
@@ -157,17 +149,10 @@ def test_a_scene_that_was_cut_ends_the_curve_of_all_and_no_error_is_infinite() -
     assert len(speed.curve(read(made), "submission")) == 2
 
 
-@pytest.mark.parametrize(
-    "spoil",
-    ["{}", "[]", "x", '{"dt":[NaN],"scenes":[],"cut":""}', '{"dt":[0],"scenes":[],"cut":""}']
-    + ['{"wrong":1}', '{"otherwise":1}', '{"dt":[],"scenes":[{}],"cut":""}']
-    + ['{"dt":[],"scenes":[],"cut":1}', '{"dt":[1e200],"scenes":[],"cut":""}']
-    + [f'{{"dt":[1{"0" * 400}],"scenes":[],"cut":""}}'],
-    ids=lambda text: text[:40],
-)
-def test_what_is_no_answer_is_the_kits_failure(spoil: str) -> None:
+@pytest.mark.parametrize("answer", golden.table(TIMINGS)["no_answer"], ids=lambda text: text[:40])
+def test_what_is_no_answer_is_the_kits_failure(answer: str) -> None:
     with pytest.raises(KitError):
-        speed.read(spoil.encode())
+        speed.read(answer.encode())
 
 
 def test_the_chart_is_told_apart_without_colour() -> None:

@@ -16,8 +16,8 @@ from bounce_grader.submission import intake, submission
 from bounce_grader.submission.submission import Submission
 from bounce_grader.submission.unpack_limits import LARGEST
 from conftest import write
-from handed_in import limited_memory, packed_tar, zip_of
-from odd_submissions import bash, FILES, PARTS, PATHS
+from handed_in import limited_memory, packed_tar, zipped
+from odd_submissions import bash, COMMANDS, FILES, PARTS, PATHS
 from odd_tars import tars
 from odd_zips import Archive, zips
 
@@ -81,7 +81,7 @@ def test_files_are_the_same_in_a_folder_a_zip_and_a_tar(tmp_path: Path) -> None:
         for number, (what, files) in enumerate(FILES.items()):
             folder = write(tmp_path / f"{number}", files)
             words = read(folder)
-            assert read(zip_of(tmp_path / "x.zip", files)) == words, what
+            assert read(zipped(tmp_path / "x.zip", files)) == words, what
             (tmp_path / "x.tar.gz").write_bytes(packed_tar(files))
             assert read(tmp_path / "x.tar.gz") == words, what
             yield what, words
@@ -97,7 +97,7 @@ def test_folders_and_paths(tmp_path: Path) -> None:
         yield "3000 folders deep", read(odd_submissions.deep(tmp_path / "deep"))
         bash("rm -rf *", tmp_path)  # pytest can't remove what is deep
         misleading = dict.fromkeys(odd_submissions.MISLEADING, b"int x;")
-        yield "misleading names", read(zip_of(tmp_path / "x.zip", PARTS | misleading))
+        yield "misleading names", read(zipped(tmp_path / "x.zip", PARTS | misleading))
 
     compare("folders", rows())
 
@@ -115,18 +115,9 @@ def test_archives(tmp_path: Path, make: Callable[[], Iterator[Archive]]) -> None
 # --- changes while it is read ---
 
 
-CHANGES = {
-    "removed": "rm part1_contacts.cpp",
-    "a link": "ln -sf /etc/passwd part1_contacts.cpp",
-    "a pipe": "rm part1_contacts.cpp; mkfifo part1_contacts.cpp",
-    "in a link to a folder": "cd ..; mv src ../elsewhere; ln -s ../elsewhere src",
-    "larger": "truncate -s 2M part1_contacts.cpp",
-}
-
-
 def test_a_folder_that_changes_while_it_is_read_leads_nowhere_else(tmp_path: Path) -> None:
     def rows() -> Iterator[tuple[str, str]]:
-        for what, command in CHANGES.items():
+        for what, command in COMMANDS["changes"].items():
             folder = tmp_path / what / "x"
             write(folder, {"src/part1_contacts.cpp": b"int x;", "README": b""})
             with intake.opened(folder) as entries:
@@ -138,8 +129,8 @@ def test_a_folder_that_changes_while_it_is_read_leads_nowhere_else(tmp_path: Pat
 
 
 def test_a_zip_that_is_replaced_while_it_is_read_stays_the_first_one(tmp_path: Path) -> None:
-    path = zip_of(tmp_path / "x.zip", {"part1_contacts.cpp": b"int first;"})
-    second = zip_of(tmp_path / "y.zip", {"part1_contacts.cpp": b"int second;"})
+    path = zipped(tmp_path / "x.zip", {"part1_contacts.cpp": b"int first;"})
+    second = zipped(tmp_path / "y.zip", {"part1_contacts.cpp": b"int second;"})
     with intake.opened(path) as entries:
         second.replace(path)
         assert submission.take(path, entries).files["part1_contacts.cpp"] == b"int first;"

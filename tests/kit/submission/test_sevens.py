@@ -13,7 +13,7 @@ from bounce_grader.sandbox.processes import Limits, Result
 from bounce_grader.submission import sevens, submission, unpack_limits
 from bounce_grader.submission.entry import MOST_ENTRIES
 from conftest import solution_files, write
-from handed_in import refusal, zip_of
+from handed_in import refusal, zipped
 
 HERE = [program for program in sevens.PROGRAMS if os.path.isfile(program)]
 needs_7zip = pytest.mark.skipif(not HERE, reason="needs 7-Zip: apt-get install 7zip")
@@ -95,6 +95,6 @@ def test_the_7z_archives_of_a_submission_share_their_time(
     monkeypatch.setattr(sevens, "_program", lambda path: "7zz")
     monkeypatch.setattr(box, "choose", lambda: Box("none"))
     monkeypatch.setattr(processes, "run", run)
-    whole = zip_of(tmp_path / "x.zip", {f"{i}.7z": b"7z\xbc\xaf\x27\x1c" for i in range(3)})
+    whole = zipped(tmp_path / "x.zip", {f"{i}.7z": b"7z\xbc\xaf\x27\x1c" for i in range(3)})
     assert "too much time" in refusal(whole)
     assert asked == [10, 7, 4, 1]

@@ -2,23 +2,16 @@
 
 import csv
 import io
-import zipfile
 from pathlib import Path
 from typing import Any
 
 import stand_in
 from bounce_grader.classroom import run
 from bounce_grader.classroom.work import log
+from handed_in import zipped
 
 COLUMN = "HW3 (98765)"
 POINTS = ("30.00", "23.00", "19.00", "13.00", "8.00", "4.00", "0.00")  # of part 2
-
-
-def zipped(path: Path, entries: dict[str, bytes]) -> Path:
-    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
-        for name, data in entries.items():
-            archive.writestr(name, data)
-    return path
 
 
 def download(path: Path, users: list[int], extra: dict[str, bytes] | None = None) -> Path:

@@ -14,9 +14,6 @@ import pytest
 from waiting import wait_for
 
 ROOT = Path(__file__).resolve().parents[3]
-needs_dask = pytest.mark.skipif(
-    which("dask-worker") is None, reason="python3-distributed is missing"
-)
 
 
 @dataclass
@@ -38,10 +35,18 @@ class Cluster:
         options = ["--nthreads", "1", "--no-nanny", "--no-dashboard"]
         return self.start("/usr/bin/dask-worker", self.address, *options, **more)
 
+    def wait_for_worker(self) -> None:
+        from distributed import Client
+
+        with Client(self.address, set_as_default=False) as client:
+            client.wait_for_workers(1, timeout=60)
+
 
 @contextmanager
 def started() -> Iterator[Cluster]:
     """A scheduler, without workers yet."""
+    if which("dask-worker") is None:
+        pytest.skip("python3-distributed is missing")
     with socket.socket() as free:
         free.bind(("127.0.0.1", 0))
         port = free.getsockname()[1]

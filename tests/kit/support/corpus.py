@@ -33,7 +33,10 @@ def zip_of(members: Iterable[Member], comment: bytes = b"") -> bytes:
         data += _beside_the_data(member)
         directory += _in_the_directory(member, at)
         count += 1
-    count = min(count, 0xFFFF)
+    return _ended(data, directory, min(count, 0xFFFF), comment)
+
+
+def _ended(data: bytes, directory: bytes, count: int, comment: bytes = b"") -> bytes:
     counts = struct.pack("<4s4H", b"PK\5\6", 0, 0, count, count)
     where = struct.pack("<LLH", len(directory), len(data), len(comment))
     return data + directory + counts + where + comment
@@ -94,9 +97,7 @@ def many_entries(count: int) -> bytes:
     """A zip of empty files that share one place."""
     first = Member(b"0", b"", 0)
     directory = b"".join(_in_the_directory(Member(b"%x" % i, b"", 0), 0) for i in range(count))
-    data = _beside_the_data(first)
-    counts = struct.pack("<4s4H", b"PK\5\6", 0, 0, count, count)
-    return data + directory + counts + struct.pack("<LLH", len(directory), len(data), 0)
+    return _ended(_beside_the_data(first), directory, count)
 
 
 def overlapping(count: int, size: int) -> bytes:
@@ -107,5 +108,4 @@ def overlapping(count: int, size: int) -> bytes:
         data = _beside_the_data(member)
         places.append((member, len(data)))
     directory = b"".join(_in_the_directory(member, len(data) - back) for member, back in places)
-    counts = struct.pack("<4s4H", b"PK\5\6", 0, 0, count, count)
-    return data + directory + counts + struct.pack("<LLH", len(directory), len(data), 0)
+    return _ended(data, directory, count)

@@ -12,10 +12,8 @@ import pytest
 from bounce_grader.common.errors import UsageError
 from bounce_grader.submission import submission
 
-PARTS = {f"{stem}.cpp" for stem in ("part1_contacts", "part2_lcp", "part3_step", "part4_simulate")}
 
-
-def zip_of(path: Path, files: dict[str, bytes]) -> Path:
+def zipped(path: Path, files: dict[str, bytes]) -> Path:
     with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
         for name, text in files.items():
             archive.writestr(name, text)

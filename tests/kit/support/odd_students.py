@@ -22,6 +22,8 @@ def _of(*files: str, data: bytes = b"// odd\n") -> Files:
     return {f"roe_USER_{number}_{file}": data for number, file in enumerate(files, 11)}
 
 
+LONG = [f"{'n' * 240}{i}.jpg" for i in range(90)]
+
 # By what is odd: names in Canvas's download, where USER is the student's number there.
 UPLOADS: dict[str, Files] = {
     **{f"zip: {what}": _of("hw.zip", data=data) for what, _, data in zips()},
@@ -30,6 +32,13 @@ UPLOADS: dict[str, Files] = {
         for what, _, data in zips()
     },
     "many long names": _of("hw.zip", data=long_names(4900)),
+    "1900 long names beside a part": {
+        **_of("part2_lcp.cpp"),
+        "roe_USER_12_hw.zip": long_names(1900),
+    },
+    "a part that is there 90 times": _of("hw.zip", data=long_names(90, "/part1_contacts.cpp")),
+    "90 long uploads": _of(*LONG),
+    "90 long uploads beside a part": _of("part2_lcp.cpp", *LONG),
     "many": _of(*(f"helper{i}.cpp" for i in range(3000))),
     "many large ones": _of(*(f"h{i}.cpp" for i in range(99)), data=b" " * (1 << 20)),
     "an attachment of 5,000 digits": {f"roe_USER_{'9' * 5000}_part2_lcp.cpp": b""},

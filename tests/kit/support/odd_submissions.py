@@ -6,6 +6,7 @@ import os
 import subprocess
 from pathlib import Path
 
+import golden
 from bounce_grader.submission import entry
 from conftest import ROOT, write
 
@@ -44,29 +45,7 @@ MISLEADING = ["-o.cpp", "@options.cpp", "a\nb.hpp", "\x1b[2J.cpp", "a\u202eppc.h
 MISLEADING += [f"{'a' * 300}.cpp", "a/" * 200 + "a.cpp"]
 
 
-# Commands of bash in a student's folder, with the parts in ../parts.
-FOLDERS = {
-    "an empty folder": "true",
-    "a name that is no UTF-8": r"cp ../parts/* .; touch $'L\xf6sung.hpp'",
-    "odd names": r"touch $'\xff.cpp' $'a\nb.cpp' $'\e[2J'",
-    "a part of 1 GB": "cp ../parts/* .; truncate -s 1000000000 part2_lcp.cpp",
-    "a part of 1 TB": "truncate -s 1T part2_lcp.cpp",
-    "a zip of 1 TB": "truncate -s 1T hw.zip",
-    "a folder as a part": "mkdir part2_lcp.cpp",
-    "a pipe as a part": "mkfifo part2_lcp.cpp",
-    "a pipe as a zip": "mkfifo hw.zip",
-    "links and a pipe": "cp ../parts/* .; ln -s /etc/passwd helper.cpp; ln -s /etc folder; "
-    "ln -s nowhere 2.cpp; ln -s /proc/self/mem 3.cpp; mkfifo pipe.cpp",
-    "5001 folders": "mkdir {1..5001}",
-    "6000 files": "touch {1..6000}.o",
-    "1200 folders deep": "mkdir -p $(printf 'd/%.0s' {1..1200})",
-    "a repository with hooks": "mkdir -p .git/hooks; cd .git; "
-    r"printf '[core]\n\tfsmonitor = touch /tmp/was-run\n' > config; "
-    r"printf '#!/bin/sh\ntouch /tmp/was-run\n' > hooks/pre-commit; chmod +x hooks/pre-commit; "
-    "cp hooks/pre-commit hooks/post-checkout",
-    "an output's files": "mkdir results; echo '{' > results/set.json; echo '{' > log.jsonl",
-}
-
+COMMANDS: dict[str, dict[str, str]] = golden.table(TABLES / "folders.toml")
 # What is made in an empty folder, and which path is then read.
 PATHS = {
     "nothing": ("true", "nowhere"),
@@ -74,7 +53,7 @@ PATHS = {
     "a pipe": ("mkfifo pipe", "pipe"),
     "/dev/zero": ("true", "/dev/zero"),
     "/dev/null": ("true", "/dev/null"),
-    **{what: (command, ".") for what, command in FOLDERS.items()},
+    **{what: (command, ".") for what, command in COMMANDS["folders"].items()},
 }
 
 
