@@ -93,6 +93,14 @@ def test_who_rounds_otherwise_is_right(tmp_path: Path, name: str) -> None:
     assert found.get("cut") == "" and "otherwise" not in found
 
 
+def test_a_start_that_can_be_known_by_heart_counts_for_no_time(tmp_path: Path) -> None:
+    """Elsewhere it does its work many times over."""
+    slow = part4(
+        {"before": "for (int i = 0; i < ((ROUND) ? 0 : 30); ++i) honest(q_0, v_0, params);"}
+    )
+    assert timed(tmp_path, {"part4_simulate.cpp": slow})["speed"]["ratio"] > 5
+
+
 @pytest.mark.parametrize("name", ["part2_lcp.cpp", "part4_simulate.cpp"])
 def test_parts_that_do_not_run_together_are_not_timed(tmp_path: Path, name: str) -> None:
     record = timed(tmp_path, {name: b"#error no\n"})

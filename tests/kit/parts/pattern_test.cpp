@@ -45,6 +45,8 @@ void zero_or_more(Q c, X x) {
   x(17) += odd(c);
 }
 
+void usual_gravity(Q c, X x) { x(16) += c.params.dt * c.J.col(1).dot(Parameters().g - c.params.g); }
+
 void columns_exchanged(Q, X x) {
   Eigen::Map<Jacobian> J(x.data());
   J = J.rowwise().reverse().eval();
@@ -238,6 +240,10 @@ const Row kRows[] = {
     {"the absolute value", 1, phi([](Q, double phi) { return std::abs(phi); })},
     {"at most 0", 1, phi([](Q, double phi) { return std::min(phi, 0.0); })},
     {"phi of a side's middle", 1, phi(lowest_middle)},
+    {"the corner's x", 1, [](Q c, X x) { x(6) = c.q(0) + x(5); }},
+    {"x + r_y", 1, [](Q c, X x) { x(6) = c.q(0) - x(2); }},
+    {"y + r_x", 1, [](Q c, X x) { x(6) = c.q(1) + x(5); }},
+    {"the highest corner's y", 1, [](Q c, X x) { x(6) = c.q(1) + x(2); }},
     {"phi with more", 1, phi([](Q c, double phi) { return phi + c.q(2) * c.q(1); })},
     {"J_n of length 1", 1, [](Q, X x) { x.segment(3, 3).normalize(); }},
     {"half the angle", 1, square([](Q c) { return c.q(2) / 2; }, side_of)},
@@ -273,6 +279,7 @@ const Row kRows[] = {
     // inputs
     {"l is 0.4", 1, square(angle_of, [](Q) { return 0.4; })},
     {"l is the first", 1, square(angle_of, [](Q) { return first(1).params.l; })},
+    {"g along J_n is the usual", 2, usual_gravity},
     {"x counts", 1, [](Q c, X x) { x(5) += c.q(0) * c.q(0); }},
     {"entries exchanged", 1, [](Q, X x) { std::swap(x(3), x(5)); }},
     {"another answer each time", 1, [calls = 0](Q, X x) mutable { x(6) += ++calls; }},

@@ -22,6 +22,16 @@ Motions motion_at(const Case& c, const std::vector<double>& times, EventReport* 
   return simulate_events<double>(c.params, c.start, times, options, report);
 }
 
+// A corner is l / sqrt(2) away from the centre: in a small turn, it moves by that times the turn.
+TEST(exact, TellsHowFarPosesAreApartByTheWayOfACorner) {
+  Scene scene{};
+  const Motion<double> one{0, 1, 0, 0, 0, 0}, moved{0.03, 1.04, 0, 0, 0, 0};
+  const Motion<double> turned{0, 1, 1e-3, 0, 0, 0};
+  EXPECT_NEAR(distance(scene, one, moved), 0.05, 1e-15);
+  const double corner = height_of(scene.params.l, std::atan(1.0));
+  EXPECT_NEAR(distance(scene, one, turned), 1e-3 * corner, 1e-15);
+}
+
 // --- every motion ---
 
 // How far rounding alone can sink a corner, m: that of y, of theta and of the time; and what counts

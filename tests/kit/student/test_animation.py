@@ -195,6 +195,9 @@ def test_a_column_shows_its_contact_and_no_force_but_its_own(
         shown = [page.number("f_t"), page.number("f_n")]
         assert shown == pytest.approx(touching[t], abs=0.051)
         assert page.pixels("force") > 10
+    flight = f"return Array.from(Array({min(touching)}), (_, t) => energies(t).total)"
+    energies = page.driver.execute_script(flight)  # the scheme's step changes it by m (g dt)^2 / 2
+    assert len(energies) > 3 and max(energies) - min(energies) < 0.002 * len(energies)
 
 
 def test_while_playing_an_arrow_lingers_for_a_moment_of_the_readers(
