@@ -25,7 +25,7 @@ def test_who_prints_more_than_it_may_is_stopped_and_no_more_is_kept() -> None:
 def test_of_a_stopped_process_the_time_of_children_that_ended_counts() -> None:
     busy = f"{sys.executable} -c 'import time\nwhile time.process_time() < 0.5: pass'"
     result = processes.run(["/bin/sh", "-c", f"{busy}; cat /dev/zero; true"], PATIENT)
-    assert result.flooded and result.cpu_seconds >= 0.5
+    assert result.flooded and result.cpu_seconds > 0.4  # counted in ticks
 
 
 def test_who_ends_without_reading_is_no_fault() -> None:
