@@ -99,6 +99,8 @@ def test_the_quick_study_answers_every_question(tmp_path: Path) -> None:
             assert (tmp_path / link).exists() or link == "peers.md", (page.name, link)
     models = [row for row in rows(tmp_path / "least_model.csv") if row["least"] == "1"]
     assert len(models) == 11 and all(row["expected"] == "1" for row in models)
+    longer = re.findall(r"([\d.]+) times as long", (tmp_path / "least_model.md").read_text())
+    assert max(map(float, longer)) > 5  # the whole model, where the least one is asleep
     for row in rows(tmp_path / "tolerance.csv"):
         assert int(row["violated"]) == 0 < int(row["scenes"])
         assert float(row["bound_over_error"]) <= 100
