@@ -69,9 +69,13 @@ def test_gets_what_it_should(folder: Path, tmp_path: Path) -> None:
 
 
 REMARKED = [folder for folder in folders("undefined") if "remark" in expected(folder)]
+SOME_REMARKED = [  # sanitizers take long: two in each run
+    pytest.param(folder, id=folder.name, marks=[pytest.mark.long] * (number > 1))
+    for number, folder in enumerate(REMARKED)
+]
 
 
-@pytest.mark.parametrize("folder", REMARKED, ids=lambda folder: folder.name)
+@pytest.mark.parametrize("folder", SOME_REMARKED)
 def test_undefined_behaviour_is_remarked(folder: Path) -> None:
     """Without the other parts, which would be looked at, too."""
     text = shown(grade(folder, Options(sanitize=True)))
