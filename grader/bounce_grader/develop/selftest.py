@@ -31,12 +31,12 @@ class Step(NamedTuple):
     name: str
     run: Callable[[], int]
     is_long: bool = False  # whether only a long run has it
-    parallel: bool = False  # whether it uses all cores
+    parallel: bool = False  # whether it uses all cores all the time
 
 
 def run(is_long: bool) -> int:
-    """Runs the steps: first those that use one core, several at a time, and then, one by one, those
-    that use all cores. Returns the exit status."""
+    """Runs the steps: several at a time, and then, one by one, those that use all cores all the time.
+    Returns the exit status."""
     steps = [step for step in _steps(is_long) if is_long or not step.is_long]
     single = [step for step in steps if not step.parallel]
     parallel = [step for step in steps if step.parallel]
@@ -69,14 +69,14 @@ def accept() -> int:
 
 def _steps(is_long: bool) -> list[Step]:
     return [
+        Step("Python tests, the gallery among them", lambda: _pytest(is_long)),
         Step("types: mypy", _mypy),
         Step("formatting: clang-format", _clang_format),
         Step("formatting: black", lambda: _command("black", "-q", "--check", *PYTHON)),
-        Step("fixtures are what the kit writes", _fixtures),
+        Step("fixtures are what the kit writes", fixtures.check),
         Step("C++ tests", _ctest),
         Step("lint: clang-tidy", lambda: _clang_tidy(is_long)),
         Step("C++ tests with sanitizers", _sanitized, True, True),
-        Step("Python tests, the gallery among them", lambda: _pytest(is_long), parallel=True),
         Step("C++ readers with a million inputs each", fuzz.run, True, True),
     ]
 
@@ -129,11 +129,6 @@ def _mypy() -> int:
     return _command("mypy", "--no-error-summary", "--cache-dir", str(BUILD / "mypy"), *PYTHON)
 
 
-def _fixtures() -> int:
-    hidden_folder()  # so that the oracle finds the hidden ones too
-    return fixtures.check()
-
-
 def _ctest() -> int:
     return _quietly("ctest", "--test-dir", str(BUILD), "--output-on-failure", "-j", str(WORKERS))
 
@@ -149,6 +144,7 @@ def _sanitized() -> int:
 
 
 def _pytest(is_long: bool) -> int:
+    hidden_folder()  # so that the oracle finds the hidden ones too
     chosen = [] if is_long else ["-m", "not long"]
     workers = ["-n", str(WORKERS), "--dist", "loadgroup"]
     return _command(sys.executable, "-m", "pytest", "-q", *workers, *chosen)
