@@ -15,7 +15,7 @@ from bounce_grader.common.files import temporary_folder
 from bounce_grader.common.manifest import parts
 from bounce_grader.common.paths import STUBS, WORK_FOLDER
 from bounce_grader.formats import terminal
-from bounce_grader.grading import gallery, known_mistakes
+from bounce_grader.grading import gallery, known_mistakes, sanitizing
 from bounce_grader.grading.fixtures import write as write_fixtures
 from bounce_grader.grading.gallery import expected, Expected, in_reduced_box
 from bounce_grader.grading.grade import grade, Options
@@ -59,13 +59,24 @@ def shown(record: dict[str, Any]) -> str:
 
 
 @pytest.mark.parametrize("folder", ALL, ids=name_of)
-def test_gets_what_it_should(folder: Path, tmp_path: Path) -> None:
-    """A mistake is named as itself, or as its twin with the same answers; nothing else is."""
+def test_gets_what_it_should(folder: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A mistake is named as itself, or as its twin with the same answers; nothing else is. What
+    sanitizers add to a crash takes ten times as long as the grading: the long run tries it."""
+    monkeypatch.setattr(sanitizing, "with_cause", lambda part, judged, *_: judged)
     record = grade(submission_of(folder, tmp_path / "submission"))
     gets(expected(folder), record)
     named = [mistake["name"] for part in record["parts"] for mistake in part["mistakes"]]
     mistakes = [folder.name] if folder in MISTAKES else []
     assert named == [expected(folder).get("recognised_as", name) for name in mistakes]
+
+
+CRASHING = [folder for folder in ALL if "crashed" in expected(folder).get("status", {}).values()]
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("folder", CRASHING, ids=name_of)
+def test_a_crash_gets_the_same_with_its_cause(folder: Path, tmp_path: Path) -> None:
+    gets(expected(folder), grade(submission_of(folder, tmp_path / "submission")))
 
 
 REMARKED = [folder for folder in folders("undefined") if "remark" in expected(folder)]
