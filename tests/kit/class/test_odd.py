@@ -1,6 +1,7 @@
 """Whatever one student's files contain, nobody else loses anything: the class is graded, and that
-student is named. odd_uploads.txt and odd_folders.txt say what becomes of each; what is odd are the
-zips of odd_zips.py, the uploads of odd_students.py and the folders of odd_submissions.py."""
+student is named. odd_submissions_as_uploads.txt and odd_submissions_as_folders.txt say what becomes
+of each; what is odd are the zips of odd_zips.py, the uploads of odd_students.py and the folders of
+odd_submissions.py."""
 
 import csv
 import io
@@ -89,7 +90,9 @@ def test_no_upload_costs_anybody_else(tmp_path: Path) -> None:
     (tmp_path / "x.zip").write_bytes(download)
     alone = zipped(tmp_path / "alone.zip", HONEST)
     names = {**users, "299": TWICE[0]}
-    golden.compare_file(HERE / "odd_uploads.txt", outcomes(tmp_path / "x.zip", alone, "101", names))
+    golden.compare_file(
+        HERE / "odd_submissions_as_uploads.txt", outcomes(tmp_path / "x.zip", alone, "101", names)
+    )
     assert "and 1890 more" in (tmp_path / "out" / "class.html").read_text()
 
 
@@ -109,7 +112,7 @@ def test_no_folder_costs_anybody_else(tmp_path: Path) -> None:
         subprocess.run(["chmod", "-R", "u+rwX", str(every)], check=False)
         subprocess.run(["rm", "-rf", str(every)], check=True)  # however deep
     assert not Path("/tmp/was-run").exists()
-    golden.compare_file(HERE / "odd_folders.txt", got)
+    golden.compare_file(HERE / "odd_submissions_as_folders.txt", got)
     pages = [os.fsencode(file.name) for file in (tmp_path / "out" / "feedback").iterdir()]
     assert b"ann\xe4.html" in pages and max(map(len, pages)) < 240
     assert len([page for page in pages if page.startswith("ü".encode())]) == 2

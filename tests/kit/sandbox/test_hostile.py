@@ -1,6 +1,6 @@
 """What hostile submissions must never do, beside losing their points: have a compiler bring a
 secret out of a box. What a running program can reach is tried by the doctor's probe, and what a
-link in a submission leads to is told by tests/kit/submission/.
+link in a submission leads to is told by tests/kit/odd_submissions/.
 
 Secrets are random marks. A mark must be in no record, report or cached object; without a box the
 same submissions do bring it out, which shows that the search works.

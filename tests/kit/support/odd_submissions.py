@@ -29,7 +29,7 @@ def written(files: dict[str, str]) -> Files:
     return made
 
 
-TABLES = ROOT / "tests" / "kit" / "bad_input"
+TABLES = ROOT / "tests" / "kit" / "odd_submissions"
 FILES = {k: written(files) for k, files in json.loads((TABLES / "files.json").read_text()).items()}
 FILES |= {
     "UTF-16, and no text": {"part1_contacts.cpp": "// Höhe\nint x;\n".encode("utf-16")}
