@@ -273,7 +273,7 @@ double sensitivity(const Case& c, const Motions& motions, double way) {
       other.start.y += 3 * share * way * c.params.l;
       other.start.theta += turn * share * way;
       EventOptions options;
-      if (turn == 0) options.touching = 3 * share * way;
+      options.touching = std::max(options.touching, 3 * share * way);
       const Motions late = motion_at(other, even_times(c.until, kTimes), nullptr, options);
       worst = std::max(worst, apart(c, motions, late));
     }
@@ -294,9 +294,11 @@ TEST(exact, AgreesWithMoreauJeanAsFarAsItsStepsAreExact) {
     c.params.dt = c.until / double(kTimes * kSteps);
     const Motions exact = motion_at(c, even_times(c.until, kTimes));
     const auto stepped = methods::sample(methods::MoreauJean<2>(c.params, c.start), kTimes, kSteps);
-    double fastest = c.unit_speed();
-    for (const auto& s : exact)
-      fastest = std::max(fastest, std::hypot(s.v_x, s.v_y, s.omega * c.params.l));
+    const auto speed = [&](const auto& s) {
+      return std::hypot(s.v_x, s.v_y, s.omega * c.params.l);
+    };
+    double fastest = std::max(c.unit_speed(), speed(c.start));
+    for (const auto& s : exact) fastest = std::max(fastest, speed(s));
     const double way = fastest * c.params.dt / c.params.l, error = apart(c, exact, stepped);
     agree += error <= 10 * way;
     if (error <= 10 * way || c.params.mu > 4.0 / 3) continue;  // above, there may be more solutions
