@@ -269,13 +269,15 @@ double sensitivity(const Case& c, const Motions& motions, double way) {
   double worst = 0;
   for (const double share : {0.0, 0.1, 0.3, 1.0, 3.0}) {
     for (const double turn : {-1.0, 0.0, 1.0}) {
-      Case other = c;
-      other.start.y += 3 * share * way * c.params.l;
-      other.start.theta += turn * share * way;
-      EventOptions options;
-      options.touching = std::max(options.touching, 3 * share * way);
-      const Motions late = motion_at(other, even_times(c.until, kTimes), nullptr, options);
-      worst = std::max(worst, apart(c, motions, late));
+      for (const double touching : {EventOptions().touching, 3 * share * way}) {
+        Case other = c;
+        other.start.y += 3 * share * way * c.params.l;
+        other.start.theta += turn * share * way;
+        EventOptions options;
+        options.touching = touching;
+        const Motions late = motion_at(other, even_times(c.until, kTimes), nullptr, options);
+        worst = std::max(worst, apart(c, motions, late));
+      }
     }
   }
   return worst;
