@@ -67,8 +67,8 @@ void square_of(Matrix& A, Matrix& B, Vector& a, double s) {
 
 inline void instances(Eigen::Matrix2d& A2, Eigen::Vector2d& a2, Eigen::Matrix3d& A3,
                       Eigen::Vector3d& a3, Eigen::Matrix4d& A4, Eigen::Vector4d& a4,
-                      Eigen::MatrixXd& A, Jacobian& J, Contact& contact, Trajectory& trajectory,
-                      Eigen::Matrix<double, 2, 4>& corners) {
+                      Eigen::MatrixXd& A, Eigen::VectorXd& a, Jacobian& J, Contact& contact,
+                      Trajectory& trajectory, Eigen::Matrix<double, 2, 4>& corners) {
   const double s = a3(0);
   square_of(A3, A3, a3, s);
 
@@ -114,7 +114,17 @@ inline void instances(Eigen::Matrix2d& A2, Eigen::Vector2d& a2, Eigen::Matrix3d&
   a4.head<3>() = a3;
   a3 = a4.head<3>();
 
+  a3 = A3.llt().solve(a3);
+  a3 = A3.ldlt().solve(a3);
+  a3 = A3.partialPivLu().solve(a3);
+
   int i = 0;
+  A = Eigen::MatrixXd(i, i);
+  A = Eigen::MatrixXd::Zero(i, i);
+  a = Eigen::VectorXd::Zero(i);
+  A << s, s, s, s;
+  a << s, s, s;
+  A(i, i) = a(i);
   A4(i, i) = a3(i) + a2(i) + J(i, i) + corners(i, i);
 
   J.col(0) = a3;

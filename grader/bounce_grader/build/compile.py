@@ -28,7 +28,6 @@ class Objects(NamedTuple):
 
     parts: dict[int, Built]
     helpers: dict[str, Built]
-    solvers: bool = True  # whether one of them may need what solvers.hpp precompiles
 
 
 def compile_all(
@@ -37,9 +36,6 @@ def compile_all(
     """Compiles every part and helper by itself, in folders inside of the folder `work`. If `timed`,
     compiles as for normal use, without run-time checks."""
     helpers, spent = submission.helpers, _Spent()
-    solvers = compiler.header_of(submission.files, submission) == "solvers"
-    if solvers:
-        compiler.require_built("solvers", box)
     named = object_cache.named_sources(submission)
 
     def compiled(file: str) -> Built:
@@ -62,7 +58,6 @@ def compile_all(
     return Objects(
         {number: built[file] for number, file in submission.parts.items()},
         {file: built[file] for file in helpers},
-        solvers,
     )
 
 
@@ -121,8 +116,7 @@ class _Compiling(NamedTuple):
             made.unlink(missing_ok=True)
 
     def _made(self, names: list[str], more: bool, folder: Path, made: Path, place: Path) -> Built:
-        header = "speed" if self.timed else compiler.header_of(names, self.submission)
-        clang = compiler.clang(self.file, self.submission, header)
+        clang = compiler.clang(self.file, self.submission, self.timed)
         first = result = self._run(clang, folder, made, ())
         if more and compiler.misses_a_file(first):
             return Built(None)

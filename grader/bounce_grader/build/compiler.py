@@ -1,6 +1,5 @@
 """Runs the compilers in a box, and turns their errors into one line."""
 
-import fcntl
 import re
 from collections.abc import Iterable
 from functools import cache
@@ -9,7 +8,7 @@ from pathlib import Path
 from bounce_grader.build import eigen_shapes, error_meanings
 from bounce_grader.common.errors import KitError
 from bounce_grader.common.escaping import printable_text, terminal
-from bounce_grader.common.paths import BUILD, CONTRACT, RUNNER
+from bounce_grader.common.paths import CONTRACT, RUNNER
 from bounce_grader.sandbox import processes
 from bounce_grader.sandbox.box import Box
 from bounce_grader.submission.submission import Submission
@@ -18,11 +17,6 @@ COMPILE_MEMORY = 2 << 30
 COMPILE = processes.Limits(15, 120, memory=COMPILE_MEMORY, file_size=64 << 20)
 LARGE = 640 << 20  # bytes of a compiler's memory; for an honest part it takes up to 470 MB
 LARGEST_OBJECT = 8 << 20
-BUILDING = processes.Limits(600, 1800, memory=None, file_size=1 << 30)  # of the kit's own
-
-# The names that solvers.hpp instantiates. It takes longer to load than prelude.hpp, but less time
-# than instantiating them again.
-SOLVERS = re.compile(rb"MatrixXd|VectorXd|LLT|LDLT|L[Uu]\b|Q[Rr]\b|\b(?:llt|ldlt|lu)\b")
 
 
 def run(
@@ -39,27 +33,6 @@ def run(
     result = box.run([*prefix, *command], limits, cwd=folder, output=made)
     require_compiler_ran(result)
     return result
-
-
-def require_built(target: str, box: Box) -> None:
-    """Builds a target that few submissions need, if it isn't built yet. This doesn't count against
-    the grading's time. From then on ./kit keeps the target up to date. Raises KitError."""
-    needed = BUILD / f"needs-{target}"
-    if needed.exists():
-        return
-    try:
-        with box.budget.paused(), (BUILD / "lock").open("a") as lock:
-            fcntl.flock(lock, fcntl.LOCK_EX)
-            built = processes.run(["/usr/bin/ninja", "-C", str(BUILD), target], BUILDING)
-            if not built.ok:
-                last = built.out.decode("utf-8", "replace").strip().rpartition("\n")[2]
-                raise KitError(f"{target} can't be built: {terminal(last)}")
-            needed.touch()
-    except OSError as error:
-        raise KitError(
-            f"{target} isn't built yet, and {BUILD} can't be written ({error.strerror}): grade a "
-            "class, or this submission, once as the owner of the kit"
-        ) from error
 
 
 def require_compiler_ran(result: processes.Result) -> None:
@@ -94,14 +67,8 @@ def misses_a_file(result: processes.Result) -> bool:
     return not result.ok and re.search(says, result.err) is not None
 
 
-def header_of(names: Iterable[str], submission: Submission) -> str:
-    """The precompiled header for a source that is compiled with these files."""
-    rare = any(SOLVERS.search(submission.files[name]) for name in names)
-    return "solvers" if rare else "prelude"
-
-
-def clang(file: str, submission: Submission, header: str) -> list[str]:
-    flags = "speed_flags" if header == "speed" else "clang_flags"
+def clang(file: str, submission: Submission, timed: bool = False) -> list[str]:
+    flags, header = ("speed_flags", "speed") if timed else ("clang_flags", "prelude")
     command = [compiler(), f"@{RUNNER / flags}.txt", "-include-pch", str(RUNNER / f"{header}.pch")]
     return [*command, *_source(file, submission)]
 
@@ -111,8 +78,6 @@ def gcc(
 ) -> list[str]:
     """Used for what clang rejects: code that a student's own compiler accepts must count. If a
     signal ends a program that g++ starts, the exit status tells which."""
-    if not flags:  # with others, g++ can't use it
-        require_built("gcc_prelude", box)
     kind = "gcc_speed_flags" if timed else "gcc_flags"
     command = ["/usr/bin/g++", "-wrapper", f"{box.enter},step", "-pass-exit-codes"]
     command += [f"@{RUNNER / kind}.txt", *flags, "-include", str(RUNNER / "prelude.hpp")]

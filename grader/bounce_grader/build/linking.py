@@ -18,9 +18,6 @@ RUNNER_OBJECTS = ("runner", "channel", "crash", "solve_lcp", "render")
 # The checked code comes first: if several objects define an inline function, the linker takes the
 # first.
 KIT_OBJECTS = ("prelude", *RUNNER_OBJECTS)
-# Last, so that the linker uses it only for symbols that are still missing. Reading it takes a tenth
-# of a link.
-SOLVERS = ("--start-lib", str(RUNNER / "solvers.o"), "--end-lib")
 
 # Without what AddressSanitizer finds, too, and what a file does that can't be opened in the box.
 SANITIZERS = (
@@ -45,7 +42,7 @@ def link_together(objects: Objects, runner: Path, box: Box, timed: bool = False)
     own = [b.path for b in _all(objects)]
     if timed:
         return _link(own, [], runner, box, kit=RUNNER_OBJECTS)
-    return _link(own, _rare(objects), runner, box)
+    return _link(own, [], runner, box)
 
 
 def link_alone(part: Part, objects: Objects, runner: Path, box: Box) -> Built:
@@ -55,13 +52,13 @@ def link_alone(part: Part, objects: Objects, runner: Path, box: Box) -> Built:
     needs. The given parts still come first, and duplicate definitions are allowed.
     """
     own = [objects.parts[part.number].path, *(b.path for b in objects.helpers.values())]
-    given, rare = _given(part), _rare(objects)
-    alone = _link(own, [*given, *rare], runner, box)
+    given = _given(part)
+    alone = _link(own, given, runner, box)
     others = [b.path for number, b in objects.parts.items() if number != part.number and b.path]
     if alone.path or not (others or objects.helpers):
         return alone
     several = ("--allow-multiple-definition",)
-    second = _link(own, [*given, *map(str, others), *rare], runner, box, several)
+    second = _link(own, [*given, *map(str, others)], runner, box, several)
     return second if second.path else alone
 
 
@@ -89,10 +86,6 @@ def link_sanitized(part: Part, submission: Submission, work: Path, box: Box) -> 
 
 def _given(part: Part) -> list[str]:
     return [str(RUNNER / f"given_part{number}.o") for number in part.calls]
-
-
-def _rare(objects: Objects) -> list[str]:
-    return [*SOLVERS] if objects.solvers else []
 
 
 def _all(objects: Objects) -> Iterable[Built]:

@@ -30,9 +30,6 @@ SETUP = """#!/usr/bin/env bash
 set -euo pipefail
 cd /autograder/source
 chmod +x kit run_autograder
-# Each submission has a new container: what a few of them need is built now, too.
-mkdir -p build/kit
-touch build/kit/needs-solvers build/kit/needs-gcc_prelude
 ./kit grade solution --speed --min-score 100
 """
 

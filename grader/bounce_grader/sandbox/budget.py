@@ -98,21 +98,6 @@ class Budget:
             )
 
     @contextmanager
-    def paused(self) -> Iterator[None]:
-        """While this context lasts no time is counted: the kit works for itself."""
-        cpu, wall = _cpu(), time.monotonic()
-        try:
-            yield
-        finally:
-            self._extend(_cpu() - cpu, time.monotonic() - wall)
-
-    def _extend(self, cpu_seconds: float, wall_seconds: float) -> None:
-        self._cpu_end += cpu_seconds
-        self._wall_end += wall_seconds
-        if self._part_of:
-            self._part_of._extend(cpu_seconds, wall_seconds)
-
-    @contextmanager
     def within(self, limits: Limits) -> Iterator[Limits]:
         """Yields these limits, or lower ones if less is left, for a process that runs while this
         context lasts. Raises Overrun if nothing is left."""
