@@ -1,64 +1,15 @@
-"""docs/instructors.md: its commands run as they are written, and the autograder for Gradescope that
-one of them packs."""
+"""The autograder that an instructor uploads to Gradescope: what it holds, and that it grades there."""
 
-import csv
 import json
 import os
-import re
 import stat
 import subprocess
 import zipfile
 from pathlib import Path
 
 import pytest
-from bounce_grader.classroom.intake import adjustments, course, roster
-from bounce_grader.develop import synthetic_class
 from bounce_grader.publish import gradescope
 from conftest import ROOT, solution_files, write
-
-PAGE = (ROOT / "docs" / "instructors.md").read_text()
-COMMANDS = [line.strip() for line in PAGE.splitlines() if line.startswith("    ./kit ")]
-# A cluster; this course's own secret; formats, which the tests of reports print.
-NOT_HERE = ("SCHEDULER", "./kit fixtures", "--format")
-
-
-def test_the_commands_run_in_their_order(tmp_path: Path) -> None:
-    """In the kit's folder, with ../hw3 beside it."""
-    wrapper = write(tmp_path, {"kit/kit": f'#!/bin/sh\nexec "{ROOT}/kit" "$@"\n'.encode()})
-    (wrapper / "kit" / "kit").chmod(0o755)
-    (tmp_path / "kit" / "solution").symlink_to(ROOT / "solution")
-    hw3, out = tmp_path / "hw3", tmp_path / "hw3" / "out"
-    write(hw3 / "2025" / "somebody", solution_files())
-    made = [synthetic_class.Made(12, "Doe, Jane", "solution", solution_files(), 100)]
-    synthetic_class.canvas_zip(hw3 / "submissions.zip", made)
-    export = synthetic_class.gradebook_csv(made).replace("Final Score", "HW3 part 1 (98766)")
-    export = export.replace("(read only)", "30.00").replace("81.20", "")
-    (hw3 / "export.csv").write_text(export)
-    here = [c for c in COMMANDS if not any(word in c for word in NOT_HERE)]
-    assert len(here) >= 7
-    for command in here:
-        done = subprocess.run(
-            command, shell=True, cwd=tmp_path / "kit", capture_output=True, text=True, check=False
-        )
-        assert done.returncode == 0, f"{command}\n{done.stdout}{done.stderr}"
-        if "--part-column" in command:
-            rows = list(csv.reader((out / "gradebook.csv").open()))
-            assert rows[2][0] == "Doe, Jane" and rows[2][6:] == ["100.00", "30.00"]
-    named = re.findall(r"`([\w./][\w./-]*)`", PAGE.split("| file | what |")[1].split("\n\n")[0])
-    assert len(named) == 10
-    for name in {*named, "results-1"} - {"feedback-new.zip"}:  # no page has changed here
-        assert (out / name).exists(), name
-
-
-def test_the_files_of_the_page_are_read(tmp_path: Path) -> None:
-    blocks = re.findall(r"^```(?:csv|toml)\n(.*?)^```$", PAGE, re.M | re.S)
-    names = ["roster.csv", "course.toml", "adjustments.csv"]
-    write(tmp_path, {name: text.encode() for name, text in zip(names, blocks, strict=True)})
-    assert roster.read(tmp_path) and course.read(tmp_path).percent_per_day == 10
-    assert len(adjustments.read(tmp_path)) == 4
-
-
-# --- the autograder for Gradescope ---
 
 
 def test_the_autograder_holds_the_kit_and_its_secret(tmp_path: Path) -> None:
