@@ -19,15 +19,9 @@ def test_the_autograder_holds_the_kit_and_its_secret(tmp_path: Path) -> None:
     assert (tmp_path / "a.zip").read_bytes() == (tmp_path / "b.zip").read_bytes()
     with zipfile.ZipFile(tmp_path / "a.zip") as archive:
         modes = {file.filename: file.external_attr >> 16 for file in archive.infolist()}
-        for script in ("setup.sh", "run_autograder"):
-            text = archive.read(script)
-            assert subprocess.run(["bash", "-n"], input=text, check=False).returncode == 0
     assert all(modes[script] & 0o111 for script in ("setup.sh", "run_autograder", "kit"))
     assert modes["course-secret"] == stat.S_IFREG | 0o600
     assert not any(name.startswith(("build/", ".git/", "fixtures/hidden/")) for name in modes)
-    sources = [file for room in ("grader", "solution") for file in (ROOT / room).rglob("*.[pch]*")]
-    sources = [file for file in sources if file.suffix in {".py", ".cpp", ".hpp"}]
-    assert {str(file.relative_to(ROOT)) for file in sources} <= modes.keys()
     write(tmp_path / "x", {f"{name}/x": b"" for name in gradescope.PACKED})
     write(tmp_path / "x", {"hw3/out/results/x.json": b"{}", "a.zip": b"", "student/build/x": b""})
     packed = {file.relative_to(tmp_path / "x") for file in gradescope._packed(tmp_path / "x")}

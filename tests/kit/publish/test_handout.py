@@ -172,17 +172,6 @@ def test_V_and_p_as_printed_are_those_of_eqs_9_and_10() -> None:
         assert all(abs(a - b) < EXACT for a, b in zip(values, expected, strict=True)), row
 
 
-def test_tables_have_the_defaults_of_the_contract_and_the_parts_of_the_manifest() -> None:
-    text = README.read_text("utf-8")
-    rows = re.findall(r"^\| `(\w+)` \|.*\| ([^|]+) \|[^|]*\|$", text, re.M)
-    table = {name: [float(x) for x in re.findall(NUMBER, value)] for name, value in rows}
-    expected = {k: x if isinstance(x, list) else [x] for k, x in defaults().items()}
-    assert {name: table.get(name) for name in expected} == expected
-    manifest = [(str(p["part"]), p["function"], p["stem"]) for p in MANIFEST]
-    row = r"^\| (\d) \| `(\w+)` .*`src/(\w+)\.cpp` \| \d+ \|$"
-    assert re.findall(row, text, re.M) == manifest
-
-
 def test_each_check_and_diagnosis_has_a_staged_hint() -> None:
     sources = "\n".join(f.read_text("utf-8") for f in (ROOT / "tests/parts").glob("*.cpp"))
     helped = []
