@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 from bounce_grader.publish import gradescope
-from conftest import ROOT, solution_files, write
+from conftest import solution_files, write
 
 
 def test_the_autograder_holds_the_kit_and_its_secret(tmp_path: Path) -> None:
