@@ -20,22 +20,6 @@ from stand_in import started
 from waiting import wait_for
 
 
-def test_ctrl_c_says_how_to_go_on_wherever_it_comes(
-    tmp_path: Path,
-    users: list[int],
-    monkeypatch: pytest.MonkeyPatch,
-    capsys: pytest.CaptureFixture[str],
-) -> None:
-    def stop(*_: object) -> None:
-        raise KeyboardInterrupt
-
-    source, out = download(tmp_path / "x.zip", users), tmp_path / "out"
-    for place in ("near_copies.find", "task_of", "students.read"):
-        monkeypatch.setattr(f"bounce_grader.classroom.run.{place}", stop)
-        assert grade_class(source, out) == 130
-        assert "Run the same command again to go on." in capsys.readouterr().err
-
-
 def test_ctrl_c_stops_and_says_how_to_go_on(
     tmp_path: Path, users: list[int], monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -1,9 +1,9 @@
 """Stories of a class: NAME.toml has what is handed in and the commands that are given week by week,
 NAME.txt beside it what has to come out.
 
-A story has rounds. Each prepares files (`write`, `copy`, `pack` archives, `edit`, `spoil`,
-`move`, `link`), changes what is on Canvas (`canvas`, `token`, `largest` download), and gives the
-words after ./kit class: its own `command`, or the story's and `more`. With `apart`, each round
+A story has rounds. Each prepares files (`write`, `pack` archives, a command for the `shell`,
+`edit`), changes what is on Canvas (`canvas`, `token`, `largest` download), and gives the words
+after ./kit class: its own `command`, or the story's and `more`. With `apart`, each round
 begins anew, with the files of the story. `show` names what is written down of a round, if it has
 changed since the last one. Gradings are a stand-in's: the text of a part, as "fails: 2", says its
 points; another `kit` grades `later`, or has other `points` for checks."""
@@ -13,6 +13,7 @@ import html
 import io
 import re
 import shlex
+import subprocess
 import zipfile
 from collections.abc import Iterator
 from functools import partial
@@ -57,24 +58,15 @@ def decoded(path: Path) -> str:
 def prepare(folder: Path, round: dict[str, Any]) -> None:
     for name, text in round.get("write", {}).items():
         write(folder, {name: text.removeprefix("\n").encode(encoding_of(name))})
-    for name, source in round.get("copy", {}).items():
-        write(folder, {name: (folder / source).read_bytes()})
     for name, entries in round.get("pack", {}).items():
         write(folder, {name: packed(name, entries)})
+    subprocess.run(["sh", "-ec", round.get("shell", "")], cwd=folder, check=True)
     for name, changes in round.get("edit", {}).items():
         text = decoded(folder / name)
         for old, new in changes:
             assert old in text, f"{old!r} isn't in {name}"
             text = text.replace(old, new)
         write(folder, {name: text.encode(encoding_of(name))})
-    for name, (old, new) in round.get("spoil", {}).items():
-        data = (folder / name).read_bytes()
-        assert old.encode() in data
-        write(folder, {name: data.replace(old.encode(), new.encode())})
-    for name, source in round.get("move", {}).items():
-        (folder / source).rename(folder / name)
-    for name, target in round.get("link", {}).items():
-        (folder / name).symlink_to(target)
 
 
 def set_stage(kit: dict[str, Any], patch: pytest.MonkeyPatch) -> None:

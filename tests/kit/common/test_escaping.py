@@ -127,12 +127,6 @@ def test_a_text_is_read_as_what_it_was(name: str, text: str) -> None:
     assert odd_texts.commands_in(document) == [document] * (name == "GitHub's log")
 
 
-@pytest.mark.parametrize("text", ["", "part1.cpp:3:9: no std::x", "a # b [c]", "[bold]x[/] (1, 2)"])
-def test_a_harmless_text_stays_as_it_is(text: str) -> None:
-    assert escaping.terminal(text) == escaping.printable_text(text) == text
-    assert escaping.html(text) == text
-
-
 # --- the record ---
 
 

@@ -5,27 +5,29 @@ import json
 import re
 import threading
 import urllib.parse
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
+from dataclasses import dataclass, field
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from typing import Any
 
 TOKEN = "7~secretsecretsecret"
 PAGE = 3  # entries
 HTML = b"<!doctype html>"
+OTHER = {"limited", "broken_after", "refused", "gone", "elsewhere"}
 
 
+@dataclass
 class State:
-    def __init__(self) -> None:
-        self.submissions: dict[int, dict[str, Any]] = {}
-        self.files: dict[int, bytes] = {}
-        self.comments: dict[int, list[bytes]] = {}
-        self.limited = 0  # requests that are answered by a limit of the rate
-        self.broken_after = -1  # posts of points until the server fails for good
-        self.refused: set[int] = set()  # users
-        self.gone: set[int] = set()  # files
-        self.elsewhere: dict[int, str] = {}  # where a file's address leads
-        self.tokens_elsewhere: list[str] = []
+    submissions: dict[int, dict[str, Any]] = field(default_factory=dict)
+    files: dict[int, bytes] = field(default_factory=dict)
+    comments: dict[int, list[bytes]] = field(default_factory=dict)
+    limited: int = 0  # requests that are answered by a limit of the rate
+    broken_after: int = -1  # posts of points until the server fails for good
+    refused: Sequence[int] = ()  # users
+    gone: Sequence[int] = ()  # files
+    elsewhere: dict[str, str] = field(default_factory=dict)  # where a file's address leads
+    tokens_elsewhere: list[str] = field(default_factory=list)
 
     def add(self, user: int, name: str, files: dict[str, str | int], **more: Any) -> None:
         attachments = []
@@ -51,11 +53,8 @@ class State:
             self.submissions[int(user)] |= {name: value or None for name, value in values.items()}
         for user, values in changes.get("attachment", {}).items():
             self.submissions[int(user)]["attachments"][0] |= values  # "" is none
-        self.elsewhere |= {int(file): url for file, url in changes.get("elsewhere", {}).items()}
-        self.gone |= set(changes.get("gone", []))
-        self.refused |= set(changes.get("refused", []))
-        self.limited = changes.get("limited", self.limited)
-        self.broken_after = changes.get("broken_after", self.broken_after)
+        for name in OTHER & changes.keys():
+            setattr(self, name, changes[name])
 
     def shown(self) -> str:
         """The points and the number of pages that everybody has, and where the token went."""
@@ -112,10 +111,9 @@ class Handler(BaseHTTPRequestHandler):
         file = re.fullmatch(r"/files/(\d+)/download", url.path)
         if file and int(file[1]) in self.state.gone:
             self._answer(404, b"gone")
-        elif file and int(file[1]) in self.state.elsewhere:
-            self._answer(302, b"", Location=self.state.elsewhere[int(file[1])])
         elif file:
-            self._answer(302, b"", Location=f"{self._elsewhere}/stored/{file[1]}")
+            stored = f"{self._elsewhere}/stored/{file[1]}"
+            self._answer(302, b"", Location=self.state.elsewhere.get(file[1], stored))
         elif url.path == "/api/v1/courses/7/assignments/9/submissions":
             first = int(urllib.parse.parse_qs(url.query).get("page", ["0"])[0])
             some = list(self.state.submissions.values())[first : first + PAGE]

@@ -4,11 +4,15 @@ to read in the diff."""
 import difflib
 import os
 import shutil
+import sys
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
 import pytest
-from bounce_grader.classroom.intake import course
+
+# Python's own reader of TOML, or the one it was made from.
+toml = import_module("tomllib" if sys.version_info >= (3, 11) else "tomli")
 
 
 def compare_file(expected: Path, got: str) -> None:
@@ -32,7 +36,7 @@ def compare(expected: Path, got: dict[str, str]) -> None:
 
 
 def table(file: Path) -> dict[str, Any]:
-    found: dict[str, Any] = course._reader().loads(file.read_text("utf-8"))
+    found: dict[str, Any] = toml.loads(file.read_text("utf-8"))
     return found
 
 

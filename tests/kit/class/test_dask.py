@@ -11,8 +11,7 @@ import classes
 import pytest
 import stand_in
 from bounce_grader.classroom import run
-from bounce_grader.classroom.intake import students
-from bounce_grader.classroom.work import engine_dask, engine_local, results, task
+from bounce_grader.classroom.work import engine_local, results
 from bounce_grader.classroom.work.request import Request
 from bounce_grader.common.errors import KitError, UsageError
 from clusters import Cluster
@@ -44,28 +43,6 @@ def test_dask_survives_workers_that_are_killed(cluster: Cluster, tmp_path: Path)
     assert the_class.returncode == 0, said
     assert same(out, source, tmp_path)
     assert len(classes.graded(out)) == len(set(classes.graded(out))) == 40
-
-
-def test_dask_does_again_what_a_worker_took_with_it(cluster: Cluster, tmp_path: Path) -> None:
-    """A worker may die between the end of a grading and the collection of its outcome."""
-    from distributed import Client
-
-    worker = cluster.worker()
-    asked = stand_in.request(download(tmp_path / "x.zip", 3), tmp_path / "out")
-    tasks = [
-        task.task_of(student, results.stamp_now(False), tmp_path / "r", True, False)
-        for student in students.read(asked.submissions).students
-    ]
-    outcomes = engine_dask.run(tasks, cluster.address, asked.unit)
-    collected = [next(outcomes)]
-    with Client(cluster.address, set_as_default=False) as observer:
-        wait_for(lambda: sum(map(len, observer.has_what().values())) == 3)
-        worker.kill()
-        wait_for(lambda: not observer.has_what())
-    cluster.worker()
-    collected += outcomes
-    assert sorted(of.key for of, _ in collected) == sorted(of.key for of in tasks)
-    assert {outcome.state for _, outcome in collected} == {"graded"}
 
 
 def test_dask_goes_on_if_a_worker_dies_when_it_is_asked_for_the_kit(

@@ -37,14 +37,6 @@ def test_githubs_workflow_keeps_its_secrets_from_the_grading() -> None:
     assert checkouts and all(not step["with"]["persist-credentials"] for step in checkouts)
 
 
-def test_what_a_workflow_uses_is_pinned() -> None:
-    """A tag can be moved to another commit. The version stands beside the digest."""
-    uses = re.findall(r"uses: (.*)", GITHUB)
-    pinned = r"[\w/-]+@[0-9a-f]{40} # v\d+\.\d+\.\d+"
-    assert uses and all(re.match(pinned, used) for used in uses), uses
-    assert re.search(r"^  image: ubuntu:24.04@sha256:[0-9a-f]{64}$", GITLAB, re.MULTILINE)
-
-
 def test_the_scripts_of_a_workflow_are_shell() -> None:
     for script in [*(step.get("run", "") for step in STEPS), *JOB["script"]]:
         text = re.sub(r"\$\{\{.*?\}\}", "x", script)

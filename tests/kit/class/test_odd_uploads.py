@@ -18,9 +18,7 @@ from typing import Any
 import golden
 import pytest
 from bounce_grader import cli
-from bounce_grader.classroom.output import outputs
 from bounce_grader.classroom.work import engine_local, near_copies
-from bounce_grader.common.errors import KitError
 from classes import download, grade_class
 from conftest import write
 from corpus import Member, UTF8, zip_of
@@ -150,11 +148,3 @@ def test_who_cannot_be_compared_needs_a_look(
     found = rows(tmp_path / "out")
     assert "can't be compared" in found["301"]["needs a look"]
     assert not found["101"]["needs a look"]
-
-
-def test_a_page_for_which_there_is_no_room_is_no_students_fault(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(outputs, "_page", partial(fails, OSError(28, "No space left on device")))
-    with pytest.raises(KitError, match="is full"):
-        grade_class(download(tmp_path / "x.zip", [101]), tmp_path / "out")

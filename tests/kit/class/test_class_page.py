@@ -1,0 +1,99 @@
+"""The page of a class: what it shows, as a person has read it in class_page/, its size, and that all
+of it can be reached on a phone and by keys."""
+
+import re
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import golden
+import pytest
+import stand_in
+from bounce_grader.classroom.intake.student import Class, Student, Unmatched
+from bounce_grader.classroom.output import charts, page
+from bounce_grader.classroom.output.charts import Curve
+from bounce_grader.classroom.work import near_copies
+from bounce_grader.classroom.work.near_copies import Pair, Similar
+from bounce_grader.classroom.work.summary import of_result, Summary
+from bounce_grader.submission import submission
+from conftest import write
+
+NOBODY = Similar((), 0)
+DEGREES = {"part1_degrees": "theta is taken for degrees"}
+
+
+def summary(tmp_path: Path, name: str, ns: float = 300, **changes: Any) -> Summary:
+    """Of a student who was timed."""
+    folder = write(tmp_path / name, {"part2_lcp.cpp": f"// ns: {ns}".encode()})
+    record = stand_in.record_of(submission.read(folder)) | changes
+    result = {"state": "graded", "message": "", "record": record}
+    return of_result(Student(name, name, folder), "0" * 64, result)
+
+
+@pytest.mark.golden
+def test_the_page_is_what_a_person_has_read(tmp_path: Path) -> None:
+    """A missing answer has no error, however small those of the others are: only who has all points
+    stands among right answers."""
+    times = {"submission_ns": 1.0, "solution_ns": 1.0, "ratio": 1.0}
+    odd = {"slow": times | {"ratio": 1e9, "largest_error": 0.0}, "untimed": {"largest_error": None}}
+    odd |= {"far": {"largest_error": 1e300}, "exact": times | {"largest_error": 1e-13}}
+    made = [summary(tmp_path, name, speed=speed) for name, speed in odd.items()]
+    made += [summary(tmp_path, "<b>"), summary(tmp_path, "quick", 1e-300)]
+    right, failed = summary(tmp_path, "right"), Summary(Student("x", "x", tmp_path), "k", "failed")
+    made += [failed, replace(right, score=100.0, error=4.9e-13, mistakes=DEGREES)]
+    both = {**DEGREES, "part2_dt_squared": "dt twice <in> V"}
+    lost = replace(summary(tmp_path, "lost"), score=70.0, error=4.9e-13, mistakes=both)
+    pairs = (Pair("far", "slow", 90), Pair("<b>", "lost", 95, (1, 2, 4)))
+    near = Similar((*pairs, Pair("far", "lost", 91, (1, 2, 3, 4))), 40, more=1)
+    text = page.render(Class("a folder"), [*made, lost], near, ["a sentence"])
+    text = re.sub(r"(?s)<style>.*?</style>", "<style>...</style>", text)
+    # Three steps whose places nearly coincide, at the right edge and at the top; and any numbers.
+    places = ((1e5, 1e2), (0.99e5, 0.9e2), (0.98e5, 0.95e2))
+    close = Curve(places, "solution", "x", ("10 ms", "3 ms", "1 ms"))
+    any_numbers = Curve(((1e-300, None), (1e300, 1e300), (1.0, 0.0)), "none", "<b>")
+    curves = {
+        "labels.svg": charts.error_against_time([close], 1e-3),
+        "any_numbers.svg": charts.error_against_time([close, any_numbers], 1e-3),
+        "page.html": text.partition("<h2>All submissions")[0],
+    }
+    expected = {name: re.sub(r">(?=<\w)", ">\n", text) for name, text in curves.items()}
+    golden.compare(Path(__file__).parent / "class_page", expected)
+    assert "Nothing is graded" in page.render(Class("a folder"), [], NOBODY, [])
+
+
+def test_a_page_about_a_thousand_stays_small_and_needs_nothing_else(tmp_path: Path) -> None:
+    looks = ("something that a person should look at, with a reason",)
+    one = replace(summary(tmp_path, "one"), mistakes=DEGREES, notes=looks)
+    people = [Student(f"4{i:05}", f"Surname {i}, First Middle", tmp_path) for i in range(1000)]
+    made = [replace(one, student=student) for student in people]
+    pairs = Similar((Pair("400001", "400002", 90),) * near_copies.MOST, 40)
+    text = page.render(Class("a folder"), made, pairs, ["a sentence of fifty"] * 1000)
+    assert len(text.encode()) < 2_000_000
+    assert "<details><summary>Adjustments and the grade book: 1000" in text
+    assert "http" not in text.replace("http-equiv", "")
+    assert text.count("<circle cx=") == 1000 and text.count('<path class="curve ') == 1002
+
+
+SCROLLS_WITHOUT_KEYS = """
+return [...document.querySelectorAll("*")]
+  .filter(one => ["auto", "scroll"].includes(getComputedStyle(one).overflowX))
+  .filter(one => one.scrollWidth > one.clientWidth)
+  .filter(one => one.tabIndex < 0 && !one.querySelector("a, button, summary"))
+  .map(one => one.outerHTML.slice(0, 80))
+"""
+NAMES = "return [...document.querySelectorAll('.names td:first-child')].map(one => one.offsetWidth)"
+
+
+def test_all_of_the_page_can_be_reached_on_a_phone_and_by_keys(tmp_path: Path, driver: Any) -> None:
+    unread = Unmatched("dupontemile_1204649_text.html", "is text typed into Canvas")
+    looks = summary(tmp_path, "x" * 60).with_note("a reason that is somewhat longer than others")
+    submitted = Class("a folder", unmatched=[unread])
+    text = page.render(submitted, [summary(tmp_path, "anna"), looks], NOBODY, [])
+    write(tmp_path, {"class.html": text.encode()})
+    for width in (390, 1280):
+        size = {"width": width, "height": 900, "deviceScaleFactor": 1, "mobile": width < 500}
+        driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", size)
+        driver.get((tmp_path / "class.html").as_uri())
+        assert driver.execute_script(SCROLLS_WITHOUT_KEYS) == []
+        assert driver.execute_script("return document.documentElement.scrollWidth") <= width
+        assert min(driver.execute_script(NAMES)) >= 150  # a name with its id
