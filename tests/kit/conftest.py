@@ -82,14 +82,6 @@ def lost(record: dict[str, Any]) -> list[str]:
     return sorted(c["id"] for part in record["parts"] for c in part["checks"] if not c["passed"])
 
 
-def pytest_terminal_summary(terminalreporter: Any) -> None:
-    """Prints what tests report by record_property("shown", text), such as a table."""
-    for report in terminalreporter.getreports("passed") + terminalreporter.getreports("failed"):
-        for name, text in report.user_properties:
-            if name == "shown":
-                terminalreporter.write_line(text)
-
-
 @pytest.fixture(scope="session")
 def home(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A student's folder, for all tests that drive ./check: its first build takes longer than they

@@ -5,23 +5,16 @@ tests/submissions/README.md says what a folder holds.
 
 import io
 import shutil
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 import pytest
-from bounce_grader.build.compile import compile_all
-from bounce_grader.build.linking import link_alone, link_together
-from bounce_grader.common.files import temporary_folder
-from bounce_grader.common.manifest import parts
-from bounce_grader.common.paths import STUBS, WORK_FOLDER
+from bounce_grader.common.paths import STUBS
 from bounce_grader.formats import terminal
-from bounce_grader.grading import gallery, known_mistakes, sanitizing
-from bounce_grader.grading.fixtures import write as write_fixtures
+from bounce_grader.grading import fixtures, gallery, sanitizing
 from bounce_grader.grading.gallery import expected, Expected, in_reduced_box
 from bounce_grader.grading.grade import grade, Options
-from bounce_grader.grading.judging import judge
-from bounce_grader.sandbox import box as boxes
-from bounce_grader.submission.submission import read
 from conftest import ROOT, SOLUTION, lost, points
 
 GALLERY = ROOT / "tests" / "submissions"
@@ -70,15 +63,6 @@ def test_gets_what_it_should(folder: Path, tmp_path: Path, monkeypatch: pytest.M
     assert named == [expected(folder).get("recognised_as", name) for name in mistakes]
 
 
-CRASHING = [folder for folder in ALL if "crashed" in expected(folder).get("status", {}).values()]
-
-
-@pytest.mark.long
-@pytest.mark.parametrize("folder", CRASHING, ids=name_of)
-def test_a_crash_gets_the_same_with_its_cause(folder: Path, tmp_path: Path) -> None:
-    gets(expected(folder), grade(submission_of(folder, tmp_path / "submission")))
-
-
 REMARKED = [folder for folder in folders("undefined") if "remark" in expected(folder)]
 SOME_REMARKED = [  # sanitizers take long: two in each run
     pytest.param(folder, id=folder.name, marks=[pytest.mark.long] * (number > 1))
@@ -114,62 +98,39 @@ def test_a_right_part_loses_nothing_beside_stubs(folder: Path, tmp_path: Path) -
     assert points(grade(submission))[2:] == [30, 10]
 
 
-WRONG = [f for f in (*MISTAKES, *folders("rarely_wrong")) if not f.name.startswith("part4")]
-RIGHT = [f for f in folders("accepted") if f != NEEDS_PART_1 and not expected(f).get("alone")]
-
-
-@pytest.mark.parametrize("number, wrong", enumerate(WRONG), ids=lambda x: getattr(x, "name", ""))
-@pytest.mark.long
-def test_a_wrong_part_costs_the_right_ones_nothing(
-    number: int, wrong: Path, tmp_path: Path
-) -> None:
-    """The right ones are of another submission each time."""
-    submission = submission_of(RIGHT[number % len(RIGHT)], tmp_path / "submission")
-    for file in wrong.glob("*.cpp"):
-        shutil.copy(file, submission)
-    lost_parts = {check.split(".")[0] for check in lost(grade(submission))}
-    assert lost_parts == {wrong.name.split("_")[0]}
-
-
 @pytest.fixture(scope="module")
 def hidden_of_secrets(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
     found = [tmp_path_factory.mktemp("secret") / "hidden" for _ in range(5)]
     for number, folder in enumerate(found):
-        write_fixtures("hidden", folder, f"secret {number}")
+        fixtures.write("hidden", folder, f"secret {number}")
     return found
 
 
 @every_accepted
 def test_a_right_submission_loses_nothing_under_any_secret(
-    folder: Path, tmp_path: Path, hidden_of_secrets: list[Path]
+    folder: Path, tmp_path: Path, hidden_of_secrets: list[Path], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """With its own earlier parts, or with given ones, as a grading tries it."""
-    submission, box = read(submission_of(folder, tmp_path / "submission")), boxes.choose()
-    with temporary_folder(WORK_FOLDER) as work:
-        box.give(work)
-        objects = compile_all(submission, work, box, 1)
-        together = link_together(objects, work / "together", box)
-        for part in parts():
-            alone = link_alone(part, objects, work / part.stem, box)
-            for hidden in hidden_of_secrets:
-                assert any(
-                    runner.path
-                    and judge(part, runner.path, given, hidden, box).score(part) == part.points
-                    for runner, given in ((together, False), (alone, bool(part.calls)))
-                )
+    submission = submission_of(folder, tmp_path / "submission")
+    for hidden in hidden_of_secrets:
+        monkeypatch.setattr(fixtures, "hidden_folder", partial(Path, hidden))
+        assert points(grade(submission)) == [30, 30, 30, 10]
 
 
+CRASHING = [folder for folder in ALL if "crashed" in expected(folder).get("status", {}).values()]
+# Those that attack the box, or write a file in it.
 IN_BOTH = [folder for folder in ALL if "reduced" in expected(folder)]
+OTHERWISE = [(folder, "full") for folder in CRASHING] + [(folder, "reduced") for folder in IN_BOTH]
 
 
 @pytest.mark.long
-@pytest.mark.parametrize("folder", IN_BOTH, ids=name_of)
-def test_gets_what_it_should_in_the_reduced_box(folder: Path, tmp_path: Path) -> None:
-    """For submissions that attack the box, or write a file in it."""
+@pytest.mark.parametrize("folder, box", OTHERWISE, ids=lambda x: getattr(x, "name", x))
+def test_gets_what_it_should_with_a_crashs_cause_and_in_each_box(
+    folder: Path, box: str, tmp_path: Path
+) -> None:
     submission = submission_of(folder, tmp_path / "submission")
-    record = grade(submission, Options(boxes=("reduced",)))
-    assert record["box"] == "reduced"
-    gets(in_reduced_box(expected(folder)), record)
+    record = grade(submission, Options(boxes=(box,)))
+    assert record["box"] == box
+    gets(in_reduced_box(expected(folder)) if box == "reduced" else expected(folder), record)
 
 
 def gets(words: Expected, record: dict[str, Any]) -> None:
@@ -179,12 +140,3 @@ def gets(words: Expected, record: dict[str, Any]) -> None:
     assert lost(record) == sorted(words["lost"]) and statuses == words.get("status", {}), text
     assert all(sentence in text for sentence in words.get("says", [])), text
     assert not any(sentence in text for sentence in words.get("never", [])), text
-
-
-def test_every_mistake_is_in_the_fixtures_and_loses_points_in_one_part_alone() -> None:
-    """Raises with a sentence that says what a folder lacks."""
-    alone = {m.name for m in known_mistakes.gallery() if m.recognised_as == m.name}
-    assert alone == set(known_mistakes.known()), "run ./kit fixtures"
-    for folder in MISTAKES:
-        left = gallery.points(expected(folder)["lost"])
-        assert sum(p < part.points for p, part in zip(left, parts())) == 1, folder.name

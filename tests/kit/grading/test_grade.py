@@ -37,7 +37,7 @@ def with_angles(text: str) -> str:
 
 
 def changes(row: dict[str, Any]) -> dict[str, bytes | None]:
-    files = dict(row.get("write", {}))
+    files = {name: text * row.get("times", 1) for name, text in row.get("write", {}).items()}
     for name, edits in row.get("edit", {}).items():
         files[name] = solution_files()[name].decode()
         for old, new in edits:
@@ -105,6 +105,17 @@ def test_parts_with_given_answers_are_judged_one_after_the_other(
     twice = {file: text + b"\nint defined_twice;\n" for file, text in solution_files().items()}
     assert points(grade({**twice})) == FULL
     assert judged == [(1, 1), (2, 1), (3, 1), (4, 1)]
+
+
+def test_a_compiler_reads_no_hidden_case_and_no_other_submission(
+    grade: Grade, tmp_path: Path
+) -> None:
+    other = write(tmp_path / "another", solution_files()) / "part1_contacts.cpp"
+    for secret in (fixtures.hidden_folder() / "part1_contacts.json", other):
+        part = grade({"part1_contacts.cpp": f'#include "{secret}"\n'.encode()})["parts"][0]
+        assert f"'{secret}' file not found" in part["message"]
+    by_gcc = f'#ifdef __clang__\n#error\n#endif\n#include "{other}"\n'
+    assert points(grade({"part1_contacts.cpp": by_gcc.encode()})) == [0, 30, 30, 10]
 
 
 @pytest.mark.parametrize("sign", ["-", pytest.param("", marks=pytest.mark.long)])

@@ -5,6 +5,7 @@ import contextlib
 import os
 import secrets
 import subprocess
+import sys
 import threading
 from collections.abc import Iterator
 from pathlib import Path
@@ -20,12 +21,13 @@ TICKS = os.sysconf("SC_CLK_TCK")
 
 
 def alive(name: str) -> dict[str, float]:
-    """The processes of a name, with their CPU time."""
+    """The processes with a name, or of a file with it, and their CPU time."""
     found = {}
     for folder in Path("/proc").glob("[0-9]*"):
         with contextlib.suppress(OSError):
             its_name, _, fields = (folder / "stat").read_text().rpartition(")")
-            if name in its_name and fields.split()[0] != "Z":
+            named = name in its_name or name.encode() in (folder / "cmdline").read_bytes()
+            if named and fields.split()[0] != "Z":
                 found[folder.name] = sum(map(int, fields.split()[11:13])) / TICKS
     return found
 
@@ -94,20 +96,35 @@ def test_nothing_outlives_a_box_that_is_ended_at_once(tmp_path: Path) -> None:
     assert not alive(name)
 
 
-def test_nothing_outlives_a_grader_that_is_killed(tmp_path: Path) -> None:
+GRADES = """
+import sys
+from pathlib import Path
+from bounce_grader.grading.grade import grade, Options
+grade(Path(sys.argv[1]), Options(boxes=(sys.argv[2],)))
+"""
+ENDLESS = b"constexpr long count() { long n = 0; while (n >= 0) n = (n + 1) % 1000; return n; }"
+SOON = 10  # s: less than an endless compiler would take by itself
+
+
+@pytest.mark.parametrize("kind", ["full", "reduced"])
+@pytest.mark.parametrize("busy", ["program", "compiler"])
+def test_nothing_outlives_a_grader_that_is_killed(tmp_path: Path, busy: str, kind: str) -> None:
     """As when a student interrupts it, or a server ends it."""
     name = secrets.token_hex(7)
-    write(tmp_path, {"part1_contacts.cpp": part(1, named(name, "for (;;) pause();"))})
+    files = {"part1_contacts.cpp": part(1, named(name, "for (;;) pause();"))}
+    if busy == "compiler":
+        files = {f"{name}.cpp": ENDLESS + b"constexpr long counted = count();\n"}
+    before = set(Path("/tmp").glob("bounce-box-*"))
     grader = subprocess.Popen(
-        [str(ROOT / "kit"), "grade", str(tmp_path)],
-        stdout=subprocess.DEVNULL,
+        [sys.executable, "-c", GRADES, str(write(tmp_path, files)), kind],
+        env={"PYTHONPATH": str(ROOT / "grader")},
         stderr=subprocess.DEVNULL,
-        start_new_session=True,
     )
     wait_for(lambda: alive(name))
     grader.kill()
     grader.wait()
-    wait_for(lambda: not alive(name))
+    wait_for(lambda: not alive(name), SOON)
+    wait_for(lambda: set(Path("/tmp").glob("bounce-box-*")) <= before, SOON)
 
 
 SPENDING = {

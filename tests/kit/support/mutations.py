@@ -1,4 +1,4 @@
-"""Every small change of a C++ function, each of one place, by a table of patterns.
+"""Every small change of a C++ function, each of one place, by the patterns of mutations.toml.
 
 The patterns read what clang-format has formatted. What they get wrong doesn't compile, and a change
 that doesn't compile loses points as well.
@@ -7,54 +7,18 @@ that doesn't compile loses points as well.
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
+from pathlib import Path
+
+import golden
 
 # A value: a number, or a name with members, calls and indices; or what is in brackets.
 INSIDE = r"\((?:[^()]|\([^()]*\))*\)"
 VALUE = rf"(?:\b\d[\d.]*\b|\b[A-Za-z_]\w*(?:::\w+)*(?:<[\w, ]+>)?(?:{INSIDE}|\.\w+)*|{INSIDE})"
 # A number with a name: what rounding, an absolute value or a threshold would change.
 SCALAR = r"(?:params\.(?!M|g\b|T\b)\w+|\b[qvpr]\([0-3]\)|\b[qrp]\w*\.[xy]\(\)|\bphi\b(?! =|;|,|\]))"
-# A statement that declares and returns nothing; and the place before a declaration.
-STATEMENT = r"(?<=[;{}\n/]) *(?!return|const |using|[}\]]|\w[\w:<>, ]* \w+[ ;({])\S[^;{}]*;"
-DECLARATION = r"(?:(?<=\n  )|(?<=\n    ))(?=(?:const )?(?!return|const)[A-Z][\w:]*(?:<.*?>)? \w+)"
-DOUBLES = ("params.l", "params.m", "params.mu", "params.epsilon", "params.dt", "params.delta")
-
-# What changes, where, and into what; \0 is what stood there.
-TABLE: list[tuple[str, str, tuple[str, ...]]] = [
-    ("sign", rf"(?:(?<=<< )|(?<=, )|(?<= = )|(?<=return )|(?<=\{{))(?!0\b)(?={VALUE})", ("-",)),
-    ("sign", r"(?<=[ (\[{])-(?=[\w(])", ("",)),
-    ("operator", r"(?<= )\+(?= )", ("-", "*")),
-    ("operator", r"(?<= )-(?= )", ("+",)),
-    ("operator", r"(?<= )\*(?= )", ("/", "+")),
-    ("operator", r"(?<= )/(?= )", ("*",)),
-    ("operator", r"(?<= )[-+*]=(?= )", ("=", "-=", "+=")),
-    ("operator", r"\+\+", ("--",)),
-    ("comparison", r"(?<= )<=?(?= )", ("<", "<=", ">", ">=", "!=")),
-    ("dropped", rf" [-+*/] {VALUE}", ("", r"\0\0")),
-    ("dropped", rf"{VALUE} [-+*] ", ("", r"\0\0")),
-    ("dropped", rf"{VALUE}(?= / )", ("1.0",)),
-    ("dropped", r"\.(?:transpose|inverse|partialPivLu|imag|real)\(\)", ("",)),
-    ("name", r"\bparams\.(?:l|m|mu|epsilon|dt|delta)\b", DOUBLES),
-    ("name", r"\bq(?=[.(,])", ("v",)),
-    ("name", r"\bv(?=[.( ),;])", ("q", "v_free", "v_next")),
-    ("name", r"\bv_(?:free|next)\b", ("v",)),
-    ("name", r"\bJ_[nt]\b", ("J_n", "J_t")),
-    ("name", r"\b(?:f|f_e|f_c)\b(?! =)", ("f", "f_e", "f_c")),
-    ("name", r"\bM(?:_inv)?\b(?!\()", ("M", "M_inv")),
-    ("name", r"\bparams\b(?=[.,)])", ("Parameters()",)),
-    ("index", r"(?<=[(, ])\d(?=[),;.])", ("0", "1", "2")),
-    ("index", r"(?<=\.)[xy](?=\()", ("x", "y")),
-    ("index", r"\b(?:row|col)\b(?=\()", ("row", "col")),
-    ("index", r"\b(?:min|max)(?=Coeff|_element)", ("min", "max")),
-    ("index", r"\b(?:top|bottom)(?=L|R)", ("top", "bottom")),
-    ("index", r"\b(?:imag|real)\b", ("imag", "real")),
-    ("index", r"\b(?:Zero|Ones|Identity)\b|set(?:Ones|Zero|Identity)", ("Zero", "Ones", "setZero")),
-    ("swap", rf"(?P<a>-?{VALUE}), (?P<b>-?{VALUE})(?=[,;)}}])", (r"\g<b>, \g<a>",)),
-    ("condition", r"(?<=if \()(?:[^()]|\([^()]*\))+(?=\))", ("true", "false", r"!(\0)")),
-    ("statement", STATEMENT, (";",)),
-    ("kept", DECLARATION, ("static ",)),
-    ("precision", SCALAR, (r"float(\0)",)),
-    ("absolute", rf"(?!params){SCALAR}", (r"std::abs(\0)",)),
-    ("threshold", rf"(?!params){SCALAR}", (r"(std::abs(\0) < 1e-3 ? 0.0 : \0)",)),
+TABLE: list[tuple[str, str, list[str]]] = [
+    (kind, pattern.replace("{VALUE}", VALUE).replace("{SCALAR}", SCALAR), replacements)
+    for kind, pattern, replacements in golden.table(Path(__file__).with_suffix(".toml"))["changes"]
 ]
 KINDS = tuple(dict.fromkeys(kind for kind, _, _ in TABLE))
 
