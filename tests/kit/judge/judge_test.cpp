@@ -143,26 +143,6 @@ TEST(Comparison, TakesAnErrorOfTheToleranceAndNoLargerOneAndNothingThatIsNoNumbe
   }
 }
 
-// Of the two matrices, the columns that were asked; as many are read where one at most is missing.
-TEST(Trajectory, IsReadAsFarAsItWasAsked) {
-  constexpr std::int64_t kNone = -1, kHuge = std::int64_t{1} << 62;
-  const struct {
-    std::int64_t q, v;
-    int asked;
-    std::int64_t read;
-  } rows[] = {{5, 5, 5, 5},     {6, 7, 5, 5},     {4, 6, 5, 4},     {6, 4, 5, 4},
-              {3, 5, 5, kNone}, {5, 3, 5, kNone}, {0, 0, 1, kNone}, {-1, kHuge, 1, kNone}};
-  for (const auto& [q, v, asked, read] : rows) {
-    if (read == kNone) {
-      EXPECT_THROW(submission::columns_at_hand(q, v, asked), std::runtime_error) << q << " " << v;
-    } else {
-      EXPECT_EQ(submission::columns_at_hand(q, v, asked), read) << q << " " << v;
-    }
-  }
-  EXPECT_THROW(submission::require_columns(4, 5, 5), std::runtime_error);
-  EXPECT_THROW(submission::require_columns(5, 6, 5), std::runtime_error);
-}
-
 }  // namespace
 }  // namespace judge
 }  // namespace bounce

@@ -112,11 +112,8 @@ std::string thrown(const Thrown& what) {
 }
 
 TEST(feedback, NamesThePartAndSaysWhatItSaid) {
-  EXPECT_EQ(thrown(std::out_of_range("oh")), "part 1 threw an exception: oh");
   EXPECT_EQ(thrown(std::string("oh")), "part 1 threw: oh");
   EXPECT_EQ(thrown<const char*>("oh"), "part 1 threw: oh");
-  EXPECT_EQ(thrown(5), "part 1 threw something that isn't a std::exception");
-  EXPECT_EQ(naming_the_part("part 1", [] { return 5; }), 5);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The four parts written again, with a switch for nearly each known mistake, to test recognition in
+// Parts 3 and 4 written again, with a switch for nearly each known mistake, to test recognition in
 // code other than the gallery's, and with two mistakes in one program.
 #pragma once
 

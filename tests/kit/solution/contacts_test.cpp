@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <limits>
 
 #include "cases.hpp"
 #include "methods/gauss_seidel.hpp"
@@ -16,8 +15,6 @@ namespace {
 using methods::Arm;
 using methods::Collision;
 using methods::OneCorner;
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 // The corner of a rectangle of rho 1 and r_g^2 = rho^2 / 3 that leans alpha from the vertical.
 OneCorner<double> leaning(double alpha, double u_n, double u_t, double mu) {
@@ -175,18 +172,6 @@ TEST(two_corners, AlmostFlatMakeTheEightByEightSaySolvedWhereItIsNot) {
   EXPECT_EQ(side.lemke.end, methods::LemkeEnd::solved);
   EXPECT_GT(methods::lcp_residual(side.lcp.V, side.lcp.p, side.lemke.z), 0.5) << "m/s";
   EXPECT_LE(side.merged.violation, 1e-15);
-}
-
-TEST(solvers, LetNanThroughAsNanAndNotAsAnAnswer) {
-  const auto p = methods::solve_one_corner<double>({2, 0.5, 3, kNan, 1, 0.3});
-  EXPECT_TRUE(std::isnan(p.n) && std::isnan(p.t));
-  const auto side = methods::solve_two_corners(
-      methods::two_corners<double>({-0.1, -0.1}, {0.1, -0.1}, 0.04 / 6, {kNan, -1}, 0, 0.3));
-  EXPECT_FALSE(side.violation <= 1);
-  const Eigen::Matrix4d V = Eigen::Matrix4d::Identity();
-  const Eigen::Vector4d all_nan = Eigen::Vector4d::Constant(kNan);
-  EXPECT_FALSE(methods::lcp_residual(V, all_nan, methods::lemke(V, all_nan).z) <= 1)
-      << "whatever a solver says of NaN, the residual tells";
 }
 
 }  // namespace

@@ -90,22 +90,6 @@ TEST(exact, EveryMotionEndsAndNeitherSinksNorGainsEnergy) {
   }
 }
 
-// A corner of a square that spins fast may come down to the ground and rise again within a short
-// step. The motion has bounced where samples of free flight, close together, show a corner below.
-TEST(exact, FindsTheFirstContactHoweverFastASquareSpins) {
-  Random random(1);
-  for (int i = 0; i < random_cases(2000) / 4; ++i) {
-    Case c = ordinary_case(random, i, 1);
-    c.start.omega = either_sign(random) * log_uniform(random, 1, 1e3);
-    const methods::Body<double> body(c.params);
-    if (methods::lowest_gap(c.start, body) < 0) continue;
-    double t = 0;
-    while (methods::lowest_gap(fly(c.start, body, t), body) > -1e-9) t += 0.01 / 1e3;
-    const Motion<double> s = motion_at(c, {t}).at(0);
-    ASSERT_GE(methods::lowest_gap(s, body), -rounding_depth(c, s, t)) << i << " at " << t;
-  }
-}
-
 // A change of the case, and what it does to a motion.
 struct Symmetry {
   const char* name;

@@ -116,30 +116,6 @@ TEST(assignment, IsTheSolutionsStepPlainOrWithCosineAndSineCarried) {
   EXPECT_GT(contacts, 1000) << "of the starts are in contact";
 }
 
-TEST(assignment, DoesNotDriftWithCosineAndSineCarriedForAMillionSteps) {
-  Parameters params;
-  params.mu = 0;
-  const Motion<double> start{0, 0.1, 1e-3, 0.3, 0, 0};
-  const Motion<double> plain = after<Assignment>(params, start, 1e4);
-  const Motion<double> fast = after<AssignmentFast>(params, start, 1e4);
-  const methods::Body<double> body(params);
-  EXPECT_NEAR(methods::lowest_gap(plain, body), methods::lowest_gap(fast, body), 0.01);
-  EXPECT_NEAR(fast.x, 0.3 * 1e4, 1e-6);
-}
-
-TEST(assignment, NeverComesToRestAndASmallerStepDoesNotHelp) {
-  for (const double dt : {1e-2, 1e-3, 1e-4}) {
-    double highest = 0;
-    Assignment scheme(with_dt(dt), kFlat);
-    for (int i = 0; i < 1000; ++i) {
-      scheme.steps(std::lround(0.01 / dt));
-      highest = std::max(highest, scheme.motion().y - 0.1);
-    }
-    EXPECT_GT(highest, 1.5e-3) << "hovers, dt " << dt;
-    EXPECT_GT(std::abs(scheme.motion().x), 5e-3) << "drifts, dt " << dt;
-  }
-}
-
 // --- Moreau and Jean's ---
 
 // The square turns about one corner until its neighbour lands; the impact is one of both.
@@ -175,23 +151,6 @@ TEST(moreau_jean, GainsNoEnergyBelowTheLimit) {
 }
 
 // --- springs and dampers ---
-
-// Straight down on the corner beneath the centre, on a face, and on a corner beside the centre:
-// v_n of the lowest corner after the impact is epsilon times that before it.
-TEST(penalty, BouncesWithNewtonsRestitutionWhereAnImpactHasNoFriction) {
-  for (const double epsilon : {0.14, 0.5, 0.8}) {
-    for (const double theta : {std::atan(1.0), 0.0, 0.3}) {
-      Parameters params = with_dt(1e-6);
-      params.mu = 0;
-      params.epsilon = epsilon;
-      const auto corners = methods::arms(methods::Body<double>(params), theta);
-      const auto lowest = *std::min_element(corners.begin(), corners.end(),
-                                            [](auto& a, auto& b) { return a.y < b.y; });
-      const auto left = after<Penalty>(params, {0, -lowest.y, theta, 0, -2, 0}, 2e-3);
-      EXPECT_NEAR(methods::normal_velocity(left, lowest), epsilon * 2, 0.06) << theta;
-    }
-  }
-}
 
 TEST(penalty, ComesNearerToStrongesLawThanToNewtonsWhereFrictionTurnsTheSquare) {
   for (const char* name : {"oblique_bounce", "spin", "tumble"}) {

@@ -109,6 +109,7 @@ def test_the_quick_study_answers_every_question(tmp_path: Path) -> None:
     ]
     for row in trembles:  # it is lifted by delta again and again, and hardly sinks
         assert float(row["height_m"]) > 0.002 > float(row["depth_m"]) >= 0
+        assert float(row["drift_m"]) > 0.005
 
 
 TIMED = {"speed_accuracy", "least_model", "bad_input", "tolerance"}

@@ -167,18 +167,12 @@ TEST(solve_lcp, SolvesOrRefusesWhateverTheMatrix) {
   EXPECT_GT(solved, 50'000);
 }
 
-TEST(solve_lcp, SolvesProblemsWhoseAnswerIsKnown) {
-  Matrix4d cycles = Matrix4d::Identity();  // Lemke's method can: three tie in turn, one is idle
+// Lemke's method can cycle here: three tie in turn, one is idle.
+TEST(solve_lcp, SolvesWhatTiesInTurn) {
+  Matrix4d cycles = Matrix4d::Identity();
   cycles(0, 1) = cycles(1, 2) = cycles(2, 0) = 2.0;
-  const Matrix4d rising = form({2.0, 0.5, 3.0, 0.0, -4.0, 0.3}).V;
-  const Vector3 thirds = Vector3::Constant(1.0 / 3.0), none = Vector3::Zero();
-  for (const auto& [V, p, f] : {
-           std::tuple<Matrix4d, Vector4d, Vector3>{cycles, {-1.0, -1.0, -1.0, 0.0}, thirds},
-           {rising, {0.0, 4.0, -4.0, 0.0}, none},
-           {-Matrix4d::Ones(), {1.0, 0.0, 2.0, 0.0}, none},
-           {Matrix4d::Zero(), Vector4d::Zero(), none},
-       })
-    EXPECT_LE((solve_lcp(V, p) - f).norm(), 1e-15 * f.norm()) << V << "\np = " << p.transpose();
+  const Vector3 thirds = Vector3::Constant(1.0 / 3.0);
+  EXPECT_LE((solve_lcp(cycles, {-1.0, -1.0, -1.0, 0.0}) - thirds).norm(), 1e-15);
 }
 
 TEST(solve_lcp, SaysWhyItRefuses) {

@@ -29,7 +29,6 @@ ACCEPTED = {
 }
 PARTS = {"part1", "part2", "part3", "part4"}
 RIGHT = [name for name, made in ACCEPTED.items() if made <= PARTS and made & {"part3", "part4"}]
-WRONG = [f"mistakes/{f.name}" for f in sorted((SUBMISSIONS / "mistakes").glob("part[123]_*"))]
 POINTS = [30, 30, 30, 10]
 
 
@@ -44,16 +43,6 @@ def test_a_right_part_loses_nothing_beside_stubs(home: Path, right: str) -> None
     put(home, right, "stub 1", "stub 2")
     beside = [8, 10] if right == "accepted/relative_to_the_start" else [30, 10]
     assert points(check(home).stdout)[2:] == beside
-
-
-@of_home
-@pytest.mark.long
-@pytest.mark.parametrize("number, wrong", enumerate(WRONG))
-def test_a_wrong_part_costs_the_right_ones_nothing(home: Path, number: int, wrong: str) -> None:
-    put(home, RIGHT[number % len(RIGHT)], wrong)
-    got = points(check(home).stdout)
-    part = int(wrong.removeprefix("mistakes/part")[0]) - 1
-    assert got[:part] + got[part + 1 :] == POINTS[:part] + POINTS[part + 1 :]
 
 
 # ---- building ----

@@ -1,5 +1,5 @@
-"""The given animation as its reader meets it. Who tests it imports these fixtures by name. Most
-tests hand the page a clock of their own, so that no fact depends on how fast the machine is."""
+"""The given animation as its reader meets it. Who tests it imports these fixtures by name. The
+page gets a clock of the test's, so that no fact depends on how fast the machine is."""
 
 from __future__ import annotations
 
@@ -139,8 +139,8 @@ def with_animation(text: str, data: dict[str, Any]) -> str:
 
 @contextmanager
 def started(profile: Path) -> Iterator[Any]:
-    """Chromium without a window, which keeps what pages say on the console, and what they ask the
-    network for. Where it is missing, its tests are skipped."""
+    """Chromium without a window, which keeps what pages say on the console. Where it is missing, its
+    tests are skipped."""
     for program in (BROWSER, DRIVER):
         if not program.exists():
             pytest.skip(f"{program} is not installed")
@@ -148,7 +148,7 @@ def started(profile: Path) -> Iterator[Any]:
     options.binary_location = str(BROWSER)
     for flag in [*FLAGS, f"--user-data-dir={profile}"]:
         options.add_argument(flag)
-    options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
+    options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
     browser = webdriver.Chrome(service=Service(str(DRIVER)), options=options)
     yield browser
     browser.quit()
@@ -174,17 +174,13 @@ def open_page(driver: Any, file: Path) -> Iterator[Open]:
     driver.get_log("browser")
     page.media()
     page.screen(1000, 800, 1)
-    clocks: list[Any] = []
+    clock = driver.execute_cdp_cmd("Page.addScriptToEvaluateOnNewDocument", {"source": CLOCK})
 
-    def open_(path: Path = file, own_clock: bool = True) -> Page:
-        if own_clock and not clocks:
-            add = "Page.addScriptToEvaluateOnNewDocument"
-            clocks.append(driver.execute_cdp_cmd(add, {"source": CLOCK}))
+    def open_(path: Path = file) -> Page:
         driver.get(path.as_uri())
         page.wait_until(lambda: page.find("stage").get_dom_attribute("width") is not None)
         return page
 
     yield open_
-    for clock in clocks:
-        driver.execute_cdp_cmd("Page.removeScriptToEvaluateOnNewDocument", clock)
+    driver.execute_cdp_cmd("Page.removeScriptToEvaluateOnNewDocument", clock)
     assert driver.get_log("browser") == []

@@ -6,7 +6,6 @@ pivoted. A vector is a tuple of mpf, and a Jacobian is the pair of its columns (
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 from typing import Any, Iterator
 
@@ -46,17 +45,12 @@ def require(condition: bool, complaint: str) -> None:
 
 def exact(number: Any) -> Number:
     """The double nearest to a number of a fixture, without any further rounding."""
-    if isinstance(number, bool) or not isinstance(number, (int, float)):
-        raise ValueError(f"{number!r} is not a number")
-    if not math.isfinite(number):
-        raise ValueError(f"{number!r} is not finite")
     return mpf(float(number))
 
 
 def vector(numbers: Any) -> Vector:
-    if not isinstance(numbers, (list, tuple)) or len(numbers) != 3:
-        raise ValueError(f"{numbers!r} is not a vector of three")
-    return tuple(exact(number) for number in numbers)
+    x, y, z = numbers
+    return exact(x), exact(y), exact(z)
 
 
 @dataclass(frozen=True)
@@ -73,13 +67,8 @@ class Parameters:
     @staticmethod
     def read(params: dict[str, Any]) -> Parameters:
         scalars = ("l", "m", "mu", "epsilon", "dt", "delta")
-        if set(params) != {*scalars, "g", "T"}:
-            raise ValueError(f"params has the keys {sorted(params)}")
-        T = params["T"]
-        if isinstance(T, bool) or not isinstance(T, int) or T < 1:
-            raise ValueError(f"T = {T!r} is not a number of columns")
         numbers = {name: exact(params[name]) for name in scalars}
-        return Parameters(g=vector(params["g"]), T=T, **numbers)
+        return Parameters(g=vector(params["g"]), T=params["T"], **numbers)
 
     def inverse_inertia(self) -> Vector:
         """The diagonal of M^-1, eq. (1)."""
@@ -228,8 +217,6 @@ def answer(stem: str, check: str, case: dict[str, Any]) -> dict[str, Any]:
         return {"V": V, "p": p}
     if stem == "part4_simulate":
         columns = case["expected"].get("columns", [])
-        if len(set(columns)) != len(columns) or not set(columns) <= set(range(params.T)):
-            raise ValueError(f"columns {columns} are not different ones of 0 to {params.T - 1}")
         last = max(columns, default=0) if check in LISTED_COLUMNS_ONLY else None
         states = simulate(vector(asked["q_0"]), vector(asked["v_0"]), params, last)
         listed = {name: [states[t][i] for t in columns] for i, name in enumerate("qv")}
@@ -244,9 +231,7 @@ def answer(stem: str, check: str, case: dict[str, Any]) -> dict[str, Any]:
 
 def differences(expected: dict[str, Any], truth: dict[str, Any]) -> Iterator[str]:
     expected_leaves, true_leaves = leaves(expected), leaves(truth)
-    if set(expected_leaves) != set(true_leaves):
-        odd = sorted(set(expected_leaves) ^ set(true_leaves))
-        raise ValueError(f"expected has too much or too little: {', '.join(odd)}")
+    assert set(expected_leaves) == set(true_leaves), "it has too much or too little"
     for quantity, true in true_leaves.items():
         difference = abs(exact(expected_leaves[quantity]) - true)
         if not difference <= CONFIRMED * max(1, abs(true)):
@@ -275,7 +260,5 @@ def complaints(stem: str, check: str, cases: list[dict[str, Any]]) -> list[str]:
             problems = list(differences(without_claims(stem, case), answer(stem, check, case)))
         except Undecidable as problem:
             problems = [f"undecidable: {problem}"]
-        except (KeyError, ValueError) as problem:
-            problems = [f"malformed: {problem!r}"]
         found += [f"{check}, case {case.get('name')!r}, {problem}" for problem in problems]
     return found
