@@ -85,6 +85,7 @@ def test_studies_the_students_own_parts(home: Path) -> None:
     assert "from dt = 0.001 s on a smaller step no longer helps: delta stays" in shown
     [row] = rows("speed_accuracy", scene="tumble", method="assignment", setting="1e-05")
     assert f"ends at {1000 * float(row['own_error_m']):.3g} mm" in shown
+    assert "with order 1.0 in dt" in shown
     assert "by up to 2.82 mm up and down and 5.63 cm along the ground" in shown
     assert "Some checks fail" not in page.read_text() and not re.search("https?:", page.read_text())
 
