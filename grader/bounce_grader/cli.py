@@ -10,14 +10,11 @@ from bounce_grader.classroom import cli as class_cli
 from bounce_grader.common.errors import KitError, UsageError
 from bounce_grader.common.escaping import json_document, printable_text, terminal
 from bounce_grader.common.manifest import parts
-from bounce_grader.common.packages import find_installed
 from bounce_grader.develop import study
 
 
 def main(arguments: list[str]) -> int:
     options = _parser().parse_args(arguments)
-    if options.command is not _grade:
-        find_installed()
     try:
         try:
             return int(options.command(options))

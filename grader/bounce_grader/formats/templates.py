@@ -5,7 +5,6 @@ from pathlib import Path
 from typing import Any
 
 from bounce_grader.common.escaping import html
-from bounce_grader.common.packages import find_installed
 
 PACKAGE = Path(__file__).resolve().parents[1]
 
@@ -18,7 +17,6 @@ def fill(template: str, **values: Any) -> str:
 
 @cache
 def _environment() -> Any:
-    find_installed()
     from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
     return Environment(

@@ -6,7 +6,6 @@ from typing import TextIO
 
 from bounce_grader.common.escaping import first_few, terminal
 from bounce_grader.common.numbers import out_of, scientific
-from bounce_grader.common.packages import find_installed
 from bounce_grader.common.paths import HANDOUT
 from bounce_grader.formats import sentences
 from bounce_grader.grading import speed
@@ -19,7 +18,6 @@ def show(record: Record, stream: TextIO | None = None) -> None:
     if not stream.isatty():
         stream.writelines(f"{line}\n" for _, line in lines(record))
         return
-    find_installed()
     from rich.console import Console
     from rich.text import Text
 

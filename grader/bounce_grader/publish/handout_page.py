@@ -6,7 +6,6 @@ from html import escape
 from pathlib import Path
 from typing import Any
 
-from bounce_grader.common.packages import find_installed
 from bounce_grader.publish import equations
 from bounce_grader.publish.points import with_points
 
@@ -50,7 +49,6 @@ summary { cursor: pointer; font-weight: 600; }
 
 def page(file: Path) -> bytes:
     """The page of a Markdown file. The pictures that it shows lie beside it, as SVG."""
-    find_installed()
     from markdown_it import MarkdownIt
 
     markdown = MarkdownIt("commonmark", {"html": True}).enable("table")
