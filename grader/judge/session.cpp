@@ -62,7 +62,7 @@ Frame Session::ask(Frame question, Trajectory* columns) {
   try {
     require_time();
   } catch (const tests::Ended& unasked) {
-    end_ = {"no_answer", "", unasked.what()};
+    end_ = End{{"no_answer", unasked.what()}, true};
     throw;
   }
   try {
@@ -81,8 +81,7 @@ Frame Session::ask(Frame question, Trajectory* columns) {
     fail(failure);
   } catch (const RunnerEnded& ended) {
     end_runner();
-    end_ = {ended.termination.status, ended.termination.stack};
-    if (end_->status == "does_not_compile") end_->instead_of_cases = ended.what();
+    end_ = End{ended.termination, ended.termination.status == "does_not_compile"};
     if (ended.termination.status == "timed_out") --hangs_left_;
     if (ended.waits) hangs_left_ = 0;
     throw tests::Ended(ended.what());
