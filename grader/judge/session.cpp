@@ -19,7 +19,7 @@ using frames::Kind;
 namespace {
 
 // A random number, so that no program can write an answer before it has the question.
-std::uint64_t unforeseen() {
+std::uint64_t nonce() {
   std::uint64_t number = 0;
   if (::getrandom(&number, sizeof number, 0) != sizeof number) {
     throw std::runtime_error("the system gives no random numbers");
@@ -45,7 +45,7 @@ Session* session = nullptr;
 Session::Session(std::vector<std::string> command, Limits limits, std::uint32_t part, bool given)
     : Session([command = std::move(command)](
                   const Limits& now) { return std::make_unique<RunnerProcess>(command, now); },
-              limits, part, given, unforeseen) {}
+              limits, part, given, nonce) {}
 
 Session::Session(Start start, Limits limits, std::uint32_t part, bool given, Numbers numbers)
     : start_(std::move(start)),
