@@ -121,8 +121,7 @@ def _parser() -> argparse.ArgumentParser:
     study.add(commands)
 
     bench = commands.add_parser("bench", help="measure the grader's speed")
-    bench.add_argument("what", nargs="?", choices=["grade", "class"], default="grade")
-    bench.add_argument("--submissions", type=int, default=1000, metavar="N", help="of a class")
+    bench.add_argument("--submissions", type=int, default=100, metavar="N", help="of a class")
     bench.set_defaults(command=_bench)
 
     test = commands.add_parser("test", help="run every test of the kit")
@@ -225,13 +224,9 @@ def _handout(options: argparse.Namespace) -> int:
 
 
 def _bench(options: argparse.Namespace) -> int:
-    if options.what == "class":
-        from bounce_grader.develop import bench_class as class_bench
-
-        return class_bench.run(options.submissions)
     from bounce_grader.develop import bench
 
-    return bench.run()
+    return bench.run(options.submissions)
 
 
 def _test(options: argparse.Namespace) -> int:

@@ -46,10 +46,10 @@
 namespace bounce::box {
 namespace {
 
-constexpr rlim_t kOfABuild = 128, kOfARun = 32;  // processes; a thread counts as one
+constexpr rlim_t kBuildProcesses = 128, kRunProcesses = 32;  // processes; a thread counts as one
 // Where others of the same user count, too: a run could take what another needs. So there, the
 // limit only bounds what it starts before the judge, which counts its threads, ends it.
-constexpr rlim_t kOfARunAmongOthers = 4096;
+constexpr rlim_t kRunProcessesOfASharedUser = 4096;
 
 struct Options {
   std::string kind;
@@ -233,8 +233,8 @@ void keep_pipes_from_being_opened_again() {
 void limit_and_filter(const std::string& kind, rlim_t others) {
   const bool build = kind == "build";
   limit(RLIMIT_CORE, 0);
-  const rlim_t of_a_run = others > 0 ? kOfARunAmongOthers : kOfARun;
-  limit(RLIMIT_NPROC, others + (build ? kOfABuild : of_a_run));
+  const rlim_t of_a_run = others > 0 ? kRunProcessesOfASharedUser : kRunProcesses;
+  limit(RLIMIT_NPROC, others + (build ? kBuildProcesses : of_a_run));
   limit(RLIMIT_NOFILE, build ? 256 : 16);
   if (build) forbid_non_compiler_calls();
   if (kind == "check") restrict_to_sanitized_calls();

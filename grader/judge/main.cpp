@@ -2,12 +2,14 @@
 //       --fixtures FOLDER... -- COMMAND...
 //
 // Runs the tests of part N against the runner that COMMAND starts, and prints one JSON object:
-//   {"checks": [{"id", "passed", "status", "stack", "message", "shown", "revealed"}],
+//   {"checks": [{"id", "passed", "status", "ended", "by", "stack", "failure"}],
 //    "largest_error": number or null, "mistakes": [name], "patterns": [sentence]}
-// largest_error is the largest in public cases, to two digits. shown is the failed case in numbers,
-// or null (failed_case.hpp). For a hidden case, revealed is {"message", "shown"} with the expected
-// answer, which students must not see. mistakes and patterns are empty unless --recognise is given
-// and a check failed; then a second runner is asked the public cases.
+// ended says how the program ended, if it did, by what explains a crash, and stack where it came
+// (termination.hpp). failure is the failed case in numbers (facts.hpp), with the expected
+// answers of hidden cases, which students must not see; null if the check passed, or failed as a
+// whole. largest_error is the largest in public cases, to two digits. mistakes and patterns are
+// empty unless --recognise is given and a check failed; then a second runner is asked the public
+// cases.
 //
 // judge --answers --part N ... prints the runner's answers to the public cases (answers_json.hpp).
 //
@@ -29,7 +31,7 @@
 #include "../../tests/parts/pattern.hpp"
 #include "../../tests/parts/recognise.hpp"
 #include "answers_json.hpp"
-#include "failed_case.hpp"
+#include "facts.hpp"
 #include "session.hpp"
 
 namespace bounce {
@@ -43,12 +45,8 @@ namespace {
 
 using nlohmann::json;
 
-// The case that was reported last, and the text about it, with which the message ends.
-struct Told {
-  json shown, revealed;
-  std::string words, revealed_words;
-};
-Told told;
+json reported;  // of the check that failed last
+constexpr const char* kReported = "reported";
 
 struct Options {
   std::uint32_t part = 0;
@@ -96,13 +94,6 @@ Options read_options(const std::vector<std::string>& arguments) {
   return options;
 }
 
-// The message with the expected answer of a hidden case in it.
-json revealed_in(const std::string& message) {
-  if (told.revealed.is_null()) return nullptr;
-  const std::string same = message.substr(0, message.size() - told.words.size());
-  return {{"message", same + told.revealed_words}, {"shown", told.revealed}};
-}
-
 // Collects a verdict for each check. A test that fails other than by reporting a case is a fault of
 // the kit.
 class Verdicts : public testing::EmptyTestEventListener {
@@ -111,32 +102,20 @@ class Verdicts : public testing::EmptyTestEventListener {
   std::string kit_failure;
 
  private:
-  void OnTestStart(const testing::TestInfo&) override { told = {}; }
-
   void OnTestEnd(const testing::TestInfo& test) override {
-    std::string message;
     for (int i = 0; i < test.result()->total_part_count(); ++i) {
-      message += test.result()->GetTestPartResult(i).message();
-    }
-    const std::string prefix = "Failed\n";
-    if (message.rfind(prefix, 0) == 0) {
-      message.erase(0, prefix.size());
-    } else if (!message.empty()) {
-      kit_failure = message;
+      const std::string message = test.result()->GetTestPartResult(i).message();
+      if (message != std::string("Failed\n") + kReported) kit_failure = message;
     }
     const bool passed = test.result()->Passed();
-    const auto end = session->take_end().value_or(Session::End{"graded", ""});
-    if (!end.instead_of_cases.empty()) {
-      message = end.instead_of_cases;
-      told = {};
-    }
+    const auto end = session->take_end().value_or(Session::End{{"graded", ""}, false});
     checks.push_back({{"id", std::string(test.test_suite_name()) + "." + test.name()},
                       {"passed", passed},
                       {"status", end.status},
+                      {"ended", end.sentence},
+                      {"by", end.by},
                       {"stack", end.stack},
-                      {"message", message},
-                      {"shown", told.shown},
-                      {"revealed", revealed_in(message)}});
+                      {"failure", passed || end.of_no_case ? json() : reported}});
   }
 };
 
@@ -217,15 +196,11 @@ int run(const Options& options) {
 }  // namespace
 }  // namespace judge
 
-std::string tests::in_words(const Case& c, const Problem& problem) {
-  judge::told = {judge::failed_case(c, problem), nullptr, summary(c, problem), ""};
-  if (c.hidden) {
-    Case open = c;
-    open.hidden = false;
-    judge::told.revealed = judge::failed_case(open, problem);
-    judge::told.revealed_words = summary(open, problem);
-  }
-  return judge::told.words;
+void tests::found_wrong(const Case&, const Problem&) {}
+
+std::string tests::in_words(const Failure& failure) {
+  judge::reported = judge::facts(failure);
+  return judge::kReported;
 }
 
 }  // namespace bounce

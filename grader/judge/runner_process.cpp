@@ -183,14 +183,14 @@ bool RunnerProcess::wait_until_readable(bool amid_an_answer) {
 }
 
 // Reads the box's status: "m" when it is made, then "x" if the program can't be started.
-void RunnerProcess::hear_the_box() {
+void RunnerProcess::read_box_status() {
   char told[2];
   const ssize_t n = status_ < 0 ? 0 : ::read(status_, told, sizeof told);
   if (n > 0) told_.append(told, static_cast<std::size_t>(n));
 }
 
 bool RunnerProcess::box_is_made() {
-  if (limits_.boxed && told_.empty()) hear_the_box();
+  if (limits_.boxed && told_.empty()) read_box_status();
   return !limits_.boxed || told_.rfind('m', 0) == 0;
 }
 
@@ -304,7 +304,7 @@ void RunnerProcess::end_after_close(const std::string& closed) {
   }
   if (prints_ >= 0) drain_prints();
   require_a_box();
-  hear_the_box();
+  read_box_status();
   if (told_ == "mx") {
     throw RunnerEnded({"no_answer",
                        "the system can't start the program that the parts were linked to: look for "

@@ -77,7 +77,7 @@ class RunnerProcess {
   void read_exactly(void* data, std::size_t size, bool amid_an_answer);
   bool wait_until_readable(bool amid_an_answer);
   void drain_prints();
-  void hear_the_box();
+  void read_box_status();
   bool box_is_made();
   void require_a_box();
   void count_wait_since(Clock::time_point start);

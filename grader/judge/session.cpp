@@ -19,7 +19,7 @@ using frames::Kind;
 namespace {
 
 // A random number, so that no program can write an answer before it has the question.
-std::uint64_t unforeseen() {
+std::uint64_t nonce() {
   std::uint64_t number = 0;
   if (::getrandom(&number, sizeof number, 0) != sizeof number) {
     throw std::runtime_error("the system gives no random numbers");
@@ -45,7 +45,7 @@ Session* session = nullptr;
 Session::Session(std::vector<std::string> command, Limits limits, std::uint32_t part, bool given)
     : Session([command = std::move(command)](
                   const Limits& now) { return std::make_unique<RunnerProcess>(command, now); },
-              limits, part, given, unforeseen) {}
+              limits, part, given, nonce) {}
 
 Session::Session(Start start, Limits limits, std::uint32_t part, bool given, Numbers numbers)
     : start_(std::move(start)),
@@ -62,7 +62,7 @@ Frame Session::ask(Frame question, Trajectory* columns) {
   try {
     require_time();
   } catch (const tests::Ended& unasked) {
-    end_ = {"no_answer", "", unasked.what()};
+    end_ = End{{"no_answer", unasked.what()}, true};
     throw;
   }
   try {
@@ -81,8 +81,7 @@ Frame Session::ask(Frame question, Trajectory* columns) {
     fail(failure);
   } catch (const RunnerEnded& ended) {
     end_runner();
-    end_ = {ended.termination.status, ended.termination.stack};
-    if (end_->status == "does_not_compile") end_->instead_of_cases = ended.what();
+    end_ = End{ended.termination, ended.termination.status == "does_not_compile"};
     if (ended.termination.status == "timed_out") --hangs_left_;
     if (ended.waits) hangs_left_ = 0;
     throw tests::Ended(ended.what());

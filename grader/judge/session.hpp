@@ -37,11 +37,10 @@ class Session {
   // Why the kit has failed, in which case no verdict is valid; empty if it hasn't.
   const std::string& kit_failure() const { return kit_failure_; }
 
-  // How the last check's runner ended, if it did: a status, and the stack of a crash. If no case
-  // was answered because of something that concerns the whole check, such as a used-up time, that
-  // reason is in `instead_of_cases`. To be called once for each check.
-  struct End {
-    std::string status, stack, instead_of_cases = {};
+  // How the last check's runner ended, if it did. If that concerns the whole check, such as a
+  // used-up time, no case is to blame. To be called once for each check.
+  struct End : Termination {
+    bool of_no_case = false;
   };
   std::optional<End> take_end();
 

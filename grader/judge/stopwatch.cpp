@@ -37,7 +37,8 @@ namespace bounce {
 // The stopwatch reads no fixtures.
 std::vector<std::filesystem::path> tests::fixture_folders() { return {}; }
 void tests::about_to_ask(const Case&) {}
-std::string tests::in_words(const Case&, const Problem&) { return {}; }
+void tests::found_wrong(const Case&, const Problem&) {}
+std::string tests::in_words(const Failure&) { return {}; }
 
 namespace judge {
 namespace {

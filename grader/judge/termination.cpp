@@ -67,7 +67,8 @@ std::string_view last_words(std::string_view print) {
 
 Termination of_abort(const Limits& limits, const std::string& print) {
   if (const std::string assertion = assertion_in(print); !assertion.empty()) {
-    return {"crashed", "an assertion failed: " + sanitize_line(assertion, 3 * kLongest)};
+    return {"crashed", "an assertion failed: " + sanitize_line(assertion, 3 * kLongest), "",
+            "assertion"};
   }
   const std::string_view thrown =
       up_to(line_after(print, "terminate called after throwing an instance of '"), "'");
@@ -143,7 +144,7 @@ Termination of_signal(int signal, const Limits& limits, const std::string& print
       cause.rfind(runner::kFound, 0) == 0
           ? check::words_for_report(std::string_view(cause).substr(std::strlen(runner::kFound)))
           : std::nullopt;
-  Termination termination = found               ? Termination{"crashed", *found}
+  Termination termination = found               ? Termination{"crashed", *found, "", "sanitizer"}
                             : signal == SIGABRT ? of_abort(limits, print)
                             : signal == SIGSEGV
                                 ? Termination{"crashed", of_segmentation_fault(cause)}

@@ -11,6 +11,7 @@ struct Termination {
   std::string status;  // of the score record: crashed, timed_out, out_of_memory, no_answer
   std::string sentence;
   std::string stack = {};  // of a crash: hexadecimal addresses, each after a space
+  std::string by = {};     // what explains a crash, if something does: "assertion" or "sanitizer"
 };
 
 // From a wait status, and from the last text that the program printed, which changes only the

@@ -107,20 +107,14 @@ std::string number(double x) {
   return digits;
 }
 
-using Marks = Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic>;
-
-// A scalar, (a, b, c), or the rows of a matrix below each other, with wrong entries in brackets.
-std::string words(const Eigen::MatrixXd& m, const std::string& indent,
-                  const Marks* right = nullptr) {
+// A scalar, (a, b, c), or the rows of a matrix below each other.
+std::string words(const Eigen::MatrixXd& m, const std::string& indent) {
   if (m.size() == 1) return number(m(0));
-  const auto entry = [&](Eigen::Index i, Eigen::Index j) {
-    return !right || (*right)(i, j) ? number(m(i, j)) : "[" + number(m(i, j)) + "]";
-  };
   const bool column = m.cols() == 1;  // a vector is written in one line
   std::string text = "(";
   for (Eigen::Index i = 0; i < m.rows(); ++i) {
     if (i > 0) text += column ? ", " : ")\n" + indent + "(";
-    for (Eigen::Index j = 0; j < m.cols(); ++j) text += (j > 0 ? ", " : "") + entry(i, j);
+    for (Eigen::Index j = 0; j < m.cols(); ++j) text += (j > 0 ? ", " : "") + number(m(i, j));
   }
   return text + ")";
 }
@@ -154,14 +148,12 @@ std::string other_parameters(const Parameters& p) {
 }
 
 std::string describe(const json& input, const Parameters& params) {
-  const std::string indent(11, ' ');
-  std::string text = "  input    ";
+  std::string text;
   for (const auto& [key, value] : input.items()) {
     const std::string label = key + " = ";
     const Eigen::MatrixXd m = key == "J" ? Eigen::MatrixXd(matrix<Jacobian>(value))
                                          : Eigen::MatrixXd(matrix<Vector3>(value));
-    text +=
-        label + words(m, indent + std::string(label.size(), ' ')) + unit_of(key) + "\n" + indent;
+    text += label + words(m, std::string(label.size(), ' ')) + unit_of(key) + "\n";
   }
   return text + "parameters: " + other_parameters(params);
 }
@@ -238,8 +230,10 @@ std::vector<Case> read_all_cases(std::istream& file) {
   return cases;
 }
 
-Marks agrees(const Case& c, const Eigen::MatrixXd& expected, const Eigen::MatrixXd& got) {
-  Marks right(got.rows(), got.cols());
+Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic> agrees(const Case& c,
+                                                          const Eigen::MatrixXd& expected,
+                                                          const Eigen::MatrixXd& got) {
+  Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic> right(got.rows(), got.cols());
   for (Eigen::Index i = 0; i < got.size(); ++i) {
     right(i) = error(expected(i), got(i)) <= c.tolerance;
   }
@@ -268,23 +262,6 @@ Problem both(const Problem& a, const Problem& b) {
   Problem problem = a;
   problem.differences.insert(problem.differences.end(), b.differences.begin(), b.differences.end());
   return problem;
-}
-
-std::string summary(const Case& c, const Problem& problem) {
-  std::string text;
-  const auto line = [&](const char* label, const std::string& words) {
-    text += (text.empty() ? "  " : "\n  ") + std::string(label) + words;
-  };
-  if (!problem.sentence.empty()) line("got      ", problem.sentence);
-  for (const auto& [name, unit, expected, got] : problem.differences) {
-    const std::string indent(11 + name.size() + 3, ' ');
-    const Marks right = agrees(c, expected, got);
-    line("expected ", c.hidden ? "is not shown, this case is hidden"
-                               : name + " = " + words(expected, indent) + "  " + unit);
-    line("got      ", name + " = " + words(got, indent, &right) + "  " + unit +
-                          (got.size() > 1 ? ", [wrong]" : ""));
-  }
-  return text;
 }
 
 double largest_error() { return largest_error_so_far; }

@@ -17,11 +17,11 @@ struct Case {
   bool hidden = false;   // the expected answer is not shown
   double tolerance = 0;  // on each entry, absolute or relative, whichever is larger
   Parameters params;
-  std::string input;                                          // the question in words, with units
-  std::string corner;                                         // what the corner does, in words
-  Vector3 q = Vector3::Zero(), v = Vector3::Zero();           // parts 1 to 3; q_0 and v_0 in part 4
-  Jacobian J = Jacobian::Zero();                              // part 2
-  Contact contact{Jacobian::Zero(), 0};                       // expected, part 1
+  std::string input;                                 // the question in words, with units, in lines
+  std::string corner;                                // what the corner does, in words
+  Vector3 q = Vector3::Zero(), v = Vector3::Zero();  // parts 1 to 3; q_0 and v_0 in part 4
+  Jacobian J = Jacobian::Zero();                     // part 2
+  Contact contact{Jacobian::Zero(), 0};              // expected, part 1
   Lcp lcp{Eigen::Matrix4d::Zero(), Eigen::Vector4d::Zero()};  // expected, part 2
   State state{Vector3::Zero(), Vector3::Zero()};              // expected, part 3
   std::vector<int> columns;                                   // part 4: the columns that are stored
@@ -56,12 +56,30 @@ std::vector<std::filesystem::path> fixture_folders();
 // Called before each question.
 void about_to_ask(const Case& c);
 
-// The answers of the running check before this question: "3 right and 1 wrong"; empty if there are
-// none. Defined in asking.cpp.
-std::string answered_before();
+// Called after the first question of the running check that is answered wrong.
+void found_wrong(const Case& c, const Problem& problem);
 
-// Describes the problem: the summary, or more in a student's own build.
-std::string in_words(const Case& c, const Problem& problem);
+// How many answers of the running check were right and wrong.
+struct Answered {
+  std::size_t right = 0, wrong = 0;
+};
+
+// Those before this question. Defined in asking.cpp.
+const Answered& answered_before();
+
+// What a failed check reports: its first wrong case, or the one at which the program ended.
+struct Failure {
+  Case asked;
+  Problem problem;
+  std::size_t cases = 0;     // of the check
+  std::size_t wrong = 0;     // of these
+  std::size_t ended_at = 0;  // the number of the case at which the program ended, from 1 on; else 0
+  Answered before;           // that case
+  bool again = false;        // whether it was right when it was asked before, in another order
+};
+
+// The text of a failed check.
+std::string in_words(const Failure& failure);
 
 // --- reading ---
 
@@ -115,10 +133,6 @@ Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic> agrees(const Case& c,
 
 // The differences of both.
 Problem both(const Problem& a, const Problem& b);
-
-// Describes the problem in a few lines: the expected answer, unless the case is hidden, and the
-// submission's, with the wrong entries in brackets.
-std::string summary(const Case& c, const Problem& problem);
 
 // The largest error that compare has found so far in public cases, in units of max(1, |expected|).
 // That of a hidden case would reveal the expected answer to whoever knows their own.

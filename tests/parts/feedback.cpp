@@ -149,7 +149,6 @@ std::string about_step(const Case& c, const Difference& d) {
 }  // namespace
 
 std::string feedback(const Case& c, const Problem& problem) {
-  if (c.hidden) return summary(c, problem);
   std::string text;
   if (!c.corner.empty()) text += "  " + c.corner + "\n";
   if (!are_zero(c.J.data(), c.J.size())) text += corner_before(c);

@@ -22,11 +22,8 @@ def headings() -> dict[str, str]:
 
 
 def diagnosed(part: int, diagnosis: str) -> str:
-    """The heading of the hint for what is told of a part's mistake: the one that is named, or that
-    of the words which come first; empty if there is none."""
-    named = re.search(r"and hint (\d+\.\d+ .+?)\.", diagnosis)
-    if named:
-        return named[1]
+    """The heading of the hint for what the patterns of a part's wrong numbers say: that of the words
+    which come first; empty if there is none."""
     found = {diagnosis.find(words): to for words, to in _words() if to.startswith(f"{part}.")}
     return found[min(found.keys() - {-1})] if found.keys() - {-1} else ""
 

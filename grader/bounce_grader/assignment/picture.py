@@ -15,7 +15,7 @@ LONGEST = 70  # px, of an arrow
 PATH_SIZE, ROOM = (480, 300), 24
 FAR = 5000.0  # px: points further out are moved to this distance
 OMEGA = "\N{GREEK SMALL LETTER OMEGA}\N{PRIME}"
-Shown = dict[str, Any]  # a failed case in numbers, as grading/failed_case.py gives it
+Shown = dict[str, Any]  # a failed case in numbers, as grading/words.py gives it
 
 
 class Figure(NamedTuple):

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from bounce_grader.common.numbers import significant
-from bounce_grader.grading.failed_case import Shown
+from bounce_grader.grading.words import Facts
 
 NOT_FINITE = {"nan": "NaN", "inf": "\N{INFINITY}", "-inf": "\N{MINUS SIGN}\N{INFINITY}"}
 Entry = tuple[str, bool]  # a number, and whether it is right
@@ -15,20 +15,15 @@ def sentence(words: str) -> str:
     return f"{words[0].upper()}{words[1:]}." if words else ""
 
 
-def question(asked: str) -> str:
-    """The input of a case, without the indentation for a terminal."""
-    return asked.removeprefix("  input    ").replace("\n" + " " * 11, "\n")
-
-
-def is_hidden(shown: Shown) -> bool:
+def is_hidden(shown: Facts) -> bool:
     return any("expected" not in quantity for quantity in shown["quantities"])
 
 
-def caption(quantity: Shown) -> str:
+def caption(quantity: Facts) -> str:
     return quantity["name"] + ("" if _units(quantity) else f", in {quantity['unit']}")
 
 
-def matrices(quantity: Shown) -> Iterator[Matrix]:
+def matrices(quantity: Facts) -> Iterator[Matrix]:
     """The submission's matrix, and the right one if it may be shown."""
     got, right, expected = quantity["got"], quantity["right"], quantity.get("expected")
     digits = _digits(quantity)
@@ -41,13 +36,13 @@ def matrices(quantity: Shown) -> Iterator[Matrix]:
         ]
 
 
-def _units(quantity: Shown) -> list[str]:
+def _units(quantity: Facts) -> list[str]:
     """The unit of each row, "" for dimensionless ones. Empty if one unit holds for all rows."""
     units = quantity["unit"].split(", ")
     return ["" if u == "1" else u for u in units] if len(units) == len(quantity["got"]) else []
 
 
-def _digits(quantity: Shown) -> int:
+def _digits(quantity: Facts) -> int:
     """Six digits; twelve if a wrong number and the right one look the same with six."""
     for rows in zip(quantity["got"], quantity["right"], quantity.get("expected") or []):
         for x, right, y in zip(*rows):

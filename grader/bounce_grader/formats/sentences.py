@@ -129,8 +129,11 @@ def hint(part: Record, check: Record) -> str:
 
     if check["passed"]:
         return ""
-    diagnosis = " ".join(mistake_words(part)) if check is _first_failed(part) else ""
-    return diagnosed(part["part"], diagnosis) or headings().get(check["id"], "")
+    said = ""
+    if check is _first_failed(part):
+        named = [mistake["hint"] for mistake in part["mistakes"]]
+        said = named[0] if named else diagnosed(part["part"], " ".join(part["patterns"]))
+    return said or headings().get(check["id"], "")
 
 
 def _first_failed(part: Record) -> Record | None:

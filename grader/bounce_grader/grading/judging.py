@@ -4,16 +4,16 @@ import json
 import re
 import sys
 from collections.abc import Callable
+from contextlib import suppress
 from functools import cache
 from pathlib import Path
-from typing import Any, NamedTuple, cast
+from typing import Any, NamedTuple
 
 from bounce_grader.common.errors import KitError
-from bounce_grader.common.escaping import printable_name
+from bounce_grader.common.escaping import printable_name, printable_text
 from bounce_grader.common.manifest import Part
 from bounce_grader.common.paths import FIXTURES, JUDGE, SOURCES, WORK_FOLDER
-from bounce_grader.grading import failed_case
-from bounce_grader.grading.failed_case import Shown
+from bounce_grader.grading.words import Verdict
 from bounce_grader.sandbox import processes
 from bounce_grader.sandbox.box import LARGEST_FILE, Box
 from bounce_grader.sandbox.budget import Overrun
@@ -22,16 +22,6 @@ SYMBOLS = processes.Limits(cpu_seconds=5, wall_seconds=30, memory=1 << 30, file_
 WAIT = processes.Limits(60, 300, memory=4 << 30, file_size=LARGEST_FILE)
 MOST_CPU_SECONDS, MOST_SECONDS = 30, 200  # for all runners of a part together
 STATUSES = {"graded", "does_not_compile", "crashed", "timed_out", "out_of_memory", "no_answer"}
-
-
-class Verdict(NamedTuple):
-    """The judge's verdict on one check."""
-
-    passed: bool
-    status: str
-    message: str
-    shown: Shown | None = None  # the failed case in numbers
-    revealed: Shown | None = None  # for a hidden case: "message" and "shown" with its answer
 
 
 class Judged(NamedTuple):
@@ -90,14 +80,8 @@ def judge(
         raise KitError(f"the judge failed on part {part.number}: {result.err.strip() or 'killed'}")
     answer = read_answer(result.out, part)
     verdicts = {
-        check["id"]: Verdict(
-            check["passed"],
-            check["status"],
-            _with_place(check, runner, files, box),
-            check["shown"],
-            check["revealed"],
-        )
-        for check in answer["checks"]
+        id: verdict._replace(place=_place(answer["stacks"][id], runner, files, box))
+        for id, verdict in answer["verdicts"].items()
     }
     return Judged(
         verdicts,
@@ -109,58 +93,53 @@ def judge(
 
 
 def read_answer(out: bytes, part: Part) -> dict[str, Any]:
-    """Parses and validates the judge's answer, which grader/judge/main.cpp describes. Checks that
-    parts.json leaves out are dropped. Raises KitError."""
+    """Parses the judge's answer, which grader/judge/main.cpp describes, into verdicts and stacks by
+    check, and the rest. Checks that parts.json leaves out are dropped. Raises KitError."""
     try:
-        answer = json.loads(out, parse_constant=_no_number)
-        sound = all(map(_is_sound, answer["checks"])) and _is_size(answer["largest_error"])
-        for check in answer["checks"]:
-            check["shown"] = failed_case.read(check["shown"])
-            check["revealed"] = failed_case.read_revealed(check["revealed"])
-        sound = sound and all(map(_are_texts, (answer["mistakes"], answer["patterns"])))
-    except (ValueError, TypeError, KeyError, RecursionError) as error:
+        answer = _printable(json.loads(out, parse_constant=_no_number))
+        checks = {check.pop("id"): check for check in answer["checks"]}
+        stacks = {id: str(check.pop("stack")) for id, check in checks.items()}
+        verdicts = {id: Verdict(**check) for id, check in checks.items()}
+        rest = {key: answer[key] for key in ("largest_error", "mistakes", "patterns")}
+        sound = all(v.status in STATUSES and isinstance(v.passed, bool) for v in verdicts.values())
+        sound = sound and isinstance(rest["largest_error"], float | int | None)
+    except (ValueError, TypeError, KeyError, AttributeError, RecursionError) as error:
         raise KitError(f"the judge's answer on part {part.number} can't be read") from error
-    if not sound:
+    if not sound or len(checks) != len(answer["checks"]):
         raise KitError(f"the judge's answer on part {part.number} has another shape than it should")
-    wanted = {check.id for check in part.checks}
-    answer["checks"] = [check for check in answer["checks"] if check["id"] in wanted]
-    if sorted(check["id"] for check in answer["checks"]) != sorted(wanted):
+    if not checks.keys() >= (wanted := {check.id for check in part.checks}):
         raise KitError(f"the judge's checks of part {part.number} lack some of parts.json")
-    return {key: answer[key] for key in ("checks", "largest_error", "mistakes", "patterns")}
+    kept = {id: verdict for id, verdict in verdicts.items() if id in wanted}
+    return {"verdicts": kept, "stacks": stacks, **rest}
+
+
+def _printable(x: Any) -> Any:
+    """The same JSON, with printable texts: some of them are a submission's. Raises ValueError if a
+    number isn't finite."""
+    if isinstance(x, dict):
+        return {key: _printable(value) for key, value in x.items()}
+    if isinstance(x, list):
+        return [_printable(value) for value in x]
+    if isinstance(x, float | int) and not abs(x) <= sys.float_info.max:
+        raise ValueError("a number that isn't finite")
+    return printable_text(x) if isinstance(x, str) else x
 
 
 def _no_number(word: str) -> None:
     raise ValueError(f"{word} is no JSON")
 
 
-def _is_sound(check: dict[str, Any]) -> bool:
-    texts = all(isinstance(check[key], str) for key in ("id", "status", "stack", "message"))
-    return texts and isinstance(check["passed"], bool) and check["status"] in STATUSES
-
-
-def _are_texts(x: object) -> bool:
-    return isinstance(x, list) and all(isinstance(text, str) for text in x)
-
-
-def _is_size(x: object) -> bool:
-    return x is None or type(x) in (int, float) and 0 <= cast(float, x) <= sys.float_info.max
-
-
-def _with_place(check: dict[str, str], runner: Path, files: frozenset[str], box: Box) -> str:
-    """The check's message; for a crash, with the submission's file and line if they are known."""
-    try:
-        place = _place(check["stack"], runner, files, box) if check["stack"] else None
-    except Overrun:  # the verdict is valid without its line
-        place = None
-    return f"{check['message']}, at {place}" if place else check["message"]
-
-
 @cache
-def _place(stack: str, runner: Path, files: frozenset[str], box: Box) -> str | None:
-    """The innermost line on the stack that is in the submission's own files."""
+def _place(stack: str, runner: Path, files: frozenset[str], box: Box) -> str:
+    """The innermost line on the stack that is in the submission's own files; empty if unknown, also
+    for want of time, as the verdict is valid without it."""
+    if not stack:
+        return ""
     command = ["/usr/bin/addr2line", "-i", "-e", str(runner), *stack.split()]
-    result = box.run(box.to_build(runner.parent, [runner]) + command, SYMBOLS)
-    return place_in(result.out, files.__contains__) if result.ok else None
+    with suppress(Overrun):
+        result = box.run(box.to_build(runner.parent, [runner]) + command, SYMBOLS)
+        return place_in(result.out, files.__contains__) or "" if result.ok else ""
+    return ""
 
 
 def place_in(lines: bytes, is_submitted: Callable[[str], bool] = bool) -> str | None:

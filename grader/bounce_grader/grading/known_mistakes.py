@@ -195,15 +195,15 @@ def differing(folder: Path = KNOWN) -> list[str]:
 def _is_fresh(file: Path, text: str | None) -> bool:
     if text is None or not file.exists():
         return False
-    return say_the_same(json.loads(file.read_text()), json.loads(text))
+    return are_equal_up_to_rounding(json.loads(file.read_text()), json.loads(text))
 
 
-def say_the_same(a: Any, b: Any) -> bool:
+def are_equal_up_to_rounding(a: Any, b: Any) -> bool:
     """Whether two JSON values are equal, up to the rounding of numbers."""
     if isinstance(a, dict) and isinstance(b, dict):
-        return list(a) == list(b) and all(say_the_same(a[key], b[key]) for key in a)
+        return list(a) == list(b) and all(are_equal_up_to_rounding(a[key], b[key]) for key in a)
     if isinstance(a, list) and isinstance(b, list):
-        return len(a) == len(b) and all(map(say_the_same, a, b))
+        return len(a) == len(b) and all(map(are_equal_up_to_rounding, a, b))
     if isinstance(a, float | int) and isinstance(b, float | int):
         return abs(a - b) <= 1e-10 * max(1.0, abs(a), abs(b))
     return bool(a == b)
@@ -277,12 +277,12 @@ def _check_twins(mistakes: list[Mistake], got: Mapping[str, Answers]) -> None:
         twin = by_name.get(m.recognised_as)
         if twin is None or twin.recognised_as != twin.name:
             raise KitError(f"{m.name} is recognised_as {m.recognised_as}, which isn't by itself")
-        if not say_the_same(got[m.name], got[twin.name]):
+        if not are_equal_up_to_rounding(got[m.name], got[twin.name]):
             raise KitError(f"{m.name} is recognised_as {twin.name}, but answers otherwise")
     alone = [m for m in mistakes if m.recognised_as == m.name]
     for i, m in enumerate(alone):
         for other in alone[i + 1 :]:
-            if m.part == other.part and say_the_same(got[m.name], got[other.name]):
+            if m.part == other.part and are_equal_up_to_rounding(got[m.name], got[other.name]):
                 raise KitError(
                     f"{m.name} and {other.name} answer the same to every public case: give one "
                     f'"recognised_as" in its expected.json, and the other words true of both'

@@ -12,8 +12,10 @@ from typing import Any
 from bounce_grader import __version__
 from bounce_grader.common.escaping import printable_name, printable_text
 from bounce_grader.common.manifest import parts, Check, Part
-from bounce_grader.grading.judging import Judged, Verdict
+from bounce_grader.grading import words
+from bounce_grader.grading.judging import Judged
 from bounce_grader.grading.known_mistakes import known
+from bounce_grader.grading.words import Verdict
 from bounce_grader.submission.submission import Submission
 
 Record = dict[str, Any]
@@ -35,35 +37,28 @@ def part_record(part: Part, judged: Judged) -> Record:
         "patterns": [printable_text(sentence) for sentence in judged.patterns],
         "remarks": [],
         "checks": [
-            _check_record(check, verdict.passed, verdict.message, mistakes) | _numbers(verdict)
-            for check, verdict in _with_each_reason_once(part, judged)
+            _check_record(check, verdict.passed, message, mistakes) | numbers
+            for check, verdict, message, numbers in _with_each_reason_once(part, judged)
         ],
     }
 
 
-def _with_each_reason_once(part: Part, judged: Judged) -> Iterator[tuple[Check, Verdict]]:
-    """The checks with their verdicts. One that fails by the same exception or crash as an earlier
-    check refers to that check, in place of repeating its case."""
+def _with_each_reason_once(
+    part: Part, judged: Judged
+) -> Iterator[tuple[Check, Verdict, str, Record]]:
+    """The checks with their verdicts, messages and numbers. One that fails by the same exception or
+    crash as an earlier check refers to that check, in place of repeating its case."""
     first: dict[str, Check] = {}
     for check in part.checks:
         verdict = judged.verdicts[check.id]
-        reason = _reason(verdict)
-        if reason in first:
-            cases = verdict.message.partition(";")[0]
-            message = f'{cases}, as in "{first[reason].title}": {reason}'
-            yield check, verdict._replace(message=message, shown=None, revealed=None)
-        else:
-            yield check, verdict
-            if reason:
-                first[reason] = check
-
-
-def _reason(verdict: Verdict) -> str:
-    """The exception of the failed case, or how the program crashed; empty if there is neither."""
-    if verdict.status == "crashed":
-        return _end(verdict.message)
-    shown = verdict.shown if verdict.status == "graded" else None
-    return str(shown["sentence"]) if shown and not shown["quantities"] else ""
+        reason = verdict.reason
+        if reason in first and verdict.failure:
+            cases = words.counts(verdict.failure)
+            yield check, verdict, f'{cases}, as in "{first[reason].title}": {reason}', {}
+            continue
+        yield check, verdict, words.of_check(verdict), _numbers(verdict)
+        if reason:
+            first[reason] = check
 
 
 def failed_part(part: Part, status: str, message: str) -> Record:
@@ -87,8 +82,8 @@ def _heading(part: Part) -> Record:
 
 
 def _mistake_record(mistake: str) -> Record:
-    words = known()[mistake]
-    return {key: words[key] for key in ("name", "title", "sentence", "equations", "hint")}
+    told = known()[mistake]
+    return {key: told[key] for key in ("name", "title", "sentence", "equations", "hint")}
 
 
 def _mistake_of(check: Check, mistakes: list[Record]) -> Record | None:
@@ -114,8 +109,14 @@ def _check_record(check: Check, passed: bool, message: str, mistakes: list[Recor
 def _numbers(verdict: Verdict) -> Record:
     """The failed case in numbers; for a hidden case also with its answer, which only some may
     see."""
-    numbers = {"shown": verdict.shown, "revealed": verdict.revealed}
-    return {key: value for key, value in numbers.items() if value and verdict.status == "graded"}
+    failure = verdict.failure
+    if not failure or verdict.status != "graded":
+        return {}
+    shown = {"shown": words.shown(failure)}
+    if not failure["hidden"]:
+        return shown
+    answer = {"message": words.of_check(verdict, True), "shown": words.shown(failure, True)}
+    return {**shown, "revealed": answer}
 
 
 def without_answers(record: Record) -> Record:
@@ -139,16 +140,9 @@ def _part_message(part: Part, judged: Judged) -> str:
         return "everything right"
     ended = [v for v in judged.verdicts.values() if v.status != "graded"]
     if ended:
-        return _end(ended[0].message)
+        return ended[0].end
     nothing = len(lost) == len(part.checks)
     return "no check passed yet" if nothing else f"{len(lost)} of {len(part.checks)} checks failed"
-
-
-def _end(message: str) -> str:
-    """How a runner ended, which follows the last "got" in a check's message."""
-    lines = [line.strip() for line in message.split("\n")]
-    said_last = [line for line in lines if line.startswith("got ")] or lines
-    return said_last[-1].removeprefix("got").strip()
 
 
 def sentence(text: str) -> str:

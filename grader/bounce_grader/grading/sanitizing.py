@@ -9,7 +9,8 @@ from bounce_grader.build import linking
 from bounce_grader.common.errors import KitError
 from bounce_grader.common.manifest import Part
 from bounce_grader.grading import judging
-from bounce_grader.grading.judging import Judged, Verdict
+from bounce_grader.grading.judging import Judged
+from bounce_grader.grading.words import Verdict
 from bounce_grader.sandbox.box import Box
 from bounce_grader.sandbox.budget import Budget, Overrun
 from bounce_grader.submission.submission import Submission
@@ -45,12 +46,12 @@ def remark(part: Part, taken: Submission, work: Path, box: Box) -> str:
     again = _again(part, taken, work, None, box)
     verdicts = again.verdicts if again else {}
     for verdict in verdicts.values():
-        if finding := _finding(verdict):
-            what, _, place = finding.partition(", at ")
-            return _by_auto(what, place, taken) or f"{place or part.file}: {what}"
+        if verdict.by == "sanitizer":
+            by_auto = _by_auto(verdict.ended, verdict.place, taken)
+            return by_auto or f"{verdict.place or part.file}: {verdict.ended}"
     for check in part.checks if again else []:
         verdict = verdicts[check.id]
-        answered = verdict.status == "graded" and (verdict.shown or {}).get("quantities")
+        answered = verdict.status == "graded" and (verdict.failure or {}).get("quantities")
         if not verdict.passed and answered:
             return (
                 f'{part.file}: built with g++ and its sanitizers, it fails "{check.title}": does '
@@ -82,22 +83,13 @@ def _again(
 
 def _is_unclear(verdict: Verdict) -> bool:
     """Whether it is a crash that no assertion explains."""
-    return verdict.status == "crashed" and "assertion" not in verdict.message
-
-
-def _finding(verdict: Verdict) -> str:
-    """What the sanitizers found; empty if nothing."""
-    ended = re.search(r"^  got      (.*)$", verdict.message, re.MULTILINE)
-    if verdict.status != "crashed" or not ended or ended.group(1).startswith("the program"):
-        return ""
-    return ended.group(1)
+    return verdict.status == "crashed" and verdict.by != "assertion"
 
 
 def _with_finding(verdict: Verdict, again: Verdict) -> Verdict:
-    finding = _finding(again)
-    if not _is_unclear(verdict) or not finding:
+    if not _is_unclear(verdict) or again.by != "sanitizer":
         return verdict
-    return verdict._replace(message=f"{verdict.message}\n  checked  {finding}")
+    return verdict._replace(found=again.end)
 
 
 def _by_auto(what: str, place: str, taken: Submission) -> str:

@@ -22,8 +22,7 @@ inline void require(bool promise) {
   if (!promise) __builtin_trap();
 }
 
-// One line that can be shown anywhere, of bounded length. Counted in characters, since where a byte
-// wasn't text, one of three bytes stands for it.
+// One line of bounded length.
 inline bool is_sentence(const std::string& text) {
   return !text.empty() && judge::sanitize_line(text, 600) == text;
 }

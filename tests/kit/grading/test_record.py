@@ -2,12 +2,16 @@
 and tells one exception or crash once."""
 
 import json
+from pathlib import Path
 from typing import Any
 
+import golden
+import pytest
 from bounce_grader.common.escaping import LONGEST_NAME, LONGEST_TEXT
 from bounce_grader.common.manifest import parts
-from bounce_grader.grading import record
-from bounce_grader.grading.judging import Judged, Verdict
+from bounce_grader.grading import judging, record, words
+from bounce_grader.grading.judging import Judged
+from bounce_grader.grading.words import Verdict
 from bounce_grader.submission.submission import Submission
 from hypothesis import given
 from hypothesis import strategies as st
@@ -26,10 +30,21 @@ def judged(*verdicts: Verdict) -> list[dict[str, Any]]:
 @given(LONG, st.lists(LONG, max_size=3), st.sampled_from(["graded", "crashed", ""]))
 def test_whatever_is_said_the_record_stays_json(text: str, names: list[str], status: str) -> None:
     """By a program, or by a compiler; and whatever files are called."""
-    verdicts = {id: Verdict(False, status, text) for id in IDS}
-    part = record.failed_part(PART, "does_not_compile", text)
+    part: dict[str, Any] = record.failed_part(PART, "does_not_compile", text)
     if status:
-        part = record.part_record(PART, Judged(verdicts, 0.5, "own"))
+        check: dict[str, Any] = {
+            "passed": False,
+            "status": status,
+            "ended": text,
+            "by": "",
+            "stack": "",
+        }
+        check["failure"] = failure(sentence=text, name=text)
+        answer = {"checks": [check | {"id": id} for id in IDS], "mistakes": [], "patterns": [text]}
+        told = judging.read_answer(json.dumps(answer | {"largest_error": 0.5}).encode(), PART)
+        part = record.part_record(
+            PART, Judged(told["verdicts"], 0.5, "own", (), tuple(told["patterns"]))
+        )
     taken = Submission("x", {}, {}, {}, tuple(names))
     whole = record.whole(taken, [part], "full", {"run": 1.0}, "", None)
     data = json.dumps(whole, ensure_ascii=False, allow_nan=False).encode("utf-8")
@@ -41,29 +56,55 @@ def test_whatever_is_said_the_record_stays_json(text: str, names: list[str], sta
     assert all(name.isprintable() and len(name) <= LONGEST_NAME for name in whole["ignored"])
 
 
+def failure(**changes: Any) -> dict[str, Any]:
+    """Facts of a check whose third of nine cases is wrong."""
+    facts: dict[str, Any] = {"cases": 9, "wrong": 2, "ended_at": 0, "again": False}
+    facts |= {"before": {"right": 0, "wrong": 0}, "name": "x", "input": "in", "hidden": False}
+    return facts | {"contact": "", "sentence": "", "quantities": []} | changes
+
+
 def test_one_exception_is_told_once() -> None:
     """The other checks that fail by it refer to the first; another exception is told by itself."""
-    text = "2 of 9 cases wrong; the first: x\nin\n  got the program threw x"
-    thrown: dict[str, Any] = {"name": "x", "input": "in", "quantities": []}
-    thrown["sentence"] = "the program threw x"
-    other = {**thrown, "sentence": "the program threw y"}
-    same = Verdict(False, "graded", text, thrown)
-    first, *again, last = judged(*[same] * (len(IDS) - 1), Verdict(False, "graded", text, other))
-    assert (first["message"], first["shown"]) == (text, thrown)
+    thrown, other = (failure(sentence=f"the program threw {what}") for what in "xy")
+    same = Verdict(False, "graded", failure=thrown)
+    another = same._replace(failure=other)
+    first, *again, last = judged(*[same] * (len(IDS) - 1), another)
+    whole = "2 of 9 cases wrong; the first: x\n  input    in\n  got      the program threw "
+    assert (first["message"], last["message"]) == (f"{whole}x", f"{whole}y")
+    assert first["shown"]["sentence"] == "the program threw x" and "shown" in last
     refers = f'2 of 9 cases wrong, as in "{PART.checks[0].title}": the program threw x'
     assert all(check["message"] == refers and "shown" not in check for check in again)
-    assert (last["message"], last["shown"]) == (text, other)
 
 
 def test_one_crash_is_told_once() -> None:
     """A crash in another line is told by itself."""
 
     def crash(case: int, line: int) -> Verdict:
-        ended = f"ended at case {case} of 9; the last: x\nin"
-        return Verdict(False, "crashed", f"{ended}\n  got      out of range, at a.cpp:{line}")
+        facts = failure(ended_at=case, before={"right": case - 1, "wrong": 0}, sentence="ended")
+        return Verdict(False, "crashed", "out of range", "", f"a.cpp:{line}", facts)
 
     first, second, *_, last = judged(*(crash(n, 7) for n in range(1, len(IDS))), crash(9, 8))
-    assert first["message"].endswith("the last: x\nin\n  got      out of range, at a.cpp:7")
+    whole = "the last: x\n  input    in\n  got      out of range, at a.cpp:"
+    assert first["message"] == f"ended at case 1 of 9; {whole}7"
     refers = f'as in "{PART.checks[0].title}": out of range, at a.cpp:7'
-    assert second["message"] == f"ended at case 2 of 9, {refers}"
-    assert last["message"].endswith("at a.cpp:8") and "as in" not in last["message"]
+    assert second["message"] == f"ended at case 2 of 9, with 1 right before it, {refers}"
+    assert last["message"] == f"ended at case 9 of 9, with 8 right before it; {whole}8"
+
+
+@pytest.mark.golden
+def test_a_wrong_quantity_is_laid_out_with_its_wrong_entries_in_brackets() -> None:
+    rows = {
+        "a matrix": ([[1, 2], [3, 4]], [[1, 2], ["nan", 4]], [[True, True], [False, True]]),
+        "a vector": ([[1], [2], [3]], [[1], [-2], [3]], [[True], [False], [True]]),
+        "a vector, hidden": ([[1], [2], [3]], [[1], [-2], [3]], [[True], [False], [True]]),
+        "a row": ([[1, 2]], [["nan", 4]], [[False, False]]),
+        "a scalar": ([[5]], [[1e-7 / 3]], [[False]]),
+    }
+    text = ""
+    for name, (right, got, marks) in rows.items():
+        wrong = {"name": "V", "unit": "s/kg", "expected": right, "got": got, "right": marks}
+        facts = failure(
+            name=name, quantities=[wrong], hidden="hidden" in name, again=name == "a row"
+        )
+        text += words.of_check(Verdict(False, "graded", failure=facts)) + "\n"
+    golden.compare_file(Path(__file__).with_name("quantities.txt"), text)

@@ -20,11 +20,6 @@ Case some_case() {
   return c;
 }
 
-Case hidden(Case c) {
-  c.hidden = true;
-  return c;
-}
-
 using Matrix = Eigen::MatrixXd;
 
 std::string told(const Case& c, const Matrix& expected, const Matrix& got,
@@ -60,13 +55,12 @@ TEST(feedback, MarksWhatIsWrongAndSaysWhatMayBeTheCause) {
   expect_texts("feedback.txt", texts);
 }
 
-TEST(feedback, DrawsAStepAndAPathAndTellsNothingOfAHiddenCase) {
+TEST(feedback, DrawsAStepAndAPath) {
   Texts texts;
   Case c = some_case();
   // f_e is taken off: a corner that isn't pushed has the velocity of free flight.
   const Vector3 free = c.v + c.params.dt * c.params.g;
   texts.emplace_back("a new velocity", told(c, c.state.v, free, kNewVelocity));
-  texts.emplace_back("a new velocity, hidden", told(hidden(c), c.state.v, free, kNewVelocity));
   texts.emplace_back("column 0, without the step", told(c, c.v, free, "v in column 0"));
   c.corner = "no corner touches; corner 3 is the lowest";
   texts.emplace_back("in flight, without a force", told(c, c.state.v, free, kNewVelocity));
@@ -81,24 +75,6 @@ TEST(feedback, DrawsAStepAndAPathAndTellsNothingOfAHiddenCase) {
   problem.path = got;
   texts.emplace_back("both paths", feedback(c, problem));
   expect_texts("pictures.txt", texts);
-}
-
-TEST(summary, PutsTheWrongEntriesInBrackets) {
-  const Case c = some_case();
-  Matrix right(2, 2), got(2, 2);
-  right << 1, 2, 3, 4;
-  got << 1, 2, -NAN, 4;
-  Texts texts;
-  const auto add = [&](const char* name, const Case& its, const Matrix& expected,
-                       const Matrix& answer) {
-    texts.emplace_back(name, summary(its, compare(its, "V", "s/kg", expected, answer)));
-  };
-  add("a matrix", c, right, got);
-  add("a vector", c, Vector3(1, 2, 3), Vector3(1, -2, 3));
-  add("a vector, hidden", hidden(c), Vector3(1, 2, 3), Vector3(1, -2, 3));
-  add("a row", c, right.row(0), got.row(1));
-  add("a scalar", c, scalar(5), scalar(10));
-  expect_texts("summaries.txt", texts);
 }
 
 template <class Thrown>

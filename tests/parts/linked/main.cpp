@@ -44,9 +44,28 @@ std::string from_to;            // these sizes before and after the reported cas
 
 bool debugs = false;  // whether to stop at the first wrong case
 
+// The name of a case, and below it what is asked.
+std::string question(const Case& c) {
+  const std::string label = "\n  input    ";
+  std::string text = c.name + label;
+  for (const char sign : c.input) {
+    text += sign;
+    if (sign == '\n') text.append(label.size() - 1, ' ');
+  }
+  return text;
+}
+
+// "3 right and 1 wrong"; empty if there are none.
+std::string in_words(const Answered& answered) {
+  const std::string right = std::to_string(answered.right) + " right";
+  const std::string wrong = std::to_string(answered.wrong) + " wrong";
+  if (answered.wrong == 0) return answered.right == 0 ? "" : right;
+  return answered.right == 0 ? wrong : right + " and " + wrong;
+}
+
 // Stops here: set a breakpoint in the part, and continue. The case is asked again.
 [[noreturn]] void ask_again(const Case& c, const Problem& problem) {
-  std::cout << c.name << "\n" << c.input << "\n" << feedback(c, problem) << std::endl;
+  std::cout << question(c) << "\n" << feedback(c, problem) << std::endl;
   debugs = false;
 #ifdef _WIN32
   __debugbreak();
@@ -132,16 +151,24 @@ void write_mistakes(const std::string& file) {
 
 void about_to_ask(const Case& c) {
   if (notes.empty()) return;
-  const std::string before = answered_before();
-  asked = c.name + "\n" + c.input + (before.empty() ? "" : "\n  before   " + before);
+  const std::string before = in_words(answered_before());
+  asked = question(c) + (before.empty() ? "" : "\n  before   " + before);
   from = bytes_printed();
   note("running" + from, asked);
 }
 
-std::string in_words(const Case& c, const Problem& problem) {
+void found_wrong(const Case& c, const Problem& problem) {
   if (debugs) ask_again(c, problem);
   if (!notes.empty()) from_to = from + bytes_printed();
-  return feedback(c, problem);
+}
+
+// Nothing ends a program here but its own process, which reports no failure then.
+std::string in_words(const Failure& failure) {
+  return std::to_string(failure.wrong) + " of " + std::to_string(failure.cases) + " cases wrong" +
+         (failure.again ? " when asked again in another order, though right before: is something "
+                          "kept from one call to the next? "
+                        : "; ") +
+         "the first: " + question(failure.asked) + "\n" + feedback(failure.asked, failure.problem);
 }
 
 }  // namespace bounce::tests

@@ -1,4 +1,4 @@
-#include "failed_case.hpp"
+#include "facts.hpp"
 
 #include <cmath>
 #include <cstdio>
@@ -36,12 +36,11 @@ json rows(const Matrix& m, Entry entry) {
 json list(const Vector3& x) { return {x(0), x(1), x(2)}; }
 
 json quantity(const tests::Case& c, const tests::Difference& d) {
-  json all = {{"name", d.name},
-              {"unit", d.unit},
-              {"got", rows(d.got, number)},
-              {"right", rows(tests::agrees(c, d.expected, d.got), [](bool is) { return is; })}};
-  if (!c.hidden) all["expected"] = rows(d.expected, number);
-  return all;
+  return {{"name", d.name},
+          {"unit", d.unit},
+          {"got", rows(d.got, number)},
+          {"right", rows(tests::agrees(c, d.expected, d.got), [](bool is) { return is; })},
+          {"expected", rows(d.expected, number)}};
 }
 
 json scene(const tests::Case& c) {
@@ -52,23 +51,27 @@ json scene(const tests::Case& c) {
 
 json path(const tests::Case& c, const tests::Problem& problem) {
   const auto columns = std::min<Eigen::Index>(c.columns.back() + 1, problem.path.cols());
-  json all = {{"first", problem.column},
-              {"got", rows(problem.path.leftCols(columns).transpose(), drawn)}};
-  if (!c.hidden) {
-    all["columns"] = c.columns;
-    all["expected"] = rows(c.trajectory.q.transpose(), drawn);
-  }
-  return all;
+  return {{"first", problem.column},
+          {"got", rows(problem.path.leftCols(columns).transpose(), drawn)},
+          {"columns", c.columns},
+          {"expected", rows(c.trajectory.q.transpose(), drawn)}};
 }
 
 }  // namespace
 
-json failed_case(const tests::Case& c, const tests::Problem& problem) {
-  json all = {{"name", c.name},
+json facts(const tests::Failure& failure) {
+  const auto& [c, problem, cases, wrong, ended_at, before, again] = failure;
+  json all = {{"cases", cases},
+              {"wrong", wrong},
+              {"ended_at", ended_at},
+              {"before", {{"right", before.right}, {"wrong", before.wrong}}},
+              {"again", again},
+              {"name", c.name},
               {"input", c.input},
+              {"hidden", c.hidden},
+              {"contact", c.corner},
               {"sentence", problem.sentence},
               {"quantities", json::array()}};
-  if (!c.hidden && !c.corner.empty()) all["contact"] = c.corner;
   for (const tests::Difference& d : problem.differences) {
     all["quantities"].push_back(quantity(c, d));
   }

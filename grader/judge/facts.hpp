@@ -1,0 +1,29 @@
+// A failed check in numbers: its first wrong case, or the one at which the program ended.
+//
+//   "cases", "wrong"   how many the check has, and how many are wrong
+//   "ended_at"   the number of the case at which the program ended, 0 if at none; "before" it:
+//                {"right", "wrong"}
+//   "again"      whether all were right when they were asked before, in another order
+//   "name", "input", "hidden"   of the case; its input in words
+//   "contact"    what the corner does, in words
+//   "sentence"   what the numbers alone don't say, such as an exception's text
+//   "quantities" the wrong ones: {"name", "unit", "got", "right", "expected"}, matrices by rows;
+//                "right" has a bool for each entry
+//   "scene"      if a picture needs it: {"l", "m", "g", "dt", "delta", "q", "v"}
+//   "path"       part 4: {"first", "got", "columns", "expected"}, configurations by column from 0
+//   on
+//                ("expected" only those of "columns"); first is the first wrong column
+//
+// "contact" and "expected" would tell the answer to a hidden case. A number that isn't finite is
+// "nan", "inf" or "-inf".
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "../../tests/parts/cases.hpp"
+
+namespace bounce::judge {
+
+nlohmann::json facts(const tests::Failure& failure);
+
+}  // namespace bounce::judge
