@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "picture.hpp"
-#include "wrong_rules.hpp"
+#include "wrong_numbers.hpp"
 
 namespace bounce::tests {
 namespace {

@@ -2,14 +2,8 @@
 
 #include <algorithm>
 
+#include "findings.hpp"
 #include "recognise.hpp"
-#include "wrong_corner.hpp"
-#include "wrong_formulas.hpp"
-#include "wrong_numbers.hpp"
-#include "wrong_parameters.hpp"
-#include "wrong_pi.hpp"
-#include "wrong_rules.hpp"
-#include "wrong_where.hpp"
 
 namespace bounce::tests {
 namespace {
@@ -96,7 +90,6 @@ void add(Words& sentences, const Words& more) {
 Words formula_or_rule(int part, const std::vector<Case>& cases, const std::vector<Answer>& right,
                       const std::vector<Answer>& got, const Wrong& wrong) {
   Words sentences = part == 1 ? corners(cases, right, got) : Words();
-  if (sentences.empty() && part == 1) sentences = written_pi(right, got);
   if (sentences.empty()) sentences = formulas(part, cases, right, got);
   return sentences.empty() && part != 4 ? rules(part, cases, wrong) : sentences;
 }

@@ -1,17 +1,13 @@
-#include "wrong_corner.hpp"
-
 #include <cmath>
 
+#include "expression.hpp"
+#include "findings.hpp"
 #include "recognise.hpp"
 
 namespace bounce::tests {
 namespace {
 
-// The four corners are quarter turns of each other about the centre, counter-clockwise.
-struct Corner {
-  double x, y;  // of r
-};
-
+// The four corners, by r, are quarter turns of each other about the centre, counter-clockwise.
 Corner turned(Corner r, int quarters) {
   for (int k = 0; k < quarters; ++k) r = {-r.y, r.x};
   return r;
@@ -93,7 +89,7 @@ Words corners(const std::vector<Case>& cases, const std::vector<Answer>& right,
   std::set<int> turns;
   for (std::size_t k = 0; k < cases.size(); ++k) {
     const int number = number_of_lowest(cases[k]);
-    if (got[k].numbers.size() != 7 || !are_finite(got[k].numbers)) return {};
+    if (!is_finite(right[k], got[k])) return {};
     if (number == 0) continue;
     const Taken t = taken(cases[k], right[k], got[k]);
     if (t.J < 0) return {};

@@ -59,9 +59,9 @@ Wrong wrong_numbers(const std::vector<Answer>& right, const std::vector<Answer>&
   return wrong;
 }
 
-bool are_finite(const Eigen::VectorXd& numbers) {
-  return std::all_of(numbers.data(), numbers.data() + numbers.size(),
-                     [](double x) { return std::isfinite(x); });
+bool is_finite(const Answer& right, const Answer& got) {
+  return right.thrown.empty() && got.thrown.empty() && got.numbers.size() == right.numbers.size() &&
+         got.numbers.allFinite();
 }
 
 std::string joined(const Words& words, const std::string& last) {

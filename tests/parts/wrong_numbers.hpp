@@ -52,7 +52,11 @@ Wrong wrong_numbers(const std::vector<Answer>& right, const std::vector<Answer>&
 // To six significant digits.
 std::string digits(double x);
 
-bool are_finite(const Eigen::VectorXd& numbers);
+// Whether neither threw, and the answer's numbers are as many as the right ones, and finite.
+bool is_finite(const Answer& right, const Answer& got);
+
+// Factors by which a number may be wrong, with their names in the assignment.
+std::vector<Value> factors(const Parameters& params);
 
 // "a, b and c".
 std::string joined(const Words& words, const std::string& last = " and ");

@@ -1,4 +1,4 @@
-#include "wrong_parameters.hpp"
+#include "findings.hpp"
 
 #include <algorithm>
 #include <map>
@@ -49,12 +49,6 @@ struct Part {
   std::vector<Quantity> quantities;
   const std::vector<Answer>&right, &got;
 };
-
-bool is_finite(const Part& part, std::size_t k) {
-  return part.got[k].thrown.empty() && part.right[k].thrown.empty() &&
-         part.got[k].numbers.size() == part.right[k].numbers.size() &&
-         are_finite(part.got[k].numbers);
-}
 
 void look(const Part& part, const Quantity& quantity, std::size_t a, std::size_t b, Seen& seen) {
   bool right_differs = false, got_differs = false;
@@ -208,7 +202,7 @@ Words inputs(int part, const std::vector<Case>& cases, const std::vector<Answer>
   std::map<std::string, std::vector<Seen>> seen;
   for (std::size_t a = 0; a < cases.size(); ++a) {
     for (std::size_t b = a + 1; b < cases.size(); ++b) {
-      if (!is_finite(all, a) || !is_finite(all, b)) continue;
+      if (!is_finite(right[a], got[a]) || !is_finite(right[b], got[b])) continue;
       const auto names = differing(cases[a], cases[b]);
       if (!names || names->size() != 1) continue;
       auto& of_input = seen[names->front()];

@@ -1,4 +1,4 @@
-#include "wrong_rules.hpp"
+#include "findings.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,7 +12,7 @@ namespace {
 using Eigen::Index;
 
 constexpr double kFewDigits = 1e-4;
-constexpr double kRounding = 1e-9;  // numbers below this count as 0
+constexpr double kAlmostNothing = 1e-9;  // numbers below this count as 0
 constexpr double kLeastRatio = 1e-6;
 
 // --- words ---
@@ -39,7 +39,7 @@ std::string not_finite(const std::vector<Number>& numbers) {
 bool is_rule(const std::vector<Number>& numbers, double factor, double plus) {
   return numbers.size() >= kEnough &&
          std::all_of(numbers.begin(), numbers.end(), [&](const Number& n) {
-           return std::abs(n.right) > kRounding && same(factor * n.right + plus, n.got);
+           return std::abs(n.right) > kAlmostNothing && same(factor * n.right + plus, n.got);
          });
 }
 
@@ -47,7 +47,7 @@ bool is_rule(const std::vector<Number>& numbers, double factor, double plus) {
 bool is_factor(std::size_t i, const std::vector<Case>& cases, const std::vector<Number>& numbers) {
   return std::all_of(numbers.begin(), numbers.end(), [&](const Number& n) {
     const double factor = factors(cases[n.question].params)[i].value;
-    return std::abs(n.right) > kRounding && same(factor * n.right, n.got);
+    return std::abs(n.right) > kAlmostNothing && same(factor * n.right, n.got);
   });
 }
 
@@ -78,7 +78,7 @@ std::string constant_of(const std::vector<Number>& numbers) {
   const bool varies = std::any_of(numbers.begin(), numbers.end(), [&](const Number& n) {
     return !same(n.right, numbers[0].right);
   });
-  const bool is_rounding = numbers[0].got != 0 && std::abs(numbers[0].got) < kRounding;
+  const bool is_rounding = numbers[0].got != 0 && std::abs(numbers[0].got) < kAlmostNothing;
   return is_one && varies && !is_rounding ? digits(numbers[0].got) : "";
 }
 

@@ -1,11 +1,11 @@
-#include "wrong_where.hpp"
+#include "findings.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
 
-#include "formula.hpp"
+#include "expression.hpp"
 #include "recognise.hpp"
 
 namespace bounce::tests {
