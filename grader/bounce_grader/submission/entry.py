@@ -70,18 +70,13 @@ def text_of(entry: Entry) -> bytes:
     """The source's bytes, converted from UTF-16 if need be. Raises NotText."""
     data = entry.read(LARGEST_SOURCE + 1)
     if len(data) > LARGEST_SOURCE:
-        known = entry.size > LARGEST_SOURCE
-        size = f"{_size(entry.size)} large" if known else "larger than it says"
-        raise NotText(f"is {size}; a source file may have 1 MB")
+        size = max(entry.size, len(data)) / 1e6
+        raise NotText(f"is {size:.1f} MB large; a source file may have 1 MB")
     if data.startswith((b"\xff\xfe", b"\xfe\xff")):
         data = data.decode("utf-16", "replace").encode()
     if b"\0" in data:
         raise NotText("isn't a text file: save it as UTF-8 and submit it again")
     return data
-
-
-def _size(n: int) -> str:
-    return f"{n / 1e9:.1f} GB" if n >= 1e9 else f"{n / 1e6:.1f} MB"
 
 
 def too_many(path: Path) -> UsageError:

@@ -11,14 +11,8 @@ from bounce_grader.common.errors import UsageError
 from bounce_grader.common.escaping import printable_name
 from bounce_grader.common.manifest import parts
 from bounce_grader.submission import folders
-from bounce_grader.submission.entry import (
-    MOST_ENTRIES,
-    Entry,
-    UnpackLimits,
-    checked,
-    readable,
-    too_many,
-)
+from bounce_grader.submission.entry import checked, readable, too_many
+from bounce_grader.submission.entry import MOST_ENTRIES, Entry, UnpackLimits
 
 Stream = io.FileIO | io.BytesIO
 BY_LIBARCHIVE = (".tar.gz", ".tgz", ".tar.bz2", ".tar.xz", ".tar.zst", ".tar", ".7z", ".rar")
@@ -111,11 +105,8 @@ def _with_inner(path: Path, listed: list[Entry], left: UnpackLimits) -> list[Ent
 
 def _is_folder(path: Path) -> bool:
     with readable(path):
-        if path.is_dir():
-            return True
-        if path.is_file():
-            return False
-        there = path.exists()
-    if there:
-        raise UsageError(f"{path} is neither a folder nor a zip")
-    raise UsageError(f"there is no file or folder {printable_name(str(path))}")
+        if not path.exists():
+            raise UsageError(f"there is no file or folder {printable_name(str(path))}")
+        if not (path.is_dir() or path.is_file()):
+            raise UsageError(f"{path} is neither a folder nor a zip")
+        return path.is_dir()
