@@ -7,8 +7,8 @@
 namespace bounce::judge {
 
 // Cuts the text to `most` bytes, not within a character, and marks the cut by "..."; line breaks
-// and other control characters become blanks. What isn't UTF-8 is replaced when it is printed
-// (main.cpp), and what doesn't show where it is read (common/escaping.py).
+// and tabs become blanks. What isn't UTF-8 is replaced when it is printed (main.cpp), and what
+// doesn't print where it is read (common/escaping.py).
 inline std::string sanitize_line(std::string_view text, std::size_t most) {
   const bool cut = text.size() > most;
   if (cut) {
@@ -17,7 +17,7 @@ inline std::string sanitize_line(std::string_view text, std::size_t most) {
   }
   std::string line(text);
   for (char& sign : line) {
-    if (static_cast<unsigned char>(sign) < 0x20) sign = ' ';
+    if (sign == '\n' || sign == '\r' || sign == '\t') sign = ' ';
   }
   return cut ? line + "..." : line;
 }
