@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "expression.hpp"
@@ -7,43 +8,34 @@
 namespace bounce::tests {
 namespace {
 
+// A program may number them otherwise.
+const std::string kNumbered = " Corners are numbered as in eq. (3).";
+
 // The four corners, by r, are quarter turns of each other about the centre, counter-clockwise.
 Corner turned(Corner r, int quarters) {
   for (int k = 0; k < quarters; ++k) r = {-r.y, r.x};
   return r;
 }
 
-Corner lowest(const Answer& right) { return {right.numbers(5), -right.numbers(2)}; }
-
-// How many corners after the lowest one the answer's J and phi belong to; -1 if to none.
+// How many corners after the lowest one J and phi of an answer belong to; -1 if to none.
 struct Taken {
+  const Case& c;
+  Corner lowest;
+  int number;  // of the lowest corner
   int J = -1, phi = -1;
+  int corner() const { return (number - 1 + J) % 4 + 1; }
 };
 
-bool has_its_ones(const Answer& got) {
-  return same(got.numbers(0), 1) && same(got.numbers(1), 0) && same(got.numbers(3), 0) &&
-         same(got.numbers(4), 1);
-}
-
-Taken taken(const Case& c, const Answer& right, const Answer& got) {
-  Taken found;
+Taken taken(const Case& c, const Eigen::VectorXd& right, const Eigen::VectorXd& got) {
+  Taken found{c, {right(5), -right(2)}, c.corner[c.corner.find("corner ") + 7] - '0'};
+  const bool has_ones = same(got(0), 1) && same(got(1), 0) && same(got(3), 0) && same(got(4), 1);
   for (const int quarters : {3, 2, 1, 0}) {
-    const Corner r = turned(lowest(right), quarters);
-    if (same(got.numbers(2), -r.y) && same(got.numbers(5), r.x)) found.J = quarters;
-    if (same(got.numbers(6), c.q(1) + r.y)) found.phi = quarters;
+    const Corner r = turned(found.lowest, quarters);
+    if (has_ones && same(got(2), -r.y) && same(got(5), r.x)) found.J = quarters;
+    if (same(got(6), c.q(1) + r.y)) found.phi = quarters;
   }
-  return has_its_ones(got) ? found : Taken{-1, found.phi};
+  return found;
 }
-
-int number_of_lowest(const Case& c) {
-  const std::size_t at = c.corner.find("corner ");
-  return at == std::string::npos ? 0 : c.corner[at + 7] - '0';
-}
-
-// A program may number them otherwise.
-const std::string kNumbered = " Corners are numbered as in eq. (3).";
-
-int after(int corner, int quarters) { return (corner - 1 + quarters) % 4 + 1; }
 
 // What may be smallest at the corner that is taken in place of the lowest one.
 struct Choice {
@@ -60,85 +52,70 @@ constexpr Choice kChoices[] = {
      [](const Case& c, const Corner& r) { return std::hypot(c.q(0) + r.x, c.q(1) + r.y); }},
 };
 
-// How many corners after the lowest one it is.
-int chosen(const Choice& choice, const Case& c, const Corner& r) {
+bool is_chosen(const Choice& choice, const Taken& t) {
+  const auto height = [&](int quarters) { return choice.least(t.c, turned(t.lowest, quarters)); };
   int best = 0;
   for (const int quarters : {1, 2, 3}) {
-    if (choice.least(c, turned(r, quarters)) < choice.least(c, turned(r, best))) best = quarters;
+    if (height(quarters) < height(best)) best = quarters;
   }
-  return best;
+  return t.J == best;
 }
 
-// The lowest of the other three is the one on the lower side.
-int lowest_of_the_others(const Corner& r) { return turned(r, 1).y < turned(r, 3).y ? 1 : 3; }
+// Whether it is the lowest of the other three: the one on the lower side.
+bool is_lowest_of_the_others(const Taken& t) {
+  return t.J == (turned(t.lowest, 1).y < turned(t.lowest, 3).y ? 1 : 3);
+}
 
-std::string plural(const std::set<int>& corners) {
-  Words numbers;
-  for (const int corner : corners) numbers.push_back(std::to_string(corner));
-  return (corners.size() == 1 ? "Corner " : "Corners ") + joined(numbers) +
-         (corners.size() == 1 ? " is" : " are");
+std::string never_chosen(const Words& never, bool by_others) {
+  const bool one = never.size() == 1;
+  return (one ? "Corner " : "Corners ") + joined(never) +
+         (one ? " is never chosen, also where it is the lowest"
+              : " are never chosen, also where they are the lowest") +
+         (one && by_others ? "; your answer is that of the lowest of the others." : ".") +
+         kNumbered;
 }
 
 }  // namespace
 
-Words corners(const std::vector<Case>& cases, const std::vector<Answer>& right,
-              const std::vector<Answer>& got) {
-  std::set<int> of_J, of_phi, lowest_ones;
-  bool wrong_J = false, wrong_phi = false, phi_is_a_corners = true, one_corner = true;
-  bool by_others = true;
-  std::set<int> turns;
+Words corners(const Cases& cases, const Answers& right, const Answers& got) {
+  std::vector<Taken> all;
+  std::set<int> chosen, lowest, turns;
   for (std::size_t k = 0; k < cases.size(); ++k) {
-    const int number = number_of_lowest(cases[k]);
     if (!is_finite(right[k], got[k])) return {};
-    if (number == 0) continue;
-    const Taken t = taken(cases[k], right[k], got[k]);
-    if (t.J < 0) return {};
-    phi_is_a_corners = phi_is_a_corners && t.phi >= 0;
-    one_corner = one_corner && t.J == t.phi;
-    wrong_J = wrong_J || t.J != 0;
-    wrong_phi = wrong_phi || t.phi != 0;
-    turns.insert(t.J);
-    by_others = by_others && (t.J == 0 || t.J == lowest_of_the_others(lowest(right[k])));
-    of_J.insert(after(number, t.J));
-    if (t.phi >= 0) of_phi.insert(after(number, t.phi));
-    lowest_ones.insert(number);
+    if (cases[k].corner.find("corner ") == std::string::npos) continue;
+    all.push_back(taken(cases[k], right[k].numbers, got[k].numbers));
+    if (all.back().J < 0) return {};
+    chosen.insert(all.back().corner());
+    lowest.insert(all.back().number);
+    turns.insert(all.back().J);
   }
+  const auto each = [&](auto&& holds) { return std::all_of(all.begin(), all.end(), holds); };
+  const bool one_corner = each([](const Taken& t) { return t.J == t.phi; });
   // Always the same quarters further: a formula says that better.
-  const bool a_formula = turns.size() == 1 && (!one_corner || *turns.begin() == 2);
-  if (!wrong_J || a_formula || lowest_ones.size() < 4) return {};
-  const std::string whose = one_corner ? "Your answer" : "Your J";
-  if (of_J.size() == 1) {
-    return {whose + " is always that of corner " + std::to_string(*of_J.begin()) + "." + kNumbered};
+  const bool a_formula = turns.size() == 1 && (!one_corner || turns.count(2) > 0);
+  if (turns == std::set<int>{0} || a_formula || lowest.size() < 4) return {};
+  if (chosen.size() == 1) {
+    return {(one_corner ? "Your answer" : "Your J") + std::string(" is always that of corner ") +
+            std::to_string(*chosen.begin()) + "." + kNumbered};
   }
-  std::set<int> never;
-  for (const int corner : lowest_ones) {
-    if (of_J.count(corner) == 0) never.insert(corner);
-  }
-  if (!never.empty() && one_corner) {
-    return {plural(never) + " never chosen, also where " +
-            (never.size() == 1 ? "it is the lowest" : "they are the lowest") +
-            (by_others && never.size() == 1 ? "; your answer is that of the lowest of the others."
-                                            : ".") +
-            kNumbered};
-  }
-  if (one_corner) {
-    for (const Choice& choice : kChoices) {
-      std::size_t k = 0;
-      while (k < cases.size() &&
-             (number_of_lowest(cases[k]) == 0 ||
-              taken(cases[k], right[k], got[k]).J == chosen(choice, cases[k], lowest(right[k])))) {
-        ++k;
-      }
-      if (k == cases.size())
-        return {std::string("Your answer is always that of the ") + choice.words + "."};
-    }
-    return {"Each answer is that of a corner, but not always of the lowest one."};
-  }
-  if (!wrong_phi) {
+  if (!one_corner) {
+    if (!each([](const Taken& t) { return t.phi == 0; })) return {};
     return {
         "phi is that of the lowest corner, and your J is that of another one in some questions."};
   }
-  return {};
+  Words never;
+  for (const int corner : lowest) {
+    if (chosen.count(corner) == 0) never.push_back(std::to_string(corner));
+  }
+  if (!never.empty()) {
+    return {never_chosen(
+        never, each([](const Taken& t) { return t.J == 0 || is_lowest_of_the_others(t); }))};
+  }
+  for (const Choice& choice : kChoices) {
+    if (each([&](const Taken& t) { return is_chosen(choice, t); }))
+      return {std::string("Your answer is always that of the ") + choice.words + "."};
+  }
+  return {"Each answer is that of a corner, but not always of the lowest one."};
 }
 
 }  // namespace bounce::tests
