@@ -51,11 +51,12 @@ class Box(NamedTuple):
         limits: processes.Limits,
         cwd: Path | None = None,
         output: Path | None = None,
+        stdin: bytes = b"",
     ) -> processes.Result:
         """Runs a command that to_run, to_run_sanitized or to_build made, or a program that runs
         such commands itself. Raises Overrun if the grading has used up its time."""
         with self.budget.within(limits) as lower:
-            result = processes.run(command, lower, cwd=cwd, output=output)
+            result = processes.run(command, lower, stdin=stdin, cwd=cwd, output=output)
             if result.stopped:
                 self.budget.charge(result.cpu_seconds)
         if not result.ok:

@@ -1,15 +1,17 @@
-"""One unread file of a submission, and how to read a source from it."""
+"""One unread file of a submission, how to read a source from it, and what its archives may take."""
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
 from pathlib import Path, PurePosixPath
 from typing import NamedTuple
 
 from bounce_grader.common.errors import UsageError
-from bounce_grader.common.escaping import printable_name
+from bounce_grader.common.escaping import printable_name, printable_text
 
 MOST_ENTRIES = 5000
 LARGEST_SOURCE = 1024 * 1024
+UNPACKED = 64 * 1024 * 1024  # bytes
 
 
 class NotText(Exception):
@@ -18,7 +20,7 @@ class NotText(Exception):
 
 
 class Entry(NamedTuple):
-    """A file or folder in a submission's folder or archive."""
+    """A file in a submission's folder or archive."""
 
     name: str  # relative, with forward slashes, without "..", never empty
     size: int  # claimed, not checked; only for messages
@@ -26,9 +28,34 @@ class Entry(NamedTuple):
     read: Callable[[int], bytes]  # at most so many bytes
 
 
-def inside_name(path: Path, claimed: str) -> str:
-    """The name of an archive's entry, with forward slashes. Raises UsageError if it points outside
-    of the archive."""
+class UnpackLimits:
+    """What all archives of one submission may still take together."""
+
+    room = UNPACKED  # for what is unpacked, and for archives inside of others
+    seconds = 10.0  # of libarchive's CPU time
+
+    def take(self, path: Path, size: int) -> None:
+        """Raises UsageError if there is no room for so many bytes."""
+        self.room -= size
+        if self.room < 0:
+            raise UsageError(
+                f"{path} has more than {UNPACKED >> 20} MB unpacked, alone or with the other "
+                "archives: submit the parts alone"
+            )
+
+
+def checked(path: Path, entries: Iterable[Entry]) -> Iterator[Entry]:
+    """An archive's entries by names that lead nowhere else, each once. Raises UsageError."""
+    names: set[str] = set()
+    for entry in entries:
+        name = _inside_name(path, entry.name)
+        if name in names:
+            raise UsageError(f"{path} holds two entries of the same name: make it anew")
+        names.add(name)
+        yield entry._replace(name=name)
+
+
+def _inside_name(path: Path, claimed: str) -> str:
     name = PurePosixPath(claimed.replace("\\", "/"))
     if name.is_absolute() or ".." in name.parts or re.match("[A-Za-z]:(/|$)", str(name)):
         raise UsageError(
@@ -43,9 +70,8 @@ def text_of(entry: Entry) -> bytes:
     """The source's bytes, converted from UTF-16 if need be. Raises NotText."""
     data = entry.read(LARGEST_SOURCE + 1)
     if len(data) > LARGEST_SOURCE:
-        known = entry.size > LARGEST_SOURCE
-        size = f"{_size(entry.size)} large" if known else "larger than it says"
-        raise NotText(f"is {size}; a source file may have 1 MB")
+        size = max(entry.size, len(data)) / 1e6
+        raise NotText(f"is {size:.1f} MB large; a source file may have 1 MB")
     if data.startswith((b"\xff\xfe", b"\xfe\xff")):
         data = data.decode("utf-16", "replace").encode()
     if b"\0" in data:
@@ -53,5 +79,20 @@ def text_of(entry: Entry) -> bytes:
     return data
 
 
-def _size(n: int) -> str:
-    return f"{n / 1e9:.1f} GB" if n >= 1e9 else f"{n / 1e6:.1f} MB"
+def too_many(path: Path) -> UsageError:
+    return UsageError(f"{path} holds more than {MOST_ENTRIES} files: submit the parts alone")
+
+
+@contextmanager
+def readable(path: object) -> Iterator[None]:
+    """Raises UsageError for whatever is raised within: a broken zip makes zipfile raise a dozen
+    kinds."""
+    try:
+        yield
+    except UsageError:
+        raise
+    except OSError as error:
+        raise UsageError(f"{path} can't be read: {error.strerror or error}") from error
+    except Exception as error:
+        reason = printable_text(str(error) or type(error).__name__, 200)
+        raise UsageError(f"{path} is broken ({reason}): make it anew and submit again") from error

@@ -4,13 +4,12 @@ led elsewhere if the folder changes meanwhile."""
 import os
 import stat
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager
 from itertools import islice
 from pathlib import Path
 
-from bounce_grader.common.errors import UsageError
 from bounce_grader.common.escaping import printable_name
-from bounce_grader.submission.entry import MOST_ENTRIES, Entry
+from bounce_grader.submission.entry import MOST_ENTRIES, Entry, readable, too_many
 
 # Non-blocking: a pipe that replaced a file must not make us wait.
 SAFELY = os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC
@@ -39,9 +38,7 @@ def _entries(path: Path, top: int) -> Iterator[Entry]:
         for child, status in children:
             seen += 1
             if seen > MOST_ENTRIES:
-                raise UsageError(
-                    f"{path} holds more than {MOST_ENTRIES} files: submit the parts alone"
-                )
+                raise too_many(path)
             inside = (*folder, child)
             if not stat.S_ISDIR(status.st_mode):
                 yield _entry(path, top, inside, status)
@@ -81,10 +78,5 @@ def _open(top: int, inside: tuple[str, ...]) -> int:
     return here
 
 
-@contextmanager
-def _readable(path: Path, inside: tuple[str, ...] = ()) -> Iterator[None]:
-    try:
-        yield
-    except OSError as error:
-        where = printable_name("/".join((str(path), *inside)))
-        raise UsageError(f"{where} can't be read: {error.strerror}") from error
+def _readable(path: Path, inside: tuple[str, ...] = ()) -> AbstractContextManager[None]:
+    return readable(printable_name("/".join((str(path), *inside))))

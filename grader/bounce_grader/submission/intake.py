@@ -1,73 +1,90 @@
 """Lists the files of a submission, a folder or an archive, without trusting its names, sizes or
 bytes."""
 
+import io
 from collections.abc import Iterator
-from contextlib import AbstractContextManager, ExitStack, contextmanager
+from contextlib import ExitStack, contextmanager
 from pathlib import Path
+from typing import cast
 
 from bounce_grader.common.errors import UsageError
 from bounce_grader.common.escaping import printable_name
 from bounce_grader.common.manifest import parts
-from bounce_grader.submission import archives, folders
-from bounce_grader.submission.archives import is_archive, CLOSED, SEVEN, START, TARS
-from bounce_grader.submission.entry import MOST_ENTRIES, Entry
-from bounce_grader.submission.unpack_limits import UnpackLimits
+from bounce_grader.submission import folders
+from bounce_grader.submission.entry import checked, readable, too_many
+from bounce_grader.submission.entry import MOST_ENTRIES, Entry, UnpackLimits
 
+Stream = io.FileIO | io.BytesIO
+BY_LIBARCHIVE = (".tar.gz", ".tgz", ".tar.bz2", ".tar.xz", ".tar.zst", ".tar", ".7z", ".rar")
+ENDINGS = (".zip", *BY_LIBARCHIVE)
+# How those begin, whatever their names: 7-Zip, RAR, and what gzip, bzip2, xz and zstd pack.
+MAGIC = (
+    b"7z\xbc\xaf\x27\x1c",
+    b"Rar!\x1a\x07",
+    b"\x1f\x8b",
+    b"BZh",
+    b"\xfd7zXZ",
+    b"\x28\xb5\x2f\xfd",
+)
 MOST_INNER = 3  # archives inside of a submission that are opened
-LARGEST_INNER = 32 * 1024 * 1024  # bytes of each
+LARGEST_PACKED = 32 * 1024 * 1024  # bytes of an archive inside, or one that libarchive unpacks
+NOT_USED = "is no C++ source and no zip"  # after the name of an upload
+
+
+def is_archive(name: str) -> bool:
+    return name.lower().endswith(ENDINGS)
+
+
+def archive_stem(name: str) -> str:
+    """The name without the archive's ending: hw from hw.tar.gz."""
+    return next((name[: -len(e)] for e in ENDINGS if name.lower().endswith(e)), name)
 
 
 @contextmanager
 def opened(
-    path: Path, zipped: bytes | None = None, left: UnpackLimits | None = None
+    path: Path, packed: bytes | None = None, left: UnpackLimits | None = None
 ) -> Iterator[list[Entry]]:
-    """All files, which can be read while this is open. `zipped` is an archive in memory; then
+    """All files, which can be read while this is open. `packed` is an archive in memory; then
     `path` is only its name. `left` is for all archives of the submission, if there are others.
     Raises UsageError if they can't be listed."""
     left = left or UnpackLimits()
     with ExitStack() as stack:
-        listed = list(stack.enter_context(_opened(path, zipped, left)))
-        listed = _with_inner(path, listed, stack, left)
+        if packed is None and _is_folder(path):
+            listed = list(stack.enter_context(folders.opened(path)))
+        else:
+            with readable(path):
+                stream: Stream = io.FileIO(path) if packed is None else io.BytesIO(packed)
+            stack.callback(stream.close)
+            listed = list(_unpacked(path, stream, left))
+        listed = _with_inner(path, listed, left)
         if not listed:
             raise UsageError(f"{path} is empty: it should hold {parts()[0].file} and so on")
         yield listed
 
 
-def _opened(
-    path: Path, zipped: bytes | None, left: UnpackLimits
-) -> AbstractContextManager[Iterator[Entry]]:
-    if zipped is None and _is_folder(path):
-        return folders.opened(path)
-    from bounce_grader.submission import sevens, tars, zips
+def _unpacked(path: Path, stream: Stream, left: UnpackLimits) -> Iterator[Entry]:
+    with readable(path):
+        start = stream.read(512)
+        stream.seek(0)
+    named = path.name.lower().endswith(BY_LIBARCHIVE) and not start.startswith(b"PK")
+    if named or start.startswith(MAGIC) or start[257:262] == b"ustar":
+        from bounce_grader.submission import archives
 
-    start = _bytes(path, START) if zipped is None else zipped[:START]
-    kind = archives.kind(path.name, start)
-    if kind in CLOSED:
-        raise UsageError(f"{path} {archives.closed(kind)}")
-    if kind in TARS or kind == SEVEN:
-        data = _whole(path) if zipped is None else zipped
-        return (sevens if kind == SEVEN else tars).opened(path, data, left)
-    return zips.opened(path, zipped)
+        with readable(path):
+            packed = stream.read(LARGEST_PACKED + 1)
+        _require_small(path, packed)
+        return checked(path, archives.entries(path, packed, left))
+    from bounce_grader.submission import zips
 
-
-def _bytes(path: Path, limit: int) -> bytes:
-    try:
-        with path.open("rb") as file:
-            return file.read(limit)
-    except OSError as error:
-        raise UsageError(f"{path} can't be read: {error.strerror}") from error
+    return checked(path, zips.entries(path, cast(io.RawIOBase, stream)))
 
 
-def _whole(path: Path) -> bytes:
-    data = _bytes(path, LARGEST_INNER + 1)
-    if len(data) > LARGEST_INNER:
-        raise UsageError(f"{path} is larger than {LARGEST_INNER >> 20} MB: submit the parts alone")
-    return data
+def _require_small(path: Path, packed: bytes) -> None:
+    if len(packed) > LARGEST_PACKED:
+        raise UsageError(f"{path} is larger than {LARGEST_PACKED >> 20} MB: submit the parts alone")
 
 
-def _with_inner(
-    path: Path, listed: list[Entry], stack: ExitStack, left: UnpackLimits
-) -> list[Entry]:
+def _with_inner(path: Path, listed: list[Entry], left: UnpackLimits) -> list[Entry]:
     """Opens archives inside, one level deep, if no part is there beside them."""
     stems = [part.stem for part in parts()]
     if any(stem in entry.name.lower() for entry in listed for stem in stems):
@@ -76,26 +93,20 @@ def _with_inner(
     found = [entry for entry in listed if entry not in inner[:MOST_INNER]]
     for archive in inner[:MOST_INNER]:
         name = Path(printable_name(archive.name))
-        data = archive.read(LARGEST_INNER + 1)
-        if len(data) > LARGEST_INNER:
-            raise UsageError(f"{path} holds {printable_name(archive.name)}, which is too large")
-        left.take(name, len(data))
-        entries = stack.enter_context(_opened(name, data, left))
+        packed = archive.read(LARGEST_PACKED + 1)
+        _require_small(name, packed)
+        left.take(name, len(packed))
+        entries = _unpacked(name, io.BytesIO(packed), left)
         found += [entry._replace(name=f"{archive.name}/{entry.name}") for entry in entries]
         if len(found) > MOST_ENTRIES:
-            raise UsageError(f"{path} holds more than {MOST_ENTRIES} files: submit the parts alone")
+            raise too_many(path)
     return found
 
 
 def _is_folder(path: Path) -> bool:
-    try:
-        if path.is_dir():
-            return True
-        if path.is_file():
-            return False
-        there = path.exists()
-    except OSError as error:
-        raise UsageError(f"{path} can't be read: {error.strerror}") from error
-    if there:
-        raise UsageError(f"{path} is neither a folder nor a zip")
-    raise UsageError(f"there is no file or folder {printable_name(str(path))}")
+    with readable(path):
+        if not path.exists():
+            raise UsageError(f"there is no file or folder {printable_name(str(path))}")
+        if not (path.is_dir() or path.is_file()):
+            raise UsageError(f"{path} is neither a folder nor a zip")
+        return path.is_dir()

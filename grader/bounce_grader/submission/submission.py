@@ -28,12 +28,8 @@ MOST_SOURCES = 100
 MOST_BYTES = 8 * 1024 * 1024
 LONGEST_NAME = 255  # bytes, folders and all
 MAC_FOLDER = "__MACOSX"
-NOT_THEIRS = {"build", MAC_FOLDER, "CMakeFiles", "fixtures", "tests"}
-OF_THE_SOLUTION = (
-    "exact/",
-    "methods/",
-    "study/",
-)  # other folders of solution/, whose src/ can be graded like a submission
+BUILT_OR_GIVEN = {"build", MAC_FOLDER, "CMakeFiles", "fixtures", "tests"}
+BESIDE_SRC = ("exact/", "methods/", "study/")  # in solution/, whose src/ is graded as a submission
 INCLUDES_GTEST = re.compile(rb'^[ \t]*#[ \t]*include[ \t]*[<"]g(?:test|mock)/', re.M)
 HAS_A_TEST = re.compile(rb"^[ \t]*TEST(?:_F|_P)?[ \t]*\(", re.M)
 COPY = re.compile(r"(?:-\d+|\s?\(\d+\))$")  # the suffix of a file uploaded or downloaded again
@@ -95,8 +91,8 @@ def read(path: Path) -> Submission:
 def take(path: Path, entries: list[Entry]) -> Submission:
     """Chooses the sources among the entries, and reads them."""
     top = _common_folder(entries)
-    names = {_inside(top, entry.name): entry for entry in entries}
-    apart = OF_THE_SOLUTION if any(n.startswith("src/") for n in names) else ()
+    names = {entry.name.removeprefix(f"{top}/"): entry for entry in entries}
+    apart = BESIDE_SRC if any(n.startswith("src/") for n in names) else ()
     wanted = {
         n: e
         for n, e in names.items()
@@ -114,18 +110,18 @@ def take(path: Path, entries: list[Entry]) -> Submission:
         if sum(map(len, files.values())) > MOST_BYTES:
             raise _too_much(path)
     _require_a_place_for_each(path, wanted)
-    chosen = _choose_parts(list(wanted))
+    chosen = {part.number: name for part in parts() for name in _choose(part, list(wanted))}
     for name in [n for n, text in files.items() if n not in chosen.values() and _is_test(n, text)]:
         del files[name]
         not_text[name] = "holds GoogleTest tests, which aren't run here"
-    unused = _other_copies(list(files), chosen)
-    left = (names.keys() - wanted.keys()) | {*unused} | (not_text.keys() - {*chosen.values()})
+    unused = {n for n in files if part_file(PurePosixPath(n).name)} - {*chosen.values()}
+    left = (names.keys() - wanted.keys()) | unused | (not_text.keys() - {*chosen.values()})
     return Submission(
         name=path.name,
         files={n: t for n, t in files.items() if n not in unused},
         parts={number: name for number, name in chosen.items() if name in files},
         refused={n: f"{name} {not_text[name]}" for n, name in chosen.items() if name in not_text},
-        ignored=tuple(_with_reason(name, not_text) for name in sorted(left)),
+        ignored=tuple(f"{n} ({not_text[n]})" if n in not_text else n for n in sorted(left)),
     )
 
 
@@ -134,10 +130,6 @@ def _is_test(name: str, text: bytes) -> bool:
     without GoogleTest, and no part could be linked with it."""
     is_source = PurePosixPath(name).suffix.lower() in SOURCES
     return is_source and bool(INCLUDES_GTEST.search(text) and HAS_A_TEST.search(text))
-
-
-def _with_reason(name: str, not_text: dict[str, str]) -> str:
-    return f"{name} ({not_text[name]})" if name in not_text else name
 
 
 def _too_much(path: Path) -> UsageError:
@@ -165,13 +157,9 @@ def _common_folder(entries: list[Entry]) -> str:
     return tops.pop() if len(tops) == 1 and nested else "."
 
 
-def _inside(top: str, name: str) -> str:
-    return name.removeprefix(f"{top}/")
-
-
 def _wanted(name: PurePosixPath) -> bool:
     folders = name.parts[:-1]
-    theirs = not any(f in NOT_THEIRS or f.startswith((".", "cmake-build")) for f in folders)
+    theirs = not any(f in BUILT_OR_GIVEN or f.startswith((".", "cmake-build")) for f in folders)
     contract = folders[-1:] == ("bounce",)  # <bounce/...> always comes from the kit
     given = name.name in GIVEN or name.name.endswith("_test.cpp")
     given = given or name.parts[-3:] in GIVEN_IN_FOLDERS
@@ -183,10 +171,6 @@ def _usable(name: str) -> bool:
     """Whether compilers and file systems accept the name, and no program takes it for an option."""
     spelled = all(c.isprintable() or unicodedata.category(c) == "Zs" for c in name)
     return spelled and not name.startswith(("-", "@")) and len(name.encode()) <= LONGEST_NAME
-
-
-def _choose_parts(names: list[str]) -> dict[int, str]:
-    return {part.number: name for part in parts() for name in _choose(part, names)}
 
 
 def _choose(part: Part, names: list[str]) -> Iterator[str]:
@@ -204,8 +188,3 @@ def _choose(part: Part, names: list[str]) -> Iterator[str]:
             "keep one, so that the right one is graded"
         )
     yield nearest[0]
-
-
-def _other_copies(names: list[str], chosen: dict[int, str]) -> list[str]:
-    own = set(chosen.values())
-    return [n for n in names if part_file(PurePosixPath(n).name) and n not in own]

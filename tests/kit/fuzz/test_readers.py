@@ -28,6 +28,7 @@ from corpus import Member
 from edits import edited
 from handed_in import limited_memory, packed_tar
 from odd_submissions import inside, MISLEADING, PARTS
+from odd_zips import rar
 
 Random = random.Random
 INPUTS, CHUNKS = 1_000_000, 200  # for each reader; the usual run has one chunk
@@ -199,6 +200,9 @@ class Reader(NamedTuple):
 
 
 TARS = [packed_tar(PARTS, ""), packed_tar(MAC, "")]
+SEVEN = subprocess.run(
+    ["bsdtar", "--format=7zip", "-cf-", "@-"], input=TARS[0], capture_output=True, check=True
+).stdout
 ANSWERS = [*SEEDS.values(), b"[" * 3000]
 EXPECTED = ROOT / "tests" / "kit" / "messages" / "expected"
 PRINTED = "\n".join(file.read_text() for file in sorted(EXPECTED.glob("[acl]*.txt")))
@@ -207,7 +211,10 @@ MESSAGES = [
 ]
 READERS = {
     "x.zip": Reader(some_zip, check_file, 0.2),
-    "x.tar": Reader(lambda rng: mutated(rng, TARS), check_file, 0.2),
+    # A box for each.
+    "x.tar": Reader(lambda rng: mutated(rng, TARS), check_file, 0.2, 100),
+    "x.rar": Reader(lambda rng: mutated(rng, [rar(PARTS)]), check_file, 0.1, 50),
+    "x.7z": Reader(lambda rng: mutated(rng, [SEVEN]), check_file, 0.1, 50),
     "judge": Reader(lambda rng: mutated(rng, ANSWERS, 4), check_judge, 0.1),
     "compiler": Reader(lambda rng: mutated(rng, MESSAGES), check_compiler, 0.2),
 }

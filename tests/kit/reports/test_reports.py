@@ -166,9 +166,9 @@ def test_github_lists_the_repository_once_and_unpacks_nothing(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """A commit of 20 KB took minutes, unpacked for each place that its messages named."""
-    listed, unpacked = Mock(wraps=folders.opened), Mock(wraps=zips.opened)
+    listed, unpacked = Mock(wraps=folders.opened), Mock(wraps=zips.entries)
     monkeypatch.setattr(folders, "opened", listed)
-    monkeypatch.setattr(zips, "opened", unpacked)
+    monkeypatch.setattr(zips, "entries", unpacked)
     write(tmp_path, {"hw.zip": (ROOT / "LICENSE").read_bytes()})
     record = saying(MIXED, "see elsewhere.cpp:1")
     github.render(record, tmp_path)

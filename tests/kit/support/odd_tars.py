@@ -5,13 +5,12 @@ import gzip
 import io
 import lzma
 import tarfile
+import zlib
 from collections.abc import Iterator
 
-from bounce_grader.submission import tars as reader
-from bounce_grader.submission.unpack_limits import HEADERS
 from handed_in import packed_tar
 from odd_submissions import inside, PARTS
-from odd_zips import Archive
+from odd_zips import Archive, RAR
 
 SOURCE = {"part1_contacts.cpp": b"int x;\n"}
 SPARSE = {b"major": b"1", b"minor": b"0", b"name": b"x.cpp", b"realsize": b"10"}
@@ -41,6 +40,18 @@ def tar_of(*members: bytes) -> bytes:
     return b"".join([*members, *(member(n, data) for n, data in SOURCE.items()), bytes(1024)])
 
 
+def hole() -> bytes:
+    """The header of a sparse file that is 8 GB large and holds nothing."""
+    info = tarfile.TarInfo("x.cpp")
+    info.type = tarfile.GNUTYPE_SPARSE
+    header = bytearray(info.tobuf(tarfile.GNU_FORMAT))
+    header[386:410] = b"77777777777\0" + b"0" * 11 + b"\0"
+    header[483:495] = b"77777777777\0"
+    header[148:156] = b" " * 8
+    header[148:156] = b"%06o\0 " % sum(header)
+    return bytes(header)
+
+
 def written_as(kind: int) -> bytes:
     """As tarfile writes this format, with names that take it all means to do so."""
     data = io.BytesIO()
@@ -64,8 +75,18 @@ def tars() -> Iterator[Archive]:
         yield what, "x.tar.gz", gzip.compress(data, 1)
     for what, data in _in_pieces():
         yield what, f"x.tar.{'bz2' if data[:2] == b'BZ' else 'gz'}", data
-    for ending, packed in (("bz2", bz2.compress(b"x")), ("xz", lzma.compress(b"x"))):
-        yield f"8 MB of {ending}", f"x.tar.{ending}", packed + bytes(reader.LARGEST_SLOW)
+    for ending, packed in (("bz2", bz2.compress(b"x")), ("gz", gzip.compress(b""))):
+        yield f"33 MB of {ending}", f"x.tar.{ending}", packed + bytes(33 << 20)
+    yield "a RAR archive without end", "x.rar", RAR + bytes(100)
+    yield "xz that asks for 4 GB", "x.tar.xz", greedy()
+
+
+def greedy() -> bytes:
+    """An xz whose header asks for the largest dictionary."""
+    data = bytearray(lzma.compress(tar_of()))
+    data[16] = 40
+    data[20:24] = zlib.crc32(data[12:20]).to_bytes(4, "little")
+    return bytes(data)
 
 
 def _in_pieces() -> Iterator[tuple[str, bytes]]:
@@ -81,7 +102,8 @@ def _tars() -> Iterator[tuple[str, bytes]]:
     yield "links, a pipe, a device and a folder", tar_of(
         *(member(f"{kind.decode()}.cpp", b"", kind) for kind in NO_FILES)
     )
-    yield "65 MB of zeros", bytes(65 << 20)
+    yield "a file of 65 MB", tar_of(member("x.bin", bytes(65 << 20)))
+    yield "no member, but 65 MB", bytes(65 << 20)
     size = pax(record(b"size", b"7") + record(b"path", b"y.cpp"))
     text = b"int y;\n" + bytes(505)
     yield "a size in a pax header", tar_of(size, member("short")[:512] + text)
@@ -89,12 +111,13 @@ def _tars() -> Iterator[tuple[str, bytes]]:
     map_of_any_length = member("x.cpp", b"9\n" + b"0\n" * 18)
     yield "a sparse file by pax", tar_of(pax(sparse), map_of_any_length)
     yield "a sparse file of GNU", tar_of(member("x.cpp", b"", tarfile.GNUTYPE_SPARSE))
+    yield "a sparse file of 8 GB", tar_of(hole())
     many = [member(f"f{i}") for i in range(600)]
     for count in (500_000, 100_000):
         every = b"".join(record(b"%x" % i, b"") for i in range(count))
         yield f"{count} global records", tar_of(pax(every, b"g"), *many)
     yield "60000 pax headers in a row", tar_of(pax(record(b"comment", b"")) * 60_000)
-    smallest = record(b"a", b"") * (HEADERS // reader.RECORDS_WEIGH // 5 - 1000)
+    smallest = record(b"a", b"") * 400_000
     yield "as many records as there may be", tar_of(pax(smallest))
     yield "a name of 9 MB", tar_of(pax(b"n" * (9 << 20), tarfile.GNUTYPE_LONGNAME))
     yield "a size of a million digits", tar_of(pax(record(b"size", b"1" * (1 << 20))))

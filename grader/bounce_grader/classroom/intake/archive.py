@@ -8,8 +8,8 @@ from functools import lru_cache
 from pathlib import Path
 
 from bounce_grader.common.errors import UsageError
-from bounce_grader.submission.archives import is_archive
 from bounce_grader.submission.folders import SAFELY
+from bounce_grader.submission.intake import is_archive
 from bounce_grader.submission.zips import name_of
 
 FAILURES = (zipfile.BadZipFile, zlib.error, EOFError, OSError, ValueError, RuntimeError, KeyError)

@@ -18,7 +18,7 @@ from bounce_grader.classroom.intake.uploads import (
 from bounce_grader.common.errors import about_one_submission, UsageError
 from bounce_grader.common.escaping import printable_name
 from bounce_grader.common.files import fitting
-from bounce_grader.submission.archives import why_not
+from bounce_grader.submission.intake import NOT_USED
 
 EITHER = (
     "could be one of several users', by its name: look in Canvas who handed it in, and grade it by "
@@ -94,7 +94,7 @@ def _newest(archive: Archive, uploads: list[Upload]) -> tuple[list[Upload], list
     for upload in sorted(uploads, key=lambda u: -u.attachment):
         file = canvas.plain_file(upload.file, texts)
         if not may_count(file):
-            unused.append(f"{printable_name(upload.file)} {why_not(upload.file)}")
+            unused.append(f"{printable_name(upload.file)} {NOT_USED}")
         elif file in newest:
             newer = printable_name(newest[file].file)
             unused.append(f"{printable_name(upload.file)} is older than {newer}")

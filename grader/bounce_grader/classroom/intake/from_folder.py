@@ -11,7 +11,7 @@ from bounce_grader.common.errors import about_one_submission, UsageError
 from bounce_grader.common.files import fitting
 from bounce_grader.common.manifest import parts
 from bounce_grader.submission import submission
-from bounce_grader.submission.archives import is_archive, stem as archive_stem
+from bounce_grader.submission.intake import archive_stem, is_archive
 from bounce_grader.submission.submission import part_file
 
 

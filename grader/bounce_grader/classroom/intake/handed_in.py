@@ -16,9 +16,8 @@ from bounce_grader.classroom.intake.canvas import Upload
 from bounce_grader.classroom.intake.uploads import texts_of
 from bounce_grader.common.errors import about_one_submission, UsageError
 from bounce_grader.submission import intake, submission
-from bounce_grader.submission.archives import is_archive
-from bounce_grader.submission.entry import LARGEST_SOURCE, MOST_ENTRIES, Entry
-from bounce_grader.submission.unpack_limits import UnpackLimits
+from bounce_grader.submission.entry import LARGEST_SOURCE, MOST_ENTRIES, Entry, UnpackLimits
+from bounce_grader.submission.intake import is_archive
 from bounce_grader.submission.submission import Submission
 
 MOST_ZIPS = 10

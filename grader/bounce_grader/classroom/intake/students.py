@@ -19,7 +19,7 @@ from bounce_grader.classroom.intake.archive import is_file, opened
 from bounce_grader.classroom.intake.student import Class
 from bounce_grader.common.errors import UsageError
 from bounce_grader.common.escaping import printable_name
-from bounce_grader.submission.archives import is_archive
+from bounce_grader.submission.intake import is_archive
 
 
 def read(path: Path, people: Mapping[str, str] = {}) -> Class:

@@ -10,8 +10,8 @@ from bounce_grader.classroom.intake.student import Class, Student, Unmatched
 from bounce_grader.common.errors import UsageError
 from bounce_grader.common.escaping import first_few, printable_name
 from bounce_grader.common.manifest import parts
-from bounce_grader.submission.archives import is_archive, why_not
 from bounce_grader.submission.entry import LARGEST_SOURCE
+from bounce_grader.submission.intake import NOT_USED, is_archive
 from bounce_grader.submission.submission import HEADERS, MOST_BYTES, SOURCES
 
 MOST_UPLOADS = 100  # of a student's
@@ -52,9 +52,7 @@ def take(
         return
     usable = [upload for upload in uploads if may_count(upload.file)]
     unused = tuple(
-        f"{printable_name(upload.file)} {why_not(upload.file)}"
-        for upload in uploads
-        if upload not in usable
+        f"{printable_name(upload.file)} {NOT_USED}" for upload in uploads if upload not in usable
     )
     if usable:
         student = Student(id, name, archive.path, tuple(usable), feedback=page, unused=unused)

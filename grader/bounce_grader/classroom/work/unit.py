@@ -10,7 +10,7 @@ import time
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
-from pathlib import Path, PurePosixPath
+from pathlib import Path
 from typing import Any
 
 from bounce_grader.classroom.intake import handed_in
@@ -20,7 +20,6 @@ from bounce_grader.common.escaping import first_few, printable_name
 from bounce_grader.common.files import write_whole
 from bounce_grader.grading.record import sentence
 from bounce_grader.sandbox.budget import Budget
-from bounce_grader.submission.archives import CLOSED, why_not
 from bounce_grader.submission.submission import Submission
 
 Record = dict[str, Any]
@@ -108,9 +107,7 @@ def _require_a_part(taken: Submission) -> None:
     if not taken.parts and not taken.refused:
         left = [name for name in taken.ignored if not name.startswith("__MACOSX")]
         names = [*taken.helpers, *left]
-        closed = [name for name in names if PurePosixPath(name).suffix.lower() in CLOSED]
         raise UsageError(
             "none of the parts is there under its name"
             + (f", but {first_few([*map(printable_name, names)])}" if names else "")
-            + (f"; {printable_name(closed[0])} {why_not(closed[0])}" if closed else "")
         )

@@ -1,0 +1,129 @@
+"""What libarchive's bsdtar unpacks in a box: that it does so for each kind of archive, and reaches
+nothing else, and that all archives of a submission have one limit."""
+
+import os
+import subprocess
+import tarfile
+import time
+from base64 import b64decode
+from pathlib import Path
+
+import pytest
+from bounce_grader.common.errors import KitError, UsageError
+from bounce_grader.sandbox import box, processes
+from bounce_grader.sandbox.box import Box
+from bounce_grader.sandbox.processes import Limits, Result
+from bounce_grader.submission import archives, submission
+from bounce_grader.submission.entry import MOST_ENTRIES, UnpackLimits
+from conftest import solution_files, write
+from handed_in import packed_tar, refusal, zipped
+
+# By 7-Zip, with a password for the files, and for their names, too.
+LOCKED = (
+    "N3q8ryccAAT20sx9EAAAAAAAAACCAAAAAAAAACRZQCM41mHRckZbKi1HmdsA/SSQAQQGAAEJEAAHCwEAAiQG8QcBElMPg4"
+    "cHwwt9akC5j9xActdj4iEhAQABAAwNCQAICgGxBZxPAAAFARkBABEnAHAAYQByAHQAMQBfAGMAbwBuAHQAYQBjAHQAcwAu"
+    "AGMAcABwAAAAGQQAAAAAFAoBAPibL1L0fN0BFQYBACCApIEAAA==",
+    "N3q8ryccAAT91ZqPoAAAAAAAAAAwAAAAAAAAAGgFUsivBoADPqWMXZ0eCm11E/TCuLDnW36e+W1CIclsDncA5H02C/dFX8"
+    "DSrvGNcMk+/pMZ5/pEAzkKLkz4cDBnHxxRUvyMH9LqxaIe0aRoe4C/7eZg/+Wv3iu+S1KfeDyf4kj+j7IioXp6eyxqOQav"
+    "v/STeZoJhgDbluF0MHv4i7tqfuAdTO7Oxb7FJvUKGPX38Mo3yTeRP7QDsZ8O8oK+nyuaFwYQAQmAkAAHCwEAASQG8QcBEl"
+    "MPlOEKeGgnzAHL1nEdh7FC5gyAggoBxgrKzgAA",
+)
+
+
+def packed(path: Path, files: dict[str, bytes], *options: str) -> Path:
+    folder = write(path.parent / "files", files)
+    command = ["bsdtar", "-cf", str(path), *options, "-C", str(folder), "."]
+    subprocess.run(command, env={"LC_ALL": "C.UTF-8", "PATH": os.defpath}, check=True)
+    return path
+
+
+@pytest.fixture(params=["full", "reduced"])
+def kind(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> str:
+    """The kind of box that archives are unpacked in."""
+    if problem := box.problem_of(Box(request.param)):
+        pytest.skip(problem)
+    monkeypatch.setattr(box, "choose", lambda: Box(request.param))
+    return str(request.param)
+
+
+@pytest.mark.parametrize("ending", ["7z", "tar.zst", "tar.xz"])
+def test_archives_are_read_in_a_box(tmp_path: Path, kind: str, ending: str) -> None:
+    files = {f"src/{name}": text for name, text in solution_files().items()}
+    path = packed(tmp_path / f"x.{ending}", {**files, "größe.hpp": b"// x", "e.hpp": b""}, "-a")
+    taken = submission.read(path)
+    assert len(taken.parts) == 4
+    assert (taken.files["größe.hpp"], taken.files["e.hpp"]) == (b"// x", b"")
+    assert submission.read(path.rename(tmp_path / "x.zip")).files == taken.files
+
+
+@pytest.mark.parametrize(
+    "target", ["/etc/passwd", "/proc/1/environ", "/proc/self/environ", __file__]
+)
+def test_an_archive_that_asks_for_a_file_gets_none(tmp_path: Path, kind: str, target: str) -> None:
+    """An mtree may say where the content of an entry lies."""
+    asking = f"#mtree\npart1_contacts.cpp type=file mode=644 size=20 contents={target}\n"
+    (tmp_path / "x.tar").write_text(asking)
+    assert "Can't open" in refusal(tmp_path / "x.tar")
+
+
+def test_what_cannot_be_unpacked_is_refused(tmp_path: Path) -> None:
+    for data, reason in zip(LOCKED, ("a password?", "encrypted")):
+        (tmp_path / "x.7z").write_bytes(b64decode(data))
+        assert reason in refusal(tmp_path / "x.7z")
+    path = packed(tmp_path / "y.7z", solution_files(), "-a")
+    path.write_bytes(path.read_bytes()[:-20])
+    assert "can't be unpacked" in refusal(path)
+
+
+def test_many_files_beside_a_large_one_are_read_without_copies_of_the_rest(tmp_path: Path) -> None:
+    files = {f"{i}.txt": b"x" for i in range(MOST_ENTRIES - 2)}
+    files |= {"part1_contacts.cpp": b"int x;\n", "large.txt": bytes(20 << 20)}
+    (tmp_path / "x.tar").write_bytes(packed_tar(files, ""))
+    start = time.process_time()
+    assert submission.read(tmp_path / "x.tar").files == {"part1_contacts.cpp": b"int x;\n"}
+    assert time.process_time() - start < 10
+    (tmp_path / "x.tar").write_bytes(packed_tar({**files, "a": b""}, ""))
+    assert "more than 5000 files" in refusal(tmp_path / "x.tar")
+
+
+def test_all_archives_of_a_submission_share_their_time(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    asked = []
+
+    def run(command: list[str], limits: Limits, **_: object) -> Result:
+        asked.append(limits.cpu_seconds)
+        return Result(0, 4.0, packed_tar({"a.txt": b""}, ""), "", False, False)
+
+    monkeypatch.setattr(box, "choose", lambda: Box("none"))
+    monkeypatch.setattr(processes, "run", run)
+    whole = zipped(tmp_path / "x.zip", {f"{i}.7z": b"7z\xbc\xaf\x27\x1c" for i in range(3)})
+    assert "too much time" in refusal(whole)
+    assert asked == [10, 6, 2]
+
+
+def test_nothing_is_unpacked_without_a_box(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def choose() -> Box:
+        raise KitError("no box can be had here")
+
+    monkeypatch.setattr(box, "choose", choose)
+    (tmp_path / "x.tar").write_bytes(packed_tar(solution_files(), ""))
+    assert "a zip would be: no box can be had here" in refusal(tmp_path / "x.tar")
+
+
+@pytest.mark.parametrize("kind", [tarfile.XGLTYPE, tarfile.XHDTYPE, tarfile.GNUTYPE_SPARSE])
+def test_what_bsdtar_does_not_write_is_not_followed(
+    kind: bytes, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It reads what strangers made, and could come to write what they like."""
+    header = tarfile.TarInfo("x")
+    header.size, header.type = 6 << 20, kind
+    data = header.tobuf(tarfile.GNU_FORMAT) + b"12 path=../y\n" * (6 << 20 >> 4)
+
+    def unpacked(data: bytes) -> list[str]:
+        monkeypatch.setattr(processes, "run", lambda *_, **__: Result(0, 0, data, "", False, False))
+        return [entry.name for entry in archives.entries(Path("x.tar"), b"", UnpackLimits())]
+
+    assert unpacked(data) == unpacked(data[:600]) == ["x"]
+    with pytest.raises(UsageError, match="broken"):
+        unpacked(b"x" * 600)
