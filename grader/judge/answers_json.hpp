@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "../../tests/parts/answers.hpp"
+#include "../diagnosis/answers.hpp"
 
 namespace bounce::judge {
 

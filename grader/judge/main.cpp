@@ -28,8 +28,8 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "../../tests/parts/pattern.hpp"
-#include "../../tests/parts/recognise.hpp"
+#include "../diagnosis/pattern.hpp"
+#include "../diagnosis/recognise.hpp"
 #include "answers_json.hpp"
 #include "facts.hpp"
 #include "session.hpp"

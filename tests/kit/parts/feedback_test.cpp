@@ -1,5 +1,5 @@
 // The feedback on a wrong answer, and on a part that throws, in a student's own build.
-#include "../../parts/feedback.hpp"
+#include "../../../grader/diagnosis/feedback.hpp"
 
 #include <cmath>
 #include <stdexcept>

@@ -4,7 +4,7 @@
 #include <fstream>
 #include <map>
 
-#include "../../parts/recognise.hpp"
+#include "../../../grader/diagnosis/recognise.hpp"
 
 namespace bounce::tests {
 

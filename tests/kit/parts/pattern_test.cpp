@@ -1,6 +1,6 @@
 // What is said of wrong answers that no known mistake explains: each row makes all answers of a
 // part wrong by a formula.
-#include "../../parts/pattern.hpp"
+#include "../../../grader/diagnosis/pattern.hpp"
 
 #include <Eigen/Geometry>
 #include <bounce/part1_contacts.hpp>

@@ -1,5 +1,5 @@
 // Which known mistakes are recognised in made-up answers: five questions with four numbers each.
-#include "../../parts/recognise.hpp"
+#include "../../../grader/diagnosis/recognise.hpp"
 
 #include <gtest/gtest.h>
 

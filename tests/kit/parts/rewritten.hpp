@@ -5,7 +5,7 @@
 #include <set>
 #include <string>
 
-#include "../../parts/answers.hpp"
+#include "../../../grader/diagnosis/answers.hpp"
 
 namespace bounce::tests {
 

@@ -19,8 +19,8 @@
 #include <fstream>
 #include <iostream>
 
-#include "../answers.hpp"
-#include "../feedback.hpp"
+#include "answers.hpp"
+#include "feedback.hpp"
 #include "linked.hpp"
 #include "mistake.hpp"
 #include "stack.hpp"

@@ -2,8 +2,8 @@
 
 #include <fstream>
 
-#include "../pattern.hpp"
-#include "../recognise.hpp"
+#include "pattern.hpp"
+#include "recognise.hpp"
 #include "linked.hpp"
 
 namespace bounce::tests {

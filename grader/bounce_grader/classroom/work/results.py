@@ -22,7 +22,14 @@ SET = "set.json"
 # change no score.
 PYTHON = ("assignment", "build", "common", "grading", "sandbox", "submission", "classroom/intake")
 UNIT = "classroom/work/unit.py"  # it decides whether a submission can be graded
-CPP = ("grader/judge", "grader/runner", "grader/box", "tests/parts", "solution/src")
+CPP = (
+    "grader/judge",
+    "grader/runner",
+    "grader/box",
+    "grader/diagnosis",
+    "tests/parts",
+    "solution/src",
+)
 
 
 def stamp_now(trust: bool, sanitize: bool = False) -> Stamp:

@@ -136,7 +136,7 @@ Alternative with(const Alternative& row, const std::string& place, const Alterna
 
 // The row's words and formula with each choice from its lists.
 std::vector<Alternative> choices(const Row& row) {
-  std::vector<Alternative> all{{row.words, row.formula}};
+  std::vector<Alternative> all{{row.words, row.numbers}};
   for (std::size_t i = 0; i < row.lists.size(); ++i) {
     std::vector<Alternative> more;
     for (const Alternative& before : all) {
@@ -152,15 +152,16 @@ struct Target {
   std::string number, formula;
 };
 
-std::vector<Target> targets(const Row& row, const std::string& formula = "") {
-  const Words numbers = split(row.targets), formulas = split(formula);
+// "a0 = FORMULA; a1 = FORMULA", with each component for a #. Some targets have no formula.
+std::vector<Target> targets(const std::string& numbers) {
   std::vector<Target> all;
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    const bool is_one = numbers[i].find('#') == std::string::npos;
-    for (int k = 0; k < (is_one ? 1 : numbers[i] == "V#" ? 9 : 3); ++k) {
+  for (const std::string& text : split(numbers)) {
+    const std::size_t at = text.find(" = ");
+    const Target target{text.substr(0, at), at == text.npos ? "" : text.substr(at + 3)};
+    const bool is_one = text.find('#') == text.npos;
+    for (int k = 0; k < (is_one ? 1 : target.number == "V#" ? 9 : 3); ++k) {
       const std::string number = std::to_string(k);
-      all.push_back({replaced(numbers[i], "#", number),
-                     i < formulas.size() ? replaced(formulas[i], "#", number) : ""});
+      all.push_back({replaced(target.number, "#", number), replaced(target.formula, "#", number)});
     }
   }
   return all;
@@ -226,7 +227,7 @@ struct Match {
 std::vector<Match> fits(const Row& row, const std::vector<Asked>& all) {
   std::vector<Match> found;
   for (const Alternative& choice : choices(row)) {
-    const std::vector<Target> of = targets(row, choice.formula);
+    const std::vector<Target> of = targets(choice.formula);
     Words each;
     const bool fit = std::all_of(of.begin(), of.end(), [&](const Target& target) {
       if (row.each.empty()) return fits(all, target.number, target.formula);
@@ -289,7 +290,7 @@ bool is_for(const Row& row, const std::vector<Asked>& all) {
   const Words must_be = split(row.right);
   Words wrong = split(row.wrong);
   if (wrong.empty()) {
-    for (const Target& target : targets(row)) wrong.push_back(target.number);
+    for (const Target& target : targets(row.numbers)) wrong.push_back(target.number);
   }
   return std::all_of(must_be.begin(), must_be.end(), right) &&
          !std::all_of(wrong.begin(), wrong.end(), right);
@@ -300,19 +301,19 @@ void add_row(Words& sentences, const Row& row, const std::vector<Asked>& questio
   std::copy_if(questions.begin(), questions.end(), std::back_inserter(all),
                [&](const Asked& a) { return value(row.where, a.got) != 0; });
   if (!is_for(row, all)) return;
-  if (const std::vector<Match> found = row.formula.empty() ? std::vector<Match>() : fits(row, all);
-      !found.empty()) {
-    const bool is_either = found.size() == 2 && row.each.empty();
-    if (found.size() > 1 && !is_either) return;
-    const std::string words = tidied(found[0].words);
-    sentences.push_back(
-        tidied(replaced(row.sentence, "{}",
-                        is_either ? "either " + words + " or " + tidied(found[1].words) : words)));
-    return;
+  std::vector<Match> found;
+  if (!row.sentence.empty()) found = fits(row, all);
+  const std::size_t most = row.each.empty() ? 2 : 1;
+  if (!found.empty() && found.size() <= most) {
+    Words words;
+    for (const Match& match : found) words.push_back(tidied(match.words));
+    const std::string either = words.size() == 2 ? "either " : "";
+    sentences.push_back(tidied(replaced(row.sentence, "{}", either + joined(words, " or "))));
   }
   const Words names = split(row.bounds);
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    const std::string sentence = between_bounds(all, split(row.targets)[i], names[i]);
+  for (std::size_t i = 0; found.empty() && i < names.size(); ++i) {
+    const Target target = targets(row.numbers)[i];
+    const std::string sentence = between_bounds(all, target.number, names[i]);
     if (!sentence.empty()) sentences.push_back(sentence);
   }
 }
@@ -355,6 +356,7 @@ void add_block(Words& sentences, const std::vector<Asked>& all) {
 
 Words formulas(int part, const std::vector<Case>& cases, const std::vector<Answer>& right,
                const std::vector<Answer>& got) {
+  if (kRows.count(part) == 0) return {};
   std::vector<Asked> all;
   for (std::size_t k = 0; k < cases.size(); ++k) {
     if (!is_finite(right[k], got[k])) return {};
@@ -365,8 +367,8 @@ Words formulas(int part, const std::vector<Case>& cases, const std::vector<Answe
   }
   Words sentences = part == 4 ? trajectory(cases, right, got) : Words();
   if (part == 2) add_block(sentences, all);
-  for (const Row& row : kRows) {
-    if (row.part == part && !(row.otherwise && !sentences.empty())) add_row(sentences, row, all);
+  for (const Row& row : kRows.at(part)) {
+    if (!row.otherwise || sentences.empty()) add_row(sentences, row, all);
   }
   return sentences;
 }
