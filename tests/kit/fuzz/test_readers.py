@@ -28,7 +28,7 @@ from corpus import Member
 from edits import edited
 from handed_in import limited_memory, packed_tar
 from odd_submissions import inside, MISLEADING, PARTS
-from odd_zips import rar
+from odd_zips import RAR
 
 Random = random.Random
 INPUTS, CHUNKS = 1_000_000, 200  # for each reader; the usual run has one chunk
@@ -213,7 +213,7 @@ READERS = {
     "x.zip": Reader(some_zip, check_file, 0.2),
     # A box for each.
     "x.tar": Reader(lambda rng: mutated(rng, TARS), check_file, 0.2, 100),
-    "x.rar": Reader(lambda rng: mutated(rng, [rar(PARTS)]), check_file, 0.1, 50),
+    "x.rar": Reader(lambda rng: mutated(rng, [RAR]), check_file, 0.1, 50),
     "x.7z": Reader(lambda rng: mutated(rng, [SEVEN]), check_file, 0.1, 50),
     "judge": Reader(lambda rng: mutated(rng, ANSWERS, 4), check_judge, 0.1),
     "compiler": Reader(lambda rng: mutated(rng, MESSAGES), check_compiler, 0.2),

@@ -5,7 +5,6 @@ import os
 import subprocess
 import tarfile
 import time
-from base64 import b64decode
 from pathlib import Path
 
 import pytest
@@ -17,17 +16,6 @@ from bounce_grader.submission import archives, submission
 from bounce_grader.submission.entry import MOST_ENTRIES, UnpackLimits
 from conftest import solution_files, write
 from handed_in import packed_tar, refusal, zipped
-
-# By 7-Zip, with a password for the files, and for their names, too.
-LOCKED = (
-    "N3q8ryccAAT20sx9EAAAAAAAAACCAAAAAAAAACRZQCM41mHRckZbKi1HmdsA/SSQAQQGAAEJEAAHCwEAAiQG8QcBElMPg4"
-    "cHwwt9akC5j9xActdj4iEhAQABAAwNCQAICgGxBZxPAAAFARkBABEnAHAAYQByAHQAMQBfAGMAbwBuAHQAYQBjAHQAcwAu"
-    "AGMAcABwAAAAGQQAAAAAFAoBAPibL1L0fN0BFQYBACCApIEAAA==",
-    "N3q8ryccAAT91ZqPoAAAAAAAAAAwAAAAAAAAAGgFUsivBoADPqWMXZ0eCm11E/TCuLDnW36e+W1CIclsDncA5H02C/dFX8"
-    "DSrvGNcMk+/pMZ5/pEAzkKLkz4cDBnHxxRUvyMH9LqxaIe0aRoe4C/7eZg/+Wv3iu+S1KfeDyf4kj+j7IioXp6eyxqOQav"
-    "v/STeZoJhgDbluF0MHv4i7tqfuAdTO7Oxb7FJvUKGPX38Mo3yTeRP7QDsZ8O8oK+nyuaFwYQAQmAkAAHCwEAASQG8QcBEl"
-    "MPlOEKeGgnzAHL1nEdh7FC5gyAggoBxgrKzgAA",
-)
 
 
 def packed(path: Path, files: dict[str, bytes], *options: str) -> Path:
@@ -56,23 +44,12 @@ def test_archives_are_read_in_a_box(tmp_path: Path, kind: str, ending: str) -> N
     assert submission.read(path.rename(tmp_path / "x.zip")).files == taken.files
 
 
-@pytest.mark.parametrize(
-    "target", ["/etc/passwd", "/proc/1/environ", "/proc/self/environ", __file__]
-)
-def test_an_archive_that_asks_for_a_file_gets_none(tmp_path: Path, kind: str, target: str) -> None:
+def test_an_archive_that_asks_for_a_file_gets_none(tmp_path: Path, kind: str) -> None:
     """An mtree may say where the content of an entry lies."""
-    asking = f"#mtree\npart1_contacts.cpp type=file mode=644 size=20 contents={target}\n"
-    (tmp_path / "x.tar").write_text(asking)
-    assert "Can't open" in refusal(tmp_path / "x.tar")
-
-
-def test_what_cannot_be_unpacked_is_refused(tmp_path: Path) -> None:
-    for data, reason in zip(LOCKED, ("a password?", "encrypted")):
-        (tmp_path / "x.7z").write_bytes(b64decode(data))
-        assert reason in refusal(tmp_path / "x.7z")
-    path = packed(tmp_path / "y.7z", solution_files(), "-a")
-    path.write_bytes(path.read_bytes()[:-20])
-    assert "can't be unpacked" in refusal(path)
+    for target in ("/etc/passwd", "/proc/1/environ", "/proc/self/environ", __file__):
+        asking = f"#mtree\npart1_contacts.cpp type=file mode=644 size=20 contents={target}\n"
+        (tmp_path / "x.tar").write_text(asking)
+        assert "Can't open" in refusal(tmp_path / "x.tar")
 
 
 def test_many_files_beside_a_large_one_are_read_without_copies_of_the_rest(tmp_path: Path) -> None:
