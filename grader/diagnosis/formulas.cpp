@@ -29,14 +29,13 @@ void add(Symbols& symbols, const std::string& name, const VectorXd& numbers) {
 
 // The rows of V's block, V0 to V8; an entry is (s/m + t/inertia) dt.
 void add_block(Symbols& symbols, const Jacobian& J, const VectorXd& numbers) {
-  Eigen::Matrix3d J_hat;
-  J_hat << J.col(1), -J.col(0), J.col(0);
+  const Vector3 columns[] = {J.col(1), -J.col(0), J.col(0)};  // of J_hat, eq. (7)
   for (Index k = 0; k < 9; ++k) {
     const Index i = k / 3, j = k % 3;
     const std::string number = std::to_string(k);
     symbols["V" + number] = numbers(i + 4 * j);
-    symbols["s" + number] = J_hat.col(i).head(2).dot(J_hat.col(j).head(2));
-    symbols["t" + number] = J_hat(2, i) * J_hat(2, j);
+    symbols["s" + number] = columns[i].head(2).dot(columns[j].head(2));
+    symbols["t" + number] = columns[i](2) * columns[j](2);
   }
 }
 

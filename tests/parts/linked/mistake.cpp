@@ -2,9 +2,9 @@
 
 #include <fstream>
 
+#include "linked.hpp"
 #include "pattern.hpp"
 #include "recognise.hpp"
-#include "linked.hpp"
 
 namespace bounce::tests {
 namespace {
