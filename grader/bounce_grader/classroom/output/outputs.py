@@ -13,7 +13,8 @@ from bounce_grader.classroom.intake.course import Course
 from bounce_grader.classroom.intake.student import Class
 from bounce_grader.classroom.output import gradebook, grades, history, page
 from bounce_grader.classroom.output.final import adjusted
-from bounce_grader.classroom.output.gradebook import Gradebook, Marks
+from bounce_grader.classroom.output.filling import Marks, Written
+from bounce_grader.classroom.output.gradebook import Gradebook
 from bounce_grader.classroom.output.worksheet import Worksheet
 from bounce_grader.classroom.work import results
 from bounce_grader.classroom.work.log import Log
@@ -61,7 +62,7 @@ def write(
     return sentences
 
 
-def _read_written(path: Path) -> gradebook.Written:
+def _read_written(path: Path) -> Written:
     try:
         written = json.loads(path.read_text())
         return {
