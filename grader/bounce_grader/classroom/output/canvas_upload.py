@@ -11,10 +11,10 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from bounce_grader.classroom.grading.summary import Summary
 from bounce_grader.classroom.intake.canvas_api import Canvas, Refused
 from bounce_grader.classroom.intake.student import Unmatched
 from bounce_grader.classroom.output import filling
-from bounce_grader.classroom.work.summary import Summary
 from bounce_grader.common.escaping import terminal
 from bounce_grader.common.files import write_whole
 from bounce_grader.common.numbers import short
