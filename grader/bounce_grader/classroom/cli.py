@@ -78,7 +78,7 @@ def add(commands: Any) -> None:
 
 def _class(options: argparse.Namespace) -> int:
     from bounce_grader.classroom import run
-    from bounce_grader.classroom.work.request import Request
+    from bounce_grader.classroom.grading.request import Request
     from bounce_grader.common.errors import UsageError
 
     if options.regrade == "":

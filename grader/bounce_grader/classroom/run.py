@@ -9,6 +9,12 @@ from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
 
+from bounce_grader.classroom.grading import grading, near_copies, regrade, results
+from bounce_grader.classroom.grading.log import Log
+from bounce_grader.classroom.grading.near_copies import Similar
+from bounce_grader.classroom.grading.request import Request
+from bounce_grader.classroom.grading.summary import Summary
+from bounce_grader.classroom.grading.task import task_of, with_times, Stamp, Task
 from bounce_grader.classroom.intake import adjustments, canvas_api, course, roster, students
 from bounce_grader.classroom.intake.canvas import is_name_of
 from bounce_grader.classroom.intake.canvas_api import Canvas
@@ -18,12 +24,6 @@ from bounce_grader.classroom.output import canvas_upload, final, outputs, page
 from bounce_grader.classroom.output.final import Rules
 from bounce_grader.classroom.output.gradebook import Gradebook
 from bounce_grader.classroom.output.worksheet import is_worksheet, Worksheet
-from bounce_grader.classroom.work import grading, near_copies, regrade, results
-from bounce_grader.classroom.work.log import Log
-from bounce_grader.classroom.work.near_copies import Similar
-from bounce_grader.classroom.work.request import Request
-from bounce_grader.classroom.work.summary import Summary
-from bounce_grader.classroom.work.task import task_of, with_times, Stamp, Task
 from bounce_grader.common.errors import KitError, UsageError
 from bounce_grader.common.escaping import printable_name, terminal
 from bounce_grader.common.files import remove_abandoned

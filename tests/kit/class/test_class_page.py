@@ -9,12 +9,12 @@ from typing import Any
 import golden
 import pytest
 import stand_in
+from bounce_grader.classroom.grading import near_copies
+from bounce_grader.classroom.grading.near_copies import Pair, Similar
+from bounce_grader.classroom.grading.summary import of_result, Summary
 from bounce_grader.classroom.intake.student import Class, Student, Unmatched
 from bounce_grader.classroom.output import charts, page
 from bounce_grader.classroom.output.charts import Curve
-from bounce_grader.classroom.work import near_copies
-from bounce_grader.classroom.work.near_copies import Pair, Similar
-from bounce_grader.classroom.work.summary import of_result, Summary
 from bounce_grader.submission import submission
 from conftest import write
 

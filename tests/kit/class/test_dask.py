@@ -11,8 +11,8 @@ import classes
 import pytest
 import stand_in
 from bounce_grader.classroom import run
-from bounce_grader.classroom.work import engine_local, results
-from bounce_grader.classroom.work.request import Request
+from bounce_grader.classroom.grading import engine_local, results
+from bounce_grader.classroom.grading.request import Request
 from bounce_grader.common.errors import KitError, UsageError
 from clusters import Cluster
 from waiting import wait_for

@@ -11,8 +11,8 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from bounce_grader.classroom.grading import grading, log, results, task
 from bounce_grader.classroom.intake import students
-from bounce_grader.classroom.work import grading, log, results, task
 from bounce_grader.common.errors import KitError, UsageError
 from classes import COLUMN, book, column, download, grade_class, graded, points_of, same
 from conftest import write
@@ -150,7 +150,7 @@ def test_a_result_is_named_by_all_that_it_follows_from(tmp_path: Path) -> None:
 
 
 PACKAGE = "grader/bounce_grader"
-MAKES_RESULTS = [f"{PACKAGE}/grading/judging.py", f"{PACKAGE}/classroom/work/unit.py"]
+MAKES_RESULTS = [f"{PACKAGE}/grading/judging.py", f"{PACKAGE}/classroom/grading/unit.py"]
 MAKES_RESULTS += ["grader/runner/prelude.sed", "grader/parts.json", "tests/parts/cases.cpp"]
 SHOWS_RESULTS = [f"{PACKAGE}/formats/html.py", "tests/kit/judge/judge_test.cpp"]
 

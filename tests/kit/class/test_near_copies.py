@@ -6,10 +6,10 @@ from collections.abc import Sequence
 from pathlib import Path
 
 import pytest
+from bounce_grader.classroom.grading import near_copies
+from bounce_grader.classroom.grading.near_copies import Similar
+from bounce_grader.classroom.grading.task import Stamp, task_of
 from bounce_grader.classroom.intake import students
-from bounce_grader.classroom.work import near_copies
-from bounce_grader.classroom.work.near_copies import Similar
-from bounce_grader.classroom.work.task import Stamp, task_of
 from bounce_grader.common.paths import STUBS
 from classes import grade_class
 from conftest import ROOT, solution_files, write

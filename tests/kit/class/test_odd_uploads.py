@@ -18,7 +18,7 @@ from typing import Any
 import golden
 import pytest
 from bounce_grader import cli
-from bounce_grader.classroom.work import engine_local, near_copies
+from bounce_grader.classroom.grading import engine_local, near_copies
 from classes import download, grade_class
 from conftest import write
 from corpus import Member, UTF8, zip_of

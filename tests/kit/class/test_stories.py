@@ -24,8 +24,8 @@ import golden
 import pytest
 import stand_in
 from bounce_grader import cli
+from bounce_grader.classroom.grading import engine_local, results, unit
 from bounce_grader.classroom.intake import canvas_api
-from bounce_grader.classroom.work import engine_local, results, unit
 from canvas_server import running, State, TOKEN
 from conftest import write
 from corpus import Member, UTF8, zip_of

@@ -7,7 +7,7 @@ from typing import Any
 
 import stand_in
 from bounce_grader.classroom import run
-from bounce_grader.classroom.work import log
+from bounce_grader.classroom.grading import log
 from handed_in import zipped
 
 COLUMN = "HW3 (98765)"

@@ -20,10 +20,10 @@ from typing import Any
 ROOT = Path(__file__).resolve().parents[3]
 sys.path.insert(0, str(ROOT / "grader"))
 
+from bounce_grader.classroom.grading import unit
+from bounce_grader.classroom.grading.request import Request
+from bounce_grader.classroom.grading.task import Task
 from bounce_grader.classroom.run import run
-from bounce_grader.classroom.work import unit
-from bounce_grader.classroom.work.request import Request
-from bounce_grader.classroom.work.task import Task
 from bounce_grader.common.errors import KitError
 from bounce_grader.common.manifest import Part, parts
 from bounce_grader.grading.record import whole

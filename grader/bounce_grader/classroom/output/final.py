@@ -5,12 +5,12 @@ import unicodedata
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
+from bounce_grader.classroom.grading.summary import Applied, Final, Summary
 from bounce_grader.classroom.intake.adjustments import EVERYBODY, NAME, Adjustment
 from bounce_grader.classroom.intake.canvas import sanitized
 from bounce_grader.classroom.intake.course import Course
 from bounce_grader.classroom.intake.roster import Member, Roster
 from bounce_grader.classroom.intake.student import Class, Student
-from bounce_grader.classroom.work.summary import Applied, Final, Summary
 from bounce_grader.common.escaping import first_few
 from bounce_grader.common.manifest import parts
 from bounce_grader.common.numbers import short

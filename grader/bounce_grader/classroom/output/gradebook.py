@@ -3,11 +3,11 @@
 import difflib
 import re
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
 from pathlib import Path
 
 from bounce_grader.classroom.intake.canvas import is_name_of
-from bounce_grader.classroom.output import table as tables
+from bounce_grader.classroom.output import filling, table as tables
+from bounce_grader.classroom.output.filling import Filled, Marks, number_in, Written
 from bounce_grader.classroom.output.table import Row
 from bounce_grader.common.errors import UsageError
 from bounce_grader.common.escaping import csv_row
@@ -19,28 +19,6 @@ TOTAL = re.compile(r"(Current|Final|Override).*(Score|Points|Grade|Status)")  # 
 ASSIGNMENT = re.compile(r"\(\d+\)$")
 
 
-@dataclass(frozen=True)
-class Marks:
-    """A student's points."""
-
-    name: str
-    points: Mapping[int, float]  # key 0 is the total, key n is part n
-    from_canvas: bool = False  # the id and the name are those of a Canvas download
-
-
-# A column's title -> Canvas's id -> all points that runs have filled in there.
-Written = Mapping[str, Mapping[str, list[str]]]
-
-
-@dataclass
-class Filled:
-    """A filled-in grade book, as bytes of its file."""
-
-    data: bytes
-    sentences: list[str]  # what the instructor should know
-    written: Written = field(default_factory=dict)
-
-
 class Gradebook:
     """A grade book that Canvas exported. Raises UsageError if it can't be filled in."""
 
@@ -49,19 +27,17 @@ class Gradebook:
     def __init__(
         self, path: Path, columns: Mapping[int, str], max_points: Mapping[int, float]
     ) -> None:
-        try:
-            data = path.read_bytes()
-        except OSError as error:
-            raise UsageError(f"{path} can't be read: {error.strerror}") from error
         self._name = path.name
-        self._table = tables.parse(data, path.name)
+        self._table = tables.parse(filling.read(path), path.name)
         self._header = [cell.text.strip() for cell in self._table.rows[0].cells]
         self._require_canvas()
         self._columns = {part: self._column(title) for part, title in columns.items()}
         self._require_distinct()
         self._max_points = max_points
-        self._comma = self._has_decimal_comma()
-        self._require_whole_rows()
+        self._comma = filling.has_decimal_comma(self._whole_rows(), self._score_columns())
+        rows = [self._table.rows[0], *self._students()]
+        again = "export it from Canvas again"
+        filling.require_whole(rows, len(self._header), self._name, again)
 
     def require_some_of(self, ids: Iterable[str], canvas_ids_only: bool) -> None:
         """Raises UsageError if no student with one of these ids is in the grade book."""
@@ -97,8 +73,8 @@ class Gradebook:
             id = ids[0] if ids else ""
             if not ids:
                 reason = reasons.get(row.line, [])
-                nothing = f"no score, because {without[reason[0]]}" if reason else "no submission"
-                sentences.append(f"{self._who(row)} has {nothing}: the cell stays as it was")
+                why = without[reason[0]] if reason else None
+                sentences.append(filling.not_filled(self._who(row), why))
             elif len(ids) > 1:
                 several = " and ".join(f"{marks[i].name} ({i})" for i in ids)
                 sentences.append(f"{self._who(row)} is meant by {several}: none is filled in")
@@ -107,9 +83,9 @@ class Gradebook:
             else:
                 emptied += self._emptied(row, now)
                 sentences += self._fill_row(row, marks[id], now, overwrite)
-        for id in sorted(marks.keys() - {id for ids in graded.values() for id in ids}):
-            sentences.append(f"{marks[id].name} ({id}) is graded, but isn't in {self._name}")
-        sentences = [*perhaps_old(self._name, emptied), *dict.fromkeys(sentences)]
+        listed = {id for ids in graded.values() for id in ids}
+        sentences += filling.not_listed(marks, listed, self._name)
+        sentences = [*filling.perhaps_old(self._name, emptied), *dict.fromkeys(sentences)]
         return Filled(self._table.bytes(), sentences, now)
 
     def _emptied(self, row: Row, written: Written) -> int:
@@ -138,23 +114,18 @@ class Gradebook:
         sentences, is_filled = [], False
         id = row.cells[self._header.index("ID")].text.strip()
         for part, column in self._columns.items():
-            cell, title = row.cells[column], self._header[column]
-            text, number = cell.text.strip(), f"{marks.points[part]:.2f}"
+            title = self._header[column]
+            text, number = row.cells[column].text.strip(), f"{marks.points[part]:.2f}"
             before = written.get(title, {}).get(id, [])
-            there = number_in(text)
-            ours = there is not None and there in map(number_in, [number, *before])
             if text.upper() in NEVER_FILLED:
                 sentences.append(f"{self._who(row)} stays {text} in {title}")
-            elif ours or not text or overwrite:
+            elif why := filling.why_kept(text, title, number, before, overwrite):
+                sentences.append(f"{self._who(row)} {why}")
+            else:
                 is_filled = True
                 if number not in before:
                     written.setdefault(title, {})[id] = [*before, number]
-                cell.put(number.replace(".", ",") if self._comma else number, self._table.delimiter)
-            else:
-                sentences.append(
-                    f"{self._who(row)} keeps {text} in {title}, where the grading gives {number}; "
-                    "--overwrite replaces it"
-                )
+                filling.put(self._table, row, column, number, self._comma)
         if is_filled and marks.from_canvas and not is_name_of(self._person(row), marks.name):
             sentences.append(
                 f"{self._who(row)} has the points of {marks.name}: if that is a group, give its "
@@ -232,23 +203,12 @@ class Gradebook:
                 "column of its own"
             )
 
-    def _has_decimal_comma(self) -> bool:
-        """Whether scores are written as 87,5, and none as 87.5."""
-        scores = {*self._columns.values()}
+    def _score_columns(self) -> set[int]:
+        columns = {*self._columns.values()}
         for i, title in enumerate(self._header):
             if ASSIGNMENT.search(title) or TOTAL.search(title):
-                scores.add(i)
-        cells = [row.cells[i].text.strip() for row in self._whole_rows() for i in scores]
-        with_points = any(re.fullmatch(r"\d+\.\d+", text) for text in cells)
-        return not with_points and any(re.fullmatch(r"\d+,\d+", text) for text in cells)
-
-    def _require_whole_rows(self) -> None:
-        for row in [self._table.rows[0], *self._students()]:
-            if len(row.cells) != len(self._header):
-                raise UsageError(
-                    f"{self._name} has {len(row.cells)} cells in line {row.line}, and "
-                    f"{len(self._header)} in its first: export it from Canvas again"
-                )
+                columns.add(i)
+        return columns
 
     def _column(self, title: str) -> int:
         columns = [i for i, text in enumerate(self._header) if text == title]
@@ -300,20 +260,6 @@ class Gradebook:
         return sentences
 
 
-def perhaps_old(name: str, emptied: int) -> list[str]:
-    """What to say if cells lack the points that an earlier run has filled in: points that were
-    corrected since then can't be seen, and would be replaced."""
-    cells = f"{emptied} cell{'s' if emptied > 1 else ''}"
-    return (
-        [
-            f"{name} lacks what an earlier run has filled into {cells}: if that is imported, export "
-            "the grades again, or corrections made there since then are lost"
-        ]
-        if emptied
-        else []
-    )
-
-
 def _by_line(rows: Mapping[str, list[Row]], ids: Iterable[str]) -> dict[int, list[str]]:
     """The ids that refer to each row, by its line."""
     lines: dict[int, list[str]] = {}
@@ -325,13 +271,6 @@ def _by_line(rows: Mapping[str, list[Row]], ids: Iterable[str]) -> dict[int, lis
 
 def _title(text: str) -> str:
     return re.sub(r"\s\(\d+\)$", "", text)
-
-
-def number_in(text: str) -> float | None:
-    try:
-        return float(text.strip().replace(",", "."))
-    except ValueError:
-        return None
 
 
 def of_marks(marks: Mapping[str, Marks], title: str, max_points: float) -> bytes:

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable
 
-from bounce_grader.classroom.work.summary import Summary
+from bounce_grader.classroom.grading.summary import Summary
 from bounce_grader.common.escaping import csv_row, first_few, Value
 from bounce_grader.common.manifest import parts
 from bounce_grader.common.numbers import short

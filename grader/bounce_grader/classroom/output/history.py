@@ -6,8 +6,8 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
-from bounce_grader.classroom.work import results
-from bounce_grader.classroom.work.summary import Summary
+from bounce_grader.classroom.grading import results
+from bounce_grader.classroom.grading.summary import Summary
 from bounce_grader.common.files import write_whole
 from bounce_grader.grading.previous import Previous, of_record
 

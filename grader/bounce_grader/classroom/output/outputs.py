@@ -8,17 +8,18 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from bounce_grader.classroom.grading import results
+from bounce_grader.classroom.grading.log import Log
+from bounce_grader.classroom.grading.near_copies import Similar
+from bounce_grader.classroom.grading.summary import Summary
 from bounce_grader.classroom.intake import canvas
 from bounce_grader.classroom.intake.course import Course
 from bounce_grader.classroom.intake.student import Class
 from bounce_grader.classroom.output import gradebook, grades, history, page
+from bounce_grader.classroom.output.filling import Marks, Written
 from bounce_grader.classroom.output.final import adjusted
-from bounce_grader.classroom.output.gradebook import Gradebook, Marks
+from bounce_grader.classroom.output.gradebook import Gradebook
 from bounce_grader.classroom.output.worksheet import Worksheet
-from bounce_grader.classroom.work import results
-from bounce_grader.classroom.work.log import Log
-from bounce_grader.classroom.work.near_copies import Similar
-from bounce_grader.classroom.work.summary import Summary
 from bounce_grader.common.errors import about_one_submission, UsageError
 from bounce_grader.common.files import write_whole
 from bounce_grader.common.manifest import parts
@@ -61,7 +62,7 @@ def write(
     return sentences
 
 
-def _read_written(path: Path) -> gradebook.Written:
+def _read_written(path: Path) -> Written:
     try:
         written = json.loads(path.read_text())
         return {

@@ -8,12 +8,12 @@ from typing import Any
 from urllib.parse import quote
 
 from bounce_grader.assignment.hints import headings
+from bounce_grader.classroom.grading.near_copies import Pair, Similar
+from bounce_grader.classroom.grading.summary import Summary
 from bounce_grader.classroom.intake.course import Course
 from bounce_grader.classroom.intake.student import Class
 from bounce_grader.classroom.output import charts
 from bounce_grader.classroom.output.charts import Bar, Point, Curve
-from bounce_grader.classroom.work.near_copies import Pair, Similar
-from bounce_grader.classroom.work.summary import Summary
 from bounce_grader.common.chart_style import NAMES, ON_PAPER
 from bounce_grader.common.escaping import first_few, printable_name
 from bounce_grader.common.manifest import named_together, part_of, parts

@@ -10,8 +10,8 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 from bounce_grader.classroom.intake import moodle
-from bounce_grader.classroom.output import table as tables
-from bounce_grader.classroom.output.gradebook import Filled, Marks, Written, number_in, perhaps_old
+from bounce_grader.classroom.output import filling, table as tables
+from bounce_grader.classroom.output.filling import Filled, Marks, number_in, Written
 from bounce_grader.classroom.output.table import Row
 from bounce_grader.common.errors import UsageError
 from bounce_grader.common.numbers import short
@@ -27,7 +27,7 @@ class Worksheet:
 
     def __init__(self, path: Path, title: str, max_points: float) -> None:
         self._name = path.name
-        data = _read(path)
+        data = filling.read(path)
         self._encoding = UTF_16.get(data[:2], "")
         self._mark = data[:2] if self._encoding else b""
         try:
@@ -39,7 +39,8 @@ class Worksheet:
         blackboard = "Username" in self._header and any(map(TOTAL.search, self._header))
         self.service = "blackboard" if blackboard else "moodle"
         self._rows = self._table.rows[1:]
-        self._require_whole_rows()
+        again = "download it again"
+        filling.require_whole(self._rows, len(self._header), self._name, again)
         self._column = self._find_column(title)
         self._max_points = max_points
 
@@ -86,8 +87,7 @@ class Worksheet:
         for id, rows in by_id.items():
             who = f"{self._person(rows[0])} ({id})"
             if id not in marks:
-                nothing = f"no score, because {without[id]}" if id in without else "no submission"
-                sentences.append(f"{who} has {nothing}: the cell stays as it was")
+                sentences.append(filling.not_filled(who, without.get(id)))
             elif len(rows) > 1:
                 sentences.append(f"{self._name} has {len(rows)} rows for {id}: none is filled")
             else:
@@ -99,11 +99,9 @@ class Worksheet:
                     continue
                 emptied += bool(before and not self._has_points(rows[0]))
                 now[title][id] = [*before, *([points] if points not in before else [])]
-                text = points.replace(".", ",") if comma else points
-                rows[0].cells[self._column].put(text, self._table.delimiter)
-        for id in sorted(marks.keys() - by_id.keys()):
-            sentences.append(f"{marks[id].name} ({id}) is graded, but isn't in {self._name}")
-        sentences = [*perhaps_old(self._name, emptied), *sentences]
+                filling.put(self._table, rows[0], self._column, points, comma)
+        sentences += filling.not_listed(marks, by_id, self._name)
+        sentences = [*filling.perhaps_old(self._name, emptied), *sentences]
         others = {other: by for other, by in written.items() if other != title}
         return Filled(self._bytes(), sentences, {**others, **now})
 
@@ -112,13 +110,8 @@ class Worksheet:
         changeable = self._index("Grade can be changed")
         if changeable is not None and row.cells[changeable].text.strip().lower() == "no":
             return "has a grade that Moodle lets nobody change here: the cell stays as it was"
-        text = row.cells[self._column].text.strip()
-        there = number_in(text)
-        ours = there is not None and there in map(number_in, [points, *before])
-        if ours or overwrite or not self._has_points(row):
-            return ""
-        title = self._header[self._column]
-        return f"keeps {text} in {title}, where the grading gives {points}; --overwrite replaces it"
+        text = row.cells[self._column].text.strip() if self._has_points(row) else ""
+        return filling.why_kept(text, self._header[self._column], points, before, overwrite)
 
     def _has_points(self, row: Row) -> bool:
         text = row.cells[self._column].text.strip()
@@ -171,20 +164,10 @@ class Worksheet:
             f"{title or 'that is meant'!r}: give --column one of {', '.join(map(repr, known))}"
         )
 
-    def _require_whole_rows(self) -> None:
-        for row in self._rows:
-            if len(row.cells) != len(self._header):
-                raise UsageError(
-                    f"{self._name} has {len(row.cells)} cells in line {row.line}, and "
-                    f"{len(self._header)} in its first: download it again"
-                )
-
     def _has_decimal_comma(self) -> bool:
         maximum = self._index("Maximum Grade")
         columns = [self._column, *([maximum] if maximum is not None else [])]
-        texts = [row.cells[column].text.strip() for row in self._rows for column in columns]
-        with_points = any(re.fullmatch(r"\d+\.\d+", text) for text in texts)
-        return not with_points and any(re.fullmatch(r"\d+,\d+", text) for text in texts)
+        return filling.has_decimal_comma(self._rows, columns)
 
     def _points_possible(self) -> list[str]:
         title = self._header[self._column]
@@ -207,7 +190,7 @@ class Worksheet:
 
 def is_worksheet(path: Path) -> bool:
     """Whether the file is Moodle's or Blackboard's, and not Canvas's."""
-    data = _read(path)
+    data = filling.read(path)
     if data[:2] in UTF_16:
         return True
     lines = data.removeprefix(tables.BOM).decode("utf-8", "replace").splitlines()
@@ -218,10 +201,3 @@ def is_worksheet(path: Path) -> bool:
 
 def _short_title(text: str) -> str:
     return text.partition(f" {TOTAL_PTS}")[0].strip()
-
-
-def _read(path: Path) -> bytes:
-    try:
-        return path.read_bytes()
-    except OSError as error:
-        raise UsageError(f"{path} can't be read: {error.strerror}") from error

@@ -9,8 +9,8 @@ from pathlib import Path
 from typing import Any
 
 from bounce_grader import __version__
-from bounce_grader.classroom.work.task import Stamp
-from bounce_grader.classroom.work.unit import result_path
+from bounce_grader.classroom.grading.task import Stamp
+from bounce_grader.classroom.grading.unit import result_path
 from bounce_grader.common.errors import UsageError
 from bounce_grader.common.files import write_whole
 from bounce_grader.common.paths import CONTRACT, HANDOUT, ROOT
@@ -21,7 +21,7 @@ SET = "set.json"
 # The folders that a score depends on. Those that report on records, test the kit or publish it can
 # change no score.
 PYTHON = ("assignment", "build", "common", "grading", "sandbox", "submission", "classroom/intake")
-UNIT = "classroom/work/unit.py"  # it decides whether a submission can be graded
+UNIT = "classroom/grading/unit.py"  # it decides whether a submission can be graded
 CPP = (
     "grader/judge",
     "grader/runner",

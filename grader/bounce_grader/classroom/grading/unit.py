@@ -13,8 +13,8 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
+from bounce_grader.classroom.grading.task import Task
 from bounce_grader.classroom.intake import handed_in
-from bounce_grader.classroom.work.task import Task
 from bounce_grader.common.errors import KitError, UsageError
 from bounce_grader.common.escaping import first_few, printable_name
 from bounce_grader.common.files import write_whole

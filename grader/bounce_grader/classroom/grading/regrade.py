@@ -9,13 +9,13 @@ from fnmatch import fnmatch
 from pathlib import Path
 from typing import Any
 
+from bounce_grader.classroom.grading import results
+from bounce_grader.classroom.grading.log import Log
+from bounce_grader.classroom.grading.summary import of_result, Summary
+from bounce_grader.classroom.grading.task import task_of, Stamp, Task
+from bounce_grader.classroom.grading.unit import result_path
 from bounce_grader.classroom.intake.canvas import sanitized
 from bounce_grader.classroom.intake.student import Class, Student
-from bounce_grader.classroom.work import results
-from bounce_grader.classroom.work.log import Log
-from bounce_grader.classroom.work.summary import of_result, Summary
-from bounce_grader.classroom.work.task import task_of, Stamp, Task
-from bounce_grader.classroom.work.unit import result_path
 from bounce_grader.common.errors import UsageError
 from bounce_grader.common.escaping import first_few, terminal
 from bounce_grader.common.files import write_whole

@@ -7,14 +7,14 @@ from collections.abc import Callable, Generator, Mapping
 from contextlib import closing
 from pathlib import Path
 
+from bounce_grader.classroom.grading import results
+from bounce_grader.classroom.grading.log import Log
+from bounce_grader.classroom.grading.progress import progress
+from bounce_grader.classroom.grading.request import Request
+from bounce_grader.classroom.grading.summary import of_result, Summary
+from bounce_grader.classroom.grading.task import Task
+from bounce_grader.classroom.grading.unit import Outcome
 from bounce_grader.classroom.intake.student import Student
-from bounce_grader.classroom.work import results
-from bounce_grader.classroom.work.log import Log
-from bounce_grader.classroom.work.progress import progress
-from bounce_grader.classroom.work.request import Request
-from bounce_grader.classroom.work.summary import of_result, Summary
-from bounce_grader.classroom.work.task import Task
-from bounce_grader.classroom.work.unit import Outcome
 
 TRIES = 3  # of a grading if the kit fails
 Engine = Callable[[list[Task]], Generator[tuple[Task, Outcome], None, None]]
@@ -87,9 +87,9 @@ def summarize(
 def _engine(request: Request) -> Engine:
     jobs = request.jobs or os.cpu_count() or 1
     if request.engine == "dask":
-        from bounce_grader.classroom.work import engine_dask
+        from bounce_grader.classroom.grading import engine_dask
 
         return lambda tasks: engine_dask.run(tasks, request.scheduler, request.unit)
-    from bounce_grader.classroom.work import engine_local
+    from bounce_grader.classroom.grading import engine_local
 
     return lambda tasks: engine_local.run(tasks, jobs, request.unit)

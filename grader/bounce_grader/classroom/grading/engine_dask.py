@@ -7,8 +7,8 @@ from concurrent.futures import CancelledError
 from contextlib import suppress
 from typing import Any
 
-from bounce_grader.classroom.work.task import Task
-from bounce_grader.classroom.work.unit import run as run_unit, Outcome
+from bounce_grader.classroom.grading.task import Task
+from bounce_grader.classroom.grading.unit import run as run_unit, Outcome
 from bounce_grader.common.errors import KitError, UsageError
 
 LOST_WORKERS = 3  # that a grading may crash before it counts as a failure of the kit
@@ -71,9 +71,9 @@ def _require_the_kit(client: Any) -> None:
 
 
 def _try_import() -> str:
-    import bounce_grader.classroom.work.unit
+    import bounce_grader.classroom.grading.unit
 
-    return bounce_grader.classroom.work.unit.__name__
+    return bounce_grader.classroom.grading.unit.__name__
 
 
 def _outcome(task: Task, future: Any) -> Outcome:

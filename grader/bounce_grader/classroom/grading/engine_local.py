@@ -16,8 +16,8 @@ from multiprocessing.connection import Connection
 from multiprocessing.context import ForkServerContext
 from multiprocessing.process import BaseProcess
 
-from bounce_grader.classroom.work.task import Task
-from bounce_grader.classroom.work.unit import run as run_unit, Outcome
+from bounce_grader.classroom.grading.task import Task
+from bounce_grader.classroom.grading.unit import run as run_unit, Outcome
 from bounce_grader.common.errors import UsageError
 
 TO_CLEAN_UP = 3.0  # seconds in which a terminated grading can remove its files

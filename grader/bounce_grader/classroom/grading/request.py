@@ -4,9 +4,9 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from bounce_grader.classroom.work import unit as units
-from bounce_grader.classroom.work.task import Task
-from bounce_grader.classroom.work.unit import Outcome
+from bounce_grader.classroom.grading import unit as units
+from bounce_grader.classroom.grading.task import Task
+from bounce_grader.classroom.grading.unit import Outcome
 
 
 @dataclass(frozen=True)
