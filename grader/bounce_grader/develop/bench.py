@@ -5,7 +5,6 @@ import os
 import resource
 import statistics
 import subprocess
-import sys
 import tempfile
 import time
 import zipfile
@@ -179,6 +178,6 @@ def _seconds(command: list[str], allowed: tuple[int, ...] = (0,)) -> float:
     start = time.monotonic()
     done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
     if done.returncode not in allowed:
-        print(done.stdout.decode(errors="replace"), file=sys.stderr)
-        raise KitError(f"{command[0]} ended with status {done.returncode}")
+        last = done.stdout.decode(errors="replace").strip().rpartition("\n")[2]
+        raise KitError(f"{command[0]} ended with status {done.returncode}: {last}")
     return time.monotonic() - start
