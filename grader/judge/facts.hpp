@@ -10,9 +10,8 @@
 //   "quantities" the wrong ones: {"name", "unit", "got", "right", "expected"}, matrices by rows;
 //                "right" has a bool for each entry
 //   "scene"      if a picture needs it: {"l", "m", "g", "dt", "delta", "q", "v"}
-//   "path"       part 4: {"first", "got", "columns", "expected"}, configurations by column from 0
-//   on
-//                ("expected" only those of "columns"); first is the first wrong column
+//   "path"       part 4: {"first", "got", "columns", "expected"}: the first wrong column, and
+//                configurations by column from 0 on ("expected" only those of "columns")
 //
 // "contact" and "expected" would tell the answer to a hidden case. A number that isn't finite is
 // "nan", "inf" or "-inf".

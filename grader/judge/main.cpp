@@ -45,7 +45,7 @@ namespace {
 
 using nlohmann::json;
 
-json reported;  // of the check that failed last
+json reported;  // of the running check, if it failed
 constexpr const char* kReported = "reported";
 
 struct Options {
@@ -102,6 +102,8 @@ class Verdicts : public testing::EmptyTestEventListener {
   std::string kit_failure;
 
  private:
+  void OnTestStart(const testing::TestInfo&) override { reported = nullptr; }
+
   void OnTestEnd(const testing::TestInfo& test) override {
     for (int i = 0; i < test.result()->total_part_count(); ++i) {
       const std::string message = test.result()->GetTestPartResult(i).message();

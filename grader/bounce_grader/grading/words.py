@@ -64,7 +64,7 @@ def counts(failure: Facts) -> str:
 
 def _answer(verdict: Verdict, failure: Facts, shown: bool) -> Iterator[str]:
     if failure["sentence"]:
-        yield f"  got      {verdict.end if verdict.ended else failure['sentence']}"
+        yield f"  got      {verdict.end if failure['ended_at'] else failure['sentence']}"
     for quantity in failure["quantities"]:
         name, unit = f"{quantity['name']} = ", f"  {quantity['unit']}"
         indent = 11 + len(name)

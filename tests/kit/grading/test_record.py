@@ -91,6 +91,15 @@ def test_one_crash_is_told_once() -> None:
     assert last["message"] == f"ended at case 9 of 9, with 8 right before it; {whole}8"
 
 
+def test_a_crash_when_asked_again_hides_no_exception_of_before() -> None:
+    """The case that is told threw; the program ended only later, in the other order."""
+    facts = failure(sentence="the program threw x")
+    first, *_ = judged(
+        *[Verdict(False, "crashed", "out of range", "", "a.cpp:7", facts)] * len(IDS)
+    )
+    assert first["message"].endswith("got      the program threw x")
+
+
 @pytest.mark.golden
 def test_a_wrong_quantity_is_laid_out_with_its_wrong_entries_in_brackets() -> None:
     rows = {
