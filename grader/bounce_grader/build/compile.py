@@ -109,13 +109,13 @@ class _Compiling(NamedTuple):
         self.submission.write_to(folder, names)
         self.box.give(folder)
         try:
-            return self._made(names, more, folder, made, place)
+            return self._made(more, folder, made, place)
         finally:
             # At once: those of all files together may not fit into the temporary folder.
             shutil.rmtree(folder)
             made.unlink(missing_ok=True)
 
-    def _made(self, names: list[str], more: bool, folder: Path, made: Path, place: Path) -> Built:
+    def _made(self, more: bool, folder: Path, made: Path, place: Path) -> Built:
         clang = compiler.clang(self.file, self.submission, self.timed)
         first = result = self._run(clang, folder, made, ())
         if more and compiler.misses_a_file(first):
