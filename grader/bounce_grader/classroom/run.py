@@ -20,10 +20,16 @@ from bounce_grader.classroom.intake.canvas import is_name_of
 from bounce_grader.classroom.intake.canvas_api import Canvas
 from bounce_grader.classroom.intake.roster import Roster
 from bounce_grader.classroom.intake.student import Class, Student
-from bounce_grader.classroom.output import canvas_upload, final, outputs, page
+from bounce_grader.classroom.output import canvas_upload, final, outputs, page, table
 from bounce_grader.classroom.output.final import Rules
 from bounce_grader.classroom.output.gradebook import Gradebook
-from bounce_grader.classroom.output.worksheet import is_worksheet, Worksheet
+from bounce_grader.classroom.output.gradebook_canvas import CanvasGradebook
+from bounce_grader.classroom.output.gradebook_others import (
+    BlackboardWorksheet,
+    is_blackboard,
+    is_moodle,
+    MoodleWorksheet,
+)
 from bounce_grader.common.errors import KitError, UsageError
 from bounce_grader.common.escaping import printable_name, terminal
 from bounce_grader.common.files import remove_abandoned
@@ -46,7 +52,7 @@ def run(request: Request) -> int:
 
 def _whole(request: Request) -> int:
     book = _gradebook(request)
-    others = book.people(canvas_ids_only=False) if book else {}
+    others = book.people(own_ids_only=False) if book else {}
     same_person = book.same_person() if book else {}
     listed = roster.read(request.out).named(others, same_person)
     own = (course.read(request.out), listed, adjustments.read(request.out))
@@ -94,7 +100,7 @@ def _whole(request: Request) -> int:
 def _run(
     request: Request,
     intake: Class,
-    book: Gradebook | Worksheet | None,
+    book: Gradebook | None,
     log: Log,
     rules: Rules,
     left_out: list[str],
@@ -170,9 +176,7 @@ def _to_canvas(request: Request, canvas: Canvas, intake: Class, summaries: list[
     return 0
 
 
-def _require_the_same_service(
-    request: Request, book: Gradebook | Worksheet | None, intake: Class
-) -> None:
+def _require_the_same_service(request: Request, book: Gradebook | None, intake: Class) -> None:
     """Raises UsageError if the submissions and the grade book come from different services, where
     the same id can be that of different students."""
     if book and intake.service and book.service != intake.service:
@@ -182,7 +186,7 @@ def _require_the_same_service(
         )
 
 
-def _name_persons(intake: Class, book: Gradebook | Worksheet | None, listed: Roster) -> None:
+def _name_persons(intake: Class, book: Gradebook | None, listed: Roster) -> None:
     """Gives each submission the name of its person, as the roster or the grade book has it. In a
     Canvas download, a group has the id of one of its members, but a name of its own."""
     people = book.people(intake.service == "canvas") if book else {}
@@ -202,10 +206,10 @@ def _name_persons(intake: Class, book: Gradebook | Worksheet | None, listed: Ros
     intake.students.sort(key=lambda student: (student.shown.casefold(), student.id))
 
 
-def _find_out_lateness(intake: Class, book: Gradebook | Worksheet | None) -> bool:
+def _find_out_lateness(intake: Class, book: Gradebook | None) -> bool:
     """Gives each submission the lateness that the grade book has. Returns whether the service tells
     who was late."""
-    late = book.days_late() if isinstance(book, Worksheet) else {}
+    late = book.days_late() if book else {}
     intake.students = [
         replace(s, late=late[s.id] != 0, late_days=late[s.id] or 0) if s.id in late else s
         for s in intake.students
@@ -233,20 +237,17 @@ def _tasks(request: Request, chosen: list[Student], stamp: Stamp, folder: Path) 
     return {id: timed[id] if timed[id].key in there else task for id, task in tasks.items()}
 
 
-def _gradebook(request: Request) -> Gradebook | Worksheet | None:
+def _gradebook(request: Request) -> Gradebook | None:
     """The grade book, which is read and checked before anything is graded or written."""
     if request.gradebook is None:
         return None
     if request.gradebook.resolve() == _filled_in(request).resolve():
         raise UsageError(f"{request.gradebook} would be overwritten: give another folder as --out")
     max_points = {0: sum(part.points for part in parts()), **{p.number: p.points for p in parts()}}
-    if is_worksheet(request.gradebook):
-        if request.columns.keys() - {0}:
-            raise UsageError("--part-column fills Canvas's export alone: leave it out")
-        return Worksheet(request.gradebook, request.columns.get(0, ""), max_points[0])
-    if 0 not in request.columns:
-        raise UsageError("--gradebook needs --column, the title of the column to fill")
-    return Gradebook(request.gradebook, request.columns, max_points)
+    file = table.read(request.gradebook)
+    services = [(is_blackboard, BlackboardWorksheet), (is_moodle, MoodleWorksheet)]
+    kind = next((book for wrote, book in services if wrote(file)), CanvasGradebook)
+    return kind(file, request.gradebook.name, request.columns, max_points)
 
 
 def _filled_in(request: Request) -> Path:
@@ -255,13 +256,11 @@ def _filled_in(request: Request) -> Path:
     return request.out / f"gradebook{own if own in ('.xls', '.txt') else '.csv'}"
 
 
-def _require_students_of(
-    book: Gradebook | Worksheet, request: Request, intake: Class, listed: Roster
-) -> None:
+def _require_students_of(book: Gradebook, request: Request, intake: Class, listed: Roster) -> None:
     ids = [student.id for student in intake.students]
     members = [member.id for student in intake.students for member in listed.members_of(student)]
     if members:
-        book.require_some_of(members, canvas_ids_only=False)
+        book.require_some_of(members, own_ids_only=False)
         return
     if all(id.startswith("anon_") for id in ids):
         raise UsageError(
@@ -270,7 +269,7 @@ def _require_students_of(
             "post the grades in Canvas, and download the submissions again; or leave --gradebook "
             "out"
         )
-    book.require_some_of(ids, canvas_ids_only=intake.service == "canvas")
+    book.require_some_of(ids, own_ids_only=intake.service == "canvas")
 
 
 @contextmanager

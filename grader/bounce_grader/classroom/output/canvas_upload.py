@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 from bounce_grader.classroom.grading.summary import Summary
 from bounce_grader.classroom.intake.canvas_api import Canvas, Refused
 from bounce_grader.classroom.intake.student import Unmatched
-from bounce_grader.classroom.output import filling
+from bounce_grader.classroom.output import gradebook
 from bounce_grader.common.escaping import terminal
 from bounce_grader.common.files import write_whole
 from bounce_grader.common.numbers import short
@@ -54,12 +54,12 @@ def plan(
                 continue
             done = uploaded.get(one.id, {})
             before, points = there.get("score"), round(one.points[0], 2)
-            ours = before is None or filling.is_ours(before, points, done.get("points", []))
+            ours = before is None or gradebook.is_ours(before, points, done.get("points", []))
             posted: float | None = points if before != points else None
             if there.get("excused"):
                 posted = None
             elif posted is not None and not ours and not overwrite:
-                why = filling.kept(short(before or 0.0), short(points))
+                why = gradebook.kept(short(before or 0.0), short(points))
                 kept.append(f"{one.name} ({one.id}) {why}")
                 posted = None
             page = summary.student.feedback
