@@ -6,7 +6,6 @@ stopped, and no comment is posted twice.
 
 import hashlib
 import json
-import secrets
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -155,18 +154,8 @@ def _upload(canvas: Canvas, path: str, file: Path) -> int:
         url, fields = str(told["upload_url"]), dict(told["upload_params"])
     except (KeyError, TypeError, ValueError):
         raise Refused("it names no address for the page") from None
-    border = secrets.token_hex(16)
-    parts = [
-        f'--{border}\r\nContent-Disposition: form-data; name="{name}"\r\n\r\n{value}\r\n'.encode()
-        for name, value in fields.items()
-    ]
-    head = (
-        f'--{border}\r\nContent-Disposition: form-data; name="file"; filename="feedback.html"\r\n'
-    )
-    parts += [head.encode(), b"Content-Type: text/html\r\n\r\n", data]
-    parts.append(f"\r\n--{border}--\r\n".encode())
-    kind = f"multipart/form-data; boundary={border}"
-    body, _ = canvas.request("POST", url, b"".join(parts), kind)
+    page = {"file": ("feedback.html", data, "text/html")}
+    body, _ = canvas.request("POST", url, data=fields, files=page)
     try:
         return int(json.loads(body)["id"])
     except (KeyError, TypeError, ValueError):
