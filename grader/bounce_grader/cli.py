@@ -21,23 +21,18 @@ def main(arguments: list[str]) -> int:
         finally:
             sys.stdout.flush()
     except UsageError as error:
-        print(f"kit: {_plain(error)}", file=sys.stderr)
+        print(f"kit: {_plain(str(error))}", file=sys.stderr)
         return 2
-    except KitError as error:
-        print(f"kit: the kit itself failed: {_plain(error)}", file=sys.stderr)
-        return 3
     except KeyboardInterrupt:
         print("kit: stopped", file=sys.stderr)
         return 130
     except BrokenPipeError:  # the reader closed the pipe, as `| head` does
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 141
-    except OSError as error:
-        print(f"kit: the kit itself failed: {_plain(error)}", file=sys.stderr)
-        return 3
     except Exception as error:  # an unforeseen fault of the kit must not end as a low score
-        kind = type(error).__name__
-        print(f"kit: the kit itself failed: {kind}: {_plain(error)}", file=sys.stderr)
+        known = isinstance(error, KitError | OSError)
+        words = str(error) if known else f"{type(error).__name__}: {error}"
+        print(f"kit: the kit itself failed: {_plain(words)}", file=sys.stderr)
         return 3
 
 
@@ -47,14 +42,14 @@ def check_manifest() -> int:
     try:
         parts()
     except UsageError as error:
-        print(f"kit: {_plain(error)}", file=sys.stderr)
+        print(f"kit: {_plain(str(error))}", file=sys.stderr)
         return 2
     return 0
 
 
-def _plain(error: Exception) -> str:
+def _plain(message: str) -> str:
     """Escapes an error's message, which may hold names of files and output of programs."""
-    return "\n".join(map(terminal, printable_text(str(error)).split("\n")))
+    return "\n".join(map(terminal, printable_text(message).split("\n")))
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -141,10 +136,12 @@ def _parser() -> argparse.ArgumentParser:
 
 
 def _grade(options: argparse.Namespace) -> int:
+    from bounce_grader.common.files import write_whole
     from bounce_grader.formats import terminal
     from bounce_grader.grading.grade import grade, Options
     from bounce_grader.grading import previous
     from bounce_grader.grading.record import with_answers
+    from bounce_grader.sandbox.box import kinds
 
     if options.format and options.json == "-":
         raise UsageError("--format and --json - both write to standard output: give one")
@@ -152,10 +149,9 @@ def _grade(options: argparse.Namespace) -> int:
     if not folder.is_dir():
         raise UsageError(f"{options.json} can't be written: there is no folder {folder}")
     earlier = previous.read(options.before) if options.before else None
+    acceptable = (options.require_box,) if options.require_box else kinds(options.trust_submission)
+    wanted = Options(acceptable, options.speed, not options.no_sanitize, answers=options.reveal)
     try:
-        wanted = Options(
-            _boxes(options), options.speed, not options.no_sanitize, answers=options.reveal
-        )
         record = previous.compared(grade(options.submission, wanted), earlier)
     except UsageError as error:
         refused = formats.refused(options.format, str(error))
@@ -172,26 +168,11 @@ def _grade(options: argparse.Namespace) -> int:
     else:
         terminal.show(record)
     if options.json not in (None, "-"):
-        _write(Path(options.json), text + "\n")
+        try:
+            write_whole(Path(options.json), text + "\n")
+        except OSError as error:
+            raise UsageError(f"{options.json} can't be written: {error.strerror}") from error
     return int(options.min_score is not None and record["score"] < options.min_score)
-
-
-def _boxes(options: argparse.Namespace) -> tuple[str, ...]:
-    from bounce_grader.sandbox.box import kinds
-
-    if options.require_box:
-        return (options.require_box,)
-    return kinds(options.trust_submission)
-
-
-def _write(path: Path, text: str) -> None:
-    """Writes a file whole or not at all."""
-    from bounce_grader.common.files import write_whole
-
-    try:
-        write_whole(path, text)
-    except OSError as error:
-        raise UsageError(f"{path} can't be written: {error.strerror}") from error
 
 
 def _gradescope(options: argparse.Namespace) -> int:

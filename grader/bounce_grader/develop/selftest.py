@@ -3,6 +3,7 @@
 import os
 import subprocess
 import sys
+import tempfile
 import time
 from collections.abc import Callable
 from typing import NamedTuple
@@ -10,17 +11,12 @@ from typing import NamedTuple
 from bounce_grader.common.errors import UsageError
 from bounce_grader.common.parallel_map import parallel_map
 from bounce_grader.common.paths import BUILD, ROOT
-from bounce_grader.develop import fuzz
 from bounce_grader.grading.fixtures import hidden_folder
 from bounce_grader.publish import fixtures
 
-CPP = (
-    "student",
-    "solution",
-    "grader",
-    "tests/parts",
-    "tests/kit",
-)
+CPP = ("student", "solution", "grader", "tests/parts", "tests/kit")
+READERS = ("frames", "fixtures", "terminations")
+FUZZERS = ROOT / "build" / "fuzz"
 PYTHON = ("grader/bounce_grader", "tests", "solution")
 WORKERS = (os.cpu_count() or 1) + 2  # much of the tests' time is waiting
 
@@ -77,7 +73,7 @@ def _steps(is_long: bool) -> list[Step]:
         Step("C++ tests", _ctest),
         Step("lint: clang-tidy", lambda: _clang_tidy(is_long)),
         Step("C++ tests with sanitizers", _sanitized, True, True),
-        Step("C++ readers with a million inputs each", fuzz.run, True, True),
+        Step("C++ readers with a million inputs each", _fuzzed, True, True),
     ]
 
 
@@ -94,20 +90,9 @@ def _quietly(*words: str) -> int:
     return done.returncode
 
 
-def _sources(*patterns: str) -> list[str]:
-    """The C++ files in these folders, or that match these patterns."""
-    sources: set[str] = set()
-    for pattern in patterns:
-        path = ROOT / pattern
-        if path.is_dir():
-            sources |= {str(f) for suffix in ("cpp", "hpp") for f in path.rglob(f"*.{suffix}")}
-        else:
-            sources |= {str(f) for f in ROOT.glob(pattern)}
-    return sorted(sources)
-
-
 def _clang_format() -> int:
-    return _command("clang-format", "--dry-run", "-Werror", *_sources(*CPP))
+    sources = (file for folder in CPP for file in sorted((ROOT / folder).rglob("*.?pp")))
+    return _command("clang-format", "--dry-run", "-Werror", *map(str, sources))
 
 
 def _clang_tidy(is_long: bool) -> int:
@@ -141,6 +126,26 @@ def _sanitized() -> int:
         or _quietly("ninja", "-C", folder, "cpp_tests")
         or _quietly("ctest", "--test-dir", folder, "--output-on-failure", "-j", str(WORKERS))
     )
+
+
+def _fuzzed() -> int:
+    """Gives each C++ reader of untrusted data a million inputs, by tests/kit/fuzz/. One that makes
+    it fail is stored in build/fuzz/inputs/. The Python readers have theirs in test_readers.py
+    there."""
+    programs = [f"fuzz_{name}" for name in READERS]
+    if _quietly("cmake", "--preset", "fuzz") or _quietly("ninja", "-C", str(FUZZERS), *programs):
+        return 1
+    (FUZZERS / "inputs").mkdir(exist_ok=True)
+    return max(parallel_map(_with_libfuzzer, programs, os.cpu_count() or 1))
+
+
+def _with_libfuzzer(program: str) -> int:
+    """libFuzzer mutates inputs to reach new code. The seed is fixed."""
+    options = ["-runs=1000000", "-seed=1", "-timeout=10", "-max_len=8192"]
+    options += [f"-artifact_prefix={FUZZERS}/inputs/{program}-"]
+    with tempfile.TemporaryDirectory() as seeds:  # libFuzzer adds inputs to it
+        subprocess.run([BUILD / program, "--seeds", seeds], check=True)
+        return _quietly(str(FUZZERS / program), *options, seeds)
 
 
 def _pytest(is_long: bool) -> int:

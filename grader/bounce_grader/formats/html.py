@@ -3,12 +3,10 @@
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from bounce_grader.assignment import picture
 from bounce_grader.common import numbers
-from bounce_grader.common.chart_style import STYLE
-from bounce_grader.formats import case, sentences, speed_chart
+from bounce_grader.formats import case, figures, sentences
 from bounce_grader.formats.templates import fill
-from bounce_grader.grading import speed
+from bounce_grader.grading import hints, speed
 from bounce_grader.grading.record import Record
 
 MOST_UNUSED = 20  # names of unused files on a page
@@ -42,10 +40,10 @@ def render(
         unused=_unused(record, unused),
         in_the_end=in_the_end,
         case=case,
-        chart=speed_chart,
-        chart_style=STYLE,
+        chart_style=figures.STYLE,
+        figures=figures,
+        hints=hints,
         numbers=numbers,
-        picture=picture,
         sentences=sentences,
     )
 

@@ -13,7 +13,7 @@ from bounce_grader.grading.judging import Judged
 from bounce_grader.grading.words import Verdict
 from bounce_grader.sandbox.box import Box
 from bounce_grader.sandbox.budget import Budget, Overrun
-from bounce_grader.submission.submission import Submission
+from bounce_grader.submission.submission import Place, Submission
 
 CPU_SECONDS, WALL_SECONDS = 20.0, 80.0  # for one part
 MARGIN = 5.0  # s, to stop it
@@ -41,23 +41,27 @@ def with_cause(
     return judged._replace(verdicts=verdicts)
 
 
-def remark(part: Part, taken: Submission, work: Path, box: Box) -> str:
-    """What the sanitizers find in a part with all points, in the public cases; empty if nothing."""
+def remark(part: Part, taken: Submission, work: Path, box: Box) -> tuple[str, Place | None] | None:
+    """What the sanitizers find in a part with all points, in the public cases, and where; None if
+    nothing."""
     again = _again(part, taken, work, None, box)
     verdicts = again.verdicts if again else {}
     for verdict in verdicts.values():
         if verdict.by == "sanitizer":
-            by_auto = _by_auto(verdict.ended, verdict.place, taken)
-            return by_auto or f"{verdict.place or part.file}: {verdict.ended}"
+            place = _of_auto(verdict, taken)
+            if place:
+                return f"{place}: {AUTO_KEEPS}", place
+            return f"{verdict.place or part.file}: {verdict.ended}", verdict.place
     for check in part.checks if again else []:
         verdict = verdicts[check.id]
         answered = verdict.status == "graded" and (verdict.failure or {}).get("quantities")
         if not verdict.passed and answered:
-            return (
+            words = (
                 f'{part.file}: built with g++ and its sanitizers, it fails "{check.title}": does '
                 "it use a value that was never set, or that is gone?"
             )
-    return ""
+            return words, None
+    return None
 
 
 def _again(
@@ -92,26 +96,24 @@ def _with_finding(verdict: Verdict, again: Verdict) -> Verdict:
     return verdict._replace(found=again.end)
 
 
-def _by_auto(what: str, place: str, taken: Submission) -> str:
-    """The remark where `auto` keeps what the statement at a place uses when it is gone, with the
-    line of the `auto` if only one may be it; else empty."""
-    file, _, number = place.rpartition(":")
-    if not what.startswith(GONE) or file not in taken.files:
-        return ""
-    text = taken.files[file].decode("utf-8", "replace")
-    lines = text.splitlines(keepends=True)
-    at = len("".join(lines[: int(number) - 1]))
+def _of_auto(verdict: Verdict, taken: Submission) -> Place | None:
+    """The place of the `auto` that keeps what the statement at the verdict's place uses when it is
+    gone; that place itself if several may; None if none does. As place_of_auto in the handout's
+    given/check/compiler_words.cpp."""
+    place = verdict.place
+    if not place or not verdict.ended.startswith(GONE):
+        return None
+    text = taken.files[place.file].decode("utf-8", "replace")
+    at = len("".join(text.splitlines(keepends=True)[: place.line - 1]))
     begin = max(text.rfind(sign, 0, at) for sign in ";{}") + 1
     used = text[begin : at + (text[at:] + ";").index(";")]
-    function = max(text.rfind("\n}", 0, at), 0)
     kept = []
-    for found in reversed([*KEPT.finditer(text, function, at)]):  # one may keep another
+    for found in reversed([*KEPT.finditer(text, max(text.rfind("\n}", 0, at), 0), at)]):
         if re.search(rf"\b{found[1]}\b", used):
-            used += found[2]
+            used += found[2]  # one may keep another
             kept.append(found)
     temporary = [found for found in kept if "M()" in found[2]]
     likely = temporary or [found for found in kept if MAY_REFER.match(found[2])]
-    if not likely:
-        return ""
-    line = text.count("\n", 0, likely[0].start()) + 1 if len(likely) == 1 else int(number)
-    return f"{file}:{line}: {AUTO_KEEPS}"
+    if len(likely) == 1:
+        return Place(place.file, text.count("\n", 0, likely[0].start()) + 1)
+    return place if likely else None

@@ -7,7 +7,7 @@ import json
 import math
 from collections.abc import Iterator
 
-from bounce_grader.common.chart_style import WORDS
+from bounce_grader.formats.figures import WORDS
 from bounce_grader.common.paths import ROOT, SCENES
 
 STUDIED = ("tumble", "oblique_bounce", "slide")
