@@ -7,7 +7,6 @@ from functools import cache
 from typing import Any, NamedTuple
 
 from bounce_grader.common.errors import UsageError
-from bounce_grader.common.numbers import short
 from bounce_grader.common.paths import ROOT
 
 NAME = "grader/parts.json"
@@ -98,8 +97,8 @@ def _problems(found: Any) -> Iterator[str]:
         total = sum(check["points"] for check in part["checks"])
         if not math.isclose(total, part["points"], abs_tol=1e-9):
             yield (
-                f"part {number} gives {short(part['points'])} points, and its checks "
-                f"{short(total)} together: make them equal"
+                f"part {number} gives {part['points']:g} points, and its checks {total:g} "
+                "together: make them equal"
             )
     if not sum(part["points"] for part in found):
         yield "all checks together give no points"

@@ -14,7 +14,7 @@ from bounce_grader.common.files import remove_unlocked, temporary_folder
 from bounce_grader.common.manifest import parts, Part
 from bounce_grader.common.parallel_map import parallel_map
 from bounce_grader.common.paths import STUBS, WORK_FOLDER
-from bounce_grader.grading import fixtures, judging, record, sanitizing, speed
+from bounce_grader.grading import fixtures, judging, record, sanitizing
 from bounce_grader.grading.judging import Judged
 from bounce_grader.grading.record import Record
 from bounce_grader.sandbox import box as boxes
@@ -211,6 +211,8 @@ def _require_working_kit(box: Box) -> None:
 def _speed(grading: _Grading) -> Record:
     """Times the submission beside the solution, if its parts link together and the grading has time
     left; and adds the largest error over all public cases."""
+    from bounce_grader.grading import speed
+
     results = grading.results.values()
     errors = [judged.largest_error for judged in results if isinstance(judged, Judged)]
     known = [error for error in errors if error is not None]
