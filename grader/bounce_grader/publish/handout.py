@@ -10,7 +10,7 @@ from pathlib import Path
 
 from bounce_grader.common.paths import HANDOUT, ROOT
 from bounce_grader.grading.fixtures import PUBLIC
-from bounce_grader.publish import archive, handout_measured, handout_page, handout_study
+from bounce_grader.publish import archive, handout_data, handout_page
 from bounce_grader.publish.points import with_points
 
 TOP = "bounce"  # the folder in the zip
@@ -41,8 +41,8 @@ def contents() -> dict[str, bytes]:
     """What the zip holds, by path in it: these files, the pages made of Markdown, and the numbers
     of the study and of measured impacts."""
     made = {f"{name}.html": handout_page.page(HANDOUT / f"{name}.md") for name in PAGES}
-    made["fixtures/study.txt"] = handout_study.text().encode()
-    made["fixtures/measured.txt"] = handout_measured.text().encode()
+    made["fixtures/study.txt"] = handout_data.study().encode()
+    made["fixtures/measured.txt"] = handout_data.measured().encode()
     held = {name: _as_handed_out(file) for name, file in files().items()}
     return dict(sorted({**held, **made}.items()))
 
