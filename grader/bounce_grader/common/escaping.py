@@ -4,7 +4,7 @@ harmless for its destination. Each destination has one function, and all such te
     the score record      printable_text(text), printable_name(text)
     a terminal or a log   terminal(text)
     HTML and SVG          html(text)              between tags, or in a quoted attribute;
-                                                  formats/templates.py calls it for each value
+                                                  formats/html.py calls it for each value
     JSON or XML           printable(text)         before a library writes them; then
                           json_document(value), xml_document(text)
     CSV                   csv_row(values)         a whole line

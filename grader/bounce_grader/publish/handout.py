@@ -11,7 +11,7 @@ from pathlib import Path
 from bounce_grader.common.paths import HANDOUT, ROOT
 from bounce_grader.grading.fixtures import PUBLIC
 from bounce_grader.publish import archive, handout_data, handout_page
-from bounce_grader.publish.points import with_points
+from bounce_grader.publish.handout_page import with_points
 
 TOP = "bounce"  # the folder in the zip
 TESTS = ("*.?pp", "linked/*.?pp")

@@ -17,7 +17,7 @@ from bounce_grader.common.escaping import first_few, printable_name
 from bounce_grader.common.manifest import named_together, part_of, parts
 from bounce_grader.common.numbers import percent, scientific, short
 from bounce_grader.formats.figures import Drawing, NAMES, ON_PAPER
-from bounce_grader.formats.templates import fill
+from bounce_grader.formats.html import fill
 from bounce_grader.grading import speed
 from bounce_grader.grading.hints import nudge, of_check
 from bounce_grader.grading.known_mistakes import for_the_instructor
