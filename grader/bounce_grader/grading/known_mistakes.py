@@ -86,16 +86,9 @@ def read(folder: Path) -> Mistake:
     numbers = tuple(int(number) for number in match["equations"].split(", "))
     if not set(numbers) <= _equations():
         raise KitError(f"{file} names an equation that student/README.md hasn't")
-    return Mistake(
-        folder.name,
-        match["title"],
-        match["sentence"],
-        numbers,
-        match["hint"],
-        match["instructor"],
-        tuple(written["lost"]),
-        written.get("recognised_as", folder.name),
-    )
+    found: dict[str, Any] = match.groupdict() | {"name": folder.name, "equations": numbers}
+    twin = written.get("recognised_as", folder.name)
+    return Mistake(**found, lost=tuple(written["lost"]), recognised_as=twin)
 
 
 def _text(file: Path, what: str) -> str:

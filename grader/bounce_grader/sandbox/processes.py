@@ -108,10 +108,13 @@ def run(
             given = _in_memory(stdin)
             stack.callback(os.close, given)
         process = _started((limits.prefix() if limits else []) + words, given, cwd, descriptors)
-        try:
-            result = _collect(process, limits)
-        finally:
-            _end(process)
+        with process:  # closes its streams
+            try:
+                result = _collect(process, limits)
+            except BaseException:
+                if process.poll() is None:
+                    _stop(process)
+                raise
         report = _reported(status) if STATUS in command else MADE
     if SHORT in report:
         raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), str(output))
@@ -228,11 +231,3 @@ def _stop(process: subprocess.Popen[bytes]) -> None:
     except subprocess.TimeoutExpired:
         os.killpg(process.pid, signal.SIGKILL)
         process.wait()
-
-
-def _end(process: subprocess.Popen[bytes]) -> None:
-    if process.poll() is None:
-        _stop(process)
-    for stream in (process.stdout, process.stderr):
-        if stream:
-            stream.close()
