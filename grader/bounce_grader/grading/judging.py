@@ -90,7 +90,8 @@ def read_answer(out: bytes, part: Part) -> Judged:
     leaves out are dropped. Raises KitError."""
     try:
         answer = _printable(json.loads(out, parse_constant=_no_number))
-        verdicts = {check.pop("id"): Verdict(**check) for check in answer["checks"]}
+        stacked = [check | {"stack": str(check["stack"])} for check in answer["checks"]]
+        verdicts = {check.pop("id"): Verdict(**check) for check in stacked}
         error, mistakes, patterns = (answer[k] for k in ("largest_error", "mistakes", "patterns"))
         sound = all(v.status in STATUSES and isinstance(v.passed, bool) for v in verdicts.values())
         sound = sound and len(verdicts) == len(answer["checks"])

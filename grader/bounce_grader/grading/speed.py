@@ -75,7 +75,7 @@ def _scene(scene: Any) -> Measured:
 def _point(point: Any) -> Measured:
     error = point["error"]
     if error is not None:  # otherwise it isn't finite; or it is huge
-        error = None if error > LARGEST else float(f"{error:.3e}")
+        error = None if error > LARGEST else error and float(f"{_size(error):.3e}")
     return {"dt": _size(point["dt"]), "ns": _size(point["ns"]), "error": error}
 
 
