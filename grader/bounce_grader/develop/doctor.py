@@ -10,7 +10,7 @@ import tempfile
 import sys
 import time
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import IO
@@ -22,6 +22,7 @@ from bounce_grader.sandbox.box import problem_of, Box
 
 Attempt = list[str]
 PLACES = ("compile", "run", "check")
+WORDS = {True: "yes", False: "[bold]NO[/bold]", None: "-"}
 # A process above the box that holds the canary.
 ABOVE = ["/bin/sh", "-c", 'BOUNCE_DOCTOR="$0" "$@"; status=$?; kept="$0"; exit $status']
 WATCHING = processes.Limits(cpu_seconds=20, wall_seconds=90, memory=None, file_size=0)
@@ -70,17 +71,15 @@ def _in_box(box: Box, place: str, folder: Path, protections: list[Protection]) -
     if not problem and not attempt(box, place, folder, ["nothing"])[0]:
         problem = "the probe doesn't start"
     for protection in protections:
-        if place not in protection.places:
-            continue
-        if problem:
+        if place in protection.places and problem:
             yield Finding(protection.title, f"{box.kind} {place}", None, problem)
-            continue
-        above = [*ABOVE, protection.canary] if protection.canary else []
-        outcomes = [attempt(box, place, folder, words, above) for words in protection.attempts]
-        held = not any(could for could, _ in outcomes)
-        held = protection.outside() if protection.outside else held
-        detail = "; ".join(answer for _, answer in outcomes)
-        yield Finding(protection.title, f"{box.kind} {place}", held, detail)
+        elif place in protection.places:
+            above = [*ABOVE, protection.canary] if protection.canary else []
+            outcomes = [attempt(box, place, folder, words, above) for words in protection.attempts]
+            held = not any(could for could, _ in outcomes)
+            held = protection.outside() if protection.outside else held
+            detail = "; ".join(answer for _, answer in outcomes)
+            yield Finding(protection.title, f"{box.kind} {place}", held, detail)
 
 
 def attempt(
@@ -106,9 +105,10 @@ def _bait() -> Iterator[list[Protection]]:
     """Sets up bait that the probe must not reach (files, a variable, a port, an open descriptor),
     and gives the protections to test."""
     marker = secrets.token_hex(16)
+    own = Path.home() if os.access(Path.home(), os.W_OK) else None
     with (
         tempfile.NamedTemporaryFile("w", prefix="bounce-bait-") as file,
-        tempfile.NamedTemporaryFile("w", prefix="bounce-bait-", dir=_home()) as home,
+        tempfile.NamedTemporaryFile("w", prefix="bounce-bait-", dir=own) as home,
         socket.create_server(("127.0.0.1", 0)) as server,
     ):
         os.set_inheritable(file.fileno(), True)
@@ -120,13 +120,13 @@ def _bait() -> Iterator[list[Protection]]:
 def _protections(marker: str, file: IO[str], home: IO[str], port: int) -> list[Protection]:
     hidden = [file.name, home.name, str(ROOT / "solution/src/part1_contacts.cpp"), "/etc/passwd"]
     me = str(os.getpid())
+    running = ("run", "check")
+    halves = [marker[:16], marker[16:]]  # so that the probe doesn't find its own command line
+    guesses = [["look-by-execve", path] for path in (hidden[0], "/no/such/file")]
+    memory = [[f"allocate{how}", "1100"] for how in ("", "-unmapped", "-late")]
     return [
         Protection("sees no file of yours", [["read", path] for path in hidden]),
-        Protection(
-            "can't tell whether a file is there",
-            [["look-by-execve", path] for path in (hidden[0], "/no/such/file")],
-            ("run", "check"),
-        ),
+        Protection("can't tell whether a file is there", guesses, running),
         Protection("sees no process of yours", [["read", f"/proc/{me}/environ"]]),
         Protection(
             "writes no file of yours",
@@ -134,15 +134,10 @@ def _protections(marker: str, file: IO[str], home: IO[str], port: int) -> list[P
             outside=lambda: all(os.path.getsize(path) == 0 for path in hidden[:2]),
         ),
         Protection("writes no large file", [["fill", "65"]]),
-        Protection("makes no file", [["file", "made"]], ("run", "check")),
+        Protection("makes no file", [["file", "made"]], running),
         Protection("has none of your variables", [["environment", "BOUNCE_DOCTOR"]], canary=marker),
-        # In two halves, so that the probe doesn't find its own command line.
         *(
-            Protection(
-                f"finds nothing in {title} above",
-                [[where, marker[:16], marker[16:]]],
-                canary=marker,
-            )
+            Protection(f"finds nothing in {title} above", [[where, *halves]], canary=marker)
             for where, title in (
                 ("environments", "environments"),
                 ("command-lines", "command lines"),
@@ -154,54 +149,42 @@ def _protections(marker: str, file: IO[str], home: IO[str], port: int) -> list[P
         Protection("reads none of its own messages", [["open-again", fd] for fd in ("1", "2")]),
         Protection("connects to nothing", [["connect", str(port)]]),
         Protection("signals no process of yours", [["signal", me]]),
-        Protection("sees no clock of your processes", [["clock", me]], ("run", "check")),
+        Protection("sees no clock of your processes", [["clock", me]], running),
         Protection(
             "can't tell whether a process is there",
             [["cpus", me], ["limits", me], ["count"]],
-            ("run", "check"),
+            running,
         ),
-        Protection("sets no limits", [["set-limit"]], ("run", "check")),
-        Protection("can't tell how full a disk is", [["disk"]], ("run", "check")),
+        Protection("sets no limits", [["set-limit"]], running),
+        Protection("can't tell how full a disk is", [["disk"]], running),
         Protection("can't tell how many pipes there are", [["pipe"]], ("run",)),
-        Protection("gives no advice on others' memory", ADVICE, ("run", "check")),
+        Protection("gives no advice on others' memory", ADVICE, running),
         Protection("traces no process of yours", [["trace", me]]),
         Protection("has no privileges", [["privileges"]]),
         Protection("makes no namespaces", [["namespace"]]),
-        Protection("starts no process", [["processes", "1"]], ("run", "check")),
+        Protection("starts no process", [["processes", "1"]], running),
         Protection("starts few processes", [["processes", "200"]], ("compile",)),
         Protection(
             "leaves nothing behind", [["daemon", marker]], outside=lambda: _no_process_has(marker)
         ),
-        Protection(
-            "is held to its memory",
-            [[f"allocate{how}", "1100"] for how in ("", "-unmapped", "-late")],
-            ("run", "check"),
-        ),
+        Protection("is held to its memory", memory, running),
         Protection("is held to its memory", [["allocate", "2200"]], ("compile",)),
         Protection("is held to its CPU time", [["spin", "3"]]),
         Protection("is held to its output", [["flood", "20"]]),
     ]
 
 
-def _home() -> str | None:
-    """The user's home folder; None if it can't be written to."""
-    return str(Path.home()) if os.access(Path.home(), os.W_OK) else None
-
-
 def _no_process_has(marker: str) -> bool:
     """Whether, within a second, no process has this word on its command line."""
     for _ in range(20):
-        if not any(marker.encode() in _command_line(p) for p in Path("/proc").glob("[0-9]*")):
+        lines = []
+        for process in Path("/proc").glob("[0-9]*"):
+            with suppress(OSError):  # it has ended
+                lines.append((process / "cmdline").read_bytes())
+        if not any(marker.encode() in line for line in lines):
             return True
         time.sleep(0.05)
     return False
-
-
-def _command_line(process: Path) -> bytes:
-    try:
-        return (process / "cmdline").read_bytes()
-    except OSError:
-        return b""
 
 
 def run() -> int:
@@ -209,28 +192,21 @@ def run() -> int:
     from rich.console import Console
     from rich.table import Table
 
-    all_findings = findings()
-    boxes = list(dict.fromkeys(finding.box for finding in all_findings))
-    by_place = {(f.protection, f.box): f for f in all_findings}
+    found = findings()
+    boxes = list(dict.fromkeys(finding.box for finding in found))
+    held = {(finding.protection, finding.box): WORDS[finding.held] for finding in found}
     table = Table(title="What holds here, tried for real")
     table.add_column("a submission …", no_wrap=True)
     for box in boxes:
         table.add_column(box.replace(" ", "\n"))
-    for title in dict.fromkeys(finding.protection for finding in all_findings):
-        cells = [by_place.get((title, box)) for box in boxes]
-        table.add_row(title, *("" if cell is None else _word(cell) for cell in cells))
+    for title in dict.fromkeys(finding.protection for finding in found):
+        table.add_row(title, *(held.get((title, box), "") for box in boxes))
+    lines = [f"{f.box}: {f.protection}: NO: {f.detail}" for f in found if f.held is False]
+    lines += dict.fromkeys(
+        f"{f.box}: can't be had here: {f.detail}" for f in found if f.held is None
+    )
     console = Console(file=sys.stdout)
     console.print(table)
-    for finding in all_findings:
-        if finding.held is False:
-            console.print(
-                f"{finding.box}: {finding.protection}: NO: {finding.detail}", markup=False
-            )
-    for box, why in dict.fromkeys((f.box, f.detail) for f in all_findings if f.held is None):
-        console.print(f"{box}: can't be had here: {why}", markup=False)
-    console.print(f"Submissions are compiled by {compiler()}.", markup=False, soft_wrap=True)
-    return int(not all(finding.held for finding in all_findings))
-
-
-def _word(finding: Finding) -> str:
-    return {True: "yes", False: "[bold]NO[/bold]", None: "-"}[finding.held]
+    for line in [*lines, f"Submissions are compiled by {compiler()}."]:
+        console.print(line, markup=False, soft_wrap=True)
+    return int(not all(finding.held for finding in found))

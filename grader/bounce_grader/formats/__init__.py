@@ -1,6 +1,6 @@
 """Makes reports from the score record: one module for each format, none of which starts a process.
 
-May import: assignment, common, grading, submission.
+May import: common, grading, submission.
 """
 
 from importlib import import_module

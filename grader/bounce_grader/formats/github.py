@@ -4,8 +4,6 @@ step. One output is the result that the action autograding-grading-reporter read
 import base64
 import json
 import os
-import re
-from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
@@ -13,7 +11,6 @@ from bounce_grader.common.errors import UsageError
 from bounce_grader.common.escaping import workflow
 from bounce_grader.common.numbers import out_of, short
 from bounce_grader.formats import markdown, sentences
-from bounce_grader.formats.sentences import Place
 from bounce_grader.grading.record import Record
 from bounce_grader.submission import folders
 
@@ -26,20 +23,20 @@ def render(record: Record, root: Path = Path()) -> str:
     repository."""
     files = _files(root)
     lines = [line for part in record["parts"] for line in _part(part, files)]
-    lines += [_command("warning", "Speed", sentence) for sentence in sentences.speed_words(record)]
+    lines += [workflow("warning", words, title="Speed") for words in sentences.speed_words(record)]
     if record["box"] != "full":
         words = "without a box" if record["box"] == "none" else "in the reduced box"
-        lines.append(_command("notice", "Box", f"graded {words}"))
+        lines.append(workflow("notice", f"graded {words}", title="Box"))
     report = {"totalPoints": record["score"], "maxPoints": record["max_score"]}
     total = f"Points {short(record['score'])}/{short(record['max_score'])}"
-    lines.append(_command("notice", "Autograding complete", total))
-    lines.append(_command("notice", "Autograding report", json.dumps(report)))
+    lines.append(workflow("notice", total, title="Autograding complete"))
+    lines.append(workflow("notice", json.dumps(report), title="Autograding report"))
     return "\n".join(lines)
 
 
 def refused(sentence: str) -> str:
     """The report on a submission that can't be read, without points."""
-    return _command("error", "Not graded", sentence)
+    return workflow("error", sentence, title="Not graded")
 
 
 def reporter_result(record: Record, root: Path = Path(), pass_score: float = 0.0) -> str:
@@ -75,16 +72,15 @@ def _append(variable: str, text: str) -> None:
 
 
 def _test(number: str, part: Record, check: Record, files: Files) -> dict[str, Any]:
-    words = sentences.check_words(part, check)
-    place = _place_in([check["message"], sentences.part_words(part)], part, files)
+    where = _where(check.get("place") or part.get("place"), part, files)
     return {
         "name": f"{number} {check['title']}",
         "status": "pass" if check["passed"] else "fail",
         "score": check["score"],
-        "message": "" if check["passed"] else words,
+        "message": "" if check["passed"] else sentences.check_words(part, check),
         "test_code": "",
-        "filename": _in_repository(place.file, files) if place else f"{part['stem']}.cpp",
-        "line_no": place.line if place else 0,
+        "filename": where["file"],
+        "line_no": where["line"],
         "duration": 0,
     }
 
@@ -95,34 +91,28 @@ def _part(part: Record, files: Files) -> list[str]:
     if part["score"] == part["max_score"] and not part.get("remarks"):
         return []
     lines = [sentences.part_words(part)]
-    place = _place_in([*lines, *(check["message"] for check in part["checks"])], part, files)
-    place = place or Place(f"{part['stem']}.cpp", 1, None)
     graded = part["status"] == "graded"
     if graded or part["score"]:
         lines += sentences.mistake_words(part)
         lines += [f"lost: {check['title']}" for check in part["checks"] if not check["passed"]]
-    title, text = f"Part {part['part']}: {out_of(part)}", "\n".join(lines).strip()
-    return [_command("warning" if graded else "error", title, text, place, files)]
+    where = _where(part.get("place"), part, files)
+    where["line"] = where["line"] or 1
+    kind, text = "warning" if graded else "error", "\n".join(lines).strip()
+    return [workflow(kind, text, **where, title=f"Part {part['part']}: {out_of(part)}")]
 
 
-def _command(
-    kind: str, title: str, text: str, place: Place | None = None, files: Files = ()
-) -> str:
-    where: dict[str, str | int] = {}
-    if place:
-        where = {"file": _in_repository(place.file, files), "line": place.line}
-        where |= {"col": place.column} if place.column else {}
-    return workflow(kind, text, **where, title=title)
-
-
-def _place_in(texts: Iterable[str], part: Record, files: Files) -> Place | None:
-    """The first place that is in the part's own file or in another file of the repository. The
-    texts come from the submission, which could name any file."""
+def _where(place: Record | None, part: Record, files: Files) -> dict[str, str | int]:
+    """A file of the repository, a line of it (0: unknown), and the column if it is known. The
+    record's paths begin at the submission's top folder, which may be deeper in the repository."""
     own = f"{part['stem']}.cpp"
-    for place in filter(None, map(sentences.place_in, texts)):
-        if Path(place.file).name == own or _in_repository(place.file, files) in files:
-            return place
-    return None
+    file = place["file"] if place else own
+    deeper = [name for name in files if name.endswith(f"/{file}")]
+    if len(deeper) == 1 and file not in files:
+        file = deeper[0]
+    if not place or file not in files and Path(file).name != own:
+        return {"file": file if not place else own, "line": 0}
+    column = {"col": place["column"]} if place["column"] else {}
+    return {"file": file, "line": place["line"]} | column
 
 
 def _files(root: Path) -> Files:
@@ -133,12 +123,3 @@ def _files(root: Path) -> Files:
             return tuple(entry.name for entry in entries)
     except UsageError:
         return ()
-
-
-def _in_repository(file: str, files: Files) -> str:
-    """The path of a file in the repository. The grader's paths begin at the submission's top
-    folder, which may be deeper in the repository, and are cut off at a blank or another unusual
-    sign."""
-    whole = re.compile(rf"(?:.*[^\w.-])?{re.escape(file)}", re.DOTALL)
-    deeper = list(filter(whole.fullmatch, files))
-    return deeper[0] if len(deeper) == 1 and file not in files else file

@@ -3,7 +3,7 @@ words."""
 
 import json
 from pathlib import Path
-from typing import Any, NamedTuple, cast
+from typing import Any, NamedTuple
 
 from bounce_grader.common.errors import KitError
 from bounce_grader.common.escaping import printable_text
@@ -42,18 +42,17 @@ def measure(timed: Path, graded: Path, box: Box) -> Measured | None:
 
 
 def read(out: bytes) -> Measured:
-    """Parses and validates the stopwatch's answer, which grader/judge/stopwatch.cpp describes, and
-    adds the time of a step. Raises KitError."""
+    """Parses the stopwatch's answer, which grader/judge/stopwatch.cpp describes, and adds the time
+    of a step. Raises KitError."""
     try:
         answer = json.loads(out, parse_constant=_no_number)
         for key, sentence in (("otherwise", OTHERWISE), ("wrong", WRONG)):
             if key in answer:
                 return {"otherwise": f"{sentence}: {printable_text(answer[key])}"}
-        scenes = [_scene(scene) for scene in answer["scenes"]]
         measured = {
             "cut": printable_text(answer["cut"]),
             "dt": list(map(_size, answer["dt"])),
-            "scenes": scenes,
+            "scenes": list(map(_scene, answer["scenes"])),
         }
         return {**_step(measured), **measured}
     except (ValueError, TypeError, KeyError, AttributeError, RecursionError) as error:
@@ -65,28 +64,25 @@ def _no_number(word: str) -> None:
 
 
 def _scene(scene: Any) -> Measured:
-    curves = {
-        curve: [
-            {"dt": _size(p["dt"]), "ns": _size(p["ns"]), "error": _error(p["error"])}
-            for p in scene[curve]
-        ]
-        for curve in CURVES
+    names = {key: printable_text(scene[key]) for key in ("scene", "title")}
+    return {
+        **names,
+        "seconds": _size(scene["seconds"]),
+        **{curve: list(map(_point, scene[curve])) for curve in CURVES},
     }
-    names = {"scene": printable_text(scene["scene"]), "title": printable_text(scene["title"])}
-    return {**names, "seconds": _size(scene["seconds"]), **curves}
 
 
-def _size(x: object) -> float:
-    if type(x) not in (int, float) or not 0 < cast(float, x) <= LARGEST:
+def _point(point: Any) -> Measured:
+    error = point["error"]
+    if error is not None:  # otherwise it isn't finite; or it is huge
+        error = None if error > LARGEST else error and float(f"{_size(error):.3e}")
+    return {"dt": _size(point["dt"]), "ns": _size(point["ns"]), "error": error}
+
+
+def _size(x: Any) -> float:
+    if isinstance(x, bool) or not 0 < x <= LARGEST:
         raise ValueError("no positive number")
-    return float(cast(float, x))
-
-
-def _error(x: object) -> float | None:
-    """An error in m; None if it isn't finite, or huge."""
-    if x is None or isinstance(x, float) and x > LARGEST:
-        return None
-    return 0.0 if x == 0 else float(f"{_size(x):.3e}")
+    return float(x)
 
 
 def _step(measured: Measured) -> Measured:
@@ -128,21 +124,24 @@ def sentences(measured: Measured) -> list[str]:
 
 
 def _reached(mine: list[Point], solution: list[Point], least: list[Point]) -> str:
-    first = next((p for p in mine if p.error is not None and p.error <= FINE), None)
-    right = next((p for p in solution if p.error is not None and p.error <= FINE), None)
-    quick = next((p for p in least if p.error is not None and p.error <= FINE), None)
+    first, right, quick = (
+        next((p for p in curve if p.error is not None and p.error <= FINE), None)
+        for curve in (mine, solution, least)
+    )
     if first is None:
         last = mine[-1]
         far = "somewhere not finite" if last.error is None else f"off by {metres(last.error)}"
-        said_so = f"Your program doesn't get within 1 mm: at {step(last)} it is still {far}"
-        return said_so + (f"; the solution does at {step(right)}." if right else ".")
+        out = f"Your program doesn't get within 1 mm: at {step(last)} it is still {far}"
+        return out + (f"; the solution does at {step(right)}." if right else ".")
     out = (
         f"Your program is within 1 mm of the exact motion from {step(first)} on, and then "
         f"takes {seconds(first.ns)} for a second of motion"
     )
     at_same = next((p for p in solution if p.dt == first.dt), None)
     if at_same:
-        out += f", {_times(first.ns / at_same.ns)}"
+        ratio = first.ns / at_same.ns
+        times = f"{two_digits(ratio)} times the solution's time"
+        out += f", {'about as long as the solution' if 0.9 < ratio < 1.1 else times}"
     if quick:
         out += f"; no more model than each step needs does that in {seconds(quick.ns)}"
     return out + "."
@@ -150,12 +149,3 @@ def _reached(mine: list[Point], solution: list[Point], least: list[Point]) -> st
 
 def step(point: Point) -> str:
     return f"dt = {seconds(1e9 * point.dt)}"
-
-
-def _times(ratio: float) -> str:
-    same = 0.9 < ratio < 1.1
-    return (
-        "about as long as the solution"
-        if same
-        else f"{two_digits(ratio)} times the solution's time"
-    )

@@ -3,6 +3,8 @@
 from collections.abc import Iterator
 from typing import Any, NamedTuple
 
+from bounce_grader.submission.submission import Place
+
 Facts = dict[str, Any]  # a failed check in numbers (grader/judge/facts.hpp)
 Rows = list[list[float | str]]
 AGAIN = (
@@ -18,8 +20,9 @@ class Verdict(NamedTuple):
     status: str
     ended: str = ""  # how the program ended, if it did
     by: str = ""  # what explains a crash: "assertion", "sanitizer", or nothing
-    place: str = ""  # FILE:LINE of a crash in the submission, if known
+    stack: str = ""  # addresses, where it crashed
     failure: Facts | None = None  # None if the check passed, or failed as a whole
+    place: Place | None = None  # of a crash in the submission, if known
     found: str = ""  # what sanitizers found, where a crash didn't say why
 
     @property

@@ -5,7 +5,6 @@ process's Limits say.
 """
 
 import errno
-import fcntl
 import os
 import selectors
 import signal
@@ -109,30 +108,29 @@ def run(
             given = _in_memory(stdin)
             stack.callback(os.close, given)
         process = _started((limits.prefix() if limits else []) + words, given, cwd, descriptors)
-        try:
-            result = _collect(process, limits)
-        finally:
-            _end(process)
-        told = _told(status) if STATUS in command else MADE
-    if SHORT in told:
+        with process:  # closes its streams
+            try:
+                result = _collect(process, limits)
+            except BaseException:
+                if process.poll() is None:
+                    _stop(process)
+                raise
+        report = _reported(status) if STATUS in command else MADE
+    if SHORT in report:
         raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), str(output))
-    return result._replace(boxed=told == MADE, cpu_limit=limits.cpu_seconds if limits else 0.0)
+    return result._replace(boxed=report == MADE, cpu_limit=limits.cpu_seconds if limits else 0.0)
 
 
 def _in_memory(data: bytes) -> int:
-    """A file in memory with these bytes. Unlike a pipe it has room for all of them, so that we
-    never wait for a process that waits for us. The process that gets it can't change it."""
-    descriptor = os.memfd_create("stdin", os.MFD_CLOEXEC | os.MFD_ALLOW_SEALING)
-    with open(descriptor, "wb", closefd=False) as file:
+    """A file in memory with these bytes, to be read alone. Unlike a pipe it has room for all of
+    them, so that we never wait for a process that waits for us."""
+    with open(os.memfd_create("stdin"), "wb") as file:
         file.write(data)
-    fcntl.fcntl(
-        descriptor, fcntl.F_ADD_SEALS, fcntl.F_SEAL_WRITE | fcntl.F_SEAL_GROW | fcntl.F_SEAL_SHRINK
-    )
-    os.lseek(descriptor, 0, os.SEEK_SET)
-    return descriptor
+        file.flush()
+        return os.open(f"/proc/self/fd/{file.fileno()}", os.O_RDONLY)
 
 
-def _told(status: int) -> bytes:
+def _reported(status: int) -> bytes:
     os.set_blocking(status, False)
     try:
         return os.read(status, 8)
@@ -233,11 +231,3 @@ def _stop(process: subprocess.Popen[bytes]) -> None:
     except subprocess.TimeoutExpired:
         os.killpg(process.pid, signal.SIGKILL)
         process.wait()
-
-
-def _end(process: subprocess.Popen[bytes]) -> None:
-    if process.poll() is None:
-        _stop(process)
-    for stream in (process.stdout, process.stderr):
-        if stream:
-            stream.close()

@@ -43,6 +43,17 @@ def part_file(file: str) -> str | None:
     return plain if plain in {part.file for part in parts()} else None
 
 
+class Place(NamedTuple):
+    """A line of a submission's files, and a column of it if that is known."""
+
+    file: str
+    line: int
+    column: int = 0
+
+    def __str__(self) -> str:
+        return f"{self.file}:{self.line}" + (f":{self.column}" if self.column else "")
+
+
 class Submission(NamedTuple):
     """The files of a submission, and which of them are parts."""
 

@@ -16,7 +16,7 @@ from typing import Any, NamedTuple
 
 import corpus
 import pytest
-from bounce_grader.build import compiler, linking
+from bounce_grader.build import compiler, errors
 from bounce_grader.common.errors import KitError, UsageError
 from bounce_grader.common.manifest import parts
 from bounce_grader.common.paths import BUILD, WORK_FOLDER
@@ -151,10 +151,10 @@ def check_judge(data: bytes, _: Path) -> bool:
 
 def check_compiler(data: bytes, _: Path) -> bool:
     printed = Result(1, 0.0, b"", data.decode("utf-8", "replace"), False, False)
-    problem = compiler.compile_problem(printed, "part2_lcp.cpp")
-    assert problem and "\n" not in problem and "\n" not in linking.link_problem(printed)
+    problem = compiler.compile_problem(printed, "part2_lcp.cpp").sentence
+    assert problem and "\n" not in problem and "\n" not in errors.of_linker(printed.err).sentence
     place = judging.place_in(data)
-    assert place is None or len(place) <= 300
+    assert place is None or len(str(place)) <= 300
     return place is not None or ": " in problem
 
 
@@ -183,7 +183,7 @@ def test_half_an_answer_of_the_judge_is_a_fault_of_the_kit(out: bytes) -> None:
 
 def test_a_whole_answer_is_taken_without_checks_that_the_manifest_leaves_out() -> None:
     fewer = parts()[3]._replace(checks=parts()[3].checks[1:])
-    verdicts = judging.read_answer(SEEDS["crashed"], fewer)["verdicts"]
+    verdicts = judging.read_answer(SEEDS["crashed"], fewer).verdicts
     assert list(verdicts) == [check.id for check in fewer.checks]
 
 

@@ -186,8 +186,7 @@ def test_a_fault_of_the_kit_is_no_verdict(
 
 
 def test_without_a_box_only_trusted_code_is_run(monkeypatch: Patch) -> None:
-    monkeypatch.setattr(box, "_held", lambda kind: Path("/nonexistent"))
-    monkeypatch.setattr(box, "_remember", lambda held: None)
+    monkeypatch.setattr(box, "_held", lambda kind: Path("/proc/nonexistent"))
     monkeypatch.setattr(box, "problem_of", lambda its: {"none": None}.get(its.kind, "no Landlock"))
     with pytest.raises(KitError, match="--trust-submission"):
         grade_path(SOLUTION)

@@ -3,10 +3,9 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from bounce_grader.common.chart_style import CLASSES, WORDS
 from bounce_grader.common.numbers import metres, scientific_tick, short
-from bounce_grader.common.svg import Axes, BOLD, cross, decades, Drawing, INK, line, Place, rect
-from bounce_grader.common.svg import svg, text, through, title
+from bounce_grader.formats.figures import Axes, BOLD, CLASSES, cross, decades, Drawing, INK
+from bounce_grader.formats.figures import line, Place, rect, svg, text, through, title, WORDS
 
 WIDTH = 720
 LETTER, LINE = 8, 16  # px: at most the width of a letter, and the height of a line
