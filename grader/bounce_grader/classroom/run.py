@@ -119,7 +119,7 @@ def _run(
     summaries = grading.summarize(intake.students, tasks, folder, failed)
     summaries = final.with_finals(summaries, rules)
     readable = [s.student for s in summaries if s.state != "unreadable"]
-    near = near_copies.find(request.out, readable, tasks, request.trust, request.corpus)
+    near = near_copies.find(readable, request.trust, request.corpus)
     feedback = outputs.write_feedback(request.out, intake, summaries, request.reveal)
     for reasons in (near.incomplete, feedback.without):
         summaries = [
