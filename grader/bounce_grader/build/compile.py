@@ -5,30 +5,15 @@ from pathlib import Path
 from typing import NamedTuple
 
 from bounce_grader.build import compiler, object_cache
-from bounce_grader.build.errors import Problem
+from bounce_grader.build.errors import Built
 from bounce_grader.common.parallel_map import parallel_map
 from bounce_grader.common.paths import SOURCES
 from bounce_grader.sandbox.box import PROGRAMS, Box
 from bounce_grader.sandbox.budget import Budget, Overrun
-from bounce_grader.submission.submission import Place, Submission
+from bounce_grader.submission.submission import Submission
 
 HELPERS_SECONDS = 30  # of CPU time, for all helpers of a submission together
 HELPERS_BYTES = 32 << 20  # of objects, likewise; one more may be under way
-
-
-class Built(NamedTuple):
-    """An object file or a runner; or one sentence that says why there is none, and the line of the
-    submission that it is about, if that is known."""
-
-    path: Path | None
-    problem: str = ""
-    place: Place | None = None
-
-
-def refused(problem: Problem, submission: Submission) -> Built:
-    """A compiler prints any place that a submission writes, so only one in its files is kept."""
-    known = problem.place and problem.place.file in submission.files
-    return Built(None, problem.sentence, problem.place if known else None)
 
 
 class Objects(NamedTuple):
@@ -112,9 +97,9 @@ class _Compiling(NamedTuple):
                 compiler.require_gcc_ran(result)
             size = made.stat().st_size
             if not result.ok or not size:
-                return refused(compiler.compile_problem(first, file), self.submission)
+                return compiler.compile_problem(first, file)
             if size > compiler.LARGEST_OBJECT:
-                return refused(compiler.too_large(file), self.submission)
+                return compiler.too_large(file)
             return Built(object_cache.store(made.read_bytes(), place))
         finally:
             # At once: those of all files together may not fit into the temporary folder.

@@ -5,7 +5,7 @@ from collections.abc import Iterable
 from functools import cache
 from pathlib import Path
 
-from bounce_grader.build.errors import of_compiler, Problem
+from bounce_grader.build.errors import Built, of_compiler
 from bounce_grader.common.errors import KitError
 from bounce_grader.common.escaping import printable_text, terminal
 from bounce_grader.common.paths import CONTRACT, RUNNER
@@ -96,19 +96,19 @@ def ran_out_of_time(result: processes.Result) -> bool:
     return result.too_long or result.code in (-9, -24, 128 + 9, 128 + 24)
 
 
-def too_large(file: str) -> Problem:
-    return Problem(f"{file} makes an object of more than {LARGEST_OBJECT >> 20} MB")
+def too_large(file: str) -> Built:
+    return Built(None, f"{file} makes an object of more than {LARGEST_OBJECT >> 20} MB")
 
 
-def compile_problem(result: processes.Result, file: str) -> Problem:
+def compile_problem(result: processes.Result, file: str) -> Built:
     """Why a compiler made no object of the file."""
     if _killed_early(result):
-        return Problem(f"{file} takes more memory to compile than there is")
+        return Built(None, f"{file} takes more memory to compile than there is")
     if ran_out_of_time(result):
-        return Problem(f"{file} took more than {COMPILE.cpu_seconds} s to compile")
+        return Built(None, f"{file} took more than {COMPILE.cpu_seconds} s to compile")
     if result.code in (-25, 128 + 25):
         return too_large(file)
     if result.flooded:
         words = "makes the compiler print without end: look for lines of assembler in it"
-        return Problem(f"{file} {words}")
+        return Built(None, f"{file} {words}")
     return of_compiler(result.err, file)

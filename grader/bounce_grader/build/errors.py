@@ -33,21 +33,23 @@ REFUSED = {
 }
 
 
-class Problem(NamedTuple):
-    """Why there is no object, or no runner."""
+class Built(NamedTuple):
+    """An object file or a runner; or one sentence that says why there is none, and the line that it
+    is about, if that is known: any text that the submission made a compiler write."""
 
-    sentence: str
-    place: Place | None = None  # as the compiler wrote it, so any text of the submission's
+    path: Path | None
+    problem: str = ""
+    place: Place | None = None
 
 
 # --- compilers ---
 
 
-def of_compiler(printed: str, file: str) -> Problem:
+def of_compiler(printed: str, file: str) -> Built:
     """The first error that a compiler printed about a file."""
     errors = re.findall(r"^(.+?):(\d{1,9}):(\d{1,9}): (?:fatal )?error: (.*)$", printed, re.MULTILINE)
     if not errors:
-        return Problem(f"{file}: {_without_a_place(printed)}")
+        return Built(None, f"{file}: {_without_a_place(printed)}")
     where, line, column, what = errors[0]
     place = Place(where, int(line), int(column))
     shouted = re.search(r'"([A-Z_0-9]{8,})"$', what)  # by Eigen
@@ -63,7 +65,7 @@ def of_compiler(printed: str, file: str) -> Problem:
             sentence = f"{error}, asked for at {place} ({header})"
     meaning = next((words for piece, words in _meanings() if piece in what.translate(QUOTES)), "")
     stop = "" if sentence.endswith((".", "?")) else "."
-    return Problem(f"{sentence}{stop} {meaning}" if meaning else sentence, place)
+    return Built(None, f"{sentence}{stop} {meaning}" if meaning else sentence, place)
 
 
 def _without_a_place(printed: str) -> str:
@@ -151,7 +153,7 @@ def _shape(of: Type) -> Shape | None:
 # --- the linker ---
 
 
-def of_linker(printed: str) -> Problem:
+def of_linker(printed: str) -> Built:
     """The missing or duplicate symbol. It is looked for at line starts only, so that a submission's
     long lines don't make it slow."""
     error = r"(?m)^ld\.lld: error: "
@@ -160,12 +162,12 @@ def of_linker(printed: str) -> Problem:
     if missing and missing.group(2):
         place = Place(missing.group(2), int(missing.group(3)))
         words = f"{place} uses {missing.group(1)}, which no file that compiles defines"
-        return Problem(words, place)
+        return Built(None, words, place)
     if missing:
-        return Problem(f"{missing.group(1)} is used, but no file that compiles defines it")
+        return Built(None, f"{missing.group(1)} is used, but no file that compiles defines it")
     twice = re.search(rf"{error}duplicate symbol: (.*)", printed)
     if twice:
-        return Problem(f"{twice.group(1)} is defined in two files")
-    return Problem(
+        return Built(None, f"{twice.group(1)} is defined in two files")
+    return Built(None, 
         "the parts can't be linked with each other: look for lines of assembler in them"
     )

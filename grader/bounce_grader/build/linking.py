@@ -4,9 +4,9 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from bounce_grader.build import compiler
-from bounce_grader.build.compile import HELPERS_BYTES, Built, Objects, refused
+from bounce_grader.build.compile import HELPERS_BYTES, Objects
 from bounce_grader.build.compiler import compile_problem, gcc, require_compiler_ran, too_large
-from bounce_grader.build.errors import of_linker
+from bounce_grader.build.errors import Built, of_linker
 from bounce_grader.common.manifest import Part
 from bounce_grader.common.paths import CACHE, RUNNER, SOURCES
 from bounce_grader.sandbox import processes
@@ -71,9 +71,9 @@ def link_sanitized(part: Part, submission: Submission, work: Path, box: Box) -> 
         result = compiler.run(command, sources, box, objects[-1], PROGRAMS)
         compiler.require_gcc_ran(result)
         if not result.ok:
-            return refused(compile_problem(result, file), submission)
+            return compile_problem(result, file)
         if sum(path.stat().st_size for path in objects) > HELPERS_BYTES:
-            return refused(too_large(file), submission)
+            return too_large(file)
     kit = [str(RUNNER / f"{name}.o") for name in (*RUNNER_OBJECTS, "sanitizers")]
     command = ["/usr/bin/g++", *SANITIZERS, *CHECKED_LINK, "-o", "OUTPUT"]
     command += [*kit, *map(str, [*objects, *_given(part)])]
@@ -105,7 +105,6 @@ def _linked(command: list[str], runner: Path, box: Box) -> Built:
     result = box.run(command, LINK, cwd=RUNNER, output=runner)
     require_compiler_ran(result)
     if not result.ok or not runner.stat().st_size:
-        problem = of_linker(result.err)
-        return Built(None, problem.sentence, problem.place)
+        return of_linker(result.err)
     runner.chmod(0o755)
     return Built(runner)

@@ -8,7 +8,8 @@ from pathlib import Path
 from typing import NamedTuple
 
 from bounce_grader.build import linking
-from bounce_grader.build.compile import compile_all, Built, Objects
+from bounce_grader.build.compile import compile_all, Objects
+from bounce_grader.build.errors import Built
 from bounce_grader.common.errors import KitError
 from bounce_grader.common.files import remove_unlocked, temporary_folder
 from bounce_grader.common.manifest import parts, Part
@@ -118,7 +119,7 @@ class _Grading:
     def _better(self, part: Part, alone: Built | Overrun | None) -> Judged | Record:
         problem = self._problem(part)
         if problem:
-            return record.failed_part(part, *problem)
+            return problem
         tries = [self.own[part]] if part in self.own else []
         try:
             if isinstance(alone, Overrun):
@@ -129,7 +130,7 @@ class _Grading:
                 # With the errors of helpers, which may be the reason.
                 broken = [b.problem for b in self.objects.helpers.values() if not b.path]
                 why = "; ".join([alone.problem, *broken])
-                return record.failed_part(part, "does_not_compile", why, alone.place)
+                return self._not_built(part, why, alone.place)
         except Overrun as overrun:
             if not tries:
                 return record.failed_part(part, "timed_out", f"not judged: {overrun}")
@@ -177,18 +178,23 @@ class _Grading:
         )
         return bool(part.calls) or not hangs_by_itself
 
-    def _problem(self, part: Part) -> tuple[str, str, Place | None] | None:
-        """The status, message and place of a part of which there is nothing to run."""
+    def _problem(self, part: Part) -> Record | None:
+        """The record of a part of which there is nothing to run."""
         if part.number in self.taken.refused:
-            return "does_not_compile", self.taken.refused[part.number], None
+            return self._not_built(part, self.taken.refused[part.number], None)
         if part.number not in self.objects.parts:
-            return "not_submitted", f"{part.file} isn't among the files submitted", None
+            message = f"{part.file} isn't among the files submitted"
+            return record.failed_part(part, "not_submitted", message)
         stub = (STUBS / part.file).read_bytes()
         if self.taken.files[self.taken.parts[part.number]].split() == stub.split():
             message = f"nothing is filled in yet: start at the TODO in {part.file}"
-            return "graded", message, None
+            return record.failed_part(part, "graded", message)
         built = self.objects.parts[part.number]
-        return None if built.path else ("does_not_compile", built.problem, built.place)
+        return None if built.path else self._not_built(part, built.problem, built.place)
+
+    def _not_built(self, part: Part, why: str, place: Place | None) -> Record:
+        known = place if place and place.file in self.taken.files else None
+        return record.failed_part(part, "does_not_compile", why, known)
 
 
 def _require_working_kit(box: Box) -> None:

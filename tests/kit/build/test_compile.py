@@ -178,7 +178,7 @@ def test_a_box_or_a_machine_that_fails_is_no_verdict(
 @pytest.mark.parametrize("words", VERDICTS)
 def test_what_a_submission_makes_of_its_compiler_is_its_own_fault(words: str) -> None:
     compiler.require_compiler_ran(VERDICTS[words])
-    assert words in compiler.compile_problem(VERDICTS[words], "x.cpp").sentence
+    assert words in compiler.compile_problem(VERDICTS[words], "x.cpp").problem
 
 
 @pytest.mark.parametrize("kind", ["full", "reduced", "none"])

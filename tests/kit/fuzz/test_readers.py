@@ -151,8 +151,8 @@ def check_judge(data: bytes, _: Path) -> bool:
 
 def check_compiler(data: bytes, _: Path) -> bool:
     printed = Result(1, 0.0, b"", data.decode("utf-8", "replace"), False, False)
-    problem = compiler.compile_problem(printed, "part2_lcp.cpp").sentence
-    assert problem and "\n" not in problem and "\n" not in errors.of_linker(printed.err).sentence
+    problem = compiler.compile_problem(printed, "part2_lcp.cpp").problem
+    assert problem and "\n" not in problem and "\n" not in errors.of_linker(printed.err).problem
     place = judging.place_in(data)
     assert place is None or len(str(place)) <= 300
     return place is not None or ": " in problem

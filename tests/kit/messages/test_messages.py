@@ -60,8 +60,8 @@ def of_addr2line(lines: str) -> str:
 
 
 SENTENCES: Sentences = {
-    "compiler": lambda said: compile_problem(failed(said), "part2_lcp.cpp").sentence,
-    "linker": lambda said: of_linker(said).sentence,
+    "compiler": lambda said: compile_problem(failed(said), "part2_lcp.cpp").problem,
+    "linker": lambda said: of_linker(said).problem,
     "addr2line": of_addr2line,
 }
 
@@ -89,7 +89,7 @@ def test_each_message_has_its_sentence(elsewhere: Path) -> None:
 
 
 def test_a_compiler_that_used_up_its_time_is_told() -> None:
-    told = compile_problem(failed("", code=128 + 24), "part2_lcp.cpp").sentence
+    told = compile_problem(failed("", code=128 + 24), "part2_lcp.cpp").problem
     assert told.startswith("part2_lcp.cpp took more than 15 s to compile")
 
 
