@@ -96,24 +96,16 @@ def _meanings() -> list[tuple[str, str]]:
 Shape = tuple[int, int]
 
 
-class Type(NamedTuple):
-    """A C++ type with its template arguments, as a compiler's note writes it."""
-
-    name: str  # without namespaces and const
-    arguments: tuple["Type", ...] = ()
-
-
 def _misfit(note: str) -> str:
     """What is refused of two shapes that don't fit; empty if the note doesn't tell."""
     quoted = re.search(r"'Eigen::(.*)'", note[:LONGEST])
     if not quoted:
         return ""
-    first, rest = _type(quoted.group(1), 0)
-    call = re.match(r"::(operator(?:[*+=-]|[+-]=)|\w+)(?=<)", rest)
+    _, left, rest = _type(quoted.group(1))
+    call = re.match(r"::(operator(?:[*+=-]|[+-]=)|\w+)<", rest)
     if not call or call.group(1) not in REFUSED:
         return ""
-    arguments = _type("_" + rest[call.end() :], 0)[0].arguments
-    left, right = _shape(first), _shape(arguments[0]) if arguments else None
+    _, right, _ = _type(rest[call.end() :])
     if not left or not right or 0 in (*left, *right):
         return ""
     if left[1] == right[0] if call.group(1) == PRODUCT else left == right:
@@ -122,32 +114,29 @@ def _misfit(note: str) -> str:
     return REFUSED[call.group(1)].format(**words)
 
 
-def _type(text: str, depth: int) -> tuple[Type, str]:
-    """The type at the begin of a text, and what follows it."""
+def _type(text: str, depth: int = 0) -> tuple[str, Shape | None, str]:
+    """The type at the begin of a text: its name without namespaces and const, or a number; its rows
+    and columns, 0 where it doesn't say them; and the text that follows it."""
     begin = re.match(r"\s*(?:const )?(?:\w+::)*(-?\w*)(?: const)?", text)
     name, rest = (begin.group(1), text[begin.end() :]) if begin else ("", text)
-    arguments: list[Type] = []
+    names: list[str] = []
+    shapes: list[Shape] = []
     if rest.startswith("<") and depth < DEEPEST:
         while rest[:1] in ("<", ","):
-            argument, rest = _type(rest[1:], depth + 1)
-            arguments.append(argument)
+            argument, shape, rest = _type(rest[1:], depth + 1)
+            names.append(argument)
+            shapes += [shape] if shape else []
         rest = rest[1:]  # the closing bracket
-    return Type(name, tuple(arguments)), rest
-
-
-def _shape(of: Type) -> Shape | None:
-    """Rows and columns, 0 where the type doesn't say them."""
-    inner = [shape for shape in map(_shape, of.arguments) if shape]
-    if of.name in ("Matrix", "Array", "Block"):
-        sizes = [re.fullmatch(r"\d{1,6}", argument.name) for argument in of.arguments[1:3]]
-        rows, columns = [int(size[0]) if size else 0 for size in (*sizes, None, None)[:2]]
-        return (rows, columns) if len(sizes) == 2 else None
-    if not inner:
-        return None
-    if of.name == "Product" and len(inner) == 2:
-        return inner[0][0], inner[1][1]
-    rows, columns = inner[0]
-    return {"Transpose": (columns, rows), "DiagonalWrapper": (rows, rows)}.get(of.name, inner[0])
+    if name in ("Matrix", "Array", "Block"):
+        sizes = [int(size) if re.fullmatch(r"\d{1,6}", size) else 0 for size in names[1:3]]
+        shapes = [(sizes[0], sizes[1])] if len(sizes) == 2 else []
+    if not shapes:
+        return name, None, rest
+    rows, columns = shapes[0]
+    if name == "Product" and len(shapes) == 2:
+        columns = shapes[1][1]
+    of_name = {"Transpose": (columns, rows), "DiagonalWrapper": (rows, rows)}
+    return name, of_name.get(name, (rows, columns)), rest
 
 
 # --- the linker ---

@@ -9,7 +9,6 @@ from typing import NamedTuple
 
 from bounce_grader.build import linking
 from bounce_grader.build.compile import compile_all, Objects
-from bounce_grader.build.errors import Built
 from bounce_grader.common.errors import KitError
 from bounce_grader.common.files import remove_unlocked, temporary_folder
 from bounce_grader.common.manifest import parts, Part
@@ -103,34 +102,21 @@ class _Grading:
         """Judges each part alone that could score better, and takes the better result. One after
         the other: side by side, the given answers of a later part could reach an earlier one, by
         whatever two programs notice of each other, as how busy the machine is."""
-        now = [part for part in parts() if not self._problem(part) and self._could_be_better(part)]
-        alone = dict(zip(now, parallel_map(self._link_alone, now, self.jobs)))
         for part in parts():
-            self.results[part] = self._better(part, alone.get(part))
+            self.results[part] = self._problem(part) or self._better(part)
 
-    def _link_alone(self, part: Part) -> Built | Overrun:
-        try:
-            return linking.link_alone(
-                part, self.objects, self.work / f"alone{part.number}", self.box
-            )
-        except Overrun as overrun:
-            return overrun
-
-    def _better(self, part: Part, alone: Built | Overrun | None) -> Judged | Record:
-        problem = self._problem(part)
-        if problem:
-            return problem
+    def _better(self, part: Part) -> Judged | Record:
         tries = [self.own[part]] if part in self.own else []
         try:
-            if isinstance(alone, Overrun):
-                raise alone
-            if alone and alone.path:
-                tries.append(self._judge(alone.path, bool(part.calls), part, recognise=True))
-            elif alone and not tries:
-                # With the errors of helpers, which may be the reason.
-                broken = [b.problem for b in self.objects.helpers.values() if not b.path]
-                why = "; ".join([alone.problem, *broken])
-                return self._not_built(part, why, alone.place)
+            if self._could_be_better(part):
+                runner = self.work / f"alone{part.number}"
+                alone = linking.link_alone(part, self.objects, runner, self.box)
+                if alone.path:
+                    tries.append(self._judge(alone.path, bool(part.calls), part, recognise=True))
+                elif not tries:
+                    # With the errors of helpers, which may be the reason.
+                    broken = [b.problem for b in self.objects.helpers.values() if not b.path]
+                    return self._not_built(part, "; ".join([alone.problem, *broken]), alone.place)
         except Overrun as overrun:
             if not tries:
                 return record.failed_part(part, "timed_out", f"not judged: {overrun}")

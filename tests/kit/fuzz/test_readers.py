@@ -20,7 +20,7 @@ from bounce_grader.build import compiler, errors
 from bounce_grader.common.errors import KitError, UsageError
 from bounce_grader.common.manifest import parts
 from bounce_grader.common.paths import BUILD, WORK_FOLDER
-from bounce_grader.grading import judging, speed
+from bounce_grader.grading import judging
 from bounce_grader.sandbox.processes import Result
 from bounce_grader.submission import entry, submission
 from conftest import ROOT
@@ -140,13 +140,11 @@ def check_file(data: bytes, path: Path) -> bool:
 
 
 def check_judge(data: bytes, _: Path) -> bool:
-    taken = False
-    for read in (lambda: judging.read_answer(data, parts()[3]), lambda: speed.read(data)):
-        try:
-            taken |= bool(json.dumps(read(), allow_nan=False))  # a verdict as its list
-        except KitError:
-            pass
-    return taken
+    try:
+        answer = judging.read_answer(data, parts()[3])
+    except KitError:
+        return False
+    return bool(json.dumps(answer, allow_nan=False))  # a verdict as its list
 
 
 def check_compiler(data: bytes, _: Path) -> bool:
