@@ -79,7 +79,7 @@ def set_stage(kit: dict[str, Any], patch: pytest.MonkeyPatch) -> None:
 
     patch.setattr(engine_local, "run", run)
     patch.setattr(results, "__version__", version)
-    patch.setattr(results, "_sources", lambda: iter(()))
+    patch.setattr(results, "_sources", lambda: [])
     patch.setattr(near_copies, "find", lambda *_: near_copies.Similar((), 0))
 
 

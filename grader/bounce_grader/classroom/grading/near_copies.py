@@ -18,8 +18,7 @@ from pathlib import Path
 from shutil import which
 
 from bounce_grader.classroom.intake import handed_in, students as students_of
-from bounce_grader.classroom.intake.canvas import Upload
-from bounce_grader.classroom.intake.student import Student
+from bounce_grader.classroom.intake.student import Student, Upload
 from bounce_grader.common.errors import about_one_submission, KitError, UsageError
 from bounce_grader.common.files import CLASS_FOLDER, temporary_folder
 from bounce_grader.common.manifest import parts

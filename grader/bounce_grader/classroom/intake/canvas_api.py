@@ -18,9 +18,8 @@ from urllib.parse import urlsplit
 import requests
 from urllib3.exceptions import HTTPError
 from bounce_grader.classroom.intake.archive import opened
-from bounce_grader.classroom.intake.canvas import sanitized, Upload
-from bounce_grader.classroom.intake.from_canvas import take_uploads
-from bounce_grader.classroom.intake.student import Class, Unmatched
+from bounce_grader.classroom.intake.canvas import sanitized, take_uploads
+from bounce_grader.classroom.intake.student import Class, Unmatched, Upload
 from bounce_grader.classroom.intake.uploads import HAND_IN, may_count, MOST_UPLOADS
 from bounce_grader.common.errors import KitError, UsageError
 from bounce_grader.common.escaping import printable_name
