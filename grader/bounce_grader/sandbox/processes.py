@@ -106,10 +106,10 @@ def run(
         if stdin:
             given = _in_memory(stdin)
             stack.callback(os.close, given)
-        prefix = limits.prefix() if limits else []
+        words = [*(limits.prefix() if limits else []), *words]
         try:
             process = subprocess.Popen(
-                prefix + words,
+                words,
                 stdin=given,
                 stdout=subprocess.PIPE,
                 stderr=subprocess.PIPE,
