@@ -33,7 +33,7 @@ from bounce_grader.common.parallel_map import parallel_map
 from bounce_grader.common.paths import FIXTURES, JUDGE, REFERENCE_RUNNER, ROOT
 from bounce_grader.grading.gallery import expected
 from bounce_grader.grading.hints import hints
-from bounce_grader.grading.record import KNOWN, TOLD_OF_A_MISTAKE
+from bounce_grader.grading.record import KNOWN, MISTAKE_FIELDS
 from bounce_grader.sandbox import processes
 from bounce_grader.sandbox.box import LARGEST_FILE, Box
 from bounce_grader.submission import submission
@@ -189,7 +189,7 @@ def _file(part: Part, mistakes: list[Mistake], got: Mapping[str, Answers]) -> st
     right = _rounded(answers(part, REFERENCE_RUNNER))
     lines = [
         _line(
-            {key: getattr(m, key) for key in TOLD_OF_A_MISTAKE}
+            {key: getattr(m, key) for key in MISTAKE_FIELDS}
             | {"checks": m.lost, "answers": _differences(right, _rounded(got[m.name]))}
         )
         for m in mistakes

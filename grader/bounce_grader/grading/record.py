@@ -22,7 +22,7 @@ from bounce_grader.submission.submission import Place, Submission
 
 Record = dict[str, Any]
 KNOWN = FIXTURES / "public" / "mistakes"
-TOLD_OF_A_MISTAKE = ("name", "title", "sentence", "equations", "hint")
+MISTAKE_FIELDS = ("name", "title", "sentence", "equations", "hint")
 LONGEST_SENTENCE = 1000
 MOST_IGNORED = 100  # names
 
@@ -64,7 +64,7 @@ def part_record(part: Part, judged: Judged) -> Record:
     ended = [verdict for verdict in judged.verdicts.values() if verdict.status != "graded"]
     place = next((verdict.place for verdict in ended if verdict.place), None)
     mistakes = [
-        {key: known_mistakes()[name][key] for key in TOLD_OF_A_MISTAKE} for name in judged.mistakes
+        {key: known_mistakes()[name][key] for key in MISTAKE_FIELDS} for name in judged.mistakes
     ]
     return failed_part(part, judged.status, _part_message(part, judged), place) | {
         "score": judged.score(part),
