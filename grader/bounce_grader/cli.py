@@ -138,7 +138,7 @@ def _grade(options: argparse.Namespace) -> int:
         print(text)
     elif options.format:
         pass_score = options.min_score or 0.0
-        print(formats.render(options.format, record, options.submission, pass_score))
+        print(formats.render(options.format, record, pass_score))
     else:
         terminal.show(record)
     if options.json not in (None, "-"):

@@ -59,26 +59,16 @@ class _Compiling(NamedTuple):
     """What is the same for all files of a submission."""
 
     submission: Submission
-    named: frozenset[str]  # the sources whose names occur in some file
+    named: frozenset[str]  # the sources that some file may include
     work: Path
     box: Box
     timed: bool
 
     def built(self, file: str) -> Built:
-        """Compiles a file, unless its object is in the cache. The cache key covers every file that
-        the compiler can see. So at first it sees only the files that the text seems to need, and
-        the object stays valid when others change. If the compiler misses one, it sees all."""
-        everything = sorted(self.submission.files)
-        needed = object_cache.needed(file, self.submission, self.named)
-        try:
-            built = self._seeing(file, needed, more=True) if needed != everything else None
-            return built or self._seeing(file, everything) or Built(None)
-        except Overrun as overrun:
-            return Built(None, f"{file} wasn't compiled: {overrun}")
-
-    def _seeing(self, file: str, names: list[str], more: bool = False) -> Built | None:
-        """Compiles with only these files visible; by g++ what clang rejects. Returns None if the
-        compiler missed a file and there are `more` files that it could see."""
+        """Compiles a file, unless its object is in the cache; by g++ what clang rejects. The cache
+        key covers every file that the compiler can see: no other source unless some file names it,
+        so that the object stays valid when other parts change."""
+        names = object_cache.needed(file, self.submission, self.named)
         name = object_cache.name_of(file, names, self.submission, self.box, self.timed)
         place = object_cache.place(name)
         if object_cache.is_there(place):
@@ -89,8 +79,6 @@ class _Compiling(NamedTuple):
         try:
             clang = compiler.clang(file, self.submission, self.timed)
             first = result = compiler.run(clang, folder, self.box, made)
-            if more and compiler.misses_a_file(first):
-                return None
             if not first.ok and not compiler.ran_out_of_time(first) and not first.flooded:
                 gcc = compiler.gcc(file, self.submission, self.box, self.timed)
                 result = compiler.run(gcc, folder, self.box, made, PROGRAMS)
@@ -101,6 +89,8 @@ class _Compiling(NamedTuple):
             if size > compiler.LARGEST_OBJECT:
                 return compiler.too_large(file)
             return Built(object_cache.store(made.read_bytes(), place))
+        except Overrun as overrun:
+            return Built(None, f"{file} wasn't compiled: {overrun}")
         finally:
             # At once: those of all files together may not fit into the temporary folder.
             shutil.rmtree(folder)

@@ -1,6 +1,5 @@
 """Runs the compilers in a box, and tells whose fault it is if one makes no object."""
 
-import re
 from collections.abc import Iterable
 from functools import cache
 from pathlib import Path
@@ -57,12 +56,6 @@ def require_gcc_ran(result: processes.Result) -> None:
     it has begun, g++'s exit status is another."""
     if result.code in (1, 125):  # of g++ itself, or of its wrapper
         raise KitError("g++ couldn't start its compiler; is the machine short of processes?")
-
-
-def misses_a_file(result: processes.Result) -> bool:
-    """Whether the compiler or its assembler failed because a file wasn't there."""
-    says = r"not found|No such file|[Cc]ould not find|can't open"
-    return not result.ok and re.search(says, result.err) is not None
 
 
 def clang(file: str, submission: Submission, timed: bool = False) -> list[str]:

@@ -2,6 +2,7 @@
 
 import hashlib
 import os
+import re
 import time
 from collections.abc import Iterable
 from contextlib import suppress
@@ -22,14 +23,17 @@ IN_USE = 3600  # seconds; every grading is over by then
 
 
 def named_sources(submission: Submission) -> frozenset[str]:
-    """The sources whose names occur in some file, as in #include "helper.cpp"."""
+    """The sources that some file may include: whose names occur in one, as in #include "helper.cpp";
+    all of them where a name may be put together of pieces or goes on in another line."""
     text = b"\0".join(submission.files.values())
-    sources = {*submission.helpers, *submission.parts.values()}
+    sources = frozenset([*submission.helpers, *submission.parts.values()])
+    if re.search(rb"##|%:%:|\\\r?\n", text):
+        return sources
     return frozenset(name for name in sources if os.fsencode(Path(name).name) in text)
 
 
 def needed(file: str, submission: Submission, named: frozenset[str]) -> list[str]:
-    """The file itself, all headers, and the sources whose names occur in some file."""
+    """What is needed to compile a file: itself, all headers, and the named sources."""
     sources = {*submission.helpers, *submission.parts.values()} - named
     return sorted(n for n in submission.files if n == file or n not in sources)
 

@@ -1,8 +1,9 @@
-"""./kit doctor: tests each protection for real, on this machine and for this user. A program, the
-probe, tries to break out of the boxes for compiling, for running, and for running with sanitizers.
-A process above the box has a canary on its command line, in its environment and in its memory; the
-probe must not find it."""
+"""./kit doctor: tests each protection of protections.json for real, on this machine and for this
+user. A program, the probe, tries to break out of the boxes for compiling, for running, and for
+running with sanitizers. A process above the box has a canary on its command line, in its environment
+and in its memory; the probe must not find it."""
 
+import json
 import os
 import secrets
 import socket
@@ -21,13 +22,13 @@ from bounce_grader.sandbox import processes
 from bounce_grader.sandbox.box import problem_of, Box
 
 Attempt = list[str]
+TABLE = Path(__file__).with_name("protections.json")
 PLACES = ("compile", "run", "check")
 WORDS = {True: "yes", False: "[bold]NO[/bold]", None: "-"}
 # A process above the box that holds the canary.
 ABOVE = ["/bin/sh", "-c", 'BOUNCE_DOCTOR="$0" "$@"; status=$?; kept="$0"; exit $status']
 WATCHING = processes.Limits(cpu_seconds=20, wall_seconds=90, memory=None, file_size=0)
 COMPILING = COMPILE._replace(cpu_seconds=1)
-ADVICE = [["advice", str(number)] for number in (12, 21)]  # to merge a page with others; to swap it
 
 
 @dataclass(frozen=True)
@@ -118,59 +119,25 @@ def _bait() -> Iterator[list[Protection]]:
 
 
 def _protections(marker: str, file: IO[str], home: IO[str], port: int) -> list[Protection]:
-    hidden = [file.name, home.name, str(ROOT / "solution/src/part1_contacts.cpp"), "/etc/passwd"]
-    me = str(os.getpid())
-    running = ("run", "check")
-    halves = [marker[:16], marker[16:]]  # so that the probe doesn't find its own command line
-    guesses = [["look-by-execve", path] for path in (hidden[0], "/no/such/file")]
-    memory = [[f"allocate{how}", "1100"] for how in ("", "-unmapped", "-late")]
+    """Those of protections.json, with this bait for its words in capitals. In two halves, the probe
+    doesn't find the marker on its own command line."""
+    bait = {"FILE": file.name, "HOME_FILE": home.name, "PORT": str(port)}
+    bait |= {"MARKER": marker, "HALF": marker[:16], "OTHER_HALF": marker[16:]}
+    bait |= {"PROCESS": str(os.getpid()), "ENVIRONMENT": f"/proc/{os.getpid()}/environ"}
+    bait |= {"SOLUTION": str(ROOT / "solution/src/part1_contacts.cpp")}
+    outside: dict[str, Callable[[], bool]] = {
+        "both files are empty": lambda: not any(map(os.path.getsize, (file.name, home.name))),
+        "no process is left": lambda: _no_process_has(marker),
+    }
     return [
-        Protection("sees no file of yours", [["read", path] for path in hidden]),
-        Protection("can't tell whether a file is there", guesses, running),
-        Protection("sees no process of yours", [["read", f"/proc/{me}/environ"]]),
         Protection(
-            "writes no file of yours",
-            [["write", path] for path in hidden[:2]],
-            outside=lambda: all(os.path.getsize(path) == 0 for path in hidden[:2]),
-        ),
-        Protection("writes no large file", [["fill", "65"]]),
-        Protection("makes no file", [["file", "made"]], running),
-        Protection("has none of your variables", [["environment", "BOUNCE_DOCTOR"]], canary=marker),
-        *(
-            Protection(f"finds nothing in {title} above", [[where, *halves]], canary=marker)
-            for where, title in (
-                ("environments", "environments"),
-                ("command-lines", "command lines"),
-                ("memories", "memory"),
-            )
-        ),
-        Protection("reaches no first process", [["first-process"]]),
-        Protection("has none of your open files", [["descriptors", "5"]]),
-        Protection("reads none of its own messages", [["open-again", fd] for fd in ("1", "2")]),
-        Protection("connects to nothing", [["connect", str(port)]]),
-        Protection("signals no process of yours", [["signal", me]]),
-        Protection("sees no clock of your processes", [["clock", me]], running),
-        Protection(
-            "can't tell whether a process is there",
-            [["cpus", me], ["limits", me], ["count"]],
-            running,
-        ),
-        Protection("sets no limits", [["set-limit"]], running),
-        Protection("can't tell how full a disk is", [["disk"]], running),
-        Protection("can't tell how many pipes there are", [["pipe"]], ("run",)),
-        Protection("gives no advice on others' memory", ADVICE, running),
-        Protection("traces no process of yours", [["trace", me]]),
-        Protection("has no privileges", [["privileges"]]),
-        Protection("makes no namespaces", [["namespace"]]),
-        Protection("starts no process", [["processes", "1"]], running),
-        Protection("starts few processes", [["processes", "200"]], ("compile",)),
-        Protection(
-            "leaves nothing behind", [["daemon", marker]], outside=lambda: _no_process_has(marker)
-        ),
-        Protection("is held to its memory", memory, running),
-        Protection("is held to its memory", [["allocate", "2200"]], ("compile",)),
-        Protection("is held to its CPU time", [["spin", "3"]]),
-        Protection("is held to its output", [["flood", "20"]]),
+            row["title"],
+            [[bait.get(word, word) for word in attempt.split()] for attempt in row["attempts"]],
+            tuple(row.get("in", PLACES)),
+            outside.get(row.get("outside", "")),
+            marker if row.get("canary") else "",
+        )
+        for row in json.loads(TABLE.read_text("utf-8"))
     ]
 
 

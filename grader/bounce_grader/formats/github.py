@@ -4,7 +4,6 @@ step. One output is the result that the action autograding-grading-reporter read
 import base64
 import json
 import os
-from pathlib import Path
 from typing import Any
 
 from bounce_grader.common.errors import UsageError
@@ -12,17 +11,13 @@ from bounce_grader.common.escaping import workflow
 from bounce_grader.common.numbers import out_of, short
 from bounce_grader.formats import markdown, sentences
 from bounce_grader.grading.record import Record
-from bounce_grader.submission import folders
 
 VERSION = 1  # of the reporter's format
-Files = tuple[str, ...]  # names of all files in the repository
 
 
-def render(record: Record, root: Path = Path()) -> str:
-    """Workflow commands for standard output. `root` is the folder that was graded, as in the
-    repository."""
-    files = _files(root)
-    lines = [line for part in record["parts"] for line in _part(part, files)]
+def render(record: Record) -> str:
+    """Workflow commands for standard output."""
+    lines = [line for part in record["parts"] for line in _part(part)]
     lines += [workflow("warning", words, title="Speed") for words in sentences.speed_words(record)]
     if record["box"] != "full":
         words = "without a box" if record["box"] == "none" else "in the reduced box"
@@ -39,23 +34,22 @@ def refused(sentence: str) -> str:
     return workflow("error", sentence, title="Not graded")
 
 
-def reporter_result(record: Record, root: Path = Path(), pass_score: float = 0.0) -> str:
+def reporter_result(record: Record, pass_score: float = 0.0) -> str:
     """The result for the reporter, in base64, with a test for each check, because a test passes or
     fails as a whole. The reporter fails the job by the status, as the exit status of --min-score
     does."""
-    files = _files(root)
     report = {
         "version": VERSION,
         "status": "pass" if record["score"] >= pass_score else "fail",
         "max_score": record["max_score"],
-        "tests": [_test(*numbered, files) for numbered in sentences.numbered(record)],
+        "tests": [_test(*numbered) for numbered in sentences.numbered(record)],
     }
     return base64.b64encode(json.dumps(report).encode()).decode()
 
 
-def write_outputs(record: Record, root: Path = Path(), pass_score: float = 0.0) -> None:
+def write_outputs(record: Record, pass_score: float = 0.0) -> None:
     """Writes the outputs and the summary of a workflow's step, if this runs in one."""
-    result = f"result={reporter_result(record, root, pass_score)}\nscore={short(record['score'])}\n"
+    result = f"result={reporter_result(record, pass_score)}\nscore={short(record['score'])}\n"
     _append("GITHUB_OUTPUT", result)
     _append("GITHUB_STEP_SUMMARY", markdown.render(record) + "\n")
 
@@ -71,8 +65,8 @@ def _append(variable: str, text: str) -> None:
         raise UsageError(f"{variable} names a file that can't be written: {error}") from error
 
 
-def _test(number: str, part: Record, check: Record, files: Files) -> dict[str, Any]:
-    where = _where(check.get("place") or part.get("place"), part, files)
+def _test(number: str, part: Record, check: Record) -> dict[str, Any]:
+    where = _where(check.get("place") or part.get("place"), part)
     return {
         "name": f"{number} {check['title']}",
         "status": "pass" if check["passed"] else "fail",
@@ -85,7 +79,7 @@ def _test(number: str, part: Record, check: Record, files: Files) -> dict[str, A
     }
 
 
-def _part(part: Record, files: Files) -> list[str]:
+def _part(part: Record) -> list[str]:
     """At most one annotation for a part, because GitHub shows only ten of each kind in a step. It
     points to a line if one is known."""
     if part["score"] == part["max_score"] and not part.get("remarks"):
@@ -95,31 +89,15 @@ def _part(part: Record, files: Files) -> list[str]:
     if graded or part["score"]:
         lines += sentences.mistake_words(part)
         lines += [f"lost: {check['title']}" for check in part["checks"] if not check["passed"]]
-    where = _where(part.get("place"), part, files)
+    where = _where(part.get("place"), part)
     where["line"] = where["line"] or 1
     kind, text = "warning" if graded else "error", "\n".join(lines).strip()
     return [workflow(kind, text, **where, title=f"Part {part['part']}: {out_of(part)}")]
 
 
-def _where(place: Record | None, part: Record, files: Files) -> dict[str, str | int]:
-    """A file of the repository, a line of it (0: unknown), and the column if it is known. The
-    record's paths begin at the submission's top folder, which may be deeper in the repository."""
-    own = f"{part['stem']}.cpp"
-    file = place["file"] if place else own
-    deeper = [name for name in files if name.endswith(f"/{file}")]
-    if len(deeper) == 1 and file not in files:
-        file = deeper[0]
-    if not place or file not in files and Path(file).name != own:
-        return {"file": file if not place else own, "line": 0}
+def _where(place: Record | None, part: Record) -> dict[str, str | int]:
+    """A file, a line of it (0: unknown), and the column if it is known."""
+    if not place:
+        return {"file": f"{part['stem']}.cpp", "line": 0}
     column = {"col": place["column"]} if place["column"] else {}
-    return {"file": file, "line": place["line"]} | column
-
-
-def _files(root: Path) -> Files:
-    """The names of the files in a folder, without what is in archives there, which would be
-    unpacked for nothing. Empty if it is no folder, or can't be listed."""
-    try:
-        with folders.opened(root) as entries:
-            return tuple(entry.name for entry in entries)
-    except UsageError:
-        return ()
+    return {"file": place["file"], "line": place["line"]} | column

@@ -179,6 +179,8 @@ class _Grading:
         return None if built.path else self._not_built(part, built.problem, built.place)
 
     def _not_built(self, part: Part, why: str, place: Place | None) -> Record:
+        if place:  # as "./helper.hpp", or as whatever the submission made a compiler write
+            place = place._replace(file=os.path.normpath(place.file))
         known = place if place and place.file in self.taken.files else None
         return record.failed_part(part, "does_not_compile", why, known)
 

@@ -33,7 +33,7 @@ from bounce_grader.common.parallel_map import parallel_map
 from bounce_grader.common.paths import FIXTURES, JUDGE, REFERENCE_RUNNER, ROOT
 from bounce_grader.grading.gallery import expected
 from bounce_grader.grading.hints import hints
-from bounce_grader.grading.record import KNOWN
+from bounce_grader.grading.record import KNOWN, MISTAKE_FIELDS
 from bounce_grader.sandbox import processes
 from bounce_grader.sandbox.box import LARGEST_FILE, Box
 from bounce_grader.submission import submission
@@ -42,6 +42,10 @@ GALLERY = ROOT / "tests" / "submissions" / "mistakes"
 TRUSTED = Box("none")  # the gallery is the kit's own
 LIMITS = processes.Limits(20, 120, memory=4 << 30, file_size=LARGEST_FILE, output=64 << 20)
 DIGITS = 12  # significant ones
+HOLDS = {
+    "mistake.md": "its title, a sentence, equations, hint and a line",
+    "expected.json": "the checks that it loses",
+}
 LAYOUT = re.compile(
     r"# (?P<title>.+)\n\n(?P<sentence>.+)\n\n- Equations: (?P<equations>\d+(?:, \d+)*)\n"
     r"- Hint: (?P<hint>.+)\n- For the instructor: (?P<instructor>.+)\n"
@@ -73,10 +77,11 @@ def gallery() -> list[Mistake]:
 
 
 def read(folder: Path) -> Mistake:
-    words = _text(folder / "mistake.md", "its title, a sentence, equations, hint and a line")
-    _text(folder / "expected.json", "the checks that it loses")
     written, file = expected(folder), f"{folder.name}/mistake.md"
-    match = LAYOUT.fullmatch(words)
+    for name, held in HOLDS.items():
+        if not (folder / name).exists():
+            raise KitError(f"{folder.name} lacks {name}: write {held}")
+    match = LAYOUT.fullmatch((folder / "mistake.md").read_text("utf-8"))
     if not match:
         raise KitError(f"{file} isn't laid out as tests/submissions/README.md says")
     if not re.match(r"part\d+_", folder.name):
@@ -89,12 +94,6 @@ def read(folder: Path) -> Mistake:
     found: dict[str, Any] = match.groupdict() | {"name": folder.name, "equations": numbers}
     twin = written.get("recognised_as", folder.name)
     return Mistake(**found, lost=tuple(written["lost"]), recognised_as=twin)
-
-
-def _text(file: Path, what: str) -> str:
-    if not file.exists():
-        raise KitError(f"{file.parent.name} lacks {file.name}: write {what}")
-    return file.read_text(encoding="utf-8")
 
 
 @cache
@@ -154,21 +153,18 @@ def texts() -> dict[str, str]:
     return {f"{part.stem}.json": _file(part, mistakes, got) for part in parts()}
 
 
+def stale(folder: Path = KNOWN) -> dict[str, str | None]:
+    """The names of the files that don't match the gallery, with the text of each; None if it should
+    be gone. One that differs only by rounding matches: the libm of another machine gives other last
+    digits."""
+    fresh: dict[str, str | None] = {file.name: None for file in folder.glob("*")} | texts()
+    return {name: text for name, text in fresh.items() if not _is_fresh(folder / name, text)}
+
+
 def write(folder: Path = KNOWN) -> None:
-    """Writes the files. One that differs only by rounding stays as it is: the libm of another
-    machine gives other last digits."""
-    folder.mkdir(parents=True, exist_ok=True)
-    for name, text in texts().items():
-        file = folder / name
-        if not _is_fresh(file, text):
-            write_whole(file, text)
-
-
-def differing(folder: Path = KNOWN) -> list[str]:
-    """The names of the files that don't match the gallery."""
-    fresh = texts()
-    names = {file.name for file in folder.glob("*")} | set(fresh)
-    return sorted(name for name in names if not _is_fresh(folder / name, fresh.get(name)))
+    for name, text in stale(folder).items():
+        if text is not None:
+            write_whole(folder / name, text)
 
 
 def _is_fresh(file: Path, text: str | None) -> bool:
@@ -192,7 +188,10 @@ def _file(part: Part, mistakes: list[Mistake], got: Mapping[str, Answers]) -> st
     """The JSON text for a part, with one mistake on each line."""
     right = _rounded(answers(part, REFERENCE_RUNNER))
     lines = [
-        _line(_entry(m, _differences(right, _rounded(got[m.name]))))
+        _line(
+            {key: getattr(m, key) for key in MISTAKE_FIELDS}
+            | {"checks": m.lost, "answers": _differences(right, _rounded(got[m.name]))}
+        )
         for m in mistakes
         if m.part == part and m.recognised_as == m.name
     ]
@@ -203,18 +202,6 @@ def _file(part: Part, mistakes: list[Mistake], got: Mapping[str, Answers]) -> st
 
 def _line(value: Any) -> str:
     return json.dumps(value, ensure_ascii=False, separators=(",", ":"))
-
-
-def _entry(mistake: Mistake, differences: dict[str, Any]) -> dict[str, Any]:
-    return {
-        "name": mistake.name,
-        "title": mistake.title,
-        "sentence": mistake.sentence,
-        "equations": mistake.equations,
-        "hint": mistake.hint,
-        "checks": mistake.lost,
-        "answers": differences,
-    }
 
 
 def _rounded(answers: Answers) -> Answers:

@@ -8,7 +8,7 @@ import hashlib
 import json
 from collections.abc import Callable, Iterator, Mapping
 from functools import cache
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 from typing import Any
 
 from bounce_grader import __version__
@@ -22,7 +22,7 @@ from bounce_grader.submission.submission import Place, Submission
 
 Record = dict[str, Any]
 KNOWN = FIXTURES / "public" / "mistakes"
-TOLD_OF_A_MISTAKE = ("name", "title", "sentence", "equations", "hint")
+MISTAKE_FIELDS = ("name", "title", "sentence", "equations", "hint")
 LONGEST_SENTENCE = 1000
 MOST_IGNORED = 100  # names
 
@@ -57,17 +57,14 @@ def failed_part(part: Part, status: str, message: str, place: Place | None = Non
 
 def _at(place: Place | None) -> Record:
     """The line of the submission that something is about, if one is known."""
-    if not place:
-        return {}
-    file = printable_name(place.file)
-    return {"place": {"file": file, "line": place.line, "column": place.column}}
+    return {"place": place._asdict()} if place else {}
 
 
 def part_record(part: Part, judged: Judged) -> Record:
     ended = [verdict for verdict in judged.verdicts.values() if verdict.status != "graded"]
     place = next((verdict.place for verdict in ended if verdict.place), None)
     mistakes = [
-        {key: known_mistakes()[name][key] for key in TOLD_OF_A_MISTAKE} for name in judged.mistakes
+        {key: known_mistakes()[name][key] for key in MISTAKE_FIELDS} for name in judged.mistakes
     ]
     return failed_part(part, judged.status, _part_message(part, judged), place) | {
         "score": judged.score(part),
@@ -179,7 +176,7 @@ def whole(
     record: Record = {
         "score": sum(p["score"] for p in part_records),
         "max_score": sum(part.points for part in parts()),
-        "parts": part_records,
+        "parts": [_with_paths(part, submission) for part in part_records],
         "box": box,
         "seconds": {phase: round(value, 3) for phase, value in seconds.items()},
         "kit": __version__,
@@ -190,6 +187,22 @@ def whole(
     if len(submission.ignored) > MOST_IGNORED:
         record["ignored_more"] = len(submission.ignored) - MOST_IGNORED
     return {**record, "speed": speed} if speed else record
+
+
+def _with_paths(part: Record, submission: Submission) -> Record:
+    """The part and its checks with the paths that their places have in what was handed in. A part
+    that isn't about a certain line has line 0 of its file."""
+
+    def path(file: str) -> str:
+        return printable_name(str(PurePosixPath(submission.top, file)))
+
+    def located(found: Record) -> Record:
+        place = found.get("place")
+        return found | {"place": place | {"file": path(place["file"])}} if place else found
+
+    if part["part"] in submission.parts and "place" not in part:
+        part = part | _at(Place(submission.parts[part["part"]], 0))
+    return {**located(part), "checks": list(map(located, part["checks"]))}
 
 
 def digest_of(folders: list[Path]) -> str:

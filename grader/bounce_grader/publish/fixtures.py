@@ -37,7 +37,7 @@ def _differing(kind: str, folder: Path) -> list[str]:
 def check() -> int:
     """Names the committed files that differ from what the solution writes, and those of known
     mistakes that don't match the gallery. Returns the exit status."""
-    mistakes = [f"public/mistakes/{name}" for name in known_mistakes.differing()]
+    mistakes = [f"public/mistakes/{name}" for name in sorted(known_mistakes.stale())]
     names = [*differing(), *mistakes]
     for name in names:
         print(f"fixtures/{name} isn't what the kit writes: run ./kit fixtures")

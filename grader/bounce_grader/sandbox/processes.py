@@ -11,7 +11,6 @@ import signal
 import subprocess
 import sys
 import time
-from collections.abc import Mapping
 from contextlib import ExitStack, suppress
 from pathlib import Path
 from typing import NamedTuple
@@ -107,7 +106,20 @@ def run(
         if stdin:
             given = _in_memory(stdin)
             stack.callback(os.close, given)
-        process = _started((limits.prefix() if limits else []) + words, given, cwd, descriptors)
+        words = [*(limits.prefix() if limits else []), *words]
+        try:
+            process = subprocess.Popen(
+                words,
+                stdin=given,
+                stdout=subprocess.PIPE,
+                stderr=subprocess.PIPE,
+                cwd=cwd,
+                env=ENVIRONMENT,
+                pass_fds=tuple(descriptors.values()),
+                start_new_session=True,
+            )
+        except OSError as error:
+            raise KitError(f"{words[0]} could not be started: {error.strerror}") from error
         with process:  # closes its streams
             try:
                 result = _collect(process, limits)
@@ -142,24 +154,6 @@ def _opened(output: Path) -> int:
     descriptor = os.open(output, os.O_WRONLY | os.O_CREAT | os.O_TRUNC)
     os.fchmod(descriptor, 0o644)  # whatever the umask: a later box reads it as another user
     return descriptor
-
-
-def _started(
-    command: list[str], stdin: int, cwd: Path | None, descriptors: Mapping[str, int]
-) -> subprocess.Popen[bytes]:
-    try:
-        return subprocess.Popen(
-            command,
-            stdin=stdin,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.PIPE,
-            cwd=cwd,
-            env=ENVIRONMENT,
-            pass_fds=tuple(descriptors.values()),
-            start_new_session=True,
-        )
-    except OSError as error:
-        raise KitError(f"{command[0]} could not be started: {error.strerror}") from error
 
 
 def _collect(process: subprocess.Popen[bytes], limits: Limits | None) -> Result:

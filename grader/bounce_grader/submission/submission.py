@@ -62,6 +62,7 @@ class Submission(NamedTuple):
     parts: dict[int, str]  # part number -> path in files
     refused: dict[int, str]  # part number -> why it isn't used
     ignored: tuple[str, ...] = ()
+    top: str = "."  # the folder that held everything, from which these paths begin
 
     @property
     def helpers(self) -> list[str]:
@@ -133,6 +134,7 @@ def take(path: Path, entries: list[Entry]) -> Submission:
         parts={number: name for number, name in chosen.items() if name in files},
         refused={n: f"{name} {not_text[name]}" for n, name in chosen.items() if name in not_text},
         ignored=tuple(f"{n} ({not_text[n]})" if n in not_text else n for n in sorted(left)),
+        top=top,
     )
 
 
