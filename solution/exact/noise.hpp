@@ -8,7 +8,9 @@
 
 namespace bounce::exact {
 
-// The numbers size and -size, at random (Marsaglia 2003, "Xorshift RNGs", J. Stat. Softw. 8).
+// Numbers of either sign between size / 2 and size, at random (Marsaglia 2003, "Xorshift RNGs", J.
+// Stat. Softw. 8). Their sizes differ, so that two of them cancel rarely, which size and -size
+// alone would do half of the time.
 class Noise {
  public:
   Noise(double size, std::uint64_t seed) : size_(size), random_(seed * 0x9E3779B97F4A7C15u) {}
@@ -19,7 +21,8 @@ class Noise {
     random_ ^= random_ << 13;
     random_ ^= random_ >> 7;
     random_ ^= random_ << 17;
-    return random_ >> 63 ? size_ : -size_;
+    const double some = size_ * (0.5 + 0x1p-65 * double(random_ << 1));
+    return random_ >> 63 ? some : -some;
   }
 
  private:

@@ -1,4 +1,4 @@
-// Two slightly perturbed motions that follow a reference motion, to measure how fast errors grow.
+// Three slightly perturbed motions that follow a reference motion, to measure how fast errors grow.
 //
 // In flight each moves by itself. When the reference has an impact, corner k of a perturbed motion
 // is at a height h and strikes t = -h / v_n later: that motion is advanced by t, struck, and taken
@@ -7,9 +7,9 @@
 // difference. It looks for no contact and takes few operations, where a second simulation takes as
 // long as the first.
 //
-// This is valid as long as all three have the same impacts, each of a single corner, and none so
+// This is valid as long as all of them have the same impacts, each of a single corner, and none so
 // slow that its time is uncertain. After that the perturbed motions are lost, and no distance is
-// measured any more. There are two of them, because a single one may happen to be perturbed in a
+// measured any more. There are three of them, because one or two may happen to be perturbed in a
 // direction that hardly grows.
 #pragma once
 
@@ -34,7 +34,7 @@ class PerturbedMotions {
 
   // The noise perturbs them at every impact; without noise they are lost.
   PerturbedMotions(const Motion<Real>& start, const Noise& noise)
-      : both_{start, start}, noise_(noise), lost_(noise.size() == 0) {}
+      : all_{start, start, start}, noise_(noise), lost_(noise.size() == 0) {}
 
   bool lost() const { return lost_; }
   void lose() { lost_ = true; }
@@ -48,7 +48,7 @@ class PerturbedMotions {
     if (lost_) return;
     flown_ += time;
     Real square = 0;
-    for (Motion<Real>& s : both_) {
+    for (Motion<Real>& s : all_) {
       s = fly(s, body, time);
       const Real x = s.x - reference.x, y = s.y - reference.y;
       const Real turned = body.rho * (s.theta - reference.theta);
@@ -58,13 +58,13 @@ class PerturbedMotions {
   }
 
   void turn(Real angle) {
-    for (Motion<Real>& s : both_) s.theta += angle;
+    for (Motion<Real>& s : all_) s.theta += angle;
   }
 
   // The impact of the corner whose arm is r in the reference, which is turned by theta.
   void collide(const Arm<Real>& r, Real theta, const Body<Real>& body, methods::ContactMode mode,
                methods::ImpactLaw law) {
-    for (Motion<Real>& s : both_) collide(s, r, theta, body, mode, law);
+    for (Motion<Real>& s : all_) collide(s, r, theta, body, mode, law);
     struck_ = true;
     flown_ = 0;
   }
@@ -90,7 +90,7 @@ class PerturbedMotions {
     return {r.x - angle * r.y, r.y + angle * r.x};
   }
 
-  methods::Row<Motion<Real>, 2> both_{};
+  methods::Row<Motion<Real>, 3> all_{};
   Noise noise_{0, 1};
   bool lost_ = true, struck_ = false;
   Real flown_ = 0;  // since the last impact
