@@ -12,7 +12,7 @@ from bounce_grader.classroom.grading.summary import Summary
 from bounce_grader.classroom.intake.course import Course
 from bounce_grader.classroom.intake.student import Class
 from bounce_grader.classroom.output import charts
-from bounce_grader.classroom.output.charts import Bar, Point, Curve
+from bounce_grader.classroom.output.charts import Bar, Curve
 from bounce_grader.common.escaping import first_few, printable_name
 from bounce_grader.common.manifest import named_together, part_of, parts
 from bounce_grader.common.numbers import percent, scientific, short
@@ -23,7 +23,6 @@ from bounce_grader.grading.hints import nudge, of_check
 from bounce_grader.grading.known_mistakes import for_the_instructor
 
 MOST_UNUSED = 10  # names of unused files of one submission; grades.csv has more
-RIGHT = 1e-9  # the tolerance of every comparison
 Row = list[str]
 
 
@@ -50,9 +49,6 @@ def render(
         mistakes_of_one=[mistake for mistake in mistakes if len(mistake["who"]) == 1],
         failed_checks=_failed_checks(graded),
         timed=any(s.ratio is not None for s in summaries),
-        scatter=charts.scatter(
-            [Point(s.ratio, _error(s), _kind(s), _label(s)) for s in graded], RIGHT
-        ),
         curves=_curves(summaries, graded),
         chart_style=ON_PAPER,
         names=NAMES,
@@ -130,7 +126,7 @@ def _label(summary: Summary) -> str:
 
 
 def _kind(summary: Summary) -> str:
-    """The kind of its mark in the charts."""
+    """The kind of its line in the chart."""
     score = summary.score or 0
     return "full" if score >= _full() else "some" if score else "none"
 
@@ -170,14 +166,6 @@ def _failed_checks(graded: Sequence[Summary]) -> list[Row]:
         [f"part {part.number}", check.title, hints[check.id], nudge(hints[check.id]), str(count)]
         for part, check, count in most
     ]
-
-
-def _error(summary: Summary) -> float | None:
-    """The error for the chart; None also if points were lost though every error is tiny, because
-    then an answer is missing."""
-    if summary.error is None or summary.score is None:
-        return None
-    return summary.error if summary.score >= _full() or summary.error > RIGHT else None
 
 
 def _curves(summaries: Sequence[Summary], graded: Sequence[Summary]) -> Drawing | None:
