@@ -78,8 +78,9 @@ def cross(x: float, y: float, arm: int) -> str:
     return f"M{x - arm:.1f} {y - arm:.1f}l{2 * arm} {2 * arm}m0-{2 * arm}l-{2 * arm} {2 * arm}"
 
 
-def circle(place: Place, r: float, rest: str) -> str:
-    return f'<circle cx="{place[0]:.1f}" cy="{place[1]:.1f}" r="{r:g}" {rest}>'
+def circle(place: Place, r: float, attributes: str, inside: str | None = None) -> str:
+    end = "/>" if inside is None else f">{inside}</circle>"
+    return f'<circle cx="{place[0]:.1f}" cy="{place[1]:.1f}" r="{r:g}" {attributes}{end}'
 
 
 def title(words: str) -> str:
@@ -232,7 +233,7 @@ def _mark(whose: str, place: Place, words: str = "") -> str:
     x, y = place
     kind = f'class="{CLASSES[whose]}"'
     if whose == "submission":
-        return circle(place, 2.5, f'stroke-width="5" fill="none" {kind}') + f"{words}</circle>"
+        return circle(place, 2.5, f'stroke-width="5" fill="none" {kind}', words)
     if whose == "solution":
         return (
             f'<rect x="{x - 4.5:.1f}" y="{y - 4.5:.1f}" width="9" height="9" '
@@ -320,7 +321,7 @@ def _step(
     shapes.append(_closed([place(corner) for corner in square]))
     touches = lowest[1] < scene["delta"]  # eq. (11)
     if touches:
-        shapes.append(circle(place(lowest), 5, f'fill="{INK}"/'))
+        shapes.append(circle(place(lowest), 5, f'fill="{INK}"'))
     lines = ["not finite"]
     if v:
         shapes += _arrow(place(q), (v[0], v[1]), LONGEST / largest[0], "v\N{PRIME}")
@@ -427,4 +428,4 @@ def _path_of(places: dict[int, Place], dash: str, size: float, fill: str) -> lis
     gapless = len(columns) > 1 and columns[-1] - columns[0] == len(columns) - 1
     out = [path([places[t] for t in columns], dash)] if gapless else []
     marks = columns[:: max(1, len(columns) // 20)]
-    return out + [circle(places[t], size, f'fill="{fill}" stroke="{INK}"/') for t in marks]
+    return out + [circle(places[t], size, f'fill="{fill}" stroke="{INK}"') for t in marks]

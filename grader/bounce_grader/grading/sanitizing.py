@@ -14,13 +14,11 @@ from bounce_grader.grading.judging import Judged
 from bounce_grader.grading.words import Verdict
 from bounce_grader.sandbox.box import Box
 from bounce_grader.sandbox.budget import Budget, Overrun
-from bounce_grader.sandbox.processes import Limits
 from bounce_grader.submission.submission import Place, Submission
 
 CPU_SECONDS, WALL_SECONDS = 20.0, 80.0  # for one part
 MARGIN = 5.0  # s, to stop it
 GONE = "it uses a variable that is gone"
-LIMITS = Limits(cpu_seconds=5, wall_seconds=30, memory=1 << 30, file_size=0)
 
 
 def with_cause(
@@ -96,7 +94,7 @@ def _of_auto(verdict: Verdict, taken: Submission, box: Box) -> tuple[str, Place]
     if place and verdict.ended.startswith(GONE):
         command = [*box.to_build(RUNNER, [AUTO_LINE], ()), str(AUTO_LINE), str(place.line)]
         with suppress(Overrun):
-            result = box.run(command, LIMITS, stdin=taken.files[place.file])
+            result = box.run(command, judging.SYMBOLS, stdin=taken.files[place.file])
             line, _, words = result.out.decode().partition(" ")
             if result.ok and line:
                 place = Place(place.file, int(line))

@@ -1,8 +1,8 @@
-"""Writes zips whose bytes depend on nothing but what they hold."""
+"""Chooses files, and writes zips whose bytes depend on nothing but what they hold."""
 
 import stat
 import zipfile
-from collections.abc import Mapping
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 
 from bounce_grader.common.errors import UsageError
@@ -28,3 +28,14 @@ def write(path: Path, held: Mapping[str, tuple[bytes, int]], compressed: bool) -
     except OSError as error:
         temporary.unlink(missing_ok=True)
         raise UsageError(f"{path} can't be written: {error.strerror}") from error
+
+
+def files_in(folder: Path, is_skipped: Callable[[Path], bool]) -> Iterator[Path]:
+    """The files below a folder, without links and what is skipped."""
+    for path in folder.iterdir():
+        if path.is_symlink() or is_skipped(path):
+            continue
+        if path.is_dir():
+            yield from files_in(path, is_skipped)
+        else:
+            yield path

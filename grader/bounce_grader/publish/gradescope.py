@@ -31,19 +31,9 @@ def write(path: Path) -> None:
 
 
 def _packed(root: Path) -> Iterator[Path]:
+    def is_skipped(path: Path) -> bool:
+        return path.name in LEFT_OUT or path.suffix == ".zip" or path == root / BUILT
+
     for name in PACKED:
-        if (root / name).is_dir():
-            built = root / BUILT
-            yield from (f for f in _files(root / name) if not f.is_relative_to(built))
-        else:
-            yield root / name
-
-
-def _files(folder: Path) -> Iterator[Path]:
-    for child in folder.iterdir():
-        if child.name in LEFT_OUT or child.is_symlink():
-            continue
-        if child.is_dir():
-            yield from _files(child)
-        elif child.suffix != ".zip":
-            yield child
+        place = root / name
+        yield from archive.files_in(place, is_skipped) if place.is_dir() else [place]

@@ -5,7 +5,6 @@ runs, the public fixtures with the answers of known mistakes, and the manifest o
 points the texts say. Times and permissions are fixed, so that the same kit gives the same bytes.
 """
 
-from collections.abc import Iterator
 from pathlib import Path
 
 from bounce_grader.common.paths import HANDOUT, ROOT
@@ -25,7 +24,7 @@ WITH_POINTS = {".md", ".hpp"}  # the files of student/ that may say points
 
 def files() -> dict[str, Path]:
     """The files of the handout, as path in the zip -> file of the kit, in order."""
-    chosen = {str(f.relative_to(HANDOUT)): f for f in _regular(HANDOUT)}
+    chosen = {str(f.relative_to(HANDOUT)): f for f in archive.files_in(HANDOUT, _is_skipped)}
     tests = ROOT / "tests" / "parts"
     for pattern in TESTS:
         chosen |= {f"tests/{f.relative_to(tests)}": f for f in tests.glob(pattern) if f.is_file()}
@@ -54,15 +53,9 @@ def _as_handed_out(file: Path) -> bytes:
     return data
 
 
-def _regular(folder: Path) -> Iterator[Path]:
-    for path in folder.iterdir():
-        is_hidden = path.name.startswith(".") and path.name not in OF_EDITORS
-        if path.name in SKIPPED or is_hidden or path.is_symlink():
-            continue
-        if path.is_dir():
-            yield from _regular(path)
-        else:
-            yield path
+def _is_skipped(path: Path) -> bool:
+    is_hidden = path.name.startswith(".") and path.name not in OF_EDITORS
+    return path.name in SKIPPED or is_hidden
 
 
 def write(path: Path) -> int:
