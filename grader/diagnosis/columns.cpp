@@ -28,6 +28,7 @@ Columns columns_of(int part, const Cases& cases, const Answers& right, const Ans
     };
     const Case& c = cases[k];
     for (const auto& [name, x] : inputs_of(c)) set(name, x);
+    for (const auto& [name, x] : inputs_of({})) set(std::string("usual_") + name, x);
     set("pi", std::numbers::pi);
     set("T", c.params.T);
     set_each("q", c.q);

@@ -14,39 +14,16 @@ struct Trait {
   Questions questions;
 };
 
-std::vector<Trait> traits(const WrongPart& part) {
+std::vector<Trait> traits(const WrongPart& part, const std::string& list) {
   std::vector<Trait> all;
-  for (const Row& row : rows_of("where " + std::to_string(part.part))) {
-    for (const auto& [words, formula] : alternatives(row.at("traits"))) {
-      all.push_back({words, {}});
-      const Column is = value(formula, part.columns);
-      for (Eigen::Index k = 0; k < is.size(); ++k) {
-        if (is(k) != 0) all.back().questions.insert(static_cast<std::size_t>(k));
-      }
+  for (const auto& [words, formula] : alternatives(list)) {
+    all.push_back({words, {}});
+    const Column is = value(formula, part.columns);
+    for (Eigen::Index k = 0; k < is.size(); ++k) {
+      if (is(k) != 0) all.back().questions.insert(static_cast<std::size_t>(k));
     }
   }
   return all;
-}
-
-// The parameters that aren't the assignment's.
-std::vector<Trait> other_parameters(const WrongPart& part) {
-  std::vector<Trait> all;
-  for (std::size_t i = 0; i < kParameters; ++i) {
-    const Input usual = inputs_of({})[i];
-    all.push_back({usual.name, {}});
-    for (std::size_t k = 0; k < part.cases.size(); ++k) {
-      if (inputs_of(part.cases[k])[i].value != usual.value) all.back().questions.insert(k);
-    }
-  }
-  return all;
-}
-
-std::vector<Trait> gravity_sideways(const WrongPart& part) {
-  Trait sideways{"gravity has an x part", {}};
-  for (std::size_t k = 0; k < part.cases.size(); ++k) {
-    if (part.cases[k].params.g(0) != 0) sideways.questions.insert(k);
-  }
-  return {sideways};
 }
 
 // The traits that fit the wrong questions best: those that the fewest right ones have.
@@ -84,10 +61,14 @@ std::string where(const WrongPart& part, const Questions& wrong) {
   // Few right questions may differ in this by chance.
   if (wrong.empty() || count - wrong.size() < kEnough) return "";
   // Tried first: it is a better explanation than a parameter that isn't the assignment's.
-  const auto sideways = closest(gravity_sideways(part), count, wrong);
+  const auto sideways = closest(traits(part, "sideways"), count, wrong);
   if (sideways) return only_where(sideways->words[0], *sideways, wrong);
-  const auto numbers = closest(other_parameters(part), count, wrong);
-  const auto best = closest(traits(part), count, wrong);
+  const auto numbers = closest(traits(part, "unusual"), count, wrong);
+  std::vector<Trait> others;
+  for (const Row& row : rows_of("where " + std::to_string(part.part))) {
+    for (const Trait& trait : traits(part, row.at("traits"))) others.push_back(trait);
+  }
+  const auto best = closest(others, count, wrong);
   if (numbers && (!best || numbers->questions.size() <= best->questions.size())) {
     const std::string are = numbers->words.size() == 1 ? " isn't" : " aren't";
     return only_where(joined(numbers->words, " or ") + are + " the assignment's", *numbers, wrong);
