@@ -2,27 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <map>
-
-#include "diagnostic_questions.hpp"
 
 namespace bounce::tests {
 namespace {
 
 constexpr int kShort = 40;  // columns; of a shorter trajectory, the last column is compared
 
-std::map<int, Eigen::VectorXd (*)(const Case&)>& functions() {
-  static std::map<int, Eigen::VectorXd (*)(const Case&)> by_part;
+std::map<int, AskNumbers>& functions() {
+  static std::map<int, AskNumbers> by_part;
   return by_part;
 }
 
-bool has_other_parameters(const Case& c) {
-  const Parameters usual;
-  return c.params.l != usual.l || c.params.m != usual.m;
-}
-
-Answer answer(Eigen::VectorXd (*ask)(const Case&), const Case& c) {
+Answer answer(AskNumbers ask, const Case& c) {
   about_to_ask(c);
   try {
     return {ask(c), ""};
@@ -92,21 +84,7 @@ std::optional<std::filesystem::path> public_file(int part, const std::string& fo
   return std::nullopt;
 }
 
-std::vector<Case> questions(int part) {
-  const auto file = public_file(part);
-  if (!file) throw std::logic_error("there are no public fixtures of part " + std::to_string(part));
-  std::ifstream in(*file);
-  std::vector<Case> cases = read_all_cases(in);
-  const std::vector<Case> others = diagnostic_questions(part, cases);
-  std::stable_partition(cases.begin(), cases.end(), has_other_parameters);
-  cases.insert(cases.end(), others.begin(), others.end());
-  for (int again = part == 4 ? 1 : 4; again > 0; --again) {
-    cases.push_back(Case(cases[static_cast<std::size_t>(again - 1)]));
-  }
-  return cases;
-}
-
-bool register_call(int part, Eigen::VectorXd (*ask)(const Case&)) {
+bool register_call(int part, AskNumbers ask) {
   functions()[part] = ask;
   return true;
 }

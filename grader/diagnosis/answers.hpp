@@ -45,7 +45,8 @@ std::optional<std::filesystem::path> public_file(int part, const std::string& fo
 std::vector<Case> questions(int part);
 
 // Registers how to call a part's function; the part's tests do so. Returns true.
-bool register_call(int part, Eigen::VectorXd (*ask)(const Case&));
+using AskNumbers = Eigen::VectorXd (*)(const Case&);
+bool register_call(int part, AskNumbers ask);
 
 // The answers to all questions. Empty where the program ends before it has answered.
 std::vector<Answer> answers(int part, const std::vector<Case>& questions);

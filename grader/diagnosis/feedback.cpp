@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "findings.hpp"
 #include "picture.hpp"
-#include "wrong_numbers.hpp"
 
 namespace bounce::tests {
 namespace {
@@ -29,6 +29,12 @@ std::string padded(const std::string& text, std::size_t width) {
   return text.size() < width ? text + std::string(width - text.size(), ' ') : text;
 }
 
+std::size_t width_of(const Words& lines) {
+  std::size_t width = 0;
+  for (const std::string& line : lines) width = std::max(width, line.size());
+  return width;
+}
+
 // Six digits, or more if a wrong number would look the same as the right one.
 int digits_for(const Difference& d, const Marks& right) {
   for (Index i = 0; i < d.got.size(); ++i) {
@@ -37,36 +43,35 @@ int digits_for(const Difference& d, const Marks& right) {
   return 6;
 }
 
-using Rows = std::vector<std::string>;
-
-// One line for each row of the matrix, its columns aligned; a wrong entry is marked.
-Rows rows_of(const Eigen::MatrixXd& m, const Marks* right, int digits) {
-  Rows rows(static_cast<std::size_t>(m.rows()));
+// A title, and a line for each row of the matrix, its columns aligned; a wrong entry is marked.
+Words lines_of(const std::string& title, const Eigen::MatrixXd& m, const Marks& right, int digits) {
+  Words rows(static_cast<std::size_t>(m.rows()), m.size() == 1 ? "" : "[");
   for (Index j = 0; j < m.cols(); ++j) {
-    Rows entries;
-    std::size_t width = 0;
+    Words entries;
     for (Index i = 0; i < m.rows(); ++i) {
       const std::string entry = number(m(i, j), digits);
-      entries.push_back(right && !(*right)(i, j) ? ">" + entry + "<" : " " + entry + " ");
-      width = std::max(width, entries.back().size());
+      entries.push_back(right(i, j) ? " " + entry + " " : ">" + entry + "<");
     }
     for (std::size_t i = 0; i < rows.size(); ++i) {
-      rows[i] += (j > 0 ? "  " : "") + padded(entries[i], width);
+      rows[i] += (j > 0 ? "  " : "") + padded(entries[i], width_of(entries));
     }
   }
-  if (m.size() == 1) return {rows[0].substr(0, rows[0].find_last_not_of(' ') + 1)};
-  for (std::string& row : rows) row = "[" + row + "]";
+  for (std::string& row : rows) {
+    if (m.size() > 1) row += "]";
+    if (row.back() == ' ') row.pop_back();
+  }
+  rows.insert(rows.begin(), title);
   return rows;
 }
 
 // Both matrices, side by side if that fits into a line, else one below the other.
 std::string side_by_side(const Case& c, const Difference& d) {
   const Marks right = agrees(c, d.expected, d.got);
+  const Marks all = Marks::Constant(right.rows(), right.cols(), true);
   const int digits = digits_for(d, right);
-  Rows yours = rows_of(d.got, &right, digits), rights = rows_of(d.expected, nullptr, digits);
-  yours.insert(yours.begin(), "yours, >wrong<");
-  rights.insert(rights.begin(), "right");
-  const std::size_t width = std::max(yours.front().size(), yours.back().size()) + 4;
+  const Words yours = lines_of("yours, >wrong<", d.got, right, digits);
+  const Words rights = lines_of("right", d.expected, all, digits);
+  const std::size_t width = width_of(yours) + 4;
   const bool beside = width + rights.back().size() < 72;
   std::string text = "  " + d.name + ", in " + d.unit + "\n";
   for (std::size_t i = 0; i < yours.size(); ++i) {
@@ -105,12 +110,11 @@ std::string explanation(const Case& c, const Difference& d) {
   const Marks right = agrees(c, d.expected, d.got);
   Words fit;
   double times = 1;
-  for (const auto& [name, factor] : factors(c.params)) {
+  for (const auto& [words, formula] : alternatives("factors")) {
+    const double factor = value_in(c, formula);
     const Marks scaled = agrees(c, factor * d.expected, d.got);
-    Index i = 0;
-    while (i < d.got.size() && (right(i) || (scaled(i) && d.expected(i) != 0))) ++i;
-    if (i < d.got.size()) continue;
-    fit.push_back(name);
+    if (!(right || (scaled && d.expected.array() != 0)).all()) continue;
+    fit.push_back(words);
     times = factor;
   }
   if (fit.empty()) return "";

@@ -1,47 +1,119 @@
-// What is found in a part's wrong answers: one function a file. Each gives true sentences of all
-// answers, or none.
+// What is found in a part's wrong answers: one kind of finding a file. Each gives true sentences of
+// all answers, or none.
 #pragma once
 
-#include "wrong_numbers.hpp"
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "answers.hpp"
 
 namespace bounce::tests {
 
 using Answers = std::vector<Answer>;
 using Cases = std::vector<Case>;
+using Words = std::vector<std::string>;
+using Column = Eigen::ArrayXd;  // a number of each question
+using Columns = std::map<std::string, Column>;
 
-// formulas.cpp: "Your phi is y - l/2 in every question", and the like: a formula that gives all of
-// a quantity's numbers where the right one doesn't. If two formulas do, both are named; if more do,
-// none is. The formulas are those of formula_table.cpp, and of trajectory.cpp for part 4.
-Words formulas(int part, const Cases& cases, const Answers& right, const Answers& got);
-Words trajectory(const Cases& cases, const Answers& right, const Answers& got);
+// A rule that holds for fewer numbers or cases may be chance.
+inline constexpr std::size_t kEnough = 3;
 
-// wrong_corner.cpp, of part 1: "Corner 4 is never chosen", "Your answer is always that of corner
-// 1", and the like. Empty if some answer is that of no corner, or if every answer is that of the
-// lowest.
-Words corners(const Cases& cases, const Answers& right, const Answers& got);
+// A wrong part: its questions, the right answers and its own.
+struct WrongPart {
+  int part;
+  const Cases& cases;
+  const Answers &right, &got;
+  Columns columns;  // of its own answers
+};
 
-// wrong_rules.cpp: a sentence if one rule explains every wrong number (a factor, a difference, a
-// constant, few digits); else up to two, each for a quantity with its own rule; else none.
-Words rules(int part, const Cases& cases, const Wrong& wrong);
+// columns.cpp: what stands for a name in a formula, with these answers.
+Columns columns_of(int part, const Cases& cases, const Answers& right, const Answers& got);
+
+// expression.cpp: the values of a formula that is written as text, "y - (l/2) abs(cos(theta))":
+// with
+// + - / ^, products without a sign ("2 mu dt"), < and =, which give 1 or 0, cos, sin, sqrt, abs,
+// floor, round, min, max, mod, atan2, and corner_x(angle, l) and corner_y(angle, l). Throws
+// std::exception if a name is unknown.
+Column value(const std::string& formula, const Columns& columns);
+
+// Of one question alone, and of no answer.
+double value_in(const Case& c, const std::string& formula);
+
+// 1 where two columns agree, as `same` says, and 0 elsewhere.
+Column are_same(const Column& a, const Column& b);
+
+// From the centre to the lowest corner of a square that is turned by this angle.
+Eigen::Vector2d lowest_corner(double angle, double side);
+
+// tables.cpp: the rows of a part in tables.txt, each with what its lines say, by their names.
+using Row = std::map<std::string, std::string>;
+const std::vector<Row>& rows_of(const std::string& part);
+std::string text_of(const Row& row, const std::string& name);  // empty if it has no such line
+Words split(const std::string& list, char between = ';');
+
+// The alternatives of a list, or of the list that has this name.
+struct Alternative {
+  std::string words, formula;
+};
+std::vector<Alternative> alternatives(const std::string& list);
+
+// A quantity: its name, and its entries in an answer.
+struct Quantity {
+  std::string name;
+  std::vector<Eigen::Index> entries;
+};
+std::vector<Quantity> quantities(int part);
+
+// A wrong number of an answer; those of answers that threw are left out.
+struct Number {
+  std::size_t question;
+  Eigen::Index entry;
+  double right, got;
+};
+
+// An input of the questions; g stands for its three entries.
+struct Input {
+  const char* name;
+  double value;
+};
+inline constexpr std::size_t kParameters = 7;  // among the inputs; they come first
+std::vector<Input> inputs_of(const Case& c);
+
+std::string digits(double x);                                               // six
+std::string joined(const Words& words, const std::string& last = " and ");  // "a, b and c"
+bool is_finite(const Answer& answer);  // whether it didn't throw, and all its numbers are finite
+
+// --- findings ---
+
+// "Your phi is y - l/2 in every question", and the like: a formula of tables.txt that gives all
+// of a quantity's numbers where the right one doesn't. If two formulas do, both are named; if more
+// do, none is. And of part 4, what is right and what is 0.
+Words formulas(const WrongPart& wrong);
+Words trajectory(const WrongPart& wrong);
+
+// Part 1: "Corner 4 is never chosen", "Your answer is always that of corner 1", and the like. Empty
+// if some answer is that of no corner, or if every answer is that of the lowest.
+Words corners(const WrongPart& wrong);
+
+// One rule for every wrong number (a factor, a difference, a constant, few digits); else up to two,
+// each for a quantity with its own rule; else none.
+Words rules(const WrongPart& wrong, const std::vector<Number>& numbers);
 
 // A sentence if exchanged places explain every answer; else empty.
-std::string exchanged(int part, const Answers& right, const Answers& got);
+std::string exchanged(const WrongPart& wrong);
 
-// wrong_parameters.cpp: "Where only l is changed, phi stays the same in your answers, and it should
-// change": if it does so in all questions that differ in this number alone. Empty if every input
-// counts as it should. Nothing is said of the quantities of which these formulas say what they are.
-Words inputs(int part, const Cases& cases, const Answers& right, const Answers& got,
-             const Words& formulas);
+// "Where only l is changed, phi stays the same in your answers, and it should change": if it does
+// so in all questions that differ in this number alone. Nothing is said of the quantities of which
+// these formulas say what they are.
+Words inputs(const WrongPart& wrong, const Words& formulas);
 
 // Whether the same question, asked twice, gets two answers.
-bool answers_differ_when_asked_again(const Cases& cases, const Answers& got);
+bool answers_differ_when_asked_again(const WrongPart& wrong);
 
-// wrong_where.cpp: "Wrong only where ...", for the cases with these indices. Empty if all or too
-// few are right, or if nothing sets the wrong ones apart.
-std::string where(int part, const Cases& cases, const std::set<std::size_t>& wrong);
-
-// The cases of part 3 with what the corner does by the right answers: a diagnostic question may
-// differ in this from the case that it was made of.
-Cases named_by_answer(Cases cases, const Answers& right);
+// "Wrong only where ...", for these questions. Empty if all or too few others are right, or if
+// nothing sets the wrong ones apart.
+std::string where(const WrongPart& wrong, const std::set<std::size_t>& questions);
 
 }  // namespace bounce::tests

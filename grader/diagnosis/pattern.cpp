@@ -1,6 +1,12 @@
 #include "pattern.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <iterator>
+#include <numeric>
+#include <set>
+#include <sstream>
 
 #include "findings.hpp"
 #include "recognise.hpp"
@@ -13,15 +19,33 @@ using Eigen::Index;
 constexpr std::size_t kMost = 5;  // sentences
 constexpr std::size_t kMostEntries = 4;
 
-// "J_t (third entry)", or the name alone if all entries are wrong, or many.
-std::string with_entries(const Quantity& quantity, const std::set<Index>& wrong) {
-  Words names;
-  for (std::size_t i = 0; i < quantity.names.size(); ++i) {
-    if (wrong.count(quantity.entries[i]) > 0) names.push_back(quantity.names[i]);
+std::vector<Number> wrong_numbers(const WrongPart& part) {
+  std::vector<Number> wrong;
+  for (std::size_t k = 0; k < part.got.size(); ++k) {
+    for (Index i = 0; i < part.got[k].numbers.size(); ++i) {
+      const double right = part.right[k].numbers(i), got = part.got[k].numbers(i);
+      if (!same(right, got)) wrong.push_back({k, i, right, got});
+    }
   }
-  const bool are_all = names.size() == quantity.names.size();
-  if (names.empty() || are_all || names.size() > kMostEntries) return quantity.name;
-  return quantity.name + " (" + joined(names) + ")";
+  return wrong;
+}
+
+std::string entry(int part, Index i) {
+  static const char* const of_J[] = {"first entry", "second entry", "third entry"};
+  static const char* const of_a_step[] = {"x", "y", "theta", "v_x", "v_y", "omega"};
+  if (part == 1) return of_J[i % 3];
+  if (part == 3) return of_a_step[i];
+  return "V(" + std::to_string(i % 4) + ", " + std::to_string(i / 4) + ")";
+}
+
+// "J_t (third entry)", or the name alone if all entries are wrong, or many.
+std::string with_entries(int part, const Quantity& quantity, const std::set<Index>& wrong) {
+  Words names;
+  for (const Index i : quantity.entries) {
+    if (wrong.count(i) > 0) names.push_back(entry(part, i));
+  }
+  const bool are_all = names.size() == quantity.entries.size();
+  return quantity.name + (are_all || names.size() > kMostEntries ? "" : " (" + joined(names) + ")");
 }
 
 // "in every public question"; with an exception, that is also said.
@@ -29,106 +53,128 @@ std::string in_those(bool all_answered) {
   return std::string("in every public question") + (all_answered ? "" : " that it answers");
 }
 
-std::string which(int part, const Wrong& wrong, bool all_answered) {
+std::string which(int part, const std::set<Index>& wrong, bool all_answered) {
   Words right, touched;
   for (const Quantity& quantity : quantities(part)) {
-    const bool is_wrong = is_touched(quantity, wrong.entries);
+    const bool is_wrong = std::any_of(quantity.entries.begin(), quantity.entries.end(),
+                                      [&](Index i) { return wrong.count(i) > 0; });
     (is_wrong ? touched : right)
-        .push_back(is_wrong ? with_entries(quantity, wrong.entries) : quantity.name);
+        .push_back(is_wrong ? with_entries(part, quantity, wrong) : quantity.name);
   }
-  const std::string what = "wrong: " + joined(touched) + ".";
-  return right.empty() ? "W" + what.substr(1)
-                       : "Right " + in_those(all_answered) + ": " + joined(right) + "; " + what;
+  const std::string what = "rong: " + joined(touched) + ".";
+  if (right.empty()) return "W" + what;
+  return "Right " + in_those(all_answered) + ": " + joined(right) + "; w" + what;
 }
 
-std::string first_wrong_column(const std::vector<Case>& cases, const Wrong& wrong,
+std::string first_wrong_column(const WrongPart& part, const std::vector<Number>& wrong,
                                bool all_answered) {
   std::set<int> firsts;
-  for (const std::size_t k : wrong.questions) {
-    const auto first = std::find_if(wrong.numbers.begin(), wrong.numbers.end(),
-                                    [&](const Number& n) { return n.question == k; });
-    const auto column = static_cast<std::size_t>(first->entry / numbers_together(4));
-    firsts.insert(known_columns(cases[k].params.T)[column]);
+  for (auto n = wrong.begin(); n != wrong.end(); ++n) {
+    if (n != wrong.begin() && n->question == std::prev(n)->question) continue;
+    const auto column = static_cast<std::size_t>(n->entry / numbers_together(4));
+    firsts.insert(known_columns(part.cases[n->question].params.T)[column]);
   }
-  if (firsts.empty()) return "";
-  if (*firsts.begin() < 2 && firsts.size() == 1 && all_answered) {
-    return "Column " + std::to_string(*firsts.begin()) +
+  const int first = *firsts.begin();
+  if (first < 2 && firsts.size() == 1 && all_answered) {
+    return "Column " + std::to_string(first) +
            " is the first wrong one in every case that is wrong.";
   }
-  return *firsts.begin() == 0 ? "In some cases column 0 is wrong already."
-                              : "Column 0 is right " + in_those(all_answered) +
-                                    "; the first wrong one comes after it.";
+  return first == 0 ? "In some cases column 0 is wrong already."
+                    : "Column 0 is right " + in_those(all_answered) +
+                          "; the first wrong one comes after it.";
 }
 
-// Whether these are a stub's answers, which need no description.
-bool nothing_is_filled_in(const std::vector<Answer>& got) {
-  return std::all_of(got.begin(), got.end(), [](const Answer& a) {
-    return std::all_of(a.numbers.data(), a.numbers.data() + a.numbers.size(),
-                       [](double x) { return x == 0; });
+// Whether it holds of a number in these answers.
+template <class Holds>
+bool any_number(const Answers& got, Holds holds) {
+  return std::any_of(got.begin(), got.end(), [&](const Answer& answer) {
+    return std::any_of(answer.numbers.begin(), answer.numbers.end(), holds);
   });
 }
 
-// A number that is garbage; 0 if there is none.
-double garbage(const std::vector<Answer>& got) {
-  for (const Answer& answer : got) {
-    for (const double x : answer.numbers) {
-      if (is_garbage(x)) return x;
-    }
-  }
-  return 0;
-}
-
-void add(Words& sentences, const std::string& sentence) {
-  if (!sentence.empty()) sentences.push_back(sentence);
-}
-
-void add(Words& sentences, const Words& more) {
-  sentences.insert(sentences.end(), more.begin(), more.end());
-}
-
 // What formula or rule the numbers follow: one that needs no case set apart.
-Words formula_or_rule(int part, const std::vector<Case>& cases, const std::vector<Answer>& right,
-                      const std::vector<Answer>& got, const Wrong& wrong) {
-  Words sentences = part == 1 ? corners(cases, right, got) : Words();
-  if (sentences.empty()) sentences = formulas(part, cases, right, got);
-  return sentences.empty() && part != 4 ? rules(part, cases, wrong) : sentences;
+Words formula_or_rule(const WrongPart& part, const std::vector<Number>& wrong) {
+  Words sentences = part.part == 1 ? corners(part) : Words();
+  if (sentences.empty()) sentences = formulas(part);
+  return sentences.empty() && part.part != 4 ? rules(part, wrong) : sentences;
+}
+
+// A sentence beside which nothing else is said; else empty.
+std::string alone(const WrongPart& part) {
+  double garbage = 0;
+  const auto is_it = [&](double x) { return is_garbage(garbage = x); };
+  if (any_number(part.got, is_it))
+    return "A number in an answer is " + digits(garbage) + ": was it ever set?";
+  if (answers_differ_when_asked_again(part)) {
+    return "The same question, asked again after others, gets another answer. Often: a static or "
+           "global variable, a number that is never set, or `auto` for an expression of Eigen.";
+  }
+  return exchanged(part);
 }
 
 }  // namespace
 
-std::vector<std::string> patterns(int part, const std::vector<Case>& asked,
+std::vector<Quantity> quantities(int part) {
+  if (part == 4) {
+    std::vector<Index> entries(6 * known_columns(40).size());  // more than any trajectory has
+    std::iota(entries.begin(), entries.end(), 0);
+    return {{"the trajectory", entries}};
+  }
+  std::vector<Quantity> all;
+  for (const auto& [name, entries] : alternatives("answer" + std::to_string(part))) {
+    all.push_back({name, {}});
+    std::istringstream numbers(entries);
+    for (Index i = 0; numbers >> i;) all.back().entries.push_back(i);
+  }
+  return all;
+}
+
+bool is_finite(const Answer& answer) { return answer.thrown.empty() && answer.numbers.allFinite(); }
+
+std::string joined(const Words& words, const std::string& last) {
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    text += (i == 0 ? "" : i + 1 == words.size() ? last : ", ") + words[i];
+  }
+  return text;
+}
+
+std::string digits(double x) {
+  if (std::isnan(x)) return "not a number";
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", x == 0 ? 0 : x);  // without the sign of -0
+  return text;
+}
+
+std::vector<std::string> patterns(int part, const std::vector<Case>& cases,
                                   const std::vector<Answer>& right,
                                   const std::vector<Answer>& got) {
-  if (got.size() != right.size() || got.size() != asked.size()) return {};
-  const std::vector<Case> cases = part == 3 ? named_by_answer(asked, right) : asked;
-  const Wrong wrong = wrong_numbers(right, got);
-  if (wrong.numbers.empty() || nothing_is_filled_in(got)) return {};
-  const bool all_answered = std::equal(
-      got.begin(), got.end(), right.begin(),
-      [](const Answer& a, const Answer& b) { return a.numbers.size() == b.numbers.size(); });
-  Words sentences;
-  add(sentences, part == 4 ? first_wrong_column(cases, wrong, all_answered)
-                           : which(part, wrong, all_answered));
-  if (const double x = garbage(got); x != 0) {
-    add(sentences, "A number in an answer is " + digits(x) + ": was it ever set?");
+  if (got.size() != right.size() || got.size() != cases.size()) return {};
+  if (rows_of(std::to_string(part)).empty()) return {};  // nothing is known of the part
+  const WrongPart wrong{part, cases, right, got, columns_of(part, cases, right, got)};
+  const std::vector<Number> numbers = wrong_numbers(wrong);
+  // A stub's answers need no description.
+  if (numbers.empty() || !any_number(got, [](double x) { return x != 0; })) return {};
+  std::set<std::size_t> questions;
+  std::set<Index> entries;
+  for (const Number& n : numbers) {
+    questions.insert(n.question);
+    entries.insert(n.entry);
+  }
+  const bool all_answered =
+      std::all_of(got.begin(), got.end(), [](const Answer& a) { return a.thrown.empty(); });
+  Words sentences{part == 4 ? first_wrong_column(wrong, numbers, all_answered)
+                            : which(part, entries, all_answered)};
+  if (const std::string only = alone(wrong); !only.empty()) {
+    sentences.push_back(only);
     return sentences;
   }
-  if (answers_differ_when_asked_again(cases, got)) {
-    add(sentences,
-        "The same question, asked again after others, gets another answer. Often: a static or "
-        "global variable, a number that is never set, or `auto` for an expression of Eigen.");
-    return sentences;
-  }
-  const std::string exchange = part == 4 ? "" : exchanged(part, right, got);
-  if (!exchange.empty()) {
-    add(sentences, exchange);
-    return sentences;
-  }
-  const Words follows = formula_or_rule(part, cases, right, got, wrong);
-  const Words responses = inputs(part, cases, right, got, follows);
-  add(sentences, responses);
-  if (responses.empty() && all_answered) add(sentences, where(part, cases, wrong.questions));
-  add(sentences, follows);
+  const Words follows = formula_or_rule(wrong, numbers);
+  const Words responses = inputs(wrong, follows);
+  sentences.insert(sentences.end(), responses.begin(), responses.end());
+  const std::string only = responses.empty() && all_answered ? where(wrong, questions) : "";
+  if (!only.empty()) sentences.push_back(only);
+  sentences.insert(sentences.end(), follows.begin(), follows.end());
   if (sentences.size() > kMost) sentences.resize(kMost);
   return sentences;
 }

@@ -1,9 +1,9 @@
 #include "recognise.hpp"
 
 #include <algorithm>
+#include <climits>
 #include <cmath>
 #include <istream>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
@@ -14,6 +14,7 @@ namespace {
 
 using Eigen::Index;
 using json = nlohmann::ordered_json;  // as in cases.cpp, so that it is compiled once
+using Answers = std::vector<Answer>;
 
 constexpr double kTolerance = 1e-9;
 
@@ -27,7 +28,6 @@ constexpr int kNumbers = 4, kQuestions = 2;
 double number(const json& x) { return x.is_null() ? std::nan("") : x.get<double>(); }
 
 Answer read_answer(const json& words) {
-  if (words.is_string()) return {{}, words.get<std::string>()};
   Answer answer{Eigen::VectorXd(static_cast<Index>(words.size())), ""};
   for (Index i = 0; i < answer.numbers.size(); ++i) {
     answer.numbers(i) = number(words.at(static_cast<std::size_t>(i)));
@@ -37,11 +37,11 @@ Answer read_answer(const json& words) {
 
 // Reads the wrong answers, {question: {entry: number}} or {question: text of an exception}, and
 // fills in the right ones.
-std::vector<Answer> read_differences(const json& differences, std::vector<Answer> answers) {
+Answers read_differences(const json& differences, Answers answers) {
   for (const auto& [question, words] : differences.items()) {
     Answer& answer = answers.at(std::stoul(question));
     if (words.is_string()) {
-      answer = read_answer(words);
+      answer = {{}, words.get<std::string>()};
       continue;
     }
     for (const auto& [entry, x] : words.items()) {
@@ -55,34 +55,41 @@ std::vector<Answer> read_differences(const json& differences, std::vector<Answer
 
 // --- comparing ---
 
-// How often, and where, a mistake shows.
-struct Evidence {
+// Whether a mistake shows often enough by itself: its number is wrong, and the other answer's is
+// right. Numbers that aren't finite don't count, since they have many causes.
+bool shows(const Answers& mistaken, const Answers& other, const KnownMistakes& known,
+           Index first = 0) {
   int numbers = 0;
   std::set<std::pair<std::size_t, Index>> questions;
-  void add(std::size_t question, Index column) {
-    ++numbers;
-    questions.insert({question, column});
-  }
-  bool enough() const {
-    return numbers >= kNumbers && static_cast<int>(questions.size()) >= kQuestions;
-  }
-};
-
-// Where a mistake shows by itself: its number is wrong, and the other answer's is right. Numbers
-// that aren't finite don't count, since they have many causes.
-Evidence evidence(const std::vector<Answer>& mistaken, const std::vector<Answer>& other,
-                  const KnownMistakes& known) {
-  Evidence found;
   for (std::size_t k = 0; k < mistaken.size(); ++k) {
     const Answer &a = mistaken[k], &b = other[k], &right = known.right[k];
-    if (b.thrown != right.thrown) continue;
-    if (a.thrown != right.thrown) found.add(k, 0);
-    for (Index i = 0; i < std::min(a.numbers.size(), right.numbers.size()); ++i) {
-      const bool shows = std::isfinite(a.numbers(i)) && !same(a.numbers(i), right.numbers(i));
-      if (shows && same(b.numbers(i), right.numbers(i))) found.add(k, i / known.together);
+    if (!b.thrown.empty()) continue;
+    if (!a.thrown.empty()) {
+      ++numbers;
+      questions.insert({k, 0});
+    }
+    for (Index i = first; i < a.numbers.size(); ++i) {
+      const double x = right.numbers(i);
+      if (!std::isfinite(a.numbers(i)) || same(a.numbers(i), x) || !same(b.numbers(i), x)) continue;
+      ++numbers;
+      questions.insert({k, i / known.together});
     }
   }
-  return found;
+  return numbers >= kNumbers && static_cast<int>(questions.size()) >= kQuestions;
+}
+
+// Whether two answers agree, in the numbers from `first` to before `end`.
+bool agree(const Answer& a, const Answer& b, Index first = 0, Index end = INT_MAX) {
+  bool are_same = a.thrown == b.thrown && a.numbers.size() == b.numbers.size();
+  for (Index i = first; are_same && i < std::min(end, a.numbers.size()); ++i) {
+    are_same = same(a.numbers(i), b.numbers(i));
+  }
+  return are_same;
+}
+
+bool all_agree(const Answers& some, const Answers& others, Index first, Index end = INT_MAX) {
+  return std::equal(some.begin(), some.end(), others.begin(),
+                    [&](const Answer& a, const Answer& b) { return agree(a, b, first, end); });
 }
 
 // --- composing ---
@@ -94,58 +101,46 @@ constexpr Rule kRules[] = {
     [](double right, double a, double b) { return right == 0 ? NAN : a * (b / right); },
 };
 
-// The value of an entry with both mistakes.
-double composed(double right, double a, double b, Rule rule) {
-  if (same(a, right)) return b;
-  return same(b, right) ? a : rule(right, a, b);
-}
-
 // The answer with both mistakes. If one of them throws, there are no numbers, so the other doesn't
-// show.
+// show; nothing if they throw different texts.
 std::optional<Answer> composed(const Answer& right, const Answer& a, const Answer& b, Rule rule) {
   if (!a.thrown.empty() && !b.thrown.empty() && a.thrown != b.thrown) return std::nullopt;
   if (!a.thrown.empty() || !b.thrown.empty()) return a.thrown.empty() ? b : a;
   Answer both = right;
   for (Index i = 0; i < right.numbers.size(); ++i) {
-    both.numbers(i) = composed(right.numbers(i), a.numbers(i), b.numbers(i), rule);
+    const double x = right.numbers(i), of_a = a.numbers(i), of_b = b.numbers(i);
+    both.numbers(i) = same(of_a, x) ? of_b : same(of_b, x) ? of_a : rule(x, of_a, of_b);
   }
   return both;
 }
 
-// Whether each of the two shows by itself. One that shows only where the other does may as well be
-// the half of a third mistake.
-bool both_show(const KnownMistakes& known, const Mistake& a, const Mistake& b) {
-  return evidence(a.answers, b.answers, known).enough() &&
-         evidence(b.answers, a.answers, known).enough();
-}
-
-// Whether both together explain the answers, and both are needed.
+// Whether both together explain the answers, and each of the two shows by itself. One that shows
+// only where the other does may as well be the half of a third mistake.
 bool explain(const KnownMistakes& known, const Mistake& a, const Mistake& b, Rule rule,
-             const std::vector<Answer>& got) {
+             const Answers& got) {
   for (std::size_t k = 0; k < got.size(); ++k) {
     const auto both = composed(known.right[k], a.answers[k], b.answers[k], rule);
     if (!both || !same(*both, got[k])) return false;
   }
-  return both_show(known, a, b);
+  return shows(a.answers, b.answers, known) && shows(b.answers, a.answers, known);
 }
 
 using Names = std::set<std::size_t>;  // of mistakes, by index
 
-bool explain(const std::vector<Answer>& mistaken, const std::vector<Answer>& got) {
-  return std::equal(got.begin(), got.end(), mistaken.begin(),
-                    [](const Answer& a, const Answer& b) { return same(a, b); });
-}
-
-std::vector<Names> singles(const KnownMistakes& known, const std::vector<Answer>& got) {
+// The mistakes that explain each number from the first one on, and change none before it.
+std::vector<Names> singles(const KnownMistakes& known, const Answers& got, Index first = 0) {
   std::vector<Names> found;
   for (std::size_t i = 0; i < known.mistakes.size(); ++i) {
-    const auto& mistaken = known.mistakes[i].answers;
-    if (explain(mistaken, got)) found.push_back({i});
+    const Answers& mistaken = known.mistakes[i].answers;
+    if (all_agree(mistaken, got, first) &&
+        (first == 0 || all_agree(mistaken, known.right, 0, first))) {
+      found.push_back({i});
+    }
   }
   return found;
 }
 
-std::vector<Names> pairs(const KnownMistakes& known, const std::vector<Answer>& got) {
+std::vector<Names> pairs(const KnownMistakes& known, const Answers& got) {
   std::vector<Names> found;
   for (std::size_t i = 0; i < known.mistakes.size(); ++i) {
     for (std::size_t j = i + 1; j < known.mistakes.size(); ++j) {
@@ -158,40 +153,21 @@ std::vector<Names> pairs(const KnownMistakes& known, const std::vector<Answer>& 
   return found;
 }
 
+// The mistakes in v' alone that explain every v' of part 3. q' is wrong in another way.
+std::vector<Names> singles_of_velocity(const KnownMistakes& known, const Answers& got) {
+  const auto is_a_state = [](const Answer& a) { return a.thrown.empty() && a.numbers.size() == 6; };
+  const bool are_states = std::all_of(got.begin(), got.end(), is_a_state) &&
+                          std::all_of(known.right.begin(), known.right.end(), is_a_state);
+  return are_states && shows(got, known.right, known, 3) ? singles(known, got, 3)
+                                                         : std::vector<Names>();
+}
+
 Names in_common(const std::vector<Names>& explanations) {
   Names common = explanations.empty() ? Names() : explanations.front();
   for (const Names& names : explanations) {
     std::erase_if(common, [&](std::size_t i) { return names.count(i) == 0; });
   }
   return common;
-}
-
-// Part 3's answers without the move: v' alone.
-bool holds_a_state(const std::vector<Answer>& answers) {
-  return std::all_of(answers.begin(), answers.end(),
-                     [](const Answer& a) { return a.thrown.empty() && a.numbers.size() == 6; });
-}
-
-std::vector<Answer> halves(const std::vector<Answer>& answers, bool second) {
-  std::vector<Answer> all = answers;
-  for (Answer& a : all) a.numbers = (second ? a.numbers.tail(3) : a.numbers.head(3)).eval();
-  return all;
-}
-
-// The mistakes in v' alone that explain every v'. q' is wrong in another way.
-std::vector<Names> singles_of_velocity(const KnownMistakes& known, const std::vector<Answer>& got) {
-  if (!holds_a_state(got) || !holds_a_state(known.right)) return {};
-  const std::vector<Answer> right = halves(known.right, true), velocities = halves(got, true);
-  if (!evidence(velocities, right, {known.together, right, {}}).enough()) return {};
-  std::vector<Names> found;
-  for (std::size_t i = 0; i < known.mistakes.size(); ++i) {
-    const auto& mistaken = known.mistakes[i].answers;
-    if (holds_a_state(mistaken) && explain(halves(mistaken, true), velocities) &&
-        explain(halves(mistaken, false), halves(known.right, false))) {
-      found.push_back({i});
-    }
-  }
-  return found;
 }
 
 }  // namespace
@@ -209,7 +185,7 @@ KnownMistakes read_mistakes(std::istream& file, int part) {
 }
 
 std::vector<Mistake> recognise(const KnownMistakes& known, const std::vector<Answer>& got) {
-  if (got.size() != known.right.size() || !evidence(got, known.right, known).enough()) return {};
+  if (got.size() != known.right.size() || !shows(got, known.right, known)) return {};
   for (const Answer& answer : got) {
     if (std::any_of(answer.numbers.begin(), answer.numbers.end(), is_garbage)) return {};
   }
@@ -231,10 +207,6 @@ bool same(double a, double b) {
   return std::abs(a - b) <= kTolerance * std::max({1.0, std::abs(a), std::abs(b)});
 }
 
-bool same(const Answer& a, const Answer& b) {
-  return a.thrown == b.thrown && a.numbers.size() == b.numbers.size() &&
-         std::equal(a.numbers.data(), a.numbers.data() + a.numbers.size(), b.numbers.data(),
-                    [](double x, double y) { return same(x, y); });
-}
+bool same(const Answer& a, const Answer& b) { return agree(a, b); }
 
 }  // namespace bounce::tests

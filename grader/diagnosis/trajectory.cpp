@@ -9,7 +9,6 @@ namespace bounce::tests {
 namespace {
 
 using Eigen::Index;
-using Eigen::VectorXd;
 
 constexpr Index kPerColumn = 6;     // x, y, theta, v_x, v_y, omega of each known column
 constexpr double kOfAFloat = 1e-7;  // a relative difference
@@ -31,47 +30,46 @@ bool holds(Holds each, const Answer& right, const Answer& got, Index first, Inde
   return true;
 }
 
-void add_rows(Words& sentences, const std::vector<Answer>& right, const std::vector<Answer>& got) {
+bool hold_in_all(Holds each, const WrongPart& part, Index first, Index n, Index end = INT_MAX) {
+  return std::equal(
+      part.right.begin(), part.right.end(), part.got.begin(),
+      [&](const Answer& a, const Answer& b) { return holds(each, a, b, first, n, end); });
+}
+
+void add_rows(Words& sentences, const WrongPart& part) {
   Words good, wrong, zero;
   Index row = 0;
   for (const char* name : {"x", "y", "theta", "v_x", "v_y", "omega"}) {
-    const auto in_all = [&](Holds each, Index first) {
-      return std::equal(
-          right.begin(), right.end(), got.begin(),
-          [&](const Answer& a, const Answer& b) { return holds(each, a, b, first, kPerColumn); });
-    };
-    const bool is_good = in_all(is_right, row);
+    const bool is_good = hold_in_all(is_right, part, row, kPerColumn);
     (is_good ? good : wrong).push_back(name);
-    if (!is_good && in_all(is_zero, row + kPerColumn)) zero.push_back(name);
+    if (!is_good && hold_in_all(is_zero, part, row + kPerColumn, kPerColumn)) zero.push_back(name);
     ++row;
   }
   const std::string compared = " in every column that is compared";
-  if (!good.empty())
+  if (!good.empty()) {
     sentences.push_back("Right" + compared + ": " + joined(good) + "; wrong: " + joined(wrong) +
                         ".");
+  }
   if (!zero.empty())
     sentences.push_back("Zero" + compared + ", after column 0: " + joined(zero) + ".");
 }
 
 // Where the columns that are compared are right, and 0 after that.
-void add_zeros(Words& sentences, const std::vector<Case>& cases, const std::vector<Answer>& right,
-               const std::vector<Answer>& got) {
+void add_zeros(Words& sentences, const WrongPart& part) {
   int last_right = 0, first_zero = INT_MAX;
   std::size_t unfinished = 0;
-  for (std::size_t k = 0; k < cases.size(); ++k) {
-    const std::vector<int> columns = known_columns(cases[k].params.T);
-    std::size_t filled = 0;
-    while (filled < columns.size() &&
-           holds(is_right, right[k], got[k], kPerColumn * static_cast<Index>(filled), 1,
-                 kPerColumn * static_cast<Index>(filled + 1))) {
+  for (std::size_t k = 0; k < part.cases.size(); ++k) {
+    const std::vector<int> columns = known_columns(part.cases[k].params.T);
+    const Answer &right = part.right[k], &got = part.got[k];
+    Index filled = 0;
+    while (filled < Index(columns.size()) &&
+           holds(is_right, right, got, kPerColumn * filled, 1, kPerColumn * (filled + 1))) {
       ++filled;
     }
-    if (filled == 0 || !holds(is_zero, right[k], got[k], kPerColumn * static_cast<Index>(filled))) {
-      return;
-    }
-    last_right = std::max(last_right, columns[filled - 1]);
-    if (filled == columns.size()) continue;
-    first_zero = std::min(first_zero, columns[filled]);
+    if (filled == 0 || !holds(is_zero, right, got, kPerColumn * filled)) return;
+    last_right = std::max(last_right, columns[std::size_t(filled - 1)]);
+    if (filled == Index(columns.size())) continue;
+    first_zero = std::min(first_zero, columns[std::size_t(filled)]);
     ++unfinished;
   }
   if (unfinished < kEnough) return;
@@ -85,17 +83,12 @@ void add_zeros(Words& sentences, const std::vector<Case>& cases, const std::vect
 
 }  // namespace
 
-Words trajectory(const std::vector<Case>& cases, const std::vector<Answer>& right,
-                 const std::vector<Answer>& got) {
+Words trajectory(const WrongPart& part) {
   Words sentences;
-  add_zeros(sentences, cases, right, got);
-  if (sentences.empty()) add_rows(sentences, right, got);
-  bool close = true, any_wrong = false;
-  for (std::size_t k = 0; k < cases.size(); ++k) {
-    close = close && holds(is_close, right[k], got[k], 0, 1, 2 * kPerColumn);
-    any_wrong = any_wrong || !holds(is_right, right[k], got[k], 0, 1, 2 * kPerColumn);
-  }
-  if (close && any_wrong) {
+  add_zeros(sentences, part);
+  if (sentences.empty()) add_rows(sentences, part);
+  const Index two = 2 * kPerColumn;
+  if (hold_in_all(is_close, part, 0, 1, two) && !hold_in_all(is_right, part, 0, 1, two)) {
     sentences.push_back(
         "Your first two columns are right to six digits or more: is there a float?");
   }

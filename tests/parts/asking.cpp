@@ -19,17 +19,16 @@ Failure ask_all(const std::vector<Case>& cases, Ask ask) {
   Failure failure;
   failure.cases = cases.size();
   answered = {};
-  std::size_t number = 0;
-  for (const Case& c : cases) {
+  for (std::size_t i = 0; i < cases.size() && failure.ended_at == 0; ++i) {
+    const Case& c = cases[i];
     Problem problem;
-    bool ended = false;
-    ++number;
     about_to_ask(c);
     try {
       problem = ask(c);
     } catch (const Ended& end) {
       problem.sentence = end.what();
-      ended = true;
+      failure.ended_at = i + 1;
+      failure.before = answered;
     } catch (const std::exception& thrown) {
       problem.sentence = thrown.what();
     }
@@ -38,20 +37,15 @@ Failure ask_all(const std::vector<Case>& cases, Ask ask) {
     } else if (problem.empty()) {
       ++answered.right;
     } else {
-      if (failure.wrong == 0 || ended) {
+      if (answered.wrong == 0 && !testing::Test::HasFailure()) found_wrong(c, problem);
+      if (answered.wrong == 0 || failure.ended_at > 0) {
         failure.asked = c;
         failure.problem = problem;
       }
-      if (failure.wrong == 0 && !testing::Test::HasFailure()) found_wrong(c, problem);
-      ++failure.wrong;
+      ++answered.wrong;
     }
-    if (ended) {
-      failure.ended_at = number;
-      failure.before = answered;
-      break;
-    }
-    answered.wrong = failure.wrong;
   }
+  failure.wrong = answered.wrong;
   return failure;
 }
 

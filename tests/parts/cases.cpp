@@ -66,29 +66,24 @@ Parameters read_parameters(const json& p) {
           whole(p.at("T"), 1, kMostColumns)};
 }
 
-void read_trajectory(const json& expected, Case& c) {
-  for (const json& column : expected.at("columns")) {
+void read_expected(const json& expected, Case& c) {
+  if (expected.contains("phi")) c.contact = {matrix<Jacobian>(expected.at("J")), expected["phi"]};
+  if (expected.contains("V")) {
+    c.lcp = {matrix<Eigen::Matrix4d>(expected["V"]), matrix<Eigen::Vector4d>(expected.at("p"))};
+  }
+  c.has_decidable_steps = expected.contains("steps");
+  if (!expected.contains("columns")) {
+    if (expected.contains("v"))
+      c.state = {matrix<Vector3>(expected.at("q")), matrix<Vector3>(expected["v"])};
+    return;
+  }
+  for (const json& column : expected["columns"]) {
     c.columns.push_back(whole(column, 0, c.params.T - 1));
   }
   c.trajectory = {columns(expected.at("q")), columns(expected.at("v"))};
   const auto known = static_cast<Eigen::Index>(c.columns.size());
   if (c.trajectory.q.cols() != known || c.trajectory.v.cols() != known) {
     refuse("columns without a number, or numbers without a column");
-  }
-}
-
-void read_expected(const json& expected, Case& c) {
-  if (expected.contains("phi")) {
-    c.contact = {matrix<Jacobian>(expected.at("J")), expected.at("phi")};
-  }
-  if (expected.contains("V")) {
-    c.lcp = {matrix<Eigen::Matrix4d>(expected.at("V")), matrix<Eigen::Vector4d>(expected.at("p"))};
-  }
-  c.has_decidable_steps = expected.contains("steps");
-  if (expected.contains("columns")) {
-    read_trajectory(expected, c);
-  } else if (expected.contains("v")) {
-    c.state = {matrix<Vector3>(expected.at("q")), matrix<Vector3>(expected.at("v"))};
   }
 }
 
@@ -119,43 +114,41 @@ std::string words(const Eigen::MatrixXd& m, const std::string& indent) {
   return text + ")";
 }
 
-std::string unit_of(const std::string& input) {
-  if (input == "q" || input == "q_0") return "  m, m, rad";
-  if (input == "v" || input == "v_0") return "  m/s, m/s, rad/s";
-  return "  1, 1, m";
-}
-
 // The parameters that differ from the assignment's, which a reader needs to know.
-std::string other_parameters(const Parameters& p) {
-  const Parameters usual;
-  std::string text;
-  const auto add = [&](const char* name, double x, double default_x, const char* unit) {
-    if (x != default_x) {
-      text += (text.empty() ? "" : ", ") + std::string(name) + " = " + number(x) + unit;
-    }
+std::string other_parameters(const Parameters& params) {
+  const auto values = [](const Parameters& p) -> std::vector<std::pair<std::string, std::string>> {
+    return {{"l", number(p.l) + " m"},
+            {"m", number(p.m) + " kg"},
+            {"mu", number(p.mu)},
+            {"epsilon", number(p.epsilon)},
+            {"g", words(p.g, "") + " m/s^2"},
+            {"dt", number(p.dt) + " s"},
+            {"delta", number(p.delta) + " m"},
+            {"T", number(p.T) + (p.T == 1 ? " column" : " columns")}};
   };
-  add("l", p.l, usual.l, " m");
-  add("m", p.m, usual.m, " kg");
-  add("mu", p.mu, usual.mu, "");
-  add("epsilon", p.epsilon, usual.epsilon, "");
-  if (p.g != usual.g) {
-    text += (text.empty() ? "g = " : ", g = ") + words(p.g, "") + " m/s^2";
+  const auto all = values(params), usual = values({});
+  std::string text;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all[i] == usual[i]) continue;
+    text += (text.empty() ? "" : ", ") + all[i].first + " = " + all[i].second;
   }
-  add("dt", p.dt, usual.dt, " s");
-  add("delta", p.delta, usual.delta, " m");
-  add("T", p.T, usual.T, p.T == 1 ? " column" : " columns");
   return text.empty() ? "the assignment's" : text;
 }
 
-std::string describe(const json& input, const Parameters& params) {
-  std::string text;
+void read_input(const json& input, Case& c) {
   for (const auto& [key, value] : input.items()) {
-    const std::string label = key + " = ";
-    const Eigen::MatrixXd m = key == "J" ? Eigen::MatrixXd(matrix<Jacobian>(value))
-                                         : Eigen::MatrixXd(matrix<Vector3>(value));
-    text += label + words(m, std::string(label.size(), ' ')) + unit_of(key) + "\n";
+    const std::string label = key + " = ", indent(label.size(), ' ');
+    if (key == "J") {
+      c.J = matrix<Jacobian>(value);
+      c.input += label + words(c.J, indent) + "  1, 1, m\n";
+      continue;
+    }
+    Vector3& x = key[0] == 'q' ? c.q : c.v;
+    x = matrix<Vector3>(value);
+    c.input +=
+        label + words(x, indent) + "  " + (key[0] == 'q' ? kConfiguration : kVelocity) + "\n";
   }
-  return text + "parameters: " + other_parameters(params);
+  c.input += "parameters: " + other_parameters(c.params);
 }
 
 Case read_case(const json& from, bool hidden) {
@@ -165,15 +158,7 @@ Case read_case(const json& from, bool hidden) {
   c.hidden = hidden;
   c.tolerance = from.at("tolerance");
   c.params = read_parameters(from.at("params"));
-  const json& input = from.at("input");
-  c.input = describe(input, c.params);
-  for (const char* key : {"q", "q_0"}) {
-    if (input.contains(key)) c.q = matrix<Vector3>(input[key]);
-  }
-  for (const char* key : {"v", "v_0"}) {
-    if (input.contains(key)) c.v = matrix<Vector3>(input[key]);
-  }
-  if (input.contains("J")) c.J = matrix<Jacobian>(input["J"]);
+  read_input(from.at("input"), c);
   read_expected(from.at("expected"), c);
   return c;
 }

@@ -29,7 +29,7 @@ def files() -> dict[str, Path]:
     for pattern in TESTS:
         chosen |= {f"tests/{f.relative_to(tests)}": f for f in tests.glob(pattern) if f.is_file()}
     diagnosis = ROOT / "grader" / "diagnosis"
-    chosen |= {f"tests/diagnosis/{f.name}": f for f in diagnosis.glob("*.?pp")}
+    chosen |= {f"tests/diagnosis/{f.name}": f for f in diagnosis.iterdir()}
     chosen |= {f"fixtures/public/{f.relative_to(PUBLIC)}": f for f in PUBLIC.rglob("*.json")}
     chosen["tests/parts.json"] = ROOT / "grader" / "parts.json"
     chosen[".clang-format"] = ROOT / ".clang-format"

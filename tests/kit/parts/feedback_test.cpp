@@ -3,8 +3,10 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
-#include "../../parts/linked/thrown.hpp"
+#include "../../parts/linked/linked.hpp"
+#include "../../parts/submission.hpp"
 #include "expected_texts.hpp"
 
 namespace bounce::tests {
@@ -77,19 +79,23 @@ TEST(feedback, DrawsAStepAndAPath) {
   expect_texts("pictures.txt", texts);
 }
 
-template <class Thrown>
-std::string thrown(const Thrown& what) {
+std::string thrown(Contact (*part)(const Vector3&, const Parameters&)) {
+  const auto right = std::exchange(linked().get_contacts, part);
+  std::string text;
   try {
-    naming_the_part("part 1", [&]() -> int { throw what; });
+    submission::get_contacts(Vector3::Zero(), {});
   } catch (const std::runtime_error& error) {
-    return error.what();
+    text = error.what();
   }
-  return "";
+  linked().get_contacts = right;
+  return text;
 }
 
 TEST(feedback, NamesThePartAndSaysWhatItSaid) {
-  EXPECT_EQ(thrown(std::string("oh")), "part 1 threw: oh");
-  EXPECT_EQ(thrown<const char*>("oh"), "part 1 threw: oh");
+  using Q = const Vector3&;
+  using P = const Parameters&;
+  EXPECT_EQ(thrown([](Q, P) -> Contact { throw std::string("oh"); }), "part 1 threw: oh");
+  EXPECT_EQ(thrown([](Q, P) -> Contact { throw "oh"; }), "part 1 threw: oh");
 }
 
 }  // namespace

@@ -6,7 +6,8 @@
 namespace bounce {
 
 State step(const Vector3& q, const Vector3& v, const Parameters& params) {
-  return tests::given_state(q, v, params);
+  const double* numbers = tests::given(3, params, q, v);
+  return {Eigen::Map<const Vector3>(numbers), Eigen::Map<const Vector3>(numbers + 3)};
 }
 
 }  // namespace bounce

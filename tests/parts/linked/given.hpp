@@ -3,12 +3,21 @@
 #pragma once
 
 #include <bounce/types.hpp>
+#include <vector>
 
 namespace bounce::tests {
 
-// Each throws std::runtime_error if what is asked isn't recorded.
-Contact given_contact(const Vector3& q, const Parameters& params);
-Lcp given_lcp(const Jacobian& J, const Vector3& v, const Parameters& params);
-State given_state(const Vector3& q, const Vector3& v, const Parameters& params);
+// The numbers of the part's answer, column by column, to these numbers of a question. Throws
+// std::runtime_error if it isn't recorded.
+const double* given_answer(int part, const std::vector<double>& question);
+
+// The same, to the parameters and what else the part is asked.
+template <class... Arguments>
+const double* given(int part, const Parameters& p, const Arguments&... arguments) {
+  std::vector<double> question{p.l,     p.m,     p.mu, p.epsilon, p.g.x(),
+                               p.g.y(), p.g.z(), p.dt, p.delta,   static_cast<double>(p.T)};
+  (question.insert(question.end(), arguments.data(), arguments.data() + arguments.size()), ...);
+  return given_answer(part, question);
+}
 
 }  // namespace bounce::tests

@@ -1,8 +1,12 @@
 // The submission is linked into the test program. The judge has another one of this file, which
 // asks a runner in another process (grader/judge/submission_remote.cpp).
 #include "../submission.hpp"
+
+#include <exception>
+#include <stdexcept>
+#include <string>
+
 #include "linked.hpp"
-#include "thrown.hpp"
 
 namespace bounce {
 
@@ -12,25 +16,43 @@ tests::Linked& tests::linked() {
 }
 
 namespace submission {
+namespace {
 
 using tests::linked;
-using tests::naming_the_part;
+
+// Returns what the function returns. Turns any exception of it into std::runtime_error, such as
+// "part 1 threw an exception: oh", which says that it comes from the student's program.
+template <class Function, class... Arguments>
+auto ask(const std::string& part, Function function, const Arguments&... arguments) {
+  try {
+    return function(arguments...);
+  } catch (const std::exception& thrown) {
+    throw std::runtime_error(part + " threw an exception: " + thrown.what());
+  } catch (const char* text) {
+    throw std::runtime_error(part + " threw: " + text);
+  } catch (const std::string& text) {
+    throw std::runtime_error(part + " threw: " + text);
+  } catch (...) {
+    throw std::runtime_error(part + " threw something that isn't a std::exception");
+  }
+}
+
+}  // namespace
 
 Contact get_contacts(const Vector3& q, const Parameters& params) {
-  return naming_the_part("part 1", [&] { return linked().get_contacts(q, params); });
+  return ask("part 1", linked().get_contacts, q, params);
 }
 
 Lcp form_lcp(const Jacobian& J, const Vector3& v, const Parameters& params) {
-  return naming_the_part("part 2", [&] { return linked().form_lcp(J, v, params); });
+  return ask("part 2", linked().form_lcp, J, v, params);
 }
 
 State step(const Vector3& q, const Vector3& v, const Parameters& params) {
-  return naming_the_part("part 3, or what it calls,", [&] { return linked().step(q, v, params); });
+  return ask("part 3, or what it calls,", linked().step, q, v, params);
 }
 
 Trajectory simulate(const Vector3& q_0, const Vector3& v_0, const Parameters& params) {
-  const Trajectory got = naming_the_part("part 4, or what it calls,",
-                                         [&] { return linked().simulate(q_0, v_0, params); });
+  const Trajectory got = ask("part 4, or what it calls,", linked().simulate, q_0, v_0, params);
   require_columns(got.q.cols(), got.v.cols(), params.T);
   return got;
 }

@@ -1,17 +1,12 @@
 #include "time_limit.hpp"
 
 #include <chrono>
-#include <condition_variable>
 #include <cstdlib>
 #include <ctime>
-#include <memory>
-#include <mutex>
-#include <thread>
+#include <future>
 
 namespace bounce::tests {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 constexpr double kWork = 3;  // s of CPU time, so that a busy machine makes no difference
 constexpr auto kWait = std::chrono::seconds(60);
@@ -20,47 +15,27 @@ constexpr int kTooLong = 124;  // the exit status, as of the command timeout
 
 double worked() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-class Watch {
- public:
-  explicit Watch(const std::function<void()>& last_words)
-      : last_words_(last_words), thread_([this] { look(); }) {}
-
-  ~Watch() {
-    {
-      const std::lock_guard lock(mutex_);
-      over_ = true;
-    }
-    changed_.notify_one();
-    thread_.join();
-  }
-
- private:
-  void look() {
-    const double start = worked();
-    const auto end = Clock::now() + kWait;
-    std::unique_lock lock(mutex_);
-    while (!changed_.wait_for(lock, kLook, [this] { return over_; })) {
-      if (worked() - start < kWork && Clock::now() < end) continue;
-      last_words_();
-      std::_Exit(kTooLong);
-    }
-  }
-
-  std::function<void()> last_words_;
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  bool over_ = false;
-  std::thread thread_;
-};
-
-std::unique_ptr<Watch> watch;
+std::future<void> watch;
+std::promise<void> over;  // ended first, so that the watch ends where the program calls exit
 
 }  // namespace
 
 void limit_time(const std::function<void()>& last_words) {
-  watch = std::make_unique<Watch>(last_words);
+  over = std::promise<void>();
+  watch = std::async(std::launch::async, [last_words, is_over = over.get_future()] {
+    const double start = worked();
+    const auto end = std::chrono::steady_clock::now() + kWait;
+    while (is_over.wait_for(kLook) != std::future_status::ready) {
+      if (worked() - start < kWork && std::chrono::steady_clock::now() < end) continue;
+      last_words();
+      std::_Exit(kTooLong);
+    }
+  });
 }
 
-void lift_time_limit() { watch.reset(); }
+void lift_time_limit() {
+  over.set_value();
+  watch.wait();
+}
 
 }  // namespace bounce::tests
