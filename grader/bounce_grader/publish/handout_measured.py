@@ -1,5 +1,5 @@
 """Writes the file that the handout's `./check --real` compares `form_lcp` with: measured impacts of
-one corner of a square, and the median error of each law of impact on them, both from docs/studies.
+one corner of a square, and the median error of each law of impact on them, from fixtures/study.
 The licence of the data stands at the top of the file."""
 
 from collections.abc import Iterator
@@ -13,7 +13,6 @@ SIMPLER = {
     "sticking": "a corner that always sticks",
 }
 ASSIGNMENT = "the assignment's law, as the course solves it"
-GROUP = "squares, one corner"
 
 
 def text() -> str:
@@ -33,12 +32,12 @@ def _licence() -> Iterator[str]:
 def _laws() -> Iterator[str]:
     laws = {
         row["law"]: row
-        for row in handout_study.rows("measured_ladder.csv")
-        if row["group"] == GROUP
+        for row in handout_study.rows("measured_laws.csv")
+        if row["shape"] == "squares"
     }
-    body = {row["quantity"]: row["value"] for row in handout_study.rows("measured_extraction.csv")}
+    body = {row["quantity"]: row["value"] for row in handout_study.rows("measured_body.csv")}
     newton = laws["newton"]
-    side = sqrt(6 * float(body["r_g^2, m^2"]))
+    side = sqrt(6 * float(body["gyration_squared"]))
     yield f"square {side:.5g} {newton['mu']} {newton['epsilon']}"
     yield f"floor {newton['floor_m_s']}"
     yield f"assignment {newton['median_m_s']} {ASSIGNMENT}"

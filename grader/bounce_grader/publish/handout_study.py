@@ -1,6 +1,6 @@
 """What the handout's study compares with, as text: every scene, and for three of them the truth
-and what other methods reached in how much time. The numbers are those of docs/studies and
-fixtures/scenes."""
+and what other methods reached in how much time. The numbers are those of fixtures/study, which
+`./kit study` measures, and fixtures/scenes."""
 
 import csv
 import json
@@ -8,7 +8,7 @@ import math
 from collections.abc import Iterator
 
 from bounce_grader.common.chart_style import WORDS
-from bounce_grader.common.paths import ROOT, SCENES
+from bounce_grader.common.paths import FIXTURES, SCENES
 
 STUDIED = ("tumble", "oblique_bounce", "slide")
 METHODS = {
@@ -16,10 +16,8 @@ METHODS = {
     "moreau_jean_2": "Moreau\N{EN DASH}Jean scheme with two corners",
     "event_driven": "exact, event-driven simulation",
 }
-STUDIES = ROOT / "docs" / "studies"
-KERNEL_NS = (
-    62.0  # a call of solve_lcp, where the assignment's scheme took the times of docs/studies
-)
+STUDIES = FIXTURES / "study"
+KERNEL_NS = 62.0  # a call of solve_lcp, where the assignment's scheme took the times there
 
 
 def text() -> str:
@@ -51,10 +49,10 @@ def _is_shown(row: dict[str, str]) -> bool:
     """Whether a row goes into the handout: all rows for a tolerance, but only two steps for each
     factor of ten."""
     halves = 2 * math.log10(float(row["setting"]))
-    return row["setting_is"] != "dt_s" or abs(halves - round(halves)) < 0.03
+    return row["method"] == "event_driven" or abs(halves - round(halves)) < 0.03
 
 
 def rows(table: str) -> Iterator[dict[str, str]]:
-    """The rows of a table of docs/studies."""
+    """The rows of a table of fixtures/study."""
     lines = (STUDIES / table).read_text("utf-8").splitlines()
     return csv.DictReader(line for line in lines if not line.startswith("#"))
