@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 
 #include "../exact/event_driven.hpp"
 #include "../methods/assignment_fast.hpp"
@@ -40,7 +39,12 @@ Samples run_events(const Scene& scene, int samples, const EventOptions& options)
                                  sample_times(scene, samples), options);
 }
 
-std::vector<double> steps() { return steps_down_to(1e-5); }
+template <class Scheme>
+Method stepping(const char* name, double delta_speed = 0) {
+  return {name, true, steps_down_to(1e-5), [delta_speed](const Scene& s, double dt, int samples) {
+            return run_scheme<Scheme>(s, dt, samples, delta_speed);
+          }};
+}
 
 }  // namespace
 
@@ -52,78 +56,19 @@ Setting measure(const Method& method, double setting, StartsOfScene& starts) {
           })};
 }
 
-double cpu_ns() {
-  timespec time{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-  return double(time.tv_sec) * 1e9 + double(time.tv_nsec);
-}
-
-std::vector<Method> all_methods() {
-  using methods::Motion;
-  const Limit fixed_delta{"assignment_delta_dt", "delta stays while dt shrinks"},
-      one_corner{"moreau_jean_2", "one corner takes what two should share"},
-      another_law{"penalty", "its impacts come nearer to Stronge's law than to Newton's",
-                  methods::ImpactLaw::stronge},
-      springs{"event_driven", "springs are another law for two corners at once"},
-      coarse{"event_driven", "impacts are noticed up to a step too late"};
-  return {
-      {"assignment",
-       "the assignment's scheme, plain",
-       true,
-       steps(),
-       [](const Scene& s, double dt, int samples) {
-         return run_scheme<methods::Assignment>(s, dt, samples);
-       },
-       {fixed_delta, one_corner}},
-      {"assignment_fast",
-       "the assignment's scheme, cos and sin carried",
-       true,
-       steps(),
-       [](const Scene& s, double dt, int samples) {
-         return run_scheme<methods::AssignmentFast>(s, dt, samples);
-       },
-       {fixed_delta, one_corner}},
-      {"assignment_delta_dt",
-       "the same with delta in proportion to dt",
-       true,
-       steps(),
-       [](const Scene& s, double dt, int samples) {
-         return run_scheme<methods::AssignmentFast>(s, dt, samples, kDeltaSpeed);
-       },
-       {one_corner}},
-      {"moreau_jean_1",
-       "Moreau-Jean, one corner",
-       true,
-       steps(),
-       [](const Scene& s, double dt, int samples) {
-         return run_scheme<methods::MoreauJean<1>>(s, dt, samples);
-       },
-       {one_corner}},
-      {"moreau_jean_2",
-       "Moreau-Jean, two corners",
-       true,
-       steps(),
-       [](const Scene& s, double dt, int samples) {
-         return run_scheme<methods::MoreauJean<2>>(s, dt, samples);
-       },
-       {coarse}},
-      {"penalty",
-       "springs and dampers",
-       true,
-       steps(),
-       [](const Scene& s, double dt, int samples) {
-         return run_scheme<methods::Penalty>(s, dt, samples);
-       },
-       {another_law, springs}},
-      {"event_driven",
-       "event-driven",
-       false,
-       {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-8, 1e-10, 1e-12},
-       [](const Scene& s, double tolerance, int samples) {
-         return run_events(s, samples, options_for(tolerance));
-       },
-       {}},
-  };
+Methods all_methods() {
+  return {stepping<methods::Assignment>("assignment"),
+          stepping<methods::AssignmentFast>("assignment_fast"),
+          stepping<methods::AssignmentFast>("assignment_delta_dt", kDeltaSpeed),
+          stepping<methods::MoreauJean<1>>("moreau_jean_1"),
+          stepping<methods::MoreauJean<2>>("moreau_jean_2"),
+          stepping<methods::Penalty>("penalty"),
+          {"event_driven",
+           false,
+           {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-8, 1e-10, 1e-12},
+           [](const Scene& s, double tolerance, int samples) {
+             return run_events(s, samples, options_for(tolerance));
+           }}};
 }
 
 }  // namespace bounce::study

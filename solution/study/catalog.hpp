@@ -1,4 +1,4 @@
-// The methods that the study compares, each as one function of a scene and a setting.
+// The methods that the study compares, each as a function of a scene and a setting.
 #pragma once
 
 #include <functional>
@@ -12,26 +12,21 @@ namespace bounce::study {
 
 using namespace exact;
 
-// Why an error may stop falling, in words, and a cure that then does better: a method without that
-// limit, or the method itself, measured against the truth under another law of impact.
-struct Limit {
-  std::string cure, words;
-  methods::ImpactLaw law = methods::ImpactLaw::newton;
-};
-
 struct Method {
-  std::string name, title;
+  std::string name;
   bool has_step;  // the setting is a time step, s; otherwise it is a tolerance
   std::vector<double> settings;
   std::function<Samples(const Scene&, double setting, int samples)> simulate;
-  std::vector<Limit> limits;
+  // CPU time of this many runs, ns; empty where a run is all that `simulate` does.
+  std::function<double(const Scene&, double setting, long repeats)> time = {};
 
   Samples run(const Scene& scene, double setting) const {
     return simulate(scene, setting, kSamples);
   }
 };
+using Methods = std::vector<Method>;
 
-std::vector<Method> all_methods();
+Methods all_methods();
 
 // A method at one setting, the step as it is run.
 struct Setting {
@@ -40,8 +35,5 @@ struct Setting {
   Errors error;
 };
 Setting measure(const Method& method, double setting, StartsOfScene& starts);
-
-// CPU time of this process, ns.
-double cpu_ns();
 
 }  // namespace bounce::study

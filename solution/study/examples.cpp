@@ -1,14 +1,10 @@
 #include <algorithm>
 #include <bounce/part1_contacts.hpp>
-#include <bounce/part2_lcp.hpp>
 #include <cmath>
 #include <numbers>
 #include <vector>
 
-#include "../exact/event_driven.hpp"
-#include "../methods/gauss_seidel.hpp"
 #include "../methods/impact_laws.hpp"
-#include "../methods/penalty.hpp"
 #include "questions.hpp"
 
 namespace bounce::study {
@@ -58,44 +54,6 @@ Least least_over_angles(const Value& value) {
   return least;
 }
 
-// Whether a sweep of Gauss-Seidel is defined on the LCP of eqs. (9) and (10).
-bool literal_is_defined() {
-  const Parameters params;
-  const Lcp lcp = form_lcp(get_contacts({0, 0.1, 0.1}, params).J, {0, -1, 0}, params);
-  return methods::gauss_seidel_lcp(lcp.V, lcp.p, 1e-9, 100).has_value();
-}
-
-// How a square that tips over one corner leaves when the other has struck.
-struct Tipped {
-  double held, other, omega;  // v_n of both corners, m/s; rad/s
-};
-
-// By springs, with a step so small that only their law is left, and as it should be: Newton's law
-// for both corners at once.
-std::pair<Tipped, Tipped> tipped_square() {
-  constexpr int kHeld = 2, kOther = 3;  // of arms(), at the start's angle
-  Parameters params;
-  params.dt = 1e-6;
-  const methods::Body<double> body(params);
-  methods::Motion<double> start{0, 0, 0.2, 0, 0, 0};
-  start.y = -methods::lowest_gap(start, body);
-  const auto of = [&](const methods::Motion<double>& s) -> Tipped {
-    const auto r = methods::arms(body, s.theta);
-    return {methods::normal_velocity(s, r[kHeld]), methods::normal_velocity(s, r[kOther]), s.omega};
-  };
-  const auto down = [&](const methods::Motion<double>& s) {
-    return s.y + methods::arms(body, s.theta)[kOther].y < 0;
-  };
-  methods::Penalty springs(params, start);
-  double t = 0;
-  for (bool struck = false; t < 1 && !(struck && !down(springs.motion())); t += params.dt) {
-    springs.steps(1);
-    struck = struck || down(springs.motion());
-  }
-  const auto exact = simulate_events<double>(params, start, {t}, EventOptions());
-  return {of(springs.motion()), of(exact.at(0))};
-}
-
 }  // namespace
 
 Table examples() {
@@ -120,14 +78,6 @@ Table examples() {
   table.add("painleve", "v_t", kSliding, "m/s");
   table.add("painleve", "solutions", found.count, "none");
   for (const double impulse : impulses) table.add("painleve", "f_n dt / m", impulse, "m/s");
-  table.add("gauss_seidel", "defined on the 4x4 of eq. (9)", literal_is_defined(), "none");
-  const auto [springs, exact] = tipped_square();
-  for (const auto& [name, tipped] : {std::pair{"springs", springs}, {"Newton", exact}}) {
-    const std::string law = std::string(", ") + name;
-    table.add("tipped", "v_n of the held corner" + law, tipped.held, "m/s");
-    table.add("tipped", "v_n of the other corner" + law, tipped.other, "m/s");
-    table.add("tipped", "omega" + law, std::abs(tipped.omega), "rad/s");
-  }
   return table;
 }
 

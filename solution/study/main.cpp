@@ -1,6 +1,6 @@
 // bounce_study [--quick] SCENES FOLDER [QUESTION ...]: reads the scenes of a folder, answers the
 // named questions (by default all), and writes a CSV for each into FOLDER. --quick measures fewer
-// rounds and coarser maps.
+// rounds, and fewer random scenes.
 //
 // bounce_study simulate SCENE.json TOLERANCE: see simulate.hpp.
 #include <algorithm>
@@ -11,58 +11,52 @@
 #include "../exact/simulate_to.hpp"
 #include "questions.hpp"
 #include "simulate.hpp"
-#include "timing.hpp"
+#include "speed_accuracy.hpp"
 
 namespace bounce::study {
 namespace {
 
 struct Question {
   std::function<Table(const Scenes&, const Extent&)> answer;
-  bool timed = false, once = false;
-
-  std::string times(int core, const Extent& extent) const {
-    return once ? times_taken(core) : timed ? times_taken(core, extent) : "";
-  }
+  std::string times = "";
 };
 
-Question timed(Table (*answer)(const Scenes&, const Extent&)) { return {answer, true}; }
-Question timed(Table (*answer)(const Extent&)) {
-  return {[answer](const Scenes&, const Extent& extent) { return answer(extent); }, true};
-}
-// An untimed question depends on the scenes, on the extent, or on neither.
-Question untimed(Table (*answer)(const Scenes&)) {
-  return {[answer](const Scenes& scenes, const Extent&) { return answer(scenes); }};
-}
-Question untimed(Table (*answer)(const Extent&)) {
-  return {[answer](const Scenes&, const Extent& extent) { return answer(extent); }};
-}
-Question untimed(Table (*answer)()) {
-  return {[answer](const Scenes&, const Extent&) { return answer(); }};
-}
-
-std::map<std::string, Question> questions() {
-  return {{"speed_accuracy", timed(speed_accuracy)},
-          {"speed_ratios", timed(speed_ratios)},
-          {"order", untimed(order)},
-          {"truth", untimed(truths)},
-          {"energy_gain", untimed(energy_gain)},
-          {"solution_count", untimed(solution_count)},
-          {"gauss_seidel", untimed(gauss_seidel_sweeps)},
-          {"depth", untimed(depth)},
-          {"almost_flat", untimed(almost_flat)},
-          {"flat_landing", untimed(flat_landing)},
-          {"rest_and_drift", untimed(rest_and_drift)},
-          {"scaling", untimed(scaling)},
-          {"bad_input", timed(bad_input)},
-          {"examples", untimed(examples)},
-          {"least_model", timed(least_model)},
-          {"chosen_model", timed(chosen_model)},
-          {"tolerance", {untimed(tolerance).answer, false, true}},
-          {"random_models", untimed(random_models)}};
+std::map<std::string, Question> questions(int core, const Extent& extent) {
+  const std::string timed = times_taken(core, extent);
+  const auto of_scenes = [](Table (*answer)(const Scenes&)) {
+    return Question{[answer](const Scenes& scenes, const Extent&) { return answer(scenes); }};
+  };
+  const auto alone = [](Table (*answer)()) {
+    return Question{[answer](const Scenes&, const Extent&) { return answer(); }};
+  };
+  return {{"speed_accuracy",
+           {[](const Scenes& scenes, const Extent& asked) {
+              return speed_accuracy(scenes, all_methods(), asked);
+            },
+            timed}},
+          {"truth", of_scenes(truths)},
+          {"energy_gain", alone(energy_gain)},
+          {"solution_count", alone(solution_count)},
+          {"gauss_seidel", alone(gauss_seidel_sweeps)},
+          {"depth", alone(depth)},
+          {"almost_flat", alone(almost_flat)},
+          {"flat_landing", alone(flat_landing)},
+          {"rest_and_drift", of_scenes(rest_and_drift)},
+          {"scaling", alone(scaling)},
+          {"examples", alone(examples)},
+          {"least_model", {least_model, timed}},
+          {"chosen_model", {chosen_model, timed}},
+          {"random_models", alone(random_models)},
+          {"tolerance",
+           {[](const Scenes&, const Extent& asked) {
+              return tolerance(asked.rounds > kQuick.rounds ? 4000 : 400);
+            },
+            times_taken(core)}}};
 }
 
 int run(const std::vector<std::string>& words, const Extent& extent) {
-  const auto all = questions();
+  const int core = pin_to_one_core();
+  const auto all = questions(core, extent);
   std::vector<std::string> names(words.begin() + 2, words.end());
   if (names.empty())
     for (const auto& [name, question] : all) names.push_back(name);
@@ -74,13 +68,12 @@ int run(const std::vector<std::string>& words, const Extent& extent) {
     return 2;
   }
   const Scenes scenes = read_scenes(words[0]);
-  const int core = pin_to_one_core();
   std::filesystem::create_directories(words[1]);
   for (const std::string& name : names) {
     const std::filesystem::path file = std::filesystem::path(words[1]) / (name + ".csv");
     const Question& question = all.at(name);
     const Table table = question.answer(scenes, extent);
-    table.write(file, origin(question.times(core, extent)));
+    table.write(file, origin(question.times));
     std::cout << file.string() << ": " << table.rows() << " rows\n" << std::flush;
   }
   return 0;

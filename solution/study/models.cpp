@@ -1,58 +1,87 @@
 #include <malloc.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
+#include <map>
+#include <numbers>
 
 #include "../exact/event_driven.hpp"
 #include "../exact/simulate_scene.hpp"
-#include "catalog.hpp"
+#include "../exact/truth.hpp"
 #include "questions.hpp"
-#include "timing.hpp"
+#include "random_scenes.hpp"
 
 namespace bounce::study {
 namespace {
 
-constexpr double kFine = 1e-3;  // m
+constexpr double kFine = 1e-3;           // m
+constexpr double kStep = 1e-3;           // s, of the simulator that chooses, in random scenes
+constexpr double kEventsASecond = 5000;  // in random scenes
+
+Model model_of(ModelLevel level) {
+  const int corners = level <= ModelLevel::ballistic      ? 0
+                      : level <= ModelLevel::one_friction ? 1
+                                                          : 2;
+  return {corners, level == ModelLevel::one_friction || level == ModelLevel::two_frictions};
+}
 
 // Simulates the scene with at most this model, with exact times of impact.
-Samples run_model(const Scene& scene, ModelLevel level) {
+Samples run_model(const Scene& scene, ModelLevel level, EventOptions options = {}) {
   const auto start = methods::motion_of<double>(scene.start);
   if (level == ModelLevel::asleep) return Samples(kSamples, start);
-  EventOptions options;
-  options.model.corners = level == ModelLevel::ballistic ? 0
-                          : level == ModelLevel::one_normal || level == ModelLevel::one_friction
-                              ? 1
-                              : 2;
-  options.model.friction = level == ModelLevel::one_friction || level == ModelLevel::two_frictions;
+  options.model = model_of(level);
   return simulate_events<double>(scene.params, start, sample_times(scene), options);
 }
 
-// Keeps freed memory in this process, so that no time includes the system's allocation of pages,
-// which takes longer than a flight.
-void keep_memory() {
-  mallopt(M_MMAP_THRESHOLD, 1 << 28);
-  mallopt(M_TRIM_THRESHOLD, 1 << 29);
+Parameters stepped(const Scene& scene, double dt) {
+  Parameters params = scene.params;
+  params.dt = dt;
+  params.T = int(std::lround(scene.until / dt)) + 1;
+  return params;
 }
 
-// How many times as fast simulate_scene is as its scheme with the whole model in every step, and as
-// the plain scheme.
-struct Gain {
-  double whole, moreau_jean;
-};
-
-Gain gain_of(const Parameters& params, const State& start, const Extent& extent) {
-  std::vector<Job> jobs{{[&] { simulate_scene(params, start); }},
-                        {[&] { simulate_whole(params, start); }},
-                        {[&] { simulate_moreau_jean(params, start); }}};
-  time_in_turn(jobs, extent);
-  return {quantile(ratios(jobs[1], jobs[0])), quantile(ratios(jobs[2], jobs[0]))};
+// In the air or on the ground, turned or flat, with or without friction, spin and a slope: a
+// quarter or a third of the scenes has each of what makes a model smaller.
+Scene scene_of(unsigned seed) {
+  Random random(seed);
+  Scene scene{"random", "", {}, {}, Quantity::pose, random.uniform(0.2, 1), {}, ""};
+  Parameters& params = scene.params;
+  params.l = random.uniform(0.05, 0.5);
+  params.mu = random.one_of(4) ? 0 : random.uniform(0.05, 1);
+  params.epsilon = random.one_of(4) ? 0 : random.uniform(0, 0.9);
+  const double slope = random.one_of(3) ? random.uniform(-0.4, 0.4) : 0;
+  params.g = {9.81 * std::sin(slope), -9.81 * std::cos(slope), 0};
+  const bool flat = random.one_of(3), lies = flat && random.one_of(2);
+  const double theta = flat ? 0 : random.uniform(-std::numbers::pi, std::numbers::pi);
+  const double reach = params.l / 2 * (std::abs(std::cos(theta)) + std::abs(std::sin(theta)));
+  scene.start.q = {0, reach + (lies ? 0 : random.uniform(0.01, 2)), theta};
+  const double v_x = random.one_of(3) ? 0 : random.uniform(-2, 2);
+  scene.start.v = {v_x, lies ? 0 : random.uniform(-2, 2), flat ? 0 : random.uniform(-8, 8)};
+  return scene;
 }
 
-std::string joined(const std::vector<std::string>& texts) {
-  std::string all;
-  for (const std::string& text : texts) all += (all.empty() ? "" : "; ") + text;
-  return all;
+double error_with(const Scene& scene, ModelLevel level, const Samples& truth) {
+  EventOptions options;
+  options.most_events = long(kEventsASecond * scene.until);
+  return error_of(scene, run_model(scene, level, options), truth);
+}
+
+// The smallest model that holds every one that simulate_scene took.
+ModelLevel chosen_by_bounds(const Scene& scene) {
+  ModelReport report;
+  simulate_scene(stepped(scene, kStep), scene.start, &report);
+  Model all{0, false};
+  bool moves = false;
+  for (int i = 1; i < kModelLevels; ++i) {
+    if (report.steps[std::size_t(i)] == 0) continue;
+    moves = true;
+    const Model model = model_of(ModelLevel(i));
+    all = {std::max(all.corners, model.corners), all.friction || model.friction};
+  }
+  if (all.corners == 0) return moves ? ModelLevel::ballistic : ModelLevel::asleep;
+  if (all.corners == 1) return all.friction ? ModelLevel::one_friction : ModelLevel::one_normal;
+  return all.friction ? ModelLevel::two_frictions : ModelLevel::two_normals;
 }
 
 }  // namespace
@@ -62,9 +91,8 @@ Table least_model(const Scenes& scenes, const Extent& extent) {
   for (const Scene& scene : scenes) {
     const Samples truth = truth_of(scene);
     std::vector<Job> jobs;
-    jobs.reserve(kModelLevels);
     for (int i = 0; i < kModelLevels; ++i)
-      jobs.push_back({[&scene, i] { run_model(scene, ModelLevel(i)); }});
+      jobs.push_back(job_of([&scene, i] { run_model(scene, ModelLevel(i)); }));
     time_in_turn(jobs, extent);
     bool found = false;
     for (int i = 0; i < kModelLevels; ++i) {
@@ -80,25 +108,52 @@ Table least_model(const Scenes& scenes, const Extent& extent) {
 }
 
 Table chosen_model(const Scenes& scenes, const Extent& extent) {
-  Table table({"scene", "dt_s", "model", "steps", "seconds", "distance_to_whole_m",
-               "times_as_fast_as_whole", "times_as_fast_as_moreau_jean", "warnings"});
-  keep_memory();
+  Table table({"scene", "dt_s", "distance_to_whole_m", "times_as_fast_as_whole",
+               "times_as_fast_as_moreau_jean"});
+  // Freed memory stays in this process, so that no time includes the system's allocation of pages,
+  // which takes longer than a flight.
+  mallopt(M_MMAP_THRESHOLD, 1 << 28);
+  mallopt(M_TRIM_THRESHOLD, 1 << 29);
   for (const Scene& scene : scenes) {
     for (const double dt : {1e-2, 1e-3, 1e-4}) {
-      Parameters params = scene.params;
-      params.dt = dt;
-      params.T = int(std::lround(scene.until / dt)) + 1;
-      ModelReport report;
-      const Trajectory chosen = simulate_scene(params, scene.start, &report);
+      const Parameters params = stepped(scene, dt);
+      const Trajectory chosen = simulate_scene(params, scene.start);
       const Trajectory whole = simulate_whole(params, scene.start);
-      const double apart = (chosen.q - whole.q).cwiseAbs().maxCoeff();
-      const Gain gain = gain_of(params, scene.start, extent);
-      for (int i = 0; i < kModelLevels; ++i) {
-        table.add(scene.name, dt, name_of(ModelLevel(i)), report.steps[std::size_t(i)],
-                  report.seconds[std::size_t(i)], apart, gain.whole, gain.moreau_jean,
-                  joined(report.warnings));
-      }
+      std::vector<Job> jobs{job_of([&] { simulate_scene(params, scene.start); }),
+                            job_of([&] { simulate_whole(params, scene.start); }),
+                            job_of([&] { simulate_moreau_jean(params, scene.start); })};
+      time_in_turn(jobs, extent);
+      table.add(scene.name, dt, (chosen.q - whole.q).cwiseAbs().maxCoeff(),
+                quantile(ratios(jobs[1], jobs[0])), quantile(ratios(jobs[2], jobs[0])));
     }
+  }
+  return table;
+}
+
+// Counts, for each choice and each least model, the scenes; and says how wrong the choice is.
+Table random_models() {
+  constexpr unsigned kScenes = 1000;
+  struct Count {
+    long scenes = 0, wrong = 0;
+    double largest_error = 0;
+  };
+  std::map<std::array<int, 2>, Count> counts;
+  for (unsigned seed = 1; seed <= kScenes; ++seed) {
+    const Scene scene = scene_of(seed);
+    const Samples truth = truth_of(scene);
+    const int chosen = int(chosen_by_bounds(scene));
+    int least = 0;
+    while (least < kModelLevels && !(error_with(scene, ModelLevel(least), truth) <= kFine)) ++least;
+    const double error = error_with(scene, ModelLevel(chosen), truth);
+    Count& count = counts[{chosen, least}];
+    ++count.scenes;
+    if (!(error <= kFine)) ++count.wrong;
+    count.largest_error = std::max(count.largest_error, error);
+  }
+  Table table({"chosen", "least", "scenes", "chosen_wrong", "largest_error_m"});
+  for (const auto& [key, count] : counts) {
+    const char* least = key[1] < kModelLevels ? name_of(ModelLevel(key[1])) : "none";
+    table.add(name_of(ModelLevel(key[0])), least, count.scenes, count.wrong, count.largest_error);
   }
   return table;
 }

@@ -15,6 +15,7 @@ class Random {
   double uniform(double low, double high) {
     return low + (high - low) * double(engine_() >> 11) * 0x1p-53;
   }
+  bool one_of(int n) { return engine_() % std::uint64_t(n) == 0; }
 
  private:
   std::mt19937_64 engine_;

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "../exact/simulate_to.hpp"
-#include "catalog.hpp"
+#include "timing.hpp"
 
 namespace bounce::study {
 namespace {

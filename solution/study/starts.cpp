@@ -43,8 +43,7 @@ Errors Starts::errors_of(const Run& run) const {
     errors.push_back(error_of(scenes_[i], run(scenes_[i], grid_), truths_[i]));
     squares += errors.back() * errors.back();
   }
-  const auto [least, largest] = std::minmax_element(errors.begin(), errors.end());
-  return {errors.front(), std::sqrt(squares / double(errors.size())), *least, *largest};
+  return {errors.front(), std::sqrt(squares / double(errors.size()))};
 }
 
 std::vector<double> steps_down_to(double least, double largest) {

@@ -27,7 +27,7 @@ Grid grid_of(const Scene& scene, double dt);
 
 // m; `own` is that of the scene's own start.
 struct Errors {
-  double own, rms, least, largest;
+  double own, rms;
 };
 
 class Starts {
@@ -57,9 +57,8 @@ class StartsOfScene {
   std::map<double, Starts> by_step_;
 };
 
-// The steps of a sweep from `largest` down to `least`, 20 in a factor of ten: each is 1.12 times
-// the next.
-inline constexpr int kStepsPerDecade = 20;
+// The steps of a sweep from `largest` down to `least`, four in a factor of ten.
+inline constexpr int kStepsPerDecade = 4;
 std::vector<double> steps_down_to(double least, double largest = 1e-2);
 
 }  // namespace bounce::study

@@ -25,7 +25,7 @@ std::string quoted(const std::string& value) {
 
 std::string text_of(double value) {
   char buffer[40];
-  std::snprintf(buffer, sizeof buffer, "%.6g", value);
+  std::snprintf(buffer, sizeof buffer, "%.5g", value);
   return buffer;
 }
 
@@ -63,6 +63,10 @@ std::string today() {
   char text[40];
   std::strftime(text, sizeof text, "%Y-%m-%d", &date);
   return text;
+}
+
+std::string pinned(int core) {
+  return core < 0 ? "not pinned" : "pinned to core " + std::to_string(core);
 }
 
 std::string compiler() {
@@ -106,14 +110,15 @@ std::vector<std::string> origin(const std::string& times) {
 }
 
 std::string times_taken(int core) {
-  const std::string pinned = core < 0 ? "not pinned" : "pinned to core " + std::to_string(core);
-  return "CPU time, " + pinned + ", the median of the scenes, for each the least of five runs";
+  return "CPU time, " + pinned(core) +
+         ", the median of the scenes, for each the least of five runs";
 }
 
 std::string times_taken(int core, const Extent& extent) {
-  const std::string pinned = core < 0 ? "not pinned" : "pinned to core " + std::to_string(core);
-  return "CPU time, " + pinned + ", the median of " + std::to_string(extent.rounds) +
-         " rounds in which all take turns, each at least " + text_of(extent.least_ns / 1e6) + " ms";
+  return "CPU time, " + pinned(core) + ", the median of " + std::to_string(extent.rounds) +
+         " rounds in which all take turns, each at least " + text_of(extent.least_ns / 1e6) +
+         " ms; what takes over " + text_of(kLongNs / 1e6) + " ms plays in one round of " +
+         std::to_string(kLongEvery);
 }
 
 }  // namespace bounce::study

@@ -4,28 +4,47 @@
 
 #include <algorithm>
 #include <cmath>
-
-#include "catalog.hpp"
+#include <ctime>
 
 namespace bounce::study {
 namespace {
 
-double time_once(const Job& job) {
-  const double start = cpu_ns();
-  for (long i = 0; i < job.repeats; ++i) job.run();
-  return (cpu_ns() - start) / double(job.repeats);
+struct Turn {
+  long repeats;
+  int every;
+};
+
+Turn turn_of(const Job& job, const Extent& extent) {
+  double once = job.time(1);
+  if (once < kLongNs) once = std::max(job.time(1), 20.0);  // the first found caches cold
+  return {std::max(1L, std::lround(extent.least_ns / once)), once > kLongNs ? kLongEvery : 1};
 }
 
 }  // namespace
 
+double cpu_ns() {
+  timespec time{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return double(time.tv_sec) * 1e9 + double(time.tv_nsec);
+}
+
+Job job_of(std::function<void()> run) {
+  return {[run](long repeats) {
+    const double start = cpu_ns();
+    for (long i = 0; i < repeats; ++i) run();
+    return cpu_ns() - start;
+  }};
+}
+
 void time_in_turn(std::vector<Job>& jobs, const Extent& extent) {
-  for (Job& job : jobs) {
-    job.repeats = 1;
-    time_once(job);
-    job.repeats = std::max(1L, std::lround(extent.least_ns / std::max(time_once(job), 20.0)));
+  std::vector<Turn> turns;
+  for (const Job& job : jobs) turns.push_back(turn_of(job, extent));
+  for (int round = 0; round < extent.rounds; ++round) {
+    for (std::size_t i = 0; i < jobs.size(); ++i) {
+      const auto [repeats, every] = turns[i];
+      if (round % every == 0) jobs[i].ns.push_back(jobs[i].time(repeats) / double(repeats));
+    }
   }
-  for (int round = 0; round < extent.rounds; ++round)
-    for (Job& job : jobs) job.ns.push_back(time_once(job));
 }
 
 double quantile(std::vector<double> values, double share) {

@@ -12,17 +12,22 @@ namespace bounce::study {
 struct Extent {
   int rounds = 21;
   double least_ns = 1e6;  // a timing repeats its job for at least this long
-  int fineness = 2;       // of the maps
 };
-inline constexpr Extent kQuick{3, 1e5, 1};
+inline constexpr Extent kQuick{3, 1e5};
+
+// A job that takes longer than this runs in one round of kLongEvery.
+inline constexpr double kLongNs = 5e7;
+inline constexpr int kLongEvery = 4;
 
 struct Job {
-  std::function<void()> run;
-  long repeats = 1;
-  std::vector<double> ns{};  // of one run, by round
+  std::function<double(long repeats)> time;  // of all repeats together, ns
+  std::vector<double> ns{};                  // of one run, by round
 };
 
-// Fills `repeats` and `ns`. Each job is run once before it is timed.
+// The whole of a function is timed.
+Job job_of(std::function<void()> run);
+
+// Fills `ns`. Each job is run once before it is timed.
 void time_in_turn(std::vector<Job>& jobs, const Extent& extent);
 
 // The value below which a share of the sorted values lies; 0.5 is the median.
@@ -30,6 +35,9 @@ double quantile(std::vector<double> values, double share = 0.5);
 
 // For each round, how many times as long the job took as the other.
 std::vector<double> ratios(const Job& job, const Job& other);
+
+// CPU time of this process, ns.
+double cpu_ns();
 
 // Pins this process to its current core; returns -1 if the system doesn't allow it.
 int pin_to_one_core();

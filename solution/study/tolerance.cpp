@@ -4,8 +4,8 @@
 
 #include "../exact/event_driven.hpp"
 #include "../exact/simulate_to.hpp"
+#include "../exact/truth.hpp"
 #include "../methods/moreau_jean.hpp"
-#include "catalog.hpp"
 #include "questions.hpp"
 #include "random_scenes.hpp"
 
@@ -84,17 +84,16 @@ double best_time(const Scene& scene, const std::vector<double>& times, const Mot
 
 }  // namespace
 
-Table tolerance(const Extent& extent) {
+Table tolerance(int count) {
   Table table({"tolerance_m", "scenes", "free_flight", "event_driven", "stepped", "refused",
                "violated", "bound_over_error", "bound_over_error_90", "time_over_best",
                "time_over_best_90", "ns"});
-  const int scenes = extent.fineness > 1 ? 4000 : 400;
   for (const double within : {1e-3, 1e-6, 1e-9}) {
     Random random(31);
     std::map<std::string, int> answers;
     int refused = 0, violated = 0;
     std::vector<double> bounds, times_over_best, ns;
-    for (int i = 0; i < scenes; ++i) {
+    for (int i = 0; i < count; ++i) {
       const Scene scene = random_scene(random);
       try {
         const Answer answer = simulate_to(scene, within);
@@ -110,8 +109,8 @@ Table tolerance(const Extent& extent) {
       }
     }
     const int flights = answers["free flight"], events = answers["event-driven"];
-    table.add(within, scenes, flights, events, scenes - refused - flights - events, refused,
-              violated, quantile(bounds), quantile(bounds, 0.9), quantile(times_over_best),
+    table.add(within, count, flights, events, count - refused - flights - events, refused, violated,
+              quantile(bounds), quantile(bounds, 0.9), quantile(times_over_best),
               quantile(times_over_best, 0.9), quantile(ns));
   }
   return table;

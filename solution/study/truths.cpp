@@ -1,6 +1,6 @@
 #include <cstdio>
 
-#include "catalog.hpp"
+#include "../exact/truth.hpp"
 #include "questions.hpp"
 
 namespace bounce::study {

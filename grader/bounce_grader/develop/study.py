@@ -2,6 +2,7 @@
 sources."""
 
 import argparse
+import os
 import sys
 from pathlib import Path
 from typing import Any
@@ -21,19 +22,16 @@ def add(commands: Any) -> None:
     )
     parser.add_argument("--tolerance", metavar="METRES", help="of simulate: the largest error")
     parser.add_argument(
-        "--json",
-        type=Path,
-        metavar="FILE",
-        help="of simulate: times, q, v, bound and horizon; of measured: what its page is made of",
+        "--json", type=Path, metavar="FILE", help="of simulate: times, q, v, bound and horizon"
     )
     parser.add_argument(
         "--out", type=Path, metavar="FOLDER", help="what is written (default: docs/studies)"
     )
-    parser.add_argument("--quick", action="store_true", help="fewer rounds and coarser maps")
+    parser.add_argument("--quick", action="store_true", help="fewer rounds and random scenes")
     parser.add_argument(
         "--peers", action="store_true", help="the engines that people use, too; installs them"
     )
-    measured = parser.add_argument_group("measured impacts and drops, for the question `measured`")
+    measured = parser.add_argument_group("measured impacts, for the question `measured`")
     measured.add_argument("--squares", type=Path, metavar="FILE", help="drops of squares")
     measured.add_argument("--ellipses", type=Path, metavar="FILE", help="impacts of ellipses")
     parser.set_defaults(command=_study)
@@ -41,26 +39,29 @@ def add(commands: Any) -> None:
 
 def _study(options: argparse.Namespace) -> int:
     sys.path.insert(0, str(ROOT / "solution" / "study"))
-    from bounce_study import measured_part, run
+    os.environ["OPENBLAS_NUM_THREADS"] = "1"  # numpy's matrices are small here: others only wait
+    if options.questions[:1] == ["simulate"]:
+        return _simulate(options)
+    if options.tolerance or options.json:
+        raise UsageError("--tolerance and --json are for ./kit study simulate SCENE.json")
+    from bounce_study import run
+
+    files = {n: getattr(options, n) for n in ("squares", "ellipses") if getattr(options, n)}
+    if files and options.questions != [run.MEASURED]:
+        raise UsageError("--squares and --ellipses are for ./kit study measured")
+    out = (options.out or run.STUDIES).absolute()
+    questions = tuple(options.questions)
+    request = run.Request(out, options.quick, options.peers, questions, **files)
+    if files and not options.out:  # the committed page is about the committed figures
+        for table in run.measured_tables(request).values():
+            print(table.to_string(index=False), end="\n\n")
+        return 0
+    return run.run(request)
+
+
+def _simulate(options: argparse.Namespace) -> int:
     from bounce_study.simulate import simulate
 
-    if options.questions[:1] == ["simulate"]:
-        if len(options.questions) != 2 or options.tolerance is None:
-            raise UsageError(
-                "write ./kit study simulate SCENE.json --tolerance METRES [--json FILE]"
-            )
-        return simulate(Path(options.questions[1]), options.tolerance, options.json)
-    if options.tolerance:
-        raise UsageError("--tolerance is for ./kit study simulate SCENE.json")
-    files = measured_part.Files(options.squares, options.ellipses, options.json)
-    wrong = files.others and options.questions != [measured_part.NAME]
-    if wrong or (files.json and measured_part.NAME not in options.questions):
-        raise UsageError(
-            "--squares and --ellipses are for ./kit study measured, and --json for it and for "
-            "./kit study simulate SCENE.json"
-        )
-    if files.others and not options.out:  # the committed page is about the committed figures
-        return measured_part.report(files, options.quick)
-    out = options.out or run.STUDIES
-    questions = tuple(options.questions)
-    return run.run(run.Request(out.absolute(), options.quick, options.peers, questions, files))
+    if len(options.questions) != 2 or options.tolerance is None:
+        raise UsageError("write ./kit study simulate SCENE.json --tolerance METRES [--json FILE]")
+    return simulate(Path(options.questions[1]), options.tolerance, options.json)

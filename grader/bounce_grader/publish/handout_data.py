@@ -1,4 +1,4 @@
-"""What the handout compares a student's program with, as text, from docs/studies and fixtures/.
+"""What the handout compares a student's program with, as text, from fixtures/.
 
 Of the study: every scene, and for three of them the truth and what other methods reached in how much
 time. Of measured impacts: those of one corner of a square, and the median error of each law of impact
@@ -10,7 +10,7 @@ import json
 from collections.abc import Iterator
 from math import log10, sqrt
 
-from bounce_grader.common.paths import FIXTURES, ROOT, SCENES
+from bounce_grader.common.paths import FIXTURES, SCENES
 from bounce_grader.formats.figures import WORDS
 
 STUDIED = ("tumble", "oblique_bounce", "slide")
@@ -19,14 +19,13 @@ METHODS = {
     "moreau_jean_2": "Moreau\N{EN DASH}Jean scheme with two corners",
     "event_driven": "exact, event-driven simulation",
 }
-STUDIES = ROOT / "docs" / "studies"
+STUDIES = FIXTURES / "study"  # which ./kit study measures
 KERNEL_NS = 62.0  # of a call of solve_lcp, where the assignment's scheme took these times
 SIMPLER = {
     "frictionless": "a corner without friction",
     "sticking": "a corner that always sticks",
 }
 ASSIGNMENT = "the assignment's law, as the course solves it"
-GROUP = "squares, one corner"
 
 
 def study() -> str:
@@ -58,11 +57,11 @@ def _is_shown(row: dict[str, str]) -> bool:
     """Whether a row goes into the handout: all rows for a tolerance, but only two steps for each
     factor of ten."""
     halves = 2 * log10(float(row["setting"]))
-    return row["setting_is"] != "dt_s" or abs(halves - round(halves)) < 0.03
+    return row["method"] == "event_driven" or abs(halves - round(halves)) < 0.03
 
 
 def rows(table: str) -> Iterator[dict[str, str]]:
-    """The rows of a table of docs/studies."""
+    """The rows of a table of fixtures/study."""
     lines = (STUDIES / table).read_text("utf-8").splitlines()
     return csv.DictReader(line for line in lines if not line.startswith("#"))
 
@@ -82,10 +81,10 @@ def _licence() -> Iterator[str]:
 
 
 def _laws() -> Iterator[str]:
-    laws = {row["law"]: row for row in rows("measured_ladder.csv") if row["group"] == GROUP}
-    body = {row["quantity"]: row["value"] for row in rows("measured_extraction.csv")}
+    laws = {row["law"]: row for row in rows("measured_laws.csv") if row["shape"] == "squares"}
+    body = {row["quantity"]: row["value"] for row in rows("measured_body.csv")}
     newton = laws["newton"]
-    side = sqrt(6 * float(body["r_g^2, m^2"]))
+    side = sqrt(6 * float(body["gyration_squared"]))
     yield f"square {side:.5g} {newton['mu']} {newton['epsilon']}"
     yield f"floor {newton['floor_m_s']}"
     yield f"assignment {newton['median_m_s']} {ASSIGNMENT}"

@@ -1,45 +1,171 @@
 """The charts, and the tables that each is drawn from."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from typing import Any
 
-from bounce_study import chart_maps, chart_measured, chart_models, chart_peers, chart_speed
-from bounce_study import chart_stability
-from bounce_study.tables import Tables
+import numpy as np
+
+from bounce_study import chart_stability, style
+from bounce_study.tables import fastest, FINE, Tables, TIME
+
+README_SCENE = "oblique_bounce"
+LEFT, RIGHT = 1e-8, 30.0  # m: what is more exact lies at the left edge
+COLUMNS = 3
+PROBLEMS = (1e-2, 1e-3, 1e-4, 1e-5, 1e-6)  # m: tolerances of the profile
+LAWS = {
+    "frictionless": "no friction",
+    "sticking": "always sticks",
+    "newton": "Newton (the assignment's)",
+    "poisson": "Poisson",
+    "compliant": "compliant",
+}
 
 
-@dataclass(frozen=True)
-class Chart:
-    name: str
-    needs: tuple[str, ...]
-    draw: Callable[[Tables], bytes]
+def _panels(count: int, height: float) -> tuple[Any, Any]:
+    """A figure with this many panels and an empty one for the legend."""
+    rows = -(-(count + 1) // COLUMNS)
+    size = (style.WIDTH, height * rows)
+    layout = {"sharex": True, "sharey": True, "layout": "constrained"}
+    figure, grid = style.pyplot().subplots(rows, COLUMNS, figsize=size, **layout)
+    for axes in grid.flat[count:]:
+        axes.axis("off")
+    return figure, grid
 
 
-CHARTS = (
-    Chart("speed_accuracy.svg", ("speed_accuracy",), chart_speed.panels),
-    Chart("speed_accuracy_one.svg", ("speed_accuracy",), chart_speed.one),
-    Chart("order.svg", ("order",), chart_speed.order),
-    Chart("profile.svg", ("speed_accuracy",), chart_speed.profile),
-    Chart("peers_steps.svg", ("peers_steps", "peers_settings"), chart_peers.steps),
-    Chart("energy_gain.svg", ("energy_gain",), chart_maps.energy_gain),
-    Chart("solution_count.svg", ("solution_count",), chart_maps.solution_count),
-    Chart("gauss_seidel.svg", ("gauss_seidel",), chart_stability.gauss_seidel),
-    Chart("depth.svg", ("depth",), chart_stability.depth),
-    Chart("almost_flat.svg", ("almost_flat",), chart_stability.almost_flat),
-    Chart("flat_landing.svg", ("flat_landing",), chart_stability.flat_landing),
-    Chart("rest_and_drift.svg", ("rest_and_drift",), chart_stability.rest_and_drift),
-    Chart("scaling.svg", ("scaling",), chart_stability.scaling),
-    Chart("least_model.svg", ("least_model",), chart_models.ladder),
-    Chart("chosen_model.svg", ("chosen_model",), chart_models.chosen),
-    Chart("measured_ladder.svg", ("measured_ladder",), chart_measured.ladder),
-    Chart("measured_drops.svg", ("measured_drops",), chart_measured.drops),
-)
+def _legend(axes: Any, panel: Any) -> None:
+    handles, labels = panel.get_legend_handles_labels()
+    axes.axis("off")
+    axes.legend(handles, labels, loc="center left", handlelength=3.2)
+
+
+def _time_over_error(axes: Any, runs: Any) -> None:
+    axes.set(xscale="log", yscale="log", xlim=(LEFT / 3, RIGHT))
+    axes.axvline(FINE, color="black", linewidth=0.8, linestyle=(0, (1, 2)), label="1 mm")
+    for method, own in runs.groupby("method", sort=False):
+        front = 2 if method in style.ENGINES else 3
+        axes.plot(own["error_m"].clip(lower=LEFT), own[TIME], **style.line(method), zorder=front)
+
+
+def speed_accuracy(tables: Tables) -> bytes:
+    scenes = tables["speed_accuracy"].groupby("scene")
+    figure, grid = _panels(len(scenes), 3.0)
+    for axes, (scene, runs) in zip(grid.flat, scenes):
+        _time_over_error(axes, runs)
+        axes.set_title(style.scene_label(scene))
+    _legend(grid.flat[len(scenes)], grid.flat[0])
+    figure.supxlabel("error, m")
+    figure.supylabel("CPU time per simulated second, ns")
+    return style.svg(figure)
+
+
+def speed_accuracy_one(tables: Tables) -> bytes:
+    """A single panel, for the README."""
+    runs = tables["speed_accuracy"].query("scene == @README_SCENE")
+    layout = {"width_ratios": [2.2, 1], "layout": "constrained"}
+    figure, (axes, key) = style.pyplot().subplots(1, 2, figsize=(8.4, 5.0), **layout)
+    _time_over_error(axes, runs)
+    axes.set(xlabel="error, m", ylabel="CPU time per simulated second, ns")
+    _legend(key, axes)
+    return style.svg(figure)
+
+
+def order(tables: Tables) -> bytes:
+    """Error / dt over dt: level where the order is one, rising to the left at a floor."""
+    runs = tables["speed_accuracy"].query("method != 'event_driven'")
+    scenes = runs[runs["method"].isin(style.METHODS)].groupby("scene")
+    figure, grid = _panels(len(scenes), 2.4)
+    for axes, (scene, own) in zip(grid.flat, scenes):
+        axes.set(xscale="log", yscale="log", title=style.scene_label(scene), ylim=(1e-6, 1e5))
+        for method, points in own.groupby("method", sort=False):
+            points = points[points["error_m"] > 1e-12]
+            axes.plot(
+                points["setting"], points["error_m"] / points["setting"], **style.line(method)
+            )
+    _legend(grid.flat[len(scenes)], grid.flat[0])
+    figure.supxlabel("Δt, s")
+    figure.supylabel("error / Δt, m/s")
+    return style.svg(figure)
+
+
+def profile(tables: Tables) -> bytes:
+    """Dolan and Moré's profile: the share of problems, each a scene with a tolerance, that a method
+    solves within a factor of the fastest."""
+    runs = tables["speed_accuracy"]
+    solved = [fastest(runs, within).assign(within=within) for within in PROBLEMS]
+    times = {(w, s): own for part in solved for (w, s), own in part.groupby(["within", "scene"])}
+    count = len(PROBLEMS) * runs["scene"].nunique()
+    figure, axes = style.pyplot().subplots(figsize=(8.4, 4.2), layout="constrained")
+    for method in runs["method"].unique():
+        factors = sorted(
+            float(own[TIME][own["method"] == method].iloc[0] / own[TIME].iloc[0])
+            for own in times.values()
+            if (own["method"] == method).any()
+        )
+        shares = np.arange(1, len(factors) + 1) / count
+        axes.plot(factors, shares, drawstyle="steps-post", **style.line(method), markevery=5)
+    axes.set(xscale="log", ylim=(0, 1.02))
+    axes.set(xlabel="times the time of the fastest", ylabel="share of the problems")
+    axes.legend(loc="center left", bbox_to_anchor=(1, 0.5), handlelength=3.2)
+    return style.svg(figure)
+
+
+def least_model(tables: Tables) -> bytes:
+    """Error above time for each scene; the least model within the tolerance is black."""
+    scenes = tables["least_model"].groupby("scene")
+    layout = {"figsize": (1.4 * len(scenes), 4.6), "sharex": True, "sharey": "row"}
+    figure, grid = style.pyplot().subplots(2, len(scenes), layout="constrained", **layout)
+    for (above, below), (scene, rungs) in zip(grid.T, scenes):
+        places = np.arange(len(rungs))
+        right = rungs["error_m"] <= FINE
+        shade = np.select([rungs["least"] == 1, right], ["black", "#bbbbbb"], "white")
+        dots = {"c": shade, "edgecolors": "black", "linewidths": 0.8, "s": 36, "zorder": 3}
+        above.scatter(places, rungs["error_m"].clip(5e-16, 1e2), **dots)
+        below.scatter(places, rungs[TIME], **dots)
+        above.axhline(FINE, color="black", linewidth=0.8, linestyle=(0, (1, 2)))
+        above.set(yscale="log", title=style.scene_label(scene))
+        below.set(yscale="log", xticks=places)
+    grid[0, 0].set_ylabel("error, m")
+    grid[1, 0].set_ylabel("CPU time per simulated second, ns")
+    models = tables["least_model"]["model"].unique()
+    names = "   ".join(f"{i}: {name.replace('_', ' ')}" for i, name in enumerate(models))
+    figure.supxlabel(f"{names}\nblack: the least within 1 mm   grey: larger   white: wrong")
+    return style.svg(figure)
+
+
+def measured_laws(tables: Tables) -> bytes:
+    """Each law's median error on the test impacts with its interval, beside the best impulse."""
+    shapes = tables["measured_laws"].groupby("shape", sort=False)
+    layout = {"figsize": (8.4, 2.1 * len(shapes)), "sharex": True, "layout": "constrained"}
+    figure, grid = style.pyplot().subplots(len(shapes), 1, squeeze=False, **layout)
+    for axes, (shape, rows) in zip(grid.flat, shapes):
+        axes.axvspan(rows["floor_low"].iloc[0], rows["floor_high"].iloc[0], color="#dddddd")
+        for place, row in enumerate(rows.itertuples()):
+            color = style.BLUE if row.least else style.INK
+            axes.plot([row.lower_quartile, row.upper_quartile], 2 * [place], color="#bbbbbb")
+            axes.plot([row.median_low, row.median_high], 2 * [place], color=color, linewidth=3)
+            axes.plot(row.median_m_s, place, "s" if row.least else "o", color=color)
+        axes.set(xscale="log", title=f"{shape}: {rows['tested'].iloc[0]} test impacts")
+        axes.set_yticks(range(len(rows)), [LAWS[law] for law in rows["law"]])
+        axes.invert_yaxis()
+    grid[-1, 0].set_xlabel("median error of the velocity after an impact, m/s")
+    return style.svg(figure)
+
+
+CHARTS: dict[str, tuple[tuple[str, ...], Callable[[Tables], bytes]]] = {
+    "speed_accuracy": (("speed_accuracy",), speed_accuracy),
+    "speed_accuracy_one": (("speed_accuracy",), speed_accuracy_one),
+    "order": (("speed_accuracy",), order),
+    "profile": (("speed_accuracy",), profile),
+    "stability": (chart_stability.NEEDS, chart_stability.draw),
+    "least_model": (("least_model",), least_model),
+    "measured_laws": (("measured_laws",), measured_laws),
+}
 
 
 def draw(tables: Tables) -> dict[str, bytes]:
     """Draws the charts whose tables are all there."""
     return {
-        chart.name: chart.draw(tables)
-        for chart in CHARTS
-        if all(name in tables for name in chart.needs)
+        f"{name}.svg": chart(tables)
+        for name, (needs, chart) in CHARTS.items()
+        if all(table in tables for table in needs)
     }

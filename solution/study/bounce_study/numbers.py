@@ -1,12 +1,8 @@
 """Writes numbers for pages, tables and charts."""
 
 import math
-from collections.abc import Callable, Iterable
-from typing import Any
 
-WORDS = "no one two three four five six seven eight nine ten eleven twelve".split()
 TIMES = ((1e9, "s"), (1e6, "ms"), (1e3, "µs"), (1.0, "ns"))
-LENGTHS = ((1.0, "m"), (1e-2, "cm"), (1e-3, "mm"), (1e-6, "µm"))
 
 
 def short(value: float, digits: int = 2) -> str:
@@ -16,18 +12,8 @@ def short(value: float, digits: int = 2) -> str:
     if 1e-4 <= abs(value) < 1e5:
         places = digits - 1 - math.floor(math.log10(abs(value)))
         return f"{round(value, places):.{max(0, places)}f}"
-    return _short_exponent(f"{value:.{digits - 1}e}")
-
-
-def plain(value: float) -> str:
-    """Writes two digits without zeros at their end, as for a setting: 0.001, 20, 1e-5."""
-    return _short_exponent(f"{float(f'{value:.2g}'):g}") if math.isfinite(value) else "∞"
-
-
-def _short_exponent(text: str) -> str:
-    """Writes 1e-5 for 1e-05."""
-    mantissa, e, power = text.partition("e")
-    return f"{mantissa}e{int(power)}" if e else text
+    mantissa, _, power = f"{value:.{digits - 1}e}".partition("e")
+    return f"{mantissa}e{int(power)}"
 
 
 def ratio(value: float) -> str:
@@ -35,39 +21,19 @@ def ratio(value: float) -> str:
     return f"{value:.2g}" if value < 10 else f"{float(f'{value:.2g}'):,.0f}"
 
 
-def percent(share: float, places: int = 0) -> str:
-    return f"{100 * share:.{places}f} %"
-
-
-def number_word(n: int) -> str:
-    """Writes a small number in letters."""
-    return WORDS[n] if n < len(WORDS) else str(n)
-
-
-def time(ns: float, write: Callable[[float], str] = short) -> str:
+def time(ns: float) -> str:
     """Writes nanoseconds in the unit that suits them."""
     size, unit = next((u for u in TIMES if float(f"{ns:.2g}") >= u[0]), TIMES[-1])
-    return f"{write(ns / size)} {unit}"
-
-
-def plain_time(ns: float) -> str:
-    return time(ns, plain)
+    return f"{short(ns / size)} {unit}"
 
 
 def metres(value: float) -> str:
-    """Writes a measured length; below a tenth of a millimetre with an exponent."""
+    """Writes a length; below a tenth of a millimetre with an exponent."""
     if 1e-4 <= value < 1:
         return f"{short(100 * value)} cm" if value >= 1e-2 else f"{short(1e3 * value)} mm"
     return f"{short(value)} m"
 
 
-def plain_metres(value: float) -> str:
-    """Writes a length without zeros at its end, from micrometres on: 1 mm, 20 µm."""
-    size, unit = next((u for u in LENGTHS if float(f"{value:.2g}") >= u[0]), LENGTHS[0])
-    return f"{plain(value / size)} {unit}"
-
-
-def listed(items: Iterable[Any], write: Callable[[Any], str] = str) -> str:
-    """Writes "a, b and c", or "none"."""
-    *others, last = [write(item) for item in items] or ["none"]
-    return f"{', '.join(others)} and {last}" if others else last
+def interval(value: float, low: float, high: float) -> str:
+    """Writes "0.14 (0.13 to 0.16)", or a dash where there is no value."""
+    return "–" if math.isnan(value) else f"{short(value)} ({short(low)} to {short(high)})"

@@ -8,7 +8,9 @@ the folder itself never shows half of a study. A study that has ended measures a
 import hashlib
 import os
 import shutil
+import sys
 import tempfile
+import time
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -16,18 +18,19 @@ from bounce_grader.common.errors import KitError, UsageError
 from bounce_grader.common.files import write_whole
 from bounce_grader.common.paths import BUILD, FIXTURES, ROOT
 from bounce_grader.sandbox import processes
-from bounce_study import measured_part, peers, tables
-from bounce_study.measured_part import Files
-from bounce_study.progress import progress
+from bounce_study import tables
 
-PROGRAM = BUILD / "bounce_study"
+PROGRAM, PEERS = BUILD / "bounce_study", BUILD / "bounce_peers"
 SCENES = FIXTURES / "scenes"
-STUDIES = ROOT / "docs" / "studies"  # their panel is in the README too
+STUDIES = ROOT / "docs" / "studies"
+HANDOUT = FIXTURES / "study"  # of the committed tables, those that the handout is made of
+OF_HANDOUT = ("speed_accuracy", "truth", "measured_laws", "measured_impacts", "measured_body")
 UNFINISHED = ".unfinished"
+MEASURED = "measured"
+MEASURED_TABLES = OF_HANDOUT[2:]
 QUESTIONS = tuple(
-    "examples bad_input depth scaling flat_landing almost_flat gauss_seidel solution_count "
-    "energy_gain rest_and_drift order truth tolerance random_models chosen_model least_model speed_ratios "
-    "speed_accuracy".split()
+    "examples depth scaling flat_landing almost_flat gauss_seidel solution_count energy_gain "
+    "rest_and_drift truth tolerance random_models chosen_model least_model speed_accuracy".split()
 )
 
 
@@ -37,81 +40,99 @@ class Request:
     quick: bool = False
     peers: bool = False
     questions: tuple[str, ...] = ()
-    files: Files = Files()
-    scenes: Path = SCENES
+    squares: Path = FIXTURES / "measured" / "squares.csv.gz"
+    ellipses: Path = FIXTURES / "measured" / "ellipses.csv"
+
+    def file_of(self, table: str) -> Path:
+        committed = self.out == STUDIES and table in OF_HANDOUT
+        return (HANDOUT if committed else self.out) / f"{table}.csv"
 
 
 def run(request: Request) -> int:
-    asked = request.questions or (*QUESTIONS, measured_part.NAME)
+    known = (*QUESTIONS, MEASURED)
+    asked = request.questions or known
     for name in asked:
-        if name not in (*QUESTIONS, measured_part.NAME):
-            known = ", ".join(sorted((*QUESTIONS, measured_part.NAME)))
-            raise UsageError(f"there is no question {name!r}; there are {known}")
-    questions = [name for name in asked if name != measured_part.NAME]
-    if not PROGRAM.exists():
-        raise KitError("bounce_study is not built: run ./kit study")
+        if name not in known:
+            names = ", ".join(sorted(known))
+            raise UsageError(f"there is no question {name!r}; there are {names}")
+    program = PEERS if request.peers else PROGRAM
+    if not program.exists():
+        raise KitError(f"{program.name} is not built: run ./kit study, with --peers for engines")
     unfinished = request.out / UNFINISHED
     try:
         unfinished.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise UsageError(f"{request.out} can't be written: {error.strerror}") from error
-    if request.peers:  # first, since the charts show them
-        peers.run(request.out, request.quick)
-    version = _version(request)
-    measured = {name: unfinished / f"{name}-{version}.csv" for name in questions}
-    with progress(len(asked) + 1) as begin:
-        for name, file in measured.items():
-            begin(name)
-            if not file.exists():
-                _measure(name, request, file)
-        if measured_part.NAME in asked:
-            begin(measured_part.NAME)
-            measured |= measured_part.measure(unfinished, request.files, request.quick)
-        begin("charts and pages")
-        written = _publish(request.out, measured)
+    version, start = _version(request), time.monotonic()
+    measured: dict[str, Path] = {}
+    for i, name in enumerate((*asked, "charts and pages"), start=1):
+        seconds = time.monotonic() - start
+        where = f"{i} of {len(asked) + 1}, {seconds:.0f} s"
+        print(f"kit: {where}: {name}", file=sys.stderr, flush=True)
+        if name == MEASURED:
+            measured |= _measured(request, unfinished)
+        elif name in QUESTIONS:
+            measured[name] = unfinished / f"{name}-{version}.csv"
+            if not measured[name].exists():
+                _measure(name, request, measured[name])
+    written = _publish(request, measured)
     shutil.rmtree(unfinished, ignore_errors=True)
-    print(f"{request.out} holds {', '.join(written)}")
+    print(f"{request.out} holds {written}")
     return 0
 
 
 def _version(request: Request) -> str:
     """Hashes all that a table depends on."""
-    version = hashlib.sha256(b"quick" if request.quick else b"whole")
-    scenes = sorted(request.scenes.glob("*.json")) if request.scenes.is_dir() else []
-    for file in (PROGRAM, *scenes):
+    version = hashlib.sha256(f"{request.quick} {request.peers}".encode())
+    scenes = sorted(SCENES.glob("*.json"))
+    programs = [PROGRAM, *([PEERS] if request.peers else [])]
+    for file in (*programs, *scenes):
         version.update(file.name.encode() + b"\0" + hashlib.sha256(file.read_bytes()).digest())
     return version.hexdigest()[:16]
 
 
 def _measure(name: str, request: Request, file: Path) -> None:
     """Writes a table; raises UsageError with the program's sentence where a scene is bad."""
+    engines = request.peers and name == "speed_accuracy"
     extent = ["--quick"] if request.quick else []
     with tempfile.TemporaryDirectory(prefix="measuring-", dir=file.parent) as folder:
-        done = processes.run([str(PROGRAM), *extent, str(request.scenes), folder, name])
+        command = [str(PEERS if engines else PROGRAM), *extent, str(SCENES), folder]
+        done = processes.run(command if engines else [*command, name])
         if not done.ok:
-            message = done.err.strip().removeprefix("bounce_study: ") or f"status {done.code}"
+            message = done.err.strip().partition(": ")[2] or f"status {done.code}"
             raise (UsageError if done.code == 2 else KitError)(message)
         os.replace(Path(folder) / f"{name}.csv", file)
 
 
-def _publish(out: Path, measured: dict[str, Path]) -> list[str]:
+def _measured(request: Request, folder: Path) -> dict[str, Path]:
+    """Real impacts; quick enough to be worked out anew each time."""
+    files = {name: folder / f"{name}.csv" for name in MEASURED_TABLES}
+    for name, table in measured_tables(request).items():
+        write_whole(files[name], table.to_csv(index=False, float_format="%.5g"))
+    return files
+
+
+def measured_tables(request: Request) -> tables.Tables:
+    from measured import study
+
+    return study.tables(request.squares, request.ellipses, request.quick)
+
+
+def _publish(request: Request, measured: dict[str, Path]) -> str:
     """Writes the tables, and the charts and pages whose tables are all there. All are drawn
     before anything is written, and each is written whole or not at all."""
     from bounce_study import charts, pages
 
-    older = [out / f"{name}.csv" for name in (*QUESTIONS, *measured_part.TABLES)]
-    older += sorted(out.glob("peers*.csv"))
-    known = {file.stem: tables.read(file) for file in older if file.exists()}
-    known |= {name: tables.read(file) for name, file in measured.items()}
-    drawn = charts.draw(known)
-    filled = pages.fill(known, {file.name for file in out.glob("*.svg")} | set(drawn))
+    older = {name: request.file_of(name) for name in (*QUESTIONS, *MEASURED_TABLES)}
+    read = {name: file for name, file in older.items() if file.exists()} | measured
+    known = {name: tables.read(file) for name, file in read.items()}
+    try:
+        drawn, filled = charts.draw(known), pages.fill(known)
+    except KeyError as error:
+        raise UsageError(f"a table has no {error}; measure it again") from error
     for name, file in measured.items():
-        write_whole(out / f"{name}.csv", file.read_bytes())
-    for name, svg in drawn.items():
-        write_whole(out / name, svg)
-    for name, text in filled.items():
-        write_whole(out / name, text)
-    if out == STUDIES and pages.SPEED_PAGE in filled:
-        readme = ROOT / "README.md"
-        write_whole(readme, pages.with_panel(readme.read_text(encoding="utf-8"), known))
-    return [f"{len(measured)} new tables", f"{len(drawn)} charts", f"{len(filled)} pages"]
+        write_whole(older[name], file.read_bytes())
+    made: dict[str, bytes | str] = {**drawn, **filled}
+    for name, data in made.items():
+        write_whole(request.out / name, data)
+    return f"{len(measured)} new tables, {len(drawn)} charts, {len(filled)} pages"

@@ -8,10 +8,11 @@ from typing import Any
 
 from bounce_grader.common.errors import KitError, UsageError
 from bounce_grader.common.files import write_whole
+from bounce_grader.common.paths import BUILD
 from bounce_grader.sandbox import processes
 from bounce_study.numbers import short
-from bounce_study.run import PROGRAM
 
+PROGRAM = BUILD / "bounce_study"
 REFUSED = 1
 
 

@@ -1,55 +1,32 @@
 """Reads the tables that bounce_study writes: CSV below comments that say where they are from."""
 
-import csv
-from dataclasses import dataclass
+import io
 from pathlib import Path
+from typing import Any
+
+import pandas as pd
 
 from bounce_grader.common.errors import UsageError
 
-Row = dict[str, str]
+Tables = dict[str, Any]  # pandas.DataFrame by name; attrs: machine, compiler, flags, times, date
+FINE, FINEST = 1e-3, 1e-6  # m: the tolerances that pages speak of
+TIME = "ns_per_simulated_second"
 
 
-@dataclass(frozen=True)
-class Table:
-    name: str
-    origin: dict[str, str]  # machine, compiler, flags, times, date
-    rows: list[Row]
-
-    def where(self, **values: str) -> list[Row]:
-        return [row for row in self.rows if all(row[k] == v for k, v in values.items())]
-
-    def distinct(self, column: str) -> list[str]:
-        """Lists the values of a column in the order of their first rows."""
-        return list(dict.fromkeys(row[column] for row in self.rows))
-
-    def require(self, columns: tuple[str, ...]) -> None:
-        for column in columns:
-            if not self.rows or column not in self.rows[0]:
-                raise UsageError(f"{self.name}.csv has no column {column}; measure it again")
-
-
-Tables = dict[str, Table]
-
-
-def read(file: Path) -> Table:
+def read(file: Path) -> Any:
     """Reads a table; raises UsageError, naming the file, where it isn't one."""
     try:
         lines = file.read_text(encoding="utf-8").splitlines()
-    except (OSError, UnicodeDecodeError) as error:
-        raise UsageError(f"{file} can't be read: {error}") from error
+        table = pd.read_csv(io.StringIO("\n".join(x for x in lines if not x.startswith("# "))))
+    except (OSError, ValueError) as error:
+        message = str(error).strip().replace("\n", " ")
+        raise UsageError(f"{file} can't be read: {message}; measure it again") from error
     comments = [line[2:].partition(": ") for line in lines if line.startswith("# ")]
-    rows = list(csv.DictReader(line for line in lines if not line.startswith("#")))
-    if any(None in row or None in row.values() for row in rows):
-        raise UsageError(f"{file}: a row has another number of fields; measure it again")
-    return Table(file.stem, {name: value for name, _, value in comments}, rows)
+    table.attrs = {name: value for name, _, value in comments}
+    return table
 
 
-def number(row: Row, column: str) -> float:
-    try:
-        return float(row[column])
-    except ValueError as error:
-        raise UsageError(f"column {column}: {row[column]!r} is no number") from error
-
-
-def numbers(rows: list[Row], column: str) -> list[float]:
-    return [number(row, column) for row in rows]
+def fastest(runs: Any, within: float) -> Any:
+    """Each method's fastest run in a scene with an error of at most `within`, fastest first."""
+    reached = runs[runs["error_m"] <= within].sort_values(TIME, kind="stable")
+    return reached.drop_duplicates(["scene", "method"])

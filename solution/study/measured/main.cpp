@@ -1,22 +1,64 @@
-// Answers what measured/ asks about its impacts and drops. Files are rows of doubles.
-//
-//     bounce_measured errors LAW IMPACTS SETTINGS OUT        a float for each impact and setting:
-//                                                            the error of v after, m/s
-//     bounce_measured after LAW IMPACTS SETTINGS OUT         v_x, v_y, omega for each
-//     bounce_measured drops LAW WORLD STARTS SETTING SAMPLES OUT   x, y, theta for each sample
+// bounce_measured LAW IMPACTS SETTINGS OUT: the error of a law's velocity after each measured
+// impact, with each setting: a float for each, m/s, impact by impact. IMPACTS and SETTINGS are rows
+// of doubles, as in the structs below.
 //
 // The error is the length in the mass metric, sqrt(dv_x^2 + dv_y^2 + r_g^2 domega^2).
 #include <cmath>
 #include <fstream>
+#include <functional>
 #include <iostream>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "drops.hpp"
+#include "compliant.hpp"
+#include "methods/impact_laws.hpp"
 
 namespace bounce::measured {
 namespace {
+
+using methods::Collision;
+using methods::CornerImpulse;
+using methods::ImpactLaw;
+
+struct Impact {
+  double gyration_squared;      // r_g^2, m^2
+  methods::Arm<double> corner;  // from the centre of mass to what touches the ground, m
+  double v_x, v_y, omega;       // before, m/s and rad/s
+  double after_x, after_y, after_omega;
+};
+
+struct Setting {
+  double mu, epsilon, kappa;  // kappa: of the compliant law alone
+};
+
+using Law = std::function<CornerImpulse<double>(const Collision<double>&, double kappa)>;
+
+// v_t = 0 after the impact, whatever friction that takes.
+CornerImpulse<double> sticking(const Collision<double>& k, double) {
+  const double u_n = (1 + k.epsilon) * k.v_n, D = k.a * k.c - k.b * k.b;
+  const double n = std::max(0.0, (k.b * k.v_t - k.c * u_n) / D);
+  return {n, -(k.v_t + k.b * n) / k.c, methods::ContactMode::sticks};
+}
+
+const std::map<std::string, Law>& laws() {
+  static const std::map<std::string, Law> all{
+      {"frictionless",
+       [](Collision<double> k, double) {
+         k.mu = 0;
+         return methods::impact(k, ImpactLaw::newton);
+       }},
+      {"sticking", sticking},
+      {"newton",
+       [](const Collision<double>& k, double) { return methods::impact(k, ImpactLaw::newton); }},
+      {"poisson",
+       [](const Collision<double>& k, double) { return methods::impact(k, ImpactLaw::poisson); }},
+      {"compliant", [](const Collision<double>& k, double kappa) {
+         return compliant_impact(k, methods::damping_ratio(k.epsilon), kappa);
+       }}};
+  return all;
+}
 
 template <class Row>
 std::vector<Row> read(const std::string& file) {
@@ -29,77 +71,40 @@ std::vector<Row> read(const std::string& file) {
   return rows;
 }
 
-template <class Item>
-void write(const std::string& file, const std::vector<Item>& items) {
-  std::ofstream out(file, std::ios::binary);
-  out.write(reinterpret_cast<const char*>(items.data()),
-            std::streamsize(items.size() * sizeof(Item)));
-  if (!out.flush()) throw std::runtime_error(file + " can't be written");
-}
-
-double error(const Impact& hit, const Velocity& v) {
-  const double turn = v.omega - hit.after_omega;
-  return std::sqrt(std::pow(v.x - hit.after_x, 2) + std::pow(v.y - hit.after_y, 2) +
+double error(const Impact& hit, const Law& law, const Setting& with) {
+  methods::Motion<double> s{0, 0, 0, hit.v_x, hit.v_y, hit.omega};
+  const auto k = methods::one_corner(hit.corner, hit.gyration_squared, 0.0, 0.0, with.mu);
+  const double v_n = methods::normal_velocity(s, hit.corner);
+  const double v_t = methods::tangential_velocity(s, hit.corner);
+  if (v_n < 0) {
+    const auto p = law({k.a, k.b, k.c, v_n, v_t, with.mu, with.epsilon}, with.kappa);
+    methods::apply_impulse(s, hit.corner, p.n, p.t, hit.gyration_squared);
+  }
+  const double turn = s.omega - hit.after_omega;
+  return std::sqrt(std::pow(s.v_x - hit.after_x, 2) + std::pow(s.v_y - hit.after_y, 2) +
                    hit.gyration_squared * turn * turn);
 }
 
-void errors(const std::string& law, const std::string& impacts, const std::string& settings,
-            const std::string& out) {
+void errors(const std::string& name, const std::string& impacts, const std::string& settings,
+            const std::string& file) {
+  const Law& law = laws().at(name);
   const auto with = read<Setting>(settings);
-  const Law after = law_named(law);
   std::vector<float> all;
   for (const Impact& hit : read<Impact>(impacts))
-    for (const Setting& setting : with) all.push_back(float(error(hit, after(hit, setting))));
-  write(out, all);
-}
-
-void after(const std::string& law, const std::string& impacts, const std::string& settings,
-           const std::string& out) {
-  const auto with = read<Setting>(settings);
-  const Law function = law_named(law);
-  std::vector<Velocity> all;
-  for (const Impact& hit : read<Impact>(impacts))
-    for (const Setting& setting : with) all.push_back(function(hit, setting));
-  write(out, all);
-}
-
-struct Pose {
-  double x, y, theta;
-};
-
-void drops(const std::string& law, const std::string& world, const std::string& starts,
-           const std::string& setting, int samples, const std::string& out) {
-  const World where = read<World>(world).at(0);
-  const Setting with = read<Setting>(setting).at(0);
-  std::vector<Pose> all;
-  for (const auto& start : read<methods::Motion<double>>(starts))
-    for (const auto& s : drop(where, start, law, with, samples)) all.push_back({s.x, s.y, s.theta});
-  write(out, all);
-}
-
-int run(const std::vector<std::string>& words) {
-  if (words.size() == 5 && words[0] == "errors") {
-    errors(words[1], words[2], words[3], words[4]);
-  } else if (words.size() == 5 && words[0] == "after") {
-    after(words[1], words[2], words[3], words[4]);
-  } else if (words.size() == 7 && words[0] == "drops") {
-    drops(words[1], words[2], words[3], words[4], std::stoi(words[5]), words[6]);
-  } else {
-    throw std::runtime_error(
-        "usage: errors | after LAW IMPACTS SETTINGS OUT, or "
-        "drops LAW WORLD STARTS SETTING SAMPLES OUT");
-  }
-  return 0;
+    for (const Setting& setting : with) all.push_back(float(error(hit, law, setting)));
+  std::ofstream out(file, std::ios::binary);
+  out.write(reinterpret_cast<const char*>(all.data()), std::streamsize(all.size() * sizeof(float)));
+  if (!out.flush()) throw std::runtime_error(file + " can't be written");
 }
 
 }  // namespace
 }  // namespace bounce::measured
 
-int main(int argc, char** argv) {
-  try {
-    return bounce::measured::run({argv + 1, argv + argc});
-  } catch (const std::exception& error) {
-    std::cerr << "bounce_measured: " << error.what() << '\n';
-    return 2;
-  }
+int main(int argc, char** argv) try {
+  if (argc != 5) throw std::runtime_error("usage: bounce_measured LAW IMPACTS SETTINGS OUT");
+  bounce::measured::errors(argv[1], argv[2], argv[3], argv[4]);
+  return 0;
+} catch (const std::exception& problem) {
+  std::cerr << "bounce_measured: " << problem.what() << '\n';
+  return 2;
 }

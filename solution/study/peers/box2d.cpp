@@ -94,19 +94,11 @@ class Box2d final : public Engine {
 }  // namespace
 
 Peers box2d() {
-  return {
-      {"box2d",
-       "Box2D",
-       "2.4.1",  // its constant still says 2.4.0
-       "2020",
-       true,
-       {"float", "by nature", "the larger of both; least speed 0 in place of 1", "geometric mean",
-        "2 to 100 units a metre, 8 and 3 iterations, continuous collision, sleeps after 0.5 s",
-        "velocity first"},
-       "single precision, a slop, and eight iterations",
-       [](const Scene& scene, double dt) -> std::unique_ptr<Engine> {
-         return std::make_unique<Box2d>(scene, dt);
-       }}};
+  return {{"box2d",
+           "2.4.1",  // its constant still says 2.4.0
+           [](const Scene& scene, double dt) -> std::unique_ptr<Engine> {
+             return std::make_unique<Box2d>(scene, dt);
+           }}};
 }
 
 }  // namespace bounce::study

@@ -24,55 +24,28 @@ class Engine {
   virtual methods::Motion<double> motion() const = 0;
 };
 
-// The settings that a reader must know to judge a comparison, in a few words each.
-struct Settings {
-  std::string numbers;      // the precision
-  std::string planar;       // how the motion is kept in the plane
-  std::string restitution;  // how epsilon is set
-  std::string friction;     // how mu is set
-  std::string contact;      // margins, corrections, iterations
-  std::string order;        // the kind of Euler step: "velocity first" or "position first"
-};
-
-class Numpy;  // numpy.hpp
-
 struct Peer {
-  std::string name, title, version;
-  std::string year;  // of this version; empty for numpy, which is no engine
-  bool swept;        // else it is only a variant: its steps are timed, and its errors compared
-  Settings settings;
-  std::string limit;  // why its error may stop falling, in words
+  std::string name, version;
   std::unique_ptr<Engine> (*make)(const Scene& scene, double dt);
-  std::shared_ptr<Numpy> numpy = nullptr;  // in whose process it runs; `make` is null then
-  // s. Smaller steps would take too long.
-  double least_dt = 3e-5;
-  // s. The steps of a sweep are close together down to here; below, where an engine only shows how
-  // exact it gets, there are two in a factor of ten.
-  double close_dt = 1e-3;
+  double least_dt = 3e-5;  // s. Smaller steps would take too long.
 };
 
 // How far the ground reaches to either side, and how deep if it is a box, m.
 inline constexpr double kGroundHalf = 50, kGroundDepth = 10;
 
-// A square that is this slow for this long falls asleep, in engines that have sleep and let one say
-// so: its steps then cost next to nothing.
-inline constexpr double kAsleep = 0.1;  // s
-inline constexpr double kSlow = 0.01;   // m/s and rad/s
-
-// Each engine with the settings that suit it best; and with its defaults, if these differ much.
+// Each engine with the settings that its authors recommend, where they do.
 using Peers = std::vector<Peer>;
 Peers chipmunk();
 Peers box2d();
-Peers ode();
-Peers bullet();
 Peers mujoco();
-Peers dart();
-Peers siconos_kernel();
-Peers simbody();
-// Empty if Python has no numpy.
-Peers numpy();
+Peers siconos();
 
 // The engines that were found when this was built.
 Peers all_peers();
+
+// An engine as a method (catalog.hpp): only its steps are timed, without making the world or
+// reading the motion. Steps are from 1/30 s, which games take, down to least_dt or the peer's own.
+struct Method;
+Method method_of(const Peer& peer, double least_dt);
 
 }  // namespace bounce::study

@@ -1,60 +1,41 @@
-// bounce_peers SCENES STEPS FOLDER [--quick]: the engines that were found when this was built, on
-// the scenes of a folder and on those for single steps, beside our methods. Writes into FOLDER
-// peers.csv, peers_beside.csv (ours, in the same run), peers_ratios.csv (between the two),
-// peers_steps.csv, peers_variants.csv, peers_settings.csv, and peers_lcp.csv where Siconos was
-// found.
+// bounce_peers [--quick] SCENES FOLDER: writes FOLDER/speed_accuracy.csv, as bounce_study does,
+// with the engines that were found when this was built in the same rounds as our methods.
 #include <iostream>
-#include <sstream>
 
-#include "sweep.hpp"
+#include "../speed_accuracy.hpp"
+#include "engine.hpp"
 
 namespace bounce::study {
 namespace {
 
-const PeerExtent kWhole{Extent{9, 1e6, 0}, 1e-6}, kQuickly{Extent{3, 2e5, 0}, 1e-3};
-
-std::string times_of_sweep(int core, const Extent& extent) {
-  std::ostringstream text;
-  text << times_taken(core, extent) << "; what takes over " << kLongNs / 1e6
-       << " ms plays in one round of " << kLongEvery;
-  return text.str();
-}
-
-int run(const std::vector<std::string>& words) {
-  const PeerExtent& extent = words.size() == 4 ? kQuickly : kWhole;
+void run(const std::string& scenes, const std::filesystem::path& folder, bool quick) {
+  const Extent extent = quick ? kQuick : Extent{9, 1e6};
   const int core = pin_to_one_core();
-  const Scenes scenes = read_scenes(words[0]), kinds = read_scenes(words[1]);
-  const std::filesystem::path folder = words[2];
+  Methods methods = all_methods();
+  std::string engines = "# engines:";
+  for (const Peer& peer : all_peers()) {
+    methods.push_back(method_of(peer, quick ? 1e-3 : 1e-6));
+    engines += " " + peer.name + " " + peer.version;
+  }
+  std::vector<std::string> lines = origin(times_taken(core, extent));
+  lines.push_back(engines);
   std::filesystem::create_directories(folder);
-  const std::string timed = times_of_sweep(core, extent.timing);
-  const auto write = [&](const Table& table, const char* name, const std::string& times) {
-    table.write(folder / name, origin(times));
-    std::cout << (folder / name).string() << ": " << table.rows() << " rows\n" << std::flush;
-  };
-  const Peers peers = all_peers();
-  write(settings(peers), "peers_settings.csv", "");
-  write(single_steps(kinds, peers, extent), "peers_steps.csv", timed);
-#ifdef BOUNCE_PEER_SICONOS
-  write(lcp_solvers(extent), "peers_lcp.csv", timed);
-#endif
-  write(variants(scenes, peers, extent), "peers_variants.csv", "");
-  const Sweep tables = sweep(scenes, peers, extent);
-  write(tables.ours, "peers_beside.csv", timed);
-  write(tables.ratios, "peers_ratios.csv", timed);
-  write(tables.peers, "peers.csv", timed);
-  return 0;
+  speed_accuracy(read_scenes(scenes), methods, extent).write(folder / "speed_accuracy.csv", lines);
 }
 
 }  // namespace
 }  // namespace bounce::study
 
 int main(int argc, char** argv) try {
-  const std::vector<std::string> words(argv + 1, argv + argc);
-  if (words.size() < 3 || words.size() > 4 || (words.size() == 4 && words[3] != "--quick")) {
-    std::cerr << "usage: bounce_peers SCENES STEPS FOLDER [--quick]\n";
+  std::vector<std::string> words(argv + 1, argv + argc);
+  const bool quick = !words.empty() && words[0] == "--quick";
+  if (quick) words.erase(words.begin());
+  if (words.size() != 2) {
+    std::cerr << "usage: bounce_peers [--quick] SCENES FOLDER\n";
     return 2;
   }
-  return bounce::study::run(words);
+  bounce::study::run(words[0], words[1], quick);
+  return 0;
 } catch (const std::invalid_argument& problem) {
   std::cerr << "bounce_peers: " << problem.what() << "\n";
   return 2;

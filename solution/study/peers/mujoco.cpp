@@ -10,9 +10,8 @@
 //
 //                which is solved for zeta. Half a swing lasts sqrt(dt kContact), 5 steps at 0.01 s
 //                and ever more steps, but ever less time, as dt shrinks. This mapping is a choice
-//                of ours: it makes the error fall with the square root of dt at best. The other
-//                one, kSteps steps whatever dt is, makes contacts shorter and leaves the error of
-//                the restitution; it is a variant.
+//                of ours: it makes the error fall with the square root of dt at best; with a fixed
+//                number of steps the error of the restitution would stay.
 //   friction     mu of the pair, in an elliptic cone of dimension 3; its slip is braked at the
 //                rate b, too, so that it stops sliding a part of the impact too late, whatever dt
 //                is
@@ -32,7 +31,6 @@ namespace bounce::study {
 namespace {
 
 constexpr double kContact = 0.25;  // s
-constexpr double kSteps = 5;
 constexpr double kLeastDt = 1e-6;  // s. It takes that to see where its errors stall.
 
 double restitution_of(double zeta) {
@@ -48,9 +46,9 @@ double damping_for(double epsilon) {
   return low;
 }
 
-// half_swing: how long a contact lasts, s.
-std::string model_of(const Scene& scene, double dt, double half_swing) {
+std::string model_of(const Scene& scene, double dt) {
   const Parameters& params = scene.params;
+  const double half_swing = std::sqrt(dt * kContact);  // how long a contact lasts, s
   const double inertia = params.m * params.l * params.l / 6, half = params.l / 2;
   const double frequency = std::acos(-1.0) / half_swing;
   const double k = frequency * frequency, b = 2 * damping_for(params.epsilon) * frequency;
@@ -90,8 +88,8 @@ mjModel* load(const std::string& text) {
 
 class MuJoCo final : public Engine {
  public:
-  MuJoCo(const Scene& scene, double dt, double half_swing)
-      : model_(load(model_of(scene, dt, half_swing))), data_(mj_makeData(model_)) {
+  MuJoCo(const Scene& scene, double dt)
+      : model_(load(model_of(scene, dt))), data_(mj_makeData(model_)) {
     for (int i = 0; i < 3; ++i) {
       data_->qpos[i] = scene.start.q(i);
       data_->qvel[i] = scene.start.v(i);
@@ -116,31 +114,14 @@ class MuJoCo final : public Engine {
   mjData* data_;
 };
 
-Settings settings_with(const std::string& contact) {
-  return {"double",
-          "two slides and a hinge",
-          "spring and damper solved for epsilon (solref)",
-          "mu of the pair, elliptic cone",
-          contact + "; impedance 0.9999; Newton",
-          "velocity first"};
-}
-
 }  // namespace
 
 Peers mujoco() {
-  const char* const limit =
-      "contacts are soft, and their friction is braked no faster than they bounce";
-  return {{"mujoco", "MuJoCo", mj_versionString(), "2022", true,
-           settings_with("a contact lasts sqrt(dt 0.25 s)"), limit,
+  return {{"mujoco", mj_versionString(),
            [](const Scene& scene, double dt) -> std::unique_ptr<Engine> {
-             return std::make_unique<MuJoCo>(scene, dt, std::sqrt(dt * kContact));
+             return std::make_unique<MuJoCo>(scene, dt);
            },
-           nullptr, kLeastDt},
-          {"mujoco_5", "MuJoCo, contacts of 5 steps", mj_versionString(), "2022", false,
-           settings_with("a contact lasts 5 steps"), limit,
-           [](const Scene& scene, double dt) -> std::unique_ptr<Engine> {
-             return std::make_unique<MuJoCo>(scene, dt, kSteps * dt);
-           }}};
+           kLeastDt}};
 }
 
 }  // namespace bounce::study

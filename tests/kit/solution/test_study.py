@@ -67,7 +67,7 @@ def quick(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def test_a_study_leaves_its_tables_and_charts_and_says_where_they_are_from(quick: Path) -> None:
-    expected = {f"{name}.csv" for name in QUICK} | {"depth.svg"}
+    expected = {f"{name}.csv" for name in QUICK}
     assert {file.name for file in quick.iterdir()} == expected
     for name in QUICK:
         lines = (quick / f"{name}.csv").read_text().splitlines()
@@ -81,7 +81,6 @@ def test_a_study_leaves_its_tables_and_charts_and_says_where_they_are_from(quick
 def test_the_same_questions_give_the_same_bytes(quick: Path, tmp_path: Path) -> None:
     again = environment(PYTHONHASHSEED="7")
     subprocess.run(command(tmp_path, *QUICK), env=again, check=True, capture_output=True)
-    assert (tmp_path / "depth.svg").read_bytes() == (quick / "depth.svg").read_bytes()
     assert all(rows(tmp_path / f"{name}.csv") == rows(quick / f"{name}.csv") for name in QUICK)
 
 
@@ -93,14 +92,12 @@ def test_the_quick_study_answers_every_question(tmp_path: Path) -> None:
         assert table and set(columns.split()) <= set(table[0]), name
         timed = "\n# times: CPU time, pinned to core" in (tmp_path / f"{name}.csv").read_text()
         assert timed == (name in TIMED), name
-    assert len(list(tmp_path.glob("*.svg"))) >= 10 and len(list(tmp_path.glob("*.md"))) >= 3
+    assert len(list(tmp_path.glob("*.svg"))) == 7 and len(list(tmp_path.glob("*.md"))) == 6
     for page in tmp_path.glob("*.md"):
         for link in re.findall(r"\]\(([\w.]+)(?:#[^)]*)?\)", page.read_text()):
             assert (tmp_path / link).exists() or link == "peers.md", (page.name, link)
     models = [row for row in rows(tmp_path / "least_model.csv") if row["least"] == "1"]
     assert len(models) == 11 and all(row["expected"] == "1" for row in models)
-    longer = re.findall(r"([\d.]+) times as long", (tmp_path / "least_model.md").read_text())
-    assert max(map(float, longer)) > 5  # the whole model, where the least one is asleep
     for row in rows(tmp_path / "tolerance.csv"):
         assert int(row["violated"]) == 0 < int(row["scenes"])
         assert float(row["bound_over_error"]) <= 100
@@ -112,7 +109,7 @@ def test_the_quick_study_answers_every_question(tmp_path: Path) -> None:
         assert float(row["drift_m"]) > 0.005
 
 
-TIMED = {"speed_accuracy", "least_model", "bad_input", "tolerance"}
+TIMED = {"speed_accuracy", "least_model", "tolerance"}
 
 
 # --- the truth, by other means ---
@@ -129,7 +126,6 @@ def test_the_examples_are_what_their_authors_found(quick: Path) -> None:
     assert newton == pytest.approx(1.25, abs=0.005) and max(poisson, stronge) < 1
     assert of_examples(quick, "rectangle") == pytest.approx([0.8, 4 / 3, 0.5], abs=1e-4)
     assert of_examples(quick, "painleve")[3:] == pytest.approx([3, 0, 0.125, 0.215])
-    assert of_examples(quick, "gauss_seidel") == [0]
 
 
 def slide(q: Vector, v: Vector, params: Parameters, times: list[Any]) -> Iterator[Vector]:
@@ -212,7 +208,7 @@ def test_a_killed_study_goes_on_and_shows_no_half_of_itself(tmp_path: Path) -> N
     kept.write_text("# kept: yes\n" + kept.read_text())
     assert main(["study", "--quick", "--out", str(tmp_path), *questions]) == 0
     assert (tmp_path / "examples.csv").read_text().startswith("# kept: yes")
-    written = {"examples.csv", "gauss_seidel.csv", "gauss_seidel.svg"}
+    written = {"examples.csv", "gauss_seidel.csv"}
     assert {file.name for file in tmp_path.iterdir()} == written
 
 
@@ -307,11 +303,11 @@ def test_a_command_that_can_not_be_done_is_refused(
 ) -> None:
     (tmp_path / "file").write_text("")
     written(tmp_path, START)
-    (tmp_path / "peers.csv").write_text("scene,method\nrest\n")
+    (tmp_path / "speed_accuracy.csv").write_text("scene,method\nrest,a,b\n,c,d,e\n")
     assert main(["study", *options.replace("OUT", str(tmp_path)).split()]) == 2
     assert sentence in capfd.readouterr().err.splitlines()[-1]
     left = {file.name for file in tmp_path.iterdir()}
-    assert left <= {"file", "peers.csv", "scene.json", ".unfinished"}
+    assert left <= {"file", "speed_accuracy.csv", "scene.json", ".unfinished"}
 
 
 # --- more random cases than the tests in C++ look at in the usual run ---

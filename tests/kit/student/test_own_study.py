@@ -19,7 +19,7 @@ EXPLORE = (ROOT / "student/explore.md").read_text()
 
 
 def rows(table: str, **where: str) -> list[dict[str, str]]:
-    lines = (ROOT / f"docs/studies/{table}.csv").read_text().splitlines()
+    lines = (ROOT / f"fixtures/study/{table}.csv").read_text().splitlines()
     read = csv.DictReader(line for line in lines if not line.startswith("#"))
     return [row for row in read if where.items() <= row.items()]
 
@@ -37,13 +37,13 @@ def test_measured_impacts_are_those_of_the_study_under_their_licence() -> None:
     text = handout_data.measured()
     assert "# Copyright 2020 Dynamic Autonomy and Intelligent Robotics Lab" in text
     assert "OF THIS SOFTWARE, EVEN IF ADVISED OF THE POSSIBILITY OF SUCH DAMAGE." in text
-    [newton] = rows("measured_ladder", group="squares, one corner", law="newton")
+    [newton] = rows("measured_laws", shape="squares", law="newton")
     impacts = re.findall(r"^impact (.*)$", text, re.M)
-    assert len(impacts) == int(newton["impacts_judged"])
+    assert len(impacts) == int(newton["tested"])
     assert {len(impact.split()) for impact in impacts} == {8}
     [(side, *square)] = re.findall(r"^square (\S+) (\S+) (\S+)$", text, re.M)
     assert square == [newton["mu"], newton["epsilon"]]
-    [gyration] = rows("measured_extraction", quantity="r_g^2, m^2")
+    [gyration] = rows("measured_body", quantity="gyration_squared")
     assert float(side) ** 2 / 6 == pytest.approx(float(gyration["value"]), rel=1e-4)
 
 

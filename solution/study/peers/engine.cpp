@@ -1,0 +1,82 @@
+#include "engine.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "../catalog.hpp"
+#include "../timing.hpp"
+
+namespace bounce::study {
+namespace {
+
+constexpr double kLargest = 1.0 / 30;  // s
+constexpr double kClose = 1e-3;        // s; below, steps are two in a factor of ten
+
+Samples samples_of(const Peer& peer, const Scene& scene, double dt, int samples) {
+  const long steps = std::lround(scene.until / samples / dt);
+  const auto engine = peer.make(scene, dt);
+  methods::Motion<double> before = methods::motion_of<double>(scene.start);
+  Samples all;
+  for (int i = 0; i < samples; ++i) {
+    for (long n = 0; n < steps; ++n) engine->step();
+    methods::Motion<double> s = engine->motion();
+    const double expected = before.theta + scene.until / samples * (before.omega + s.omega) / 2;
+    const double turn = 2 * std::numbers::pi;
+    s.theta += turn * std::round((expected - s.theta) / turn);
+    all.push_back(s);
+    before = s;
+  }
+  return all;
+}
+
+double time_of(const Peer& peer, const Scene& scene, double dt, long repeats) {
+  double sum = 0;
+  for (long i = 0; i < repeats; ++i) {
+    const auto engine = peer.make(scene, dt);
+    const long steps = std::lround(scene.until / dt);
+    const double start = cpu_ns();
+    for (long n = 0; n < steps; ++n) engine->step();
+    sum += cpu_ns() - start;
+  }
+  return sum;
+}
+
+}  // namespace
+
+Method method_of(const Peer& peer, double least_dt) {
+  const double least = std::max(least_dt, peer.least_dt);
+  std::vector<double> steps = steps_down_to(std::max(least, kClose), kLargest);
+  for (double dt = kClose / std::sqrt(10.0); dt > 0.99 * least; dt /= std::sqrt(10.0))
+    steps.push_back(dt);
+  return {peer.name, true, steps,
+          [peer](const Scene& scene, double dt, int samples) {
+            return samples_of(peer, scene, dt, samples);
+          },
+          [peer](const Scene& scene, double dt, long repeats) {
+            return time_of(peer, scene, dt, repeats);
+          }};
+}
+
+Peers all_peers() {
+  Peers all;
+  for (Peers (*const engine)() : std::initializer_list<Peers (*)()>{
+#ifdef BOUNCE_PEER_CHIPMUNK
+           chipmunk,
+#endif
+#ifdef BOUNCE_PEER_BOX2D
+           box2d,
+#endif
+#ifdef BOUNCE_PEER_MUJOCO
+           mujoco,
+#endif
+#ifdef BOUNCE_PEER_SICONOS
+           siconos,
+#endif
+       }) {
+    for (const Peer& peer : engine()) all.push_back(peer);
+  }
+  return all;
+}
+
+}  // namespace bounce::study
