@@ -6,9 +6,10 @@ import re
 from pathlib import Path
 
 from bounce_grader.build import linking
+from bounce_grader.build.error_meanings import meanings
 from bounce_grader.common.errors import KitError
 from bounce_grader.common.manifest import Part
-from bounce_grader.grading import judging
+from bounce_grader.grading import judging, words
 from bounce_grader.grading.judging import Judged
 from bounce_grader.grading.words import Verdict
 from bounce_grader.sandbox.box import Box
@@ -17,11 +18,7 @@ from bounce_grader.submission.submission import Submission
 
 CPU_SECONDS, WALL_SECONDS = 20.0, 80.0  # for one part
 MARGIN = 5.0  # s, to stop it
-GONE = "it uses a variable that is gone"
-AUTO_KEEPS = (
-    "`auto` keeps an expression of Eigen that refers to a value which is gone by the next line; "
-    "write `Eigen::Matrix3d`, or the type that it has"
-)
+GONE, AUTO = "stack-use-after-scope", "use-after by auto"  # in words.CRASHES
 # `auto name = value;`, or by reference.
 KEPT = re.compile(r"\bauto\b[ &]*\b([A-Za-z_]\w*) *=([^;]{1,500})")
 # What an expression of Eigen looks like that may refer to a temporary value.
@@ -46,9 +43,9 @@ def remark(part: Part, taken: Submission, work: Path, box: Box) -> str:
     again = _again(part, taken, work, None, box)
     verdicts = again.verdicts if again else {}
     for verdict in verdicts.values():
-        if verdict.by == "sanitizer":
-            by_auto = _by_auto(verdict.ended, verdict.place, taken)
-            return by_auto or f"{verdict.place or part.file}: {verdict.ended}"
+        if verdict.is_of_sanitizer and verdict.ended:
+            by_auto = _by_auto(verdict.ended["text"], verdict.place, taken)
+            return by_auto or f"{verdict.place or part.file}: {words.ending(verdict.ended)}"
     for check in part.checks if again else []:
         verdict = verdicts[check.id]
         answered = verdict.status == "graded" and (verdict.failure or {}).get("quantities")
@@ -83,20 +80,20 @@ def _again(
 
 def _is_unclear(verdict: Verdict) -> bool:
     """Whether it is a crash that no assertion explains."""
-    return verdict.status == "crashed" and verdict.by != "assertion"
+    return verdict.status == "crashed" and not verdict.is_of_assertion
 
 
 def _with_finding(verdict: Verdict, again: Verdict) -> Verdict:
-    if not _is_unclear(verdict) or again.by != "sanitizer":
+    if not _is_unclear(verdict) or not again.is_of_sanitizer:
         return verdict
     return verdict._replace(found=again.end)
 
 
-def _by_auto(what: str, place: str, taken: Submission) -> str:
+def _by_auto(kind: str, place: str, taken: Submission) -> str:
     """The remark where `auto` keeps what the statement at a place uses when it is gone, with the
     line of the `auto` if only one may be it; else empty."""
     file, _, number = place.rpartition(":")
-    if not what.startswith(GONE) or file not in taken.files:
+    if kind != GONE or file not in taken.files:
         return ""
     text = taken.files[file].decode("utf-8", "replace")
     lines = text.splitlines(keepends=True)
@@ -114,4 +111,4 @@ def _by_auto(what: str, place: str, taken: Submission) -> str:
     if not likely:
         return ""
     line = text.count("\n", 0, likely[0].start()) + 1 if len(likely) == 1 else int(number)
-    return f"{file}:{line}: {AUTO_KEEPS}"
+    return f"{file}:{line}: {dict(meanings(words.CRASHES))[AUTO]}"
