@@ -1,7 +1,7 @@
 """./kit doctor: tests each protection for real, on this machine and for this user. A program, the
 probe, tries to break out of the boxes for compiling, for running, and for running with sanitizers.
-A process above the box has a canary on its command line, in its environment and in its memory; the
-probe must not find it."""
+A process above the box has a canary on its command line and in its environment; the probe must not
+find it."""
 
 import json
 import os
@@ -23,11 +23,11 @@ from bounce_grader.sandbox.box import problem_of, Box
 
 Attempt = list[str]
 PLACES = ("compile", "run", "check")
+RUN = PLACES[1:]
 # A process above the box that holds the canary.
 ABOVE = ["/bin/sh", "-c", 'BOUNCE_DOCTOR="$0" "$@"; status=$?; kept="$0"; exit $status']
 WATCHING = processes.Limits(cpu_seconds=20, wall_seconds=90, memory=None, file_size=0)
 COMPILING = COMPILE._replace(cpu_seconds=1)
-ADVICE = [["advice", str(number)] for number in (12, 21)]  # to merge a page with others; to swap it
 
 
 @dataclass(frozen=True)
@@ -121,13 +121,15 @@ def _bait() -> Iterator[list[Protection]]:
 
 def _protections(marker: str, file: IO[str], home: IO[str], port: int) -> list[Protection]:
     hidden = [file.name, home.name, str(ROOT / "solution/src/part1_contacts.cpp"), "/etc/passwd"]
-    me = str(os.getpid())
+    me = os.getpid()
+    clock = ~me << 3 | 2  # of its CPU time
+    halves = marker[:16], marker[16:]
     return [
         Protection("sees no file of yours", [["read", path] for path in hidden]),
         Protection(
             "can't tell whether a file is there",
             [["look-by-execve", path] for path in (hidden[0], "/no/such/file")],
-            ("run", "check"),
+            RUN,
         ),
         Protection("sees no process of yours", [["read", f"/proc/{me}/environ"]]),
         Protection(
@@ -136,40 +138,55 @@ def _protections(marker: str, file: IO[str], home: IO[str], port: int) -> list[P
             outside=lambda: all(os.path.getsize(path) == 0 for path in hidden[:2]),
         ),
         Protection("writes no large file", [["fill", "65"]]),
-        Protection("makes no file", [["file", "made"]], ("run", "check")),
+        Protection("makes no file", [["file", "made"]], RUN),
         Protection("has none of your variables", [["environment", "BOUNCE_DOCTOR"]], canary=marker),
         # In two halves, so that the probe doesn't find its own command line.
         *(
-            Protection(
-                f"finds nothing in {title} above",
-                [[where, marker[:16], marker[16:]]],
-                canary=marker,
-            )
-            for where, title in (
+            Protection(f"finds nothing in {what} above", [[where, *halves]], canary=marker)
+            for where, what in (
                 ("environments", "environments"),
                 ("command-lines", "command lines"),
-                ("memories", "memory"),
             )
         ),
+        Protection("opens no memory of others", [["memories"]]),
         Protection("reaches no first process", [["first-process"]]),
         Protection("has none of your open files", [["descriptors", "5"]]),
-        Protection("reads none of its own messages", [["open-again", fd] for fd in ("1", "2")]),
+        Protection(
+            "reads none of its own messages",
+            _calls(*(f"openat -100 /proc/self/fd/{fd} {os.O_NONBLOCK}" for fd in (1, 2))),
+        ),
         Protection("connects to nothing", [["connect", str(port)]]),
-        Protection("signals no process of yours", [["signal", me]]),
-        Protection("sees no clock of your processes", [["clock", me]], ("run", "check")),
+        Protection("signals no process of yours", _calls(f"kill {me} 0")),
+        Protection("sees no clock of your processes", _calls(f"clock_gettime {clock} BUFFER"), RUN),
         Protection(
             "can't tell whether a process is there",
-            [["cpus", me], ["limits", me], ["count"]],
-            ("run", "check"),
+            _calls(
+                f"sched_getaffinity {me} 1024 BUFFER",
+                f"prlimit64 {me} 7 0 BUFFER",
+                "sysinfo BUFFER",
+            ),
+            RUN,
         ),
-        Protection("sets no limits", [["set-limit"]], ("run", "check")),
-        Protection("can't tell how full a disk is", [["disk"]], ("run", "check")),
-        Protection("can't tell how many pipes there are", [["pipe"]], ("run",)),
-        Protection("gives no advice on others' memory", ADVICE, ("run", "check")),
-        Protection("traces no process of yours", [["trace", me]]),
+        Protection("sets no limits", _calls("prlimit64 0 7 BUFFER 0"), RUN),
+        Protection(
+            "can't tell how full a disk is", _calls("statfs / BUFFER", "fstatfs 0 BUFFER"), RUN
+        ),
+        # A pipe's number grows with every one that another program makes.
+        Protection(
+            "can't tell how many pipes there are",
+            _calls("fstat 1 BUFFER", f"newfstatat 1  BUFFER {0x1000}"),
+            ("run",),
+        ),
+        # To merge a page with others; to swap it.
+        Protection(
+            "gives no advice on others' memory",
+            _calls("madvise BUFFER 4096 12", "madvise BUFFER 4096 21"),
+            RUN,
+        ),
+        Protection("traces no process of yours", _calls(f"ptrace {0x4206} {me} 0 0")),
         Protection("has no privileges", [["privileges"]]),
-        Protection("makes no namespaces", [["namespace"]]),
-        Protection("starts no process", [["processes", "1"]], ("run", "check")),
+        Protection("makes no namespaces", _calls(f"unshare {0x10000000}")),
+        Protection("starts no process", [["processes", "1"]], RUN),
         Protection("starts few processes", [["processes", "200"]], ("compile",)),
         Protection(
             "leaves nothing behind", [["daemon", marker]], outside=lambda: _no_process_has(marker)
@@ -177,12 +194,17 @@ def _protections(marker: str, file: IO[str], home: IO[str], port: int) -> list[P
         Protection(
             "is held to its memory",
             [[f"allocate{how}", "1100"] for how in ("", "-unmapped", "-late")],
-            ("run", "check"),
+            RUN,
         ),
         Protection("is held to its memory", [["allocate", "2200"]], ("compile",)),
         Protection("is held to its CPU time", [["spin", "3"]]),
         Protection("is held to its output", [["flood", "20"]]),
     ]
+
+
+def _calls(*texts: str) -> list[Attempt]:
+    """Attempts to make system calls: a name, and arguments, of which BUFFER is some memory."""
+    return [["call", *text.split(" ")] for text in texts]
 
 
 def _home() -> str | None:
