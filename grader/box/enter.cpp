@@ -5,9 +5,9 @@
 // process in the box can inspect, trace or signal, and starts COMMAND as its child: with fewer
 // privileges, limits that count per user, the filter of system calls, and its own environment.
 //
-//   --reduced      makes the box without namespaces: Landlock hides all files but those beneath
+//   --box reduced  makes the box without namespaces: Landlock hides all files but those beneath
 //                  the PATHs, and processes that the command leaves behind are killed
-//   --open         makes no box at all, for a command that is trusted
+//   --box none     makes no box at all, for a command that is trusted
 //   --user N       the user that the command runs as, if this is started as root
 //   --status N     a descriptor of the kit, which COMMAND doesn't get: "m" is written to it when
 //                  the box is made, just before COMMAND begins, "x" if COMMAND can't begin, and "s"
@@ -23,9 +23,11 @@
 // and 128 + n if a signal n ends it. g++ passes these on (-pass-exit-codes), and exits with 1 only
 // where it can't start a program.
 #include <fcntl.h>
+#include <grp.h>
 #include <sched.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/sendfile.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -39,7 +41,6 @@
 
 #include "filter.hpp"
 #include "landlock.hpp"
-#include "privileges.hpp"
 #include "reaper.hpp"
 #include "require.hpp"
 
@@ -52,8 +53,7 @@ constexpr rlim_t kBuildProcesses = 128, kRunProcesses = 32;  // processes; a thr
 constexpr rlim_t kRunProcessesOfASharedUser = 4096;
 
 struct Options {
-  std::string kind;
-  bool reduced = false, open = false;
+  std::string kind, box = "full";
   uid_t user = 65534;
   std::string folder;  // where the command starts; "": the current folder
   std::vector<std::string> visible;
@@ -66,38 +66,23 @@ bool scratch_is_ours = false;
 int status = -1, output = -1;
 
 Options parse(const std::vector<std::string>& words) {
+  const auto end = std::find(words.begin(), words.end(), "--");
+  if (words.end() - end < 2 || (end - words.begin()) % 2 == 0) {
+    throw std::runtime_error("usage: enter run|check|build [OPTION VALUE]... -- COMMAND...");
+  }
   Options options;
-  auto word = words.begin();
-  if (word == words.end() || (*word != "run" && *word != "check" && *word != "build")) {
-    throw std::runtime_error(
-        "usage: enter run|check|build [OPTION]... -- COMMAND..., as in enter.cpp");
+  options.kind = words[0];
+  for (auto word = words.begin() + 1; word != end; word += 2) {
+    const std::string& name = word[0];
+    const std::string& value = word[1];
+    if (name == "--box") options.box = value;
+    if (name == "--user") options.user = static_cast<uid_t>(std::stoul(value));
+    if (name == "--status") status = std::stoi(value);
+    if (name == "--output") output = std::stoi(value);
+    if (name == "--in") options.folder = value;
+    if (name == "--see") options.visible.push_back(value);
   }
-  options.kind = *word++;
-  for (; word != words.end() && *word != "--"; ++word) {
-    const auto value = [&] {
-      if (word + 1 == words.end()) throw std::runtime_error("a value is missing after " + *word);
-      return *++word;
-    };
-    if (*word == "--reduced") {
-      options.reduced = true;
-    } else if (*word == "--open") {
-      options.open = true;
-    } else if (*word == "--user") {
-      options.user = static_cast<uid_t>(std::stoul(value()));
-    } else if (*word == "--status") {
-      status = std::stoi(value());
-    } else if (*word == "--output") {
-      output = std::stoi(value());
-    } else if (*word == "--in") {
-      options.folder = value();
-    } else if (*word == "--see") {
-      options.visible.push_back(value());
-    } else {
-      throw std::runtime_error("unknown option " + *word);
-    }
-  }
-  if (word != words.end()) options.command.assign(word + 1, words.end());
-  if (options.command.empty()) throw std::runtime_error("no command is given after --");
+  options.command.assign(end + 1, words.end());
   return options;
 }
 
@@ -128,7 +113,8 @@ rlim_t tasks_of_this_user() {
 // The processes that count against our limit, and aren't ours: where an ordinary user has no user
 // namespaces, all of that user's. Root's box has a user of its own; the full box, a namespace.
 rlim_t tasks_beside_ours(const Options& options) {
-  const bool is_ours = !options.reduced || ::geteuid() == 0 || leave_the_common_user_namespace();
+  const bool is_ours =
+      options.box == "full" || ::geteuid() == 0 || leave_the_common_user_namespace();
   return is_ours ? 0 : tasks_of_this_user();
 }
 
@@ -141,12 +127,12 @@ void die_with(pid_t guard) {
 // In the full box, /tmp is the box's own.
 void make_scratch(const Options& options) {
   scratch = "/tmp";
-  if (!options.reduced && !options.open) return;
+  if (options.box == "full") return;
   char name[] = "/tmp/bounce-box-XXXXXX";
   if (!::mkdtemp(name)) throw std::runtime_error("no temporary folder can be made in /tmp");
   scratch = name;
   scratch_is_ours = true;
-  if (::geteuid() == 0 && options.reduced) {
+  if (::geteuid() == 0 && options.box == "reduced") {
     require(::chown(name, options.user, options.user), "giving away the temporary folder");
   }
 }
@@ -158,15 +144,6 @@ void tell(char what) {
     const auto written = ::write(status, &what, 1);
 }
 
-bool write_all(const char* data, ssize_t size) {
-  for (ssize_t at = 0; at < size;) {
-    const ssize_t written = ::write(output, data + at, static_cast<std::size_t>(size - at));
-    if (written <= 0) return false;
-    at += written;
-  }
-  return true;
-}
-
 // Passes out the file that was made, but only if it is a regular file. Returns whether all of it
 // could be written, which a full disk prevents.
 bool hand_out() {
@@ -175,12 +152,11 @@ bool hand_out() {
   const int from = ::open(made().c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK);
   if (from < 0) return errno != ENFILE && errno != ENOMEM && errno != EIO;
   if (::fstat(from, &about) != 0 || !S_ISREG(about.st_mode)) return true;
-  static char chunk[1 << 16];
-  ssize_t n = 0;
-  while ((n = ::read(from, chunk, sizeof chunk)) > 0) {
-    if (!write_all(chunk, n)) return false;
+  for (off_t at = 0; at < about.st_size;) {
+    if (::sendfile(output, from, &at, static_cast<std::size_t>(about.st_size - at)) <= 0)
+      return false;
   }
-  return n == 0;
+  return true;
 }
 
 void hand_out_and_clean_up() {
@@ -189,19 +165,14 @@ void hand_out_and_clean_up() {
   if (scratch_is_ours) std::filesystem::remove_all(scratch, ignored);
 }
 
-// A runner has questions on 3 and answers on 4.
-void close_when_the_command_begins(bool build) {
-  ::close_range(build ? 3 : 5, ~0U, CLOSE_RANGE_CLOEXEC);
+// If run by root, becomes `user` for good.
+void give_up_privileges(uid_t user) {
+  if (::geteuid() != 0) return;
+  require(::setgroups(0, nullptr), "leaving all groups");
+  require(::setresgid(user, user, user), "changing the group");
+  require(::setresuid(user, user, user), "changing the user");
+  if (::setuid(0) == 0) throw std::runtime_error("root could be had again");
 }
-
-void see_only_what_is_named(const Options& options) {
-  const std::vector<std::string> none, own{scratch};
-  see_only(options.visible, scratch.empty() ? none : own);
-}
-
-// Large pages, for compilers: they spend half of their time in the kernel on mapping single pages.
-const char* const kLargePages =
-    "GLIBC_TUNABLES=glibc.malloc.hugetlb=1:glibc.malloc.top_pad=33554432";
 
 // /proc leads a compiler from a descriptor back to its pipe, which Landlock doesn't hide: an
 // #include of its own messages would wait for them without end. Descriptors that are open stay of
@@ -215,8 +186,12 @@ void keep_pipes_from_being_opened_again() {
 }
 
 [[noreturn]] void become(Options options) {
-  std::vector<std::string> environment{"PATH=/usr/bin", kLargePages, "TMPDIR=" + scratch};
-  if (options.kind != "build") environment.clear();
+  std::vector<std::string> environment;
+  if (options.kind == "build") {
+    // Large pages: compilers spend half of their time in the kernel on mapping single ones.
+    environment = {"PATH=/usr/bin", "TMPDIR=" + scratch,
+                   "GLIBC_TUNABLES=glibc.malloc.hugetlb=1:glibc.malloc.top_pad=33554432"};
+  }
   std::replace(options.command.begin(), options.command.end(), std::string("OUTPUT"), made());
   const auto pointers = [](const std::vector<std::string>& words) {
     std::vector<char*> all;
@@ -236,13 +211,16 @@ void limit_and_filter(const std::string& kind, rlim_t others) {
   const rlim_t of_a_run = others > 0 ? kRunProcessesOfASharedUser : kRunProcesses;
   limit(RLIMIT_NPROC, others + (build ? kBuildProcesses : of_a_run));
   limit(RLIMIT_NOFILE, build ? 256 : 16);
-  if (build) forbid_non_compiler_calls();
-  if (kind == "check") restrict_to_sanitized_calls();
-  if (kind == "run") restrict_to_submission_calls();
+  if (build) {
+    forbid_non_compiler_calls();
+  } else {
+    restrict_to_submission_calls(kind == "check");
+  }
 }
 
 void enter(const Options& options) {
-  const bool boxed = !options.open, build = options.kind == "build";
+  const bool boxed = options.box != "none", reduced = options.box == "reduced";
+  const bool build = options.kind == "build";
   const pid_t guard = ::getpid();
   if (boxed) require(::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0), "no new privileges");
   require(::prctl(PR_SET_DUMPABLE, 0), "hiding this process");
@@ -250,17 +228,18 @@ void enter(const Options& options) {
   const Guarding guarding{boxed ? restrict_to_guard_calls : [] {}, hand_out_and_clean_up};
   // Of a run, the judge waits until every process has closed the status.
   guard_what_follows(guarding, build ? std::vector{status, output} : std::vector<int>{});
-  close_when_the_command_begins(build);
+  // A runner has questions on 3 and answers on 4.
+  ::close_range(build ? 3 : 5, ~0U, CLOSE_RANGE_CLOEXEC);
   const bool root = ::geteuid() == 0;
   const rlim_t others = boxed ? tasks_beside_ours(options) : 0;  // before /proc is hidden
-  if (options.reduced) {
+  if (reduced) {
     keep_pipes_from_being_opened_again();
-    see_only_what_is_named(options);
+    see_only(options.visible, scratch);
   }
   if (boxed) give_up_privileges(options.user);
   if (boxed && root) leave_the_common_user_namespace();
   if (!options.folder.empty()) require(::chdir(options.folder.c_str()), options.folder);
-  if (options.reduced) die_with(guard);
+  if (reduced) die_with(guard);
   if (boxed) limit_and_filter(options.kind, others);
   become(options);
 }

@@ -14,8 +14,9 @@
 #include <cerrno>
 #include <climits>
 #include <cstdint>
-#include <initializer_list>
 #include <iterator>
+#include <sstream>
+#include <string>
 
 #include "require.hpp"
 
@@ -37,8 +38,14 @@ class Filter {
     require(seccomp_rule_add(context_, action, call, sizeof...(arguments), arguments...),
             "a rule of the filter");
   }
-  void rules(std::uint32_t action, std::initializer_list<int> calls) {
-    for (const int call : calls) rule(action, call);
+  // One for each of these names.
+  void rules(std::uint32_t action, const std::string& calls) {
+    std::istringstream names(calls);
+    for (std::string name; names >> name;) {
+      const int call = seccomp_syscall_resolve_name(name.c_str());
+      if (call == __NR_SCMP_ERROR) throw std::runtime_error("libseccomp knows no call " + name);
+      rule(action, call);
+    }
   }
   void install() { require(seccomp_load(context_), "installing the filter"); }
 
@@ -86,43 +93,12 @@ void allow_one_start(Filter& filter) {
 }
 
 void allow_numbers(Filter& filter) {
-  filter.rules(SCMP_ACT_ALLOW, {SCMP_SYS(read),
-                                SCMP_SYS(write),
-                                SCMP_SYS(readv),
-                                SCMP_SYS(writev),
-                                SCMP_SYS(lseek),
-                                SCMP_SYS(brk),
-                                SCMP_SYS(munmap),
-                                SCMP_SYS(mremap),
-                                SCMP_SYS(mprotect),
-                                SCMP_SYS(rt_sigaction),
-                                SCMP_SYS(rt_sigprocmask),
-                                SCMP_SYS(rt_sigreturn),
-                                SCMP_SYS(sigaltstack),
-                                SCMP_SYS(futex),
-                                SCMP_SYS(getrandom),
-                                SCMP_SYS(nanosleep),
-                                SCMP_SYS(gettimeofday),
-                                SCMP_SYS(time),
-                                SCMP_SYS(clock_getres),
-                                SCMP_SYS(getrusage),
-                                SCMP_SYS(times),
-                                SCMP_SYS(sched_yield),
-                                SCMP_SYS(getuid),
-                                SCMP_SYS(geteuid),
-                                SCMP_SYS(getgid),
-                                SCMP_SYS(getegid),
-                                SCMP_SYS(getpid),
-                                SCMP_SYS(gettid),
-                                SCMP_SYS(arch_prctl),
-                                SCMP_SYS(set_robust_list),
-                                SCMP_SYS(set_tid_address),
-                                SCMP_SYS(rseq),
-                                SCMP_SYS(uname),
-                                SCMP_SYS(poll),
-                                SCMP_SYS(pause),
-                                SCMP_SYS(exit),
-                                SCMP_SYS(exit_group)});
+  filter.rules(SCMP_ACT_ALLOW,
+               "read write readv writev lseek brk munmap mremap mprotect rt_sigaction "
+               "rt_sigprocmask rt_sigreturn sigaltstack futex getrandom nanosleep "
+               "gettimeofday time clock_getres getrusage times sched_yield getuid geteuid "
+               "getgid getegid getpid gettid arch_prctl set_robust_list set_tid_address "
+               "rseq uname poll pause exit exit_group");
   // Clocks of the system, and its own. Those below zero belong to other processes.
   for (const int call : {SCMP_SYS(clock_gettime), SCMP_SYS(clock_nanosleep)}) {
     filter.rule(SCMP_ACT_ALLOW, call, SCMP_A0(SCMP_CMP_LE, INT_MAX));
@@ -158,7 +134,7 @@ void write_to_nothing(Filter& filter, std::uint32_t others) {
   filter.rule(others, SCMP_SYS(open), SCMP_A1(SCMP_CMP_MASKED_EQ, kMake, 0));
   filter.rule(kSaysZero, SCMP_SYS(openat), SCMP_A2(SCMP_CMP_MASKED_EQ, kMake, kMake));
   filter.rule(others, SCMP_SYS(openat), SCMP_A2(SCMP_CMP_MASKED_EQ, kMake, 0));
-  filter.rules(kSaysZero, {SCMP_SYS(creat), SCMP_SYS(mkdir), SCMP_SYS(mkdirat)});
+  filter.rules(kSaysZero, "creat mkdir mkdirat");
   filter.rule(kSaysZero, SCMP_SYS(close), SCMP_A0(SCMP_CMP_EQ, STDIN_FILENO));
   filter.rule(SCMP_ACT_ALLOW, SCMP_SYS(close), SCMP_A0(SCMP_CMP_GT, STDIN_FILENO));
   // What opening and closing a stream asks.
@@ -169,42 +145,30 @@ void write_to_nothing(Filter& filter, std::uint32_t others) {
 
 // Fail as if there were no such file. A descriptor's numbers, and how full a disk is, would tell
 // what other processes do.
-constexpr std::initializer_list<int> kOfFiles = {
-    SCMP_SYS(access),   SCMP_SYS(faccessat),  SCMP_SYS(faccessat2), SCMP_SYS(stat),
-    SCMP_SYS(lstat),    SCMP_SYS(fstat),      SCMP_SYS(statx),      SCMP_SYS(newfstatat),
-    SCMP_SYS(readlink), SCMP_SYS(readlinkat), SCMP_SYS(getcwd),     SCMP_SYS(chdir),
-    SCMP_SYS(fchdir),   SCMP_SYS(rmdir),      SCMP_SYS(unlink),     SCMP_SYS(unlinkat),
-    SCMP_SYS(rename),   SCMP_SYS(renameat),   SCMP_SYS(renameat2),  SCMP_SYS(getdents64),
-    SCMP_SYS(truncate), SCMP_SYS(ftruncate),  SCMP_SYS(fsync),      SCMP_SYS(umask),
-    SCMP_SYS(chmod),    SCMP_SYS(fchmod),     SCMP_SYS(fchmodat),   SCMP_SYS(pread64),
-    SCMP_SYS(pwrite64), SCMP_SYS(statfs),     SCMP_SYS(fstatfs),    SCMP_SYS(utimensat),
-    SCMP_SYS(sendfile)};
+constexpr const char* kOfFiles =
+    "access faccessat faccessat2 stat lstat fstat statx newfstatat readlink readlinkat "
+    "getcwd chdir fchdir rmdir unlink unlinkat rename renameat renameat2 getdents64 "
+    "truncate ftruncate fsync umask chmod fchmod fchmodat pread64 pwrite64 statfs fstatfs "
+    "utimensat sendfile";
 
-// Of all prctl operations, allows only setting the process's name.
-void allow_naming_only(Filter& filter) {
-  filter.rule(SCMP_ACT_ALLOW, SCMP_SYS(prctl), SCMP_A0(SCMP_CMP_EQ, PR_SET_NAME));
-  filter.rule(no(EPERM), SCMP_SYS(prctl), SCMP_A0(SCMP_CMP_NE, PR_SET_NAME));
-}
+// What sanitizers and the dynamic loader need, which read files.
+constexpr const char* kOfSanitizers =
+    "access stat fstat newfstatat readlink readlinkat pipe pipe2 pread64";
 
 }  // namespace
 
-void restrict_to_submission_calls() {
+void restrict_to_submission_calls(bool sanitized) {
   Filter filter(SCMP_ACT_TRAP);
   allow_numbers(filter);
-  write_to_nothing(filter, no(ENOENT));
-  filter.rules(no(ENOENT), kOfFiles);
-  allow_naming_only(filter);
-  filter.install();
-}
-
-void restrict_to_sanitized_calls() {
-  Filter filter(SCMP_ACT_TRAP);
-  allow_numbers(filter);
-  write_to_nothing(filter, SCMP_ACT_ALLOW);
-  filter.rules(SCMP_ACT_ALLOW, {SCMP_SYS(access), SCMP_SYS(stat), SCMP_SYS(fstat),
-                                SCMP_SYS(newfstatat), SCMP_SYS(readlink), SCMP_SYS(readlinkat),
-                                SCMP_SYS(pipe), SCMP_SYS(pipe2), SCMP_SYS(pread64)});
-  allow_naming_only(filter);
+  write_to_nothing(filter, sanitized ? SCMP_ACT_ALLOW : no(ENOENT));
+  if (sanitized) {
+    filter.rules(SCMP_ACT_ALLOW, kOfSanitizers);
+  } else {
+    filter.rules(no(ENOENT), kOfFiles);
+  }
+  // Of all prctl operations, it may only set the process's name.
+  filter.rule(SCMP_ACT_ALLOW, SCMP_SYS(prctl), SCMP_A0(SCMP_CMP_EQ, PR_SET_NAME));
+  filter.rule(no(EPERM), SCMP_SYS(prctl), SCMP_A0(SCMP_CMP_NE, PR_SET_NAME));
   filter.install();
 }
 
@@ -214,53 +178,21 @@ void start(char* const* command, char* const* environment) {
 
 void restrict_to_guard_calls() {
   Filter filter(SCMP_ACT_KILL_PROCESS);
-  filter.rules(
-      SCMP_ACT_ALLOW,
-      {SCMP_SYS(wait4),          SCMP_SYS(kill),         SCMP_SYS(read),      SCMP_SYS(readv),
-       SCMP_SYS(write),          SCMP_SYS(open),         SCMP_SYS(openat),    SCMP_SYS(close),
-       SCMP_SYS(close_range),    SCMP_SYS(fcntl),        SCMP_SYS(fstat),     SCMP_SYS(newfstatat),
-       SCMP_SYS(lseek),          SCMP_SYS(getdents64),   SCMP_SYS(unlink),    SCMP_SYS(unlinkat),
-       SCMP_SYS(rmdir),          SCMP_SYS(getpid),       SCMP_SYS(brk),       SCMP_SYS(mmap),
-       SCMP_SYS(munmap),         SCMP_SYS(mremap),       SCMP_SYS(mprotect),  SCMP_SYS(futex),
-       SCMP_SYS(rt_sigprocmask), SCMP_SYS(rt_sigreturn), SCMP_SYS(exit_group)});
+  filter.rules(SCMP_ACT_ALLOW,
+               "wait4 kill read readv write sendfile open openat close close_range fcntl fstat "
+               "newfstatat lseek getdents64 unlink unlinkat rmdir getpid brk mmap munmap "
+               "mremap mprotect futex rt_sigprocmask rt_sigreturn exit_group");
   filter.install();
 }
 
 void forbid_non_compiler_calls() {
   Filter filter(SCMP_ACT_ALLOW);
-  filter.rules(no(EPERM), {SCMP_SYS(socket),
-                           SCMP_SYS(socketpair),
-                           SCMP_SYS(connect),
-                           SCMP_SYS(ptrace),
-                           SCMP_SYS(process_vm_readv),
-                           SCMP_SYS(process_vm_writev),
-                           SCMP_SYS(pidfd_open),
-                           SCMP_SYS(pidfd_getfd),
-                           SCMP_SYS(kcmp),
-                           SCMP_SYS(kill),
-                           SCMP_SYS(tkill),
-                           SCMP_SYS(mount),
-                           SCMP_SYS(umount2),
-                           SCMP_SYS(pivot_root),
-                           SCMP_SYS(chroot),
-                           SCMP_SYS(unshare),
-                           SCMP_SYS(setns),
-                           SCMP_SYS(setsid),
-                           SCMP_SYS(bpf),
-                           SCMP_SYS(perf_event_open),
-                           SCMP_SYS(userfaultfd),
-                           SCMP_SYS(keyctl),
-                           SCMP_SYS(add_key),
-                           SCMP_SYS(request_key),
-                           SCMP_SYS(io_uring_setup),
-                           SCMP_SYS(name_to_handle_at),
-                           SCMP_SYS(open_by_handle_at),
-                           SCMP_SYS(init_module),
-                           SCMP_SYS(finit_module),
-                           SCMP_SYS(kexec_load),
-                           SCMP_SYS(mknod),
-                           SCMP_SYS(mknodat),
-                           SCMP_SYS(personality)});
+  filter.rules(no(EPERM),
+               "socket socketpair connect ptrace process_vm_readv process_vm_writev "
+               "pidfd_open pidfd_getfd kcmp kill tkill mount umount2 pivot_root chroot "
+               "unshare setns setsid bpf perf_event_open userfaultfd keyctl add_key "
+               "request_key io_uring_setup name_to_handle_at open_by_handle_at init_module "
+               "finit_module kexec_load mknod mknodat personality");
   // clone3 hides its flags from a filter; without it, the C library uses clone.
   filter.rule(no(ENOSYS), SCMP_SYS(clone3));
   constexpr scmp_datum_t kNewUser = CLONE_NEWUSER;

@@ -6,15 +6,11 @@ namespace bounce::box {
 // For a submission: allows what a numerical program needs, and threads. It finds no file, and what
 // it writes to one goes nowhere; its standard input has to be /dev/null for that, open to write,
 // too. Calls that concern other programs, connections or devices end it with SIGSYS, which names
-// the call.
-void restrict_to_submission_calls();
+// the call. If it is built with sanitizers, these may read files.
+void restrict_to_submission_calls(bool sanitized);
 
-// For a submission that is built with sanitizers: also allows what these and the dynamic loader
-// need, which read files.
-void restrict_to_sanitized_calls();
-
-// Becomes the command, and returns if it can't, with errno. With one of the two filters above, this
-// is the only way to start a program.
+// Becomes the command, and returns if it can't, with errno. With the filter above, this is the only
+// way to start a program.
 void start(char* const* command, char* const* environment);
 
 // For the guard of a box, which waits, kills, and passes out one file.

@@ -58,14 +58,14 @@ void add(int ruleset, const std::string& path, std::uint64_t access) {
 
 }  // namespace
 
-void see_only(const std::vector<std::string>& visible, const std::vector<std::string>& writable) {
+void see_only(const std::vector<std::string>& visible, const std::string& writable) {
   const Version known = version();
   const std::uint64_t all = (std::uint64_t{1} << known.files) - 1;
   const Rules rules{all, kConnections, kScopes};
   const auto ruleset = static_cast<int>(
       require(::syscall(SYS_landlock_create_ruleset, &rules, known.size, 0U), "Landlock's rules"));
   for (const std::string& path : visible) add(ruleset, path, kSee);
-  for (const std::string& path : writable) add(ruleset, path, all);
+  if (!writable.empty()) add(ruleset, writable, all);
   add(ruleset, "/dev/null", (kRead | LANDLOCK_ACCESS_FS_WRITE_FILE | kTruncate) & all);
   require(::syscall(SYS_landlock_restrict_self, ruleset, 0U), "Landlock");
   ::close(ruleset);

@@ -1,5 +1,5 @@
-// auto_line LINE < SOURCE: says, as ./check does, which `auto` keeps what that line uses when it is
-// gone: "12 `auto` keeps ...", or nothing where none does. It runs in a box, since the source is a
+// auto_line LINE < SOURCE: prints the line of the `auto` that keeps what LINE uses when it is gone,
+// as ./check finds it; nothing where none does. It runs in a box, since the source is a
 // submission's.
 #include <cstdlib>
 #include <iostream>
@@ -7,10 +7,9 @@
 #include <string>
 
 #include "../../student/given/check/kept_by_auto.hpp"
-#include "../../student/given/check/sanitizer_report.hpp"
 
 int main(int count, char** words) {
   const std::string text{std::istreambuf_iterator<char>(std::cin), {}};
   const int line = bounce::check::line_of_auto(text, count > 1 ? std::atoi(words[1]) : 0);
-  if (line != 0) std::cout << line << ' ' << bounce::check::kAutoKeeps;
+  if (line != 0) std::cout << line;
 }

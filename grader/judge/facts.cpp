@@ -80,4 +80,8 @@ json facts(const tests::Failure& failure) {
   return all;
 }
 
+json facts(const Termination& end) {
+  return {{"what", end.what}, {"number", end.number}, {"text", end.text}};
+}
+
 }  // namespace bounce::judge

@@ -20,9 +20,13 @@
 #include <nlohmann/json.hpp>
 
 #include "../../tests/parts/cases.hpp"
+#include "termination.hpp"
 
 namespace bounce::judge {
 
 nlohmann::json facts(const tests::Failure& failure);
+
+// How a program ended: {"what", "number", "text"}.
+nlohmann::json facts(const Termination& end);
 
 }  // namespace bounce::judge

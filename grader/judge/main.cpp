@@ -1,20 +1,27 @@
-// judge --part N [--given] [--sanitized] [--boxed] [--recognise] [--cpu-seconds S] [--seconds S]
-//       --fixtures FOLDER... -- COMMAND...
+// judge JSON COMMAND...
 //
-// Runs the tests of part N against the runner that COMMAND starts, and prints one JSON object:
-//   {"checks": [{"id", "passed", "status", "ended", "by", "stack", "failure"}],
-//    "largest_error": number or null, "mistakes": [name], "patterns": [sentence]}
-// ended says how the program ended, if it did, by what explains a crash, and stack where it came
-// (termination.hpp). failure is the failed case in numbers (facts.hpp), with the expected
-// answers of hidden cases, which students must not see; null if the check passed, or failed as a
-// whole. largest_error is the largest in public cases, to two digits. mistakes and patterns are
-// empty unless --recognise is given and a check failed; then a second runner is asked the public
-// cases.
+// Runs the tests of a part against the runner that COMMAND starts. JSON holds
+//   "part"        1 to 4
+//   "fixtures"    folders
+//   "given"       if true, the earlier parts are given
+//   "sanitized"   if true, the runner has sanitizers
+//   "boxed"       if true, COMMAND is a box (grader/box/enter.cpp), which reports when it is made
+//   "seconds", "cpu_seconds"   for the whole part: checks that there is no time left for fail
+//   "recognise", "answers", "watch"   see below
 //
-// judge --answers --part N ... prints the runner's answers to the public cases (answers_json.hpp).
+// Prints {"checks": [{"id", "passed", "status", "ended", "stack", "failure"}],
+//         "largest_error": number or null, "mistakes": [name], "patterns": [sentence]}
+// ended says how the program ended, if it did, and stack where it came; failure is the failed case
+// in numbers, with the expected answers of hidden cases, which students must not see (both:
+// facts.hpp); null if the check passed, or failed as a whole. largest_error is the largest in
+// public cases, to two digits. mistakes and patterns are empty unless "recognise" is given and a
+// check failed; then a second runner is asked the public cases.
 //
-// --boxed: COMMAND is a box (grader/box/enter.cpp), which reports when it is made. --seconds and
-// --cpu-seconds are for the whole part; checks that there is no time left for fail.
+// With "answers", it prints the runner's answers to the public cases instead: each is a list of
+// numbers, with null for NaN and infinity, or the text of an exception.
+//
+// With "watch", it asks nothing, and prints in one line how the wait for an answer ended: for
+// ./kit doctor, whose command breaks out of a box if it can.
 //
 // Exit status: 0 if every check has a verdict; 3, with a sentence on standard error, if the kit
 // itself failed, which is no verdict about the submission.
@@ -28,70 +35,51 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "../diagnosis/answers.hpp"
 #include "../diagnosis/pattern.hpp"
 #include "../diagnosis/recognise.hpp"
-#include "answers_json.hpp"
 #include "facts.hpp"
 #include "session.hpp"
 
 namespace bounce {
 
-static std::vector<std::filesystem::path> fixtures;
-std::vector<std::filesystem::path> tests::fixture_folders() { return fixtures; }
+using nlohmann::json;
+
+static json asked;  // the first argument
+static std::vector<std::string> command;
+static json reported;  // of the running check, if it failed
+
+std::vector<std::filesystem::path> tests::fixture_folders() {
+  const std::vector<std::string> names = asked.at("fixtures");
+  return {names.begin(), names.end()};
+}
 void tests::about_to_ask(const Case&) {}
+void tests::found_wrong(const Case&, const Problem&) {}
+
+static constexpr const char* kReported = "reported";
+
+std::string tests::in_words(const Failure& failure) {
+  reported = judge::facts(failure);
+  return kReported;
+}
 
 namespace judge {
 namespace {
 
-using nlohmann::json;
+bool is_asked(const char* option) { return asked.value(option, false); }
 
-json reported;  // of the running check, if it failed
-constexpr const char* kReported = "reported";
-
-struct Options {
-  std::uint32_t part = 0;
-  bool given = false;
+Limits asked_limits() {
   Limits limits;
-  bool recognise = false;
-  bool answers = false;
-  std::vector<std::string> command;
-};
+  limits.sanitized = is_asked("sanitized");
+  limits.boxed = is_asked("boxed");
+  limits.session_cpu_seconds = asked.value("cpu_seconds", limits.session_cpu_seconds);
+  limits.session_seconds = asked.value("seconds", limits.session_seconds);
+  limits.wall_seconds = std::min(limits.wall_seconds, limits.session_seconds);
+  return limits;
+}
 
-Options read_options(const std::vector<std::string>& arguments) {
-  Options options;
-  for (std::size_t i = 0; i < arguments.size(); ++i) {
-    if (arguments[i] == "--part") {
-      options.part = static_cast<std::uint32_t>(std::stoul(arguments.at(++i)));
-    } else if (arguments[i] == "--given") {
-      options.given = true;
-    } else if (arguments[i] == "--sanitized") {
-      options.limits.sanitized = true;
-    } else if (arguments[i] == "--boxed") {
-      options.limits.boxed = true;
-    } else if (arguments[i] == "--cpu-seconds") {
-      options.limits.session_cpu_seconds = std::stoi(arguments.at(++i));
-    } else if (arguments[i] == "--seconds") {
-      options.limits.session_seconds = std::stoi(arguments.at(++i));
-      options.limits.wall_seconds =
-          std::min(options.limits.wall_seconds, options.limits.session_seconds);
-    } else if (arguments[i] == "--recognise") {
-      options.recognise = true;
-    } else if (arguments[i] == "--answers") {
-      options.answers = true;
-    } else if (arguments[i] == "--fixtures") {
-      fixtures.emplace_back(arguments.at(++i));
-    } else if (arguments[i] == "--") {
-      options.command.assign(arguments.begin() + static_cast<std::ptrdiff_t>(i) + 1,
-                             arguments.end());
-      break;
-    } else {
-      throw std::runtime_error("unknown option " + arguments[i]);
-    }
-  }
-  if (options.part == 0 || options.command.empty() || fixtures.empty()) {
-    throw std::runtime_error("usage: judge --part N [--given] --fixtures FOLDER... -- COMMAND...");
-  }
-  return options;
+std::unique_ptr<Session> new_session() {
+  return std::make_unique<Session>(command, asked_limits(), asked.at("part"), is_asked("given"));
 }
 
 // Collects a verdict for each check. A test that fails other than by reporting a case is a fault of
@@ -110,25 +98,22 @@ class Verdicts : public testing::EmptyTestEventListener {
       if (message != std::string("Failed\n") + kReported) kit_failure = message;
     }
     const bool passed = test.result()->Passed();
-    const auto end = session->take_end().value_or(Session::End{{"graded", ""}, false});
+    const auto end = session->take_end();
     checks.push_back({{"id", std::string(test.test_suite_name()) + "." + test.name()},
                       {"passed", passed},
-                      {"status", end.status},
-                      {"ended", end.sentence},
-                      {"by", end.by},
-                      {"stack", end.stack},
-                      {"failure", passed || end.of_no_case ? json() : reported}});
+                      {"status", end ? end->status : "graded"},
+                      {"ended", end ? facts(*end) : json()},
+                      {"stack", end ? end->stack : ""},
+                      {"failure", passed || (end && end->of_no_case) ? json() : reported}});
   }
 };
 
 // The answers of a new runner to the public cases. It has been asked nothing else before.
-std::vector<tests::Answer> fresh_answers(const Options& options,
-                                         const std::vector<tests::Case>& questions) {
-  Session fresh(options.command, options.limits, options.part, options.given);
-  session = &fresh;
-  const int part = static_cast<int>(options.part);
-  auto got = tests::answers(part, questions);
-  if (!fresh.kit_failure().empty()) throw std::runtime_error(fresh.kit_failure());
+std::vector<tests::Answer> fresh_answers(const std::vector<tests::Case>& questions) {
+  const auto fresh = new_session();
+  session = fresh.get();
+  auto got = tests::answers(asked.at("part"), questions);
+  if (!fresh->kit_failure().empty()) throw std::runtime_error(fresh->kit_failure());
   return got;
 }
 
@@ -143,24 +128,36 @@ bool may_be_a_mistake(const json& checks) {
   return failed;
 }
 
-void recognise(const Options& options, json& result) {
-  const int part = static_cast<int>(options.part);
+void recognise(json& result) {
+  const int part = asked.at("part");
   const auto file = tests::public_file(part, "mistakes");
   if (!file) throw std::runtime_error("there are no known mistakes: run ./kit fixtures");
   std::ifstream in(*file);
   const tests::KnownMistakes known = tests::read_mistakes(in, part);
   const std::vector<tests::Case> questions = tests::questions(part);
-  const std::vector<tests::Answer> got = fresh_answers(options, questions);
+  const std::vector<tests::Answer> got = fresh_answers(questions);
   for (const auto& mistake : tests::recognise(known, got))
     result["mistakes"].push_back(mistake.name);
   if (!result["mistakes"].empty()) return;
   result["patterns"] = tests::patterns(part, questions, known.right, got);
 }
 
-int print_answers(const Options& options) {
-  const auto questions = tests::questions(static_cast<int>(options.part));
-  std::cout << answers_json(fresh_answers(options, questions)).dump() << std::endl;
-  return std::cout ? 0 : 3;
+json answers() {
+  json all = json::array();
+  for (const tests::Answer& answer : fresh_answers(tests::questions(asked.at("part")))) {
+    json numbers = json::array();
+    for (const double x : answer.numbers) numbers.push_back(std::isfinite(x) ? json(x) : json());
+    all.push_back(answer.thrown.empty() ? numbers : json(answer.thrown));
+  }
+  return all;
+}
+
+std::string wait() try {
+  RunnerProcess runner(command, asked_limits());
+  static_cast<void>(runner.receive());
+  return "answered";
+} catch (const Termination& end) {
+  return in_one_line(end);
 }
 
 // Rounds to two digits; null if it isn't finite.
@@ -171,10 +168,10 @@ json rounded(double error) {
   return std::strtod(digits, nullptr);
 }
 
-int run(const Options& options) {
-  Session asked(options.command, options.limits, options.part, options.given);
-  session = &asked;
-  testing::GTEST_FLAG(filter) = "part" + std::to_string(options.part) + ".*";
+json verdicts() {
+  const auto first = new_session();
+  session = first.get();
+  testing::GTEST_FLAG(filter) = "part" + std::to_string(asked.at("part").get<int>()) + ".*";
   auto& listeners = testing::UnitTest::GetInstance()->listeners();
   delete listeners.Release(listeners.default_result_printer());
   auto* verdicts = new Verdicts;
@@ -182,29 +179,19 @@ int run(const Options& options) {
   if (RUN_ALL_TESTS() != 0 && verdicts->checks.empty()) {
     throw std::runtime_error("no test ran");
   }
-  if (!asked.kit_failure().empty()) throw std::runtime_error(asked.kit_failure());
+  if (!first->kit_failure().empty()) throw std::runtime_error(first->kit_failure());
   if (!verdicts->kit_failure.empty()) throw std::runtime_error(verdicts->kit_failure);
 
   json result = {{"checks", verdicts->checks},
                  {"largest_error", rounded(tests::largest_error())},
                  {"mistakes", json::array()},
                  {"patterns", json::array()}};
-  if (options.recognise && may_be_a_mistake(verdicts->checks)) recognise(options, result);
-  // A message may hold the text of a submission's exception, which may be invalid UTF-8.
-  std::cout << result.dump(-1, ' ', false, json::error_handler_t::replace) << std::endl;
-  return std::cout ? 0 : 3;
+  if (is_asked("recognise") && may_be_a_mistake(verdicts->checks)) recognise(result);
+  return result;
 }
 
 }  // namespace
 }  // namespace judge
-
-void tests::found_wrong(const Case&, const Problem&) {}
-
-std::string tests::in_words(const Failure& failure) {
-  judge::reported = judge::facts(failure);
-  return judge::kReported;
-}
-
 }  // namespace bounce
 
 int main(int argc, char** argv) try {
@@ -212,8 +199,18 @@ int main(int argc, char** argv) try {
   bounce::judge::stay_on_this_cpu();
   int one = 1;
   testing::InitGoogleTest(&one, argv);
-  const auto options = bounce::judge::read_options({argv + 1, argv + argc});
-  return options.answers ? bounce::judge::print_answers(options) : bounce::judge::run(options);
+  if (argc < 3) throw std::runtime_error("usage: judge JSON COMMAND..., as in its main.cpp");
+  bounce::asked = nlohmann::json::parse(argv[1]);
+  bounce::command.assign(argv + 2, argv + argc);
+  if (bounce::judge::is_asked("watch")) {
+    std::cout << bounce::judge::wait() << std::endl;
+    return 0;
+  }
+  const bool answers = bounce::judge::is_asked("answers");
+  const auto result = answers ? bounce::judge::answers() : bounce::judge::verdicts();
+  // A text may be that of a submission's exception, which may be invalid UTF-8.
+  std::cout << result.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) << std::endl;
+  return std::cout ? 0 : 3;
 } catch (const std::exception& e) {
   std::cerr << "judge: " << e.what() << std::endl;
   return 3;

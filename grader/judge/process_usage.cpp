@@ -10,12 +10,13 @@
 #include <fstream>
 #include <sstream>
 #include <string>
-#include <vector>
 
 namespace bounce::judge {
 namespace {
 
 std::string folder_of(pid_t pid) { return "/proc/" + std::to_string(pid); }
+
+double seconds(double ticks) { return ticks / static_cast<double>(::sysconf(_SC_CLK_TCK)); }
 
 struct Scheduled {
   double run = 0, delay = 0;  // s: CPU time; time ready to run while no CPU was free
@@ -31,76 +32,72 @@ Scheduled scheduled(const std::string& folder) {
   return {0, std::chrono::duration<double>(now).count()};
 }
 
-// Field 8 of the first line of /proc/stat, of all CPUs together: at least what one has lost.
-double stolen_seconds() {
-  std::ifstream file("/proc/stat");
-  std::string skipped;
-  for (int field = 0; field < 8; ++field) file >> skipped;
-  double ticks = 0;
-  file >> ticks;
-  return ticks / static_cast<double>(::sysconf(_SC_CLK_TCK));
-}
+struct State {
+  char letter = 0;         // R, S, D, T ...; 0 if it is gone
+  std::size_t memory = 0;  // resident bytes
+};
 
-// What follows the name in a file such as /proc/PID/stat. The name, in parentheses, may hold
-// anything.
-std::istringstream fields_of(const std::string& path) {
-  std::ifstream file(path);
-  std::string line;
+// Fields 3 and 24 of a stat file. The name before them, in parentheses, may hold anything.
+State state_of(const std::string& folder) {
+  std::ifstream file(folder + "/stat");
+  std::string line, skipped;
   std::getline(file, line, '\0');
-  const std::size_t name_end = line.rfind(')');
-  return std::istringstream(name_end == std::string::npos ? "" : line.substr(name_end + 1));
+  std::istringstream fields(line.substr(line.rfind(')') + 1));  // all of it where there is none
+  State state;
+  fields >> state.letter;
+  for (int field = 4; field < 24; ++field) fields >> skipped;
+  fields >> state.memory;
+  state.memory *= static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+  return state;
 }
 
-// By the clock of its CPU time, ns.
-std::optional<double> cpu_ns_of_one(pid_t pid) {
+// By the clock of its CPU time, s.
+std::optional<double> cpu_seconds_of(pid_t pid) {
   clockid_t clock{};
   timespec time{};
   if (::clock_getcpuclockid(pid, &clock) != 0) return std::nullopt;
   if (::clock_gettime(clock, &time) != 0) return std::nullopt;
-  return static_cast<double>(time.tv_sec) * 1e9 + static_cast<double>(time.tv_nsec);
+  return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) * 1e-9;
 }
 
-// Field 3 of a stat file; 0 if it is gone.
-char state_of(const std::string& folder) {
-  char state = 0;
-  fields_of(folder + "/stat") >> state;
-  return state;
-}
-
-// The resident bytes of a thread's process, by field 24 of its stat file; 0 if the thread has
-// ended.
-std::size_t memory_of(const std::string& folder) {
-  std::istringstream fields = fields_of(folder + "/stat");
-  std::string skipped;
-  for (int field = 3; field < 24; ++field) fields >> skipped;
-  std::size_t pages = 0;
-  fields >> pages;
-  return pages * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
-}
-
-// Adds up the threads that haven't ended. The first may have ended before the others.
-void add_threads(pid_t pid, ProcessUsage& usage) {
+// Adds the threads of a process that haven't ended. The first may have ended before the others,
+// and then doesn't know the memory.
+void add_threads(pid_t pid, ProcessUsage& all) {
+  std::size_t threads = 0, memory = 0;
   std::error_code gone;
   for (const auto& task : std::filesystem::directory_iterator(folder_of(pid) + "/task", gone)) {
-    ++usage.threads;
-    usage.ready = usage.ready || state_of(task.path()) == 'R';
-    if (usage.memory == 0) usage.memory = memory_of(task.path());
+    const State state = state_of(task.path());
     const Scheduled thread = scheduled(task.path());
-    usage.delay_seconds += thread.delay;
-    usage.ended_seconds -= thread.run;
+    ++threads;
+    memory = std::max(memory, state.memory);
+    all.ready = all.ready || state.letter == 'R';
+    all.delay_seconds += thread.delay;
+    all.ended_seconds -= thread.run;
   }
+  all.memory += memory;
+  all.threads = std::max(all.threads, threads);
 }
 
-std::optional<ProcessUsage> usage_of_one(pid_t pid) {
-  const char state = state_of(folder_of(pid));
-  ProcessUsage usage;
-  usage.reads_a_disk = state == 'D';
-  usage.stopped = state == 'T' || state == 't';
-  const std::optional<double> ns = cpu_ns_of_one(pid);
-  if (state == 0 || !ns) return std::nullopt;
-  usage.cpu_seconds = usage.ended_seconds = *ns * 1e-9;
-  add_threads(pid, usage);  // after the clock, so that no running thread is taken for an ended one
-  return usage;
+// Adds a process and its descendants. Returns whether the system reports the process.
+bool add(pid_t pid, ProcessUsage& all) {
+  const char state = state_of(folder_of(pid)).letter;
+  const std::optional<double> cpu = cpu_seconds_of(pid);
+  const auto children = children_of(pid);
+  if (state == 0 || !cpu || !children) return false;
+  all.reads_a_disk = all.reads_a_disk || state == 'D';
+  all.stopped = all.stopped || state == 'T' || state == 't';
+  all.cpu_seconds += *cpu;
+  all.ended_seconds += *cpu;
+  add_threads(pid, all);  // after the clock, so that no running thread is taken for an ended one
+  for (const pid_t child : *children) add(child, all);  // unless it has just ended
+  return true;
+}
+
+}  // namespace
+
+std::optional<ProcessUsage> usage_of(pid_t pid) {
+  ProcessUsage all;
+  return add(pid, all) ? std::optional(all) : std::nullopt;
 }
 
 std::optional<std::vector<pid_t>> children_of(pid_t pid) {
@@ -111,60 +108,31 @@ std::optional<std::vector<pid_t>> children_of(pid_t pid) {
   return children;
 }
 
-}  // namespace
-
-std::optional<ProcessUsage> usage_of(pid_t pid) {
-  std::optional<ProcessUsage> all = usage_of_one(pid);
-  const auto children = children_of(pid);
-  if (!all || !children) return std::nullopt;
-  for (const pid_t child : *children) {
-    const std::optional<ProcessUsage> more = usage_of(child);
-    if (!more) continue;  // it has just ended
-    all->reads_a_disk = all->reads_a_disk || more->reads_a_disk;
-    all->stopped = all->stopped || more->stopped;
-    all->ready = all->ready || more->ready;
-    all->threads = std::max(all->threads, more->threads);
-    all->cpu_seconds += more->cpu_seconds;
-    all->delay_seconds += more->delay_seconds;
-    all->ended_seconds += more->ended_seconds;
-    all->memory += more->memory;
-  }
-  return all;
+// Field 8 of the first line of /proc/stat, of all CPUs together: at least what one has lost.
+double own_delay_seconds() {
+  std::ifstream file("/proc/stat");
+  std::string skipped;
+  for (int field = 0; field < 8; ++field) file >> skipped;
+  double stolen = 0;
+  file >> stolen;
+  return scheduled("/proc/self").delay + seconds(stolen);
 }
 
-pid_t last_below(pid_t pid) {
-  const auto children = children_of(pid);
-  return children && !children->empty() ? last_below(children->front()) : pid;
-}
-
-double own_delay_seconds() { return scheduled("/proc/self").delay + stolen_seconds(); }
-
-// Field 4 of each CPU's line in /proc/stat, ticks.
+// Field 4 of each CPU's line in /proc/stat.
 double spare_seconds() {
   cpu_set_t ours;
   CPU_ZERO(&ours);
   ::sched_getaffinity(0, sizeof ours, &ours);
   std::ifstream file("/proc/stat");
   double sum = 0;
-  int count = 0;
   for (std::string line; std::getline(file, line) && line.rfind("cpu", 0) == 0;) {
     std::istringstream fields(line.substr(3));
     std::size_t cpu = 0;
     double user = 0, nice = 0, system = 0, spare = 0;
     const bool one = line[3] != ' ' && fields >> cpu >> user >> nice >> system >> spare;
-    if (!one || cpu >= CPU_SETSIZE || !CPU_ISSET(cpu, &ours)) continue;
-    sum += spare;
-    ++count;
+    if (one && cpu < CPU_SETSIZE && CPU_ISSET(cpu, &ours)) sum += spare;
   }
-  return sum / std::max(count, 1) / static_cast<double>(::sysconf(_SC_CLK_TCK));
-}
-
-std::optional<double> cpu_ns_of(pid_t pid) {
-  std::optional<double> ns = cpu_ns_of_one(pid);
-  const auto children = children_of(pid);
-  if (!ns || !children) return std::nullopt;
-  for (const pid_t child : *children) *ns += cpu_ns_of(child).value_or(0);
-  return ns;
+  return seconds(sum / std::max(CPU_COUNT(&ours), 1));
 }
 
 }  // namespace bounce::judge

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 namespace bounce::judge {
 
@@ -15,18 +16,17 @@ struct ProcessUsage {
   bool stopped = false;       // one was stopped, as by SIGSTOP
   bool ready = false;         // a thread runs, or could
   std::size_t threads = 0;    // of the one that has most
-  double cpu_seconds = 0;
-  double delay_seconds = 0;  // ready to run while no CPU was free; of threads that still exist
-  double ended_seconds = 0;  // CPU time of threads that have ended, at least
-  std::size_t memory = 0;    // resident bytes
+  double cpu_seconds = 0;     // by the system's clocks, which count ns
+  double delay_seconds = 0;   // ready to run while no CPU was free; of threads that still exist
+  double ended_seconds = 0;   // CPU time of threads that have ended, at least
+  std::size_t memory = 0;     // resident bytes
 };
 
 // Empty if the system doesn't report it, or the process is gone.
 std::optional<ProcessUsage> usage_of(pid_t pid);
 
-// The last of a chain of processes in which each has started the next, as in a box; `pid` itself if
-// it has started none.
-pid_t last_below(pid_t pid);
+// The processes that it has started, or taken over, and that still exist. Empty as above.
+std::optional<std::vector<pid_t>> children_of(pid_t pid);
 
 // For how long this process was ready to run while no CPU was free, and for how long the host of a
 // virtual machine gave its CPUs to others (steal time), s.
@@ -35,8 +35,5 @@ double own_delay_seconds();
 // For how long the CPUs that this process may use had nothing to do, on average, s; in steps of 10
 // ms.
 double spare_seconds();
-
-// The CPU time of a process and its descendants, ns, by the system's CPU clocks. Empty as above.
-std::optional<double> cpu_ns_of(pid_t pid);
 
 }  // namespace bounce::judge

@@ -10,15 +10,10 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <csignal>
-#include <cstring>
-#include <optional>
 #include <set>
-
-#include "orphans.hpp"
-#include "process_usage.hpp"
-#include "sanitize_line.hpp"
 
 namespace bounce::judge {
 namespace {
@@ -29,21 +24,15 @@ constexpr double kCpuGrace = 0.2;                        // s, for SIGXCPU to en
 constexpr rlim_t kLargestFile = rlim_t{16} << 20;        // bytes, of what it writes without a box
 constexpr int kOrderlyTries = 200;                       // of 10 ms, to end a box from within
 constexpr int kStatus = frames::kAnswers + 1;            // where a box reports that it is made
+constexpr int kGenerations = 1000;  // an orphan's children are orphans next; a box has two
 
 std::set<pid_t> started;  // the running runners
 
-struct Pipe {
-  int read = -1, write = -1;
-};
-
-Pipe make_pipe() {
-  int ends[2];
-  if (::pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error("no pipe: out of descriptors");
-  return {ends[0], ends[1]};
-}
-
-double seconds(const timeval& time) {
-  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+// The reading and the writing end.
+std::array<int, 2> make_pipe() {
+  std::array<int, 2> ends;
+  if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw KitFailure("no pipe: out of descriptors");
+  return ends;
 }
 
 void limit(int resource, rlim_t soft, rlim_t hard) {
@@ -53,14 +42,12 @@ void limit(int resource, rlim_t soft, rlim_t hard) {
 
 // In the child: sets up descriptors 0 to 4 (for a box also 5) and no others, and the limits; then
 // starts the command.
-[[noreturn]] void become(const std::vector<char*>& argv, const Limits& limits, int questions,
-                         int answers, int prints, int status) {
+[[noreturn]] void become(const std::vector<std::string>& command, const Limits& limits,
+                         std::array<int, 4> pipes) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   // First moves them away from 0 to 5, so that no dup2 overwrites a descriptor still needed.
-  questions = ::fcntl(questions, F_DUPFD, 10);
-  answers = ::fcntl(answers, F_DUPFD, 10);
-  prints = ::fcntl(prints, F_DUPFD, 10);
-  status = ::fcntl(status, F_DUPFD, 10);
+  for (int& fd : pipes) fd = ::fcntl(fd, F_DUPFD, 10);
+  const auto [questions, answers, prints, status] = pipes;
   const int nothing = ::open("/dev/null", O_RDWR);  // as grader/box/filter.hpp wants it
   ::dup2(nothing, 0);
   ::dup2(prints, 1);
@@ -68,7 +55,7 @@ void limit(int resource, rlim_t soft, rlim_t hard) {
   ::dup2(questions, frames::kQuestions);
   ::dup2(answers, frames::kAnswers);
   ::dup2(status, kStatus);
-  for (int fd = limits.boxed ? kStatus + 1 : kStatus; fd < 64; ++fd) ::close(fd);
+  ::close_range(limits.boxed ? kStatus + 1 : kStatus, ~0U, 0);
 
   const auto seconds = static_cast<rlim_t>(limits.cpu_seconds);
   limit(RLIMIT_CPU, seconds, seconds + 1);
@@ -76,8 +63,36 @@ void limit(int resource, rlim_t soft, rlim_t hard) {
   limit(RLIMIT_FSIZE, kLargestFile, kLargestFile);
   limit(RLIMIT_NOFILE, 64, 64);
   limit(RLIMIT_CORE, 0, 0);
-  ::execv(argv[0], argv.data());
+  std::vector<char*> words;
+  for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
+  words.push_back(nullptr);
+  ::execv(words[0], words.data());
   ::_exit(127);
+}
+
+const char* what_came(bool amid_an_answer) { return amid_an_answer ? "a part of an answer" : ""; }
+
+// The last of a chain of processes in which each has started the next, as in a box; `pid` itself if
+// it has started none.
+pid_t last_below(pid_t pid) {
+  const auto children = children_of(pid);
+  return children && !children->empty() ? last_below(children->front()) : pid;
+}
+
+// Ends the children of this process that it hasn't started: they are orphans of its descendants. A
+// box's processes end with its first one; but a box that is ended while it is set up can leave
+// processes behind.
+void end_orphans() {
+  for (int generation = 0; generation < kGenerations; ++generation) {
+    bool any = false;
+    for (const pid_t child : children_of(::getpid()).value_or(std::vector<pid_t>())) {
+      if (started.count(child) > 0) continue;
+      any = true;
+      ::kill(child, SIGKILL);
+      ::waitpid(child, nullptr, 0);
+    }
+    if (!any) return;
+  }
 }
 
 }  // namespace
@@ -90,38 +105,27 @@ void stay_on_this_cpu() {
 }
 
 RunnerProcess::RunnerProcess(const std::vector<std::string>& command, const Limits& limits)
-    : limits_(limits) {
-  std::vector<char*> argv(command.size() + 1, nullptr);
-  std::transform(command.begin(), command.end(), argv.begin(),
-                 [](const std::string& word) { return const_cast<char*>(word.c_str()); });
-
-  const Pipe questions = make_pipe(), answers = make_pipe(), prints = make_pipe(),
+    : RunnerProcess(-1, -1, -1, limits) {
+  const auto questions = make_pipe(), answers = make_pipe(), prints = make_pipe(),
              status = make_pipe();
-  adopt_orphans();
+  ::prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0);  // orphans become children of this process
   pid_ = ::fork();
-  if (pid_ < 0) throw std::runtime_error("no process could be started");
-  if (pid_ == 0) {
-    become(argv, limits, questions.read, answers.write, prints.write, status.write);
-  }
+  if (pid_ < 0) throw KitFailure("no process could be started");
+  const std::array<int, 4> theirs{questions[0], answers[1], prints[1], status[1]};
+  if (pid_ == 0) become(command, limits, theirs);
   started.insert(pid_);
-  for (const int fd : {questions.read, answers.write, prints.write, status.write}) ::close(fd);
-  questions_ = questions.write;
-  answers_ = answers.read;
-  prints_ = prints.read;
-  status_ = status.read;
-  set_up();
+  for (const int fd : theirs) ::close(fd);
+  questions_ = questions[1];
+  answers_ = answers[0];
+  prints_ = prints[0];
+  status_ = status[0];
+  // A runner that doesn't read must not block the judge.
+  for (const int fd : {questions_, prints_, status_}) ::fcntl(fd, F_SETFL, O_NONBLOCK);
 }
 
 RunnerProcess::RunnerProcess(int questions, int answers, int prints, const Limits& limits)
     : limits_(limits), questions_(questions), answers_(answers), prints_(prints) {
-  set_up();
-}
-
-void RunnerProcess::set_up() {
-  // A runner that doesn't read must not block the judge.
-  ::fcntl(questions_, F_SETFL, O_NONBLOCK);
-  ::fcntl(prints_, F_SETFL, O_NONBLOCK);
-  if (status_ >= 0) ::fcntl(status_, F_SETFL, O_NONBLOCK);
+  for (const int fd : {questions, prints}) ::fcntl(fd, F_SETFL, O_NONBLOCK);
 }
 
 RunnerProcess::~RunnerProcess() {
@@ -134,17 +138,14 @@ RunnerProcess::~RunnerProcess() {
 void RunnerProcess::send(const frames::Frame& frame) {
   const ssize_t n = ::write(questions_, &frame, sizeof frame);
   if (n == static_cast<ssize_t>(sizeof frame)) return;
-  if (errno == EAGAIN) {
-    end({"no_answer",
-         "the program asked for what earlier parts answer, and didn't read the replies"});
-  }
+  if (errno == EAGAIN) end({"no_answer", "read no replies"});
   end_after_close("questions (descriptor 3)");
 }
 
 frames::Frame RunnerProcess::receive() {
   frames::Frame frame;
   read_exactly(&frame, sizeof frame, false);
-  if (frame.magic != frames::kMagic) end({"no_answer", kNotAskedFor});
+  if (frame.magic != frames::kMagic) end({"no_answer", "wrote no answer"});
   return frame;
 }
 
@@ -153,9 +154,9 @@ void RunnerProcess::receive(Eigen::Matrix3Xd& columns) {
 }
 
 double RunnerProcess::cpu_ns() const {
-  const std::optional<double> ns = cpu_ns_of(pid_);
-  if (!ns) throw std::runtime_error("this system doesn't tell the CPU time of a process");
-  return *ns;
+  const std::optional<ProcessUsage> usage = usage_of(pid_);
+  if (!usage) throw KitFailure("this system doesn't tell the CPU time of a process");
+  return usage->cpu_seconds * 1e9;
 }
 
 void RunnerProcess::read_exactly(void* data, std::size_t size, bool amid_an_answer) {
@@ -173,37 +174,53 @@ void RunnerProcess::read_exactly(void* data, std::size_t size, bool amid_an_answ
 // on printing.
 bool RunnerProcess::wait_until_readable(bool amid_an_answer) {
   pollfd both[2] = {{answers_, POLLIN, 0}, {prints_, POLLIN, 0}};
-  const auto start = Clock::now();
-  ::poll(both, 2, static_cast<int>(kBetweenLooks.count()));
-  count_wait_since(start);
+  wait(both, 2, static_cast<int>(kBetweenLooks.count()));
   if (both[1].revents != 0) drain_prints();
   if (Clock::now() - last_look_ >= kBetweenLooks) end_if_it_hangs(amid_an_answer);
   end_if_late(amid_an_answer);  // even if it answers byte by byte
   return both[0].revents != 0;
 }
 
+// A longer wait than was asked for isn't the program's: we were stopped, or had no CPU.
+void RunnerProcess::wait(pollfd* descriptors, nfds_t count, int milliseconds) {
+  const auto start = Clock::now();
+  ::poll(descriptors, count, milliseconds);
+  waited_ += std::min<Clock::duration>(Clock::now() - start, 2 * kBetweenLooks);
+}
+
+void RunnerProcess::drain_prints() {
+  char chunk[65536];
+  const ssize_t n = prints_ < 0 ? -1 : ::read(prints_, chunk, sizeof chunk);
+  if (n == 0) {  // poll would report a closed pipe for ever, and ignores -1
+    ::close(prints_);
+    prints_ = -1;
+  }
+  if (n <= 0) return;
+  printed_ += static_cast<std::size_t>(n);
+  last_print_.append(chunk, static_cast<std::size_t>(n));
+  if (last_print_.size() > kKeptPrints) last_print_.erase(0, last_print_.size() - kKeptPrints);
+  if (printed_ >= limits_.prints) {
+    end({"no_answer", "printed", static_cast<long>(limits_.prints >> 20)});
+  }
+}
+
 // Reads the box's status: "m" when it is made, then "x" if the program can't be started.
 void RunnerProcess::read_box_status() {
-  char told[2];
-  const ssize_t n = status_ < 0 ? 0 : ::read(status_, told, sizeof told);
-  if (n > 0) told_.append(told, static_cast<std::size_t>(n));
+  char letters[2];
+  const ssize_t n = status_ < 0 ? 0 : ::read(status_, letters, sizeof letters);
+  if (n > 0) box_status_.append(letters, static_cast<std::size_t>(n));
 }
 
 bool RunnerProcess::box_is_made() {
-  if (limits_.boxed && told_.empty()) read_box_status();
-  return !limits_.boxed || told_.rfind('m', 0) == 0;
+  if (limits_.boxed && box_status_.empty()) read_box_status();
+  return !limits_.boxed || box_status_.rfind('m', 0) == 0;
 }
 
 void RunnerProcess::require_a_box() {
   if (box_is_made()) return;
-  if (prints_ >= 0) drain_prints();
+  drain_prints();
   kill();
-  throw KitFailure("the box of a program couldn't be made: " + sanitize_line(last_print_, 200));
-}
-
-// A longer wait than was asked for isn't the program's: we were stopped, or had no CPU.
-void RunnerProcess::count_wait_since(Clock::time_point start) {
-  waited_ += std::min<Clock::duration>(Clock::now() - start, 2 * kBetweenLooks);
+  throw KitFailure("the box of a program couldn't be made: " + one_line(last_print_, 200));
 }
 
 // Idle time is the time that we waited, minus the time in which the runner or we used or wanted a
@@ -215,15 +232,14 @@ void RunnerProcess::count_wait_since(Clock::time_point start) {
 void RunnerProcess::count_idle_time(const ProcessUsage& seen) {
   const Seconds wanted(seen.delay_seconds + own_delay_seconds()), spare(spare_seconds());
   const Seconds idle = waited_ - wanted - Seconds(seen.cpu_seconds);
-  const bool runs = seen.cpu_seconds > cpu_before_;
-  if (seen.ready && !runs) return;
-  if (counts_idle_) kept_waiting_ += std::max(wanted - wanted_before_, Seconds::zero());
-  if (seen.reads_a_disk) kept_waiting_ += waited_ - waited_before_;
+  if (seen.ready && seen.cpu_seconds <= cpu_before_) return;
+  const Seconds waited = waited_ - waited_before_, our_cpu_spare = spare - spare_before_;
   const bool threads = seen.threads > 1 || seen.ended_seconds > ended_before_;
-  if (threads) in_threads_ += waited_ - waited_before_ - (spare - spare_before_);
+  if (threads) in_threads_ += waited - our_cpu_spare;
+  if (seen.reads_a_disk) kept_waiting_ += waited;
+  if (counts_idle_) kept_waiting_ += std::max(wanted - wanted_before_, Seconds::zero());
   if (counts_idle_ && !seen.reads_a_disk) {
-    const Seconds more = threads ? spare - spare_before_ : idle - idle_before_;
-    idle_ = std::max(idle_ + more, Seconds::zero());
+    idle_ = std::max(idle_ + (threads ? our_cpu_spare : idle - idle_before_), Seconds::zero());
   }
   wanted_before_ = wanted;
   spare_before_ = spare;
@@ -243,17 +259,11 @@ void RunnerProcess::end_if_it_hangs(bool amid_an_answer) {
   memory_ = std::max(memory_, seen.memory);
   if (seen.memory > limits_.memory) end(out_of_memory(limits_));
   if (seen.threads > limits_.threads) {
-    end({"crashed", "the program was ended: it had more than " + std::to_string(limits_.threads) +
-                        " threads at a time"});
+    end({"crashed", "threads", static_cast<long>(limits_.threads)});
   }
-  if (seen.cpu_seconds > limits_.cpu_seconds + kCpuGrace) {
-    end(out_of_cpu_time(limits_, memory_));
-  }
+  if (seen.cpu_seconds > limits_.cpu_seconds + kCpuGrace) end(out_of_cpu_time(limits_, memory_));
   if (idle_.count() < limits_.idle_seconds) return;
-  end_without_answer(amid_an_answer,
-                     seen.stopped
-                         ? ": the program stopped itself, as by SIGSTOP"
-                         : ": the program waits for something, perhaps for input, or sleeps");
+  end({"timed_out", seen.stopped ? "stopped" : "waited", 0, what_came(amid_an_answer)}, true);
 }
 
 void RunnerProcess::end_if_late(bool amid_an_answer) {
@@ -266,56 +276,24 @@ void RunnerProcess::end_if_late(bool amid_an_answer) {
     kill();
     throw KitFailure("a program hardly ran: the machine was too busy");
   }
-  end_without_answer(amid_an_answer, " within " + std::to_string(limits_.wall_seconds) + " s");
-}
-
-void RunnerProcess::end_without_answer(bool amid_an_answer, const std::string& why) {
-  const std::string came = amid_an_answer ? "only a part of an answer came" : "no answer came";
-  end({"timed_out", came + why}, true);
-}
-
-void RunnerProcess::drain_prints() {
-  char chunk[65536];
-  const ssize_t n = ::read(prints_, chunk, sizeof chunk);
-  if (n <= 0) {
-    if (n == 0) close_prints();  // poll would report a closed pipe for ever
-    return;
-  }
-  printed_ += static_cast<std::size_t>(n);
-  last_print_.append(chunk, static_cast<std::size_t>(n));
-  if (last_print_.size() > kKeptPrints) last_print_.erase(0, last_print_.size() - kKeptPrints);
-  if (printed_ >= limits_.prints) {
-    end({"no_answer", "the program printed more than " + std::to_string(limits_.prints >> 20) +
-                          " MB and was stopped: a print in a loop without end, perhaps"});
-  }
-}
-
-void RunnerProcess::close_prints() {
-  ::close(prints_);
-  prints_ = -1;  // poll ignores it
+  end({"timed_out", "late", limits_.wall_seconds, what_came(amid_an_answer)}, true);
 }
 
 // A pipe was closed: the program ended, or closed it itself.
-void RunnerProcess::end_after_close(const std::string& closed) {
+void RunnerProcess::end_after_close(const char* closed) {
   const int status = wait_for_exit();
-  if (status < 0) {
-    end({"no_answer", "the program closed the pipe of its " + closed + ", which is the kit's"},
-        true);
-  }
-  if (prints_ >= 0) drain_prints();
+  if (status < 0) end({"no_answer", "closed", 0, closed}, true);
+  drain_prints();
   require_a_box();
   read_box_status();
-  if (told_ == "mx") {
-    throw RunnerEnded({"no_answer",
-                       "the system can't start the program that the parts were linked to: look for "
-                       "lines of assembler in them"});
-  }
-  throw RunnerEnded(termination_of(status, limits_, last_print_, memory_));
+  if (box_status_ == "mx") throw Termination{"no_answer", "not started"};
+  throw termination_of(status, limits_, last_print_, memory_);
 }
 
-void RunnerProcess::end(const Termination& termination, bool waits) {
+void RunnerProcess::end(Termination termination, bool waits) {
   kill();
-  throw RunnerEnded(termination, waits);
+  termination.waits = waits;
+  throw termination;
 }
 
 // The wait status, or -1 if it still runs after a while.
@@ -323,22 +301,25 @@ int RunnerProcess::wait_for_exit() {
   if (pid_ < 0) return 0;
   for (int tries = 0; tries < 1000; ++tries) {
     if (const std::optional<int> status = status_if_ended()) return *status;
-    if (prints_ >= 0) drain_prints();
-    const auto start = Clock::now();
-    ::poll(nullptr, 0, 1);
-    count_wait_since(start);
+    drain_prints();
+    wait(nullptr, 0, 1);
     if (Clock::now() - last_look_ >= kBetweenLooks) end_if_it_hangs(false);
   }
   return -1;
 }
 
+// Once it has ended, also ends processes that it left.
 std::optional<int> RunnerProcess::status_if_ended() {
   int status = 0;
   rusage usage = {};
   if (::wait4(pid_, &status, WNOHANG, &usage) != pid_) return std::nullopt;
-  spent_ = seconds(usage.ru_utime) + seconds(usage.ru_stime);
+  for (const timeval& time : {usage.ru_utime, usage.ru_stime}) {
+    spent_ += static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  }
   memory_ = std::max(memory_, static_cast<std::size_t>(usage.ru_maxrss) << 10);
-  forget();
+  started.erase(pid_);
+  pid_ = -1;
+  end_orphans();
   return status;
 }
 
@@ -354,13 +335,6 @@ void RunnerProcess::kill() {
     ::poll(&end, 1, 10);
   }
   ::close(ended);
-}
-
-// The process has ended; also ends processes that it left.
-void RunnerProcess::forget() {
-  started.erase(pid_);
-  pid_ = -1;
-  end_orphans(started);
 }
 
 }  // namespace bounce::judge

@@ -2,37 +2,23 @@
 // untrusted; printed text is counted and cut, and never read as an answer.
 #pragma once
 
+#include <poll.h>
 #include <sys/types.h>
 
 #include <chrono>
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "../runner/frame.hpp"
-#include "limits.hpp"
 #include "process_usage.hpp"
 #include "termination.hpp"
 
 namespace bounce::judge {
 
-// A runner can't go on.
-struct RunnerEnded : std::runtime_error {
-  explicit RunnerEnded(Termination termination_, bool waits_ = false)
-      : std::runtime_error(termination_.sentence),
-        termination(std::move(termination_)),
-        waits(waits_) {}
-  Termination termination;
-  bool waits;  // it waits for ever, and would do so again: no more is asked of this part
-};
-
-inline constexpr char kNotAskedFor[] =
-    "the program wrote to where answers go (descriptor 4, which is the kit's), and what came isn't "
-    "the answer that was asked for";
-
-// A runner's box couldn't be made, or the machine gave it no time: a failure of the kit.
+// A runner or its box couldn't be started, or the machine gave it no time: no fault of the
+// submission's.
 struct KitFailure : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -47,8 +33,7 @@ class RunnerProcess {
 
  public:
   // Starts `command` with the questions on descriptor 3 and the answers on 4; a box reports on 5
-  // that it is made. Failures of the kit: throws std::runtime_error if the command can't be
-  // started, and later KitFailure.
+  // that it is made. Throws KitFailure if that can't be done, here or later.
   RunnerProcess(const std::vector<std::string>& command, const Limits& limits);
   // For tests: uses the given pipes, which it closes in the end, and starts no process. Answers may
   // be there before the questions.
@@ -57,13 +42,13 @@ class RunnerProcess {
   RunnerProcess(const RunnerProcess&) = delete;
   RunnerProcess& operator=(const RunnerProcess&) = delete;
 
-  // Throw RunnerEnded if the runner has ended, hangs, floods or breaks the protocol.
+  // Throw Termination if the runner has ended, hangs, floods or breaks the protocol.
   void send(const frames::Frame& frame);
   frames::Frame receive();
   void receive(Eigen::Matrix3Xd& columns);
 
   // The CPU time that it has used so far, counted by the system, so the runner can't falsify it.
-  // Throws std::runtime_error if the system doesn't count it.
+  // Throws KitFailure if the system doesn't count it.
   double cpu_ns() const;
 
   // The CPU time that it had used when it ended, s; 0 while it runs.
@@ -73,31 +58,27 @@ class RunnerProcess {
   Seconds idle() const { return idle_; }
 
  private:
-  void set_up();
   void read_exactly(void* data, std::size_t size, bool amid_an_answer);
   bool wait_until_readable(bool amid_an_answer);
   void drain_prints();
   void read_box_status();
   bool box_is_made();
   void require_a_box();
-  void count_wait_since(Clock::time_point start);
+  void wait(pollfd* descriptors, nfds_t count, int milliseconds);
   void count_idle_time(const ProcessUsage& seen);
   void end_if_it_hangs(bool amid_an_answer);
   void end_if_late(bool amid_an_answer);
-  [[noreturn]] void end_without_answer(bool amid_an_answer, const std::string& why);
-  [[noreturn]] void end_after_close(const std::string& closed);
-  [[noreturn]] void end(const Termination& termination, bool waits = false);
-  void close_prints();
+  [[noreturn]] void end_after_close(const char* closed);
+  [[noreturn]] void end(Termination termination, bool waits = false);
   int wait_for_exit();
   std::optional<int> status_if_ended();
   void kill();
-  void forget();
 
   Limits limits_;
   pid_t pid_ = -1;
   int questions_ = -1, answers_ = -1, prints_ = -1;
-  int status_ = -1;   // descriptor of the box's status, as in enter.cpp
-  std::string told_;  // the status so far
+  int status_ = -1;         // descriptor of the box's status, as in enter.cpp
+  std::string box_status_;  // what came of it so far
   std::size_t printed_ = 0;
   std::string last_print_;  // the end of the printed text, which holds an assertion's message
   Clock::duration waited_{};

@@ -17,7 +17,7 @@ namespace bounce::judge {
 class Session {
  public:
   // given: answers callbacks for parts before `part` with the solution; otherwise answers none.
-  Session(std::vector<std::string> command, Limits limits, std::uint32_t part, bool given);
+  Session(const std::vector<std::string>& command, Limits limits, std::uint32_t part, bool given);
 
   // For tests: another way to start runners and to number questions.
   using Start = std::function<std::unique_ptr<RunnerProcess>(const Limits& limits)>;
@@ -37,19 +37,13 @@ class Session {
   // Why the kit has failed, in which case no verdict is valid; empty if it hasn't.
   const std::string& kit_failure() const { return kit_failure_; }
 
-  // How the last check's runner ended, if it did. If that concerns the whole check, such as a
-  // used-up time, no case is to blame. To be called once for each check.
-  struct End : Termination {
-    bool of_no_case = false;
-  };
-  std::optional<End> take_end();
+  // How the last check's runner ended, if it did. To be called once for each check.
+  std::optional<Termination> take_end();
 
  private:
   frames::Frame answer_of(const frames::Frame& question, Trajectory* columns);
-  void read_columns(const frames::Frame& question, const frames::Frame& answer, Trajectory& into);
-  [[noreturn]] void fail(const std::exception& failure);  // of the kit
-  void require_time() const;
-  void end_runner();
+  const char* why_not_asked() const;  // as a Termination's `what`, or null
+  void end_runner(const Termination& end);
 
   using Clock = std::chrono::steady_clock;
 
@@ -62,7 +56,7 @@ class Session {
   int hangs_left_;
   double cpu_seconds_ = 0;  // used by the runners that have ended
   Clock::time_point last_question_;
-  std::optional<End> end_;
+  std::optional<Termination> end_;
   std::string kit_failure_;
 };
 

@@ -12,11 +12,13 @@
 // program.
 #pragma once
 
-#include <memory>
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "../../solution/exact/truth.hpp"
+#include "termination.hpp"
 
 namespace bounce::judge {
 
@@ -26,15 +28,8 @@ struct Timed {
   double ns;
 };
 
-// A program that computes trajectories. Throws std::runtime_error, with a sentence, if it fails.
-class Contender {
- public:
-  Contender() = default;
-  Contender(const Contender&) = delete;
-  Contender& operator=(const Contender&) = delete;
-  virtual ~Contender() = default;
-  virtual Timed run(const Parameters& params, const State& start) = 0;
-};
+// Computes a trajectory. If it fails, throws Termination, or std::runtime_error with a sentence.
+using Contender = std::function<Timed(const Parameters& params, const State& start)>;
 
 struct Point {
   double dt;             // s
@@ -42,23 +37,25 @@ struct Point {
   double error;          // m, of the first round; infinite where a number is missing
 };
 
+// Why a contender was cut off, and at which dt, s.
+struct Cut {
+  double dt;
+  std::string sentence;
+  std::optional<Termination> end = {};
+};
+
 // The points of one contender, by scene and then by dt; fewer if it was cut off.
 struct Curves {
   std::vector<std::vector<Point>> points;
-  std::string cut;  // why it was cut off, or empty
+  std::optional<Cut> cut = {};
 };
 
-// The scenes that the assignment's model can simulate: those that need at most one corner with
-// friction. It has no two corners at once, as in a square that rests on a face.
-std::vector<exact::Scene> scenes_of_one_corner(std::vector<exact::Scene> all);
-
 // Time steps, s, from the assignment's downwards.
-const std::vector<double>& measured_steps();
+inline const std::vector<double> kMeasuredSteps{1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 3e-5, 1e-5};
 
 // The curves of each contender. A contender is cut off if it throws, or if its next points would
 // exceed `budget_ns` of CPU time in total.
 std::vector<Curves> speed_curves(const std::vector<exact::Scene>& scenes,
-                                 const std::vector<std::unique_ptr<Contender>>& contenders,
-                                 double budget_ns);
+                                 const std::vector<Contender>& contenders, double budget_ns);
 
 }  // namespace bounce::judge

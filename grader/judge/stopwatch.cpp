@@ -1,15 +1,18 @@
-// stopwatch --scenes FOLDER TIMED... :: SOLUTION... :: GRADED...
+// stopwatch JSON
 //
-// Measures, for each dt, the scenes that the assignment's model can simulate (speed_curves.hpp),
-// with a submission's runner built for speed, the solution's runner, and the simulator that uses
-// the least model for each step. Prints {"dt": [...], "scenes": [{"scene", "title", "seconds",
-// "submission", "solution", "least"}], "cut": sentence or ""}; a curve is a list of {"dt", "ns",
-// "error"}, with ns of CPU time for a simulated second and an error in m, or null if it isn't
-// finite.
+// JSON is {"scenes": folder, "timed": command, "solution": command, "graded": command}, where a
+// command, a list of words, starts a runner. Measures, for each dt, the scenes that the
+// assignment's model can simulate (speed_curves.hpp), with a submission's runner built for speed,
+// the solution's runner, and the simulator that uses the least model for each step. Prints {"dt":
+// [...], "scenes": [{"scene", "title", "seconds", "submission", "solution", "least"}], "cut"};
+// a curve is a list of {"dt", "ns", "error"}, with ns of CPU time for a simulated
+// second and an error in m, or null if it isn't finite. cut says where and why the submission's
+// curves end early: {"dt", "sentence", "ended"}, with how its program ended (termination.hpp), if
+// it did; else it is null.
 //
-// If a timed column is wrong (right_steps.hpp), the submission's graded runner is asked the same,
-// and only one sentence is printed: {"otherwise": place} if that one's answer is right, so that the
-// two builds are different programs and the times mean nothing, and else {"wrong": place}.
+// If a timed column is wrong, the submission's graded runner is asked the same, and only one
+// sentence is printed: {"otherwise": place} if that one's answer is right, so that the two builds
+// are different programs and the times mean nothing, and else {"wrong": place}.
 //
 // A runner is timed from outside, by the system's count of its CPU time, from the question to the
 // last column of its answer. The cost of communication is measured with the solution's runner,
@@ -17,6 +20,7 @@
 //
 // Exit status 3 if the solution's runner ends, or if CPU time can't be measured.
 #include <algorithm>
+#include <bounce/part3_step.hpp>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
@@ -25,10 +29,11 @@
 #include <nlohmann/json.hpp>
 
 #include "../../solution/exact/simulate_scene.hpp"
+#include "../../solution/fixtures/decidable.hpp"
 #include "../../tests/parts/cases.hpp"
 #include "../../tests/parts/submission.hpp"
 #include "../runner/messages.hpp"
-#include "right_steps.hpp"
+#include "facts.hpp"
 #include "session.hpp"
 #include "speed_curves.hpp"
 
@@ -44,23 +49,76 @@ namespace judge {
 namespace {
 
 using nlohmann::json;
+using Command = std::vector<std::string>;
 
 constexpr double kBudget = 2e9;  // ns of CPU time for all curves
 constexpr int kManyColumns = 20'001;
 
-// The cost of communication, without computing: ns per question, and ns per column.
-struct Handover {
-  double question = 0, column = 0;
-};
+// --- whether columns are right, each as the step from the one before: over a whole trajectory
+// rounding errors grow too much for a comparison ---
 
-class InRunner : public Contender {
+constexpr double kTolerance = 1e-9;  // that of the fixtures
+// What rounding decides may go either way within decidable.hpp's margin of 1e-6; the answers for
+// starts so near differ by some hundred times that, or belong to another contact.
+constexpr double kAside = 2e-6;
+constexpr double kLoose = 2e-4;
+// Columns of a trajectory that may come about in this way. A program that rounds otherwise has one
+// now and then; more of them in a row would be a motion of its own.
+constexpr int kMostAside = 3;
+
+// As tests/parts/cases.cpp compares; NaN is never right.
+bool is_near(const Vector3& expected, const Vector3& got, double tolerance) {
+  return ((got - expected).array().abs() <= tolerance * expected.array().abs().max(1.0)).all();
+}
+
+bool are_same(const State& expected, const State& got, double tolerance = kTolerance) {
+  return is_near(expected.q, got.q, tolerance) && is_near(expected.v, got.v, tolerance);
+}
+
+// Whether some start beside this one leads there: a little higher or lower, so that it touches or
+// not, or turned a little, so that another corner is the lowest.
+bool may_lead_to(const State& now, const State& from, const Parameters& params) {
+  for (const double up : {0.0, kAside, -kAside}) {
+    for (const double turn : {0.0, kAside, -kAside}) {
+      const Vector3 aside = from.q + Vector3(0, up, turn / params.l);
+      if (are_same(step(aside, from.v, params), now, kLoose)) return true;
+    }
+  }
+  return false;
+}
+
+// The first column that isn't the solution's step from the column before, or for column 0 not
+// `start`. Where rounding decides what happens in a step (decidable.hpp), a column is also right if
+// it is the solution's step from a state that differs by as little.
+std::optional<Eigen::Index> wrong_column(const Trajectory& trajectory, const State& start,
+                                         const Parameters& params) {
+  State before = start;
+  int aside = 0;
+  for (Eigen::Index column = 0; column < trajectory.q.cols(); ++column) {
+    const State now{trajectory.q.col(column), trajectory.v.col(column)};
+    const State expected = column == 0 ? start : step(before.q, before.v, params);
+    if (!now.q.allFinite() || !now.v.allFinite()) return column;
+    if (!are_same(expected, now)) {
+      const bool may_be = column > 0 && !fixtures::mode_of_step(before.q, before.v, params) &&
+                          may_lead_to(now, before, params) && ++aside <= kMostAside;
+      if (!may_be) return column;
+    }
+    before = now;
+  }
+  return std::nullopt;
+}
+
+// --- the contenders ---
+
+// A runner whose CPU time is measured.
+class Timer {
  public:
-  explicit InRunner(const std::vector<std::string>& command)
-      : session_(command, limits(), 4, false) {}
+  explicit Timer(const Command& command) : session_(command, limits(), 4, false) {}
 
-  void take_off(const Handover& handover) { handover_ = handover; }
+  // The cost of communication, without computing: ns per question, and ns per column.
+  double per_question = 0, per_column = 0;
 
-  Timed run(const Parameters& params, const State& start) override {
+  Timed run(const Parameters& params, const State& start) {
     Trajectory trajectory;
     if (!started_) {
       Parameters one = params;
@@ -69,7 +127,7 @@ class InRunner : public Contender {
       started_ = true;
     }
     const double ns = ask(params, start, &trajectory);
-    return {trajectory, std::max(1.0, ns - handover_.question - handover_.column * params.T)};
+    return {trajectory, std::max(1.0, ns - per_question - per_column * params.T)};
   }
 
   // The CPU time of an answer, ns; without sending columns if `columns` is null.
@@ -77,8 +135,13 @@ class InRunner : public Contender {
     frames::Frame question = frames::question(4, params, start.q, start.v);
     question.silent = columns == nullptr;
     const double before = session_.cpu_ns();
-    const frames::Frame answer = session_.ask(question, columns);
-    if (columns) submission::require_columns(answer.q_columns, answer.v_columns, params.T);
+    try {
+      const frames::Frame answer = session_.ask(question, columns);
+      if (columns) submission::require_columns(answer.q_columns, answer.v_columns, params.T);
+    } catch (const tests::Ended&) {
+      if (const auto end = session_.take_end()) throw *end;
+      throw;
+    }
     return session_.cpu_ns() - before;
   }
 
@@ -92,67 +155,13 @@ class InRunner : public Contender {
 
   Session session_;
   bool started_ = false;  // else the first question would include the program's start
-  Handover handover_;
 };
 
-// Some column isn't a step of the solution's from the one before: the time of such answers says
-// nothing.
-struct Wrong {
-  bool right_as_graded;  // the graded build answers right there
-  std::string place;
-};
-
-// A submission: its timed runner, and its graded one.
-class Submitted : public Contender {
- public:
-  Submitted(const std::vector<std::string>& timed, const std::vector<std::string>& graded,
-            const Handover& handover)
-      : timed_(timed), graded_(graded) {
-    timed_.take_off(handover);
-  }
-
-  // Throws Wrong.
-  Timed run(const Parameters& params, const State& start) override {
-    Timed timed = timed_.run(params, start);
-    if (const auto wrong = wrong_column(timed.trajectory, start, params)) {
-      char words[80];
-      std::snprintf(words, sizeof words, "at dt = %.2g s, column %td of %d", params.dt, *wrong,
-                    params.T);
-      throw Wrong{is_right_as_graded(params, start), words};
-    }
-    return timed;
-  }
-
- private:
-  bool is_right_as_graded(const Parameters& params, const State& start) try {
-    return !wrong_column(graded_.run(params, start).trajectory, start, params);
-  } catch (const std::runtime_error&) {
-    return false;  // it gave no answer
-  }
-
-  InRunner timed_, graded_;
-};
-
-// CPU time of this thread. That of the process only advances in ticks if it has a limit.
-double cpu_ns() {
-  timespec time{};
-  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) * 1e9 + static_cast<double>(time.tv_nsec);
-}
-
-class Least : public Contender {
- public:
-  Timed run(const Parameters& params, const State& start) override {
-    const double before = cpu_ns();
-    Trajectory trajectory = exact::simulate_scene(params, start);
-    return {std::move(trajectory), std::max(1.0, cpu_ns() - before)};
-  }
-};
-
-// The least of several measurements, because disturbances only add time.
-Handover handover_of(InRunner& known) {
-  const State in_flight{{0, 1e9, 0}, {0, 0, 0}};
+// Measures the cost of communication. The least of several times counts, because disturbances only
+// add time.
+void measure_communication(Timer& known) {
   const auto least = [&](int T, bool with_columns) {
+    const State in_flight{{0, 1e9, 0}, {0, 0, 0}};
     Parameters params;
     params.T = T;
     Trajectory columns;
@@ -163,7 +172,55 @@ Handover handover_of(InRunner& known) {
     return ns;
   };
   const double bare = least(kManyColumns, false), whole = least(kManyColumns, true);
-  return {least(1, true), std::max(0.0, whole - bare) / kManyColumns};
+  known.per_question = least(1, true);
+  known.per_column = std::max(0.0, whole - bare) / kManyColumns;
+}
+
+// Some column isn't a step of the solution's from the one before: the time of such answers says
+// nothing.
+struct Wrong {
+  bool right_as_graded;  // the graded build answers right there
+  std::string place;
+};
+
+bool answers_right(Timer& graded, const Parameters& params, const State& start) try {
+  return !wrong_column(graded.run(params, start).trajectory, start, params);
+} catch (const Termination&) {
+  return false;
+} catch (const std::runtime_error&) {
+  return false;  // it gave no answer
+}
+
+// Throws Wrong.
+Timed run_submission(Timer& timed, Timer& graded, const Parameters& params, const State& start) {
+  Timed result = timed.run(params, start);
+  if (const auto wrong = wrong_column(result.trajectory, start, params)) {
+    char words[80];
+    std::snprintf(words, sizeof words, "at dt = %.2g s, column %td of %d", params.dt, *wrong,
+                  params.T);
+    throw Wrong{answers_right(graded, params, start), words};
+  }
+  return result;
+}
+
+// CPU time of this thread. That of the process only advances in ticks if it has a limit.
+double cpu_ns() {
+  timespec time{};
+  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) * 1e9 + static_cast<double>(time.tv_nsec);
+}
+
+Timed run_least_model(const Parameters& params, const State& start) {
+  const double before = cpu_ns();
+  Trajectory trajectory = exact::simulate_scene(params, start);
+  return {std::move(trajectory), std::max(1.0, cpu_ns() - before)};
+}
+
+// --- the answer ---
+
+json as_json(const Cut& cut) {
+  return {
+      {"dt", cut.dt}, {"sentence", cut.sentence}, {"ended", cut.end ? facts(*cut.end) : json()}};
 }
 
 json as_json(const std::vector<Point>& points) {
@@ -176,22 +233,40 @@ json as_json(const std::vector<Point>& points) {
   return list;
 }
 
-using Command = std::vector<std::string>;
+// Those that need at most one corner with friction: the assignment's model has no two corners at
+// once, as in a square that rests on a face.
+std::vector<exact::Scene> scenes_of_one_corner(const std::string& folder) {
+  std::vector<exact::Scene> scenes;
+  for (const exact::Scene& scene : exact::read_scenes(folder)) {
+    const bool asleep = scene.least == exact::ModelLevel::asleep;
+    if (!asleep && scene.least <= exact::ModelLevel::one_friction) scenes.push_back(scene);
+  }
+  return scenes;
+}
 
-json measured(const std::vector<exact::Scene>& scenes, const Command& timed,
-              const Command& reference, const Command& graded) {
-  auto solution = std::make_unique<InRunner>(reference);
-  InRunner known(reference);  // its own runner, so that the solution starts cold, too
-  const Handover handover = handover_of(known);
-  solution->take_off(handover);
-  std::vector<std::unique_ptr<Contender>> contenders;
-  contenders.push_back(std::make_unique<Submitted>(timed, graded, handover));
-  contenders.push_back(std::move(solution));
-  contenders.push_back(std::make_unique<Least>());
-  const std::vector<Curves> curves = speed_curves(scenes, contenders, kBudget);
-  if (!curves[1].cut.empty()) throw std::runtime_error("the solution: " + curves[1].cut);
-
-  json answer = {{"dt", measured_steps()}, {"scenes", json::array()}, {"cut", curves[0].cut}};
+json measured(const json& asked) {
+  const std::vector<exact::Scene> scenes = scenes_of_one_corner(asked.at("scenes"));
+  const auto command = [&](const char* name) { return asked.at(name).get<Command>(); };
+  Timer timed(command("timed")), graded(command("graded")), solution(command("solution"));
+  Timer known(command("solution"));  // its own runner, so that the solution starts cold, too
+  measure_communication(known);
+  for (Timer* timer : {&timed, &solution}) {
+    timer->per_question = known.per_question;
+    timer->per_column = known.per_column;
+  }
+  const auto run = [&](const Parameters& params, const State& start) {
+    return run_submission(timed, graded, params, start);
+  };
+  const auto run_solution = [&](const Parameters& params, const State& start) {
+    return solution.run(params, start);
+  };
+  const auto curves = speed_curves(scenes, {run, run_solution, run_least_model}, kBudget);
+  if (const auto& cut = curves[1].cut) {
+    throw std::runtime_error("the solution: " + cut->sentence + (cut->end ? cut->end->what : ""));
+  }
+  const auto& cut = curves[0].cut;
+  json answer = {{"dt", kMeasuredSteps}, {"scenes", json::array()}};
+  answer["cut"] = cut ? as_json(*cut) : json();
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     answer["scenes"].push_back({{"scene", scenes[i].name},
                                 {"title", scenes[i].title},
@@ -203,41 +278,10 @@ json measured(const std::vector<exact::Scene>& scenes, const Command& timed,
   return answer;
 }
 
-int run(const std::string& folder, const Command& timed, const Command& reference,
-        const Command& graded) {
+json answer_to(const json& asked) try { return measured(asked); } catch (const Wrong& wrong) {
   json answer;
-  try {
-    const auto scenes = scenes_of_one_corner(exact::read_scenes(folder));
-    answer = measured(scenes, timed, reference, graded);
-  } catch (const Wrong& wrong) {
-    answer = {{wrong.right_as_graded ? "otherwise" : "wrong", wrong.place}};
-  }
-  std::cout << answer.dump(-1, ' ', false, json::error_handler_t::replace) << std::endl;
-  return std::cout ? 0 : 3;
-}
-
-// The commands, which "::" separates.
-std::vector<Command> commands_in(const std::vector<std::string>& words) {
-  std::vector<Command> commands(1);
-  for (const std::string& word : words) {
-    if (word == "::") {
-      commands.emplace_back();
-    } else {
-      commands.back().push_back(word);
-    }
-  }
-  return commands;
-}
-
-int run(const std::vector<std::string>& words) {
-  if (words.size() >= 2 && words[0] == "--scenes") {
-    const auto commands = commands_in({words.begin() + 2, words.end()});
-    const auto is_empty = [](const Command& command) { return command.empty(); };
-    if (commands.size() == 3 && std::none_of(commands.begin(), commands.end(), is_empty)) {
-      return run(words[1], commands[0], commands[1], commands[2]);
-    }
-  }
-  throw std::runtime_error("usage: stopwatch --scenes FOLDER TIMED... :: SOLUTION... :: GRADED...");
+  answer[wrong.right_as_graded ? "otherwise" : "wrong"] = wrong.place;
+  return answer;
 }
 
 }  // namespace
@@ -247,7 +291,10 @@ int run(const std::vector<std::string>& words) {
 int main(int argc, char** argv) try {
   std::signal(SIGPIPE, SIG_IGN);
   bounce::judge::stay_on_this_cpu();
-  return bounce::judge::run({argv + 1, argv + argc});
+  if (argc != 2) throw std::runtime_error("usage: stopwatch JSON, as in its stopwatch.cpp");
+  const auto answer = bounce::judge::answer_to(nlohmann::json::parse(argv[1]));
+  std::cout << answer.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) << std::endl;
+  return std::cout ? 0 : 3;
 } catch (const std::exception& e) {
   std::cerr << "stopwatch: " << e.what() << std::endl;
   return 3;

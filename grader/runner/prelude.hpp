@@ -29,115 +29,84 @@ namespace bounce::prelude {
 // Never called; compiling these lines makes the instances. Reading one costs every part about 0.3
 // ms, and making one costs a part about 15 ms. So an instance is here if at least one in sixty
 // parts of the gallery uses it.
-template <class Matrix, class Vector>
-void square_of(Matrix& A, Matrix& B, Vector& a, double s) {
-  A = B.transpose() * A * B;
-  A = B.transpose() * A * B * s;
-  A = A * B;
-  A = s * A * B;
-  A = s * A;
-  A = A * s;
+template <class To, class... Expressions>
+void set(To&& to, const Expressions&... expressions) {
+  ((to = expressions), ...);
+}
+
+inline void instances(Eigen::Matrix2d& A2, Eigen::Vector2d& a2, Eigen::Matrix3d& A, Vector3& a,
+                      Eigen::Matrix4d& A4, Eigen::Vector4d& a4, Eigen::MatrixXd& Ax,
+                      Eigen::VectorXd& ax, Jacobian& J, Contact& contact, Trajectory& trajectory,
+                      Eigen::Matrix<double, 2, 4>& corners) {
+  double s = a.dot(A * a) + a.dot(a);
+  set(A, A.transpose() * A * A, A.transpose() * A * A * s, A * A, s * A * A, s * A, A * s);
   A = A.transpose().eval();
-  a = A * a;
-  a = s * A * a;
-  a = a + s * A * a;
-  a = a + s * (A * a);
-  a = a + s * a;
-  a = a - s * a;
+  A = A.inverse().eval();
+  A = a.asDiagonal();
+  set(a, A * a, s * A * a, a + s * A * a, a + s * (A * a), a + s * a, a - s * a, -a, s * a);
+  set(a, A.col(0), -A.col(0), A.row(0).transpose(), A.transpose() * a, A.inverse() * a);
+  set(a, a + s * A.inverse() * a, A.llt().solve(a), A.ldlt().solve(a), A.partialPivLu().solve(a));
   a += s * a;
   a += A * a;
   a *= s;
-  a = -a;
-  s = a.dot(A * a);
-  s = a.dot(a);
   A.setZero();
   A.setIdentity();
   a.setZero();
   A(0, 0) = a(0);
   A.row(0) = a.transpose();
-  A.col(0) = a;
-  A.col(0) = -a;
-  A.col(0) = B.col(0);
-  A.col(0) = -B.col(0);
-  a = A.col(0);
-  a = -A.col(0);
-  a = A.row(0).transpose();
-  A = a.asDiagonal();
-}
-
-inline void instances(Eigen::Matrix2d& A2, Eigen::Vector2d& a2, Eigen::Matrix3d& A3,
-                      Eigen::Vector3d& a3, Eigen::Matrix4d& A4, Eigen::Vector4d& a4,
-                      Eigen::MatrixXd& A, Eigen::VectorXd& a, Jacobian& J, Contact& contact,
-                      Trajectory& trajectory, Eigen::Matrix<double, 2, 4>& corners) {
-  const double s = a3(0);
-  square_of(A3, A3, a3, s);
+  set(A.col(0), a, -a, A.col(0), -A.col(0));
 
   A2 << s, -s, s, s;
-  A3 << s, s, s, s, s, s, s, s, s;
-  A3 << a3, -a3, a3;
-  A3 << J.col(1), -J.col(0), J.col(0);
+  A << s, s, s, s, s, s, s, s, s;
+  A << a, -a, a;
+  A << J.col(1), -J.col(0), J.col(0);
   A4 << s, s, s, s, s, s, s, s, s, s, s, s, s, s, s, s;
   a2 << s, s;
-  a3 << s, s, s;
+  a << s, s, s;
   a4 << s, s, s, s;
-  a4 << a3, s;
+  a4 << a, s;
   J << s, s, s, s, s, s;
-  J << a3, a3;
+  J << a, a;
   corners << s, s, s, s, s, s, s, s;
   corners = A2 * corners;
   Eigen::Index at = 0;
-  a2 = corners.col(at);
   corners.row(1).minCoeff(&at);
   corners.col(0) = A2 * a2;
 
   A2 = Eigen::Rotation2Dd(s).toRotationMatrix();
   a2 = Eigen::Rotation2Dd(s) * a2;
-  a2 = s * a2;
-  a3 = A3.transpose() * a3;
-  A3 = A3.inverse().eval();
-  a3 = A3.inverse() * a3;
-  a3 = a3 + s * A3.inverse() * a3;
-  A4.block<3, 3>(0, 0) = A3;
-  A4.block<3, 3>(0, 0) = A3 * s;
-  A4.block<3, 3>(0, 0) = A3.transpose() * A3 * A3 * s;
-  A4.block<3, 1>(0, 3) = a3;
-  A4.block<1, 3>(3, 0) = a3.transpose();
+  set(a2, s * a2, corners.col(at));
+  set(A4.block<3, 3>(0, 0), A, A * s, A.transpose() * A * A * s);
+  set(A4.topLeftCorner<3, 3>(), A, A.transpose() * A * A * s, s * A.transpose() * A * A,
+      A.transpose() * A.inverse() * A * s);
+  A4.block<3, 1>(0, 3) = a;
+  A4.block<1, 3>(3, 0) = a.transpose();
   A4.block<1, 4>(3, 0) << s, s, s, s;
-  A4.block(0, 0, 3, 3) = A3;
-  A4.topLeftCorner<3, 3>() = A3;
-  A4.topLeftCorner<3, 3>() = A3.transpose() * A3 * A3 * s;
-  A4.topLeftCorner<3, 3>() = s * A3.transpose() * A3 * A3;
-  A4.topLeftCorner<3, 3>() = A3.transpose() * A3.inverse() * A3 * s;
-  A4.topRightCorner<3, 1>() = a3;
+  A4.block(0, 0, 3, 3) = A;
+  A4.topRightCorner<3, 1>() = a;
   A4.row(3) << s, s, s, s;
   A4.col(3) << s, s, s, s;
-  a4.head<3>() = a3;
-  a3 = a4.head<3>();
-
-  a3 = A3.llt().solve(a3);
-  a3 = A3.ldlt().solve(a3);
-  a3 = A3.partialPivLu().solve(a3);
+  a4.head<3>() = a;
+  a = a4.head<3>();
 
   int i = 0;
-  A = Eigen::MatrixXd(i, i);
-  A = Eigen::MatrixXd::Zero(i, i);
-  a = Eigen::VectorXd::Zero(i);
-  A << s, s, s, s;
-  a << s, s, s;
-  A(i, i) = a(i);
-  A4(i, i) = a3(i) + a2(i) + J(i, i) + corners(i, i);
+  Ax = Eigen::MatrixXd(i, i);
+  Ax = Eigen::MatrixXd::Zero(i, i);
+  ax = Eigen::VectorXd::Zero(i);
+  Ax << s, s, s, s;
+  ax << s, s, s;
+  Ax(i, i) = ax(i);
+  A4(i, i) = a(i) + a2(i) + J(i, i) + corners(i, i);
 
-  J.col(0) = a3;
+  J.col(0) = a;
   J.col(0) << s, s, s;
   contact.J.col(1) << s, s, s;
-  a3 = J.col(0);
-  a3 = J.col(1) * s - J.col(0) * s + J.col(0) * s;
+  set(a, J.col(0), J.col(1) * s - J.col(0) * s + J.col(0) * s);
   trajectory.q.resize(3, 3);
-  trajectory.q.col(0) = a3;
-  a3 = trajectory.q.col(0);
-  trajectory.q = Eigen::Matrix3Xd::Zero(3, 3);
-  trajectory.q = Eigen::MatrixXd::Zero(3, 3);
-  std::cout << A3 << a3.transpose() << a3 << A4 << a4 << J << A << s << std::endl;
+  trajectory.q.col(0) = a;
+  a = trajectory.q.col(0);
+  set(trajectory.q, Eigen::Matrix3Xd::Zero(3, 3), Eigen::MatrixXd::Zero(3, 3));
+  std::cout << A << a.transpose() << a << A4 << a4 << J << Ax << s << std::endl;
   std::vector<double> numbers(4, s);
   std::min_element(numbers.begin(), numbers.end());
   std::sort(numbers.begin(), numbers.end());
@@ -163,43 +132,25 @@ inline Vector3 instances(const Vector3& a, const Vector3& b, const Vector3& c, c
   Eigen::Matrix3d D;
   D << a, -b, b;
   D << J.col(1), -J.col(0), J.col(0);
-  D.col(0) = a;
-  D.col(1) = -a;
-  D.col(0) = J.col(1);
-  D.col(1) = -J.col(1);
+  set(D.col(0), a, -a, J.col(1), -J.col(1));
   Jacobian K;
   K << a, b;
-  D = A.transpose() * B * A;
-  D = A.transpose() * B * A * s;
-  D = A * B;
-  D = A * s;
+  set(D, A.transpose() * B * A, A.transpose() * B * A * s, A * B, A * s);
   const Eigen::Matrix3d E = params.M(), F = A.inverse();
   Vector3 f = A * a + J.col(1) * h(0) - J.col(0) * h(1) + J.col(0) * h(2);
-  f = A * params.g;
-  f = c + J.col(1) * h(0) - J.col(0) * h(1) + J.col(0) * h(2);
-  f = J.col(1) * h(0) - J.col(0) * h(1) + J.col(0) * h(2);
+  set(f, A * params.g, c + J.col(1) * h(0) - J.col(0) * h(1) + J.col(0) * h(2),
+      J.col(1) * h(0) - J.col(0) * h(1) + J.col(0) * h(2), a * h(0) + b * (h(2) - h(1)),
+      c + a * h(0) - b * h(1) + b * h(2), c + s * A * (c + a * h(0) - b * h(1) + b * h(2)));
+  set(f, a + s * A * b, a + s * A.inverse() * b, a + s * (A * b), a + s * b + c, a + s * b,
+      a + b * s, s * a + b, s * a);
   f += J.col(1) * h(0) - J.col(0) * h(1) + J.col(0) * h(2);
   f += J.col(1) * h(0) + J.col(0) * (h(2) - h(1));
-  f = a * h(0) + b * (h(2) - h(1));
-  f = c + a * h(0) - b * h(1) + b * h(2);
-  f = c + s * A * (c + a * h(0) - b * h(1) + b * h(2));
-  f = a + s * A * b;
-  f = a + s * A.inverse() * b;
-  f = a + s * (A * b);
-  f = a + s * b + c;
-  f = a + s * b;
-  f = a + b * s;
-  f = s * a + b;
-  f = s * a;
-  double t = a.dot(b + s * c) + a.dot(b) + J.col(1).dot(b) + (1 + s) * a.dot(b);
-  t += a.dot(s * b + c) + a.dot(b + c);
-  t += a.dot((1 + s) * b + s * A * c) + a.dot(b + s * A * c);
-  t += (a.transpose() * ((1 + s) * b + s * A * c)).value();
+  const double t = a.dot(b + s * c) + a.dot(b) + J.col(1).dot(b) + (1 + s) * a.dot(b) +
+                   a.dot(s * b + c) + a.dot(b + c) + a.dot((1 + s) * b + s * A * c) +
+                   a.dot(b + s * A * c) + (a.transpose() * ((1 + s) * b + s * A * c)).value();
   Lcp lcp;
-  lcp.V.topLeftCorner<3, 3>() = A.transpose() * B * C * s;
-  lcp.V.topLeftCorner<3, 3>() = s * A.transpose() * B * C;
-  lcp.V.block<3, 3>(0, 0) = A.transpose() * B * C * s;
-  lcp.V.block<3, 3>(0, 0) = s * A.transpose() * B * C;
+  set(lcp.V.topLeftCorner<3, 3>(), A.transpose() * B * C * s, s * A.transpose() * B * C);
+  set(lcp.V.block<3, 3>(0, 0), A.transpose() * B * C * s, s * A.transpose() * B * C);
   lcp.V.topRightCorner<3, 1>() = a;
   lcp.V.row(3) << t, -1, -1, 0;
   lcp.V.row(3) = Eigen::RowVector4d(t, t, t, t);

@@ -16,7 +16,7 @@ from bounce_grader.common.paths import HANDOUT
 from bounce_grader.sandbox.processes import Result
 from bounce_grader.submission.submission import Place
 
-MEANINGS = HANDOUT / "given" / "check" / "compiler_errors.txt"
+EXPLAINED = HANDOUT / "given" / "check"
 QUOTES = str.maketrans('‘’`"', "''''")
 LONGEST, DEEPEST = 10_000, 40  # of a note, and of the types in one another
 PRODUCT = "operator*"
@@ -63,9 +63,9 @@ def of_compiler(printed: str, file: str) -> Built:
         if note:
             error = _misfit(note.group(2)) or error
             sentence = f"{error}, asked for at {place} ({header})"
-    meaning = next((words for piece, words in _meanings() if piece in what.translate(QUOTES)), "")
+    usual = meaning(what)
     stop = "" if sentence.endswith((".", "?")) else "."
-    return Built(None, f"{sentence}{stop} {meaning}" if meaning else sentence, place)
+    return Built(None, f"{sentence}{stop} {usual}" if usual else sentence, place)
 
 
 def _without_a_place(printed: str) -> str:
@@ -78,12 +78,18 @@ def _without_a_place(printed: str) -> str:
     )
 
 
+def meaning(error: str, file: str = "compiler_errors.txt") -> str:
+    """A sentence; empty where the error isn't one of the commonest."""
+    plain = error.translate(QUOTES)
+    return next((sentence for piece, sentence in meanings(file) if piece in plain), "")
+
+
 @functools.cache
-def _meanings() -> list[tuple[str, str]]:
-    """Pairs of a piece of a compiler's message and the sentence that explains it. In the file, the
-    pieces are indented below their sentence."""
+def meanings(file: str) -> list[tuple[str, str]]:
+    """Pairs of a piece of a message and the sentence that explains it. In the file, the pieces are
+    indented below their sentence."""
     found, sentence = [], ""
-    for line in MEANINGS.read_text(encoding="utf-8").splitlines():
+    for line in (EXPLAINED / file).read_text(encoding="utf-8").splitlines():
         if line.startswith("  "):
             found.append((line[2:], sentence))
         else:

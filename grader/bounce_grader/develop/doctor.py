@@ -1,7 +1,7 @@
 """./kit doctor: tests each protection of protections.json for real, on this machine and for this
 user. A program, the probe, tries to break out of the boxes for compiling, for running, and for
-running with sanitizers. A process above the box has a canary on its command line, in its environment
-and in its memory; the probe must not find it."""
+running with sanitizers. A process above the box has a canary on its command line and in its
+environment; the probe must not find it."""
 
 import json
 import os
@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import IO
 
 from bounce_grader.build.compiler import COMPILE, compiler
-from bounce_grader.common.paths import PROBE, ROOT, WATCH
+from bounce_grader.common.paths import JUDGE, PROBE, ROOT
 from bounce_grader.sandbox import processes
 from bounce_grader.sandbox.box import problem_of, Box
 
@@ -90,9 +90,10 @@ def attempt(
     have failed, it counts as a success."""
     if place != "compile":
         boxed = box.to_run(PROBE) if place == "run" else box.to_run_sanitized(PROBE)
-        result = processes.run([*above, str(WATCH), place, *boxed, *words], WATCHING)
+        asked = json.dumps({"watch": True, "sanitized": place == "check"})
+        result = processes.run([*above, str(JUDGE), asked, *boxed, *words], WATCHING)
         answer = result.out.decode("utf-8", "replace").strip()
-        could = not result.ok or answer == "answered" or "(exit status 125)" in answer
+        could = not result.ok or answer == "answered" or answer.endswith("exited 125")
         return could, answer or result.err.strip()
     command = [*above, *box.to_build(folder, [PROBE]), str(PROBE), *words]
     result = processes.run(command, COMPILING, cwd=folder)
@@ -123,6 +124,7 @@ def _protections(marker: str, file: IO[str], home: IO[str], port: int) -> list[P
     doesn't find the marker on its own command line."""
     bait = {"FILE": file.name, "HOME_FILE": home.name, "PORT": str(port)}
     bait |= {"MARKER": marker, "HALF": marker[:16], "OTHER_HALF": marker[16:]}
+    bait |= {"CLOCK": str(~os.getpid() << 3 | 2), "EMPTY": ""}  # of this process's CPU time
     bait |= {"PROCESS": str(os.getpid()), "ENVIRONMENT": f"/proc/{os.getpid()}/environ"}
     bait |= {"SOLUTION": str(ROOT / "solution/src/part1_contacts.cpp")}
     outside: dict[str, Callable[[], bool]] = {

@@ -20,7 +20,7 @@ from bounce_grader.sandbox.budget import Overrun
 from bounce_grader.submission.submission import Place
 
 SYMBOLS = processes.Limits(cpu_seconds=5, wall_seconds=30, memory=1 << 30, file_size=0)
-WAIT = processes.Limits(60, 300, memory=4 << 30, file_size=LARGEST_FILE)
+WAIT = processes.Limits(60, 300, memory=4 << 30, file_size=LARGEST_FILE, output=1 << 20)
 MOST_CPU_SECONDS, MOST_SECONDS = 30, 200  # for all runners of a part together
 STATUSES = {"graded", "does_not_compile", "crashed", "timed_out", "out_of_memory", "no_answer"}
 
@@ -61,21 +61,21 @@ def judge(
     is located. Checks that the grading has no time left for fail. Raises KitError if the judge
     fails or doesn't name every check exactly once."""
     cpu, wall = box.budget.left()
-    command = [
-        *(str(JUDGE), "--part", str(part.number)),
-        *(["--given"] if given else []),
-        *(["--sanitized"] if sanitized else []),
-        *(["--recognise"] if recognise else []),
-        *(["--boxed"] if box.kind != "none" else []),
-        *("--cpu-seconds", str(max(1, int(min(cpu, MOST_CPU_SECONDS))))),
-        *("--seconds", str(max(1, int(min(wall, MOST_SECONDS))))),
-        *("--fixtures", str(FIXTURES / "public")),
-        *(["--fixtures", str(hidden)] if hidden else []),
-        *("--", *(box.to_run_sanitized(runner) if sanitized else box.to_run(runner))),
-    ]
+    asked = {
+        "part": part.number,
+        "fixtures": [str(FIXTURES / "public"), *([str(hidden)] if hidden else [])],
+        "given": given,
+        "sanitized": sanitized,
+        "recognise": recognise,
+        "boxed": box.kind != "none",
+        "cpu_seconds": max(1, int(min(cpu, MOST_CPU_SECONDS))),
+        "seconds": max(1, int(min(wall, MOST_SECONDS))),
+    }
+    runs = box.to_run_sanitized(runner) if sanitized else box.to_run(runner)
     box.budget.require_time()
     # Not limited by the budget: the judge keeps to the seconds above, and reports what passed.
-    result = processes.run(command, WAIT._replace(memory=None) if sanitized else WAIT)
+    limits = WAIT._replace(memory=None) if sanitized else WAIT
+    result = processes.run([str(JUDGE), json.dumps(asked), *runs], limits)
     box.budget.require_responsive_machine()
     if not result.ok:
         raise KitError(f"the judge failed on part {part.number}: {result.err.strip() or 'killed'}")
@@ -95,9 +95,10 @@ def read_answer(out: bytes, part: Part) -> Judged:
         error, mistakes, patterns = (answer[k] for k in ("largest_error", "mistakes", "patterns"))
         sound = all(v.status in STATUSES and isinstance(v.passed, bool) for v in verdicts.values())
         sound = sound and len(verdicts) == len(answer["checks"])
+        sound = sound and all(isinstance(v.end, str) for v in verdicts.values())
         if not (sound and isinstance(error, float | int | None)):
             raise ValueError("another shape than it should have")
-    except (ValueError, TypeError, KeyError, AttributeError, RecursionError) as error:
+    except (ValueError, TypeError, LookupError, AttributeError, RecursionError) as error:
         raise KitError(f"the judge's answer on part {part.number} can't be read") from error
     missing = [check.id for check in part.checks if check.id not in verdicts]
     if missing:

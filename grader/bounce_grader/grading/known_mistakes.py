@@ -108,10 +108,10 @@ def _equations() -> set[int]:
 def answers(part: Part, runner: Path) -> Answers:
     """A runner's answers to the public cases of a part, with given earlier parts. Empty if it ends
     before it has answered them all. Raises KitError if the judge fails."""
-    command = [str(JUDGE), "--answers", "--part", str(part.number)]
-    command += [*(["--given"] if part.calls else [])]
-    command += ["--fixtures", str(FIXTURES / "public"), "--", str(runner)]
+    fixtures = [str(FIXTURES / "public")]
+    asked = {"answers": True, "part": part.number, "given": bool(part.calls), "fixtures": fixtures}
     # There it may make files: it has no box.
+    command = [str(JUDGE), json.dumps(asked), str(runner)]
     result = processes.run(command, LIMITS, cwd=runner.parent)
     if not result.ok:
         raise KitError(f"the judge could not ask part {part.number}: {result.err.strip()}")

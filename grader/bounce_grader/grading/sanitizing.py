@@ -6,10 +6,11 @@ from contextlib import suppress
 from pathlib import Path
 
 from bounce_grader.build import linking
+from bounce_grader.build.errors import meanings
 from bounce_grader.common.errors import KitError
 from bounce_grader.common.manifest import Part
 from bounce_grader.common.paths import AUTO_LINE, RUNNER
-from bounce_grader.grading import judging
+from bounce_grader.grading import judging, words
 from bounce_grader.grading.judging import Judged
 from bounce_grader.grading.words import Verdict
 from bounce_grader.sandbox.box import Box
@@ -18,7 +19,7 @@ from bounce_grader.submission.submission import Place, Submission
 
 CPU_SECONDS, WALL_SECONDS = 20.0, 80.0  # for one part
 MARGIN = 5.0  # s, to stop it
-GONE = "it uses a variable that is gone"
+GONE, AUTO = "stack-use-after-scope", "use-after by auto"  # in words.CRASHES
 
 
 def with_cause(
@@ -40,18 +41,18 @@ def remark(part: Part, taken: Submission, work: Path, box: Box) -> tuple[str, Pl
     again = _again(part, taken, work, None, box)
     verdicts = again.verdicts if again else {}
     for verdict in verdicts.values():
-        if verdict.by == "sanitizer":
-            plain = f"{verdict.place or part.file}: {verdict.ended}", verdict.place
+        if verdict.is_of_sanitizer and verdict.ended:
+            plain = f"{verdict.place or part.file}: {words.ending(verdict.ended)}", verdict.place
             return _of_auto(verdict, taken, box) or plain
     for check in part.checks if again else []:
         verdict = verdicts[check.id]
         answered = verdict.status == "graded" and (verdict.failure or {}).get("quantities")
         if not verdict.passed and answered:
-            words = (
+            sentence = (
                 f'{part.file}: built with g++ and its sanitizers, it fails "{check.title}": does '
                 "it use a value that was never set, or that is gone?"
             )
-            return words, None
+            return sentence, None
     return None
 
 
@@ -78,11 +79,11 @@ def _again(
 
 def _is_unclear(verdict: Verdict) -> bool:
     """Whether it is a crash that no assertion explains."""
-    return verdict.status == "crashed" and verdict.by != "assertion"
+    return verdict.status == "crashed" and not verdict.is_of_assertion
 
 
 def _with_finding(verdict: Verdict, again: Verdict) -> Verdict:
-    if not _is_unclear(verdict) or again.by != "sanitizer":
+    if not _is_unclear(verdict) or not again.is_of_sanitizer:
         return verdict
     return verdict._replace(found=again.end)
 
@@ -91,12 +92,11 @@ def _of_auto(verdict: Verdict, taken: Submission, box: Box) -> tuple[str, Place]
     """What is said of the `auto` that keeps what the statement at the verdict's place uses when it
     is gone, and its place; None if none does."""
     place = verdict.place
-    if place and verdict.ended.startswith(GONE):
+    if place and verdict.ended and verdict.ended["text"] == GONE:
         command = [*box.to_build(RUNNER, [AUTO_LINE], ()), str(AUTO_LINE), str(place.line)]
         with suppress(Overrun):
             result = box.run(command, judging.SYMBOLS, stdin=taken.files[place.file])
-            line, _, words = result.out.decode().partition(" ")
-            if result.ok and line:
-                place = Place(place.file, int(line))
-                return f"{place}: {words}", place
+            if result.ok and result.out:
+                place = Place(place.file, int(result.out))
+                return f"{place}: {dict(meanings(words.CRASHES))[AUTO]}", place
     return None

@@ -9,6 +9,7 @@ from bounce_grader.common.errors import KitError
 from bounce_grader.common.escaping import printable_text
 from bounce_grader.common.numbers import metres, seconds, two_digits
 from bounce_grader.common.paths import REFERENCE_RUNNER, SCENES, STOPWATCH
+from bounce_grader.grading import words
 from bounce_grader.sandbox import processes
 from bounce_grader.sandbox.box import LARGEST_FILE, Box
 
@@ -35,9 +36,9 @@ def measure(timed: Path, graded: Path, box: Box) -> Measured | None:
     """Measures the curves of a submission, of the solution and of the least model. If the runner
     built for timing answers differently than the graded one, the result says so and has no curves.
     None if the stopwatch fails."""
-    command = [str(STOPWATCH), "--scenes", str(SCENES), *box.to_run(timed)]
-    command += ["::", *box.to_run(REFERENCE_RUNNER), "::", *box.to_run(graded)]
-    result = box.run(command, WAIT)
+    asked = {"scenes": str(SCENES), "timed": box.to_run(timed), "graded": box.to_run(graded)}
+    asked["solution"] = box.to_run(REFERENCE_RUNNER)
+    result = box.run([str(STOPWATCH), json.dumps(asked)], WAIT)
     return read(result.out) if result.ok else None
 
 
@@ -50,10 +51,18 @@ def read(out: bytes) -> Measured:
             if key in answer:
                 return {"otherwise": f"{sentence}: {printable_text(answer[key])}"}
         scenes = list(map(_scene, answer["scenes"]))
-        measured = {"cut": printable_text(answer["cut"]), "dt": answer["dt"], "scenes": scenes}
+        measured = {"cut": _cut(answer["cut"]), "dt": answer["dt"], "scenes": scenes}
         return {**_step(measured), **measured}
-    except (ValueError, TypeError, KeyError, AttributeError, RecursionError) as error:
+    except (ValueError, TypeError, LookupError, AttributeError, RecursionError) as error:
         raise KitError("the stopwatch's answer can't be read") from error
+
+
+def _cut(cut: Any) -> str:
+    """Where and why the curves of a submission end early; empty if they don't."""
+    if cut is None:
+        return ""
+    why = words.ending(cut["ended"]) if cut["ended"] else cut["sentence"]
+    return printable_text(f"at dt = {cut['dt']:.2g} s: {why}")
 
 
 def _scene(scene: Any) -> Measured:

@@ -69,7 +69,7 @@ class Box(NamedTuple):
         if self.kind == "none":
             return [str(program)]
         if self.kind == "reduced":
-            entering = [*_enter(ENTER, "run"), *TO_JUDGE, "--reduced", "--see", str(program)]
+            entering = [*_enter(ENTER, "run"), *TO_JUDGE, "--box", "reduced", "--see", str(program)]
             return [*entering, "--", str(program)]
         command = [*_bubblewrap(), "--ro-bind", str(program), "/runner", "--remount-ro", "/"]
         return [*command, "--", *_enter(Path("/enter"), "run"), *TO_JUDGE, "--", "/runner"]
@@ -93,13 +93,13 @@ class Box(NamedTuple):
         of `programs`."""
         entering = ["build", *TO_KIT, "--in", str(folder)]
         if self.kind == "none":
-            return [str(ENTER), *entering, "--open", "--"]
+            return [str(ENTER), *entering, "--box", "none", "--"]
         used = [f"/usr/bin/{name}" for name in programs]
         seen = list(dict.fromkeys([*toolchain(), *used, str(folder), *map(str, visible)]))
         entering += ["--user", str(_user())]
         if self.kind == "reduced":
             places = [word for path in [*seen, str(ENTER)] for word in ("--see", path)]
-            return [str(ENTER), *entering, "--reduced", *places, "--"]
+            return [str(ENTER), *entering, "--box", "reduced", *places, "--"]
         bounded = ["--size", str(TEMPORARY)] if _knows("--size") else []
         command = [*_bubblewrap(), "--perms", "1777", *bounded, "--tmpfs", "/tmp"]
         # clang looks for the system's headers in /usr/bin/../lib, even if /usr/bin is empty.

@@ -9,11 +9,11 @@
 
 #include "files.hpp"
 #include "kept_by_auto.hpp"
-#include "sanitizer_report.hpp"
 
 namespace bounce::check {
 namespace {
 
+constexpr const char* kCrashes = "crashes.txt";
 constexpr std::size_t kLongest = 200;  // characters of a line
 
 constexpr const char* kMissing[] = {"undefined reference to", "Undefined symbols",
@@ -120,10 +120,10 @@ std::string plainly_quoted(std::string line) {
 }
 
 // Sentences by pieces of what the compilers say.
-std::vector<std::pair<std::string, std::string>> read_meanings() {
+std::vector<std::pair<std::string, std::string>> read_meanings(const std::string& file) {
   std::vector<std::pair<std::string, std::string>> meanings;
   std::string sentence;
-  for (const std::string& line : lines_of(read("given/check/compiler_errors.txt"))) {
+  for (const std::string& line : lines_of(read("given/check/" + file))) {
     if (begins(line, "  ")) {
       meanings.emplace_back(sentence, line.substr(2));
     } else {
@@ -181,8 +181,13 @@ std::string in_words(const std::string& kind, const std::string& place, bool in_
                     kind == "heap-use-after-free";
   const std::string file = file_of(place);
   const int line = gone && in_eigen ? line_of_auto(read(file), line_of(place)) : 0;
-  if (line != 0) return file + ":" + std::to_string(line) + ": " + kAutoKeeps;
-  return place + (place.empty() ? "" : ": ") + words_for_report(kind).value_or(kind);
+  const std::string name = line == 0 ? kind : "use-after by auto";
+  const std::string at = line == 0 ? place : file + ":" + std::to_string(line);
+  std::string words = kind;
+  for (const auto& [sentence, piece] : read_meanings(kCrashes)) {
+    if (piece == name) words = sentence;
+  }
+  return at + (at.empty() ? "" : ": ") + words;
 }
 
 }  // namespace
@@ -228,13 +233,20 @@ std::string file_of(const std::string& line) { return line.substr(0, line.find('
 int line_of(const std::string& line) { return std::atoi(line.c_str() + file_of(line).size() + 1); }
 
 std::string meaning_of(const std::vector<std::string>& lines) {
-  const auto meanings = read_meanings();
+  const auto meanings = read_meanings("compiler_errors.txt");
   for (const std::string& line : lines) {
     if (!is_error(line) && !is_missing(line)) continue;
     for (const auto& [sentence, piece] : meanings) {
       if (has(plainly_quoted(line), piece)) return sentence;
     }
     if (is_error(line)) return "";  // the first error alone
+  }
+  return "";
+}
+
+std::string meaning_of_assertion(const std::string& line) {
+  for (const auto& [sentence, piece] : read_meanings(kCrashes)) {
+    if (has(plainly_quoted(line), piece)) return sentence;
   }
   return "";
 }

@@ -32,6 +32,9 @@ bool is_linker_error(const std::vector<std::string>& lines);
 // What the first error usually means, in a sentence; empty where that isn't known.
 std::string meaning_of(const std::vector<std::string>& lines);
 
+// What a failed assertion of Eigen or of the standard library means; empty where that isn't known.
+std::string meaning_of_assertion(const std::string& line);
+
 // Whether a line begins a report of AddressSanitizer or UBSan.
 bool is_of_sanitizers(const std::string& line);
 

@@ -46,27 +46,17 @@ std::string last_reason(const std::string& printed) {
 }
 
 std::string why_aborted(const std::string& said) {
-  const auto has = [&](const char* what) { return said.find(what) != std::string::npos; };
   static const std::string kAborted = "the program was aborted: ";
   if (const std::size_t at = said.find("what():"); at != std::string::npos) {
     return "the program threw an exception: " + said.substr(said.find_first_not_of(' ', at + 7)) +
            ", and nobody caught it";
   }
-  if (has("comma initializer")) {
-    return kAborted + "too few or too many numbers after <<";
-  }
-  if (has("Eigen/") && (has("rows()") || has("cols()") || has("size()") || has("index"))) {
-    const bool is_index = has("index < size()") || has("row < rows()");
+  if (const std::string meaning = meaning_of_assertion(said); !meaning.empty()) {
     const std::size_t type = std::min(said.find("Eigen::Matrix<double, "), said.size());
     int rows = 0, columns = 0;
     std::sscanf(said.c_str() + type, "Eigen::Matrix<double, %d, %d", &rows, &columns);
-    const std::string of = rows > 0 && columns > 0 ? " of a " + std::to_string(rows) + "x" +
-                                                         std::to_string(columns) + " matrix"
-                                                   : "";
-    return kAborted + (is_index ? "an index" : "an index or a size") + of + " is out of range";
-  }
-  if (has("__n < this->size()")) {
-    return kAborted + "an index is beyond the end of a std::vector or std::array";
+    const std::string size = std::to_string(rows) + "x" + std::to_string(columns);
+    return kAborted + meaning + (rows > 0 && columns > 0 ? " (a " + size + " matrix)" : "");
   }
   if (const std::size_t at = said.find("Assertion"); at != std::string::npos) {
     return kAborted + "a failed assertion: " + said.substr(at + 9).substr(0, 100);

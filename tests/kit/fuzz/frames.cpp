@@ -1,5 +1,5 @@
 // Fuzzes the reader of a runner's frames: the result is an answer to the question, or a status and
-// a sentence. A runner that may not call given parts gets no answers from them.
+// one line. A runner that may not call given parts gets no answers from them.
 //
 // An input: the part, whether earlier parts are given, T, how much of the rest is printed, and
 // then what is printed and what is sent.
@@ -70,10 +70,10 @@ bool ask(judge::Session& session, const Input& input) {
     require(input.part != 4 || columns.v.cols() == n);
   } catch (const tests::Ended& ended) {
     const auto end = session.take_end();
-    require(is_sentence(ended.what()) && end && !end->status.empty());
+    require(is_one_line(ended.what()) && end && !end->status.empty());
     return false;
   } catch (const std::runtime_error& no_answer) {
-    require(is_sentence(no_answer.what()) && !session.take_end());
+    require(is_one_line(no_answer.what()) && !session.take_end());
   }
   return true;
 }

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "../../../grader/judge/sanitize_line.hpp"
+#include "../../../grader/judge/termination.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
@@ -23,8 +23,8 @@ inline void require(bool promise) {
 }
 
 // One line of bounded length.
-inline bool is_sentence(const std::string& text) {
-  return !text.empty() && judge::sanitize_line(text, 600) == text;
+inline bool is_one_line(const std::string& text) {
+  return !text.empty() && judge::one_line(text, 800) == text;
 }
 
 }  // namespace bounce::fuzz

@@ -1,7 +1,6 @@
-// Fuzzes the reader of a program's last text: the result is only a message of bounded length.
+// Fuzzes the reader of a program's last text: the result is only one line of bounded length.
 #include <csignal>
 
-#include "../../../grader/judge/assertion.hpp"
 #include "../../../grader/judge/termination.hpp"
 #include "../../../grader/runner/crash.hpp"
 #include "fuzz.hpp"
@@ -23,12 +22,12 @@ std::vector<std::string> seeds() {
 }  // namespace bounce::fuzz
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using bounce::fuzz::is_sentence, bounce::fuzz::require;
+  using bounce::judge::in_one_line, bounce::fuzz::is_one_line, bounce::fuzz::require;
   const std::string print(reinterpret_cast<const char*>(data), size);
   for (const int status : {SIGABRT, SIGSEGV, SIGXCPU, 3 << 8, (128 + SIGFPE) << 8}) {
     const bounce::judge::Termination termination =
         bounce::judge::termination_of(status, bounce::judge::Limits(), print);
-    require(is_sentence(termination.sentence));
+    require(is_one_line(in_one_line(termination)));
     require(termination.stack.find_first_not_of(" 0123456789abcdefx") == std::string::npos);
   }
   return 0;

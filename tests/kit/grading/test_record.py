@@ -22,6 +22,9 @@ IDS = [check.id for check in PART.checks]
 LONG = st.builds(lambda text, times: text * times, TEXTS, st.sampled_from([1, 1, 1, 5000]))
 
 
+TRAP = {"what": "signal", "number": 5, "text": ""}
+
+
 def judged(*verdicts: Verdict) -> list[dict[str, Any]]:
     part = record.part_record(PART, Judged(dict(zip(IDS, verdicts)), None, "own"))
     return list(part["checks"])
@@ -35,8 +38,7 @@ def test_whatever_is_said_the_record_stays_json(text: str, names: list[str], sta
         check: dict[str, Any] = {
             "passed": False,
             "status": status,
-            "ended": text,
-            "by": "",
+            "ended": {"what": "aborted", "number": 6, "text": text},
             "stack": "",
         }
         check["failure"] = failure(sentence=text, name=text)
@@ -79,12 +81,14 @@ def test_one_crash_is_told_once() -> None:
 
     def crash(case: int, line: int) -> Verdict:
         facts = failure(ended_at=case, before={"right": case - 1, "wrong": 0}, sentence="ended")
-        return Verdict(False, "crashed", "out of range", "", "", facts, Place("a.cpp", line))
+        return Verdict(False, "crashed", TRAP, "", facts, Place("a.cpp", line))
 
     first, second, *_, last = judged(*(crash(n, 7) for n in range(1, len(IDS))), crash(9, 8))
-    whole = "the last: x\n  input    in\n  got      out of range, at a.cpp:"
+    whole = (
+        "the last: x\n  input    in\n  got      the program stopped itself with a trap, at a.cpp:"
+    )
     assert first["message"] == f"ended at case 1 of 9; {whole}7"
-    refers = f'as in "{PART.checks[0].title}": out of range, at a.cpp:7'
+    refers = f'as in "{PART.checks[0].title}": the program stopped itself with a trap, at a.cpp:7'
     assert second["message"] == f"ended at case 2 of 9, with 1 right before it, {refers}"
     assert last["message"] == f"ended at case 9 of 9, with 8 right before it; {whole}8"
 
@@ -92,9 +96,7 @@ def test_one_crash_is_told_once() -> None:
 def test_a_crash_when_asked_again_hides_no_exception_of_before() -> None:
     """The case that is told threw; the program ended only later, in the other order."""
     facts = failure(sentence="the program threw x")
-    first, *_ = judged(
-        *[Verdict(False, "crashed", "out of range", "", "", facts, Place("a.cpp", 7))] * len(IDS)
-    )
+    first, *_ = judged(*[Verdict(False, "crashed", TRAP, "", facts, Place("a.cpp", 7))] * len(IDS))
     assert first["message"].endswith("got      the program threw x")
 
 
@@ -115,3 +117,13 @@ def test_a_wrong_quantity_is_laid_out_with_its_wrong_entries_in_brackets() -> No
         )
         text += words.of_check(Verdict(False, "graded", failure=facts)) + "\n"
     golden.compare_file(Path(__file__).with_name("quantities.txt"), text)
+
+
+@pytest.mark.golden
+def test_each_way_to_end_has_a_sentence() -> None:
+    here = Path(__file__).with_name("endings.txt")
+    text = ""
+    for line in here.with_suffix(".json").read_text().splitlines()[1:-1]:
+        facts = zip(("what", "number", "text"), json.loads(line.rstrip(",")))
+        text += words.ending(dict(facts)) + "\n"
+    golden.compare_file(here, text)

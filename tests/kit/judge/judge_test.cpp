@@ -35,7 +35,7 @@ std::uint64_t always_one() { return 1; }
 
 // How the first question of part 3 ends if a runner, which is only pipes here, sends these frames.
 // The status is empty if the question is answered.
-Session::End end_after(const std::vector<frames::Frame>& frames, bool given) {
+Termination end_after(const std::vector<frames::Frame>& frames, bool given) {
   std::signal(SIGPIPE, SIG_IGN);
   int questions[2], answers[2], prints[2];
   for (auto* pipe : {questions, answers, prints}) EXPECT_EQ(::pipe2(pipe, O_CLOEXEC), 0);
@@ -46,7 +46,7 @@ Session::End end_after(const std::vector<frames::Frame>& frames, bool given) {
     EXPECT_EQ(::write(answers[1], &frame, sizeof frame), ssize_t{sizeof frame});
   }
   Session session(start, Limits(), 3, given, always_one);
-  Session::End end;
+  Termination end;
   try {
     session.ask(frame_of(Kind::question, 3));
   } catch (const tests::Ended&) {
@@ -62,28 +62,27 @@ TEST(Session, TakesTheAnswerToItsQuestionAndAnswersForGivenPartsAlone) {
     std::vector<frames::Frame> frames;
     bool given;
     const char* status;
-    const char* instead = "";
+    const char* what = "";
   } rows[] = {
       {{answer}, false, ""},
-      {{frame_of(Kind::answer, 3, 2)}, false, "no_answer"},
-      {{frame_of(Kind::answer, 2)}, false, "no_answer"},
-      {{frame_of(Kind::question, 3)}, false, "no_answer"},
-      {{frame_of(Kind::absent, 3)}, false, "does_not_compile", "the file defines no bounce::step "},
+      {{frame_of(Kind::answer, 3, 2)}, false, "no_answer", "wrote no answer"},
+      {{frame_of(Kind::answer, 2)}, false, "no_answer", "wrote no answer"},
+      {{frame_of(Kind::question, 3)}, false, "no_answer", "wrote no answer"},
+      {{frame_of(Kind::absent, 3)}, false, "does_not_compile", "absent"},
       {{frame_of(Kind::callback, 1), answer}, true, ""},
       {{frame_of(Kind::callback, 2), answer}, true, ""},
-      {{frame_of(Kind::callback, 1), answer}, false, "no_answer"},
-      {{frame_of(Kind::callback, 2), answer}, false, "no_answer"},
-      {{frame_of(Kind::callback, 0), answer}, true, "no_answer"},
-      {{frame_of(Kind::callback, 3), answer}, true, "no_answer"},
-      {{frame_of(Kind::callback, 4), answer}, true, "no_answer"},
+      {{frame_of(Kind::callback, 1), answer}, false, "no_answer", "asked"},
+      {{frame_of(Kind::callback, 2), answer}, false, "no_answer", "asked"},
+      {{frame_of(Kind::callback, 0), answer}, true, "no_answer", "asked"},
+      {{frame_of(Kind::callback, 3), answer}, true, "no_answer", "asked"},
+      {{frame_of(Kind::callback, 4), answer}, true, "no_answer", "asked"},
   };
   for (const auto& row : rows) {
-    const Session::End end = end_after(row.frames, row.given);
+    const Termination end = end_after(row.frames, row.given);
     const int i = static_cast<int>(&row - rows);
     EXPECT_EQ(end.status, row.status) << "row " << i;
-    const std::string instead = row.instead;
-    EXPECT_EQ(end.sentence.substr(0, instead.size()), instead) << "row " << i;
-    EXPECT_EQ(!end.of_no_case, instead.empty()) << "row " << i;
+    EXPECT_EQ(end.what, row.what) << "row " << i;
+    EXPECT_EQ(end.of_no_case, end.status == "does_not_compile") << "row " << i;
   }
 }
 
@@ -96,15 +95,15 @@ TEST(Session, AsksNoMoreWhenItsTimeIsUp) {
   };
   Session session(start, limits, 1, false, always_one);
   EXPECT_THROW(session.ask(frames::Frame()), tests::Ended);
-  const Session::End end = session.take_end().value();
+  const Termination end = session.take_end().value();
   EXPECT_EQ(end.status, "no_answer");
-  EXPECT_EQ(end.sentence.rfind("nothing was asked here: ", 0), 0U);
+  EXPECT_EQ(end.what, "not asked for want of time");
 }
 
 TEST(Session, TakesARunnerOrABoxThatCannotBeStartedForAFaultOfTheKit) {
   std::signal(SIGPIPE, SIG_IGN);  // as in the judge: the box may have ended before it is asked
   const auto throws = [](const Limits&) -> std::unique_ptr<RunnerProcess> {
-    throw std::runtime_error("no process could be started");
+    throw KitFailure("no process could be started");
   };
   const auto no_box = [](Limits limits) {
     limits.boxed = true;

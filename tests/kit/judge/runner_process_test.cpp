@@ -14,11 +14,11 @@ namespace {
 
 using judge::KitFailure;
 using judge::Limits;
-using judge::RunnerEnded;
 using judge::RunnerProcess;
+using judge::Termination;
 
 // How one question to a runner ends. A failure of the kit has the status "kit".
-RunnerEnded end_of(const std::string& script, const Limits& limits = {}) {
+Termination end_of(const std::string& script, const Limits& limits = {}) {
   std::signal(SIGPIPE, SIG_IGN);
   RunnerProcess runner({"/bin/sh", "-c", script}, limits);
   try {
@@ -26,10 +26,10 @@ RunnerEnded end_of(const std::string& script, const Limits& limits = {}) {
       runner.send(frames::Frame());
       runner.receive();
     }
-  } catch (const RunnerEnded& ended) {
+  } catch (const Termination& ended) {
     return ended;
   } catch (const KitFailure& failure) {
-    return RunnerEnded({"kit", failure.what()});
+    return {"kit", failure.what()};
   }
 }
 
@@ -45,52 +45,51 @@ const std::string kDaemon = "(setsid sh -c 'exec sleep 54321 >/dev/null 2>&1 3<&
 
 struct Row {
   std::string script;
-  const char* status;
-  const char* words;
+  const char* end;     // how its line begins
   bool waits = false;  // and nothing more is asked of the part
   bool boxed = false;
 };
 
 const Row kRows[] = {
-    {"exit 7", "no_answer", "exit status 7"},
-    {"trap '' TERM INT HUP; sleep 1000", "timed_out", "the program waits for something", true},
-    {"cat <&3 >/dev/null", "timed_out", "waits for something", true},
+    {"exit 7", "no_answer: exited 7"},
+    {"trap '' TERM INT HUP; sleep 1000", "timed_out: waited 0", true},
+    {"cat <&3 >/dev/null", "timed_out: waited 0", true},
     // Printing wakes the judge, which then always finds the program at work.
     {"exec perl -e '$| = 1; while (1) { print \"x\\n\"; select(undef, undef, undef, 0.001) }'",
-     "timed_out", "waits for something", true},
+     "timed_out: waited 0", true},
     // Where the box can't limit threads, because it can't tell them from others of the same user.
-    {kThreads + "for _ in range(40): Thread(target=time.sleep, args=(9,)).start()'", "crashed",
-     "more than 32 threads"},
-    {"printf BNB1 >&4", "no_answer", "exit status 0"},
+    {kThreads + "for _ in range(40): Thread(target=time.sleep, args=(9,)).start()'",
+     "crashed: threads 32"},
+    {"printf BNB1 >&4", "no_answer: exited 0"},
     // Byte by byte, a whole answer would take half a minute.
     {"exec perl -e 'open F, \">&=4\"; while (1) { syswrite F, \"B\"; select(undef, undef, undef, "
      ".025) }'",
-     "timed_out", "only a part of an answer came", true},
-    {"exec 3<&-; " + kFrame + "exec sleep 1000", "no_answer", "the pipe of its questions", true},
-    {"cat /dev/zero >&4; sleep 1000", "no_answer", "isn't the answer that was asked for"},
-    {"cat /dev/zero >&2", "no_answer", "printed more than 8 MB"},
+     "timed_out: waited 0, a part of an answer", true},
+    {"exec 3<&-; " + kFrame + "exec sleep 1000", "no_answer: closed 0, questions (descriptor 3)",
+     true},
+    {"cat /dev/zero >&4; sleep 1000", "no_answer: wrote no answer"},
+    {"cat /dev/zero >&2", "no_answer: printed 8"},
     {"head -c 3000000 /dev/zero; echo 'x: y.cpp:3: f(): Assertion `a' \"' failed\"; "
      "kill -ABRT $$",
-     "crashed", "an assertion failed: y.cpp:3: a"},
-    {kDaemon + "exit 0", "no_answer", "exit status 0"},
-    {kDaemon + "exec sleep 1000", "timed_out", "waits for something", true},
+     "crashed: aborted 6, "},
+    {kDaemon + "exit 0", "no_answer: exited 0"},
+    {kDaemon + "exec sleep 1000", "timed_out: waited 0", true},
     // A box says on descriptor 5 that it is made; before, nobody's program is to blame.
-    {"echo no room; exit 1", "kit", "couldn't be made", false, true},
-    {"printf x >&5; exit 125", "kit", "couldn't be made", false, true},
-    {"kill -KILL $$", "kit", "couldn't be made", false, true},
-    {"printf m >&5; exit 1", "no_answer", "exit status 1", false, true},
-    {"printf mx >&5; exit 125", "no_answer", "can't start the program", false, true},
-    {"printf m >&5; sleep 0.2; printf x >&5", "no_answer", "can't start the program", false, true},
+    {"echo no room; exit 1", "kit: the box of a program couldn't be made", false, true},
+    {"printf x >&5; exit 125", "kit: the box of a program couldn't be made", false, true},
+    {"kill -KILL $$", "kit: the box of a program couldn't be made", false, true},
+    {"printf m >&5; exit 1", "no_answer: exited 1", false, true},
+    {"printf mx >&5; exit 125", "no_answer: not started", false, true},
+    {"printf m >&5; sleep 0.2; printf x >&5", "no_answer: not started", false, true},
 };
 
 TEST(RunnerProcess, NamesTheEndOfARunner) {
   for (const Row& row : kRows) {
     Limits limits;
     limits.boxed = row.boxed;
-    const RunnerEnded end = end_of(row.script, limits);
-    EXPECT_EQ(end.termination.status, row.status) << row.script;
-    EXPECT_NE(end.termination.sentence.find(row.words), std::string::npos)
-        << row.script << ": " << end.termination.sentence;
+    const Termination end = end_of(row.script, limits);
+    const std::string line = judge::in_one_line(end);
+    EXPECT_EQ(line.rfind(row.end, 0), 0U) << row.script << ": " << line;
     EXPECT_EQ(end.waits, row.waits) << row.script;
   }
   EXPECT_NE(std::system("pgrep -f '[s]leep 54321' >/dev/null"), 0) << "a daemon is left behind";
@@ -102,11 +101,11 @@ TEST(RunnerProcess, EndsOneThatSleepsWithThreadsOnceTheCpuHadNothingToDo) {
   limits.idle_seconds = 0.5;
   limits.wall_seconds = 5;
   const double before = judge::spare_seconds();
-  const RunnerEnded end = end_of(
+  const Termination end = end_of(
       kThreads + "while True:\n t = Thread(target=int)\n t.start()\n t.join()\n time.sleep(.02)'",
       limits);
-  const bool busy = end.termination.sentence.find("too busy") != std::string::npos;
-  EXPECT_TRUE(end.waits || busy) << end.termination.sentence;
+  const bool busy = end.what.find("too busy") != std::string::npos;
+  EXPECT_TRUE(end.waits || busy) << end.what;
   EXPECT_LT(judge::spare_seconds() - before, 2 * limits.idle_seconds + 1);
 }
 
@@ -118,7 +117,7 @@ TEST(RunnerProcess, CountsNoTimeInWhichTheJudgeItselfIsStopped) {
 
 TEST(RunnerProcess, LeavesOtherRunnersAlone) {
   RunnerProcess other({"/bin/sh", "-c", kFrame + "exec sleep 1000"}, Limits());
-  EXPECT_EQ(end_of("exit 0").termination.status, "no_answer");
+  EXPECT_EQ(end_of("exit 0").status, "no_answer");
   EXPECT_EQ(other.receive().magic, frames::kMagic);
 }
 
