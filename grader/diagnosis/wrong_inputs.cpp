@@ -78,22 +78,21 @@ struct Seen {
 // which are not the assignment's, and mostly wrong elsewhere: then the program may keep them from
 // its first call.
 bool may_be_kept(const WrongPart& part, const Quantity& quantity, const ByInput& missing) {
-  const std::vector<Input> first = inputs_of(part.cases[0]), usual = inputs_of({});
-  std::size_t others = 0, wrong = 0;
-  for (std::size_t k = 0; k < part.cases.size(); ++k) {
-    const std::vector<Input> now = inputs_of(part.cases[k]);
-    bool as_first = true;
-    for (std::size_t i = 0; i < kInputs; ++i) {
-      if (std::count(missing[i].begin(), missing[i].end(), quantity.name) == 0) continue;
-      if (i >= kParameters || first[i].value == usual[i].value) return false;
-      as_first = as_first && now[i].value == first[i].value;
-    }
-    const bool is_wrong = differ(quantity, part.got[k], part.right[k]);
-    if (as_first && is_wrong) return false;
-    others += !as_first;
-    wrong += is_wrong;
+  const std::vector<Input> usual = inputs_of({});
+  Column as_first = value("1", part.columns);
+  for (std::size_t i = 0; i < kInputs; ++i) {
+    if (std::count(missing[i].begin(), missing[i].end(), quantity.name) == 0) continue;
+    const Column& input = part.columns.at(usual[i].name);
+    if (i >= kParameters || input(0) == usual[i].value) return false;
+    as_first *= (input == input(0)).cast<double>();
   }
-  return 2 * wrong >= others;
+  Index wrong = 0;
+  for (std::size_t k = 0; k < part.cases.size(); ++k) {
+    if (!differ(quantity, part.got[k], part.right[k])) continue;
+    if (as_first(Index(k)) != 0) return false;
+    ++wrong;
+  }
+  return 2 * wrong >= (as_first == 0).count();
 }
 
 // Takes those that a program may keep from its first call.

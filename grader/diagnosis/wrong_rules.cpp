@@ -128,17 +128,6 @@ std::string orders_of_unknowns(const WrongPart& part) {
   return "";
 }
 
-std::string exchange(const WrongPart& part) {
-  if (part.part > 2) return "";
-  for (const Row& row : rows_of("exchanges " + std::to_string(part.part))) {
-    Places places;
-    for (const std::string& place : split(row.at("places"), ' '))
-      places.push_back(std::stol(place));
-    if (explain(part, places)) return row.at("say");
-  }
-  return part.part == 2 ? orders_of_unknowns(part) : "";
-}
-
 }  // namespace
 
 Words rules(const WrongPart& part, const Numbers& numbers) {
@@ -163,7 +152,13 @@ Words rules(const WrongPart& part, const Numbers& numbers) {
 }
 
 std::string exchanged(const WrongPart& part) {
-  const std::string words = exchange(part);
+  std::string words = part.part == 2 ? orders_of_unknowns(part) : "";
+  for (const Row& row : rows_of("exchanges " + std::to_string(part.part))) {
+    Places places;
+    for (const std::string& place : split(row.at("places"), ' '))
+      places.push_back(std::stol(place));
+    if (explain(part, places)) words = row.at("say");  // in fewer words than an order
+  }
   return words.empty() ? "" : "One thing explains every wrong number: " + words + ".";
 }
 
