@@ -3,6 +3,7 @@
 import argparse
 import os
 import sys
+from collections.abc import Callable
 from pathlib import Path
 
 from bounce_grader import __version__, formats
@@ -21,23 +22,18 @@ def main(arguments: list[str]) -> int:
         finally:
             sys.stdout.flush()
     except UsageError as error:
-        print(f"kit: {_plain(error)}", file=sys.stderr)
+        print(f"kit: {_plain(str(error))}", file=sys.stderr)
         return 2
-    except KitError as error:
-        print(f"kit: the kit itself failed: {_plain(error)}", file=sys.stderr)
-        return 3
     except KeyboardInterrupt:
         print("kit: stopped", file=sys.stderr)
         return 130
     except BrokenPipeError:  # the reader closed the pipe, as `| head` does
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 141
-    except OSError as error:
-        print(f"kit: the kit itself failed: {_plain(error)}", file=sys.stderr)
-        return 3
     except Exception as error:  # an unforeseen fault of the kit must not end as a low score
-        kind = type(error).__name__
-        print(f"kit: the kit itself failed: {kind}: {_plain(error)}", file=sys.stderr)
+        known = isinstance(error, KitError | OSError)
+        words = str(error) if known else f"{type(error).__name__}: {error}"
+        print(f"kit: the kit itself failed: {_plain(words)}", file=sys.stderr)
         return 3
 
 
@@ -47,14 +43,14 @@ def check_manifest() -> int:
     try:
         parts()
     except UsageError as error:
-        print(f"kit: {_plain(error)}", file=sys.stderr)
+        print(f"kit: {_plain(str(error))}", file=sys.stderr)
         return 2
     return 0
 
 
-def _plain(error: Exception) -> str:
+def _plain(message: str) -> str:
     """Escapes an error's message, which may hold names of files and output of programs."""
-    return "\n".join(map(terminal, printable_text(str(error)).split("\n")))
+    return "\n".join(map(terminal, printable_text(message).split("\n")))
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -62,89 +58,64 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--version", action="version", version=f"kit {__version__}")
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
 
-    grade = commands.add_parser("grade", help="grade a submission: a folder or an archive")
+    def command(
+        name: str, run: Callable[[argparse.Namespace], int], help: str
+    ) -> argparse.ArgumentParser:
+        made: argparse.ArgumentParser = commands.add_parser(name, help=help)
+        made.set_defaults(command=run)
+        return made
+
+    grade = command("grade", _grade, "grade a submission: a folder or an archive")
     grade.add_argument("submission", type=Path)
-    grade.add_argument(
-        "--json", metavar="FILE", help="write the score record ('-': to standard output)"
+    option, names = grade.add_argument, ", ".join(formats.NAMES)
+    option("--json", metavar="FILE", help="write the score record ('-': to standard output)")
+    option(
+        "--format", choices=formats.NAMES, metavar="NAME", help=f"in place of the report: {names}"
     )
-    grade.add_argument(
-        "--format",
-        choices=formats.NAMES,
-        metavar="NAME",
-        help=f"what is printed, in place of the report: {', '.join(formats.NAMES)}",
-    )
-    grade.add_argument(
-        "--before",
-        type=Path,
-        metavar="FILE",
-        help="say what has changed since this record, or Gradescope's submission_metadata.json",
-    )
-    grade.add_argument("--min-score", type=float, metavar="S", help="exit with 1 below this score")
-    grade.add_argument(
-        "--speed", action="store_true", help="chart speed against accuracy, beside the solution's"
-    )
-    grade.add_argument(
-        "--reveal", action="store_true", help="show the expected answers of hidden cases, too"
-    )
-    grade.add_argument(
-        "--no-sanitize",
-        action="store_true",
-        help="leave out the remarks about undefined behaviour in parts with all points, which take "
-        "longer than all else",
-    )
-    boxes = grade.add_mutually_exclusive_group()
-    boxes.add_argument(
-        "--require-box", choices=["full"], help="refuse to grade where this box can't be had"
-    )
-    boxes.add_argument(
-        "--trust-submission", action="store_true", help="grade without a box where none can be had"
-    )
-    grade.set_defaults(command=_grade)
+    before = "say what has changed since this record, or Gradescope's submission_metadata.json"
+    option("--before", type=Path, metavar="FILE", help=before)
+    option("--min-score", type=float, metavar="S", help="exit with 1 below this score")
+    option("--speed", action="store_true", help="chart speed against accuracy")
+    option("--reveal", action="store_true", help="show the expected answers of hidden cases, too")
+    remarks = "leave out remarks about undefined behaviour, which take longer than all else"
+    option("--no-sanitize", action="store_true", help=remarks)
+    box = grade.add_mutually_exclusive_group().add_argument
+    box("--require-box", choices=["full"], help="refuse to grade where this box can't be had")
+    box("--trust-submission", action="store_true", help="grade without a box where none can be had")
 
     class_cli.add(commands)
 
-    gradescope = commands.add_parser("gradescope", help="pack an autograder for Gradescope")
+    gradescope = command("gradescope", _gradescope, "pack an autograder for Gradescope")
     gradescope.add_argument("--out", type=Path, required=True, metavar="FILE.zip")
-    gradescope.set_defaults(command=_gradescope)
 
-    fixtures = commands.add_parser("fixtures", help="write the fixtures from the solution")
+    fixtures = command("fixtures", _fixtures, "write the fixtures from the solution")
     fixtures.add_argument("--check", action="store_true", help="only compare the committed ones")
-    fixtures.set_defaults(command=_fixtures)
 
-    doctor = commands.add_parser("doctor", help="try out whether the boxes hold here")
-    doctor.set_defaults(command=_doctor)
+    command("doctor", _doctor, "try out whether the boxes hold here")
 
-    handout = commands.add_parser("handout", help="write what students receive, as a zip")
+    handout = command("handout", _handout, "write what students receive, as a zip")
     handout.add_argument("--out", type=Path, required=True, metavar="FILE.zip")
-    handout.set_defaults(command=_handout)
 
     study.add(commands)
 
-    bench = commands.add_parser("bench", help="measure the grader's speed")
+    bench = command("bench", _bench, "measure the grader's speed")
     bench.add_argument("--submissions", type=int, default=100, metavar="N", help="of a class")
-    bench.set_defaults(command=_bench)
 
-    test = commands.add_parser("test", help="run every test of the kit")
-    extent = test.add_mutually_exclusive_group()
-    extent.add_argument(
-        "--accept",
-        action="store_true",
-        help="write what golden tests expect anew, for you to read in the diff",
-    )
-    extent.add_argument(
-        "--long",
-        action="store_true",
-        help="with sanitizers, and a million inputs for each reader, too",
-    )
-    test.set_defaults(command=_test)
+    test = command("test", _test, "run every test of the kit").add_mutually_exclusive_group()
+    accept = "write what golden tests expect anew, for you to read in the diff"
+    test.add_argument("--accept", action="store_true", help=accept)
+    is_long = "with sanitizers, and a million inputs for each reader, too"
+    test.add_argument("--long", action="store_true", help=is_long)
     return parser
 
 
 def _grade(options: argparse.Namespace) -> int:
+    from bounce_grader.common.files import write_whole
     from bounce_grader.formats import terminal
     from bounce_grader.grading.grade import grade, Options
     from bounce_grader.grading import previous
     from bounce_grader.grading.record import with_answers
+    from bounce_grader.sandbox.box import kinds
 
     if options.format and options.json == "-":
         raise UsageError("--format and --json - both write to standard output: give one")
@@ -152,10 +123,9 @@ def _grade(options: argparse.Namespace) -> int:
     if not folder.is_dir():
         raise UsageError(f"{options.json} can't be written: there is no folder {folder}")
     earlier = previous.read(options.before) if options.before else None
+    acceptable = (options.require_box,) if options.require_box else kinds(options.trust_submission)
+    wanted = Options(acceptable, options.speed, not options.no_sanitize, answers=options.reveal)
     try:
-        wanted = Options(
-            _boxes(options), options.speed, not options.no_sanitize, answers=options.reveal
-        )
         record = previous.compared(grade(options.submission, wanted), earlier)
     except UsageError as error:
         refused = formats.refused(options.format, str(error))
@@ -168,30 +138,15 @@ def _grade(options: argparse.Namespace) -> int:
         print(text)
     elif options.format:
         pass_score = options.min_score or 0.0
-        print(formats.render(options.format, record, options.submission, pass_score))
+        print(formats.render(options.format, record, pass_score))
     else:
         terminal.show(record)
     if options.json not in (None, "-"):
-        _write(Path(options.json), text + "\n")
+        try:
+            write_whole(Path(options.json), text + "\n")
+        except OSError as error:
+            raise UsageError(f"{options.json} can't be written: {error.strerror}") from error
     return int(options.min_score is not None and record["score"] < options.min_score)
-
-
-def _boxes(options: argparse.Namespace) -> tuple[str, ...]:
-    from bounce_grader.sandbox.box import kinds
-
-    if options.require_box:
-        return (options.require_box,)
-    return kinds(options.trust_submission)
-
-
-def _write(path: Path, text: str) -> None:
-    """Writes a file whole or not at all."""
-    from bounce_grader.common.files import write_whole
-
-    try:
-        write_whole(path, text)
-    except OSError as error:
-        raise UsageError(f"{path} can't be written: {error.strerror}") from error
 
 
 def _gradescope(options: argparse.Namespace) -> int:
@@ -204,10 +159,7 @@ def _gradescope(options: argparse.Namespace) -> int:
 def _fixtures(options: argparse.Namespace) -> int:
     from bounce_grader.publish import fixtures
 
-    if not options.check:
-        fixtures.write_all()
-        return 0
-    return fixtures.check()
+    return fixtures.check() if options.check else fixtures.write_all()
 
 
 def _doctor(options: argparse.Namespace) -> int:

@@ -1,11 +1,10 @@
-"""Runs the compilers in a box, and turns their errors into one line."""
+"""Runs the compilers in a box, and tells whose fault it is if one makes no object."""
 
-import re
 from collections.abc import Iterable
 from functools import cache
 from pathlib import Path
 
-from bounce_grader.build import eigen_shapes, error_meanings
+from bounce_grader.build.errors import Built, of_compiler
 from bounce_grader.common.errors import KitError
 from bounce_grader.common.escaping import printable_text, terminal
 from bounce_grader.common.paths import CONTRACT, RUNNER
@@ -13,8 +12,7 @@ from bounce_grader.sandbox import processes
 from bounce_grader.sandbox.box import Box
 from bounce_grader.submission.submission import Submission
 
-COMPILE_MEMORY = 2 << 30
-COMPILE = processes.Limits(15, 120, memory=COMPILE_MEMORY, file_size=64 << 20)
+COMPILE = processes.Limits(15, 120, memory=2 << 30, file_size=64 << 20)
 LARGE = 640 << 20  # bytes of a compiler's memory; for an honest part it takes up to 470 MB
 LARGEST_OBJECT = 8 << 20
 
@@ -25,12 +23,11 @@ def run(
     box: Box,
     made: Path,
     programs: Iterable[str] = (),
-    limits: processes.Limits = COMPILE,
 ) -> processes.Result:
     """Runs a compiler in the folder of a submission's sources; it writes the object to the file
     `made`. Raises KitError if the box or the machine failed, and not the submission."""
     prefix = box.to_build(folder, [CONTRACT, RUNNER], programs)
-    result = box.run([*prefix, *command], limits, cwd=folder, output=made)
+    result = box.run([*prefix, *command], COMPILE, cwd=folder, output=made)
     require_compiler_ran(result)
     return result
 
@@ -59,12 +56,6 @@ def require_gcc_ran(result: processes.Result) -> None:
     it has begun, g++'s exit status is another."""
     if result.code in (1, 125):  # of g++ itself, or of its wrapper
         raise KitError("g++ couldn't start its compiler; is the machine short of processes?")
-
-
-def misses_a_file(result: processes.Result) -> bool:
-    """Whether the compiler or its assembler failed because a file wasn't there."""
-    says = r"not found|No such file|[Cc]ould not find|can't open"
-    return not result.ok and re.search(says, result.err) is not None
 
 
 def clang(file: str, submission: Submission, timed: bool = False) -> list[str]:
@@ -98,52 +89,19 @@ def ran_out_of_time(result: processes.Result) -> bool:
     return result.too_long or result.code in (-9, -24, 128 + 9, 128 + 24)
 
 
-def too_large(file: str) -> str:
-    return f"{file} makes an object of more than {LARGEST_OBJECT >> 20} MB"
+def too_large(file: str) -> Built:
+    return Built(None, f"{file} makes an object of more than {LARGEST_OBJECT >> 20} MB")
 
 
-def compile_problem(result: processes.Result, file: str) -> str:
-    """The compiler's first error in one line, with the submission's file and line, and what it
-    usually means."""
+def compile_problem(result: processes.Result, file: str) -> Built:
+    """Why a compiler made no object of the file."""
     if _killed_early(result):
-        return f"{file} takes more memory to compile than there is"
+        return Built(None, f"{file} takes more memory to compile than there is")
     if ran_out_of_time(result):
-        return f"{file} took more than {COMPILE.cpu_seconds} s to compile"
+        return Built(None, f"{file} took more than {COMPILE.cpu_seconds} s to compile")
     if result.code in (-25, 128 + 25):
         return too_large(file)
     if result.flooded:
-        return f"{file} makes the compiler print without end: look for lines of assembler in it"
-    errors = re.findall(r"^(.+?:\d+:\d+): (?:fatal )?error: (.*)$", result.err, re.MULTILINE)
-    if not errors:
-        return f"{file}: {_without_a_place(result)}"
-    where, what = errors[0]
-    meaning = error_meanings.meaning(what)
-    told = _first_error(where, what, result, file)
-    if not meaning:
-        return told
-    return f"{told} {meaning}" if told.endswith((".", "?")) else f"{told}. {meaning}"
-
-
-def _first_error(where: str, what: str, result: processes.Result, file: str) -> str:
-    said_by_eigen = re.search(r'"([A-Z_0-9]{8,})"$', what)
-    if said_by_eigen:
-        what = said_by_eigen.group(1).replace("_", " ").lower()
-    if where.startswith("/"):
-        instantiated = re.search(
-            rf"^({re.escape(file)}:\d+):\d+: note: (.*)$", result.err, re.MULTILINE
-        )
-        if not instantiated:
-            return f"{what} in {file} ({Path(where).name})"
-        what = eigen_shapes.misfit(instantiated.group(2)) or what
-        return f"{what}, asked for at {instantiated.group(1)} ({Path(where).name})"
-    return f"{where}: {what}"
-
-
-def _without_a_place(result: processes.Result) -> str:
-    for error in re.findall(r"^(?:\S+: )?(?:fatal )?error: (.*)$", result.err, re.MULTILINE):
-        if not error.startswith("clang frontend command failed"):
-            return str(error)
-    return (
-        f"the compiler gave up on it: it takes more than {COMPILE_MEMORY >> 30} GB of memory, or "
-        "meets a fault of the compiler's own; take lines out until it compiles"
-    )
+        words = "makes the compiler print without end: look for lines of assembler in it"
+        return Built(None, f"{file} {words}")
+    return of_compiler(result.err, file)

@@ -1,12 +1,12 @@
 """Links the objects of a submission with the runner, in a box."""
 
-import re
 from collections.abc import Iterable
 from pathlib import Path
 
 from bounce_grader.build import compiler
-from bounce_grader.build.compile import HELPERS_BYTES, Built, Objects
+from bounce_grader.build.compile import HELPERS_BYTES, Objects
 from bounce_grader.build.compiler import compile_problem, gcc, require_compiler_ran, too_large
+from bounce_grader.build.errors import Built, of_linker
 from bounce_grader.common.manifest import Part
 from bounce_grader.common.paths import CACHE, RUNNER, SOURCES
 from bounce_grader.sandbox import processes
@@ -39,10 +39,8 @@ CHECKED_LINK = (
 def link_together(objects: Objects, runner: Path, box: Box, timed: bool = False) -> Built:
     """Links one runner with all of the submission's own parts. If `timed`, it leaves out the
     prelude's code, which has run-time checks and is slower than the code in the parts."""
-    own = [b.path for b in _all(objects)]
-    if timed:
-        return _link(own, [], runner, box, kit=RUNNER_OBJECTS)
-    return _link(own, [], runner, box)
+    own = [built.path for built in objects.all]
+    return _link(own, runner, box, kit=RUNNER_OBJECTS if timed else KIT_OBJECTS)
 
 
 def link_alone(part: Part, objects: Objects, runner: Path, box: Box) -> Built:
@@ -52,13 +50,12 @@ def link_alone(part: Part, objects: Objects, runner: Path, box: Box) -> Built:
     needs. The given parts still come first, and duplicate definitions are allowed.
     """
     own = [objects.parts[part.number].path, *(b.path for b in objects.helpers.values())]
-    given = _given(part)
-    alone = _link(own, given, runner, box)
+    alone = _link([*own, *_given(part)], runner, box)
     others = [b.path for number, b in objects.parts.items() if number != part.number and b.path]
     if alone.path or not (others or objects.helpers):
         return alone
-    several = ("--allow-multiple-definition",)
-    second = _link(own, [*given, *map(str, others)], runner, box, several)
+    flags = ("--allow-multiple-definition",)
+    second = _link([*own, *_given(part), *others], runner, box, flags)
     return second if second.path else alone
 
 
@@ -74,36 +71,33 @@ def link_sanitized(part: Part, submission: Submission, work: Path, box: Box) -> 
         result = compiler.run(command, sources, box, objects[-1], PROGRAMS)
         compiler.require_gcc_ran(result)
         if not result.ok:
-            return Built(None, compile_problem(result, file))
+            return compile_problem(result, file)
         if sum(path.stat().st_size for path in objects) > HELPERS_BYTES:
-            return Built(None, too_large(file))
+            return too_large(file)
     kit = [str(RUNNER / f"{name}.o") for name in (*RUNNER_OBJECTS, "sanitizers")]
     command = ["/usr/bin/g++", *SANITIZERS, *CHECKED_LINK, "-o", "OUTPUT"]
-    command += [*kit, *map(str, objects), *_given(part)]
+    command += [*kit, *map(str, [*objects, *_given(part)])]
     prefix = box.to_build(RUNNER, [RUNNER, *objects])
     return _linked(prefix + command, work / f"checked{part.number}", box)
 
 
-def _given(part: Part) -> list[str]:
-    return [str(RUNNER / f"given_part{number}.o") for number in part.calls]
-
-
-def _all(objects: Objects) -> Iterable[Built]:
-    return [*objects.parts.values(), *objects.helpers.values()]
+def _given(part: Part) -> list[Path]:
+    return [RUNNER / f"given_part{number}.o" for number in part.calls]
 
 
 def _link(
-    own: Iterable[Path | None],
-    more: list[str],
+    files: Iterable[Path | None],
     runner: Path,
     box: Box,
     flags: tuple[str, ...] = (),
     kit: tuple[str, ...] = KIT_OBJECTS,
 ) -> Built:
-    files = [str(path) for path in own if path]
-    given = [str(RUNNER / f"{name}.o") for name in kit]
-    command = _link_command([*flags, *given, *files, *more])
-    visible = [Path(word) for word in files + more if word.startswith(str(CACHE))]
+    """Links these files with the kit's, by the linker command that clang would run."""
+    command = (RUNNER / "link_command.txt").read_text().splitlines()
+    place = command.index("OBJECTS")
+    linked = [path for path in files if path]
+    command[place : place + 1] = [*flags, *(f"{RUNNER}/{name}.o" for name in kit), *map(str, linked)]
+    visible = [path for path in linked if path.is_relative_to(CACHE)]
     return _linked(box.to_build(RUNNER, visible, programs=()) + command, runner, box)
 
 
@@ -111,33 +105,6 @@ def _linked(command: list[str], runner: Path, box: Box) -> Built:
     result = box.run(command, LINK, cwd=RUNNER, output=runner)
     require_compiler_ran(result)
     if not result.ok or not runner.stat().st_size:
-        return Built(None, link_problem(result))
+        return of_linker(result.err)
     runner.chmod(0o755)
     return Built(runner)
-
-
-def _link_command(words: list[str]) -> list[str]:
-    """The linker command that clang would run for these words."""
-    command = (RUNNER / "link_command.txt").read_text().splitlines()
-    place = command.index("OBJECTS")
-    return [*command[:place], *words, *command[place + 1 :]]
-
-
-def link_problem(result: processes.Result) -> str:
-    """The linker's missing or duplicate symbol, in one line."""
-    missing = _linker(r"undefined symbol: (.*)\n>>> referenced by (.+?):(\d+)", result)
-    if missing:
-        name, file, line = missing.groups()
-        return f"{file}:{line} uses {name}, which no file that compiles defines"
-    missing = _linker(r"undefined symbol: (.*)", result)
-    if missing:
-        return f"{missing.group(1)} is used, but no file that compiles defines it"
-    twice = _linker(r"duplicate symbol: (.*)", result)
-    if twice:
-        return f"{twice.group(1)} is defined in two files"
-    return "the parts can't be linked with each other: look for lines of assembler in them"
-
-
-def _linker(says: str, result: processes.Result) -> re.Match[str] | None:
-    """Searches at line starts only, so that a submission's long lines don't make it slow."""
-    return re.search(rf"^ld\.lld: error: {says}", result.err, re.MULTILINE)

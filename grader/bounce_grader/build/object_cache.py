@@ -2,8 +2,9 @@
 
 import hashlib
 import os
+import re
 import time
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from contextlib import suppress
 from functools import cache
 from pathlib import Path
@@ -15,22 +16,24 @@ from bounce_grader.submission.submission import Submission
 
 # Change it to invalidate all objects.
 FORMAT = "a file of its own from a process of its own, with its digest"
-KEPT_IN_A_FOLDER = 64  # objects in each of the 256 folders
-KEPT_BYTES = 16 << 20  # bytes in each folder
+KEPT_BYTES = 16 << 20  # in each of the 256 folders
 DIGEST = 32  # bytes
 MADE = {".pch", ".gch", ".o", ".txt", ".hpp"}  # what submissions are built with
 IN_USE = 3600  # seconds; every grading is over by then
 
 
 def named_sources(submission: Submission) -> frozenset[str]:
-    """The sources whose names occur in some file, as in #include "helper.cpp"."""
+    """The sources that some file may include: whose names occur in one, as in #include "helper.cpp";
+    all of them where a name may be put together of pieces or goes on in another line."""
     text = b"\0".join(submission.files.values())
-    sources = {*submission.helpers, *submission.parts.values()}
+    sources = frozenset([*submission.helpers, *submission.parts.values()])
+    if re.search(rb"##|%:%:|\\\r?\n", text):
+        return sources
     return frozenset(name for name in sources if os.fsencode(Path(name).name) in text)
 
 
 def needed(file: str, submission: Submission, named: frozenset[str]) -> list[str]:
-    """The file itself, all headers, and the sources whose names occur in some file."""
+    """What is needed to compile a file: itself, all headers, and the named sources."""
     sources = {*submission.helpers, *submission.parts.values()} - named
     return sorted(n for n in submission.files if n == file or n not in sources)
 
@@ -95,20 +98,12 @@ def _digest(data: bytes) -> bytes:
 
 
 def forget_old(folder: Path) -> None:
-    """Removes old objects, but none that a concurrent grading may be about to link."""
-    kept = bytes_kept = 0
-    for _, size, file in sorted(_used(folder), reverse=True):
-        kept, bytes_kept = kept + 1, bytes_kept + size
-        if kept > KEPT_IN_A_FOLDER or bytes_kept > KEPT_BYTES:
-            with suppress(FileNotFoundError):  # another grading removed it first
-                if time.time() - os.stat(file).st_mtime > IN_USE:
-                    os.unlink(file)
-
-
-def _used(folder: Path) -> Iterator[tuple[float, int, str]]:
-    """When each object was last used, and its size."""
-    with os.scandir(folder) as entries:
-        for entry in entries:
-            with suppress(FileNotFoundError):
-                status = entry.stat()
-                yield status.st_mtime, status.st_size, entry.path
+    """Removes the objects that weren't used for longest, but none that a concurrent grading may be
+    about to link."""
+    kept = 0
+    with suppress(FileNotFoundError):  # another grading removed one first
+        used = [(file.stat().st_mtime, file.stat().st_size, file) for file in folder.iterdir()]
+        for time_of_use, size, file in sorted(used, reverse=True):
+            kept += size
+            if kept > KEPT_BYTES and time.time() - time_of_use > IN_USE:
+                file.unlink()

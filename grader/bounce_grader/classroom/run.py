@@ -4,7 +4,7 @@ import errno
 import fcntl
 import os
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
@@ -20,16 +20,22 @@ from bounce_grader.classroom.intake.canvas import is_name_of
 from bounce_grader.classroom.intake.canvas_api import Canvas
 from bounce_grader.classroom.intake.roster import Roster
 from bounce_grader.classroom.intake.student import Class, Student
-from bounce_grader.classroom.output import canvas_upload, final, outputs, page
-from bounce_grader.classroom.output.final import Rules
+from bounce_grader.classroom.output import canvas_upload, final, outputs, page, table
+from bounce_grader.classroom.output.final import Meant, Rules
 from bounce_grader.classroom.output.gradebook import Gradebook
-from bounce_grader.classroom.output.worksheet import is_worksheet, Worksheet
+from bounce_grader.classroom.output.gradebook_canvas import CanvasGradebook
+from bounce_grader.classroom.output.gradebook_others import (
+    BlackboardWorksheet,
+    is_blackboard,
+    is_moodle,
+    MoodleWorksheet,
+)
 from bounce_grader.common.errors import KitError, UsageError
 from bounce_grader.common.escaping import printable_name, terminal
 from bounce_grader.common.files import remove_abandoned
 from bounce_grader.common.manifest import parts
 
-MOST_LINES = 40  # on the terminal; class.html has them all
+MOST_LINES = 20  # of a kind on the terminal; class.html has them all
 
 
 def run(request: Request) -> int:
@@ -46,7 +52,7 @@ def run(request: Request) -> int:
 
 def _whole(request: Request) -> int:
     book = _gradebook(request)
-    others = book.people(canvas_ids_only=False) if book else {}
+    others = book.people(own_ids_only=False) if book else {}
     same_person = book.same_person() if book else {}
     listed = roster.read(request.out).named(others, same_person)
     own = (course.read(request.out), listed, adjustments.read(request.out))
@@ -56,6 +62,7 @@ def _whole(request: Request) -> int:
     if canvas:
         intake = canvas_api.download(canvas, request.out)
     else:
+        assert request.submissions
         intake = students.read(request.submissions, book.people() if book else {})
     _require_the_same_service(request, book, intake)
     people = {**others, **listed.people()}
@@ -71,15 +78,13 @@ def _whole(request: Request) -> int:
     if book:
         _require_students_of(book, request, intake, rules.roster)
     is_told = _find_out_lateness(intake, book)
-    left_out = [
-        *final.unknown_lateness(rules.course, intake, is_told),
-        *final.left_out(rules, intake.students, others),
-    ]
+    meant = final.meant_by(rules, intake.students, others)
+    meant.left_out = [*final.unknown_lateness(rules.course, intake, is_told), *meant.left_out]
     with _locked(request.out):
         remove_abandoned(request.out)
         log = Log(request.out / "log.jsonl")
         try:
-            return _run(request, intake, book, log, rules, left_out, canvas)
+            return _run(request, intake, book, log, rules, meant, canvas)
         except OSError as error:
             if error.errno != errno.ENOSPC:
                 raise
@@ -94,26 +99,26 @@ def _whole(request: Request) -> int:
 def _run(
     request: Request,
     intake: Class,
-    book: Gradebook | Worksheet | None,
+    book: Gradebook | None,
     log: Log,
     rules: Rules,
-    left_out: list[str],
+    meant: Meant,
     canvas: Canvas | None,
 ) -> int:
     folder = request.out / "results"
     regrade.finish(request.out)
     stamp = results.stamp_now(request.trust, request.sanitize)
     if request.regrade:
-        return _regrade(request, intake, stamp, log)
+        return _regrade(request, request.regrade, intake, stamp, log)
     if request.apply:
         regrade.apply(request.out, intake, stamp, log)
     results.begin(folder, stamp)
     tasks = _tasks(request, intake.students, stamp, folder)
     failed = grading.grade_missing(tasks, folder, request, log)
     summaries = grading.summarize(intake.students, tasks, folder, failed)
-    summaries = final.with_finals(summaries, rules)
+    summaries = final.with_finals(summaries, rules, meant)
     readable = [s.student for s in summaries if s.state != "unreadable"]
-    near = near_copies.find(request.out, readable, tasks, request.trust, request.corpus)
+    near = near_copies.find(readable, request.trust, request.corpus)
     feedback = outputs.write_feedback(request.out, intake, summaries, request.reveal)
     for reasons in (near.incomplete, feedback.without):
         summaries = [
@@ -128,11 +133,11 @@ def _run(
         request.columns.get(0, ""),
         near,
         log,
-        left_out,
+        meant.left_out,
         request.overwrite,
         rules.course,
     )
-    status = _say(request, intake, summaries, remarks, _alike(near, summaries))
+    status = _say(request, intake, summaries, book, remarks, _alike(near, summaries))
     if feedback.to_upload and not canvas:
         print(feedback.to_upload)
     return max(status, _to_canvas(request, canvas, intake, summaries) if canvas else 0)
@@ -170,9 +175,7 @@ def _to_canvas(request: Request, canvas: Canvas, intake: Class, summaries: list[
     return 0
 
 
-def _require_the_same_service(
-    request: Request, book: Gradebook | Worksheet | None, intake: Class
-) -> None:
+def _require_the_same_service(request: Request, book: Gradebook | None, intake: Class) -> None:
     """Raises UsageError if the submissions and the grade book come from different services, where
     the same id can be that of different students."""
     if book and intake.service and book.service != intake.service:
@@ -182,7 +185,7 @@ def _require_the_same_service(
         )
 
 
-def _name_persons(intake: Class, book: Gradebook | Worksheet | None, listed: Roster) -> None:
+def _name_persons(intake: Class, book: Gradebook | None, listed: Roster) -> None:
     """Gives each submission the name of its person, as the roster or the grade book has it. In a
     Canvas download, a group has the id of one of its members, but a name of its own."""
     people = book.people(intake.service == "canvas") if book else {}
@@ -202,10 +205,10 @@ def _name_persons(intake: Class, book: Gradebook | Worksheet | None, listed: Ros
     intake.students.sort(key=lambda student: (student.shown.casefold(), student.id))
 
 
-def _find_out_lateness(intake: Class, book: Gradebook | Worksheet | None) -> bool:
+def _find_out_lateness(intake: Class, book: Gradebook | None) -> bool:
     """Gives each submission the lateness that the grade book has. Returns whether the service tells
     who was late."""
-    late = book.days_late() if isinstance(book, Worksheet) else {}
+    late = book.days_late() if book else {}
     intake.students = [
         replace(s, late=late[s.id] != 0, late_days=late[s.id] or 0) if s.id in late else s
         for s in intake.students
@@ -233,20 +236,17 @@ def _tasks(request: Request, chosen: list[Student], stamp: Stamp, folder: Path) 
     return {id: timed[id] if timed[id].key in there else task for id, task in tasks.items()}
 
 
-def _gradebook(request: Request) -> Gradebook | Worksheet | None:
+def _gradebook(request: Request) -> Gradebook | None:
     """The grade book, which is read and checked before anything is graded or written."""
     if request.gradebook is None:
         return None
     if request.gradebook.resolve() == _filled_in(request).resolve():
         raise UsageError(f"{request.gradebook} would be overwritten: give another folder as --out")
     max_points = {0: sum(part.points for part in parts()), **{p.number: p.points for p in parts()}}
-    if is_worksheet(request.gradebook):
-        if request.columns.keys() - {0}:
-            raise UsageError("--part-column fills Canvas's export alone: leave it out")
-        return Worksheet(request.gradebook, request.columns.get(0, ""), max_points[0])
-    if 0 not in request.columns:
-        raise UsageError("--gradebook needs --column, the title of the column to fill")
-    return Gradebook(request.gradebook, request.columns, max_points)
+    file = table.read(request.gradebook)
+    services = [(is_blackboard, BlackboardWorksheet), (is_moodle, MoodleWorksheet)]
+    kind = next((book for wrote, book in services if wrote(file)), CanvasGradebook)
+    return kind(file, request.gradebook.name, request.columns, max_points)
 
 
 def _filled_in(request: Request) -> Path:
@@ -255,13 +255,11 @@ def _filled_in(request: Request) -> Path:
     return request.out / f"gradebook{own if own in ('.xls', '.txt') else '.csv'}"
 
 
-def _require_students_of(
-    book: Gradebook | Worksheet, request: Request, intake: Class, listed: Roster
-) -> None:
+def _require_students_of(book: Gradebook, request: Request, intake: Class, listed: Roster) -> None:
     ids = [student.id for student in intake.students]
     members = [member.id for student in intake.students for member in listed.members_of(student)]
     if members:
-        book.require_some_of(members, canvas_ids_only=False)
+        book.require_some_of(members, own_ids_only=False)
         return
     if all(id.startswith("anon_") for id in ids):
         raise UsageError(
@@ -270,7 +268,7 @@ def _require_students_of(
             "post the grades in Canvas, and download the submissions again; or leave --gradebook "
             "out"
         )
-    book.require_some_of(ids, canvas_ids_only=intake.service == "canvas")
+    book.require_some_of(ids, own_ids_only=intake.service == "canvas")
 
 
 @contextmanager
@@ -293,48 +291,27 @@ def _locked(out: Path) -> Iterator[None]:
         os.close(lock)
 
 
-def _regrade(request: Request, intake: Class, stamp: Stamp, log: Log) -> int:
-    folder, chosen = regrade.begin(request.out, intake, request.regrade, stamp)
+def _regrade(request: Request, filter: str, intake: Class, stamp: Stamp, log: Log) -> int:
+    folder, chosen = regrade.begin(request.out, intake, filter, stamp)
     tasks = _tasks(request, chosen, stamp, folder)
     failed = grading.grade_missing(tasks, folder, request, log)
     if failed:
         raise KitError(
             f"submissions that could not be graded again: {len(failed)}; nothing is changed"
         )
-    lines = regrade.differences(request.out, chosen, tasks)
-    print("\n".join(lines))
-    if regrade.nothing_differs(request.out, lines):
-        print("There is nothing to take over.")
-        return 0
-    print("Nothing is changed yet. To take these over: --apply in place of --regrade.")
+    print("\n".join(regrade.differences(request.out, chosen, tasks)))
     return 0
-
-
-def _is_said(remarks: list[str], who: str, why: str) -> bool:
-    """Whether a remark on the grade book ends with this sentence: "Doe, Jane (1) has no score,
-    because ...". It isn't enough that the remark contains it, because the name of another student's
-    file could."""
-    sentence = f"{who} has no score, because {why}: the cell stays as it was"
-    return any(remark.endswith(sentence) for remark in remarks)
-
-
-def _shared(kinds: Sequence[list[str]], limit: int) -> list[str]:
-    """At most `limit` lines, shared among the kinds. Students can cause many lines of one kind, and
-    these mustn't crowd out the others."""
-    shown = dict.fromkeys(range(len(kinds)), 0)
-    for done, kind in enumerate(sorted(shown, key=lambda kind: len(kinds[kind]))):
-        left = limit - sum(shown.values())
-        shown[kind] = min(len(kinds[kind]), left // (len(kinds) - done))
-    return [line for kind, number in shown.items() for line in kinds[kind][:number]]
 
 
 def _say(
     request: Request,
     intake: Class,
     summaries: list[Summary],
+    book: Gradebook | None,
     remarks: list[str],
     copies: list[str],
 ) -> int:
+    """Says what came out. Who is in the grade book and has no score is named by the remarks on it."""
     graded = [s for s in summaries if s.state == "graded"]
     looks = sum(bool(s.needs_a_look) for s in summaries)
     print(f"{len(graded)} of {intake.handed_in} submissions graded ({intake.source}).")
@@ -346,22 +323,21 @@ def _say(
             f"{looks} need a look, {len(intake.unmatched)} can't be graded or aren't matched; "
             f"{request.out / 'class.html'} says which, and why."
         )
+    in_book = book.people(intake.service == "canvas") if book else {}
     not_graded = [
         f"{printable_name(unmatched.name)!r} {unmatched.reason}"
         for unmatched in intake.unmatched
-        if not _is_said(remarks, "", f"{unmatched.name} {unmatched.reason}")
+        if unmatched.user not in in_book
     ]
     to_look_at = [
-        f"{s.student.shown} ({s.student.id}): {why}"
+        f"{s.student.shown} ({s.student.id}): {'; '.join(s.needs_a_look)}"
         for s in summaries
-        if (why := "; ".join(s.needs_a_look))
-        if not _is_said(remarks, f"({s.student.id})", why)
+        if s.needs_a_look and (s.state == "graded" or s.student.id not in in_book)
     ]
-    kinds = (not_graded, to_look_at, remarks, copies)
-    lines = _shared(kinds, MOST_LINES)
-    for line in lines:
-        print(f"  {terminal(line)}")
-    more = sum(map(len, kinds)) - len(lines)
+    more = 0
+    for lines in (not_graded, to_look_at, remarks, copies):
+        print("".join(f"  {terminal(line)}\n" for line in lines[:MOST_LINES]), end="")
+        more += len(lines[MOST_LINES:])
     if more:
         print(f"  and {more} more, in class.html")
     print(

@@ -1,4 +1,4 @@
-"""Shared by all packages: errors, paths, files, escaping, numbers, drawings, a parallel map.
+"""Shared by all packages: errors, paths, files, escaping, numbers, a parallel map.
 
 May import: nothing of this package.
 """

@@ -4,7 +4,7 @@ harmless for its destination. Each destination has one function, and all such te
     the score record      printable_text(text), printable_name(text)
     a terminal or a log   terminal(text)
     HTML and SVG          html(text)              between tags, or in a quoted attribute;
-                                                  formats/templates.py calls it for each value
+                                                  formats/html.py calls it for each value
     JSON or XML           printable(text)         before a library writes them; then
                           json_document(value), xml_document(text)
     CSV                   csv_row(values)         a whole line
@@ -40,14 +40,9 @@ def printable(text: str) -> str:
 def printable_text(text: str, limit: int = LONGEST_TEXT) -> str:
     """For the record: printable characters and line ends, of bounded length."""
     text = text[: 2 * limit + 2].replace("\r\n", "\n").replace("\t", " ")
-    clean = "\n".join(map(_printable_line, text.split("\n")))
-    return clean if len(clean) <= limit else clean[: limit - 1] + "…"
-
-
-def _printable_line(line: str) -> str:
-    if line.isprintable():
-        return line
-    return "".join(c if c.isprintable() else REPLACEMENT for c in line)
+    if not text.replace("\n", "").isprintable():
+        text = "".join(c if c.isprintable() or c == "\n" else REPLACEMENT for c in text)
+    return text if len(text) <= limit else text[: limit - 1] + "…"
 
 
 def printable_name(text: str) -> str:
@@ -137,13 +132,11 @@ def markdown_block(text: str) -> str:
 
 def workflow(command: str, message: str, **properties: str | int) -> str:
     """One workflow command for GitHub's runner, as workflow("error", "x", file="a.cpp", line=3)."""
-    given = ",".join(f"{key}={_property(str(value))}" for key, value in properties.items())
-    return _no_old_command(f"::{command}{' ' * bool(given)}{given}::{_data(printable(message))}")
+    values = {key: _data(str(value)) for key, value in properties.items()}
+    escaped = {key: v.replace(":", "%3A").replace(",", "%2C") for key, v in values.items()}
+    given = ",".join(f"{key}={value}" for key, value in escaped.items())
+    return _no_old_command(f"::{command}{' ' * bool(given)}{given}::{_data(message)}")
 
 
 def _data(text: str) -> str:
-    return text.replace("%", "%25").replace("\r", "%0D").replace("\n", "%0A")
-
-
-def _property(text: str) -> str:
-    return _data(printable(text)).replace(":", "%3A").replace(",", "%2C")
+    return printable(text).replace("%", "%25").replace("\r", "%0D").replace("\n", "%0A")

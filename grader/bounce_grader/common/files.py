@@ -7,7 +7,7 @@ import shutil
 import tempfile
 import time
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from bounce_grader.common.paths import WORK_FOLDER
@@ -21,15 +21,16 @@ def write_whole(path: Path, data: str | bytes, durable: bool = False) -> None:
     """Writes a file whole or not at all, by renaming a temporary one. If `durable`, the file also
     survives a power loss. If it raises OSError, the old file stays. A device or a pipe is written
     to directly."""
+    content = data.encode() if isinstance(data, str) else data
     if path.exists() and not path.is_file() and not path.is_dir():
-        path.write_bytes(data.encode() if isinstance(data, str) else data)
+        path.write_bytes(content)
         return
     path.parent.mkdir(parents=True, exist_ok=True)
     # A name that nobody can foresee, to put a link there.
     temporary = path.with_name(f".{fitting(path.name, 100)}.{os.urandom(8).hex()}.part")
     try:
         with temporary.open("xb") as stream:
-            stream.write(data.encode() if isinstance(data, str) else data)
+            stream.write(content)
             if durable:
                 stream.flush()
                 os.fsync(stream.fileno())
@@ -38,15 +39,11 @@ def write_whole(path: Path, data: str | bytes, durable: bool = False) -> None:
         temporary.unlink(missing_ok=True)
         raise
     if durable:
-        _flush_folder(path.parent)
-
-
-def _flush_folder(folder: Path) -> None:
-    handle = os.open(folder, os.O_RDONLY)
-    try:
-        os.fsync(handle)
-    finally:
-        os.close(handle)
+        handle = os.open(path.parent, os.O_RDONLY)
+        try:
+            os.fsync(handle)
+        finally:
+            os.close(handle)
 
 
 def fitting(name: str, limit: int = 200) -> str:
@@ -104,16 +101,12 @@ def remove_abandoned(folder: Path) -> None:
     """Removes what killed writers and gradings left behind. Other gradings may be running, and may
     remove their own files at the same time."""
     remove_unlocked()
-    for part in folder.rglob(".*.part"):
-        if _abandoned(part):
-            part.unlink(missing_ok=True)
-    for left in Path(tempfile.gettempdir()).glob(f"{BOX_FOLDER}*"):
-        if _abandoned(left):
-            shutil.rmtree(left, ignore_errors=True)
-
-
-def _abandoned(path: Path) -> bool:
-    try:
-        return time.time() - path.stat().st_mtime > ABANDONED
-    except OSError:
-        return False
+    boxes = Path(tempfile.gettempdir()).glob(f"{BOX_FOLDER}*")
+    for left in [*folder.rglob(".*.part"), *boxes]:
+        with suppress(OSError):
+            if time.time() - left.stat().st_mtime <= ABANDONED:
+                continue
+            if left.is_dir():
+                shutil.rmtree(left, ignore_errors=True)
+            else:
+                left.unlink()

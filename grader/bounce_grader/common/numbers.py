@@ -44,11 +44,6 @@ def scientific(x: float) -> str:
     return f"{x:.1e}"
 
 
-def scientific_tick(x: float) -> str:
-    """A power of ten: 1e-3."""
-    return f"1e{round(math.log10(x))}"
-
-
 def significant(x: float, digits: int) -> str:
     """For a mechanical quantity: with a true minus sign, and 0 for a rounding error of 0."""
     return f"{0.0 if abs(x) < ROUNDING else x:.{digits}g}".replace("-", "\N{MINUS SIGN}")

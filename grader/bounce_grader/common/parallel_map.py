@@ -4,6 +4,7 @@ ThreadPoolExecutor won't do: if a signal arrives while it starts a thread, it ne
 thread, whose compiler is then still running while its folder is removed.
 """
 
+from collections import deque
 from collections.abc import Callable, Iterable
 from threading import Event, Thread
 from typing import TypeVar
@@ -19,62 +20,39 @@ def parallel_map(function: Callable[[X], Y], items: Iterable[X], jobs: int) -> l
     """Returns function(item) for all items, in their order, computed in `jobs` threads. After an
     error it starts no other item, and raises the error once the running ones have ended."""
     given = list(items)
+    if min(jobs, len(given)) < 2:  # in this thread, so that a signal interrupts the function
+        return list(map(function, given))
     waiting = enumerate(given)  # its next() is atomic among threads
     done: dict[int, Y] = {}
     errors: list[BaseException] = []
 
-    def work() -> None:
+    def work(end: Event) -> None:
         try:
             for number, item in waiting:
                 done[number] = function(item)
         except BaseException as error:
             errors.append(error)
-            _discard(waiting)
+            deque(waiting, 0)  # nobody starts another
+        finally:
+            end.set()
 
-    if min(jobs, len(given)) > 1:
-        _in_threads(work, min(jobs, len(given)), waiting)
-    else:  # in this thread, so that a signal interrupts the function
-        work()
+    ends = [Event() for _ in range(min(jobs, len(given)))]
+    workers = [Thread(target=work, args=[end]) for end in ends]
+    try:
+        for worker in workers:
+            worker.start()
+        _wait_for(workers, ends)
+    finally:  # also after a signal, or if no thread can be started
+        deque(waiting, 0)
+        _wait_for(workers, ends)
     if errors:
         raise errors[0]
     return [done[number] for number in sorted(done)]
 
 
-class _Worker(Thread):
-    """Sets an event when it has ended. join() isn't reliable: if a signal interrupts it, a running
-    thread can count as ended."""
-
-    def __init__(self, work: Callable[[], None]) -> None:
-        super().__init__(target=work)
-        self.ended = Event()
-
-    def run(self) -> None:
-        try:
-            super().run()
-        finally:
-            self.ended.set()
-
-
-def _in_threads(work: Callable[[], None], number: int, waiting: Iterable[object]) -> None:
-    """Waits for every started thread, even if an exception is raised here, by a signal or because
-    no thread can be started."""
-    workers = [_Worker(work) for _ in range(number)]
-    try:
-        for worker in workers:
-            worker.start()
-        _wait_for(workers)
-    finally:
-        _discard(waiting)
-        _wait_for(workers)
-
-
-def _wait_for(workers: Iterable[_Worker]) -> None:
-    for worker in workers:
-        if worker.ident is not None:  # it was started
-            while not worker.ended.wait(UNTIL_NEXT_LOOK):
-                pass
-
-
-def _discard(waiting: Iterable[object]) -> None:
-    for _ in waiting:
-        pass
+def _wait_for(workers: list[Thread], ends: list[Event]) -> None:
+    """Waits for every thread that was started. join() isn't reliable: if a signal interrupts it, a
+    running thread can count as ended."""
+    for worker, end in zip(workers, ends):
+        while worker.ident is not None and not end.wait(UNTIL_NEXT_LOOK):
+            pass

@@ -1,7 +1,7 @@
-"""./kit doctor: tests each protection for real, on this machine and for this user. A program, the
-probe, tries to break out of the boxes for compiling, for running, and for running with sanitizers.
-A process above the box has a canary on its command line and in its environment; the probe must not
-find it."""
+"""./kit doctor: tests each protection of protections.json for real, on this machine and for this
+user. A program, the probe, tries to break out of the boxes for compiling, for running, and for
+running with sanitizers. A process above the box has a canary on its command line and in its environment;
+the probe must not find it."""
 
 import json
 import os
@@ -11,7 +11,7 @@ import tempfile
 import sys
 import time
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import IO
@@ -22,8 +22,9 @@ from bounce_grader.sandbox import processes
 from bounce_grader.sandbox.box import problem_of, Box
 
 Attempt = list[str]
+TABLE = Path(__file__).with_name("protections.json")
 PLACES = ("compile", "run", "check")
-RUN = PLACES[1:]
+WORDS = {True: "yes", False: "[bold]NO[/bold]", None: "-"}
 # A process above the box that holds the canary.
 ABOVE = ["/bin/sh", "-c", 'BOUNCE_DOCTOR="$0" "$@"; status=$?; kept="$0"; exit $status']
 WATCHING = processes.Limits(cpu_seconds=20, wall_seconds=90, memory=None, file_size=0)
@@ -71,17 +72,15 @@ def _in_box(box: Box, place: str, folder: Path, protections: list[Protection]) -
     if not problem and not attempt(box, place, folder, ["nothing"])[0]:
         problem = "the probe doesn't start"
     for protection in protections:
-        if place not in protection.places:
-            continue
-        if problem:
+        if place in protection.places and problem:
             yield Finding(protection.title, f"{box.kind} {place}", None, problem)
-            continue
-        above = [*ABOVE, protection.canary] if protection.canary else []
-        outcomes = [attempt(box, place, folder, words, above) for words in protection.attempts]
-        held = not any(could for could, _ in outcomes)
-        held = protection.outside() if protection.outside else held
-        detail = "; ".join(answer for _, answer in outcomes)
-        yield Finding(protection.title, f"{box.kind} {place}", held, detail)
+        elif place in protection.places:
+            above = [*ABOVE, protection.canary] if protection.canary else []
+            outcomes = [attempt(box, place, folder, words, above) for words in protection.attempts]
+            held = not any(could for could, _ in outcomes)
+            held = protection.outside() if protection.outside else held
+            detail = "; ".join(answer for _, answer in outcomes)
+            yield Finding(protection.title, f"{box.kind} {place}", held, detail)
 
 
 def attempt(
@@ -108,9 +107,10 @@ def _bait() -> Iterator[list[Protection]]:
     """Sets up bait that the probe must not reach (files, a variable, a port, an open descriptor),
     and gives the protections to test."""
     marker = secrets.token_hex(16)
+    own = Path.home() if os.access(Path.home(), os.W_OK) else None
     with (
         tempfile.NamedTemporaryFile("w", prefix="bounce-bait-") as file,
-        tempfile.NamedTemporaryFile("w", prefix="bounce-bait-", dir=_home()) as home,
+        tempfile.NamedTemporaryFile("w", prefix="bounce-bait-", dir=own) as home,
         socket.create_server(("127.0.0.1", 0)) as server,
     ):
         os.set_inheritable(file.fileno(), True)
@@ -120,112 +120,40 @@ def _bait() -> Iterator[list[Protection]]:
 
 
 def _protections(marker: str, file: IO[str], home: IO[str], port: int) -> list[Protection]:
-    hidden = [file.name, home.name, str(ROOT / "solution/src/part1_contacts.cpp"), "/etc/passwd"]
-    me = os.getpid()
-    clock = ~me << 3 | 2  # of its CPU time
-    halves = marker[:16], marker[16:]
+    """Those of protections.json, with this bait for its words in capitals. In two halves, the probe
+    doesn't find the marker on its own command line."""
+    bait = {"FILE": file.name, "HOME_FILE": home.name, "PORT": str(port)}
+    bait |= {"MARKER": marker, "HALF": marker[:16], "OTHER_HALF": marker[16:]}
+    bait |= {"PROCESS": str(os.getpid()), "ENVIRONMENT": f"/proc/{os.getpid()}/environ"}
+    bait |= {"CLOCK": str(~os.getpid() << 3 | 2), "NOTHING": ""}  # a clock of its CPU time
+    bait |= {"SOLUTION": str(ROOT / "solution/src/part1_contacts.cpp")}
+    outside: dict[str, Callable[[], bool]] = {
+        "both files are empty": lambda: not any(map(os.path.getsize, (file.name, home.name))),
+        "no process is left": lambda: _no_process_has(marker),
+    }
     return [
-        Protection("sees no file of yours", [["read", path] for path in hidden]),
         Protection(
-            "can't tell whether a file is there",
-            [["look-by-execve", path] for path in (hidden[0], "/no/such/file")],
-            RUN,
-        ),
-        Protection("sees no process of yours", [["read", f"/proc/{me}/environ"]]),
-        Protection(
-            "writes no file of yours",
-            [["write", path] for path in hidden[:2]],
-            outside=lambda: all(os.path.getsize(path) == 0 for path in hidden[:2]),
-        ),
-        Protection("writes no large file", [["fill", "65"]]),
-        Protection("makes no file", [["file", "made"]], RUN),
-        Protection("has none of your variables", [["environment", "BOUNCE_DOCTOR"]], canary=marker),
-        # In two halves, so that the probe doesn't find its own command line.
-        *(
-            Protection(f"finds nothing in {what} above", [[where, *halves]], canary=marker)
-            for where, what in (
-                ("environments", "environments"),
-                ("command-lines", "command lines"),
-            )
-        ),
-        Protection("opens no memory of others", [["memories"]]),
-        Protection("reaches no first process", [["first-process"]]),
-        Protection("has none of your open files", [["descriptors", "5"]]),
-        Protection(
-            "reads none of its own messages",
-            _calls(*(f"openat -100 /proc/self/fd/{fd} {os.O_NONBLOCK}" for fd in (1, 2))),
-        ),
-        Protection("connects to nothing", [["connect", str(port)]]),
-        Protection("signals no process of yours", _calls(f"kill {me} 0")),
-        Protection("sees no clock of your processes", _calls(f"clock_gettime {clock} BUFFER"), RUN),
-        Protection(
-            "can't tell whether a process is there",
-            _calls(
-                f"sched_getaffinity {me} 1024 BUFFER",
-                f"prlimit64 {me} 7 0 BUFFER",
-                "sysinfo BUFFER",
-            ),
-            RUN,
-        ),
-        Protection("sets no limits", _calls("prlimit64 0 7 BUFFER 0"), RUN),
-        Protection(
-            "can't tell how full a disk is", _calls("statfs / BUFFER", "fstatfs 0 BUFFER"), RUN
-        ),
-        # A pipe's number grows with every one that another program makes.
-        Protection(
-            "can't tell how many pipes there are",
-            _calls("fstat 1 BUFFER", f"newfstatat 1  BUFFER {0x1000}"),
-            ("run",),
-        ),
-        # To merge a page with others; to swap it.
-        Protection(
-            "gives no advice on others' memory",
-            _calls("madvise BUFFER 4096 12", "madvise BUFFER 4096 21"),
-            RUN,
-        ),
-        Protection("traces no process of yours", _calls(f"ptrace {0x4206} {me} 0 0")),
-        Protection("has no privileges", [["privileges"]]),
-        Protection("makes no namespaces", _calls(f"unshare {0x10000000}")),
-        Protection("starts no process", [["processes", "1"]], RUN),
-        Protection("starts few processes", [["processes", "200"]], ("compile",)),
-        Protection(
-            "leaves nothing behind", [["daemon", marker]], outside=lambda: _no_process_has(marker)
-        ),
-        Protection(
-            "is held to its memory",
-            [[f"allocate{how}", "1100"] for how in ("", "-unmapped", "-late")],
-            RUN,
-        ),
-        Protection("is held to its memory", [["allocate", "2200"]], ("compile",)),
-        Protection("is held to its CPU time", [["spin", "3"]]),
-        Protection("is held to its output", [["flood", "20"]]),
+            row["title"],
+            [[bait.get(word, word) for word in attempt.split()] for attempt in row["attempts"]],
+            tuple(row.get("in", PLACES)),
+            outside.get(row.get("outside", "")),
+            marker if row.get("canary") else "",
+        )
+        for row in json.loads(TABLE.read_text("utf-8"))
     ]
-
-
-def _calls(*texts: str) -> list[Attempt]:
-    """Attempts to make system calls: a name, and arguments, of which BUFFER is some memory."""
-    return [["call", *text.split(" ")] for text in texts]
-
-
-def _home() -> str | None:
-    """The user's home folder; None if it can't be written to."""
-    return str(Path.home()) if os.access(Path.home(), os.W_OK) else None
 
 
 def _no_process_has(marker: str) -> bool:
     """Whether, within a second, no process has this word on its command line."""
     for _ in range(20):
-        if not any(marker.encode() in _command_line(p) for p in Path("/proc").glob("[0-9]*")):
+        lines = []
+        for process in Path("/proc").glob("[0-9]*"):
+            with suppress(OSError):  # it has ended
+                lines.append((process / "cmdline").read_bytes())
+        if not any(marker.encode() in line for line in lines):
             return True
         time.sleep(0.05)
     return False
-
-
-def _command_line(process: Path) -> bytes:
-    try:
-        return (process / "cmdline").read_bytes()
-    except OSError:
-        return b""
 
 
 def run() -> int:
@@ -233,28 +161,21 @@ def run() -> int:
     from rich.console import Console
     from rich.table import Table
 
-    all_findings = findings()
-    boxes = list(dict.fromkeys(finding.box for finding in all_findings))
-    by_place = {(f.protection, f.box): f for f in all_findings}
+    found = findings()
+    boxes = list(dict.fromkeys(finding.box for finding in found))
+    held = {(finding.protection, finding.box): WORDS[finding.held] for finding in found}
     table = Table(title="What holds here, tried for real")
     table.add_column("a submission …", no_wrap=True)
     for box in boxes:
         table.add_column(box.replace(" ", "\n"))
-    for title in dict.fromkeys(finding.protection for finding in all_findings):
-        cells = [by_place.get((title, box)) for box in boxes]
-        table.add_row(title, *("" if cell is None else _word(cell) for cell in cells))
+    for title in dict.fromkeys(finding.protection for finding in found):
+        table.add_row(title, *(held.get((title, box), "") for box in boxes))
+    lines = [f"{f.box}: {f.protection}: NO: {f.detail}" for f in found if f.held is False]
+    lines += dict.fromkeys(
+        f"{f.box}: can't be had here: {f.detail}" for f in found if f.held is None
+    )
     console = Console(file=sys.stdout)
     console.print(table)
-    for finding in all_findings:
-        if finding.held is False:
-            console.print(
-                f"{finding.box}: {finding.protection}: NO: {finding.detail}", markup=False
-            )
-    for box, why in dict.fromkeys((f.box, f.detail) for f in all_findings if f.held is None):
-        console.print(f"{box}: can't be had here: {why}", markup=False)
-    console.print(f"Submissions are compiled by {compiler()}.", markup=False, soft_wrap=True)
-    return int(not all(finding.held for finding in all_findings))
-
-
-def _word(finding: Finding) -> str:
-    return {True: "yes", False: "[bold]NO[/bold]", None: "-"}[finding.held]
+    for line in [*lines, f"Submissions are compiled by {compiler()}."]:
+        console.print(line, markup=False, soft_wrap=True)
+    return int(not all(finding.held for finding in found))

@@ -4,53 +4,55 @@ import os
 import subprocess
 import sys
 import time
-from collections.abc import Callable
 from typing import NamedTuple
 
 from bounce_grader.common.errors import UsageError
 from bounce_grader.common.parallel_map import parallel_map
 from bounce_grader.common.paths import BUILD, ROOT
-from bounce_grader.develop import fuzz
 from bounce_grader.grading.fixtures import hidden_folder
-from bounce_grader.publish import fixtures
 
-CPP = (
-    "student",
-    "solution",
-    "grader",
-    "tests/parts",
-    "tests/kit",
-)
-PYTHON = ("grader/bounce_grader", "tests", "solution")
-WORKERS = (os.cpu_count() or 1) + 2  # much of the tests' time is waiting
+Command = list[str]
+CPP = ("student", "solution", "grader", "tests/parts", "tests/kit")
+PYTHON = ["grader/bounce_grader", "tests", "solution"]
+READERS = ("frames", "fixtures", "terminations")
+SANITIZED, FUZZERS = str(ROOT / "build" / "sanitize"), ROOT / "build" / "fuzz"
+CORES = os.cpu_count() or 1
+WORKERS = CORES + 2  # much of the tests' time is waiting
+PYTEST = [sys.executable, "-m", "pytest", "-q", "-n", str(WORKERS)]
 
 
 class Step(NamedTuple):
-    """One step of ./kit test."""
+    """One step of ./kit test: commands one after the other, until one fails."""
 
     name: str
-    run: Callable[[], int]
+    commands: list[Command]
     is_long: bool = False  # whether only a long run has it
-    parallel: bool = False  # whether it uses all cores all the time
+    all_cores: bool = False  # whether it uses all cores all the time
+    quiet: bool = True  # prints only what a command says that fails
+
+    def passes(self) -> bool:
+        return all(_run(command, self.quiet) == 0 for command in self.commands)
 
 
 def run(is_long: bool) -> int:
     """Runs the steps: several at a time, and then, one by one, those that use all cores all the time.
     Returns the exit status."""
+    hidden_folder()  # so that the oracle finds the hidden ones too
     steps = [step for step in _steps(is_long) if is_long or not step.is_long]
-    single = [step for step in steps if not step.parallel]
-    parallel = [step for step in steps if step.parallel]
-    ordered = [*single, *parallel]
+    ordered = sorted(steps, key=lambda step: step.all_cores)
 
     def passes(step: Step) -> bool:
         place = f"== {ordered.index(step) + 1} of {len(ordered)}, {step.name}"
         print(f"{place} ...", flush=True)
         start = time.monotonic()
-        passed = step.run() == 0
+        passed = step.passes()
         print(f"{place}: {time.monotonic() - start:.1f} s", flush=True)
         return passed
 
-    passed = [*parallel_map(passes, single, WORKERS), *map(passes, parallel)]
+    together = [step for step in ordered if not step.all_cores]
+    passed = parallel_map(passes, together, WORKERS) + [
+        passes(step) for step in ordered[len(together) :]
+    ]
     failed = [step.name for step, ok in zip(ordered, passed) if not ok]
     if failed:
         print(f"failed: {', '.join(failed)}")
@@ -62,55 +64,54 @@ def accept() -> int:
     if os.environ.get("CI"):
         raise UsageError("--accept is for a person who reads the diff; in CI there is none")
     os.environ["BOUNCE_ACCEPT"] = "1"
-    status = _command(sys.executable, "-m", "pytest", "-q", "-n", str(WORKERS), "-m", "golden")
+    status = _run([*PYTEST, "-m", "golden"], quiet=False)
     print("What is expected was written anew; read it: git diff tests/kit", flush=True)
     return status
 
 
-def _steps(is_long: bool) -> list[Step]:
-    return [
-        Step("Python tests, the gallery among them", lambda: _pytest(is_long)),
-        Step("types: mypy", _mypy),
-        Step("formatting: clang-format", _clang_format),
-        Step("formatting: black", lambda: _command("black", "-q", "--check", *PYTHON)),
-        Step("fixtures are what the kit writes", fixtures.check),
-        Step("C++ tests", _ctest),
-        Step("lint: clang-tidy", lambda: _clang_tidy(is_long)),
-        Step("C++ tests with sanitizers", _sanitized, True, True),
-        Step("C++ readers with a million inputs each", fuzz.run, True, True),
-    ]
-
-
-def _command(*words: str) -> int:
+def _run(command: Command, quiet: bool) -> int:
     environment = {**os.environ, "PYTHONPATH": str(ROOT / "grader")}
-    return subprocess.run(words, cwd=ROOT, env=environment, check=False).returncode
-
-
-def _quietly(*words: str) -> int:
-    """Runs a command, and prints its output only if it fails."""
-    done = subprocess.run(words, cwd=ROOT, capture_output=True, text=True, check=False)
-    if done.returncode != 0:
+    done = subprocess.run(
+        command, cwd=ROOT, env=environment, capture_output=quiet, text=True, check=False
+    )
+    if quiet and done.returncode != 0:
         print(done.stdout, done.stderr, sep="\n", flush=True)
     return done.returncode
 
 
-def _sources(*patterns: str) -> list[str]:
-    """The C++ files in these folders, or that match these patterns."""
-    sources: set[str] = set()
-    for pattern in patterns:
-        path = ROOT / pattern
-        if path.is_dir():
-            sources |= {str(f) for suffix in ("cpp", "hpp") for f in path.rglob(f"*.{suffix}")}
-        else:
-            sources |= {str(f) for f in ROOT.glob(pattern)}
-    return sorted(sources)
+def _steps(is_long: bool) -> list[Step]:
+    chosen = [] if is_long else ["-m", "not long"]
+    cpp = [str(file) for folder in CPP for file in sorted((ROOT / folder).rglob("*.?pp"))]
+    mypy = ["mypy", "--no-error-summary", "--cache-dir", str(BUILD / "mypy"), *PYTHON]
+    sanitized = [["cmake", "--preset", "sanitize"], ["ninja", "-C", SANITIZED, "cpp_tests"]]
+    build_fuzzers = ["ninja", "-C", str(FUZZERS), *(f"fuzz_{name}" for name in READERS)]
+    fuzzed = [command for name in READERS for command in _fuzzed(f"fuzz_{name}")]
+    return [
+        Step(
+            "Python tests, the gallery among them",
+            [[*PYTEST, "--dist", "loadgroup", *chosen]],
+            quiet=False,
+        ),
+        Step("types: mypy", [mypy]),
+        Step("formatting: clang-format", [["clang-format", "--dry-run", "-Werror", *cpp]]),
+        Step("formatting: black", [["black", "-q", "--check", *PYTHON]]),
+        Step("fixtures are what the kit writes", [[str(ROOT / "kit"), "fixtures", "--check"]]),
+        Step("C++ tests", [_ctest(str(BUILD))]),
+        Step("lint: clang-tidy", _clang_tidy(is_long)),
+        Step("C++ tests with sanitizers", [*sanitized, _ctest(SANITIZED)], True, True),
+        Step(
+            "C++ readers with a million inputs each",
+            [["cmake", "--preset", "fuzz"], build_fuzzers, *fuzzed],
+            is_long=True,
+        ),
+    ]
 
 
-def _clang_format() -> int:
-    return _command("clang-format", "--dry-run", "-Werror", *_sources(*CPP))
+def _ctest(folder: str) -> Command:
+    return ["ctest", "--test-dir", folder, "--output-on-failure", "-j", str(WORKERS)]
 
 
-def _clang_tidy(is_long: bool) -> int:
+def _clang_tidy(is_long: bool) -> list[Command]:
     """Looks at what was changed since the last commit but one; in a long run, at every file: each
     takes several seconds, mostly for headers of Eigen and the standard library."""
     files = ["(solution|grader/judge)/.*"]
@@ -118,33 +119,19 @@ def _clang_tidy(is_long: bool) -> int:
         command = ["git", "diff", "--name-only", "HEAD~1", "--", "solution", "grader/judge"]
         changed = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
         files = [name for name in changed.stdout.split() if name.endswith(".cpp")]
-    if not files:
-        return 0
     run_all = [sys.executable, "/usr/bin/run-clang-tidy", "-quiet", "-p", str(ROOT / "build/tidy")]
-    run_all += ["-j", str(os.cpu_count() or 1), *(f"^{ROOT}/{file}$" for file in files)]
-    return _quietly("cmake", "--preset", "tidy") or _quietly(*run_all)
+    run_all += ["-j", str(CORES), *(f"^{ROOT}/{file}$" for file in files)]
+    return [["cmake", "--preset", "tidy"], run_all] if files else []
 
 
-def _mypy() -> int:
-    return _command("mypy", "--no-error-summary", "--cache-dir", str(BUILD / "mypy"), *PYTHON)
-
-
-def _ctest() -> int:
-    return _quietly("ctest", "--test-dir", str(BUILD), "--output-on-failure", "-j", str(WORKERS))
-
-
-def _sanitized() -> int:
-    """Runs the C++ tests again, with AddressSanitizer and UBSan."""
-    folder = str(ROOT / "build" / "sanitize")
-    return (
-        _quietly("cmake", "--preset", "sanitize")
-        or _quietly("ninja", "-C", folder, "cpp_tests")
-        or _quietly("ctest", "--test-dir", folder, "--output-on-failure", "-j", str(WORKERS))
-    )
-
-
-def _pytest(is_long: bool) -> int:
-    hidden_folder()  # so that the oracle finds the hidden ones too
-    chosen = [] if is_long else ["-m", "not long"]
-    workers = ["-n", str(WORKERS), "--dist", "loadgroup"]
-    return _command(sys.executable, "-m", "pytest", "-q", *workers, *chosen)
+def _fuzzed(program: str) -> list[Command]:
+    """libFuzzer mutates inputs to reach new code, always the same ones. One that makes a reader fail
+    is stored in build/fuzz/inputs/. The Python readers have theirs in test_readers.py."""
+    seeds, inputs = str(FUZZERS / "seeds" / program), str(FUZZERS / "inputs")
+    options = ["-runs=1000000", "-seed=1", "-timeout=10", "-max_len=8192"]
+    return [
+        ["rm", "-rf", seeds],  # libFuzzer adds inputs to it
+        ["mkdir", "-p", seeds, inputs],
+        [str(BUILD / program), "--seeds", seeds],
+        [str(FUZZERS / program), *options, f"-artifact_prefix={inputs}/{program}-", seeds],
+    ]

@@ -42,9 +42,14 @@ def add(commands: Any) -> None:
 def _study(options: argparse.Namespace) -> int:
     sys.path.insert(0, str(ROOT / "solution" / "study"))
     from bounce_study import measured_part, run
+    from bounce_study.simulate import simulate
 
     if options.questions[:1] == ["simulate"]:
-        return _simulate(options)
+        if len(options.questions) != 2 or options.tolerance is None:
+            raise UsageError(
+                "write ./kit study simulate SCENE.json --tolerance METRES [--json FILE]"
+            )
+        return simulate(Path(options.questions[1]), options.tolerance, options.json)
     if options.tolerance:
         raise UsageError("--tolerance is for ./kit study simulate SCENE.json")
     files = measured_part.Files(options.squares, options.ellipses, options.json)
@@ -59,11 +64,3 @@ def _study(options: argparse.Namespace) -> int:
     out = options.out or run.STUDIES
     questions = tuple(options.questions)
     return run.run(run.Request(out.absolute(), options.quick, options.peers, questions, files))
-
-
-def _simulate(options: argparse.Namespace) -> int:
-    from bounce_study.simulate import simulate
-
-    if len(options.questions) != 2 or options.tolerance is None:
-        raise UsageError("write ./kit study simulate SCENE.json --tolerance METRES [--json FILE]")
-    return simulate(Path(options.questions[1]), options.tolerance, options.json)

@@ -1,10 +1,9 @@
 """Makes reports from the score record: one module for each format, none of which starts a process.
 
-May import: assignment, common, grading, submission.
+May import: common, grading.
 """
 
 from importlib import import_module
-from pathlib import Path
 from typing import Any
 
 from bounce_grader.common.escaping import json_document
@@ -22,14 +21,13 @@ NAMES = (
 )
 
 
-def render(name: str, record: dict[str, Any], submission: Path, pass_score: float = 0.0) -> str:
+def render(name: str, record: dict[str, Any], pass_score: float = 0.0) -> str:
     """The report on a record. `pass_score` is the score from which on the submission passes."""
     if name == "json":
         return json_document(record, indent=1)
     module = import_module(f"{__name__}.{name}")
     if name == "github":
-        module.write_outputs(record, submission, pass_score)
-        return str(module.render(record, submission))
+        module.write_outputs(record, pass_score)
     report: str = module.render(record)
     return report.rstrip("\n") if name == "html" else report
 

@@ -1,19 +1,19 @@
-"""The feedback page for a student."""
+"""The feedback page for a student, and templates of pages."""
 
 from collections.abc import Sequence
-from typing import NamedTuple
+from functools import cache
+from pathlib import Path
+from typing import Any, NamedTuple
 
-from bounce_grader.assignment import picture
-from bounce_grader.common import numbers
-from bounce_grader.common.chart_style import STYLE
-from bounce_grader.formats import case, sentences, speed_chart
-from bounce_grader.formats.templates import fill
-from bounce_grader.grading import speed
+from bounce_grader.common import escaping, numbers
+from bounce_grader.formats import case, figures, sentences
+from bounce_grader.grading import hints, speed
 from bounce_grader.grading.record import Record
 
 MOST_UNUSED = 20  # names of unused files on a page
 TITLE = "Bouncing: "  # every page's title begins with it
 PAGE = "formats/feedback.html.j2"
+PACKAGE = Path(__file__).resolve().parents[1]
 
 
 class InTheEnd(NamedTuple):
@@ -42,10 +42,10 @@ def render(
         unused=_unused(record, unused),
         in_the_end=in_the_end,
         case=case,
-        chart=speed_chart,
-        chart_style=STYLE,
+        chart_style=figures.STYLE,
+        figures=figures,
+        hints=hints,
         numbers=numbers,
-        picture=picture,
         sentences=sentences,
     )
 
@@ -59,3 +59,32 @@ def _unused(record: Record, unused: tuple[str, ...]) -> list[str]:
     files = [*unused, *(f"{file} wasn't used" for file in record["ignored"])]
     rest = max(0, len(files) - MOST_UNUSED) + record.get("ignored_more", 0)
     return [*files[:MOST_UNUSED], *([f"and {rest} more"] if rest else [])]
+
+
+def fill(template: str, **values: Any) -> str:
+    """Fills a template, given by its path in this package. A missing value raises
+    jinja2.UndefinedError."""
+    return str(_environment().get_template(template).render(values))
+
+
+@cache
+def _environment() -> Any:
+    from jinja2 import Environment, FileSystemLoader, StrictUndefined
+
+    return Environment(
+        loader=FileSystemLoader(PACKAGE),
+        autoescape=True,
+        finalize=_escaped,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+    )
+
+
+def _escaped(value: Any) -> Any:
+    """Escapes each printed value; Jinja's own escaping would leave control characters and commands
+    to CI in it. Drawings and markup of macros have __html__, and stay as they are."""
+    from markupsafe import Markup
+
+    return value if hasattr(value, "__html__") else Markup(escaping.html(str(value)))

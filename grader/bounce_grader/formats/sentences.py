@@ -1,9 +1,7 @@
-"""Sentences about a record, and places in the submission's files, for several formats."""
-
-import re
-from typing import NamedTuple
+"""Sentences about a record, for several formats."""
 
 from bounce_grader.common.numbers import short
+from bounce_grader.grading import hints
 from bounce_grader.grading.record import Record
 
 STATUS_WORDS = {
@@ -15,23 +13,6 @@ STATUS_WORDS = {
     "out_of_memory": "ran out of memory",
     "no_answer": "gave no answer",
 }
-PLACE = re.compile(r"([\w./-]+\.(?:cpp|cc|cxx|hpp|hh|hxx|h|ipp|inl)):(\d+)(?::(\d+))?")
-
-
-class Place(NamedTuple):
-    """A line of the submission's files."""
-
-    file: str
-    line: int
-    column: int | None
-
-
-def place_in(message: str) -> Place | None:
-    match = PLACE.search(message)
-    if not match:
-        return None
-    file, line, column = match.groups()
-    return Place(file, int(line), int(column) if column else None)
 
 
 def has_run(part: Record) -> bool:
@@ -125,23 +106,14 @@ def first_to_do(record: Record) -> str:
 def hint(part: Record, check: Record) -> str:
     """The heading of the hint for a failed check, for the first one that of the part's mistake;
     empty for a passed one."""
-    from bounce_grader.assignment.hints import diagnosed, headings
-
     if check["passed"]:
         return ""
-    said = ""
+    found = ""
     if check is _first_failed(part):
         named = [mistake["hint"] for mistake in part["mistakes"]]
-        said = named[0] if named else diagnosed(part["part"], " ".join(part["patterns"]))
-    return said or headings().get(check["id"], "")
+        found = named[0] if named else hints.of_patterns(part["part"], part["patterns"])
+    return found or hints.of_check(check["id"])
 
 
 def _first_failed(part: Record) -> Record | None:
     return next((check for check in part["checks"] if not check["passed"]), None)
-
-
-def nudge(heading: str) -> str:
-    """The first stage of the hint with this heading."""
-    from bounce_grader.assignment.hints import nudges
-
-    return nudges().get(heading, "")

@@ -1,4 +1,4 @@
 """Grades a submission into its score record, with known mistakes and speed.
 
-May import: assignment, build, common, sandbox, submission.
+May import: build, common, sandbox, submission.
 """

@@ -9,20 +9,15 @@ from bounce_grader.common.manifest import parts
 Expected = dict[str, Any]
 
 
-def expected(folder: Path) -> Expected:
-    """The content of expected.json, with parts in "lost" replaced by the ids of their checks. A
-    submission that loses nothing needs no file."""
+def expected(folder: Path, reduced: bool = False) -> Expected:
+    """The content of expected.json, with parts in "lost" replaced by the ids of their checks; in
+    the reduced box, the entries under "reduced" replace the others. A submission that loses nothing
+    needs no file."""
     file = folder / "expected.json"
     data: Expected = json.loads(file.read_text()) if file.exists() else {}
+    if reduced:
+        data |= data["reduced"]
     return data | {"lost": _checks(data.get("lost", []))}
-
-
-def in_reduced_box(data: Expected) -> Expected:
-    """What is expected in the reduced box: the entries under "reduced" replace the others."""
-    other = dict(data["reduced"])
-    if "lost" in other:
-        other["lost"] = _checks(other["lost"])
-    return data | other
 
 
 def points(lost: list[str]) -> list[float]:

@@ -8,20 +8,20 @@ from pathlib import Path
 from typing import NamedTuple
 
 from bounce_grader.build import linking
-from bounce_grader.build.compile import compile_all, Built, Objects
+from bounce_grader.build.compile import compile_all, Objects
 from bounce_grader.common.errors import KitError
 from bounce_grader.common.files import remove_unlocked, temporary_folder
 from bounce_grader.common.manifest import parts, Part
 from bounce_grader.common.parallel_map import parallel_map
 from bounce_grader.common.paths import STUBS, WORK_FOLDER
-from bounce_grader.grading import fixtures, judging, record, sanitizing, speed
+from bounce_grader.grading import fixtures, judging, record, sanitizing
 from bounce_grader.grading.judging import Judged
 from bounce_grader.grading.record import Record
 from bounce_grader.sandbox import box as boxes
 from bounce_grader.sandbox.box import Box
 from bounce_grader.sandbox.budget import Budget, Overrun
 from bounce_grader.submission import submission
-from bounce_grader.submission.submission import Submission
+from bounce_grader.submission.submission import Place, Submission
 
 
 class Options(NamedTuple):
@@ -47,17 +47,14 @@ def grade(given: Path | Submission, options: Options = Options()) -> Record:
     jobs = options.jobs or os.cpu_count() or 1
     with temporary_folder(WORK_FOLDER) as work:
         box.give(work)
-        objects = compile_all(taken, work, box, jobs)
-        grading = _Grading(taken, objects, work, hidden, box)
+        grading = _Grading(taken, work, hidden, box, jobs)
         compiled = time.monotonic()
-        grading.judge_together(jobs)
-        grading.judge_alone(jobs)
+        grading.judge_together()
+        grading.judge_alone()
         records = [grading.record_of(part) for part in parts()]
         if not any(r["score"] for r in records):
             _require_working_kit(Box(box.kind))
-        measured = None
-        if options.speed:
-            measured = _speed(grading, jobs)
+        measured = _speed(grading) if options.speed else None
         if options.sanitize:
             records = parallel_map(grading.with_remarks, records, jobs)
     end = time.monotonic()
@@ -72,80 +69,66 @@ def grade(given: Path | Submission, options: Options = Options()) -> Record:
     return graded if options.answers else record.without_answers(graded)
 
 
-def _link_together(
-    taken: Submission, objects: Objects, runner: Path, box: Box, timed: bool = False
-) -> Built:
-    if any(part.number not in objects.parts for part in parts()):
-        return Built(None, "not all parts were submitted")
-    broken = [b for b in [*objects.parts.values(), *objects.helpers.values()] if not b.path]
-    return broken[0] if broken else linking.link_together(objects, runner, box, timed)
-
-
 class _Grading:
     """Judges the parts. First all parts linked together; then, if a part could score better, this
     part alone, with the given earlier parts. The better score counts."""
 
-    def __init__(
-        self,
-        taken: Submission,
-        objects: Objects,
-        work: Path,
-        hidden: Path,
-        box: Box,
-    ) -> None:
-        self.taken, self.objects, self.work = taken, objects, work
-        self.hidden, self.box = hidden, box
+    def __init__(self, taken: Submission, work: Path, hidden: Path, box: Box, jobs: int) -> None:
+        self.taken, self.work, self.hidden, self.box, self.jobs = taken, work, hidden, box, jobs
+        self.objects = compile_all(taken, work, box, jobs)
         self.together: Path | None = None  # the runner with all parts, if they link
         self.own: dict[Part, Judged] = {}
-        self.alone: dict[Part, Built | Overrun] = {}  # the runners of those judged alone
-        self.best: dict[Part, Judged] = {}
-        self.failed: dict[Part, Record] = {}  # parts of which no line could be run
+        self.results: dict[Part, Judged | Record] = {}  # a record: no line of it could be run
 
-    def judge_together(self, jobs: int) -> None:
+    def link_together(self, objects: Objects, name: str, timed: bool = False) -> Path | None:
+        """The runner with all parts; None if one is missing, or they don't link."""
+        complete = len(objects.parts) == len(parts()) and all(built.path for built in objects.all)
+        if not complete:
+            return None
+        return linking.link_together(objects, self.work / name, self.box, timed).path
+
+    def judge_together(self) -> None:
         """Judges the parts in the runner that holds them all. Parts that call no other come first:
         if one of them hangs, its callers would hang, too, and are judged with given parts."""
         with suppress(Overrun):
-            runner = _link_together(self.taken, self.objects, self.work / "together", self.box).path
-            self.together = runner
+            self.together = runner = self.link_together(self.objects, "together")
             for calling in (False, True):
                 if not runner or any(j.status == "timed_out" for j in self.own.values()):
                     return
                 now = [part for part in parts() if bool(part.calls) == calling]
-                parallel_map(partial(self._judge_own, runner), now, jobs)
+                parallel_map(partial(self._judge_own, runner), now, self.jobs)
 
-    def judge_alone(self, jobs: int) -> None:
+    def judge_alone(self) -> None:
         """Judges each part alone that could score better, and takes the better result. One after
         the other: side by side, the given answers of a later part could reach an earlier one, by
         whatever two programs notice of each other, as how busy the machine is."""
-        now = [part for part in parts() if not self._problem(part) and self._could_be_better(part)]
-        parallel_map(self._link_alone, now, jobs)
         for part in parts():
-            self._take_better(part)
+            self.results[part] = self._problem(part) or self._better(part)
 
-    def _link_alone(self, part: Part) -> None:
-        runner = self.work / f"alone{part.number}"
+    def _better(self, part: Part) -> Judged | Record:
+        tries = [self.own[part]] if part in self.own else []
         try:
-            self.alone[part] = linking.link_alone(part, self.objects, runner, self.box)
+            if self._could_be_better(part):
+                runner = self.work / f"alone{part.number}"
+                alone = linking.link_alone(part, self.objects, runner, self.box)
+                if alone.path:
+                    tries.append(self._judge(alone.path, bool(part.calls), part, recognise=True))
+                elif not tries:
+                    # With the errors of helpers, which may be the reason.
+                    broken = [b.problem for b in self.objects.helpers.values() if not b.path]
+                    return self._not_built(part, "; ".join([alone.problem, *broken]), alone.place)
         except Overrun as overrun:
-            self.alone[part] = overrun
-
-    def _take_better(self, part: Part) -> None:
-        try:
-            tries = self._tries(part)
-        except Overrun as overrun:
-            tries = [self.own[part]] if part in self.own else []
-            if not tries and part not in self.failed:
-                self.failed[part] = record.failed_part(part, "timed_out", f"not judged: {overrun}")
-        if tries:
-            # If both score the same, the later one, with the given parts.
-            self.best[part] = max(reversed(tries), key=lambda judged: judged.score(part))
+            if not tries:
+                return record.failed_part(part, "timed_out", f"not judged: {overrun}")
+        # If both score the same, the later one, with the given parts.
+        return max(reversed(tries), key=lambda judged: judged.score(part))
 
     def record_of(self, part: Part) -> Record:
         """The record of a part. Called once all parts are judged, because explaining a crash may
         take only the time that is left."""
-        if part not in self.best:
-            return self.failed[part]
-        best = self.best[part]
+        best = self.results[part]
+        if not isinstance(best, Judged):
+            return best
         if best.status == "crashed":
             best = sanitizing.with_cause(part, best, self.taken, self.work, self.hidden, self.box)
         return record.part_record(part, best)
@@ -156,24 +139,7 @@ class _Grading:
             return graded
         part = parts()[graded["part"] - 1]
         found = sanitizing.remark(part, self.taken, self.work, self.box)
-        return {**graded, "remarks": [record.sentence(found)] if found else []}
-
-    def _tries(self, part: Part) -> list[Judged]:
-        problem = self._problem(part)
-        if problem:
-            self.failed[part] = record.failed_part(part, *problem)
-            return []
-        tries = [self.own[part]] if part in self.own else []
-        if self._could_be_better(part):
-            alone = self.alone[part]
-            if isinstance(alone, Overrun):
-                raise alone
-            if alone.path:
-                tries.append(self._judge(alone.path, bool(part.calls), part, recognise=True))
-            elif not tries:
-                why = self._why(alone)
-                self.failed[part] = record.failed_part(part, "does_not_compile", why)
-        return tries
+        return record.with_remark(graded, *found) if found else graded
 
     def _judge_own(self, runner: Path, part: Part) -> None:
         self.own[part] = self._judge(runner, False, part)
@@ -198,25 +164,25 @@ class _Grading:
         )
         return bool(part.calls) or not hangs_by_itself
 
-    def _problem(self, part: Part) -> tuple[str, str] | None:
+    def _problem(self, part: Part) -> Record | None:
+        """The record of a part of which there is nothing to run."""
         if part.number in self.taken.refused:
-            return "does_not_compile", self.taken.refused[part.number]
+            return self._not_built(part, self.taken.refused[part.number], None)
         if part.number not in self.objects.parts:
-            return "not_submitted", f"{part.file} isn't among the files submitted"
-        if self.taken.files[self.taken.parts[part.number]].split() == _stub(part):
-            return "graded", f"nothing is filled in yet: start at the TODO in {part.file}"
+            message = f"{part.file} isn't among the files submitted"
+            return record.failed_part(part, "not_submitted", message)
+        stub = (STUBS / part.file).read_bytes()
+        if self.taken.files[self.taken.parts[part.number]].split() == stub.split():
+            message = f"nothing is filled in yet: start at the TODO in {part.file}"
+            return record.failed_part(part, "graded", message)
         built = self.objects.parts[part.number]
-        return None if built.path else ("does_not_compile", built.problem)
+        return None if built.path else self._not_built(part, built.problem, built.place)
 
-    def _why(self, alone: Built) -> str:
-        """Why the part doesn't link; with the errors of helpers, which may be the reason."""
-        broken = [built.problem for built in self.objects.helpers.values() if not built.path]
-        return "; ".join([alone.problem, *broken])
-
-
-def _stub(part: Part) -> list[bytes]:
-    """The words of a part's stub."""
-    return (STUBS / part.file).read_bytes().split()
+    def _not_built(self, part: Part, why: str, place: Place | None) -> Record:
+        if place:  # as "./helper.hpp", or as whatever the submission made a compiler write
+            place = place._replace(file=os.path.normpath(place.file))
+        known = place if place and place.file in self.taken.files else None
+        return record.failed_part(part, "does_not_compile", why, known)
 
 
 def _require_working_kit(box: Box) -> None:
@@ -236,22 +202,20 @@ def _require_working_kit(box: Box) -> None:
         raise KitError(f"the box stopped working while it was in use: {problem}")
 
 
-def _speed(grading: _Grading, jobs: int) -> Record:
+def _speed(grading: _Grading) -> Record:
     """Times the submission beside the solution, if its parts link together and the grading has time
     left; and adds the largest error over all public cases."""
-    errors = [judged.largest_error for judged in grading.best.values()]
+    from bounce_grader.grading import speed
+
+    results = grading.results.values()
+    errors = [judged.largest_error for judged in results if isinstance(judged, Judged)]
     known = [error for error in errors if error is not None]
-    complete = len(known) == len(parts())
-    measured: Record | None = None
+    measured: Record = {"largest_error": max(known) if len(known) == len(parts()) else None}
     with suppress(Overrun):
-        measured = _measured(grading, jobs) if grading.together else None
-    return {**(measured or {}), "largest_error": max(known) if complete else None}
-
-
-def _measured(grading: _Grading, jobs: int) -> Record | None:
-    taken, work, box = grading.taken, grading.work, grading.box
-    objects = compile_all(taken, work, box, jobs, timed=True)
-    timed = _link_together(taken, objects, work / "timed", box, timed=True)
-    if not timed.path or not grading.together:
-        return None
-    return speed.measure(timed.path, grading.together, box)
+        if grading.together:
+            taken, work, box = grading.taken, grading.work, grading.box
+            objects = compile_all(taken, work, box, grading.jobs, timed=True)
+            timed = grading.link_together(objects, "timed", timed=True)
+            if timed:
+                measured |= speed.measure(timed, grading.together, box) or {}
+    return measured

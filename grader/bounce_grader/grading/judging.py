@@ -10,13 +10,14 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from bounce_grader.common.errors import KitError
-from bounce_grader.common.escaping import printable_name, printable_text
+from bounce_grader.common.escaping import first_few, printable_name, printable_text
 from bounce_grader.common.manifest import Part
 from bounce_grader.common.paths import FIXTURES, JUDGE, SOURCES, WORK_FOLDER
 from bounce_grader.grading.words import Verdict
 from bounce_grader.sandbox import processes
 from bounce_grader.sandbox.box import LARGEST_FILE, Box
 from bounce_grader.sandbox.budget import Overrun
+from bounce_grader.submission.submission import Place
 
 SYMBOLS = processes.Limits(cpu_seconds=5, wall_seconds=30, memory=1 << 30, file_size=0)
 WAIT = processes.Limits(60, 300, memory=4 << 30, file_size=LARGEST_FILE, output=1 << 20)
@@ -78,40 +79,35 @@ def judge(
     box.budget.require_responsive_machine()
     if not result.ok:
         raise KitError(f"the judge failed on part {part.number}: {result.err.strip() or 'killed'}")
-    answer = read_answer(result.out, part)
-    verdicts = {
-        id: verdict._replace(place=_place(answer["stacks"][id], runner, files, box))
-        for id, verdict in answer["verdicts"].items()
-    }
-    return Judged(
-        verdicts,
-        answer["largest_error"],
-        "given" if given else "own",
-        tuple(answer["mistakes"]),
-        tuple(answer["patterns"]),
-    )
+    judged = read_answer(result.out, part)
+    places = {id: _place(v.stack, runner, files, box) for id, v in judged.verdicts.items()}
+    verdicts = {id: v._replace(place=places[id]) for id, v in judged.verdicts.items()}
+    return judged._replace(verdicts=verdicts, graded_with="given" if given else "own")
 
 
-def read_answer(out: bytes, part: Part) -> dict[str, Any]:
-    """Parses the judge's answer, which grader/judge/main.cpp describes, into verdicts and stacks by
-    check, and the rest. Checks that parts.json leaves out are dropped. Raises KitError."""
+def read_answer(out: bytes, part: Part) -> Judged:
+    """Parses the judge's answer, which grader/judge/main.cpp describes. Checks that parts.json
+    leaves out are dropped. Raises KitError."""
     try:
         answer = _printable(json.loads(out, parse_constant=_no_number))
-        checks = {check.pop("id"): check for check in answer["checks"]}
-        stacks = {id: str(check.pop("stack")) for id, check in checks.items()}
-        verdicts = {id: Verdict(**check) for id, check in checks.items()}
-        rest = {key: answer[key] for key in ("largest_error", "mistakes", "patterns")}
+        stacked = [check | {"stack": str(check["stack"])} for check in answer["checks"]]
+        verdicts = {check.pop("id"): Verdict(**check) for check in stacked}
+        error, mistakes, patterns = (answer[k] for k in ("largest_error", "mistakes", "patterns"))
         sound = all(v.status in STATUSES and isinstance(v.passed, bool) for v in verdicts.values())
-        sound = sound and isinstance(rest["largest_error"], float | int | None)
+        sound = sound and len(verdicts) == len(answer["checks"])
         sound = sound and all(isinstance(v.end, str) for v in verdicts.values())
+        if not (sound and isinstance(error, float | int | None)):
+            raise ValueError("another shape than it should have")
     except (ValueError, TypeError, LookupError, AttributeError, RecursionError) as error:
         raise KitError(f"the judge's answer on part {part.number} can't be read") from error
-    if not sound or len(checks) != len(answer["checks"]):
-        raise KitError(f"the judge's answer on part {part.number} has another shape than it should")
-    if not checks.keys() >= (wanted := {check.id for check in part.checks}):
-        raise KitError(f"the judge's checks of part {part.number} lack some of parts.json")
-    kept = {id: verdict for id, verdict in verdicts.items() if id in wanted}
-    return {"verdicts": kept, "stacks": stacks, **rest}
+    missing = [check.id for check in part.checks if check.id not in verdicts]
+    if missing:
+        raise KitError(
+            f"the judge's checks of part {part.number} lack some of parts.json "
+            f"({first_few(missing)}): correct the id there, or leave the check out"
+        )
+    kept = {check.id: verdicts[check.id] for check in part.checks}
+    return Judged(kept, error, "own", tuple(mistakes), tuple(patterns))
 
 
 def _printable(x: Any) -> Any:
@@ -131,26 +127,26 @@ def _no_number(word: str) -> None:
 
 
 @cache
-def _place(stack: str, runner: Path, files: frozenset[str], box: Box) -> str:
-    """The innermost line on the stack that is in the submission's own files; empty if unknown, also
+def _place(stack: str, runner: Path, files: frozenset[str], box: Box) -> Place | None:
+    """The innermost line on the stack that is in the submission's own files; None if unknown, also
     for want of time, as the verdict is valid without it."""
     if not stack:
-        return ""
+        return None
     command = ["/usr/bin/addr2line", "-i", "-e", str(runner), *stack.split()]
     with suppress(Overrun):
         result = box.run(box.to_build(runner.parent, [runner]) + command, SYMBOLS)
-        return place_in(result.out, files.__contains__) or "" if result.ok else ""
-    return ""
+        return place_in(result.out, files.__contains__) if result.ok else None
+    return None
 
 
-def place_in(lines: bytes, is_submitted: Callable[[str], bool] = bool) -> str | None:
-    """The first FILE:LINE in a file of the submission. The submission can put any name there by
-    #line, so `is_submitted` checks it."""
+def place_in(lines: bytes, is_submitted: Callable[[str], bool] = bool) -> Place | None:
+    """The first line in a file of the submission. The submission can put any name there by #line,
+    so `is_submitted` checks it."""
     for line in lines.splitlines():
         _, _, rest = line.decode("utf-8", "replace").partition(f"/{WORK_FOLDER}")
         inside = re.match(
-            rf"[^/]{{1,50}}/{SOURCES}(?:-[0-9a-f]{{16}})?/((.{{1,255}}?):\d{{1,9}})(?!\d)", rest
+            rf"[^/]{{1,50}}/{SOURCES}(?:-[0-9a-f]{{16}})?/(.{{1,255}}?):(\d{{1,9}})(?!\d)", rest
         )
-        if inside and is_submitted(inside.group(2)):
-            return printable_name(inside.group(1))
+        if inside and is_submitted(inside.group(1)):
+            return Place(printable_name(inside.group(1)), int(inside.group(2)))
     return None

@@ -19,12 +19,11 @@ import json
 import os
 import re
 import tempfile
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from bounce_grader.assignment.hints import headings
 from bounce_grader.build import linking
 from bounce_grader.build.compile import compile_all
 from bounce_grader.common.errors import KitError
@@ -33,15 +32,20 @@ from bounce_grader.common.manifest import part_of, parts, Part
 from bounce_grader.common.parallel_map import parallel_map
 from bounce_grader.common.paths import FIXTURES, JUDGE, REFERENCE_RUNNER, ROOT
 from bounce_grader.grading.gallery import expected
+from bounce_grader.grading.hints import hints
+from bounce_grader.grading.record import KNOWN, MISTAKE_FIELDS
 from bounce_grader.sandbox import processes
 from bounce_grader.sandbox.box import LARGEST_FILE, Box
 from bounce_grader.submission import submission
 
 GALLERY = ROOT / "tests" / "submissions" / "mistakes"
-KNOWN = FIXTURES / "public" / "mistakes"
 TRUSTED = Box("none")  # the gallery is the kit's own
 LIMITS = processes.Limits(20, 120, memory=4 << 30, file_size=LARGEST_FILE, output=64 << 20)
 DIGITS = 12  # significant ones
+HOLDS = {
+    "mistake.md": "its title, a sentence, equations, hint and a line",
+    "expected.json": "the checks that it loses",
+}
 LAYOUT = re.compile(
     r"# (?P<title>.+)\n\n(?P<sentence>.+)\n\n- Equations: (?P<equations>\d+(?:, \d+)*)\n"
     r"- Hint: (?P<hint>.+)\n- For the instructor: (?P<instructor>.+)\n"
@@ -73,39 +77,23 @@ def gallery() -> list[Mistake]:
 
 
 def read(folder: Path) -> Mistake:
-    words = _text(folder / "mistake.md", "its title, a sentence, equations, hint and a line")
-    _text(folder / "expected.json", "the checks that it loses")
-    written = expected(folder)
-    match = LAYOUT.fullmatch(words)
+    written, file = expected(folder), f"{folder.name}/mistake.md"
+    for name, held in HOLDS.items():
+        if not (folder / name).exists():
+            raise KitError(f"{folder.name} lacks {name}: write {held}")
+    match = LAYOUT.fullmatch((folder / "mistake.md").read_text("utf-8"))
     if not match:
-        raise KitError(
-            f"{folder.name}/mistake.md isn't laid out as tests/submissions/README.md says"
-        )
+        raise KitError(f"{file} isn't laid out as tests/submissions/README.md says")
     if not re.match(r"part\d+_", folder.name):
         raise KitError(f"{folder.name}: the name must begin with its part, as in part2_without_dt")
-    if match["hint"] not in headings().values():
-        raise KitError(
-            f"{folder.name}/mistake.md names a hint that isn't a heading in student/hints"
-        )
+    if match["hint"] not in [hint.heading for hint in hints()]:
+        raise KitError(f"{file} names a hint that isn't a heading in student/hints")
     numbers = tuple(int(number) for number in match["equations"].split(", "))
     if not set(numbers) <= _equations():
-        raise KitError(f"{folder.name}/mistake.md names an equation that student/README.md hasn't")
-    return Mistake(
-        folder.name,
-        match["title"],
-        match["sentence"],
-        numbers,
-        match["hint"],
-        match["instructor"],
-        tuple(written["lost"]),
-        written.get("recognised_as", folder.name),
-    )
-
-
-def _text(file: Path, what: str) -> str:
-    if not file.exists():
-        raise KitError(f"{file.parent.name} lacks {file.name}: write {what}")
-    return file.read_text(encoding="utf-8")
+        raise KitError(f"{file} names an equation that student/README.md hasn't")
+    found: dict[str, Any] = match.groupdict() | {"name": folder.name, "equations": numbers}
+    twin = written.get("recognised_as", folder.name)
+    return Mistake(**found, lost=tuple(written["lost"]), recognised_as=twin)
 
 
 @cache
@@ -130,33 +118,23 @@ def answers(part: Part, runner: Path) -> Answers:
     return list(json.loads(result.out))
 
 
-def runner_of(folder: Path, part: Part, work: Path) -> Path:
-    """Builds a runner with a folder's file for this part alone."""
-    taken = submission.read(folder)
-    work.mkdir(parents=True, exist_ok=True)
-    objects = compile_all(taken, work, TRUSTED, 1)
-    linked = linking.link_alone(part, objects, work / "runner", TRUSTED)
-    if not linked.path:
-        raise KitError(f"{folder.name} can't be built: {linked.problem}")
-    return linked.path
-
-
-def answers_of(folder: Path, part: Part, work: Path) -> Answers:
-    got = answers(part, runner_of(folder, part, work))
-    if not got:
-        raise KitError(f"{folder.name} ends before it has answered; such ones belong into broken/")
-    return got
-
-
-def right_answers(part: Part) -> Answers:
-    return answers(part, REFERENCE_RUNNER)
-
-
 def _all_answers(mistakes: list[Mistake]) -> dict[str, Answers]:
+    """The answers of each mistake's file alone, built for this."""
     with tempfile.TemporaryDirectory() as name:
 
         def asked(m: Mistake) -> Answers:
-            return answers_of(GALLERY / m.name, m.part, Path(name) / m.name)
+            work = Path(name) / m.name
+            work.mkdir()
+            objects = compile_all(submission.read(GALLERY / m.name), work, TRUSTED, 1)
+            linked = linking.link_alone(m.part, objects, work / "runner", TRUSTED)
+            if not linked.path:
+                raise KitError(f"{m.name} can't be built: {linked.problem}")
+            got = answers(m.part, linked.path)
+            if not got:
+                raise KitError(
+                    f"{m.name} ends before it has answered; such ones belong into broken/"
+                )
+            return got
 
         got = parallel_map(asked, mistakes, os.cpu_count() or 1)
     return {m.name: answers for m, answers in zip(mistakes, got)}
@@ -175,21 +153,18 @@ def texts() -> dict[str, str]:
     return {f"{part.stem}.json": _file(part, mistakes, got) for part in parts()}
 
 
+def stale(folder: Path = KNOWN) -> dict[str, str | None]:
+    """The names of the files that don't match the gallery, with the text of each; None if it should
+    be gone. One that differs only by rounding matches: the libm of another machine gives other last
+    digits."""
+    fresh: dict[str, str | None] = {file.name: None for file in folder.glob("*")} | texts()
+    return {name: text for name, text in fresh.items() if not _is_fresh(folder / name, text)}
+
+
 def write(folder: Path = KNOWN) -> None:
-    """Writes the files. One that differs only by rounding stays as it is: the libm of another
-    machine gives other last digits."""
-    folder.mkdir(parents=True, exist_ok=True)
-    for name, text in texts().items():
-        file = folder / name
-        if not _is_fresh(file, text):
-            write_whole(file, text)
-
-
-def differing(folder: Path = KNOWN) -> list[str]:
-    """The names of the files that don't match the gallery."""
-    fresh = texts()
-    names = {file.name for file in folder.glob("*")} | set(fresh)
-    return sorted(name for name in names if not _is_fresh(folder / name, fresh.get(name)))
+    for name, text in stale(folder).items():
+        if text is not None:
+            write_whole(folder / name, text)
 
 
 def _is_fresh(file: Path, text: str | None) -> bool:
@@ -211,9 +186,12 @@ def are_equal_up_to_rounding(a: Any, b: Any) -> bool:
 
 def _file(part: Part, mistakes: list[Mistake], got: Mapping[str, Answers]) -> str:
     """The JSON text for a part, with one mistake on each line."""
-    right = _rounded(right_answers(part))
+    right = _rounded(answers(part, REFERENCE_RUNNER))
     lines = [
-        _line(_entry(m, _differences(right, _rounded(got[m.name]))))
+        _line(
+            {key: getattr(m, key) for key in MISTAKE_FIELDS}
+            | {"checks": m.lost, "answers": _differences(right, _rounded(got[m.name]))}
+        )
         for m in mistakes
         if m.part == part and m.recognised_as == m.name
     ]
@@ -224,18 +202,6 @@ def _file(part: Part, mistakes: list[Mistake], got: Mapping[str, Answers]) -> st
 
 def _line(value: Any) -> str:
     return json.dumps(value, ensure_ascii=False, separators=(",", ":"))
-
-
-def _entry(mistake: Mistake, differences: dict[str, Any]) -> dict[str, Any]:
-    return {
-        "name": mistake.name,
-        "title": mistake.title,
-        "sentence": mistake.sentence,
-        "equations": mistake.equations,
-        "hint": mistake.hint,
-        "checks": mistake.lost,
-        "answers": differences,
-    }
 
 
 def _rounded(answers: Answers) -> Answers:
@@ -251,56 +217,31 @@ def _shorter(x: float) -> float:
 
 def _differences(right: Answers, mistaken: Answers) -> dict[str, Any]:
     """The wrong answers: {question: {entry: number}}, or {question: text of the exception}."""
-    return {str(k): what for k, what in _differing_answers(right, mistaken)}
-
-
-def _differing_answers(right: Answers, mistaken: Answers) -> Iterator[tuple[int, Any]]:
+    different: dict[str, Any] = {}
     for k, (expected, got) in enumerate(zip(right, mistaken)):
-        if isinstance(got, str):
-            yield k, got
-            continue
-        entries = {
-            str(i): x
-            for i, (e, x) in enumerate(zip(expected, got))
-            if x is None or abs(x - e) > 1e-9 * max(1.0, abs(e), abs(x))
-        }
-        if entries:
-            yield k, entries
-
-
-# --- twins ---
+        wrong = got
+        if not isinstance(got, str):
+            wrong = {
+                str(i): x
+                for i, (e, x) in enumerate(zip(expected, got))
+                if x is None or abs(x - e) > 1e-9 * max(1.0, abs(e), abs(x))
+            }
+        if wrong:
+            different[str(k)] = wrong
+    return different
 
 
 def _check_twins(mistakes: list[Mistake], got: Mapping[str, Answers]) -> None:
-    by_name = {m.name: m for m in mistakes}
     for m in mistakes:
-        twin = by_name.get(m.recognised_as)
-        if twin is None or twin.recognised_as != twin.name:
-            raise KitError(f"{m.name} is recognised_as {m.recognised_as}, which isn't by itself")
-        if not are_equal_up_to_rounding(got[m.name], got[twin.name]):
-            raise KitError(f"{m.name} is recognised_as {twin.name}, but answers otherwise")
-    alone = [m for m in mistakes if m.recognised_as == m.name]
-    for i, m in enumerate(alone):
-        for other in alone[i + 1 :]:
-            if m.part == other.part and are_equal_up_to_rounding(got[m.name], got[other.name]):
-                raise KitError(
-                    f"{m.name} and {other.name} answer the same to every public case: give one "
-                    f'"recognised_as" in its expected.json, and the other words true of both'
-                )
-
-
-# --- for reports ---
-
-
-@cache
-def known() -> dict[str, dict[str, Any]]:
-    """What students are told about each mistake, and the checks that it costs, by its name."""
-    match = {}
-    for part in parts():
-        file = KNOWN / f"{part.stem}.json"
-        for entry in json.loads(file.read_text(encoding="utf-8"))["mistakes"]:
-            match[entry["name"]] = {key: entry[key] for key in entry if key != "answers"}
-    return match
+        others = [other for other in mistakes if other.part == m.part]
+        same = [o.name for o in others if are_equal_up_to_rounding(got[m.name], got[o.name])]
+        named = {o.recognised_as for o in others if o.name in same}
+        if named != {m.recognised_as} or m.recognised_as not in same:
+            raise KitError(
+                f"{' and '.join(same)} answer the same to every public case, and no others: give "
+                'all but one the name of that one as "recognised_as" in expected.json, and words '
+                "that are true of all"
+            )
 
 
 @cache

@@ -5,42 +5,82 @@ bounded length here, so that the record is always valid JSON in UTF-8.
 """
 
 import hashlib
+import json
 from collections.abc import Callable, Iterator, Mapping
-from pathlib import Path
+from functools import cache
+from pathlib import Path, PurePosixPath
 from typing import Any
 
 from bounce_grader import __version__
 from bounce_grader.common.escaping import printable_name, printable_text
 from bounce_grader.common.manifest import parts, Check, Part
+from bounce_grader.common.paths import FIXTURES
 from bounce_grader.grading import words
 from bounce_grader.grading.judging import Judged
-from bounce_grader.grading.known_mistakes import known
 from bounce_grader.grading.words import Verdict
-from bounce_grader.submission.submission import Submission
+from bounce_grader.submission.submission import Place, Submission
 
 Record = dict[str, Any]
+KNOWN = FIXTURES / "public" / "mistakes"
+MISTAKE_FIELDS = ("name", "title", "sentence", "equations", "hint")
 LONGEST_SENTENCE = 1000
 MOST_IGNORED = 100  # names
 
 
-def part_record(part: Part, judged: Judged) -> Record:
-    score = judged.score(part)
-    mistakes = [_mistake_record(name) for name in judged.mistakes]
-    return {
-        **_heading(part),
-        "score": score,
+@cache
+def known_mistakes() -> dict[str, Record]:
+    """What students are told about each known mistake, and the checks that it costs, by its
+    name."""
+    files = [KNOWN / f"{part.stem}.json" for part in parts()]
+    entries = [one for file in files for one in json.loads(file.read_text("utf-8"))["mistakes"]]
+    return {one["name"]: {key: one[key] for key in one if key != "answers"} for one in entries}
+
+
+def failed_part(part: Part, status: str, message: str, place: Place | None = None) -> Record:
+    """The record of a part that couldn't be run at all."""
+    made = {
+        "part": part.number,
+        "stem": part.stem,
+        "title": part.title,
+        "score": 0,
         "max_score": part.points,
-        "status": judged.status,
-        "message": sentence(_part_message(part, judged)),
+        "status": status,
+        "message": sentence(message),
+        "graded_with": "own",
+        "mistakes": [],
+        "patterns": [],
+        "remarks": [],
+        "checks": [_check_record(check, False, "", []) for check in part.checks],
+    }
+    return made | _at(place)
+
+
+def _at(place: Place | None) -> Record:
+    """The line of the submission that something is about, if one is known."""
+    return {"place": place._asdict()} if place else {}
+
+
+def part_record(part: Part, judged: Judged) -> Record:
+    ended = [verdict for verdict in judged.verdicts.values() if verdict.status != "graded"]
+    place = next((verdict.place for verdict in ended if verdict.place), None)
+    mistakes = [
+        {key: known_mistakes()[name][key] for key in MISTAKE_FIELDS} for name in judged.mistakes
+    ]
+    return failed_part(part, judged.status, _part_message(part, judged), place) | {
+        "score": judged.score(part),
         "graded_with": judged.graded_with,
         "mistakes": mistakes,
         "patterns": [printable_text(sentence) for sentence in judged.patterns],
-        "remarks": [],
         "checks": [
-            _check_record(check, verdict.passed, message, mistakes) | numbers
+            _check_record(check, verdict.passed, message, mistakes) | _at(verdict.place) | numbers
             for check, verdict, message, numbers in _with_each_reason_once(part, judged)
         ],
     }
+
+
+def with_remark(graded: Record, remark: str, place: Place | None) -> Record:
+    """The record of a part, with a remark that costs no points."""
+    return graded | {"remarks": [sentence(remark)]} | _at(place)
 
 
 def _with_each_reason_once(
@@ -61,37 +101,12 @@ def _with_each_reason_once(
             first[reason] = check
 
 
-def failed_part(part: Part, status: str, message: str) -> Record:
-    """The record of a part that couldn't be run at all."""
-    return {
-        **_heading(part),
-        "score": 0,
-        "max_score": part.points,
-        "status": status,
-        "message": sentence(message),
-        "graded_with": "own",
-        "mistakes": [],
-        "patterns": [],
-        "remarks": [],
-        "checks": [_check_record(check, False, "", []) for check in part.checks],
-    }
-
-
-def _heading(part: Part) -> Record:
-    return {"part": part.number, "stem": part.stem, "title": part.title}
-
-
-def _mistake_record(mistake: str) -> Record:
-    told = known()[mistake]
-    return {key: told[key] for key in ("name", "title", "sentence", "equations", "hint")}
-
-
 def _mistake_of(check: Check, mistakes: list[Record]) -> Record | None:
     """The mistake to name for a failed check: the part's only one, or the first that costs this
     check."""
     if len(mistakes) == 1:
         return mistakes[0]
-    return next((m for m in mistakes if check.id in known()[m["name"]]["checks"]), None)
+    return next((m for m in mistakes if check.id in known_mistakes()[m["name"]]["checks"]), None)
 
 
 def _check_record(check: Check, passed: bool, message: str, mistakes: list[Record]) -> Record:
@@ -161,7 +176,7 @@ def whole(
     record: Record = {
         "score": sum(p["score"] for p in part_records),
         "max_score": sum(part.points for part in parts()),
-        "parts": part_records,
+        "parts": [_with_paths(part, submission) for part in part_records],
         "box": box,
         "seconds": {phase: round(value, 3) for phase, value in seconds.items()},
         "kit": __version__,
@@ -172,6 +187,22 @@ def whole(
     if len(submission.ignored) > MOST_IGNORED:
         record["ignored_more"] = len(submission.ignored) - MOST_IGNORED
     return {**record, "speed": speed} if speed else record
+
+
+def _with_paths(part: Record, submission: Submission) -> Record:
+    """The part and its checks with the paths that their places have in what was handed in. A part
+    that isn't about a certain line has line 0 of its file."""
+
+    def path(file: str) -> str:
+        return printable_name(str(PurePosixPath(submission.top, file)))
+
+    def located(found: Record) -> Record:
+        place = found.get("place")
+        return found | {"place": place | {"file": path(place["file"])}} if place else found
+
+    if part["part"] in submission.parts and "place" not in part:
+        part = part | _at(Place(submission.parts[part["part"]], 0))
+    return {**located(part), "checks": list(map(located, part["checks"]))}
 
 
 def digest_of(folders: list[Path]) -> str:

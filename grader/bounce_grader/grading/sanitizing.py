@@ -2,27 +2,25 @@
 first wrong memory access, not the last; or one with all points, whose right numbers may be luck.
 This never changes the score."""
 
-import re
+from contextlib import suppress
 from pathlib import Path
 
 from bounce_grader.build import linking
-from bounce_grader.build.error_meanings import meanings
 from bounce_grader.common.errors import KitError
 from bounce_grader.common.manifest import Part
-from bounce_grader.grading import judging, words
+from bounce_grader.common.paths import AUTO_LINE, RUNNER
+from bounce_grader.grading import judging
 from bounce_grader.grading.judging import Judged
-from bounce_grader.grading.words import Verdict
+from bounce_grader.grading.words import ending, Verdict
 from bounce_grader.sandbox.box import Box
 from bounce_grader.sandbox.budget import Budget, Overrun
-from bounce_grader.submission.submission import Submission
+from bounce_grader.sandbox.processes import Limits
+from bounce_grader.submission.submission import Place, Submission
 
 CPU_SECONDS, WALL_SECONDS = 20.0, 80.0  # for one part
 MARGIN = 5.0  # s, to stop it
-GONE, AUTO = "stack-use-after-scope", "use-after by auto"  # in words.CRASHES
-# `auto name = value;`, or by reference.
-KEPT = re.compile(r"\bauto\b[ &]*\b([A-Za-z_]\w*) *=([^;]{1,500})")
-# What an expression of Eigen looks like that may refer to a temporary value.
-MAY_REFER = re.compile(r"(?! *std::)(?=.*\()(?!.*eval\(\))(?!.*\[).*[-.*+]", re.DOTALL)
+GONE = "stack-use-after-scope"
+LIMITS = Limits(cpu_seconds=5, wall_seconds=30, memory=1 << 30, file_size=0)
 
 
 def with_cause(
@@ -38,23 +36,25 @@ def with_cause(
     return judged._replace(verdicts=verdicts)
 
 
-def remark(part: Part, taken: Submission, work: Path, box: Box) -> str:
-    """What the sanitizers find in a part with all points, in the public cases; empty if nothing."""
+def remark(part: Part, taken: Submission, work: Path, box: Box) -> tuple[str, Place | None] | None:
+    """What the sanitizers find in a part with all points, in the public cases, and where; None if
+    nothing."""
     again = _again(part, taken, work, None, box)
     verdicts = again.verdicts if again else {}
     for verdict in verdicts.values():
-        if verdict.is_of_sanitizer and verdict.ended:
-            by_auto = _by_auto(verdict.ended["text"], verdict.place, taken)
-            return by_auto or f"{verdict.place or part.file}: {words.ending(verdict.ended)}"
+        if verdict.ended and verdict.is_of_sanitizer:
+            plain = f"{verdict.place or part.file}: {ending(verdict.ended)}", verdict.place
+            return _of_auto(verdict, taken, box) or plain
     for check in part.checks if again else []:
         verdict = verdicts[check.id]
         answered = verdict.status == "graded" and (verdict.failure or {}).get("quantities")
         if not verdict.passed and answered:
-            return (
+            words = (
                 f'{part.file}: built with g++ and its sanitizers, it fails "{check.title}": does '
                 "it use a value that was never set, or that is gone?"
             )
-    return ""
+            return words, None
+    return None
 
 
 def _again(
@@ -89,26 +89,16 @@ def _with_finding(verdict: Verdict, again: Verdict) -> Verdict:
     return verdict._replace(found=again.end)
 
 
-def _by_auto(kind: str, place: str, taken: Submission) -> str:
-    """The remark where `auto` keeps what the statement at a place uses when it is gone, with the
-    line of the `auto` if only one may be it; else empty."""
-    file, _, number = place.rpartition(":")
-    if kind != GONE or file not in taken.files:
-        return ""
-    text = taken.files[file].decode("utf-8", "replace")
-    lines = text.splitlines(keepends=True)
-    at = len("".join(lines[: int(number) - 1]))
-    begin = max(text.rfind(sign, 0, at) for sign in ";{}") + 1
-    used = text[begin : at + (text[at:] + ";").index(";")]
-    function = max(text.rfind("\n}", 0, at), 0)
-    kept = []
-    for found in reversed([*KEPT.finditer(text, function, at)]):  # one may keep another
-        if re.search(rf"\b{found[1]}\b", used):
-            used += found[2]
-            kept.append(found)
-    temporary = [found for found in kept if "M()" in found[2]]
-    likely = temporary or [found for found in kept if MAY_REFER.match(found[2])]
-    if not likely:
-        return ""
-    line = text.count("\n", 0, likely[0].start()) + 1 if len(likely) == 1 else int(number)
-    return f"{file}:{line}: {dict(meanings(words.CRASHES))[AUTO]}"
+def _of_auto(verdict: Verdict, taken: Submission, box: Box) -> tuple[str, Place] | None:
+    """What is said of the `auto` that keeps what the statement at the verdict's place uses when it
+    is gone, and its place; None if none does."""
+    place = verdict.place
+    if place and verdict.ended and verdict.ended["text"] == GONE:
+        command = [*box.to_build(RUNNER, [AUTO_LINE], ()), str(AUTO_LINE), str(place.line)]
+        with suppress(Overrun):
+            result = box.run(command, LIMITS, stdin=taken.files[place.file])
+            line, _, words = result.out.decode().partition(" ")
+            if result.ok and line:
+                place = Place(place.file, int(line))
+                return f"{place}: {words}", place
+    return None

@@ -3,7 +3,7 @@ words."""
 
 import json
 from pathlib import Path
-from typing import Any, NamedTuple, cast
+from typing import Any, NamedTuple
 
 from bounce_grader.common.errors import KitError
 from bounce_grader.common.escaping import printable_text
@@ -20,7 +20,7 @@ STEP = 1e-3  # s: the dt at which the time of a step is reported
 FINE = 1e-3  # m: errors up to this are near enough
 WRONG = "a trajectory is timed only where every column is right, and one is not"
 OTHERWISE = "built for speed, the program answers otherwise than it was graded"
-LARGEST = 1e100  # bounds seconds, nanoseconds and metres, so that products are finite
+LARGEST = 1e100  # m: a larger error counts as one that isn't finite
 Measured = dict[str, Any]
 
 
@@ -43,26 +43,18 @@ def measure(timed: Path, graded: Path, box: Box) -> Measured | None:
 
 
 def read(out: bytes) -> Measured:
-    """Parses and validates the stopwatch's answer, which grader/judge/stopwatch.cpp describes, and
-    adds the time of a step. Raises KitError."""
+    """Reads the stopwatch's answer, which grader/judge/stopwatch.cpp describes, and adds the time
+    of a step. Raises KitError. Of a submission's are only the texts in it."""
     try:
-        answer = json.loads(out, parse_constant=_no_number)
+        answer = json.loads(out)
         for key, sentence in (("otherwise", OTHERWISE), ("wrong", WRONG)):
             if key in answer:
                 return {"otherwise": f"{sentence}: {printable_text(answer[key])}"}
-        scenes = [_scene(scene) for scene in answer["scenes"]]
-        measured = {
-            "cut": _cut(answer["cut"]),
-            "dt": list(map(_size, answer["dt"])),
-            "scenes": scenes,
-        }
+        scenes = list(map(_scene, answer["scenes"]))
+        measured = {"cut": _cut(answer["cut"]), "dt": answer["dt"], "scenes": scenes}
         return {**_step(measured), **measured}
     except (ValueError, TypeError, LookupError, AttributeError, RecursionError) as error:
         raise KitError("the stopwatch's answer can't be read") from error
-
-
-def _no_number(word: str) -> None:
-    raise ValueError(f"{word} is no JSON")
 
 
 def _cut(cut: Any) -> str:
@@ -70,32 +62,19 @@ def _cut(cut: Any) -> str:
     if cut is None:
         return ""
     why = words.ending(cut["ended"]) if cut["ended"] else cut["sentence"]
-    return printable_text(f"at dt = {_size(cut['dt']):.2g} s: {why}")
+    return printable_text(f"at dt = {cut['dt']:.2g} s: {why}")
 
 
 def _scene(scene: Any) -> Measured:
     curves = {
-        curve: [
-            {"dt": _size(p["dt"]), "ns": _size(p["ns"]), "error": _error(p["error"])}
-            for p in scene[curve]
-        ]
+        curve: [point | {"error": _rounded(point["error"])} for point in scene[curve]]
         for curve in CURVES
     }
-    names = {"scene": printable_text(scene["scene"]), "title": printable_text(scene["title"])}
-    return {**names, "seconds": _size(scene["seconds"]), **curves}
+    return scene | {key: printable_text(scene[key]) for key in ("scene", "title")} | curves
 
 
-def _size(x: object) -> float:
-    if type(x) not in (int, float) or not 0 < cast(float, x) <= LARGEST:
-        raise ValueError("no positive number")
-    return float(cast(float, x))
-
-
-def _error(x: object) -> float | None:
-    """An error in m; None if it isn't finite, or huge."""
-    if x is None or isinstance(x, float) and x > LARGEST:
-        return None
-    return 0.0 if x == 0 else float(f"{_size(x):.3e}")
+def _rounded(error: float | None) -> float | None:
+    return None if error is None or error > LARGEST else float(f"{error:.3e}")
 
 
 def _step(measured: Measured) -> Measured:
@@ -137,21 +116,24 @@ def sentences(measured: Measured) -> list[str]:
 
 
 def _reached(mine: list[Point], solution: list[Point], least: list[Point]) -> str:
-    first = next((p for p in mine if p.error is not None and p.error <= FINE), None)
-    right = next((p for p in solution if p.error is not None and p.error <= FINE), None)
-    quick = next((p for p in least if p.error is not None and p.error <= FINE), None)
+    first, right, quick = (
+        next((p for p in curve if p.error is not None and p.error <= FINE), None)
+        for curve in (mine, solution, least)
+    )
     if first is None:
         last = mine[-1]
         far = "somewhere not finite" if last.error is None else f"off by {metres(last.error)}"
-        said_so = f"Your program doesn't get within 1 mm: at {step(last)} it is still {far}"
-        return said_so + (f"; the solution does at {step(right)}." if right else ".")
+        out = f"Your program doesn't get within 1 mm: at {step(last)} it is still {far}"
+        return out + (f"; the solution does at {step(right)}." if right else ".")
     out = (
         f"Your program is within 1 mm of the exact motion from {step(first)} on, and then "
         f"takes {seconds(first.ns)} for a second of motion"
     )
     at_same = next((p for p in solution if p.dt == first.dt), None)
     if at_same:
-        out += f", {_times(first.ns / at_same.ns)}"
+        ratio = first.ns / at_same.ns
+        times = f"{two_digits(ratio)} times the solution's time"
+        out += f", {'about as long as the solution' if 0.9 < ratio < 1.1 else times}"
     if quick:
         out += f"; no more model than each step needs does that in {seconds(quick.ns)}"
     return out + "."
@@ -159,12 +141,3 @@ def _reached(mine: list[Point], solution: list[Point], least: list[Point]) -> st
 
 def step(point: Point) -> str:
     return f"dt = {seconds(1e9 * point.dt)}"
-
-
-def _times(ratio: float) -> str:
-    same = 0.9 < ratio < 1.1
-    return (
-        "about as long as the solution"
-        if same
-        else f"{two_digits(ratio)} times the solution's time"
-    )

@@ -5,7 +5,8 @@ from collections.abc import Iterator
 from signal import Signals
 from typing import Any, NamedTuple
 
-from bounce_grader.build.error_meanings import meaning, meanings
+from bounce_grader.build.errors import CRASHES, meaning, meanings
+from bounce_grader.submission.submission import Place
 
 Facts = dict[str, Any]  # a failed check in numbers (grader/judge/facts.hpp)
 Rows = list[list[float | str]]
@@ -110,7 +111,6 @@ OF_MEMORY = re.compile(
     r"(free|malloc|realloc|malloc_consolidate|munmap_chunk)\(\): |double free or corruption|"
     "corrupted size|corrupted double-linked|stack smashing detected"
 )
-CRASHES = "crashes.txt"  # what failed assertions and sanitizers mean, for ./check, too
 
 
 class Verdict(NamedTuple):
@@ -119,8 +119,9 @@ class Verdict(NamedTuple):
     passed: bool
     status: str
     ended: Facts | None = None  # how the program ended, if it did (grader/judge/termination.hpp)
-    place: str = ""  # FILE:LINE of a crash in the submission, if known
+    stack: str = ""  # addresses, where it crashed
     failure: Facts | None = None  # None if the check passed, or failed as a whole
+    place: Place | None = None  # of a crash in the submission, if known
     found: str = ""  # what sanitizers found, where a crash didn't say why
 
     @property

@@ -1,4 +1,4 @@
 """Writes what is published: fixtures, the handout, and bundles for services.
 
-May import: common, grading.
+May import: common, formats, grading.
 """

@@ -5,24 +5,10 @@ from collections.abc import Iterator
 from html import escape
 from typing import NamedTuple
 
-GREEK = {
-    "delta": "δ",
-    "epsilon": "ε",
-    "lambda": "λ",
-    "mu": "μ",
-    "omega": "ω",
-    "phi": "φ",
-    "theta": "θ",
-}
+NAMES = "delta δ, epsilon ε, lambda λ, mu μ, omega ω, phi φ, theta θ"
+GREEK = dict(name.split() for name in NAMES.split(", "))
 WORDS = {"for", "of", "over", "the"}
-SIGNS = {
-    "<=": "≤",
-    ">=": "≥",
-    "-": "−",
-    "*": "·",
-    "...": "…",
-    "perpendicular to": "⟂",
-}
+SIGNS = {"<=": "≤", ">=": "≥", "-": "−", "*": "·", "...": "…", "perpendicular to": "⟂"}
 NAME = r"[A-Za-z]+(?:_[A-Za-z0-9]+)?'?(?:\^(?:-?\d+|T))?"
 TOKEN = re.compile(
     rf"(?P<gap>\s{{2,}})|(?P<sign>perpendicular to|<=|>=|\.\.\.|[-+*/=<>,:()\[\]])"
@@ -48,15 +34,19 @@ class Line(NamedTuple):
 
 def displayed(block: str) -> list[Line]:
     """The lines of a block of equations. Lines with a matrix between bars are one."""
-    found: list[Line] = []
-    for lines in _grouped(block.splitlines()):
-        numbers = [n for line in lines for n in re.findall(r"\((\d+)\)$", line)]
-        bare = [re.sub(r"\s+\(\d+\)$", "", line).rstrip() for line in lines]
-        rows = _matrix(bare) if "|" in bare[0] else map(_row, re.split(r"\s{3,}", bare[0].strip()))
-        found.append(
-            Line([f'<math display="block">{row}</math>' for row in rows], "".join(numbers))
-        )
-    return found
+    groups: list[list[str]] = [[]]
+    for line in block.splitlines():
+        if not (groups[-1] and "|" in line and "|" in groups[-1][-1]):
+            groups.append([])
+        groups[-1] += [line] if line.strip() else []
+    return list(map(_line, filter(None, groups)))
+
+
+def _line(lines: list[str]) -> Line:
+    numbers = [n for line in lines for n in re.findall(r"\((\d+)\)$", line)]
+    bare = [re.sub(r"\s+\(\d+\)$", "", line).rstrip() for line in lines]
+    rows = _matrix(bare) if "|" in bare[0] else map(_row, re.split(r"\s{3,}", bare[0].strip()))
+    return Line([f'<math display="block">{row}</math>' for row in rows], "".join(numbers))
 
 
 def inline(sentence: str) -> str:
@@ -68,42 +58,21 @@ def inline(sentence: str) -> str:
     )
 
 
-def _grouped(lines: list[str]) -> Iterator[list[str]]:
-    group: list[str] = []
-    for line in lines:
-        if group and not ("|" in line and "|" in group[-1]):
-            yield group
-            group = []
-        if line.strip():
-            group.append(line)
-    if group:
-        yield group
-
-
 def _matrix(lines: list[str]) -> list[str]:
-    """V = | a  b | with its rows below each other, and what stands beside it."""
-    before = " ".join(line[: line.index("|")].strip() for line in lines).strip()
-    after = " ".join(line[line.rindex("|") + 1 :].strip() for line in lines).strip()
-    rows = [
-        re.split(r"\s{2,}", line[line.index("|") + 1 : line.rindex("|")].strip()) for line in lines
-    ]
-    rows = [[cell for cell in row if cell] for row in rows]
+    """V = | a  b | with its rows below each other, and what stands beside it. Of a block matrix, a
+    row of the lower blocks may have more cells than one of the upper, whose first is as wide."""
+    pieces = [re.split(r"\|(.*)\|", line) for line in lines]  # before, within and after the bars
+    before, after = (" ".join(piece[side].strip() for piece in pieces).strip() for side in (0, 2))
+    rows = [re.split(r"\s{2,}", within.strip()) for _, within, _ in pieces]
     width = max(map(len, rows))
-    table = "".join(f"<mtr>{_cells(row, width)}</mtr>" for row in rows)
-    fence = '<mo stretchy="true">{}</mo>'
-    matrix = (
-        f"<mrow>{_row(before)}<mrow>{fence.format('(')}<mtable>{table}</mtable>"
-        f"{fence.format(')')}</mrow></mrow>"
-    )
-    return [matrix, _row(after)] if after else [matrix]
-
-
-def _cells(row: list[str], width: int) -> str:
-    """Of a block matrix, a row of the lower blocks may have more cells than one of the upper."""
-    span = width - len(row) + 1
-    spans = f' columnspan="{span}"' if span > 1 else ""
-    first = f"<mtd{spans}>{_row(row[0])}</mtd>"
-    return first + "".join(f"<mtd>{_row(cell)}</mtd>" for cell in row[1:])
+    table = ""
+    for row in rows:
+        spans = f' columnspan="{width - len(row) + 1}"' if len(row) < width else ""
+        others = "".join(f"<mtd>{_row(cell)}</mtd>" for cell in row[1:])
+        table += f"<mtr><mtd{spans}>{_row(row[0])}</mtd>{others}</mtr>"
+    left, right = (f'<mo stretchy="true">{sign}</mo>' for sign in "()")
+    matrix = f"<mrow>{left}<mtable>{table}</mtable>{right}</mrow>"
+    return [f"<mrow>{_row(before)}{matrix}</mrow>", *([_row(after)] if after else [])]
 
 
 def _row(text: str) -> str:
@@ -117,41 +86,37 @@ def _tokens(text: str) -> Iterator[str]:
         match = TOKEN.match(text, at)
         if not match:
             raise ValueError(f"no equation: {text[at:]}")
-        at = match.end()
-        kind = match.lastgroup
+        at, kind, token = match.end(), match.lastgroup, match[0]
         if kind == "gap":
             yield '<mspace width="1em"/>'
         elif kind == "sign":
-            form = ' form="prefix"' if starts and match[0] == "-" else ""
-            yield f'<mo stretchy="false"{form}>{escape(SIGNS.get(match[0], match[0]))}</mo>'
+            form = ' form="prefix"' if starts and token == "-" else ""
+            yield f'<mo stretchy="false"{form}>{escape(SIGNS.get(token, token))}</mo>'
         elif kind == "number":
-            yield f"<mn>{match[0]}</mn>"
+            yield f"<mn>{token}</mn>"
         elif kind == "power":
-            yield f"<msup><mrow></mrow>{_power(match[0][1:])}</msup>"
+            yield f"<msup><mrow></mrow>{_power(token[1:])}</msup>"
         elif kind == "name":
-            yield _name(match[0])
-        starts = kind == "gap" or match[0] in ("(", "[", ",", "=") or (starts and not kind)
+            yield _name(token)
+        starts = kind == "gap" or token in ("(", "[", ",", "=") or (starts and not kind)
 
 
 def _name(text: str) -> str:
     if text in WORDS:
         return f"<mtext>&nbsp;{text}&nbsp;</mtext>"
     bare, _, power = text.partition("^")
-    prime = bare.endswith("'")
     base, _, below = bare.rstrip("'").partition("_")
     symbol = f"<mi>{GREEK.get(base, base)}</mi>"
     if below == "hat":
-        symbol = f'<mover accent="true">{symbol}<mo>^</mo></mover>'
-    above = ("<mo>′</mo>" if prime else "") + (_power(power) if power else "")
+        symbol, below = f'<mover accent="true">{symbol}<mo>^</mo></mover>', ""
+    above = ("<mo>′</mo>" if bare.endswith("'") else "") + (_power(power) if power else "")
     above = f"<mrow>{above}</mrow>" if above else ""
-    if below and below != "hat":
-        index = f"<mn>{below}</mn>" if below.isdigit() else f"<mi>{below}</mi>"
-        return (
-            f"<msubsup>{symbol}{index}{above}</msubsup>"
-            if above
-            else f"<msub>{symbol}{index}</msub>"
-        )
-    return f"<msup>{symbol}{above}</msup>" if above else symbol
+    index = f"<mn>{below}</mn>" if below.isdigit() else f"<mi>{below}</mi>"
+    if below:
+        kind, shifted = ("msubsup", index + above) if above else ("msub", index)
+    else:
+        kind, shifted = "msup", above
+    return f"<{kind}>{symbol}{shifted}</{kind}>" if shifted else symbol
 
 
 def _power(text: str) -> str:

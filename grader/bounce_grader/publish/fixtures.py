@@ -8,37 +8,37 @@ from bounce_grader.grading import known_mistakes
 from bounce_grader.grading.fixtures import DEFAULT, PUBLIC, hidden_folder, write
 
 
-def write_all() -> None:
+def write_all() -> int:
     write("public", PUBLIC)
     write("hidden", DEFAULT)
     hidden_folder()
     known_mistakes.write()
+    return 0
 
 
 def differing() -> list[str]:
     """The committed files that differ, by even a byte, from what the solution writes; as paths in
     fixtures/."""
-    public = [f"public/{name}" for name in _differing("public", PUBLIC)]
-    return public + [f"default/hidden/{name}" for name in _differing("hidden", DEFAULT)]
+    sets = (("public", PUBLIC, "public"), ("hidden", DEFAULT, "default/hidden"))
+    return [f"{place}/{name}" for kind, folder, place in sets for name in _differing(kind, folder)]
 
 
 def _differing(kind: str, folder: Path) -> list[str]:
     with tempfile.TemporaryDirectory() as temporary:
-        fresh = Path(temporary)
-        write(kind, fresh)
-        names = {f.name for where in (fresh, folder) for f in where.glob("*.json")}
-        return sorted(n for n in names if _bytes(fresh / n) != _bytes(folder / n))
+        write(kind, Path(temporary))
+        fresh, committed = (
+            {file.name: file.read_bytes() for file in where.glob("*.json")}
+            for where in (Path(temporary), folder)
+        )
+        names = sorted(fresh.keys() | committed.keys())
+        return [name for name in names if fresh.get(name) != committed.get(name)]
 
 
 def check() -> int:
     """Names the committed files that differ from what the solution writes, and those of known
     mistakes that don't match the gallery. Returns the exit status."""
-    mistakes = [f"public/mistakes/{name}" for name in known_mistakes.differing()]
+    mistakes = [f"public/mistakes/{name}" for name in sorted(known_mistakes.stale())]
     names = [*differing(), *mistakes]
     for name in names:
         print(f"fixtures/{name} isn't what the kit writes: run ./kit fixtures")
     return int(bool(names))
-
-
-def _bytes(file: Path) -> bytes | None:
-    return file.read_bytes() if file.exists() else None

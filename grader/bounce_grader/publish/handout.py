@@ -5,15 +5,13 @@ runs, the public fixtures with the answers of known mistakes, and the manifest o
 points the texts say. Times and permissions are fixed, so that the same kit gives the same bytes.
 """
 
-import zipfile
 from collections.abc import Iterator
 from pathlib import Path
 
-from bounce_grader.common.errors import UsageError
 from bounce_grader.common.paths import HANDOUT, ROOT
 from bounce_grader.grading.fixtures import PUBLIC
-from bounce_grader.publish import handout_measured, handout_page, handout_study
-from bounce_grader.publish.points import with_points
+from bounce_grader.publish import archive, handout_data, handout_page
+from bounce_grader.publish.handout_page import with_points
 
 TOP = "bounce"  # the folder in the zip
 TESTS = ("*.?pp", "linked/*.?pp")
@@ -23,7 +21,6 @@ OF_EDITORS = {".clangd", ".devcontainer", ".vscode"}  # other names with a dot a
 PAGES = ("README", "explore")
 PROGRAMS = {"check"}
 WITH_POINTS = {".md", ".hpp"}  # the files of student/ that may say points
-EPOCH = (1980, 1, 1, 0, 0, 0)
 
 
 def files() -> dict[str, Path]:
@@ -44,8 +41,8 @@ def contents() -> dict[str, bytes]:
     """What the zip holds, by path in it: these files, the pages made of Markdown, and the numbers
     of the study and of measured impacts."""
     made = {f"{name}.html": handout_page.page(HANDOUT / f"{name}.md") for name in PAGES}
-    made["fixtures/study.txt"] = handout_study.text().encode()
-    made["fixtures/measured.txt"] = handout_measured.text().encode()
+    made["fixtures/study.txt"] = handout_data.study().encode()
+    made["fixtures/measured.txt"] = handout_data.measured().encode()
     held = {name: _as_handed_out(file) for name, file in files().items()}
     return dict(sorted({**held, **made}.items()))
 
@@ -70,22 +67,9 @@ def _regular(folder: Path) -> Iterator[Path]:
 
 def write(path: Path) -> int:
     """Writes the zip, whole or not at all, and returns how many files it holds."""
-    temporary = path.with_name(path.name + ".part")
-    held = contents()
-    try:
-        with zipfile.ZipFile(temporary, "w") as archive:
-            for name, data in held.items():
-                _add(archive, name, data)
-        temporary.replace(path)
-    except OSError as error:
-        temporary.unlink(missing_ok=True)
-        raise UsageError(f"{path} can't be written: {error.strerror}") from error
+    held = {
+        f"{TOP}/{name}": (data, 0o755 if name in PROGRAMS else 0o644)
+        for name, data in contents().items()
+    }
+    archive.write(path, held, compressed=False)
     return len(held)
-
-
-def _add(archive: zipfile.ZipFile, name: str, data: bytes) -> None:
-    # Stored and not compressed: another version of zlib would give other bytes.
-    entry = zipfile.ZipInfo(f"{TOP}/{name}", EPOCH)
-    entry.create_system = 3  # Unix, so that permissions are kept
-    entry.external_attr = (0o100755 if name in PROGRAMS else 0o100644) << 16
-    archive.writestr(entry, data)

@@ -6,45 +6,11 @@ from html import escape
 from pathlib import Path
 from typing import Any
 
+from bounce_grader.common.manifest import parts
 from bounce_grader.publish import equations
-from bounce_grader.publish.points import with_points
 
-STYLE = """
-:root { color-scheme: light dark; --ink: #1f2430; --paper: #ffffff; --soft: #f3f4f6;
-  --line: #c8ccd2; --link: #1d4f8c; }
-@media (prefers-color-scheme: dark) {
-  :root { --ink: #e6e9ee; --paper: #14181f; --soft: #1f2530; --line: #3a414c; --link: #8fb8e8; }
-}
-* { box-sizing: border-box; }
-body { margin: 0 auto; padding: 1rem 1.2rem 4rem; max-width: 46rem; color: var(--ink);
-  background: var(--paper); font: 1rem/1.6 system-ui, sans-serif; overflow-wrap: break-word; }
-h1 { line-height: 1.2; }
-h2 { margin-top: 2.5rem; border-bottom: 1px solid var(--line); }
-a { color: var(--link); }
-code, pre { font: 0.9em/1.5 ui-monospace, monospace; background: var(--soft); border-radius: 4px; }
-code { padding: 0.1em 0.3em; }
-pre { padding: 0.8rem; overflow-x: auto; }
-pre code { padding: 0; }
-.wide { overflow-x: auto; }
-table { border-collapse: collapse; }
-th, td { padding: 0.3rem 0.7rem 0.3rem 0; border-bottom: 1px solid var(--line); text-align: left;
-  vertical-align: top; }
-.equation { display: flex; align-items: center; gap: 1rem; margin: 0.8rem 0; }
-.equation > div { flex: 1; min-width: 0; overflow: auto hidden; display: flex; flex-wrap: wrap;
-  justify-content: safe center; gap: 0.4rem 2.5rem; }
-math { font-size: 1.1em; font-family: "STIX Two Math", "Cambria Math", "Latin Modern Math", math; }
-svg, img { max-width: 100%; height: auto; }
-figure { margin: 1rem 0; }
-details { margin: 0.6rem 0; }
-summary { cursor: pointer; font-weight: 600; }
-@media print {
-  :root { --ink: #000000; --paper: #ffffff; --soft: #ffffff; --line: #999999; --link: #000000; }
-  body { max-width: none; padding: 0; font-size: 10.5pt; }
-  h2, h3 { break-after: avoid; }
-  pre, .equation, figure, tr { break-inside: avoid; }
-  pre { white-space: pre-wrap; }
-}
-"""
+NUMBER = r"\d+(?:\.\d+)?"
+STYLE = Path(__file__).with_suffix(".css")
 
 
 def page(file: Path) -> bytes:
@@ -69,7 +35,7 @@ def page(file: Path) -> bytes:
     return (
         f'<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
         f'<meta name="viewport" content="width=device-width, initial-scale=1">\n'
-        f"<title>{escape(title)}</title>\n<style>{STYLE}</style>\n</head>\n"
+        f"<title>{escape(title)}</title>\n<style>\n{STYLE.read_text()}</style>\n</head>\n"
         f"<body>\n<main>\n{body}</main>\n</body>\n</html>\n"
     ).encode()
 
@@ -102,3 +68,18 @@ def _fence(self: Any, tokens: list[Any], index: int, *_: Any) -> str:
         for line in equations.displayed(token.content)
     ]
     return "".join(lines)
+
+
+def with_points(text: str) -> str:
+    """The text with the points of each part and their sum, wherever the handout or a header says
+    them: "Part 2 (30 points)", the table of parts, "worth 100 points", "30, 30, 30 and 10
+    points"."""
+    points = [f"{part.points:g}" for part in parts()]
+    for part in parts():
+        own = rf"\g<1>{part.points:g}\g<2>"
+        text = re.sub(rf"(\bPart {part.number}\b[^\n(]*\(){NUMBER}( points\))", own, text)
+        text = re.sub(rf"(?m)^(\| {part.number} \|.*\| ){NUMBER}( \|)$", own, text)
+    total = f"{sum(part.points for part in parts()):g}"
+    text = re.sub(rf"(\bworth ){NUMBER}( points)", rf"\g<1>{total}\g<2>", text)
+    listed = f"{', '.join(points[:-1])} and {points[-1]}"
+    return re.sub(rf"(?:{NUMBER}, )+{NUMBER} and {NUMBER}( points)", rf"{listed}\g<1>", text)

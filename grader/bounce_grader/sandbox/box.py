@@ -13,13 +13,12 @@ import os
 import stat
 from collections.abc import Iterable
 from contextlib import suppress
-from functools import cache, lru_cache
+from functools import cache
 from pathlib import Path
 from shutil import which
 from typing import NamedTuple
 
 from bounce_grader.common.errors import KitError
-from bounce_grader.common.files import write_whole
 from bounce_grader.common.paths import BUILD, ENTER, GIVEN_RUNNER
 from bounce_grader.sandbox import processes
 from bounce_grader.sandbox.budget import UNLIMITED, Budget
@@ -101,7 +100,8 @@ class Box(NamedTuple):
         if self.kind == "reduced":
             places = [word for path in [*seen, str(ENTER)] for word in ("--see", path)]
             return [str(ENTER), *entering, "--box", "reduced", *places, "--"]
-        command = [*_bubblewrap(), *_temporary(TEMPORARY)]
+        bounded = ["--size", str(TEMPORARY)] if _knows("--size") else []
+        command = [*_bubblewrap(), "--perms", "1777", *bounded, "--tmpfs", "/tmp"]
         # clang looks for the system's headers in /usr/bin/../lib, even if /usr/bin is empty.
         command += _open_to_all(["/dev/null", "/usr/bin/any", *seen])
         command += ["--dev-bind", "/dev/null", "/dev/null"]
@@ -136,7 +136,9 @@ def choose(kinds: Iterable[str] = FULL_OR_REDUCED) -> Box:
         held = _held(kind)
         problem = None if held.exists() else problem_of(Box(kind))
         if problem is None:
-            _remember(held)
+            with suppress(OSError):  # if the file can't be written, the box is tested each time
+                held.parent.mkdir(parents=True, exist_ok=True)
+                held.touch()
             return Box(kind)
         problems.append(f"{kind}: {problem}")
     raise KitError(
@@ -160,32 +162,22 @@ def _held(kind: str) -> Path:
     return BUILD / "boxes" / f"{kind}-{hashlib.sha256(repr(known).encode()).hexdigest()}"
 
 
-def _remember(held: Path) -> None:
-    with suppress(OSError):  # if the file can't be written, the box is tested each time
-        held.parent.mkdir(parents=True, exist_ok=True)
-        held.touch()
-
-
 def problem_of(box: Box) -> str | None:
     """Why a program known to be good doesn't run in the box; None if it does."""
     if box.kind == "none":
         return None
     if box.kind == "full" and which("bwrap") is None:
         return "bubblewrap isn't installed"
-    hidden = _hidden_from_others(GIVEN_RUNNER)
-    if box.kind == "reduced" and os.geteuid() == 0 and hidden:
-        return f"other users can't enter {hidden}, where the kit is; move it, or chmod o+x {hidden}"
+    if box.kind == "reduced" and os.geteuid() == 0:
+        for folder in GIVEN_RUNNER.resolve().parents:
+            if not folder.stat().st_mode & stat.S_IXOTH:
+                advice = f"move it, or chmod o+x {folder}"
+                return f"other users can't enter {folder}, where the kit is; {advice}"
     limits = processes.Limits(cpu_seconds=5, wall_seconds=20, memory=1 << 30, file_size=0)
     tried = processes.run(box.to_run(GIVEN_RUNNER), limits)
     if tried.ok:
         return None
     return tried.err.strip().splitlines()[-1] if tried.err.strip() else "it ended"
-
-
-def _hidden_from_others(path: Path) -> Path | None:
-    """The innermost folder above a path that other users can't enter."""
-    closed = [p for p in path.resolve().parents if not p.stat().st_mode & stat.S_IXOTH]
-    return closed[0] if closed else None
 
 
 @cache
@@ -206,23 +198,9 @@ def _user() -> int:
 
 
 @cache
-def _help() -> str:
-    """bubblewrap's help text, which lists its options. Cached until bubblewrap changes."""
-    program = Path("/usr/bin/bwrap")
-    kept = BUILD / f"bwrap-help-{program.stat().st_mtime_ns}"
-    with suppress(OSError):
-        if "--help" in (text := kept.read_text()):
-            return text
-    asked = processes.run([str(program), "--help"])
-    if asked.ok:
-        with suppress(OSError):  # if it can't be cached, bubblewrap is asked each time
-            write_whole(kept, asked.out)
-    return asked.out.decode()
-
-
-def _temporary(size: int) -> list[str]:
-    bounded = ["--size", str(size)] if "--size" in _help() else []
-    return ["--perms", "1777", *bounded, "--tmpfs", "/tmp"]
+def _knows(option: str) -> bool:
+    """Whether this bubblewrap has an option, which older ones lack."""
+    return option.encode() in processes.run(["/usr/bin/bwrap", "--help"]).out
 
 
 def _bubblewrap() -> list[str]:
@@ -237,13 +215,8 @@ def _bubblewrap() -> list[str]:
 def _open_to_all(paths: Iterable[str]) -> list[str]:
     """Makes the folders above these paths readable for every user; by default bubblewrap makes them
     readable for its own user only."""
-    above = sorted({folder for path in paths for folder in _above(path)})
+    above = sorted({str(folder) for path in paths for folder in Path(path).parents} - {"/"})
     return [word for path in above for word in ("--perms", "0755", "--dir", path)]
-
-
-@lru_cache(maxsize=256)
-def _above(path: str) -> list[str]:
-    return [str(folder) for folder in Path(path).parents if str(folder) != "/"]
 
 
 def _privileges() -> list[str]:
@@ -253,5 +226,5 @@ def _privileges() -> list[str]:
     if os.geteuid() == 0:
         kept = ("CAP_SETUID", "CAP_SETGID", "CAP_KILL")
         return ["--cap-drop", "ALL", *(w for name in kept for w in ("--cap-add", name))]
-    no_more = ["--disable-userns"] if "--disable-userns" in _help() else []
+    no_more = ["--disable-userns"] if _knows("--disable-userns") else []
     return ["--unshare-user", *no_more, "--uid", NOBODY, "--gid", NOBODY, "--cap-drop", "ALL"]

@@ -3,7 +3,7 @@ judges together."""
 
 import resource
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from threading import Condition
 
@@ -12,37 +12,7 @@ from bounce_grader.sandbox.processes import Limits
 
 CPU_SECONDS = 60.0
 WALL_SECONDS = 120.0
-
-
 SPARE = 5  # CPU seconds that a process may get less than it asks for, rather than wait
-
-
-class Shares:
-    """CPU seconds that concurrent processes share: each takes as many as it may need, and gives
-    them back when it has ended. `left` says how many are left."""
-
-    def __init__(self, left: Callable[[], float]) -> None:
-        self._left = left
-        self._taken: list[int] = []
-        self._given_back = Condition()
-
-    @contextmanager
-    def take(self, limit: int) -> Iterator[int]:
-        """Waits until about `limit` seconds are free, or until no other process has any. Yields how
-        many this process may use: at most `limit`, and at least 1."""
-        with self._given_back:
-            self._given_back.wait_for(lambda: not self._taken or self._free() >= limit - SPARE)
-            taken = int(max(1, min(limit, self._free() + 1)))
-            self._taken.append(taken)
-        try:
-            yield taken
-        finally:
-            with self._given_back:
-                self._taken.remove(taken)
-                self._given_back.notify_all()
-
-    def _free(self) -> float:
-        return self._left() - sum(self._taken)
 
 
 class Overrun(Exception):
@@ -51,19 +21,23 @@ class Overrun(Exception):
 
 class Budget:
     """A limit, counted from now on, on the wall-clock time and on the CPU time of this process and
-    of all children that it has waited for."""
+    of all children that it has waited for. One may be a part of another, and has no more time than
+    that has left; `whose` begins the sentence that says that it is used up."""
 
     def __init__(
         self,
         cpu_seconds: float = CPU_SECONDS,
         wall_seconds: float = WALL_SECONDS,
         part_of: "Budget | None" = None,
+        whose: str = "the grading as a whole",
     ):
-        self._part_of = part_of
-        self._shares: Shares = part_of._shares if part_of else Shares(lambda: self.left()[0])
+        self._part_of, self._whose = part_of, whose
         self._limits = cpu_seconds, wall_seconds
         self._cpu_end = _cpu() + cpu_seconds
         self._wall_end = time.monotonic() + wall_seconds
+        # CPU seconds that the processes may use that run now.
+        self._taken: list[int] = part_of._taken if part_of else []
+        self._given_back: Condition = part_of._given_back if part_of else Condition()
 
     def charge(self, cpu_seconds: float) -> None:
         """Adds CPU time that the system doesn't count as our children's: that of processes which
@@ -74,17 +48,23 @@ class Budget:
 
     def left(self) -> tuple[float, float]:
         """The CPU seconds and wall-clock seconds that are left; negative if overdrawn."""
-        return self._cpu_end - _cpu(), self._wall_end - time.monotonic()
+        cpu, wall = self._cpu_end - _cpu(), self._wall_end - time.monotonic()
+        if not self._part_of:
+            return cpu, wall
+        whole_cpu, whole_wall = self._part_of.left()
+        return min(cpu, whole_cpu), min(wall, whole_wall)
 
     def require_time(self) -> None:
         """Raises Overrun if the time is used up; KitError if the machine used it up, and not the
         submission."""
+        if self._part_of:
+            self._part_of.require_time()
         self.require_responsive_machine()
         cpu, wall = self.left()
         if cpu <= 0:
-            raise Overrun(f"the grading as a whole had used its {self._limits[0]:g} s of CPU time")
+            raise Overrun(f"{self._whose} had used its {self._limits[0]:g} s of CPU time")
         if wall <= 0:
-            raise Overrun(f"the grading as a whole had taken its {self._limits[1]:g} s")
+            raise Overrun(f"{self._whose} had taken its {self._limits[1]:g} s")
 
     def require_responsive_machine(self) -> None:
         """Raises KitError if the wall-clock time is used up but little of the CPU time: the machine
@@ -100,14 +80,27 @@ class Budget:
     @contextmanager
     def within(self, limits: Limits) -> Iterator[Limits]:
         """Yields these limits, or lower ones if less is left, for a process that runs while this
-        context lasts. Raises Overrun if nothing is left."""
-        with self._shares.take(limits.cpu_seconds) as free:
+        context lasts. What runs beside it shares the CPU time: each takes as much as it may need,
+        and waits for it if the others have it. Raises Overrun if nothing is left."""
+        with self._given_back:
+            least = limits.cpu_seconds - SPARE
+            self._given_back.wait_for(lambda: not self._taken or self._free() >= least)
+            taken = int(max(1, min(limits.cpu_seconds, self._free() + 1)))
+            self._taken.append(taken)
+        try:
             self.require_time()
             cpu, wall = self.left()
             yield limits._replace(
-                cpu_seconds=int(min(free, cpu + 1)),
+                cpu_seconds=int(min(taken, cpu + 1)),
                 wall_seconds=min(limits.wall_seconds, wall + 0.01),
             )
+        finally:
+            with self._given_back:
+                self._taken.remove(taken)
+                self._given_back.notify_all()
+
+    def _free(self) -> float:
+        return self.left()[0] - sum(self._taken)
 
 
 def _cpu() -> float:

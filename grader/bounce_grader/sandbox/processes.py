@@ -5,14 +5,12 @@ process's Limits say.
 """
 
 import errno
-import fcntl
 import os
 import selectors
 import signal
 import subprocess
 import sys
 import time
-from collections.abc import Mapping
 from contextlib import ExitStack, suppress
 from pathlib import Path
 from typing import NamedTuple
@@ -108,31 +106,43 @@ def run(
         if stdin:
             given = _in_memory(stdin)
             stack.callback(os.close, given)
-        process = _started((limits.prefix() if limits else []) + words, given, cwd, descriptors)
+        words = [*(limits.prefix() if limits else []), *words]
         try:
-            result = _collect(process, limits)
-        finally:
-            _end(process)
-        told = _told(status) if STATUS in command else MADE
-    if SHORT in told:
+            process = subprocess.Popen(
+                words,
+                stdin=given,
+                stdout=subprocess.PIPE,
+                stderr=subprocess.PIPE,
+                cwd=cwd,
+                env=ENVIRONMENT,
+                pass_fds=tuple(descriptors.values()),
+                start_new_session=True,
+            )
+        except OSError as error:
+            raise KitError(f"{words[0]} could not be started: {error.strerror}") from error
+        with process:  # closes its streams
+            try:
+                result = _collect(process, limits)
+            except BaseException:
+                if process.poll() is None:
+                    _stop(process)
+                raise
+        report = _reported(status) if STATUS in command else MADE
+    if SHORT in report:
         raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), str(output))
-    return result._replace(boxed=told == MADE, cpu_limit=limits.cpu_seconds if limits else 0.0)
+    return result._replace(boxed=report == MADE, cpu_limit=limits.cpu_seconds if limits else 0.0)
 
 
 def _in_memory(data: bytes) -> int:
-    """A file in memory with these bytes. Unlike a pipe it has room for all of them, so that we
-    never wait for a process that waits for us. The process that gets it can't change it."""
-    descriptor = os.memfd_create("stdin", os.MFD_CLOEXEC | os.MFD_ALLOW_SEALING)
-    with open(descriptor, "wb", closefd=False) as file:
+    """A file in memory with these bytes, to be read alone. Unlike a pipe it has room for all of
+    them, so that we never wait for a process that waits for us."""
+    with open(os.memfd_create("stdin"), "wb") as file:
         file.write(data)
-    fcntl.fcntl(
-        descriptor, fcntl.F_ADD_SEALS, fcntl.F_SEAL_WRITE | fcntl.F_SEAL_GROW | fcntl.F_SEAL_SHRINK
-    )
-    os.lseek(descriptor, 0, os.SEEK_SET)
-    return descriptor
+        file.flush()
+        return os.open(f"/proc/self/fd/{file.fileno()}", os.O_RDONLY)
 
 
-def _told(status: int) -> bytes:
+def _reported(status: int) -> bytes:
     os.set_blocking(status, False)
     try:
         return os.read(status, 8)
@@ -144,24 +154,6 @@ def _opened(output: Path) -> int:
     descriptor = os.open(output, os.O_WRONLY | os.O_CREAT | os.O_TRUNC)
     os.fchmod(descriptor, 0o644)  # whatever the umask: a later box reads it as another user
     return descriptor
-
-
-def _started(
-    command: list[str], stdin: int, cwd: Path | None, descriptors: Mapping[str, int]
-) -> subprocess.Popen[bytes]:
-    try:
-        return subprocess.Popen(
-            command,
-            stdin=stdin,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.PIPE,
-            cwd=cwd,
-            env=ENVIRONMENT,
-            pass_fds=tuple(descriptors.values()),
-            start_new_session=True,
-        )
-    except OSError as error:
-        raise KitError(f"{command[0]} could not be started: {error.strerror}") from error
 
 
 def _collect(process: subprocess.Popen[bytes], limits: Limits | None) -> Result:
@@ -233,11 +225,3 @@ def _stop(process: subprocess.Popen[bytes]) -> None:
     except subprocess.TimeoutExpired:
         os.killpg(process.pid, signal.SIGKILL)
         process.wait()
-
-
-def _end(process: subprocess.Popen[bytes]) -> None:
-    if process.poll() is None:
-        _stop(process)
-    for stream in (process.stdout, process.stderr):
-        if stream:
-            stream.close()

@@ -43,6 +43,17 @@ def part_file(file: str) -> str | None:
     return plain if plain in {part.file for part in parts()} else None
 
 
+class Place(NamedTuple):
+    """A line of a submission's files, and a column of it if that is known."""
+
+    file: str
+    line: int
+    column: int = 0
+
+    def __str__(self) -> str:
+        return f"{self.file}:{self.line}" + (f":{self.column}" if self.column else "")
+
+
 class Submission(NamedTuple):
     """The files of a submission, and which of them are parts."""
 
@@ -51,6 +62,7 @@ class Submission(NamedTuple):
     parts: dict[int, str]  # part number -> path in files
     refused: dict[int, str]  # part number -> why it isn't used
     ignored: tuple[str, ...] = ()
+    top: str = "."  # the folder that held everything, from which these paths begin
 
     @property
     def helpers(self) -> list[str]:
@@ -122,6 +134,7 @@ def take(path: Path, entries: list[Entry]) -> Submission:
         parts={number: name for number, name in chosen.items() if name in files},
         refused={n: f"{name} {not_text[name]}" for n, name in chosen.items() if name in not_text},
         ignored=tuple(f"{n} ({not_text[n]})" if n in not_text else n for n in sorted(left)),
+        top=top,
     )
 
 

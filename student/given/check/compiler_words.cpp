@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "files.hpp"
+#include "kept_by_auto.hpp"
 
 namespace bounce::check {
 namespace {
@@ -175,86 +176,17 @@ std::string with_own_types(std::string symbol) {
   return replaced(symbol, "`", "'");
 }
 
-// --- `auto` that keeps an expression of Eigen ---
-
-bool is_of_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
-
-// Where the word stands in the text, from `begin` on; npos where it doesn't.
-std::size_t find_word(const std::string& text, const std::string& word, std::size_t begin = 0) {
-  for (std::size_t at = text.find(word, begin); at != std::string::npos;
-       at = text.find(word, at + 1)) {
-    const std::size_t end = at + word.size();
-    const bool begins_there = at == 0 || !is_of_name(text[at - 1]);
-    if (begins_there && (end == text.size() || !is_of_name(text[end]))) return at;
-  }
-  return std::string::npos;
-}
-
-// `auto name = value;`, or by reference.
-struct Kept {
-  std::string name, value;
-  std::size_t at = 0;
-};
-
-std::vector<Kept> kept_by_auto(const std::string& text) {
-  std::vector<Kept> all;
-  for (std::size_t at = find_word(text, "auto"); at != std::string::npos;
-       at = find_word(text, "auto", at + 1)) {
-    const std::size_t begin = std::min(text.find_first_not_of(" &", at + 4), text.size());
-    std::size_t end = begin;
-    while (end < text.size() && is_of_name(text[end])) ++end;
-    const std::size_t equals = std::min(text.find_first_not_of(' ', end), text.size());
-    if (end == begin || equals == text.size() || text[equals] != '=') continue;
-    const std::size_t stop = std::min(text.find(';', equals), text.size());
-    all.push_back({text.substr(begin, end - begin), text.substr(equals, stop - equals), at});
-  }
-  return all;
-}
-
-// Whether the value may be an expression of Eigen that refers to a temporary value.
-bool may_refer(const std::string& value) {
-  const bool is_of_std = value.find("std::") == value.find_first_not_of("= ");
-  return value.find('(') != std::string::npos && !is_of_std && !has(value, "eval()") &&
-         !has(value, "[") && value.find_first_of(".*+-") != std::string::npos;
-}
-
-// "src/part2_lcp.cpp:14", where `auto` keeps what the statement at `place` uses when it is gone.
-// The place itself where several may; empty where none does.
-std::string place_of_auto(const std::string& place) {
-  const std::string text = read(file_of(place));
-  std::size_t line = 0;
-  for (int i = 1; i < line_of(place); ++i) line = text.find('\n', line) + 1;  // 0 beyond the end
-  const std::size_t begin = text.find_last_of(";{}", line) + 1;
-  const std::size_t end = std::min(text.find(';', line), text.size());
-  std::string used = text.substr(begin, end - begin);
-  std::vector<Kept> may, of_temporary;
-  const std::size_t function = std::min(text.rfind("\n}", line) + 1, line);
-  const std::vector<Kept> all = kept_by_auto(text.substr(function, line - function));
-  for (auto kept = all.rbegin(); kept != all.rend(); ++kept) {  // one may keep another
-    if (find_word(used, kept->name) == std::string::npos) continue;
-    used += kept->value;
-    if (may_refer(kept->value)) may.push_back(*kept);
-    if (has(kept->value, "M()")) of_temporary.push_back(*kept);
-  }
-  const std::vector<Kept>& likely = of_temporary.empty() ? may : of_temporary;
-  if (likely.empty()) return "";
-  if (likely.size() > 1) return place;
-  const auto at = static_cast<std::ptrdiff_t>(function + likely[0].at);
-  const auto above = std::count(text.begin(), text.begin() + at, '\n');
-  return file_of(place) + ":" + std::to_string(above + 1);
-}
-
 std::string in_words(const std::string& kind, const std::string& place, bool in_eigen) {
   const bool gone = kind == "stack-use-after-scope" || kind == "stack-use-after-return" ||
                     kind == "heap-use-after-free";
-  const std::string by_auto = gone && in_eigen ? place_of_auto(place) : "";
-  const std::string name = by_auto.empty() ? kind : "use-after by auto";
-  const std::string at = by_auto.empty() ? place : by_auto;
+  const std::string file = file_of(place);
+  const int line = gone && in_eigen ? line_of_auto(read(file), line_of(place)) : 0;
+  if (line != 0) return file + ":" + std::to_string(line) + ": " + kAutoKeeps;
   std::string words = kind;
   for (const auto& [sentence, piece] : read_meanings(kCrashes)) {
-    if (piece == name) words = sentence;
+    if (piece == kind) words = sentence;
   }
-  return at + (at.empty() ? "" : ": ") + words;
+  return place + (place.empty() ? "" : ": ") + words;
 }
 
 }  // namespace

@@ -119,7 +119,7 @@ def test_helpers_fill_no_disk(tmp_path: Path, size: int, kept: int) -> None:
     (tmp_path / "work").mkdir()
     made = compiling.compile_all(taken, tmp_path / "work", Box("none"), 1)
     problems = [built.problem for built in made.helpers.values() if not built.path]
-    assert len(problems) == 8 - kept and any("more than 32 MB" in words for words in problems)
+    assert len(problems) == 8 - kept and any("more than" in words for words in problems)
     assert not list((tmp_path / "work").iterdir())
     assert all(built.path for built in made.parts.values())
 
@@ -132,7 +132,7 @@ def test_helpers_have_a_limit_in_common(grade: Grade, monkeypatch: pytest.Monkey
     part = missing + solution_files()["part1_contacts.cpp"]
     record = grade({**helpers, "part1_contacts.cpp": part})
     assert points(record) == [0, 30, 30, 10]
-    assert "helper1.cpp wasn't compiled: the helpers took 0.02 s" in record["parts"][0]["message"]
+    assert "helper1.cpp wasn't compiled: the compiling of helpers had used its 0.02 s" in record["parts"][0]["message"]
 
 
 # --- whose fault it is ---
@@ -178,7 +178,7 @@ def test_a_box_or_a_machine_that_fails_is_no_verdict(
 @pytest.mark.parametrize("words", VERDICTS)
 def test_what_a_submission_makes_of_its_compiler_is_its_own_fault(words: str) -> None:
     compiler.require_compiler_ran(VERDICTS[words])
-    assert words in compiler.compile_problem(VERDICTS[words], "x.cpp")
+    assert words in compiler.compile_problem(VERDICTS[words], "x.cpp").problem
 
 
 @pytest.mark.parametrize("kind", ["full", "reduced", "none"])

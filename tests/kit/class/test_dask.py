@@ -11,7 +11,7 @@ import classes
 import pytest
 import stand_in
 from bounce_grader.classroom import run
-from bounce_grader.classroom.grading import engine_local, results
+from bounce_grader.classroom.grading import results
 from bounce_grader.classroom.grading.request import Request
 from bounce_grader.common.errors import KitError, UsageError
 from clusters import Cluster
@@ -103,13 +103,3 @@ def test_a_scheduler_that_dies_is_said_and_costs_nothing(cluster: Cluster, tmp_p
     assert len(results.keys(out / "results")) >= 3
     assert run.run(stand_in.request(source, out)) == 0
     assert same(out, source, tmp_path)
-
-
-def test_a_temporary_folder_too_deep_for_sockets_is_said(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    deep = tmp_path / ("d" * 100)
-    deep.mkdir()
-    monkeypatch.setattr("tempfile.tempdir", str(deep))
-    with pytest.raises(UsageError, match="set TMPDIR to a shorter one"):
-        list(engine_local.run([], 1))

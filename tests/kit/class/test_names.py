@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 from bounce_grader.classroom.intake import blackboard, canvas, handed_in, moodle, students
-from bounce_grader.classroom.intake.canvas import Upload
+from bounce_grader.classroom.intake.student import Upload
 from bounce_grader.submission import submission
 from conftest import write
 from corpus import Member, zip_of

@@ -24,7 +24,7 @@ import golden
 import pytest
 import stand_in
 from bounce_grader import cli
-from bounce_grader.classroom.grading import engine_local, results, unit
+from bounce_grader.classroom.grading import engine_local, near_copies, results, unit
 from bounce_grader.classroom.intake import canvas_api
 from canvas_server import running, State, TOKEN
 from conftest import write
@@ -79,7 +79,8 @@ def set_stage(kit: dict[str, Any], patch: pytest.MonkeyPatch) -> None:
 
     patch.setattr(engine_local, "run", run)
     patch.setattr(results, "__version__", version)
-    patch.setattr(results, "_sources", lambda: iter(()))
+    patch.setattr(results, "_sources", lambda: [])
+    patch.setattr(near_copies, "find", lambda *_: near_copies.Similar((), 0))
 
 
 def text_of(page: str) -> str:

@@ -13,7 +13,7 @@ import pytest
 from bounce_grader.common.paths import STUBS
 from bounce_grader.formats import terminal
 from bounce_grader.grading import fixtures, gallery, sanitizing
-from bounce_grader.grading.gallery import expected, Expected, in_reduced_box
+from bounce_grader.grading.gallery import expected, Expected
 from bounce_grader.grading.grade import grade, Options
 from conftest import ROOT, SOLUTION, lost, points
 
@@ -130,7 +130,7 @@ def test_gets_what_it_should_with_a_crashs_cause_and_in_each_box(
     submission = submission_of(folder, tmp_path / "submission")
     record = grade(submission, Options(boxes=(box,)))
     assert record["box"] == box
-    gets(in_reduced_box(expected(folder)) if box == "reduced" else expected(folder), record)
+    gets(expected(folder, reduced=box == "reduced"), record)
 
 
 def gets(words: Expected, record: dict[str, Any]) -> None:

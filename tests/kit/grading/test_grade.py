@@ -84,6 +84,23 @@ def test_a_grading_says_the_same_again_and_writes_nothing_where_it_is(
     assert {file: file.stat().st_mtime_ns for file in tmp_path.rglob("*")} == before
 
 
+FORGED = '#line 7 "../../etc/a.cpp"\n+;\n'
+PLACES = {"+;\n": (2, 1), FORGED: (0, 0), '#include "helper.hpp"\n': (1, 1)}
+
+
+@pytest.mark.parametrize("text", PLACES)
+@pytest.mark.parametrize("top", ["", "my hw (v2)/été a%b"])
+def test_a_place_is_a_line_of_what_was_handed_in(tmp_path: Path, top: str, text: str) -> None:
+    files = {"part2_lcp.cpp": f"\n{text}".encode(), "helper.hpp": b"}\n"}
+    record = grade_path(
+        write(tmp_path, {f"{top}/{name}".strip("/"): files[name] for name in files})
+    )
+    name = "helper.hpp" if "helper" in text else "part2_lcp.cpp"
+    line, column = PLACES[text]
+    place = {"file": f"{top}/{name}".strip("/"), "line": line, "column": column}
+    assert record["parts"][1]["place"] == place and "place" not in record["parts"][0]
+
+
 # --- what a submission could learn ---
 
 
@@ -186,8 +203,7 @@ def test_a_fault_of_the_kit_is_no_verdict(
 
 
 def test_without_a_box_only_trusted_code_is_run(monkeypatch: Patch) -> None:
-    monkeypatch.setattr(box, "_held", lambda kind: Path("/nonexistent"))
-    monkeypatch.setattr(box, "_remember", lambda held: None)
+    monkeypatch.setattr(box, "_held", lambda kind: Path("/proc/nonexistent"))
     monkeypatch.setattr(box, "problem_of", lambda its: {"none": None}.get(its.kind, "no Landlock"))
     with pytest.raises(KitError, match="--trust-submission"):
         grade_path(SOLUTION)

@@ -3,7 +3,8 @@
 import re
 
 import pytest
-from bounce_grader.grading.known_mistakes import gallery, KNOWN, Mistake
+from bounce_grader.grading.known_mistakes import gallery, Mistake
+from bounce_grader.grading.record import KNOWN
 
 # The numbers don't tell how the code is written: a cause is said as one, after "Often:". And in a
 # pair, what is right of the one may be wrong by the other.

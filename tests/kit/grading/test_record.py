@@ -12,7 +12,7 @@ from bounce_grader.common.manifest import parts
 from bounce_grader.grading import judging, record, words
 from bounce_grader.grading.judging import Judged
 from bounce_grader.grading.words import Verdict
-from bounce_grader.submission.submission import Submission
+from bounce_grader.submission.submission import Place, Submission
 from hypothesis import given
 from hypothesis import strategies as st
 from odd_texts import TEXTS
@@ -44,9 +44,7 @@ def test_whatever_is_said_the_record_stays_json(text: str, names: list[str], sta
         check["failure"] = failure(sentence=text, name=text)
         answer = {"checks": [check | {"id": id} for id in IDS], "mistakes": [], "patterns": [text]}
         told = judging.read_answer(json.dumps(answer | {"largest_error": 0.5}).encode(), PART)
-        part = record.part_record(
-            PART, Judged(told["verdicts"], 0.5, "own", (), tuple(told["patterns"]))
-        )
+        part = record.part_record(PART, told)
     taken = Submission("x", {}, {}, {}, tuple(names))
     whole = record.whole(taken, [part], "full", {"run": 1.0}, "", None)
     data = json.dumps(whole, ensure_ascii=False, allow_nan=False).encode("utf-8")
@@ -83,7 +81,7 @@ def test_one_crash_is_told_once() -> None:
 
     def crash(case: int, line: int) -> Verdict:
         facts = failure(ended_at=case, before={"right": case - 1, "wrong": 0}, sentence="ended")
-        return Verdict(False, "crashed", TRAP, f"a.cpp:{line}", facts)
+        return Verdict(False, "crashed", TRAP, "", facts, Place("a.cpp", line))
 
     first, second, *_, last = judged(*(crash(n, 7) for n in range(1, len(IDS))), crash(9, 8))
     whole = (
@@ -98,7 +96,8 @@ def test_one_crash_is_told_once() -> None:
 def test_a_crash_when_asked_again_hides_no_exception_of_before() -> None:
     """The case that is told threw; the program ended only later, in the other order."""
     facts = failure(sentence="the program threw x")
-    first, *_ = judged(*[Verdict(False, "crashed", TRAP, "a.cpp:7", facts)] * len(IDS))
+    trap = Verdict(False, "crashed", TRAP, "", facts, Place("a.cpp", 7))
+    first, *_ = judged(*[trap] * len(IDS))
     assert first["message"].endswith("got      the program threw x")
 
 

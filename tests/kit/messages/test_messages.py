@@ -12,7 +12,7 @@ import golden
 import pytest
 from bounce_grader import cli
 from bounce_grader.build.compiler import compile_problem
-from bounce_grader.build.linking import link_problem
+from bounce_grader.build.errors import of_linker
 from bounce_grader.common import manifest
 from bounce_grader.common.errors import KitError, UsageError
 from bounce_grader.common.paths import WORK_FOLDER
@@ -60,17 +60,16 @@ def of_addr2line(lines: str) -> str:
 
 
 SENTENCES: Sentences = {
-    "compiler": lambda said: compile_problem(failed(said), "part2_lcp.cpp"),
-    "linker": lambda said: link_problem(failed(said)),
+    "compiler": lambda said: compile_problem(failed(said), "part2_lcp.cpp").problem,
+    "linker": lambda said: of_linker(said).problem,
     "addr2line": of_addr2line,
 }
 
 
 @pytest.fixture
 def elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
-    """A folder for another manifest, beside the kit's own checks."""
+    """A folder for another manifest."""
     (tmp_path / "grader").mkdir()
-    (tmp_path / "tests").symlink_to(ROOT / "tests")
     monkeypatch.setattr(manifest, "ROOT", tmp_path)
     yield tmp_path
     manifest.parts.cache_clear()
@@ -90,7 +89,7 @@ def test_each_message_has_its_sentence(elsewhere: Path) -> None:
 
 
 def test_a_compiler_that_used_up_its_time_is_told() -> None:
-    told = compile_problem(failed("", code=128 + 24), "part2_lcp.cpp")
+    told = compile_problem(failed("", code=128 + 24), "part2_lcp.cpp").problem
     assert told.startswith("part2_lcp.cpp took more than 15 s to compile")
 
 

@@ -10,7 +10,7 @@ import pytest
 from bounce_grader import cli
 from bounce_grader.common.manifest import parts
 from bounce_grader.grading import fixtures
-from bounce_grader.publish import handout, points
+from bounce_grader.publish import handout, handout_page
 from conftest import ROOT, SOLUTION
 
 SUBMISSIONS = ROOT / "tests/submissions"
@@ -97,7 +97,7 @@ def test_says_other_points_where_the_manifest_does(
 ) -> None:
     other = [41, 23.5, 37, 17]
     changed = tuple(part._replace(points=other[part.number - 1]) for part in parts())
-    monkeypatch.setattr(points, "parts", lambda: changed)
+    monkeypatch.setattr(handout_page, "parts", lambda: changed)
     inside = contents(tmp_path)
     texts = [
         text.decode()

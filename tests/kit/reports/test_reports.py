@@ -10,7 +10,6 @@ import json
 import re
 from pathlib import Path
 from typing import Any
-from unittest.mock import Mock
 
 import golden
 import odd_texts
@@ -19,11 +18,10 @@ from bounce_grader import cli, formats
 from bounce_grader.common import escaping
 from bounce_grader.common.errors import UsageError
 from bounce_grader.formats import github, html, terminal
-from bounce_grader.submission import folders, zips
-from conftest import ROOT, SOLUTION, write
+from conftest import ROOT, SOLUTION
 from edits import edited
 from hypothesis import example, given
-from odd_texts import runner_commands, TEXTS
+from odd_texts import TEXTS
 
 Record = dict[str, Any]
 HERE = Path(__file__).parent
@@ -33,7 +31,6 @@ RECORDS: dict[str, Record] = {
 REFUSED = RECORDS.pop("unreadable")["refused"]
 MIXED = RECORDS["mixed"]
 SCHEMA = json.loads((ROOT / "docs" / "record.schema.json").read_text())
-NOWHERE = Path("/nowhere")
 ENDINGS = {"html": "html", "junit": "xml", "markdown": "md", "github": "txt", "autolab": "txt"}
 
 
@@ -51,8 +48,8 @@ def in_a_terminal(record: Record) -> str:
     return stream.getvalue()
 
 
-def result_for_reporter(record: Record, root: Path = NOWHERE, enough: float = 0.0) -> Record:
-    result: Record = json.loads(base64.b64decode(github.reporter_result(record, root, enough)))
+def result_for_reporter(record: Record, enough: float = 0.0) -> Record:
+    result: Record = json.loads(base64.b64decode(github.reporter_result(record, enough)))
     return result
 
 
@@ -74,12 +71,12 @@ def test_reports_are_what_a_person_has_read(name: str) -> None:
     record = RECORDS[name]
     made = {f"{format}.{ENDINGS.get(format, 'json')}": format for format in formats.NAMES}
     del made["json.json"]  # the record itself
-    texts = {file: formats.render(format, record, NOWHERE) for file, format in made.items()}
+    texts = {file: formats.render(format, record) for file, format in made.items()}
     texts["html.html"] = html.render(record, "doejane", ("a.pdf is no C++ source and no zip",))
     texts["terminal.txt"] = in_a_terminal(record)
     texts["github_result.json"] = json.dumps(result_for_reporter(record), indent=1)
     compare(name, texts)
-    assert json.loads(formats.render("json", record, NOWHERE)) == record
+    assert json.loads(formats.render("json", record)) == record
     schema = json.loads((HERE / "gradescope.schema.json").read_text())
     pytest.importorskip("jsonschema").validate(json.loads(texts["gradescope.json"]), schema)
 
@@ -130,7 +127,7 @@ def saying(record: Record, text: str) -> Record:
 def test_nothing_that_is_printed_is_a_command_in_a_log(text: str) -> None:
     record = saying(MIXED, text)
     for name in formats.NAMES:
-        printed = formats.render(name, record, NOWHERE)
+        printed = formats.render(name, record)
         ours = printed.split("\n") if name == "github" else []
         assert odd_texts.commands_in(printed) == ours, name
         refused = formats.refused(name, escaping.printable_text(text))
@@ -140,44 +137,12 @@ def test_nothing_that_is_printed_is_a_command_in_a_log(text: str) -> None:
 
 def test_a_long_report_stays_below_what_github_takes() -> None:
     record = saying(MIXED, "x" * 20_000)
-    text = formats.render("markdown", record, NOWHERE)
+    text = formats.render("markdown", record)
     assert len(text) < 65_536 and text.endswith("More checks failed than there is room for.\n")
 
 
-# --- files and lines, for GitHub ---
-
-PLACES = golden.rows(HERE / "places.toml", "place")
-
-
-@pytest.mark.parametrize("row", PLACES)
-def test_github_is_pointed_at_lines_of_files_that_were_handed_in(
-    row: Record, tmp_path: Path
-) -> None:
-    write(tmp_path, dict.fromkeys(row.get("files", []), b""))
-    record = edited(MIXED, f"parts 1 message = {json.dumps(row['message'])}")
-    _, where, _ = runner_commands(github.render(record, tmp_path))[1]
-    assert [where[key] for key in ("file", "line", "col") if key in where] == row["at"]
-    if "/" not in row["at"][0]:
-        tests = result_for_reporter(record, tmp_path)["tests"]
-        assert {test["filename"] for test in tests if test["name"][0] == "2"} == {row["at"][0]}
-
-
-def test_github_lists_the_repository_once_and_unpacks_nothing(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """A commit of 20 KB took minutes, unpacked for each place that its messages named."""
-    listed, unpacked = Mock(wraps=folders.opened), Mock(wraps=zips.entries)
-    monkeypatch.setattr(folders, "opened", listed)
-    monkeypatch.setattr(zips, "entries", unpacked)
-    write(tmp_path, {"hw.zip": (ROOT / "LICENSE").read_bytes()})
-    record = saying(MIXED, "see elsewhere.cpp:1")
-    github.render(record, tmp_path)
-    github.reporter_result(record, tmp_path)
-    assert listed.call_count == 2 and not unpacked.called
-
-
 def test_the_reporter_fails_the_job_only_below_the_score_that_is_enough() -> None:
-    statuses = [result_for_reporter(MIXED, NOWHERE, enough)["status"] for enough in (0, 32, 32.5)]
+    statuses = [result_for_reporter(MIXED, enough)["status"] for enough in (0, 32, 32.5)]
     assert statuses == ["pass", "pass", "fail"]
 
 
@@ -186,14 +151,14 @@ def test_a_step_of_a_workflow_hands_on_its_result(
 ) -> None:
     monkeypatch.setenv("GITHUB_OUTPUT", str(tmp_path / "output"))
     monkeypatch.setenv("GITHUB_STEP_SUMMARY", str(tmp_path / "summary"))
-    formats.render("github", MIXED, NOWHERE)
+    formats.render("github", MIXED)
     lines = (tmp_path / "output").read_text().splitlines()
     assert lines == [f"result={github.reporter_result(MIXED)}", "score=32"]
     summary = (tmp_path / "summary").read_text()
-    assert summary == formats.render("markdown", MIXED, NOWHERE) + "\n"
+    assert summary == formats.render("markdown", MIXED) + "\n"
 
 
 def test_what_a_runner_lacks_is_an_error(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delenv("CLASSROOM")
     with pytest.raises(UsageError, match="CLASSROOM isn't set"):
-        formats.render("classroom50", MIXED, NOWHERE)
+        formats.render("classroom50", MIXED)

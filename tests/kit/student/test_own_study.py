@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 from animation_page import animation
-from bounce_grader.publish import handout_measured, handout_study
+from bounce_grader.publish import handout_data
 from conftest import ROOT
 from handed_out import check, put, run
 
@@ -26,15 +26,15 @@ def rows(table: str, **where: str) -> list[dict[str, str]]:
 
 def test_names_scenes_that_are_there() -> None:
     named = set(re.findall(r"--scene (\w+)", EXPLORE)) | {"pointed_drop", "tumble", "rest"}
-    text = handout_study.text()
+    text = handout_data.study()
     scenes = re.findall(r"^scene (\w+) ", text, re.M)
     assert named <= set(scenes) == {f.stem for f in (ROOT / "fixtures/scenes").glob("*.json")}
-    assert len(re.findall(r"^truth ", text, re.M)) == 20 * len(handout_study.STUDIED)
-    assert len(re.findall(r"^other ", text, re.M)) == 3 * len(handout_study.STUDIED)
+    assert len(re.findall(r"^truth ", text, re.M)) == 20 * len(handout_data.STUDIED)
+    assert len(re.findall(r"^other ", text, re.M)) == 3 * len(handout_data.STUDIED)
 
 
 def test_measured_impacts_are_those_of_the_study_under_their_licence() -> None:
-    text = handout_measured.text()
+    text = handout_data.measured()
     assert "# Copyright 2020 Dynamic Autonomy and Intelligent Robotics Lab" in text
     assert "OF THIS SOFTWARE, EVEN IF ADVISED OF THE POSSIBILITY OF SUCH DAMAGE." in text
     [newton] = rows("measured_ladder", group="squares, one corner", law="newton")

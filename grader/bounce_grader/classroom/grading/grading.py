@@ -9,7 +9,7 @@ from pathlib import Path
 
 from bounce_grader.classroom.grading import results
 from bounce_grader.classroom.grading.log import Log
-from bounce_grader.classroom.grading.progress import progress
+from bounce_grader.classroom.grading.progress import Progress
 from bounce_grader.classroom.grading.request import Request
 from bounce_grader.classroom.grading.summary import of_result, Summary
 from bounce_grader.classroom.grading.task import Task
@@ -33,20 +33,20 @@ def grade_missing(
         else:
             missing[task.key] = task
     failed: dict[str, Outcome] = {}
+    bar = Progress(len(missing))
     try:
-        with progress(len(missing)) as bar:
-            for attempt in range(TRIES):
-                todo = [task for key, task in missing.items() if not attempt or key in failed]
-                failed = {}
-                with closing(_engine(request)(todo)) as outcomes:
-                    for task, outcome in outcomes:
-                        if outcome.state == "failed":
-                            failed[task.key] = outcome
-                        _write_down(log, task, outcome)
-                        if outcome.state != "failed" or attempt == TRIES - 1:
-                            bar.advance()
-                if not failed:
-                    break
+        for attempt in range(TRIES):
+            todo = [task for key, task in missing.items() if not attempt or key in failed]
+            failed = {}
+            with closing(_engine(request)(todo)) as outcomes:
+                for task, outcome in outcomes:
+                    if outcome.state == "failed":
+                        failed[task.key] = outcome
+                    _write_down(log, task, outcome)
+                    if outcome.state != "failed" or attempt == TRIES - 1:
+                        bar.advance()
+            if not failed:
+                break
     except KeyboardInterrupt:
         done = len(missing) - sum(results.load(folder, key) is None for key in missing)
         whole = len({task.key for task in tasks.values()})

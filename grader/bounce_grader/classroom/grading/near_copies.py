@@ -7,25 +7,20 @@ submissions never takes longer than comparing the slower one with itself. So eac
 with itself, and those that take too long are left out.
 """
 
-import hashlib
 import io
-import json
-import os
 import re
 import statistics
 from collections import defaultdict
 from collections.abc import Iterable, Mapping
-from dataclasses import asdict, dataclass, field
+from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
 from shutil import which
 
-from bounce_grader.classroom.grading.task import digest, Task
 from bounce_grader.classroom.intake import handed_in, students as students_of
-from bounce_grader.classroom.intake.canvas import Upload
-from bounce_grader.classroom.intake.student import Student
+from bounce_grader.classroom.intake.student import Student, Upload
 from bounce_grader.common.errors import about_one_submission, KitError, UsageError
-from bounce_grader.common.files import CLASS_FOLDER, temporary_folder, write_whole
+from bounce_grader.common.files import CLASS_FOLDER, temporary_folder
 from bounce_grader.common.manifest import parts
 from bounce_grader.common.paths import STUBS
 from bounce_grader.sandbox import box as boxes, processes
@@ -97,63 +92,28 @@ class Compared:
     id: str
     path: Path
     uploads: tuple[Upload, ...]
-    digest: str
     of_another_year: bool = False
 
 
-def find(
-    out: Path,
-    students: list[Student],
-    graded: Mapping[str, Task],
-    trust: bool,
-    corpus: Iterable[Path] = (),
-) -> Similar:
-    """Finds near-copies, also of submissions in the folders `corpus`. The result is cached in a
-    file until the submissions change."""
+def find(students: list[Student], trust: bool, corpus: Iterable[Path] = ()) -> Similar:
+    """Finds near-copies, also of submissions in the folders `corpus`."""
     if which(PROGRAM) is None:
         missing = "similarity-tester isn't installed: apt-get install similarity-tester"
         return Similar((), 0, problem=missing)
-    own = [Compared(s.id, s.path, s.uploads, graded[s.id].submission) for s in students]
+    own = [Compared(s.id, s.path, s.uploads) for s in students]
     try:
         compared = [*own, *(other for folder in corpus for other in _of_another_year(folder))]
     except UsageError as error:
         return Similar((), 0, problem=str(error))  # of a damaged download; the grades are there
-    words = [
-        f"{RUN} {RELATIVES} {LEAST} {LEAST_OF_PART} {SECONDS} {MOST} {LONGEST} without comments",
-        *(f"{one.id} {one.digest}" for one in compared),
-    ]
-    name = hashlib.sha256(os.fsencode("\n".join(words))).hexdigest()
-    kept = _read(out / "similar.json", name)
-    if kept:
-        return kept
     try:
-        similar = _find(compared, boxes.choose(boxes.kinds(trust)))
+        return _find(compared, boxes.choose(boxes.kinds(trust)))
     except KitError as error:
         return Similar((), 0, problem=str(error))
-    write_whole(out / "similar.json", json.dumps({"of": name, **asdict(similar)}))
-    return similar
 
 
 def _of_another_year(folder: Path) -> list[Compared]:
     intake = students_of.read(folder)
-    return [
-        Compared(f"{folder.name}/{s.name}", s.path, s.uploads, digest(s), True)
-        for s in intake.students
-    ]
-
-
-def _read(path: Path, name: str) -> Similar | None:
-    try:
-        kept = json.loads(path.read_bytes())
-    except (OSError, ValueError):
-        return None
-    if kept.get("of") != name:
-        return None
-    pairs = tuple(
-        Pair(pair["first"], pair["second"], pair["share"], tuple(pair["parts"]))
-        for pair in kept["pairs"]
-    )
-    return Similar(pairs, kept["usual"], kept["more"], incomplete=kept["incomplete"])
+    return [Compared(f"{folder.name}/{s.name}", s.path, s.uploads, True) for s in intake.students]
 
 
 def _find(compared: list[Compared], box: boxes.Box) -> Similar:

@@ -1,71 +1,28 @@
-"""Shows progress: a bar with rate and time left on a terminal, plain lines elsewhere."""
+"""Shows progress: how many are graded, the rate and the time left."""
 
 import sys
 import time
-from collections.abc import Iterator
-from contextlib import contextmanager
-from typing import Protocol
-
-SECONDS_BETWEEN_LINES = 15.0
 
 
-class Progress(Protocol):
-    """Counts the submissions that are done."""
+class Progress:
+    """Counts the submissions that are done. A terminal shows one line, which is written over."""
 
-    def advance(self) -> None:
-        ...
-
-
-@contextmanager
-def progress(total: int) -> Iterator[Progress]:
-    if sys.stderr.isatty():
-        with _bar(total) as bar:
-            yield bar
-    else:
-        yield _Lines(total)
-
-
-class _Lines:
     def __init__(self, total: int) -> None:
         self._total, self._done = total, 0
         self._start = self._last = time.monotonic()
+        self._is_terminal = sys.stderr.isatty()
 
     def advance(self) -> None:
         self._done += 1
-        now = time.monotonic()
-        if self._done == self._total or now - self._last >= SECONDS_BETWEEN_LINES:
+        now, is_last = time.monotonic(), self._done == self._total
+        if is_last or now - self._last >= (0.5 if self._is_terminal else 15.0):
             self._last = now
-            print(f"kit: {self._sentence(now - self._start)}", file=sys.stderr, flush=True)
+            start, end = ("\r\33[K", "\n" if is_last else "") if self._is_terminal else ("", "\n")
+            sentence = self._sentence(now - self._start)
+            print(f"{start}kit: {sentence}", end=end, file=sys.stderr, flush=True)
 
     def _sentence(self, seconds: float) -> str:
         rate = self._done / max(seconds, 1e-9)
         left = (self._total - self._done) / rate
         ahead = f", {left:.0f} s left" if self._done < self._total else ""
         return f"{self._done} of {self._total} graded, {60 * rate:.0f} a minute{ahead}"
-
-
-@contextmanager
-def _bar(total: int) -> Iterator[Progress]:
-    from rich.console import Console
-    from rich.progress import BarColumn, MofNCompleteColumn, TextColumn, TimeRemainingColumn
-    from rich.progress import Progress as Rich
-
-    console = Console(stderr=True)
-    rate = TextColumn("{task.fields[rate]}")
-    columns = (TextColumn("grading"), BarColumn(), MofNCompleteColumn(), rate)
-    with Rich(*columns, TimeRemainingColumn(), console=console) as rich:
-        yield _Bar(rich, total)
-
-
-class _Bar:
-    def __init__(self, rich: object, total: int) -> None:
-        from rich.progress import Progress as Rich
-
-        assert isinstance(rich, Rich)
-        self._rich, self._done, self._start = rich, 0, time.monotonic()
-        self._task = rich.add_task("grading", total=total, rate="")
-
-    def advance(self) -> None:
-        self._done += 1
-        rate = 60 * self._done / max(time.monotonic() - self._start, 1e-9)
-        self._rich.update(self._task, advance=1, rate=f"{rate:.0f} a minute")

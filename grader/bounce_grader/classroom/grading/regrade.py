@@ -1,5 +1,5 @@
-"""Grades again: makes a new set of results beside the old one, shows the differences, and exchanges
-the sets."""
+"""Grades again: makes results in a folder beside the old one, shows the differences, and exchanges
+the folders."""
 
 import os
 import re
@@ -18,18 +18,14 @@ from bounce_grader.classroom.intake.canvas import sanitized
 from bounce_grader.classroom.intake.student import Class, Student
 from bounce_grader.common.errors import UsageError
 from bounce_grader.common.escaping import first_few, terminal
-from bounce_grader.common.files import write_whole
 
-FILTER = "filter.txt"
-MARKER = "apply"
-SAME = "same"  # a file in a set that changes nothing
 KINDS = "all, student=NAME (with * for any letters), status=STATUS, or score<POINTS"
 
 
 def begin(out: Path, intake: Class, chosen: str, stamp: Stamp) -> tuple[Path, list[Student]]:
-    """The folder of the new set, and whom the filter chooses. A set begun by another version of the
-    kit is discarded, and so is one that changes nothing."""
-    _filter(chosen)
+    """The folder of new results, and whom the filter chooses. Results there by another version of
+    the kit are discarded."""
+    wanted = _filter(chosen)
     there = results.stamp_of(out / "results")
     if there is None:
         raise UsageError(f"{out} holds no results yet: run without --regrade first")
@@ -38,30 +34,14 @@ def begin(out: Path, intake: Class, chosen: str, stamp: Stamp) -> tuple[Path, li
             f"the results in {out / 'results'} were made {results.difference(there, stamp)}, and "
             "one class is graded by one kit: use --regrade all"
         )
-    students = _choose(out, intake, chosen)
-    folder = out / "regrade"
-    noted = folder / FILTER
-    dropped = results.stamp_of(folder) != stamp or not noted.exists() or (folder / SAME).exists()
-    if folder.exists() and dropped:
-        shutil.rmtree(folder)
-    elif folder.exists() and noted.read_text() != chosen:
-        raise UsageError(
-            f"{folder} holds what was graded again for {noted.read_text()!r}: take it over with "
-            "--apply, or remove that folder"
-        )
-    results.begin(folder, stamp)
-    write_whole(noted, chosen)
-    return folder, students
-
-
-def _choose(out: Path, intake: Class, chosen: str) -> list[Student]:
-    there = results.stamp_of(out / "results")
-    assert there
-    wanted = _filter(chosen)
     students = [s for s in intake.students if wanted(_summary(out / "results", s, there))]
     if not students:
         raise UsageError(f"--regrade {chosen} chooses no submission")
-    return students
+    folder = out / "regrade"
+    if folder.exists() and results.stamp_of(folder) != stamp:
+        shutil.rmtree(folder)
+    results.begin(folder, stamp)
+    return folder, students
 
 
 def _filter(expression: str) -> Callable[[Summary], bool]:
@@ -98,19 +78,29 @@ def _result(folder: Path, student: Student, stamp: Stamp) -> tuple[str, dict[str
 
 
 def differences(out: Path, chosen: list[Student], tasks: Mapping[str, Task]) -> list[str]:
-    """A summary, and then only what differs; nothing but the summary if nothing does."""
-    there = results.stamp_of(out / "results")
+    """A summary, and then only what differs. If nothing does, there is nothing to take over, and
+    these new results are removed."""
+    old, new = out / "results", out / "regrade"
+    there = results.stamp_of(old)
     assert there
     pairs = [
-        (_summary(out / "results", s, there), _summary(out / "regrade", s, tasks[s.id].stamp))
-        for s in chosen
+        (_summary(old, student, there), _summary(new, student, tasks[student.id].stamp))
+        for student in chosen
     ]
-    differing = [lines for old, new in pairs if (lines := _difference(old, new))]
-    return [
+    differing = [lines for before, now in pairs if (lines := _difference(before, now))]
+    said = [
         f"Submissions graded again: {len(chosen)}; with another result: {len(differing)}.",
         *_weights(pairs),
         *(line for lines in differing for line in lines),
     ]
+    if len(said) == 1 and there == results.stamp_of(new):
+        for student in chosen:
+            result_path(new, tasks[student.id].key).unlink(missing_ok=True)
+        if not results.keys(new):
+            shutil.rmtree(new)
+        return [*said, "There is nothing to take over."]
+    said.append("Nothing is changed yet. To take these over: --apply in place of --regrade.")
+    return said
 
 
 def _weights(pairs: list[tuple[Summary, Summary]]) -> list[str]:
@@ -140,53 +130,35 @@ def _difference(old: Summary, new: Summary) -> list[str]:
     return [f"{student}: {_points(old)} -> {_points(new)}", *checks]
 
 
-def nothing_differs(out: Path, lines: list[str]) -> bool:
-    """Whether these differences are none; then the set may be dropped for the next one."""
-    same = len(lines) == 1 and results.stamp_of(out / "results") == results.stamp_of(
-        out / "regrade"
-    )
-    if same:
-        write_whole(out / "regrade" / SAME, "")
-    return same
-
-
 def _points(summary: Summary) -> str:
     return summary.state if summary.score is None else f"{summary.score:g}"
 
 
 def apply(out: Path, intake: Class, stamp: Stamp, log: Log) -> None:
-    """Exchanges the sets; the old one is kept in a numbered folder."""
+    """Exchanges the results; the old ones are kept in a numbered folder."""
     new, old = out / "regrade", out / "results"
-    if not (new / FILTER).exists():
+    if not new.exists():
         raise UsageError(f"{out} holds nothing to take over: run with --regrade FILTER first")
     if results.stamp_of(new) != stamp:
         raise UsageError("the kit or its fixtures changed since --regrade: run that again")
-    chosen = _choose(out, intake, (new / FILTER).read_text())
-    missing = [s.name for s in chosen if not _result(new, s, stamp)[1]]
+    log.write("applied", submissions=len(results.keys(new)))
+    if results.stamp_of(old) == stamp:
+        for key in results.keys(old) - results.keys(new):
+            os.link(result_path(old, key), result_path(new, key))
+    missing = [s.name for s in intake.students if not _result(new, s, stamp)[1]]
     if missing:
         raise UsageError(
             f"--regrade hasn't graded all ({first_few(missing)}): run it again, on the same "
             "submissions and with the same --gradebook, by which some are found"
         )
-    if results.stamp_of(old) == stamp:
-        for key in results.keys(old) - results.keys(new):
-            os.link(result_path(old, key), result_path(new, key))
-    write_whole(new / MARKER, "", durable=True)
-    log.write("applied", filter=(new / FILTER).read_text(), submissions=len(chosen))
+    number = 1
+    while (out / f"results-{number}").exists():
+        number += 1
+    old.rename(out / f"results-{number}")
     finish(out)
 
 
 def finish(out: Path) -> None:
-    """Finishes an exchange that was begun, perhaps by a run that was killed meanwhile."""
-    new, old = out / "regrade", out / "results"
-    if not (new / MARKER).exists():
-        return
-    if old.exists():
-        number = 1
-        while (out / f"results-{number}").exists():
-            number += 1
-        old.rename(out / f"results-{number}")
-    for name in (FILTER, SAME):
-        (new / name).unlink(missing_ok=True)
-    (new / MARKER).unlink()
-    new.rename(old)
+    """Finishes an exchange, perhaps of a run that was killed in between."""
+    if (out / "regrade").exists() and not (out / "results").exists():
+        (out / "regrade").rename(out / "results")

@@ -1,6 +1,6 @@
 """The options of one run of ./kit class."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -13,7 +13,7 @@ from bounce_grader.classroom.grading.unit import Outcome
 class Request:
     """The arguments of ./kit class."""
 
-    submissions: Path
+    submissions: Path | None  # None with --canvas
     out: Path
     gradebook: Path | None = None
     columns: Mapping[int, str] = field(default_factory=dict)  # 0: the total; n: part n
@@ -25,9 +25,9 @@ class Request:
     trust: bool = False
     reveal: bool = False
     overwrite: bool = False
-    canvas: str = ""  # COURSE/ASSIGNMENT, in place of submissions
+    canvas: str = ""  # COURSE/ASSIGNMENT
     upload: bool = False
-    corpus: tuple[Path, ...] = ()
-    regrade: str = ""
+    corpus: Sequence[Path] = ()
+    regrade: str | None = None
     apply: bool = False
     unit: Callable[[Task], Outcome] = units.run

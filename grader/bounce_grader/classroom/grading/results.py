@@ -3,7 +3,6 @@ options they were made."""
 
 import hashlib
 import json
-from collections.abc import Iterator
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any
@@ -13,23 +12,20 @@ from bounce_grader.classroom.grading.task import Stamp
 from bounce_grader.classroom.grading.unit import result_path
 from bounce_grader.common.errors import UsageError
 from bounce_grader.common.files import write_whole
-from bounce_grader.common.paths import CONTRACT, HANDOUT, ROOT
+from bounce_grader.common.paths import ROOT
 from bounce_grader.grading import fixtures
 from bounce_grader.grading.record import digest_of
 
 SET = "set.json"
-# The folders that a score depends on. Those that report on records, test the kit or publish it can
-# change no score.
-PYTHON = ("assignment", "build", "common", "grading", "sandbox", "submission", "classroom/intake")
-UNIT = "classroom/grading/unit.py"  # it decides whether a submission can be graded
-CPP = (
-    "grader/judge",
-    "grader/runner",
-    "grader/box",
-    "grader/diagnosis",
-    "tests/parts",
-    "solution/src",
+# What a score depends on. What reports on records, tests the kit or publishes it can change none.
+PYTHON = ("build", "common", "grading", "sandbox", "submission", "classroom/intake")
+CPP = ("judge", "runner", "box", "diagnosis")
+SOURCES = (
+    *(f"grader/bounce_grader/{room}" for room in PYTHON),
+    *(f"grader/{room}" for room in CPP),
+    *("tests/parts", "solution/src", "student/include", "student/given"),
 )
+UNIT = "grader/bounce_grader/classroom/grading/unit.py"  # decides whether one can be graded
 
 
 def stamp_now(trust: bool, sanitize: bool = False) -> Stamp:
@@ -41,22 +37,15 @@ def stamp_now(trust: bool, sanitize: bool = False) -> Stamp:
 def _kit_digest() -> str:
     """A digest of the sources that a score depends on, the same on every machine of a cluster."""
     digest = hashlib.sha256(__version__.encode())
-    for file in sorted(_sources()):
+    for file in _sources():
         digest.update(f"\0{file.relative_to(ROOT)}\0".encode() + file.read_bytes())
     return digest.hexdigest()
 
 
-def _sources() -> Iterator[Path]:
-    package = ROOT / "grader" / "bounce_grader"
-    for folder in [*(package / room for room in PYTHON), *(ROOT / room for room in CPP)]:
-        yield from _files(folder)
-    yield from (*_files(CONTRACT), *_files(HANDOUT / "given"))
-    yield from (package / UNIT, ROOT / "grader" / "parts.json")
-
-
-def _files(folder: Path) -> Iterator[Path]:
+def _sources() -> list[Path]:
     kinds = {".py", ".cpp", ".hpp", ".json", ".sed", ".txt"}
-    return (file for file in folder.rglob("*") if file.suffix in kinds)
+    files = (file for room in SOURCES for file in (ROOT / room).rglob("*") if file.suffix in kinds)
+    return sorted([*files, ROOT / UNIT, ROOT / "grader" / "parts.json"])
 
 
 def load(folder: Path, key: str) -> dict[str, Any] | None:

@@ -8,8 +8,7 @@ from typing import Any
 
 from bounce_grader.classroom.intake import handed_in
 from bounce_grader.classroom.intake.archive import Damaged
-from bounce_grader.classroom.intake.canvas import Upload
-from bounce_grader.classroom.intake.student import Student
+from bounce_grader.classroom.intake.student import Student, Upload
 from bounce_grader.common.errors import UsageError
 
 

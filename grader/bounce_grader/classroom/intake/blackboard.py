@@ -1,4 +1,5 @@
-"""Parses the names in Blackboard's download of an assignment's files.
+"""Finds each student's submission in Blackboard's download of an assignment's files, packed or
+unpacked.
 
     {assignment}_{user}_attempt_{2026-11-20-23-15-42}_{file}
     {assignment}_{user}_attempt_{2026-11-20-23-15-42}.txt     who submitted, and what else is typed
@@ -9,8 +10,16 @@ Blackboard writes, "Name: Jane Doe (jdoe)"; without it, what all entries begin w
 
 import os
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
+from pathlib import Path
 from typing import NamedTuple
+
+from bounce_grader.classroom.intake.archive import opened
+from bounce_grader.classroom.intake.student import Class, set_duplicates_aside, Unmatched, Upload
+from bounce_grader.classroom.intake.uploads import not_named, take, typed_elsewhere
+from bounce_grader.common.escaping import printable_name
+from bounce_grader.common.files import fitting
 
 ENTRY = re.compile(  # up to the first time: a file's own name may hold another student's
     r"(?P<head>.+?)_attempt_(?P<when>\d{4}(?:-\d\d){5})(?:_(?P<file>.+)|\.txt)", re.DOTALL
@@ -59,3 +68,39 @@ def title(heads: Iterable[str]) -> str:
     distinct = sorted(set(heads))
     common = os.path.commonprefix(distinct)
     return common[: common.rfind("_") + 1] if len(distinct) > 1 else ""
+
+
+def read(path: Path, _people: Mapping[str, str]) -> Class:
+    archive = opened(path)
+    intake = Class("a Blackboard download", service="blackboard")
+    parsed = {name: parse(name) for name in archive.names() if "/" not in name}
+    known = {name: entry for name, entry in parsed.items() if entry}
+    common = title(entry.head for entry in known.values())
+    attempts: dict[str, dict[int, list[Upload]]] = {}
+    people: dict[str, Person] = {}
+    for name, entry in known.items():
+        if not entry.file:
+            person = person_of(entry.head, archive.read(name, 4096))
+            if person:
+                people[entry.head] = person
+        attempts.setdefault(entry.head, {}).setdefault(entry.when, [])
+        if entry.file:
+            upload = Upload(name, "", entry.head, False, entry.when, entry.file, True)
+            attempts[entry.head][entry.when].append(upload)
+    for head, by_time in attempts.items():
+        person = people.get(head)
+        if not person and not common:
+            intake.unmatched.append(Unmatched(head, "has no text that says whose it is"))
+            continue
+        user = person.user if person else head.removeprefix(common)
+        name = person.name if person and person.name else user
+        newest = [replace(upload, name=name, user=user) for upload in by_time[max(by_time)]]
+        page = f"{fitting(printable_name(user))}.html"  # not by the name: it may hold a "/"
+        if newest:
+            take(intake, archive, user, name, newest, page)
+        else:
+            typed_elsewhere(intake, f"{head}.txt", "Blackboard", user, page)
+    left = [name for name in archive.names() if name not in known]
+    intake.unmatched += [Unmatched(name, not_named("Blackboard", name)) for name in left]
+    set_duplicates_aside(intake)
+    return intake

@@ -1,28 +1,25 @@
 """Canvas's API: downloads the submissions of an assignment, with the token of the environment.
 
-Lists come in pages, linked by the header Link. Where requests come too quickly, Canvas answers 403
-or 429, and they are tried again after a while. The token goes to Canvas's own address alone, and
-into no message.
+Where requests come too quickly, Canvas answers 403 or 429, and they are tried again after a while.
+The token goes to Canvas's own address alone, and into no message.
 """
 
-import http.client
 import json
 import math
 import os
 import re
 import time
-import urllib.error
-import urllib.parse
-import urllib.request
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
+from urllib.parse import urlsplit
 
+import requests
+from urllib3.exceptions import HTTPError
 from bounce_grader.classroom.intake.archive import opened
-from bounce_grader.classroom.intake.canvas import sanitized, Upload
-from bounce_grader.classroom.intake.from_canvas import take_uploads
-from bounce_grader.classroom.intake.student import Class, Unmatched
+from bounce_grader.classroom.intake.canvas import sanitized, take_uploads
+from bounce_grader.classroom.intake.student import Class, Unmatched, Upload
 from bounce_grader.classroom.intake.uploads import HAND_IN, may_count, MOST_UPLOADS
 from bounce_grader.common.errors import KitError, UsageError
 from bounce_grader.common.escaping import printable_name
@@ -39,31 +36,6 @@ TYPED = {"online_text_entry": "text", "online_url": "an address"}
 
 class Refused(Exception):
     """Canvas's answer to one request, which says nothing about the others."""
-
-
-class NoRedirect(urllib.request.HTTPRedirectHandler):
-    """Leaves a redirection to the caller, who sends no token elsewhere."""
-
-    def redirect_request(self, *_: Any) -> None:
-        return None
-
-
-def _web_alone() -> urllib.request.OpenerDirector:
-    """Opens http and https. The usual opener reads files of this machine, too."""
-    opener = urllib.request.OpenerDirector()
-    for handler in (
-        urllib.request.ProxyHandler,
-        urllib.request.HTTPHandler,
-        urllib.request.HTTPSHandler,
-        urllib.request.HTTPDefaultErrorHandler,
-        urllib.request.HTTPErrorProcessor,
-        NoRedirect,
-    ):
-        opener.add_handler(handler())
-    return opener
-
-
-OPENER = _web_alone()
 
 
 def token_of_environment() -> str:
@@ -89,7 +61,7 @@ class Canvas:
         match = re.fullmatch(r"(\d+)/(\d+)", assignment)
         if not match:
             raise UsageError(f"--canvas takes COURSE/ASSIGNMENT, two numbers, not {assignment!r}")
-        parsed = urllib.parse.urlsplit(url)
+        parsed = urlsplit(url)
         local = parsed.hostname in ("localhost", "127.0.0.1")
         if not parsed.hostname or parsed.scheme != "https" and not local:
             raise UsageError(
@@ -104,77 +76,63 @@ class Canvas:
         """Every entry of a list, page by page."""
         url: str | None = self._origin + path
         while url:
-            body, headers = self.request("GET", url)
+            body, url = self.request("GET", url)
             yield from _json(body)
-            link = re.search(r'<([^>]+)>;\s*rel="next"', headers.get("Link", ""))
-            url = link[1] if link else None
 
     def call(self, method: str, path: str, fields: Mapping[str, str] = {}) -> Any:
-        data = urllib.parse.urlencode(fields).encode() if fields else None
-        return _json(self.request(method, self._origin + path, data)[0])
+        return _json(self.request(method, self._origin + path, data=fields)[0])
 
-    def request(
-        self, method: str, url: str, data: bytes | None = None, kind: str = ""
-    ) -> tuple[bytes, Mapping[str, str]]:
-        """The body and the headers of an answer. Raises UsageError if the token isn't accepted,
-        Refused if this request isn't, KitError if Canvas can't be reached."""
+    def request(self, method: str, url: str, **content: Any) -> tuple[bytes, str | None]:
+        """The body of an answer, and the address of the list's next page. Raises UsageError if the
+        token isn't accepted, Refused if this request isn't, KitError if Canvas can't be reached."""
         for attempt in range(TRIES):
             if attempt:
                 time.sleep(WAIT * 2 ** (attempt - 1))
-            answer = self._tried(method, url, data, kind)
-            if answer:
-                return answer
+            try:
+                with self._session(url) as session:
+                    answer = session.request(method, url, stream=True, timeout=SECONDS, **content)
+                    body = answer.raw.read(LARGEST + 1, decode_content=True)
+            except requests.TooManyRedirects:
+                raise Refused("it is redirected again and again") from None
+            except ValueError:  # a kind of address that isn't the web's
+                raise Refused("it leads to no address of the web") from None
+            except (requests.RequestException, HTTPError):
+                continue
+            if answer.ok:
+                return body, answer.links.get("next", {}).get("url")
+            _require_retryable(answer, body)
         raise KitError(
             f"Canvas doesn't answer at {self._origin}; what is done is kept, so give the same "
             "command again later"
         )
 
-    def _tried(
-        self, method: str, url: str, data: bytes | None, kind: str
-    ) -> tuple[bytes, Mapping[str, str]] | None:
-        """One attempt of `request`; None if it should be tried again. Follows redirections."""
-        for _ in range(REDIRECTIONS + 1):
-            try:
-                with OPENER.open(self._signed(method, url, data, kind), timeout=SECONDS) as answer:
-                    return answer.read(LARGEST + 1), dict(answer.headers)
-            except urllib.error.HTTPError as error:
-                location = error.headers.get("Location")
-                if error.code not in (301, 302, 303, 307, 308) or not location:
-                    _require_retryable(error)
-                    return None
-                url, method = urllib.parse.urljoin(url, location), "GET"
-                data, kind = None, ""
-            except (http.client.InvalidURL, ValueError):
-                raise Refused("it leads to no address of the web") from None
-            except (http.client.HTTPException, OSError):
-                return None
-        raise Refused("it is redirected again and again")
+    def _session(self, url: str) -> Any:
+        """A session with the token if it goes to Canvas's own address; a redirection elsewhere loses
+        it. Without a way to sign, the library would take a password from ~/.netrc."""
 
-    def _signed(
-        self, method: str, url: str, data: bytes | None, kind: str
-    ) -> urllib.request.Request:
-        """The request, with the token if it goes to Canvas's own address."""
-        own = urllib.parse.urlsplit(url)
-        if own.scheme != "https" and own.scheme != urllib.parse.urlsplit(self._origin).scheme:
-            raise Refused("it leads to no address of the web")
-        request = urllib.request.Request(url, data, method=method)
-        if f"{own.scheme}://{own.netloc}" == self._origin:
-            request.add_header("Authorization", f"Bearer {self._token}")
-        if kind:
-            request.add_header("Content-Type", kind)
-        return request
+        def sign(request: Any) -> Any:
+            if f"{own.scheme}://{own.netloc}" == self._origin:
+                request.headers["Authorization"] = f"Bearer {self._token}"
+            return request
+
+        own = urlsplit(url)
+        session = requests.Session()
+        session.max_redirects = REDIRECTIONS
+        session.auth = sign
+        return session
 
 
-def _require_retryable(error: urllib.error.HTTPError) -> None:
+def _require_retryable(answer: Any, body: bytes) -> None:
     """Returns if the request should be tried again, because Canvas asks to wait or has an error of
     its own. Else raises UsageError or Refused."""
-    limited = error.code == 429 or error.code == 403 and b"Rate Limit" in error.read(10_000)
-    if error.code == 401:
+    code = answer.status_code
+    limited = code == 429 or code == 403 and b"Rate Limit" in body
+    if code == 401:
         raise UsageError(
             "Canvas doesn't accept the token: make a new one, and put it into CANVAS_TOKEN"
-        ) from None
-    if not limited and error.code < 500:
-        raise Refused(f"{error.code} {printable_name(error.reason or '')}") from None
+        )
+    if not limited and code < 500:
+        raise Refused(f"{code} {printable_name(answer.reason or '')}")
 
 
 def _json(body: bytes) -> Any:

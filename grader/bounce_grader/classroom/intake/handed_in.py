@@ -12,7 +12,7 @@ from pathlib import Path
 
 from bounce_grader.classroom.intake import canvas
 from bounce_grader.classroom.intake.archive import opened, Archive
-from bounce_grader.classroom.intake.canvas import Upload
+from bounce_grader.classroom.intake.student import Upload
 from bounce_grader.classroom.intake.uploads import texts_of
 from bounce_grader.common.errors import about_one_submission, UsageError
 from bounce_grader.submission import intake, submission

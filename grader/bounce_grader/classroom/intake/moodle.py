@@ -1,4 +1,5 @@
-"""Parses the names in Moodle's download of all submissions, which mod/assign writes.
+"""Finds each student's submission in Moodle's download, packed or unpacked, by the names that
+mod/assign writes.
 
     {full name}_{participant}_assignsubmission_file/{path}      since 4.1
     {full name}_{participant}_assignsubmission_file_/{path}     since 3.1
@@ -18,9 +19,19 @@ of years, days, hours, minutes and seconds (`format_time`).
 """
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
+from pathlib import Path, PurePosixPath
 from typing import NamedTuple
 
+from bounce_grader.classroom.intake.archive import is_folder, opened, zip_alone
+from bounce_grader.classroom.intake.student import (
+    Class,
+    set_duplicates_aside,
+    Student,
+    Unmatched,
+    Upload,
+)
+from bounce_grader.classroom.intake.uploads import not_named, take, typed_elsewhere
 from bounce_grader.common.escaping import printable_name
 from bounce_grader.common.files import fitting
 
@@ -87,3 +98,49 @@ def feedback_name(name: str, participant: str) -> str:
     """The name for a feedback page that Moodle's importer of feedback files takes, whichever its
     version: it splits at "_"."""
     return f"{printable_name(fitting(name, 150))}_{participant}_assignfeedback_file_feedback.html"
+
+
+def read(path: Path, _people: Mapping[str, str]) -> Class:
+    archive = opened(path)
+    intake = Class("a Moodle download", service="moodle")
+    files: dict[tuple[str, str], list[Upload]] = {}
+    for number, name in enumerate(archive.names()):
+        parsed = parse(name)
+        if not parsed:
+            intake.unmatched.append(Unmatched(name, not_named("Moodle", name)))
+        elif parsed.kind == "onlinetext":
+            page = feedback_name(parsed.name, parsed.participant)
+            typed_elsewhere(intake, name, "Moodle", parsed.participant, page)
+        elif not _is_inside(parsed.file):
+            intake.unmatched.append(Unmatched(name, "points outside of the submission"))
+        else:
+            who = (parsed.participant, parsed.name)
+            upload = Upload(name, parsed.name, parsed.participant, False, number, parsed.file, True)
+            files.setdefault(who, []).append(upload)
+    for (participant, name), uploads in files.items():
+        page = feedback_name(name, participant)
+        take(intake, archive, participant, name, uploads, page)
+    return intake
+
+
+def read_folders(children: list[Path]) -> Class:
+    """Moodle's download, unpacked."""
+    intake = Class("a Moodle download", service="moodle")
+    for child in children:
+        parsed = parse_folder(child.name) if is_folder(child) else None
+        if not parsed:
+            intake.unmatched.append(Unmatched(child.name, not_named("Moodle", child.name)))
+            continue
+        page = feedback_name(parsed.name, parsed.participant)
+        if parsed.kind == "onlinetext":
+            typed_elsewhere(intake, child.name, "Moodle", parsed.participant, page)
+        else:
+            there = zip_alone(child) or child
+            intake.students.append(Student(parsed.participant, parsed.name, there, feedback=page))
+    set_duplicates_aside(intake)
+    return intake
+
+
+def _is_inside(file: str) -> bool:
+    parts_of = PurePosixPath(file).parts
+    return not file.startswith("/") and ".." not in parts_of and "\\" not in file

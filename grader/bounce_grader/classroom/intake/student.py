@@ -3,8 +3,20 @@
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from bounce_grader.classroom.intake.canvas import Upload
 from bounce_grader.common.escaping import printable_name
+
+
+@dataclass(frozen=True)
+class Upload:
+    """One file that a student or a group submitted."""
+
+    entry: str  # its whole name in the archive
+    name: str  # "doejane", or "" if the assignment is anonymous
+    user: str
+    late: bool
+    attachment: int
+    file: str
+    as_named: bool = False  # the file has the student's own name for it, and no other file's
 
 
 @dataclass(frozen=True)

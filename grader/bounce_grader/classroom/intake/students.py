@@ -6,15 +6,7 @@ import zipfile
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
-from bounce_grader.classroom.intake import (
-    blackboard,
-    canvas,
-    from_blackboard,
-    from_canvas,
-    from_folder,
-    from_moodle,
-    moodle,
-)
+from bounce_grader.classroom.intake import blackboard, canvas, from_folder, moodle
 from bounce_grader.classroom.intake.archive import is_file, opened
 from bounce_grader.classroom.intake.student import Class
 from bounce_grader.common.errors import UsageError
@@ -33,13 +25,13 @@ def read(path: Path, people: Mapping[str, str] = {}) -> Class:
         if service:
             intake = service(path, people)
         elif any(moodle.parse_folder(child.name) for child in children):
-            intake = from_moodle.read_folders(children)
+            intake = moodle.read_folders(children)
         else:
             intake = from_folder.read(path, children)
     elif not path.exists():
         raise UsageError(f"there is no file or folder {printable_name(str(path))}")
     elif zipfile.is_zipfile(path):
-        service = _service(opened(path).names()) or from_canvas.read
+        service = _service(opened(path).names()) or canvas.read
         intake = service(path, people)
     else:
         cut = is_archive(path.name) or not path.stat().st_size
@@ -61,16 +53,12 @@ def _service(names: Sequence[str]) -> Callable[[Path, Mapping[str, str]], Class]
     assignment's title, which may be anything. So in a download of another service, a student could
     give a file a name that looks like Blackboard's.
     """
-    services = (
-        (moodle.wrote_all, from_moodle.read),
-        (canvas.wrote_all, from_canvas.read),
-        (blackboard.wrote_all, from_blackboard.read),
-    )
-    known = [name for name in names if any(wrote_all([name]) for wrote_all, _ in services)]
-    for wrote_all, reader in services:
-        if known and wrote_all(known):
-            return reader
-    return from_canvas.read if known else None
+    services = (moodle, canvas, blackboard)
+    known = [name for name in names if any(service.parse(name) for service in services)]
+    for service in services:
+        if known and service.wrote_all(known):
+            return service.read
+    return canvas.read if known else None
 
 
 def _expected(intake: Class) -> str:

@@ -5,8 +5,7 @@ import os
 from collections.abc import Iterable, Sequence
 
 from bounce_grader.classroom.intake.archive import Archive, Damaged
-from bounce_grader.classroom.intake.canvas import Upload
-from bounce_grader.classroom.intake.student import Class, Student, Unmatched
+from bounce_grader.classroom.intake.student import Class, Student, Unmatched, Upload
 from bounce_grader.common.errors import UsageError
 from bounce_grader.common.escaping import first_few, printable_name
 from bounce_grader.common.manifest import parts

@@ -6,7 +6,6 @@ stopped, and no comment is posted twice.
 
 import hashlib
 import json
-import secrets
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -14,7 +13,7 @@ from typing import Any, NamedTuple
 from bounce_grader.classroom.grading.summary import Summary
 from bounce_grader.classroom.intake.canvas_api import Canvas, Refused
 from bounce_grader.classroom.intake.student import Unmatched
-from bounce_grader.classroom.output import filling
+from bounce_grader.classroom.output import gradebook
 from bounce_grader.common.escaping import terminal
 from bounce_grader.common.files import write_whole
 from bounce_grader.common.numbers import short
@@ -54,12 +53,12 @@ def plan(
                 continue
             done = uploaded.get(one.id, {})
             before, points = there.get("score"), round(one.points[0], 2)
-            ours = before is None or filling.is_ours(before, points, done.get("points", []))
+            ours = before is None or gradebook.is_ours(before, points, done.get("points", []))
             posted: float | None = points if before != points else None
             if there.get("excused"):
                 posted = None
             elif posted is not None and not ours and not overwrite:
-                why = filling.kept(short(before or 0.0), short(points))
+                why = gradebook.kept(short(before or 0.0), short(points))
                 kept.append(f"{one.name} ({one.id}) {why}")
                 posted = None
             page = summary.student.feedback
@@ -155,18 +154,8 @@ def _upload(canvas: Canvas, path: str, file: Path) -> int:
         url, fields = str(told["upload_url"]), dict(told["upload_params"])
     except (KeyError, TypeError, ValueError):
         raise Refused("it names no address for the page") from None
-    border = secrets.token_hex(16)
-    parts = [
-        f'--{border}\r\nContent-Disposition: form-data; name="{name}"\r\n\r\n{value}\r\n'.encode()
-        for name, value in fields.items()
-    ]
-    head = (
-        f'--{border}\r\nContent-Disposition: form-data; name="file"; filename="feedback.html"\r\n'
-    )
-    parts += [head.encode(), b"Content-Type: text/html\r\n\r\n", data]
-    parts.append(f"\r\n--{border}--\r\n".encode())
-    kind = f"multipart/form-data; boundary={border}"
-    body, _ = canvas.request("POST", url, b"".join(parts), kind)
+    page = {"file": ("feedback.html", data, "text/html")}
+    body, _ = canvas.request("POST", url, data=fields, files=page)
     try:
         return int(json.loads(body)["id"])
     except (KeyError, TypeError, ValueError):

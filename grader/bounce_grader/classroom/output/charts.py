@@ -3,13 +3,11 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from bounce_grader.common.chart_style import CLASSES, WORDS
-from bounce_grader.common.numbers import metres, scientific_tick, short
-from bounce_grader.common.svg import Axes, BOLD, cross, decades, Drawing, INK, line, Place, rect
-from bounce_grader.common.svg import svg, text, through, title
+from bounce_grader.common.numbers import metres, short
+from bounce_grader.formats.figures import Axes, BOLD, CLASSES, decades, Drawing, INK
+from bounce_grader.formats.figures import line, Place, rect, svg, text, through, title, WORDS
 
 WIDTH = 720
-LETTER, LINE = 8, 16  # px: at most the width of a letter, and the height of a line
 
 
 @dataclass(frozen=True)
@@ -23,22 +21,12 @@ class Bar:
 
 
 @dataclass(frozen=True)
-class Point:
-    """A submission in the chart of speed against error."""
-
-    x: float | None  # None: not measured
-    y: float | None  # None: not finite
-    kind: str  # whether it got "full", "some" or no ("none") points
-    title: str
-
-
-@dataclass(frozen=True)
 class Curve:
     """A curve with a point for each time step: CPU time as a multiple of the solution's at 1 ms,
     and error in m."""
 
     places: tuple[tuple[float, float | None], ...]
-    kind: str  # as a Point's, or "solution" or "least"
+    kind: str  # whether it got "full", "some" or no ("none") points; or "solution" or "least"
     title: str
     labels: tuple[str, ...] = ()  # of the places
 
@@ -76,45 +64,6 @@ def bars(rows: Sequence[Bar], label: str) -> Drawing:
         out.append(rect(start, y + 2, (end - start) * row.share, 14, "#444"))
         out.append(text(end + 8, y + 14, row.note, "start", weight))
     return svg(out, WIDTH, len(rows) * tall + 12, label)
-
-
-def scatter(points: Sequence[Point], right: float) -> Drawing:
-    """Error over time, on logarithmic axes, with a line at the tolerance `right`. Submissions that
-    weren't timed are in a strip on the right, those with an infinite error in one at the top."""
-    x_decades = decades([1.0, *(point.x for point in points if point.x)], 1e-3, 1e3)
-    axes = Axes(x_decades, (-17, 3), left=90, top=56, width=WIDTH - 200, height=330)
-    end = axes.left + axes.width
-    solution, limit = axes.at(1.0, right)
-    out = [
-        rect(axes.left, axes.top, axes.width, axes.height, "none", "#111"),
-        *axes.ticks(short, scientific_tick, range(-16, 4, 4)),
-        f'<path d="M{axes.left} {limit:.1f}h{axes.width}" stroke="#111" stroke-dasharray="6 4"/>',
-        text(end - 6, limit - 6, "right answers are below this line", "end"),
-        f'<path d="M{solution:.1f} {axes.top}v{axes.height}" stroke="#111" '
-        'stroke-dasharray="2 4"/>',
-        text(solution + 6, axes.top + 16, "the solution's time"),
-        text(end + 22, axes.bottom + 20, "not timed"),
-        text(axes.left - 9, axes.top - 26, "not finite,", "end"),
-        text(axes.left - 9, axes.top - 10, "or missing", "end"),
-    ]
-    for i, point in enumerate(points):
-        x, y = axes.at(point.x or 0, point.y)
-        not_timed, not_finite = end + 20 + 7 * (i % 10), axes.top - 12 - 5 * (i % 5)
-        out.append(
-            _point(not_timed if point.x is None else x, not_finite if point.y is None else y, point)
-        )
-    out += axes.names("time of a step, over the solution's", "largest error")
-    label = "Speed against accuracy, one mark for each submission"
-    return svg(out, WIDTH, axes.bottom + 54, label)
-
-
-def _point(x: float, y: float, point: Point) -> str:
-    """The mark of a submission: a disc, a ring or a cross, which differ even in grey."""
-    words = title(point.title)
-    if point.kind == "none":
-        return f'<path d="{cross(x, y, 4)}" stroke="#111" stroke-width="1.5">{words}</path>'
-    fill = 'fill="#111" fill-opacity=".55"' if point.kind == "full" else 'fill="none"'
-    return f'<circle cx="{x:.1f}" cy="{y:.1f}" r="4" {fill} stroke="#111">{words}</circle>'
 
 
 def error_against_time(curves: Sequence[Curve], fine: float) -> Drawing:
@@ -170,22 +119,11 @@ def _curve(curve: Curve, axes: Axes) -> str:
 
 
 def _labels(places: Sequence[Place], labels: Sequence[str], axes: Axes) -> str:
-    """Each label beside its place: within the frame, and not over another."""
-    out, taken = [], list[Place]()
-    for (x, y), label in zip(places, labels):
-        width = LETTER * len(label)
-        right = x + 8 + width < axes.left + axes.width
-        start = x + 8 if right else x - 8 - width
-        sides = [y - 8, y + 20, y - 26, y + 38, y - 44, y + 56]
-        free = [at for at in sides if _is_free(start, at, width, taken, axes)]
-        at = free[0] if free else sides[0]
-        taken += [(start, at), (start + width, at)]
-        out.append(text(start, at, label))
+    """Each label beside its place, above and below in turn, and within the frame."""
+    out = []
+    for number, ((x, y), label) in enumerate(zip(places, labels)):
+        to_the_left = x > axes.left + axes.width - 60
+        below = bool(number % 2) != (y < axes.top + 20)
+        anchor = "end" if to_the_left else "start"
+        out.append(text(x - 8 if to_the_left else x + 8, y + 20 if below else y - 8, label, anchor))
     return "".join(out)
-
-
-def _is_free(x: float, y: float, width: float, taken: Sequence[Place], axes: Axes) -> bool:
-    inside = axes.top + LINE < y < axes.bottom - 4
-    return inside and not any(
-        abs(y - other_y) < LINE and x - 4 < other_x < x + width + 4 for other_x, other_y in taken
-    )

@@ -31,36 +31,52 @@ class Rules:
     logins: bool = False  # whether students choose the ids of submissions
 
 
-def with_finals(summaries: Iterable[Summary], rules: Rules) -> list[Summary]:
+@dataclass
+class Meant:
+    """Whom the adjustments are for."""
+
+    # By the member's and the submission's id.
+    own: dict[tuple[str, str], list[Adjustment]] = field(default_factory=dict)
+    unclear: dict[str, list[str]] = field(default_factory=dict)  # why, by the submission's id
+    left_out: list[str] = field(default_factory=list)  # a sentence for each that changes nothing
+
+
+def meant_by(rules: Rules, students: Sequence[Student], others: Mapping[str, str]) -> Meant:
+    """An adjustment changes nothing if its name is nobody's, or that of several people, or that
+    person has no submission. `others` are the names of the whole course, by id."""
+    people = [(member, s) for s in students for member in members(s, rules.roster)]
+    found = Meant()
+    for adjustment in rules.adjustments:
+        meant = _people_of(adjustment.student, people, rules)
+        why = _unclear(adjustment, meant, rules)
+        if why or not meant and adjustment.student != EVERYBODY:
+            found.left_out.append(why or _unknown(adjustment, others))
+        for member, student in meant:
+            if why:
+                found.unclear.setdefault(student.id, []).append(why)
+            else:
+                found.own.setdefault((member.id, student.id), []).append(adjustment)
+    return found
+
+
+def with_finals(summaries: Iterable[Summary], rules: Rules, meant: Meant) -> list[Summary]:
     """Adds the final points of each person. Somebody whom the roster finds in several submissions
     gets points from none of them: students choose the names of groups, so one group may have taken
     another's name."""
-    summaries = list(summaries)
-    people = [(m, s.student) for s in summaries for m in members(s.student, rules.roster)]
-    own: dict[tuple[str, str], list[Adjustment]] = {}
-    unclear: dict[str, list[str]] = {}
-    for adjustment in rules.adjustments:
-        meant = _people_of(adjustment, people, rules)
-        why = _unclear(adjustment, meant, rules)
-        for member, student in meant:
-            if why:
-                unclear.setdefault(student.id, []).append(why)
-            else:
-                own.setdefault((member.id, student.id), []).append(adjustment)
-    all_ = [
+    with_all = [
         replace(
             s,
-            finals=tuple(_finals(s, rules, own)),
-            notes=(*s.notes, *dict.fromkeys(unclear.get(s.student.id, []))),
+            finals=tuple(_finals(s, rules, meant.own)),
+            notes=(*s.notes, *dict.fromkeys(meant.unclear.get(s.student.id, []))),
         )
         for s in summaries
     ]
     by_id: dict[str, list[str]] = {}
-    for summary in all_:
+    for summary in with_all:
         for one in summary.finals:
             if one.listed or not rules.logins:  # a login alone gets no points
                 by_id.setdefault(one.id, []).append(summary.student.shown)
-    return [_without_disputed_members(summary, by_id) for summary in all_]
+    return [_without_disputed_members(summary, by_id) for summary in with_all]
 
 
 def _without_disputed_members(summary: Summary, by_id: Mapping[str, list[str]]) -> Summary:
@@ -157,7 +173,7 @@ def _late_days(student: Student, own: Iterable[Adjustment]) -> int:
     return given[-1] if given else student.late_days or int(student.late)
 
 
-def _people_of(adjustment: Adjustment, people: Sequence[Person], rules: Rules) -> list[Person]:
+def _people_of(who: str, people: Sequence[Person], rules: Rules) -> list[Person]:
     """The people whom an adjustment is for. The first rule that finds somebody counts:
 
     1. an id or a name in the grade book; if it has that person, only this rule is tried;
@@ -169,31 +185,23 @@ def _people_of(adjustment: Adjustment, people: Sequence[Person], rules: Rules) -
     What students can choose comes last: a login never stands for a person of the grade book, and a
     number is never a name.
     """
-    who = adjustment.student
     if who == EVERYBODY:
         return list(people)
     persons = _persons(who, rules)
-
-    def is_in_book(member: Member, student: Student) -> bool:
-        own = member.id if not rules.logins or member.id != student.id else ""
-        return rules.same_person.get(own) in persons
-
-    def has_id(member: Member, student: Student) -> bool:
-        return who == member.id and (not rules.logins or member.id != student.id)
-
-    def is_listed(member: Member, student: Student) -> bool:
-        return _is_called(who, member.name if member.id != student.id else student.person)
-
-    def chose(_: Member, student: Student) -> bool:
-        return not rules.logins and _is_called(who, student.name)
-
-    if persons:
-        return [person for person in people if is_in_book(*person)]
-    ways = (has_id, lambda _, student: who == student.id, is_listed, chose)
-    for way in ways[:2] if who.isdigit() else ways:
-        if meant := [person for person in people if way(*person)]:
-            return meant
-    return []
+    ranked: dict[int, list[Person]] = {}
+    for member, student in people:
+        chosen_id = rules.logins and member.id == student.id
+        ids = [
+            not chosen_id and rules.same_person.get(member.id) in persons,
+            not persons and not chosen_id and who == member.id,
+            not persons and who == student.id,
+        ]
+        listed = member.name if member.id != student.id else student.person
+        names = [_is_called(who, listed), not rules.logins and _is_called(who, student.name)]
+        ways = [*ids, *(is_so and not persons and not who.isdigit() for is_so in names)]
+        if True in ways:
+            ranked.setdefault(ways.index(True), []).append((member, student))
+    return ranked[min(ranked)] if ranked else []
 
 
 def _persons(who: str, rules: Rules) -> set[str]:
@@ -226,20 +234,6 @@ def adjusted(summaries: list[Summary]) -> list[str]:
                 before, after = short(summary.score or 0.0), short(round(one.points[0], 2))
                 lines.append(f"{who}: {before} -> {after} points ({changes})")
     return lines
-
-
-def left_out(rules: Rules, students: Sequence[Student], others: Mapping[str, str]) -> list[str]:
-    """A sentence for each adjustment that changes nothing: its name is nobody's, or that of several
-    people, or that person has no submission. `others` are the names of the whole course, by id."""
-    people = [(m, s) for s in students for m in members(s, rules.roster)]
-    sentences = []
-    for adjustment in rules.adjustments:
-        meant = _people_of(adjustment, people, rules)
-        if unclear := _unclear(adjustment, meant, rules):
-            sentences.append(unclear)
-        elif not meant and adjustment.student != EVERYBODY:
-            sentences.append(_unknown(adjustment, others))
-    return sentences
 
 
 def _unclear(adjustment: Adjustment, meant: list[Person], rules: Rules) -> str:

@@ -16,10 +16,8 @@ from bounce_grader.classroom.intake import canvas
 from bounce_grader.classroom.intake.course import Course
 from bounce_grader.classroom.intake.student import Class
 from bounce_grader.classroom.output import gradebook, grades, history, page
-from bounce_grader.classroom.output.filling import Marks, Written
 from bounce_grader.classroom.output.final import adjusted
-from bounce_grader.classroom.output.gradebook import Gradebook
-from bounce_grader.classroom.output.worksheet import Worksheet
+from bounce_grader.classroom.output.gradebook import Gradebook, Marks, Written
 from bounce_grader.common.errors import about_one_submission, UsageError
 from bounce_grader.common.files import write_whole
 from bounce_grader.common.manifest import parts
@@ -36,7 +34,7 @@ def write(
     out: Path,
     submitted: Class,
     summaries: list[Summary],
-    book: Gradebook | Worksheet | None,
+    book: Gradebook | None,
     name: str,
     title: str,
     near: Similar,

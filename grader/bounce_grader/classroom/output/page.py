@@ -7,25 +7,22 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 from urllib.parse import quote
 
-from bounce_grader.assignment.hints import headings
 from bounce_grader.classroom.grading.near_copies import Pair, Similar
 from bounce_grader.classroom.grading.summary import Summary
 from bounce_grader.classroom.intake.course import Course
 from bounce_grader.classroom.intake.student import Class
 from bounce_grader.classroom.output import charts
-from bounce_grader.classroom.output.charts import Bar, Point, Curve
-from bounce_grader.common.chart_style import NAMES, ON_PAPER
+from bounce_grader.classroom.output.charts import Bar, Curve
 from bounce_grader.common.escaping import first_few, printable_name
 from bounce_grader.common.manifest import named_together, part_of, parts
 from bounce_grader.common.numbers import percent, scientific, short
-from bounce_grader.common.svg import Drawing
-from bounce_grader.formats.sentences import nudge
-from bounce_grader.formats.templates import fill
+from bounce_grader.formats.figures import Drawing, NAMES, ON_PAPER
+from bounce_grader.formats.html import fill
 from bounce_grader.grading import speed
+from bounce_grader.grading.hints import nudge, of_check
 from bounce_grader.grading.known_mistakes import for_the_instructor
 
 MOST_UNUSED = 10  # names of unused files of one submission; grades.csv has more
-RIGHT = 1e-9  # the tolerance of every comparison
 Row = list[str]
 
 
@@ -52,9 +49,6 @@ def render(
         mistakes_of_one=[mistake for mistake in mistakes if len(mistake["who"]) == 1],
         failed_checks=_failed_checks(graded),
         timed=any(s.ratio is not None for s in summaries),
-        scatter=charts.scatter(
-            [Point(s.ratio, _error(s), _kind(s), _label(s)) for s in graded], RIGHT
-        ),
         curves=_curves(summaries, graded),
         chart_style=ON_PAPER,
         names=NAMES,
@@ -132,7 +126,7 @@ def _label(summary: Summary) -> str:
 
 
 def _kind(summary: Summary) -> str:
-    """The kind of its mark in the charts."""
+    """The kind of its line in the chart."""
     score = summary.score or 0
     return "full" if score >= _full() else "some" if score else "none"
 
@@ -167,19 +161,11 @@ def _failed_checks(graded: Sequence[Summary]) -> list[Row]:
     failures = Counter(id for s in graded for id in s.checks if id not in s.passed)
     checks = {check.id: (part, check) for part in parts() for check in part.checks}
     most = [(*checks[id], count) for id, count in failures.most_common(10)]
-    hints = {check.id: headings().get(check.id, "") for _, check, _ in most}
+    hints = {check.id: of_check(check.id) for _, check, _ in most}
     return [
         [f"part {part.number}", check.title, hints[check.id], nudge(hints[check.id]), str(count)]
         for part, check, count in most
     ]
-
-
-def _error(summary: Summary) -> float | None:
-    """The error for the chart; None also if points were lost though every error is tiny, because
-    then an answer is missing."""
-    if summary.error is None or summary.score is None:
-        return None
-    return summary.error if summary.score >= _full() or summary.error > RIGHT else None
 
 
 def _curves(summaries: Sequence[Summary], graded: Sequence[Summary]) -> Drawing | None:

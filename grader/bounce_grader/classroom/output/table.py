@@ -1,13 +1,15 @@
-"""Edits single cells of a CSV file from Canvas, and keeps every other byte."""
+"""Edits single cells of a CSV file from a service, and keeps every other byte."""
 
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from itertools import islice
+from pathlib import Path
 
 from bounce_grader.common.errors import UsageError
 
 BOM = b"\xef\xbb\xbf"
+UTF_16 = {b"\xff\xfe": "utf-16-le", b"\xfe\xff": "utf-16-be"}  # often Blackboard's
 
 
 @dataclass
@@ -49,25 +51,38 @@ class Table:
 
     start: bytes  # a byte order mark, or nothing
     delimiter: bytes
+    encoding: str  # "" where cells are kept as the bytes that they are
     rows: list[Row] = field(default_factory=list)
+
+    def header(self) -> list[str]:
+        return [cell.text.strip() for cell in self.rows[0].cells]
 
     def bytes(self) -> bytes:
         lines = (self.delimiter.join(cell.raw for cell in row.cells) + row.end for row in self.rows)
-        return self.start + b"".join(lines)
+        body = b"".join(lines)
+        return self.start + (body.decode().encode(self.encoding) if self.encoding else body)
 
 
-def parse(data: bytes, name: str) -> Table:
-    """Parses a CSV file. Raises UsageError if it isn't one."""
-    if data.startswith((b"\xff\xfe", b"\xfe\xff")) or b"\0" in data:
-        raise UsageError(
-            f"{name} isn't UTF-8: export it from Canvas again, or save it as CSV UTF-8"
-        )
-    start = BOM if data.startswith(BOM) else b""
+def read(path: Path) -> Table:
+    """Reads a CSV file, with a first row at least. Raises UsageError if it isn't one."""
+    name = path.name
+    try:
+        data = path.read_bytes()
+    except OSError as error:
+        raise UsageError(f"{path} can't be read: {error.strerror}") from error
+    encoding = UTF_16.get(data[:2], "")
+    start = data[:2] if encoding else BOM if data.startswith(BOM) else b""
     body = data[len(start) :]
-    table = Table(start, _delimiter(body, name))
+    try:
+        body = body.decode(encoding).encode() if encoding else body
+    except UnicodeError as error:
+        raise UsageError(f"{name} is damaged: download it again") from error
+    if b"\0" in body:
+        raise UsageError(f"{name} isn't UTF-8: download it again, or save it as CSV UTF-8")
+    table = Table(start, _delimiter(body, name), encoding)
     table.rows = list(_rows(body, table.delimiter, name))
     if not table.rows:
-        raise UsageError(f"{name} is empty: export the grade book from Canvas again")
+        raise UsageError(f"{name} is empty: export the grade book again")
     return table
 
 

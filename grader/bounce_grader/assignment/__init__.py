@@ -1,4 +1,0 @@
-"""What is specific to this assignment: its hints and the picture of the square.
-
-May import: common.
-"""
