@@ -47,13 +47,10 @@ def test_the_page_is_what_a_person_has_read(tmp_path: Path) -> None:
     near = Similar((*pairs, Pair("far", "lost", 91, (1, 2, 3, 4))), 40, more=1)
     text = page.render(Class("a folder"), [*made, lost], near, ["a sentence"])
     text = re.sub(r"(?s)<style>.*?</style>", "<style>...</style>", text)
-    # Three steps whose places nearly coincide, at the right edge and at the top; and any numbers.
-    places = ((1e5, 1e2), (0.99e5, 0.9e2), (0.98e5, 0.95e2))
-    close = Curve(places, "solution", "x", ("10 ms", "3 ms", "1 ms"))
-    any_numbers = Curve(((1e-300, None), (1e300, 1e300), (1.0, 0.0)), "none", "<b>")
+    numbers = ((1e-300, None), (1e300, 1e300), (1.0, 0.0))
+    odd_curves = [Curve(numbers, kind, "<b>", ("10 ms",)) for kind in ("none", "solution")]
     curves = {
-        "labels.svg": charts.error_against_time([close], 1e-3),
-        "any_numbers.svg": charts.error_against_time([close, any_numbers], 1e-3),
+        "any_numbers.svg": charts.error_against_time(odd_curves, 1e-3),
         "page.html": text.partition("<h2>All submissions")[0],
     }
     expected = {name: re.sub(r">(?=<\w)", ">\n", text) for name, text in curves.items()}

@@ -123,21 +123,5 @@ TEST(recognise, KnowsAVelocityBesideAnUnknownMove) {
   EXPECT_TRUE(recognise(one, changed(got, 2, 3, 1e-6)).empty());
 }
 
-TEST(recognise, ReadsWhatDiffersFromTheRightAnswersAndNoEntryThatNoAnswerHas) {
-  const auto read = [](const std::string& answers) {
-    std::istringstream file(R"({"right": [[1, 2], [3, 4]], "mistakes": [{"name": "part1_a",
-      "title": "A", "sentence": "B.", "equations": [4, 5], "hint": "1.1 H", "checks": [],
-      "answers": )" + answers +
-                            "}]}");
-    return read_mistakes(file, 1).mistakes.at(0);
-  };
-  const Mistake m = read(R"({"0": {"1": -2}, "1": "thrown"})");
-  EXPECT_EQ(m.name + m.title + m.sentence + m.hint, "part1_aAB.1.1 H");
-  EXPECT_EQ(m.equations, (std::vector<int>{4, 5}));
-  EXPECT_EQ(m.answers[0].numbers, Eigen::Vector2d(1, -2));
-  EXPECT_EQ(m.answers[1].thrown, "thrown");
-  EXPECT_THROW(read(R"({"0": {"2": 1}})"), std::runtime_error);
-}
-
 }  // namespace
 }  // namespace bounce::tests

@@ -18,8 +18,6 @@ using methods::AssignmentFast;
 using methods::MoreauJean;
 using methods::Penalty;
 
-const Motion<double> kFlat{0, 0.1, 0, 0, 0, 0};
-
 template <class Scheme>
 Motion<double> after(const Parameters& params, const Motion<double>& start, double seconds) {
   Scheme scheme(params, start);
@@ -70,20 +68,6 @@ TEST(schemes, ConvergeWithOrderOneOrStayAtAFloor) {
     EXPECT_LE(fine, error("moreau_jean_2", scene, 2e-3) / 10 + 1e-9) << scene.name;
     EXPECT_LE(error("event_driven", scene, 1e-12), 1e-6) << scene.name;
   }
-}
-
-TEST(schemes, OfOneCornerSpinASquareThatLandsFlatByWhatRoundingSays) {
-  const Parameters params = with_dt(1e-4);
-  const auto omega = [&](auto scheme, double theta) {
-    return after<decltype(scheme)>(params, {0, 0.3, theta, 0, 0, 0}, 0.205).omega;
-  };
-  const Assignment assignment(params, kFlat);
-  EXPECT_GT(std::abs(omega(assignment, 0)), 0.3);
-  EXPECT_GT(std::abs(omega(assignment, 1e-16)), 0.3);
-  EXPECT_NEAR(omega(assignment, 1e-16), -omega(assignment, -1e-16), 1e-6);
-  EXPECT_GT(std::abs(omega(MoreauJean<1>(params, kFlat), 0)), 0.3);
-  EXPECT_EQ(omega(MoreauJean<2>(params, kFlat), 0), 0);
-  EXPECT_NEAR(omega(MoreauJean<2>(params, kFlat), 1e-16), 0, 1e-12);
 }
 
 // --- the assignment's ---

@@ -281,17 +281,10 @@ def test_a_bad_scene_is_a_sentence_that_names_file_and_field(
         assert f"{file}: {sentence}" in refusal(capsys, "simulate", file, "--tolerance", "1")
 
 
-NO_SCENES = {
-    "can't be read as JSON": "hello",
-    "the file must be an object": "[]",
-    "mu is not finite": json.dumps(START).replace('"mu": 0.3', '"mu": 1e999'),
-    "the file can't be opened": None,
-}
-
-
-@pytest.mark.parametrize("sentence", NO_SCENES)
-def test_a_file_that_is_no_scene_is_named(tmp_path: Path, capsys: Said, sentence: str) -> None:
-    text = NO_SCENES[sentence]
+@pytest.mark.parametrize("text, sentence", TABLES["no scenes"].items())
+def test_a_file_that_is_no_scene_is_named(
+    tmp_path: Path, capsys: Said, text: str, sentence: str
+) -> None:
     file = written(tmp_path, text) if text else tmp_path / "none.json"
     message = refusal(capsys, "simulate", file, "--tolerance", "1")
     assert str(file) in message and sentence in message
