@@ -45,22 +45,6 @@ def test_dask_survives_workers_that_are_killed(cluster: Cluster, tmp_path: Path)
     assert len(classes.graded(out)) == len(set(classes.graded(out))) == 40
 
 
-def test_dask_goes_on_if_a_worker_dies_when_it_is_asked_for_the_kit(
-    cluster: Cluster, tmp_path: Path
-) -> None:
-    worker = cluster.worker()
-    cluster.wait_for_worker()
-    worker.send_signal(signal.SIGSTOP)
-    source, out = download(tmp_path / "x.zip", 3), tmp_path / "out"
-    with stand_in.started(source, out, 0.0, cluster.address) as the_class:
-        time.sleep(2.0)  # it waits for the worker's answer; if it isn't so far yet, none is asked
-        worker.kill()
-        cluster.worker()
-        _, said = the_class.communicate()
-    assert the_class.returncode == 0, said
-    assert len(classes.graded(out)) == 3
-
-
 @pytest.mark.long
 def test_a_dask_that_cannot_grade_is_said(cluster: Cluster, tmp_path: Path) -> None:
     source = download(tmp_path / "x.zip", 1)

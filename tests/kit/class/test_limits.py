@@ -32,19 +32,15 @@ def numbered(archives: dict[int, bytes], ending: str = "zip") -> Uploads:
     return {f"doe_1_{i}_hw{i}a.{ending}": data for i, data in archives.items()}
 
 
-def ten(ending: str, data: bytes) -> Uploads:
-    return numbered(dict.fromkeys(range(10), data), ending)
-
-
 def test_all_uploads_are_counted_together(tmp_path: Path) -> None:
     large = packed_tar({"large.bin": bytes(60 << 20)})  # of sixty kilobytes
     three = zip_of(Member(b"%d.tar.gz" % i, large) for i in range(3))
-    half = range(MOST_ENTRIES // 2 + 1)
+    ten, half = range(10), range(MOST_ENTRIES // 2 + 1)
     texts = {i: zip_of(Member(b"%d_%d.txt" % (i, n)) for n in half) for i in (1, 2)}
     bombs = {i: bomb(60, f"help_{i}_") for i in (1, 2)}
     for uploads, sentence in (
-        (ten("tar.gz", large), "more than 64 MB unpacked, alone or with the other archives"),
-        (ten("zip", three), "more than 64 MB unpacked, alone or with the other archives"),
+        (numbered(dict.fromkeys(ten, large), "tar.gz"), "more than 64 MB unpacked, alone or with"),
+        (numbered(dict.fromkeys(ten, three)), "more than 64 MB unpacked, alone or with the other"),
         (numbered(bombs), "more than 100 sources or 8 MB"),
         (numbered(texts), "more than 5000 files"),
     ):

@@ -35,14 +35,10 @@ def test_whatever_is_said_the_record_stays_json(text: str, names: list[str], sta
     """By a program, or by a compiler; and whatever files are called."""
     part: dict[str, Any] = record.failed_part(PART, "does_not_compile", text)
     if status:
-        check: dict[str, Any] = {
-            "passed": False,
-            "status": status,
-            "ended": {"what": "aborted", "number": 6, "text": text},
-            "stack": "",
-        }
-        check["failure"] = failure(sentence=text, name=text)
-        answer = {"checks": [check | {"id": id} for id in IDS], "mistakes": [], "patterns": [text]}
+        ended = {"what": "aborted", "number": 6, "text": text}
+        made: dict[str, Any] = {"passed": False, "status": status, "ended": ended, "stack": ""}
+        made["failure"] = failure(sentence=text, name=text)
+        answer = {"checks": [made | {"id": id} for id in IDS], "mistakes": [], "patterns": [text]}
         told = judging.read_answer(json.dumps(answer | {"largest_error": 0.5}).encode(), PART)
         part = record.part_record(PART, told)
     taken = Submission("x", {}, {}, {}, tuple(names))

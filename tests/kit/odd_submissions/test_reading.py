@@ -2,7 +2,6 @@
 each submission which."""
 
 import re
-import subprocess
 import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
