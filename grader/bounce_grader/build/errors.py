@@ -13,7 +13,6 @@ from pathlib import Path
 from typing import NamedTuple
 
 from bounce_grader.common.paths import HANDOUT
-from bounce_grader.sandbox.processes import Result
 from bounce_grader.submission.submission import Place
 
 EXPLAINED = HANDOUT / "given" / "check"

@@ -1,6 +1,5 @@
 """Formats numbers, in the same way in every report."""
 
-import math
 from collections.abc import Mapping
 from typing import Any
 
