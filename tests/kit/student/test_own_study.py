@@ -124,14 +124,14 @@ def bars(page: Path) -> dict[str, str]:
 @pytest.mark.parametrize(
     "mistake, error, sentence",
     [
-        ("", "0.095 m/s", "what is left is the error of the law, not of your program"),
+        ("", "0.091 m/s", "what is left is the error of the law, not of your program"),
         *(
             pytest.param(*row, marks=pytest.mark.long)
             for row in [
-                ("restitution_left_out", "0.26 m/s", "what is more comes from your program"),
-                ("friction_directions_swapped", "0.28 m/s", "what is more comes from your program"),
+                ("restitution_left_out", "0.27 m/s", "what is more comes from your program"),
+                ("friction_directions_swapped", "0.27 m/s", "what is more comes from your program"),
                 ("mass_in_place_of_its_inverse", "11 m/s, beyond the chart", "what is more comes"),
-                ("force_is_g", "0.095 m/s", "what the checks find doesn't show in an impact"),
+                ("force_is_g", "0.091 m/s", "what the checks find doesn't show in an impact"),
                 (
                     "last_column_left_zero",
                     "no answer",
@@ -152,10 +152,10 @@ def test_asks_the_students_own_part_2_alone_about_measured_impacts(
     assert done.returncode == bool(mistake) and "real impacts is in real.html" in done.stdout
     assert bars(page) == {
         "your form_lcp": error,
-        "the assignment's law, as the course solves it": "0.095 m/s",
+        "the assignment's law, as the course solves it": "0.091 m/s",
         "a corner without friction": "0.15 m/s",
-        "a corner that always sticks": "0.16 m/s",
-        "the least that any push at the corner leaves": "0.0087 m/s",
+        "a corner that always sticks": "0.15 m/s",
+        "the least that any push at the corner leaves": "0.009 m/s",
     }
     assert sentence in sentences(page) and not re.search("https?:", page.read_text())
     assert ("Checks of part 2 fail" in page.read_text()) == bool(mistake)
