@@ -141,16 +141,17 @@ def apply(out: Path, intake: Class, stamp: Stamp, log: Log) -> None:
         raise UsageError(f"{out} holds nothing to take over: run with --regrade FILTER first")
     if results.stamp_of(new) != stamp:
         raise UsageError("the kit or its fixtures changed since --regrade: run that again")
-    log.write("applied", submissions=len(results.keys(new)))
+    taken_over = len(results.keys(new))
+    missing = [s.name for s in intake.students if not _result(new, s, stamp)[1]]
     if results.stamp_of(old) == stamp:
         for key in results.keys(old) - results.keys(new):
             os.link(result_path(old, key), result_path(new, key))
-    missing = [s.name for s in intake.students if not _result(new, s, stamp)[1]]
-    if missing:
+    elif missing:
         raise UsageError(
             f"--regrade hasn't graded all ({first_few(missing)}): run it again, on the same "
             "submissions and with the same --gradebook, by which some are found"
         )
+    log.write("applied", submissions=taken_over)
     number = 1
     while (out / f"results-{number}").exists():
         number += 1

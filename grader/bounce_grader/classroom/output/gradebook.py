@@ -52,6 +52,7 @@ class Gradebook(ABC):
         self._header = table.header()
         self._max_points = max_points
         self._columns = {part: self._column(title) for part, title in columns.items()}
+        self._comma = self._has_decimal_comma()
         for row in self._students():
             if len(row.cells) != len(self._header):
                 raise UsageError(
@@ -161,7 +162,6 @@ class Gradebook(ABC):
         self, row: Row, marks: Marks, written: dict[str, dict[str, list[str]]], overwrite: bool
     ) -> list[str]:
         sentences, is_filled, id = [], False, self._ids(row)[0]
-        comma = self._has_decimal_comma()
         for part, column in self._columns.items():
             title, points = self._header[column], f"{marks.points[part]:.2f}"
             before = written.get(title, {}).get(id, [])
@@ -174,7 +174,7 @@ class Gradebook(ABC):
             else:
                 is_filled = True
                 written.setdefault(title, {})[id] = list(dict.fromkeys([*before, points]))
-                text = points.replace(".", ",") if comma else points
+                text = points.replace(".", ",") if self._comma else points
                 row.cells[column].put(text, self._table.delimiter)
         if is_filled and marks.from_canvas and not is_name_of(self._person(row), marks.name):
             sentences.append(
@@ -241,7 +241,7 @@ class Gradebook(ABC):
             sentences += [
                 f"{self.service.capitalize()} has {short(points)} points possible for "
                 f"{self._header[column]}, the kit {short(most)}: change it there"
-                for points in sorted(filter(None, there))
+                for points in sorted(points for points in there if points is not None)
             ]
         return sentences
 
