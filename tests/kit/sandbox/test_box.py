@@ -17,7 +17,8 @@ from conftest import ROOT, write
 
 # What the probe can do without a box, where its attempt would go beyond a compiler's limits.
 WITHIN_LIMITS = {"fill": ["1"], "environment": ["PATH"], "descriptors": ["0"]}
-WITHIN_LIMITS |= {"allocate": ["100"], "spin": ["0"], "flood": ["0"]}
+WITHIN_LIMITS |= {f"allocate{how}": ["100"] for how in ("", "-unmapped", "-late")}
+WITHIN_LIMITS |= {"spin": ["0"], "flood": ["0"]}
 FOR_ROOT = ("environments", "first-process", "privileges")
 
 
