@@ -1,5 +1,3 @@
-#include "animation_page.hpp"
-
 #include <bounce/render.hpp>
 #include <charconv>
 #include <cmath>
@@ -9,10 +7,14 @@
 #include <string_view>
 #include <system_error>
 
+#include "pages.hpp"  // which page/pages.cmake makes
+
 namespace fs = std::filesystem;
 
 namespace bounce {
 namespace {
+
+constexpr std::string_view kData = "DATA";  // stands in the page for what it draws
 
 // The shortest digits that read back as the same number, whatever the locale.
 std::string digits(double value) {
@@ -65,12 +67,8 @@ std::string html(const Trajectory& trajectory, const Parameters& params,
                            R"(,"delta":)" + digits(params.delta) + R"(,"q":)" + json(q) +
                            R"(,"motion":)" + (v.cols() > 0 ? motion(v, params) : "null") +
                            R"(,"right":)" + (right.cols() > 0 ? json(right) : "null") + "}";
-  std::string text(page_head);
-  text.append(page_style).append(page_body);
-  text.append("<script>\nconst animation = ").append(data).append(";\n");
-  text.append(page_square).append(page_picture).append(page_plots).append(page_reader);
-  text.append("</script>\n</body>\n</html>\n");
-  return text;
+  std::string text(pages::animation);
+  return text.replace(text.find(kData), kData.size(), data);
 }
 
 [[noreturn]] void fail_to_write(const fs::path& page, const std::string& reason) {
@@ -79,10 +77,11 @@ std::string html(const Trajectory& trajectory, const Parameters& params,
 
 // Whether this program wrote the file: nothing else may be lost by a mistyped name.
 bool is_own(const fs::path& page) {
-  std::string beginning(page_head.size(), '\0');
+  const std::string_view head = pages::animation.substr(0, pages::animation.find("<style>"));
+  std::string beginning(head.size(), '\0');
   std::ifstream(page, std::ios::binary)
       .read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
-  return beginning == page_head;
+  return beginning == head;
 }
 
 // Renaming a file is atomic, so a reader sees the old page or the new one, never half of one.

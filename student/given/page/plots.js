@@ -1,11 +1,4 @@
-// The script's third part plots phi and the energies over time, with a cursor at the time shown.
-#pragma once
-
-#include <string_view>
-
-namespace bounce {
-
-inline constexpr std::string_view page_plots = R"js(// ---- plots ----
+// ---- plots ----
 
 const plotting = plots.getContext("2d");
 let still = null; // the plots without their cursor, drawn once for each size and colour
@@ -103,6 +96,3 @@ function columnAt(event) {
   const share = (event.offsetX - timeX(0)) / (timeX(T - 1) - timeX(0) || 1);
   return Math.round(Math.min(Math.max(share, 0), 1) * (T - 1));
 }
-)js";
-
-}  // namespace bounce

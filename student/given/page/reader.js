@@ -1,11 +1,4 @@
-// The script's last part: buttons and keys, and how the page begins.
-#pragma once
-
-#include <string_view>
-
-namespace bounce {
-
-inline constexpr std::string_view page_reader = R"js(// ---- what the reader does ----
+// ---- what the reader does ----
 
 function resize() {
   const ratio = window.devicePixelRatio || 1;
@@ -82,6 +75,3 @@ recolour();
 redraw();
 show();
 if (!media("prefers-reduced-motion: reduce").matches) setPlaying(true);
-)js";
-
-}  // namespace bounce

@@ -1,11 +1,4 @@
-// The script's second part draws the stage: the square, its path, its forces, and the right square.
-#pragma once
-
-#include <string_view>
-
-namespace bounce {
-
-inline constexpr std::string_view page_picture = R"js(// ---- picture ----
+// ---- picture ----
 
 let colour = {}; // the style's colours by name
 let whole = null; // the view of the whole trajectory
@@ -265,6 +258,3 @@ function show() {
   showText();
   draw();
 }
-)js";
-
-}  // namespace bounce

@@ -1,11 +1,3 @@
-// The script's first part: the square's pose, its forces, the time, and the text.
-#pragma once
-
-#include <string_view>
-
-namespace bounce {
-
-inline constexpr std::string_view page_square = R"js("use strict";
 const { l, dt, delta, q, motion, right } = animation;
 const T = q[0].length;
 const byId = (id) => document.getElementById(id);
@@ -136,6 +128,3 @@ function showText() {
   play.setAttribute("aria-label", playing ? "Pause" : "Play");
   play.querySelector("path").setAttribute("d", playing ? "M4 3h4v14H4zM12 3h4v14h-4z" : "M5 2.5v15l13-7.5z");
 }
-)js";
-
-}  // namespace bounce
