@@ -67,7 +67,7 @@ std::string html(const Trajectory& trajectory, const Parameters& params,
                            R"(,"delta":)" + digits(params.delta) + R"(,"q":)" + json(q) +
                            R"(,"motion":)" + (v.cols() > 0 ? motion(v, params) : "null") +
                            R"(,"right":)" + (right.cols() > 0 ? json(right) : "null") + "}";
-  std::string text(pages::animation);
+  std::string text(pages::render);
   return text.replace(text.find(kData), kData.size(), data);
 }
 
@@ -77,7 +77,7 @@ std::string html(const Trajectory& trajectory, const Parameters& params,
 
 // Whether this program wrote the file: nothing else may be lost by a mistyped name.
 bool is_own(const fs::path& page) {
-  const std::string_view head = pages::animation.substr(0, pages::animation.find("<style>"));
+  const std::string_view head = pages::render.substr(0, pages::render.find("<style>"));
   std::string beginning(head.size(), '\0');
   std::ifstream(page, std::ios::binary)
       .read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
