@@ -15,7 +15,7 @@ from corpus import Member, zip_of
 
 
 def table(name: str) -> list[list[str]]:
-    text = (Path(__file__).parent / "tables" / f"{name}.csv").read_text("utf-8")
+    text = (Path(__file__).parent / "names_in_downloads" / f"{name}.csv").read_text("utf-8")
     return list(csv.reader(io.StringIO(text, newline="")))[1:]
 
 
