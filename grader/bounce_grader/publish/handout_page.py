@@ -61,13 +61,7 @@ def _fence(self: Any, tokens: list[Any], index: int, *_: Any) -> str:
     is_equation = not token.info and re.search(r"[=<]", token.content)
     if not is_equation:
         return f'<pre tabindex="0"><code>{escape(token.content, quote=False)}</code></pre>\n'
-    lines = [
-        f'<div class="equation"><div tabindex="0">{"".join(line.mathml)}</div>'
-        + (f'<span id="eq{line.number}">({line.number})</span>' if line.number else "")
-        + "</div>\n"
-        for line in equations.displayed(token.content)
-    ]
-    return "".join(lines)
+    return equations.displayed(token.content)
 
 
 def with_points(text: str) -> str:
