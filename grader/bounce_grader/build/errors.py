@@ -1,10 +1,7 @@
 """Says in one line why a submission doesn't compile or link, and where: the compiler's first error
 or the linker's, and what that usually means in this assignment.
 
-The meanings are those of ./check, from student/given/check/compiler_errors.txt. Where Eigen refuses
-two shapes, they are read from the types in the compiler's note, such as
-
-'Eigen::MatrixBase<Eigen::Matrix<double, 3, 2, 0>>::operator*<Eigen::Matrix<double, 3, 1, 0>>'
+The meanings are those of ./check, from student/given/check/compiler_errors.txt.
 """
 
 import functools
@@ -17,19 +14,6 @@ from bounce_grader.submission.submission import Place
 
 EXPLAINED = HANDOUT / "given" / "check"
 QUOTES = str.maketrans('‘’`"', "''''")
-LONGEST, DEEPEST = 10_000, 40  # of a note, and of the types in one another
-PRODUCT = "operator*"
-REFUSED = {
-    PRODUCT: "a {left} and a {right} can't be multiplied",
-    "operator+": "a {left} and a {right} can't be added",
-    "operator-": "a {right} can't be subtracted from a {left}",
-    "operator+=": "a {right} can't be added to a {left}",
-    "operator-=": "a {right} can't be subtracted from a {left}",
-    "operator=": "a {right} can't be assigned to a {left}",
-    "Matrix": "a {right} can't be assigned to a {left}",
-    "cwiseProduct": "a {left} and a {right} can't be multiplied entry by entry",
-    "dot": "a {left} and a {right} have no scalar product",
-}
 
 
 class Built(NamedTuple):
@@ -56,12 +40,9 @@ def of_compiler(printed: str, file: str) -> Built:
     sentence = f"{place}: {error}"
     if where.startswith("/"):
         header = Path(str(place)).name
-        note = re.search(rf"^{re.escape(file)}:(\d{{1,9}}):\d+: note: (.*)$", printed, re.MULTILINE)
+        note = re.search(rf"^{re.escape(file)}:(\d{{1,9}}):\d+: note: ", printed, re.MULTILINE)
         place = Place(file, int(note.group(1)) if note else 1)
-        sentence = f"{error} in {file} ({header})"
-        if note:
-            error = _misfit(note.group(2)) or error
-            sentence = f"{error}, asked for at {place} ({header})"
+        sentence = f"{error}{f', asked for at {place}' if note else f' in {file}'} ({header})"
     usual = meaning(what)
     stop = "" if sentence.endswith((".", "?")) else "."
     return Built(None, f"{sentence}{stop} {usual}" if usual else sentence, place)
@@ -94,54 +75,6 @@ def meanings(file: str) -> list[tuple[str, str]]:
         else:
             sentence = line
     return found
-
-
-# --- shapes of Eigen ---
-
-Shape = tuple[int, int]
-
-
-def _misfit(note: str) -> str:
-    """What is refused of two shapes that don't fit; empty if the note doesn't tell."""
-    quoted = re.search(r"'Eigen::(.*)'", note[:LONGEST])
-    if not quoted:
-        return ""
-    _, left, rest = _type(quoted.group(1))
-    call = re.match(r"::(operator(?:[*+=-]|[+-]=)|\w+)<", rest)
-    if not call or call.group(1) not in REFUSED:
-        return ""
-    _, right, _ = _type(rest[call.end() :])
-    if not left or not right or 0 in (*left, *right):
-        return ""
-    if left[1] == right[0] if call.group(1) == PRODUCT else left == right:
-        return ""
-    words = {"left": f"{left[0]}x{left[1]}", "right": f"{right[0]}x{right[1]}"}
-    return REFUSED[call.group(1)].format(**words)
-
-
-def _type(text: str, depth: int = 0) -> tuple[str, Shape | None, str]:
-    """The type at the begin of a text: its name without namespaces and const, or a number; its rows
-    and columns, 0 where it doesn't say them; and the text that follows it."""
-    begin = re.match(r"\s*(?:const )?(?:\w+::)*(-?\w*)(?: const)?", text)
-    name, rest = (begin.group(1), text[begin.end() :]) if begin else ("", text)
-    names: list[str] = []
-    shapes: list[Shape] = []
-    if rest.startswith("<") and depth < DEEPEST:
-        while rest[:1] in ("<", ","):
-            argument, shape, rest = _type(rest[1:], depth + 1)
-            names.append(argument)
-            shapes += [shape] if shape else []
-        rest = rest[1:]  # the closing bracket
-    if name in ("Matrix", "Array", "Block"):
-        sizes = [int(size) if re.fullmatch(r"\d{1,6}", size) else 0 for size in names[1:3]]
-        shapes = [(sizes[0], sizes[1])] if len(sizes) == 2 else []
-    if not shapes:
-        return name, None, rest
-    rows, columns = shapes[0]
-    if name == "Product" and len(shapes) == 2:
-        columns = shapes[1][1]
-    of_name = {"Transpose": (columns, rows), "DiagonalWrapper": (rows, rows)}
-    return name, of_name.get(name, (rows, columns)), rest
 
 
 # --- the linker ---
