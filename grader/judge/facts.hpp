@@ -3,7 +3,7 @@
 //   "cases", "wrong"   how many the check has, and how many are wrong
 //   "ended_at"   the number of the case at which the program ended, 0 if at none; "before" it:
 //                {"right", "wrong"}
-//   "again"      whether all were right when they were asked before, in another order
+//   "again"      says that all were right when they were asked before, in another order; or ""
 //   "name", "input", "hidden"   of the case; its input in words
 //   "contact"    what the corner does, in words
 //   "sentence"   what the numbers alone don't say, such as an exception's text

@@ -1,7 +1,7 @@
 // stopwatch JSON
 //
-// JSON is {"scenes": folder, "timed": command, "solution": command, "graded": command}, where a
-// command, a list of words, starts a runner. Measures, for each dt, the scenes that the
+// JSON is {"scenes": folder, "timed": command, "solution": command}, where a command, a list of
+// words, starts a runner. Measures, for each dt, the scenes that the
 // assignment's model can simulate (speed_curves.hpp), with a submission's runner built for speed,
 // the solution's runner, and the simulator that uses the least model for each step. Prints {"dt":
 // [...], "scenes": [{"scene", "title", "seconds", "submission", "solution", "least"}], "cut"};
@@ -10,9 +10,7 @@
 // curves end early: {"dt", "sentence", "ended"}, with how its program ended (termination.hpp), if
 // it did; else it is null.
 //
-// If a timed column is wrong, the submission's graded runner is asked the same, and only one
-// sentence is printed: {"otherwise": place} if that one's answer is right, so that the two builds
-// are different programs and the times mean nothing, and else {"wrong": place}.
+// If a timed column is wrong, the times mean nothing, and only {"wrong": place} is printed.
 //
 // A runner is timed from outside, by the system's count of its CPU time, from the question to the
 // last column of its answer. The cost of communication is measured with the solution's runner,
@@ -179,26 +177,17 @@ void measure_communication(Timer& known) {
 // Some column isn't a step of the solution's from the one before: the time of such answers says
 // nothing.
 struct Wrong {
-  bool right_as_graded;  // the graded build answers right there
   std::string place;
 };
 
-bool answers_right(Timer& graded, const Parameters& params, const State& start) try {
-  return !wrong_column(graded.run(params, start).trajectory, start, params);
-} catch (const Termination&) {
-  return false;
-} catch (const std::runtime_error&) {
-  return false;  // it gave no answer
-}
-
 // Throws Wrong.
-Timed run_submission(Timer& timed, Timer& graded, const Parameters& params, const State& start) {
+Timed run_submission(Timer& timed, const Parameters& params, const State& start) {
   Timed result = timed.run(params, start);
   if (const auto wrong = wrong_column(result.trajectory, start, params)) {
     char words[80];
     std::snprintf(words, sizeof words, "at dt = %.2g s, column %td of %d", params.dt, *wrong,
                   params.T);
-    throw Wrong{answers_right(graded, params, start), words};
+    throw Wrong{words};
   }
   return result;
 }
@@ -247,7 +236,7 @@ std::vector<exact::Scene> scenes_of_one_corner(const std::string& folder) {
 json measured(const json& asked) {
   const std::vector<exact::Scene> scenes = scenes_of_one_corner(asked.at("scenes"));
   const auto command = [&](const char* name) { return asked.at(name).get<Command>(); };
-  Timer timed(command("timed")), graded(command("graded")), solution(command("solution"));
+  Timer timed(command("timed")), solution(command("solution"));
   Timer known(command("solution"));  // its own runner, so that the solution starts cold, too
   measure_communication(known);
   for (Timer* timer : {&timed, &solution}) {
@@ -255,7 +244,7 @@ json measured(const json& asked) {
     timer->per_column = known.per_column;
   }
   const auto run = [&](const Parameters& params, const State& start) {
-    return run_submission(timed, graded, params, start);
+    return run_submission(timed, params, start);
   };
   const auto run_solution = [&](const Parameters& params, const State& start) {
     return solution.run(params, start);
@@ -279,9 +268,7 @@ json measured(const json& asked) {
 }
 
 json answer_to(const json& asked) try { return measured(asked); } catch (const Wrong& wrong) {
-  json answer;
-  answer[wrong.right_as_graded ? "otherwise" : "wrong"] = wrong.place;
-  return answer;
+  return {{"wrong", wrong.place}};
 }
 
 }  // namespace

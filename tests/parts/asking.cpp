@@ -12,6 +12,10 @@
 namespace bounce::tests {
 namespace {
 
+constexpr const char* kAgain =
+    " when asked again in another order, though right before: is something kept from one call to "
+    "the next? ";
+
 Answered answered;  // of the cases before the one that is asked
 
 // Asks the cases in their order. The failure has no wrong case if all are right.
@@ -53,7 +57,7 @@ Failure ask_all(const std::vector<Case>& cases, Ask ask) {
 // be asked more.
 bool ask_and_report(const std::vector<Case>& cases, Ask ask, bool again) {
   Failure failure = ask_all(cases, ask);
-  failure.again = again;
+  if (again) failure.again = kAgain;
   if (failure.wrong > 0 && !testing::Test::HasFailure()) ADD_FAILURE() << in_words(failure);
   return failure.ended_at == 0;
 }

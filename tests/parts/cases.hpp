@@ -75,7 +75,7 @@ struct Failure {
   std::size_t wrong = 0;     // of these
   std::size_t ended_at = 0;  // the number of the case at which the program ended, from 1 on; else 0
   Answered before;           // it, if the program ended
-  bool again = false;        // whether it was right when it was asked before, in another order
+  std::string again;  // says that it was right when it was asked before, in another order; or empty
 };
 
 // The text of a failed check.

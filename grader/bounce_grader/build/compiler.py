@@ -15,6 +15,7 @@ from bounce_grader.submission.submission import Submission
 COMPILE = processes.Limits(15, 120, memory=2 << 30, file_size=64 << 20)
 LARGE = 640 << 20  # bytes of a compiler's memory; for an honest part it takes up to 470 MB
 LARGEST_OBJECT = 8 << 20
+MAIN = b"_Z14submitted_main"  # in an object whose source defines main, by its name for the linker
 
 
 def run(

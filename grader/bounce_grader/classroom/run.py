@@ -31,7 +31,7 @@ from bounce_grader.classroom.output.gradebook_others import (
     MoodleWorksheet,
 )
 from bounce_grader.common.errors import KitError, UsageError
-from bounce_grader.common.escaping import printable_name, terminal
+from bounce_grader.common.escaping import first_few, printable_name, terminal
 from bounce_grader.common.files import remove_abandoned
 from bounce_grader.common.manifest import parts
 
@@ -323,6 +323,9 @@ def _say(
             f"{looks} need a look, {len(intake.unmatched)} can't be graded or aren't matched; "
             f"{request.out / 'class.html'} says which, and why."
         )
+    failed = [f"{s.student.shown} ({s.student.id})" for s in summaries if s.state == "failed"]
+    if failed:
+        print(f"The kit failed on {terminal(first_few(failed))}: run the same command again.")
     in_book = book.people(intake.service == "canvas") if book else {}
     not_graded = [
         f"{printable_name(unmatched.name)!r} {unmatched.reason}"
@@ -343,4 +346,4 @@ def _say(
     print(
         f"Written to {request.out}: {_filled_in(request).name}, grades.csv, class.html, feedback/"
     )
-    return 3 if any(s.state == "failed" for s in summaries) else 0
+    return 3 if failed else 0

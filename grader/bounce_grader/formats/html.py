@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from bounce_grader.common import escaping, numbers
-from bounce_grader.formats import case, figures, sentences
+from bounce_grader.formats import case, case_pictures, figures, sentences, speed_chart
 from bounce_grader.grading import hints, speed
 from bounce_grader.grading.record import Record
 
@@ -43,7 +43,8 @@ def render(
         in_the_end=in_the_end,
         case=case,
         chart_style=figures.STYLE,
-        figures=figures,
+        case_pictures=case_pictures,
+        speed_chart=speed_chart,
         hints=hints,
         numbers=numbers,
         sentences=sentences,

@@ -7,7 +7,7 @@ from functools import partial
 from pathlib import Path
 from typing import NamedTuple
 
-from bounce_grader.build import linking
+from bounce_grader.build import compiler, linking
 from bounce_grader.build.compile import compile_all, Objects
 from bounce_grader.common.errors import KitError
 from bounce_grader.common.files import remove_unlocked, temporary_folder
@@ -131,7 +131,14 @@ class _Grading:
             return best
         if best.status == "crashed":
             best = sanitizing.with_cause(part, best, self.taken, self.work, self.hidden, self.box)
-        return record.part_record(part, best)
+        graded = record.part_record(part, best)
+        path = self.objects.parts[part.number].path
+        if path and compiler.MAIN in path.read_bytes():
+            remark = (
+                f"{part.file} defines main(), and so does ./check, which can't link it: take it out"
+            )
+            return record.with_remark(graded, remark, None)
+        return graded
 
     def with_remarks(self, graded: Record) -> Record:
         """The record of a part; if it has all points, with what the sanitizers find in it."""
@@ -217,5 +224,5 @@ def _speed(grading: _Grading) -> Record:
             objects = compile_all(taken, work, box, grading.jobs, timed=True)
             timed = grading.link_together(objects, "timed", timed=True)
             if timed:
-                measured |= speed.measure(timed, grading.together, box) or {}
+                measured |= speed.measure(timed, box) or {}
     return measured

@@ -80,7 +80,7 @@ def part_record(part: Part, judged: Judged) -> Record:
 
 def with_remark(graded: Record, remark: str, place: Place | None) -> Record:
     """The record of a part, with a remark that costs no points."""
-    return graded | {"remarks": [sentence(remark)]} | _at(place)
+    return graded | {"remarks": [*graded["remarks"], sentence(remark)]} | _at(place)
 
 
 def _with_each_reason_once(

@@ -18,8 +18,7 @@ CURVES = ("submission", "solution", "least")
 LEAST_RATIO = 0.05
 STEP = 1e-3  # s: the dt at which the time of a step is reported
 FINE = 1e-3  # m: errors up to this are near enough
-WRONG = "a trajectory is timed only where every column is right, and one is not"
-OTHERWISE = "built for speed, the program answers otherwise than it was graded"
+WRONG = "built for speed, a column of a trajectory is wrong, so it isn't timed"
 LARGEST = 1e100  # m: a larger error counts as one that isn't finite
 Measured = dict[str, Any]
 
@@ -32,11 +31,10 @@ class Point(NamedTuple):
     error: float | None  # m, the largest; None if it isn't finite, or above LARGEST
 
 
-def measure(timed: Path, graded: Path, box: Box) -> Measured | None:
-    """Measures the curves of a submission, of the solution and of the least model. If the runner
-    built for timing answers differently than the graded one, the result says so and has no curves.
-    None if the stopwatch fails."""
-    asked = {"scenes": str(SCENES), "timed": box.to_run(timed), "graded": box.to_run(graded)}
+def measure(timed: Path, box: Box) -> Measured | None:
+    """Measures the curves of a submission, of the solution and of the least model. If an answer is
+    wrong, the result says so and has no curves. None if the stopwatch fails."""
+    asked = {"scenes": str(SCENES), "timed": box.to_run(timed)}
     asked["solution"] = box.to_run(REFERENCE_RUNNER)
     result = box.run([str(STOPWATCH), json.dumps(asked)], WAIT)
     return read(result.out) if result.ok else None
@@ -47,9 +45,8 @@ def read(out: bytes) -> Measured:
     of a step. Raises KitError. Of a submission's are only the texts in it."""
     try:
         answer = json.loads(out)
-        for key, sentence in (("otherwise", OTHERWISE), ("wrong", WRONG)):
-            if key in answer:
-                return {"otherwise": f"{sentence}: {printable_text(answer[key])}"}
+        if "wrong" in answer:
+            return {"otherwise": f"{WRONG}: {printable_text(answer['wrong'])}"}
         scenes = list(map(_scene, answer["scenes"]))
         measured = {"cut": _cut(answer["cut"]), "dt": answer["dt"], "scenes": scenes}
         return {**_step(measured), **measured}

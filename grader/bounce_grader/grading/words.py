@@ -10,10 +10,6 @@ from bounce_grader.submission.submission import Place
 
 Facts = dict[str, Any]  # a failed check in numbers (grader/judge/facts.hpp)
 Rows = list[list[float | str]]
-AGAIN = (
-    " when asked again in another order, though right before: is something kept from one call to "
-    "the next? "
-)
 # How a program ended, by the judge's name for it (grader/judge/termination.hpp): with its number and
 # text, and {came} for how much of an answer came.
 ENDINGS = {
@@ -218,7 +214,7 @@ def of_check(verdict: Verdict, revealed: bool = False) -> str:
     hidden = " (a hidden case)" if failure["hidden"] else ""
     asked = failure["input"].replace("\n", "\n" + 11 * " ")
     lines = [
-        f"{counts(failure)}{AGAIN if failure['again'] else '; '}{which}: {failure['name']}{hidden}",
+        f"{counts(failure)}{failure['again'] or '; '}{which}: {failure['name']}{hidden}",
         f"  input    {asked}",
         *_answer(verdict, failure, revealed or not failure["hidden"]),
     ]

@@ -193,10 +193,8 @@ void found_wrong(const Case& c, const Problem& problem) {
 // Nothing ends a program here but its own process, which reports no failure then.
 std::string in_words(const Failure& failure) {
   return std::to_string(failure.wrong) + " of " + std::to_string(failure.cases) + " cases wrong" +
-         (failure.again ? " when asked again in another order, though right before: is something "
-                          "kept from one call to the next? "
-                        : "; ") +
-         "the first: " + question(failure.asked) + "\n" + feedback(failure.asked, failure.problem);
+         (failure.again.empty() ? "; " : failure.again) + "the first: " + question(failure.asked) +
+         "\n" + feedback(failure.asked, failure.problem);
 }
 
 }  // namespace bounce::tests
