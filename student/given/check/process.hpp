@@ -39,9 +39,8 @@ class Lock {
 #endif
 };
 
-// Whether standard output is a terminal, and its width in characters; 80 if it is none.
+// Whether standard output is a terminal.
 bool is_terminal();
-int columns();
 
 // Waits half a second for a key, while keys come one at a time and aren't shown. 0: none came.
 // 'q' if standard input ends or isn't a terminal any more.

@@ -1,7 +1,6 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/file.h>
-#include <sys/ioctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <termios.h>
@@ -87,11 +86,6 @@ Lock::Lock(const std::filesystem::path& file)
 Lock::~Lock() { ::close(handle_); }
 
 bool is_terminal() { return ::isatty(STDOUT_FILENO) == 1; }
-
-int columns() {
-  winsize size{};
-  return ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
-}
 
 Keys::Keys() : from_terminal_(::tcgetattr(STDIN_FILENO, &before_keys) == 0) {
   if (!from_terminal_) return;

@@ -119,12 +119,6 @@ bool is_terminal() {
   return GetConsoleMode(out, &mode) && SetConsoleMode(out, mode | 0x4);  // it understands colours
 }
 
-int columns() {
-  CONSOLE_SCREEN_BUFFER_INFO info;
-  const HANDLE out = GetStdHandle(STD_OUTPUT_HANDLE);
-  return GetConsoleScreenBufferInfo(out, &info) ? info.srWindow.Right - info.srWindow.Left + 1 : 80;
-}
-
 Keys::Keys() : from_terminal_(_isatty(_fileno(stdin)) != 0) {}
 Keys::~Keys() = default;
 

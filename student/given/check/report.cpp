@@ -94,9 +94,8 @@ void print_missing_returns(const Part& part) {
 }
 
 void print_text(const std::string& text) {
-  const bool draws = columns() >= 64 && style().has_pictures;
   for (const std::string& line : lines_of(text)) {
-    if (!line.empty() && (draws || line.rfind("    |", 0) != 0)) std::cout << "  " << line << "\n";
+    if (!line.empty()) std::cout << "  " << line << "\n";
   }
 }
 

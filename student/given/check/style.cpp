@@ -30,7 +30,7 @@ Style made() {
 #else
   const bool dumb = variable("TERM").empty() || variable("TERM") == "dumb", signs = has_utf8();
 #endif
-  Style made{"", "", "", "", "", signs ? "\u2713" : "ok", signs ? "\u2717" : "--", !dumb};
+  Style made{"", "", "", "", "", signs ? "\u2713" : "ok", signs ? "\u2717" : "--"};
   if (is_terminal() && !dumb && variable("NO_COLOR").empty()) {
     made.bold = "\033[1m";
     made.red = "\033[31m";

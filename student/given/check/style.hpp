@@ -8,7 +8,6 @@ namespace bounce::check {
 struct Style {
   std::string bold, red, green, dim, plain;
   std::string right, wrong;
-  bool has_pictures;  // whether lines of the picture may be drawn
 };
 
 const Style& style();

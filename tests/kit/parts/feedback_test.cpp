@@ -57,7 +57,7 @@ TEST(feedback, MarksWhatIsWrongAndSaysWhatMayBeTheCause) {
   expect_texts("feedback.txt", texts);
 }
 
-TEST(feedback, DrawsAStepAndAPath) {
+TEST(feedback, TellsTheForceWhereACornerTouches) {
   Texts texts;
   Case c = some_case();
   // f_e is taken off: a corner that isn't pushed has the velocity of free flight.
@@ -66,17 +66,7 @@ TEST(feedback, DrawsAStepAndAPath) {
   texts.emplace_back("column 0, without the step", told(c, c.v, free, "v in column 0"));
   c.corner = "no corner touches; corner 3 is the lowest";
   texts.emplace_back("in flight, without a force", told(c, c.state.v, free, kNewVelocity));
-  c.columns = {0, 1, 2};
-  c.trajectory.q = Eigen::Matrix3Xd::Zero(3, 3);
-  c.trajectory.q.row(0) << 0, 1, 2;
-  c.trajectory.q.row(1) << 1, 0.5, 0.2;
-  Eigen::Matrix3Xd got = c.trajectory.q;
-  got(1, 2) = 0.9;
-  got(0, 1) = NAN;  // not drawn, and no harm
-  Problem problem = compare(c, "q", kConfiguration, c.trajectory.q, got);
-  problem.path = got;
-  texts.emplace_back("both paths", feedback(c, problem));
-  expect_texts("pictures.txt", texts);
+  expect_texts("forces.txt", texts);
 }
 
 std::string thrown(Contact (*part)(const Vector3&, const Parameters&)) {
