@@ -14,7 +14,7 @@ from bounce_grader.classroom.grading.log import Log
 from bounce_grader.classroom.grading.near_copies import Similar
 from bounce_grader.classroom.grading.request import Request
 from bounce_grader.classroom.grading.summary import Summary
-from bounce_grader.classroom.grading.task import task_of, with_times, Stamp, Task
+from bounce_grader.classroom.grading.results import Stamp, Task
 from bounce_grader.classroom.intake import adjustments, canvas_api, course, roster, students
 from bounce_grader.classroom.intake.canvas import is_name_of
 from bounce_grader.classroom.intake.canvas_api import Canvas
@@ -108,14 +108,16 @@ def _run(
     folder = request.out / "results"
     regrade.finish(request.out)
     stamp = results.stamp_now(request.trust, request.sanitize)
+    tasks = [
+        results.task_of(s, stamp, folder, request.speed, request.trust) for s in intake.students
+    ]
     if request.regrade:
-        return _regrade(request, request.regrade, intake, stamp, log)
+        return _regrade(request, request.regrade, tasks, stamp, log)
     if request.apply:
-        regrade.apply(request.out, intake, stamp, log)
+        regrade.apply(request.out, tasks, stamp, log)
     results.begin(folder, stamp)
-    tasks = _tasks(request, intake.students, stamp, folder)
-    failed = grading.grade_missing(tasks, folder, request, log)
-    summaries = grading.summarize(intake.students, tasks, folder, failed)
+    failed = grading.grade_missing(tasks, request, log)
+    summaries = grading.summarize(tasks, failed)
     summaries = final.with_finals(summaries, rules, meant)
     readable = [s.student for s in summaries if s.state != "unreadable"]
     near = near_copies.find(readable, request.trust, request.corpus)
@@ -227,15 +229,6 @@ def _alike(near: Similar, summaries: list[Summary]) -> list[str]:
     return sentences + [f"{near.more} more pairs stand out"] * bool(near.more)
 
 
-def _tasks(request: Request, chosen: list[Student], stamp: Stamp, folder: Path) -> dict[str, Task]:
-    """The task of each student, by id. A timed result is used even if no times are asked for:
-    timing changes no score."""
-    there = results.keys(request.out / "results")
-    tasks = {s.id: task_of(s, stamp, folder, request.speed, request.trust) for s in chosen}
-    timed = {id: with_times(task) for id, task in tasks.items()}
-    return {id: timed[id] if timed[id].key in there else task for id, task in tasks.items()}
-
-
 def _gradebook(request: Request) -> Gradebook | None:
     """The grade book, which is read and checked before anything is graded or written."""
     if request.gradebook is None:
@@ -291,15 +284,14 @@ def _locked(out: Path) -> Iterator[None]:
         os.close(lock)
 
 
-def _regrade(request: Request, filter: str, intake: Class, stamp: Stamp, log: Log) -> int:
-    folder, chosen = regrade.begin(request.out, intake, filter, stamp)
-    tasks = _tasks(request, chosen, stamp, folder)
-    failed = grading.grade_missing(tasks, folder, request, log)
+def _regrade(request: Request, chosen: str, tasks: list[Task], stamp: Stamp, log: Log) -> int:
+    again = regrade.begin(request.out, chosen, tasks, stamp)
+    failed = grading.grade_missing(again, request, log)
     if failed:
         raise KitError(
             f"submissions that could not be graded again: {len(failed)}; nothing is changed"
         )
-    print("\n".join(regrade.differences(request.out, chosen, tasks)))
+    print("\n".join(regrade.differences(request.out, again)))
     return 0
 
 

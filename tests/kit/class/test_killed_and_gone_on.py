@@ -6,11 +6,10 @@ import signal
 import subprocess
 import time
 from collections.abc import Iterator
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from bounce_grader.classroom.grading import grading, log, results, task
+from bounce_grader.classroom.grading import grading, log, results
 from bounce_grader.classroom.intake import students
 from bounce_grader.common.errors import KitError, UsageError
 from classes import COLUMN, book, column, download, grade_class, graded, points_of, same
@@ -139,13 +138,13 @@ def test_a_full_disk_loses_nothing(
 
 
 def test_a_result_is_named_by_all_that_it_follows_from(tmp_path: Path) -> None:
-    stamp = task.Stamp("kit", "fixtures", "options")
-    stamps = [stamp, *(replace(stamp, **{n: "2"}) for n in ("kit", "fixtures", "options"))]
+    stamp = results.Stamp("kit", "fixtures", "options")
+    stamps = [stamp, *(stamp._replace(**{n: "2"}) for n in ("kit", "fixtures", "options"))]
     keys = set()
     for text in (b"// x", b"// y", b"// x"):
         write(tmp_path, {"all/anna/part2_lcp.cpp": text})
         (student,) = students.read(tmp_path / "all").students
-        keys |= {task.task_of(student, one, tmp_path, False, False).key for one in stamps}
+        keys |= {results.task_of(student, one, tmp_path, False, False).key for one in stamps}
     assert len(keys) == 8
 
 

@@ -22,7 +22,7 @@ sys.path.insert(0, str(ROOT / "grader"))
 
 from bounce_grader.classroom.grading import unit
 from bounce_grader.classroom.grading.request import Request
-from bounce_grader.classroom.grading.task import Task
+from bounce_grader.classroom.grading.results import Task
 from bounce_grader.classroom.run import run
 from bounce_grader.common.errors import KitError
 from bounce_grader.common.manifest import Part, parts

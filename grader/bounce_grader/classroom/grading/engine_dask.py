@@ -2,13 +2,13 @@
 the results under the same paths; they may join, leave and crash."""
 
 import sys
-from collections.abc import Callable, Generator
+from collections.abc import Generator
 from concurrent.futures import CancelledError
 from contextlib import suppress
 from typing import Any
 
-from bounce_grader.classroom.grading.task import Task
-from bounce_grader.classroom.grading.unit import run as run_unit, Outcome
+from bounce_grader.classroom.grading.results import Task
+from bounce_grader.classroom.grading.unit import Outcome, Unit
 from bounce_grader.common.errors import KitError, UsageError
 
 LOST_WORKERS = 3  # that a grading may crash before it counts as a failure of the kit
@@ -17,7 +17,7 @@ LOST = "the Dask scheduler was lost: start it, and run the same command again"
 
 
 def run(
-    tasks: list[Task], scheduler: str, unit: Callable[[Task], Outcome] = run_unit
+    tasks: list[Task], scheduler: str, unit: Unit
 ) -> Generator[tuple[Task, Outcome], None, None]:
     """Yields outcomes as they come. Raises UsageError if there is no such scheduler, KitError if it
     is lost."""
@@ -32,7 +32,7 @@ def run(
         for task in tasks:
             of[client.submit(unit, task, pure=False, retries=LOST_WORKERS)] = task
         for future in as_completed(list(of), loop=client.loop):
-            yield of[future], _outcome(of[future], future)
+            yield of[future], _outcome(future)
     except (OSError, CancelledError) as error:
         raise KitError(LOST) from error
     finally:
@@ -76,11 +76,11 @@ def _try_import() -> str:
     return bounce_grader.classroom.grading.unit.__name__
 
 
-def _outcome(task: Task, future: Any) -> Outcome:
+def _outcome(future: Any) -> Outcome:
     """Waits for a task whose worker died after it was done: Dask does it again. Raises
     CancelledError if the scheduler is lost."""
     error = future.exception()
     if error is None:
         outcome: Outcome = future.result()
         return outcome
-    return Outcome(task.key, "failed", f"Dask: {type(error).__name__}: {error}"[:300], 0.0)
+    return Outcome("failed", f"Dask: {type(error).__name__}: {error}"[:300])

@@ -6,30 +6,28 @@ import signal
 import sys
 import threading
 from collections import deque
-from collections.abc import Callable, Generator
+from collections.abc import Generator
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
 
-from bounce_grader.classroom.grading.task import Task
-from bounce_grader.classroom.grading.unit import run as run_unit, Outcome
+from bounce_grader.classroom.grading.results import Task
+from bounce_grader.classroom.grading.unit import Outcome, Unit
 
 TO_CLEAN_UP = 3.0  # seconds in which a terminated grading can remove its files
 KILLED = "the process that graded it was killed, perhaps because memory ran out"
-Outcomes = Generator[tuple[Task, Outcome], None, None]
+Graded = tuple[Task, Outcome]
 
 
-def run(tasks: list[Task], jobs: int, unit: Callable[[Task], Outcome] = run_unit) -> Outcomes:
+def run(tasks: list[Task], jobs: int, unit: Unit) -> Generator[Graded, None, None]:
     """Yields outcomes as they come. If the caller stops early, ends the gradings under way."""
     waiting = deque(tasks)
     while waiting:
         for suspect in (yield from _graded(waiting, jobs, unit)):
             if (yield from _graded(deque([suspect]), 1, unit)):
-                yield suspect, Outcome(suspect.key, "failed", KILLED, 0.0)
+                yield suspect, Outcome("failed", KILLED)
 
 
-def _graded(
-    waiting: deque[Task], jobs: int, unit: Callable[[Task], Outcome]
-) -> Generator[tuple[Task, Outcome], None, list[Task]]:
+def _graded(waiting: deque[Task], jobs: int, unit: Unit) -> Generator[Graded, None, list[Task]]:
     """Grades what is waiting. If a process is killed, returns those that were under way: any may
     have been the reason, and the others can still be graded."""
     pool = ProcessPoolExecutor(jobs, multiprocessing.get_context("spawn"), _prepare)

@@ -8,7 +8,7 @@ from datetime import datetime, timezone
 from pathlib import Path
 from typing import Any
 
-from bounce_grader.classroom.grading.task import Task
+from bounce_grader.classroom.grading.results import Task
 
 
 class Log:

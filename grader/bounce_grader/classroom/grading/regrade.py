@@ -4,44 +4,41 @@ the folders."""
 import os
 import re
 import shutil
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Sequence
 from fnmatch import fnmatch
 from pathlib import Path
-from typing import Any
 
 from bounce_grader.classroom.grading import results
 from bounce_grader.classroom.grading.log import Log
+from bounce_grader.classroom.grading.results import Stamp, Task
 from bounce_grader.classroom.grading.summary import of_result, Summary
-from bounce_grader.classroom.grading.task import task_of, Stamp, Task
-from bounce_grader.classroom.grading.unit import result_path
 from bounce_grader.classroom.intake.canvas import sanitized
-from bounce_grader.classroom.intake.student import Class, Student
 from bounce_grader.common.errors import UsageError
 from bounce_grader.common.escaping import first_few, terminal
 
 KINDS = "all, student=NAME (with * for any letters), status=STATUS, or score<POINTS"
 
 
-def begin(out: Path, intake: Class, chosen: str, stamp: Stamp) -> tuple[Path, list[Student]]:
-    """The folder of new results, and whom the filter chooses. Results there by another version of
-    the kit are discarded."""
+def begin(out: Path, chosen: str, tasks: Sequence[Task], stamp: Stamp) -> list[Task]:
+    """The tasks of those whom the filter chooses, in the folder of new results. Results there by
+    another version of the kit are discarded."""
     wanted = _filter(chosen)
-    there = results.stamp_of(out / "results")
+    old, new = out / "results", out / "regrade"
+    there = results.stamp_of(old)
     if there is None:
         raise UsageError(f"{out} holds no results yet: run without --regrade first")
     if there != stamp and chosen != "all":
         raise UsageError(
-            f"the results in {out / 'results'} were made {results.difference(there, stamp)}, and "
-            "one class is graded by one kit: use --regrade all"
+            f"the results in {old} were made {results.difference(there, stamp)}, and one class is "
+            "graded by one kit: use --regrade all"
         )
-    students = [s for s in intake.students if wanted(_summary(out / "results", s, there))]
-    if not students:
+    again = [task._replace(folder=new) for task in tasks if wanted(_summary(old, task))]
+    if not again:
         raise UsageError(f"--regrade {chosen} chooses no submission")
-    folder = out / "regrade"
-    if folder.exists() and results.stamp_of(folder) != stamp:
-        shutil.rmtree(folder)
-    results.begin(folder, stamp)
-    return folder, students
+    if new.exists() and results.stamp_of(new) != stamp:
+        shutil.rmtree(new)
+    results.begin(new, stamp)
+    return again
 
 
 def _filter(expression: str) -> Callable[[Summary], bool]:
@@ -62,67 +59,54 @@ def _filter(expression: str) -> Callable[[Summary], bool]:
     raise UsageError(f"--regrade doesn't know {expression!r}; it takes {KINDS}")
 
 
-def _summary(folder: Path, student: Student, stamp: Stamp) -> Summary:
-    key, result = _result(folder, student, stamp)
-    return of_result(student, key, result) if result else Summary(student, key, "not graded before")
+def _summary(folder: Path, task: Task) -> Summary:
+    """What is known of a submission by the results in a folder."""
+    stamp = results.stamp_of(folder)
+    key = results.key_of(task.submission, stamp) if stamp else ""
+    result = results.load(folder, key)
+    if not result:
+        return Summary(task.student, key, "not graded before")
+    return of_result(task.student, key, result)
 
 
-def _result(folder: Path, student: Student, stamp: Stamp) -> tuple[str, dict[str, Any] | None]:
-    """The key and the result, timed or not: timing changes no score."""
-    for speed in (True, False):
-        key = task_of(student, stamp, Path(), speed, trust=False).key
-        result = results.load(folder, key)
-        if result:
-            break
-    return key, result
-
-
-def differences(out: Path, chosen: list[Student], tasks: Mapping[str, Task]) -> list[str]:
+def differences(out: Path, again: Sequence[Task]) -> list[str]:
     """A summary, and then only what differs. If nothing does, there is nothing to take over, and
     these new results are removed."""
     old, new = out / "results", out / "regrade"
-    there = results.stamp_of(old)
-    assert there
-    pairs = [
-        (_summary(old, student, there), _summary(new, student, tasks[student.id].stamp))
-        for student in chosen
-    ]
+    pairs = [(_summary(old, task), _summary(new, task)) for task in again]
     differing = [lines for before, now in pairs if (lines := _difference(before, now))]
-    said = [
-        f"Submissions graded again: {len(chosen)}; with another result: {len(differing)}.",
+    lines = [
+        f"Submissions graded again: {len(again)}; with another result: {len(differing)}.",
         *_weights(pairs),
         *(line for lines in differing for line in lines),
     ]
-    if len(said) == 1 and there == results.stamp_of(new):
-        for student in chosen:
-            result_path(new, tasks[student.id].key).unlink(missing_ok=True)
+    if len(lines) == 1 and results.stamp_of(old) == results.stamp_of(new):
+        for task in again:
+            results.path_of(new, task.key).unlink(missing_ok=True)
         if not results.keys(new):
             shutil.rmtree(new)
-        return [*said, "There is nothing to take over."]
-    said.append("Nothing is changed yet. To take these over: --apply in place of --regrade.")
-    return said
+        return [*lines, "There is nothing to take over."]
+    lines.append("Nothing is changed yet. To take these over: --apply in place of --regrade.")
+    return lines
 
 
 def _weights(pairs: list[tuple[Summary, Summary]]) -> list[str]:
     """A line for each check whose points parts.json has changed."""
     before = {id: points for old, _ in pairs for id, points in old.most.items()}
     now = {id: points for _, new in pairs for id, points in new.most.items()}
-    if not before or not now:
-        return []
     return [
         f"  {id} gives {before.get(id, 0):g} -> {now.get(id, 0):g} points"
         for id in dict.fromkeys([*now, *before])
-        if before.get(id, 0) != now.get(id, 0)
+        if before and now and before.get(id, 0) != now.get(id, 0)
     ]
 
 
 def _difference(old: Summary, new: Summary) -> list[str]:
     """The points, and the checks that are passed now and weren't, or the other way round."""
-    both = [id for id in new.most if id in old.most]
     checks = [
         f"  {id}: {'failed -> passed' if id in new.passed else 'passed -> failed'}"
-        for id in both
-        if (id in new.passed) != (id in old.passed)
+        for id in new.most
+        if id in old.most and (id in new.passed) != (id in old.passed)
     ]
     if not checks and (old.state, old.score) == (new.state, new.score):
         return []
@@ -134,24 +118,24 @@ def _points(summary: Summary) -> str:
     return summary.state if summary.score is None else f"{summary.score:g}"
 
 
-def apply(out: Path, intake: Class, stamp: Stamp, log: Log) -> None:
+def apply(out: Path, tasks: Sequence[Task], stamp: Stamp, log: Log) -> None:
     """Exchanges the results; the old ones are kept in a numbered folder."""
     new, old = out / "regrade", out / "results"
     if not new.exists():
         raise UsageError(f"{out} holds nothing to take over: run with --regrade FILTER first")
     if results.stamp_of(new) != stamp:
         raise UsageError("the kit or its fixtures changed since --regrade: run that again")
-    taken_over = len(results.keys(new))
-    missing = [s.name for s in intake.students if not _result(new, s, stamp)[1]]
+    taken_over = results.keys(new)
+    missing = [task.student.name for task in tasks if task.key not in taken_over]
     if results.stamp_of(old) == stamp:
-        for key in results.keys(old) - results.keys(new):
-            os.link(result_path(old, key), result_path(new, key))
+        for key in results.keys(old) - taken_over:
+            os.link(results.path_of(old, key), results.path_of(new, key))
     elif missing:
         raise UsageError(
             f"--regrade hasn't graded all ({first_few(missing)}): run it again, on the same "
             "submissions and with the same --gradebook, by which some are found"
         )
-    log.write("applied", submissions=taken_over)
+    log.write("applied", submissions=len(taken_over))
     number = 1
     while (out / f"results-{number}").exists():
         number += 1

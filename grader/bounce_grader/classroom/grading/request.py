@@ -1,12 +1,11 @@
 """The options of one run of ./kit class."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from bounce_grader.classroom.grading import unit as units
-from bounce_grader.classroom.grading.task import Task
-from bounce_grader.classroom.grading.unit import Outcome
+from bounce_grader.classroom.grading import unit
+from bounce_grader.classroom.grading.unit import Unit
 
 
 @dataclass(frozen=True)
@@ -30,4 +29,4 @@ class Request:
     corpus: Sequence[Path] = ()
     regrade: str | None = None
     apply: bool = False
-    unit: Callable[[Task], Outcome] = units.run
+    unit: Unit = unit.run

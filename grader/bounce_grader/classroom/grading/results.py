@@ -1,15 +1,16 @@
-"""The folder of results: a file for each, and set.json, which says by which kit, fixtures and
-options they were made."""
+"""The folder of results: a file for each submission, named by a hash of all that its grading follows
+from; and set.json, which says by which kit, fixtures and options they were made."""
 
 import hashlib
 import json
-from dataclasses import asdict
+import os
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from bounce_grader import __version__
-from bounce_grader.classroom.grading.task import Stamp
-from bounce_grader.classroom.grading.unit import result_path
+from bounce_grader.classroom.intake import handed_in
+from bounce_grader.classroom.intake.archive import Damaged
+from bounce_grader.classroom.intake.student import Student
 from bounce_grader.common.errors import UsageError
 from bounce_grader.common.files import write_whole
 from bounce_grader.common.paths import ROOT
@@ -26,6 +27,51 @@ SOURCES = (
     *("tests/parts", "solution/src", "student/include", "student/given"),
 )
 UNIT = "grader/bounce_grader/classroom/grading/unit.py"  # decides whether one can be graded
+Result = dict[str, Any]
+
+
+class Stamp(NamedTuple):
+    """Digests of all that a result depends on, except the submission."""
+
+    kit: str
+    fixtures: str
+    options: str
+
+
+class Task(NamedTuple):
+    """A submission to grade, in plain values that can be sent to any machine."""
+
+    key: str  # of the result
+    submission: str  # digest
+    stamp: Stamp
+    student: Student
+    folder: Path  # of the results
+    speed: bool
+    trust: bool
+
+
+def task_of(student: Student, stamp: Stamp, folder: Path, speed: bool, trust: bool) -> Task:
+    submission = digest(student)
+    key = key_of(submission, stamp)
+    return Task(key, submission, stamp, student, folder, speed, trust)
+
+
+def key_of(submission: str, stamp: Stamp) -> str:
+    return hashlib.sha256("\0".join((submission, *stamp)).encode()).hexdigest()
+
+
+def digest(student: Student) -> str:
+    """A digest of all that is used of a submission, or of the reason if it can't be read. Raises
+    Damaged if the class's download is damaged."""
+    data: list[Any] = [os.path.isdir(student.path)]
+    try:
+        taken = handed_in.read(student.path, student.uploads)
+        data += [taken.sha256, taken.parts, taken.refused, taken.ignored]
+    except Damaged:
+        raise
+    except UsageError as error:
+        data.append(str(error).replace(str(student.path), ""))
+    return hashlib.sha256(repr(data).encode()).hexdigest()
 
 
 def stamp_now(trust: bool, sanitize: bool = False) -> Stamp:
@@ -48,13 +94,19 @@ def _sources() -> list[Path]:
     return sorted([*files, ROOT / UNIT, ROOT / "grader" / "parts.json"])
 
 
-def load(folder: Path, key: str) -> dict[str, Any] | None:
-    """A result; None if there is no valid one."""
+def path_of(folder: Path, key: str) -> Path:
+    return folder / f"{key}.json"
+
+
+def load(folder: Path, key: str, timed: bool = False) -> Result | None:
+    """A result; None if there is no valid one. It does for a run without times, too, if it is timed:
+    timing changes no score."""
     try:
-        result: dict[str, Any] = json.loads(result_path(folder, key).read_bytes())
+        result: Result = json.loads(path_of(folder, key).read_bytes())
     except (OSError, ValueError):
         return None
-    return result if result.get("key") == key and result.get("state") else None
+    valid = result.get("key") == key and result.get("state") and (result["timed"] or not timed)
+    return result if valid else None
 
 
 def keys(folder: Path) -> set[str]:
@@ -77,7 +129,7 @@ def begin(folder: Path, stamp: Stamp) -> None:
     or options."""
     there = stamp_of(folder)
     if there is None:
-        write_whole(folder / SET, json.dumps({**asdict(stamp), "version": __version__}), True)
+        write_whole(folder / SET, json.dumps({**stamp._asdict(), "version": __version__}), True)
     elif there != stamp:
         raise UsageError(
             f"the results in {folder} were made {difference(there, stamp)}: add --regrade all to "

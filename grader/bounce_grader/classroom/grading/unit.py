@@ -8,12 +8,11 @@ import errno
 import json
 import time
 from collections.abc import Callable
-from dataclasses import dataclass
 from functools import partial
-from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
-from bounce_grader.classroom.grading.task import Task
+from bounce_grader.classroom.grading import results
+from bounce_grader.classroom.grading.results import Result, Task
 from bounce_grader.classroom.intake import handed_in
 from bounce_grader.common.errors import KitError, UsageError
 from bounce_grader.common.escaping import first_few, printable_name
@@ -26,15 +25,16 @@ Record = dict[str, Any]
 Grade = Callable[[Submission, Task], Record]
 
 
-@dataclass(frozen=True)
-class Outcome:
+class Outcome(NamedTuple):
     """What a worker returns about a task; the record itself is in the file."""
 
-    key: str
     state: str  # "graded", "unreadable", or "failed" if the kit did
     message: str
-    seconds: float
+    seconds: float = 0.0
     disk_full: bool = False  # then no further result could be stored
+
+
+Unit = Callable[[Task], Outcome]
 
 
 def grade_submission(taken: Submission, task: Task, within: Budget) -> Record:
@@ -60,40 +60,33 @@ def run(task: Task, grade: Grade | None = None) -> Outcome:
     disk_full = False
     try:
         result = _result(task, grade)
-        path = result_path(Path(task.results), task.key)
-        write_whole(path, json.dumps(result), durable=True)
+        write_whole(results.path_of(task.folder, task.key), json.dumps(result), durable=True)
         state, message = result["state"], result["message"]
     except (KitError, OSError) as error:
         state, message = "failed", str(error)
         disk_full = isinstance(error, OSError) and error.errno == errno.ENOSPC
     except Exception as error:  # an unforeseen fault of the kit
         state, message = "failed", f"{type(error).__name__}: {error}"
-    return Outcome(task.key, state, message, round(time.monotonic() - start, 3), disk_full)
+    return Outcome(state, message, round(time.monotonic() - start, 3), disk_full)
 
 
-def result_path(folder: Path, key: str) -> Path:
-    return folder / f"{key}.json"
-
-
-def _result(task: Task, grade: Grade) -> dict[str, Any]:
+def _result(task: Task, grade: Grade) -> Result:
     """The content of the result's file. A submission that can't be read has a result, too."""
     record: Record | None = None
     message = ""
     beside: list[str] = []
-    path = Path(task.path)
     try:
-        taken = handed_in.read(path, task.uploads)
+        taken = handed_in.read(task.student.path, task.student.uploads)
         _require_a_part(taken)
         record = grade(taken, task)
         beside = list(map(printable_name, taken.helpers))
     except UsageError as error:
-        message = sentence(str(error).replace(str(path), "the submission"))
+        message = sentence(str(error).replace(str(task.student.path), "the submission"))
     return {
         "key": task.key,
         "submission": task.submission,
-        "kit": task.stamp.kit,
-        "fixtures": task.stamp.fixtures,
-        "options": task.stamp.options,
+        **task.stamp._asdict(),
+        "timed": task.speed,
         "state": "graded" if record else "unreadable",
         "message": message,
         "record": record,
@@ -106,8 +99,6 @@ def _require_a_part(taken: Submission) -> None:
     rather than it getting a zero."""
     if not taken.parts and not taken.refused:
         left = [name for name in taken.ignored if not name.startswith("__MACOSX")]
-        names = [*taken.helpers, *left]
-        raise UsageError(
-            "none of the parts is there under its name"
-            + (f", but {first_few([*map(printable_name, names)])}" if names else "")
-        )
+        names = list(map(printable_name, [*taken.helpers, *left]))
+        others = f", but {first_few(names)}" if names else ""
+        raise UsageError(f"none of the parts is there under its name{others}")
