@@ -2,6 +2,7 @@
 
 import fcntl
 import hashlib
+import json
 import os
 import shutil
 import tempfile
@@ -9,6 +10,7 @@ import time
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
+from typing import Any
 
 from bounce_grader.common.paths import WORK_FOLDER
 
@@ -44,6 +46,16 @@ def write_whole(path: Path, data: str | bytes, durable: bool = False) -> None:
             os.fsync(handle)
         finally:
             os.close(handle)
+
+
+def read_object(path: Path) -> dict[str, Any]:
+    """The JSON object that an earlier run has written; an empty one if there is none that can be
+    read."""
+    try:
+        data = json.loads(path.read_text("utf-8"))
+    except (OSError, ValueError):
+        return {}
+    return data if isinstance(data, dict) else {}
 
 
 def fitting(name: str, limit: int = 200) -> str:

@@ -21,7 +21,7 @@ class InTheEnd(NamedTuple):
 
     who: str  # "" if the submission is one person's
     points: float
-    changes: list[tuple[float, str, str]]  # points, reason, comment
+    changes: Sequence[tuple[float, str, str]]  # points, reason, comment
 
 
 def render(

@@ -32,7 +32,8 @@ def class_of(path: Path, submissions: Sequence[Files]) -> Path:
 def compared(tmp_path: Path, submissions: Sequence[Files], corpus: Sequence[Path] = ()) -> Similar:
     """Of a class in which the first student is number 1."""
     found = students.read(class_of(tmp_path / "x.zip", submissions)).students
-    near = near_copies.find(found, trust=False, corpus=corpus)
+    others = [other for folder in corpus for other in near_copies.corpus(folder)]
+    near = near_copies.find(found, False, others)
     assert not near.problem
     return near
 

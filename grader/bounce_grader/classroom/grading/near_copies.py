@@ -11,12 +11,13 @@ import io
 import re
 import statistics
 from collections import defaultdict
-from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from functools import cache
 from pathlib import Path
 from shutil import which
 
+from bounce_grader.classroom.grading.results import digest
 from bounce_grader.classroom.intake import handed_in, students as students_of
 from bounce_grader.classroom.intake.student import Student, Upload
 from bounce_grader.common.errors import about_one_submission, KitError, UsageError
@@ -85,42 +86,30 @@ class Similar:
     incomplete: Mapping[str, str] = field(default_factory=dict)
 
 
-@dataclass(frozen=True)
-class Compared:
-    """A submission to compare: one of this class, or of another year's."""
-
-    id: str
-    path: Path
-    uploads: tuple[Upload, ...]
-    of_another_year: bool = False
+def corpus(folder: Path) -> list[Student]:
+    """Another year's submissions, to compare with. Raises UsageError if they are damaged."""
+    others = students_of.read(folder).students
+    for other in others:
+        digest(other)
+    return [replace(other, id=f"{folder.name}/{other.name}") for other in others]
 
 
-def find(students: list[Student], trust: bool, corpus: Iterable[Path] = ()) -> Similar:
-    """Finds near-copies, also of submissions in the folders `corpus`."""
+def find(students: list[Student], trust: bool, others: Sequence[Student] = ()) -> Similar:
+    """Finds near-copies among students, and between them and others."""
     if which(PROGRAM) is None:
         missing = "similarity-tester isn't installed: apt-get install similarity-tester"
         return Similar((), 0, problem=missing)
-    own = [Compared(s.id, s.path, s.uploads) for s in students]
     try:
-        compared = [*own, *(other for folder in corpus for other in _of_another_year(folder))]
-    except UsageError as error:
-        return Similar((), 0, problem=str(error))  # of a damaged download; the grades are there
-    try:
-        return _find(compared, boxes.choose(boxes.kinds(trust)))
+        return _find(students, others, boxes.choose(boxes.kinds(trust)))
     except KitError as error:
         return Similar((), 0, problem=str(error))
 
 
-def _of_another_year(folder: Path) -> list[Compared]:
-    intake = students_of.read(folder)
-    return [Compared(f"{folder.name}/{s.name}", s.path, s.uploads, True) for s in intake.students]
-
-
-def _find(compared: list[Compared], box: boxes.Box) -> Similar:
-    others = {one.id for one in compared if one.of_another_year}
+def _find(students: list[Student], of_others: Sequence[Student], box: boxes.Box) -> Similar:
+    others = {student.id for student in of_others}
     left_out: dict[str, str] = {}
     in_part: dict[str, str] = {}
-    texts = _texts(compared, left_out, in_part)
+    texts = _texts([*students, *of_others], left_out, in_part)
     whole, usual = _alike(texts[0], LEAST, box, left_out)
     pairs = {ids: Pair(*ids, share) for ids, share in whole.items()}
     of_parts: dict[tuple[str, str], dict[int, int]] = defaultdict(dict)
@@ -138,13 +127,13 @@ def _find(compared: list[Compared], box: boxes.Box) -> Similar:
 
 
 def _texts(
-    compared: list[Compared], left_out: dict[str, str], in_part: dict[str, str]
+    students: list[Student], left_out: dict[str, str], in_part: dict[str, str]
 ) -> dict[int, list[tuple[str, str]]]:
     """The texts to compare, each with its id: the whole ones under 0, those of part n under n. Each
     submission is read once, because a reading may take seconds. Adds to `left_out` what can't be
     compared, and to `in_part` what is cut."""
     texts: dict[int, list[tuple[str, str]]] = defaultdict(list)
-    for one in compared:
+    for one in students:
         try:
             with about_one_submission("it can't be compared with others"):
                 own = own_texts(one.path, one.uploads)

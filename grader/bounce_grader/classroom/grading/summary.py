@@ -1,9 +1,9 @@
 """A summary of a result, with what the grade book, the tables and the class page need; a whole
 record is large."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
-from typing import Any
+from typing import Any, NamedTuple
 
 from bounce_grader.classroom.intake.student import Student
 from bounce_grader.common.escaping import first_few
@@ -11,8 +11,7 @@ from bounce_grader.common.manifest import named_together
 from bounce_grader.grading import speed
 
 
-@dataclass(frozen=True)
-class Applied:
+class Applied(NamedTuple):
     """A change of a person's points after the grading."""
 
     points: float
@@ -20,8 +19,7 @@ class Applied:
     comment: str = ""
 
 
-@dataclass(frozen=True)
-class Final:
+class Final(NamedTuple):
     """A person's points in the end: the total under 0, those of part n under n."""
 
     id: str
@@ -29,6 +27,10 @@ class Final:
     points: Mapping[int, float]
     applied: tuple[Applied, ...] = ()
     listed: bool = False  # in the instructor's roster
+
+    @property
+    def changes(self) -> str:
+        return ", ".join(f"{a.reason} {a.points:+g}" for a in self.applied)
 
 
 @dataclass(frozen=True)
@@ -79,6 +81,9 @@ class Summary:
 
     def with_note(self, note: str) -> "Summary":
         return replace(self, notes=(*self.notes, note))
+
+    def with_finals(self, finals: Iterable[Final]) -> "Summary":
+        return replace(self, finals=tuple(finals))
 
     def _misnamed(self) -> list[str]:
         """A missing part may be there under another name, or in a file that can't be read."""

@@ -160,7 +160,7 @@ def _without_number(file: str) -> list[str]:
 
 def read(path: Path, people: Mapping[str, str]) -> Class:
     archive = opened(path)
-    intake = Class("a Canvas download", service="canvas")
+    intake = Class("a Canvas download", service="canvas", tells_lateness=True)
     if path.is_dir():
         folders = [child.name for child in sorted(path.iterdir()) if is_folder(child)]
         intake.unmatched += [

@@ -174,7 +174,7 @@ def download(canvas: Canvas, out: Path) -> Class:
         if submission.get("late"):
             late[user] = max(1, math.ceil(float(submission.get("seconds_late") or 0) / 86400))
     uploads = {user: taken for user, taken in uploads.items() if taken}
-    intake = Class("Canvas's API", service="canvas")
+    intake = Class("Canvas's API", service="canvas", tells_lateness=True)
     take_uploads(intake, opened(folder), uploads)
     intake.unmatched = [
         *(replace(u, name=names.get(u.user) or u.name) for u in intake.unmatched),

@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import NamedTuple
 
 from bounce_grader.common.escaping import printable_name
 
@@ -19,6 +20,14 @@ class Upload:
     as_named: bool = False  # the file has the student's own name for it, and no other file's
 
 
+class Member(NamedTuple):
+    """A person who gets the points of a submission."""
+
+    id: str
+    name: str
+    listed: bool = False  # in the instructor's roster
+
+
 @dataclass(frozen=True)
 class Student:
     """One submission: a person's, or a group's."""
@@ -32,6 +41,7 @@ class Student:
     unused: tuple[str, ...] = ()  # a sentence for each file that doesn't count
     person: str = ""  # the name in the grade book or the roster, as "Doe, Jane"
     late_days: int = 0  # days begun after the due date, where that is known
+    members: tuple[Member, ...] = ()  # who gets the points
 
     @property
     def shown(self) -> str:
@@ -59,6 +69,7 @@ class Class:
     unmatched: list[Unmatched] = field(default_factory=list)
     logins: bool = False  # whether a student's id is a GitHub login, which students choose
     service: str = ""  # "canvas", "moodle" or "blackboard", if that wrote the download
+    tells_lateness: bool = False  # whether it is known who was late
 
     @property
     def handed_in(self) -> int:

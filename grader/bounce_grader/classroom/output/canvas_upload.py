@@ -15,7 +15,7 @@ from bounce_grader.classroom.intake.canvas_api import Canvas, Refused
 from bounce_grader.classroom.intake.student import Unmatched
 from bounce_grader.classroom.output import gradebook
 from bounce_grader.common.escaping import terminal
-from bounce_grader.common.files import write_whole
+from bounce_grader.common.files import read_object, write_whole
 from bounce_grader.common.numbers import short
 
 UPLOADED = "uploaded.json"
@@ -43,7 +43,7 @@ def plan(
     """The changes, and sentences about points that stay because a person has entered them. A
     student who submitted nothing that can be graded gets a page that says so, and no points."""
     now = {str(s["user_id"]): s for s in canvas.all(f"{canvas.path}/submissions?per_page=100")}
-    uploaded = read(out)
+    uploaded = read_object(out / UPLOADED)
     changes, kept = [], []
     for summary in summaries:
         for one in summary.finals:
@@ -100,7 +100,7 @@ def remember_shown(out: Path, changes: list[Change]) -> None:
 
 def post(canvas: Canvas, out: Path, changes: list[Change]) -> list[str]:
     """Posts the changes. Returns a sentence for each that Canvas refused."""
-    uploaded = read(out)
+    uploaded = read_object(out / UPLOADED)
     refused = []
     for change in changes:
         path = f"{canvas.path}/submissions/{change.user}"
@@ -123,14 +123,6 @@ def post(canvas: Canvas, out: Path, changes: list[Change]) -> list[str]:
             done["page"] = _digest(out, change.page)
         _write(out, uploaded)
     return refused
-
-
-def read(out: Path) -> Uploaded:
-    try:
-        data = json.loads((out / UPLOADED).read_text())
-        return {str(user): dict(done) for user, done in data.items()}
-    except (OSError, ValueError, AttributeError, TypeError):
-        return {}
 
 
 def _write(out: Path, uploaded: Uploaded) -> None:

@@ -53,10 +53,7 @@ def _final_points(summary: Summary) -> Value:
 
 
 def _changes(summary: Summary) -> str:
-    texts = {
-        one.id: ", ".join(f"{a.reason} {a.points:+g}" for a in one.applied)
-        for one in summary.finals
-    }
+    texts = {one.id: one.changes for one in summary.finals}
     if len(set(texts.values())) <= 1:
         return next(iter(texts.values()), "")
     return "; ".join(f"{id}: {text}" for id, text in texts.items() if text)

@@ -9,7 +9,7 @@ from urllib.parse import quote
 
 from bounce_grader.classroom.grading.near_copies import Pair, Similar
 from bounce_grader.classroom.grading.summary import Summary
-from bounce_grader.classroom.intake.course import Course
+from bounce_grader.classroom.intake.instructor_files import Course
 from bounce_grader.classroom.intake.student import Class
 from bounce_grader.classroom.output import charts
 from bounce_grader.classroom.output.charts import Bar, Curve
@@ -97,6 +97,18 @@ def _mistake(name: str, title: str, who: list[str]) -> dict[str, Any]:
         "hint": nudge(heading),
         "who": who,
     }
+
+
+def of_near_copies(near: Similar, summaries: Sequence[Summary]) -> list[str]:
+    """A sentence for each of the nearest copies, or why there is none."""
+    names = names_of(summaries)
+    sentences = [
+        f"{' and '.join(pair_names(pair, names))} have {pair_share(pair)} in common: look whether "
+        "one is a copy"
+        for pair in near.pairs
+    ]
+    sentences += [f"near-copies weren't looked for: {near.problem}"] * bool(near.problem)
+    return sentences + [f"{near.more} more pairs stand out"] * bool(near.more)
 
 
 def pair_names(pair: Pair, names: Mapping[str, str]) -> list[str]:

@@ -1,0 +1,192 @@
+"""Reads what an instructor writes by hand into the output folder: course.toml, with the assignment's
+title and what lateness costs; roster.csv, which says whose a submission is; and adjustments.csv,
+with what is changed in the points of a student, and why."""
+
+import csv
+import io
+from collections.abc import Sequence
+from importlib import import_module
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from bounce_grader.classroom.intake.student import Member
+from bounce_grader.common.errors import KitError, UsageError
+from bounce_grader.common.manifest import parts
+
+COURSE, ROSTER, ADJUSTMENTS = "course.toml", "roster.csv", "adjustments.csv"
+KNOWN = {"title": str, "date": str, "late": dict}
+LATE = ("percent_per_day", "at_most_percent")
+EVERYBODY = "*"
+CHANGES = ("points", "percent", "late_days", "cap", "drop")
+
+
+class Course(NamedTuple):
+    """The course's title and its policy on lateness, from course.toml."""
+
+    title: str = ""
+    date: str = ""
+    percent_per_day: float = 0.0  # of the assignment's points, for each day begun
+    at_most_percent: float = 100.0
+
+
+class Adjustment(NamedTuple):
+    """One row of adjustments.csv: what changes for whom, and why."""
+
+    where: str  # the file and the line
+    student: str  # an id or a name; or EVERYBODY
+    points: float = 0.0  # added
+    percent: float = 0.0  # of the assignment's points, added
+    late_days: int | None = None  # in place of the service's; 0 for an extension
+    cap: float | None = None  # the most points
+    drop: tuple[str, ...] = ()  # checks whose points are given
+    reason: str = ""
+    comment: str = ""
+
+
+def course(out: Path) -> Course:
+    """The course's policy; the default, under which lateness costs nothing, if there is no such
+    file. Raises UsageError."""
+    path = out / COURSE
+    if not path.exists():
+        return Course()
+    toml = _toml()
+    try:
+        data = toml.loads(path.read_text("utf-8"))
+    except (OSError, ValueError) as error:
+        raise UsageError(f"{path} can't be read as TOML: {error}") from error
+    data = {key: str(value) if key == "date" else value for key, value in data.items()}
+    for key, value in data.items():
+        if key not in KNOWN or not isinstance(value, KNOWN[key]):
+            raise UsageError(f"{path} holds {key!r}, which should be one of {', '.join(KNOWN)}")
+    late = data.pop("late", {})
+    for key, value in late.items():
+        if key not in LATE or type(value) not in (int, float) or not 0 <= value <= 100:
+            raise UsageError(
+                f"{path} holds {key} = {value} under [late]; it takes {' and '.join(LATE)}, each a "
+                "number from 0 to 100"
+            )
+    return Course(**data, **late)
+
+
+def _toml() -> Any:
+    """Python's own reader of TOML, from 3.11 on, or the one it was made from."""
+    for name in ("tomllib", "tomli"):
+        try:
+            return import_module(name)
+        except ModuleNotFoundError:
+            continue
+    raise KitError(f"{COURSE} can't be read here: apt-get install python3-tomli")
+
+
+def roster(out: Path) -> dict[str, list[Member]]:
+    """The members of each submission, by its id or name: a login, or the name of a folder or group.
+    Raises UsageError."""
+    path = out / ROSTER
+    members: dict[str, list[Member]] = {}
+    seen: dict[str, int] = {}
+    for line, row in _rows(path, ("submission", "id"), ("name",)):
+        submission, id = row["submission"], row["id"]
+        if not submission or not id:
+            raise UsageError(f"{path} lacks the submission or the id in line {line}: fill it in")
+        if id in seen:
+            raise UsageError(
+                f"{path} has the id {id} in lines {seen[id]} and {line}: a person's points come "
+                "from one submission, so keep one of them"
+            )
+        seen[id] = line
+        members.setdefault(submission, []).append(Member(id, row["name"], True))
+    return members
+
+
+def adjustments(out: Path) -> list[Adjustment]:
+    """Raises UsageError."""
+    rows = _rows(out / ADJUSTMENTS, ("student", "reason"), (*CHANGES, "comment"))
+    return [_adjustment(out / ADJUSTMENTS, line, row) for line, row in rows]
+
+
+def _adjustment(path: Path, line: int, row: dict[str, str]) -> Adjustment:
+    where = f"{path}, line {line}:"
+    for column in ("student", "reason"):
+        if not row[column]:
+            raise UsageError(f"{where} the {column} is missing")
+    if not any(row[column] for column in CHANGES):
+        raise UsageError(f"{where} it changes nothing; fill in one of {', '.join(CHANGES)}")
+    late_days, cap = (_number(where, column, row) for column in ("late_days", "cap"))
+    if late_days is not None and (late_days < 0 or late_days != int(late_days)):
+        raise UsageError(f"{where} late_days is a whole number of days, 0 for an extension")
+    if cap is not None and cap < 0:
+        raise UsageError(f"{where} cap is the most points that are given, and not negative")
+    return Adjustment(
+        f"{ADJUSTMENTS}, line {line}:",
+        row["student"],
+        _number(where, "points", row) or 0.0,
+        _number(where, "percent", row) or 0.0,
+        None if late_days is None else int(late_days),
+        cap,
+        _checks(where, row["drop"]),
+        row["reason"],
+        row["comment"],
+    )
+
+
+def _number(where: str, column: str, row: dict[str, str]) -> float | None:
+    text = row[column].replace("\N{MINUS SIGN}", "-").replace(",", ".").removesuffix("%").strip()
+    if not text:
+        return None
+    try:
+        number = float(text)
+    except ValueError:
+        number = float("nan")
+    if not abs(number) < 1e6:
+        raise UsageError(f"{where} {column} should be a number, and is {row[column]!r}")
+    return number
+
+
+def _checks(where: str, text: str) -> tuple[str, ...]:
+    known = {check.id for part in parts() for check in part.checks}
+    names = tuple(filter(None, map(str.strip, text.replace(",", ";").split(";"))))
+    for name in names:
+        if name not in known:
+            raise UsageError(f"{where} there is no check {name!r}; grades.csv has their names")
+    return names
+
+
+def _rows(
+    path: Path, needed: Sequence[str], more: Sequence[str]
+) -> list[tuple[int, dict[str, str]]]:
+    """The rows that aren't empty, each with the line in which it ends and its cells by column; none
+    if there is no such file. Columns may be in any order, and separated by commas or semicolons.
+    Raises UsageError."""
+    if not path.exists():
+        return []
+    try:
+        text = path.read_text("utf-8-sig")
+    except (OSError, UnicodeDecodeError) as error:
+        raise UsageError(f"{path} can't be read ({error}): save it as CSV in UTF-8") from error
+    first = text.partition("\n")[0]
+    delimiter = ";" if first.count(";") > first.count(",") else ","
+    try:
+        reader = csv.reader(io.StringIO(text, newline=""), delimiter=delimiter, strict=True)
+        rows = [(reader.line_num, [cell.strip() for cell in row]) for row in reader]
+    except csv.Error as error:
+        raise UsageError(f"{path} is no CSV ({error}): save it again as CSV in UTF-8") from error
+    header = [cell.lower() for cell in rows[0][1]] if rows else []
+    takes = ", ".join([*needed, *more])
+    for column in needed:
+        if column not in header:
+            raise UsageError(
+                f"{path} has no column {column!r}: its first line names the columns, {takes}"
+            )
+    for column in header:
+        if column not in (*needed, *more):
+            raise UsageError(f"{path} has the column {column!r}: it takes {takes}")
+        if header.count(column) > 1:
+            raise UsageError(f"{path} has the column {column!r} twice: keep one of them")
+    for line, cells in rows[1:]:
+        if any(cells) and len(cells) != len(header):
+            raise UsageError(
+                f"{path} has {len(cells)} cells in line {line}, and {len(header)} in its first: "
+                "put texts with commas into quotation marks"
+            )
+    empty = dict.fromkeys(more, "")
+    return [(line, empty | dict(zip(header, cells))) for line, cells in rows[1:] if any(cells)]

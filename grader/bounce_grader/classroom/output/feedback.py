@@ -1,0 +1,134 @@
+"""Writes the feedback pages; for Canvas and Moodle, zips of the pages that they can import; and
+history.json, which results each student has had, so that a page says what has changed since the
+submission before."""
+
+import io
+import json
+import zipfile
+from collections.abc import Sequence
+from contextlib import suppress
+from pathlib import Path
+from typing import NamedTuple
+
+from bounce_grader.classroom.grading import results
+from bounce_grader.classroom.grading.results import Result
+from bounce_grader.classroom.grading.summary import Summary
+from bounce_grader.classroom.intake import canvas
+from bounce_grader.classroom.intake.student import Class
+from bounce_grader.common.errors import about_one_submission, UsageError
+from bounce_grader.common.files import read_object, write_whole
+from bounce_grader.formats import html
+from bounce_grader.grading.previous import compared, of_record, Previous
+from bounce_grader.grading.record import with_answers, without_answers
+
+NEW_PAGES = "feedback-new.zip"
+HISTORY = "history.json"  # a student's id -> keys of results, oldest first
+
+
+class Feedback(NamedTuple):
+    """What became of the feedback pages."""
+
+    without: dict[str, str]  # the reasons for missing pages, by student's id
+    to_upload: str  # a sentence: which zip has what students haven't got yet; "" if there is none
+
+
+def write(out: Path, submitted: Class, summaries: Sequence[Summary], reveal: bool) -> Feedback:
+    """Writes a page for each submission, and for whoever handed in what can't be graded. Removes
+    pages of earlier runs whose submissions are gone. Only with `reveal` do pages hold the expected
+    answers of hidden cases."""
+    folder = out / "feedback"
+    folder.mkdir(exist_ok=True)
+    pages: dict[str, None] = {}  # names, in order
+    without: dict[str, str] = {}
+    history = read_object(out / HISTORY)
+    ids = {summary.student.id for summary in summaries}
+    for entry in submitted.unmatched:
+        if entry.feedback and entry.user not in ids:
+            with suppress(UsageError), about_one_submission("there is no page"):
+                write_whole(folder / entry.feedback, html.refused(entry.page_text))
+                pages[entry.feedback] = None
+    for summary in summaries:
+        id, name = summary.student.id, summary.student.feedback
+        keys = history.setdefault(id, [])
+        result = results.load(out / "results", summary.key)
+        try:
+            with about_one_submission("there is no feedback page, as it can't be written"):
+                if result:
+                    page = _page(summary, result, reveal, _before(out, keys, result))
+                    write_whole(folder / name, page)
+                    pages[name] = None
+        except UsageError as error:
+            without[id] = str(error)
+        if summary.score is not None and keys[-1:] != [summary.key]:
+            keys.append(summary.key)
+    write_whole(out / HISTORY, json.dumps(history, indent=1, sort_keys=True))
+    for page_file in folder.glob("*.html"):
+        if page_file.name not in pages and _is_ours(page_file):
+            page_file.unlink()
+    if submitted.service not in ("canvas", "moodle"):
+        return Feedback(without, "")
+    zipped = [name for name in pages if submitted.service == "moodle" or canvas.parse(name)]
+    return Feedback(without, _write_zips(out, folder, zipped))
+
+
+def _before(out: Path, keys: Sequence[str], result: Result) -> Previous | None:
+    """The newest result of another submission of the same student's."""
+    for key in reversed(keys):
+        for folder in sorted(out.glob("results*")):
+            earlier = results.load(folder, key)
+            if earlier and earlier["record"] and earlier["submission"] != result["submission"]:
+                return of_record(earlier["record"])
+    return None
+
+
+def _page(summary: Summary, result: Result, reveal: bool, before: Previous | None) -> str:
+    if not result["record"]:
+        return html.refused(result["message"])
+    record = (with_answers if reveal else without_answers)(result["record"])
+    student, several = summary.student, len(summary.finals) > 1
+    in_the_end = [
+        html.InTheEnd((one.name or one.id) if several else "", one.points[0], one.applied)
+        for one in summary.finals
+        if summary.is_adjusted
+    ]
+    return html.render(compared(record, before), student.shown, student.unused, in_the_end)
+
+
+def _is_ours(page_file: Path) -> bool:
+    with page_file.open("rb") as stream:
+        return f"<title>{html.TITLE}".encode() in stream.read(200)
+
+
+def _write_zips(out: Path, folder: Path, pages: Sequence[str]) -> str:
+    """All pages; and those that changed since the last time, because Canvas adds a comment for each
+    page that it is given. Returns which to upload."""
+    whole = out / "feedback.zip"
+    before: dict[str, bytes] = {}
+    with suppress(OSError, zipfile.BadZipFile), zipfile.ZipFile(whole) as archive:
+        before = {name: archive.read(name) for name in archive.namelist()}
+    now = {name: (folder / name).read_bytes() for name in pages}
+    changed = {name: page for name, page in now.items() if before.get(name) != page}
+    if before and changed:
+        write_whole(out / NEW_PAGES, _zip(changed))
+    write_whole(whole, _zip(now))
+    number = f"{len(changed)} page{'s' * (len(changed) > 1)}"
+    if not pages:
+        return ""
+    if not changed:
+        old = f", and {NEW_PAGES} is an older one" if (out / NEW_PAGES).exists() else ""
+        return f"No page has changed since the last run: there is nothing new to upload{old}."
+    if not before:
+        return f"Upload {whole.name}, with {number}."
+    return (
+        f"Upload {NEW_PAGES}, with {number} that changed since the last run, before you give the "
+        "command again: it has only what changed since then."
+    )
+
+
+def _zip(pages: dict[str, bytes]) -> bytes:
+    """The same pages give the same bytes, whenever they were written."""
+    data = io.BytesIO()
+    with zipfile.ZipFile(data, "w") as archive:
+        for name, page in pages.items():
+            archive.writestr(zipfile.ZipInfo(name), page, zipfile.ZIP_DEFLATED)
+    return data.getvalue()
