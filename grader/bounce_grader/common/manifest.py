@@ -60,6 +60,20 @@ def parts() -> tuple[Part, ...]:
     )
 
 
+@cache
+def example_points() -> float:
+    """What the cases give that students hand in; 0 unless the manifest says otherwise."""
+    parts()  # which finds a manifest that isn't valid
+    points = json.loads((ROOT / NAME).read_text("utf-8")).get("examples", 0)
+    if not _is_points(points):
+        raise UsageError(f"{NAME}: examples has to be a number of points that isn't negative")
+    return float(points)
+
+
+def full_points() -> float:
+    return sum(part.points for part in parts()) + example_points()
+
+
 def named_together(numbers: Sequence[int]) -> str:
     """Some parts in words: "part 2", "parts 1, 2 and 4", or "all parts"."""
     if len(numbers) == len(parts()) > 1:

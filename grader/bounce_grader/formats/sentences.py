@@ -68,6 +68,20 @@ def speed_words(record: Record) -> list[str]:
     return speed.sentences(measured) if "otherwise" in measured else []
 
 
+def about_cases(record: Record) -> list[str]:
+    """What the cases are worth that were handed in, a line each; empty if none were."""
+    found = record.get("examples")
+    if not found:
+        return []
+    cases, caught, missed = found["cases"], found["caught"], found["missed"]
+    not_yet = f"; not caught: {', '.join(missed)}" if missed else ""
+    return [
+        f"Cases: {sum(case['right'] for case in cases)} of {len(cases)} are right; they catch "
+        f"{len(caught)} of {len(caught) + len(missed)} wrong programs{not_yet}",
+        *(f"{case['place']}: {case['message']}" for case in cases if not case["right"]),
+    ]
+
+
 def since_last_time(record: Record) -> list[str]:
     """What has changed since the record of before, if there is one."""
     before = record.get("before")

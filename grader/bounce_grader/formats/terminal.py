@@ -34,6 +34,8 @@ def lines(record: Record) -> list[tuple[str, str]]:
     out += [("", terminal(line)) for line in [*since, *([""] if since else [])]]
     for part in record["parts"]:
         out += _part(part)
+    cases = sentences.about_cases(record)
+    out += [("", terminal(line)) for line in [*cases, *([""] if cases else [])]]
     if record.get("speed"):
         out += _speed(record["speed"])
     unusual = [name for name in record["ignored"] if name not in _handed_out()]

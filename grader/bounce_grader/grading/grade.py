@@ -14,7 +14,7 @@ from bounce_grader.common.files import remove_unlocked, temporary_folder
 from bounce_grader.common.manifest import parts, Part
 from bounce_grader.common.parallel_map import parallel_map
 from bounce_grader.common.paths import STUBS, WORK_FOLDER
-from bounce_grader.grading import fixtures, judging, record, sanitizing
+from bounce_grader.grading import examples, fixtures, judging, record, sanitizing
 from bounce_grader.grading.judging import Judged
 from bounce_grader.grading.record import Record
 from bounce_grader.sandbox import box as boxes
@@ -55,17 +55,20 @@ def grade(given: Path | Submission, options: Options = Options()) -> Record:
         if not any(r["score"] for r in records):
             _require_working_kit(Box(box.kind))
         measured = _speed(grading) if options.speed else None
+        cases = examples.judged(taken.cases, box)
         if options.sanitize:
             records = parallel_map(grading.with_remarks, records, jobs)
     end = time.monotonic()
     graded = record.whole(
         taken,
-        records,
+        [*records, *(examples.part_records(cases) if cases else [])],
         box.kind,
         {"compile": compiled - start, "run": end - compiled, "total": end - start},
         record.digest_of([fixtures.PUBLIC, hidden]),
         measured,
     )
+    if cases:
+        graded["examples"] = cases
     return graded if options.answers else record.without_answers(graded)
 
 

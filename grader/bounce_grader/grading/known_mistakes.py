@@ -105,11 +105,12 @@ def _equations() -> set[int]:
 # --- answers ---
 
 
-def answers(part: Part, runner: Path) -> Answers:
-    """A runner's answers to the public cases of a part, with given earlier parts. Empty if it ends
-    before it has answered them all. Raises KitError if the judge fails."""
-    fixtures = [str(FIXTURES / "public")]
-    asked = {"answers": True, "part": part.number, "given": bool(part.calls), "fixtures": fixtures}
+def answers(part: Part, runner: Path, cases: Path = FIXTURES / "public") -> Answers:
+    """A runner's answers to the cases of a part in a folder, and to the diagnostic questions that
+    are made of them, with given earlier parts. Empty if it ends before it has answered them all.
+    Raises KitError if the judge fails."""
+    given = bool(part.calls)
+    asked = {"answers": True, "part": part.number, "given": given, "fixtures": [str(cases)]}
     # There it may make files: it has no box.
     command = [str(JUDGE), json.dumps(asked), str(runner)]
     result = processes.run(command, LIMITS, cwd=runner.parent)

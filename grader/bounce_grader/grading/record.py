@@ -175,7 +175,7 @@ def whole(
 ) -> Record:
     record: Record = {
         "score": sum(p["score"] for p in part_records),
-        "max_score": sum(part.points for part in parts()),
+        "max_score": sum(p["max_score"] for p in part_records),
         "parts": [_with_paths(part, submission) for part in part_records],
         "box": box,
         "seconds": {phase: round(value, 3) for phase, value in seconds.items()},

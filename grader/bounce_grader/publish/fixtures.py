@@ -4,8 +4,11 @@ committed ones."""
 import tempfile
 from pathlib import Path
 
+from bounce_grader.common.files import write_whole
 from bounce_grader.grading import known_mistakes
+from bounce_grader.grading.examples import TABLE
 from bounce_grader.grading.fixtures import DEFAULT, PUBLIC, hidden_folder, write
+from bounce_grader.publish import wrong_programs
 
 
 def write_all() -> int:
@@ -13,6 +16,7 @@ def write_all() -> int:
     write("hidden", DEFAULT)
     hidden_folder()
     known_mistakes.write()
+    write_whole(TABLE, wrong_programs.table())
     return 0
 
 
@@ -39,6 +43,8 @@ def check() -> int:
     mistakes that don't match the gallery. Returns the exit status."""
     mistakes = [f"public/mistakes/{name}" for name in sorted(known_mistakes.stale())]
     names = [*differing(), *mistakes]
+    if TABLE.read_text("utf-8") != wrong_programs.table():
+        names.append(f"public/{TABLE.name}")
     for name in names:
         print(f"fixtures/{name} isn't what the kit writes: run ./kit fixtures")
     return int(bool(names))

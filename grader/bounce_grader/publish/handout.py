@@ -8,6 +8,7 @@ points the texts say. Times and permissions are fixed, so that the same kit give
 from pathlib import Path
 
 from bounce_grader.common.paths import HANDOUT, ROOT
+from bounce_grader.grading.examples import TABLE
 from bounce_grader.grading.fixtures import PUBLIC
 from bounce_grader.publish import archive, handout_data, handout_page
 from bounce_grader.publish.handout_page import with_points
@@ -31,6 +32,7 @@ def files() -> dict[str, Path]:
     diagnosis = ROOT / "grader" / "diagnosis"
     chosen |= {f"tests/diagnosis/{f.name}": f for f in diagnosis.iterdir()}
     chosen |= {f"fixtures/public/{f.relative_to(PUBLIC)}": f for f in PUBLIC.rglob("*.json")}
+    chosen[f"fixtures/public/{TABLE.name}"] = TABLE
     chosen["tests/parts.json"] = ROOT / "grader" / "parts.json"
     chosen[".clang-format"] = ROOT / ".clang-format"
     return dict(sorted(chosen.items()))

@@ -18,9 +18,10 @@ from bounce_grader.common.escaping import first_few, printable_name
 from bounce_grader.common.manifest import parts, Part
 from bounce_grader.common.paths import HANDOUT
 from bounce_grader.submission import intake
-from bounce_grader.submission.entry import text_of, Entry, NotText
+from bounce_grader.submission.entry import text_of, Entry, LARGEST_SOURCE, NotText
 
 SOURCES = {".cpp", ".cc", ".cxx"}
+CASES = "examples.txt"  # which students write for ./check --examples
 HEADERS = {".hpp", ".h", ".hh", ".hxx", ".ipp", ".inl"}
 GIVEN = {file.name for file in (HANDOUT / "given").iterdir()} | {"main.cpp"}
 GIVEN_IN_FOLDERS = {file.relative_to(HANDOUT).parts for file in (HANDOUT / "given").glob("*/*")}
@@ -63,6 +64,7 @@ class Submission(NamedTuple):
     refused: dict[int, str]  # part number -> why it isn't used
     ignored: tuple[str, ...] = ()
     top: str = "."  # the folder that held everything, from which these paths begin
+    cases: bytes = b""
 
     @property
     def helpers(self) -> list[str]:
@@ -83,6 +85,7 @@ class Submission(NamedTuple):
         digest = hashlib.sha256()
         for name in sorted(self.files):
             digest.update(os.fsencode(f"{name}\0{len(self.files[name])}\0") + self.files[name])
+        digest.update(self.cases)
         return digest.hexdigest()
 
     def write_to(self, folder: Path, names: Iterable[str] | None = None) -> None:
@@ -127,7 +130,8 @@ def take(path: Path, entries: list[Entry]) -> Submission:
         del files[name]
         not_text[name] = "holds GoogleTest tests, which aren't run here"
     unused = {n for n in files if part_file(PurePosixPath(n).name)} - {*chosen.values()}
-    left = (names.keys() - wanted.keys()) | unused | (not_text.keys() - {*chosen.values()})
+    cases = names.get(CASES)
+    left = (names.keys() - wanted.keys() - {CASES}) | unused | (not_text.keys() - {*chosen.values()})
     return Submission(
         name=path.name,
         files={n: t for n, t in files.items() if n not in unused},
@@ -135,6 +139,7 @@ def take(path: Path, entries: list[Entry]) -> Submission:
         refused={n: f"{name} {not_text[name]}" for n, name in chosen.items() if name in not_text},
         ignored=tuple(f"{n} ({not_text[n]})" if n in not_text else n for n in sorted(left)),
         top=top,
+        cases=cases.read(LARGEST_SOURCE) if cases and not cases.link else b"",
     )
 
 

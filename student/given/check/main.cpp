@@ -20,6 +20,7 @@ constexpr int kAllPass = 0, kSomethingFails = 1, kUsage = 2, kCannotCheck = 3;
 constexpr const char* kKnown =
     "./check            all four parts\n"
     "./check 2          part 2 alone\n"
+    "./check --examples which wrong programs the cases in examples.txt catch; with --hint, a hint\n"
     "./check --hint     the next stage of the hint for the first check that fails; or ./check 2 "
     "--hint\n"
     "./check --sanitize finds wrong uses of memory, too; slower\n"
@@ -30,7 +31,8 @@ constexpr const char* kKnown =
 
 struct Options {
   int part = 0;  // 0: all
-  bool hints = false, watches = false, sanitized = false, studies = false, real = false;
+  bool hints = false, watches = false, sanitized = false, studies = false, real = false,
+       examples = false;
 };
 
 struct Usage : std::runtime_error {
@@ -55,6 +57,8 @@ Options read_options(const std::vector<std::string>& words, const std::vector<Pa
     }
     if (is_number) {
       options.part = word[0] - '0';
+    } else if (word == "--examples") {
+      options.examples = true;
     } else if (word == "--hint") {
       options.hints = true;
     } else if (word == "--sanitize" && !kHasSanitizers) {
@@ -161,6 +165,9 @@ int run(const std::vector<std::string>& words) {
     return kAllPass;
   }
   const Options options = read_options(words, read_parts());
+  if (options.examples) {
+    return judge_examples(options.part, options.hints) ? kAllPass : kSomethingFails;
+  }
   if (options.watches) {
     watch(options);
     return kAllPass;

@@ -36,6 +36,10 @@ void study(const Run& run);
 // Asks part 2 about measured impacts, and writes real.html. Throws Failure as study does.
 void ask_about_real_impacts(const Run& run);
 
+// Says which wrong programs the cases in examples.txt catch, of one part or of all (0), or gives a
+// hint. Whether nothing is left to do. Throws Failure.
+bool judge_examples(int part, bool hints);
+
 // The file with all that a part's program printed.
 std::string prints_file(int part);
 

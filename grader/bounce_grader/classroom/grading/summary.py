@@ -48,6 +48,7 @@ class Summary:
     passed: frozenset[str] = frozenset()  # checks
     statuses: Mapping[int, str] = field(default_factory=dict)  # only those that aren't "graded"
     mistakes: Mapping[str, str] = field(default_factory=dict)  # titles, by name
+    caught: frozenset[str] = frozenset()  # wrong programs, by the cases that were handed in
     box: str = ""
     ratio: float | None = None  # time of a step over the solution's
     error: float | None = None
@@ -110,6 +111,7 @@ def of_result(student: Student, key: str, result: dict[str, Any]) -> Summary:
         passed=frozenset(check["id"] for check in checks if check["passed"]),
         statuses={p["part"]: p["status"] for p in record["parts"] if p["status"] != "graded"},
         mistakes={m["name"]: m["title"] for part in record["parts"] for m in part["mistakes"]},
+        caught=frozenset(record.get("examples", {}).get("caught", ())),
         box=record["box"],
         ratio=measured.get("ratio"),
         error=measured.get("largest_error"),

@@ -15,7 +15,7 @@ from bounce_grader.classroom.intake.instructor_files import (
 from bounce_grader.classroom.intake.people import People
 from bounce_grader.classroom.intake.student import Class, Member, Student
 from bounce_grader.common.escaping import first_few
-from bounce_grader.common.manifest import parts
+from bounce_grader.common.manifest import full_points, parts
 from bounce_grader.common.numbers import short
 
 
@@ -98,7 +98,7 @@ def with_finals(
 
 def _final(summary: Summary, member: Member, own: Sequence[Adjustment], course: Course) -> Final:
     """Applies, in this order: dropped checks, lateness, points and percent, caps."""
-    most = sum(part.points for part in parts())
+    most = full_points()
     points = {0: summary.score or 0.0, **summary.parts}
     applied: list[Applied] = []
 

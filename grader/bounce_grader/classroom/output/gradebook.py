@@ -11,7 +11,7 @@ from typing import NamedTuple
 from bounce_grader.classroom.grading.summary import Final
 from bounce_grader.classroom.output.table import Row, Table
 from bounce_grader.common.errors import UsageError
-from bounce_grader.common.manifest import parts
+from bounce_grader.common.manifest import full_points, parts
 from bounce_grader.common.numbers import short
 
 TOTAL = re.compile(r"(Current|Final|Override).*(Score|Points|Grade|Status)")  # computed by Canvas
@@ -217,7 +217,7 @@ class Gradebook(ABC):
         return not with_point and any(re.fullmatch(r"\d+,\d+", text) for text in texts)
 
     def _other_points_possible(self) -> list[str]:
-        most = {0: sum(part.points for part in parts()), **{p.number: p.points for p in parts()}}
+        most = {0: full_points(), **{p.number: p.points for p in parts()}}
         return [
             f"{self.service.capitalize()} has {short(points)} points possible for "
             f"{self.table.header[column]}, the kit {short(most[part])}: change it there"

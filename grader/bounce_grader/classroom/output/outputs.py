@@ -14,7 +14,7 @@ from bounce_grader.classroom.output.final import adjusted
 from bounce_grader.classroom.output.gradebook import Gradebook
 from bounce_grader.common.escaping import csv_row
 from bounce_grader.common.files import read_object, write_whole
-from bounce_grader.common.manifest import parts
+from bounce_grader.common.manifest import full_points
 
 TITLE = "Bouncing"
 WRITTEN = "written.json"  # the points that runs have filled in: what differs, a person has changed
@@ -66,7 +66,7 @@ def _make_up(path: Path, given: Sequence[Final], title: str, log: Log) -> list[s
             "--column to fill it anew"
         ]
     header = ["Student", "ID", "SIS Login ID", "Section", title]
-    most = sum(part.points for part in parts())
+    most = full_points()
     rows = [header, ["    Points Possible", "", "", "", f"{most:.2f}"]]
     for one in sorted(given, key=lambda one: (one.name, one.id)):
         canvas, login = (one.id, "") if one.id.isdigit() else ("", one.id)

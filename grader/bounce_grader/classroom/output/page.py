@@ -14,11 +14,11 @@ from bounce_grader.classroom.intake.student import Class
 from bounce_grader.classroom.output import charts
 from bounce_grader.classroom.output.charts import Bar, Curve
 from bounce_grader.common.escaping import first_few, printable_name
-from bounce_grader.common.manifest import named_together, part_of, parts
+from bounce_grader.common.manifest import full_points, named_together, part_of, parts
 from bounce_grader.common.numbers import percent, scientific, short
 from bounce_grader.formats.figures import Drawing, NAMES, ON_PAPER
 from bounce_grader.formats.html import fill
-from bounce_grader.grading import speed
+from bounce_grader.grading import examples, speed
 from bounce_grader.grading.hints import nudge, of_check
 from bounce_grader.grading.known_mistakes import for_the_instructor
 
@@ -48,6 +48,7 @@ def render(
         mistakes=[mistake for mistake in mistakes if len(mistake["who"]) > 1],
         mistakes_of_one=[mistake for mistake in mistakes if len(mistake["who"]) == 1],
         failed_checks=_failed_checks(graded),
+        cases=_cases(graded),
         timed=any(s.ratio is not None for s in summaries),
         curves=_curves(summaries, graded),
         chart_style=ON_PAPER,
@@ -99,6 +100,20 @@ def _mistake(name: str, title: str, who: list[str]) -> dict[str, Any]:
     }
 
 
+def _cases(graded: Sequence[Summary]) -> list[str]:
+    """What the cases caught that were handed in, in sentences; none if nobody wrote any."""
+    caught = [s.caught for s in graded if s.caught]
+    if not caught:
+        return []
+    folders = examples.folders()
+    nobody = [f"{name} ({folders[name]})" for name in folders if not any(name in c for c in caught)]
+    return [
+        f"{len(caught)} handed in cases that catch a wrong program, "
+        f"{statistics.mean(map(len, caught)):.1f} of {len(folders)} in the mean.",
+        f"Caught by nobody: {', '.join(nobody) or 'none'}.",
+    ]
+
+
 def of_near_copies(near: Similar, summaries: Sequence[Summary]) -> list[str]:
     """A sentence for each of the nearest copies, or why there is none."""
     names = names_of(summaries)
@@ -121,7 +136,7 @@ def pair_share(pair: Pair) -> str:
 
 
 def _full() -> float:
-    return sum(part.points for part in parts())
+    return full_points()
 
 
 def names_of(summaries: Sequence[Summary]) -> dict[str, str]:

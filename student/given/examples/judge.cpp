@@ -1,0 +1,147 @@
+#include "judge.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "cases.hpp"
+
+namespace bounce::examples {
+namespace {
+
+constexpr std::size_t kLargest = 1 << 16;            // bytes of a file
+constexpr double kRounding = 1e-6;                   // in units of the last digit
+constexpr double kNudge = 1e-7, kContinuous = 1e-4;  // m or rad; and what may become of it
+
+const Program& right_program(int part, const Table& table) {
+  return *std::find_if(table.programs.begin(), table.programs.end(), [&](const Program& program) {
+    return program.part == part && program.name == "-";
+  });
+}
+
+// Whether the number, rounded or cut off to the digits that were written, is what was written.
+bool agrees(double value, const Given& claim) {
+  const double off = (value - claim.value) / claim.unit, further = value < 0 ? -off : off;
+  return std::abs(off) < 0.5 + kRounding || (0 < further && further < 1 - kRounding);
+}
+
+bool agrees(const Values& values, const Case& asked) {
+  return std::all_of(asked.outputs.begin(), asked.outputs.end(), [&](const Given& claim) {
+    return agrees(values[claim.quantity->place], claim);
+  });
+}
+
+// Whether a program gives much the same when an input changes by next to nothing.
+bool is_decided(const Program& program, const Case& asked, const Quantity& input,
+                const Table& table) {
+  const Values here = table.run(program, asked.values);
+  for (const double nudge : {-kNudge, kNudge}) {
+    Case beside = asked;
+    beside.values[input.place] += nudge;
+    const Values there = table.run(program, beside.values);
+    for (const Given& given : asked.outputs) {
+      const double a = here[given.quantity->place], b = there[given.quantity->place];
+      const double most = kContinuous * std::max({1.0, std::abs(a), std::abs(b)});
+      if (!(std::abs(a - b) < most)) return false;
+    }
+  }
+  return true;
+}
+
+// The input by which rounding decides what a program answers; null if there is none.
+const Quantity* undecided(const Program& program, const Case& asked, const Table& table) {
+  for (const char* name : {"y", "theta"}) {
+    for (const Quantity& input : table.inputs) {
+      if (input.name == name && !is_decided(program, asked, input, table)) return &input;
+    }
+  }
+  return nullptr;
+}
+
+void require_decided(const Case& asked, const Table& table) {
+  const Quantity* input = undecided(right_program(asked.part, table), asked, table);
+  if (!input) return;
+  std::size_t column = 1;
+  for (const Given& given : asked.inputs) {
+    if (given.quantity == input) column = given.column;
+  }
+  throw Problem(column,
+                input->name == "theta"
+                    ? "the square lies flat, or nearly so: two corners are equally low, and "
+                      "either is right; turn it by theta"
+                    : "phi is so near to delta that rounding decides whether the corner "
+                      "touches: change y");
+}
+
+// How far off a number is, in words that don't tell the right one.
+std::string distance(double right, const Given& claim) {
+  const double size = std::abs(claim.value / right);
+  if (std::abs(right) < 1e-12) return "isn't right";
+  if (claim.value == 0) return "isn't 0";
+  if (claim.value * right < 0) {
+    Given turned = claim;
+    turned.value = -claim.value;
+    return agrees(right, turned) ? "has the other sign" : "has another sign and another size";
+  }
+  const double share = std::abs(size - 1);
+  const char* much = share < 0.02  ? "less than 2 %"
+                     : share < 0.2 ? "2 to 20 %"
+                     : share < 1   ? "20 to 100 %"
+                                   : "more than 100 %";
+  return std::string("is too ") + (size > 1 ? "large" : "small") + " in size, by " + much;
+}
+
+Verdict judged(const Case& asked, const std::string& place, const Table& table) {
+  require_decided(asked, table);
+  Verdict verdict{place, asked.part, false, {}, ""};
+  const Values right = table.run(right_program(asked.part, table), asked.values);
+  for (const Given& claim : asked.outputs) {
+    if (agrees(right[claim.quantity->place], claim)) continue;
+    verdict.sentence += (verdict.sentence.empty() ? "" : "; ") + claim.quantity->name + " " +
+                        distance(right[claim.quantity->place], claim);
+  }
+  verdict.is_right = verdict.sentence.empty();
+  for (const Program& program : table.programs) {
+    if (program.part != asked.part || program.name == "-") continue;
+    const bool answers_so = agrees(table.run(program, asked.values), asked);
+    if (answers_so == verdict.is_right || undecided(program, asked, table)) continue;
+    if (verdict.is_right) {
+      verdict.caught.push_back(program.name);
+    } else {
+      verdict.sentence += "; wrong program " + program.name + " answers this";
+    }
+  }
+  return verdict;
+}
+
+}  // namespace
+
+Judged judge(const std::string& cases, const Table& table) {
+  Judged all;
+  std::istringstream lines(cases.substr(0, kLargest));
+  std::size_t number = 1;
+  for (std::string line; std::getline(lines, line); ++number) {
+    const std::string place = "line " + std::to_string(number);
+    try {
+      const Case asked = read_case(line, table);
+      if (asked.part) all.verdicts.push_back(judged(asked, place, table));
+    } catch (const Problem& problem) {
+      const std::string column = ", column " + std::to_string(problem.column);
+      all.verdicts.push_back({place + column, 0, false, {}, problem.what()});
+    }
+  }
+  if (cases.size() > kLargest) {
+    all.verdicts.push_back({"line " + std::to_string(number), 0, false, {}, "only 64 KB are read"});
+  }
+  for (const Program& program : table.programs) {
+    if (program.name == "-") continue;
+    const bool is_caught =
+        std::any_of(all.verdicts.begin(), all.verdicts.end(), [&](const Verdict& verdict) {
+          return std::count(verdict.caught.begin(), verdict.caught.end(), program.name) > 0;
+        });
+    (is_caught ? all.caught : all.missed).push_back(program.name);
+  }
+  return all;
+}
+
+}  // namespace bounce::examples
