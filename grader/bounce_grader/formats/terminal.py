@@ -80,8 +80,8 @@ def _check(part: Record, check: Record) -> list[tuple[str, str]]:
     mark, style = ("✓", "green") if check["passed"] else ("✗", "red")
     out = [(style, f"  {mark} {check['title']:<64}{out_of(check):>8}")]
     out += [("", f"      {terminal(line)}") for line in check["message"].split("\n") if line]
-    if check["message"]:
-        out.append(("dim", f"      hint {sentences.hint(part, check)}"))
+    if check["message"] and (hint := sentences.hint(part, check)):
+        out.append(("dim", f"      hint {hint}"))
     return out
 
 

@@ -4,7 +4,6 @@ into fixtures/public/wrong_programs.txt: the same with numbers in place of names
 
 import hashlib
 import re
-from collections.abc import Iterator
 
 from bounce_grader.grading.examples import SOURCE
 
@@ -34,24 +33,18 @@ def table() -> str:
     inputs = [head.split()[1] for head in heads if head.startswith("input")]
     names = sorted({*inputs, *(name for name, _ in steps)}, key=_shuffled)
     at = {name: str(index) for index, name in enumerate(names)}
-    return "".join(f"{line}\n" for line in _lines(heads, programs, steps, at))
-
-
-def _lines(
-    heads: list[str],
-    programs: dict[tuple[int, str], list[tuple[str, str]]],
-    steps: list[tuple[str, str]],
-    at: dict[str, str],
-) -> Iterator[str]:
+    lines = []
     for kind, *words in map(str.split, heads):
         if kind == "input":
-            yield " ".join([kind, at[words[0]], *words])
+            lines.append(" ".join([kind, at[words[0]], *words]))
         else:
-            yield from (f"{kind} {at[name]} {name} 0 -1e300 1e300 {words[0]}" for name in words[1:])
-    for name, formula in steps:
-        yield f"step {at[name]} {_numbered(formula, at)}"
+            lines += [f"{kind} {at[name]} {name} 0 -1e300 1e300 {words[0]}" for name in words[1:]]
+    lines += [f"step {at[name]} {_numbered(formula, at)}" for name, formula in steps]
     for (part, letter), program in programs.items():
-        yield " ".join(["program", str(part), letter, *(str(steps.index(s)) for s in program)])
+        lines.append(
+            " ".join(["program", str(part), letter, *(str(steps.index(s)) for s in program)])
+        )
+    return "\n".join(lines) + "\n"
 
 
 def _read() -> tuple[list[str], dict[int, Formulas], dict[str, Formulas]]:

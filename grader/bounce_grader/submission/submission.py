@@ -131,7 +131,9 @@ def take(path: Path, entries: list[Entry]) -> Submission:
         not_text[name] = "holds GoogleTest tests, which aren't run here"
     unused = {n for n in files if part_file(PurePosixPath(n).name)} - {*chosen.values()}
     cases = names.get(CASES)
-    left = (names.keys() - wanted.keys() - {CASES}) | unused | (not_text.keys() - {*chosen.values()})
+    left = (
+        (names.keys() - wanted.keys() - {CASES}) | unused | (not_text.keys() - {*chosen.values()})
+    )
     return Submission(
         name=path.name,
         files={n: t for n, t in files.items() if n not in unused},

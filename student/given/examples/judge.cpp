@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <sstream>
 
 #include "cases.hpp"
@@ -14,9 +15,8 @@ constexpr double kRounding = 1e-6;                   // in units of the last dig
 constexpr double kNudge = 1e-7, kContinuous = 1e-4;  // m or rad; and what may become of it
 
 const Program& right_program(int part, const Table& table) {
-  return *std::find_if(table.programs.begin(), table.programs.end(), [&](const Program& program) {
-    return program.part == part && program.name == "-";
-  });
+  const auto is_it = [&](const Program& one) { return one.part == part && one.name == "-"; };
+  return *std::find_if(table.programs.begin(), table.programs.end(), is_it);
 }
 
 // Whether the number, rounded or cut off to the digits that were written, is what was written.
@@ -133,13 +133,13 @@ Judged judge(const std::string& cases, const Table& table) {
   if (cases.size() > kLargest) {
     all.verdicts.push_back({"line " + std::to_string(number), 0, false, {}, "only 64 KB are read"});
   }
+  std::set<std::string> caught;
+  for (const Verdict& verdict : all.verdicts) {
+    caught.insert(verdict.caught.begin(), verdict.caught.end());
+  }
   for (const Program& program : table.programs) {
     if (program.name == "-") continue;
-    const bool is_caught =
-        std::any_of(all.verdicts.begin(), all.verdicts.end(), [&](const Verdict& verdict) {
-          return std::count(verdict.caught.begin(), verdict.caught.end(), program.name) > 0;
-        });
-    (is_caught ? all.caught : all.missed).push_back(program.name);
+    (caught.count(program.name) ? all.caught : all.missed).push_back(program.name);
   }
   return all;
 }

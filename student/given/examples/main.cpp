@@ -42,12 +42,12 @@ void print_json(const Judged& judged) {
 }
 
 // Those of a part, or of all (0).
-std::vector<std::string> of_part(std::vector<std::string> names, int part) {
-  names.erase(
-      std::remove_if(names.begin(), names.end(),
-                     [&](const std::string& name) { return part && name[0] != '0' + part; }),
-      names.end());
-  return names;
+std::vector<std::string> of_part(const std::vector<std::string>& names, int part) {
+  std::vector<std::string> chosen;
+  for (const std::string& name : names) {
+    if (!part || name[0] == '0' + part) chosen.push_back(name);
+  }
+  return chosen;
 }
 
 // Whether nothing is left to do.

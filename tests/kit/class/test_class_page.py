@@ -19,6 +19,7 @@ from bounce_grader.submission import submission
 from conftest import write
 
 NOBODY = Similar((), 0)
+CAUGHT = frozenset({"1B", "2H"})
 DEGREES = {"part1_degrees": "theta is taken for degrees"}
 
 
@@ -42,7 +43,9 @@ def test_the_page_is_what_a_person_has_read(tmp_path: Path) -> None:
     right, failed = summary(tmp_path, "right"), Summary(Student("x", "x", tmp_path), "k", "failed")
     made += [failed, replace(right, score=100.0, error=4.9e-13, mistakes=DEGREES)]
     both = {**DEGREES, "part2_dt_squared": "dt twice <in> V"}
-    lost = replace(summary(tmp_path, "lost"), score=70.0, error=4.9e-13, mistakes=both)
+    lost = replace(
+        summary(tmp_path, "lost"), score=70.0, error=4.9e-13, mistakes=both, caught=CAUGHT
+    )
     pairs = (Pair("far", "slow", 90), Pair("<b>", "lost", 95, (1, 2, 4)))
     near = Similar((*pairs, Pair("far", "lost", 91, (1, 2, 3, 4))), 40, more=1)
     text = page.render(Class("a folder"), [*made, lost], near, ["a sentence"])

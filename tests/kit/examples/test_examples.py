@@ -13,10 +13,11 @@ from bounce_grader.build import linking
 from bounce_grader.build.compile import compile_all
 from bounce_grader.common.manifest import Part, parts
 from bounce_grader.common.paths import EXAMPLES, REFERENCE_RUNNER
-from bounce_grader.grading import fixtures, known_mistakes
+from bounce_grader.formats import terminal
+from bounce_grader.grading import examples, fixtures, known_mistakes
 from bounce_grader.grading.examples import folders, TABLE
 from bounce_grader.submission import submission
-from conftest import ROOT, write
+from conftest import Grade, ROOT, write
 
 HERE = Path(__file__).parent
 HINTS = ROOT / "student" / "given" / "examples" / "hints.txt"
@@ -31,14 +32,14 @@ SECRETS = ("one", "two", "three")
 AT_ONCE = 100  # lines
 
 
-def examples(cases: str, *words: str) -> str:
+def judged(cases: str, *words: str) -> str:
     command = [str(EXAMPLES), "-", str(TABLE), *words]
     return subprocess.run(command, input=cases, capture_output=True, text=True).stdout
 
 
 def verdicts(lines: list[str]) -> list[dict[str, Any]]:
     chunks = [lines[at : at + AT_ONCE] for at in range(0, len(lines), AT_ONCE)]
-    return [v for some in chunks for v in json.loads(examples("\n".join(some)))["cases"]]
+    return [v for some in chunks for v in json.loads(judged("\n".join(some)))["cases"]]
 
 
 def test_each_wrong_program_is_caught_alone_by_a_case_found_by_hand() -> None:
@@ -54,8 +55,25 @@ def test_each_wrong_program_is_caught_alone_by_a_case_found_by_hand() -> None:
 
 @pytest.mark.golden
 def test_a_case_is_judged_in_one_sentence_with_its_place() -> None:
-    said = examples((HERE / "cases.txt").read_text(), "0")
+    said = judged((HERE / "cases.txt").read_text(), "0")
     golden.compare_file(HERE / "cases.expected.txt", said)
+
+
+@pytest.mark.golden
+def test_cases_that_are_handed_in_are_told_of_and_give_points_where_the_course_says_so(
+    grade: Grade, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(examples, "example_points", lambda: 46)
+    assert grade({})["parts"][-1]["score"] == 0
+    cases = (HERE / "alone.txt").read_bytes().partition(b"part 3: y = 0.15")[0]
+    record = grade({"examples.txt": cases + b"part 1: -> phi"})
+    assert (record["score"], record["max_score"]) == (100 + 46 * 20 / 23, 146)
+    schema = json.loads((ROOT / "docs" / "record.schema.json").read_text())
+    pytest.importorskip("jsonschema").validate(record, schema)
+    report = "".join(f"{line}\n" for _, line in terminal.lines(record))
+    golden.compare_file(HERE / "report.expected.txt", report.partition("Part 5")[2])
+    monkeypatch.undo()
+    assert (record := grade({}))["score"] == record["max_score"] == 100 and not record["ignored"]
 
 
 @pytest.fixture(scope="module")
