@@ -67,6 +67,11 @@ def _class(options: argparse.Namespace) -> int:
             bool(options.canvas) == bool(options.submissions),
             "give either the submissions or --canvas COURSE/ASSIGNMENT",
         ),
+        (
+            options.submissions and options.out.resolve() == options.submissions.resolve(),
+            f"{options.out} holds the submissions: give another folder by --out",
+        ),
+        (options.out.is_file(), f"{options.out} is a file: give a folder by --out"),
         (options.upload and not options.canvas, "--upload needs --canvas COURSE/ASSIGNMENT"),
         (
             options.canvas and options.gradebook,

@@ -220,7 +220,8 @@ class Gradebook(ABC):
         most = {0: full_points(), **{p.number: p.points for p in parts()}}
         return [
             f"{self.service.capitalize()} has {short(points)} points possible for "
-            f"{self.table.header[column]}, the kit {short(most[part])}: change it there"
+            f"{self.table.header[column]}, the kit {short(most[part])}: if it is the right column, "
+            "change it there"
             for part, column in self._columns.items()
             for points in dict.fromkeys(map(number_in, self._points_possible(part)))
             if points is not None and points != most[part]

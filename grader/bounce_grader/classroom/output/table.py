@@ -42,6 +42,8 @@ class Table:
             data = path.read_bytes()
         except OSError as error:
             raise UsageError(f"{path} can't be read: {error.strerror}") from error
+        if data.startswith(b"PK"):  # a zip, as an Excel workbook is
+            raise UsageError(f"{self.name} is a zip or a workbook: give the grade book as CSV")
         self._encoding, text = self._decoded(data)
         if "\0" in text:
             raise UsageError(f"{self.name} isn't UTF-8: download it again, or save it as CSV UTF-8")
