@@ -181,7 +181,7 @@ def _run(request: Request, given: Given, log: Log) -> int:
     summaries = grading.summarize(tasks, failed)
     summaries = final.with_finals(summaries, assigned, given.course, intake.logins)
     readable = [s.student for s in summaries if s.state != "unreadable"]
-    near = near_copies.find(readable, request.trust, given.corpus)
+    near = near_copies.find(readable, given.corpus)
     pages = feedback.write(out, intake, summaries, request.reveal)
     for reasons in (near.incomplete, pages.without):
         summaries = [

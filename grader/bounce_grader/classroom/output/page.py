@@ -122,14 +122,13 @@ def _cases(graded: Sequence[Summary]) -> list[str]:
 
 
 def of_near_copies(near: Similar, summaries: Sequence[Summary]) -> list[str]:
-    """A sentence for each of the nearest copies, or why there is none."""
+    """A sentence for each of the nearest copies."""
     names = names_of(summaries)
     sentences = [
         f"{' and '.join(pair_names(pair, names))} have {pair_share(pair)} in common: look whether "
         "one is a copy"
         for pair in near.pairs
     ]
-    sentences += [f"near-copies weren't looked for: {near.problem}"] * bool(near.problem)
     return sentences + [f"{near.more} more pairs stand out"] * bool(near.more)
 
 
