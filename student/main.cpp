@@ -2,14 +2,15 @@
 //
 //   bounce [--compare] [PAGE.html]
 //   bounce --scene NAME [dt=0.001 ...]
+//   bounce --many [NAME] [dt=0.001 ...]
+//   bounce --play
 //   bounce --worked
 //
 // PAGE.html is the file to write (default: animation.html in this folder). With --compare the scene
 // is one of the public fixtures, and the right square is shown beside yours. With --scene it is one
-// of the scenes of explore.md, with numbers changed as you say. With --worked it takes the one step
-// that the handout carries through, and prints what each part returns.
-#include <bounce/part4_simulate.hpp>
-#include <bounce/render.hpp>
+// of the scenes of explore.md, with numbers changed as you say. With --many it is thrown 200 times,
+// almost alike. With --play it serves a page on which you throw the square yourself. With --worked
+// it takes the one step that the handout carries through, and prints what each part returns.
 #include <exception>
 #include <filesystem>
 #include <iostream>
@@ -17,6 +18,10 @@
 #include <string>
 #include <vector>
 
+#include "given/drawing.hpp"
+#include "given/many.hpp"
+#include "given/play/play.hpp"
+#include "given/simulated.hpp"
 #include "given/stored_scene.hpp"
 #include "given/study/tables.hpp"
 #include "given/worked_example.hpp"
@@ -37,60 +42,54 @@ bounce::Parameters scene_parameters() {
   return params;
 }
 
-// Why q can't be shown, as a sentence; empty if it can.
-std::string missing(const Eigen::Matrix3Xd& q, const bounce::Parameters& params) {
-  if (q.cols() != params.T) {
-    const std::string advice = q.cols() == 0 ? "fill in" : "look at the size in";
-    return "There is nothing to show yet: simulate returned " + std::to_string(q.cols()) +
-           " columns and " + std::to_string(params.T) + " are due, so please " + advice +
-           " src/part4_simulate.cpp.";
-  }
-  for (Eigen::Index t = 0; t < q.cols(); ++t) {
-    if (q.col(t).allFinite()) continue;
-    return "There is nothing to show yet: column " + std::to_string(t) +
-           " of q holds NaN or infinity, so please look at what step makes of the column before.";
-  }
-  if (q.cols() > 1 && q.rightCols(q.cols() - 1).isZero(0)) {
-    return "There is nothing to show yet: step returned only zeros, "
-           "so please fill in src/part3_step.cpp.";
-  }
-  return "";
-}
-
-// `right` has no column if nothing is compared.
-int animate(const bounce::StoredScene& scene, const std::filesystem::path& page) {
-  const auto& [q, v, params, right] = scene;
-  const bounce::Trajectory trajectory = bounce::simulate(q, v, params);
-  if (const std::string sentence = missing(trajectory.q, params); !sentence.empty()) {
-    std::cerr << sentence << '\n';
-    return 1;
-  }
-  bounce::render(trajectory, params, page, right);
+int write(const bounce::Drawing& drawing, const std::filesystem::path& page) {
+  bounce::draw(drawing, page);
   std::cout << "The animation is in " << std::filesystem::absolute(page).string()
             << "; open it in a browser.\n";
   return 0;
 }
 
-int animate_scene(const std::vector<std::string>& words) {
+// `right` has no column if nothing is compared.
+int animate(const bounce::StoredScene& scene, const std::filesystem::path& page) {
+  const auto& [q, v, params, right] = scene;
+  return write({bounce::simulated({q, v}, params), params, right}, page);
+}
+
+// The named scene, with numbers changed as the other words say.
+bounce::study::Scene scene_of(const std::vector<std::string>& words) {
   std::string names;
   for (bounce::study::Scene& scene : bounce::study::read_scenes(BOUNCE_STUDY)) {
     names += " " + scene.name;
     if (words.empty() || scene.name != words[0]) continue;
     change(scene, {words.begin() + 1, words.end()});
-    return animate({scene.start.q, scene.start.v, scene.params, Eigen::Matrix3Xd(3, 0)},
-                   "animation.html");
+    return scene;
   }
-  std::cerr << "The scenes are:" << names << ".\n";
-  return 2;
+  throw std::invalid_argument("the scenes are:" + names);
 }
 
-int run(std::vector<std::string> words) {
+int animate_scene(const std::vector<std::string>& words) {
+  const bounce::study::Scene scene = scene_of(words);
+  const auto motion = bounce::simulated(scene.start, scene.params);
+  return write({motion, scene.params, bounce::Drawing().right, {}, scene.title}, "animation.html");
+}
+
+int animate_many(const std::vector<std::string>& words) {
+  const bool names_scene = !words.empty() && words[0].find('=') == std::string::npos;
+  std::vector<std::string> all = names_scene ? words : bounce::kLively;
+  if (!names_scene) all.insert(all.end(), words.begin(), words.end());
+  return write(bounce::many(scene_of(all)), "many.html");
+}
+
+int run(const std::string& program, std::vector<std::string> words) {
   const std::string option = words.empty() ? "" : words[0];
   if (option == "--worked" && words.size() == 1) {
     bounce::worked_example();
     return 0;
   }
   if (option == "--scene") return animate_scene({words.begin() + 1, words.end()});
+  if (option == "--many") return animate_many({words.begin() + 1, words.end()});
+  if (option == "--play" && words.size() == 1) return bounce::play::serve(program);
+  if (option == "--answer" && words.size() == 2) return bounce::play::answer(words[1]);
   const bool compares = option == "--compare";
   if (compares) words.erase(words.begin());
   const bool names_page = words.size() == 1 && words[0][0] != '-' && words[0].ends_with(".html");
@@ -99,6 +98,8 @@ int run(std::vector<std::string> words) {
               << " is not understood; there are:\n"
                  "./build/bounce [--compare] [PAGE.html]\n"
                  "./build/bounce --scene NAME [dt=0.001 ...]\n"
+                 "./build/bounce --many [NAME] [dt=0.001 ...]\n"
+                 "./build/bounce --play\n"
                  "./build/bounce --worked\n";
     return 2;
   }
@@ -111,7 +112,7 @@ int run(std::vector<std::string> words) {
 
 int main(int argc, char** argv) {
   try {
-    return run({argv + 1, argv + argc});
+    return run(argv[0], {argv + 1, argv + argc});
   } catch (const std::exception& error) {
     std::cerr << "No animation was written: " << error.what() << ".\n";
     return 1;

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "drawing.hpp"
 #include "pages.hpp"  // which page/pages.cmake makes
 
 namespace fs = std::filesystem;
@@ -60,17 +61,6 @@ std::string motion(const Eigen::Matrix3Xd& v, const Parameters& params) {
          digits(params.g.y()) + R"(],"v":)" + json(v) + "}";
 }
 
-std::string html(const Trajectory& trajectory, const Parameters& params,
-                 const Eigen::Matrix3Xd& right) {
-  const auto& [q, v] = trajectory;
-  const std::string data = R"({"l":)" + digits(params.l) + R"(,"dt":)" + digits(params.dt) +
-                           R"(,"delta":)" + digits(params.delta) + R"(,"q":)" + json(q) +
-                           R"(,"motion":)" + (v.cols() > 0 ? motion(v, params) : "null") +
-                           R"(,"right":)" + (right.cols() > 0 ? json(right) : "null") + "}";
-  std::string text(pages::render);
-  return text.replace(text.find(kData), kData.size(), data);
-}
-
 [[noreturn]] void fail_to_write(const fs::path& page, const std::string& reason) {
   throw std::runtime_error("cannot write " + page.string() + ": " + reason);
 }
@@ -114,25 +104,36 @@ void require_motion(const Trajectory& trajectory, const Parameters& params) {
   if (!std::isfinite(params.m) || !params.g.allFinite()) refuse("m and g must be finite");
 }
 
-void write(const Trajectory& trajectory, const Parameters& params, const fs::path& page,
-           const Eigen::Matrix3Xd& right) {
+}  // namespace
+
+std::string data_of(const Drawing& drawing) {
+  const auto& [trajectory, params, right, many, title] = drawing;
   require_parameters(params);
   if (trajectory.q.cols() == 0) refuse("q has no column");
   require_finite(trajectory.q, "q");
   require_finite(right, "the right q");
-  replace(page, html(trajectory, params, right));
+  std::string others;
+  for (const Eigen::Matrix3Xd& q : many) others += (others.empty() ? "" : ",") + json(q);
+  return R"({"l":)" + digits(params.l) + R"(,"dt":)" + digits(params.dt) + R"(,"delta":)" +
+         digits(params.delta) + R"(,"q":)" + json(trajectory.q) + R"(,"motion":)" +
+         (trajectory.v.cols() > 0 ? motion(trajectory.v, params) : "null") + R"(,"right":)" +
+         (right.cols() > 0 ? json(right) : "null") + R"(,"many":[)" + others + R"(],"title":")" +
+         title + "\"}";
 }
 
-}  // namespace
+void draw(const Drawing& drawing, const fs::path& page) {
+  std::string text(pages::render);
+  replace(page, text.replace(text.find(kData), kData.size(), data_of(drawing)));
+}
 
 void render(const Eigen::Matrix3Xd& q, const Parameters& params, const fs::path& page) {
-  write({q, Eigen::Matrix3Xd(3, 0)}, params, page, Eigen::Matrix3Xd(3, 0));
+  draw({{q, Eigen::Matrix3Xd(3, 0)}, params}, page);
 }
 
 void render(const Trajectory& trajectory, const Parameters& params, const fs::path& page,
             const Eigen::Matrix3Xd& right) {
   require_motion(trajectory, params);
-  write(trajectory, params, page, right);
+  draw({trajectory, params, right}, page);
 }
 
 }  // namespace bounce

@@ -1,8 +1,8 @@
 # Makes pages.hpp, which holds each page of this folder as text. In a page, @NAME@ stands for the file of
-# that name beside it, a style or a script, so that the page is one file.
+# that name beside it, a style, a script or a piece of HTML, so that the page is one file.
 function(make_pages_header header)
   string(REPLACE "[" "[[]" here ${CMAKE_CURRENT_FUNCTION_LIST_DIR})  # GLOB takes it for a pattern
-  file(GLOB files CONFIGURE_DEPENDS ${here}/*.css ${here}/*.js ${here}/*.html)
+  file(GLOB files CONFIGURE_DEPENDS ${here}/*.css ${here}/*.js ${here}/*.htm ${here}/*.html)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${files})
   foreach(file ${files})
     cmake_path(GET file FILENAME name)

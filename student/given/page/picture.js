@@ -22,7 +22,7 @@ const span = (row, start = [row[0], row[0]]) => row.reduce(([a, b], v) => [Math.
 function fit() {
   const margin = { left: 52, right: 28, top: 24, bottom: 52 };
   const reach = l / Math.SQRT2; // from the centre to a corner
-  const [x, y] = [0, 1].map((i) => (right ? q[i].concat(right[i]) : q[i]));
+  const [x, y] = [0, 1].map((i) => q[i].concat(...[...many, ...(right ? [right] : [])].map((path) => span(path[i]))));
   const [leftmost, rightmost] = span(x);
   const [bottom, top] = span(y, [reach, -reach]); // the ground is in view
   const width = wide() - margin.left - margin.right;
@@ -105,30 +105,28 @@ function drawGround(at) {
   ctx.fillRect(0, at.Y(0), wide(), 1.5);
 }
 
-// The path of the lowest corner up to s, with dots at the columns in contact. Points that would
-// fall on the last one are left out, and so are those too far off for a canvas to draw.
-function drawTrace(at, s, of = q, points = lows, name = "corner") {
-  const nowhere = { k: -1, X: Infinity, Y: 0 };
-  const off = (a, b) => Math.abs(a.X - b.X) + Math.abs(a.Y - b.Y);
+// The path of the centre up to s, with dots where a corner is in contact. Points that would fall on
+// the last one are left out, and so are those too far off for a canvas to draw.
+function drawTrace(at, s, of = q, points = lows, name = "square") {
+  let [lastX, lastY] = [Infinity, 0];
   const dots = [];
-  let dot = nowhere;
-  let pen = nowhere;
   ctx.beginPath();
-  for (let t = 0; t <= Math.min(s, points.length - 1) + 1; ++t) {
-    const { k, x, y } = t <= s && t < points.length ? points[t] : lowest(pose(s, of));
-    const point = { k, X: at.X(x), Y: at.Y(y) };
-    if (Math.abs(point.X) + Math.abs(point.Y) > 1e6) {
-      pen = nowhere;
-      continue;
-    }
-    if (y < delta && off(point, dot) >= 2) dots.push((dot = point));
-    if (k === pen.k && off(point, pen) < 1) continue;
-    if (k === pen.k) ctx.lineTo(point.X, point.Y);
-    else ctx.moveTo(point.X, point.Y);
-    pen = point;
+  for (let t = 0; t <= Math.min(s, of[0].length - 1) + 1; ++t) {
+    const [x, y] = t <= s ? column(t, of) : pose(s, of);
+    const [X, Y] = [at.X(x), at.Y(y)];
+    const far = !(Math.abs(X) + Math.abs(Y) < 1e6);
+    if (t <= s && t < points.length && points[t].y < delta) dots.push(points[t]);
+    if (!far && Math.abs(X - lastX) + Math.abs(Y - lastY) < 1) continue;
+    if (lastX < Infinity && !far) ctx.lineTo(X, Y);
+    else ctx.moveTo(X, Y);
+    [lastX, lastY] = far ? [Infinity, 0] : [X, Y];
   }
-  stroke(name, name === "corner" ? 2 : 1);
-  for (const { X, Y } of dots) disc(X, Y, name === "corner" ? 3 : 2, name);
+  stroke(name, name === "square" ? 1.5 : 1);
+  let last = Infinity;
+  for (const { x, y } of dots) {
+    if (Math.abs(at.X(x) - last) < 2 || !(Math.abs(at.X(x)) < 1e6)) continue;
+    disc((last = at.X(x)), at.Y(y), 2.5, name === "square" ? "corner" : name);
+  }
 }
 
 // Makes the square's outline the current path, and returns its corners on the stage.
@@ -176,7 +174,6 @@ function drawRight(at, s) {
 }
 
 const echo = 0.25; // s of real time: a bounce lasts one step, too short to be seen
-const strongest = forces.reduce((most, f) => (f ? Math.max(most, Math.hypot(...f)) : most), 0);
 
 // The force of the ground at its corner; the longest arrow is a quarter of the stage. While
 // playing, forces of the previous columns stay visible in a pale colour; a paused picture shows
@@ -235,9 +232,25 @@ function drawOverview() {
   ctx.restore();
 }
 
+// Many squares, and the ways of their centres.
+function drawMany(at, s) {
+  if (!many.length) return;
+  ctx.beginPath();
+  for (const [x, y] of many) for (let t = 0; t <= s; t += 2) ctx[t ? "lineTo" : "moveTo"](at.X(x[t]), at.Y(y[t]));
+  ctx.globalAlpha = 0.12;
+  stroke("square", 1);
+  ctx.globalAlpha = 0.45;
+  for (const path of many) {
+    outline(at, pose(s, path));
+    stroke("square", 1);
+  }
+  ctx.globalAlpha = 1;
+}
+
 function drawScene(at) {
   drawGround(at);
   drawGrid(at);
+  drawMany(at, shown());
   drawPast(at, shown());
   drawTrace(at, shown());
   if (comparing()) drawRight(at, shown());
@@ -255,6 +268,7 @@ function draw() {
 }
 
 function show() {
+  if (!q) return; // nothing yet
   showText();
   draw();
 }

@@ -1,6 +1,7 @@
 // ---- what the reader does ----
 
 function resize() {
+  if (!q) return; // nothing is shown yet
   const ratio = window.devicePixelRatio || 1;
   stage.width = Math.round(wide() * ratio);
   stage.height = Math.round(high() * ratio);
@@ -42,8 +43,8 @@ const keys = {
 };
 
 // Whether the focused control handles this key itself.
-const answers = (target, key) =>
-  target === speed || (target === slider && key !== " ") || ((target === play || target === compare) && key === " ");
+const ownOf = (key) => (key === " " ? "button, summary, [type=checkbox], [type=radio]" : "[type=range], [type=radio]");
+const answers = (target, key) => target.matches(`select, textarea, [type=number], ${ownOf(key)}`);
 
 document.addEventListener("keydown", (event) => {
   const act = keys[event.key];
@@ -51,7 +52,6 @@ document.addEventListener("keydown", (event) => {
   event.preventDefault();
   act();
 });
-for (const element of [play, stage]) element.addEventListener("click", () => setPlaying(!playing));
 slider.addEventListener("input", () => seek(Number(slider.value)));
 compare.addEventListener("change", redraw);
 plots.addEventListener("pointerdown", (event) => seek(columnAt(event)));
@@ -61,17 +61,20 @@ for (const canvas of [stage, plots]) watching.observe(canvas);
 media("prefers-color-scheme: dark").addEventListener("change", recolour);
 for (const event of ["scroll", "resize"]) addEventListener(event, showMore);
 
-byId("about").innerHTML = `<i>T</i> = ${T}, &Delta;<i>t</i> = ${Number(dt.toPrecision(6))} s, <i>l</i> = ${Number(l.toPrecision(6))} m`;
-const lengths = q.flatMap((row) => span(row)).map((value) => text(value, places).length);
-document.documentElement.style.setProperty("--longest", Math.max(...lengths));
-byId("column").style.minWidth = `${2 * String(T - 1).length + 2}ch`;
-slider.max = T - 1;
-const seconds = (T - 1) * dt;
-speed.value = T > 1 && (seconds < 0.5 || seconds > 60) ? "fit" : "1";
-for (const id of ["choice", "key"]) byId(id).hidden = !right;
-for (const id of ["forces", "tangential", "normal"]) byId(id).hidden = !motion;
-byId("parted").textContent = parted < 0 ? "yours does the same" : `yours is another from step ${parted} on, at ${text(parted * dt, timePlaces)} s`;
-recolour();
-redraw();
-show();
-if (!media("prefers-reduced-motion: reduce").matches) setPlaying(true);
+// Shows this from its start on, or at the same time as what was shown before.
+function present(animation, time = 0) {
+  load(animation);
+  position = Math.min(Math.round(time / dt), T - 1);
+  byId("about").innerHTML = `<i>T</i> = ${T}, &Delta;<i>t</i> = ${Number(dt.toPrecision(6))} s, <i>l</i> = ${Number(l.toPrecision(6))} m`;
+  const lengths = q.flatMap((row) => span(row)).map((value) => text(value, places).length);
+  document.documentElement.style.setProperty("--longest", Math.max(...lengths));
+  byId("column").style.minWidth = `${2 * String(T - 1).length + 2}ch`;
+  slider.max = T - 1;
+  for (const id of ["choice", "key"]) byId(id).hidden = !right;
+  for (const id of ["forces", "tangential", "normal"]) byId(id).hidden = !motion;
+  byId("parted").textContent = parted < 0 ? "yours does the same" : `yours departs from it at step ${parted}, at ${text(parted * dt, timePlaces)} s`;
+  recolour();
+  resize();
+  redraw();
+  show();
+}

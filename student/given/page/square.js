@@ -1,5 +1,7 @@
-const { l, dt, delta, q, motion, right } = animation;
-const T = q[0].length;
+// What is drawn: {l, dt, delta, q, motion, right, many}. q is three rows; motion is {m, g, v}, or null if
+// velocities aren't known; right is another q to compare with, or null; many holds more of them.
+let l, dt, delta, q, motion, right, many;
+let T, lows, lowsRight, parted, forces, strongest, places, timePlaces;
 const byId = (id) => document.getElementById(id);
 const [stage, plots, play, slider, speed, compare] = ["stage", "plots", "play", "slider", "speed", "compare"].map(byId);
 const ctx = stage.getContext("2d");
@@ -8,9 +10,9 @@ const media = (query) => matchMedia(`(${query})`);
 // ---- the square ----
 
 // The corners relative to the centre, r_k = R(theta) s_k, eqs. (3) and (5).
-function corners(theta) {
-  const c = (l / 2) * Math.cos(theta);
-  const s = (l / 2) * Math.sin(theta);
+function corners(theta, side = l) {
+  const c = (side / 2) * Math.cos(theta);
+  const s = (side / 2) * Math.sin(theta);
   return [[c - s, s + c], [-c - s, c - s], [s - c, -s - c], [c + s, s - c]];
 }
 
@@ -22,7 +24,6 @@ function lowest([x, y, theta]) {
 }
 
 const column = (t, of = q) => of.map((row) => row[t]);
-const lows = q[0].map((_, t) => lowest(column(t)));
 
 // The square's pose at column s, interpolated linearly between two columns if s isn't whole.
 function pose(s, of = q) {
@@ -42,8 +43,6 @@ function force(t) {
   return [0, 1].map((i) => m * ((v[i][t + 1] - v[i][t]) / dt - g[i]));
 }
 
-const forces = q[0].map((_, t) => force(t));
-
 // Kinetic and potential energy and their sum, J; the potential is 0 at the world's origin.
 function energies(t) {
   const { m, g, v } = motion;
@@ -52,12 +51,20 @@ function energies(t) {
   return { kinetic, potential, total: kinetic + potential };
 }
 
-// ---- the right one ----
+// ---- what is drawn ----
 
-const lowsRight = right ? right[0].map((_, t) => lowest(column(t, right))) : [];
-
-// The first column that differs by more than rounding; -1 if none does.
-const parted = right ? q[0].findIndex((_, t) => !column(t).every((x, i) => Math.abs(x - right[i][t]) <= 1e-6 * Math.max(1, Math.abs(x)))) : -1;
+function load(animation) {
+  ({ l, dt, delta, q, motion, right, many = [] } = animation);
+  T = q[0].length;
+  lows = q[0].map((_, t) => lowest(column(t)));
+  lowsRight = right ? right[0].map((_, t) => lowest(column(t, right))) : [];
+  // The first column that differs by more than rounding; -1 if none does.
+  parted = right ? q[0].findIndex((_, t) => !column(t).every((x, i) => Math.abs(x - right[i][t]) <= 1e-6 * Math.max(1, Math.abs(x)))) : -1;
+  forces = q[0].map((_, t) => force(t));
+  strongest = forces.reduce((most, f) => (f ? Math.max(most, Math.hypot(...f)) : most), 0);
+  places = Math.max(0, Math.ceil(3 - Math.log10(l))); // a length is shown to a thousandth of the side
+  timePlaces = Math.max(2, Math.ceil(-Math.log10(dt)));
+}
 
 // ---- time ----
 
@@ -81,7 +88,7 @@ function tick(now) {
 }
 
 function setPlaying(on) {
-  if (on === playing) return;
+  if (on === playing || !q) return;
   playing = on;
   clock = null;
   position = columnShown();
@@ -98,9 +105,6 @@ function seek(t) {
 
 // ---- text ----
 
-// A length is shown to a thousandth of the side.
-const places = Math.max(0, Math.ceil(3 - Math.log10(l)));
-const timePlaces = Math.max(2, Math.ceil(-Math.log10(dt)));
 function text(value, digits) {
   const fixed = digits > 15 ? "" : value.toFixed(digits);
   const short = fixed && fixed.length <= 17 ? fixed : value.toExponential(6);

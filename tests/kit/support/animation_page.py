@@ -114,8 +114,8 @@ class Page:
         size = {"width": width, "height": height, "deviceScaleFactor": ratio, "mobile": False}
         self.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", size)
 
-    def wait_until(self, true: Callable[[], bool]) -> None:
-        WebDriverWait(self.driver, PATIENCE, poll_frequency=0.05).until(lambda _: true())
+    def wait_until(self, true: Callable[[], bool], patience: float = PATIENCE) -> None:
+        WebDriverWait(self.driver, patience, poll_frequency=0.05).until(lambda _: true())
 
 
 Open = Callable[..., Page]

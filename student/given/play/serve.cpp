@@ -1,0 +1,157 @@
+#include <fstream>
+#include <future>
+#include <iostream>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "../check/ending.hpp"
+#include "../check/files.hpp"
+#include "../study/tables.hpp"
+#include "local_server.hpp"
+#include "pages.hpp"
+#include "paths.hpp"
+#include "play.hpp"
+
+namespace bounce::play {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr int kLongest = 90;  // s that an answer may take; the program ends itself before
+
+// The program with the student's parts, in a process of its own. It is run from a copy, so that it
+// can be built meanwhile.
+class Program {
+ public:
+  explicit Program(const fs::path& file)
+      : file_(file), folder_(file.parent_path() / "play"), copy_(folder_ / file.filename()) {
+    fs::create_directories(folder_);
+  }
+  ~Program() { end(); }
+
+  // Another number whenever the program was built again.
+  long long version() const {
+    std::error_code gone;  // while it is being linked
+    return static_cast<long long>(fs::last_write_time(file_, gone).time_since_epoch().count());
+  }
+
+  // The answer to a question of the page; or why there is none, in the words of ./check.
+  std::string answer_to(const std::string& question) {
+    const std::lock_guard one_at_a_time(mutex_);
+    if (runs() && built_ != version()) end();
+    for (bool again = true;; again = false) {
+      if (!runs()) start();
+      if (std::ifstream in(folder_ / "address"); in >> port_ >> path_) {
+        if (const auto answer = post("simulate", question)) return answer->body;
+      }
+      const auto ended = ended_.get();
+      if (!ended) return problem("the program can't be started: it is being built, or is gone");
+      const bool is_old = ended->code == 0 && ended->signal == 0;
+      if (is_old && again) continue;
+      return problem(check::reason_of(*ended, check::read(folder_ / "printed.txt")) +
+                     check::place_of_crash(copy_.string(), folder_ / "stack.txt"));
+    }
+  }
+
+ private:
+  static std::string problem(const std::string& sentence) {
+    return json{{"problem", sentence}}.dump();
+  }
+
+  bool runs() const {
+    return ended_.valid() && ended_.wait_for(std::chrono::seconds(0)) != std::future_status::ready;
+  }
+
+  // Waits until it says where it can be asked, or ends.
+  void start() {
+    for (const char* name : {"address", "printed.txt", "stack.txt"}) fs::remove(folder_ / name);
+    built_ = version();
+    std::error_code gone;
+    fs::copy_file(file_, copy_, fs::copy_options::overwrite_existing, gone);
+    ended_ = std::async(std::launch::async, [this] {
+      return check::run({copy_.string(), "--answer", (folder_ / "address").string()},
+                        folder_ / "printed.txt", check::Limits::of_a_part);
+    });
+    while (runs() && !fs::exists(folder_ / "address"))
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+
+  void end() {
+    if (!runs()) return;
+    post("end", "");
+    ended_.wait();
+  }
+
+  httplib::Result post(const std::string& name, const std::string& text) const {
+    httplib::Client client(LocalServer::kHost, port_);
+    client.set_tcp_nodelay(true);
+    client.set_read_timeout(kLongest);
+    return client.Post(path_ + name, text, "application/json");
+  }
+
+  fs::path file_, folder_, copy_;
+  std::mutex mutex_;
+  std::future<std::optional<check::Termination>> ended_;
+  long long built_ = 0;
+  int port_ = 0;
+  std::string path_;
+};
+
+json numbers(const Vector3& of) { return {of(0), of(1), of(2)}; }
+
+// The scenes, and Explore's questions, with the page around them.
+std::string page() {
+  json data{{"scenes", json::array()}, {"explore", check::read("explore.md")}};
+  for (const auto& [name, title, p, start, truth, others] : study::read_scenes(BOUNCE_STUDY)) {
+    const json params{{"l", p.l},          {"m", p.m},   {"mu", p.mu},       {"epsilon", p.epsilon},
+                      {"g", numbers(p.g)}, {"dt", p.dt}, {"delta", p.delta}, {"T", p.T}};
+    data["scenes"].push_back({{"name", name},
+                              {"title", title},
+                              {"q", numbers(start.q)},
+                              {"v", numbers(start.v)},
+                              {"params", params}});
+  }
+  std::string text = data.dump(), html(pages::play);
+  for (std::size_t at = 0; (at = text.find('<', at)) != std::string::npos;)
+    text.replace(at, 1, "\\u003c");
+  return html.replace(html.find("DATA"), 4, text);
+}
+
+#ifdef _WIN32
+// The file of a program that runs can't be written, but it can be renamed.
+void make_way(const fs::path& program) {
+  fs::path running = program;
+  running.replace_extension(".running.exe");
+  fs::remove(running);
+  fs::rename(program, running);
+  fs::copy_file(running, program);
+}
+#endif
+
+}  // namespace
+
+int serve(const fs::path& given) {
+  const fs::path file = fs::absolute(given);
+#ifdef _WIN32
+  make_way(file);
+#endif
+  fs::current_path(fs::path(BOUNCE_HOME));  // where ./check runs, whose words these are
+  Program program(file);
+  LocalServer server;
+  server.http.Get(server.path(""), [](const auto&, auto& response) {
+    response.set_content(page(), "text/html; charset=utf-8");
+  });
+  server.http.Get(server.path("version"), [&](const auto&, auto& response) {
+    response.set_content(json{{"version", program.version()}}.dump(), "application/json");
+  });
+  server.http.Post(server.path("simulate"), [&](const auto& request, auto& response) {
+    response.set_content(program.answer_to(request.body), "application/json");
+  });
+  std::cout << "Throw the square at http://" << LocalServer::kHost << ":" << server.port()
+            << server.path("") << " in a browser; Ctrl-C ends it." << std::endl;
+  return server.http.listen_after_bind() ? 0 : 1;
+}
+
+}  // namespace bounce::play

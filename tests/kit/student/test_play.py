@@ -1,0 +1,145 @@
+"""./build/bounce --play: the page on which a student throws the square, with a real pointer."""
+
+from __future__ import annotations
+
+import http.client
+import re
+import subprocess
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+from urllib.parse import urlsplit
+
+import pytest
+from animation_page import PATIENCE, Page, webdriver
+from conftest import ROOT
+from handed_out import SYSTEM, check, put, run
+from selenium.webdriver.common.keys import Keys
+
+pytestmark = pytest.mark.xdist_group("student")
+TRUTH = """
+const scene = given.scenes.find(({ name }) => name === arguments[0]);
+const path = truth(scene.q, scene.v, scene.params, arguments[1] / 10, 201);
+return Array.from(Array(20), (_, i) => path.map((row) => row[10 * (i + 1)]));
+"""
+FAR = "return [q, paths[2]].map((path) => [path[0][T - 1], path[1][T - 1]])"
+
+
+def build(home: Path, *laid: str) -> None:
+    put(home, *laid)
+    built = run(home, "cmake", "--build", "build", "--target", "bounce")
+    assert built.returncode == 0, built.stdout
+
+
+@pytest.fixture
+def address(home: Path) -> Iterator[str]:
+    put(home)
+    check(home, "--help")
+    build(home)
+    if not Path("/usr/include/httplib.h").exists():
+        pytest.skip("cpp-httplib is not installed")
+    command = ["build/bounce", "--play"]
+    with subprocess.Popen(command, cwd=home, env=SYSTEM, stdout=-1, text=True) as server:
+        assert server.stdout
+        yield re.findall("http://[^ ]+", server.stdout.readline())[0]
+        server.terminate()
+
+
+@pytest.fixture
+def page(driver: Any, address: str) -> Iterator[Page]:
+    driver.get_log("browser")
+    page = Page(driver)
+    page.media()
+    page.screen(1400, 900, 1)
+    driver.get(address)
+    page.wait_until(page.playing)
+    yield page
+    driver.get("about:blank")  # before the server ends
+    assert driver.get_log("browser") == []
+
+
+def test_only_its_own_page_on_this_machine_is_answered(address: str) -> None:
+    url = urlsplit(address)
+
+    def status(path: str, **headers: str) -> int:
+        asked = http.client.HTTPConnection(url.netloc, timeout=PATIENCE)
+        asked.request("GET", path, headers={"Host": url.netloc} | headers)
+        return asked.getresponse().status
+
+    own = f"http://{url.netloc}"
+    assert status(url.path) == status(url.path, Origin=own) == status(f"{url.path}version") == 200
+    for other in ("/", url.path[:-1], f"{url.path}main.cpp", f"{url.path}../main.cpp", "/version"):
+        assert status(other) == 404, other
+    for headers in ({"Host": "example.org"}, {"Origin": "http://example.org"}, {"Origin": "null"}):
+        assert status(url.path, **headers) == 404, headers
+    listening = re.findall(r": (\w+):(\w+) \w+:\w+ 0A", Path("/proc/net/tcp").read_text())
+    assert [ip for ip, port in listening if int(port, 16) == url.port] == ["0100007F"]
+    assert f"{url.port:04X}" not in Path("/proc/net/tcp6").read_text()
+
+
+def test_the_square_is_dragged_thrown_and_compared(page: Page) -> None:
+    script, stage = page.driver.execute_script, page.find("stage")
+    script("setScene('tumble dt=0.001').then(() => seek(0))")
+    page.wait_until(lambda: script("return T === 401 && !playing && position === 0"))
+    at = script(
+        "const at = camera(), [x, y] = pose(0); return [at.X(x) - wide() / 2, at.Y(y) - high() / 2]"
+    )
+    mouse = webdriver.ActionChains(page.driver, duration=30)
+    mouse.move_to_element_with_offset(stage, *map(round, at)).click_and_hold()
+    for x, y in [(6, -3)] * 20 + [(20, -10)] * 6:
+        mouse.move_by_offset(x, y)
+    mouse.release().perform()
+    page.wait_until(lambda: script("return start.v[0] > 0.1 && held === null && playing"))
+    page.wait_until(lambda: script("return !busy && T === 401"))
+    (x, y), true = script(FAR)
+    assert (x, y) == pytest.approx(true, abs=0.1) and (x, y) != pytest.approx(true, abs=1e-6)
+
+
+def test_the_true_motion_is_that_of_the_exact_simulation(page: Page) -> None:
+    lines = (ROOT / "fixtures/study/truth.csv").read_text().splitlines()
+    samples = [row.split(",") for row in lines if not row.startswith(("#", "scene,"))]
+    for name in {row[0] for row in samples}:
+        times, *exact = zip(*([float(x) for x in row[1:]] for row in samples if row[0] == name))
+        path = page.driver.execute_script(TRUTH, name, times[0])
+        within = 2e-4 if name == "tilted_settling" else 2e-6  # it rocks until it rests
+        for row, other in zip(zip(*path), exact):
+            assert row == pytest.approx(other, abs=within), name
+
+
+def test_sliders_the_keyboard_and_models_change_the_same_throw(page: Page) -> None:
+    script = page.driver.execute_script
+
+    def shown(row: int) -> float:
+        number, unit = script(
+            f"return errors.tBodies[0].rows[{row}].cells[2].textContent + ' '"
+        ).split(" ")[:2]
+        return float(number) / (1000 if unit == "mm" else 1)
+
+    script("setScene('tumble dt=0.01')")
+    page.wait_until(lambda: script("return T === 41"))
+    coarse = shown(0)
+    script("byId('sliders').firstChild.querySelector('input').focus()")
+    page.press(*[Keys.ARROW_LEFT] * 100)
+    page.wait_until(lambda: script("return !busy && T === 401"))
+    assert shown(0) < coarse / 3 and shown(1) == 0 and shown(3) > 0.5
+    page.find("errors").find_element("css selector", "[value='0']").click()
+    assert script("return right === paths[0]")
+    page.press("t")
+    page.wait_until(page.playing)
+    card = page.find("experiments").find_element("xpath", ".//article[.//button]")
+    answer = card.find_element("tag name", "details")
+    assert not answer.is_displayed()
+    card.find_element("tag name", "button").click()
+    assert answer.is_displayed()
+
+
+def test_a_crash_and_a_hang_are_told_and_another_program_is_noticed(home: Path, page: Page) -> None:
+    told_of: list[tuple[list[str], str]] = [
+        (["broken/part3_null_pointer"], "an index or a pointer out of bounds, or recursion"),
+        (["broken/part4_counter_stands_still"], "No answer within 3 s of work: an endless loop?"),
+        (["stub 4"], "please fill in src/part4_simulate.cpp"),
+        ([], "this is the same throw with the new one"),
+    ]
+    for laid, told in told_of:
+        build(home, *laid)
+        page.wait_until(lambda: told in page.find("status").text, 4 * PATIENCE)
