@@ -30,7 +30,7 @@ class Reader {
   std::string take_all(const char* characters) {
     const std::size_t begin = at_;
     skip(characters);
-    const std::string taken = line_.substr(begin, at_ - begin);
+    std::string taken = line_.substr(begin, at_ - begin);
     if (at_ + 1 < line_.size() && line_[at_] == ',' && is_digit(line_[at_ + 1])) {
       throw Problem(column(),
                     "a number has a point and no comma, as 0.5; behind a comma that stands "
@@ -84,7 +84,7 @@ Given read_value(Reader& reader, const Quantity& quantity, bool is_input) {
     throw Problem(given.column, quantity.name + " needs a number here, as 0.25 or -1.50");
   }
   if (!is_input) given.unit = unit_of(text, given.column);
-  if (quantity.name.rfind("theta", 0) == 0 && (reader.take("deg") || reader.take("\u00b0"))) {
+  if (quantity.name.rfind("theta", 0) == 0 && (reader.take("deg") || reader.take("\xc2\xb0"))) {
     given.value *= kDegree;
     given.unit *= kDegree;
   }

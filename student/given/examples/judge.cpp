@@ -50,10 +50,9 @@ bool is_decided(const Program& program, const Case& asked, const Quantity& input
 
 // The input by which rounding decides what a program answers; null if there is none.
 const Quantity* undecided(const Program& program, const Case& asked, const Table& table) {
-  for (const char* name : {"y", "theta"}) {
-    for (const Quantity& input : table.inputs) {
-      if (input.name == name && !is_decided(program, asked, input, table)) return &input;
-    }
+  for (const Quantity& input : table.inputs) {
+    const bool may_decide = input.name == "y" || input.name == "theta";
+    if (may_decide && !is_decided(program, asked, input, table)) return &input;
   }
   return nullptr;
 }

@@ -1,8 +1,7 @@
-// examples - TABLE: the facts about the cases on standard input, for the course's grading, a line
-// each with tabs between. examples CASES TABLE PART, which is 0 for all: what ./check --examples
-// says. Ends with 0 if each case is right, and each wrong program caught. examples CASES TABLE PART
-// HINTS STAGE: the next stage of the hint for a wrong program that is left; the file STAGE
-// remembers it.
+// What ./check --examples and the course's grading start:
+//   examples - TABLE                        judges the cases on standard input, as JSON
+//   examples CASES TABLE PART               in words, of a part or of all (0)
+//   examples CASES TABLE PART HINTS STAGE   the next hint, which the file STAGE remembers
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
@@ -23,7 +22,10 @@ std::string read(const std::string& file) {
 
 std::string listed(const std::vector<std::string>& names, const std::string& quote = "") {
   std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + quote + name + quote;
+  for (const std::string& name : names) {
+    if (!text.empty()) text += ", ";
+    text.append(quote).append(name).append(quote);
+  }
   return text;
 }
 
@@ -55,15 +57,11 @@ bool report(const Judged& judged, int only) {
   bool is_done = true;
   for (const Verdict& verdict : judged.verdicts) {
     if (only && verdict.part && verdict.part != only) continue;
+    const std::string caught = verdict.caught.empty() ? "no wrong program" : listed(verdict.caught);
     std::cout << "  " << verdict.place;
-    if (verdict.part) std::cout << ", part " << verdict.part;
-    std::cout << ": ";
-    if (verdict.is_right) {
-      std::cout << "right; it catches "
-                << (verdict.caught.empty() ? "no wrong program" : listed(verdict.caught)) << '\n';
-    } else {
-      std::cout << (verdict.part ? "wrong: " : "") << verdict.sentence << '\n';
-    }
+    if (verdict.part) std::cout << ", part " << verdict.part << (verdict.is_right ? "" : ": wrong");
+    std::cout << ": " << (verdict.is_right ? "right; it catches " + caught : verdict.sentence)
+              << '\n';
     is_done = is_done && verdict.is_right;
   }
   for (int part = 1; part <= 3; ++part) {
@@ -89,7 +87,8 @@ void hint(const std::vector<std::string>& missed, const std::string& hints,
     std::cout << "Your cases catch all wrong programs: no hint is needed.\n";
     return;
   }
-  const std::string last = read(memory), program = missed.front(), mark = "\n" + program + "\n";
+  const std::string& program = missed.front();
+  const std::string last = read(memory), mark = "\n" + program + "\n";
   const int seen = last.rfind(program, 0) == 0 ? std::atoi(last.c_str() + program.size()) : 0;
   const int stage = std::min(seen + 1, kStages);
   std::ofstream(memory) << program << ' ' << stage;
