@@ -3,9 +3,6 @@
 #include <sys/random.h>
 
 #include <algorithm>
-#include <bounce/part1_contacts.hpp>
-#include <bounce/part2_lcp.hpp>
-#include <bounce/part3_step.hpp>
 #include <utility>
 
 #include "../../tests/parts/cases.hpp"
@@ -18,6 +15,10 @@ using frames::Frame;
 using frames::Kind;
 
 namespace {
+
+constexpr const char* kFunctions[] = {
+#define BOUNCE_NAME(number, function) "bounce::" #function,
+    BOUNCE_FUNCTIONS(BOUNCE_NAME)};
 
 // A random number, so that no program can write an answer before it has the question.
 std::uint64_t unforeseeable_number() {
@@ -38,9 +39,9 @@ Frame reply_to(const Frame& callback) {
   reply.part = callback.part;
   reply.number = callback.number;
   try {
-    if (callback.part == 1) frames::answer(callback, reply, get_contacts);
-    if (callback.part == 2) frames::answer(callback, reply, form_lcp);
-    if (callback.part == 3) frames::answer(callback, reply, step);
+#define BOUNCE_REPLY(number, function) \
+  if (callback.part == number) frames::answer(callback, reply, function);
+    BOUNCE_FUNCTIONS(BOUNCE_REPLY)
   } catch (const std::exception& refused) {
     reply.kind = Kind::threw;
     frames::put_text(reply, refused.what());
@@ -129,7 +130,7 @@ Frame Session::answer_of(const Frame& question, Trajectory* columns) {
     answer = runner_->receive();
   }
   if (answer.kind == Kind::absent) {
-    Termination absent{"does_not_compile", "absent", 0, frames::kFunctions[part_ - 1]};
+    Termination absent{"does_not_compile", "absent", 0, kFunctions[part_ - 1]};
     absent.of_no_case = true;
     throw absent;
   }

@@ -1,43 +1,35 @@
 // Calls the submission in another process: each function that the tests call asks it a question.
 #include "../../tests/parts/submission.hpp"
 
-#include <bounce/part3_step.hpp>
+#include <type_traits>
 
 #include "../runner/messages.hpp"
 #include "session.hpp"
 
 namespace bounce::submission {
-namespace {
 
-template <class Result, class... Arguments>
-Result ask(std::uint32_t part, const Parameters& params, const Arguments&... arguments) {
-  return frames::result<Result>(judge::session->ask(frames::question(part, params, arguments...)));
-}
+using frames::Frame;
 
-}  // namespace
-
-Contact get_contacts(const Vector3& q, const Parameters& params) {
-  return ask<Contact>(1, params, q);
-}
-
-Lcp form_lcp(const Jacobian& J, const Vector3& v, const Parameters& params) {
-  return ask<Lcp>(2, params, J, v);
-}
-
-State step(const Vector3& q, const Vector3& v, const Parameters& params) {
-  return judge::session->answers_for(3) ? bounce::step(q, v, params) : ask<State>(3, params, q, v);
-}
-
-Trajectory simulate(const Vector3& q_0, const Vector3& v_0, const Parameters& params) {
+template <int part, class Result, class... Arguments, Result (*function)(Arguments...)>
+Result Asked<part, function>::operator()(Arguments... arguments) const {
+  if (judge::session->answers_for(part)) return function(arguments...);
+  const Frame question = frames::question(part, arguments...);
   Trajectory trajectory;
-  const auto answer = judge::session->ask(frames::question(4, params, q_0, v_0), &trajectory);
-  require_columns(answer.q_columns, answer.v_columns, params.T);
-  return trajectory;
+  if constexpr (std::is_same_v<Result, Trajectory>) {
+    const Frame answer = judge::session->ask(question, &trajectory);
+    require_columns(answer.q_columns, answer.v_columns, static_cast<int>(question.T));
+    return trajectory;
+  } else {
+    return frames::result<Result>(judge::session->ask(question));
+  }
 }
+
+#define BOUNCE_DEFINE(number, function) template struct Asked<number, &bounce::function>;
+BOUNCE_FUNCTIONS(BOUNCE_DEFINE)
 
 Trajectory first_columns(const Vector3& q_0, const Vector3& v_0, const Parameters& params) {
   Trajectory trajectory;
-  judge::session->ask(frames::question(4, params, q_0, v_0), &trajectory);
+  judge::session->ask(frames::question(4, q_0, v_0, params), &trajectory);
   return trajectory;
 }
 

@@ -37,32 +37,33 @@ struct Frame {
 };
 static_assert(std::is_trivially_copyable_v<Frame>);
 
-inline void put(const Parameters& p, Frame& frame) {
+// Write or read one argument or result, and move `values` on by as many numbers as it has.
+inline void put(Frame& frame, double*&, const Parameters& p) {
   const double scene[9] = {p.l, p.m, p.mu, p.epsilon, p.g(0), p.g(1), p.g(2), p.dt, p.delta};
   std::memcpy(frame.scene, scene, sizeof scene);
   frame.T = p.T;
 }
 
-inline Parameters parameters(const Frame& frame) {
+inline void take(const Frame& frame, const double*&, Parameters& p) {
   const double* s = frame.scene;
-  return {s[0], s[1], s[2], s[3], {s[4], s[5], s[6]}, s[7], s[8], static_cast<int>(frame.T)};
+  p = {s[0], s[1], s[2], s[3], {s[4], s[5], s[6]}, s[7], s[8], static_cast<int>(frame.T)};
 }
 
-// Write and read matrices one after the other: put(frame, J, v), then take(frame, J, v).
-template <class... Matrices>
-void put(Frame& frame, const Matrices&... matrices) {
-  double* to = frame.values;
-  ((std::memcpy(to, matrices.data(), sizeof(double) * static_cast<std::size_t>(matrices.size())),
-    to += matrices.size()),
-   ...);
+inline void put(Frame&, double*& values, double x) { *values++ = x; }
+inline void take(const Frame&, const double*& values, double& x) { x = *values++; }
+
+template <class Derived>
+void put(Frame&, double*& values, const Eigen::DenseBase<Derived>& matrix) {
+  const auto& m = matrix.derived();
+  std::memcpy(values, m.data(), sizeof(double) * static_cast<std::size_t>(m.size()));
+  values += m.size();
 }
 
-template <class... Matrices>
-void take(const Frame& frame, Matrices&... matrices) {
-  const double* from = frame.values;
-  ((std::memcpy(matrices.data(), from, sizeof(double) * static_cast<std::size_t>(matrices.size())),
-    from += matrices.size()),
-   ...);
+template <class Derived>
+void take(const Frame&, const double*& values, Eigen::DenseBase<Derived>& matrix) {
+  auto& m = matrix.derived();
+  std::memcpy(m.data(), values, sizeof(double) * static_cast<std::size_t>(m.size()));
+  values += m.size();
 }
 
 // The text of what is thrown and has none.

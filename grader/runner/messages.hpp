@@ -1,65 +1,76 @@
 // The layout in a frame of each part's arguments and result, for the runner, its given parts and
-// the judge. A new part adds its function's name, and put and take for its result.
+// the judge. A new part adds put and take for its result, unless it is a number or a matrix.
 #pragma once
+
+#include <tuple>
 
 #include "frame.hpp"
 
 namespace bounce::frames {
 
-inline constexpr const char* kFunctions[] = {
-    "bounce::get_contacts",
-    "bounce::form_lcp",
-    "bounce::step",
-    "bounce::simulate",
-};
-
-inline void put(Frame& frame, const Contact& contact) {
-  put(frame, contact.J);
-  frame.values[6] = contact.phi;
+inline void put(Frame& frame, double*& values, const Contact& contact) {
+  put(frame, values, contact.J);
+  put(frame, values, contact.phi);
 }
 
-inline void take(const Frame& frame, Contact& contact) {
-  take(frame, contact.J);
-  contact.phi = frame.values[6];
+inline void take(const Frame& frame, const double*& values, Contact& contact) {
+  take(frame, values, contact.J);
+  take(frame, values, contact.phi);
 }
 
-inline void put(Frame& frame, const Lcp& lcp) { put(frame, lcp.V, lcp.p); }
-inline void take(const Frame& frame, Lcp& lcp) { take(frame, lcp.V, lcp.p); }
+inline void put(Frame& frame, double*& values, const Lcp& lcp) {
+  put(frame, values, lcp.V);
+  put(frame, values, lcp.p);
+}
 
-inline void put(Frame& frame, const State& state) { put(frame, state.q, state.v); }
-inline void take(const Frame& frame, State& state) { take(frame, state.q, state.v); }
+inline void take(const Frame& frame, const double*& values, Lcp& lcp) {
+  take(frame, values, lcp.V);
+  take(frame, values, lcp.p);
+}
+
+inline void put(Frame& frame, double*& values, const State& state) {
+  put(frame, values, state.q);
+  put(frame, values, state.v);
+}
+
+inline void take(const Frame& frame, const double*& values, State& state) {
+  take(frame, values, state.q);
+  take(frame, values, state.v);
+}
+
+// Its columns follow the frame.
+inline void put(Frame& frame, double*&, const Trajectory& trajectory) {
+  frame.q_columns = trajectory.q.cols();
+  frame.v_columns = trajectory.v.cols();
+}
 
 template <class... Arguments>
-Frame question(std::uint32_t part, const Parameters& params, const Arguments&... arguments) {
+Frame question(std::uint32_t part, const Arguments&... arguments) {
   Frame frame;
   frame.part = part;
-  put(params, frame);
-  put(frame, arguments...);
+  double* values = frame.values;
+  (put(frame, values, arguments), ...);
   return frame;
 }
 
 template <class Result>
 Result result(const Frame& answer) {
   Result result;
-  take(answer, result);
+  const double* values = answer.values;
+  take(answer, values, result);
   return result;
 }
 
-// Calls a part's function with the question's arguments, and puts the result into `answer`.
-template <class Result, class A>
-void answer(const Frame& question, Frame& answer, Result (*function)(const A&, const Parameters&)) {
-  A a;
-  take(question, a);
-  put(answer, function(a, parameters(question)));
-}
-
-template <class Result, class A, class B>
-void answer(const Frame& question, Frame& answer,
-            Result (*function)(const A&, const B&, const Parameters&)) {
-  A a;
-  B b;
-  take(question, a, b);
-  put(answer, function(a, b, parameters(question)));
+// Calls a part's function with the question's arguments, and puts the result into `answer`, too.
+template <class Result, class... Arguments>
+Result answer(const Frame& question, Frame& answer, Result (*function)(const Arguments&...)) {
+  std::tuple<Arguments...> arguments;
+  const double* from = question.values;
+  std::apply([&](Arguments&... each) { (take(question, from, each), ...); }, arguments);
+  Result result = std::apply(function, arguments);
+  double* to = answer.values;
+  put(answer, to, result);
+  return result;
 }
 
 }  // namespace bounce::frames

@@ -7,15 +7,16 @@
 #include <cstdlib>
 #include <exception>
 #include <new>
+#include <type_traits>
+#include <utility>
 
+#include "../../tests/parts/functions.hpp"
 #include "channel.hpp"
 
 // Weak, because a runner need not hold every part; a missing function is null.
 namespace bounce {
-[[gnu::weak]] Contact get_contacts(const Vector3& q, const Parameters& params);
-[[gnu::weak]] Lcp form_lcp(const Jacobian& J, const Vector3& v, const Parameters& params);
-[[gnu::weak]] State step(const Vector3& q, const Vector3& v, const Parameters& params);
-[[gnu::weak]] Trajectory simulate(const Vector3& q_0, const Vector3& v_0, const Parameters& params);
+#define BOUNCE_WEAK(number, function) [[gnu::weak]] decltype(bounce::function) function;
+BOUNCE_FUNCTIONS(BOUNCE_WEAK)
 }  // namespace bounce
 
 namespace bounce::runner {
@@ -24,33 +25,27 @@ namespace {
 using frames::Frame;
 using frames::Kind;
 
-Trajectory answer_part4(const Frame& question, Frame& answer) {
-  Vector3 q_0, v_0;
-  frames::take(question, q_0, v_0);
-  Trajectory trajectory = simulate(q_0, v_0, frames::parameters(question));
-  answer.q_columns = trajectory.q.cols();
-  answer.v_columns = trajectory.v.cols();
-  return trajectory;
+// Calls the function that the question asks for, if it is there.
+void call(const Frame& question, Frame& answer, Trajectory& trajectory) {
+  answer.kind = Kind::absent;
+  const auto call = [&](auto* function) {
+    if (!function) return;
+    answer.kind = Kind::answer;
+    auto result = frames::answer(question, answer, function);
+    if constexpr (std::is_same_v<decltype(result), Trajectory>) trajectory = std::move(result);
+  };
+#define BOUNCE_CALL(number, function) \
+  if (question.part == number) call(bounce::function);
+  BOUNCE_FUNCTIONS(BOUNCE_CALL)
 }
 
 // The answer; for part 4 also the trajectory.
 Frame answer_to(const Frame& question, Trajectory& trajectory) {
   Frame answer;
-  answer.kind = Kind::answer;
   answer.part = question.part;
   answer.number = question.number;
   try {
-    if (question.part == 1 && get_contacts) {
-      frames::answer(question, answer, get_contacts);
-    } else if (question.part == 2 && form_lcp) {
-      frames::answer(question, answer, form_lcp);
-    } else if (question.part == 3 && step) {
-      frames::answer(question, answer, step);
-    } else if (question.part == 4 && simulate) {
-      trajectory = answer_part4(question, answer);
-    } else {
-      answer.kind = Kind::absent;
-    }
+    call(question, answer, trajectory);
   } catch (const ChannelClosed&) {
     throw;
   } catch (const std::bad_alloc&) {

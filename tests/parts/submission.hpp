@@ -1,20 +1,26 @@
-// The code under test. The tests call it only through these functions, which have two
-// implementations: linked/ calls the functions directly (in a student's own build, where a debugger
-// works); the judge's submission_remote.cpp asks a runner in another process.
+// The code under test. The tests call it only through submission::get_contacts and so on, with the
+// arguments and the result of the part's own function. There are two implementations: linked/ calls
+// the functions directly (in a student's own build, where a debugger works); the judge's
+// submission_remote.cpp asks a runner in another process.
 #pragma once
 
-#include <bounce/types.hpp>
+#include "functions.hpp"
 
 namespace bounce::submission {
 
-Contact get_contacts(const Vector3& q, const Parameters& params);
-Lcp form_lcp(const Jacobian& J, const Vector3& v, const Parameters& params);
+template <int part, auto* function>
+struct Asked;
 
-// For part 4, which calls it, also where right earlier parts are given: then the right step.
-State step(const Vector3& q, const Vector3& v, const Parameters& params);
+template <int part, class Result, class... Arguments, Result (*function)(Arguments...)>
+struct Asked<part, function> {
+  // Of part 3, also where right earlier parts are given to part 4: then the right step. Of part 4,
+  // throws std::runtime_error unless q and v are both 3xT.
+  Result operator()(Arguments... arguments) const;
+};
 
-// Throws std::runtime_error unless q and v are both 3xT.
-Trajectory simulate(const Vector3& q_0, const Vector3& v_0, const Parameters& params);
+#define BOUNCE_ASKED(number, function) inline constexpr Asked<number, &bounce::function> function{};
+BOUNCE_FUNCTIONS(BOUNCE_ASKED)
+#undef BOUNCE_ASKED
 
 // The first T columns, or T - 1 if one is missing, so that a wrong number of columns doesn't make
 // the others wrong. Throws std::runtime_error if q or v has fewer, or none.

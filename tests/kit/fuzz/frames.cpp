@@ -102,7 +102,8 @@ Frame answer_of(std::uint32_t part, std::uint64_t number, Kind kind = Kind::answ
 
 std::string callback_for(std::uint32_t part) {
   Frame callback = answer_of(part, 0, Kind::callback);
-  frames::put(Parameters(), callback);
+  double* values = callback.values;
+  frames::put(callback, values, Parameters());
   return bytes_of(callback);
 }
 

@@ -70,14 +70,14 @@ TEST(feedback, TellsTheForceWhereACornerTouches) {
 }
 
 std::string thrown(Contact (*part)(const Vector3&, const Parameters&)) {
-  const auto right = std::exchange(linked().get_contacts, part);
+  const auto right = std::exchange(linked<&bounce::get_contacts>, part);
   std::string text;
   try {
     submission::get_contacts(Vector3::Zero(), {});
   } catch (const std::runtime_error& error) {
     text = error.what();
   }
-  linked().get_contacts = right;
+  linked<& bounce::get_contacts> = right;
   return text;
 }
 

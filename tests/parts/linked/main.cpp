@@ -73,7 +73,7 @@ std::string in_words(const Answered& answered) {
 #else
   std::raise(SIGTRAP);
 #endif
-  answers(linked().parts.front() - '0', {c});
+  answers(linked_parts.front() - '0', {c});
   std::exit(1);
 }
 
@@ -115,8 +115,7 @@ class Notes : public testing::EmptyTestEventListener {
 std::string those_of_linked_parts() {
   std::string others = "*-";
   for (char part = '1'; part <= '9'; ++part) {
-    if (linked().parts.find(part) == std::string::npos)
-      others += std::string("part") + part + ".*:";
+    if (linked_parts.find(part) == std::string::npos) others += std::string("part") + part + ".*:";
   }
   return others;
 }
@@ -171,7 +170,7 @@ std::string mistakes_in_words(int part) {
 void write_mistakes(const std::string& file) {
   limit_time([] {});
   std::ofstream out(file);
-  for (const char part : linked().parts) out << mistakes_in_words(part - '0');
+  for (const char part : linked_parts) out << mistakes_in_words(part - '0');
   lift_time_limit();
 }
 

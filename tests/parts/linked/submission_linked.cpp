@@ -5,20 +5,13 @@
 #include <exception>
 #include <stdexcept>
 #include <string>
+#include <tuple>
+#include <type_traits>
 
 #include "linked.hpp"
 
-namespace bounce {
-
-tests::Linked& tests::linked() {
-  static Linked functions;
-  return functions;
-}
-
-namespace submission {
+namespace bounce::submission {
 namespace {
-
-using tests::linked;
 
 // Returns what the function returns. Turns any exception of it into std::runtime_error, such as
 // "part 1 threw an exception: oh", which says that it comes from the student's program.
@@ -39,29 +32,23 @@ auto ask(const std::string& part, Function function, const Arguments&... argumen
 
 }  // namespace
 
-Contact get_contacts(const Vector3& q, const Parameters& params) {
-  return ask("part 1", linked().get_contacts, q, params);
-}
-
-Lcp form_lcp(const Jacobian& J, const Vector3& v, const Parameters& params) {
-  return ask("part 2", linked().form_lcp, J, v, params);
-}
-
-State step(const Vector3& q, const Vector3& v, const Parameters& params) {
-  return ask("part 3, or what it calls,", linked().step, q, v, params);
-}
-
-Trajectory simulate(const Vector3& q_0, const Vector3& v_0, const Parameters& params) {
-  const Trajectory got = ask("part 4, or what it calls,", linked().simulate, q_0, v_0, params);
-  require_columns(got.q.cols(), got.v.cols(), params.T);
+template <int part, class Result, class... Arguments, Result (*function)(Arguments...)>
+Result Asked<part, function>::operator()(Arguments... arguments) const {
+  const std::string name = "part " + std::to_string(part) + (part > 2 ? ", or what it calls," : "");
+  Result got = ask(name, tests::linked<function>, arguments...);
+  if constexpr (std::is_same_v<Result, Trajectory>) {
+    require_columns(got.q.cols(), got.v.cols(), std::get<2>(std::tie(arguments...)).T);
+  }
   return got;
 }
 
+#define BOUNCE_DEFINE(number, function) template struct Asked<number, &bounce::function>;
+BOUNCE_FUNCTIONS(BOUNCE_DEFINE)
+
 Trajectory first_columns(const Vector3& q_0, const Vector3& v_0, const Parameters& params) {
-  const Trajectory got = linked().simulate(q_0, v_0, params);
+  const Trajectory got = tests::linked<&bounce::simulate>(q_0, v_0, params);
   const Eigen::Index columns = columns_at_hand(got.q.cols(), got.v.cols(), params.T);
   return {got.q.leftCols(columns), got.v.leftCols(columns)};
 }
 
-}  // namespace submission
-}  // namespace bounce
+}  // namespace bounce::submission
