@@ -47,7 +47,12 @@ def changes(row: dict[str, Any]) -> dict[str, bytes | None]:
 
 
 def words(part: dict[str, Any]) -> list[str]:
-    return [part["message"], *(check["message"] for check in part["checks"]), *part["patterns"], *part["remarks"]]
+    return [
+        part["message"],
+        *(check["message"] for check in part["checks"]),
+        *part["patterns"],
+        *part["remarks"],
+    ]
 
 
 ROWS = golden.rows(Path(__file__).parent / "gradings.toml", "grading")
