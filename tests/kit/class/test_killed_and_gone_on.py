@@ -150,7 +150,7 @@ def test_a_result_is_named_by_all_that_it_follows_from(tmp_path: Path) -> None:
 
 PACKAGE = "grader/bounce_grader"
 MAKES_RESULTS = [f"{PACKAGE}/grading/judging.py", f"{PACKAGE}/classroom/grading/unit.py"]
-MAKES_RESULTS += ["grader/runner/prelude.sed", "grader/parts.json", "tests/parts/cases.cpp"]
+MAKES_RESULTS += ["grader/runner/prelude.hpp", "grader/parts.json", "tests/parts/cases.cpp"]
 SHOWS_RESULTS = [f"{PACKAGE}/formats/html.py", "tests/kit/judge/judge_test.cpp"]
 
 

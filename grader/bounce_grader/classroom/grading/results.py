@@ -89,7 +89,7 @@ def _kit_digest() -> str:
 
 
 def _sources() -> list[Path]:
-    kinds = {".py", ".cpp", ".hpp", ".json", ".sed", ".txt"}
+    kinds = {".py", ".cpp", ".hpp", ".json", ".txt"}
     files = (file for room in SOURCES for file in (ROOT / room).rglob("*") if file.suffix in kinds)
     return sorted([*files, ROOT / UNIT, ROOT / "grader" / "parts.json"])
 
