@@ -181,7 +181,7 @@ def _run(request: Request, given: Given, log: Log) -> int:
     summaries = grading.summarize(tasks, failed)
     summaries = final.with_finals(summaries, assigned, given.course, intake.logins)
     readable = [s.student for s in summaries if s.state != "unreadable"]
-    near = near_copies.find(readable, request.trust, given.corpus)
+    near = near_copies.find(readable, given.corpus)
     pages = feedback.write(out, intake, summaries, request.reveal)
     for reasons in (near.incomplete, pages.without):
         summaries = [
@@ -206,7 +206,11 @@ def _run(request: Request, given: Given, log: Log) -> int:
     if pages.to_upload and not given.canvas:
         print(pages.to_upload)
     status = 3 if any(s.state == "failed" for s in summaries) else 0
-    return max(status, _to_canvas(request, given.canvas, intake, summaries) if given.canvas else 0)
+    if not given.canvas:
+        return status
+    ask = canvas_upload.Ask(request.upload, request.overwrite)
+    left = canvas_upload.show_or_post(given.canvas, out, summaries, intake.unmatched, ask)
+    return max(status, left)
 
 
 def _regrade(request: Request, chosen: str, tasks: Sequence[Task], stamp: Stamp, log: Log) -> int:
@@ -263,30 +267,3 @@ def _print(
         print(f"  and {more} more, in class.html")
     written = f"{_filled_in(request).name}, grades.csv, class.html, feedback/"
     print(f"Written to {request.out}: {written}")
-
-
-def _to_canvas(
-    request: Request, canvas: Canvas, intake: Class, summaries: Sequence[Summary]
-) -> int:
-    """Shows what would change on Canvas, and posts it if that was shown before. Returns 1 if
-    something is left to do."""
-    changes, kept = canvas_upload.plan(
-        canvas, request.out, summaries, intake.unmatched, request.overwrite
-    )
-    shown = canvas_upload.were_shown(request.out, changes)
-    canvas_upload.remember_shown(request.out, changes)
-    if request.upload and shown:
-        refused = canvas_upload.post(canvas, request.out, changes)
-        posted = len(changes) - len(refused)
-        print(f"Students whose points or pages were posted: {posted} of {len(changes)}.")
-        print("".join(f"  {terminal(line)}\n" for line in [*refused, *kept]), end="")
-        return int(bool(refused))
-    print(f"Students whose points or pages would change on Canvas: {len(changes)}.")
-    lines = [*canvas_upload.show(changes), *map(terminal, kept)]
-    print("".join(f"  {line}\n" for line in lines), end="")
-    if request.upload:
-        print("This wasn't shown before: give the same command again to post it.")
-        return 1
-    if changes:
-        print("Nothing is posted yet: add --upload.")
-    return 0

@@ -14,7 +14,6 @@ from typing import Any
 
 from bounce_grader.common.paths import WORK_FOLDER
 
-CLASS_FOLDER = "bounce-class-"  # prefix of the temporary folders of ./kit class
 BOX_FOLDER = "bounce-box-"  # prefix of those of a reduced box, as in grader/box/enter.cpp
 ABANDONED = 3600.0  # seconds after which a temporary file counts as abandoned
 
@@ -101,12 +100,11 @@ def _lock(folder: Path) -> int:
 def remove_unlocked() -> None:
     """Removes the temporary folders of gradings that were killed. Those of running ones are
     locked."""
-    for prefix in (WORK_FOLDER, CLASS_FOLDER):
-        for left in Path(tempfile.gettempdir()).glob(f"{prefix}*"):
-            lock = _lock(left)
-            if lock >= 0:
-                shutil.rmtree(left, ignore_errors=True)
-                os.close(lock)
+    for left in Path(tempfile.gettempdir()).glob(f"{WORK_FOLDER}*"):
+        lock = _lock(left)
+        if lock >= 0:
+            shutil.rmtree(left, ignore_errors=True)
+            os.close(lock)
 
 
 def remove_abandoned(folder: Path) -> None:

@@ -8,7 +8,6 @@ from pathlib import Path
 
 import pytest
 from bounce_grader.classroom.intake import blackboard, canvas, handed_in, moodle, students
-from bounce_grader.classroom.intake.student import Upload
 from bounce_grader.submission import submission
 from conftest import write
 from corpus import Member, zip_of
@@ -24,18 +23,18 @@ def of_canvas(entry: str) -> Sequence[object]:
     read = canvas.parse(entry)
     if read is None:
         return []
-    rest = (read.attachment, read.file) if isinstance(read, Upload) else ("", read.kind)
+    rest = ("", read.typed) if read.typed else (read.number, read.file)
     return [read.name, read.user, "late" if read.late else "", *rest]
 
 
 def of_moodle(entry: str) -> Sequence[object]:
     read = moodle.parse(entry)
-    return [read.name, read.participant, "", read.kind, read.file] if read else []
+    return [read.name, read.user, "", read.typed or "file", read.file] if read else []
 
 
 def of_blackboard(entry: str) -> Sequence[object]:
     read = blackboard.parse(entry)
-    return [read.head, read.when, "", "", read.file] if read else []
+    return [read.user, read.number, "", "", read.file] if read else []
 
 
 READ: dict[str, Callable[[str], Sequence[object]]] = {
@@ -92,8 +91,8 @@ def test_names_that_canvas_and_macos_write_in_utf_8_without_saying_so(tmp_path: 
 def test_the_name_of_a_page_fits_into_a_file_system_and_keeps_its_ids(letters: str) -> None:
     ids = f"{'9' * 20}_{'8' * 20}"
     upload = canvas.parse(f"{letters}_LATE_{ids}_photo.jpg")
-    assert isinstance(upload, Upload)
-    page = canvas.feedback_name((upload,))
+    assert upload
+    page = canvas.page_of([upload])
     assert len(page.encode()) < 240 and page.endswith(f"_LATE_{ids}_feedback.html")
     back = canvas.parse(page)
-    assert isinstance(back, Upload) and (back.user, back.attachment) == ("9" * 20, int("8" * 20))
+    assert back and (back.user, back.number) == ("9" * 20, int("8" * 20))

@@ -19,6 +19,7 @@ import golden
 import pytest
 from bounce_grader import cli
 from bounce_grader.classroom.grading import engine_local, near_copies
+from bounce_grader.classroom.intake.student import Student
 from classes import download, grade_class
 from conftest import write
 from corpus import Member, UTF8, zip_of
@@ -137,10 +138,10 @@ def test_who_cannot_be_compared_needs_a_look(
 ) -> None:
     whole = near_copies.own_texts
 
-    def odd(path: Path, uploads: Any) -> dict[int, str]:
-        if any(upload.user == "301" for upload in uploads):
+    def odd(student: Student) -> dict[int, str]:
+        if student.id == "301":
             raise OverflowError("too large")
-        return whole(path, uploads)
+        return whole(student)
 
     monkeypatch.setattr(near_copies, "own_texts", odd)
     uploads = {"roe_301_1_part2_lcp.cpp": b"// odd"}

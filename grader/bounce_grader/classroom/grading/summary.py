@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 from bounce_grader.classroom.intake.student import Student
 from bounce_grader.common.escaping import first_few
-from bounce_grader.common.manifest import named_together
+from bounce_grader.common.manifest import full_points, named_together
 from bounce_grader.grading import speed
 
 
@@ -62,6 +62,10 @@ class Summary:
     @property
     def unused(self) -> list[str]:
         return [*self.student.unused, *(f"{name} wasn't used" for name in self.ignored)]
+
+    @property
+    def has_all_points(self) -> bool:
+        return (self.score or 0.0) >= full_points()
 
     @property
     def is_adjusted(self) -> bool:

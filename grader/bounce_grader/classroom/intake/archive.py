@@ -72,6 +72,13 @@ class Archive:
             raise UsageError(f"{name} can't be read from {self.path.name}: {error}") from error
 
 
+def not_named(service: str, entry: str) -> str:
+    """Why an entry is no submission, where it isn't named as the service names them."""
+    if entry.startswith("__MACOSX") or entry.endswith(".DS_Store"):
+        return "was made by macOS, and is no submission"
+    return f"isn't named as {service} names submissions"
+
+
 def zip_alone(folder: Path) -> Path | None:
     """The zip, if it is all that a student's folder holds. None if the folder can't be listed."""
     try:

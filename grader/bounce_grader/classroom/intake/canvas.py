@@ -12,71 +12,52 @@ ambiguous (`read_all`).
 
 import re
 import unicodedata
-from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
-from pathlib import Path
+from collections.abc import Iterable, Mapping, Sequence
 
-from bounce_grader.classroom.intake.archive import Archive, Damaged, is_folder, opened
-from bounce_grader.classroom.intake.student import Class, Student, Unmatched, Upload
-from bounce_grader.classroom.intake.uploads import (
-    HAND_IN,
-    may_count,
-    MOST_UPLOADS,
-    of_no_use,
-    refused,
-    texts_of,
-)
-from bounce_grader.common.errors import about_one_submission, UsageError
+from bounce_grader.classroom.intake.archive import Archive, not_named
+from bounce_grader.classroom.intake.student import Upload
 from bounce_grader.common.escaping import printable_name
 from bounce_grader.common.files import fitting
-from bounce_grader.submission.intake import NOT_USED
-from bounce_grader.submission.submission import COPY, part_file
 
+TITLE = "Canvas"
 ID = "[0-9]{1,20}"
 USER = rf"(?P<user>anon_[A-Za-z0-9]{{1,20}}|{ID})"
-WHO = rf"(?:(?!LATE_|anon_)(?P<name>.+?)_)?(?:(?P<late>LATE)_)?{USER}"
-UPLOAD = re.compile(rf"{WHO}_(?P<attachment>{ID})_(?P<file>.+)", re.DOTALL)
-ENTRY = re.compile(rf"{WHO}_(?P<kind>text|link)\.html", re.DOTALL)
+WHO = rf"(?:(?!LATE_|anon_)(?P<name>[^/]+?)_)?(?:(?P<late>LATE)_)?{USER}"
+UPLOAD = re.compile(rf"{WHO}_(?P<attachment>{ID})_(?P<file>[^/]+)", re.DOTALL)
+TYPED = re.compile(rf"{WHO}_(?P<kind>text|link)\.html", re.DOTALL)
 EITHER = (
     "could be one of several users', by its name: look in Canvas who handed it in, and grade it by "
     "itself with ./kit grade"
 )
 
 
-@dataclass(frozen=True)
-class TextEntry:
-    """A text or a web address that a student or a group typed into Canvas."""
-
-    name: str
-    user: str
-    late: bool
-    kind: str  # "text" or "link"
-
-
-def parse(entry: str) -> Upload | TextEntry | None:
+def parse(entry: str) -> Upload | None:
     """Parses an entry's name; None if Canvas doesn't write such names."""
-    match = ENTRY.fullmatch(entry)
-    if match:
-        return TextEntry(match["name"] or "", match["user"], bool(match["late"]), match["kind"])
-    match = UPLOAD.fullmatch(entry)
+    typed = TYPED.fullmatch(entry)
+    match = typed or UPLOAD.fullmatch(entry)
     if not match:
         return None
-    user, attachment, file = match["user"], int(match["attachment"]), match["file"]
-    return Upload(entry, match["name"] or "", user, bool(match["late"]), attachment, file)
+    who = (entry, match["name"] or "", match["user"])
+    if typed:
+        kind = "text" if typed["kind"] == "text" else "an address"
+        return Upload(*who, "", bool(typed["late"]), as_named=False, typed=kind)
+    return Upload(*who, match["file"], bool(match["late"]), int(match["attachment"]), False)
 
 
-def wrote_all(entries: Iterable[str]) -> bool:
-    """Whether Canvas can have written all of these names. It gives each file an id of its own; what
-    Blackboard writes of the user 12345 and an assignment "HW_3" looks like one file, several times.
-    """
-    parsed = [parse(entry) for entry in entries]
-    ids = [upload.attachment for upload in parsed if isinstance(upload, Upload)]
-    return all(parsed) and len(set(ids)) == len(ids)
+def read(archive: Archive, people: Mapping[str, str]) -> dict[str, Upload | str]:
+    """Each entry; or why it is of nobody."""
+    found = read_all(archive.names(), people)
+    return {
+        entry: one or (EITHER if parse(entry) else _unnamed(entry)) for entry, one in found.items()
+    }
 
 
-def read_all(
-    entries: Iterable[str], people: Mapping[str, str] = {}
-) -> dict[str, Upload | TextEntry | None]:
+def _unnamed(entry: str) -> str:
+    in_folder = "/" in entry and not entry.startswith("__MACOSX")
+    return "is in a folder; Canvas's download has none" if in_folder else not_named(TITLE, entry)
+
+
+def read_all(entries: Iterable[str], people: Mapping[str, str]) -> dict[str, Upload | None]:
     """Reads the names of all entries. The value is None for a name that Canvas doesn't write, and
     for an ambiguous one: students choose their names and the names of their files, so an entry can
     often be split in several ways. `people` are the names in the grade book, by Canvas's ids. An
@@ -97,25 +78,26 @@ def read_all(
     return read
 
 
-def readings(entry: str) -> list[Upload | TextEntry]:
+def readings(entry: str) -> list[Upload]:
     """All ways to split an entry's name into its fields."""
     first = parse(entry)
     if first is None or (first.user.startswith("anon_") and not first.name):
         return [first] if first else []
-    typed_or_anonymous = isinstance(first, TextEntry) or first.user.startswith("anon_")
-    possible: list[Upload | TextEntry] = [first] if typed_or_anonymous else []
+    possible = [first] if first.typed or first.user.startswith("anon_") else []
     ids = re.compile(rf"(?<!_LATE)(?=(?:^|_)(LATE_)?({ID})_({ID})_(.+))", re.DOTALL)
     for match in ids.finditer(entry):
         late, user, attachment, file = match.groups()
         name = entry[: match.start()]
-        possible.append(Upload(entry, name, user, bool(late), int(attachment), file))
+        possible.append(Upload(entry, name, user, file, bool(late), int(attachment), False))
     return possible
 
 
-def feedback_name(uploads: tuple[Upload, ...]) -> str:
-    """The name for a feedback page that Canvas accepts as a comment: it has the ids of the newest
-    upload."""
-    newest = max(uploads, key=lambda upload: upload.attachment)
+def page_of(uploads: Sequence[Upload]) -> str:
+    """The name for a feedback page, which Canvas accepts as a comment if it has the ids of an
+    upload: the newest. It can't import a page about what was typed."""
+    newest = max(uploads, key=lambda upload: upload.number)
+    if newest.typed:
+        return f"{fitting(newest.entry.removesuffix('.html'))}_feedback.html"
     ids = newest.entry[len(newest.name) : -len(newest.file)]
     return f"{printable_name(fitting(newest.name, 150))}{ids}feedback.html"
 
@@ -136,117 +118,3 @@ def is_name_of(person: str, canvas_name: str) -> bool:
 def _in_a_word(c: str) -> bool:
     """Whether Ruby's [[:word:]] matches it, which includes combining marks."""
     return unicodedata.category(c)[0] in "LM" or unicodedata.category(c) in ("Nd", "Pc")
-
-
-def plain_file(file: str, texts: list[bytes]) -> str:
-    """The original name of an uploaded file, without the number that Canvas adds: rotation-1.hpp
-    becomes rotation.hpp, unless the sources themselves mention "rotation-1.hpp"."""
-    part = part_file(file)
-    if part:
-        return part
-    names = [file, *_without_number(file)]
-    named = [name for name in names if any(name.encode() in text for text in texts)]
-    return named[0] if named else names[-1]
-
-
-def _without_number(file: str) -> list[str]:
-    """The names without Canvas's number, which may be before the first dot or before the last."""
-    names = []
-    for dot in (file.find("."), file.rfind(".")):
-        name = COPY.sub("", file[:dot]) + file[dot:]
-        names += [name] if dot > 0 and name != file else []
-    return names
-
-
-def read(path: Path, people: Mapping[str, str]) -> Class:
-    archive = opened(path)
-    intake = Class("a Canvas download", service="canvas", tells_lateness=True)
-    if path.is_dir():
-        folders = [child.name for child in sorted(path.iterdir()) if is_folder(child)]
-        intake.unmatched += [
-            Unmatched(f, "is a folder; Canvas's download has none") for f in folders
-        ]
-    users: dict[str, list[Upload]] = {}
-    entries = archive.names()
-    read_as = read_all((name for name in entries if "/" not in name), people)
-    for name in entries:
-        parsed = read_as.get(name)
-        if isinstance(parsed, Upload):
-            users.setdefault(parsed.user, []).append(parsed)
-        elif parsed:
-            intake.unmatched.append(_typed(name, parsed))
-        else:
-            either = parse(name) and "/" not in name
-            intake.unmatched.append(Unmatched(name, EITHER if either else _no_name(name)))
-    take_uploads(intake, archive, users)
-    return intake
-
-
-def take_uploads(intake: Class, archive: Archive, users: Mapping[str, list[Upload]]) -> None:
-    """Adds the students who submitted these uploads to Canvas."""
-    for user, uploads in users.items():
-        page = feedback_name(tuple(uploads))
-        name = page.removesuffix("_feedback.html")
-        try:
-            student = _student(archive, user, uploads)
-        except Damaged:
-            raise
-        except UsageError as error:
-            intake.unmatched.append(refused(name, str(error), user, page))
-            continue
-        if student.uploads:
-            intake.students.append(student)
-        else:
-            intake.unmatched.append(of_no_use(name, student.unused, user, page))
-
-
-def _student(archive: Archive, user: str, uploads: list[Upload]) -> Student:
-    """The student who submitted these uploads. Raises UsageError if they can't be read."""
-    if len(uploads) > MOST_UPLOADS:
-        raise UsageError(f"is {len(uploads)} files; a submission may have {MOST_UPLOADS}")
-    with about_one_submission("can't be read"):
-        counted, unused = _newest(archive, uploads)
-    newest = max(uploads, key=lambda upload: upload.attachment)
-    return Student(
-        id=user,
-        name=newest.name or user,
-        path=archive.path,
-        uploads=tuple(counted),
-        late=any(upload.late for upload in uploads),
-        feedback=feedback_name(tuple(uploads)),
-        unused=tuple(unused),
-    )
-
-
-def _newest(archive: Archive, uploads: list[Upload]) -> tuple[list[Upload], list[str]]:
-    """The newest upload of each file, and a sentence for each upload that isn't used."""
-    texts = texts_of(archive, uploads)
-    newest: dict[str, Upload] = {}
-    unused = []
-    for upload in sorted(uploads, key=lambda u: -u.attachment):
-        file = plain_file(upload.file, texts)
-        if not may_count(file):
-            unused.append(f"{printable_name(upload.file)} {NOT_USED}")
-        elif file in newest:
-            newer = printable_name(newest[file].file)
-            unused.append(f"{printable_name(upload.file)} is older than {newer}")
-        else:
-            newest[file] = upload
-    return sorted(newest.values(), key=lambda u: u.attachment), unused
-
-
-def _typed(name: str, entry: TextEntry) -> Unmatched:
-    """A text entry or address, which can't be graded. Canvas can't import its feedback page, whose
-    name would need the id of an attachment."""
-    what = "text typed into Canvas" if entry.kind == "text" else "an address typed into Canvas"
-    reason = f"is {what}, with no file to grade: ask for the files of the parts"
-    page = f"{fitting(name.removesuffix('.html'))}_feedback.html"
-    return Unmatched(name, reason, entry.user, page, f"It is {what}. {HAND_IN}")
-
-
-def _no_name(name: str) -> str:
-    if name.startswith("__MACOSX/") or name.endswith(".DS_Store"):
-        return "was made by macOS, and is no submission"
-    if "/" in name:
-        return "is in a folder; Canvas's download has none"
-    return "isn't named as Canvas names submissions (name_user_attachment_file)"

@@ -18,9 +18,9 @@ from urllib.parse import urlsplit
 import requests
 from urllib3.exceptions import HTTPError
 from bounce_grader.classroom.intake.archive import opened
-from bounce_grader.classroom.intake.canvas import sanitized, take_uploads
+from bounce_grader.classroom.intake.canvas import page_of, sanitized
 from bounce_grader.classroom.intake.student import Class, Unmatched, Upload
-from bounce_grader.classroom.intake.uploads import HAND_IN, may_count, MOST_UPLOADS
+from bounce_grader.classroom.intake.uploads import may_count, MOST_UPLOADS, take, without_files
 from bounce_grader.common.errors import KitError, UsageError
 from bounce_grader.common.escaping import printable_name
 from bounce_grader.common.files import fitting, write_whole
@@ -149,64 +149,59 @@ def download(canvas: Canvas, out: Path) -> Class:
     folder = out / FILES
     out.mkdir(mode=0o700, parents=True, exist_ok=True)
     folder.mkdir(exist_ok=True)
-    uploads: dict[str, list[Upload]] = {}
-    late: dict[str, int] = {}
-    names: dict[str, str] = {}
     try:
         listed = list(canvas.all(f"{canvas.path}/submissions?include[]=user&per_page=100"))
     except Refused as refused:
         raise UsageError(
             f"Canvas has no assignment {canvas.assignment} for you ({refused})"
         ) from None
-    missing: dict[str, Unmatched] = {}
+    intake = Class("Canvas's API", service="canvas", tells_lateness=True)
+    missing = []
+    names: dict[str, str] = {}
+    late: dict[str, int] = {}
     for submission in listed:
         user = str(submission.get("user_id", ""))
-        person = submission.get("user") or {}
-        names[user] = printable_name(str(person.get("sortable_name") or ""))
+        names[user] = printable_name(str(_person(submission).get("sortable_name") or ""))
+        shown = names[user] or user
         try:
-            uploads[user] = _taken(canvas, folder, user, submission)
+            uploads = _downloaded(canvas, folder, user, submission)
         except Refused as refused:
-            missing[user] = Unmatched(names[user] or user, f"isn't graded: {refused}", user)
+            missing.append(Unmatched(shown, f"isn't graded: {refused}", user))
             continue
         kind = str(submission.get("submission_type") or "")
-        if not uploads[user] and (kind or submission.get("submitted_at")):
-            missing[user] = _without_files(names[user] or user, user, kind)
+        if uploads:
+            take(intake, opened(folder), uploads, page_of(uploads))
+        elif kind or submission.get("submitted_at"):
+            what = f"is {TYPED[kind]} typed into Canvas" if kind in TYPED else "has no file"
+            missing.append(without_files(shown, what, user, f"{user}_feedback.html"))
         if submission.get("late"):
             late[user] = max(1, math.ceil(float(submission.get("seconds_late") or 0) / 86400))
-    uploads = {user: taken for user, taken in uploads.items() if taken}
-    intake = Class("Canvas's API", service="canvas", tells_lateness=True)
-    take_uploads(intake, opened(folder), uploads)
-    intake.unmatched = [
-        *(replace(u, name=names.get(u.user) or u.name) for u in intake.unmatched),
-        *missing.values(),
-    ]
+    named = [replace(u, name=names.get(u.user) or u.name) for u in intake.unmatched]
+    intake.unmatched = [*named, *missing]
     intake.students = [
         replace(s, person=names.get(s.id, ""), late_days=late.get(s.id, 0)) for s in intake.students
     ]
     if not intake.students:
-        first = next(iter(missing.values()), None)
-        why = f"; {first.name} {first.reason}" if first else ""
+        why = f"; {missing[0].name} {missing[0].reason}" if missing else ""
         raise UsageError(
             f"nobody has submitted a file to the assignment {canvas.assignment} yet{why}"
         )
     return intake
 
 
-def _without_files(name: str, user: str, kind: str) -> Unmatched:
-    what = f"is {TYPED[kind]} typed into Canvas" if kind in TYPED else "has no file"
-    reason = f"{what}, so nothing can be graded: ask for the files of the parts"
-    return Unmatched(name, reason, user, f"{user}_feedback.html", f"It {what}. {HAND_IN}")
+def _person(submission: dict[str, Any]) -> dict[str, Any]:
+    return submission.get("user") or {}
 
 
-def _taken(canvas: Canvas, folder: Path, user: str, submission: dict[str, Any]) -> list[Upload]:
-    """A student's uploads, downloaded. Raises Refused if one can't be: without it, a grading would
+def _downloaded(
+    canvas: Canvas, folder: Path, user: str, submission: dict[str, Any]
+) -> list[Upload]:
+    """A student's uploads. Raises Refused if one can't be downloaded: without it, a grading would
     take points for what was handed in."""
-    uploads, room = [], LARGEST
     attachments = submission.get("attachments") or []
-    for attachment in attachments:
-        person = submission.get("user") or {}
-        upload = _upload(user, person, bool(submission.get("late")), attachment)
-        uploads.append(upload)
+    uploads = [_upload(user, submission, attachment) for attachment in attachments]
+    room = LARGEST
+    for upload, attachment in zip(uploads, attachments):
         path = folder / upload.entry
         if len(attachments) > MOST_UPLOADS or not may_count(upload.file):
             continue  # named, and never read
@@ -218,18 +213,20 @@ def _taken(canvas: Canvas, folder: Path, user: str, submission: dict[str, Any]) 
     return uploads
 
 
-def _upload(user: str, person: dict[str, Any], late: bool, attachment: dict[str, Any]) -> Upload:
+def _upload(user: str, submission: dict[str, Any], attachment: dict[str, Any]) -> Upload:
     """An attachment, with the name that it has in Canvas's download."""
     try:
         id = int(attachment["id"])
     except (KeyError, TypeError, ValueError):
         raise Refused("Canvas names a file without an id; look at it there") from None
-    name = fitting(sanitized(str(person.get("sortable_name") or user)), 80) or user
+    sortable_name = str(_person(submission).get("sortable_name") or user)
+    name = fitting(sanitized(sortable_name), 80) or user
+    late = bool(submission.get("late"))
     file = printable_name(str(attachment.get("display_name") or attachment.get("filename") or id))
     stem, dot, ending = file.replace("/", "_").rpartition(".")
     file = f"{fitting(stem, 80)}{dot}{fitting(ending, 20)}"
     entry = f"{name}{'_LATE' if late else ''}_{user}_{id}_{file}"
-    return Upload(entry, name, user, late, id, file)
+    return Upload(entry, name, user, file, late, id, as_named=False)
 
 
 def _fetch(canvas: Canvas, url: str, path: Path) -> None:

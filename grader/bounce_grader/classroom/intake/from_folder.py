@@ -6,7 +6,7 @@ from pathlib import Path
 
 from bounce_grader.classroom.intake import canvas
 from bounce_grader.classroom.intake.archive import is_file, is_folder, opened, zip_alone
-from bounce_grader.classroom.intake.student import Class, set_duplicates_aside, Student, Unmatched
+from bounce_grader.classroom.intake.student import Class, Student, Unmatched
 from bounce_grader.common.errors import about_one_submission, UsageError
 from bounce_grader.common.files import fitting
 from bounce_grader.common.manifest import parts
@@ -37,7 +37,7 @@ def read(path: Path, children: list[Path]) -> Class:
         intake.students.append(Student(name, name, submitted, feedback=page))
     left = [child for child in children if child not in folders and child not in zips]
     intake.unmatched += [Unmatched(child.name, _no_submission(child)) for child in left]
-    set_duplicates_aside(intake)
+    intake.set_duplicates_aside()
     if intake.students and not any(_has_a_part(student.path) for student in intake.students):
         _require_no_download(path, zips)
         raise UsageError(

@@ -10,10 +10,9 @@ from collections.abc import Iterable, Iterator
 from contextlib import ExitStack
 from pathlib import Path
 
-from bounce_grader.classroom.intake import canvas
 from bounce_grader.classroom.intake.archive import opened, Archive
 from bounce_grader.classroom.intake.student import Upload
-from bounce_grader.classroom.intake.uploads import texts_of
+from bounce_grader.classroom.intake.uploads import own_name, texts_of
 from bounce_grader.common.errors import about_one_submission, UsageError
 from bounce_grader.submission import intake, submission
 from bounce_grader.submission.entry import LARGEST_SOURCE, MOST_ENTRIES, Entry, UnpackLimits
@@ -66,7 +65,7 @@ def _merged(
             name = Path(upload.file) if len(uploads) > 1 else WHOLE
             newer = open_zips.enter_context(intake.opened(name, data, left))
         else:
-            newer = [_entry(upload, data, archive.size(upload.entry), texts)]
+            newer = [_entry(own_name(upload, texts), archive.size(upload.entry), data)]
         listed += len(newer)
         if listed > MOST_ENTRIES:
             raise UsageError(
@@ -74,19 +73,14 @@ def _merged(
             )
         links = {entry.name: entry for entry in newer if entry.link}  # links replace no file
         files = {entry.name: entry for entry in newer if not entry.link}
-        if not upload.as_named:
-            merged = _without_parts(set(map(_part, files)), merged)
-        merged = links | merged | files
+        replaced = set() if upload.as_named else {*map(_part, files)} - {None}
+        older = {name: e for name, e in merged.items() if _part(name) not in replaced}
+        merged = links | older | files
     return merged
 
 
-def _entry(upload: Upload, data: bytes, size: int, texts: list[bytes]) -> Entry:
-    name = upload.file if upload.as_named else canvas.plain_file(upload.file, texts)
+def _entry(name: str, size: int, data: bytes) -> Entry:
     return Entry(name, size, False, lambda limit: data[:limit])
-
-
-def _without_parts(parts: set[str | None], older: dict[str, Entry]) -> dict[str, Entry]:
-    return {name: e for name, e in older.items() if _part(name) not in parts - {None}}
 
 
 def _part(name: str) -> str | None:

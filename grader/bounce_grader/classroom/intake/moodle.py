@@ -19,22 +19,16 @@ of years, days, hours, minutes and seconds (`format_time`).
 """
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path, PurePosixPath
-from typing import NamedTuple
 
-from bounce_grader.classroom.intake.archive import is_folder, opened, zip_alone
-from bounce_grader.classroom.intake.student import (
-    Class,
-    set_duplicates_aside,
-    Student,
-    Unmatched,
-    Upload,
-)
-from bounce_grader.classroom.intake.uploads import not_named, take, typed_elsewhere
+from bounce_grader.classroom.intake.archive import Archive, is_folder, not_named, zip_alone
+from bounce_grader.classroom.intake.student import Class, Student, Unmatched, Upload
+from bounce_grader.classroom.intake.uploads import without_files
 from bounce_grader.common.escaping import printable_name
 from bounce_grader.common.files import fitting
 
+TITLE = "Moodle"
 ENTRY = re.compile(
     r"(?P<name>[^_/]+)_(?P<id>[0-9]{1,20})_assignsubmission_(?P<kind>file|onlinetext)"
     r"(?:_?/|_)(?P<file>.+)",
@@ -50,31 +44,19 @@ UNITS = {  # what the words for a unit begin with, by the days in it
     0: "hour|hr|stunde|heure|hora|hore|ora|ore|óra|uur|uren|timm|time|godz|hod|tunti|saat|час|годин"
     "|ώρ|時間|小时|小時|시간|min|мин|хв|λεπτ|perc|dakika|分|분|sec|sek|seg|saniye|сек|δευτ|秒|초",
 }
-FOLDER = re.compile(r"(?P<name>[^_/]+)_(?P<id>[0-9]{1,20})_assignsubmission_(?P<kind>\w+?)_?")
 
 
-class Entry(NamedTuple):
-    """The name of a file or folder in Moodle's download, split into its fields."""
-
-    name: str
-    participant: str
-    kind: str  # "file" or "onlinetext"
-    file: str  # its path in the submission; "" for a folder
-
-
-def parse(entry: str) -> Entry | None:
+def parse(entry: str) -> Upload | None:
     match = ENTRY.fullmatch(entry)
-    return Entry(match["name"], match["id"], match["kind"], match["file"]) if match else None
+    if not match:
+        return None
+    typed = "text" if match["kind"] == "onlinetext" else ""
+    return Upload(entry, match["name"], match["id"], match["file"], typed=typed)
 
 
-def wrote_all(entries: Iterable[str]) -> bool:
-    """Whether Moodle can have written all of these names."""
-    return all(map(parse, entries))
-
-
-def parse_folder(name: str) -> Entry | None:
-    match = FOLDER.fullmatch(name)
-    return Entry(match["name"], match["id"], match["kind"], "") if match else None
+def parse_folder(name: str) -> Upload | None:
+    """A folder of an unpacked download, by its name."""
+    return parse(f"{name}/-")
 
 
 def days_late(status: str) -> int | None:
@@ -94,53 +76,41 @@ def days_late(status: str) -> int | None:
     return days + begun
 
 
-def feedback_name(name: str, participant: str) -> str:
+def page_of(uploads: Sequence[Upload]) -> str:
     """The name for a feedback page that Moodle's importer of feedback files takes, whichever its
     version: it splits at "_"."""
-    return f"{printable_name(fitting(name, 150))}_{participant}_assignfeedback_file_feedback.html"
+    name = printable_name(fitting(uploads[0].name, 150))
+    return f"{name}_{uploads[0].user}_assignfeedback_file_feedback.html"
 
 
-def read(path: Path, _people: Mapping[str, str]) -> Class:
-    archive = opened(path)
-    intake = Class("a Moodle download", service="moodle")
-    files: dict[tuple[str, str], list[Upload]] = {}
-    for number, name in enumerate(archive.names()):
-        parsed = parse(name)
-        if not parsed:
-            intake.unmatched.append(Unmatched(name, not_named("Moodle", name)))
-        elif parsed.kind == "onlinetext":
-            page = feedback_name(parsed.name, parsed.participant)
-            typed_elsewhere(intake, name, "Moodle", parsed.participant, page)
-        elif not _is_inside(parsed.file):
-            intake.unmatched.append(Unmatched(name, "points outside of the submission"))
-        else:
-            who = (parsed.participant, parsed.name)
-            upload = Upload(name, parsed.name, parsed.participant, False, number, parsed.file, True)
-            files.setdefault(who, []).append(upload)
-    for (participant, name), uploads in files.items():
-        page = feedback_name(name, participant)
-        take(intake, archive, participant, name, uploads, page)
-    return intake
-
-
-def read_folders(children: list[Path]) -> Class:
-    """Moodle's download, unpacked."""
-    intake = Class("a Moodle download", service="moodle")
-    for child in children:
-        parsed = parse_folder(child.name) if is_folder(child) else None
-        if not parsed:
-            intake.unmatched.append(Unmatched(child.name, not_named("Moodle", child.name)))
-            continue
-        page = feedback_name(parsed.name, parsed.participant)
-        if parsed.kind == "onlinetext":
-            typed_elsewhere(intake, child.name, "Moodle", parsed.participant, page)
-        else:
-            there = zip_alone(child) or child
-            intake.students.append(Student(parsed.participant, parsed.name, there, feedback=page))
-    set_duplicates_aside(intake)
-    return intake
+def read(archive: Archive, _people: Mapping[str, str]) -> dict[str, Upload | str]:
+    """Each entry; or why it is of nobody."""
+    read: dict[str, Upload | str] = {}
+    for entry in archive.names():
+        upload = parse(entry)
+        leads_out = upload and not _is_inside(upload.file)
+        reason = "points outside of the submission" if leads_out else not_named(TITLE, entry)
+        read[entry] = upload if upload and not leads_out else reason
+    return read
 
 
 def _is_inside(file: str) -> bool:
     parts_of = PurePosixPath(file).parts
     return not file.startswith("/") and ".." not in parts_of and "\\" not in file
+
+
+def read_folders(children: Sequence[Path]) -> Class:
+    """Moodle's download, unpacked."""
+    intake = Class(f"a {TITLE} download", service="moodle")
+    for child in children:
+        found = parse_folder(child.name) if is_folder(child) else None
+        if not found:
+            intake.unmatched.append(Unmatched(child.name, not_named(TITLE, child.name)))
+        elif found.typed:
+            what = f"is {found.typed} typed into {TITLE}"
+            intake.unmatched.append(without_files(child.name, what, found.user, page_of([found])))
+        else:
+            there, page = zip_alone(child) or child, page_of([found])
+            intake.students.append(Student(found.user, found.name, there, feedback=page))
+    intake.set_duplicates_aside()
+    return intake

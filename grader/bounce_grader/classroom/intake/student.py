@@ -7,17 +7,17 @@ from typing import NamedTuple
 from bounce_grader.common.escaping import printable_name
 
 
-@dataclass(frozen=True)
-class Upload:
-    """One file that a student or a group submitted."""
+class Upload(NamedTuple):
+    """One file of a service's download, by its name there; or what was typed into the service."""
 
-    entry: str  # its whole name in the archive
-    name: str  # "doejane", or "" if the assignment is anonymous
-    user: str
-    late: bool
-    attachment: int
-    file: str
-    as_named: bool = False  # the file has the student's own name for it, and no other file's
+    entry: str  # its whole name in the download
+    name: str  # of the student or group: "doejane"; "" if the assignment is anonymous
+    user: str  # the service's id
+    file: str  # "" if it is typed
+    late: bool = False
+    number: int = 0  # grows: the id of Canvas's attachment, the time of Blackboard's attempt
+    as_named: bool = True  # the file has the student's own name for it, and no other file's
+    typed: str = ""  # "text" or "an address"
 
 
 class Member(NamedTuple):
@@ -32,10 +32,10 @@ class Member(NamedTuple):
 class Student:
     """One submission: a person's, or a group's."""
 
-    id: str  # Canvas's user id, a login, or the name of a folder
+    id: str  # the service's, a login, or the name of a folder
     name: str
-    path: Path  # the folder or zip; for Canvas, the whole download
-    uploads: tuple[Upload, ...] = ()  # for Canvas: the files that count
+    path: Path  # the folder or zip; with uploads, the whole download
+    uploads: tuple[Upload, ...] = ()  # those that count
     late: bool = False
     feedback: str = ""  # the name of the feedback page
     unused: tuple[str, ...] = ()  # a sentence for each file that doesn't count
@@ -76,18 +76,13 @@ class Class:
         """How many students or groups submitted something, whatever it is."""
         return len({s.id for s in self.students} | {u.user for u in self.unmatched if u.user})
 
-
-def set_duplicates_aside(intake: Class) -> None:
-    """Moves submissions with one id to the unmatched ones, because it isn't clear which counts."""
-    by_id: dict[str, list[Student]] = {}
-    for student in intake.students:
-        by_id.setdefault(student.id, []).append(student)
-    intake.students = [same[0] for same in by_id.values() if len(same) == 1]
-    for id, same in by_id.items():
-        if len(same) > 1:
-            files = " and ".join(map(_file_of, same))
-            intake.unmatched.append(Unmatched(id, f"could be {files}: keep one of them", id))
-
-
-def _file_of(student: Student) -> str:
-    return printable_name(student.uploads[0].entry if student.uploads else student.path.name)
+    def set_duplicates_aside(self) -> None:
+        """Moves submissions with one id to the unmatched ones: it isn't clear which counts."""
+        by_id: dict[str, list[Student]] = {}
+        for student in self.students:
+            by_id.setdefault(student.id, []).append(student)
+        self.students = [same[0] for same in by_id.values() if len(same) == 1]
+        for id, same in by_id.items():
+            if len(same) > 1:
+                files = " and ".join(printable_name(student.path.name) for student in same)
+                self.unmatched.append(Unmatched(id, f"could be {files}: keep one of them", id))

@@ -3,15 +3,21 @@ folders or zips, or in a checkout of repositories. What can't be matched is list
 reason."""
 
 import zipfile
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
+from types import ModuleType
 
 from bounce_grader.classroom.intake import blackboard, canvas, from_folder, moodle
-from bounce_grader.classroom.intake.archive import is_file, opened
-from bounce_grader.classroom.intake.student import Class
+from bounce_grader.classroom.intake.archive import Archive, is_file, is_folder, opened
+from bounce_grader.classroom.intake.student import Class, Unmatched, Upload
+from bounce_grader.classroom.intake.uploads import take, without_files
 from bounce_grader.common.errors import UsageError
 from bounce_grader.common.escaping import printable_name
 from bounce_grader.submission.intake import is_archive
+
+# Each has its title, `parse` for the name of one entry, `read` for all entries of a download, and
+# `page_of` for the name of a feedback page.
+SERVICES = (moodle, canvas, blackboard)
 
 
 def read(path: Path, people: Mapping[str, str] = {}) -> Class:
@@ -20,10 +26,11 @@ def read(path: Path, people: Mapping[str, str] = {}) -> Class:
     path = path.absolute()
     if path.is_dir():
         children = sorted(path.iterdir())
-        names = [child.name for child in children if is_file(child)]
-        service = _service(names)
+        service = _service([child.name for child in children if is_file(child)])
         if service:
-            intake = service(path, people)
+            intake = _of_download(service, opened(path), people)
+            beside = "is a folder beside a download's files, and isn't read"
+            intake.unmatched += [Unmatched(c.name, beside) for c in children if is_folder(c)]
         elif any(moodle.parse_folder(child.name) for child in children):
             intake = moodle.read_folders(children)
         else:
@@ -31,8 +38,8 @@ def read(path: Path, people: Mapping[str, str] = {}) -> Class:
     elif not path.exists():
         raise UsageError(f"there is no file or folder {printable_name(str(path))}")
     elif zipfile.is_zipfile(path):
-        service = _service(opened(path).names()) or canvas.read
-        intake = service(path, people)
+        archive = opened(path)
+        intake = _of_download(_service(archive.names()) or canvas, archive, people)
     else:
         cut = is_archive(path.name) or not path.stat().st_size
         reason = "is broken, or was cut short: download it again"
@@ -44,21 +51,41 @@ def read(path: Path, people: Mapping[str, str] = {}) -> Class:
     return intake
 
 
-def _service(names: Sequence[str]) -> Callable[[Path, Mapping[str, str]], Class] | None:
-    """The reader for the service whose download has such files; None if there is no such service.
+def _service(names: Sequence[str]) -> ModuleType | None:
+    """The service whose download has such files; None if there is no such service.
 
     Students choose how the names of their files end, so one name proves nothing: every name that
     looks like some service's has to look like this one's. Moodle and Canvas are tried first,
     because they write the beginning of each name themselves. Blackboard's names begin with the
     assignment's title, which may be anything. So in a download of another service, a student could
-    give a file a name that looks like Blackboard's.
+    give a file a name that looks like Blackboard's. But Canvas gives each file an id of its own; what
+    Blackboard writes of the user 12345 and an assignment "HW_3" looks like one file, several times.
     """
-    services = (moodle, canvas, blackboard)
-    known = [name for name in names if any(service.parse(name) for service in services)]
-    for service in services:
-        if known and service.wrote_all(known):
-            return service.read
-    return canvas.read if known else None
+    known = [name for name in names if any(service.parse(name) for service in SERVICES)]
+    for service in SERVICES:
+        parsed = list(map(service.parse, known))
+        ids = [upload.number for upload in parsed if upload and not upload.typed]
+        if known and all(parsed) and (service is not canvas or len(set(ids)) == len(ids)):
+            return service
+    return canvas if known else None
+
+
+def _of_download(service: ModuleType, archive: Archive, people: Mapping[str, str]) -> Class:
+    title = service.TITLE
+    intake = Class(f"a {title} download", service=title.lower(), tells_lateness=service is canvas)
+    users: dict[str, list[Upload]] = {}
+    for name, found in service.read(archive, people).items():
+        if isinstance(found, str):
+            intake.unmatched.append(Unmatched(name, found))
+        elif found.typed:
+            what = f"is {found.typed} typed into {title}"
+            page = service.page_of([found])
+            intake.unmatched.append(without_files(name, what, found.user, page))
+        else:
+            users.setdefault(found.user, []).append(found)
+    for uploads in users.values():
+        take(intake, archive, uploads, service.page_of(uploads))
+    return intake
 
 
 def _expected(intake: Class) -> str:

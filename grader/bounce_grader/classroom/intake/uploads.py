@@ -6,12 +6,12 @@ from collections.abc import Iterable, Sequence
 
 from bounce_grader.classroom.intake.archive import Archive, Damaged
 from bounce_grader.classroom.intake.student import Class, Student, Unmatched, Upload
-from bounce_grader.common.errors import UsageError
+from bounce_grader.common.errors import about_one_submission, UsageError
 from bounce_grader.common.escaping import first_few, printable_name
 from bounce_grader.common.manifest import parts
 from bounce_grader.submission.entry import LARGEST_SOURCE
 from bounce_grader.submission.intake import NOT_USED, is_archive
-from bounce_grader.submission.submission import HEADERS, MOST_BYTES, SOURCES
+from bounce_grader.submission.submission import COPY, HEADERS, MOST_BYTES, part_file, SOURCES
 
 MOST_UPLOADS = 100  # of a student's
 HAND_IN = f"Hand in the parts, {parts()[0].file} to {parts()[-1].file}, as files or as one zip."
@@ -19,11 +19,54 @@ HAND_IN = f"Hand in the parts, {parts()[0].file} to {parts()[-1].file}, as files
 
 def may_count(file: str) -> bool:
     is_of_cases = file.startswith("examples") and file.endswith(".txt")  # Canvas adds numbers
-    return is_source(file) or is_archive(file) or is_of_cases
+    return _is_source(file) or is_archive(file) or is_of_cases
 
 
-def is_source(file: str) -> bool:
+def _is_source(file: str) -> bool:
     return os.path.splitext(file)[1].lower() in SOURCES | HEADERS
+
+
+def take(intake: Class, archive: Archive, uploads: Sequence[Upload], page: str) -> None:
+    """Adds the student who has uploaded these, with the name of their feedback page."""
+    newest = max(uploads, key=lambda upload: upload.number)
+    id, name = newest.user, newest.name or newest.user
+    try:
+        with about_one_submission("can't be read"):
+            counted, unused = _counted(archive, uploads)
+    except Damaged:
+        raise
+    except UsageError as error:
+        shown = f"{name} ({id})"
+        text = f"What you handed in {error}. {HAND_IN}"
+        intake.unmatched.append(Unmatched(shown, str(error), id, page, text))
+        return
+    if counted:
+        late = any(upload.late for upload in uploads)
+        student = Student(id, name, archive.path, tuple(counted), late, page, tuple(unused))
+        intake.students.append(student)
+    else:
+        reason = f"holds nothing that can be graded: {first_few(unused, separator='; ')}"
+        text = f"{first_few(unused, separator='. ')}. {HAND_IN}"
+        intake.unmatched.append(Unmatched(f"{name} ({id})", reason, id, page, text))
+
+
+def _counted(archive: Archive, uploads: Sequence[Upload]) -> tuple[list[Upload], list[str]]:
+    """The newest upload of each file, and a sentence for each upload that isn't used. Raises
+    UsageError if they can't be read."""
+    if len(uploads) > MOST_UPLOADS:
+        raise UsageError(f"is {len(uploads)} files; a submission may have {MOST_UPLOADS}")
+    texts = texts_of(archive, uploads)
+    newest: dict[str, Upload] = {}
+    unused = []
+    for upload in sorted(uploads, key=lambda upload: -upload.number):
+        shown, file = printable_name(upload.file), own_name(upload, texts)
+        if not may_count(file):
+            unused.append(f"{shown} {NOT_USED}")
+        elif file in newest:
+            unused.append(f"{shown} is older than {printable_name(newest[file].file)}")
+        else:
+            newest[file] = upload
+    return sorted(newest.values(), key=lambda upload: upload.number), unused
 
 
 def texts_of(archive: Archive, uploads: Iterable[Upload]) -> list[bytes]:
@@ -31,7 +74,7 @@ def texts_of(archive: Archive, uploads: Iterable[Upload]) -> list[bytes]:
     later, by the grading."""
     texts, room = [], MOST_BYTES
     for upload in uploads:
-        if is_source(upload.file):
+        if _is_source(upload.file):
             try:
                 texts.append(archive.read(upload.entry, min(room, LARGEST_SOURCE)))
                 room -= len(texts[-1])
@@ -42,43 +85,21 @@ def texts_of(archive: Archive, uploads: Iterable[Upload]) -> list[bytes]:
     return texts
 
 
-def take(
-    intake: Class, archive: Archive, id: str, name: str, uploads: list[Upload], page: str
-) -> None:
-    """Adds a student whose uploads all count."""
-    if len(uploads) > MOST_UPLOADS:
-        reason = f"is {len(uploads)} files; a submission may have {MOST_UPLOADS}"
-        intake.unmatched.append(refused(name, reason, id, page))
-        return
-    usable = [upload for upload in uploads if may_count(upload.file)]
-    unused = tuple(
-        f"{printable_name(upload.file)} {NOT_USED}" for upload in uploads if upload not in usable
-    )
-    if usable:
-        student = Student(id, name, archive.path, tuple(usable), feedback=page, unused=unused)
-        intake.students.append(student)
-        return
-    intake.unmatched.append(of_no_use(name, unused, id, page))
+def own_name(upload: Upload, texts: Iterable[bytes]) -> str:
+    """The student's own name for a file, without the number that Canvas adds: rotation-1.hpp becomes
+    rotation.hpp, unless the sources themselves mention "rotation-1.hpp"."""
+    file = upload.file
+    if upload.as_named:
+        return file
+    names = [file]
+    for dot in (file.find("."), file.rfind(".")):  # the number is before either
+        plain = COPY.sub("", file[:dot]) + file[dot:]
+        names += [plain] if dot > 0 and plain != file else []
+    named = [name for name in names if any(name.encode() in text for text in texts)]
+    return part_file(file) or (named or names[-1:])[0]
 
 
-def refused(name: str, reason: str, user: str, page: str) -> Unmatched:
-    return Unmatched(name, reason, user, page, f"What you handed in {reason}. {HAND_IN}")
-
-
-def of_no_use(name: str, unused: Sequence[str], user: str, page: str) -> Unmatched:
-    """`unused` has a sentence for each upload."""
-    reason = f"holds nothing that can be graded: {first_few(unused, separator='; ')}"
-    page_text = f"{first_few(unused, separator='. ')}. {HAND_IN}"
-    return Unmatched(name, reason, user, page, page_text)
-
-
-def typed_elsewhere(intake: Class, name: str, service: str, user: str, page: str) -> None:
-    what = f"is text typed into {service}"
-    reason = f"{what}, with no file to grade: ask for the files of the parts"
-    intake.unmatched.append(Unmatched(name, reason, user, page, f"It {what}. {HAND_IN}"))
-
-
-def not_named(service: str, name: str) -> str:
-    if name.startswith("__MACOSX") or name.endswith(".DS_Store"):
-        return "was made by macOS, and is no submission"
-    return f"isn't named as {service} names submissions"
+def without_files(name: str, what: str, user: str, page: str) -> Unmatched:
+    """Somebody who has handed in no file. `what` continues a sentence that begins with "It"."""
+    reason = f"{what}, so nothing can be graded: ask for the files of the parts"
+    return Unmatched(name, reason, user, page, f"It {what}. {HAND_IN}")

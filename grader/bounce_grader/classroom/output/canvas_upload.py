@@ -14,13 +14,22 @@ from bounce_grader.classroom.grading.summary import Summary
 from bounce_grader.classroom.intake.canvas_api import Canvas, Refused
 from bounce_grader.classroom.intake.student import Unmatched
 from bounce_grader.classroom.output import gradebook
+from bounce_grader.classroom.output.gradebook import is_ours
 from bounce_grader.common.escaping import terminal
 from bounce_grader.common.files import read_object, write_whole
 from bounce_grader.common.numbers import short
 
 UPLOADED = "uploaded.json"
 PLAN = "plan.json"
-Uploaded = dict[str, dict[str, Any]]  # by user: "points" that were posted, and the "page"'s digest
+# By user: the "points" that were posted, and the "page"'s digest.
+Uploaded = dict[str, dict[str, Any]]
+
+
+class Ask(NamedTuple):
+    """The options of ./kit class about Canvas."""
+
+    upload: bool
+    overwrite: bool
 
 
 class Change(NamedTuple):
@@ -33,86 +42,100 @@ class Change(NamedTuple):
     page: str | None  # the file's name
 
 
-def plan(
+def show_or_post(
+    canvas: Canvas, out: Path, summaries: Sequence[Summary], entries: Iterable[Unmatched], ask: Ask
+) -> int:
+    """Prints what would change on Canvas, and posts it on request if that was shown before. Returns
+    1 if something is left to do."""
+    changes, kept = _plan(canvas, out, summaries, entries, ask.overwrite)
+    if ask.upload and _were_shown(out, changes):
+        refused = _post(canvas, out, changes)
+        posted = len(changes) - len(refused)
+        print(f"Students whose points or pages were posted: {posted} of {len(changes)}.")
+        _print([*refused, *kept])
+        return int(bool(refused))
+    write_whole(out / PLAN, json.dumps(changes))
+    print(f"Students whose points or pages would change on Canvas: {len(changes)}.")
+    _print([*map(_words, changes), *kept])
+    if ask.upload:
+        print("This wasn't shown before: give the same command again to post it.")
+    elif changes:
+        print("Nothing is posted yet: add --upload.")
+    return int(ask.upload)
+
+
+def _print(lines: Iterable[str]) -> None:
+    print("".join(f"  {terminal(line)}\n" for line in lines), end="")
+
+
+def _plan(
     canvas: Canvas,
     out: Path,
     summaries: Sequence[Summary],
-    unmatched: Iterable[Unmatched],
+    entries: Iterable[Unmatched],
     overwrite: bool,
 ) -> tuple[list[Change], list[str]]:
     """The changes, and sentences about points that stay because a person has entered them. A
     student who submitted nothing that can be graded gets a page that says so, and no points."""
     now = {str(s["user_id"]): s for s in canvas.all(f"{canvas.path}/submissions?per_page=100")}
     uploaded = read_object(out / UPLOADED)
+    finals = [(one, s.student.feedback) for s in summaries for one in s.finals]
+    wanted: list[tuple[str, str, float | None, str]] = [
+        (one.id, one.name, round(one.points[0], 2), page) for one, page in finals
+    ]
+    graded = {one.id for one, _ in finals}
+    others = [entry for entry in entries if entry.user in now and entry.user not in graded]
+    wanted += [(entry.user, entry.name, None, entry.feedback) for entry in others]
     changes, kept = [], []
-    for summary in summaries:
-        for one in summary.finals:
-            there = now.get(one.id)
-            if there is None:
-                kept.append(f"{one.name or one.id} ({one.id}) isn't in the assignment on Canvas")
-                continue
-            done = uploaded.get(one.id, {})
-            before, points = there.get("score"), round(one.points[0], 2)
-            ours = before is None or gradebook.is_ours(before, points, done.get("points", []))
-            posted: float | None = points if before != points else None
-            if there.get("excused"):
-                posted = None
-            elif posted is not None and not ours and not overwrite:
-                why = gradebook.kept(short(before or 0.0), short(points))
-                kept.append(f"{one.name} ({one.id}) {why}")
-                posted = None
-            page = summary.student.feedback
-            is_new = _digest(out, page) not in ("", done.get("page"))
-            if posted is not None or is_new:
-                changes.append(Change(one.id, one.name, before, posted, page if is_new else None))
-    graded = {one.id for summary in summaries for one in summary.finals}
-    for entry in unmatched:
-        is_new = _digest(out, entry.feedback) not in ("", uploaded.get(entry.user, {}).get("page"))
-        if is_new and entry.user in now and entry.user not in graded:
-            before = now[entry.user].get("score")
-            changes.append(Change(entry.user, entry.name, before, None, entry.feedback))
+    for id, name, points, page in wanted:
+        there, done = now.get(id), uploaded.get(id, {})
+        if there is None:
+            kept.append(f"{name or id} ({id}) isn't in the assignment on Canvas")
+            continue
+        before = there.get("score")
+        if points is None or there.get("excused") or before == points:
+            posted = None
+        elif before is None or overwrite or is_ours(before, points, done.get("points", [])):
+            posted = points
+        else:
+            kept.append(f"{name} ({id}) {gradebook.kept(short(before), short(points))}")
+            posted = None
+        is_new = _digest(out, page) not in ("", done.get("page"))
+        if posted is not None or is_new:
+            changes.append(Change(id, name, before, posted, page if is_new else None))
     return changes, kept
 
 
-def show(changes: list[Change]) -> list[str]:
-    lines = []
-    for change in changes:
-        before = "nothing" if change.before is None else short(change.before)
-        points = "" if change.points is None else f"{before} -> {short(change.points)} points"
-        page = "a page" if change.page else ""
-        what = " and ".join(filter(None, [points, page]))
-        lines.append(terminal(f"{change.name or change.user} ({change.user}): {what}"))
-    return lines
+def _words(change: Change) -> str:
+    before = "nothing" if change.before is None else short(change.before)
+    points = "" if change.points is None else f"{before} -> {short(change.points)} points"
+    what = " and ".join(filter(None, [points, "a page" * bool(change.page)]))
+    return f"{change.name or change.user} ({change.user}): {what}"
 
 
-def were_shown(out: Path, changes: list[Change]) -> bool:
+def _were_shown(out: Path, changes: list[Change]) -> bool:
     """Whether all of these changes are among those that were shown last."""
     try:
-        shown = {json.dumps(change) for change in json.loads((out / PLAN).read_text())}
-    except (OSError, ValueError):
-        shown = set()
-    return all(json.dumps(change) in shown for change in changes)
+        shown = [Change(*fields) for fields in json.loads((out / PLAN).read_text())]
+    except (OSError, ValueError, TypeError):
+        shown = []
+    return all(change in shown for change in changes)
 
 
-def remember_shown(out: Path, changes: list[Change]) -> None:
-    write_whole(out / PLAN, json.dumps(changes))
-
-
-def post(canvas: Canvas, out: Path, changes: list[Change]) -> list[str]:
+def _post(canvas: Canvas, out: Path, changes: list[Change]) -> list[str]:
     """Posts the changes. Returns a sentence for each that Canvas refused."""
     uploaded = read_object(out / UPLOADED)
     refused = []
     for change in changes:
         path = f"{canvas.path}/submissions/{change.user}"
         done = uploaded.setdefault(change.user, {"points": [], "page": ""})
+        fields = {}
         try:
-            fields = {}
-            if change.points is not None:
-                fields["submission[posted_grade]"] = short(change.points)
             if change.page:
                 file = _upload(canvas, f"{path}/comments/files", out / "feedback" / change.page)
                 fields["comment[file_ids][]"] = str(file)
             if change.points is not None:
+                fields["submission[posted_grade]"] = short(change.points)
                 done["points"] = [*done["points"], change.points]
                 _write(out, uploaded)  # so that it counts as ours if the answer is lost
             canvas.call("PUT", path, fields)

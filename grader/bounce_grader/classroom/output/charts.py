@@ -1,69 +1,57 @@
-"""Draws the charts of the class page as SVG, in black, white and grey."""
+"""Draws the chart of the class page as SVG: speed against accuracy, in black, white and grey."""
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+import statistics
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple
 
+from bounce_grader.classroom.grading.summary import Summary
 from bounce_grader.common.numbers import metres, short
-from bounce_grader.formats.figures import Axes, BOLD, CLASSES, decades, Drawing, INK
+from bounce_grader.formats.figures import Axes, CLASSES, decades, Drawing, INK, NAMES
 from bounce_grader.formats.figures import line, Place, rect, svg, text, through, title, WORDS
+from bounce_grader.grading import speed
 
 WIDTH = 720
 
 
-@dataclass(frozen=True)
-class Bar:
-    """One bar of a chart: its label, length and note."""
-
-    label: str
-    share: float  # 0 to 1
-    note: str
-    heading: bool = False
-
-
-@dataclass(frozen=True)
-class Curve:
+class Curve(NamedTuple):
     """A curve with a point for each time step: CPU time as a multiple of the solution's at 1 ms,
     and error in m."""
 
-    places: tuple[tuple[float, float | None], ...]
+    places: Sequence[tuple[float, float | None]]
     kind: str  # whether it got "full", "some" or no ("none") points; or "solution" or "least"
     title: str
-    labels: tuple[str, ...] = ()  # of the places
+    labels: Sequence[str] = ()  # of the places
 
 
-def histogram(scores: Sequence[float], max_points: float) -> Drawing:
-    """The distribution of points, in ten columns, and one more for full points."""
-    counts = [0] * 11
-    for score in scores:
-        counts[10 if score >= max_points else min(9, int(10 * score / max_points))] += 1
-    highest, height, base = max([*counts, 1]), 190, 220
-    step = WIDTH / 11
-    out = [line(0, base, WIDTH, base)]
-    for i, count in enumerate(counts):
-        tall = height * count / highest
-        x = i * step
-        out.append(rect(x + 3, base - tall, step - 6, tall, "#444"))
-        if count:
-            out.append(text(x + step / 2, base - tall - 6, str(count), "middle"))
-        low, high = max_points * i / 10, max_points * (i + 1) / 10
-        label = short(max_points) if i == 10 else f"{short(low)}–{short(high)}"
-        out.append(text(x + step / 2, base + 20, label, "middle"))
-    out.append(text(WIDTH / 2, base + 44, "points", "middle"))
-    return svg(out, WIDTH, base + 54, "How many submissions have how many points")
+def of_class(summaries: Sequence[Summary], names: Mapping[str, str]) -> Drawing | None:
+    """All submissions' curves in one chart, with those of the solution and of the least model. Each
+    one's unit of time is the solution's, measured in the same run."""
+    graded = [s for s in summaries if s.score is not None]
+    curves = []
+    for one in graded:
+        kind = "full" if one.has_all_points else "some" if one.score else "none"
+        words = f"{names[one.student.id]}: {short(one.score or 0)} points"
+        curves.append(Curve(_over_solution(one, "submission"), kind, words))
+    curves = [curve for curve in curves if curve.places]
+    usual = [_median(summaries, whose) for whose in ("solution", "least")]
+    return error_against_time([*curves, *filter(None, usual)], speed.FINE) if curves else None
 
 
-def bars(rows: Sequence[Bar], label: str) -> Drawing:
-    """Horizontal bars, each with its label and its number."""
-    tall, start, end = 26, 445, 625
-    out = []
-    for i, row in enumerate(rows):
-        y = i * tall + 6
-        start_of_label, weight = (0, BOLD) if row.heading else (14, "")
-        out.append(text(start_of_label, y + 14, row.label, "start", weight))
-        out.append(rect(start, y + 2, end - start, 14, "none", "#999"))
-        out.append(rect(start, y + 2, (end - start) * row.share, 14, "#444"))
-        out.append(text(end + 8, y + 14, row.note, "start", weight))
-    return svg(out, WIDTH, len(rows) * tall + 12, label)
+def _over_solution(summary: Summary, whose: str) -> list[tuple[float, float | None]]:
+    unit = [point.ns for point in summary.curves.get("solution", ()) if point.dt >= speed.STEP]
+    return [(p.ns / unit[-1], p.error) for p in summary.curves.get(whose, ()) if unit]
+
+
+def _median(summaries: Sequence[Summary], whose: str) -> Curve | None:
+    """The median over all runs of the solution's or the least model's curve."""
+    runs = [(s, places) for s in summaries if (places := _over_solution(s, whose))]
+    if not runs:
+        return None
+    first, errors = runs[0]
+    times = [statistics.median(step) for step in zip(*([x for x, _ in run] for _, run in runs))]
+    places = [(x, error) for x, (_, error) in zip(times, errors)]
+    steps = [f"{short(1000 * point.dt)} ms" for point in first.curves[whose]]
+    return Curve(places, whose, NAMES[whose], steps if whose == "solution" else ())
 
 
 def error_against_time(curves: Sequence[Curve], fine: float) -> Drawing:

@@ -1,26 +1,22 @@
 """Writes grades.csv: every submission with its points by part and check."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 
 from bounce_grader.classroom.grading.summary import Summary
 from bounce_grader.common.escaping import csv_row, first_few, Value
 from bounce_grader.common.manifest import parts
-from bounce_grader.common.numbers import short
 from bounce_grader.formats.html import MOST_UNUSED
 
 
 def table(summaries: Iterable[Summary]) -> str:
-    return csv_row(_header()) + "".join(csv_row(_row(summary)) for summary in summaries)
-
-
-def _header() -> list[str]:
-    return [
+    header: list[Value] = [
         *("student", "id", "late", "state", "score", "final", "adjustments"),
         *(part.stem for part in parts()),
         *(check.id for part in parts() for check in part.checks),
         *("mistakes", "times the solution's time", "largest error", "needs a look", "not used"),
         "result",
     ]
+    return "".join(map(csv_row, [header, *map(_row, summaries)]))
 
 
 def _row(summary: Summary) -> list[Value]:
@@ -33,8 +29,8 @@ def _row(summary: Summary) -> list[Value]:
         "late" if student.late else "",
         summary.state,
         _number(summary.score),
-        _final_points(summary),
-        _changes(summary),
+        _of_members({one.id: _number(round(one.points[0], 2)) for one in summary.finals}),
+        _of_members({one.id: one.changes for one in summary.finals}) or "",
         *map(_number, [*points, *checks]),
         "; ".join(summary.mistakes.values()),
         *map(_number, [summary.ratio, summary.error]),
@@ -44,19 +40,11 @@ def _row(summary: Summary) -> list[Value]:
     ]
 
 
-def _final_points(summary: Summary) -> Value:
-    """A number, or the points of each member of a group where they differ."""
-    points = {one.id: round(one.points[0], 2) for one in summary.finals}
-    if len(set(points.values())) <= 1:
-        return _number(next(iter(points.values()), None))
-    return "; ".join(f"{id}: {short(value)}" for id, value in points.items())
-
-
-def _changes(summary: Summary) -> str:
-    texts = {one.id: one.changes for one in summary.finals}
-    if len(set(texts.values())) <= 1:
-        return next(iter(texts.values()), "")
-    return "; ".join(f"{id}: {text}" for id, text in texts.items() if text)
+def _of_members(values: Mapping[str, Value]) -> Value:
+    """What all members of a group have; or what each has, where they differ."""
+    if len(set(values.values())) > 1:
+        return "; ".join(f"{id}: {value}" for id, value in values.items() if value != "")
+    return next(iter(values.values()), None)
 
 
 def _number(value: float | None) -> Value:
