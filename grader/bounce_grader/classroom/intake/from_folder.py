@@ -17,29 +17,26 @@ from bounce_grader.submission.submission import part_file
 
 def read(path: Path, children: list[Path]) -> Class:
     _require_a_folder_of_submissions(path, children)
-    folders = [c for c in children if is_folder(c)]
-    folders = [c for c in folders if not c.name.startswith((".", "__MACOSX"))]
-    folders = [c for c in folders if not _is_output(c)]
-    zips = [c for c in children if is_file(c) and is_archive(c.name)]
-    cloned = [folder for folder in folders if os.path.exists(folder / ".git")]
     intake = Class("a folder of submissions")
+    taken = [child for child in children if not _no_submission(child)]
+    cloned = [child for child in taken if os.path.exists(child / ".git")]
     cut = 0
-    if 2 * len(cloned) > len(folders) + len(zips):
+    if 2 * len(cloned) > len(taken):
         cut = _common_prefix(path, cloned)
         before = f", named {cloned[0].name[:cut]!r} and a login" if cut else ""
         intake.source = f"a checkout of repositories{before}"
         intake.logins = True
-        folders = cloned
-    for child in [*folders, *zips]:
+        taken = cloned
+    for child in taken:
         name = child.name[cut:] if is_folder(child) else archive_stem(child.name)
         submitted = zip_alone(child) or child
-        page = f"{fitting(name)}.html"
-        intake.students.append(Student(name, name, submitted, feedback=page))
-    left = [child for child in children if child not in folders and child not in zips]
-    intake.unmatched += [Unmatched(child.name, _no_submission(child)) for child in left]
+        intake.students.append(Student(name, name, submitted, feedback=f"{fitting(name)}.html"))
+    other = "is no repository, as the others are"
+    left = [child for child in children if child not in taken]
+    intake.unmatched += [Unmatched(child.name, _no_submission(child) or other) for child in left]
     intake.set_duplicates_aside()
     if intake.students and not any(_has_a_part(student.path) for student in intake.students):
-        _require_no_download(path, zips)
+        _require_no_download(path, taken)
         raise UsageError(
             f"no folder or zip in {path} holds a part, as {parts()[0].file}: it should be "
             "Canvas's download, or a folder with one folder or zip a student"
@@ -60,10 +57,10 @@ def _is_part(child: Path) -> bool:
     return part_file(child.name) is not None and is_file(child)
 
 
-def _require_no_download(path: Path, zips: list[Path]) -> None:
+def _require_no_download(path: Path, children: list[Path]) -> None:
     """Raises UsageError if a zip here is Canvas's download. Called only if no submission has a
     part, because a student's own zip may hold names like Canvas's."""
-    for child in zips:
+    for child in filter(is_file, children):
         try:
             with about_one_submission("it can't be read"):
                 names = [name for name in opened(child).names() if "/" not in name]
@@ -73,18 +70,14 @@ def _require_no_download(path: Path, zips: list[Path]) -> None:
             raise UsageError(f"{path} holds a Canvas download: give {child} itself")
 
 
-def _is_output(folder: Path) -> bool:
-    return os.path.exists(folder / "log.jsonl") and os.path.isdir(folder / "results")
-
-
 def _no_submission(child: Path) -> str:
+    """Why a child can't be a submission; "" if it can."""
     if child.name.startswith((".", "__MACOSX")):
         return "is no submission"
     if not is_folder(child):
-        return "is neither a folder nor a zip"
-    if _is_output(child):
-        return "was written by ./kit class, and is no submission"
-    return "is no repository, as the others are"
+        return "" if is_file(child) and is_archive(child.name) else "is neither a folder nor a zip"
+    written = os.path.exists(child / "log.jsonl") and os.path.isdir(child / "results")
+    return "was written by ./kit class, and is no submission" if written else ""
 
 
 def _has_a_part(path: Path) -> bool:
