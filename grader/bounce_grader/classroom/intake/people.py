@@ -23,39 +23,34 @@ class People:
     ) -> None:
         """`names` are those in the grade book, by each id that one person has there; `own_ids`, the
         service's own ids, by the same ids."""
-        self._own_ids = own_ids
-        self._roster = {
+        named = {
             submission: [m._replace(name=m.name or names.get(m.id, "")) for m in members]
             for submission, members in roster.items()
         }
-        listed = {m.id: m.name for of in self._roster.values() for m in of if m.name}
-        self._names = {**names, **listed}
+        self._own_ids = own_ids
+        self._roster = {name.casefold(): members for name, members in named.items()}
+        self._in_canvas = {sanitized(name): members for name, members in named.items()}
+        self._names = {**names, **{m.id: m.name for of in named.values() for m in of if m.name}}
+        self._logins = False
 
     def assign(self, intake: Class) -> None:
         """Gives each submission its members, and the name of its person."""
-        by_name = {name.casefold(): members for name, members in self._roster.items()}
-        in_canvas = {sanitized(name): members for name, members in self._roster.items()}
         self._logins = intake.logins
-        named = []
+        assigned = []
         for student in intake.students:
-            members = self._listed(student, by_name, in_canvas)
-            student = replace(student, person=self._name(student, members, intake))
-            own = Member(student.id, student.shown)
-            named.append(replace(student, members=tuple(members or [own])))
-        intake.students = sorted(named, key=lambda s: (s.shown.casefold(), s.id))
+            listed = self._listed(student)
+            student = replace(student, person=self._name(student, listed, intake))
+            members = tuple(listed or [Member(student.id, student.shown)])
+            assigned.append(replace(student, members=members))
+        intake.students = sorted(assigned, key=lambda s: (s.shown.casefold(), s.id))
 
-    def _listed(
-        self,
-        student: Student,
-        by_name: Mapping[str, list[Member]],
-        in_canvas: Mapping[str, list[Member]],
-    ) -> list[Member]:
+    def _listed(self, student: Student) -> list[Member]:
         """A submission's members in the roster, which may have its id or its name. Students choose
         that name, so it counts only if the student who handed in is one of the members."""
-        own = by_name.get(student.id.casefold(), [])
-        named = by_name.get(student.name.casefold(), [])
+        own = self._roster.get(student.id.casefold(), [])
+        named = self._roster.get(student.name.casefold(), [])
         if not named and student.uploads:
-            named = in_canvas.get(student.name, [])
+            named = self._in_canvas.get(student.name, [])
         ids = {self._own_ids.get(member.id, member.id) for member in named}
         return own or (named if self._own_ids.get(student.id, student.id) in ids else [])
 
@@ -90,6 +85,7 @@ class People:
         if who == EVERYBODY:
             return people
         in_book = self._in_book(who)
+        by_name = not in_book and not who.isdigit()
         ranked: dict[int, list[Person]] = {}
         for member, student in people:
             chosen_id = self._logins and member.id == student.id
@@ -98,11 +94,8 @@ class People:
                 not chosen_id and self._own_ids.get(member.id) in in_book,
                 not in_book and not chosen_id and who == member.id,
                 not in_book and who == student.id,
-                not in_book and not who.isdigit() and _is_called(who, listed),
-                not in_book
-                and not who.isdigit()
-                and not self._logins
-                and _is_called(who, student.name),
+                by_name and _is_called(who, listed),
+                by_name and not self._logins and _is_called(who, student.name),
             ]
             if True in ways:
                 ranked.setdefault(ways.index(True), []).append((member, student))
