@@ -25,7 +25,7 @@ void worked_example() {
   const State next = step(q, v, params);  // part 3
   std::cout << "v' = " << next.v.format(row) << " m/s, m/s, rad/s   (eq. 13)\n"
             << "q' = " << next.q.format(row) << " m, m, rad   (eq. 14)\n"
-            << "The numbers that are due stand in README.md, \"One contact by numbers\".\n";
+            << "The right numbers are in README.md, \"One contact by numbers\".\n";
 }
 
 }  // namespace bounce

@@ -24,9 +24,14 @@ class Drawing(str):
 
 
 # The words and colours of charts of error over time are those of the handout's own charts.
-_CHARTS = HANDOUT / "given" / "study"
-WORDS = dict(line.split(": ") for line in (_CHARTS / "words.txt").read_text("utf-8").splitlines())
-STYLE = Drawing((_CHARTS / "chart.css").read_text("utf-8"))
+WORDS = {
+    "ErrorOverTime": "Error over time",
+    "Time": "time of a simulated second",
+    "Error": "error",
+    "Yours": "yours",
+    "Assignment": "assignment's scheme, as the course solves it",
+}
+STYLE = Drawing((HANDOUT / "given" / "page" / "chart.css").read_text("utf-8"))
 ON_PAPER = Drawing(STYLE.partition("@media")[0])  # also for pages that invert themselves
 # The curve's class by what it shows; delta is in proportion to dt, as in the handout's second line.
 CLASSES = {"submission": "own k1", "solution": "k2", "least": "k4"}

@@ -18,7 +18,7 @@ TESTS = ("*.?pp", "linked/*.?pp")
 # Made by working in student/.
 SKIPPED = {"build", "animation.html", "real.html", "study.html", "__pycache__"}
 OF_EDITORS = {".clangd", ".devcontainer", ".vscode"}  # other names with a dot are left out
-PAGES = ("README", "explore")
+PAGES = ("README", "explore", "hints/*")
 PROGRAMS = {"check"}
 WITH_POINTS = {".md", ".hpp"}  # the files of student/ that may say points
 
@@ -41,7 +41,12 @@ def files() -> dict[str, Path]:
 def contents() -> dict[str, bytes]:
     """What the zip holds, by path in it: these files, the pages made of Markdown, and the numbers
     of the study and of measured impacts."""
-    made = {f"{name}.html": handout_page.page(HANDOUT / f"{name}.md") for name in PAGES}
+    texts = [file for name in PAGES for file in HANDOUT.glob(f"{name}.md")]
+    made = {
+        str(file.relative_to(HANDOUT).with_suffix(".html")): handout_page.page(file)
+        for file in texts
+    }
+    made["tests/checks.txt"] = handout_data.checks().encode()
     made["fixtures/study.txt"] = handout_data.study().encode()
     made["fixtures/measured.txt"] = handout_data.measured().encode()
     held = {name: _as_handed_out(file) for name, file in files().items()}

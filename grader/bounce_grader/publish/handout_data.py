@@ -1,4 +1,5 @@
-"""What the handout compares a student's program with, as text, from fixtures/.
+"""Tables of the handout, as text: the checks and their points, and from fixtures/ what it compares a
+student's program with.
 
 Of the study: every scene, and for three of them the truth and what other methods reached in how much
 time. Of measured impacts: those of one corner of a square, and the median error of each law of impact
@@ -10,6 +11,7 @@ import json
 from collections.abc import Iterator
 from math import log10, sqrt
 
+from bounce_grader.common.manifest import parts
 from bounce_grader.common.paths import FIXTURES, SCENES
 from bounce_grader.formats.figures import WORDS
 
@@ -26,6 +28,17 @@ SIMPLER = {
     "sticking": "a corner that always sticks",
 }
 ASSIGNMENT = "the assignment's law, as the course solves it"
+
+
+def checks() -> str:
+    """For ./check: a line "part NUMBER STEM POINTS TITLE CALLS" for each part and "check ID POINTS
+    TITLE" for each check, with tabs between."""
+    lines: list[tuple[object, ...]] = []
+    for part in parts():
+        calls = " ".join(map(str, part.calls))
+        lines.append(("part", part.number, part.stem, f"{part.points:g}", part.title, calls))
+        lines += [("check", check.id, f"{check.points:g}", check.title) for check in part.checks]
+    return "".join("\t".join(map(str, line)) + "\n" for line in lines)
 
 
 def study() -> str:

@@ -19,6 +19,7 @@ def page(file: Path) -> bytes:
 
     markdown = MarkdownIt("commonmark", {"html": True}).enable("table")
     markdown.add_render_rule("fence", _fence)
+    markdown.add_render_rule("code_block", _code)
     markdown.add_render_rule("text", _text)
     markdown.add_render_rule("table_open", lambda *_: '<div class="wide" tabindex="0"><table>\n')
     markdown.add_render_rule("table_close", lambda *_: "</table></div>\n")
@@ -31,7 +32,11 @@ def page(file: Path) -> bytes:
         lambda found: f"<figure>{_drawing(file.parent / found[1])}</figure>",
         body,
     )
-    body = re.sub(r'href="([\w]+)\.md"', r'href="\1.html"', body)
+    body = re.sub(r'href="([\w/]+)\.md"', r'href="\1.html"', body)
+    if file.parent.name == "hints":  # each stage opens by itself; what ./check reads is left out
+        body = re.sub(r"<p>Checks: .*?</p>", "", body, flags=re.DOTALL)
+        stage = r"<h3[^>]*>(.*?)</h3>(.*?)(?=<h[23]|$)"
+        body = re.sub(stage, r"<details><summary>\1</summary>\2</details>", body, flags=re.DOTALL)
     return (
         f'<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
         f'<meta name="viewport" content="width=device-width, initial-scale=1">\n'
@@ -56,11 +61,15 @@ def _text(self: Any, tokens: list[Any], index: int, *_: Any) -> str:
     return equations.inline(tokens[index].content)
 
 
+def _code(_: Any, tokens: list[Any], index: int, *__: Any) -> str:
+    return f'<pre tabindex="0"><code>{escape(tokens[index].content, quote=False)}</code></pre>\n'
+
+
 def _fence(self: Any, tokens: list[Any], index: int, *_: Any) -> str:
     token = tokens[index]
     is_equation = not token.info and re.search(r"[=<]", token.content)
     if not is_equation:
-        return f'<pre tabindex="0"><code>{escape(token.content, quote=False)}</code></pre>\n'
+        return _code(self, tokens, index)
     return equations.displayed(token.content)
 
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <functional>
 #include <map>
 #include <set>
 #include <thread>
@@ -161,6 +160,16 @@ std::string state_of_sources() {
   std::string text;
   for (const auto& [file, digest] : sources()) text += file + digest + "\n";
   return text;
+}
+
+std::string once_after_a_change(const std::string& name, bool still_there,
+                                const std::function<std::string()>& find) {
+  const fs::path file = kWork / (name + "_found.txt");
+  const std::string now = state_of_sources() + "\n", before = read(file);
+  if (still_there && before.rfind(now, 0) == 0) return before.substr(now.size());
+  const std::string found = find();
+  write(file, now + found);
+  return found;
 }
 
 }  // namespace bounce::check

@@ -1,6 +1,8 @@
 // Builds what has changed, and says what is wrong where that fails.
 #pragma once
 
+#include <functional>
+
 #include "parts.hpp"
 
 namespace bounce::check {
@@ -33,5 +35,10 @@ std::vector<std::string> warnings();
 
 // A text that changes whenever a file in src/ or include/ does.
 std::string state_of_sources();
+
+// What `find` gives, which is remembered under the name until a source changes, unless it isn't
+// `still_there`.
+std::string once_after_a_change(const std::string& name, bool still_there,
+                                const std::function<std::string()>& find);
 
 }  // namespace bounce::check

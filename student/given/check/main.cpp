@@ -3,10 +3,12 @@
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
+#include <set>
 
 #include "build.hpp"
 #include "files.hpp"
 #include "hints.hpp"
+#include "pages.hpp"
 #include "parts.hpp"
 #include "process.hpp"
 #include "report.hpp"
@@ -27,22 +29,25 @@ constexpr const char* kKnown =
     "./check --real     what your part 2 makes of measured impacts, as a page\n"
     "./check --study    how accurate, fast and stable your program is, as a page\n"
     "./check --watch    again whenever you save a file; h is the next hint, 1 to 4 a part, a all, "
-    "q the end\n";
+    "q the end\n"
+    "./check --zip      packs what you hand in, as hand_in.zip\n";
 
 struct Options {
-  int part = 0;  // 0: all
-  bool hints = false, watches = false, sanitized = false, studies = false, real = false,
-       examples = false;
+  int part = 0;                 // 0: all
+  std::set<std::string> words;  // of those above
+  bool has(const std::string& word) const { return words.count(word) == 1; }
 };
 
 struct Usage : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// "2", or the name of its file as an editor gives it: "part2_lcp".
+// "2" of "2", "part2", "part2_lcp" or "src/part2_lcp.cpp"; another word as it is.
 std::string number_of(const std::string& word, const std::vector<Part>& parts) {
+  const std::string name = std::filesystem::path(word).stem().string();
   for (const Part& part : parts) {
-    if (word == part.stem) return std::to_string(part.number);
+    const std::string number = std::to_string(part.number);
+    if (name == part.stem || name == "part" + number) return number;
   }
   return word;
 }
@@ -57,25 +62,15 @@ Options read_options(const std::vector<std::string>& words, const std::vector<Pa
     }
     if (is_number) {
       options.part = word[0] - '0';
-    } else if (word == "--examples") {
-      options.examples = true;
-    } else if (word == "--hint") {
-      options.hints = true;
-    } else if (word == "--sanitize" && !kHasSanitizers) {
-      throw Failure("--sanitize needs g++ or clang on Linux or macOS");
-    } else if (word == "--sanitize") {
-      options.sanitized = true;
-    } else if (word == "--real") {
-      options.real = true;
-    } else if (word == "--study") {
-      options.studies = true;
-    } else if (word == "--watch") {
-      options.watches = true;
-    } else {
+    } else if (std::string(kKnown).find("./check " + word + " ") == std::string::npos) {
       throw Usage("check: " + word + " is not known; there are:\n" + kKnown);
     }
+    options.words.insert(word);
   }
-  if (options.real && options.part && options.part != 2) {
+  if (options.has("--sanitize") && !kHasSanitizers) {
+    throw Failure("--sanitize needs g++ or clang on Linux or macOS");
+  }
+  if (options.has("--real") && options.part && options.part != 2) {
     throw Failure("--real asks part 2: ./check 2 --real, or ./check --real");
   }
   return options;
@@ -84,7 +79,7 @@ Options read_options(const std::vector<std::string>& words, const std::vector<Pa
 Run run_of(const Options& options) {
   Run run;
   run.all = read_parts();
-  run.sanitized = options.sanitized;
+  run.sanitized = options.has("--sanitize");
   for (const Part& part : run.all) {
     if (!options.part || options.part == part.number) run.chosen.push_back(part.number);
   }
@@ -101,13 +96,14 @@ bool check(const Options& options, bool replaces = false) {
   run_parts(run);
   if (replaces && is_terminal()) std::cout << "\033[H\033[2J";
   bool is_right = !run.first_part;
-  if (options.hints) {
+  if (options.has("--hint")) {
     hint(run);
   } else {
     is_right = report(run);
   }
-  if (options.studies) study(run);
-  if (options.real) ask_about_real_impacts(run);
+  const bool is_told = is_right && !options.part && !options.has("--hint");
+  if (options.has("--study") && !is_told) study(run);
+  if (options.has("--real")) ask_about_real_impacts(run);
   std::cout << std::flush;
   return is_right;
 }
@@ -116,7 +112,7 @@ bool check(const Options& options, bool replaces = false) {
 bool wait(Keys& keys, Options& options, const std::string& before) {
   std::cout << style().dim << "Waiting for a change in src/. Keys: h the next hint, 1 to 4 a part, "
             << "a all, r again, q the end." << style().plain << std::endl;
-  options.hints = false;
+  options.words.erase("--hint");
   while (state_of_sources() == before) {
     switch (const char key = keys.next()) {
       case 0:
@@ -124,7 +120,7 @@ bool wait(Keys& keys, Options& options, const std::string& before) {
       case 'q':
         return false;
       case 'h':
-        options.hints = true;
+        options.words.insert("--hint");
         return true;
       case 'a':
         options.part = 0;
@@ -151,12 +147,24 @@ void watch(Options options) {
                 << style().plain << std::endl;
     }
     try {
-      check(options, again && !options.hints);
+      check(options, again && !options.has("--hint"));
     } catch (const Failure& failure) {  // a file may be missing for a moment
       std::cout << "check: " << failure.what() << "\n";
     }
     if (!wait(keys, options, before)) return;
   }
+}
+
+// Whatever passes: what is written is handed in.
+void zip() {
+  std::filesystem::remove("hand_in.zip");
+  std::filesystem::create_directories(kWork);
+  std::vector<std::string> command{"cmake",       "-E",           "tar", "cf",
+                                   "hand_in.zip", "--format=zip", "src"};
+  if (std::filesystem::exists("examples.txt")) command.push_back("examples.txt");
+  const auto ended = run(command, kWork / "zip.txt", Limits::none);
+  if (!ended || ended->code || ended->signal) throw Failure(read(kWork / "zip.txt"));
+  std::cout << "hand_in.zip is what you hand in, where your course says.\n";
 }
 
 int run(const std::vector<std::string>& words) {
@@ -165,11 +173,15 @@ int run(const std::vector<std::string>& words) {
     return kAllPass;
   }
   const Options options = read_options(words, read_parts());
-  if (options.examples) {
-    return judge_examples(options.part, options.hints) ? kAllPass : kSomethingFails;
+  if (options.has("--examples")) {
+    return judge_examples(options.part, options.has("--hint")) ? kAllPass : kSomethingFails;
   }
-  if (options.watches) {
+  if (options.has("--watch")) {
     watch(options);
+    return kAllPass;
+  }
+  if (options.has("--zip")) {
+    zip();
     return kAllPass;
   }
   return check(options) ? kAllPass : kSomethingFails;

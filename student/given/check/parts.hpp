@@ -1,4 +1,4 @@
-// The parts and their checks, as parts.json says; and what this run knows of them.
+// The parts and their checks, as tests/checks.txt says; and what this run knows of them.
 #pragma once
 
 #include <map>
@@ -19,11 +19,12 @@ struct Part {
   int points = 0;
   std::vector<int> calls;  // earlier parts
   std::vector<Check> checks;
+  std::string notes = "notes";  // the folder, in build/check, of what is known of them
 
   std::string file() const { return "src/" + stem + ".cpp"; }
 };
 
-// From build/checks.txt, which CMake writes. Throws Failure.
+// From tests/checks.txt. Throws Failure.
 std::vector<Part> read_parts();
 
 // What one run of the checks is about, and what came out.

@@ -5,8 +5,10 @@
 
 #include "build.hpp"
 #include "compiler_words.hpp"
+#include "ending.hpp"
 #include "files.hpp"
 #include "hints.hpp"
+#include "pages.hpp"
 #include "process.hpp"
 #include "run.hpp"
 #include "style.hpp"
@@ -24,10 +26,12 @@ std::string in_columns(const std::string& text, int width, int points, int of) {
 }
 
 void print_checks(const Part& part) {
+  bool is_one_unknown = false;
   for (const Check& check : part.checks) {
     const std::string status = note_of(part, check).status;
     const bool passed = status == "passed";
     const bool unknown = status == "unknown" || status == kUndecided;
+    is_one_unknown = is_one_unknown || unknown;
     std::cout << "  "
               << (passed    ? style().green
                   : unknown ? style().dim
@@ -38,6 +42,10 @@ void print_checks(const Part& part) {
               << " " << in_columns(check.title, 57, passed ? check.points : 0, check.points)
               << style().plain << "\n";
   }
+  if (!is_one_unknown) return;
+  std::cout << style().dim
+            << "  ? is open: two before it gave no answer, or it waits for right earlier "
+            << "parts" << style().plain << "\n";
 }
 
 void print_part(const Run& run, const Part& part) {
@@ -149,20 +157,20 @@ void print_warnings() {
 }
 
 // Prints what sanitizers find in a program that passes all checks.
-bool has_defined_behaviour() {
-  const auto [found, not_asked] = undefined_behaviour();
-  if (!not_asked.empty()) {
-    std::cout << "Undefined behaviour was not looked for: " << not_asked << ".\n";
-  }
+bool has_defined_behaviour() try {
+  const std::string found = undefined_behaviour();
   if (found.empty()) return true;
   std::cout << "\n"
             << style().bold << "First: undefined behaviour" << style().plain << "\n"
             << folded(printable(found) + (found.back() == '?' ? "" : "."), 74, "  ")
             << folded(
                    "The numbers are right here and now, and may be others on another machine or "
-                   "when the program is optimised. Mend this before you submit.",
+                   "when the program is optimised. Fix this before you submit.",
                    74, "  ");
   return false;
+} catch (const Failure& not_asked) {
+  std::cout << "Undefined behaviour was not looked for: " << not_asked.what() << ".\n";
+  return true;
 }
 
 }  // namespace
@@ -184,7 +192,7 @@ bool report(const Run& run) {
               << run.first_part->number << " comes first." << style().plain << "\n";
   } else if ((run.first_part || run.undecided > 0) && run.is_one_part() && calls) {
     std::cout << style().dim << "Part " << run.chosen[0]
-              << " calls earlier ones; where ./check finds one of them wrong, mend that first."
+              << " calls earlier ones; where ./check finds one of them wrong, fix that first."
               << style().plain << "\n";
   }
   if (run.first_part) print_first(run);
@@ -195,9 +203,8 @@ bool report(const Run& run) {
   print_warnings();
   if (!run.is_right() || run.is_one_part()) return run.is_right();
   if (!run.sanitized && !has_defined_behaviour()) return false;
-  std::cout
-      << "Watch it: cmake --build build && ./build/bounce. Then submit the files of src/.\n"
-         "How near it is to the truth, and what it costs: ./check --study, and explore.html.\n";
+  study(run);
+  std::cout << "Watch it: cmake --build build, then ./build/bounce. Hand it in: ./check --zip.\n";
   return true;
 }
 

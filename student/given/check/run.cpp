@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
-#include <iostream>
 
 #include "build.hpp"
-#include "compiler_words.hpp"
 #include "ending.hpp"
 #include "files.hpp"
 #include "process.hpp"
@@ -19,7 +17,7 @@ namespace fs = std::filesystem;
 constexpr int kMostHung = 2;  // checks of a part that may hang
 
 fs::path notes_of(const Part& part) {
-  return kWork / "notes" / ("part" + std::to_string(part.number));
+  return kWork / part.notes / ("part" + std::to_string(part.number));
 }
 
 // Those of the run with the student's own earlier parts, where given ones score better.
@@ -95,6 +93,7 @@ void run_part(const Run& run, const Part& part) {
       say_how_it_ended(file, note, is_new_hang ? Termination{kTooLong, 0} : *ended, printed, place,
                        fs::file_size(prints));
       hung += is_new_hang;
+      if (is_new_hang && is_terminal()) std::cerr << "A check gives no answer; asking others.\n";
       again = hung < kMostHung && ended->signal != kPrintedTooMuch;
     }
   }
@@ -196,63 +195,6 @@ void find_fault_of_earlier(Run& run, const Part& part) {
   }
 }
 
-// A check that passes must pass when the program is optimised, too: of one that gives other numbers
-// then, a page would tell what is not so.
-void require_same_when_optimised(const Run& run) {
-  const fs::path notes = kWork / "optimised", prints = kWork / "optimised.txt";
-  fs::remove_all(notes);
-  fs::create_directories(notes);
-  fs::remove(prints);
-  const std::string program = "build/optimised_test";
-  if (!check::run({program, "--notes", notes.string(), prints.string()}, prints,
-                  Limits::of_a_part)) {
-    throw Failure(program + " can't be started: remove the folder build");
-  }
-  for (const int number : run.chosen) {
-    if (run.given.count(number)) continue;
-    for (const Check& check : run.part(number).checks) {
-      const bool passes = note_of(run.part(number), check).status == "passed";
-      const std::string optimised = read_note(notes / check.id).status;
-      if (!passes || optimised == "passed") continue;
-      const std::string does = optimised == "failed" ? "gives other numbers" : "gives no numbers";
-      throw Failure("no study was written: your program " + does +
-                    " when it is optimised; usually `auto` for a matrix");
-    }
-  }
-}
-
-// Starts build/NAME, which writes NAME.html from its table.
-void write_page(const std::string& name, bool is_wrong, const fs::path& said,
-                const std::string& table) {
-  fs::remove(said);
-  std::vector<std::string> command{"build/" + name, table, name + ".html"};
-  if (is_wrong) command.emplace_back("--wrong");
-  const auto ended = check::run(command, said, Limits::of_a_part);
-  if (!ended) throw Failure(command[0] + " can't be started: remove the folder build");
-  if (ended->code == 1) throw Failure(read(said));
-  if (ended->signal || ended->code) {
-    throw Failure("no page was written, as " + reason_of(*ended, read(said)));
-  }
-}
-
-// Where a line's words on a failed assertion begin: with the program's name, with the file and line
-// of the assertion, or with "Assertion failed". Before it stands what the part has printed.
-std::size_t begin_of_assertion(const std::string& line) {
-  const std::size_t plain = line.find("Assertion failed: ");
-  for (std::size_t end = line.find(": "); end != std::string::npos;
-       end = line.find(": ", end + 1)) {
-    const std::size_t begin = line.rfind(' ', end) + 1;  // 0 where there is no blank
-    const std::string word = line.substr(begin, end - begin);
-    const std::size_t program = word.find("part"), path = word.find('/');
-    const bool is_program = word.find("_test", std::min(program, word.size())) != std::string::npos;
-    const std::size_t last = word.find_last_not_of("0123456789");
-    const bool is_place = last + 1 < word.size() && last != std::string::npos && word[last] == ':';
-    if (is_program) return std::min(plain, begin + program);
-    if (is_place && path != std::string::npos) return std::min(plain, begin + path);
-  }
-  return plain;
-}
-
 }  // namespace
 
 std::string prints_file(int part) {
@@ -302,70 +244,10 @@ void run_parts(Run& run) {
   }
 }
 
-void study(const Run& run) {
-  std::cout << "\nStudying your program; building it takes half a minute the first time.\n"
-            << std::flush;
-  fs::remove("study.html");  // one of another program
-  if (!build_program("study") || !build_program("optimised_test")) {
-    throw Failure("the study needs all four parts to compile");
-  }
-  require_same_when_optimised(run);
-  write_page("study", run.first_part, kWork / "study.txt", "fixtures/study.txt");
-  std::cout
-      << "The study is in study.html; open it in a browser. explore.html asks what it shows.\n";
-}
-
-void ask_about_real_impacts(const Run& run) {
-  const Part& part = run.part(2);
-  fs::remove("real.html");  // one of another program
-  if (run.unbuilt.count(2) || !build_program("real"))
-    throw Failure("--real needs part 2 to compile");
-  write_page("real", points_of(part) < part.points, kWork / "real.txt", "fixtures/measured.txt");
-  std::cout
-      << "\nWhat your form_lcp makes of real impacts is in real.html; open it in a browser.\n";
-}
-
-bool judge_examples(int part, bool hints) {
-  fs::create_directories(kWork);
-  const Lock alone(kWork / "lock");
-  if (!fs::exists("examples.txt")) {
-    throw Failure("examples.txt is missing: copy it from the handout's zip");
-  }
-  if (!build_program("examples")) throw Failure(read(kWork / "build.txt"));
-  const fs::path said = kWork / "examples.txt";
-  fs::remove(said);
-  std::vector<std::string> command{"build/examples", "examples.txt",
-                                   "fixtures/public/wrong_programs.txt", std::to_string(part)};
-  if (hints) command.insert(command.end(), {"given/examples/hints.txt", "build/check/hint"});
-  const auto ended = check::run(command, said, Limits::of_a_part);
-  if (!ended) throw Failure("build/examples can't be started: remove the folder build");
-  std::cout << read(said);
-  return ended->code == 0 && !ended->signal;
-}
-
 int points_of(const Part& part) { return points_of(part, "passed"); }
 
 int undecided_of(const Run& run, const Part& part) {
   return run.unbuilt.count(part.number) ? 0 : points_of(part, kUndecided);
-}
-
-std::string without_termination_message(const std::string& printed) {
-  std::string kept;
-  for (std::string line : lines_of(printed)) {
-    if (is_of_sanitizers(line)) break;  // a report is the last that a program says
-    if (line.rfind("  what():", 0) == 0) continue;
-    const bool asserts =
-        line.find("Assertion") != std::string::npos && line.find("failed") != std::string::npos;
-    std::size_t end = std::string::npos;
-    if (asserts) end = begin_of_assertion(line);
-    end = std::min(end, line.find("terminate called"));
-    if (end != std::string::npos) {
-      line.erase(end);
-      if (line.empty()) continue;
-    }
-    kept += line + "\n";
-  }
-  return kept;
 }
 
 std::string mistake_of(const Run& run, const Part& part) {

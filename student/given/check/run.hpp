@@ -29,22 +29,8 @@ Note note_of(const Part& part, const Check& check);
 int points_of(const Part& part);
 int undecided_of(const Run& run, const Part& part);
 
-// Measures the parts for smaller and smaller steps, and writes study.html. Throws Failure if the
-// program doesn't get to its end.
-void study(const Run& run);
-
-// Asks part 2 about measured impacts, and writes real.html. Throws Failure as study does.
-void ask_about_real_impacts(const Run& run);
-
-// Says which wrong programs the cases in examples.txt catch, of one part or of all (0), or gives a
-// hint. Whether nothing is left to do. Throws Failure.
-bool judge_examples(int part, bool hints);
-
 // The file with all that a part's program printed.
 std::string prints_file(int part);
-
-// A program's own output, without the lines about how it ended.
-std::string without_termination_message(const std::string& printed);
 
 // What the answers to all public cases tell of the mistake, a paragraph a line. Empty if they tell
 // nothing, or if the part's program crashes or hangs.

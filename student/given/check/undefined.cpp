@@ -1,6 +1,5 @@
 #include "undefined.hpp"
 
-#include <filesystem>
 #include <iostream>
 
 #include "build.hpp"
@@ -11,27 +10,6 @@
 
 namespace bounce::check {
 namespace {
-
-namespace fs = std::filesystem;
-
-// The notes of the checks stay those of the program as it is built for the checks.
-class Aside {
- public:
-  Aside() {
-    fs::remove_all(aside_);
-    fs::rename(notes_, aside_);
-  }
-  ~Aside() {
-    std::error_code gone;
-    fs::remove_all(notes_, gone);
-    fs::rename(aside_, notes_, gone);
-  }
-  Aside(const Aside&) = delete;
-  Aside& operator=(const Aside&) = delete;
-
- private:
-  fs::path notes_ = kWork / "notes", aside_ = kWork / "notes_aside";
-};
 
 // The first check that fails where all pass without sanitizers. One that is too slow with them, or
 // takes too much memory, tells nothing.
@@ -44,41 +22,35 @@ std::string other_numbers(const Part& part) {
   return "";
 }
 
-Undefined look() {
+std::string look() {
+  std::cout << style().dim
+            << "Looking for undefined behaviour, with sanitizers: some seconds, once "
+            << "after a change." << style().plain << std::endl;
   Run run;
   run.all = read_parts();
   run.sanitized = true;
-  for (const Part& part : run.all) run.chosen.push_back(part.number);
+  for (Part& part : run.all) {
+    part.notes = "sanitized_notes";
+    run.chosen.push_back(part.number);
+  }
   build_parts(run);
-  if (!run.unbuilt.empty()) return {"", "the sanitizers of this compiler can't be used here"};
-  const Aside aside;
+  if (!run.unbuilt.empty()) throw Failure("the sanitizers of this compiler can't be used here");
   run_parts(run);
   for (const Part& part : run.all) {
     const auto found = found_by_sanitizers(own_lines(read(prints_file(part.number))));
-    if (!found.empty()) return {found, ""};
+    if (!found.empty()) return found;
   }
   for (const Part& part : run.all) {
-    if (const auto found = other_numbers(part); !found.empty()) return {found, ""};
+    if (const auto found = other_numbers(part); !found.empty()) return found;
   }
-  return {};
+  return "";
 }
 
 }  // namespace
 
-Undefined undefined_behaviour() {
-  if (!kHasSanitizers) return {"", "on Windows there are no sanitizers for it"};
-  const fs::path file = kWork / "undefined.txt";
-  const std::string now = state_of_sources(), before = read(file);
-  const std::size_t end = before.find("\n\n");
-  if (end != std::string::npos && before.substr(0, end + 1) == now) {
-    return {before.substr(end + 2), ""};
-  }
-  std::cout << style().dim
-            << "Looking for undefined behaviour, with sanitizers: some seconds, once "
-            << "after a change." << style().plain << std::endl;
-  const Undefined undefined = look();
-  if (undefined.not_asked.empty()) write(file, now + "\n" + undefined.found);
-  return undefined;
+std::string undefined_behaviour() {
+  if (!kHasSanitizers) throw Failure("on Windows there are no sanitizers for it");
+  return once_after_a_change("undefined", true, look);
 }
 
 }  // namespace bounce::check

@@ -41,19 +41,19 @@ Vector3 pushed(const Impact& hit, double normal, double tangential, double gyrat
   return hit.before + Vector3(tangential, normal, moment / gyration);
 }
 
-// Infinite where solve_lcp finds no solution.
-double error(const Impact& hit, const Parameters& params) {
+// Not finite where solve_lcp finds no solution.
+Answer answer(const Impact& hit, const Parameters& params) {
   const double gyration = params.l * params.l / 6;
   const Lcp lcp = form_lcp(jacobian(hit), hit.before, params);
   Vector3 f;
   try {
     f = solve_lcp(lcp.V, lcp.p) * (params.dt / params.m);
   } catch (const std::exception&) {
-    return kInfinity;
+    return {Vector3::Constant(kInfinity), kInfinity};
   }
-  const Vector3 off = pushed(hit, f(0), f(2) - f(1), gyration) - hit.after;
+  const Vector3 after = pushed(hit, f(0), f(2) - f(1), gyration), off = after - hit.after;
   const double size = std::sqrt(off(0) * off(0) + off(1) * off(1) + gyration * off(2) * off(2));
-  return std::isfinite(size) ? size : kInfinity;
+  return {after, std::isfinite(size) ? size : kInfinity};
 }
 
 double median(std::vector<double> numbers) {
@@ -85,10 +85,11 @@ Measured read_measured(const std::filesystem::path& file) {
 }
 
 Result ask(const Measured& measured) {
-  Result result{0, 0};
+  Result result{{}, 0, 0};
   std::vector<double> errors;
   for (const Impact& hit : measured.impacts) {
-    errors.push_back(error(hit, measured.params));
+    result.answers.push_back(answer(hit, measured.params));
+    errors.push_back(result.answers.back().error);
     result.no_solution += !std::isfinite(errors.back());
   }
   result.error = median(errors);

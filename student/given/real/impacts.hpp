@@ -31,9 +31,16 @@ struct Measured {
 // From fixtures/measured.txt. Throws std::runtime_error, naming the file.
 Measured read_measured(const std::filesystem::path& file);
 
+// What follows from your form_lcp for one impact.
+struct Answer {
+  Vector3 after;  // v, in m/s, m/s, rad/s
+  double error;   // m/s; infinite where there is none
+};
+
 struct Result {
-  double error;     // the median, m/s; infinite where more than half have no solution
-  int no_solution;  // impacts for which solve_lcp finds none to your V and p
+  std::vector<Answer> answers;  // to each impact
+  double error;                 // the median, m/s; infinite where more than half have no solution
+  int no_solution;              // impacts for which solve_lcp finds none to your V and p
 };
 
 // Asks form_lcp for each impact, and compares the velocity that follows with the measured one. The

@@ -45,7 +45,9 @@ std::string sentence(const Measured& measured, const Result& mine, bool is_wrong
   for (const Law& law : measured.others)
     text += (&law == &measured.others.front() ? " " : ", and ") + law.name + " is " +
             speed(law.error) + " off";
-  text += "; no push at the corner, by whatever law, gets below " + speed(measured.floor) + ".";
+  text += "; no push at the corner, by whatever law, gets below " + speed(measured.floor) +
+          ". The gap from " + speed(measured.assignment.error) +
+          " to that is what a better law could gain.";
   return unsolved.empty() ? text : text + " " + unsolved + ".";
 }
 

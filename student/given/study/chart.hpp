@@ -1,35 +1,47 @@
-// Given: a chart as SVG, with its sentence below.
+// Given: what a page's script draws, as JSON.
 #pragma once
 
+#include <filesystem>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 namespace bounce::study {
 
+using Points = std::vector<std::pair<double, double>>;
+
+struct Axis {
+  std::string name;  // with its unit
+  bool logarithmic;  // what is 0 or below 1e-9 is drawn apart, below the axis
+};
+
 struct Line {
   std::string name;
-  std::vector<std::pair<double, double>> points;  // those that aren't finite are left out
-  bool is_own;                                    // thick, with dots
+  Points points;             // those that aren't finite are left out
+  std::string kind = "own";  // "own" with dots, "other" thin with dots, "bound" without
 };
 
-struct Bar {
-  std::string name, label;  // the label says the value, with its unit
-  double value;             // infinite where there is none
-  bool is_own;
+struct Chart {
+  std::string id, title;
+  Axis x, y;
+  std::vector<Line> lines;
+  std::string sentence;  // what it shows, in words
 };
 
-struct Axes {
-  std::string x, y;  // with units
-  bool logarithmic;  // both, or none
-};
+std::string quoted(const std::string& text);
+std::string number_or_null(double x);
+std::string json(const Chart& chart);
 
-// HTML. Where a logarithmic axis can't show a number, as 0, it stands at its lower end.
-std::string chart(const std::string& title, const Axes& axes, const std::vector<Line>& lines,
-                  const std::string& sentence);
+// "[...]" of what `make` gives for each.
+template <class All, class Make>
+std::string list(const All& all, const Make& make) {
+  std::string text;
+  for (const auto& one : all) text += (text.empty() ? "" : ",\n") + make(one);
+  return "[" + text + "]";
+}
 
-// HTML. Horizontal bars from 0; one that is longer than `most` is cut there, and says so.
-std::string bars(const std::string& title, const std::vector<Bar>& rows, double most,
-                 const std::string& sentence);
+// Writes the page with DATA in its place. Throws std::runtime_error, naming the file.
+void write_page(const std::filesystem::path& file, std::string_view page, const std::string& data);
 
 }  // namespace bounce::study

@@ -1,116 +1,116 @@
-// Studies your program: how wrong, how fast and how stable it is, over the size of the step. Writes
-// a page with a chart for each, and a sentence below each chart.
+// Studies your program: how accurate, fast and stable it is. Writes a page with a verdict in plain
+// numbers, a table of where methods fail, and charts; and prints the verdict, with a tab behind
+// what each line is about.
 //
 //   study SCENES PAGE [--wrong]
 //
-// ./check --study builds and starts it. --wrong: some checks fail, and the page says so.
-#include <cstdio>
+// ./check starts it once all checks pass, or with --study. --wrong: some checks fail, and the page
+// says so.
+#include <cmath>
 #include <exception>
 #include <iostream>
-#include <string>
 
-#include "chart.hpp"
-#include "page.hpp"
-#include "sentences.hpp"
-#include "words.hpp"
+#include "accuracy.hpp"
+#include "numbers.hpp"
+#include "pages.hpp"
+#include "stability.hpp"
 
 namespace bounce::study {
 namespace {
 
-constexpr double kEnergySeconds = 1.5;
-const std::string kMetres = std::string(kError) + ", m";
-using Points = std::vector<std::pair<double, double>>;
+// One of what the program is worth, the chart that shows it, and the question of Explore about it.
+struct Verdict {
+  std::string about, text, chart;
+  int question;
+};
 
-template <class Of>
-Points points(const std::vector<Run>& runs, const Of& of) {
-  Points all;
-  for (const Run& r : runs) all.push_back(of(r));
-  return all;
+struct Study {
+  std::vector<Verdict> verdicts;
+  std::vector<Trial> trials;
+  std::vector<Chart> charts;
+};
+
+// The time of a step, and beside the course's program at about the same one, which the scene has in
+// calls of solve_lcp.
+std::string speed(const Scene& scene, const Run& run, double one_lcp) {
+  if (!std::isfinite(run.error)) return "There is no whole motion to time: ./check says why.";
+  const double course = scene.others.front().reached.front().lcp_calls * one_lcp;
+  return "A step takes " + number(run.seconds * run.dt * 1e6, "%.2g") +
+         " \xc2\xb5s. With dt = " + number(run.dt) + " s that is " + rounded(1 / run.seconds) +
+         " times faster than real time. The course's program takes " +
+         number(course / run.seconds, "%.2g") + " times as long as yours.";
 }
 
-std::string charts_of(const Scene& scene, const Both& runs) {
-  const auto over_time = [](const Run& r) { return std::pair(r.lcp_calls, r.error); };
-  const auto over_step = [](const Run& r) { return std::pair(r.dt, r.error); };
-  std::vector<Line> times{
-      {std::string(kYours) + ", delta fixed", points(runs.fixed, over_time), true},
-      {std::string(kYours) + ", delta in proportion to dt", points(runs.scaled, over_time), true}};
-  for (const Method& method : scene.others) {
-    Points reached;
-    for (const Reached& r : method.reached) reached.emplace_back(r.lcp_calls, r.error);
-    times.push_back({method.name, reached, false});
-  }
-  const std::vector<Line> steps{
-      {"delta fixed", points(runs.fixed, over_step), true},
-      {"delta in proportion to dt", points(runs.scaled, over_step), true}};
-  return "<h2>" + escaped(scene.title) + "</h2>\n<section>\n" +
-         chart(kErrorOverTime, {std::string(kTime) + ", in calls of solve_lcp", kMetres, true},
-               times, of_time(scene, runs)) +
-         chart("Error over step", {"dt, s", kMetres, true}, steps, of_steps(scene, runs)) +
-         "</section>\n";
+std::string model(const Scene& scene) {
+  const Touches touched = touches(scene, 1e-3);
+  const int all = touched.none + touched.one + touched.two;
+  if (all == 0) return "No motion to look at: ./check says why.";
+  return scene.title + ": in " + std::to_string(touched.none) + " of " + std::to_string(all) +
+         " steps of 1 ms nothing touches, and a formula is enough; " + std::to_string(touched.one) +
+         " need one corner, and " + std::to_string(touched.two) + " a second one.";
 }
 
-Points curve(const Energy& energy) {
-  Points all;
-  for (std::size_t i = 0; i < energy.t.size(); ++i) all.emplace_back(energy.t[i], energy.share[i]);
-  return all;
-}
-
-std::string stability(const Scene& scene, const std::vector<Run>& fixed) {
-  const Energy coarse = energy(scene, 1e-2, kEnergySeconds),
-               fine = energy(scene, 1e-3, kEnergySeconds);
-  const Points depths = points(fixed, [](const Run& r) { return std::pair(r.dt, r.depth); });
-  const Rest still = rest(scene.params, 1e-2, Lift::fixed);
-  return "<h2>Stability</h2>\n<section>\n" +
-         chart("Energy over time, " + scene.title, {"t, s", "energy, start = 1", false},
-               {{"dt = 0.01 s", curve(coarse), true}, {"dt = 0.001 s", curve(fine), true}},
-               of_energy(coarse, fine)) +
-         chart("Deepest penetration, " + scene.title, {"dt, s", "below the ground, m", true},
-               {{"delta fixed", depths, true}}, of_depth(fixed, scene.params.l)) +
-         chart("At rest", {"", "", false}, {},
-               of_rest(still, rest(scene.params, 1e-2, Lift::scaled),
-                       rest(scene.params, 1e-3, Lift::scaled))) +
-         "</section>\n";
-}
-
-std::string study(const std::vector<Scene>& scenes, bool is_wrong) {
+Study study(const std::vector<Scene>& scenes) {
   const double one_lcp = lcp_seconds();
-  std::string body, last;
+  const Scene& first = scenes.front();
+  Study study;
+  study.trials = trials(first.params);
   for (const Scene& scene : scenes) {
     if (scene.truth.empty()) continue;
-    std::cout << "  " << scene.title << std::endl;
-    const Both both{runs(scene, Lift::fixed, one_lcp), runs(scene, Lift::scaled, one_lcp)};
-    body += charts_of(scene, both);
-    if (&scene == &scenes.front()) last = stability(scene, both.fixed);
+    const Both both{runs(scene, Lift::fixed), runs(scene, Lift::scaled)};
+    for (Chart& chart : charts_of(scene, both, one_lcp)) study.charts.push_back(std::move(chart));
+    if (&scene != &first) continue;
+    const Run& usual = both.fixed[1];  // dt = 0.01 s
+    study.verdicts = {{"speed", speed(scene, usual, one_lcp), "time-" + scene.name, 7},
+                      {"accuracy", accuracy(scene, both.fixed), "step-" + scene.name, 1},
+                      {"", in_the_same_time(scene, both.fixed, one_lcp), "time-" + scene.name, 7}};
   }
-  body += last;
-  char cost[80];
-  std::snprintf(cost, sizeof cost, "%.0f ns here", one_lcp * 1e9);
-  return page(
-      "Your program: speed, accuracy, stability",
-      is_wrong ? "Some checks fail. The charts show your program as it is; mend what ./check "
-                 "names first, then study it."
-               : "",
-      "<p>Each dot of your lines is a run of your four parts with another dt. The truth is an "
-      "exact simulation of the same model; the error is the largest distance to it at twenty "
-      "moments. Left and below is better. Computing times are in calls of the given solve_lcp (" +
-          std::string(cost) +
-          "), so that the lines of the other methods, measured elsewhere, hold on your "
-          "machine. The Moreau–Jean scheme has the same laws, looks for contact half a step "
-          "ahead, and lets both corners of a side push.</p>\n" +
-          body + "<p>Questions to these charts: <a href=\"explore.html\">Explore</a>.</p>\n");
+  const auto of_trial = [&](std::size_t i, const std::string& about, int question) {
+    const Trial& trial = study.trials[i];
+    study.verdicts.push_back(
+        {about, trial.chart.title + ": " + trial.found + ".", trial.chart.id, question});
+  };
+  of_trial(0, "stability", 3);
+  of_trial(2, "", 4);
+  study.verdicts.push_back({"model", model(first), "time-" + first.name, 5});
+  return study;
+}
+
+std::string json(const Verdict& verdict) {
+  return R"({"about":)" + quoted(verdict.about) + R"(,"text":)" + quoted(verdict.text) +
+         R"(,"chart":)" + quoted(verdict.chart) + R"(,"question":)" +
+         std::to_string(verdict.question) + "}";
+}
+
+std::string json(const Study& study, bool is_wrong) {
+  const auto of_verdict = [](const Verdict& verdict) { return json(verdict); };
+  const auto of_chart = [](const Chart& chart) { return json(chart); };
+  const auto of_trial = [](const Trial& trial) {
+    return R"({"due":)" + quoted(trial.due) + R"(,"found":)" + quoted(trial.found) +
+           R"(,"chart":)" + json(trial.chart) + "}";
+  };
+  return R"({"wrong":)" + std::string(is_wrong ? "true" : "false") +
+         ",\n\"verdicts\":" + list(study.verdicts, of_verdict) +
+         ",\n\"trials\":" + list(study.trials, of_trial) +
+         ",\n\"charts\":" + list(study.charts, of_chart) + "}";
 }
 
 }  // namespace
 }  // namespace bounce::study
 
 int main(int argc, char** argv) {
+  using namespace bounce::study;
   if (argc < 3) {
     std::cerr << "usage: study SCENES PAGE [--wrong]; ./check --study starts it\n";
     return 2;
   }
   try {
-    const auto scenes = bounce::study::read_scenes(argv[1]);
-    bounce::study::write_page(argv[2], bounce::study::study(scenes, argc > 3));
+    const Study made = study(read_scenes(argv[1]));
+    write_page(argv[2], bounce::pages::studied, json(made, argc > 3));
+    for (const Verdict& verdict : made.verdicts) {
+      std::cout << verdict.about << "\t" << verdict.text << " (question " << verdict.question
+                << ")\n";
+    }
   } catch (const std::exception& error) {
     std::cerr << "No study was written: " << error.what() << ".\n";
     return 1;

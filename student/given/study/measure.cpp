@@ -11,16 +11,8 @@
 namespace bounce::study {
 namespace {
 
-constexpr double kShare = 0.1;        // delta over dt where it is scaled, m/s
 constexpr double kLongEnough = 1e-2;  // s of measuring
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-Parameters with(Parameters params, double dt, Lift lift, Eigen::Index columns) {
-  params.dt = dt;
-  if (lift == Lift::scaled) params.delta = kShare * dt;
-  params.T = static_cast<int>(columns);
-  return params;
-}
 
 bool is_usable(const Trajectory& t, const Parameters& params) {
   return t.q.cols() == params.T && t.v.cols() == params.T && t.q.allFinite() && t.v.allFinite();
@@ -30,12 +22,6 @@ double distance(const Vector3& q, const Vector3& right, double l) {
   Vector3 apart = q - right;
   apart(2) *= l / std::numbers::sqrt2;  // the way of a corner
   return apart.norm();
-}
-
-double height_of_the_lowest_corner(const Vector3& q, double l) {
-  const double turned = q(2) + std::numbers::pi / 4;
-  return q(1) -
-         l / std::numbers::sqrt2 * std::max(std::abs(std::cos(turned)), std::abs(std::sin(turned)));
 }
 
 // CPU time of one call, in the mean: what else the machine does makes little difference.
@@ -52,38 +38,33 @@ double seconds_of(const Act& act) {
 }
 
 // The step is fitted so that a whole number of them makes up the time between two samples.
-Run run(const Scene& scene, double wanted, Lift lift, double one_lcp) {
+Run run(const Scene& scene, double wanted, Lift lift) {
   const double between = scene.truth.front().t;
   const auto n = static_cast<Eigen::Index>(std::max(1.0, std::round(between / wanted)));
   const auto samples = static_cast<Eigen::Index>(scene.truth.size());
-  const double dt = between / static_cast<double>(n);
-  const Parameters params = with(scene.params, dt, lift, n * samples + 1);
-  const auto [q_0, v_0] = scene.start;
+  Parameters params = scene.params;
+  params.dt = between / static_cast<double>(n);
+  if (lift == Lift::scaled) params.delta = kShare * params.dt;
+  params.T = static_cast<int>(n * samples + 1);
+  const auto [q, v] = scene.start;
   Trajectory trajectory;
-  const double took = seconds_of([&, q = q_0, v = v_0] { trajectory = simulate(q, v, params); });
-  Run result{dt, kInfinity, took / scene.truth.back().t / one_lcp, 0};
+  const double took = seconds_of([&, q = q, v = v] { trajectory = simulate(q, v, params); });
+  Run result{params.dt, kInfinity, took / scene.truth.back().t};
   if (!is_usable(trajectory, params)) return result;
   result.error = 0;
   for (Eigen::Index k = 0; k < samples; ++k) {
     const Vector3& right = scene.truth[static_cast<std::size_t>(k)].q;
     result.error = std::max(result.error, distance(trajectory.q.col((k + 1) * n), right, params.l));
   }
-  for (const auto& q : trajectory.q.colwise()) {
-    result.depth = std::max(result.depth, -height_of_the_lowest_corner(q, params.l));
-  }
   return result;
-}
-
-double energy_of(const Vector3& q, const Vector3& v, const Parameters& params) {
-  return 0.5 * v.dot(params.M() * v) - q.dot(params.M() * params.g);
 }
 
 }  // namespace
 
-std::vector<Run> runs(const Scene& scene, Lift lift, double one_lcp) {
+std::vector<Run> runs(const Scene& scene, Lift lift) {
   std::vector<Run> all;
   for (const double dt : {2e-2, 1e-2, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1e-4, 5e-5, 2e-5, 1e-5}) {
-    all.push_back(run(scene, dt, lift, one_lcp));
+    all.push_back(run(scene, dt, lift));
   }
   return all;
 }
@@ -101,32 +82,35 @@ double lcp_seconds() {
          kCalls;
 }
 
-Energy energy(const Scene& scene, double dt, double seconds) {
-  const auto columns = static_cast<Eigen::Index>(std::round(seconds / dt)) + 1;
-  const Parameters params = with(scene.params, dt, Lift::fixed, columns);
-  const Trajectory trajectory = simulate(scene.start.q, scene.start.v, params);
-  Energy result{{}, {}, 0, 0};
-  if (!is_usable(trajectory, params)) return result;
-  const double start = energy_of(scene.start.q, scene.start.v, params);
-  result.lift = -params.m * params.g(1) * params.delta / start;
-  for (Eigen::Index t = 0; t < columns; ++t) {
-    result.t.push_back(static_cast<double>(t) * dt);
-    result.share.push_back(energy_of(trajectory.q.col(t), trajectory.v.col(t), params) / start);
-    if (t == 0) continue;
-    const double gain = result.share.back() - result.share[result.share.size() - 2];
-    result.largest_gain = std::max(result.largest_gain, gain);
+Touches touches(const Scene& scene, double dt) {
+  Touches count;
+  const auto moved = motion(scene.start, scene.params, dt, scene.truth.back().t);
+  for (Eigen::Index t = 0; moved && t + 1 < moved->q.cols(); ++t) {
+    const auto heights_now = heights(moved->q.col(t), scene.params.l);
+    (heights_now[0] >= scene.params.delta   ? count.none
+     : heights_now[1] >= scene.params.delta ? count.one
+                                            : count.two)++;
   }
-  return result;
+  return count;
 }
 
-Rest rest(const Parameters& scene, double dt, Lift lift) {
-  const auto columns = static_cast<Eigen::Index>(std::round(10 / dt)) + 1;
-  const Parameters params = with(scene, dt, lift, columns);
-  const Vector3 q_0(0, params.l / 2, 0);
-  const Trajectory trajectory = simulate(q_0, Vector3::Zero(), params);
-  if (!is_usable(trajectory, params)) return {kInfinity, kInfinity};
-  const Eigen::Matrix3Xd moved = (trajectory.q.colwise() - q_0).cwiseAbs();
-  return {moved.row(1).maxCoeff(), moved.row(0).maxCoeff()};
+std::optional<Trajectory> motion(const State& start, Parameters params, double dt, double seconds) {
+  params.dt = dt;
+  params.T = static_cast<int>(std::round(seconds / dt)) + 1;
+  Trajectory trajectory = simulate(start.q, start.v, params);
+  if (!is_usable(trajectory, params)) return {};
+  return trajectory;
+}
+
+std::array<double, 4> heights(const Vector3& q, double l) {
+  std::array<double, 4> all{};
+  for (std::size_t k = 0; k < 4; ++k) {
+    const double turned =
+        q(2) + std::numbers::pi / 4 + static_cast<double>(k) * std::numbers::pi / 2;
+    all[k] = q(1) + l / std::numbers::sqrt2 * std::sin(turned);
+  }
+  std::sort(all.begin(), all.end());
+  return all;
 }
 
 }  // namespace bounce::study

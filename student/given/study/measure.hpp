@@ -1,5 +1,8 @@
-// Given: runs your parts, and measures how wrong, how fast and how stable they are.
+// Given: runs your parts, and measures how wrong and how fast they are.
 #pragma once
+
+#include <array>
+#include <optional>
 
 #include "tables.hpp"
 
@@ -11,29 +14,32 @@ enum class Lift { fixed, scaled };
 // One run of a scene. `error` is the largest distance to the truth over the samples, an angle
 // counted as the way of a corner; infinite where the trajectory isn't finite or has another size.
 struct Run {
-  double dt;         // s
-  double error;      // m
-  double lcp_calls;  // time for a simulated second, in calls of solve_lcp
-  double depth;      // how far the lowest corner was below the ground, m
+  double dt;       // s
+  double error;    // m
+  double seconds;  // CPU time for a simulated second, s
 };
 
-// From dt = 0.02 s to 1e-5 s. `one_lcp` is the time of one call of solve_lcp, s.
-std::vector<Run> runs(const Scene& scene, Lift lift, double one_lcp);
+// From dt = 0.02 s to 1e-5 s.
+std::vector<Run> runs(const Scene& scene, Lift lift);
 
 // The time of one call of solve_lcp with the handout's worked example, s.
 double lcp_seconds();
 
-struct Energy {
-  std::vector<double> t, share;  // s; of the energy at the start
-  double largest_gain;           // in one step, as a share
-  double lift;                   // m g delta, which the lift adds to a step in contact, as a share
+// In how many steps of a run nothing touches, one corner does, or a second one as well.
+struct Touches {
+  int none = 0, one = 0, two = 0;
 };
-Energy energy(const Scene& scene, double dt, double seconds);
+Touches touches(const Scene& scene, double dt);
 
-// A square that lies on its face, for ten seconds: how far it gets from where it lay, m.
-struct Rest {
-  double height, drift;
-};
-Rest rest(const Parameters& params, double dt, Lift lift);
+// ---- for all that is measured ----
+
+// The motion with this step and for this long. Empty where it isn't finite, or of another size.
+std::optional<Trajectory> motion(const State& start, Parameters params, double dt, double seconds);
+
+// The heights of the corners of the square at q, the lowest first, m.
+std::array<double, 4> heights(const Vector3& q, double l);
+
+// delta over dt where it is scaled, m/s.
+inline constexpr double kShare = 0.1;
 
 }  // namespace bounce::study

@@ -1,5 +1,6 @@
 #include "numbers.hpp"
 
+#include <cmath>
 #include <cstdio>
 
 namespace bounce::study {
@@ -8,6 +9,13 @@ std::string number(double x, const char* format) {
   char text[40];
   const bool is_large = x >= 100 && x < 1e6;
   std::snprintf(text, sizeof text, is_large ? "%.0f" : format, x);
+  return text;
+}
+
+std::string rounded(double x) {
+  const double unit = std::pow(10, std::floor(std::log10(x)) - 1);
+  std::string text = std::to_string(std::llround(std::round(x / unit) * unit));
+  for (std::size_t at = text.size(); at > 3; at -= 3) text.insert(at - 3, ",");
   return text;
 }
 

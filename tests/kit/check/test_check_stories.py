@@ -30,6 +30,7 @@ def plain(text: str, home: Path) -> str:
     """What is printed, without what differs each time."""
     text = re.sub("check: building for the first time.*\n", "", text)
     text = re.sub(r"(Eigen3|GTest|nlohmann_json)-[\d.]+", r"\1", text)
+    text = re.sub(r"A step takes [^(]*|In the time of your [^(]*", "TIMES ", text)
     text = re.sub(r"-?\d(\.\d+)?e[+-]3\d\d", "UNSET", text)  # what happens to be in memory
     return text.replace(str(home), "FOLDER")
 

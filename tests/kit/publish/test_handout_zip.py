@@ -48,7 +48,8 @@ def test_holds_what_a_student_needs_in_the_same_bytes_each_time(tmp_path: Path) 
     assert {name.split("/")[1] for name in modes} == {
         *(".clang-format", ".clangd", ".devcontainer", ".vscode", "CMakeLists.txt"),
         *("CMakePresets.json", "README.html", "README.md", "explore.html", "explore.md"),
-        *("check", "check.cmd", "complementarity.svg", "examples.txt", "figure.svg", "main.cpp"),
+        *("check", "check.cmd", "bounce.svg", "complementarity.svg", "examples.txt"),
+        *("figure.svg", "main.cpp"),
         *("fixtures", "given", "hints", "include", "src", "tests"),
     }
 

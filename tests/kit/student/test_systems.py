@@ -17,7 +17,14 @@ set(CMAKE_CXX_COMPILER {MINGW})
 set(CMAKE_EXE_LINKER_FLAGS -static)
 """
 # All that a check may ask CMake for.
-TARGETS = ("all", "study", "real", "part3_step_given_test", "part4_simulate_given_test")
+TARGETS = (
+    "all",
+    "study",
+    "optimised_test",
+    "real",
+    "part3_step_given_test",
+    "part4_simulate_given_test",
+)
 FRICTION = "mistakes/part3_friction_sign"
 # What is told of each with any compiler, and on Windows, where there are no signals.
 FAILURES = {

@@ -1,0 +1,115 @@
+#include "pages.hpp"
+
+#include <filesystem>
+#include <iostream>
+
+#include "build.hpp"
+#include "ending.hpp"
+#include "files.hpp"
+#include "process.hpp"
+#include "run.hpp"
+#include "style.hpp"
+
+namespace bounce::check {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Of a program that gives other numbers when it is optimised, a page would tell what is not so.
+void require_same_when_optimised(const Run& run) {
+  const fs::path notes = kWork / "optimised", prints = kWork / "optimised.txt";
+  fs::remove_all(notes);
+  fs::create_directories(notes);
+  fs::remove(prints);
+  const std::string program = "build/optimised_test";
+  if (!check::run({program, "--notes", notes.string(), prints.string()}, prints,
+                  Limits::of_a_part)) {
+    throw Failure(program + " can't be started: remove the folder build");
+  }
+  for (const int number : run.chosen) {
+    if (run.given.count(number)) continue;
+    for (const Check& check : run.part(number).checks) {
+      const bool passes = note_of(run.part(number), check).status == "passed";
+      const std::string now = read(notes / check.id);
+      const std::string optimised = now.substr(0, now.find_first_of(" \n"));
+      if (!passes || optimised == "passed") continue;
+      const std::string does = optimised == "failed" ? "gives other numbers" : "gives no numbers";
+      throw Failure("no study was written: your program " + does +
+                    " when it is optimised; usually `auto` for a matrix");
+    }
+  }
+}
+
+// Starts build/NAME, which writes NAME.html from its table. Returns what it printed.
+std::string write_page(const std::string& name, bool is_wrong, const std::string& table) {
+  const fs::path said = kWork / (name + ".txt");
+  fs::remove(said);
+  std::vector<std::string> command{"build/" + name, table, name + ".html"};
+  if (is_wrong) command.emplace_back("--wrong");
+  const auto ended = check::run(command, said, Limits::of_a_part);
+  const std::string printed = read(said);
+  if (!ended) throw Failure(command[0] + " can't be started: remove the folder build");
+  if (ended->code == 1) throw Failure(printed);
+  if (ended->signal || ended->code) {
+    throw Failure("no page was written, as " + reason_of(*ended, printed));
+  }
+  return printed;
+}
+
+std::string measured(const Run& run) {
+  std::cout << style().dim << "Measuring what your program is worth: some seconds, once after a "
+            << "change." << style().plain << std::endl;
+  fs::remove("study.html");  // one of another program
+  if (!build_program("study") || !build_program("optimised_test")) {
+    throw Failure("the study needs all four parts to compile");
+  }
+  require_same_when_optimised(run);
+  return write_page("study", run.first_part, "fixtures/study.txt");
+}
+
+}  // namespace
+
+void study(const Run& run) {
+  const std::string verdict =
+      once_after_a_change("verdict", fs::exists("study.html"), [&] { return measured(run); });
+  std::cout << "\n"
+            << style().bold << "What your program is worth" << style().plain
+            << ", with charts in study.html and questions in explore.html:\n";
+  for (const std::string& line : lines_of(verdict)) {
+    const std::size_t tab = line.find('\t');
+    std::string text = folded(line.substr(tab + 1), 66, std::string(14, ' '));
+    std::cout << text.replace(2, tab, line.substr(0, tab));
+  }
+  std::cout << "Both speed and accuracy count: chart one against the other, test stability where\n"
+               "methods fail, and model no more than a scene needs.\n";
+}
+
+void ask_about_real_impacts(const Run& run) {
+  const Part& part = run.part(2);
+  fs::remove("real.html");  // one of another program
+  if (run.unbuilt.count(2) || !build_program("real"))
+    throw Failure("--real needs part 2 to compile");
+  write_page("real", points_of(part) < part.points, "fixtures/measured.txt");
+  std::cout
+      << "\nWhat your form_lcp makes of real impacts is in real.html; open it in a browser.\n";
+}
+
+bool judge_examples(int part, bool hints) {
+  fs::create_directories(kWork);
+  const Lock alone(kWork / "lock");
+  if (!fs::exists("examples.txt")) {
+    throw Failure("examples.txt is missing: copy it from the handout's zip");
+  }
+  if (!build_program("examples")) throw Failure(read(kWork / "build.txt"));
+  const fs::path said = kWork / "examples.txt";
+  fs::remove(said);
+  std::vector<std::string> command{"build/examples", "examples.txt",
+                                   "fixtures/public/wrong_programs.txt", std::to_string(part)};
+  if (hints) command.insert(command.end(), {"given/examples/hints.txt", "build/check/hint"});
+  const auto ended = check::run(command, said, Limits::of_a_part);
+  if (!ended) throw Failure("build/examples can't be started: remove the folder build");
+  std::cout << read(said);
+  return ended->code == 0 && !ended->signal;
+}
+
+}  // namespace bounce::check
