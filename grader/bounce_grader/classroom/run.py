@@ -208,8 +208,8 @@ def _run(request: Request, given: Given, log: Log) -> int:
     status = 3 if any(s.state == "failed" for s in summaries) else 0
     if not given.canvas:
         return status
-    ask = canvas_upload.Ask(request.upload, request.overwrite)
-    left = canvas_upload.show_or_post(given.canvas, out, summaries, intake.unmatched, ask)
+    wanted = (request.upload, request.overwrite)
+    left = canvas_upload.show_or_post(given.canvas, out, summaries, intake.unmatched, *wanted)
     return max(status, left)
 
 

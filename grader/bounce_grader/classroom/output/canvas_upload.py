@@ -25,13 +25,6 @@ PLAN = "plan.json"
 Uploaded = dict[str, dict[str, Any]]
 
 
-class Ask(NamedTuple):
-    """The options of ./kit class about Canvas."""
-
-    upload: bool
-    overwrite: bool
-
-
 class Change(NamedTuple):
     """What would be posted for one student; None where nothing is."""
 
@@ -43,12 +36,17 @@ class Change(NamedTuple):
 
 
 def show_or_post(
-    canvas: Canvas, out: Path, summaries: Sequence[Summary], entries: Iterable[Unmatched], ask: Ask
+    canvas: Canvas,
+    out: Path,
+    summaries: Sequence[Summary],
+    entries: Iterable[Unmatched],
+    upload: bool,
+    overwrite: bool,
 ) -> int:
     """Prints what would change on Canvas, and posts it on request if that was shown before. Returns
     1 if something is left to do."""
-    changes, kept = _plan(canvas, out, summaries, entries, ask.overwrite)
-    if ask.upload and _were_shown(out, changes):
+    changes, kept = _plan(canvas, out, summaries, entries, overwrite)
+    if upload and _were_shown(out, changes):
         refused = _post(canvas, out, changes)
         posted = len(changes) - len(refused)
         print(f"Students whose points or pages were posted: {posted} of {len(changes)}.")
@@ -57,11 +55,11 @@ def show_or_post(
     write_whole(out / PLAN, json.dumps(changes))
     print(f"Students whose points or pages would change on Canvas: {len(changes)}.")
     _print([*map(_words, changes), *kept])
-    if ask.upload:
+    if upload:
         print("This wasn't shown before: give the same command again to post it.")
     elif changes:
         print("Nothing is posted yet: add --upload.")
-    return int(ask.upload)
+    return int(upload)
 
 
 def _print(lines: Iterable[str]) -> None:
