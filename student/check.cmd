@@ -7,7 +7,7 @@ where cmake >nul 2>nul || (echo check: CMake is missing here; use the Developer 
 set toolchain=
 if defined VCPKG_ROOT set toolchain="-DCMAKE_TOOLCHAIN_FILE=%VCPKG_ROOT%/scripts/buildsystems/vcpkg.cmake"
 rem The folder may have been moved: what CMake built in the old place is of no use.
-if exist build\CMakeCache.txt (findstr /x /l /c:"CMAKE_HOME_DIRECTORY:INTERNAL=%cd:\=/%" build\CMakeCache.txt >nul || rmdir /s /q build)
+if exist build\CMakeCache.txt (findstr /x /l /i /c:"CMAKE_HOME_DIRECTORY:INTERNAL=%cd:\=/%" build\CMakeCache.txt >nul || rmdir /s /q build)
 if not exist build mkdir build
 if not exist build\check_program.exe (
   echo check: building for the first time; this takes about a minute>&2
