@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "../methods/two_corners.hpp"
+#include "carried_motions.hpp"
 #include "first_contact.hpp"
-#include "perturbed_motions.hpp"
 #include "series.hpp"
 #include "units.hpp"
 
@@ -30,17 +30,21 @@ class Engine {
  public:
   Engine(const Parameters& params, const Motion<Real>& start, const std::vector<Real>& times,
          const EventOptions& options, EventReport& report)
-      : body_(params), s_(start), times_(times), options_(options), report_(report) {
+      : body_(params),
+        s_(start),
+        times_(times),
+        options_(options),
+        report_(report),
+        carried_(start, params, Noise(options.perturbation, options.seed)) {
     if (!options.model.friction) body_.mu = 0;
     cut_ = Real(options.cut);
     set_turns_apart();
-    perturbed_ = PerturbedMotions<Real>(s_, Noise(options.perturbation, options.seed));
     order_ = std::clamp(int(4 - std::log(options.tolerance) / 2), 6, kMaxOrder);
   }
 
   std::vector<Motion<Real>> run() {
     samples_.reserve(times_.size());
-    if (!perturbed_.lost()) report_.perturbed_distances.reserve(times_.size());
+    if (!carried_.lost()) report_.distances.reserve(times_.size());
     collide();
     while (samples_.size() < times_.size()) {
       report_.stalled = stalls();
@@ -73,8 +77,16 @@ class Engine {
   // Moves on by `time`, taking samples on the way; at(t) is the motion t later than now.
   template <class At>
   void advance(Real time, double& mode, const At& at) {
-    for (; samples_.size() < times_.size(); take(at(clock_.until(times_[samples_.size()]))))
-      if (!(clock_.until(times_[samples_.size()]) <= time)) break;
+    while (samples_.size() < times_.size()) {
+      const Real sample = times_[samples_.size()], later = clock_.until(sample);
+      if (!(later <= time)) break;
+      samples_.push_back(at(later));
+      Motion<Real>& s = samples_.back();
+      s.theta += turns_ * 2 * std::numbers::pi_v<Real>;
+      if (carried_.lost()) continue;
+      const long double since_end = clock_.template until<long double>(sample) - time;
+      report_.distances.push_back(carried_.at(since_end, s, turns_));
+    }
     s_ = at(time);
     set_turns_apart();
     mode += double(time);
@@ -82,18 +94,12 @@ class Engine {
     since_mark_ += time;
   }
 
-  void take(Motion<Real> s) {
-    s.theta += turns_ * 2 * std::numbers::pi_v<Real>;
-    samples_.push_back(s);
-    if (!perturbed_.lost()) report_.perturbed_distances.push_back(double(perturbed_.apart()));
-  }
-
   // Keeps theta within half a turn.
   void set_turns_apart() {
     if (std::abs(s_.theta) <= std::numbers::pi_v<Real>) return;
     const Real rest = std::atan2(std::sin(s_.theta), std::cos(s_.theta));
     turns_ += std::round((s_.theta - rest) / (2 * std::numbers::pi_v<Real>));
-    perturbed_.turn(rest - s_.theta);
+    carried_.turn(rest - s_.theta, rest);
     s_.theta = rest;
   }
 
@@ -104,7 +110,7 @@ class Engine {
         options_.model.corners == 0 ? last : std::min(time_above(start, body_), last);
     const NearFlight<Real> flight =
         above > 0 ? NearFlight<Real>{above, false} : first_contact(start, body_, last);
-    perturbed_.fly_to(fly(start, body_, flight.time), body_, flight.time);
+    carried_.fly_to(fly(start, body_, flight.time), flight.time);
     advance(flight.time, report_.flight, [&](Real t) { return fly(start, body_, t); });
     if (flight.contact) {
       disturb(flight.time);
@@ -167,22 +173,23 @@ class Engine {
     if (hit.count == 0) return;
     ++report_.impacts;
     if (hit.count == 1) {
-      if (!perturbed_.lost() && !is_alone(hit.index[0], r, s_.y)) perturbed_.lose();
-      collide_corner(hit.index[0], r[hit.index[0]]);
+      if (!carried_.lost() && !is_alone(hit.index[0], r, s_.y)) carried_.lose();
+      collide_corner(hit.index[0], r);
     } else {
-      perturbed_.lose();
+      carried_.lose();
       collide_side(hit, r);
     }
   }
 
-  void collide_corner(int k, const Arm<Real>& r) {
+  void collide_corner(int k, const Row<Arm<Real>, 4>& arms) {
+    const Arm<Real>& r = arms[k];
     methods::Collision<Real> collision = methods::collision_of(s_, r, body_);
     const bool rests = is_cut(collision.v_n, cut_at(r));
-    if (rests) perturbed_.lose();
+    if (rests) carried_.lose();
     if (collision.v_n < 0) {
       if (rests) collision.epsilon = 0;
       const CornerImpulse<Real> p = methods::impact(collision, options_.law);
-      if (!perturbed_.lost()) perturbed_.collide(r, s_.theta, body_, p.mode, options_.law);
+      if (!carried_.lost()) carried_.collide(k, arms, s_.theta, p.mode, options_.law);
       methods::apply_impulse(s_, r, p.n, p.t, body_.gyration_squared);
       if (p.mode == methods::ContactMode::sticks) s_.v_x = r.y * s_.omega;
     }
@@ -362,7 +369,7 @@ class Engine {
 
   // One corner on the ground.
   void follow_corner() {
-    perturbed_.lose();
+    carried_.lose();
     const int k = closed_.index[0];
     const Arm<Real> r = methods::arms(body_, s_.theta)[k];
     if (sliding_ == Sliding::unknown && !find_mode(r)) return;
@@ -446,7 +453,7 @@ class Engine {
 
   // A side on the ground. Forces are constant until sliding stops.
   void follow_side() {
-    perturbed_.lose();
+    carried_.lose();
     const SideImpulse<Real> f = side_force(s_.v_x);
     if (!(f.n[0] > 0 && f.n[1] > 0)) {  // it tips over the corner that is pressed, or lifts off
       const auto r = methods::arms(body_, s_.theta);
@@ -479,7 +486,7 @@ class Engine {
   std::vector<Motion<Real>> samples_;
   Clock<Real> clock_;
   Noise noise_{options_.noise, options_.seed};
-  PerturbedMotions<Real> perturbed_;
+  CarriedMotions<Real> carried_;
   long events_ = 0;
   Real turns_ = 0, cut_ = 0;
   int order_ = 0;
@@ -505,7 +512,10 @@ std::vector<Motion<Real>> simulate_events(const Parameters& params, const Motion
   auto motions = Engine<Real>(units.in(params), units.in(start), scaled, options, written).run();
   for (Motion<Real>& s : motions) s = units.out(s);
   for (double* mode : {&written.flight, &written.corner, &written.flat}) *mode *= units.time;
-  for (double& apart : written.perturbed_distances) apart *= units.length;
+  for (CarriedDistances& apart : written.distances) {
+    apart.perturbed *= units.length;
+    apart.finer *= units.length;
+  }
   return motions;
 }
 

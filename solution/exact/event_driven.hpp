@@ -31,6 +31,7 @@
 
 #include "../methods/impact_laws.hpp"
 #include "../methods/square.hpp"
+#include "carried_motions.hpp"
 
 namespace bounce::exact {
 
@@ -52,7 +53,7 @@ struct EventOptions {
   // A shadow: random changes of this relative size at each event, as rounding makes them. A square
   // that is exactly parallel to the ground and does not turn stays so.
   double noise = 0;
-  double perturbation = 0;  // the noise of perturbed motions (perturbed_motions.hpp); 0: none
+  double perturbation = 0;  // the noise of two carried motions (carried_motions.hpp); 0: none
   std::uint64_t seed = 1;
 };
 
@@ -60,9 +61,7 @@ struct EventReport {
   long impacts = 0, series = 0, jams = 0;
   bool stalled = false;  // events went on without an end at one time; what follows is not computed
   bool gave_up = false;  // after most_events; what follows is not computed
-  // For each time, the largest distance of the perturbed motions up to the end of the flight in
-  // which that time lies, m. Ends where they were lost.
-  std::vector<double> perturbed_distances;
+  std::vector<CarriedDistances> distances;  // for each time until carried motions were lost
   // The time in each mode, s.
   double flight = 0, corner = 0, flat = 0;
 };

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <fstream>
 #include <initializer_list>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <stdexcept>
@@ -94,11 +95,11 @@ struct LastKey : json::json_sax_t {
 
 json parse(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  if (!in || !(text << in.rdbuf())) refuse("the file", "can't be opened");
+  if (!in || std::filesystem::is_directory(file)) refuse("the file", "can't be opened");
+  const std::string text(std::istreambuf_iterator<char>(in), {});
   LastKey sax;
-  if (!json::sax_parse(text.str(), &sax)) refuse(sax.last, sax.problem);
-  return json::parse(text.str());
+  if (!json::sax_parse(text, &sax)) refuse(sax.last, sax.problem);
+  return json::parse(text);
 }
 
 // A JSON object whose fields are read by name; one that is not read is unknown.

@@ -6,9 +6,9 @@
 #include <map>
 #include <numbers>
 
-#include "../exact/event_driven.hpp"
 #include "../exact/simulate_scene.hpp"
 #include "../exact/truth.hpp"
+#include "ladder.hpp"
 #include "questions.hpp"
 #include "random_scenes.hpp"
 
@@ -19,19 +19,8 @@ constexpr double kFine = 1e-3;           // m
 constexpr double kStep = 1e-3;           // s, of the simulator that chooses, in random scenes
 constexpr double kEventsASecond = 5000;  // in random scenes
 
-Model model_of(ModelLevel level) {
-  const int corners = level <= ModelLevel::ballistic      ? 0
-                      : level <= ModelLevel::one_friction ? 1
-                                                          : 2;
-  return {corners, level == ModelLevel::one_friction || level == ModelLevel::two_frictions};
-}
-
-// Simulates the scene with at most this model, with exact times of impact.
-Samples run_model(const Scene& scene, ModelLevel level, EventOptions options = {}) {
-  const auto start = methods::motion_of<double>(scene.start);
-  if (level == ModelLevel::asleep) return Samples(kSamples, start);
-  options.model = model_of(level);
-  return simulate_events<double>(scene.params, start, sample_times(scene), options);
+Samples run_model(const Scene& scene, ModelLevel level, const EventOptions& options = {}) {
+  return motion_with(scene, level, sample_times(scene), options);
 }
 
 Parameters stepped(const Scene& scene, double dt) {

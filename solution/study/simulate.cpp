@@ -1,14 +1,16 @@
 #include "simulate.hpp"
 
 #include <charconv>
-#include <iomanip>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "../exact/simulate_to.hpp"
+#include "advice.hpp"
 #include "timing.hpp"
 
 namespace bounce::study {
 namespace {
+
+using json = nlohmann::ordered_json;
 
 double number_of(const std::string& text) {
   double x = 0;
@@ -20,42 +22,42 @@ double number_of(const std::string& text) {
   return x;
 }
 
-template <class Write>
-void list(std::ostream& out, const char* name, std::size_t count, const Write& write) {
-  out << "\"" << name << "\": [";
-  for (std::size_t i = 0; i < count; ++i) {
-    if (i > 0) out << ", ";
-    write(i);
+json json_of(const Answer& answer, double seconds) {
+  json q = json::array(), v = json::array();
+  for (const auto& s : answer.motions) {
+    q.push_back({s.x, s.y, s.theta});
+    v.push_back({s.v_x, s.v_y, s.omega});
   }
-  out << "],\n";
+  return {{"times", answer.times},
+          {"q", q},
+          {"v", v},
+          {"method", answer.method},
+          {"bound", answer.bound},
+          {"horizon", answer.horizon},
+          {"seconds", seconds}};
 }
 
 }  // namespace
 
 void simulate(const std::filesystem::path& file, const std::string& tolerance, std::ostream& out) {
-  const exact::Scene scene = exact::read_start(file);
-  const double begin = cpu_ns();
-  const exact::Answer answer = exact::simulate_to(scene, number_of(tolerance));
-  const double seconds = (cpu_ns() - begin) / 1e9;
-  const std::size_t count = answer.times.size();
-  out << std::setprecision(17) << "{";
-  list(out, "times", count, [&](std::size_t i) { out << answer.times[i]; });
-  list(out, "q", count, [&](std::size_t i) {
-    const auto& s = answer.motions[i];
-    out << "[" << s.x << ", " << s.y << ", " << s.theta << "]";
-  });
-  list(out, "v", count, [&](std::size_t i) {
-    const auto& s = answer.motions[i];
-    out << "[" << s.v_x << ", " << s.v_y << ", " << s.omega << "]";
-  });
-  out << "\"method\": \"" << answer.method << "\",\n\"step\": ";
-  if (answer.step > 0) {
-    out << answer.step;
-  } else {
-    out << "null";
+  const Scene scene = read_start(file);
+  const double within = number_of(tolerance), begin = cpu_ns();
+  const Answer answer = simulate_to(scene, within);
+  json whole = json_of(answer, (cpu_ns() - begin) / 1e9);
+  const Advice advice = advise(scene, answer, within);
+  whole["models"] = whole["methods"] = json::array();
+  for (const ModelRun& run : advice.models) {  // an infinite error is written as null
+    whole["models"].push_back(
+        {{"model", name_of(run.level)}, {"error", run.error}, {"least", run.least}});
   }
-  out << ",\n\"bound\": " << answer.bound << ",\n\"horizon\": " << answer.horizon
-      << ",\n\"seconds\": " << seconds << "}\n";
+  for (const MethodRun& run : advice.methods) {
+    whole["methods"].push_back({{"method", run.method},
+                                {run.has_step ? "step" : "tolerance", run.setting},
+                                {"error", run.error},
+                                {"ns", run.ns},
+                                {"within", run.within}});
+  }
+  out << whole << "\n";
 }
 
 }  // namespace bounce::study

@@ -1,4 +1,4 @@
-// bounce_study simulate: the motion of a scene within a tolerance, as JSON.
+// bounce_study simulate: the motion of a scene within a tolerance, and what it needs, as JSON.
 #pragma once
 
 #include <filesystem>
@@ -7,8 +7,8 @@
 
 namespace bounce::study {
 
-// Writes times (s), q and v (m, rad, m/s, rad/s; one list of 3 for each time), method, step (s;
-// null where the method has none), bound (m), horizon (s) and the CPU seconds that it took. Throws
+// Writes times (s), q and v (m, rad, m/s, rad/s; one list of 3 for each time), method, bound (m),
+// horizon (s), the CPU seconds that it took, and models and methods of advice.hpp. Throws
 // std::invalid_argument for a scene or a tolerance (m) that can't be read, exact::Refusal for what
 // can't be had.
 void simulate(const std::filesystem::path& scene, const std::string& tolerance, std::ostream& out);

@@ -18,11 +18,16 @@ def add(commands: Any) -> None:
         nargs="*",
         metavar="QUESTION",
         help="tables to measure; all unless named. Or: simulate SCENE.json, its motion within a "
-        "tolerance",
+        "tolerance, and the least model and the cheapest method for it",
     )
-    parser.add_argument("--tolerance", metavar="METRES", help="of simulate: the largest error")
     parser.add_argument(
-        "--json", type=Path, metavar="FILE", help="of simulate: times, q, v, bound and horizon"
+        "--tolerance", metavar="METRES", help="of simulate: the largest error (default: 0.001)"
+    )
+    parser.add_argument(
+        "--json", type=Path, metavar="FILE", help="of simulate: the motion, and all else"
+    )
+    parser.add_argument(
+        "--picture", type=Path, metavar="FILE.svg", help="of simulate: the same, drawn"
     )
     parser.add_argument(
         "--out", type=Path, metavar="FOLDER", help="what is written (default: docs/studies)"
@@ -42,8 +47,10 @@ def _study(options: argparse.Namespace) -> int:
     os.environ["OPENBLAS_NUM_THREADS"] = "1"  # numpy's matrices are small here: others only wait
     if options.questions[:1] == ["simulate"]:
         return _simulate(options)
-    if options.tolerance or options.json:
-        raise UsageError("--tolerance and --json are for ./kit study simulate SCENE.json")
+    if options.tolerance or options.json or options.picture:
+        raise UsageError(
+            "--tolerance, --json and --picture are for ./kit study simulate SCENE.json"
+        )
     from bounce_study import run
 
     files = {n: getattr(options, n) for n in ("squares", "ellipses") if getattr(options, n)}
@@ -62,6 +69,7 @@ def _study(options: argparse.Namespace) -> int:
 def _simulate(options: argparse.Namespace) -> int:
     from bounce_study.simulate import simulate
 
-    if len(options.questions) != 2 or options.tolerance is None:
-        raise UsageError("write ./kit study simulate SCENE.json --tolerance METRES [--json FILE]")
-    return simulate(Path(options.questions[1]), options.tolerance, options.json)
+    if len(options.questions) != 2:
+        raise UsageError("name one scene: ./kit study simulate SCENE.json")
+    tolerance = options.tolerance or "0.001"
+    return simulate(Path(options.questions[1]), tolerance, options.json, options.picture)

@@ -278,7 +278,7 @@ def models(tables: Tables) -> Facts:
 def tolerance(tables: Tables) -> Facts:
     table = tables["tolerance"]
     shown = pd.DataFrame({"tolerance": table["tolerance_m"].map(metres)})
-    for name in ("free_flight", "event_driven", "stepped", "refused"):
+    for name in ("free_flight", "event_driven", "refused"):
         shown[name.replace("_", " ")] = table[name]
     shown["error above its bound"] = table["violated"]
     shown["bound over error"] = table["bound_over_error"].map(ratio)

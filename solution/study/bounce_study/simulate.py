@@ -1,8 +1,11 @@
-"""./kit study simulate: the motion of a scene within a tolerance."""
+"""./kit study simulate: the motion of a scene within a tolerance, and what model and which method
+the scene needs for it."""
 
 import json
+import math
 import os
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -10,15 +13,20 @@ from bounce_grader.common.errors import KitError, UsageError
 from bounce_grader.common.files import write_whole
 from bounce_grader.common.paths import BUILD
 from bounce_grader.sandbox import processes
-from bounce_study.numbers import short
+from bounce_study.numbers import metres, short, time
+from bounce_study.style import label, MODELS
 
 PROGRAM = BUILD / "bounce_study"
 REFUSED = 1
+Answer = dict[str, Any]  # what solution/study/simulate.hpp writes
 
 
-def simulate(scene: Path, tolerance: str, out: Path | None) -> int:
-    """Writes the motion to `out` and says how it was had. Returns 1, with the reason and the
-    horizon on standard error, if it can't be had within the tolerance."""
+def simulate(scene: Path, tolerance: str, out: Path | None, picture: Path | None) -> int:
+    """Writes the motion to `out`, draws it into `picture`, and says how it was had and what it
+    needs. Returns 1, with the reason and the horizon on standard error, if it can't be had within
+    the tolerance."""
+    if picture is not None and picture.suffix != ".svg":
+        raise UsageError(f"the picture is an SVG; write --picture {picture.with_suffix('.svg')}")
     command = [str(PROGRAM), "simulate", os.path.abspath(scene), tolerance]
     done = processes.run(command)
     if not done.ok:
@@ -27,18 +35,58 @@ def simulate(scene: Path, tolerance: str, out: Path | None) -> int:
             print(f"kit: {message}", file=sys.stderr)
             return REFUSED
         raise (UsageError if done.code == 2 else KitError)(message)
-    if out is not None:
+    answer = json.loads(done.out)
+    made: list[tuple[Path, str | bytes]] = [(out, done.out)] if out is not None else []
+    if picture is not None:
+        from bounce_study.chart_scene import draw
+
+        side = json.loads(scene.read_text("utf-8"))["params"]["l"]
+        made.append((picture, draw(answer, side, float(tolerance))))
+    for file, data in made:
         try:
-            write_whole(out, done.out)
+            write_whole(file, data)
         except OSError as error:
-            raise UsageError(f"{out} can't be written: {error.strerror}") from error
-    print(_sentence(json.loads(done.out)))
+            raise UsageError(f"{file} can't be written: {error.strerror}") from error
+    print(*_motion(answer), *_models(answer, tolerance), *_methods(answer, tolerance), sep="\n")
     return 0
 
 
-def _sentence(answer: dict[str, Any]) -> str:
-    step = f", step {short(answer['step'])} s" if answer["step"] else ""
-    return (
-        f"{answer['method']}{step}: within {short(answer['bound'])} m up to "
-        f"{answer['horizon']:g} s, in {short(1e6 * answer['seconds'])} µs"
+def cheapest(answer: Answer) -> list[Any]:
+    """Each method's cheapest run within the tolerance, cheapest first."""
+    runs = sorted((run for run in answer["methods"] if run["within"]), key=lambda run: run["ns"])
+    return list({run["method"]: run for run in reversed(runs)}.values())[::-1]
+
+
+def _motion(answer: Answer) -> Iterator[str]:
+    yield (
+        f"{answer['method']}: within {short(answer['bound'])} m up to {answer['horizon']:g} s, "
+        f"in {time(1e9 * answer['seconds'])}"
     )
+
+
+def _models(answer: Answer, tolerance: str) -> Iterator[str]:
+    models = answer["models"]
+    place = next(i for i, model in enumerate(models) if model["least"])
+    yield f"the least model within {metres(float(tolerance))}: {MODELS[models[place]['model']]}"
+    for model in models[:place]:
+        error = model["error"]
+        off = f"off by {metres(error)}" if error else "its impacts go on without an end"
+        yield f"  {MODELS[model['model']]:30}{off}"
+
+
+def _methods(answer: Answer, tolerance: str) -> Iterator[str]:
+    within = cheapest(answer)
+    first = label(within[0]["method"]) if within else "none of these"
+    yield f"the cheapest method within {metres(float(tolerance))}: {first}"
+    for run in within:
+        setting = (
+            f"step {short(run['step'])} s" if "step" in run else f"tolerance {run['tolerance']:g}"
+        )
+        yield f"  {label(run['method']):30}{time(run['ns'])}, {setting}"
+    errors: dict[str, list[float]] = {}
+    for run in answer["methods"]:
+        errors.setdefault(run["method"], []).append(run["error"] or math.inf)
+    for method in [name for name in errors if name not in {run["method"] for run in within}]:
+        off = metres(max(errors[method][-2:]))  # of one alone it may be luck
+        yield f"  {label(method):30}off by {off} at the finest of its settings"
+    yield "  (CPU time of the whole motion, measured just now on this machine)"

@@ -44,6 +44,15 @@ ENGINES: dict[str, tuple[str, str, str, Any]] = {
     "siconos": ("Siconos", GREY, "$S$", "-"),
 }
 
+MODELS = {
+    "asleep": "nothing at all",
+    "ballistic": "free flight",
+    "one_normal": "one corner without friction",
+    "one_friction": "one corner with friction",
+    "two_normals": "two corners without friction",
+    "two_frictions": "two corners with friction",
+}
+
 
 def label(method: str) -> str:
     return (METHODS | ENGINES)[method][0]

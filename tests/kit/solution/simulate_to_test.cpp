@@ -35,7 +35,7 @@ double median(std::vector<double> values) {
 
 Scene short_crowded_scene(Random& random) {
   Scene scene = crowded_scene(random);
-  scene.params.T = 10;
+  scene.params.T = 40;
   return scene;
 }
 
@@ -65,7 +65,7 @@ TEST(simulate_to, KeepsItsBoundOrRefuses) {
                            Kind{"crowded", short_crowded_scene, 0, false}}) {
     Random random(kind.answered ? 21 : 41);
     const int count = kind.share > 0 ? random_cases(1000) / kind.share : 20;
-    int refused = 0, stepped = 0;
+    int refused = 0;
     std::vector<double> ratios;
     for (int i = 0; i < count; ++i) {
       const Scene scene = kind.make(random);
@@ -76,9 +76,8 @@ TEST(simulate_to, KeepsItsBoundOrRefuses) {
         ASSERT_EQ(answer.motions.size(), std::size_t(scene.params.T));
         ASSERT_LE(answer.bound, tolerance) << kind.name << i;
         const double error = true_error(scene, answer);
-        ASSERT_LE(error, answer.bound) << kind.name << i << ", " << answer.method;
+        ASSERT_LE(error, answer.bound) << kind.name << i;
         if (error > 0) ratios.push_back(answer.bound / error);
-        stepped += answer.step > 0;
       } catch (const Refusal& refusal) {
         ASSERT_GE(refusal.horizon, 0) << kind.name << i;
         ASSERT_LT(refusal.horizon, scene.params.dt * (scene.params.T - 1)) << kind.name << i;
@@ -87,25 +86,17 @@ TEST(simulate_to, KeepsItsBoundOrRefuses) {
     }
     if (kind.answered) {
       EXPECT_LT(refused, count / 2);
-      EXPECT_LE(median(ratios), 100);
-    }
-    if (kind.make == short_crowded_scene) {
-      EXPECT_GT(stepped, 0) << "there are too many events";
+      EXPECT_LE(median(ratios), 10);
     }
   }
 }
 
-// A fall from 388 m, whose perturbed motions hardly differed from the reference: two changes of the
-// same size cancelled.
-TEST(simulate_to, KeepsItsBoundWhereChangesMayCancel) {
+// It begins with 2441 turns: their product with 2 pi rounds more than long double does otherwise.
+TEST(simulate_to, KeepsItsBoundAfterManyTurns) {
   Random random(21);
   Scene scene{};
-  double tolerance = 0;
-  for (int i = 0; i <= 3470; ++i) {
-    scene = scene_at_any_scale(random);
-    tolerance = log_uniform(random, 1e-4, 1e-2) * scene.params.l;
-  }
-  const Answer answer = simulate_to(scene, tolerance);
+  for (int i = 0; i <= 342; ++i) scene = scene_at_any_scale(random);
+  const Answer answer = simulate_to(scene, 1e-3 * scene.params.l);
   EXPECT_LE(true_error(scene, answer), answer.bound);
 }
 

@@ -241,16 +241,27 @@ def test_a_motion_has_what_it_promises(tmp_path: Path, capsys: Said) -> None:
     options = ["simulate", str(scene), "--tolerance", "1e-3", "--json", str(out)]
     assert main(["study", *options]) == 0
     answer = json.loads(out.read_text())
-    assert set(answer) == set("times q v method step bound horizon seconds".split())
+    assert set(answer) == set("times q v method bound horizon seconds models methods".split())
     assert len(answer["times"]) == len(answer["q"]) == len(answer["v"]) == 41
     assert answer["q"][0] == [0, 0.5, 0.3] and answer["horizon"] == answer["times"][-1]
     assert 0 < answer["bound"] <= 1e-3
     assert "event-driven: within" in capsys.readouterr().out
-    for file in sorted(SCENES.glob("*.json")):
-        own = json.loads(file.read_text())
-        until = 1 + int(own["compare"]["until"] / own["params"]["dt"])
-        scene = written(tmp_path, changed(own, "params T", until))
-        assert main(["study", "simulate", str(scene), "--tolerance", "1e-6"]) == 0, file.name
+
+
+@pytest.mark.parametrize("name, needs", TABLES["needs"].items())
+def test_a_scene_is_told_its_least_model_and_its_cheapest_method(
+    tmp_path: Path, capsys: Said, name: str, needs: list[str]
+) -> None:
+    own, picture = json.loads((SCENES / f"{name}.json").read_text()), tmp_path / "picture.svg"
+    until = 1 + int(own["compare"]["until"] / own["params"]["dt"])
+    scene = written(tmp_path, changed(own, "params T", until))
+    begin = os.times().children_user
+    assert main(["study", "simulate", str(scene), "--picture", str(picture)]) == 0
+    assert os.times().children_user - begin < 10
+    said = capsys.readouterr().out
+    assert re.findall("^the least .*(?:\n  .*)*", said, re.M) == ["\n".join(needs)]
+    assert re.search("^the cheapest method within 1.0 mm: .*\n  .* [nµm]?s, (step|tol)", said, re.M)
+    assert "<svg" in picture.read_text()
 
 
 def test_a_motion_that_can_not_be_had_is_refused_with_its_horizon(

@@ -1,0 +1,20 @@
+// The ladder of models, each with exact times of impact, so that only the model differs.
+#pragma once
+
+#include "../exact/event_driven.hpp"
+#include "../exact/scene.hpp"
+
+namespace bounce::study {
+
+using namespace exact;
+
+// What a model of the ladder may use.
+Model model_of(ModelLevel level);
+
+// The scene at these times with at most this model; fewer than `times` where its impacts go on
+// without an end, or are more than options.most_events.
+std::vector<methods::Motion<double>> motion_with(const Scene& scene, ModelLevel level,
+                                                 const std::vector<double>& times,
+                                                 EventOptions options = {});
+
+}  // namespace bounce::study
