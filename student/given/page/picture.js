@@ -6,7 +6,7 @@ const wide = () => stage.clientWidth;
 const high = () => stage.clientHeight;
 const comparing = () => right !== null && compare.checked;
 const least = 60; // pixels that the square is wide, or else the view follows it
-const following = () => l * whole.scale < least;
+const following = () => l * whole.scale < least && !many.length;
 
 // A view shows the world's point (x, y), m, at the stage's (X, Y), pixels, with `scale` pixels a metre.
 const view = (scale, x, y, X, Y) => ({

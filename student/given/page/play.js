@@ -162,6 +162,7 @@ function setScene(command) {
   const { T, ...numbers } = scene ? scene.params : { ...params, T: 0 };
   const next = structuredClone(scene ? { q: scene.q, v: scene.v } : start);
   params = structuredClone(numbers);
+  byId("scene").value = [...byId("scene").options].some(({ value }) => value === command) ? command : "";
   if (scene) seconds = Number(((T - 1) * params.dt).toPrecision(6));
   const places_ = { x: [next.q, 0], y: [next.q, 1], theta: [next.q, 2], vx: [next.v, 0], vy: [next.v, 1], omega: [next.v, 2] };
   for (const word of words.slice(scene ? 1 : 0)) {

@@ -8,6 +8,10 @@ function panels() {
   const height = [{ name: "\u03c6", values: lows.map(({ y }) => y), colour: "corner", dash: [], width: 2 }];
   if (comparing()) height.push({ name: "right", values: lowsRight.map(({ y }) => y), colour: "right", dash: [6, 4], width: 1.5 });
   const found = [{ title: "height \u03c6 of the lowest corner, m", lines: height }];
+  if (many.length) {
+    const apart = q[0].map((x, t) => Math.max(...many.map((path) => Math.hypot(path[0][t] - x, path[1][t] - q[1][t]))));
+    found.unshift({ title: "farthest from the square in the middle, m", lines: [{ name: "apart", values: apart, colour: "right", dash: [], width: 2 }] });
+  }
   if (!motion) return found;
   const all = q[0].map((_, t) => energies(t));
   const line = (name, colour, dash, width) => ({ name, values: all.map((e) => e[name]), colour, dash, width });

@@ -70,6 +70,7 @@ function present(animation, time = 0) {
   document.documentElement.style.setProperty("--longest", Math.max(...lengths));
   byId("column").style.minWidth = `${2 * String(T - 1).length + 2}ch`;
   slider.max = T - 1;
+  byId("crowd").hidden = !many.length;
   for (const id of ["choice", "key"]) byId(id).hidden = !right;
   for (const id of ["forces", "tangential", "normal"]) byId(id).hidden = !motion;
   byId("parted").textContent = parted < 0 ? "yours does the same" : `yours departs from it at step ${parted}, at ${text(parted * dt, timePlaces)} s`;

@@ -124,20 +124,22 @@ std::string page() {
 void make_way(const fs::path& program) {
   fs::path running = program;
   running.replace_extension(".running.exe");
-  fs::remove(running);
-  fs::rename(program, running);
-  fs::copy_file(running, program);
+  std::error_code in_use;  // by another page
+  fs::remove(running, in_use);
+  fs::rename(program, running, in_use);
+  if (!in_use) fs::copy_file(running, program);
 }
 #endif
 
 }  // namespace
 
 int serve(const fs::path& given) {
-  const fs::path file = fs::absolute(given);
+  const fs::path there = fs::absolute(given);
+  fs::current_path(fs::path(BOUNCE_HOME));     // where ./check runs, whose words these are
+  const fs::path file = fs::proximate(there);  // without what a system can't write of the path
 #ifdef _WIN32
   make_way(file);
 #endif
-  fs::current_path(fs::path(BOUNCE_HOME));  // where ./check runs, whose words these are
   Program program(file);
   LocalServer server;
   server.http.Get(server.path(""), [](const auto&, auto& response) {
