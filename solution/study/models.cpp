@@ -80,6 +80,7 @@ Table least_model(const Scenes& scenes, const Extent& extent) {
   for (const Scene& scene : scenes) {
     const Samples truth = truth_of(scene);
     std::vector<Job> jobs;
+    jobs.reserve(kModelLevels);
     for (int i = 0; i < kModelLevels; ++i)
       jobs.push_back(job_of([&scene, i] { run_model(scene, ModelLevel(i)); }));
     time_in_turn(jobs, extent);
