@@ -22,7 +22,7 @@ async function simulate(from, numbers, T) {
   const waiting = setTimeout(() => tell("Waiting for your program \u2026"), 1000);
   try {
     const { problem, ...motion_ } = await ask("simulate", { ...from, params: { ...numbers, T } });
-    tell(problem ? `${problem[0].toUpperCase()}${problem.slice(1).replace(/[^?]$/, "$&.")} Change your program and build it; this page notices.` : "");
+    tell(problem ? `${problem[0].toUpperCase()}${problem.slice(1).replace(/[^?]$/, "$&.")} Change your program and build it; this page notices.` : news);
     return problem ? null : motion_;
   } catch {
     tell("The program that serves this page was ended. Start ./build/bounce --play again, and open the address that it prints.");
@@ -31,6 +31,9 @@ async function simulate(from, numbers, T) {
     clearTimeout(waiting);
   }
 }
+
+// What is said beside an answer, until something else is thrown.
+let news = "";
 
 // Throws it from `start`. What was asked meanwhile is asked once it is over, and only the last.
 let busy = false;
@@ -52,6 +55,7 @@ async function throwIt(time = 0) {
 
 // Where the square's lowest corner would begin in the ground, it is lifted.
 function begin(state, numbers, time = 0) {
+  news = "";
   [start, params] = [structuredClone(state), structuredClone(numbers)];
   const reach = Math.max(...corners(start.q[2], params.l).map((r) => -r[1]));
   start.q[1] = Math.max(start.q[1], reach);
@@ -312,7 +316,10 @@ show = () => {
 
 setInterval(async () => {
   const now = await ask("version").catch(() => null);
-  if (version !== null && now && now.version !== version) throwIt().then(() => byId("status").textContent || tell("Your program was built again: this is the same throw with the new one."));
+  if (version !== null && now && now.version !== version) {
+    news = "Your program was built again: this is the same throw with the new one.";
+    throwIt();
+  }
   version = now ? now.version : version;
 }, 1000);
 play.addEventListener("click", () => setPlaying(!playing));
