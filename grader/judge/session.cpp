@@ -40,7 +40,7 @@ Frame reply_to(const Frame& callback) {
   reply.number = callback.number;
   try {
 #define BOUNCE_REPLY(number, function) \
-  if (callback.part == number) frames::answer(callback, reply, function);
+  if (callback.part == (number)) frames::answer(callback, reply, function);
     BOUNCE_FUNCTIONS(BOUNCE_REPLY)
   } catch (const std::exception& refused) {
     reply.kind = Kind::threw;
