@@ -228,17 +228,19 @@ void RunnerProcess::require_a_box() {
 // threads that have ended, nobody knows how long they wanted one, and many may want one at a time:
 // with threads, the time counts in which our CPU had nothing to do. None counts while the box is
 // set up or a page is read from disk. How long a thread wants a CPU is known when it gets one, so
-// it is too soon to count while one is ready and none has run.
+// it is too soon to count while one is ready and none has run. A process that has ended takes its
+// times along: from there on they are counted anew.
 void RunnerProcess::count_idle_time(const ProcessUsage& seen) {
   const Seconds wanted(seen.delay_seconds + own_delay_seconds()), spare(spare_seconds());
   const Seconds idle = waited_ - wanted - Seconds(seen.cpu_seconds);
-  if (seen.ready && seen.cpu_seconds <= cpu_before_) return;
+  const bool one_ended = seen.cpu_seconds < cpu_before_;
+  if (seen.ready && seen.cpu_seconds == cpu_before_) return;
   const Seconds waited = waited_ - waited_before_, our_cpu_spare = spare - spare_before_;
   const bool threads = seen.threads > 1 || seen.ended_seconds > ended_before_;
   if (threads) in_threads_ += waited - our_cpu_spare;
   if (seen.reads_a_disk) kept_waiting_ += waited;
   if (counts_idle_) kept_waiting_ += std::max(wanted - wanted_before_, Seconds::zero());
-  if (counts_idle_ && !seen.reads_a_disk) {
+  if (counts_idle_ && !seen.reads_a_disk && !one_ended) {
     idle_ = std::max(idle_ + (threads ? our_cpu_spare : idle - idle_before_), Seconds::zero());
   }
   wanted_before_ = wanted;
