@@ -21,7 +21,9 @@ async function ask(name, question) {
 async function simulate(from, numbers, T) {
   const waiting = setTimeout(() => tell("Waiting for your program \u2026"), 1000);
   try {
-    const { problem, ...motion_ } = await ask("simulate", { ...from, params: { ...numbers, T } });
+    const { problem, version: asked, ...motion_ } = await ask("simulate", { ...from, params: { ...numbers, T } });
+    if (version !== null && version !== asked) news = "Your program was built again: this is the same throw with the new one.";
+    version = asked;
     tell(problem ? `${problem[0].toUpperCase()}${problem.slice(1).replace(/[^?]$/, "$&.")} Change your program and build it; this page notices.` : news);
     return problem ? null : motion_;
   } catch {
@@ -316,11 +318,7 @@ show = () => {
 
 setInterval(async () => {
   const now = await ask("version").catch(() => null);
-  if (version !== null && now && now.version !== version) {
-    news = "Your program was built again: this is the same throw with the new one.";
-    throwIt();
-  }
-  version = now ? now.version : version;
+  if (now && now.version !== version && !busy && !held) throwIt();
 }, 1000);
 play.addEventListener("click", () => setPlaying(!playing));
 speed.value = "1";

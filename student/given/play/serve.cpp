@@ -20,9 +20,9 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 constexpr int kLongest = 90;  // s that an answer may take; the program ends itself before
+constexpr auto kLinking = std::chrono::seconds(10);  // that it may take to link the program
 
-// The program with the student's parts, in a process of its own. It is run from a copy, so that it
-// can be built meanwhile.
+// The program with the student's parts, in a process of its own.
 class Program {
  public:
   explicit Program(const fs::path& file)
@@ -37,27 +37,39 @@ class Program {
     return static_cast<long long>(fs::last_write_time(file_, gone).time_since_epoch().count());
   }
 
-  // The answer to a question of the page; or why there is none, in the words of ./check.
+  // The answer to a question of the page; or why there is none, in the words of ./check. With the
+  // version that was asked.
   std::string answer_to(const std::string& question) {
     const std::lock_guard one_at_a_time(mutex_);
     if (runs() && built_ != version()) end();
-    for (bool again = true;; again = false) {
+    const auto give_up = std::chrono::steady_clock::now() + kLinking;
+    for (bool is_asked_again = false;;) {
       if (!runs()) start();
       if (std::ifstream in(folder_ / "address"); in >> port_ >> path_) {
-        if (const auto answer = post("simulate", question)) return answer->body;
+        if (const auto answer = post("simulate", question)) return of_version(answer->body);
       }
       const auto ended = ended_.get();
+      if (!ended && std::chrono::steady_clock::now() < give_up) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        continue;
+      }
       if (!ended) return problem("the program can't be started: it is being built, or is gone");
       const bool is_old = ended->code == 0 && ended->signal == 0;
-      if (is_old && again) continue;
-      return problem(check::reason_of(*ended, check::read(folder_ / "printed.txt")) +
-                     check::place_of_crash(copy_.string(), folder_ / "stack.txt"));
+      if (!is_old || is_asked_again) {
+        return problem(check::reason_of(*ended, check::read(folder_ / "printed.txt")) +
+                       check::place_of_crash(copy_.string(), folder_ / "stack.txt"));
+      }
+      is_asked_again = true;
     }
   }
 
  private:
-  static std::string problem(const std::string& sentence) {
-    return json{{"problem", sentence}}.dump();
+  std::string of_version(const std::string& answer) const {
+    return "{\"version\":" + std::to_string(built_) + "," + answer.substr(1);
+  }
+
+  std::string problem(const std::string& sentence) const {
+    return of_version(json{{"problem", sentence}}.dump());
   }
 
   bool runs() const {
@@ -68,14 +80,26 @@ class Program {
   void start() {
     for (const char* name : {"address", "printed.txt", "stack.txt"}) fs::remove(folder_ / name);
     built_ = version();
-    std::error_code gone;
-    fs::copy_file(file_, copy_, fs::copy_options::overwrite_existing, gone);
+    take();
     ended_ = std::async(std::launch::async, [this] {
       return check::run({copy_.string(), "--answer", (folder_ / "address").string()},
                         folder_ / "printed.txt", check::Limits::of_a_part);
     });
     while (runs() && !fs::exists(folder_ / "address"))
       std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+
+  // Takes it under a name of its own, so that it can be built meanwhile: a linker writes a new
+  // file. No system starts a file that is still being written; a copy of such a file it would
+  // start.
+  void take() const {
+    std::error_code failed;
+    fs::remove(copy_, failed);
+#ifndef _WIN32
+    fs::create_hard_link(file_, copy_, failed);
+    if (!failed) return;
+#endif
+    fs::copy_file(file_, copy_, failed);
   }
 
   void end() {
