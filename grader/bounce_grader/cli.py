@@ -72,8 +72,6 @@ def _parser() -> argparse.ArgumentParser:
     option(
         "--format", choices=formats.NAMES, metavar="NAME", help=f"in place of the report: {names}"
     )
-    before = "say what has changed since this record, or Gradescope's submission_metadata.json"
-    option("--before", type=Path, metavar="FILE", help=before)
     option("--min-score", type=float, metavar="S", help="exit with 1 below this score")
     option("--speed", action="store_true", help="chart speed against accuracy")
     option("--reveal", action="store_true", help="show the expected answers of hidden cases, too")
@@ -113,7 +111,6 @@ def _grade(options: argparse.Namespace) -> int:
     from bounce_grader.common.files import write_whole
     from bounce_grader.formats import terminal
     from bounce_grader.grading.grade import grade, Options
-    from bounce_grader.grading import previous
     from bounce_grader.grading.record import with_answers
     from bounce_grader.sandbox.box import kinds
 
@@ -122,11 +119,10 @@ def _grade(options: argparse.Namespace) -> int:
     folder = Path(options.json or "").parent
     if not folder.is_dir():
         raise UsageError(f"{options.json} can't be written: there is no folder {folder}")
-    earlier = previous.read(options.before) if options.before else None
     acceptable = (options.require_box,) if options.require_box else kinds(options.trust_submission)
     wanted = Options(acceptable, options.speed, not options.no_sanitize, answers=options.reveal)
     try:
-        record = previous.compared(grade(options.submission, wanted), earlier)
+        record = grade(options.submission, wanted)
     except UsageError as error:
         refused = formats.refused(options.format, str(error))
         if refused:
@@ -137,8 +133,7 @@ def _grade(options: argparse.Namespace) -> int:
     if options.json == "-":
         print(text)
     elif options.format:
-        pass_score = options.min_score or 0.0
-        print(formats.render(options.format, record, pass_score))
+        print(formats.render(options.format, record))
     else:
         terminal.show(record)
     if options.json not in (None, "-"):

@@ -6,30 +6,52 @@ import os
 import sys
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import NamedTuple
 
-from bounce_grader.classroom.grading import grading, near_copies, regrade, results
-from bounce_grader.classroom.grading.log import Log
+from bounce_grader.classroom.grading import grading, near_copies, regrade, results, unit
 from bounce_grader.classroom.grading.near_copies import Similar
-from bounce_grader.classroom.grading.request import Request
-from bounce_grader.classroom.grading.results import Stamp, Task
+from bounce_grader.classroom.grading.results import Task
 from bounce_grader.classroom.grading.summary import Summary
+from bounce_grader.classroom.grading.unit import Unit
 from bounce_grader.classroom.intake import canvas_api, instructor_files, students
 from bounce_grader.classroom.intake.canvas_api import Canvas
 from bounce_grader.classroom.intake.instructor_files import Course, ROSTER
 from bounce_grader.classroom.intake.people import People
 from bounce_grader.classroom.intake.student import Class, Student
-from bounce_grader.classroom.output import canvas_upload, feedback, final, gradebook_services
-from bounce_grader.classroom.output import outputs, page
+from bounce_grader.classroom.output import canvas_upload, feedback, final, gradebook
+from bounce_grader.classroom.output import gradebook_services, grades, page
 from bounce_grader.classroom.output.final import Assigned
 from bounce_grader.classroom.output.gradebook import Gradebook
 from bounce_grader.common.errors import KitError, UsageError
 from bounce_grader.common.escaping import first_few, printable_name, terminal
-from bounce_grader.common.files import remove_abandoned
+from bounce_grader.common.files import remove_abandoned, write_whole
 
 MOST_LINES = 20  # of a kind on the terminal; class.html has them all
+
+
+@dataclass(frozen=True)
+class Request:
+    """The options of ./kit class, as cli.py has them."""
+
+    submissions: Path | None  # None with --canvas
+    out: Path
+    gradebook: Path | None = None
+    column: str = ""
+    dask: str = ""
+    jobs: int = 0
+    speed: bool = False
+    sanitize: bool = False
+    trust: bool = False
+    reveal: bool = False
+    overwrite: bool = False
+    canvas: str = ""  # COURSE/ASSIGNMENT
+    upload: bool = False
+    corpus: Sequence[Path] = ()
+    regrade: bool = False
+    apply: bool = False
+    unit: Unit = unit.run  # what grades one; tests have a quicker one
 
 
 class Given(NamedTuple):
@@ -49,11 +71,7 @@ def run(request: Request) -> int:
         given = _read(request)
         with _locked(request.out):
             remove_abandoned(request.out)
-            log = Log(request.out / "log.jsonl")
-            try:
-                return _run(request, given, log)
-            finally:
-                log.close()
+            return _run(request, given)
     except KeyboardInterrupt:
         print(
             "kit: stopped; what is graded is kept. Run the same command again to go on.",
@@ -90,6 +108,7 @@ def _read(request: Request) -> Given:
         _require_same_class(book, request, intake)
         _find_out_lateness(intake, book)
     assigned = final.assign(adjustments, people, intake.students)
+    assigned.sentences.extend(people.without_submission(intake.students))
     return Given(intake, book, canvas, course, assigned, corpus)
 
 
@@ -98,7 +117,7 @@ def _gradebook(request: Request) -> Gradebook | None:
         return None
     if request.gradebook.resolve() == _filled_in(request).resolve():
         raise UsageError(f"{request.gradebook} would be overwritten: give another folder as --out")
-    return gradebook_services.read(request.gradebook, request.columns)
+    return gradebook_services.read(request.gradebook, request.column)
 
 
 def _filled_in(request: Request) -> Path:
@@ -164,20 +183,15 @@ def _locked(out: Path) -> Iterator[None]:
         os.close(lock)
 
 
-def _run(request: Request, given: Given, log: Log) -> int:
+def _run(request: Request, given: Given) -> int:
     out, intake, assigned = request.out, given.intake, given.assigned
-    regrade.finish(out)
     stamp = results.stamp_now(request.trust, request.sanitize)
     folder = out / "results"
-    tasks = [
-        results.task_of(s, stamp, folder, request.speed, request.trust) for s in intake.students
-    ]
+    tasks = [results.task_of(s, stamp, folder, request.speed) for s in intake.students]
     if request.regrade:
-        return _regrade(request, request.regrade, tasks, stamp, log)
-    if request.apply:
-        regrade.apply(out, tasks, stamp, log)
-    results.begin(folder, stamp)
-    failed = grading.grade_missing(tasks, request, log)
+        return _regrade(request, folder, tasks)
+    results.begin(folder, stamp, take_over=request.apply)
+    failed = grading.grade_missing(tasks, request.unit, request.jobs, request.dask)
     summaries = grading.summarize(tasks, failed)
     summaries = final.with_finals(summaries, assigned, given.course, intake.logins)
     readable = [s.student for s in summaries if s.state != "unreadable"]
@@ -191,17 +205,13 @@ def _run(request: Request, given: Given, log: Log) -> int:
         *final.unknown_lateness(given.course, intake, assigned.own),
         *assigned.sentences,
         *final.adjusted(summaries),
-        *outputs.write_gradebook(
-            _filled_in(request),
-            intake,
-            summaries,
-            given.book,
-            request.columns.get(0, ""),
-            log,
-            request.overwrite,
-        ),
     ]
-    outputs.write_tables(out, intake, summaries, near, sentences, given.course)
+    if given.book:
+        path = _filled_in(request)
+        sentences += gradebook.write(path, intake, summaries, given.book, request.overwrite)
+    write_whole(out / "grades.csv", "\ufeff" + grades.table(summaries))
+    text = page.render(intake, summaries, near, sentences, given.course)
+    write_whole(out / "class.html", text)
     _print(request, given, summaries, sentences, near)
     if pages.to_upload and not given.canvas:
         print(pages.to_upload)
@@ -213,14 +223,14 @@ def _run(request: Request, given: Given, log: Log) -> int:
     return max(status, left)
 
 
-def _regrade(request: Request, chosen: str, tasks: Sequence[Task], stamp: Stamp, log: Log) -> int:
-    again = regrade.begin(request.out, chosen, tasks, stamp)
-    failed = grading.grade_missing(again, request, log)
+def _regrade(request: Request, folder: Path, tasks: Sequence[Task]) -> int:
+    there = regrade.counting(folder)
+    failed = grading.grade_missing(tasks, request.unit, request.jobs, request.dask)
     if failed:
         raise KitError(
             f"submissions that could not be graded again: {len(failed)}; nothing is changed"
         )
-    print("\n".join(regrade.differences(request.out, again)))
+    print("\n".join(regrade.differences(there, tasks)))
     return 0
 
 
@@ -240,11 +250,14 @@ def _print(
     if equal := len(graded) - len({s.key for s in graded}):
         whose = f"{equal} of them equal others" if equal > 1 else "One of them equals another"
         print(f"{whose} letter for letter: equal ones are graded once.")
-    if looks or intake.unmatched:
-        print(
-            f"{len(looks)} need a look, {len(intake.unmatched)} can't be graded or aren't matched; "
-            f"{request.out / 'class.html'} says which, and why."
-        )
+    counts = {
+        "without a score": intake.handed_in - len(graded),
+        "graded": sum(s.state == "graded" for s in looks),
+        "not matched": sum(not unmatched.user for unmatched in intake.unmatched),
+    }
+    if any(counts.values()):
+        to_look_at = ", ".join(f"{count} {what}" for what, count in counts.items() if count)
+        print(f"To look at: {to_look_at}; {request.out / 'class.html'} says why.")
     failed = [f"{s.student.shown} ({s.student.id})" for s in summaries if s.state == "failed"]
     if failed:
         print(f"The kit failed on {terminal(first_few(failed))}: run the same command again.")
@@ -254,16 +267,17 @@ def _print(
         for unmatched in intake.unmatched
         if unmatched.user not in in_book
     ]
-    to_look_at = [
+    reasons = [
         f"{s.student.shown} ({s.student.id}): {'; '.join(s.needs_a_look)}"
         for s in looks
         if s.state == "graded" or s.student.id not in in_book
     ]
     more = 0
-    for lines in (not_graded, to_look_at, sentences, page.of_near_copies(near, summaries)):
+    for lines in (not_graded, reasons, sentences, page.of_near_copies(near, summaries)):
         print("".join(f"  {terminal(line)}\n" for line in lines[:MOST_LINES]), end="")
         more += len(lines[MOST_LINES:])
     if more:
         print(f"  and {more} more, in class.html")
-    written = f"{_filled_in(request).name}, grades.csv, class.html, feedback/"
+    own = [_filled_in(request).name] if book else []
+    written = ", ".join([*own, "grades.csv", "class.html", "feedback/"])
     print(f"Written to {request.out}: {written}")

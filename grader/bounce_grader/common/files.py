@@ -36,7 +36,7 @@ def write_whole(path: Path, data: str | bytes, durable: bool = False) -> None:
                 stream.flush()
                 os.fsync(stream.fileno())
         temporary.replace(path)
-    except OSError:
+    except BaseException:  # also when this process is to end
         temporary.unlink(missing_ok=True)
         raise
     if durable:

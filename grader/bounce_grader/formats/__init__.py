@@ -8,26 +8,16 @@ from typing import Any
 
 from bounce_grader.common.escaping import json_document
 
-NAMES = (
-    "gradescope",
-    "prairielearn",
-    "autolab",
-    "github",
-    "html",
-    "junit",
-    "json",
-    "markdown",
-    "classroom50",
-)
+NAMES = ("gradescope", "github", "html", "junit", "json", "markdown", "classroom50")
 
 
-def render(name: str, record: dict[str, Any], pass_score: float = 0.0) -> str:
-    """The report on a record. `pass_score` is the score from which on the submission passes."""
+def render(name: str, record: dict[str, Any]) -> str:
+    """The report on a record."""
     if name == "json":
         return json_document(record, indent=1)
     module = import_module(f"{__name__}.{name}")
     if name == "github":
-        module.write_outputs(record, pass_score)
+        module.write_summary(record)
     report: str = module.render(record)
     return report.rstrip("\n") if name == "html" else report
 

@@ -46,7 +46,6 @@ def _summary(record: Record) -> str:
         + printable(sentences.part_words(part))
         for part in record["parts"]
     ]
-    lines = [*sentences.since_last_time(record), *lines]
     return "\n".join([*lines, *map(printable, sentences.speed_words(record))])
 
 

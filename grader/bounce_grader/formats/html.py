@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from bounce_grader.common import escaping, numbers
-from bounce_grader.formats import case, case_pictures, figures, sentences, speed_chart
+from bounce_grader.formats import sentences, speed_chart
 from bounce_grader.grading import hints, speed
 from bounce_grader.grading.record import Record
 
@@ -41,9 +41,7 @@ def render(
         speed_sentences=" ".join(speed.sentences(measured)),
         unused=_unused(record, unused),
         in_the_end=in_the_end,
-        case=case,
-        chart_style=figures.STYLE,
-        case_pictures=case_pictures,
+        chart_style=speed_chart.STYLE,
         speed_chart=speed_chart,
         hints=hints,
         numbers=numbers,

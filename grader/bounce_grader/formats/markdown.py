@@ -24,7 +24,7 @@ def render(record: Record) -> str:
         lines += ["", *items] if items else []
     first = sentences.first_to_do(record)
     lines += ["", escaping.markdown(first)] if first else []
-    for sentence in [*sentences.since_last_time(record), *sentences.speed_words(record)]:
+    for sentence in sentences.speed_words(record):
         lines.append(f"\n{escaping.markdown(sentence)}")
     text = "\n".join(lines) + "\n"
     for number, part, check in sentences.numbered(record):

@@ -1,6 +1,5 @@
 """Sentences about a record, for several formats."""
 
-from bounce_grader.common.numbers import short
 from bounce_grader.grading import hints
 from bounce_grader.grading.record import Record
 
@@ -80,21 +79,6 @@ def about_cases(record: Record) -> list[str]:
         f"{len(caught)} of {len(caught) + len(missed)} wrong programs{not_yet}",
         *(f"{case['place']}: {case['message']}" for case in cases if not case["right"]),
     ]
-
-
-def since_last_time(record: Record) -> list[str]:
-    """What has changed since the record of before, if there is one."""
-    before = record.get("before")
-    if not before:
-        return []
-    titles = {check["id"]: check["title"] for _, _, check in numbered(record)}
-    change = record["score"] - before["score"]
-    lines = [
-        f"Since last time: {short(before['score'])} -> {short(record['score'])} points, "
-        + (f"{change:+g}" if change else "no change")
-    ]
-    lines += [f"Gained: {titles[id]}" for id in before["gained"] if id in titles]
-    return lines + [f"Lost: {titles[id]}" for id in before["lost"] if id in titles]
 
 
 def numbered(record: Record) -> list[tuple[str, Record, Record]]:

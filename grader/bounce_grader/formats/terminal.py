@@ -30,8 +30,6 @@ def lines(record: Record) -> list[tuple[str, str]]:
     """The report's lines, as (style, text). Text from a submission is stripped of control
     characters."""
     out = [("bold", f"Score {out_of(record)}"), ("", "")]
-    since = sentences.since_last_time(record)
-    out += [("", terminal(line)) for line in [*since, *([""] if since else [])]]
     for part in record["parts"]:
         out += _part(part)
     cases = sentences.about_cases(record)

@@ -264,18 +264,15 @@ def _number(x: float | str) -> str:
 
 
 def shown(failure: Facts, revealed: bool = False) -> Facts:
-    """The failed case in numbers, for reports that draw it; of a hidden case, nothing that tells
+    """The failed case in numbers, for whoever reads the record; of a hidden case, nothing that tells
     the answer unless it is revealed."""
-    fields = ("name", "input", "sentence", "quantities", "contact", "scene", "path")
+    fields = ("name", "input", "sentence", "quantities", "contact")
     case = {name: failure[name] for name in fields if failure.get(name) not in (None, "")}
     case.setdefault("sentence", "")
     if failure["hidden"] and not revealed:
         case.pop("contact", None)
-        case["quantities"] = [_without(q, "expected") for q in failure["quantities"]]
-        if "path" in case:
-            case["path"] = _without(case["path"], "expected", "columns")
+        case["quantities"] = [
+            {name: value for name, value in quantity.items() if name != "expected"}
+            for quantity in failure["quantities"]
+        ]
     return case
-
-
-def _without(fields: Facts, *names: str) -> Facts:
-    return {name: value for name, value in fields.items() if name not in names}

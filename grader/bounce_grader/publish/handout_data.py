@@ -13,11 +13,11 @@ from math import log10, sqrt
 
 from bounce_grader.common.manifest import parts
 from bounce_grader.common.paths import FIXTURES, SCENES
-from bounce_grader.formats.figures import WORDS
+from bounce_grader.formats.speed_chart import NAMES
 
 STUDIED = ("tumble", "oblique_bounce", "slide")
 METHODS = {
-    "assignment": WORDS["Assignment"],
+    "assignment": NAMES["solution"],
     "moreau_jean_2": "Moreau\N{EN DASH}Jean scheme with two corners",
     "event_driven": "exact, event-driven simulation",
 }

@@ -13,8 +13,8 @@ from bounce_grader.classroom.grading import near_copies
 from bounce_grader.classroom.grading.near_copies import Pair, Similar
 from bounce_grader.classroom.grading.summary import of_result, Summary
 from bounce_grader.classroom.intake.student import Class, Student, Unmatched
-from bounce_grader.classroom.output import charts, page
-from bounce_grader.classroom.output.charts import Curve
+from bounce_grader.classroom.output import page
+from bounce_grader.formats.speed_chart import Curve, error_over_time
 from bounce_grader.submission import submission
 from conftest import write
 
@@ -53,7 +53,7 @@ def test_the_page_is_what_a_person_has_read(tmp_path: Path) -> None:
     numbers = ((1e-300, None), (1e300, 1e300), (1.0, 0.0))
     odd_curves = [Curve(numbers, kind, "<b>", ("10 ms",)) for kind in ("none", "solution")]
     curves = {
-        "any_numbers.svg": charts.error_against_time(odd_curves, 1e-3),
+        "any_numbers.svg": error_over_time(odd_curves, "any numbers"),
         "page.html": text.partition("<h2>All submissions")[0],
     }
     expected = {name: re.sub(r">(?=<\w)", ">\n", text) for name, text in curves.items()}

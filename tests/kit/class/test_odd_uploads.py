@@ -5,7 +5,6 @@ odd_submissions.py."""
 
 import csv
 import io
-import json
 import os
 import re
 import subprocess
@@ -66,8 +65,6 @@ def outcomes(source: Path, alone: Path, honest: str, names: Mapping[str, str]) -
     assert len(page) < 300_000
     assert max(len(cell) for row in found.values() for cell in row.values()) < 8_000
     assert all(file.stat().st_size < 40_000 for file in (out / "feedback").iterdir())
-    for line in (out / "log.jsonl").read_bytes().splitlines():
-        json.loads(line)
     told = []
     for id, row in found.items():
         words = [f"{row['state']}, needs a look: {row['needs a look']}"]

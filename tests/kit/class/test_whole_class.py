@@ -33,7 +33,7 @@ def test_a_class_is_the_same_on_a_cluster(cluster: Cluster, tmp_path: Path) -> N
     assert written(tmp_path, made) == grade(tmp_path, "local")
     cluster.worker()
     cluster.worker()
-    grade(tmp_path, "dask", "--engine", "dask", "--scheduler", cluster.address)
+    grade(tmp_path, "dask", "--dask", cluster.address)
     assert same(tmp_path / "dask", tmp_path / "local")
 
 

@@ -1,9 +1,8 @@
-"""Every report on every record of records/ is what a person has read in expected/. The records: a mixed one, written by hand; a right one with remarks,
-half points and a record before it; a hostile one, each of whose texts tries to break out of its
+"""Every report on every record of records/ is what a person has read in expected/. The records: a mixed one, written by hand; a right one with remarks and
+half points; a hostile one, each of whose texts tries to break out of its
 format; one with a mistake in each part, pictures and curves; and a submission that can't be
 read."""
 
-import base64
 import copy
 import io
 import json
@@ -17,7 +16,7 @@ import pytest
 from bounce_grader import cli, formats
 from bounce_grader.common import escaping
 from bounce_grader.common.errors import UsageError
-from bounce_grader.formats import github, html, terminal
+from bounce_grader.formats import html, terminal
 from conftest import ROOT, SOLUTION
 from edits import edited
 from hypothesis import example, given
@@ -31,7 +30,7 @@ RECORDS: dict[str, Record] = {
 REFUSED = RECORDS.pop("unreadable")["refused"]
 MIXED = RECORDS["mixed"]
 SCHEMA = json.loads((ROOT / "docs" / "record.schema.json").read_text())
-ENDINGS = {"html": "html", "junit": "xml", "markdown": "md", "github": "txt", "autolab": "txt"}
+ENDINGS = {"html": "html", "junit": "xml", "markdown": "md", "github": "txt"}
 
 
 @pytest.fixture(autouse=True)
@@ -46,11 +45,6 @@ def in_a_terminal(record: Record) -> str:
     stream = io.StringIO()
     terminal.show(record, stream)
     return stream.getvalue()
-
-
-def result_for_reporter(record: Record, enough: float = 0.0) -> Record:
-    result: Record = json.loads(base64.b64decode(github.reporter_result(record, enough)))
-    return result
 
 
 # --- what a person has read ---
@@ -74,7 +68,6 @@ def test_reports_are_what_a_person_has_read(name: str) -> None:
     texts = {file: formats.render(format, record) for file, format in made.items()}
     texts["html.html"] = html.render(record, "doejane", ("a.pdf is no C++ source and no zip",))
     texts["terminal.txt"] = in_a_terminal(record)
-    texts["github_result.json"] = json.dumps(result_for_reporter(record), indent=1)
     compare(name, texts)
     assert json.loads(formats.render("json", record)) == record
     schema = json.loads((HERE / "gradescope.schema.json").read_text())
@@ -141,19 +134,13 @@ def test_a_long_report_stays_below_what_github_takes() -> None:
     assert len(text) < 65_536 and text.endswith("More checks failed than there is room for.\n")
 
 
-def test_the_reporter_fails_the_job_only_below_the_score_that_is_enough() -> None:
-    statuses = [result_for_reporter(MIXED, enough)["status"] for enough in (0, 32, 32.5)]
-    assert statuses == ["pass", "pass", "fail"]
-
-
-def test_a_step_of_a_workflow_hands_on_its_result(
+def test_a_step_of_a_workflow_hands_on_its_score_and_a_summary(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv("GITHUB_OUTPUT", str(tmp_path / "output"))
     monkeypatch.setenv("GITHUB_STEP_SUMMARY", str(tmp_path / "summary"))
     formats.render("github", MIXED)
-    lines = (tmp_path / "output").read_text().splitlines()
-    assert lines == [f"result={github.reporter_result(MIXED)}", "score=32"]
+    assert (tmp_path / "output").read_text() == "score=32\n"
     summary = (tmp_path / "summary").read_text()
     assert summary == formats.render("markdown", MIXED) + "\n"
 

@@ -7,7 +7,7 @@ from typing import Any
 
 import stand_in
 from bounce_grader.classroom import run
-from bounce_grader.classroom.grading import log
+from bounce_grader.classroom.grading import results
 from handed_in import zipped
 
 COLUMN = "HW3 (98765)"
@@ -36,12 +36,20 @@ def points_of(users: list[int]) -> dict[str, str]:
 
 def column(path: Path) -> dict[str, str]:
     rows = list(csv.reader(io.StringIO(path.read_text())))
-    place = next(i for i, title in enumerate(rows[0]) if title in (COLUMN, "Bouncing"))
+    place = rows[0].index(COLUMN)
     return {row[1]: row[place] for row in rows[2:]}
 
 
-def graded(out: Path) -> list[str]:
-    return [line["result"] for line in log.read(out / "log.jsonl") if line["event"] == "graded"]
+def scores(out: Path) -> dict[str, str]:
+    """By id, as the grade book would have them."""
+    rows = csv.DictReader(io.StringIO((out / "grades.csv").read_text("utf-8-sig")))
+    return {row["id"]: f"{float(row['score']):.2f}" for row in rows if row["score"]}
+
+
+def graded(out: Path) -> dict[str, str]:
+    """When each was graded, by its result's key."""
+    found = {key: results.load(out / "results", key) for key in results.keys(out / "results")}
+    return {key: str(result["at"]) for key, result in found.items() if result}
 
 
 def grade_class(source: Path, out: Path, **more: Any) -> int:
@@ -50,5 +58,7 @@ def grade_class(source: Path, out: Path, **more: Any) -> int:
 
 def same(one: Path, other: Path) -> bool:
     """Whether two runs have written the same."""
-    names = ("gradebook.csv", "grades.csv", "class.html")
+    names = [
+        name for name in ("gradebook.csv", "grades.csv", "class.html") if (one / name).exists()
+    ]
     return all((one / name).read_bytes() == (other / name).read_bytes() for name in names)

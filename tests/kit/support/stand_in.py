@@ -21,9 +21,8 @@ ROOT = Path(__file__).resolve().parents[3]
 sys.path.insert(0, str(ROOT / "grader"))
 
 from bounce_grader.classroom.grading import unit
-from bounce_grader.classroom.grading.request import Request
 from bounce_grader.classroom.grading.results import Task
-from bounce_grader.classroom.run import run
+from bounce_grader.classroom.run import Request, run
 from bounce_grader.common.errors import KitError
 from bounce_grader.common.manifest import Part, parts
 from bounce_grader.grading.record import whole
@@ -154,5 +153,5 @@ def started(
 
 if __name__ == "__main__":
     submissions, results, pause, *cluster = sys.argv[1:]
-    more = {"engine": "dask", "scheduler": cluster[0]} if cluster else {}
+    more = {"dask": cluster[0]} if cluster else {}
     sys.exit(run(request(Path(submissions), Path(results), float(pause), **more)))

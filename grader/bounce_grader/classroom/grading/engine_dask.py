@@ -83,4 +83,4 @@ def _outcome(future: Any) -> Outcome:
     if error is None:
         outcome: Outcome = future.result()
         return outcome
-    return Outcome("failed", f"Dask: {type(error).__name__}: {error}"[:300])
+    return Outcome(f"Dask: {type(error).__name__}: {error}"[:300])

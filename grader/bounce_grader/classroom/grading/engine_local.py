@@ -28,7 +28,7 @@ def run(tasks: list[Task], jobs: int, unit: Unit) -> Generator[tuple[Task, Outco
             return process.submit(unit, task).result()
         except BrokenProcessPool:
             process = ProcessPoolExecutor(1, context, _prepare)
-            return Outcome("failed", KILLED)
+            return Outcome(KILLED)
         finally:
             idle.append(process)
 

@@ -8,37 +8,32 @@ from collections.abc import Generator, Mapping, Sequence
 from contextlib import closing
 
 from bounce_grader.classroom.grading import results
-from bounce_grader.classroom.grading.log import Log
-from bounce_grader.classroom.grading.request import Request
 from bounce_grader.classroom.grading.results import Task
 from bounce_grader.classroom.grading.summary import of_result, Summary
-from bounce_grader.classroom.grading.unit import Outcome
+from bounce_grader.classroom.grading.unit import Outcome, Unit
 
 TRIES = 3  # of a grading if the kit fails
 Graded = Generator[tuple[Task, Outcome], None, None]
 
 
-def grade_missing(tasks: Sequence[Task], request: Request, log: Log) -> dict[str, Outcome]:
-    """Grades the submissions without a valid result. Returns the kit's failures, by key."""
-    missing: dict[str, Task] = {}
-    for task in tasks:
-        result = results.load(task.folder, task.key, task.speed)
-        if result:
-            log.graded(task, result["state"], None)
-        else:
-            missing[task.key] = task
-    failed: dict[str, Outcome] = {}
+def grade_missing(
+    tasks: Sequence[Task], unit: Unit, jobs: int = 0, scheduler: str = ""
+) -> dict[str, str]:
+    """Grades the submissions without a valid result. Returns why the kit failed, by key."""
+    missing = {t.key: t for t in tasks if not results.load(t.folder, t.key, t.speed)}
+    failed: dict[str, str] = {}
     progress = _Progress(len(missing))
     try:
         for attempt in range(TRIES):
             todo = [task for key, task in missing.items() if not attempt or key in failed]
             failed = {}
-            with closing(_outcomes(todo, request)) as outcomes:
+            with closing(_outcomes(todo, unit, jobs, scheduler)) as outcomes:
                 for task, outcome in outcomes:
-                    _write_down(log, task, outcome)
-                    if outcome.state == "failed":
-                        failed[task.key] = outcome
-                    if outcome.state != "failed" or attempt == TRIES - 1:
+                    if outcome.disk_full:
+                        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+                    if outcome.failure:
+                        failed[task.key] = outcome.failure
+                    if not outcome.failure or attempt == TRIES - 1:
                         progress.advance()
             if not failed:
                 break
@@ -54,24 +49,14 @@ def grade_missing(tasks: Sequence[Task], request: Request, log: Log) -> dict[str
     return failed
 
 
-def _outcomes(tasks: list[Task], request: Request) -> Graded:
-    if request.engine == "dask":
+def _outcomes(tasks: list[Task], unit: Unit, jobs: int, scheduler: str) -> Graded:
+    if scheduler:
         from bounce_grader.classroom.grading import engine_dask
 
-        return engine_dask.run(tasks, request.scheduler, request.unit)
+        return engine_dask.run(tasks, scheduler, unit)
     from bounce_grader.classroom.grading import engine_local
 
-    return engine_local.run(tasks, request.jobs or os.cpu_count() or 1, request.unit)
-
-
-def _write_down(log: Log, task: Task, outcome: Outcome) -> None:
-    """Logs an outcome. Raises OSError if the disk is full."""
-    if outcome.state != "failed":
-        log.graded(task, outcome.state, outcome.seconds)
-        return
-    log.write("failed", task, message=outcome.message)
-    if outcome.disk_full:
-        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+    return engine_local.run(tasks, jobs or os.cpu_count() or 1, unit)
 
 
 class _Progress:
@@ -96,13 +81,13 @@ class _Progress:
         print(f"{start}{words}", end=end, file=sys.stderr, flush=True)
 
 
-def summarize(tasks: Sequence[Task], failed: Mapping[str, Outcome]) -> list[Summary]:
+def summarize(tasks: Sequence[Task], failed: Mapping[str, str]) -> list[Summary]:
     summaries = []
     for task in tasks:
         result = results.load(task.folder, task.key)
         if result:
             summaries.append(of_result(task.student, task.key, result))
         else:
-            message = f"the kit failed: {failed[task.key].message}"
+            message = f"the kit failed: {failed[task.key]}"
             summaries.append(Summary(task.student, task.key, "failed", message))
     return summaries

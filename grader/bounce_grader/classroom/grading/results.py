@@ -1,5 +1,6 @@
 """The folder of results: a file for each submission, named by a hash of all that its grading follows
-from; and set.json, which says by which kit, fixtures and options they were made."""
+from, so that the results of several versions of the kit lie side by side; and set.json, which says
+which version's results count."""
 
 import hashlib
 import json
@@ -35,7 +36,8 @@ class Stamp(NamedTuple):
 
     kit: str
     fixtures: str
-    options: str
+    trust: bool = False  # whether no box would do
+    sanitize: bool = False  # whether undefined behaviour is remarked
 
 
 class Task(NamedTuple):
@@ -47,17 +49,15 @@ class Task(NamedTuple):
     student: Student
     folder: Path  # of the results
     speed: bool
-    trust: bool
 
 
-def task_of(student: Student, stamp: Stamp, folder: Path, speed: bool, trust: bool) -> Task:
+def task_of(student: Student, stamp: Stamp, folder: Path, speed: bool) -> Task:
     submission = digest(student)
-    key = key_of(submission, stamp)
-    return Task(key, submission, stamp, student, folder, speed, trust)
+    return Task(key_of(submission, stamp), submission, stamp, student, folder, speed)
 
 
 def key_of(submission: str, stamp: Stamp) -> str:
-    return hashlib.sha256("\0".join((submission, *stamp)).encode()).hexdigest()
+    return hashlib.sha256(repr((submission, *stamp)).encode()).hexdigest()
 
 
 def digest(student: Student) -> str:
@@ -74,10 +74,9 @@ def digest(student: Student) -> str:
     return hashlib.sha256(repr(data).encode()).hexdigest()
 
 
-def stamp_now(trust: bool, sanitize: bool = False) -> Stamp:
+def stamp_now(trust: bool, sanitize: bool) -> Stamp:
     fixture_digest = digest_of([fixtures.PUBLIC, fixtures.hidden_folder()])
-    options = json.dumps({"trust": trust} | ({"sanitize": True} if sanitize else {}))
-    return Stamp(_kit_digest(), fixture_digest, options)
+    return Stamp(_kit_digest(), fixture_digest, trust, sanitize)
 
 
 def _kit_digest() -> str:
@@ -114,32 +113,27 @@ def keys(folder: Path) -> set[str]:
 
 
 def stamp_of(folder: Path) -> Stamp | None:
-    """The stamp of a folder's results; None if there are none yet."""
+    """The stamp of the results that count; None if there are none yet."""
     try:
         data = json.loads((folder / SET).read_bytes())
+        return Stamp(**{name: data[name] for name in Stamp._fields})
     except FileNotFoundError:
         return None
-    except ValueError as error:
+    except (ValueError, LookupError, TypeError) as error:
         raise UsageError(f"{folder / SET} is broken: choose another folder for --out") from error
-    return Stamp(data["kit"], data["fixtures"], data["options"])
 
 
-def begin(folder: Path, stamp: Stamp) -> None:
-    """Prepares a folder for results. Raises UsageError if it holds results of another kit, course
-    or options."""
+def begin(folder: Path, stamp: Stamp, take_over: bool = False) -> None:
+    """Makes the results with this stamp count. Raises UsageError if those of another kit, course or
+    options do, unless it is to `take_over` from them."""
     there = stamp_of(folder)
-    if there is None:
+    if there is None or take_over:
         write_whole(folder / SET, json.dumps({**stamp._asdict(), "version": __version__}), True)
     elif there != stamp:
+        what = "by another version of the kit" if there.kit != stamp.kit else "with other fixtures"
+        if there[:2] == stamp[:2]:
+            what = "with another choice of --trust-submission or --sanitize"
         raise UsageError(
-            f"the results in {folder} were made {difference(there, stamp)}: add --regrade all to "
-            "see what would change, or give another folder as --out"
+            f"the results in {folder} were made {what}: add --regrade to see what would change, or "
+            "give another folder as --out"
         )
-
-
-def difference(there: Stamp, now: Stamp) -> str:
-    if there.kit != now.kit:
-        return "by another version of the kit"
-    if there.fixtures != now.fixtures:
-        return "with other fixtures"
-    return f"with other options ({there.options})"

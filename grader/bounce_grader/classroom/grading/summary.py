@@ -20,17 +20,19 @@ class Applied(NamedTuple):
 
 
 class Final(NamedTuple):
-    """A person's points in the end: the total under 0, those of part n under n."""
+    """A person's points in the end."""
 
     id: str
     name: str
-    points: Mapping[int, float]
+    points: float
     applied: tuple[Applied, ...] = ()
     listed: bool = False  # in the instructor's roster
 
     @property
     def changes(self) -> str:
-        return ", ".join(f"{a.reason} {a.points:+g}" for a in self.applied)
+        return ", ".join(
+            f"{a.reason} {a.points:+g}" if a.points else a.reason for a in self.applied
+        )
 
 
 @dataclass(frozen=True)
@@ -75,7 +77,7 @@ class Summary:
     def needs_a_look(self) -> list[str]:
         """The reasons for which a person should look at it."""
         reasons = [] if self.state == "graded" else [self.message]
-        odd = {"timed_out", "out_of_memory", "no_answer", "crashed"}
+        odd = {"timed_out", "out_of_memory", "no_answer", "crashed", "does_not_compile"}
         for number, status in self.statuses.items():
             if status in odd:
                 reasons.append(f"part {number}: {status.replace('_', ' ')}")

@@ -8,6 +8,7 @@ import errno
 import json
 import time
 from collections.abc import Callable
+from datetime import datetime, timezone
 from functools import partial
 from typing import Any, NamedTuple
 
@@ -26,11 +27,9 @@ Grade = Callable[[Submission, Task], Record]
 
 
 class Outcome(NamedTuple):
-    """What a worker returns about a task; the record itself is in the file."""
+    """What a worker returns about a task, whose result is in its file."""
 
-    state: str  # "graded", "unreadable", or "failed" if the kit did
-    message: str
-    seconds: float = 0.0
+    failure: str = ""  # why the kit failed, and there is none
     disk_full: bool = False  # then no further result could be stored
 
 
@@ -42,9 +41,9 @@ def grade_submission(taken: Submission, task: Task, within: Budget) -> Record:
     from bounce_grader.sandbox import box
 
     wanted = Options(
-        box.kinds(task.trust),
+        box.kinds(task.stamp.trust),
         task.speed,
-        sanitize='"sanitize": true' in task.stamp.options,
+        sanitize=task.stamp.sanitize,
         jobs=1,
         answers=True,
         within=within,
@@ -55,23 +54,20 @@ def grade_submission(taken: Submission, task: Task, within: Budget) -> Record:
 def run(task: Task, grade: Grade | None = None) -> Outcome:
     """Grades a submission. Never raises an Exception: a failure of the kit is an outcome, too, but
     leaves no file."""
-    start = time.monotonic()
     grade = grade or partial(grade_submission, within=Budget())  # reading counts, too
-    disk_full = False
     try:
         result = _result(task, grade)
         write_whole(results.path_of(task.folder, task.key), json.dumps(result), durable=True)
-        state, message = result["state"], result["message"]
     except (KitError, OSError) as error:
-        state, message = "failed", str(error)
-        disk_full = isinstance(error, OSError) and error.errno == errno.ENOSPC
+        return Outcome(str(error), isinstance(error, OSError) and error.errno == errno.ENOSPC)
     except Exception as error:  # an unforeseen fault of the kit
-        state, message = "failed", f"{type(error).__name__}: {error}"
-    return Outcome(state, message, round(time.monotonic() - start, 3), disk_full)
+        return Outcome(f"{type(error).__name__}: {error}")
+    return Outcome()
 
 
 def _result(task: Task, grade: Grade) -> Result:
     """The content of the result's file. A submission that can't be read has a result, too."""
+    start = time.monotonic()
     record: Record | None = None
     message = ""
     beside: list[str] = []
@@ -84,6 +80,8 @@ def _result(task: Task, grade: Grade) -> Result:
         message = sentence(str(error).replace(str(task.student.path), "the submission"))
     return {
         "key": task.key,
+        "at": datetime.now(timezone.utc).isoformat(timespec="seconds"),
+        "seconds": round(time.monotonic() - start, 3),
         "submission": task.submission,
         **task.stamp._asdict(),
         "timed": task.speed,

@@ -76,7 +76,7 @@ def _no_submission(child: Path) -> str:
         return "is no submission"
     if not is_folder(child):
         return "" if is_file(child) and is_archive(child.name) else "is neither a folder nor a zip"
-    written = os.path.exists(child / "log.jsonl") and os.path.isdir(child / "results")
+    written = os.path.exists(child / "results" / "set.json")
     return "was written by ./kit class, and is no submission" if written else ""
 
 

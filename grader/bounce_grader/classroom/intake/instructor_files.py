@@ -17,7 +17,7 @@ COURSE, ROSTER, ADJUSTMENTS = "course.toml", "roster.csv", "adjustments.csv"
 KNOWN = {"title": str, "date": str, "late": dict}
 LATE = ("percent_per_day", "at_most_percent")
 EVERYBODY = "*"
-CHANGES = ("points", "percent", "late_days", "cap", "drop")
+CHANGES = ("points", "late_days", "cap", "drop")
 
 
 class Course(NamedTuple):
@@ -33,9 +33,8 @@ class Adjustment(NamedTuple):
     """One row of adjustments.csv: what changes for whom, and why."""
 
     where: str  # the file and the line
-    student: str  # an id or a name; or EVERYBODY
+    student: str  # an id; or EVERYBODY
     points: float = 0.0  # added
-    percent: float = 0.0  # of the assignment's points, added
     late_days: int | None = None  # in place of the service's; 0 for an extension
     cap: float | None = None  # the most points
     drop: tuple[str, ...] = ()  # checks whose points are given
@@ -120,7 +119,6 @@ def _adjustment(path: Path, line: int, row: dict[str, str]) -> Adjustment:
         f"{ADJUSTMENTS}, line {line}:",
         row["student"],
         _number(where, "points", row) or 0.0,
-        _number(where, "percent", row) or 0.0,
         None if late_days is None else int(late_days),
         cap,
         _checks(where, row["drop"]),
@@ -130,7 +128,7 @@ def _adjustment(path: Path, line: int, row: dict[str, str]) -> Adjustment:
 
 
 def _number(where: str, column: str, row: dict[str, str]) -> float | None:
-    text = row[column].replace("\N{MINUS SIGN}", "-").replace(",", ".").removesuffix("%").strip()
+    text = row[column].replace("\N{MINUS SIGN}", "-").replace(",", ".").strip()
     if not text:
         return None
     try:

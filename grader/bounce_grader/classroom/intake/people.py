@@ -1,13 +1,13 @@
-"""Who gets the points of each submission, and whom a name or an id means, by what is known of people:
-the grade book, the instructor's roster, and the download."""
+"""Who gets the points of each submission, and whom an id means, by what is known of people: the grade
+book, the instructor's roster, and the download."""
 
-import unicodedata
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from bounce_grader.classroom.intake.canvas import is_name_of, sanitized
-from bounce_grader.classroom.intake.instructor_files import EVERYBODY
+from bounce_grader.classroom.intake.instructor_files import EVERYBODY, ROSTER
 from bounce_grader.classroom.intake.student import Class, Member, Student
+from bounce_grader.common.escaping import first_few
 
 Person = tuple[Member, Student]  # who gets the points, and what was submitted
 
@@ -66,65 +66,25 @@ class People:
             return person if own and is_name_of(person, student.name) else student.person
         return person or (student.name if intake.service else student.person)
 
-    def known(self, who: str) -> bool:
-        return who in self._names or any(_is_called(who, name) for name in self._names.values())
+    def known(self, id: str) -> bool:
+        return id in self._names or id in self._own_ids
 
-    def meant_by(self, who: str, students: Sequence[Student]) -> list[Person]:
-        """The people whom an instructor means. The first rule that finds somebody counts:
+    def without_submission(self, students: Sequence[Student]) -> list[str]:
+        """A sentence if nobody has handed in what the roster lists; none otherwise."""
+        listed = {member.id for s in students for member in s.members if member.listed}
+        idle = [name for name, of in self._roster.items() if not {m.id for m in of} & listed]
+        words = "no member of it has handed in under that name or id"
+        return [f"{ROSTER} lists {first_few(idle)}: {words}"] * bool(idle)
 
-        1. an id or a name in the grade book; if it has that person, only this rule is tried;
-        2. an id in the roster, or an id that the service gave;
-        3. the id of a submission, such as a login;
-        4. a name in the roster or the grade book;
-        5. the name of a submission.
-
-        What students can choose comes last: a login never stands for a person of the grade book, and
-        a number is never a name.
-        """
+    def meant_by(self, id: str, students: Sequence[Student]) -> list[Person]:
+        """The people whom an instructor means by an id: the one who has it in the grade book; else
+        whoever has it in the roster or from the service; else the members of the submission with
+        this id, such as a login. Students choose their logins, so a login never stands for a person
+        of the grade book or of the roster."""
         people = [(member, student) for student in students for member in student.members]
-        if who == EVERYBODY:
+        if id == EVERYBODY:
             return people
-        in_book = self._in_book(who)
-        by_name = not in_book and not who.isdigit()
-        ranked: dict[int, list[Person]] = {}
-        for member, student in people:
-            chosen_id = self._logins and member.id == student.id
-            listed = member.name if member.id != student.id else student.person
-            ways = [
-                not chosen_id and self._own_ids.get(member.id) in in_book,
-                not in_book and not chosen_id and who == member.id,
-                not in_book and who == student.id,
-                by_name and _is_called(who, listed),
-                by_name and not self._logins and _is_called(who, student.name),
-            ]
-            if True in ways:
-                ranked.setdefault(ways.index(True), []).append((member, student))
-        return ranked[min(ranked)] if ranked else []
-
-    def several(self, who: str, meant: Sequence[Person]) -> list[str]:
-        """The ids of the people of whom it isn't clear which one is meant; none if it is clear."""
-        in_book = sorted(self._in_book(who))
-        if len(in_book) > 1:
-            return in_book
-        is_id = who in self._own_ids or any(who in (m.id, s.id) for m, s in meant)
-        submissions = {s.id: s.name for _, s in meant}
-        is_group = len(submissions) == 1 and any(_is_called(who, n) for n in submissions.values())
-        clear = who == EVERYBODY or is_id or is_group or len(meant) < 2
-        return [] if clear else [member.id for member, _ in meant]
-
-    def _in_book(self, who: str) -> set[str]:
-        """The service's ids of the people in the grade book that have this id or this name."""
-        if who in self._own_ids:
-            return {self._own_ids[who]}
-        names = ((own, self._names[id]) for id, own in self._own_ids.items() if id in self._names)
-        return {own for own, name in names if _is_called(who, name)}
-
-
-def _is_called(who: str, name: str) -> bool:
-    """Whether a person has this name, as "Doe, Jane" or "Jane Doe", or as Canvas spells it in a
-    download, "doejane"."""
-    one, other = (
-        sorted(unicodedata.normalize("NFC", text).casefold().replace(",", " ").split())
-        for text in (who, name)
-    )
-    return bool(name) and (one == other or sanitized(who) == name)
+        known = [(m, s) for m, s in people if not (self._logins and m.id == s.id)]
+        if own := self._own_ids.get(id):
+            return [(m, s) for m, s in known if self._own_ids.get(m.id) == own]
+        return [p for p in known if p[0].id == id] or [p for p in people if p[1].id == id]

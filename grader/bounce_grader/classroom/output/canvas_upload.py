@@ -79,7 +79,7 @@ def _plan(
     uploaded = read_object(out / UPLOADED)
     finals = [(one, s.student.feedback) for s in summaries for one in s.finals]
     wanted: list[tuple[str, str, float | None, str]] = [
-        (one.id, one.name, round(one.points[0], 2), page) for one, page in finals
+        (one.id, one.name, round(one.points, 2), page) for one, page in finals
     ]
     graded = {one.id for one, _ in finals}
     others = [entry for entry in entries if entry.user in now and entry.user not in graded]

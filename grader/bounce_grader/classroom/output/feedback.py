@@ -1,9 +1,6 @@
-"""Writes the feedback pages; for Canvas and Moodle, zips of the pages that they can import; and
-history.json, which results each student has had, so that a page says what has changed since the
-submission before."""
+"""Writes the feedback pages; and for Canvas and Moodle, zips of the pages that they can import."""
 
 import io
-import json
 import zipfile
 from collections.abc import Sequence
 from contextlib import suppress
@@ -16,13 +13,11 @@ from bounce_grader.classroom.grading.summary import Summary
 from bounce_grader.classroom.intake import canvas
 from bounce_grader.classroom.intake.student import Class
 from bounce_grader.common.errors import about_one_submission, UsageError
-from bounce_grader.common.files import read_object, write_whole
+from bounce_grader.common.files import write_whole
 from bounce_grader.formats import html
-from bounce_grader.grading.previous import compared, of_record, Previous
 from bounce_grader.grading.record import with_answers, without_answers
 
 NEW_PAGES = "feedback-new.zip"
-HISTORY = "history.json"  # a student's id -> keys of results, oldest first
 
 
 class Feedback(NamedTuple):
@@ -40,7 +35,6 @@ def write(out: Path, submitted: Class, summaries: Sequence[Summary], reveal: boo
     folder.mkdir(exist_ok=True)
     pages: dict[str, None] = {}  # names, in order
     without: dict[str, str] = {}
-    history = read_object(out / HISTORY)
     ids = {summary.student.id for summary in summaries}
     for entry in submitted.unmatched:
         if entry.feedback and entry.user not in ids:
@@ -49,19 +43,14 @@ def write(out: Path, submitted: Class, summaries: Sequence[Summary], reveal: boo
                 pages[entry.feedback] = None
     for summary in summaries:
         id, name = summary.student.id, summary.student.feedback
-        keys = history.setdefault(id, [])
         result = results.load(out / "results", summary.key)
         try:
             with about_one_submission("there is no feedback page, as it can't be written"):
                 if result:
-                    page = _page(summary, result, reveal, _before(out, keys, result))
-                    write_whole(folder / name, page)
+                    write_whole(folder / name, _page(summary, result, reveal))
                     pages[name] = None
         except UsageError as error:
             without[id] = str(error)
-        if summary.score is not None and keys[-1:] != [summary.key]:
-            keys.append(summary.key)
-    write_whole(out / HISTORY, json.dumps(history, indent=1, sort_keys=True))
     for page_file in folder.glob("*.html"):
         if page_file.name not in pages and _is_ours(page_file):
             page_file.unlink()
@@ -71,27 +60,17 @@ def write(out: Path, submitted: Class, summaries: Sequence[Summary], reveal: boo
     return Feedback(without, _write_zips(out, folder, zipped))
 
 
-def _before(out: Path, keys: Sequence[str], result: Result) -> Previous | None:
-    """The newest result of another submission of the same student's."""
-    for key in reversed(keys):
-        for folder in sorted(out.glob("results*")):
-            earlier = results.load(folder, key)
-            if earlier and earlier["record"] and earlier["submission"] != result["submission"]:
-                return of_record(earlier["record"])
-    return None
-
-
-def _page(summary: Summary, result: Result, reveal: bool, before: Previous | None) -> str:
+def _page(summary: Summary, result: Result, reveal: bool) -> str:
     if not result["record"]:
         return html.refused(result["message"])
     record = (with_answers if reveal else without_answers)(result["record"])
     student, several = summary.student, len(summary.finals) > 1
     in_the_end = [
-        html.InTheEnd((one.name or one.id) if several else "", one.points[0], one.applied)
+        html.InTheEnd((one.name or one.id) if several else "", one.points, one.applied)
         for one in summary.finals
         if summary.is_adjusted
     ]
-    return html.render(compared(record, before), student.shown, student.unused, in_the_end)
+    return html.render(record, student.shown, student.unused, in_the_end)
 
 
 def _is_ours(page_file: Path) -> bool:

@@ -2,7 +2,7 @@
 the instructor. Records stay as they are."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from typing import NamedTuple
 
 from bounce_grader.classroom.grading.summary import Applied, Final, Summary
 from bounce_grader.classroom.intake.instructor_files import (
@@ -15,49 +15,37 @@ from bounce_grader.classroom.intake.instructor_files import (
 from bounce_grader.classroom.intake.people import People
 from bounce_grader.classroom.intake.student import Class, Member, Student
 from bounce_grader.common.escaping import first_few
-from bounce_grader.common.manifest import full_points, parts
+from bounce_grader.common.manifest import full_points
 from bounce_grader.common.numbers import short
 
 
-@dataclass
-class Assigned:
+class Assigned(NamedTuple):
     """Whom the adjustments are for."""
 
     # By the member's and the submission's id.
-    own: dict[tuple[str, str], list[Adjustment]] = field(default_factory=dict)
-    unclear: dict[str, list[str]] = field(default_factory=dict)  # why, by the submission's id
-    sentences: list[str] = field(default_factory=list)  # one for each that changes nothing
+    own: Mapping[tuple[str, str], Sequence[Adjustment]]
+    sentences: list[str]  # one for each that changes nothing
 
 
 def assign(
     adjustments: Sequence[Adjustment], people: People, students: Sequence[Student]
 ) -> Assigned:
-    """An adjustment changes nothing if its name is nobody's, or that of several people, or that
-    person has no submission."""
-    assigned = Assigned()
+    """An adjustment changes nothing if its id is nobody's, or that person has no submission."""
+    own: dict[tuple[str, str], list[Adjustment]] = {}
+    sentences = []
     for adjustment in adjustments:
-        who, where = adjustment.student, adjustment.where
+        who = adjustment.student
         meant = people.meant_by(who, students)
-        several = people.several(who, meant)
-        if several:
-            why = (
-                f"{where} {who!r} is the name of {len(several)} persons ({first_few(several)}), and "
-                "changes nothing for any of them: give the id of the one that is meant"
-            )
-            assigned.sentences.append(why)
-            for _, student in meant:
-                assigned.unclear.setdefault(student.id, []).append(why)
-            continue
         for member, student in meant:
-            assigned.own.setdefault((member.id, student.id), []).append(adjustment)
+            own.setdefault((member.id, student.id), []).append(adjustment)
         if not meant and who != EVERYBODY:
-            assigned.sentences.append(
+            sentences.append(
                 f"{who} has no submission: the adjustment ({adjustment.reason}) changes nothing"
                 if people.known(who)
-                else f"{where} nobody here is {who!r}, so it changes nothing: give an id or a name "
-                "as in grades.csv, or * for everybody"
+                else f"{adjustment.where} nobody here has the id {who!r}, so it changes nothing: "
+                "give an id as in grades.csv, or * for everybody"
             )
-    return assigned
+    return Assigned(own, sentences)
 
 
 def with_finals(
@@ -84,8 +72,6 @@ def with_finals(
     for summary in summaries:
         own = finals[summary.student.id]
         disputed = [one for one in own if one.listed and len(submissions[one.id]) > 1]
-        for why in dict.fromkeys(assigned.unclear.get(summary.student.id, [])):
-            summary = summary.with_note(why)
         for one in disputed:
             names = " and ".join(map(repr, submissions[one.id]))
             summary = summary.with_note(
@@ -97,45 +83,32 @@ def with_finals(
 
 
 def _final(summary: Summary, member: Member, own: Sequence[Adjustment], course: Course) -> Final:
-    """Applies, in this order: dropped checks, lateness, points and percent, caps."""
-    most = full_points()
-    points = {0: summary.score or 0.0, **summary.parts}
+    """Applies, in this order: dropped checks, lateness, points, caps."""
+    points = summary.score or 0.0
     applied: list[Applied] = []
 
     def change(by: float, reason: str, comment: str = "") -> None:
-        points[0] += by
+        nonlocal points
+        points += by
         applied.append(Applied(round(by, 2), reason, comment))
 
     for adjustment in own:
-        given = _dropped(summary, adjustment)
-        for part, by in given.items():
-            points[part] += by
         if adjustment.drop:
-            change(sum(given.values()), adjustment.reason, adjustment.comment)
+            lost = set(adjustment.drop) - summary.passed
+            given = sum(summary.most.get(id, 0.0) for id in lost)
+            change(given, adjustment.reason, adjustment.comment)
     days = _late_days(summary.student, own)
     if days and course.percent_per_day:
         percent = min(days * course.percent_per_day, course.at_most_percent)
         words = f"{days} day{'s' * (days > 1)} late, {short(percent)} %"
-        change(-min(points[0], most * percent / 100), words)
+        change(-min(points, full_points() * percent / 100), words)
     for adjustment in own:
-        by = adjustment.points + most * adjustment.percent / 100
-        if by:
-            change(max(by, -points[0]), adjustment.reason, adjustment.comment)
-        elif adjustment.late_days is not None:
-            change(0.0, adjustment.reason, adjustment.comment)
+        if adjustment.points or adjustment.late_days is not None:
+            change(max(adjustment.points, -points), adjustment.reason, adjustment.comment)
     for adjustment in own:
-        if adjustment.cap is not None and points[0] > adjustment.cap:
-            change(adjustment.cap - points[0], adjustment.reason, adjustment.comment)
+        if adjustment.cap is not None and points > adjustment.cap:
+            change(adjustment.cap - points, adjustment.reason, adjustment.comment)
     return Final(member.id, member.name, points, tuple(applied), member.listed)
-
-
-def _dropped(summary: Summary, adjustment: Adjustment) -> dict[int, float]:
-    """The points of the dropped checks that were lost, by part."""
-    lost = set(adjustment.drop) - summary.passed
-    return {
-        part.number: sum(summary.most.get(c.id, 0.0) for c in part.checks if c.id in lost)
-        for part in parts()
-    }
 
 
 def _late_days(student: Student, own: Sequence[Adjustment]) -> int:
@@ -177,7 +150,7 @@ def adjusted(summaries: Sequence[Summary]) -> list[str]:
     """A sentence for each person whose points were changed after the grading."""
     return [
         f"{one.name or one.id} ({one.id}): {short(summary.score or 0.0)} -> "
-        f"{short(round(one.points[0], 2))} points ({one.changes})"
+        f"{short(round(one.points, 2))} points ({one.changes})"
         for summary in summaries
         for one in summary.finals
         if one.applied

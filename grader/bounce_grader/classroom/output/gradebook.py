@@ -1,32 +1,30 @@
-"""Fills points into a file that a service exported: what all services have in common.
+"""Fills points into the grade book, a file that a service exported: what all services have in common.
 
 What a person has entered in the file stays, and each byte that isn't filled in is the same.
 """
 
+import json
 import re
 from abc import ABC, abstractmethod
 from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
 from typing import NamedTuple
 
-from bounce_grader.classroom.grading.summary import Final
+from bounce_grader.classroom.grading.summary import Final, Summary
+from bounce_grader.classroom.intake.instructor_files import ROSTER
+from bounce_grader.classroom.intake.student import Class
 from bounce_grader.classroom.output.table import Row, Table
 from bounce_grader.common.errors import UsageError
-from bounce_grader.common.manifest import full_points, parts
+from bounce_grader.common.files import read_object, write_whole
+from bounce_grader.common.manifest import full_points
 from bounce_grader.common.numbers import short
 
+WRITTEN = "written.json"  # the points that runs have filled in: what differs, a person has changed
 TOTAL = re.compile(r"(Current|Final|Override).*(Score|Points|Grade|Status)")  # computed by Canvas
 # Titles of columns that show how points are written.
 SCORES = re.compile(rf"\(\d+\)$|^Maximum Grade$|{TOTAL.pattern}")
 # A column's title -> the service's id -> all points that runs have filled in there.
 Written = dict[str, dict[str, list[str]]]
-
-
-class Filled(NamedTuple):
-    """A filled-in grade book, as bytes of its file."""
-
-    data: bytes
-    sentences: list[str]  # what the instructor should know
-    written: Written
 
 
 class Gradebook(ABC):
@@ -37,10 +35,11 @@ class Gradebook(ABC):
     again: str  # what helps if the file is damaged
     no_points = ""  # a pattern for what a cell without points may say
 
-    def __init__(self, table: Table, columns: Mapping[int, str]) -> None:
-        """`columns` are the titles of those to fill: of the total under 0, of part n under n."""
+    def __init__(self, table: Table, title: str) -> None:
+        """`title` is that of the column to fill; "" where there is only one."""
         self.table = table
-        self._columns = {part: self._column(title) for part, title in columns.items()}
+        self._column = self._find_column(title)
+        self._title = table.header[self._column]
         for row in self._students():
             if len(row.cells) != len(table.header):
                 raise UsageError(
@@ -51,7 +50,7 @@ class Gradebook(ABC):
         self._by_own_id, self._by_any_id = self._rows_by_id()
 
     @abstractmethod
-    def _column(self, title: str) -> int:
+    def _find_column(self, title: str) -> int:
         """The column to fill. Raises UsageError if there is none."""
 
     @abstractmethod
@@ -63,14 +62,14 @@ class Gradebook(ABC):
         """A student's name, as "Doe, Jane"."""
 
     @abstractmethod
-    def _points_possible(self, part: int) -> Iterable[str]:
-        """What the file says of the most points in the column of a part, or of the total (0)."""
+    def _points_possible(self) -> Iterable[str]:
+        """What the file says of the most points in the column."""
 
     def _students(self) -> list[Row]:
         return self.table.rows[1:]
 
-    def _never_filled(self, row: Row, column: int) -> str:
-        """Why a cell takes no points; "" if it does."""
+    def _never_filled(self, row: Row) -> str:
+        """Why the cell takes no points; "" if it does."""
         return ""
 
     def days_late(self) -> dict[str, int | None]:
@@ -104,8 +103,8 @@ class Gradebook(ABC):
         from_canvas: bool,
         written: Written,
         overwrite: bool,
-    ) -> Filled:
-        """Fills in the points. `without` says by id why somebody has no score; `from_canvas`, that
+    ) -> list[str]:
+        """Fills in the points, also into `written`, and returns what the instructor should know. `without` says by id why somebody has no score; `from_canvas`, that
         the ids are those of a Canvas download, except the roster's. Points that already stand in a
         column are kept, unless earlier runs have `written` them, or if `overwrite` is set."""
         own, any_id = self._by_own_id, self._by_any_id
@@ -131,54 +130,45 @@ class Gradebook(ABC):
                 whole = f"{self.table.name} has {count} rows for {meant[0].id}: none is filled"
                 sentences.append(whole)
             else:
-                emptied += self._emptied(row, written)
+                is_known = self._ids(row)[0] in written.get(self._title, {})
+                emptied += is_known and not self._points(row)
                 sentences += self._fill_row(row, meant[0], from_canvas, written, overwrite)
         sentences += [
             f"{final.name} ({final.id}) is graded, but isn't in {self.table.name}"
             for final in sorted(finals, key=lambda final: final.id)
             if final.id not in times
         ]
-        sentences = [*self._perhaps_old(emptied), *dict.fromkeys(sentences)]
-        return Filled(self.table.encoded(), sentences, written)
+        return [*self._perhaps_old(emptied), *dict.fromkeys(sentences)]
 
     def _fill_row(
         self, row: Row, final: Final, from_canvas: bool, written: Written, overwrite: bool
     ) -> list[str]:
-        sentences, is_filled, who, id = [], False, self._who(row), self._ids(row)[0]
-        for part, column in self._columns.items():
-            title, points = self.table.header[column], f"{final.points[part]:.2f}"
-            there = self._points(row, column)
-            before = written.get(title, {}).get(id, [])
-            ours = is_ours(number_in(there), float(points), map(number_in, before))
-            if why := self._never_filled(row, column):
-                sentences.append(f"{who} {why}")
-            elif there and not overwrite and not ours:
-                sentences.append(f"{who} {kept(there, points, title)}")
-            else:
-                is_filled = True
-                written.setdefault(title, {})[id] = list(dict.fromkeys([*before, points]))
-                text = points.replace(".", ",") if self._comma else points
-                row.put(column, text, self.table.delimiter)
-        is_group = from_canvas and not final.listed and final.name != self._person(row)
-        if is_filled and is_group:
-            sentences.append(
+        who, id, points, there = (
+            self._who(row),
+            self._ids(row)[0],
+            f"{final.points:.2f}",
+            self._points(row),
+        )
+        before = written.get(self._title, {}).get(id, [])
+        if why := self._never_filled(row):
+            return [f"{who} {why}"]
+        if there and not overwrite:
+            if not is_ours(number_in(there), float(points), map(number_in, before)):
+                return [f"{who} {kept(there, points)}"]
+        written.setdefault(self._title, {})[id] = list(dict.fromkeys([*before, points]))
+        text = points.replace(".", ",") if self._comma else points
+        row.put(self._column, text, self.table.delimiter)
+        if from_canvas and not final.listed and final.name != self._person(row):
+            return [
                 f"{who} has the points of {final.name}: if that is a group, give its other members "
                 "the same"
-            )
-        return sentences
+            ]
+        return []
 
-    def _points(self, row: Row, column: int) -> str:
-        """The points that stand in a cell; "" if none do."""
-        text = row.text(column)
+    def _points(self, row: Row) -> str:
+        """The points that stand in the cell; "" if none do."""
+        text = row.text(self._column)
         return "" if re.fullmatch(self.no_points, text) else text
-
-    def _emptied(self, row: Row, written: Written) -> int:
-        """How many cells lack the points that an earlier run has filled in."""
-        id, titles = self._ids(row)[0], self.table.header
-        return sum(
-            not self._points(row, column) and id in written.get(titles[column], {})
-            for column in self._columns.values()
-        )
 
     def _perhaps_old(self, emptied: int) -> list[str]:
         """Points that were corrected since an earlier run can't be seen in an old file, and would be
@@ -211,21 +201,41 @@ class Gradebook(ABC):
     def _has_decimal_comma(self) -> bool:
         """Whether points are written as 87,5, and none as 87.5."""
         scores = {i for i, title in enumerate(self.table.header) if SCORES.search(title)}
-        columns = scores | {*self._columns.values()}
+        columns = scores | {self._column}
         texts = [row.text(column) for row in self.table.rows[1:] for column in columns]
         with_point = any(re.fullmatch(r"\d+\.\d+", text) for text in texts)
         return not with_point and any(re.fullmatch(r"\d+,\d+", text) for text in texts)
 
     def _other_points_possible(self) -> list[str]:
-        most = {0: full_points(), **{p.number: p.points for p in parts()}}
         return [
-            f"{self.service.capitalize()} has {short(points)} points possible for "
-            f"{self.table.header[column]}, the kit {short(most[part])}: if it is the right column, "
-            "change it there"
-            for part, column in self._columns.items()
-            for points in dict.fromkeys(map(number_in, self._points_possible(part)))
-            if points is not None and points != most[part]
+            f"{self.service.capitalize()} has {short(points)} points possible for {self._title}, the "
+            f"kit {short(full_points())}: if it is the right column, change it there"
+            for points in dict.fromkeys(map(number_in, self._points_possible()))
+            if points is not None and points != full_points()
         ]
+
+
+def write(
+    path: Path, submitted: Class, summaries: Sequence[Summary], book: Gradebook, overwrite: bool
+) -> list[str]:
+    """Fills the grade book in, for everyone who has a score: a missing one must not become a zero. A
+    submission that is known by its GitHub login alone gets no points: its student could have chosen
+    somebody else's id as a login. Returns sentences for the instructor."""
+    given: list[Final] = []
+    left_out = []
+    for summary in summaries:
+        for one in summary.finals:
+            if submitted.logins and not one.listed:
+                left_out.append(f"{one.id} isn't in {ROSTER}: the points are in grades.csv")
+            else:
+                given.append(one._replace(name=one.name or summary.student.shown))
+    without = {u.user: f"{u.name} {u.reason}" for u in submitted.unmatched if u.user}
+    without |= {s.student.id: s.message for s in summaries if s.score is None}
+    written = read_object(path.with_name(WRITTEN))
+    sentences = book.fill(given, without, submitted.service == "canvas", written, overwrite)
+    write_whole(path, book.table.encoded())
+    write_whole(path.with_name(WRITTEN), json.dumps(written, indent=1, sort_keys=True))
+    return [*sentences, *left_out]
 
 
 def number_in(text: str) -> float | None:
@@ -240,7 +250,6 @@ def is_ours(there: float | None, points: float, before: Iterable[float | None]) 
     return there is not None and there in (points, *before)
 
 
-def kept(there: str, points: str, title: str = "") -> str:
+def kept(there: str, points: str) -> str:
     """What is said of points that a person has entered, and that stay."""
-    place = f" in {title}" if title else ""
-    return f"keeps {there}{place}, where the grading gives {points}; --overwrite replaces it"
+    return f"keeps {there}, where the grading gives {points}; --overwrite replaces it"

@@ -7,7 +7,7 @@ language, and a student by the number at the end of the first cell.
 
 import difflib
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from pathlib import Path
 
 from bounce_grader.classroom.intake import moodle
@@ -22,16 +22,16 @@ PARTICIPANT = re.compile(r"[^\W\d].*?\s?\d+", re.DOTALL)  # Moodle's first cell:
 BLACKBOARD = re.compile(r"\[Total Pts: ([\d.,]+)[^\]]*\]\s*\|\s*\d+\s*$")  # a column of its file
 
 
-def read(path: Path, columns: Mapping[int, str]) -> Gradebook:
+def read(path: Path, title: str) -> Gradebook:
     """The grade book of whichever service wrote the file. Raises UsageError if none did."""
     table = Table(path)
     firsts = (row.text(0) for row in table.rows[1:])
     if "Username" in table.header and any(map(BLACKBOARD.search, table.header)):
-        return BlackboardWorksheet(table, columns)
+        return BlackboardWorksheet(table, title)
     of_canvas = re.match(r"\W*(Student|LastName)\b", table.header[0])
     if not of_canvas and any(map(PARTICIPANT.fullmatch, firsts)):
-        return MoodleWorksheet(table, columns)
-    return CanvasGradebook(table, columns)
+        return MoodleWorksheet(table, title)
+    return CanvasGradebook(table, title)
 
 
 class CanvasGradebook(Gradebook):
@@ -40,7 +40,7 @@ class CanvasGradebook(Gradebook):
     service = "canvas"
     again = "export it from Canvas again"
 
-    def __init__(self, table: Table, columns: Mapping[int, str]) -> None:
+    def __init__(self, table: Table, title: str) -> None:
         header = table.header
         one = header[0].endswith("Student") and "ID" in header[1:4]
         two = header[0].endswith("LastName") and header[1:3] == ["FirstName", "ID"]
@@ -49,15 +49,10 @@ class CanvasGradebook(Gradebook):
                 f"{table.name} isn't a grade book of Canvas's: its first line has to begin with "
                 "Student, ID (in Canvas: Grades, Export)"
             )
-        if 0 not in columns:
+        if not title:
             raise UsageError("--gradebook needs --column, the title of the column to fill")
         self._id_columns = [header.index(title) for title in ("ID", *OTHER_IDS) if title in header]
-        super().__init__(table, columns)
-        if len(set(self._columns.values())) < len(self._columns):
-            raise UsageError(
-                "two of the columns to fill are the same: give --column and each --part-column a "
-                "column of its own"
-            )
+        super().__init__(table, title)
 
     def _ids(self, row: Row) -> list[str]:
         return [row.text(column) for column in self._id_columns]
@@ -65,10 +60,9 @@ class CanvasGradebook(Gradebook):
     def _person(self, row: Row) -> str:
         return ", ".join(row.text(column) for column in range(self._id_columns[0]))
 
-    def _never_filled(self, row: Row, column: int) -> str:
-        text = row.text(column)
-        stays = text.upper() in ("EX", "N/A")
-        return f"stays {text} in {self.table.header[column]}" if stays else ""
+    def _never_filled(self, row: Row) -> str:
+        text = row.text(self._column)
+        return f"stays {text}" if text.upper() in ("EX", "N/A") else ""
 
     def _students(self) -> list[Row]:
         """The rows that Canvas's importer takes for students."""
@@ -83,13 +77,13 @@ class CanvasGradebook(Gradebook):
         """Whether it is Canvas's own row, and not a student with such a name."""
         return "Points Possible" in row.text(0) and not self._ids(row)[0]
 
-    def _points_possible(self, part: int) -> list[str]:
-        return self._beside_points(self._columns[part])
+    def _points_possible(self) -> list[str]:
+        return self._beside_points(self._column)
 
     def _beside_points(self, column: int) -> list[str]:
         return [row.text(column) for row in filter(self._is_of_points, super()._students())]
 
-    def _column(self, title: str) -> int:
+    def _find_column(self, title: str) -> int:
         name, header = self.table.name, self.table.header
         columns = [i for i, text in enumerate(header) if text == title]
         columns = columns or [i for i, t in enumerate(header) if ASSIGNMENT.sub("", t) == title]
@@ -124,11 +118,6 @@ class Worksheet(Gradebook):
 
     again = "download it again"
 
-    def __init__(self, table: Table, columns: Mapping[int, str]) -> None:
-        if columns.keys() - {0}:
-            raise UsageError("--part-column fills Canvas's export alone: leave it out")
-        super().__init__(table, columns or {0: ""})
-
     def _only_column(self, title: str, meant: list[str], choices: list[str]) -> int:
         """The column whose title is among those that are meant."""
         found = [i for i, text in enumerate(self.table.header) if text in meant and i > 0]
@@ -159,15 +148,15 @@ class MoodleWorksheet(Worksheet):
         number = re.search(r"\d+$", row.text(0))
         return [number.group() if number else ""]
 
-    def _column(self, title: str) -> int:
+    def _find_column(self, title: str) -> int:
         return self._only_column(title, [title or "Grade"], self.table.header)
 
-    def _never_filled(self, row: Row, column: int) -> str:
+    def _never_filled(self, row: Row) -> str:
         if self._cell(row, "Grade can be changed").lower() != "no":
             return ""
         return "has a grade that Moodle lets nobody change here: the cell stays as it was"
 
-    def _points_possible(self, part: int) -> Iterable[str]:
+    def _points_possible(self) -> Iterable[str]:
         return (self._cell(row, "Maximum Grade") for row in self._students())
 
     def days_late(self) -> dict[str, int | None]:
@@ -185,10 +174,10 @@ class BlackboardWorksheet(Worksheet):
     def _ids(self, row: Row) -> list[str]:
         return [self._cell(row, "Username")]
 
-    def _column(self, title: str) -> int:
+    def _find_column(self, title: str) -> int:
         own = list(filter(BLACKBOARD.search, self.table.header))
         meant = [t for t in own if title in ("", t, t.partition(" [Total Pts")[0].strip())]
         return self._only_column(title, meant, own)
 
-    def _points_possible(self, part: int) -> list[str]:
-        return BLACKBOARD.findall(self.table.header[self._columns[part]])
+    def _points_possible(self) -> list[str]:
+        return BLACKBOARD.findall(self._title)

@@ -29,7 +29,7 @@ def _row(summary: Summary) -> list[Value]:
         "late" if student.late else "",
         summary.state,
         _number(summary.score),
-        _of_members({one.id: _number(round(one.points[0], 2)) for one in summary.finals}),
+        _of_members({one.id: _number(round(one.points, 2)) for one in summary.finals}),
         _of_members({one.id: one.changes for one in summary.finals}) or "",
         *map(_number, [*points, *checks]),
         "; ".join(summary.mistakes.values()),

@@ -11,12 +11,12 @@ from bounce_grader.classroom.grading.near_copies import Pair, Similar
 from bounce_grader.classroom.grading.summary import Summary
 from bounce_grader.classroom.intake.instructor_files import Course
 from bounce_grader.classroom.intake.student import Class
-from bounce_grader.classroom.output import charts
 from bounce_grader.common.escaping import first_few, printable_name
 from bounce_grader.common.manifest import full_points, named_together, part_of, parts
-from bounce_grader.common.numbers import percent, scientific, short
-from bounce_grader.formats.figures import NAMES, ON_PAPER
+from bounce_grader.common.numbers import percent, scientific, seconds, short
 from bounce_grader.formats.html import fill
+from bounce_grader.formats.speed_chart import Curve, Drawing, error_over_time, NAMES, ON_PAPER
+from bounce_grader.formats.speed_chart import over_solution
 from bounce_grader.grading import examples
 from bounce_grader.grading.hints import nudge, of_check
 from bounce_grader.grading.known_mistakes import for_the_instructor
@@ -55,7 +55,7 @@ def render(
         failed_checks=list(_failed_checks(graded)),
         cases=_cases(graded),
         timed=[s for s in graded if s.ratio is not None],
-        curves=charts.of_class(summaries, names),
+        curves=_chart(graded, names),
         chart_style=ON_PAPER,
         chart_names=NAMES,
         looks=_looks(summaries),
@@ -186,11 +186,34 @@ def _failed_checks(graded: Sequence[Summary]) -> Iterator[list[str]]:
         yield [*checks[id], of_check(id), nudge(of_check(id)), str(count)]
 
 
+def _chart(graded: Sequence[Summary], names: Mapping[str, str]) -> Drawing | None:
+    """All submissions' curves, with those of the solution and of the least model."""
+    curves = []
+    for one in graded:
+        kind = "full" if one.has_all_points else "some" if one.score else "none"
+        words = f"{names[one.student.id]}: {short(one.score or 0)} points"
+        curves.append(Curve(over_solution(one.curves, "submission"), kind, words))
+    curves = [curve for curve in curves if curve.places]
+    usual = [_median(graded, whose) for whose in ("solution", "least")] if curves else []
+    label = "Speed against accuracy, one line for each submission"
+    return error_over_time([*curves, *usual], label) if curves else None
+
+
+def _median(graded: Sequence[Summary], whose: str) -> Curve:
+    """The median over all runs of the solution's or the least model's times; their errors are the
+    same in each."""
+    runs = [run for one in graded if (run := over_solution(one.curves, whose))]
+    places = [(statistics.median(x for x, _ in step), step[0][1]) for step in zip(*runs)]
+    timed = next((one.curves[whose] for one in graded if one.curves.get(whose)), ())
+    steps = [seconds(1e9 * point.dt) for point in timed] * (whose == "solution")
+    return Curve(places, whose, NAMES[whose], steps)
+
+
 def _row(summary: Summary) -> dict[str, Any]:
     """A row of the table of all submissions."""
     page = f"feedback/{summary.student.feedback}" if summary.student.feedback else ""
     points = [summary.score, *(summary.parts.get(part.number) for part in parts())]
-    ends = sorted({round(one.points[0], 2) for one in summary.finals})
+    ends = sorted({round(one.points, 2) for one in summary.finals})
     shown = ["" if one is None else short(one) for one in points]
     return {
         "id": summary.student.id,
