@@ -17,6 +17,8 @@ from bounce_grader.common.errors import KitError, UsageError
 from clusters import Cluster
 from waiting import wait_for
 
+pytestmark = pytest.mark.long
+
 
 def download(path: Path, number: int) -> Path:
     return classes.download(path, list(range(101, 101 + number)))
@@ -45,7 +47,6 @@ def test_dask_survives_workers_that_are_killed(cluster: Cluster, tmp_path: Path)
     assert len(classes.graded(out)) == 40
 
 
-@pytest.mark.long
 def test_a_dask_that_cannot_grade_is_said(cluster: Cluster, tmp_path: Path) -> None:
     source = download(tmp_path / "x.zip", 1)
     asked = Request(source, tmp_path / "out")
@@ -57,7 +58,6 @@ def test_a_dask_that_cannot_grade_is_said(cluster: Cluster, tmp_path: Path) -> N
         run.run(replace(asked, dask=cluster.address))
 
 
-@pytest.mark.long
 def test_dask_without_workers_says_that_it_waits(
     cluster: Cluster, tmp_path: Path, capfd: pytest.CaptureFixture[str]
 ) -> None:
@@ -69,7 +69,6 @@ def test_dask_without_workers_says_that_it_waits(
     assert "has no workers yet; waiting for them" in capfd.readouterr().err
 
 
-@pytest.mark.long
 def test_a_scheduler_that_dies_is_said_and_costs_nothing(cluster: Cluster, tmp_path: Path) -> None:
     source, out = download(tmp_path / "x.zip", 20), tmp_path / "out"
     cluster.worker()

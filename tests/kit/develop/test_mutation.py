@@ -21,12 +21,6 @@ FILES += [f"{style}/{f.name}" for style in STYLES for f in sorted((GALLERY / sty
 REASONS: dict[str, dict[str, str]] = json.loads(
     Path(__file__).with_name("equivalent.json").read_text()
 )
-IN_EACH_RUN = {
-    ("solution/part1_contacts.cpp", "threshold"),
-    ("solution/part2_lcp.cpp", "precision"),
-    ("solution/part3_step.cpp", "comparison"),
-    ("solution/part4_simulate.cpp", "condition"),
-}
 
 
 def text_of(file: str) -> str:
@@ -41,13 +35,11 @@ def compiles(text: str) -> bool:
     return processes.run(command, stdin=text.encode()).ok
 
 
-def cases() -> list[object]:
-    found = [(f, k) for f in FILES for k in KINDS if any(c.kind == k for c in changes(text_of(f)))]
-    return [
-        pytest.param(*case, marks=() if case in IN_EACH_RUN else pytest.mark.long) for case in found
-    ]
+def cases() -> list[tuple[str, str]]:
+    return [(f, k) for f in FILES for k in KINDS if any(c.kind == k for c in changes(text_of(f)))]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("file, kind", cases())
 def test_every_small_change_loses_points_or_is_excused(
     file: str, kind: str, tmp_path: Path

@@ -9,7 +9,8 @@ from typing import Any
 import pytest
 from bounce_grader.common.manifest import parts
 from bounce_grader.grading import fixtures
-from bounce_grader.publish import fixtures as published
+from bounce_grader.grading.examples import TABLE
+from bounce_grader.publish import fixtures as published, wrong_programs
 
 SECRETS = ["a", "correct horse", "ü" * 200, ""]
 Files = dict[str, bytes]
@@ -72,7 +73,10 @@ def test_what_is_often_wrong_gets_a_case_wrong(hidden: list[Path]) -> None:
         assert corners == {f"corner {k} is the lowest" for k in (1, 2, 3, 4)}
 
 
-def test_a_byte_of_difference_is_noticed(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+def test_the_committed_ones_are_what_the_kit_writes_and_a_byte_of_difference_is_noticed(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    assert not published.differing() and TABLE.read_text() == wrong_programs.table()
     fixtures.write("public", tmp_path)
     file = tmp_path / "part2_lcp.json"
     file.write_bytes(file.read_bytes().replace(b"0", b"1", 1))

@@ -81,6 +81,7 @@ def drawn(page: Path) -> Any:
 
 
 @of_home
+@pytest.mark.long
 def test_studies_the_students_own_parts(home: Path) -> None:
     page = home / "study.html"
     page.unlink(missing_ok=True)
