@@ -4,21 +4,36 @@ import argparse
 import os
 import sys
 from collections.abc import Callable
+from importlib import import_module
 from pathlib import Path
+from typing import Any
 
 from bounce_grader import __version__, formats
 from bounce_grader.classroom import cli as class_cli
 from bounce_grader.common.errors import KitError, UsageError
-from bounce_grader.common.escaping import json_document, printable_text, terminal
+from bounce_grader.common.escaping import printable_text, terminal
 from bounce_grader.common.manifest import parts
 from bounce_grader.develop import study
 
 
 def main(arguments: list[str]) -> int:
     options = _parser().parse_args(arguments)
+    return _status(lambda: options.command(options))
+
+
+def check_manifest() -> int:
+    """Says what is wrong in parts.json, before anything is built from it. Returns an exit
+    status."""
+    return _status(parts)
+
+
+def _status(command: Callable[[], Any]) -> int:
+    """The exit status of a command: what it returns if that is a number, 0 if it isn't; or that of
+    the error that ended it, which is printed."""
     try:
         try:
-            return int(options.command(options))
+            returned = command()
+            return returned if isinstance(returned, int) else 0
         finally:
             sys.stdout.flush()
     except UsageError as error:
@@ -37,17 +52,6 @@ def main(arguments: list[str]) -> int:
         return 3
 
 
-def check_manifest() -> int:
-    """Says what is wrong in parts.json, before anything is built from it. Returns an exit
-    status."""
-    try:
-        parts()
-    except UsageError as error:
-        print(f"kit: {_plain(str(error))}", file=sys.stderr)
-        return 2
-    return 0
-
-
 def _plain(message: str) -> str:
     """Escapes an error's message, which may hold names of files and output of programs."""
     return "\n".join(map(terminal, printable_text(message).split("\n")))
@@ -58,14 +62,13 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--version", action="version", version=f"kit {__version__}")
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
 
-    def command(
-        name: str, run: Callable[[argparse.Namespace], int], help: str
-    ) -> argparse.ArgumentParser:
-        made: argparse.ArgumentParser = commands.add_parser(name, help=help)
-        made.set_defaults(command=run)
+    def command(name: str, module: str, help: str) -> Any:
+        """A command that the function `run` of a module carries out."""
+        made = commands.add_parser(name, help=help)
+        made.set_defaults(command=lambda given: import_module(f"bounce_grader.{module}").run(given))
         return made
 
-    grade = command("grade", _grade, "grade a submission: a folder or an archive")
+    grade = command("grade", "grade_command", "grade a submission: a folder or an archive")
     grade.add_argument("submission", type=Path)
     option, names = grade.add_argument, ", ".join(formats.NAMES)
     option("--json", metavar="FILE", help="write the score record ('-': to standard output)")
@@ -81,102 +84,28 @@ def _parser() -> argparse.ArgumentParser:
     box("--require-box", choices=["full"], help="refuse to grade where this box can't be had")
     box("--trust-submission", action="store_true", help="grade without a box where none can be had")
 
-    class_cli.add(commands)
+    class_cli.add(command("class", "classroom.cli", "grade a whole class"))
 
-    gradescope = command("gradescope", _gradescope, "pack an autograder for Gradescope")
+    gradescope = command("gradescope", "publish.gradescope", "pack an autograder for Gradescope")
     gradescope.add_argument("--out", type=Path, required=True, metavar="FILE.zip")
 
-    fixtures = command("fixtures", _fixtures, "write the fixtures from the solution")
+    fixtures = command("fixtures", "publish.fixtures", "write the fixtures from the solution")
     fixtures.add_argument("--check", action="store_true", help="only compare the committed ones")
 
-    command("doctor", _doctor, "try out whether the boxes hold here")
+    command("doctor", "develop.doctor", "try out whether the boxes hold here")
 
-    handout = command("handout", _handout, "write what students receive, as a zip")
+    handout = command("handout", "publish.handout", "write what students receive, as a zip")
     handout.add_argument("--out", type=Path, required=True, metavar="FILE.zip")
 
-    study.add(commands)
+    study.add(command("study", "develop.study", "measure the methods: tables, charts and pages"))
 
-    bench = command("bench", _bench, "measure the grader's speed")
+    bench = command("bench", "develop.bench", "measure the grader's speed")
     bench.add_argument("--submissions", type=int, default=100, metavar="N", help="of a class")
 
-    test = command("test", _test, "run every test of the kit").add_mutually_exclusive_group()
+    tests = command("test", "develop.selftest", "run every test of the kit")
+    test = tests.add_mutually_exclusive_group()
     accept = "write what golden tests expect anew, for you to read in the diff"
     test.add_argument("--accept", action="store_true", help=accept)
     is_long = "with sanitizers, and a million inputs for each reader, too"
     test.add_argument("--long", action="store_true", help=is_long)
     return parser
-
-
-def _grade(options: argparse.Namespace) -> int:
-    from bounce_grader.common.files import write_whole
-    from bounce_grader.formats import terminal
-    from bounce_grader.grading.grade import grade, Options
-    from bounce_grader.grading.record import with_answers
-    from bounce_grader.sandbox.box import kinds
-
-    if options.format and options.json == "-":
-        raise UsageError("--format and --json - both write to standard output: give one")
-    folder = Path(options.json or "").parent
-    if not folder.is_dir():
-        raise UsageError(f"{options.json} can't be written: there is no folder {folder}")
-    acceptable = (options.require_box,) if options.require_box else kinds(options.trust_submission)
-    wanted = Options(acceptable, options.speed, not options.no_sanitize, answers=options.reveal)
-    try:
-        record = grade(options.submission, wanted)
-    except UsageError as error:
-        refused = formats.refused(options.format, str(error))
-        if refused:
-            print(refused)
-        raise
-    record = with_answers(record) if options.reveal else record
-    text = json_document(record, indent=1)
-    if options.json == "-":
-        print(text)
-    elif options.format:
-        print(formats.render(options.format, record))
-    else:
-        terminal.show(record)
-    if options.json not in (None, "-"):
-        try:
-            write_whole(Path(options.json), text + "\n")
-        except OSError as error:
-            raise UsageError(f"{options.json} can't be written: {error.strerror}") from error
-    return int(options.min_score is not None and record["score"] < options.min_score)
-
-
-def _gradescope(options: argparse.Namespace) -> int:
-    from bounce_grader.publish import gradescope
-
-    gradescope.write(options.out)
-    return 0
-
-
-def _fixtures(options: argparse.Namespace) -> int:
-    from bounce_grader.publish import fixtures
-
-    return fixtures.check() if options.check else fixtures.write_all()
-
-
-def _doctor(options: argparse.Namespace) -> int:
-    from bounce_grader.develop import doctor
-
-    return doctor.run()
-
-
-def _handout(options: argparse.Namespace) -> int:
-    from bounce_grader.publish import handout
-
-    print(f"{options.out} holds {handout.write(options.out)} files")
-    return 0
-
-
-def _bench(options: argparse.Namespace) -> int:
-    from bounce_grader.develop import bench
-
-    return bench.run(options.submissions)
-
-
-def _test(options: argparse.Namespace) -> int:
-    from bounce_grader.develop import selftest
-
-    return selftest.accept() if options.accept else selftest.run(options.long)

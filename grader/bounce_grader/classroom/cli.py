@@ -2,12 +2,11 @@
 
 import argparse
 from pathlib import Path
-from typing import Any
+
+from bounce_grader.common.errors import UsageError
 
 
-def add(commands: Any) -> None:
-    parser = commands.add_parser("class", help="grade a whole class")
-    parser.set_defaults(command=_class)
+def add(parser: argparse.ArgumentParser) -> None:
     option = parser.add_argument
     handed_in = "Canvas's download, a folder of folders or of zips, or a checkout of repositories"
     option("submissions", type=Path, nargs="?", help=handed_in)
@@ -37,9 +36,8 @@ def add(commands: Any) -> None:
         option(name, action="store_true", help=words)
 
 
-def _class(options: argparse.Namespace) -> int:
-    from bounce_grader.classroom import run
-    from bounce_grader.common.errors import UsageError
+def run(options: argparse.Namespace) -> int:
+    from bounce_grader.classroom.run import Request, run as grade_class
 
     for wrong, sentence in (
         (options.regrade and options.apply, "--regrade shows, and --apply takes over: give one"),
@@ -63,5 +61,5 @@ def _class(options: argparse.Namespace) -> int:
             raise UsageError(sentence)
     options.out = options.out.absolute()
     options.trust = options.trust_submission
-    names = run.Request.__dataclass_fields__.keys()
-    return run.run(run.Request(**{n: value for n, value in vars(options).items() if n in names}))
+    names = Request.__dataclass_fields__.keys()
+    return grade_class(Request(**{n: value for n, value in vars(options).items() if n in names}))

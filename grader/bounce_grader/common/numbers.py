@@ -3,7 +3,6 @@
 from collections.abc import Mapping
 from typing import Any
 
-ROUNDING = 1e-14  # numbers below this are rounding errors of 0
 LENGTHS = (
     ("m", 1.0, 0.0999),
     ("mm", 1e-3, 0.999e-4),
@@ -41,11 +40,6 @@ def percent(share: float) -> str:
 def scientific(x: float) -> str:
     """For an error, of which mostly the power of ten matters: 3.0e-13."""
     return f"{x:.1e}"
-
-
-def significant(x: float, digits: int) -> str:
-    """For a mechanical quantity: with a true minus sign, and 0 for a rounding error of 0."""
-    return f"{0.0 if abs(x) < ROUNDING else x:.{digits}g}".replace("-", "\N{MINUS SIGN}")
 
 
 def two_digits(x: float) -> str:

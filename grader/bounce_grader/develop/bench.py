@@ -1,6 +1,7 @@
 """./kit bench: measures what a grading, a class and a student's check cost, and compares it with
 goals. Run it on an idle machine. Only the ratios within one run can be compared between machines."""
 
+import argparse
 import math
 import os
 import resource
@@ -17,11 +18,11 @@ from typing import NamedTuple
 from bounce_grader.common.errors import KitError
 from bounce_grader.common.manifest import parts
 from bounce_grader.common.paths import CONTRACT, ROOT
-from bounce_grader.develop import synthetic_class
+from bounce_grader.grading.gallery import expected
 
 ROUNDS = 9
 SOLUTION = ROOT / "solution" / "src"
-ACCEPTED = ROOT / "tests" / "submissions" / "accepted"
+GALLERY = ROOT / "tests" / "submissions"
 EVERY = 3  # of the accepted ones, one in so many
 PLAIN_GCC = ("g++", "-std=c++20", "-O1", "-isystem", "/usr/include/eigen3", "-I", str(CONTRACT))
 
@@ -47,12 +48,12 @@ class Line(NamedTuple):
         return f"{self.what:<58}{self.value:8.2f} {self.unit:<4}{verdict}"
 
 
-def run(submissions: int) -> int:
+def run(options: argparse.Namespace) -> int:
     """Prints every figure, with a class of so many. Returns 0 if all goals are reached."""
     reached = True
     with tempfile.TemporaryDirectory(prefix="bounce-bench-") as name:
         folder = Path(name)
-        groups = (_one(folder), _others(folder), _class(folder, submissions), _speed())
+        groups = (_one(folder), _others(folder), _class(folder, options.submissions), _speed())
         for line in chain(*groups, _student(folder)):
             print(line, flush=True)
             reached = reached and line.reached
@@ -84,7 +85,7 @@ def _one(folder: Path) -> Iterator[Line]:
 def _others(folder: Path) -> Iterator[Line]:
     """Right programs in other styles: g++ -O1 -c of the four files, in times of a new grading."""
     ratios = {}
-    for other in sorted(ACCEPTED.iterdir())[::EVERY]:
+    for other in sorted((GALLERY / "accepted").iterdir())[::EVERY]:
         submission = _variant(folder / other.name, SOLUTION, other)
         try:
             plain = _compiling(submission)
@@ -97,11 +98,15 @@ def _others(folder: Path) -> Iterator[Line]:
 
 
 def _class(folder: Path, size: int) -> Iterator[Line]:
-    """A made-up class, from nothing and then again."""
-    users = 1_000_000 + time.time_ns() % 10**9  # in comments, so that the cache has no object
-    of = list(synthetic_class.students(size, ("accepted", "mistakes"), users))
-    download = synthetic_class.canvas_zip(folder / "class.zip", of)
-    command = [str(ROOT / "kit"), "class", str(download), "--out", str(folder / "out")]
+    """A class of the gallery's submissions, from nothing and then again."""
+    kinds = (GALLERY / "accepted", GALLERY / "mistakes")
+    every = [one for kind in kinds for one in sorted(kind.iterdir()) if one.is_dir()]
+    (folder / "class").mkdir()
+    for number in range(size):
+        one = every[7 * number % len(every)]
+        below = () if expected(one).get("alone") else (SOLUTION,)
+        _variant(folder / "class" / str(number), *below, one)
+    command = [str(ROOT / "kit"), "class", str(folder / "class"), "--out", str(folder / "out")]
     yield Line(f"a class of {size}", 60 * size / _seconds(command), "/min", least=120)
     yield Line("  the same again", _seconds(command), "s")
     most = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / 1024

@@ -3,6 +3,7 @@ user. A program, the probe, tries to break out of the boxes for compiling, for r
 running with sanitizers. A process above the box has a canary on its command line and in its
 environment; the probe must not find it."""
 
+import argparse
 import json
 import os
 import secrets
@@ -156,7 +157,7 @@ def _no_process_has(marker: str) -> bool:
     return False
 
 
-def run() -> int:
+def run(_: argparse.Namespace) -> int:
     """Prints the table. Returns 0 if everything held."""
     from rich.console import Console
     from rich.table import Table

@@ -1,5 +1,6 @@
 """./kit test: runs all tests of the kit."""
 
+import argparse
 import os
 import subprocess
 import sys
@@ -34,9 +35,12 @@ class Step(NamedTuple):
         return all(_run(command, self.quiet) == 0 for command in self.commands)
 
 
-def run(is_long: bool) -> int:
+def run(options: argparse.Namespace) -> int:
     """Runs the steps: several at a time, and then, one by one, those that use all cores all the time.
     Returns the exit status."""
+    is_long = options.long
+    if options.accept:
+        return _accept()
     hidden_folder()  # so that the oracle finds the hidden ones too
     steps = [step for step in _steps(is_long) if is_long or not step.is_long]
     ordered = sorted(steps, key=lambda step: step.all_cores)
@@ -59,7 +63,7 @@ def run(is_long: bool) -> int:
     return int(bool(failed))
 
 
-def accept() -> int:
+def _accept() -> int:
     """Writes anew what the golden tests expect. Raises UsageError in CI, where nobody reads it."""
     if os.environ.get("CI"):
         raise UsageError("--accept is for a person who reads the diff; in CI there is none")

@@ -5,14 +5,12 @@ import argparse
 import os
 import sys
 from pathlib import Path
-from typing import Any
 
 from bounce_grader.common.errors import UsageError
 from bounce_grader.common.paths import ROOT
 
 
-def add(commands: Any) -> None:
-    parser = commands.add_parser("study", help="measure the methods: tables, charts and pages")
+def add(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "questions",
         nargs="*",
@@ -39,10 +37,9 @@ def add(commands: Any) -> None:
     measured = parser.add_argument_group("measured impacts, for the question `measured`")
     measured.add_argument("--squares", type=Path, metavar="FILE", help="drops of squares")
     measured.add_argument("--ellipses", type=Path, metavar="FILE", help="impacts of ellipses")
-    parser.set_defaults(command=_study)
 
 
-def _study(options: argparse.Namespace) -> int:
+def run(options: argparse.Namespace) -> int:
     sys.path.insert(0, str(ROOT / "solution" / "study"))
     os.environ["OPENBLAS_NUM_THREADS"] = "1"  # numpy's matrices are small here: others only wait
     if options.questions[:1] == ["simulate"]:
@@ -51,19 +48,19 @@ def _study(options: argparse.Namespace) -> int:
         raise UsageError(
             "--tolerance, --json and --picture are for ./kit study simulate SCENE.json"
         )
-    from bounce_study import run
+    from bounce_study import run as study
 
     files = {n: getattr(options, n) for n in ("squares", "ellipses") if getattr(options, n)}
-    if files and options.questions != [run.MEASURED]:
+    if files and options.questions != [study.MEASURED]:
         raise UsageError("--squares and --ellipses are for ./kit study measured")
-    out = (options.out or run.STUDIES).absolute()
+    out = (options.out or study.STUDIES).absolute()
     questions = tuple(options.questions)
-    request = run.Request(out, options.quick, options.peers, questions, **files)
+    request = study.Request(out, options.quick, options.peers, questions, **files)
     if files and not options.out:  # the committed page is about the committed figures
-        for table in run.measured_tables(request).values():
+        for table in study.measured_tables(request).values():
             print(table.to_string(index=False), end="\n\n")
         return 0
-    return run.run(request)
+    return study.run(request)
 
 
 def _simulate(options: argparse.Namespace) -> int:

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from functools import cache
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
 from bounce_grader.common import escaping, numbers
 from bounce_grader.formats import sentences, speed_chart
@@ -16,20 +16,14 @@ PAGE = "formats/feedback.html.j2"
 PACKAGE = Path(__file__).resolve().parents[1]
 
 
-class InTheEnd(NamedTuple):
-    """What a person gets in the end, where that isn't the score."""
-
-    who: str  # "" if the submission is one person's
-    points: float
-    changes: Sequence[tuple[float, str, str]]  # points, reason, comment
-
-
 def render(
     record: Record,
     name: str = "",
     unused: tuple[str, ...] = (),
-    in_the_end: Sequence[InTheEnd] = (),
+    in_the_end: Sequence[Any] = (),
 ) -> str:
+    """The page of a person or a group. `in_the_end` says what each member gets, where that isn't the
+    score: points, and what was applied."""
     measured = record.get("speed") or {}
     return fill(
         PAGE,

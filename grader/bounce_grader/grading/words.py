@@ -11,7 +11,7 @@ from bounce_grader.submission.submission import Place
 Facts = dict[str, Any]  # a failed check in numbers (grader/judge/facts.hpp)
 Rows = list[list[float | str]]
 # How a program ended, by the judge's name for it (grader/judge/termination.hpp): with its number and
-# text, and {came} for how much of an answer came.
+# text, {came} for how much of an answer came, and {call} for a system call's name or number.
 ENDINGS = {
     "exited": "the program ended by itself (exit status {number}) in place of an answer: it called "
     "exit(), perhaps",
@@ -41,7 +41,7 @@ ENDINGS = {
     "not asked as it hung": "nothing was asked here: the part hung before, and its time is used up",
     "not asked for want of time": "nothing was asked here: the time for this part, or for the whole "
     "grading, is used up",
-    "call": "the program asked the system for what it isn't given: {call}",
+    "call": "the program asked the system for what it isn't given: the system call {call}",
 }
 # How a signal ended it, and what the program reported of the cause (grader/runner/crash.hpp).
 SIGNALS = {
@@ -61,40 +61,6 @@ SIGNALS = {
     "SIGTRAP": "stopped itself with a trap",
     "SIGXFSZ": "tried to write a file",
     "SIGKILL": "was killed: by itself, or by the system for want of memory or time",
-}
-# What a system call is for.
-CALLS = {
-    "another process": "clone fork vfork",
-    "another process or thread": "clone3",
-    "another program": "execve execveat",
-    "a connection": "socket socketpair connect",
-    "a signal to a process": "kill",
-    "a signal to another program": "tgkill",
-    "a signal to a thread": "tkill",
-    "other limits": "prlimit64",
-    "the process that started it": "getppid",
-    "another process's memory": "ptrace process_vm_readv process_vm_writev",
-    "a hold on a process": "pidfd_open",
-    "a session of its own": "setsid",
-    "a timer": "setitimer timer_create timerfd_create alarm",
-    "a pipe": "pipe pipe2",
-    "another name for a descriptor": "dup dup2 dup3",
-    "a change of a descriptor": "fcntl",
-    "a file in memory": "memfd_create",
-    "the names in a folder": "getdents getdents64",
-    "a link": "link linkat symlink symlinkat",
-    "a device or a pipe in a folder": "mknod mknodat",
-    "another file system": "mount",
-    "a box of its own": "unshare",
-    "another box": "setns",
-    "another user's rights": "setuid",
-    "its user": "getuid geteuid",
-    "another filter": "seccomp",
-    "a program in the kernel": "bpf",
-    "the kernel's counters": "perf_event_open",
-    "the kernel's queues": "io_uring_setup",
-    "the faults of its memory": "userfaultfd",
-    "another CPU": "sched_setaffinity",
 }
 THREW = (
     "the program threw where nothing catches it (before main, in a destructor, in a noexcept "
@@ -159,8 +125,7 @@ def ending(ended: Facts) -> str:
     if what in ("signal", "sanitizer"):
         return f"the program {_by_signal(number, text)}"
     came = "only a part of an answer came" if text else "no answer came"
-    call = _system_call(number, text) if what == "call" else ""
-    return ENDINGS[what].format(text=text, number=number, came=came, call=call)
+    return ENDINGS[what].format(text=text, number=number, came=came, call=text or number)
 
 
 def failed_assertion(text: str) -> tuple[str, str] | None:
@@ -198,11 +163,6 @@ def _by_signal(number: int, cause: str) -> str:
     cause = cause if f"{name} {cause}" in SIGNALS or not cause else "unknown"
     words = SIGNALS.get(f"{name} {cause}") or SIGNALS.get(name)
     return words or f"was ended by signal {name}, which it sent itself"
-
-
-def _system_call(number: int, name: str) -> str:
-    words = next((words for words, names in CALLS.items() if name in names.split()), "")
-    return f"{words} ({name})" if words else f"system call {name or number}"
 
 
 def of_check(verdict: Verdict, revealed: bool = False) -> str:

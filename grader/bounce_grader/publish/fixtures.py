@@ -1,6 +1,7 @@
 """./kit fixtures: writes the cases and the answers of known mistakes, or compares them with the
 committed ones."""
 
+import argparse
 import tempfile
 from pathlib import Path
 
@@ -11,7 +12,11 @@ from bounce_grader.grading.fixtures import DEFAULT, PUBLIC, hidden_folder, write
 from bounce_grader.publish import wrong_programs
 
 
-def write_all() -> int:
+def run(options: argparse.Namespace) -> int:
+    return _check() if options.check else _write_all()
+
+
+def _write_all() -> int:
     write("public", PUBLIC)
     write("hidden", DEFAULT)
     hidden_folder()
@@ -38,7 +43,7 @@ def _differing(kind: str, folder: Path) -> list[str]:
         return [name for name in names if fresh.get(name) != committed.get(name)]
 
 
-def check() -> int:
+def _check() -> int:
     """Names the committed files that differ from what the solution writes, and those of known
     mistakes that don't match the gallery. Returns the exit status."""
     mistakes = [f"public/mistakes/{name}" for name in sorted(known_mistakes.stale())]

@@ -1,5 +1,6 @@
 """./kit gradescope: packs the kit into one zip, an autograder to upload to Gradescope."""
 
+import argparse
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -17,6 +18,11 @@ BUILT = "student/build"  # by working in the handout; other folders of that name
 LEFT_OUT = {"__pycache__", ".pytest_cache", ".mypy_cache", "hidden"}
 
 SCRIPTS = {"setup.sh": "gradescope_setup.sh", "run_autograder": "gradescope_run.sh"}
+
+
+def run(options: argparse.Namespace) -> int:
+    write(options.out)
+    return 0
 
 
 def write(path: Path) -> None:

@@ -5,6 +5,7 @@ runs, the public fixtures with the answers of known mistakes, and the manifest o
 points the texts say. Times and permissions are fixed, so that the same kit gives the same bytes.
 """
 
+import argparse
 from pathlib import Path
 
 from bounce_grader.common.paths import HANDOUT, ROOT
@@ -21,6 +22,11 @@ OF_EDITORS = {".clangd", ".devcontainer", ".vscode"}  # other names with a dot a
 PAGES = ("README", "explore", "hints/*")
 PROGRAMS = {"check"}
 WITH_POINTS = {".md", ".hpp"}  # the files of student/ that may say points
+
+
+def run(options: argparse.Namespace) -> int:
+    print(f"{options.out} holds {write(options.out)} files")
+    return 0
 
 
 def files() -> dict[str, Path]:

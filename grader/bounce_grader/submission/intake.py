@@ -50,15 +50,15 @@ def opened(
     left = left or UnpackLimits()
     with ExitStack() as stack:
         if packed is None and _is_folder(path):
-            listed = list(stack.enter_context(folders.opened(path)))
+            listed, empty = list(stack.enter_context(folders.opened(path))), "empty"
         else:
             with readable(path):
                 stream: Stream = io.FileIO(path) if packed is None else io.BytesIO(packed)
             stack.callback(stream.close)
-            listed = list(_unpacked(path, stream, left))
+            listed, empty = list(_unpacked(path, stream, left)), "empty or damaged"
         listed = _with_inner(path, listed, left)
         if not listed:
-            raise UsageError(f"{path} is empty: it should hold {parts()[0].file} and so on")
+            raise UsageError(f"{path} is {empty}: it should hold {parts()[0].file} and so on")
         yield listed
 
 

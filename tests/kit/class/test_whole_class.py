@@ -1,35 +1,50 @@
 """Whole classes with real gradings: on one machine and on a cluster, and with every tenth student
 attacking."""
 
+import random
 from collections.abc import Sequence
 from pathlib import Path
 
+import classes
 import pytest
 from bounce_grader import cli
-from bounce_grader.develop import synthetic_class
-from bounce_grader.develop.synthetic_class import Made
+from bounce_grader.grading import gallery
 from classes import column, COLUMN, same
 from clusters import Cluster
+from conftest import ROOT
+from handed_in import submission_of
+
+
+def chosen(number: int, *kinds: str) -> list[Path]:
+    """Submissions of the gallery, in a shuffled order."""
+    folders = (ROOT / "tests" / "submissions" / kind for kind in kinds)
+    every = [one for folder in folders for one in sorted(folder.iterdir()) if one.is_dir()]
+    return random.Random(1).sample(every, number)
+
+
+def written(folder: Path, submissions: Sequence[Path]) -> dict[str, str]:
+    """Writes a folder for each student and the export, and returns the points that should come
+    out."""
+    users = dict(enumerate(submissions, 6001))
+    (folder / "submissions").mkdir()
+    for user, submission in users.items():
+        submission_of(submission, folder / "submissions" / str(user))
+    classes.book(folder / "export.csv", list(users))
+    points = {user: gallery.points(gallery.expected(s)["lost"]) for user, s in users.items()}
+    return {str(user): f"{sum(of):.2f}" for user, of in points.items()}
 
 
 def grade(folder: Path, out: str, *more: str) -> dict[str, str]:
     """What the column of the grade book has, by id."""
     options = ["--out", str(folder / out), "--gradebook", str(folder / "export.csv")]
-    words = ["class", str(folder / "submissions.zip"), *options, "--column", COLUMN, *more]
+    words = ["class", str(folder / "submissions"), *options, "--column", COLUMN, *more]
     assert cli.main(words) == 0
     return column(folder / out / "gradebook.csv")
 
 
-def written(folder: Path, made: Sequence[Made]) -> dict[str, str]:
-    """Writes the download and the export, and returns the points that should come out."""
-    synthetic_class.canvas_zip(folder / "submissions.zip", made)
-    (folder / "export.csv").write_text(synthetic_class.gradebook_csv(made))
-    return {str(student.user): f"{student.points:.2f}" for student in made}
-
-
 @pytest.mark.long
 def test_a_class_is_the_same_on_a_cluster(cluster: Cluster, tmp_path: Path) -> None:
-    made = list(synthetic_class.students(30, ("accepted", "mistakes", "broken"), 6001))
+    made = chosen(30, "accepted", "mistakes", "broken")
     assert written(tmp_path, made) == grade(tmp_path, "local")
     cluster.worker()
     cluster.worker()
@@ -40,7 +55,6 @@ def test_a_class_is_the_same_on_a_cluster(cluster: Cluster, tmp_path: Path) -> N
 @pytest.mark.parametrize("number", [10, 100])
 @pytest.mark.long
 def test_an_attacker_in_ten_costs_the_others_nothing(tmp_path: Path, number: int) -> None:
-    made = list(synthetic_class.students(number, ("accepted", "mistakes"), 6001))
-    hostile = list(synthetic_class.students(number // 10, ("hostile",), 6901))
-    mixed = [hostile[i // 10] if i % 10 == 9 else student for i, student in enumerate(made)]
+    honest, hostile = chosen(number, "accepted", "mistakes"), chosen(number // 10, "hostile")
+    mixed = [hostile[i // 10] if i % 10 == 9 else one for i, one in enumerate(honest)]
     assert written(tmp_path, mixed) == grade(tmp_path, "out")

@@ -15,7 +15,8 @@ from bounce_grader.formats import terminal
 from bounce_grader.grading import fixtures, gallery, sanitizing
 from bounce_grader.grading.gallery import expected, Expected
 from bounce_grader.grading.grade import grade, Options
-from conftest import ROOT, SOLUTION, lost, points
+from conftest import ROOT, lost, points
+from handed_in import submission_of
 
 GALLERY = ROOT / "tests" / "submissions"
 KINDS = ("accepted", "mistakes", "rarely_wrong", "undefined", "broken", "hostile")
@@ -34,15 +35,6 @@ every_accepted = pytest.mark.parametrize(
 
 def name_of(folder: Path) -> str:
     return f"{folder.parent.name}/{folder.name}"
-
-
-def submission_of(folder: Path, to: Path) -> Path:
-    """The solution with the folder's files laid over it; or the folder alone, if it says so."""
-    if not expected(folder).get("alone"):
-        shutil.copytree(SOLUTION, to)
-    ignore = shutil.ignore_patterns("expected.json", "*.md")
-    shutil.copytree(folder, to, dirs_exist_ok=True, ignore=ignore)
-    return to
 
 
 def shown(record: dict[str, Any]) -> str:

@@ -4,6 +4,7 @@ import errno
 import os
 import subprocess
 import sys
+from argparse import Namespace
 from pathlib import Path
 
 import pytest
@@ -64,7 +65,7 @@ def test_a_protection_that_fails_is_said(
 ) -> None:
     failing = doctor.Protection("says nothing", [["flood", "0"]], ("compile",))
     monkeypatch.setattr(doctor, "_protections", lambda *bait: [failing])
-    assert doctor.run() == 1
+    assert doctor.run(Namespace()) == 1
     assert "full compile: says nothing: NO: could: flood" in capsys.readouterr().out
 
 

@@ -2,6 +2,7 @@
 
 import io
 import resource
+import shutil
 import tarfile
 import zipfile
 from collections.abc import Iterator
@@ -10,6 +11,8 @@ from pathlib import Path
 
 import pytest
 from bounce_grader.common.errors import UsageError
+from bounce_grader.common.paths import ROOT
+from bounce_grader.grading.gallery import expected
 from bounce_grader.submission import submission
 
 
@@ -18,6 +21,16 @@ def zipped(path: Path, files: dict[str, bytes]) -> Path:
         for name, text in files.items():
             archive.writestr(name, text)
     return path
+
+
+def submission_of(folder: Path, to: Path) -> Path:
+    """One of the gallery: the solution with the folder's files laid over it; or the folder alone, if
+    it says so."""
+    if not expected(folder).get("alone"):
+        shutil.copytree(ROOT / "solution" / "src", to)
+    ignore = shutil.ignore_patterns("expected.json", "*.md")
+    shutil.copytree(folder, to, dirs_exist_ok=True, ignore=ignore)
+    return to
 
 
 def packed_tar(files: dict[str, bytes], kind: str = "gz") -> bytes:

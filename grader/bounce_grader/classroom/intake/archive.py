@@ -1,4 +1,4 @@
-"""Reads a flat collection of files: Canvas's zip, or the folder that it was unpacked to."""
+"""Reads a service's download: a zip, or the folder that it was unpacked to."""
 
 import os
 import stat
@@ -29,10 +29,11 @@ class Damaged(UsageError):
 
 
 class Archive:
-    """Reads entries by name, at most `limit` bytes of each. Raises UsageError."""
+    """Reads entries by name, at most `limit` bytes of each; of a folder only the files in it, or if
+    it is `deep` those in its folders, too. Raises UsageError."""
 
-    def __init__(self, path: Path) -> None:
-        self.path = path
+    def __init__(self, path: Path, deep: bool = False) -> None:
+        self.path, self.deep = path, deep
         self._zip: zipfile.ZipFile | None = None
         self._infos: dict[str, zipfile.ZipInfo] = {}  # by their names
         if not path.is_dir():
@@ -46,7 +47,8 @@ class Archive:
     def names(self) -> list[str]:
         if self._zip:
             return list(self._infos)
-        return sorted(name for name in os.listdir(self.path) if not is_folder(self.path / name))
+        found = self.path.rglob("*") if self.deep else self.path.iterdir()
+        return sorted(str(f.relative_to(self.path)) for f in found if not is_folder(f))
 
     def size(self, name: str) -> int:
         if self._zip:
@@ -90,12 +92,12 @@ def zip_alone(folder: Path) -> Path | None:
     return inside[0] if alone else None
 
 
-def opened(path: Path) -> Archive:
+def opened(path: Path, deep: bool = False) -> Archive:
     """Opens an archive, and caches it until the file changes: its list of entries may be long."""
     status = path.stat()
-    return _opened(path, status.st_mtime_ns, status.st_ino)
+    return _opened(path, deep, status.st_mtime_ns, status.st_ino)
 
 
 @lru_cache(maxsize=2)
-def _opened(path: Path, changed: int, inode: int) -> Archive:
-    return Archive(path)
+def _opened(path: Path, deep: bool, changed: int, inode: int) -> Archive:
+    return Archive(path, deep)

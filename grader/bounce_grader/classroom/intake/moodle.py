@@ -20,11 +20,10 @@ of years, days, hours, minutes and seconds (`format_time`).
 
 import re
 from collections.abc import Mapping, Sequence
-from pathlib import Path, PurePosixPath
+from pathlib import PurePosixPath
 
-from bounce_grader.classroom.intake.archive import Archive, is_folder, not_named, zip_alone
-from bounce_grader.classroom.intake.student import Class, Student, Unmatched, Upload
-from bounce_grader.classroom.intake.uploads import without_files
+from bounce_grader.classroom.intake.archive import Archive, not_named
+from bounce_grader.classroom.intake.student import Upload
 from bounce_grader.common.escaping import printable_name
 from bounce_grader.common.files import fitting
 
@@ -52,11 +51,6 @@ def parse(entry: str) -> Upload | None:
         return None
     typed = "text" if match["kind"] == "onlinetext" else ""
     return Upload(entry, match["name"], match["id"], match["file"], typed=typed)
-
-
-def parse_folder(name: str) -> Upload | None:
-    """A folder of an unpacked download, by its name."""
-    return parse(f"{name}/-")
 
 
 def days_late(status: str) -> int | None:
@@ -97,20 +91,3 @@ def read(archive: Archive, _people: Mapping[str, str]) -> dict[str, Upload | str
 def _is_inside(file: str) -> bool:
     parts_of = PurePosixPath(file).parts
     return not file.startswith("/") and ".." not in parts_of and "\\" not in file
-
-
-def read_folders(children: Sequence[Path]) -> Class:
-    """Moodle's download, unpacked."""
-    intake = Class(f"a {TITLE} download", service="moodle")
-    for child in children:
-        found = parse_folder(child.name) if is_folder(child) else None
-        if not found:
-            intake.unmatched.append(Unmatched(child.name, not_named(TITLE, child.name)))
-        elif found.typed:
-            what = f"is {found.typed} typed into {TITLE}"
-            intake.unmatched.append(without_files(child.name, what, found.user, page_of([found])))
-        else:
-            there, page = zip_alone(child) or child, page_of([found])
-            intake.students.append(Student(found.user, found.name, there, feedback=page))
-    intake.set_duplicates_aside()
-    return intake

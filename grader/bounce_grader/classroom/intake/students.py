@@ -31,8 +31,8 @@ def read(path: Path, people: Mapping[str, str] = {}) -> Class:
             intake = _of_download(service, opened(path), people)
             beside = "is a folder beside a download's files, and isn't read"
             intake.unmatched += [Unmatched(c.name, beside) for c in children if is_folder(c)]
-        elif any(moodle.parse_folder(child.name) for child in children):
-            intake = moodle.read_folders(children)
+        elif any(is_folder(child) and moodle.parse(f"{child.name}/x") for child in children):
+            intake = _of_download(moodle, opened(path, deep=True), people)
         else:
             intake = from_folder.read(path, children)
     elif not path.exists():

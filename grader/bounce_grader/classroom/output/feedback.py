@@ -64,12 +64,8 @@ def _page(summary: Summary, result: Result, reveal: bool) -> str:
     if not result["record"]:
         return html.refused(result["message"])
     record = (with_answers if reveal else without_answers)(result["record"])
-    student, several = summary.student, len(summary.finals) > 1
-    in_the_end = [
-        html.InTheEnd((one.name or one.id) if several else "", one.points, one.applied)
-        for one in summary.finals
-        if summary.is_adjusted
-    ]
+    student = summary.student
+    in_the_end = summary.finals if summary.is_adjusted else ()
     return html.render(record, student.shown, student.unused, in_the_end)
 
 

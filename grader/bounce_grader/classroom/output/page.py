@@ -13,12 +13,11 @@ from bounce_grader.classroom.intake.instructor_files import Course
 from bounce_grader.classroom.intake.student import Class
 from bounce_grader.common.escaping import first_few, printable_name
 from bounce_grader.common.manifest import full_points, named_together, part_of, parts
-from bounce_grader.common.numbers import percent, scientific, seconds, short
+from bounce_grader.common.numbers import percent, seconds, short
 from bounce_grader.formats.html import fill
 from bounce_grader.formats.speed_chart import Curve, Drawing, error_over_time, NAMES, ON_PAPER
 from bounce_grader.formats.speed_chart import over_solution
 from bounce_grader.grading import examples
-from bounce_grader.grading.hints import nudge, of_check
 from bounce_grader.grading.known_mistakes import for_the_instructor
 
 MOST_UNUSED = 10  # names of unused files of one submission; grades.csv has more
@@ -42,7 +41,6 @@ def render(
 ) -> str:
     names = names_of(summaries)
     graded = [s for s in summaries if s.score is not None]
-    mistakes = [_mistake(*made) for made in _who_made_mistakes(graded)]
     return fill(
         "classroom/output/class.html.j2",
         title=course.title or "The class",
@@ -50,11 +48,8 @@ def render(
         figures=list(_figures(submitted, summaries)),
         histogram=_histogram(graded),
         success=list(_success(graded)) if graded else [],
-        mistakes=[mistake for mistake in mistakes if len(mistake["who"]) > 1],
-        mistakes_of_one=[mistake for mistake in mistakes if len(mistake["who"]) == 1],
-        failed_checks=list(_failed_checks(graded)),
+        mistakes=[_mistake(*made) for made in _who_made_mistakes(graded)],
         cases=_cases(graded),
-        timed=[s for s in graded if s.ratio is not None],
         curves=_chart(graded, names),
         chart_style=ON_PAPER,
         chart_names=NAMES,
@@ -68,8 +63,6 @@ def render(
         columns=["points", *(f"part {part.number}" for part in parts()), "in the end"],
         submissions=list(map(_row, summaries)),
         names=names,
-        scientific=scientific,
-        short=short,
     )
 
 
@@ -101,10 +94,9 @@ def _who_made_mistakes(graded: Sequence[Summary]) -> list[tuple[str, str, list[s
 
 
 def _mistake(name: str, title: str, who: list[str]) -> dict[str, Any]:
-    """A mistake with the line for the instructor, and the hint that students have."""
+    """A mistake with the line for the instructor, and the heading of the students' hint."""
     words, heading = for_the_instructor(name)
-    part, hint = part_of(name).number, nudge(heading)
-    return dict(part=part, title=title, words=words, heading=heading, hint=hint, who=who)
+    return dict(part=part_of(name).number, title=title, words=words, heading=heading, who=who)
 
 
 def _cases(graded: Sequence[Summary]) -> list[str]:
@@ -177,13 +169,6 @@ def _success(graded: Sequence[Summary]) -> Iterator[Bar]:
         for check in part.checks:
             share = sum(check.id in s.passed for s in graded) / len(graded)
             yield Bar(check.title, share, percent(share))
-
-
-def _failed_checks(graded: Sequence[Summary]) -> Iterator[list[str]]:
-    failures = Counter(id for s in graded for id in s.checks if id not in s.passed)
-    checks = {c.id: (f"part {part.number}", c.title) for part in parts() for c in part.checks}
-    for id, count in failures.most_common(10):
-        yield [*checks[id], of_check(id), nudge(of_check(id)), str(count)]
 
 
 def _chart(graded: Sequence[Summary], names: Mapping[str, str]) -> Drawing | None:

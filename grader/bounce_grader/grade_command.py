@@ -1,0 +1,44 @@
+"""./kit grade: grades a submission, and reports on it."""
+
+import argparse
+from pathlib import Path
+
+from bounce_grader import formats
+from bounce_grader.common.errors import UsageError
+from bounce_grader.common.escaping import json_document
+from bounce_grader.common.files import write_whole
+from bounce_grader.formats import terminal
+from bounce_grader.grading.grade import grade, Options
+from bounce_grader.grading.record import with_answers
+from bounce_grader.sandbox.box import kinds
+
+
+def run(options: argparse.Namespace) -> int:
+    if options.format and options.json == "-":
+        raise UsageError("--format and --json - both write to standard output: give one")
+    folder = Path(options.json or "").parent
+    if not folder.is_dir():
+        raise UsageError(f"{options.json} can't be written: there is no folder {folder}")
+    acceptable = (options.require_box,) if options.require_box else kinds(options.trust_submission)
+    wanted = Options(acceptable, options.speed, not options.no_sanitize, answers=options.reveal)
+    try:
+        record = grade(options.submission, wanted)
+    except UsageError as error:
+        refused = formats.refused(options.format, str(error))
+        if refused:
+            print(refused)
+        raise
+    record = with_answers(record) if options.reveal else record
+    text = json_document(record, indent=1)
+    if options.json == "-":
+        print(text)
+    elif options.format:
+        print(formats.render(options.format, record))
+    else:
+        terminal.show(record)
+    if options.json not in (None, "-"):
+        try:
+            write_whole(Path(options.json), text + "\n")
+        except OSError as error:
+            raise UsageError(f"{options.json} can't be written: {error.strerror}") from error
+    return int(options.min_score is not None and record["score"] < options.min_score)
