@@ -59,10 +59,8 @@ def first_few(items: Sequence[str], limit: int = 5, separator: str = ", ", more:
 
 
 def terminal(text: str) -> str:
-    """One line without control characters. A space breaks up what a CI log would run as a command.
-
-    Print it through rich's Text, which reads no markup.
-    """
+    """One line without control characters. A space breaks up what a CI log would run as a
+    command."""
     return _no_command(printable(text).replace("\n", REPLACEMENT))
 
 

@@ -2,12 +2,15 @@
 
 import fcntl
 import hashlib
+import io
 import json
 import os
 import shutil
+import stat
 import tempfile
 import time
-from collections.abc import Iterator
+import zipfile
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any
@@ -18,7 +21,7 @@ BOX_FOLDER = "bounce-box-"  # prefix of those of a reduced box, as in grader/box
 ABANDONED = 3600.0  # seconds after which a temporary file counts as abandoned
 
 
-def write_whole(path: Path, data: str | bytes, durable: bool = False) -> None:
+def write_whole(path: Path, data: str | bytes, durable: bool = False, mode: int = 0o666) -> None:
     """Writes a file whole or not at all, by renaming a temporary one. If `durable`, the file also
     survives a power loss. If it raises OSError, the old file stays. A device or a pipe is written
     to directly."""
@@ -30,7 +33,8 @@ def write_whole(path: Path, data: str | bytes, durable: bool = False) -> None:
     # A name that nobody can foresee, to put a link there.
     temporary = path.with_name(f".{fitting(path.name, 100)}.{os.urandom(8).hex()}.part")
     try:
-        with temporary.open("xb") as stream:
+        made = os.open(temporary, os.O_WRONLY | os.O_CREAT | os.O_EXCL, mode)
+        with open(made, "wb") as stream:
             stream.write(content)
             if durable:
                 stream.flush()
@@ -45,6 +49,20 @@ def write_whole(path: Path, data: str | bytes, durable: bool = False) -> None:
             os.fsync(handle)
         finally:
             os.close(handle)
+
+
+def zipped(held: Mapping[str, tuple[bytes, int]], compressed: bool) -> bytes:
+    """A zip of these contents and permissions, by path in it, whose bytes depend on nothing else. One
+    that isn't compressed has the same bytes with each version of zlib."""
+    data = io.BytesIO()
+    with zipfile.ZipFile(data, "w") as archive:
+        for name, (content, mode) in held.items():
+            entry = zipfile.ZipInfo(name)
+            entry.create_system = 3  # Unix, so that permissions are kept
+            entry.external_attr = (stat.S_IFREG | mode) << 16
+            entry.compress_type = zipfile.ZIP_DEFLATED if compressed else zipfile.ZIP_STORED
+            archive.writestr(entry, content)
+    return data.getvalue()
 
 
 def read_object(path: Path) -> dict[str, Any]:

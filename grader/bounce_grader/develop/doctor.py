@@ -9,15 +9,14 @@ import os
 import secrets
 import socket
 import tempfile
-import sys
 import time
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
-from dataclasses import dataclass
 from pathlib import Path
-from typing import IO
+from typing import IO, NamedTuple
 
 from bounce_grader.build.compiler import COMPILE, compiler
+from bounce_grader.common.escaping import terminal
 from bounce_grader.common.paths import JUDGE, PROBE, ROOT
 from bounce_grader.sandbox import processes
 from bounce_grader.sandbox.box import problem_of, Box
@@ -25,15 +24,14 @@ from bounce_grader.sandbox.box import problem_of, Box
 Attempt = list[str]
 TABLE = Path(__file__).with_name("protections.json")
 PLACES = ("compile", "run", "check")
-WORDS = {True: "yes", False: "[bold]NO[/bold]", None: "-"}
+WORDS = {True: "yes", False: "NO", None: "-"}
 # A process above the box that holds the canary.
 ABOVE = ["/bin/sh", "-c", 'BOUNCE_DOCTOR="$0" "$@"; status=$?; kept="$0"; exit $status']
 WATCHING = processes.Limits(cpu_seconds=20, wall_seconds=90, memory=None, file_size=0)
 COMPILING = COMPILE._replace(cpu_seconds=1)
 
 
-@dataclass(frozen=True)
-class Protection:
+class Protection(NamedTuple):
     """Something that a box promises, with the attempts that would break it."""
 
     title: str
@@ -43,8 +41,7 @@ class Protection:
     canary: str = ""  # in a process above the box
 
 
-@dataclass(frozen=True)
-class Finding:
+class Finding(NamedTuple):
     """The result of one protection in one box; held is None if the box can't be made here."""
 
     protection: str
@@ -69,19 +66,18 @@ def findings() -> list[Finding]:
 def _in_box(box: Box, place: str, folder: Path, protections: list[Protection]) -> Iterator[Finding]:
     """Tries the protections in one box, after checking that the box can be made and the probe
     starts."""
-    problem = problem_of(box)
+    name, problem = f"{box.kind} {place}", problem_of(box)
     if not problem and not attempt(box, place, folder, ["nothing"])[0]:
         problem = "the probe doesn't start"
-    for protection in protections:
-        if place in protection.places and problem:
-            yield Finding(protection.title, f"{box.kind} {place}", None, problem)
-        elif place in protection.places:
-            above = [*ABOVE, protection.canary] if protection.canary else []
-            outcomes = [attempt(box, place, folder, words, above) for words in protection.attempts]
-            held = not any(could for could, _ in outcomes)
-            held = protection.outside() if protection.outside else held
-            detail = "; ".join(answer for _, answer in outcomes)
-            yield Finding(protection.title, f"{box.kind} {place}", held, detail)
+    for protection in (one for one in protections if place in one.places):
+        if problem:
+            yield Finding(protection.title, name, None, problem)
+            continue
+        above = [*ABOVE, protection.canary] if protection.canary else []
+        outcomes = [attempt(box, place, folder, words, above) for words in protection.attempts]
+        held = not any(could for could, _ in outcomes)
+        held = protection.outside() if protection.outside else held
+        yield Finding(protection.title, name, held, "; ".join(answer for _, answer in outcomes))
 
 
 def attempt(
@@ -158,25 +154,17 @@ def _no_process_has(marker: str) -> bool:
 
 
 def run(_: argparse.Namespace) -> int:
-    """Prints the table. Returns 0 if everything held."""
-    from rich.console import Console
-    from rich.table import Table
-
+    """Prints the table, and what didn't hold. Returns 0 if everything held."""
     found = findings()
     boxes = list(dict.fromkeys(finding.box for finding in found))
     held = {(finding.protection, finding.box): WORDS[finding.held] for finding in found}
-    table = Table(title="What holds here, tried for real")
-    table.add_column("a submission …", no_wrap=True)
-    for box in boxes:
-        table.add_column(box.replace(" ", "\n"))
+    for kinds_or_places in zip(*map(str.split, boxes)):
+        print(" " * 42 + "".join(f"{word:<9}" for word in kinds_or_places))
     for title in dict.fromkeys(finding.protection for finding in found):
-        table.add_row(title, *(held.get((title, box), "") for box in boxes))
+        print(f"{title:<42}" + "".join(f"{held.get((title, box), ''):<9}" for box in boxes))
     lines = [f"{f.box}: {f.protection}: NO: {f.detail}" for f in found if f.held is False]
     lines += dict.fromkeys(
         f"{f.box}: can't be had here: {f.detail}" for f in found if f.held is None
     )
-    console = Console(file=sys.stdout)
-    console.print(table)
-    for line in [*lines, f"Submissions are compiled by {compiler()}."]:
-        console.print(line, markup=False, soft_wrap=True)
+    print("\n".join(map(terminal, [*lines, f"Submissions are compiled by {compiler()}."])))
     return int(not all(finding.held for finding in found))

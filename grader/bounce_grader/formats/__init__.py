@@ -8,7 +8,7 @@ from typing import Any
 
 from bounce_grader.common.escaping import json_document
 
-NAMES = ("gradescope", "github", "html", "junit", "json", "markdown", "classroom50")
+NAMES = ("gradescope", "github", "html", "junit", "json", "markdown")
 
 
 def render(name: str, record: dict[str, Any]) -> str:

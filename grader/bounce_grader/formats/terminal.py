@@ -1,5 +1,6 @@
 """The score record as text for a terminal."""
 
+import os
 import sys
 from functools import cache
 from typing import TextIO
@@ -11,19 +12,16 @@ from bounce_grader.formats import sentences
 from bounce_grader.grading import speed
 from bounce_grader.grading.record import Record
 
+STYLES = {"": "", "bold": "1", "dim": "2", "red": "31", "green": "32", "yellow": "33"}
+
 
 def show(record: Record, stream: TextIO | None = None) -> None:
     """Prints the report; in colour where the stream is a terminal."""
     stream = stream or sys.stdout
-    if not stream.isatty():
+    if not stream.isatty() or os.environ.get("NO_COLOR"):
         stream.writelines(f"{line}\n" for _, line in lines(record))
         return
-    from rich.console import Console
-    from rich.text import Text
-
-    console = Console(file=stream, highlight=False, soft_wrap=True)
-    for style, line in lines(record):
-        console.print(Text(line, style=style))
+    stream.writelines(f"\33[{STYLES[style]}m{line}\33[0m\n" for style, line in lines(record))
 
 
 def lines(record: Record) -> list[tuple[str, str]]:

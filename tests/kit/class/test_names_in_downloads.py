@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 
 import pytest
-from bounce_grader.classroom.intake import blackboard, canvas, handed_in, moodle, students
+from bounce_grader.classroom.intake import blackboard, canvas, moodle, students, uploads
 from bounce_grader.submission import submission
 from conftest import write
 from corpus import Member, zip_of
@@ -72,9 +72,9 @@ def test_a_helper_has_the_name_that_it_is_included_by(
     tmp_path: Path, included: str, handed_in_as: str, _: str
 ) -> None:
     text = f'#include "{included}"'.encode()
-    uploads = {"doe_1_1_part1_contacts.cpp": text, f"doe_1_2_{handed_in_as}": b"// helps"}
-    (student,) = students.read(write(tmp_path, uploads)).students
-    files = handed_in.read(student.path, student.uploads).files
+    named = {"doe_1_1_part1_contacts.cpp": text, f"doe_1_2_{handed_in_as}": b"// helps"}
+    (student,) = students.read(write(tmp_path, named)).students
+    files = uploads.read(student.path, student.uploads).files
     assert set(files) == {"part1_contacts.cpp", included}
 
 
@@ -83,7 +83,7 @@ def test_names_that_canvas_and_macos_write_in_utf_8_without_saying_so(tmp_path: 
     write(tmp_path, {"x.zip": zip_of([Member("weißjürgen_1_2_hw.zip".encode(), within)])})
     (student,) = students.read(tmp_path / "x.zip").students
     assert student.feedback == "weißjürgen_1_2_feedback.html"
-    files = handed_in.read(student.path, student.uploads).files
+    files = uploads.read(student.path, student.uploads).files
     assert set(files) == {"größe.hpp", "part2_lcp.cpp"}
 
 

@@ -5,7 +5,7 @@ import resource
 from pathlib import Path
 
 import pytest
-from bounce_grader.classroom.intake import handed_in, students
+from bounce_grader.classroom.intake import students, uploads
 from bounce_grader.common.errors import UsageError
 from bounce_grader.submission.entry import LARGEST_SOURCE, MOST_ENTRIES
 from bounce_grader.submission.submission import Submission
@@ -16,14 +16,14 @@ from odd_zips import bomb, claiming, LIES
 Uploads = dict[str, bytes]
 
 
-def read(path: Path, uploads: Uploads) -> Submission:
+def read(path: Path, files: Uploads) -> Submission:
     """What is read of a student's uploads, with nothing unpacked to disk and little memory."""
-    (student,) = students.read(zipped(path / "x.zip", uploads)).students
+    (student,) = students.read(zipped(path / "x.zip", files)).students
     before = resource.getrlimit(resource.RLIMIT_FSIZE)
     resource.setrlimit(resource.RLIMIT_FSIZE, (1 << 20, before[1]))
     try:
         with limited_memory(400 << 20):
-            return handed_in.read(student.path, student.uploads)
+            return uploads.read(student.path, student.uploads)
     finally:
         resource.setrlimit(resource.RLIMIT_FSIZE, before)
 
@@ -53,7 +53,7 @@ def test_bytes_of_all_uploads_are_counted_together(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     one = bomb(1)
-    monkeypatch.setattr(handed_in, "LARGEST", 2 * len(one) - 1)
+    monkeypatch.setattr(uploads, "LARGEST", 2 * len(one) - 1)
     assert set(read(tmp_path, {"doe_1_1_a.zip": one}).files) == {"helper0.cpp"}
     with pytest.raises(UsageError, match="b.zip is too large: all that is handed in may have"):
         read(tmp_path, {"doe_1_1_a.zip": one, "doe_1_2_b.zip": one})

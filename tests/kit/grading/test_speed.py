@@ -58,7 +58,7 @@ def test_who_is_not_right_everywhere_has_no_times(tmp_path: Path, row: dict[str,
     said = found["otherwise"]
     assert said.startswith(f"{speed.WRONG}: at dt = ") and said[1:] in printed
     if record["score"] == record["max_score"]:
-        for format in set(formats.NAMES) - {"junit", "classroom50"}:
+        for format in set(formats.NAMES) - {"junit"}:
             text = formats.render(format, record)
             assert said[1:40] in text.replace(escaping.ZERO_WIDTH_SPACE, ""), format
 

@@ -18,7 +18,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from bounce_grader.classroom.grading.results import digest
-from bounce_grader.classroom.intake import handed_in, students as students_of
+from bounce_grader.classroom.intake import students as students_of, uploads
 from bounce_grader.classroom.intake.student import Student
 from bounce_grader.common.errors import about_one_submission, UsageError
 from bounce_grader.common.manifest import parts
@@ -155,7 +155,7 @@ def own_texts(student: Student) -> dict[int, str]:
     """The code that a student wrote, without comments and lines of the handout: of all files under
     0, the parts first; of part n under n. Empty if the submission can't be read."""
     try:
-        taken = handed_in.read(student.path, student.uploads)
+        taken = uploads.read(student.path, student.uploads)
     except UsageError:
         return {}
     handout = _handout()

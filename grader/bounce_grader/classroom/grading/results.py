@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from bounce_grader import __version__
-from bounce_grader.classroom.intake import handed_in
+from bounce_grader.classroom.intake import uploads
 from bounce_grader.classroom.intake.archive import Damaged
 from bounce_grader.classroom.intake.student import Student
 from bounce_grader.common.errors import UsageError
@@ -65,7 +65,7 @@ def digest(student: Student) -> str:
     Damaged if the class's download is damaged."""
     data: list[Any] = [os.path.isdir(student.path)]
     try:
-        taken = handed_in.read(student.path, student.uploads)
+        taken = uploads.read(student.path, student.uploads)
         data += [taken.sha256, taken.parts, taken.refused, taken.ignored]
     except Damaged:
         raise

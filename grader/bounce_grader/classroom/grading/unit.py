@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 
 from bounce_grader.classroom.grading import results
 from bounce_grader.classroom.grading.results import Result, Task
-from bounce_grader.classroom.intake import handed_in
+from bounce_grader.classroom.intake import uploads
 from bounce_grader.common.errors import KitError, UsageError
 from bounce_grader.common.escaping import first_few, printable_name
 from bounce_grader.common.files import write_whole
@@ -72,7 +72,7 @@ def _result(task: Task, grade: Grade) -> Result:
     message = ""
     beside: list[str] = []
     try:
-        taken = handed_in.read(task.student.path, task.student.uploads)
+        taken = uploads.read(task.student.path, task.student.uploads)
         _require_a_part(taken)
         record = grade(taken, task)
         beside = list(map(printable_name, taken.helpers))

@@ -36,7 +36,7 @@ def parse(entry: str) -> Upload | None:
 
 
 def read(archive: Archive, _people: Mapping[str, str]) -> dict[str, Upload | str]:
-    """The files of each user's newest attempt, or its text if there are none; for other entries, why
+    """The files of each user, or the text of the newest attempt if that has none; for other entries, why
     they are of nobody."""
     read: dict[str, Upload | str] = {}
     heads: dict[str, list[Upload]] = {}
@@ -58,8 +58,9 @@ def read(archive: Archive, _people: Mapping[str, str]) -> dict[str, Upload | str
             read[head] = f"isn't the only one that could be {user}'s: keep one of them"
         else:
             last = max(upload.number for upload in uploads)
+            files = [u._replace(old=u.number < last) for u in uploads if u.file]
             newest = [upload for upload in uploads if upload.number == last]
-            for upload in [upload for upload in newest if upload.file] or newest:
+            for upload in newest if all(upload.old for upload in files) else files:
                 read[upload.entry] = upload._replace(name=name, user=user)
     return read
 

@@ -4,10 +4,9 @@ repositories."""
 import os
 from pathlib import Path
 
-from bounce_grader.classroom.intake import canvas
-from bounce_grader.classroom.intake.archive import is_file, is_folder, opened, zip_alone
+from bounce_grader.classroom.intake.archive import is_file, is_folder, zip_alone
 from bounce_grader.classroom.intake.student import Class, Student, Unmatched
-from bounce_grader.common.errors import about_one_submission, UsageError
+from bounce_grader.common.errors import UsageError
 from bounce_grader.common.files import fitting
 from bounce_grader.common.manifest import parts
 from bounce_grader.submission import submission
@@ -36,7 +35,6 @@ def read(path: Path, children: list[Path]) -> Class:
     intake.unmatched += [Unmatched(child.name, _no_submission(child) or other) for child in left]
     intake.set_duplicates_aside()
     if intake.students and not any(_has_a_part(student.path) for student in intake.students):
-        _require_no_download(path, taken)
         raise UsageError(
             f"no folder or zip in {path} holds a part, as {parts()[0].file}: it should be "
             "Canvas's download, or a folder with one folder or zip a student"
@@ -55,19 +53,6 @@ def _require_a_folder_of_submissions(path: Path, children: list[Path]) -> None:
 
 def _is_part(child: Path) -> bool:
     return part_file(child.name) is not None and is_file(child)
-
-
-def _require_no_download(path: Path, children: list[Path]) -> None:
-    """Raises UsageError if a zip here is Canvas's download. Called only if no submission has a
-    part, because a student's own zip may hold names like Canvas's."""
-    for child in filter(is_file, children):
-        try:
-            with about_one_submission("it can't be read"):
-                names = [name for name in opened(child).names() if "/" not in name]
-        except UsageError:
-            continue
-        if any(map(canvas.parse, names)):
-            raise UsageError(f"{path} holds a Canvas download: give {child} itself")
 
 
 def _no_submission(child: Path) -> str:

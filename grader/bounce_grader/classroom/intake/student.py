@@ -18,6 +18,7 @@ class Upload(NamedTuple):
     number: int = 0  # grows: the id of Canvas's attachment, the time of Blackboard's attempt
     as_named: bool = True  # the file has the student's own name for it, and no other file's
     typed: str = ""  # "text" or "an address"
+    old: bool = False  # of an attempt that doesn't count any more
 
 
 class Member(NamedTuple):

@@ -1,6 +1,5 @@
 """Writes the feedback pages; and for Canvas and Moodle, zips of the pages that they can import."""
 
-import io
 import zipfile
 from collections.abc import Sequence
 from contextlib import suppress
@@ -13,11 +12,12 @@ from bounce_grader.classroom.grading.summary import Summary
 from bounce_grader.classroom.intake import canvas
 from bounce_grader.classroom.intake.student import Class
 from bounce_grader.common.errors import about_one_submission, UsageError
-from bounce_grader.common.files import write_whole
+from bounce_grader.common.files import write_whole, zipped
 from bounce_grader.formats import html
 from bounce_grader.grading.record import with_answers, without_answers
 
 NEW_PAGES = "feedback-new.zip"
+MODE = 0o644  # of pages in a zip
 
 
 class Feedback(NamedTuple):
@@ -78,14 +78,14 @@ def _write_zips(out: Path, folder: Path, pages: Sequence[str]) -> str:
     """All pages; and those that changed since the last time, because Canvas adds a comment for each
     page that it is given. Returns which to upload."""
     whole = out / "feedback.zip"
-    before: dict[str, bytes] = {}
+    before: dict[str, tuple[bytes, int]] = {}
     with suppress(OSError, zipfile.BadZipFile), zipfile.ZipFile(whole) as archive:
-        before = {name: archive.read(name) for name in archive.namelist()}
-    now = {name: (folder / name).read_bytes() for name in pages}
+        before = {name: (archive.read(name), MODE) for name in archive.namelist()}
+    now = {name: ((folder / name).read_bytes(), MODE) for name in pages}
     changed = {name: page for name, page in now.items() if before.get(name) != page}
     if before and changed:
-        write_whole(out / NEW_PAGES, _zip(changed))
-    write_whole(whole, _zip(now))
+        write_whole(out / NEW_PAGES, zipped(changed, True))
+    write_whole(whole, zipped(now, True))
     number = f"{len(changed)} page{'s' * (len(changed) > 1)}"
     if not pages:
         return ""
@@ -98,12 +98,3 @@ def _write_zips(out: Path, folder: Path, pages: Sequence[str]) -> str:
         f"Upload {NEW_PAGES}, with {number} that changed since the last run, before you give the "
         "command again: it has only what changed since then."
     )
-
-
-def _zip(pages: dict[str, bytes]) -> bytes:
-    """The same pages give the same bytes, whenever they were written."""
-    data = io.BytesIO()
-    with zipfile.ZipFile(data, "w") as archive:
-        for name, page in pages.items():
-            archive.writestr(zipfile.ZipInfo(name), page, zipfile.ZIP_DEFLATED)
-    return data.getvalue()
