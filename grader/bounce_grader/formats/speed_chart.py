@@ -35,7 +35,6 @@ class Drawing(str):
 
 
 STYLE = Drawing((HANDOUT / "given" / "page" / "chart.css").read_text("utf-8"))
-ON_PAPER = Drawing(STYLE.partition("@media")[0])  # also for pages that invert themselves
 
 
 class Curve(NamedTuple):

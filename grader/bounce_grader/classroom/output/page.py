@@ -15,8 +15,8 @@ from bounce_grader.common.escaping import first_few, printable_name
 from bounce_grader.common.manifest import full_points, named_together, part_of, parts
 from bounce_grader.common.numbers import percent, seconds, short
 from bounce_grader.formats.html import fill
-from bounce_grader.formats.speed_chart import Curve, Drawing, error_over_time, NAMES, ON_PAPER
-from bounce_grader.formats.speed_chart import over_solution
+from bounce_grader.formats.speed_chart import Curve, Drawing, error_over_time, NAMES
+from bounce_grader.formats.speed_chart import over_solution, STYLE
 from bounce_grader.grading import examples
 from bounce_grader.grading.known_mistakes import for_the_instructor
 
@@ -51,7 +51,7 @@ def render(
         mistakes=[_mistake(*made) for made in _who_made_mistakes(graded)],
         cases=_cases(graded),
         curves=_chart(graded, names),
-        chart_style=ON_PAPER,
+        chart_style=STYLE,
         chart_names=NAMES,
         looks=_looks(summaries),
         near=near,
