@@ -247,9 +247,6 @@ def _print(
     graded = [s for s in summaries if s.state == "graded"]
     looks = [s for s in summaries if s.needs_a_look]
     print(f"{len(graded)} of {intake.handed_in} submissions graded ({intake.source}).")
-    if equal := len(graded) - len({s.key for s in graded}):
-        whose = f"{equal} of them equal others" if equal > 1 else "One of them equals another"
-        print(f"{whose} letter for letter: equal ones are graded once.")
     counts = {
         "without a score": intake.handed_in - len(graded),
         "graded": sum(s.state == "graded" for s in looks),

@@ -41,11 +41,9 @@ class Line(NamedTuple):
         return self.least <= self.value <= self.most
 
     def __str__(self) -> str:
-        goals = [f"at least {self.least:g}"] if self.least else []
-        goals += [f"at most {self.most:g}"] if self.most < math.inf else []
-        goal = " and ".join(goals)
-        verdict = f"   {goal}: {'yes' if self.reached else 'NO'}" if goal else ""
-        return f"{self.what:<58}{self.value:8.2f} {self.unit:<4}{verdict}"
+        goal = f"   from {self.least:g} to {self.most:g}: {'yes' if self.reached else 'NO'}"
+        has_goal = (self.least, self.most) != (0.0, math.inf)
+        return f"{self.what:<58}{self.value:8.2f} {self.unit:<4}{goal if has_goal else ''}"
 
 
 def run(options: argparse.Namespace) -> int:

@@ -60,8 +60,7 @@ def _outcomes(tasks: list[Task], unit: Unit, jobs: int, scheduler: str) -> Grade
 
 
 class _Progress:
-    """Shows how many are graded, the rate and the time left: on a terminal, in one line that is
-    written over."""
+    """Says every few seconds how many are graded, the rate and the time left."""
 
     def __init__(self, total: int) -> None:
         self._total, self._done = total, 0
@@ -70,15 +69,13 @@ class _Progress:
     def advance(self) -> None:
         self._done += 1
         now, left = time.monotonic(), self._total - self._done
-        in_place = sys.stderr.isatty()
-        if left and now - self._last < (0.5 if in_place else 15.0):
+        if left and now - self._last < (5.0 if sys.stderr.isatty() else 15.0):
             return
         self._last = now
         rate = self._done / max(now - self._start, 1e-9)
         ahead = f", {left / rate:.0f} s left" if left else ""
         words = f"kit: {self._done} of {self._total} graded, {60 * rate:.0f} a minute{ahead}"
-        start, end = ("\r\33[K", "" if left else "\n") if in_place else ("", "\n")
-        print(f"{start}{words}", end=end, file=sys.stderr, flush=True)
+        print(words, file=sys.stderr, flush=True)
 
 
 def summarize(tasks: Sequence[Task], failed: Mapping[str, str]) -> list[Summary]:

@@ -14,7 +14,7 @@ from bounce_grader.common.errors import KitError, UsageError
 from bounce_grader.common.manifest import parts
 
 COURSE, ROSTER, ADJUSTMENTS = "course.toml", "roster.csv", "adjustments.csv"
-KNOWN = {"title": str, "date": str, "late": dict}
+KNOWN = {"title": str, "late": dict}
 LATE = ("percent_per_day", "at_most_percent")
 EVERYBODY = "*"
 CHANGES = ("points", "late_days", "cap", "drop")
@@ -24,7 +24,6 @@ class Course(NamedTuple):
     """The course's title and its policy on lateness, from course.toml."""
 
     title: str = ""
-    date: str = ""
     percent_per_day: float = 0.0  # of the assignment's points, for each day begun
     at_most_percent: float = 100.0
 
@@ -53,7 +52,6 @@ def course(out: Path) -> Course:
         data = toml.loads(path.read_text("utf-8"))
     except (OSError, ValueError) as error:
         raise UsageError(f"{path} can't be read as TOML: {error}") from error
-    data = {key: str(value) if key == "date" else value for key, value in data.items()}
     for key, value in data.items():
         if key not in KNOWN or not isinstance(value, KNOWN[key]):
             raise UsageError(f"{path} holds {key!r}, which should be one of {', '.join(KNOWN)}")

@@ -5,7 +5,6 @@ What a person has entered in the file stays, and each byte that isn't filled in 
 
 import json
 import re
-from abc import ABC, abstractmethod
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
@@ -27,70 +26,68 @@ SCORES = re.compile(rf"\(\d+\)$|^Maximum Grade$|{TOTAL.pattern}")
 Written = dict[str, dict[str, list[str]]]
 
 
-class Gradebook(ABC):
-    """A table of a service with a row for each student. Each service says where its ids, names and
-    points are."""
+class Line(NamedTuple):
+    """A student's row."""
 
-    service: str
-    again: str  # what helps if the file is damaged
-    no_points = ""  # a pattern for what a cell without points may say
+    row: Row
+    ids: Sequence[str]  # each "" where there is none; the service's own is the first
+    person: str  # the name, as "Doe, Jane"
+    stays: str = ""  # why the cell takes no points
+    late: int | None = 0  # days; None if the words aren't known
 
-    def __init__(self, table: Table, title: str) -> None:
-        """`title` is that of the column to fill; "" where there is only one."""
-        self.table = table
-        self._column = self._find_column(title)
-        self._title = table.header[self._column]
-        for row in self._students():
+    @property
+    def who(self) -> str:
+        return f"{self.person} ({next(filter(None, self.ids), 'without an ID')})"
+
+
+class Gradebook:
+    """A service's table with a row for each student."""
+
+    def __init__(
+        self,
+        service: str,
+        table: Table,
+        column: int,
+        lines: Sequence[Line],
+        possible: Iterable[str],
+        again: str = "download it again",
+        no_points: str = "",
+        tells_lateness: bool = False,
+    ) -> None:
+        """`column` is the one to fill; `possible`, what the file says of the most points there;
+        `again` helps if the file is damaged; `no_points` is a pattern for what a cell without
+        points may say."""
+        self.service, self.table, self.lines = service, table, lines
+        self._column, self._title = column, table.header[column]
+        self._possible, self._no_points, self._tells_lateness = possible, no_points, tells_lateness
+        for row in (line.row for line in lines):
             if len(row.cells) != len(table.header):
                 raise UsageError(
                     f"{table.name} has {len(row.cells)} cells in line {row.line}, and "
-                    f"{len(table.header)} in its first: {self.again}"
+                    f"{len(table.header)} in its first: {again}"
                 )
         self._comma = self._has_decimal_comma()
-        self._by_own_id, self._by_any_id = self._rows_by_id()
-
-    @abstractmethod
-    def _find_column(self, title: str) -> int:
-        """The column to fill. Raises UsageError if there is none."""
-
-    @abstractmethod
-    def _ids(self, row: Row) -> list[str]:
-        """A student's ids, each "" where there is none; the service's own is the first."""
-
-    @abstractmethod
-    def _person(self, row: Row) -> str:
-        """A student's name, as "Doe, Jane"."""
-
-    @abstractmethod
-    def _points_possible(self) -> Iterable[str]:
-        """What the file says of the most points in the column."""
-
-    def _students(self) -> list[Row]:
-        return self.table.rows[1:]
-
-    def _never_filled(self, row: Row) -> str:
-        """Why the cell takes no points; "" if it does."""
-        return ""
+        self._by_own_id, self._by_any_id = self._lines_by_id()
 
     def days_late(self) -> dict[str, int | None]:
-        """How many days each student is late, by id; None if the words aren't known. Empty if the
-        file doesn't tell."""
-        return {}
+        """How many days each student is late, by id. Empty if the file doesn't tell."""
+        lines = self._by_own_id if self._tells_lateness else {}
+        return {id: of[0].late for id, of in lines.items()}
 
     def people(self, own_ids_only: bool = True) -> dict[str, str]:
         """The names of students, as "Doe, Jane", by each id that only one has. For a Canvas download
         only the service's own ids count, because any other number in it comes from a student."""
-        rows = self._by_own_id if own_ids_only else self._by_any_id
-        return {id: self._person(of[0]) for id, of in rows.items() if len(of) == 1}
+        lines = self._by_own_id if own_ids_only else self._by_any_id
+        return {id: of[0].person for id, of in lines.items() if len(of) == 1}
 
     def same_person(self) -> dict[str, str]:
         """The student's own id at the service, by each id that only one student has."""
-        return {id: self._ids(of[0])[0] for id, of in self._by_any_id.items() if len(of) == 1}
+        return {id: of[0].ids[0] for id, of in self._by_any_id.items() if len(of) == 1}
 
     def require_some_of(self, ids: Sequence[str], own_ids_only: bool) -> None:
         """Raises UsageError if no student with one of these ids is in the file."""
-        rows = self._by_own_id if own_ids_only else self._by_any_id
-        if ids and not rows.keys() & set(ids):
+        known = self._by_own_id if own_ids_only else self._by_any_id
+        if ids and not known.keys() & set(ids):
             raise UsageError(
                 f"none of the {len(ids)} students who handed in is in {self.table.name}: is it the "
                 "file of another assignment or course?"
@@ -104,99 +101,87 @@ class Gradebook(ABC):
         written: Written,
         overwrite: bool,
     ) -> list[str]:
-        """Fills in the points, also into `written`, and returns what the instructor should know. `without` says by id why somebody has no score; `from_canvas`, that
-        the ids are those of a Canvas download, except the roster's. Points that already stand in a
-        column are kept, unless earlier runs have `written` them, or if `overwrite` is set."""
+        """Fills in the points, also into `written`, and returns what the instructor should know.
+        `without` says by id why somebody has no score; `from_canvas`, that the ids are those of a
+        Canvas download, except the roster's. Points that already stand in a cell are kept, unless
+        earlier runs have `written` them, or if `overwrite` is set."""
         own, any_id = self._by_own_id, self._by_any_id
         whose: dict[int, list[Final]] = {}  # by the row's line
         for final in finals:
-            for row in (own if from_canvas and not final.listed else any_id).get(final.id, []):
-                whose.setdefault(row.line, []).append(final)
+            for line in (own if from_canvas and not final.listed else any_id).get(final.id, []):
+                whose.setdefault(line.row.line, []).append(final)
         reasons: dict[int, str] = {}
         for id, reason in without.items():
-            for row in (own if from_canvas else any_id).get(id, []):
-                reasons.setdefault(row.line, reason)
+            for line in (own if from_canvas else any_id).get(id, []):
+                reasons.setdefault(line.row.line, reason)
         times = [final.id for finals in whose.values() for final in finals]
         sentences, emptied = self._other_points_possible(), 0
-        for row in filter(lambda row: any(self._ids(row)), self._students()):
-            meant = whose.get(row.line, [])
+        for line in filter(lambda line: any(line.ids), self.lines):
+            number, meant = line.row.line, whose.get(line.row.line, [])
             if not meant:
-                why = f"score, because {reasons[row.line]}" if row.line in reasons else "submission"
-                sentences.append(f"{self._who(row)} has no {why}: the cell stays as it was")
+                why = f"score, because {reasons[number]}" if number in reasons else "submission"
+                sentences.append(f"{line.who} has no {why}: the cell stays as it was")
             elif len(meant) > 1:
                 several = " and ".join(f"{final.name} ({final.id})" for final in meant)
-                sentences.append(f"{self._who(row)} is meant by {several}: none is filled in")
+                sentences.append(f"{line.who} is meant by {several}: none is filled in")
             elif (count := times.count(meant[0].id)) > 1:
                 whole = f"{self.table.name} has {count} rows for {meant[0].id}: none is filled"
                 sentences.append(whole)
             else:
-                is_known = self._ids(row)[0] in written.get(self._title, {})
-                emptied += is_known and not self._points(row)
-                sentences += self._fill_row(row, meant[0], from_canvas, written, overwrite)
+                is_known = line.ids[0] in written.get(self._title, {})
+                emptied += is_known and not self._points(line)
+                sentences += self._fill_line(line, meant[0], from_canvas, written, overwrite)
         sentences += [
             f"{final.name} ({final.id}) is graded, but isn't in {self.table.name}"
             for final in sorted(finals, key=lambda final: final.id)
             if final.id not in times
         ]
-        return [*self._perhaps_old(emptied), *dict.fromkeys(sentences)]
+        if emptied:  # corrections since an earlier run can't be seen in an old file
+            sentences.insert(
+                0,
+                f"{self.table.name} lacks what an earlier run has filled into {emptied} "
+                f"cell{'s' * (emptied > 1)}: if that is imported, export the grades again, or "
+                "corrections made there since then are lost",
+            )
+        return list(dict.fromkeys(sentences))
 
-    def _fill_row(
-        self, row: Row, final: Final, from_canvas: bool, written: Written, overwrite: bool
+    def _fill_line(
+        self, line: Line, final: Final, from_canvas: bool, written: Written, overwrite: bool
     ) -> list[str]:
-        who, id, points, there = (
-            self._who(row),
-            self._ids(row)[0],
-            f"{final.points:.2f}",
-            self._points(row),
-        )
-        before = written.get(self._title, {}).get(id, [])
-        if why := self._never_filled(row):
-            return [f"{who} {why}"]
+        points, there = f"{final.points:.2f}", self._points(line)
+        before = written.get(self._title, {}).get(line.ids[0], [])
+        if line.stays:
+            return [f"{line.who} {line.stays}"]
         if there and not overwrite:
             if not is_ours(number_in(there), float(points), map(number_in, before)):
-                return [f"{who} {kept(there, points)}"]
-        written.setdefault(self._title, {})[id] = list(dict.fromkeys([*before, points]))
+                return [f"{line.who} {kept(there, points)}"]
+        written.setdefault(self._title, {})[line.ids[0]] = list(dict.fromkeys([*before, points]))
         text = points.replace(".", ",") if self._comma else points
-        row.put(self._column, text, self.table.delimiter)
-        if from_canvas and not final.listed and final.name != self._person(row):
+        line.row.put(self._column, text, self.table.delimiter)
+        if from_canvas and not final.listed and final.name != line.person:
             return [
-                f"{who} has the points of {final.name}: if that is a group, give its other members "
-                "the same"
+                f"{line.who} has the points of {final.name}: if that is a group, give its other "
+                "members the same"
             ]
         return []
 
-    def _points(self, row: Row) -> str:
+    def _points(self, line: Line) -> str:
         """The points that stand in the cell; "" if none do."""
-        text = row.text(self._column)
-        return "" if re.fullmatch(self.no_points, text) else text
+        text = line.row.text(self._column)
+        return "" if re.fullmatch(self._no_points, text) else text
 
-    def _perhaps_old(self, emptied: int) -> list[str]:
-        """Points that were corrected since an earlier run can't be seen in an old file, and would be
-        replaced."""
-        cells = f"{emptied} cell{'s' if emptied > 1 else ''}"
-        sentence = (
-            f"{self.table.name} lacks what an earlier run has filled into {cells}: if that is "
-            "imported, export the grades again, or corrections made there since then are lost"
-        )
-        return [sentence] * bool(emptied)
-
-    def _rows_by_id(self) -> tuple[dict[str, list[Row]], dict[str, list[Row]]]:
-        """The rows of each of the service's own ids, and of each id; the service's own take
+    def _lines_by_id(self) -> tuple[dict[str, list[Line]], dict[str, list[Line]]]:
+        """The lines of each of the service's own ids, and of each id; the service's own take
         precedence, as in its importer."""
-        kinds: list[dict[str, list[Row]]] = []
-        for row in self._students():
-            for kind, id in enumerate(self._ids(row)):
-                if kind == len(kinds):
-                    kinds.append({})
-                if id:
-                    kinds[kind].setdefault(id, []).append(row)
-        every: dict[str, list[Row]] = {}
-        for of_kind in kinds:
-            every = of_kind | every
-        return (kinds[0] if kinds else {}), every
-
-    def _who(self, row: Row) -> str:
-        return f"{self._person(row)} ({next(filter(None, self._ids(row)), 'without an ID')})"
+        own: dict[str, list[Line]] = {}
+        others: dict[str, list[Line]] = {}
+        for kind in range(max((len(line.ids) for line in self.lines), default=0)):
+            of_kind = {} if kind else own
+            for line in self.lines:
+                if line.ids[kind]:
+                    of_kind.setdefault(line.ids[kind], []).append(line)
+            others = of_kind | others
+        return own, others
 
     def _has_decimal_comma(self) -> bool:
         """Whether points are written as 87,5, and none as 87.5."""
@@ -210,7 +195,7 @@ class Gradebook(ABC):
         return [
             f"{self.service.capitalize()} has {short(points)} points possible for {self._title}, the "
             f"kit {short(full_points())}: if it is the right column, change it there"
-            for points in dict.fromkeys(map(number_in, self._points_possible()))
+            for points in dict.fromkeys(map(number_in, self._possible))
             if points is not None and points != full_points()
         ]
 

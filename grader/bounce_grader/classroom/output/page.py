@@ -44,7 +44,6 @@ def render(
     return fill(
         "classroom/output/class.html.j2",
         title=course.title or "The class",
-        date=course.date,
         figures=list(_figures(submitted, summaries)),
         histogram=_histogram(graded),
         success=list(_success(graded)) if graded else [],
