@@ -4,7 +4,7 @@ book, the instructor's roster, and the download."""
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
-from bounce_grader.classroom.intake.canvas import is_name_of, sanitized
+from bounce_grader.classroom.intake.canvas import is_name_of
 from bounce_grader.classroom.intake.instructor_files import EVERYBODY, ROSTER
 from bounce_grader.classroom.intake.student import Class, Member, Student
 from bounce_grader.common.escaping import first_few
@@ -23,14 +23,13 @@ class People:
     ) -> None:
         """`names` are those in the grade book, by each id that one person has there; `own_ids`, the
         service's own ids, by the same ids."""
-        named = {
-            submission: [m._replace(name=m.name or names.get(m.id, "")) for m in members]
+        self._own_ids = own_ids
+        self._roster = {
+            submission.casefold(): [m._replace(name=m.name or names.get(m.id, "")) for m in members]
             for submission, members in roster.items()
         }
-        self._own_ids = own_ids
-        self._roster = {name.casefold(): members for name, members in named.items()}
-        self._in_canvas = {sanitized(name): members for name, members in named.items()}
-        self._names = {**names, **{m.id: m.name for of in named.values() for m in of if m.name}}
+        listed = [member for members in self._roster.values() for member in members]
+        self._names = {**names, **{member.id: member.name for member in listed if member.name}}
         self._logins = False
 
     def assign(self, intake: Class) -> None:
@@ -45,14 +44,15 @@ class People:
         intake.students = sorted(assigned, key=lambda s: (s.shown.casefold(), s.id))
 
     def _listed(self, student: Student) -> list[Member]:
-        """A submission's members in the roster, which may have its id or its name. Students choose
-        that name, so it counts only if the student who handed in is one of the members."""
-        own = self._roster.get(student.id.casefold(), [])
-        named = self._roster.get(student.name.casefold(), [])
-        if not named and student.uploads:
-            named = self._in_canvas.get(student.name, [])
-        ids = {self._own_ids.get(member.id, member.id) for member in named}
-        return own or (named if self._own_ids.get(student.id, student.id) in ids else [])
+        """A submission's members: those that the roster gives for its id, such as a login; or the
+        group of whoever handed it in. A group's name doesn't count, since students choose it; nor
+        does a login count as an id."""
+        members = self._roster.get(student.id.casefold(), [])
+        if members or self._logins:
+            return members
+        own = self._own_ids.get(student.id, student.id)
+        groups = self._roster.values()
+        return next((of for of in groups if own in [self._own_ids.get(m.id, m.id) for m in of]), [])
 
     def _name(self, student: Student, members: Sequence[Member], intake: Class) -> str:
         """The name of a submission's person, as the roster or the grade book has it. In a Canvas
@@ -73,7 +73,7 @@ class People:
         """A sentence if nobody has handed in what the roster lists; none otherwise."""
         listed = {member.id for s in students for member in s.members if member.listed}
         idle = [name for name, of in self._roster.items() if not {m.id for m in of} & listed]
-        words = "no member of it has handed in under that name or id"
+        words = "nothing is handed in by that id or by a member"
         return [f"{ROSTER} lists {first_few(idle)}: {words}"] * bool(idle)
 
     def meant_by(self, id: str, students: Sequence[Student]) -> list[Person]:

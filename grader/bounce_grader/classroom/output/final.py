@@ -62,7 +62,7 @@ def with_finals(
         ]
         for s in summaries
     }
-    shown = {s.student.id: s.student.shown for s in summaries}
+    shown = {s.student.id: f"{s.student.name} ({s.student.id})" for s in summaries}
     submissions: dict[str, list[str]] = {}  # of each person
     for id, of in finals.items():
         for one in of:
@@ -73,7 +73,7 @@ def with_finals(
         own = finals[summary.student.id]
         disputed = [one for one in own if one.listed and len(submissions[one.id]) > 1]
         for one in disputed:
-            names = " and ".join(map(repr, submissions[one.id]))
+            names = " and ".join(submissions[one.id])
             summary = summary.with_note(
                 f"{ROSTER} gives {one.name or one.id} the points of several submissions ({names}): "
                 "none is filled in; write the submission's id there that is theirs"
