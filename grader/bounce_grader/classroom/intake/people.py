@@ -30,11 +30,12 @@ class People:
         }
         listed = [member for members in self._roster.values() for member in members]
         self._names = {**names, **{member.id: member.name for member in listed if member.name}}
-        self._logins = False
+        self._logins, self._submissions = False, set[str]()
 
     def assign(self, intake: Class) -> None:
         """Gives each submission its members, and the name of its person."""
         self._logins = intake.logins
+        self._submissions = {student.id.casefold() for student in intake.students}
         assigned = []
         for student in intake.students:
             listed = self._listed(student)
@@ -45,13 +46,13 @@ class People:
 
     def _listed(self, student: Student) -> list[Member]:
         """A submission's members: those that the roster gives for its id, such as a login; or the
-        group of whoever handed it in. A group's name doesn't count, since students choose it; nor
-        does a login count as an id."""
+        group of whoever handed it in, unless the roster gives that group another's id. A group's
+        name doesn't count, since students choose it; nor does a login count as an id."""
         members = self._roster.get(student.id.casefold(), [])
         if members or self._logins:
             return members
         own = self._own_ids.get(student.id, student.id)
-        groups = self._roster.values()
+        groups = [of for name, of in self._roster.items() if name not in self._submissions]
         return next((of for of in groups if own in [self._own_ids.get(m.id, m.id) for m in of]), [])
 
     def _name(self, student: Student, members: Sequence[Member], intake: Class) -> str:

@@ -51,9 +51,9 @@ def assign(
 def with_finals(
     summaries: Sequence[Summary], assigned: Assigned, course: Course, logins: bool
 ) -> list[Summary]:
-    """Adds the final points of each person. Somebody whom the roster finds in several submissions
-    gets points from none of them: students choose the names of groups, so one group may have taken
-    another's name. A login alone, which its student chose, gets no points."""
+    """Adds the final points of each person. Whom the roster finds in several submissions gets points
+    from none of them; whom it finds in one, from no other. A login alone, which its student chose,
+    gets no points."""
     finals = {
         s.student.id: [
             _final(s, member, assigned.own.get((member.id, s.student.id), []), course)
@@ -63,22 +63,27 @@ def with_finals(
         for s in summaries
     }
     shown = {s.student.id: f"{s.student.name} ({s.student.id})" for s in summaries}
-    submissions: dict[str, list[str]] = {}  # of each person
+    given: dict[str, list[str]] = {}  # submissions that the roster gives to each person
     for id, of in finals.items():
         for one in of:
-            if one.listed or not logins:
-                submissions.setdefault(one.id, []).append(shown[id])
+            if one.listed:
+                given.setdefault(one.id, []).append(shown[id])
     done = []
     for summary in summaries:
-        own = finals[summary.student.id]
-        disputed = [one for one in own if one.listed and len(submissions[one.id]) > 1]
-        for one in disputed:
-            names = " and ".join(submissions[one.id])
-            summary = summary.with_note(
-                f"{ROSTER} gives {one.name or one.id} the points of several submissions ({names}): "
-                "none is filled in; write the submission's id there that is theirs"
-            )
-        done.append(summary.with_finals(one for one in own if one not in disputed))
+        counting = []
+        for one in finals[summary.student.id]:
+            of_person = given.get(one.id, [])
+            names = " and ".join(of_person)
+            if one.listed and len(of_person) > 1:
+                summary = summary.with_note(
+                    f"{ROSTER} gives {one.name or one.id} the points of several submissions ({names}): none is "
+                    "filled in; write the submission's id there that is theirs"
+                )
+            elif of_person and not one.listed and not logins:
+                summary = summary.with_note(f"{ROSTER} gives {one.id} the points of {names} alone")
+            else:
+                counting.append(one)
+        done.append(summary.with_finals(counting))
     return done
 
 
