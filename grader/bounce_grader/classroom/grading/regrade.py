@@ -20,22 +20,19 @@ def counting(folder: Path) -> Stamp:
 
 def differences(there: Stamp, tasks: Sequence[Task]) -> list[str]:
     """A summary, and then only what differs."""
+    if all(task.stamp == there for task in tasks):
+        return ["The results are by this version of the kit: there is nothing to take over."]
     pairs = [
         (_summary(task, results.key_of(task.submission, there)), _summary(task, task.key))
         for task in tasks
     ]
     differing = [lines for before, now in pairs if (lines := _difference(before, now))]
-    lines = [
+    return [
         f"Submissions graded again: {len(tasks)}; with another result: {len(differing)}.",
         *_weights(pairs),
         *(line for lines in differing for line in lines),
+        "Nothing is changed yet. To take these over: --apply in place of --regrade.",
     ]
-    if all(task.stamp == there for task in tasks):
-        return [
-            *lines,
-            "The results are by this version of the kit: there is nothing to take over.",
-        ]
-    return [*lines, "Nothing is changed yet. To take these over: --apply in place of --regrade."]
 
 
 def _summary(task: Task, key: str) -> Summary:
