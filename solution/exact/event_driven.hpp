@@ -1,7 +1,7 @@
 // The exact motion, from event to event; each phase in between in closed form or as a power series.
 //
 //   flight      exact parabola; the first contact guaranteed                    first_contact.hpp
-//   impact      of one corner or of two, by the law of impact                   ../methods/
+//   impact      of one corner or of two, by Newton's law; what stays            ground.hpp
 //   one corner  sticks or slides: power series, their guards polynomials        series.hpp
 //   flat        a side on the ground: rests, or slides with constant deceleration
 //
@@ -9,13 +9,6 @@
 // that its tolerances mean the same at every scale and no number is rounded on the way in or out.
 // theta is within half a turn, and whole turns are counted apart. Times are counted from the last
 // event.
-//
-// Zeno: bounces that get ever smaller end where a bounce would leave with less than `cut`: the
-// impact is then without restitution, and contact lasts. What is left out lasts 2 cut / (g (1 -
-// epsilon)) and is cut^2 / (2 g) high: 2e-6 sqrt(l / g) / (1 - epsilon) and 5e-13 l with the usual
-// cut. A bounce much lower than that drowns in the rounding of y. The impulses left out act along
-// the same line; the corner or side that stays is given the rest of them, with its friction, so
-// that v and omega change by the square of cut only.
 //
 // Which mode follows is an LCP in accelerations, the same as that in impulses with a_n and a_t in
 // place of u_n and u_t (Lotstedt 1981; Glocker & Studer 2005, "Formulation and preparation for
@@ -25,13 +18,9 @@
 // "Unilateral contact and dry friction in finite freedom dynamics", on frictional catastrophes).
 #pragma once
 
-#include <cstdint>
-#include <string>
 #include <vector>
 
-#include "../methods/impact_laws.hpp"
 #include "../methods/square.hpp"
-#include "carried_motions.hpp"
 
 namespace bounce::exact {
 
@@ -44,7 +33,6 @@ struct Model {
 };
 
 struct EventOptions {
-  methods::ImpactLaw law = methods::ImpactLaw::newton;
   Model model;
   double cut = 1e-6;         // in units of sqrt(l g), within a factor of 2
   double tolerance = 1e-15;  // of one step of a series, in rad and in units of l / sqrt 2
@@ -53,17 +41,13 @@ struct EventOptions {
   // A shadow: random changes of this relative size at each event, as rounding makes them. A square
   // that is exactly parallel to the ground and does not turn stays so.
   double noise = 0;
-  double perturbation = 0;  // the noise of two carried motions (carried_motions.hpp); 0: none
-  std::uint64_t seed = 1;
+  unsigned seed = 1;
 };
 
 struct EventReport {
-  long impacts = 0, series = 0, jams = 0;
+  long impacts = 0;
+  bool stays = false;    // at some time, one corner or a side stays on the ground
   bool stalled = false;  // events went on without an end at one time; what follows is not computed
-  bool gave_up = false;  // after most_events; what follows is not computed
-  std::vector<CarriedDistances> distances;  // for each time until carried motions were lost
-  // The time in each mode, s.
-  double flight = 0, corner = 0, flat = 0;
 };
 
 // The motion at each of the times, which ascend from >= 0. Shorter than `times` if it stalled or

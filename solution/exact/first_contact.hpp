@@ -32,12 +32,6 @@ Motion<Real> fly(const Motion<Real>& s, const Body<Real>& body, Real t) {
           s.omega};
 }
 
-// A height this near 0 counts as 0: a few rounding errors of y and r_y.
-template <class Real>
-Real height_rounding(const Body<Real>& body) {
-  return 4 * std::numeric_limits<Real>::epsilon() * body.rho;
-}
-
 // The time until y has fallen to rho: 0 if it is below, infinite if it never does.
 template <class Real>
 Real time_above(const Motion<Real>& s, const Body<Real>& body) {
@@ -64,18 +58,19 @@ struct NearFlight {
 template <class Real>
 NearFlight<Real> first_contact(const Motion<Real>& start, const Body<Real>& body, Real t_end) {
   const Real K = std::max(-body.g_y, Real(0)) + body.rho * start.omega * start.omega;
-  const Real resting = Real(1e-12);
+  const Real resting = Real(1e-12), epsilon = std::numeric_limits<Real>::epsilon();
+  const Real rounding = 4 * epsilon * body.rho;  // a height this near 0 counts as 0
   const Real longest = std::sqrt(2 * Real(1e-14) / std::max(K, Real(1e-3)));
   Real least = std::min(Real(1e-10), longest);
   for (Real t = 0; t < t_end;) {
     const Motion<Real> s = fly(start, body, t);
     if (s.y > body.rho && t > 0) return {t, false};
-    const Real of_time = 4 * std::numeric_limits<Real>::epsilon() * t;  // rounding of t
+    const Real of_time = 4 * epsilon * t;  // rounding of t
     Real step = t_end - t;
     for (const Arm<Real>& r : methods::arms(body, s.theta)) {
       const Real f = s.y + r.y, slope = methods::normal_velocity(s, r);
       const bool falls = slope < -resting;
-      if (falls && f <= height_rounding(body) - slope * of_time) return {t, true};
+      if (falls && f <= rounding - slope * of_time) return {t, true};
       const Real safe = safe_step(f, slope, K);
       if (!falls && safe < least) {
         step = std::min(step, least);

@@ -1,33 +1,28 @@
 // Random changes of a motion, as rounding makes them.
 #pragma once
 
-#include <cstdint>
+#include <cmath>
 #include <numbers>
+#include <random>
 
 #include "../methods/square.hpp"
 
 namespace bounce::exact {
 
-// Numbers of either sign between size / 2 and size, at random (Marsaglia 2003, "Xorshift RNGs", J.
-// Stat. Softw. 8). Their sizes differ, so that two of them cancel rarely, which size and -size
-// alone would do half of the time.
+// Numbers of either sign between size / 2 and size, at random. Their sizes differ, so that two of
+// them cancel rarely, which size and -size alone would do half of the time.
 class Noise {
  public:
-  Noise(double size, std::uint64_t seed) : size_(size), random_(seed * 0x9E3779B97F4A7C15u) {}
-
-  double size() const { return size_; }
+  Noise(double size, unsigned seed) : size_(size), random_(seed) {}
 
   double next() {
-    random_ ^= random_ << 13;
-    random_ ^= random_ >> 7;
-    random_ ^= random_ << 17;
-    const double some = size_ * (0.5 + 0x1p-65 * double(random_ << 1));
-    return random_ >> 63 ? some : -some;
+    const double u = 2 * double(random_()) / double(random_.max()) - 1;  // from -1 to 1
+    return size_ * (u + std::copysign(1.0, u)) / 2;
   }
 
  private:
   double size_;
-  std::uint64_t random_;
+  std::minstd_rand random_;
 };
 
 // Changes the motion after `time` without an event as much as rounding of the noise's size could. A

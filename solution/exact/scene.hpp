@@ -22,30 +22,18 @@ enum class ModelLevel {
 inline constexpr int kModelLevels = 6;
 const char* name_of(ModelLevel level);
 
-// How far two motions are apart, m.
-enum class Quantity {
-  pose,    // the size of (dx, dy, l / sqrt 2 dtheta)
-  centre,  // the size of (dx, dy)
-};
-
 struct Scene {
   std::string name, title;
   Parameters params;
   State start;
-  Quantity quantity;
   double until;      // compare up to this time, s; errors in the start grow too much afterwards
   ModelLevel least;  // the least model expected to suffice
-  std::string why;
 };
 
-// Reads a scene. Throws std::invalid_argument, with a sentence that names the file and the field,
-// if a field is missing, unknown, of the wrong kind, out of range or not finite, or if T columns
-// would not fit into memory.
-Scene read_scene(const std::filesystem::path& file);
-
-// The same, of which only params, q and v are read. The fields that describe it to the study may be
-// there or not.
-Scene read_start(const std::filesystem::path& file);
+// Reads a scene; of one that is not of the study, params, q and v alone. Throws
+// std::invalid_argument, with a sentence that names the file and the field, if a field is missing,
+// unknown, of the wrong kind, out of range or not finite.
+Scene read_scene(const std::filesystem::path& file, bool of_study = true);
 
 // Every scene of a folder, by name of the file.
 std::vector<Scene> read_scenes(const std::filesystem::path& folder);
@@ -53,8 +41,10 @@ std::vector<Scene> read_scenes(const std::filesystem::path& folder);
 // Throws std::invalid_argument, naming the field, if these numbers can't be simulated.
 void check(const Parameters& params, const State& start);
 
-// The distance of two poses, m: of (x, y, l / sqrt 2 theta), or of (x, y) where the scene compares
-// these alone. Whole turns count.
+// A number as messages have it, with six digits.
+std::string text_of(double x);
+
+// The distance of two poses, m: of (x, y, l / sqrt 2 theta). Whole turns count.
 double distance(const Scene& scene, const methods::Motion<double>& one,
                 const methods::Motion<double>& other);
 

@@ -15,33 +15,19 @@
 //   one_friction    One corner, with friction.
 //   two_normals     Two corners, friction left out for the same reasons.
 //   two_frictions   Two corners with friction: the whole model.
-//
-// If a bound is not met, the step is done again, one level or more up.
 #pragma once
 
 #include <array>
-#include <string>
-#include <vector>
 
 #include "scene.hpp"
 
 namespace bounce::exact {
 
-struct ModelReport {
-  std::array<long, kModelLevels> steps{};  // by level
-  std::array<double, kModelLevels> seconds{};
-  long raised = 0;                    // steps done again with a larger model
-  std::vector<std::string> warnings;  // each once, with the time when it first applied
-};
+// The steps that took each level.
+using ModelReport = std::array<long, kModelLevels>;
 
 // params.T columns. Throws std::invalid_argument if check() does.
 Trajectory simulate_scene(const Parameters& params, const State& start,
                           ModelReport* report = nullptr);
-
-// The same, with the whole model in every step: the LCP of two corners, whether they touch or not.
-Trajectory simulate_whole(const Parameters& params, const State& start);
-
-// The same by the plain MoreauJean<2>, which tests in each step which corners can touch.
-Trajectory simulate_moreau_jean(const Parameters& params, const State& start);
 
 }  // namespace bounce::exact

@@ -4,20 +4,20 @@
 // and Coulomb's friction) in continuous time, from the given start. The error is the distance of
 // poses, (dx, dy, l / sqrt 2 dtheta), the largest up to a time, m.
 //
-// The motion is event-driven, in double. As long as there are only impacts of single corners, its
-// error is that of rounding, and the same events in long double are carried along with it
-// (carried_motions.hpp): the bound is twice the distance to them. Rounding in long double is
-// another 2^-11 of that in double, and what it may hide is added: two perturbed motions say how
-// rounding grows, each event changes them by 2^-40 in place of 2^-52, and a sixteenth of 2^-12
-// times their distance is more than long double does.
+// The motion is event-driven, in double. Three more simulations say how far it is off: one in long
+// double with finer tolerances, and two shadows, which noise of 2^-40 changes at each event, far
+// more than rounding does: they say how fast errors grow. There are two, because one alone may
+// happen to be changed in a direction that hardly grows.
 //
-// Where corners or sides stay on the ground, or rounding decides which corner is first, whole
-// simulations take the place of the carried motions: two shadows with the same noise, and one in
-// long double with finer tolerances. The bound is then 16 times the larger of the distance to that
-// one and 2^-12 times the distance to the shadows. The rounding of the numbers themselves is added.
+// As long as corners only bounce, rounding alone makes the error, and in long double it is 2^-11 of
+// that. So the bound is twice the distance to the motion in long double, and a sixteenth of 2^-12
+// times the distance to the shadows, which is more than long double may hide. Where a corner or a
+// side stays on the ground or begins there, or long double has other impacts, it is 16 times the
+// larger of the distance to that motion and 2^-12 times the distance to the shadows. The rounding
+// of the numbers themselves is added.
 //
 // The horizon is the time up to which the tolerance is kept. It ends where the bound exceeds the
-// tolerance; where a perturbed motion is a thousandth of l away, because the order or the kind of
+// tolerance; where a shadow is a thousandth of l away, because the order or the kind of
 // an impact may be another there; or after a hundred thousand events.
 #pragma once
 
@@ -34,7 +34,6 @@ struct Answer {
   std::vector<methods::Motion<double>> motions;  // at these
   std::string method;                            // "free flight" or "event-driven"
   double bound;                                  // of the error at all times, m
-  double horizon;                                // the last of the times, s
 };
 
 // Thrown if the tolerance can't be kept until the last time; `horizon` is until when it can.

@@ -5,13 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "event_driven.hpp"
-
 namespace bounce::exact {
-
-long steps_between_samples(const Scene& scene, double dt, int samples) {
-  return std::max(1L, std::lround(scene.until / samples / dt));
-}
 
 std::vector<double> sample_times(const Scene& scene, int samples) {
   std::vector<double> times;
@@ -20,28 +14,27 @@ std::vector<double> sample_times(const Scene& scene, int samples) {
 }
 
 double fitting_step(const Scene& scene, double dt, int samples) {
-  return scene.until / samples / double(steps_between_samples(scene, dt, samples));
+  const double apart = scene.until / samples;
+  return apart / double(std::max(1L, std::lround(apart / dt)));
 }
 
 Samples truth_of(const Scene& scene, int samples) {
-  return truth_under(methods::ImpactLaw::newton, scene, samples);
-}
-
-Samples truth_under(methods::ImpactLaw law, const Scene& scene, int samples) {
   EventOptions options;
-  options.law = law;
   options.tolerance = 1e-18;
   options.cut = 1e-8;
   std::vector<long double> times;
-  times.reserve(std::size_t(samples));
   for (int i = 1; i <= samples; ++i) times.push_back((long double)(scene.until) * i / samples);
-  const auto exact = simulate_events<long double>(
-      scene.params, methods::motion_of<long double>(scene.start), times, options);
-  if (exact.size() != std::size_t(samples))
+  const Samples truth = in_long_double(scene, times, options);
+  if (truth.size() != std::size_t(samples))
     throw std::runtime_error(scene.name + ": the truth stalled: events go on without an end");
+  return truth;
+}
+
+Samples in_long_double(const Scene& scene, const std::vector<long double>& times,
+                       const EventOptions& options, EventReport* report) {
   Samples rounded;
-  rounded.reserve(exact.size());
-  for (const auto& s : exact) {
+  for (const auto& s : simulate_events<long double>(
+           scene.params, methods::motion_of<long double>(scene.start), times, options, report)) {
     rounded.push_back(
         {double(s.x), double(s.y), double(s.theta), double(s.v_x), double(s.v_y), double(s.omega)});
   }

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "../methods/impact_laws.hpp"
+#include "event_driven.hpp"
 #include "scene.hpp"
 
 namespace bounce::exact {
@@ -19,13 +19,13 @@ std::vector<double> sample_times(const Scene& scene, int samples = kSamples);
 // even the error of the event-driven method in double can be measured. Throws std::runtime_error if
 // it stalled.
 Samples truth_of(const Scene& scene, int samples = kSamples);
-Samples truth_under(methods::ImpactLaw law, const Scene& scene, int samples = kSamples);
+
+// The motion of a scene in long double, rounded in the end.
+Samples in_long_double(const Scene& scene, const std::vector<long double>& times,
+                       const EventOptions& options, EventReport* report = nullptr);
 
 // The largest distance over the samples, m; infinite if some are missing or not finite.
 double error_of(const Scene& scene, const Samples& samples, const Samples& truth);
-
-// How many steps of about dt make up the time between two samples; at least one.
-long steps_between_samples(const Scene& scene, double dt, int samples);
 
 // The step nearest to dt of which a whole number makes up the time between two samples.
 double fitting_step(const Scene& scene, double dt, int samples = kSamples);

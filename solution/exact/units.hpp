@@ -18,10 +18,7 @@ class Clock {
     low_ += (high_ - (sum - added)) + (t - added);
     high_ = sum;
   }
-  template <class Result = Real>
-  Result until(Real t) const {
-    return (Result(t) - high_) - low_;
-  }
+  Real until(Real t) const { return (t - high_) - low_; }
 
  private:
   Real high_ = 0, low_ = 0;

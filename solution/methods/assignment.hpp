@@ -17,7 +17,6 @@
 
 namespace bounce::methods {
 
-// The constants of a scheme.
 // What a step needs of the parameters: l / 2 and the distance of a corner, m; r_g^2, m^2; mu and
 // epsilon; dt, s; delta, m; and dt g, m/s. g(2) of the parameters has to be 0.
 struct StepConstants {
@@ -54,7 +53,6 @@ inline void move(Motion<double>& s, const StepConstants& k) {
   s.theta += k.dt * s.omega;
 }
 
-// The plain form: sine and cosine in every step.
 class Assignment {
  public:
   Assignment(const Parameters& params, const Motion<double>& start) : k_(params), s_(start) {}

@@ -43,15 +43,4 @@ GaussSeidel gauss_seidel(const Eigen::MatrixXd& G, const Eigen::VectorXd& u, dou
   });
 }
 
-std::optional<GaussSeidel> gauss_seidel_lcp(const Eigen::MatrixXd& V, const Eigen::VectorXd& p,
-                                            double tolerance, int most_sweeps) {
-  if ((V.diagonal().array() == 0).any()) return std::nullopt;
-  const double most = std::numeric_limits<double>::max();
-  return repeat(p.size(), tolerance, most_sweeps, [&](Eigen::VectorXd& z) {
-    double change = 0;
-    for (Index i = 0; i < p.size(); ++i) change = std::max(change, relax(V, p, i, 0, most, z));
-    return change;
-  });
-}
-
 }  // namespace bounce::methods

@@ -6,17 +6,15 @@
 // Without friction and for a symmetric positive definite G it converges: each sweep multiplies the
 // error by the square of the spectral radius of Jacobi's iteration matrix. For a square of mass R
 // that rests on one of mass 1 that is R / (1 + R), so the number of sweeps grows with R. With
-// friction nothing is promised: at mu 2 a single corner can keep it from converging. In the 4x4
-// matrix of eq. (9) V_44 = 0, so the step of that row is undefined.
+// friction nothing is promised: at mu 2 a single corner can keep it from converging.
 #pragma once
 
 #include <Eigen/Dense>
-#include <optional>
 
 namespace bounce::methods {
 
 struct GaussSeidel {
-  Eigen::VectorXd p;  // the last iterate: the impulses, or z of any LCP
+  Eigen::VectorXd p;  // the last iterate
   int sweeps;
   bool converged;
   double residual;  // the largest change of the last sweep times the diagonal, m/s
@@ -27,10 +25,5 @@ struct GaussSeidel {
 // `tolerance`, m/s, or after `most_sweeps`.
 GaussSeidel gauss_seidel(const Eigen::MatrixXd& G, const Eigen::VectorXd& u, double mu,
                          double tolerance, int most_sweeps);
-
-// The same for any LCP: z_i <- max(0, z_i - w_i / V_ii). `tolerance` has the unit of `p`. Empty if
-// a V_ii is 0.
-std::optional<GaussSeidel> gauss_seidel_lcp(const Eigen::MatrixXd& V, const Eigen::VectorXd& p,
-                                            double tolerance, int most_sweeps);
 
 }  // namespace bounce::methods

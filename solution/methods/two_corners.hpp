@@ -3,24 +3,23 @@
 // Two corners touch at once only where a side lies on the ground, or nearly so. Then r_y is one
 // number for both, J_t is one column, and only the sum of the two friction impulses has a meaning:
 // two sets of friction rows, as in the 8x8, make the matrix singular at theta = 0 and nearly so at
-// theta = 1e-12. Merged, with P = p_1 + p_2, P_0 >= 0 the normal impulse that acted before, and u_i
-// and u_t the rows' values without impulses (u_n and u_t of one_corner.hpp):
+// theta = 1e-12. Merged, with P = p_1 + p_2, and u_i and u_t the rows' values without impulses (u_n
+// and u_t of one_corner.hpp):
 //
 //     w_i = sum_j A_ij p_j + b_i p_t + u_i >= 0,   p_i >= 0,   w_i p_i = 0,     i = 1, 2
-//     v_t = b_1 p_1 + b_2 p_2 + c p_t + u_t,       |p_t| <= mu (P_0 + P),
-//     p_t = -sigma mu (P_0 + P) where sigma = sign(v_t) is not 0,
+//     v_t = b_1 p_1 + b_2 p_2 + c p_t + u_t,       |p_t| <= mu P,
+//     p_t = -sigma mu P where sigma = sign(v_t) is not 0,
 //
 //     A_ij = 1 + r_ix r_jx / r_g^2,   b_i = -r_ix r_y / r_g^2,   c = 1 + r_y^2 / r_g^2.
 //
 // The rows are those of impulses with Coulomb friction in the plane (Lotstedt 1981; Stewart &
 // Trinkle 1996, "An implicit time-stepping scheme for rigid body dynamics with inelastic collisions
-// and Coulomb friction", Int. J. Numer. Meth. Eng. 39); P_0 is what Poisson's law needs for its
-// expansion (Glocker & Pfeiffer 1995). Each friction case leaves an LCP of 2x2 for p_1 and p_2:
+// and Coulomb friction", Int. J. Numer. Meth. Eng. 39). Each friction case leaves an LCP of 2x2 for
+// p_1 and p_2:
 //
 //   sticks:  p_t = -(b_1 p_1 + b_2 p_2 + u_t) / c:   B_ij = A_ij - b_i b_j / c,
 //                                                    u'_i = u_i - b_i u_t / c
-//   slides:  p_t = -sigma mu (P_0 + P):              B_ij = A_ij - sigma mu b_i,
-//                                                    u'_i = u_i - sigma mu b_i P_0
+//   slides:  p_t = -sigma mu P:                      B_ij = A_ij - sigma mu b_i,  u'_i = u_i
 //
 // and that has four cases: none, 1, 2, or both corners pressed, its complementary cones (Murty
 // 1988, "Linear complementarity, linear and nonlinear programming", section 1.3). Twelve cases in
@@ -42,7 +41,7 @@ struct TwoCorners {
   Row<Real, 2> r_x;            // m
   Real r_y, gyration_squared;  // m, m^2
   Row<Real, 2> u;              // u_1, u_2, m/s
-  Real u_t, mu, P_0;           // m/s, none, m/s
+  Real u_t, mu;                // m/s, none
 
   Real A(int i, int j) const { return 1 + r_x[i] * r_x[j] / gyration_squared; }
   Real b(int i) const { return -r_x[i] * r_y / gyration_squared; }
@@ -59,8 +58,8 @@ struct SideImpulse {
 // The side's problem from its two arms; r_y is their mean.
 template <class Real>
 TwoCorners<Real> two_corners(const Arm<Real>& r_1, const Arm<Real>& r_2, Real gyration_squared,
-                             Row<Real, 2> u, Real u_t, Real mu, Real P_0 = 0) {
-  return {{r_1.x, r_2.x}, (r_1.y + r_2.y) / 2, gyration_squared, u, u_t, mu, P_0};
+                             Row<Real, 2> u, Real u_t, Real mu) {
+  return {{r_1.x, r_2.x}, (r_1.y + r_2.y) / 2, gyration_squared, u, u_t, mu};
 }
 
 namespace detail {
@@ -115,7 +114,7 @@ TwoByTwo<Real> sliding(const TwoCorners<Real>& k, int sigma) {
   for (int i = 0; i < 2; ++i) {
     const Real coupling = sigma * k.mu * k.b(i);
     for (int j = 0; j < 2; ++j) lcp.B[i][j] = k.A(i, j) - coupling;
-    lcp.u[i] = k.u[i] - coupling * k.P_0;
+    lcp.u[i] = k.u[i];
   }
   return lcp;
 }
@@ -130,7 +129,7 @@ SideImpulse<Real> solve_side(const TwoCorners<Real>& k, int sigma, bool checked)
   SideImpulse<Real> best{{0, 0}, 0, std::numeric_limits<Real>::infinity()};
   for (const int pressed : {3, 0, 1, 2}) {
     const Row<Real, 2> p = detail::impulses(lcp, pressed);
-    const Real P = k.P_0 + p[0] + p[1], coupled = k.b(0) * p[0] + k.b(1) * p[1] + k.u_t;
+    const Real P = p[0] + p[1], coupled = k.b(0) * p[0] + k.b(1) * p[1] + k.u_t;
     const Real p_t = sigma ? -sigma * k.mu * P : -coupled / k.c();
     Real violation = detail::violation_of(lcp, p);
     if (checked) {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "../exact/event_driven.hpp"
-#include "../methods/assignment_fast.hpp"
+#include "../methods/assignment.hpp"
 #include "../methods/moreau_jean.hpp"
 #include "../methods/penalty.hpp"
 #include "../methods/scheme.hpp"
@@ -23,7 +23,7 @@ Samples run_scheme(const Scene& scene, double dt, int samples, double delta_spee
   params.dt = fitting_step(scene, dt, samples);
   if (delta_speed > 0) params = methods::with_delta_per_dt(params, delta_speed);
   return methods::sample(Scheme(params, methods::motion_of<double>(scene.start)), samples,
-                         steps_between_samples(scene, dt, samples));
+                         std::lround(scene.until / samples / params.dt));
 }
 
 // The less exact the rest is, the sooner bounces may end.
@@ -58,8 +58,7 @@ Setting measure(const Method& method, double setting, StartsOfScene& starts) {
 
 Methods all_methods() {
   return {stepping<methods::Assignment>("assignment"),
-          stepping<methods::AssignmentFast>("assignment_fast"),
-          stepping<methods::AssignmentFast>("assignment_delta_dt", kDeltaSpeed),
+          stepping<methods::Assignment>("assignment_delta_dt", kDeltaSpeed),
           stepping<methods::MoreauJean<1>>("moreau_jean_1"),
           stepping<methods::MoreauJean<2>>("moreau_jean_2"),
           stepping<methods::Penalty>("penalty"),

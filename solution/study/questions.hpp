@@ -43,8 +43,8 @@ Table examples();
 
 // The error of every model of the ladder in every scene, and the least model within 1 mm.
 Table least_model(const Scenes& scenes, const Extent& extent);
-// How many times as fast the simulator that chooses its model is as the whole model in every step,
-// and as Moreau-Jean's scheme, and its largest distance to the whole model.
+// How many times as fast the simulator that chooses its model is as Moreau-Jean's scheme, which
+// takes the whole model wherever a corner touches; and its largest distance to that.
 Table chosen_model(const Scenes& scenes, const Extent& extent);
 // Columns: chosen, least, scenes, chosen_wrong, largest_error_m. Of a thousand random scenes.
 Table random_models();

@@ -33,14 +33,14 @@ json json_of(const Answer& answer, double seconds) {
           {"v", v},
           {"method", answer.method},
           {"bound", answer.bound},
-          {"horizon", answer.horizon},
+          {"horizon", answer.times.back()},
           {"seconds", seconds}};
 }
 
 }  // namespace
 
 void simulate(const std::filesystem::path& file, const std::string& tolerance, std::ostream& out) {
-  const Scene scene = read_start(file);
+  const Scene scene = read_scene(file, false);
   const double within = number_of(tolerance), begin = cpu_ns();
   const Answer answer = simulate_to(scene, within);
   json whole = json_of(answer, (cpu_ns() - begin) / 1e9);

@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "../exact/event_driven.hpp"
-#include "../methods/assignment_fast.hpp"
+#include "../methods/assignment.hpp"
 #include "../methods/gauss_seidel.hpp"
 #include "../methods/impact_laws.hpp"
 #include "../methods/lemke.hpp"
@@ -141,7 +141,7 @@ struct Residuals {
 // The residual of impulses in the merged problem, m/s: the distance from p to the projection of p -
 // (w, v_t) onto the allowed impulses. 0 for a solution, and for nothing else.
 double residual_of(const methods::TwoCorners<double>& k, const methods::SideImpulse<double>& p) {
-  const double friction = k.mu * (k.P_0 + p.n[0] + p.n[1]);
+  const double friction = k.mu * (p.n[0] + p.n[1]);
   const double v_t = k.b(0) * p.n[0] + k.b(1) * p.n[1] + k.c() * p.t + k.u_t;
   double worst = std::abs(p.t - std::clamp(p.t - v_t, -friction, friction));
   for (int i = 0; i < 2; ++i) {

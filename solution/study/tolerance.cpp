@@ -21,12 +21,7 @@ Motions truth_at(const Scene& scene, const std::vector<double>& times) {
   finest.tolerance = 1e-19;
   finest.touching = 0;
   finest.noise = 0x1p-62;
-  const auto start = methods::motion_of<long double>(scene.start);
-  Motions rounded;
-  for (const auto& s : simulate_events<long double>(
-           scene.params, start, std::vector<long double>(times.begin(), times.end()), finest))
-    rounded.push_back({double(s.x), double(s.y), double(s.theta), 0, 0, 0});
-  return rounded;
+  return in_long_double(scene, {times.begin(), times.end()}, finest);
 }
 
 // CPU time of a run, ns: the least of five, since one alone may be disturbed.

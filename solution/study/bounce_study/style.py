@@ -6,7 +6,7 @@ import io
 from typing import Any
 
 BLACK, GREY, INK = "#000000", "#8a8a8a", "#333333"
-ORANGE, SKY, GREEN, BLUE = "#E69F00", "#56B4E9", "#009E73", "#0072B2"
+SKY, GREEN, BLUE = "#56B4E9", "#009E73", "#0072B2"
 VERMILION, PURPLE = "#D55E00", "#CC79A7"
 WIDTH = 10.0  # inches
 SETTINGS = {
@@ -26,8 +26,7 @@ SETTINGS = {
 }
 # Label, colour, marker, dash.
 METHODS: dict[str, tuple[str, str, str, Any]] = {
-    "assignment": ("assignment, plain", BLACK, "o", (0, (4, 2))),
-    "assignment_fast": ("assignment, fast", ORANGE, "s", "-"),
+    "assignment": ("assignment, fixed δ", BLACK, "o", (0, (4, 2))),
     "assignment_delta_dt": ("assignment, δ ∝ Δt", VERMILION, "D", (0, (6, 1, 1, 1))),
     "assignment_delta_0": ("assignment, δ = 0", GREY, "*", (0, (1, 1))),
     "moreau_jean_1": ("Moreau–Jean, one corner", SKY, "^", (0, (2, 1))),

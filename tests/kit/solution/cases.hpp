@@ -13,10 +13,7 @@
 namespace bounce::exact::tests {
 
 using namespace study;
-using methods::ImpactLaw;
 using methods::Motion;
-
-inline constexpr ImpactLaw kLaws[] = {ImpactLaw::newton, ImpactLaw::poisson, ImpactLaw::stronge};
 
 // How many random cases a test looks at: `usual`, or what BOUNCE_RANDOM_CASES says.
 inline int random_cases(int usual) {
@@ -27,7 +24,6 @@ inline int random_cases(int usual) {
 struct Case {
   Parameters params;
   Motion<double> start;
-  ImpactLaw law = ImpactLaw::newton;
   double until = 1;  // s
 
   double unit_time() const { return std::sqrt(params.l / params.g.norm()); }
@@ -59,11 +55,9 @@ inline Case ordinary_case(Random& random, int i, double largest_epsilon) {
   return c;
 }
 
-// A drop on a steep slope, on which a square rocks until it lies: where laws with friction in the
-// expansion may come to rest in one contact only.
-inline Case rocking_case(Random& random, int i) {
+// A drop on a steep slope, on which a square rocks until it lies.
+inline Case rocking_case(Random& random, int) {
   Case c;
-  c.law = kLaws[i % 3];
   c.params.l = 0.2;
   c.params.mu = random.uniform(0.3, 1.2);
   c.params.epsilon = random.uniform(0, 0.9);
@@ -108,9 +102,9 @@ inline double wide_velocity(Random& random) {
 }
 
 // At every scale: l from 1e-6 to 1e4 m, gravity from 1e-3 to 1e5 m/s^2 and tilted, theta to 1e9
-// rad, mu to 10, epsilon from 0 to 1, every law. A third stand on the ground, as far as rounding
+// rad, mu to 10, epsilon from 0 to 1. A third stand on the ground, as far as rounding
 // says, and the others fall from up to 1e4 l.
-inline Case wide_case(Random& random, int i) {
+inline Case wide_case(Random& random, int) {
   Case c;
   Parameters& params = c.params;
   params.l = log_uniform(random, 1e-6, 1e4);
@@ -118,7 +112,6 @@ inline Case wide_case(Random& random, int i) {
   params.mu = wide_mu(random);
   params.epsilon = any_epsilon(random);
   params.g = wide_gravity(random);
-  c.law = kLaws[i % 3];
   const double theta = wide_angle(random);
   const double lifted = chance(random, 1.0 / 3) ? 0 : params.l * log_uniform(random, 1e-9, 1e4);
   const double speed = c.unit_speed();

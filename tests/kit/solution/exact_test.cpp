@@ -18,7 +18,6 @@ using Motions = std::vector<Motion<double>>;
 
 Motions motion_at(const Case& c, const std::vector<double>& times, EventReport* report = nullptr,
                   EventOptions options = {}) {
-  options.law = c.law;
   return simulate_events<double>(c.params, c.start, times, options, report);
 }
 
@@ -46,18 +45,11 @@ struct Kind {
   const char* name;
   std::function<Case(Random&, int)> make;
   int samples;
-  bool loses_energy;  // Newton's law does so only where epsilon is small; the others always do
+  bool loses_energy;  // Newton's law does so only where epsilon is small
 };
 
 const Kind kKinds[] = {
-    {"Newton", [](Random& random, int i) { return ordinary_case(random, i, 0.79); }, 50, true},
-    {"Poisson and Stronge",
-     [](Random& random, int i) {
-       Case c = ordinary_case(random, i, 1);
-       c.law = kLaws[1 + i % 2];
-       return c;
-     },
-     50, true},
+    {"ordinary", [](Random& random, int i) { return ordinary_case(random, i, 0.79); }, 50, true},
     {"rocking", rocking_case, 20, false},
     {"wide", wide_case, 20, false},
 };
@@ -274,7 +266,6 @@ TEST(exact, AgreesWithMoreauJeanAsFarAsItsStepsAreExact) {
   int agree = 0;
   for (int i = 0; i < cases; ++i) {
     Case c = wide_case(random, i);
-    c.law = ImpactLaw::newton;
     c.until = std::min(c.until, 10 * c.unit_time());
     c.start.theta = std::remainder(c.start.theta, 2 * std::numbers::pi);
     c.params.dt = c.until / double(kTimes * kSteps);

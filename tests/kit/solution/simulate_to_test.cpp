@@ -18,14 +18,8 @@ double true_error(const Scene& scene, const Answer& answer) {
   finest.tolerance = 1e-19;
   finest.touching = 0;
   finest.noise = 0x1p-62;
-  const auto start = methods::motion_of<long double>(scene.start);
   const std::vector<long double> times(answer.times.begin(), answer.times.end());
-  const auto exact = simulate_events<long double>(scene.params, start, times, finest);
-  Samples truth;
-  for (const Motion<long double>& s : exact) {
-    truth.push_back({double(s.x), double(s.y), double(s.theta), 0, 0, 0});
-  }
-  return error_of(scene, answer.motions, truth);
+  return error_of(scene, answer.motions, in_long_double(scene, times, finest));
 }
 
 double median(std::vector<double> values) {
