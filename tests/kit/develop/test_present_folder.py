@@ -41,7 +41,7 @@ def test_a_class_runs_nothing_of_the_present_folder(among_strangers: Path) -> No
     source = classes.download(among_strangers.parent / "x.zip", [101, 102])
     done = kit("class", str(source), "--out", "../out", cwd=among_strangers)
     assert done.returncode == 0, done.stderr
-    assert (among_strangers.parent / "out" / "gradebook.csv").exists()
+    assert (among_strangers.parent / "out" / "grades.csv").exists()
     assert not (among_strangers.parent / "canary").exists()
 
 
