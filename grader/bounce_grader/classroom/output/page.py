@@ -171,26 +171,22 @@ def _success(graded: Sequence[Summary]) -> Iterator[Bar]:
 
 
 def _chart(graded: Sequence[Summary], names: Mapping[str, str]) -> Drawing | None:
-    """All submissions' curves, with those of the solution and of the least model."""
+    """All submissions' curves, with those of the solution and of the least model, as timed beside
+    the first."""
     curves = []
     for one in graded:
         kind = "full" if one.has_all_points else "some" if one.score else "none"
         words = f"{names[one.student.id]}: {short(one.score or 0)} points"
         curves.append(Curve(over_solution(one.curves, "submission"), kind, words))
     curves = [curve for curve in curves if curve.places]
-    usual = [_median(graded, whose) for whose in ("solution", "least")] if curves else []
-    label = "Speed against accuracy, one line for each submission"
-    return error_over_time([*curves, *usual], label) if curves else None
-
-
-def _median(graded: Sequence[Summary], whose: str) -> Curve:
-    """The median over all runs of the solution's or the least model's times; their errors are the
-    same in each."""
-    runs = [run for one in graded if (run := over_solution(one.curves, whose))]
-    places = [(statistics.median(x for x, _ in step), step[0][1]) for step in zip(*runs)]
-    timed = next((one.curves[whose] for one in graded if one.curves.get(whose)), ())
-    steps = [seconds(1e9 * point.dt) for point in timed] * (whose == "solution")
-    return Curve(places, whose, NAMES[whose], steps)
+    if not curves:
+        return None
+    first = next(one.curves for one in graded if over_solution(one.curves, "submission"))
+    steps = [seconds(1e9 * point.dt) for point in first["solution"]]
+    for whose in ("solution", "least"):
+        labels = steps if whose == "solution" else []
+        curves.append(Curve(over_solution(first, whose), whose, NAMES[whose], labels))
+    return error_over_time(curves, "Speed against accuracy, one line for each submission")
 
 
 def _row(summary: Summary) -> dict[str, Any]:
