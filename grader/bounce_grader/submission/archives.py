@@ -15,7 +15,8 @@ from bounce_grader.common.errors import KitError, UsageError
 from bounce_grader.common.escaping import printable_text
 from bounce_grader.sandbox import box as boxes
 from bounce_grader.sandbox.processes import Limits, Result
-from bounce_grader.submission.entry import MOST_ENTRIES, Entry, UnpackLimits, readable, too_many
+from bounce_grader.submission.entry import MOST_ENTRIES, Entry, of_bytes, UnpackLimits
+from bounce_grader.submission.entry import readable, too_many
 
 PROGRAMS = ("env", "bsdtar")
 LOCALES = Path("/usr/lib/locale")
@@ -67,9 +68,5 @@ def _members(path: Path, data: bytes) -> Iterator[Entry]:
             if seen > MOST_ENTRIES:
                 raise too_many(path)
             if not info.isdir():
-                yield _entry(long_name or info.name, own, info.isreg())
+                yield of_bytes(long_name or info.name, own, not info.isreg())
             long_name = ""
-
-
-def _entry(name: str, data: bytes, regular: bool) -> Entry:
-    return Entry(name, len(data), not regular, lambda limit: data[:limit])

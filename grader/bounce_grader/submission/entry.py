@@ -23,9 +23,12 @@ class Entry(NamedTuple):
     """A file in a submission's folder or archive."""
 
     name: str  # relative, with forward slashes, without "..", never empty
-    size: int  # claimed, not checked; only for messages
     link: bool  # a link, or anything else that is no regular file
     read: Callable[[int], bytes]  # at most so many bytes
+
+
+def of_bytes(name: str, data: bytes, link: bool = False) -> Entry:
+    return Entry(name, link, lambda limit: data[:limit])
 
 
 class UnpackLimits:
@@ -70,8 +73,7 @@ def text_of(entry: Entry) -> bytes:
     """The source's bytes, converted from UTF-16 if need be. Raises NotText."""
     data = entry.read(LARGEST_SOURCE + 1)
     if len(data) > LARGEST_SOURCE:
-        size = max(entry.size, len(data)) / 1e6
-        raise NotText(f"is {size:.1f} MB large; a source file may have 1 MB")
+        raise NotText("is larger than 1 MB, the most that a source file may have")
     if data.startswith((b"\xff\xfe", b"\xfe\xff")):
         data = data.decode("utf-16", "replace").encode()
     if b"\0" in data:

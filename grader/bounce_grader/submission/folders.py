@@ -63,7 +63,7 @@ def _entry(path: Path, top: int, inside: tuple[str, ...], status: os.stat_result
                 raise FileNotFoundError(0, "it changed while it was read")
             return stream.read(limit)
 
-    return Entry("/".join(inside), status.st_size, not stat.S_ISREG(status.st_mode), read)
+    return Entry("/".join(inside), not stat.S_ISREG(status.st_mode), read)
 
 
 def _open(top: int, inside: tuple[str, ...]) -> int:

@@ -71,4 +71,4 @@ def _entry(path: Path, archive: zipfile.ZipFile, info: zipfile.ZipInfo) -> Entry
             return stream.read(limit)
 
     kind = stat.S_IFMT(info.external_attr >> 16)  # 0 if the zip wasn't made on Unix
-    return Entry(name_of(info), info.file_size, kind not in (0, stat.S_IFREG), read)
+    return Entry(name_of(info), kind not in (0, stat.S_IFREG), read)

@@ -68,5 +68,5 @@ def test_what_is_taken_has_its_own_size(tmp_path: Path) -> None:
     assert read(tmp_path, {"doe_1_3_hw.zip": link, **two}).files == {"part2_lcp.cpp": b"// two"}
     taken = read(tmp_path, {"doe_1_1_part1_contacts.cpp": b" " * (LARGEST_SOURCE + 1), **two})
     assert set(taken.files) == {"part2_lcp.cpp"}
-    sentence = "part1_contacts.cpp is 1.0 MB large; a source file may have 1 MB"
+    sentence = "part1_contacts.cpp is larger than 1 MB, the most that a source file may have"
     assert taken.refused == {1: sentence}

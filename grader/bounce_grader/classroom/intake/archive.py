@@ -50,11 +50,6 @@ class Archive:
         found = self.path.rglob("*") if self.deep else self.path.iterdir()
         return sorted(str(f.relative_to(self.path)) for f in found if not is_folder(f))
 
-    def size(self, name: str) -> int:
-        if self._zip:
-            return self._infos[name].file_size
-        return (self.path / name).lstat().st_size
-
     def read(self, name: str, limit: int) -> bytes:
         try:
             if self._zip:

@@ -16,7 +16,13 @@ from bounce_grader.common.errors import about_one_submission, UsageError
 from bounce_grader.common.escaping import first_few, printable_name
 from bounce_grader.common.manifest import parts
 from bounce_grader.submission import intake, submission
-from bounce_grader.submission.entry import LARGEST_SOURCE, MOST_ENTRIES, Entry, UnpackLimits
+from bounce_grader.submission.entry import (
+    LARGEST_SOURCE,
+    MOST_ENTRIES,
+    Entry,
+    of_bytes,
+    UnpackLimits,
+)
 from bounce_grader.submission.intake import NOT_USED, is_archive
 from bounce_grader.submission.submission import COPY, HEADERS, MOST_BYTES, part_file, SOURCES
 from bounce_grader.submission.submission import Submission
@@ -163,7 +169,7 @@ def _merged(
             name = Path(upload.file) if len(uploads) > 1 else WHOLE
             newer = open_zips.enter_context(intake.opened(name, data, left))
         else:
-            newer = [_entry(own_name(upload, texts), archive.size(upload.entry), data)]
+            newer = [of_bytes(own_name(upload, texts), data)]
         listed += len(newer)
         if listed > MOST_ENTRIES:
             raise UsageError(
@@ -175,10 +181,6 @@ def _merged(
         older = {name: e for name, e in merged.items() if _part(name) not in replaced}
         merged = links | older | files
     return merged
-
-
-def _entry(name: str, size: int, data: bytes) -> Entry:
-    return Entry(name, size, False, lambda limit: data[:limit])
 
 
 def _part(name: str) -> str | None:
