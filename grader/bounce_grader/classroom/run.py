@@ -168,10 +168,10 @@ def _locked(out: Path) -> Iterator[None]:
     process."""
     try:
         out.mkdir(mode=0o700, parents=True, exist_ok=True)  # it will hold points and answers
-        lock = os.open(out / ".lock", os.O_CREAT | os.O_RDWR, 0o644)
+        lock = open(out / ".lock", "w")
     except OSError as error:
         raise UsageError(f"{out} can't be written: {error.strerror}") from error
-    try:
+    with lock:
         try:
             fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError as error:
@@ -179,8 +179,6 @@ def _locked(out: Path) -> Iterator[None]:
                 f"another run is under way in {out}: wait for it, or stop it"
             ) from error
         yield
-    finally:
-        os.close(lock)
 
 
 def _run(request: Request, given: Given) -> int:

@@ -9,6 +9,8 @@ from bounce_grader.common.files import write_whole, zipped
 
 def write(path: Path, held: Mapping[str, tuple[bytes, int]], compressed: bool) -> None:
     """Writes a zip, whole or not at all, that only its owner can read."""
+    if not path.parent.is_dir():
+        raise UsageError(f"{path} can't be written: there is no folder {path.parent}")
     try:
         write_whole(path, zipped(held, compressed), mode=0o600)
     except OSError as error:
