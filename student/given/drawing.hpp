@@ -1,4 +1,4 @@
-// Given: what the page of the animation draws, and with what its page is filled.
+// Given: what the program bounce does with your four parts.
 #pragma once
 
 #include <bounce/types.hpp>
@@ -6,12 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "study/tables.hpp"
+
 namespace bounce {
 
+// What the page of the animation draws.
 struct Drawing {
-  Trajectory trajectory;  // without v, no forces and energies are drawn
+  Trajectory trajectory;  // without v, no forces, energies and true motion are drawn
   Parameters params;
-  Eigen::Matrix3Xd right{3, 0};          // to compare with; no column if there is none
   std::vector<Eigen::Matrix3Xd> many{};  // more trajectories, drawn thin
   std::string title{};                   // "" for the usual one
 };
@@ -21,5 +23,16 @@ std::string data_of(const Drawing& drawing);
 
 // Writes the page, as render does.
 void draw(const Drawing& drawing, const std::filesystem::path& page);
+
+// What `simulate` returns. Throws std::runtime_error with a sentence that says where to look if
+// that can't be shown.
+Trajectory simulated(const State& start, const Parameters& params);
+
+// The scene 200 times, from angles that are within a tenth of a degree. Throws as `simulated` does.
+Drawing many(const study::Scene& scene);
+
+// Takes the step that the handout carries through ("One contact by numbers"), and prints what each
+// part returns. Step into it with a debugger.
+void worked_example();
 
 }  // namespace bounce

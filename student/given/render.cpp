@@ -27,22 +27,10 @@ std::string digits(double value) {
   throw std::invalid_argument("cannot draw: " + sentence);
 }
 
-void require_parameters(const Parameters& params) {
-  const auto require_positive = [](const std::string& name, double value) {
-    if (std::isfinite(value) && value > 0) return;
-    refuse(name + " must be positive and finite, and it is " + digits(value));
-  };
-  require_positive("l", params.l);
-  require_positive("dt", params.dt);
-  if (!std::isfinite(params.delta))
-    refuse("delta must be finite, and it is " + digits(params.delta));
-}
-
 void require_finite(const Eigen::Matrix3Xd& q, const std::string& name) {
   for (Eigen::Index t = 0; t < q.cols(); ++t) {
-    if (q.col(t).allFinite()) continue;
-    refuse("column " + std::to_string(t) + " of " + name + " must be finite, and it is (" +
-           digits(q(0, t)) + ", " + digits(q(1, t)) + ", " + digits(q(2, t)) + ")");
+    if (!q.col(t).allFinite())
+      refuse("column " + std::to_string(t) + " of " + name + " holds NaN or infinity");
   }
 }
 
@@ -57,29 +45,19 @@ std::string json(const Eigen::Matrix3Xd& q) {
 }
 
 std::string motion(const Eigen::Matrix3Xd& v, const Parameters& params) {
-  return R"({"m":)" + digits(params.m) + R"(,"g":[)" + digits(params.g.x()) + "," +
-         digits(params.g.y()) + R"(],"v":)" + json(v) + "}";
+  return R"({"m":)" + digits(params.m) + R"(,"mu":)" + digits(params.mu) + R"(,"epsilon":)" +
+         digits(params.epsilon) + R"(,"g":[)" + digits(params.g.x()) + "," + digits(params.g.y()) +
+         R"(],"v":)" + json(v) + "}";
 }
 
 [[noreturn]] void fail_to_write(const fs::path& page, const std::string& reason) {
   throw std::runtime_error("cannot write " + page.string() + ": " + reason);
 }
 
-// Whether this program wrote the file: nothing else may be lost by a mistyped name.
-bool is_own(const fs::path& page) {
-  const std::string_view head = pages::render.substr(0, pages::render.find("<style>"));
-  std::string beginning(head.size(), '\0');
-  std::ifstream(page, std::ios::binary)
-      .read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
-  return beginning == head;
-}
-
 // Renaming a file is atomic, so a reader sees the old page or the new one, never half of one.
 void replace(const fs::path& page, std::string_view text) {
   if (fs::exists(page) && !fs::is_regular_file(page))
     fail_to_write(page, "it is there already and is not a file");
-  if (fs::exists(page) && fs::file_size(page) > 0 && !is_own(page))
-    fail_to_write(page, "it is there already and is not an animation");
   fs::path part = page;
   part += ".part";
 
@@ -96,28 +74,24 @@ void replace(const fs::path& page, std::string_view text) {
   fail_to_write(page, out ? renamed.message() : "the disk may be full");
 }
 
-void require_motion(const Trajectory& trajectory, const Parameters& params) {
-  const auto& [q, v] = trajectory;
-  if (v.cols() != q.cols())
-    refuse("q has " + std::to_string(q.cols()) + " columns, and v has " + std::to_string(v.cols()));
-  require_finite(v, "v");
-  if (!std::isfinite(params.m) || !params.g.allFinite()) refuse("m and g must be finite");
-}
-
 }  // namespace
 
 std::string data_of(const Drawing& drawing) {
-  const auto& [trajectory, params, right, many, title] = drawing;
-  require_parameters(params);
-  if (trajectory.q.cols() == 0) refuse("q has no column");
-  require_finite(trajectory.q, "q");
-  require_finite(right, "the right q");
+  const auto& [trajectory, params, many, title] = drawing;
+  const auto& [q, v] = trajectory;
+  const double all = params.l + params.dt + params.delta + params.m + params.mu + params.epsilon;
+  if (!(params.l > 0 && params.dt > 0) || !std::isfinite(all + params.g.sum()))
+    refuse("all parameters must be finite, and l and dt positive");
+  if (q.cols() == 0) refuse("q has no column");
+  if (v.cols() > 0 && v.cols() != q.cols())
+    refuse("q has " + std::to_string(q.cols()) + " columns, and v has " + std::to_string(v.cols()));
+  require_finite(q, "q");
+  require_finite(v, "v");
   std::string others;
-  for (const Eigen::Matrix3Xd& q : many) others += (others.empty() ? "" : ",") + json(q);
+  for (const Eigen::Matrix3Xd& one : many) others += (others.empty() ? "" : ",") + json(one);
   return R"({"l":)" + digits(params.l) + R"(,"dt":)" + digits(params.dt) + R"(,"delta":)" +
-         digits(params.delta) + R"(,"q":)" + json(trajectory.q) + R"(,"motion":)" +
-         (trajectory.v.cols() > 0 ? motion(trajectory.v, params) : "null") + R"(,"right":)" +
-         (right.cols() > 0 ? json(right) : "null") + R"(,"many":[)" + others + R"(],"title":")" +
+         digits(params.delta) + R"(,"q":)" + json(q) + R"(,"motion":)" +
+         (v.cols() > 0 ? motion(v, params) : "null") + R"(,"many":[)" + others + R"(],"title":")" +
          title + "\"}";
 }
 
@@ -130,10 +104,8 @@ void render(const Eigen::Matrix3Xd& q, const Parameters& params, const fs::path&
   draw({{q, Eigen::Matrix3Xd(3, 0)}, params}, page);
 }
 
-void render(const Trajectory& trajectory, const Parameters& params, const fs::path& page,
-            const Eigen::Matrix3Xd& right) {
-  require_motion(trajectory, params);
-  draw({trajectory, params, right}, page);
+void render(const Trajectory& trajectory, const Parameters& params, const fs::path& page) {
+  draw({trajectory, params}, page);
 }
 
 }  // namespace bounce

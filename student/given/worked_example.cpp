@@ -1,9 +1,9 @@
-#include "worked_example.hpp"
-
 #include <bounce/part1_contacts.hpp>
 #include <bounce/part2_lcp.hpp>
 #include <bounce/part3_step.hpp>
 #include <iostream>
+
+#include "drawing.hpp"
 
 namespace bounce {
 

@@ -2,14 +2,11 @@
 first wrong memory access, not the last; or one with all points, whose right numbers may be luck.
 This never changes the score."""
 
-from contextlib import suppress
 from pathlib import Path
 
 from bounce_grader.build import linking
-from bounce_grader.build.errors import meanings
 from bounce_grader.common.errors import KitError
 from bounce_grader.common.manifest import Part
-from bounce_grader.common.paths import AUTO_LINE, RUNNER
 from bounce_grader.grading import judging, words
 from bounce_grader.grading.judging import Judged
 from bounce_grader.grading.words import Verdict
@@ -19,7 +16,6 @@ from bounce_grader.submission.submission import Place, Submission
 
 CPU_SECONDS, WALL_SECONDS = 20.0, 80.0  # for one part
 MARGIN = 5.0  # s, to stop it
-GONE, AUTO = "stack-use-after-scope", "use-after by auto"  # in words.CRASHES
 
 
 def with_cause(
@@ -42,8 +38,7 @@ def remark(part: Part, taken: Submission, work: Path, box: Box) -> tuple[str, Pl
     verdicts = again.verdicts if again else {}
     for verdict in verdicts.values():
         if verdict.is_of_sanitizer and verdict.ended:
-            plain = f"{verdict.place or part.file}: {words.ending(verdict.ended)}", verdict.place
-            return _of_auto(verdict, taken, box) or plain
+            return f"{verdict.place or part.file}: {words.ending(verdict.ended)}", verdict.place
     for check in part.checks if again else []:
         verdict = verdicts[check.id]
         answered = verdict.status == "graded" and (verdict.failure or {}).get("quantities")
@@ -86,17 +81,3 @@ def _with_finding(verdict: Verdict, again: Verdict) -> Verdict:
     if not _is_unclear(verdict) or not again.is_of_sanitizer:
         return verdict
     return verdict._replace(found=again.end)
-
-
-def _of_auto(verdict: Verdict, taken: Submission, box: Box) -> tuple[str, Place] | None:
-    """What is said of the `auto` that keeps what the statement at the verdict's place uses when it
-    is gone, and its place; None if none does."""
-    place = verdict.place
-    if place and verdict.ended and verdict.ended["text"] == GONE:
-        command = [*box.to_build(RUNNER, [AUTO_LINE], ()), str(AUTO_LINE), str(place.line)]
-        with suppress(Overrun):
-            result = box.run(command, judging.SYMBOLS, stdin=taken.files[place.file])
-            if result.ok and result.out:
-                place = Place(place.file, int(result.out))
-                return f"{place}: {dict(meanings(words.CRASHES))[AUTO]}", place
-    return None

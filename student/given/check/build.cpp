@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
-#include <map>
+#include <numeric>
 #include <set>
 #include <thread>
 
@@ -18,65 +18,44 @@ namespace fs = std::filesystem;
 const fs::path kBuild = kWork / "build.txt", kWarnings = kWork / "warnings",
                kSources = kWork / "sources";
 
-std::map<std::string, std::string> sources() {
-  std::map<std::string, std::string> digests;
-  std::error_code gone;
-  for (const char* folder : {"src", "include"}) {
-    for (const auto& entry : fs::recursive_directory_iterator(folder, gone)) {
-      const std::string ending = entry.path().extension().string();
-      if (ending != ".cpp" && ending != ".hpp" && ending != ".tpp" && ending != ".h") continue;
-      const std::string text = read(entry.path());
-      digests[entry.path().generic_string()] =
-          std::to_string(std::hash<std::string>{}(text)) + "-" + std::to_string(text.size());
-    }
-  }
-  return digests;
-}
-
-// Those of what this build compiled are new; those of other files still stand.
 void remember_warnings(const std::vector<std::string>& said) {
-  std::set<std::string> now, compiled;
+  std::vector<std::string> all = lines_of(read(kWarnings));
   for (const std::string& line : said) {
-    if (const std::string file = compiled_file(line); !file.empty()) compiled.insert(file);
-    if (is_warning_of_own_file(line)) now.insert(line);
-  }
-  for (const std::string& line : lines_of(read(kWarnings))) {
-    if (!compiled.count(file_of(line))) now.insert(line);
+    if (is_warning_of_own_file(line)) all.push_back(line);
   }
   std::string text;
-  for (const std::string& line : now) text += line + "\n";
+  for (const std::string& line : std::set<std::string>(all.begin(), all.end())) text += line + "\n";
   write(kWarnings, text);
 }
 
+// Those of other files still stand, unless what is included has changed.
 void forget_warnings(const std::string& file) {
   std::string text;
   for (const std::string& line : lines_of(read(kWarnings))) {
-    if (file_of(line) != file) text += line + "\n";
+    if (fs::path(file).extension() == ".cpp" && file_of(line) != file) text += line + "\n";
   }
   write(kWarnings, text);
 }
 
 // A build looks at times alone, and a file may come back with an old one, as from a zip.
 void touch_what_changed() {
-  std::map<std::string, std::string> before;
-  for (const std::string& line : lines_of(read(kSources))) {
-    const std::size_t blank = line.find(' ');
-    before[line.substr(blank + 1)] = line.substr(0, blank);
-  }
-  const auto now = sources();
-  std::string text;
-  for (const auto& [file, digest] : now) {
-    text += digest + " " + file + "\n";
-    std::error_code gone;
-    if (!before.empty() && before[file] != digest) {
-      fs::last_write_time(file, fs::file_time_type::clock::now(), gone);
+  const std::string now = state_of_sources();
+  const std::vector<std::string> before = lines_of(read(kSources)), after = lines_of(now);
+  const auto file_of_those = [](const std::vector<std::string>& these,
+                                const std::vector<std::string>& not_in) {
+    std::set<std::string> files;
+    for (const std::string& line : these) {
+      const bool is_new = std::find(not_in.begin(), not_in.end(), line) == not_in.end();
+      if (is_new) files.insert(line.substr(line.find(' ') + 1));
     }
+    return files;
+  };
+  for (const std::string& file : file_of_those(before, after)) forget_warnings(file);
+  for (const std::string& file : file_of_those(after, before)) {
+    std::error_code gone;
+    if (!before.empty()) fs::last_write_time(file, fs::file_time_type::clock::now(), gone);
   }
-  for (const auto& [file, digest] : before) {
-    const auto found = now.find(file);
-    if (found == now.end() || found->second != digest) forget_warnings(file);
-  }
-  write(kSources, text);
+  write(kSources, now);
 }
 
 bool build_targets(const std::vector<std::string>& targets) {
@@ -92,8 +71,6 @@ bool build_targets(const std::vector<std::string>& targets) {
   return ended->code == 0 && ended->signal == 0;
 }
 
-fs::path error_file(int part) { return kWork / ("error_" + std::to_string(part) + ".txt"); }
-
 void build_part(Run& run, const Part& part) {
   for (const int earlier : part.calls) {
     if (run.unbuilt.count(earlier)) {
@@ -106,8 +83,8 @@ void build_part(Run& run, const Part& part) {
   const std::vector<std::string> said = own_lines(read(kBuild));
   if (is_linker_error(said)) run.unlinked.insert(part.number);
   const std::string meaning = meaning_of(said);
-  write(error_file(part.number),
-        first_error(said) + (meaning.empty() ? "" : "\n" + folded(meaning, 74, "  ")));
+  run.errors[part.number] =
+      first_error(said) + (meaning.empty() ? "" : "\n" + folded(meaning, 74, "  "));
 }
 
 }  // namespace
@@ -146,8 +123,6 @@ std::vector<const Part*> build_given(const Run& run, const std::vector<const Par
 
 bool build_program(const std::string& name) { return build_targets({name}); }
 
-std::string first_error_of(int part) { return read(error_file(part)); }
-
 std::vector<std::string> warnings() {
   std::vector<std::string> all = lines_of(read(kWarnings));
   std::stable_sort(all.begin(), all.end(), [](const std::string& a, const std::string& b) {
@@ -157,9 +132,17 @@ std::vector<std::string> warnings() {
 }
 
 std::string state_of_sources() {
-  std::string text;
-  for (const auto& [file, digest] : sources()) text += file + digest + "\n";
-  return text;
+  std::set<std::string> lines;
+  std::error_code gone;
+  for (const char* folder : {"src", "include"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(folder, gone)) {
+      const std::string ending = entry.path().extension().string();
+      if (ending != ".cpp" && ending != ".hpp" && ending != ".tpp" && ending != ".h") continue;
+      const std::size_t digest = std::hash<std::string>{}(read(entry.path()));
+      lines.insert(std::to_string(digest) + " " + entry.path().generic_string() + "\n");
+    }
+  }
+  return std::accumulate(lines.begin(), lines.end(), std::string());
 }
 
 std::string once_after_a_change(const std::string& name, bool still_there,

@@ -14,8 +14,7 @@ inline constexpr bool kHasSanitizers = true;
 #endif
 
 // Builds every chosen part whose file compiles, with the earlier parts that it calls. Fills in
-// run.unbuilt, and writes the first error of each file that doesn't compile to a file. Throws
-// Failure if CMake itself fails.
+// run.unbuilt and run.errors. Throws Failure if CMake itself fails.
 void build_parts(Run& run);
 
 // Builds these parts by themselves, with right answers for the earlier ones. Returns those that
@@ -26,14 +25,11 @@ std::vector<const Part*> build_given(const Run& run, const std::vector<const Par
 // it could be built.
 bool build_program(const std::string& name);
 
-// The first error in a part's file, indented: file and line, and two lines more.
-std::string first_error_of(int part);
-
 // The compiler's warnings about the student's own files, one a line, sorted by file and line. Those
 // about files that haven't changed are kept from earlier builds.
 std::vector<std::string> warnings();
 
-// A text that changes whenever a file in src/ or include/ does.
+// A line for each file in src/ and include/: a digest of what it holds, and its name.
 std::string state_of_sources();
 
 // What `find` gives, which is remembered under the name until a source changes, unless it isn't

@@ -1,14 +1,12 @@
 #include "compiler_words.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cstdlib>
 #include <filesystem>
 #include <iterator>
 #include <utility>
 
 #include "files.hpp"
-#include "kept_by_auto.hpp"
 
 namespace bounce::check {
 namespace {
@@ -44,12 +42,6 @@ bool is_from_linker(const std::string& line) {
          (program == "collect2" || begins(program, "clang") || begins(program, "ld"));
 }
 
-// What stands behind the last `mark`; the whole line where there is none.
-std::string behind(const std::string& line, const std::string& mark) {
-  const std::size_t at = line.rfind(mark);
-  return at == std::string::npos ? line : line.substr(at + mark.size());
-}
-
 // "src/part3_step.cpp:12" if the line has that at `begin`, else empty.
 std::string place_at(const std::string& line, std::size_t begin) {
   const std::size_t colon = line.find_first_of(" :", begin);
@@ -58,22 +50,12 @@ std::string place_at(const std::string& line, std::size_t begin) {
   return end > colon + 1 ? line.substr(begin, end - begin) : "";
 }
 
-// The first place in a file of the student's that a line names at its begin or behind a blank.
+// The first place in a file of the student's that a line names, whatever stands in front of it.
 std::string own_place(const std::string& line) {
-  for (std::size_t begin = 0; begin != std::string::npos;
-       begin = line.find_first_not_of(" \t", line.find_first_of(" \t", begin))) {
-    if (line.compare(begin, 4, "src/") != 0 && line.compare(begin, 8, "include/") != 0) continue;
-    if (std::string place = place_at(line, begin); !place.empty()) return place;
-  }
-  return "";
-}
-
-// The place right before `end`, also if the program has printed something in front of it.
-std::string place_before(const std::string& line, std::size_t end) {
-  for (const char* folder : {"src/", "include/"}) {
-    const std::size_t begin = line.rfind(folder, end);
-    if (begin == std::string::npos || (begin > 0 && line[begin - 1] == '/')) continue;
-    if (std::string place = place_at(line, begin); !place.empty()) return place;
+  for (std::size_t at = 0; at < line.size(); ++at) {
+    const bool is_own = line.compare(at, 4, "src/") == 0 || line.compare(at, 8, "include/") == 0;
+    if (!is_own || (at > 0 && line[at - 1] == '/')) continue;
+    if (std::string place = place_at(line, at); !place.empty()) return place;
   }
   return "";
 }
@@ -105,17 +87,12 @@ std::string as_others_write(const std::string& line) {
   return line;
 }
 
-std::string replaced(std::string text, const std::string& what, const std::string& by) {
-  for (std::size_t at = text.find(what); at != std::string::npos;
-       at = text.find(what, at + by.size())) {
-    text.replace(at, what.size(), by);
-  }
-  return text;
-}
-
 // With ' for the quotation marks of all compilers.
 std::string plainly_quoted(std::string line) {
-  for (const char* quote : {"\u2018", "\u2019", "`", "\""}) line = replaced(line, quote, "'");
+  for (const std::string quote : {"\u2018", "\u2019", "`", "\""}) {
+    for (std::size_t at = 0; (at = line.find(quote, at)) != std::string::npos;)
+      line.replace(at, quote.size(), "'");
+  }
   return line;
 }
 
@@ -133,61 +110,11 @@ std::vector<std::pair<std::string, std::string>> read_meanings(const std::string
   return meanings;
 }
 
-// "YOU_MIXED_MATRICES_OF_DIFFERENT_SIZES" as words; other texts without what says nothing.
-std::string inside_a_library(const std::string& line) {
-  std::string said = behind(line, "error: ");
-  const std::string failed = "static assertion failed";
-  if (begins(said, failed)) said.erase(0, said.find_first_not_of(": ", failed.size()));
-  const auto is_shouted = [](unsigned char c) {
-    return c == '_' || std::isupper(c) || std::isdigit(c);
-  };
-  for (auto begin = said.begin(); begin != said.end();) {
-    begin = std::find_if(begin, said.end(), is_shouted);
-    const auto end = std::find_if_not(begin, said.end(), is_shouted);
-    std::string words(begin, end);
-    if (std::count(words.begin(), words.end(), '_') >= 2 && words.front() != '_') {
-      for (char& c : words) c = c == '_' ? ' ' : static_cast<char>(std::tolower(c));
-      return words;
-    }
-    begin = end;
-  }
-  return said;
-}
-
-// "bounce::form_lcp(Eigen::Matrix<double, 3, 2, 0, 3, 2> const&, ...)" as the headers write it.
-std::string with_own_types(std::string symbol) {
-  using Alias = std::pair<const char*, const char*>;
-  for (const auto& [type, name] : {Alias{"Eigen::Matrix<double, 3, 1", "Vector3"},
-                                   Alias{"Eigen::Matrix<double, 3, 2", "Jacobian"}}) {
-    for (std::size_t at = symbol.find(type); at != std::string::npos; at = symbol.find(type)) {
-      const std::size_t end = std::min(symbol.find('>', at), symbol.size() - 1);
-      symbol.replace(at, end + 1 - at, name);
-    }
-  }
-  for (const std::string name : {"Parameters", "Lcp", "Contact"}) {
-    symbol = replaced(symbol, "bounce::" + name, name);
-  }
-  const std::string behind_it = " const&";
-  for (std::size_t at = symbol.find(behind_it); at != std::string::npos;
-       at = symbol.find(behind_it, at + behind_it.size())) {
-    const std::size_t begin = symbol.find_last_of(" (,", at - 1) + 1;  // 0 where there is none
-    symbol.replace(at, behind_it.size(), "&").insert(begin, "const ");
-  }
-  return replaced(symbol, "`", "'");
-}
-
-std::string in_words(const std::string& kind, const std::string& place, bool in_eigen) {
-  const bool gone = kind == "stack-use-after-scope" || kind == "stack-use-after-return" ||
-                    kind == "heap-use-after-free";
-  const std::string file = file_of(place);
-  const int line = gone && in_eigen ? line_of_auto(read(file), line_of(place)) : 0;
-  const std::string name = line == 0 ? kind : "use-after by auto";
-  const std::string at = line == 0 ? place : file + ":" + std::to_string(line);
-  std::string words = kind;
+std::string in_words(const std::string& kind) {
   for (const auto& [sentence, piece] : read_meanings(kCrashes)) {
-    if (piece == name) words = sentence;
+    if (piece == kind) return sentence;
   }
-  return at + (at.empty() ? "" : ": ") + words;
+  return kind;
 }
 
 }  // namespace
@@ -201,14 +128,6 @@ std::vector<std::string> own_lines(const std::string& printed) {
       line.erase(at, here.size());
   }
   return lines;
-}
-
-std::string compiled_file(const std::string& line) {
-  // ".dir/src/part1_contacts.cpp.o" in the lines of Ninja and Make; Visual Studio says nothing.
-  const std::size_t at = line.find(".dir/src/"), end = line.rfind(".o");
-  const bool names_one = at != std::string::npos && end != std::string::npos && end > at &&
-                         (line.substr(end) == ".o" || line.substr(end) == ".obj");
-  return names_one ? line.substr(at + 5, end - at - 5) : "";
 }
 
 bool is_warning_of_own_file(const std::string& line) {
@@ -270,19 +189,14 @@ std::string first_error(const std::vector<std::string>& lines) {
   if (!said.empty() && is_own(said)) {
     return shown(own_place(said) + ": " + said.substr(said.find("error: ") + 7)) + rest;
   }
-  if (!said.empty()) return shown((own.empty() ? "a header" : own) + ": " + inside_a_library(said));
-  if (!missing.empty()) return shown(with_own_types(missing));
+  if (!said.empty())
+    return shown((own.empty() ? "a header" : own) + ": " + said.substr(said.find("error: ") + 7));
+  if (!missing.empty()) return shown(missing);
   return "  the build failed; what it says is in " + (kWork / "build.txt").generic_string();
 }
 
-bool is_of_sanitizers(const std::string& line) {
-  return line.rfind("==========", 0) == 0 || line.find(": runtime error: ") != std::string::npos ||
-         line.find("ERROR: AddressSanitizer: ") != std::string::npos;
-}
-
 std::string place_in_sources(const std::vector<std::string>& lines) {
-  for (std::string line : lines) {
-    std::replace(line.begin(), line.end(), '(', ' ');  // atos writes "step (src/part3_step.cpp:12)"
+  for (const std::string& line : lines) {
     if (const std::string place = own_place(line); begins(place, "src/")) return place;
   }
   return "";
@@ -291,10 +205,9 @@ std::string place_in_sources(const std::vector<std::string>& lines) {
 std::string found_by_sanitizers(const std::vector<std::string>& lines) {
   const std::string undefined = ": runtime error: ", address = "ERROR: AddressSanitizer: ";
   std::string kind;
-  bool in_eigen = false;
   for (const std::string& line : lines) {
     if (const std::size_t at = line.find(undefined); at != std::string::npos) {
-      const std::string place = place_before(line, at);
+      const std::string place = own_place(line.substr(0, at));
       const std::string what = line.substr(at + undefined.size(), kLongest);
       if (!place.empty()) return place + ": " + what;
     }
@@ -302,11 +215,10 @@ std::string found_by_sanitizers(const std::vector<std::string>& lines) {
       kind = line.substr(at + address.size());
       kind.erase(std::min(kind.find_first_of(" :("), kind.size()));
     }
-    in_eigen = in_eigen || (!kind.empty() && has(line, " in Eigen::"));
     const std::string place = kind.empty() ? "" : own_place(line);
-    if (!place.empty()) return in_words(kind, place, in_eigen);
+    if (!place.empty()) return place + ": " + in_words(kind);
   }
-  return kind.empty() ? "" : in_words(kind, "", false);
+  return kind.empty() ? "" : in_words(kind);
 }
 
 }  // namespace bounce::check

@@ -1,4 +1,4 @@
-// What g++, clang, Visual C++ and sanitizers print, and how builds name the file that they compile.
+// What g++, clang, Visual C++ and sanitizers print.
 #pragma once
 
 #include <string>
@@ -9,9 +9,6 @@ namespace bounce::check {
 // The lines, with files of this folder named from it ("src/part1_contacts.cpp"), and errors of
 // Visual C++ written as the others do: "file:12: error: what".
 std::vector<std::string> own_lines(const std::string& printed);
-
-// "src/part1_contacts.cpp" of a line of the build that says that it is compiled; else empty.
-std::string compiled_file(const std::string& line);
 
 bool is_warning_of_own_file(const std::string& line);
 
@@ -34,9 +31,6 @@ std::string meaning_of(const std::vector<std::string>& lines);
 
 // What a failed assertion of Eigen or of the standard library means; empty where that isn't known.
 std::string meaning_of_assertion(const std::string& line);
-
-// Whether a line begins a report of AddressSanitizer or UBSan.
-bool is_of_sanitizers(const std::string& line);
 
 // "src/part4_simulate.cpp:10" of the first line that names a place in src/; empty if none does.
 std::string place_in_sources(const std::vector<std::string>& lines);

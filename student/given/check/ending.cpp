@@ -48,24 +48,6 @@ std::string why_aborted(const std::string& said) {
   return kAborted + "a failed assertion, or an exception nobody caught";
 }
 
-// Where a line's words on a failed assertion begin: with the program's name, with the file and line
-// of the assertion, or with "Assertion failed". Before it stands what the part has printed.
-std::size_t begin_of_assertion(const std::string& line) {
-  const std::size_t plain = line.find("Assertion failed: ");
-  for (std::size_t end = line.find(": "); end != std::string::npos;
-       end = line.find(": ", end + 1)) {
-    const std::size_t begin = line.rfind(' ', end) + 1;  // 0 where there is no blank
-    const std::string word = line.substr(begin, end - begin);
-    const std::size_t program = word.find("part"), path = word.find('/');
-    const bool is_program = word.find("_test", std::min(program, word.size())) != std::string::npos;
-    const std::size_t last = word.find_last_not_of("0123456789");
-    const bool is_place = last + 1 < word.size() && last != std::string::npos && word[last] == ':';
-    if (is_program) return std::min(plain, begin + program);
-    if (is_place && path != std::string::npos) return std::min(plain, begin + path);
-  }
-  return plain;
-}
-
 }  // namespace
 
 std::string place_of_crash(const std::string& program, const fs::path& stack) {
@@ -113,25 +95,6 @@ std::string reason_of(const Termination& ended, const std::string& printed) {
   if (ended.code == kTooLong) return "no answer within 3 s of work: an endless loop?";
   return "the program ended by itself, with status " + std::to_string(ended.code) +
          ": does it call exit?";
-}
-
-std::string without_termination_message(const std::string& printed) {
-  std::string kept;
-  for (std::string line : lines_of(printed)) {
-    if (is_of_sanitizers(line)) break;  // a report is the last that a program says
-    if (line.rfind("  what():", 0) == 0) continue;
-    const bool asserts =
-        line.find("Assertion") != std::string::npos && line.find("failed") != std::string::npos;
-    std::size_t end = std::string::npos;
-    if (asserts) end = begin_of_assertion(line);
-    end = std::min(end, line.find("terminate called"));
-    if (end != std::string::npos) {
-      line.erase(end);
-      if (line.empty()) continue;
-    }
-    kept += line + "\n";
-  }
-  return kept;
 }
 
 }  // namespace bounce::check

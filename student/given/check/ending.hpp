@@ -23,7 +23,4 @@ std::string reason_of(const Termination& ended, const std::string& printed);
 // student's. Empty where that can't be had, as on Windows.
 std::string place_of_crash(const std::string& program, const std::filesystem::path& stack);
 
-// A program's own output, without the lines about how it ended.
-std::string without_termination_message(const std::string& printed);
-
 }  // namespace bounce::check

@@ -1,7 +1,6 @@
 #include "hints.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <iostream>
 
 #include "files.hpp"
@@ -15,35 +14,13 @@ constexpr int kStages = 3;
 
 std::string page_of(const Part& part) { return "hints/" + part.stem + ".md"; }
 
-// The text without its numbers, and without blanks.
-std::string without_numbers(const std::string& text) {
-  std::string kept;
-  bool in_number = false;
-  for (const char c : text) {
-    const bool goes_on = c == '.' || c == 'e' || c == '-' || c == '+';
-    in_number = ('0' <= c && c <= '9') || (in_number && goes_on);
-    if (!in_number && c != ' ' && c != '-') kept += c;
-  }
-  return kept;
-}
-
-// What the check and the answers tell of the mistake, but for its numbers: another try at the same
-// mistake goes on with the next stage, and another mistake starts at the first.
-std::string mistake_in_short(const Note& note, const std::string& mistake) {
-  std::string said;
-  for (const std::string& line : lines_of(note.status + "\n" + note.text)) {
-    if (line.rfind("    |", 0) != 0) said += line + "\n";
-  }
-  return std::to_string(std::hash<std::string>{}(without_numbers(said) + mistake));
-}
-
-// The one after the last that was opened for this mistake; build/check/hint remembers it.
-int next_stage(const std::string& mistake) {
+// The one after the last that was opened under this heading; build/check/hint remembers it.
+int next_stage(const std::string& heading) {
   const std::filesystem::path file = kWork / "hint";
   const std::vector<std::string> last = lines_of(read(file));
-  const bool same = last.size() == 2 && last[1] == mistake;
+  const bool same = last.size() == 2 && last[1] == heading;
   const int stage = same ? std::stoi(last[0]) + 1 : 1;
-  write(file, std::to_string(stage) + "\n" + mistake + "\n");
+  write(file, std::to_string(stage) + "\n" + heading + "\n");
   return stage;
 }
 
@@ -116,19 +93,17 @@ void hint(const Run& run) {
   }
   const std::string mistake = mistake_of(run, *run.first_part);
   const std::string heading = heading_of(*run.first_part, *run.first_check, mistake);
-  const std::string number = heading.substr(0, heading.find(' '));
-  const Note note = note_of(*run.first_part, *run.first_check);
-  const int stage = next_stage(number + " " + mistake_in_short(note, mistake));
+  const int stage = next_stage(heading);
   const std::string page = page_of(*run.first_part);
   std::cout << "For: " << run.first_check->title << "\n";
   print_stage(page, heading, std::min(stage, kStages));
   if (stage == kStages) {
     std::cout << "That was the last stage. All are in " << page << ".\n";
   } else if (stage > kStages) {
-    std::cout << "That was the last stage again; there is no further one. Work its numbers out by\n"
-                 "hand, print the same ones in your program, and see where they part. All stages\n"
-                 "are in "
-              << page << ".\n";
+    std::cout
+        << "That was the last stage again. Work its numbers out by hand, print the same ones\n"
+           "in your program, and see where they part. All stages are in "
+        << page << ".\n";
   }
 }
 

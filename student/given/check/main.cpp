@@ -1,9 +1,10 @@
 // Builds what has changed, runs the public checks part by part, and shows the first thing to do.
 // ./check and check.cmd start it; README.md says what it can do.
-#include <cstdlib>
+#include <chrono>
 #include <filesystem>
 #include <iostream>
 #include <set>
+#include <thread>
 
 #include "build.hpp"
 #include "files.hpp"
@@ -28,8 +29,7 @@ constexpr const char* kKnown =
     "./check --sanitize finds wrong uses of memory, too; slower\n"
     "./check --real     what your part 2 makes of measured impacts, as a page\n"
     "./check --study    how accurate, fast and stable your program is, as a page\n"
-    "./check --watch    again whenever you save a file; h is the next hint, 1 to 4 a part, a all, "
-    "q the end\n"
+    "./check --watch    again whenever you save a file, until Ctrl-C\n"
     "./check --zip      packs what you hand in, as hand_in.zip\n";
 
 struct Options {
@@ -101,57 +101,31 @@ bool check(const Options& options, bool replaces = false) {
   } else {
     is_right = report(run);
   }
-  const bool is_told = is_right && !options.part && !options.has("--hint");
-  if (options.has("--study") && !is_told) study(run);
+  const bool is_green = is_right && !options.part && !options.has("--hint");
   if (options.has("--real")) ask_about_real_impacts(run);
+  if (options.has("--study") || (is_green && !options.has("--real"))) {
+    study(run, options.has("--study"));
+  }
+  if (is_green) {
+    std::cout << "Watch it: cmake --build build, then ./build/bounce. Hand it in: ./check --zip.\n";
+  }
   std::cout << std::flush;
   return is_right;
 }
 
-// Until a file changes, or a key asks for something. False: it asks for the end.
-bool wait(Keys& keys, Options& options, const std::string& before) {
-  std::cout << style().dim << "Waiting for a change in src/. Keys: h the next hint, 1 to 4 a part, "
-            << "a all, r again, q the end." << style().plain << std::endl;
-  options.words.erase("--hint");
-  while (state_of_sources() == before) {
-    switch (const char key = keys.next()) {
-      case 0:
-        break;
-      case 'q':
-        return false;
-      case 'h':
-        options.words.insert("--hint");
-        return true;
-      case 'a':
-        options.part = 0;
-        return true;
-      case 'r':
-        return true;
-      default:
-        if (key >= '1' && key <= '4') {
-          options.part = key - '0';
-          return true;
-        }
-    }
-  }
-  return true;
-}
-
-void watch(Options options) {
-  Keys keys;
-  std::string before;
+// Checks whenever a source changes, until the program is ended.
+[[noreturn]] void watch(const Options& options) {
   for (bool again = false;; again = true) {
-    before = state_of_sources();
-    if (again) {
-      std::cout << style().dim << "Checking again; the result above is the last one."
-                << style().plain << std::endl;
-    }
+    const std::string before = state_of_sources();
     try {
-      check(options, again && !options.has("--hint"));
+      check(options, again);
     } catch (const Failure& failure) {  // a file may be missing for a moment
       std::cout << "check: " << failure.what() << "\n";
     }
-    if (!wait(keys, options, before)) return;
+    std::cout << style().dim << "Waiting for a change in src/; Ctrl-C ends it." << style().plain
+              << std::endl;
+    while (state_of_sources() == before)
+      std::this_thread::sleep_for(std::chrono::milliseconds(300));
   }
 }
 
@@ -176,10 +150,7 @@ int run(const std::vector<std::string>& words) {
   if (options.has("--examples")) {
     return judge_examples(options.part, options.has("--hint")) ? kAllPass : kSomethingFails;
   }
-  if (options.has("--watch")) {
-    watch(options);
-    return kAllPass;
-  }
+  if (options.has("--watch")) watch(options);
   if (options.has("--zip")) {
     zip();
     return kAllPass;

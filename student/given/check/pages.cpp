@@ -69,12 +69,18 @@ std::string measured(const Run& run) {
 
 }  // namespace
 
-void study(const Run& run) {
-  const std::string verdict =
-      once_after_a_change("verdict", fs::exists("study.html"), [&] { return measured(run); });
-  std::cout << "\n"
-            << style().bold << "What your program is worth" << style().plain
-            << ", with charts in study.html and questions in explore.html:\n";
+void study(const Run& run, bool whole) {
+  const bool is_there = fs::exists("study.html");
+  const std::string verdict = once_after_a_change("verdict", is_there, [&] {
+    whole = true;
+    return measured(run);
+  });
+  std::cout << "\n" << style().bold << "What your program is worth" << style().plain;
+  if (!whole) {
+    std::cout << " is in study.html, as before; ./check --study says it again.\n";
+    return;
+  }
+  std::cout << ", with charts in study.html and questions in explore.html:\n";
   for (const std::string& line : lines_of(verdict)) {
     const std::size_t tab = line.find('\t');
     std::string text = folded(line.substr(tab + 1), 66, std::string(14, ' '));
@@ -89,9 +95,10 @@ void ask_about_real_impacts(const Run& run) {
   fs::remove("real.html");  // one of another program
   if (run.unbuilt.count(2) || !build_program("real"))
     throw Failure("--real needs part 2 to compile");
-  write_page("real", points_of(part) < part.points, "fixtures/measured.txt");
-  std::cout
-      << "\nWhat your form_lcp makes of real impacts is in real.html; open it in a browser.\n";
+  const std::string said =
+      write_page("real", points_of(part) < part.points, "fixtures/measured.txt");
+  std::cout << "\n"
+            << folded(said, 78, "") << "Each of them is in real.html; open it in a browser.\n";
 }
 
 bool judge_examples(int part, bool hints) {
@@ -99,6 +106,9 @@ bool judge_examples(int part, bool hints) {
   const Lock alone(kWork / "lock");
   if (!fs::exists("examples.txt")) {
     throw Failure("examples.txt is missing: copy it from the handout's zip");
+  }
+  if (!fs::exists("build/examples") && !fs::exists("build/examples.exe")) {
+    std::cerr << "check: building what judges your cases; some seconds, once" << std::endl;
   }
   if (!build_program("examples")) throw Failure(read(kWork / "build.txt"));
   const fs::path said = kWork / "examples.txt";

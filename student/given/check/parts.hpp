@@ -32,6 +32,7 @@ struct Run {
   std::vector<Part> all;
   std::vector<int> chosen;             // numbers of the parts to check
   std::map<int, int> unbuilt;          // part that wasn't built -> part whose file has the error
+  std::map<int, std::string> errors;   // the first error in a part's file, indented, with its line
   std::set<int> unlinked;              // those that compile, but don't link with the earlier ones
   std::set<int> given;                 // parts whose better result is that with right earlier parts
   bool sanitized = false;              // whether the parts are built with sanitizers

@@ -42,18 +42,4 @@ class Lock {
 // Whether standard output is a terminal.
 bool is_terminal();
 
-// Waits half a second for a key, while keys come one at a time and aren't shown. 0: none came.
-// 'q' if standard input ends or isn't a terminal any more.
-class Keys {
- public:
-  Keys();
-  ~Keys();
-  Keys(const Keys&) = delete;
-  Keys& operator=(const Keys&) = delete;
-  char next();
-
- private:
-  bool from_terminal_;
-};
-
 }  // namespace bounce::check

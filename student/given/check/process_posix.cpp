@@ -1,13 +1,10 @@
 #include <fcntl.h>
-#include <poll.h>
 #include <sys/file.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
-#include <termios.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <csignal>
 #include <iostream>
 
 #include "files.hpp"
@@ -21,20 +18,9 @@ constexpr rlim_t kLargestFile = 10'240'000;  // bytes that a program may print
 constexpr rlim_t kSecondsOfWork = 30;        // s; each check ends sooner, a constructor may not
 constexpr int kNotStarted = 127;
 
-void limit(int what, rlim_t most, rlim_t last) {
-  const rlimit both{most, last};
+void limit(int what, rlim_t most, rlim_t further = 0) {
+  const rlimit both{most, most + further};
   (void)::setrlimit(what, &both);  // one that the system doesn't know is left out
-}
-
-void limit(int what, rlim_t most) { limit(what, most, most); }
-
-termios before_keys;
-
-void restore_terminal() { (void)::tcsetattr(STDIN_FILENO, TCSANOW, &before_keys); }
-
-void end_by_signal(int signal) {
-  restore_terminal();
-  ::_exit(128 + signal);
 }
 
 }  // namespace
@@ -57,7 +43,7 @@ std::optional<Termination> run(const std::vector<std::string>& command,
     ::dup2(out, STDERR_FILENO);
     limit(RLIMIT_CORE, 0);
     if (limits == Limits::of_a_part) {
-      limit(RLIMIT_CPU, kSecondsOfWork, kSecondsOfWork + 1);  // the second kills
+      limit(RLIMIT_CPU, kSecondsOfWork, 1);  // the second kills
       limit(RLIMIT_FSIZE, kLargestFile);
       limit(RLIMIT_AS, kMemory);
     }
@@ -86,24 +72,5 @@ Lock::Lock(const std::filesystem::path& file)
 Lock::~Lock() { ::close(handle_); }
 
 bool is_terminal() { return ::isatty(STDOUT_FILENO) == 1; }
-
-Keys::Keys() : from_terminal_(::tcgetattr(STDIN_FILENO, &before_keys) == 0) {
-  if (!from_terminal_) return;
-  termios now = before_keys;
-  now.c_lflag &= ~tcflag_t(ICANON | ECHO);
-  (void)::tcsetattr(STDIN_FILENO, TCSANOW, &now);
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, end_by_signal);
-}
-
-Keys::~Keys() {
-  if (from_terminal_) restore_terminal();
-}
-
-char Keys::next() {
-  pollfd input{from_terminal_ ? STDIN_FILENO : -1, POLLIN, 0};
-  if (::poll(&input, 1, 500) <= 0) return 0;
-  char key = 'q';
-  return ::read(STDIN_FILENO, &key, 1) == 1 ? key : 'q';
-}
 
 }  // namespace bounce::check

@@ -2,7 +2,6 @@
 #define NOMINMAX
 #endif
 #define WIN32_LEAN_AND_MEAN
-#include <conio.h>
 #include <io.h>
 #include <windows.h>
 
@@ -117,17 +116,6 @@ bool is_terminal() {
   const HANDLE out = GetStdHandle(STD_OUTPUT_HANDLE);
   DWORD mode = 0;
   return GetConsoleMode(out, &mode) && SetConsoleMode(out, mode | 0x4);  // it understands colours
-}
-
-Keys::Keys() : from_terminal_(_isatty(_fileno(stdin)) != 0) {}
-Keys::~Keys() = default;
-
-char Keys::next() {
-  for (int i = 0; i < 10; ++i) {
-    if (from_terminal_ && _kbhit()) return static_cast<char>(_getch());
-    Sleep(50);
-  }
-  return 0;
 }
 
 }  // namespace bounce::check

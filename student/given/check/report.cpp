@@ -1,18 +1,16 @@
 #include "report.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <iostream>
 
 #include "build.hpp"
 #include "compiler_words.hpp"
-#include "ending.hpp"
 #include "files.hpp"
 #include "hints.hpp"
-#include "pages.hpp"
 #include "process.hpp"
 #include "run.hpp"
 #include "style.hpp"
-#include "undefined.hpp"
 
 namespace bounce::check {
 namespace {
@@ -33,12 +31,9 @@ void print_checks(const Part& part) {
     const bool unknown = status == "unknown" || status == kUndecided;
     is_one_unknown = is_one_unknown || unknown;
     std::cout << "  "
-              << (passed    ? style().green
-                  : unknown ? style().dim
-                            : style().red)
-              << (passed    ? style().right
-                  : unknown ? "?"
-                            : style().wrong)
+              << (passed    ? style().green + "\u2713"
+                  : unknown ? style().dim + "?"
+                            : style().red + "\u2717")
               << " " << in_columns(check.title, 57, passed ? check.points : 0, check.points)
               << style().plain << "\n";
   }
@@ -75,11 +70,26 @@ void print_part(const Run& run, const Part& part) {
   if ((&part == run.first_part && run.first_check) || is_open) print_checks(part);
 }
 
+// The lines, without what assertions and exceptions print behind what the part has printed.
+std::vector<std::string> own_prints(const Part& part, const std::string& printed) {
+  std::vector<std::string> own;
+  for (std::string line : lines_of(printed)) {
+    const bool is_empty = line.empty();
+    for (const std::string& mark :
+         {part.stem + "_", std::string("/usr/include/"), std::string("Assertion failed: "),
+          std::string("terminate called "), std::string("  what(): ")}) {
+      line.erase(std::min(line.find(mark), line.size()));
+    }
+    if (is_empty || !line.empty()) own.push_back(line);
+  }
+  return own;
+}
+
 // Those of the case that is told of, and not of those before and after it.
 void print_what_was_printed(const Part& part, const Note& note) {
   const std::string file = prints_file(part.number);
-  if (!note.has_prints || without_termination_message(read(file)).empty()) return;
-  const auto lines = lines_of(without_termination_message(read(file, note.from, note.to)));
+  if (!note.has_prints || own_prints(part, read(file)).empty()) return;
+  const auto lines = own_prints(part, read(file, note.from, note.to));
   if (lines.empty()) {
     std::cout << "  Your program printed nothing in this case; all that it printed is in " << file
               << ".\n";
@@ -129,8 +139,8 @@ void print_first(const Run& run) {
   const Note note = note_of(part, *run.first_check);
   print_text(note.text);
   print_missing_returns(part);
+  if (run.sanitized && note.status == "crashed") return;  // what was found says more than the rest
   print_what_was_printed(part, note);
-  if (run.sanitized && note.status == "crashed") return;  // what was found says more than a hint
   const std::string mistake = mistake_of(run, part);
   if (!mistake.empty()) std::cout << "\n" << folded(mistake, 74, "  ") << "\n";
   std::cout << "  Hint " << heading_of(part, *run.first_check, mistake) << ": ./check"
@@ -156,9 +166,46 @@ void print_warnings() {
   }
 }
 
+// The first check that fails where all pass without sanitizers. One that is too slow with them, or
+// takes too much memory, tells nothing.
+std::string other_numbers(const Part& part) {
+  for (const Check& check : part.checks) {
+    if (note_of(part, check).status != "failed") continue;
+    return part.file() + ": built with the sanitizers, the program fails \"" + check.title +
+           "\": does it use a value that was never set, or that is gone?";
+  }
+  return "";
+}
+
+// What sanitizers find, in a sentence; empty if nothing. Throws Failure where they can't be used.
+std::string undefined_behaviour() {
+  if (!kHasSanitizers) throw Failure("on Windows there are no sanitizers for it");
+  std::cout << style().dim
+            << "Looking for undefined behaviour, with sanitizers: some seconds, once "
+            << "after a change." << style().plain << std::endl;
+  Run run;
+  run.all = read_parts();
+  run.sanitized = true;
+  for (Part& part : run.all) {
+    part.notes = "sanitized_notes";
+    run.chosen.push_back(part.number);
+  }
+  build_parts(run);
+  if (!run.unbuilt.empty()) throw Failure("the sanitizers of this compiler can't be used here");
+  run_parts(run);
+  for (const Part& part : run.all) {
+    const auto found = found_by_sanitizers(own_lines(read(prints_file(part.number))));
+    if (!found.empty()) return found;
+  }
+  for (const Part& part : run.all) {
+    if (const auto found = other_numbers(part); !found.empty()) return found;
+  }
+  return "";
+}
+
 // Prints what sanitizers find in a program that passes all checks.
 bool has_defined_behaviour() try {
-  const std::string found = undefined_behaviour();
+  const std::string found = once_after_a_change("undefined", true, undefined_behaviour);
   if (found.empty()) return true;
   std::cout << "\n"
             << style().bold << "First: undefined behaviour" << style().plain << "\n"
@@ -181,7 +228,7 @@ void print_what_does_not_compile(const Run& run) {
   std::cout << "\n"
             << style().bold << "First: make " << run.part(broken).stem << ".cpp "
             << (run.unlinked.count(broken) ? "link" : "compile") << style().plain << "\n"
-            << first_error_of(broken) << "\n";
+            << run.errors.at(broken) << "\n";
 }
 
 bool report(const Run& run) {
@@ -198,14 +245,12 @@ bool report(const Run& run) {
   if (run.first_part) print_first(run);
   if (run.fault_shows_in) print_fault_of_earlier(run);
   std::cout << "\n"
-            << style().bold << "Score on the public checks: " << run.score << " / " << run.possible
-            << "." << style().plain << " There are hidden ones as well, with other numbers.\n";
+            << style().bold << "Score on the public checks"
+            << (run.is_one_part() ? " of part" + run.option() : "") << ": " << run.score << " / "
+            << run.possible << "." << style().plain
+            << " There are hidden ones as well, with other numbers.\n";
   print_warnings();
-  if (!run.is_right() || run.is_one_part()) return run.is_right();
-  if (!run.sanitized && !has_defined_behaviour()) return false;
-  study(run);
-  std::cout << "Watch it: cmake --build build, then ./build/bounce. Hand it in: ./check --zip.\n";
-  return true;
+  return run.is_right() && (run.is_one_part() || run.sanitized || has_defined_behaviour());
 }
 
 }  // namespace bounce::check

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
+#include <iostream>
 
 #include "build.hpp"
 #include "ending.hpp"
@@ -25,23 +26,24 @@ fs::path own_notes_of(const Part& part) {
   return kWork / "own_notes" / ("part" + std::to_string(part.number));
 }
 
-struct Noted {
-  std::string status, from, text;  // the first line's words, and the rest
-};
-
-Noted read_note(const fs::path& file) {
+// From a file of a part's program: "STATUS [FROM TO]" and what there is to say.
+Note read_note(const fs::path& file) {
   const std::string text = read(file);
-  const std::size_t end = text.find('\n');
+  const std::size_t end = std::min(text.find('\n'), text.size());
   const std::vector<std::string> words = split(text.substr(0, end), ' ');
-  return {words.empty() ? "" : words[0], words.size() > 1 ? words[1] : "0",
-          end == std::string::npos ? "" : text.substr(end + 1)};
+  Note note{words.empty() ? "unknown" : words[0], 0, 0, words.size() == 3, ""};
+  if (words.size() > 1) note.from = std::stoul(words[1]);
+  if (note.has_prints) note.to = std::stoul(words[2]);
+  if (end < text.size()) note.text = text.substr(end + 1);
+  return note;
 }
 
-void say_how_it_ended(const fs::path& file, const Noted& note, const Termination& ended,
+void say_how_it_ended(const fs::path& file, const Note& note, const Termination& ended,
                       const std::string& printed, const std::string& place, std::uintmax_t size) {
   const bool hung = ended.signal == 0 && ended.code == kTooLong;
-  write(file, (hung ? "hung " : "crashed ") + note.from + " " + std::to_string(size) + "\n" +
-                  reason_of(ended, printed) + place + "\nIt was asked: " + note.text);
+  write(file, (hung ? "hung " : "crashed ") + std::to_string(note.from) + " " +
+                  std::to_string(size) + "\n" + reason_of(ended, printed) + place +
+                  "\nIt was asked: " + note.text);
 }
 
 // As where a global object's constructor crashes: none of the checks was run.
@@ -87,7 +89,7 @@ void run_part(const Run& run, const Part& part) {
     const std::string place = place_of_crash(command[0], stack);
     if (fs::is_empty(notes)) say_that_none_began(notes, part, *ended, printed);
     for (const fs::path& file : files_in(notes)) {
-      const Noted note = read_note(file);
+      const Note note = read_note(file);
       const bool is_new_hang = note.status == "hung" && note.text.rfind("no answer", 0) != 0;
       if (note.status != "running" && !is_new_hang) continue;
       say_how_it_ended(file, note, is_new_hang ? Termination{kTooLong, 0} : *ended, printed, place,
@@ -126,10 +128,9 @@ void fill_in(const Run& run, const Part& part) {
   const bool waits = undecided_of(run, part) > 0 && is_an_earlier_wrong(run, part);
   for (const Check& check : part.checks) {
     if (note_of(part, check).status != kUndecided) continue;
-    const std::string own = read(own_notes_of(part) / check.id);
-    const std::string status = own.substr(0, own.find_first_of(" \n"));
-    if (status != "passed" && (own.empty() || waits)) continue;
-    write(notes_of(part) / check.id, status + own.substr(own.find('\n')));
+    const Note own = read_note(own_notes_of(part) / check.id);
+    if (own.status == "passed" || (own.status != "unknown" && !waits))
+      write(notes_of(part) / check.id, own.status + "\n" + own.text);
   }
 }
 
@@ -187,7 +188,7 @@ void find_fault_of_earlier(Run& run, const Part& part) {
   if (!run.given.count(part.number) || is_an_earlier_wrong(run, part)) return;
   if (points_of(part) < part.points) return;  // that it is wrong itself comes first
   for (const Check& check : part.checks) {
-    const Noted own = read_note(own_notes_of(part) / check.id);
+    const Note own = read_note(own_notes_of(part) / check.id);
     if (own.status == "passed" || own.text.empty()) continue;
     run.fault_shows_in = &part;
     run.fault = own.text;
@@ -201,18 +202,7 @@ std::string prints_file(int part) {
   return (kWork / ("printed_" + std::to_string(part) + ".txt")).generic_string();
 }
 
-Note note_of(const Part& part, const Check& check) {
-  const std::string text = read(notes_of(part) / check.id);
-  if (text.empty()) return {"unknown", 0, 0, false, ""};
-  const std::size_t end = text.find('\n');
-  const std::vector<std::string> words = split(text.substr(0, end), ' ');
-  Note note{words[0], 0, 0, words.size() == 3, text.substr(std::min(end, text.size() - 1) + 1)};
-  if (note.has_prints) {
-    note.from = std::stoul(words[1]);
-    note.to = std::stoul(words[2]);
-  }
-  return note;
-}
+Note note_of(const Part& part, const Check& check) { return read_note(notes_of(part) / check.id); }
 
 void run_parts(Run& run) {
   run.score = run.possible = run.undecided = 0;

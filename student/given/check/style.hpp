@@ -1,4 +1,4 @@
-// Colours and signs, as far as the terminal has them.
+// Colours, as far as the terminal has them.
 #pragma once
 
 #include <string>
@@ -7,7 +7,6 @@ namespace bounce::check {
 
 struct Style {
   std::string bold, red, green, dim, plain;
-  std::string right, wrong;
 };
 
 const Style& style();

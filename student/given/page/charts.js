@@ -1,4 +1,4 @@
-// Draws charts as SVG: lines with dots, zeros apart from a logarithmic axis, and numbers at the cursor.
+// Draws charts as SVG, as large as the style makes them: lines with dots, zeros apart from a logarithmic axis, and numbers at the cursor.
 
 const SVG = "http://www.w3.org/2000/svg";
 const LEAST = 1e-9; // what is smaller on a logarithmic axis is drawn as 0
@@ -20,7 +20,7 @@ function scale(axis, values, begin, end) {
   const all = (shown.length ? shown : [1]).map(of);
   let [low, high] = [Math.min(...all), Math.max(...all)];
   if (axis.log) [low, high] = [Math.floor(low), Math.max(Math.ceil(high), Math.floor(low) + 1)];
-  else [low, high] = [low - 0.04 * (high - low || 1), high + 0.04 * (high - low || 1)];
+  else [low, high] = [-0.04, 1.04].map((share) => low + share * (high - low || Math.abs(low) || 1));
   const hasZeros = shown.length < values.length;
   const from = hasZeros ? begin + Math.sign(end - begin) * 26 : begin;
   const at = (value) => (isZero(axis, value) ? begin + Math.sign(end - begin) * 6 : from + ((of(value) - low) / (high - low)) * (end - from));
@@ -39,6 +39,7 @@ function label(axis, value, attributes) {
   return text;
 }
 
+const hasDots = (line) => line.kind !== "bound" && line.points.length < 60;
 const kind = (line, i) => (line.kind === "bound" ? "bound" : `k${i % 5} ${line.kind}`);
 
 // Curves join what isn't 0; a 0 is a dot of its own.
@@ -51,24 +52,22 @@ function drawn(chart, line, i, x, y) {
     const apart = isZero(chart.y, b);
     if (!apart) path += `${joined ? "L" : "M"} ${point} `;
     joined = !apart;
-    if (line.points.length < 60) dots += `M ${point} h 0 `;
+    if (hasDots(line)) dots += `M ${point} h 0 `;
   }
   const curve = make("svg:path", { class: `curve ${kind(line, i)}`, d: path });
-  return line.kind === "bound" ? [curve] : [curve, make("svg:path", { class: `dots ${kind(line, i)}`, d: dots })];
+  return [curve, make("svg:path", { class: `dots ${kind(line, i)}`, d: dots })];
 }
 
-function draw(chart, svg) {
-  const width = Math.max(svg.clientWidth, 240);
-  const height = Math.min(360, Math.max(260, width * 0.6));
+function plot(chart, svg) {
+  const [width, height] = [Math.max(svg.clientWidth, 240), Math.max(svg.clientHeight, 100)];
   const points = chart.lines.flatMap((line) => line.points);
-  const y = scale(chart.y, points.map((point) => point[1]), height - 46, 10);
-  const x = scale(chart.x, points.map((point) => point[0]), chart.y.log ? 58 : 66, width - 12);
+  const [left, right, bottom] = [chart.y.log ? 58 : 66, width - 12, height - 46];
+  const y = scale(chart.y, points.map((point) => point[1]), bottom, 10);
+  const x = scale(chart.x, points.map((point) => point[0]), left, right);
   svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
-  svg.style.height = `${height}px`;
   svg.replaceChildren();
-  const [left, right] = [chart.y.log ? 58 : 66, width - 12];
   for (const tick of x.ticks) {
-    svg.append(make("svg:path", { class: "grid", d: `M ${x.at(tick)} 10 V ${height - 46}` }));
+    svg.append(make("svg:path", { class: "grid", d: `M ${x.at(tick)} 10 V ${bottom}` }));
     svg.append(label(chart.x, tick, { x: x.at(tick), y: height - 28, "text-anchor": "middle" }));
   }
   for (const tick of y.ticks) {
@@ -84,7 +83,7 @@ function draw(chart, svg) {
   chart.lines.forEach((line, i) => svg.append(...drawn(chart, line, i, x, y)));
   const near = make("svg:circle", { class: "near", r: 7, visibility: "hidden" });
   svg.append(near);
-  return { x, y, near };
+  return { x, y, near, bottom };
 }
 
 // The point of a line that lies nearest to the pointer.
@@ -98,10 +97,10 @@ function legend(chart) {
   const sample = (line, i) => {
     const isJoined = line.points.filter((point) => !isZero(chart.y, point[1])).length > 1;
     const curve = isJoined ? [make("svg:path", { class: `curve ${kind(line, i)}`, d: "M 1 5 H 33" })] : [];
-    if (line.kind !== "bound") curve.push(make("svg:path", { class: `dots ${kind(line, i)}`, d: "M 17 5 h 0" }));
+    if (hasDots(line)) curve.push(make("svg:path", { class: `dots ${kind(line, i)}`, d: "M 17 5 h 0" }));
     return make("svg:svg", { viewBox: "0 0 34 10", "aria-hidden": "true" }, ...curve);
   };
-  return make("ul", {}, ...chart.lines.map((line, i) => make("li", {}, sample(line, i), ` ${line.name}`)));
+  return make("ul", { class: "legend" }, ...chart.lines.map((line, i) => make("li", {}, sample(line, i), ` ${line.name}`)));
 }
 
 function numbers(chart) {
@@ -116,7 +115,7 @@ function figure(chart) {
   const shown = make("output", { "aria-live": "off" }, "Point at the chart to read its numbers.");
   const made = make("figure", { id: chart.id }, make("h3", {}, chart.title), svg, shown, legend(chart), make("figcaption", {}, chart.sentence), numbers(chart));
   let field;
-  new ResizeObserver(() => (field = draw(chart, svg))).observe(made);
+  new ResizeObserver(() => (field = plot(chart, svg))).observe(made);
   svg.addEventListener("pointermove", (event) => {
     if (!field || !chart.lines.some((line) => line.points.length)) return;
     const { line, point: [a, b] } = nearest(chart, field, event.offsetX, event.offsetY);

@@ -1,7 +1,7 @@
 // Shows measured impacts, each beside the answer of the student's form_lcp, and the median errors.
 
 const byId = (id) => document.getElementById(id);
-const [impact, slider, which] = ["impact", "slider", "which"].map(byId);
+const [impact, slider, which] = ["hit", "slider", "which"].map(byId);
 const SLOWER = 40;
 const LASTS = 0.06; // s before the impact, and after it
 
@@ -13,14 +13,14 @@ byId("sentence").textContent = real.sentence;
 // ---- the median errors ----
 
 const largest = (bars) => Math.max(...bars.map(({ error }) => error ?? 0));
-const most = Math.min(largest(real.bars), 3 * largest(real.bars.filter(({ own }) => !own)));
-for (const { name, error, label, own } of real.bars) {
+const most = Math.min(largest(real.bars), 3 * largest(real.bars.slice(1)));
+for (const { name, error, label } of real.bars) {
   const row = byId("bars").insertRow();
   const head = document.createElement("th");
   head.scope = "row";
   head.textContent = name;
   const bar = document.createElement("div");
-  bar.className = own ? "bar own" : "bar";
+  bar.className = name.startsWith("your") ? "bar own" : "bar";
   bar.style.width = `${Math.min(100, (100 * (error ?? 0)) / most)}%`;
   row.append(head);
   row.insertCell().append(bar);

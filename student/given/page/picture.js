@@ -164,7 +164,7 @@ function drawSquare(at, now) {
   stroke("corner", 2);
 }
 
-// The right square, dashed.
+// The true square, dashed.
 function drawRight(at, s) {
   ctx.setLineDash([6, 4]);
   drawTrace(at, s, right, lowsRight, "right");
@@ -207,31 +207,6 @@ function arrow(X, Y, toX, toY) {
   stroke("force", 3);
 }
 
-// The whole path in a corner of the stage, with a ring around the square.
-function drawOverview() {
-  const width = Math.min(170, wide() / 4);
-  const size = width / wide();
-  const [x, y] = pose(shown());
-  ctx.save();
-  ctx.translate(wide() - width - 10, 10);
-  ctx.scale(size, size);
-  ctx.beginPath();
-  ctx.rect(0, 0, wide(), high());
-  ctx.fillStyle = colour.card;
-  ctx.fill();
-  ctx.save();
-  ctx.clip();
-  drawGround(whole);
-  drawTrace(whole, shown());
-  disc(whole.X(x), whole.Y(y), 10 / size);
-  stroke("square", 2 / size);
-  ctx.restore();
-  ctx.beginPath();
-  ctx.rect(0, 0, wide(), high());
-  stroke("quiet", 1 / size);
-  ctx.restore();
-}
-
 // Many squares, and the ways of their centres.
 function drawMany(at, s) {
   if (!many.length) return;
@@ -263,7 +238,6 @@ function draw() {
   ctx.clearRect(0, 0, wide(), high());
   ctx.font = "12px system-ui, -apple-system, sans-serif";
   drawScene(camera());
-  if (following()) drawOverview();
   drawPlots();
 }
 

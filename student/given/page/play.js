@@ -91,6 +91,7 @@ for (const touch of [null, 2, 1, 0]) {
 }
 byId("errors").addEventListener("change", (event) => {
   chosen = Number(event.target.value);
+  byId("dashed").textContent = chosen === 2 ? "the true motion" : `a square with less than the whole model, ${model(chosen)}`;
   present({ l, dt, delta, q, motion, right: paths[chosen] }, shown() * dt);
 });
 

@@ -8,29 +8,16 @@ function resize() {
   ctx.setTransform(ratio, 0, 0, ratio, 0, 0);
   ctx.lineJoin = "round";
   whole = fit();
-  drawStill();
-  draw();
-  showMore();
-}
-
-function recolour() {
-  const style = getComputedStyle(document.documentElement);
-  const names = ["card", "quiet", "grid", "ground", "ground-line", "square", "corner", "force", "right", "text"];
-  colour = Object.fromEntries(names.map((name) => [name, style.getPropertyValue(`--${name}`).trim()]));
-  if (still) drawStill();
-  draw();
+  redraw();
 }
 
 function redraw() {
+  const style = getComputedStyle(document.documentElement);
+  const names = ["card", "quiet", "grid", "ground", "ground-line", "square", "corner", "force", "right"];
+  colour = Object.fromEntries(names.map((name) => [name, style.getPropertyValue(`--${name}`).trim()]));
   byId("other").hidden = !comparing();
-  if (still) drawStill();
-  draw();
-}
-
-// Whether some of the page lies below the window.
-function showMore() {
-  const page = document.documentElement;
-  byId("more").hidden = page.scrollTop + page.clientHeight > page.scrollHeight - 40;
+  layOut();
+  show();
 }
 
 const keys = {
@@ -57,9 +44,8 @@ compare.addEventListener("change", redraw);
 plots.addEventListener("pointerdown", (event) => seek(columnAt(event)));
 plots.addEventListener("pointermove", (event) => event.buttons && seek(columnAt(event)));
 const watching = new ResizeObserver(resize);
-for (const canvas of [stage, plots]) watching.observe(canvas);
-media("prefers-color-scheme: dark").addEventListener("change", recolour);
-for (const event of ["scroll", "resize"]) addEventListener(event, showMore);
+for (const element of [stage, plots]) watching.observe(element);
+media("prefers-color-scheme: dark").addEventListener("change", redraw);
 
 // Shows this from its start on, or at the same time as what was shown before.
 function present(animation, time = 0) {
@@ -73,9 +59,5 @@ function present(animation, time = 0) {
   byId("crowd").hidden = !many.length;
   for (const id of ["choice", "key"]) byId(id).hidden = !right;
   for (const id of ["forces", "tangential", "normal"]) byId(id).hidden = !motion;
-  byId("parted").textContent = parted < 0 ? "yours does the same" : `yours departs from it at step ${parted}, at ${text(parted * dt, timePlaces)} s`;
-  recolour();
   resize();
-  redraw();
-  show();
 }

@@ -1,7 +1,7 @@
-// What is drawn: {l, dt, delta, q, motion, right, many}. q is three rows; motion is {m, g, v}, or null if
-// velocities aren't known; right is another q to compare with, or null; many holds more of them.
+// What is drawn: {l, dt, delta, q, motion, right, many}. q is three rows; motion is {m, mu, epsilon, g, v},
+// or null if velocities aren't known; right is the true q, or null; many holds more of them.
 let l, dt, delta, q, motion, right, many;
-let T, lows, lowsRight, parted, forces, strongest, places, timePlaces;
+let T, lows, lowsRight, forces, strongest, places, timePlaces;
 const byId = (id) => document.getElementById(id);
 const [stage, plots, play, slider, speed, compare] = ["stage", "plots", "play", "slider", "speed", "compare"].map(byId);
 const ctx = stage.getContext("2d");
@@ -54,12 +54,10 @@ function energies(t) {
 // ---- what is drawn ----
 
 function load(animation) {
-  ({ l, dt, delta, q, motion, right, many = [] } = animation);
+  ({ l, dt, delta, q, motion, right = null, many = [] } = animation);
   T = q[0].length;
   lows = q[0].map((_, t) => lowest(column(t)));
   lowsRight = right ? right[0].map((_, t) => lowest(column(t, right))) : [];
-  // The first column that differs by more than rounding; -1 if none does.
-  parted = right ? q[0].findIndex((_, t) => !column(t).every((x, i) => Math.abs(x - right[i][t]) <= 1e-6 * Math.max(1, Math.abs(x)))) : -1;
   forces = q[0].map((_, t) => force(t));
   strongest = forces.reduce((most, f) => (f ? Math.max(most, Math.hypot(...f)) : most), 0);
   places = Math.max(0, Math.ceil(3 - Math.log10(l))); // a length is shown to a thousandth of the side

@@ -4,7 +4,6 @@
 #include <thread>
 
 #include "../drawing.hpp"
-#include "../simulated.hpp"
 #include "linked/stack.hpp"
 #include "linked/time_limit.hpp"
 #include "local_server.hpp"

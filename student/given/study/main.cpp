@@ -6,17 +6,22 @@
 //
 // ./check starts it once all checks pass, or with --study. --wrong: some checks fail, and the page
 // says so.
+#include <algorithm>
 #include <cmath>
 #include <exception>
 #include <iostream>
 
-#include "accuracy.hpp"
-#include "numbers.hpp"
+#include "measure.hpp"
 #include "pages.hpp"
 #include "stability.hpp"
 
 namespace bounce::study {
 namespace {
+
+constexpr double kRounding = 1e-9;    // m
+constexpr double kAboutAsLong = 1.2;  // two measurements of one program differ by as much
+constexpr const char* kUnusable =
+    "Your program returns NaN, or another number of columns, somewhere here: ./check says where.";
 
 // One of what the program is worth, the chart that shows it, and the question of Explore about it.
 struct Verdict {
@@ -24,75 +29,161 @@ struct Verdict {
   int question;
 };
 
+bool is_usable(const std::vector<Run>& runs) {
+  return std::all_of(runs.begin(), runs.end(), [](const Run& r) { return std::isfinite(r.error); });
+}
+
+using Runs = std::vector<Run>::const_iterator;
+
+Runs best(Runs begin, Runs end) {
+  return std::min_element(begin, end, [](const Run& a, const Run& b) { return a.error < b.error; });
+}
+
+// The time of a step, and beside the course's program at about the same one, which the scene has in
+// calls of solve_lcp.
+std::string speed(const Scene& scene, const Run& run, double one_lcp) {
+  if (!std::isfinite(run.error)) return kUnusable;
+  const double course = scene.others.front().reached.front().lcp_calls * one_lcp;
+  return "In " + scene.title + ", with dt = " + number(run.dt) + " s, a step takes " +
+         number(run.seconds * run.dt * 1e6, "%.2g") +
+         " \xc2\xb5s in the mean of flight and contact: " + rounded(1 / run.seconds) +
+         " times faster than real time. The course's program, measured elsewhere, is estimated to "
+         "take " +
+         number(course / run.seconds, "%.2g") + " times as long here.";
+}
+
+// The best that the program reaches, and from which run on a smaller step gains less than half of
+// its error.
+std::string accuracy(const Scene& scene, const std::vector<Run>& fixed) {
+  if (!is_usable(fixed)) return kUnusable;
+  const Runs mine = best(fixed.begin(), fixed.end());
+  const auto gains = [&](const Run& run) {
+    const Runs after = fixed.begin() + (&run - fixed.data()) + 1;
+    return after != fixed.end() && best(after, fixed.end())->error <= run.error / 2;
+  };
+  const Runs stalls = std::find_if_not(fixed.begin(), fixed.end() - 1, gains);
+  const std::string reaches = scene.title + ": " + length(mine->error) +
+                              " off at best, with dt = " + number(mine->dt) + " s.";
+  if (stalls + 1 == fixed.end()) return reaches + " Each smaller step helps.";
+  return reaches + " Below dt = " + number(stalls->dt) + " s a smaller step " +
+         (stalls->error <= mine->error ? "no longer helps"
+                                       : "takes away less than half of the error") +
+         ", while delta stays at " + length(scene.params.delta) + ".";
+}
+
+// What the other methods reach in the time of that best run.
+std::string in_the_same_time(const Scene& scene, const std::vector<Run>& fixed, double one_lcp) {
+  if (!is_usable(fixed)) return kUnusable;
+  const double time = best(fixed.begin(), fixed.end())->seconds / one_lcp;
+  std::string text = "In the time of your best run, and a fifth more,";
+  for (const Method& method : scene.others) {
+    if (&method == &scene.others.front()) continue;  // the course's program
+    double least = INFINITY;
+    for (const Reached& r : method.reached) {
+      if (r.lcp_calls <= kAboutAsLong * time) least = std::min(least, r.error);
+    }
+    text += (&method == &scene.others.back() ? ", and the " : " the ") + method.name +
+            (std::isinf(least)   ? " takes longer"
+             : least < kRounding ? " is right to rounding"
+                                 : " reaches " + length(least));
+  }
+  return text +
+         ". Moreau and Jean founded such time steps; both methods were measured elsewhere, in "
+         "calls "
+         "of solve_lcp; one takes " +
+         number(one_lcp * 1e9) + " ns here.";
+}
+
+// Error over time, beside other methods; and error over step.
+std::vector<Chart> charts_of(const Scene& scene, const std::vector<Run>& fixed,
+                             const std::vector<Run>& scaled, double one_lcp) {
+  std::vector<Line> times, steps;
+  for (const auto& [name, runs] :
+       {std::pair("delta fixed", &fixed), {"delta = 0.1 m/s dt", &scaled}}) {
+    Points over_time, over_step;
+    for (const Run& r : *runs) {
+      over_time.emplace_back(r.seconds * 1e6, r.error);
+      over_step.emplace_back(r.dt, r.error);
+    }
+    times.push_back({std::string("yours, ") + name, over_time});
+    steps.push_back({name, over_step});
+  }
+  for (const Method& method : scene.others) {
+    Points all;
+    for (const Reached& r : method.reached) all.emplace_back(r.lcp_calls * one_lcp * 1e6, r.error);
+    times.push_back({method.name, all, "other"});
+  }
+  const Axis error{"error, m", true};
+  return {{"time-" + scene.name,
+           scene.title + ": Error over time",
+           {"time of a simulated second, \xc2\xb5s here", true},
+           error,
+           times,
+           in_the_same_time(scene, fixed, one_lcp)},
+          {"step-" + scene.name,
+           scene.title + ": Error over step",
+           {"dt, s", true},
+           error,
+           steps,
+           accuracy(scene, fixed)}};
+}
+
+std::string model(const Scene& scene) {
+  const Touches touched = touches(scene, 1e-3);
+  const int all = touched.none + touched.one + touched.two;
+  if (all == 0) return kUnusable;
+  return scene.title + ": in " + std::to_string(touched.none) + " of " + std::to_string(all) +
+         " steps of 1 ms nothing touches, and a formula is enough; " + std::to_string(touched.one) +
+         " need one corner, and " + (touched.two ? std::to_string(touched.two) : "none") +
+         " a second one.";
+}
+
 struct Study {
   std::vector<Verdict> verdicts;
   std::vector<Trial> trials;
   std::vector<Chart> charts;
 };
 
-// The time of a step, and beside the course's program at about the same one, which the scene has in
-// calls of solve_lcp.
-std::string speed(const Scene& scene, const Run& run, double one_lcp) {
-  if (!std::isfinite(run.error)) return "There is no whole motion to time: ./check says why.";
-  const double course = scene.others.front().reached.front().lcp_calls * one_lcp;
-  return "A step takes " + number(run.seconds * run.dt * 1e6, "%.2g") +
-         " \xc2\xb5s. With dt = " + number(run.dt) + " s that is " + rounded(1 / run.seconds) +
-         " times faster than real time. The course's program takes " +
-         number(course / run.seconds, "%.2g") + " times as long as yours.";
-}
-
-std::string model(const Scene& scene) {
-  const Touches touched = touches(scene, 1e-3);
-  const int all = touched.none + touched.one + touched.two;
-  if (all == 0) return "No motion to look at: ./check says why.";
-  return scene.title + ": in " + std::to_string(touched.none) + " of " + std::to_string(all) +
-         " steps of 1 ms nothing touches, and a formula is enough; " + std::to_string(touched.one) +
-         " need one corner, and " + std::to_string(touched.two) + " a second one.";
-}
-
 Study study(const std::vector<Scene>& scenes) {
   const double one_lcp = lcp_seconds();
   const Scene& first = scenes.front();
+  const std::string time = "time-" + first.name;
   Study study;
   study.trials = trials(first.params);
   for (const Scene& scene : scenes) {
     if (scene.truth.empty()) continue;
-    const Both both{runs(scene, Lift::fixed), runs(scene, Lift::scaled)};
-    for (Chart& chart : charts_of(scene, both, one_lcp)) study.charts.push_back(std::move(chart));
+    const std::vector<Run> fixed = runs(scene, Lift::fixed), scaled = runs(scene, Lift::scaled);
+    for (Chart& chart : charts_of(scene, fixed, scaled, one_lcp)) study.charts.push_back(chart);
     if (&scene != &first) continue;
-    const Run& usual = both.fixed[1];  // dt = 0.01 s
-    study.verdicts = {{"speed", speed(scene, usual, one_lcp), "time-" + scene.name, 7},
-                      {"accuracy", accuracy(scene, both.fixed), "step-" + scene.name, 1},
-                      {"", in_the_same_time(scene, both.fixed, one_lcp), "time-" + scene.name, 7}};
+    study.verdicts = {{"speed", speed(scene, fixed[1], one_lcp), time, 7},  // with dt = 0.01 s
+                      {"accuracy", accuracy(scene, fixed), "step-" + scene.name, 1},
+                      {"", in_the_same_time(scene, fixed, one_lcp), time, 7}};
   }
-  const auto of_trial = [&](std::size_t i, const std::string& about, int question) {
-    const Trial& trial = study.trials[i];
-    study.verdicts.push_back(
-        {about, trial.chart.title + ": " + trial.found + ".", trial.chart.id, question});
-  };
-  of_trial(0, "stability", 3);
-  of_trial(2, "", 4);
-  study.verdicts.push_back({"model", model(first), "time-" + first.name, 5});
+  const Trial &impact = study.trials[0], &rest = study.trials[2];
+  study.verdicts.insert(
+      study.verdicts.end(),
+      {{"stability", "Large epsilon with friction: " + impact.found + ".", impact.name, 3},
+       {"", "Rest on a face: " + rest.found + ".", rest.name, 4},
+       {"model", model(first), time, 5}});
   return study;
 }
 
-std::string json(const Verdict& verdict) {
-  return R"({"about":)" + quoted(verdict.about) + R"(,"text":)" + quoted(verdict.text) +
-         R"(,"chart":)" + quoted(verdict.chart) + R"(,"question":)" +
-         std::to_string(verdict.question) + "}";
-}
-
 std::string json(const Study& study, bool is_wrong) {
-  const auto of_verdict = [](const Verdict& verdict) { return json(verdict); };
-  const auto of_chart = [](const Chart& chart) { return json(chart); };
-  const auto of_trial = [](const Trial& trial) {
-    return R"({"due":)" + quoted(trial.due) + R"(,"found":)" + quoted(trial.found) +
-           R"(,"chart":)" + json(trial.chart) + "}";
+  const auto of_verdict = [](const Verdict& verdict) {
+    return object({{"about", quoted(verdict.about)},
+                   {"text", quoted(verdict.text)},
+                   {"chart", quoted(verdict.chart)},
+                   {"question", std::to_string(verdict.question)}});
   };
-  return R"({"wrong":)" + std::string(is_wrong ? "true" : "false") +
-         ",\n\"verdicts\":" + list(study.verdicts, of_verdict) +
-         ",\n\"trials\":" + list(study.trials, of_trial) +
-         ",\n\"charts\":" + list(study.charts, of_chart) + "}";
+  const auto of_trial = [](const Trial& trial) {
+    return object({{"name", quoted(trial.name)},
+                   {"found", quoted(trial.found)},
+                   {"lines", json(trial.lines)}});
+  };
+  return object({{"wrong", is_wrong ? "true" : "false"},
+                 {"verdicts", list(study.verdicts, of_verdict)},
+                 {"trials", list(study.trials, of_trial)},
+                 {"charts", list(study.charts, [](const Chart& chart) { return json(chart); })}});
 }
 
 }  // namespace
@@ -107,9 +198,8 @@ int main(int argc, char** argv) {
   try {
     const Study made = study(read_scenes(argv[1]));
     write_page(argv[2], bounce::pages::studied, json(made, argc > 3));
-    for (const Verdict& verdict : made.verdicts) {
-      std::cout << verdict.about << "\t" << verdict.text << " (question " << verdict.question
-                << ")\n";
+    for (const auto& [about, text, chart, question] : made.verdicts) {
+      std::cout << about << "\t" << text << " (question " << question << ")\n";
     }
   } catch (const std::exception& error) {
     std::cerr << "No study was written: " << error.what() << ".\n";

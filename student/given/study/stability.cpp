@@ -7,7 +7,6 @@
 #include <numbers>
 
 #include "measure.hpp"
-#include "numbers.hpp"
 
 namespace bounce::study {
 namespace {
@@ -16,7 +15,29 @@ constexpr double kCoarse = 1e-2, kFine = 1e-3;  // s
 constexpr double kRestSeconds = 10, kSlopeSeconds = 1, kLongSeconds = 100;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kDegree = std::numbers::pi / 180;
-const std::string kNothing = "NaN, or another number of columns: ./check says where";
+
+// What was found, unless the program gave no number.
+std::string told(double found, const std::string& sentence) {
+  return std::isnan(found) ? "NaN, or another number of columns: ./check says where" : sentence;
+}
+
+// What `measure` gives at each x, in a line for each step.
+template <class Measure>
+std::vector<Line> with_both_steps(const std::vector<double>& at, const Measure& measure) {
+  std::vector<Line> lines;
+  for (const double dt : {kCoarse, kFine}) {
+    Points points;
+    for (const double x : at) points.emplace_back(x, measure(x, dt));
+    lines.push_back({"dt = " + number(dt) + " s", points});
+  }
+  return lines;
+}
+
+double deepest(const Trajectory& moved, double l) {
+  double most = 0;
+  for (const auto& q : moved.q.colwise()) most = std::max(most, -heights(q, l)[0]);
+  return most;
+}
 
 // ---- large epsilon with friction ----
 
@@ -65,21 +86,11 @@ Trial impact(const Parameters& params) {
     lines.push_back({"mu = " + number(mu), points});
   }
   lines.push_back({"no gain", {{0, 0}, {1, 0}}, "bound"});
-  const std::string found = std::isnan(most) ? kNothing
-                            : first > 1      ? "no impact gains energy"
-                                             : "from epsilon = " + number(first) +
-                                              " on some impacts gain energy, up to " +
-                                              number(100 * most, "%.2g") + " %";
-  return {"an impact gains no energy",
-          found,
-          {"impact",
-           "Large epsilon with friction",
-           {"epsilon", false},
-           {"largest gain of an impact, %", false},
-           lines,
-           "Each dot is the largest gain over 2,759 landings on a corner, of what the corner's "
-           "motion had as energy. Newton's law sets the corner's normal velocity, whatever "
-           "friction does to the spin: question 3 of Explore."}};
+  const std::string found = first > 1 ? "no impact gains energy"
+                                      : "from epsilon = " + number(first) +
+                                            " on some impacts gain energy, up to " +
+                                            number(100 * most, "%.2g") + " %";
+  return {"impact", told(most, found), lines};
 }
 
 // ---- fast fall ----
@@ -87,44 +98,28 @@ Trial impact(const Parameters& params) {
 // How deep a corner gets that comes down at this speed, over eight moments in a step at which it
 // reaches the ground.
 double depth(const Parameters& params, double speed, double dt) {
-  double deepest = 0;
+  double most = 0;
   for (int k = 0; k < 8; ++k) {
     const double y = params.l / std::numbers::sqrt2 + params.delta + speed * dt * k / 8;
     const auto moved = motion({{0, y, 45 * kDegree}, {0, -speed, 0}}, params, dt, 4 * dt);
     if (!moved) return kNone;
-    for (const auto& q : moved->q.colwise()) {
-      deepest = std::max(deepest, -heights(q, params.l)[0]);
-    }
+    most = std::max(most, deepest(*moved, params.l));
   }
-  return deepest;
+  return most;
 }
 
 Trial fall(const Parameters& params) {
-  std::vector<Line> lines;
-  double at_60 = 0;
-  for (const double dt : {kCoarse, kFine}) {
-    Points points, bound;
-    for (const double speed : {1.0, 2.0, 5.0, 10.0, 20.0, 60.0, 100.0}) {
-      points.emplace_back(speed, depth(params, speed, dt));
-      bound.emplace_back(speed, speed * dt);
-      if (speed == 60 && dt == kCoarse) at_60 = points.back().second;
-    }
-    const std::string with = "dt = " + number(dt) + " s";
-    lines.push_back({with, points});
-    lines.push_back({"v dt, " + with, bound, "bound"});
+  const std::vector<double> speeds{1, 2, 5, 10, 20, 60, 100};
+  auto lines =
+      with_both_steps(speeds, [&](double speed, double dt) { return depth(params, speed, dt); });
+  for (Line& bound : with_both_steps(speeds, [](double v, double dt) { return v * dt; })) {
+    lines.push_back({"v dt, " + bound.name, bound.points, "bound"});
   }
-  return {"the corner stays above the ground",
-          std::isnan(at_60) ? kNothing
-                            : "at 60 m/s it sinks in by " + length(at_60) + ", " +
-                                  number(at_60 / params.l, "%.2g") + " sides",
-          {"fall",
-           "Fast fall",
-           {"speed of the fall, m/s", true},
-           {"deepest penetration, m", true},
-           lines,
-           "A step notices contact at its start, so a corner may fall for a whole step below the "
-           "ground: by up to v dt. Half the step halves it; what cures it is to look for the "
-           "moment of the impact within the step: question 6 of Explore."}};
+  const double at_60 = depth(params, 60, kCoarse);
+  return {"fall",
+          told(at_60, "at 60 m/s it sinks in by " + length(at_60, "%.2g") + ", " +
+                          number(at_60 / params.l, "%.2g") + " sides, with dt = 0.01 s"),
+          lines};
 }
 
 // ---- rest ----
@@ -138,100 +133,73 @@ Rest rest(Parameters params, double dt, double delta) {
   params.delta = delta;
   const auto moved = motion({{0, params.l / 2, 0}, Vector3::Zero()}, params, dt, kRestSeconds);
   if (!moved) return {};
-  Rest far{0, moved->q.row(0).cwiseAbs().maxCoeff(), 0};
-  far.up = std::max(0.0, moved->q.row(1).maxCoeff() - params.l / 2);
-  for (const auto& q : moved->q.colwise())
-    far.below = std::max(far.below, -heights(q, params.l)[0]);
-  return far;
+  return {std::max(0.0, moved->q.row(1).maxCoeff() - params.l / 2),
+          moved->q.row(0).cwiseAbs().maxCoeff(), deepest(*moved, params.l)};
 }
 
 Trial tremble(const Parameters& params) {
-  Points up, up_scaled, along, along_scaled;
-  for (const double dt : {2e-2, 1e-2, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4}) {
-    const Rest fixed = rest(params, dt, params.delta), scaled = rest(params, dt, kShare * dt);
-    up.emplace_back(dt, fixed.up);
-    up_scaled.emplace_back(dt, scaled.up);
-    along.emplace_back(dt, fixed.along);
-    along_scaled.emplace_back(dt, scaled.along);
+  std::vector<Line> lines;
+  for (const bool scaled : {false, true}) {
+    Points up, along;
+    for (const double dt : {2e-2, 1e-2, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4}) {
+      const Rest far = rest(params, dt, scaled ? kShare * dt : params.delta);
+      up.emplace_back(dt, far.up);
+      along.emplace_back(dt, far.along);
+    }
+    const std::string with = scaled ? "delta = 0.1 m/s dt" : "delta fixed";
+    lines.push_back({"up, " + with, up});
+    lines.push_back({"along, " + with, along});
   }
   const Rest usual = rest(params, kCoarse, params.delta);
-  return {"it lies still",
-          std::isnan(usual.up) ? kNothing
-                               : "it trembles, up to " + length(usual.up) +
-                                     " above where it should lie, and wanders by " +
-                                     length(usual.along) + " in ten seconds",
-          {"rest",
-           "Rest on a face",
-           {"dt, s", true},
-           {"way in ten seconds, m", true},
-           {{"up, delta fixed", up},
-            {"up, delta = 0.1 m/s dt", up_scaled},
-            {"along, delta fixed", along},
-            {"along, delta = 0.1 m/s dt", along_scaled}},
-           "One corner's force turns a square that lies on two: it rocks, and wanders. Each step "
-           "in contact lifts it by delta, however small dt is: questions 2 and 4 of Explore."}};
+  return {"rest",
+          told(usual.up, "it trembles, up to " + length(usual.up, "%.2g") +
+                             " above where it should lie, and wanders by " +
+                             length(usual.along, "%.2g") + " in ten seconds, with dt = 0.01 s"),
+          lines};
 }
 
 // ---- tilted ground ----
 
+Vector3 tilted(double degrees) {
+  return 9.81 * Vector3(std::sin(degrees * kDegree), -std::cos(degrees * kDegree), 0);
+}
+
+double way_down(Parameters params, double degrees, double dt) {
+  params.g = tilted(degrees);
+  const auto moved = motion({{0, params.l / 2, 0}, Vector3::Zero()}, params, dt, kSlopeSeconds);
+  return moved ? moved->q(0, moved->q.cols() - 1) : kNone;
+}
+
 Trial slope(const Parameters& params) {
-  std::vector<Line> lines;
+  std::vector<double> tilts;
   Points right;
-  double at_10 = 0;
-  for (const double dt : {kCoarse, kFine}) {
-    Points points;
-    for (int tilt = 0; tilt <= 30; tilt += 2) {
-      const double along = 9.81 * std::sin(tilt * kDegree), down = 9.81 * std::cos(tilt * kDegree);
-      Parameters tilted = params;
-      tilted.g = Vector3(along, -down, 0);
-      const auto moved = motion({{0, params.l / 2, 0}, Vector3::Zero()}, tilted, dt, kSlopeSeconds);
-      points.emplace_back(tilt, moved ? moved->q(0, moved->q.cols() - 1) : kNone);
-      if (tilt == 10 && dt == kFine) at_10 = points.back().second;
-      if (dt == kCoarse)
-        right.emplace_back(
-            tilt, std::max(0.0, 0.5 * (along - params.mu * down) * kSlopeSeconds * kSlopeSeconds));
-    }
-    lines.push_back({"dt = " + number(dt) + " s", points});
+  for (int tilt = 0; tilt <= 30; tilt += 2) {
+    const Vector3 g = tilted(tilt);
+    tilts.push_back(tilt);
+    right.emplace_back(
+        tilt, std::max(0.0, 0.5 * (g(0) + params.mu * g(1)) * kSlopeSeconds * kSlopeSeconds));
   }
+  auto lines = with_both_steps(
+      tilts, [&](double degrees, double dt) { return way_down(params, degrees, dt); });
   lines.push_back({"right", right, "bound"});
-  return {"friction holds it up to " + number(std::atan(params.mu) / kDegree) + " degrees",
-          std::isnan(at_10) ? kNothing
-                            : "on 10 degrees it creeps " + length(std::abs(at_10)) +
-                                  " in a second, with dt = 0.001 s",
-          {"slope",
-           "Tilted ground",
-           {"tilt, degrees", false},
-           {"way down in a second, m", false},
-           lines,
-           "While the square rocks from corner to corner, gravity pulls it along in each short "
-           "flight, and no friction brakes it there. A smaller step doesn't help."}};
+  const double at_10 = way_down(params, 10, kFine);
+  return {"slope",
+          told(at_10, "on 10 degrees it creeps " + length(std::abs(at_10), "%.2g") +
+                          " in a second, with dt = 0.001 s"),
+          lines};
 }
 
 // ---- thin contact ----
 
 Trial thin(const Parameters& params) {
-  std::vector<Line> lines;
-  double at_least = 0;
-  for (const double dt : {kCoarse, kFine}) {
-    Points points;
-    for (double delta = 1e-2; delta > 5e-7; delta /= std::sqrt(10)) {
-      points.emplace_back(delta, rest(params, dt, delta).below);
-    }
-    if (dt == kCoarse) at_least = points.back().second;
-    lines.push_back({"dt = " + number(dt) + " s", points});
-  }
-  return {"it stays on the ground",
-          std::isnan(at_least)
-              ? kNothing
-              : "with delta = 1 \xc2\xb5m it sinks in by " + length(at_least) + ", and stays there",
-          {"thin",
-           "Thin contact",
-           {"delta, m", true},
-           {"deepest in ten seconds at rest, m", true},
-           lines,
-           "In a step a corner falls by g dt\xc2\xb2, 0.98 mm with dt = 0.01 s, and the lift gives "
-           "back "
-           "delta. Where delta is less than that, the square sinks: delta can't be small alone."}};
+  std::vector<double> deltas;
+  for (double delta = 1e-2; delta > 5e-7; delta /= std::sqrt(10)) deltas.push_back(delta);
+  const auto below = [&](double delta, double dt) { return rest(params, dt, delta).below; };
+  const double at_least = below(1e-6, kCoarse);
+  return {"thin",
+          told(at_least, "with delta = 1 \xc2\xb5m it sinks in by " + length(at_least, "%.2g") +
+                             ", and stays there, with dt = 0.01 s"),
+          with_both_steps(deltas, below)};
 }
 
 // ---- long run ----
@@ -243,32 +211,24 @@ Trial long_run(Parameters params) {
   const auto energy = [&](const Vector3& q, const Vector3& v) {
     return 0.5 * v.dot(params.M() * v) - params.m * params.g.dot(q);
   };
-  const double at_start = energy(start.q, start.v);
   std::vector<Line> lines;
-  double last = 0;
+  double last = kNone;
   for (const double dt : {kCoarse, kFine}) {
     Points points;
+    last = kNone;
     const auto moved = motion(start, params, dt, kLongSeconds);
     for (int i = 0; moved && i <= 100; ++i) {
       const Eigen::Index t = (moved->q.cols() - 1) * i / 100;
-      points.emplace_back(static_cast<double>(t) * dt,
-                          energy(moved->q.col(t), moved->v.col(t)) / at_start);
+      last = energy(moved->q.col(t), moved->v.col(t)) / energy(start.q, start.v);
+      points.emplace_back(static_cast<double>(t) * dt, last);
     }
-    last = points.empty() ? kNone : points.back().second;
     lines.push_back({"dt = " + number(dt) + " s", points});
   }
   lines.push_back({"right", {{0, 1}, {kLongSeconds, 1}}, "bound"});
-  return {"without friction and with epsilon = 1 the energy stays",
-          std::isnan(last) ? kNothing
-                           : "after 100 s it has " + number(last, "%.2f") +
-                                 " times the energy, with dt = 0.001 s",
-          {"long",
-           "A long run",
-           {"t, s", false},
-           {"energy, start = 1", false},
-           lines,
-           "Each bounce is a step in contact, and its lift adds m g delta from nowhere; flight "
-           "loses a little, as v' moves the square for the whole step: question 2 of Explore."}};
+  return {"long",
+          told(last, "after 100 s it has " + number(last, "%.2g") +
+                         " times the energy, with dt = 0.001 s"),
+          lines};
 }
 
 }  // namespace

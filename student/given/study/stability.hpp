@@ -1,15 +1,16 @@
 // Given: tries your parts where time steps fail.
 #pragma once
 
-#include "chart.hpp"
+#include "page.hpp"
 #include "tables.hpp"
 
 namespace bounce::study {
 
-// What a place where methods fail asks of your parts, and what they do there, in a few words each.
+// A place where methods fail, as the page calls it; what your parts do there, in a few words; and
+// the lines of its chart. The page has the words that are always the same.
 struct Trial {
-  std::string due, found;
-  Chart chart;
+  std::string name, found;
+  std::vector<Line> lines;
 };
 
 std::vector<Trial> trials(const Parameters& params);

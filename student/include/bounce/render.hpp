@@ -15,13 +15,11 @@ namespace bounce {
 //           std::runtime_error when the page cannot be written (nothing is left half-written).
 void render(const Eigen::Matrix3Xd& q, const Parameters& params, const std::filesystem::path& page);
 
-// The same with the forces of the ground and the energies, which need v, 3xT: m/s, m/s, rad/s, and
-// m and g of params.
+// The same with the forces of the ground, the energies, and the true motion dashed beside it, which
+// need v, 3xT: m/s, m/s, rad/s, and m, mu, epsilon and g of params.
 //
-//   right   3xN configurations to compare with, shown dashed; none if N = 0.
 //   throws  as above, and std::invalid_argument when q and v have different numbers of columns.
 void render(const Trajectory& trajectory, const Parameters& params,
-            const std::filesystem::path& page,
-            const Eigen::Matrix3Xd& right = Eigen::Matrix3Xd(3, 0));
+            const std::filesystem::path& page);
 
 }  // namespace bounce

@@ -59,7 +59,8 @@ def test_draws_a_scene_as_long_with_another_step_or_the_worked_example(home: Pat
     assert run(home, "cmake", "--build", "build", "--target", "bounce").returncode == 0
     for words, columns in {"": 41, "T=41": 41, "dt=0.001 T=41": 41, "dt=0.001": 401}.items():
         assert run(home, "build/bounce", "--scene", "tumble", *words.split()).returncode == 0
-        assert len(animation((home / "animation.html").read_text())["q"][0]) == columns, words
+        page = home / f"{'_'.join(['tumble', *words.split()])}.html"  # one for each, to compare
+        assert len(animation(page.read_text())["q"][0]) == columns, words
     for word in ("dt=0", "l=-1", "T=0", "T=2.5", "dt=1e-9", "nu=1", "mu=x", "page.html"):
         refused = run(home, "build/bounce", "--scene", "tumble", word)
         assert refused.returncode == 1 and refused.stdout == "", word
@@ -91,16 +92,15 @@ def test_studies_the_students_own_parts(home: Path) -> None:
     study = drawn(page)
     told = {chart["id"]: chart["sentence"] for chart in study["charts"]}
     assert "Below dt = 0.001 s a smaller step no longer helps, while" in told["step-tumble"]
-    [row] = rows("speed_accuracy", scene="tumble", method="assignment", setting="1e-05")
-    assert f"ends at {1000 * float(row['own_error_m']):.3g} mm" in told["step-tumble"]
-    assert "with order 1.2 in dt" in told["step-tumble"] and not study["wrong"]
+    assert not study["wrong"]
     assert [trial["found"] for trial in study["trials"]] == [
         "from epsilon = 0.81 on some impacts gain energy, up to 56 %",
-        "at 60 m/s it sinks in by 60 cm, 3 sides",
-        "it trembles, up to 2.82 mm above where it should lie, and wanders by 5.63 cm in ten seconds",
-        "on 10 degrees it creeps 12.1 cm in a second, with dt = 0.001 s",
-        "with delta = 1 \N{MICRO SIGN}m it sinks in by 17 cm, and stays there",
-        "after 100 s it has 1.46 times the energy, with dt = 0.001 s",
+        "at 60 m/s it sinks in by 60 cm, 3 sides, with dt = 0.01 s",
+        "it trembles, up to 2.8 mm above where it should lie, and wanders by 5.6 cm in ten seconds, "
+        "with dt = 0.01 s",
+        "on 10 degrees it creeps 12 cm in a second, with dt = 0.001 s",
+        "with delta = 1 \N{MICRO SIGN}m it sinks in by 17 cm, and stays there, with dt = 0.01 s",
+        "after 100 s it has 1.5 times the energy, with dt = 0.001 s",
     ]
 
 
@@ -110,8 +110,6 @@ def test_a_study_tells_what_keeps_a_wrong_part_from_the_truth(home: Path) -> Non
     page = home / "study.html"
     put(home, "mistakes/part3_friction_sign")
     assert check(home, "--study").returncode == 1 and drawn(page)["wrong"]
-    told = " ".join(chart["sentence"] for chart in drawn(page)["charts"])
-    assert "it isn't delta that keeps your program from the truth" in told
     put(home, "mistakes/part3_friction_sign", "stub 4")
     check(home, "--study")
     assert "another number of columns" in page.read_text()
@@ -129,19 +127,15 @@ def test_a_study_tells_what_keeps_a_wrong_part_from_the_truth(home: Path) -> Non
 @pytest.mark.parametrize(
     "mistake, error, sentence",
     [
-        ("", "0.091 m/s", "what is left is the error of the law, not of your program"),
+        ("", "0.091 m/s", "What is left is the error of the law, not of your program."),
         *(
             pytest.param(*row, marks=pytest.mark.long)
             for row in [
-                ("restitution_left_out", "0.27 m/s", "what is more comes from your program"),
-                ("friction_directions_swapped", "0.27 m/s", "what is more comes from your program"),
-                ("mass_in_place_of_its_inverse", "11 m/s", "what is more comes"),
-                ("force_is_g", "0.091 m/s", "what the checks find doesn't show in an impact"),
-                (
-                    "last_column_left_zero",
-                    "no answer",
-                    "solve_lcp finds no solution to your V and p",
-                ),
+                ("restitution_left_out", "0.27 m/s", "more than the assignment's law comes from"),
+                ("friction_directions_swapped", "0.27 m/s", "comes from your program."),
+                ("mass_in_place_of_its_inverse", "11 m/s", "comes from your program."),
+                ("force_is_g", "0.091 m/s", "(the least that any push at the corner leaves)."),
+                ("last_column_left_zero", "no answer", "finds no solution to your V and p."),
             ]
         ),
     ],
@@ -154,7 +148,7 @@ def test_asks_the_students_own_part_2_alone_about_measured_impacts(
     laid = [f"mistakes/part2_{mistake}"] if mistake else []
     put(home, *laid, edits={"part3_step": [["{", "{ int x = ;"]]})
     done = check(home, "2", "--real")
-    assert done.returncode == bool(mistake) and "real impacts is in real.html" in done.stdout
+    assert done.returncode == bool(mistake) and "in real.html" in done.stdout
     real = drawn(page)
     assert {bar["name"]: bar["label"] for bar in real["bars"]} == {
         "your form_lcp": error,
@@ -163,5 +157,6 @@ def test_asks_the_students_own_part_2_alone_about_measured_impacts(
         "a corner that always sticks": "0.15 m/s",
         "the least that any push at the corner leaves": "0.009 m/s",
     }
-    assert sentence in real["sentence"] and real["wrong"] == bool(mistake)
+    assert real["sentence"].endswith(sentence) and real["wrong"] == bool(mistake)
+    assert real["sentence"] in " ".join(done.stdout.split())
     assert {len(impact["mine"]) for impact in real["impacts"]} == {3}

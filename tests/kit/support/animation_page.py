@@ -42,7 +42,7 @@ window.passTime = (ms) => {
 };
 """
 COUNT_PIXELS = """
-const stage = document.getElementById(arguments[1]);
+const stage = document.getElementById("stage");
 const hex = getComputedStyle(document.documentElement).getPropertyValue("--" + arguments[0]).trim();
 const want = [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16));
 const copy = new OffscreenCanvas(stage.width, stage.height);
@@ -93,18 +93,18 @@ class Page:
     def choose(self, speed: str) -> None:
         Select(self.find("speed")).select_by_value(speed)
 
-    def pixels(self, colour: str, canvas: str = "stage") -> int:
-        return int(self.driver.execute_script(COUNT_PIXELS, colour, canvas))
+    def pixels(self, colour: str) -> int:
+        return int(self.driver.execute_script(COUNT_PIXELS, colour))
 
     def point_at_plots(self, share: float) -> None:
-        """Presses on the plots, at this share of their time from the left."""
+        """Presses on the first plot, at this share of its time from the left."""
         run = self.driver.execute_script
-        first, last = run("return [timeX(0), timeX(T - 1)]")
-        plots = self.find("plots")
-        from_middle = first + share * (last - first) - plots.size["width"] / 2
-        run("arguments[0].scrollIntoView({block: 'center'})", plots)
+        first, last = run("return [0, (T - 1) * dt].map(plotted[0].field.x.at)")
+        plot = self.find("plots").find_element(By.TAG_NAME, "svg")
+        from_middle = first + share * (last - first) - plot.size["width"] / 2
+        run("arguments[0].scrollIntoView({block: 'center'})", plot)
         actions = webdriver.ActionChains(self.driver)
-        actions.move_to_element_with_offset(plots, round(from_middle), 0).click().perform()
+        actions.move_to_element_with_offset(plot, round(from_middle), 0).click().perform()
 
     def media(self, **features: str) -> None:
         named = [{"name": k.replace("_", "-"), "value": v} for k, v in features.items()]
@@ -121,11 +121,12 @@ class Page:
 Open = Callable[..., Page]
 
 
-def written(page: Path, *options: str) -> str:
+def written(folder: Path) -> Path:
+    """The page of the assignment's scene, as the built program writes it."""
     assert PROGRAM.exists(), f"{PROGRAM} is not built"
-    command = [str(PROGRAM), *options, str(page)]
-    subprocess.run(command, check=True, capture_output=True, timeout=PATIENCE)
-    return page.read_text("utf-8")
+    command = [str(PROGRAM)]
+    subprocess.run(command, cwd=folder, check=True, capture_output=True, timeout=PATIENCE)
+    return folder / "animation.html"
 
 
 def animation(text: str) -> dict[str, Any]:
@@ -156,10 +157,7 @@ def started(profile: Path) -> Iterator[Any]:
 
 @pytest.fixture(scope="module")
 def file(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The page of the assignment's scene, as the built program writes it."""
-    page = tmp_path_factory.mktemp("page") / "animation.html"
-    written(page)
-    return page
+    return written(tmp_path_factory.mktemp("page"))
 
 
 @pytest.fixture(scope="module")

@@ -1,4 +1,4 @@
-// Given: what a page's script draws, as JSON.
+// Given: numbers as a reader wants them, and what a page's script draws, as JSON.
 #pragma once
 
 #include <filesystem>
@@ -8,6 +8,15 @@
 #include <vector>
 
 namespace bounce::study {
+
+// Three digits at most, as "%.3g" has them, or as `format` says; 120 and not 1.2e+02.
+std::string number(double x, const char* format = "%.3g");
+
+// Two digits, and commas: "80,000".
+std::string rounded(double x);
+
+// "1.2 mm": a number as above, and a unit that suits.
+std::string length(double metres, const char* format = "%.3g");
 
 using Points = std::vector<std::pair<double, double>>;
 
@@ -31,7 +40,11 @@ struct Chart {
 
 std::string quoted(const std::string& text);
 std::string number_or_null(double x);
+std::string json(const std::vector<Line>& lines);
 std::string json(const Chart& chart);
+
+// {"name": value, ...}, of values that are JSON.
+std::string object(const std::vector<std::pair<std::string, std::string>>& members);
 
 // "[...]" of what `make` gives for each.
 template <class All, class Make>
