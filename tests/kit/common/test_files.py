@@ -54,3 +54,12 @@ def test_no_link_that_somebody_left_is_followed_when_a_file_is_written(tmp_path:
     assert victim.read_text() == "whole"
     assert not (tmp_path / "record.json").is_symlink()
     assert (tmp_path / "record.json").read_text() == "new"
+
+
+def test_a_write_that_is_stopped_leaves_nothing(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(Path, "replace", lambda *_: sys.exit(143))  # as SIGTERM does
+    with pytest.raises(SystemExit):
+        files.write_whole(tmp_path / "record.json", "new")
+    assert not list(tmp_path.iterdir())
