@@ -24,15 +24,10 @@ int next_stage(const std::string& heading) {
   return stage;
 }
 
-// The stage's text below the heading; the last begins with the state of its worked numbers.
+// The stage's text below the heading; the last begins with the state of its worked numbers, which
+// the page's third line says.
 void print_stage(const std::string& page, const std::string& heading, int stage) {
   const std::vector<std::string> lines = lines_of(read(page));
-  std::string state;
-  const std::string before_it = "Unless said otherwise, t";
-  if (lines.size() > 2) {
-    const std::size_t at = lines[2].find(before_it);
-    state = at == std::string::npos ? lines[2] : "T" + lines[2].substr(at + before_it.size());
-  }
   bool here = false, fenced = false;
   int n = 0;
   for (const std::string& line : lines) {
@@ -44,7 +39,8 @@ void print_stage(const std::string& page, const std::string& heading, int stage)
       if (++n != stage) continue;
       std::cout << folded(
           "Hint " + heading + ", stage " + std::to_string(n) + " of 3: " + line.substr(4), 78, "");
-      if (n == kStages) std::cout << "\n" << folded(state, 78, "");
+      if (n == kStages)
+        std::cout << "\n" << folded(lines.at(2).substr(lines.at(2).find("Unless")), 78, "");
     } else if (line.rfind("```", 0) == 0) {
       fenced = !fenced;
     } else if (here && n == stage) {
