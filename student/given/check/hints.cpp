@@ -1,4 +1,3 @@
-#include "hints.hpp"
 
 #include <algorithm>
 #include <iostream>

@@ -8,13 +8,10 @@
 
 #include "build.hpp"
 #include "files.hpp"
-#include "hints.hpp"
-#include "pages.hpp"
 #include "parts.hpp"
 #include "process.hpp"
 #include "report.hpp"
 #include "run.hpp"
-#include "style.hpp"
 
 namespace bounce::check {
 namespace {

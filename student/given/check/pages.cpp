@@ -1,4 +1,3 @@
-#include "pages.hpp"
 
 #include <filesystem>
 #include <iostream>
@@ -7,8 +6,8 @@
 #include "ending.hpp"
 #include "files.hpp"
 #include "process.hpp"
+#include "report.hpp"
 #include "run.hpp"
-#include "style.hpp"
 
 namespace bounce::check {
 namespace {

@@ -2,15 +2,14 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <iostream>
 
 #include "build.hpp"
 #include "compiler_words.hpp"
 #include "files.hpp"
-#include "hints.hpp"
 #include "process.hpp"
 #include "run.hpp"
-#include "style.hpp"
 
 namespace bounce::check {
 namespace {
@@ -251,6 +250,17 @@ bool report(const Run& run) {
             << " There are hidden ones as well, with other numbers.\n";
   print_warnings();
   return run.is_right() && (run.is_one_part() || run.sanitized || has_defined_behaviour());
+}
+
+const Style& style() {
+  const auto is_set = [](const char* name, const std::string& to) {
+    const char* value = std::getenv(name);
+    return value && (to.empty() ? *value : value == to);
+  };
+  static const Style plain{}, coloured{"\033[1m", "\033[31m", "\033[32m", "\033[2m", "\033[0m"};
+  static const bool has_colours =
+      is_terminal() && !is_set("TERM", "dumb") && !is_set("NO_COLOR", "");
+  return has_colours ? coloured : plain;
 }
 
 }  // namespace bounce::check

@@ -1,4 +1,5 @@
-// What a check prints: the parts with their points, the first thing to do, and the score.
+// What ./check says of a run: the parts with their points, the first thing to do, hints, and what
+// tells more of a program than its checks.
 #pragma once
 
 #include "parts.hpp"
@@ -11,5 +12,31 @@ bool report(const Run& run);
 
 // Under the first thing to do, where that is an error of the compiler.
 void print_what_does_not_compile(const Run& run);
+
+// Opens the hint for the first check that fails, a stage at a time.
+void hint(const Run& run);
+
+// "1.1 The height of the lowest corner": the heading of the hint for what is told of the mistake,
+// or else for the check.
+std::string heading_of(const Part& part, const Check& check, const std::string& mistake);
+
+// Measures the program, writes study.html, and prints the verdict; where nothing changed since, it
+// is only printed, and only if it is wanted `whole`. Throws Failure if the program doesn't get to
+// its end, or gives other numbers when it is optimised.
+void study(const Run& run, bool whole);
+
+// Asks part 2 about measured impacts, says how far it is off, and writes real.html. Throws Failure
+// as study does.
+void ask_about_real_impacts(const Run& run);
+
+// Says which wrong programs the cases in examples.txt catch, of one part or of all (0), or gives a
+// hint. Whether nothing is left to do. Throws Failure.
+bool judge_examples(int part, bool hints);
+
+// Colours, as far as the terminal has them.
+struct Style {
+  std::string bold, red, green, dim, plain;
+};
+const Style& style();
 
 }  // namespace bounce::check
