@@ -34,20 +34,6 @@ std::vector<int> known_columns(int T) {
   return columns;
 }
 
-Eigen::VectorXd numbers_of(const Contact& contact) {
-  Eigen::VectorXd numbers(7);
-  std::copy(contact.J.data(), contact.J.data() + 6, numbers.data());
-  numbers(6) = contact.phi;
-  return numbers;
-}
-
-Eigen::VectorXd numbers_of(const Lcp& lcp) {
-  Eigen::VectorXd numbers(20);
-  std::copy(lcp.V.data(), lcp.V.data() + 16, numbers.data());
-  std::copy(lcp.p.data(), lcp.p.data() + 4, numbers.data() + 16);
-  return numbers;
-}
-
 Eigen::VectorXd numbers_of(const State& next, const Case& c) {
   Eigen::VectorXd numbers(6);
   for (Eigen::Index i = 0; i < 3; ++i) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cases.hpp"
+#include "messages.hpp"
 
 namespace bounce::tests {
 
@@ -22,8 +23,14 @@ struct Answer {
 // apart, and early enough that rounding errors haven't grown.
 std::vector<int> known_columns(int T);
 
-Eigen::VectorXd numbers_of(const Contact& contact);
-Eigen::VectorXd numbers_of(const Lcp& lcp);
+// The numbers of a result, as a frame has them.
+template <class Result>
+Eigen::VectorXd numbers_of(const Result& result) {
+  frames::Frame frame;
+  double* end = frame.values;
+  frames::put(frame, end, result);
+  return Eigen::Map<Eigen::VectorXd>(frame.values, end - frame.values);
+}
 
 // The numbers for the state after the step of a case.
 Eigen::VectorXd numbers_of(const State& next, const Case& c);

@@ -99,51 +99,11 @@ bool are_zero(const double* numbers, Index size) {
   return std::all_of(numbers, numbers + size, [](double x) { return x == 0; });
 }
 
-// What may have gone wrong, if one reason explains every wrong entry; else empty.
-std::string explanation(const Case& c, const Difference& d) {
-  if (const std::string odd = odd_number(d.got); !odd.empty()) return odd;
-  if (are_zero(d.got.data(), d.got.size())) {
-    return d.got.size() > 1 ? "  every entry is 0: is it filled in?\n"
-                            : "  it is 0: not filled in, or a smallest that was never found?\n";
-  }
-  const Marks right = agrees(c, d.expected, d.got);
-  Words fit;
-  double times = 1;
-  for (const auto& [words, formula] : alternatives("factors")) {
-    const double factor = value_in(c, formula);
-    const Marks scaled = agrees(c, factor * d.expected, d.got);
-    if (!(right || (scaled && d.expected.array() != 0)).all()) continue;
-    fit.push_back(words);
-    times = factor;
-  }
-  if (fit.empty()) return "";
-  const std::string words = joined(fit, " or "), value = number(times, 6);
-  return "  wrong entries are " + words + (words == value ? "" : " = " + value) +
-         " times the right ones\n";
-}
-
-// The force that follows from a velocity after the step: M (v' - v) / dt - f_e.
-std::string forces(const Case& c, const Vector3& v) {
-  const Vector3 acceleration = (v - c.v) / c.params.dt - c.params.g;
-  const Vector3 f = c.params.M() * acceleration;
-  const double zero = 1e-9 * f.norm();  // rounding errors are shown as 0
-  const auto said = [&](double x) { return number(std::abs(x) < zero ? 0 : x, 6); };
-  return "(" + said(f.x()) + ", " + said(f.y()) + ") N";
-}
-
-// How the corner moves before the step, from the question's J.
-std::string corner_before(const Case& c) {
-  const double v_t = c.J.col(0).dot(c.v), v_n = c.J.col(1).dot(c.v);
-  return "  before the step the corner slides to the " + std::string(v_t > 0 ? "right" : "left") +
-         " at " + number(std::abs(v_t), 6) + " m/s and " + (v_n < 0 ? "comes down" : "goes up") +
-         " at " + number(std::abs(v_n), 6) + " m/s\n";
-}
-
-std::string about_step(const Case& c, const Difference& d) {
-  const bool touches = c.corner.rfind("corner", 0) == 0;
-  if (d.name != kNewVelocity || !touches || !d.got.allFinite()) return "";
-  return "  the contact force (f_t2 - f_t1, f_n) that v' tells of:\n    yours " + forces(c, d.got) +
-         ", right " + forces(c, d.expected) + "\n";
+// What no answer can be, or what isn't filled in; else empty.
+std::string explanation(const Difference& d) {
+  if (!are_zero(d.got.data(), d.got.size())) return odd_number(d.got);
+  return d.got.size() > 1 ? "  every entry is 0: is it filled in?\n"
+                          : "  it is 0: not filled in, or a smallest that was never found?\n";
 }
 
 }  // namespace
@@ -151,10 +111,9 @@ std::string about_step(const Case& c, const Difference& d) {
 std::string feedback(const Case& c, const Problem& problem) {
   std::string text;
   if (!c.corner.empty()) text += "  " + c.corner + "\n";
-  if (!are_zero(c.J.data(), c.J.size())) text += corner_before(c);
   if (!problem.sentence.empty()) text += "  " + problem.sentence + "\n";
   for (const Difference& d : problem.differences) {
-    text += side_by_side(c, d) + explanation(c, d) + about_step(c, d);
+    text += side_by_side(c, d) + explanation(d);
   }
   if (!text.empty()) text.pop_back();
   return text;

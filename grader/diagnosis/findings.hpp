@@ -87,27 +87,18 @@ bool is_finite(const Answer& answer);  // whether it didn't throw, and all its n
 
 // --- findings ---
 
-// "Your phi is y - l/2 in every question", and the like: a formula of tables.txt that gives all
-// of a quantity's numbers where the right one doesn't. If two formulas do, both are named; if more
-// do, none is. And of part 4, what is right and what is 0.
-Words formulas(const WrongPart& wrong);
-Words trajectory(const WrongPart& wrong);
-
-// Part 1: "Corner 4 is never chosen", "Your answer is always that of corner 1", and the like. Empty
-// if some answer is that of no corner, or if every answer is that of the lowest.
-Words corners(const WrongPart& wrong);
+// "Your phi is y - l/2 in every question", and the like: what the rows of this name and the part's
+// number in tables.txt say of formulas that give all of a quantity's numbers where the right one
+// doesn't. If two formulas do, both are named; if more do, none is.
+Words formulas(const WrongPart& wrong, const std::string& rows = "");
 
 // One rule for every wrong number (a factor, a difference, a constant, few digits); else up to two,
 // each for a quantity with its own rule; else none.
 Words rules(const WrongPart& wrong, const std::vector<Number>& numbers);
 
-// A sentence if exchanged places explain every answer; else empty.
-std::string exchanged(const WrongPart& wrong);
-
 // "Where only l is changed, phi stays the same in your answers, and it should change": if it does
-// so in all questions that differ in this number alone. Nothing is said of the quantities of which
-// these formulas say what they are.
-Words inputs(const WrongPart& wrong, const Words& formulas);
+// so in all questions that differ in this number alone.
+Words inputs(const WrongPart& wrong);
 
 // Whether the same question, asked twice, gets two answers.
 bool answers_differ_when_asked_again(const WrongPart& wrong);

@@ -1,7 +1,5 @@
 // Fits the rows of tables.txt to the answers.
 #include <algorithm>
-#include <cmath>
-#include <cstdio>
 #include <utility>
 
 #include "findings.hpp"
@@ -73,64 +71,14 @@ bool is_right(const Asked& all, const std::string& target) {
   return all.each(are_same(value(number, all.got), value(number, all.right)));
 }
 
-// "l^2 / 0.16" for "l^2 / ?": the number by which the alternative fits. Empty if none does.
-std::string with_number(const Asked& all, const std::string& target, const Alternative& one) {
-  const auto with_factor = [&](const std::string& factor) {
-    return replaced(target, "{each}", "(" + factor + ")");
-  };
-  const auto formula = [&](const std::string& factor) {
-    return value(with_factor(factor).substr(target.find(" = ") + 3), all.got);
-  };
-  const Column none = formula("0"), due = formula(replaced(one.formula, "?", "1")) - none;
-  const Column got = value(number_in(target), all.got) - none;
-  Index largest = 0;
-  (all.of_row != 0).select(due, 0.0).abs().maxCoeff(&largest);
-  const double number = due(largest) / got(largest);
-  char exact[32];
-  std::snprintf(exact, sizeof exact, "(%.17g)", number);
-  const bool fit = std::isfinite(number) && number != 0 &&
-                   fits(all, with_factor(replaced(one.formula, "?", exact)));
-  return fit ? replaced(one.words, "?", digits(number)) : "";
-}
-
 // The words of the one alternative that fits the target; empty if none or several do.
 std::string fitting_one(const Asked& all, const std::string& target, const std::string& each) {
-  Words found, with_numbers;
+  Words found;
   for (const Alternative& one : alternatives(each)) {
-    if (one.words.find('?') == std::string::npos) {
-      if (fits(all, with({"", target}, "{each}", one).formula)) found.push_back(one.words);
-    } else if (found.empty()) {
-      with_numbers.push_back(with_number(all, target, one));
-    }
+    if (fits(all, with({"", target}, "{each}", one).formula)) found.push_back(one.words);
   }
-  std::erase(with_numbers, "");
-  if (found.empty()) return with_numbers.empty() ? "" : with_numbers[0];
   return found.size() == 1 ? found[0] : "";
 }
-
-// What fits: its words, and those of {each} for each target.
-struct Match {
-  std::string words;
-  Words each;
-};
-
-std::vector<Match> matches(const Row& row, const Asked& all) {
-  const std::string list = text_of(row, "each");
-  std::vector<Match> found;
-  for (const Alternative& choice : choices(row)) {
-    const Words of = targets(choice.formula);
-    Words each;
-    const bool fit = std::all_of(of.begin(), of.end(), [&](const std::string& target) {
-      if (list.empty()) return fits(all, target);
-      each.push_back(fitting_one(all, target, list));
-      return !each.back().empty();
-    });
-    if (fit) found.push_back({replaced(choice.words, "{each}", joined(each, ", ")), each});
-  }
-  return found;
-}
-
-// --- sentences ---
 
 // Sums without 0, and what needs no words.
 std::string tidied(std::string text) {
@@ -144,6 +92,7 @@ std::string tidied(std::string text) {
       {"that , and", "that"},
       {" and dt for dt", ""},
       {"the right M^-1 and ", ""},
+      {", its entries by rows multiplied by (1, 1, 1, 1, 1, 1, 1, 1, 1)", ""},
       {"  ", " "},
       {" .", "."}};
   text = "(" + text + ")";
@@ -151,22 +100,21 @@ std::string tidied(std::string text) {
   return text.substr(1, text.size() - 2);
 }
 
-// "Your phi is min(1, phi) in every question.": a number of the answers that is right between two
-// bounds, and one of them elsewhere.
-std::string between_bounds(const Asked& all, const std::string& number, const std::string& name) {
-  const Column got = value(number, all.got), right = value(number, all.right);
-  const Column is_right = are_same(got, right);
-  double least = -INFINITY, most = INFINITY;
-  for (Index k = 0; k < got.size(); ++k) {
-    if (all.of_row(k) != 0 && is_right(k) == 0) (got(k) > right(k) ? least : most) = got(k);
+// The words of each choice from the row's lists that fits.
+Words matches(const Row& row, const Asked& all) {
+  const std::string list = text_of(row, "each");
+  Words found;
+  for (const Alternative& choice : choices(row)) {
+    const Words of = targets(choice.formula);
+    Words each;
+    const bool fit = std::all_of(of.begin(), of.end(), [&](const std::string& target) {
+      if (list.empty()) return fits(all, target);
+      each.push_back(fitting_one(all, target, list));
+      return !each.back().empty();
+    });
+    if (fit) found.push_back(tidied(replaced(choice.words, "{each}", joined(each, ", "))));
   }
-  const bool holds = all.each(are_same(got, right.max(least).min(most)));
-  const Index count = (all.of_row != 0).count(), wrong = (all.of_row != 0 && is_right == 0).count();
-  if (!holds || wrong < Index(kEnough) || count - wrong < Index(kEnough)) return "";
-  std::string words = name;
-  if (std::isfinite(least)) words = "max(" + digits(least) + ", " + words + ")";
-  if (std::isfinite(most)) words = "min(" + digits(most) + ", " + words + ")";
-  return "Your " + name + " is " + words + " in every question.";
+  return found;
 }
 
 // Whether these questions are enough, and the row's conditions hold in them.
@@ -182,62 +130,22 @@ bool is_for(const Row& row, const Asked& all) {
 
 void add_row(Words& sentences, const Row& row, const Asked& all) {
   if (!is_for(row, all)) return;
-  const std::string say = text_of(row, "say");
-  const std::vector<Match> found = say.empty() ? std::vector<Match>() : matches(row, all);
-  Words words;
-  for (const Match& match : found) words.push_back(tidied(match.words));
-  const std::string either = words.size() == 2 ? "either " : "";
-  if (words.size() == 1 || (words.size() == 2 && row.count("each") == 0))
-    sentences.push_back(tidied(replaced(say, "{}", either + joined(words, " or "))));
-  const Words names = split(text_of(row, "bounds")), numbers = split(text_of(row, "numbers"));
-  for (std::size_t i = 0; found.empty() && i < names.size(); ++i) {
-    const std::string sentence = between_bounds(all, number_in(numbers[i]), names[i]);
-    if (!sentence.empty()) sentences.push_back(sentence);
-  }
-}
-
-std::string entries_with(const std::string& sign, const Words& signs) {
-  Words names;
-  for (std::size_t k = 0; k < signs.size(); ++k) {
-    if (signs[k] != sign) continue;
-    names.push_back("V(" + std::to_string(k / 3) + ", " + std::to_string(k % 3) + ")");
-  }
-  return joined(names);
-}
-
-void add_block(Words& sentences, const Asked& all) {
-  std::vector<Match> found;
-  for (const Row& row : rows_of("block")) {
-    if (!is_for(row, all)) return;
-    for (const Match& match : matches(row, all)) found.push_back(match);
-  }
-  if (found.size() != 1) return;
-  const Words& signs = found[0].each;
-  const std::string words = tidied(found[0].words);
-  const std::string negative = entries_with("-1", signs), zero = entries_with("0", signs);
-  if (signs[0] == "0" && signs[4] == "0" && signs[8] == "0") return;
-  if (words != "the right M^-1") {
-    sentences.push_back("The 3x3 block of your V is " +
-                        std::string(negative.empty() && zero.empty() ? "" : "in absolute values ") +
-                        "J_hat^T M^-1 J_hat dt with " + words + " in every question.");
-  }
-  if (std::count(signs.begin(), signs.end(), "-1") == 9) {
-    sentences.push_back("The whole 3x3 block of your V has the other sign.");
-  } else if (!negative.empty()) {
-    sentences.push_back("The other sign in every question: " + negative + ".");
-  }
-  if (!zero.empty()) sentences.push_back("Zero in every question: " + zero + ".");
+  Words words = matches(row, all);
+  if (words.size() == 2 && row.count("each") + row.count("every") == 0)
+    words = {"either " + joined(words, " or ")};
+  if (words.size() > 1 && row.count("every") == 0) return;
+  for (const std::string& one : words)
+    sentences.push_back(tidied(replaced(row.at("say"), "{}", one)));
 }
 
 }  // namespace
 
-Words formulas(const WrongPart& part) {
+Words formulas(const WrongPart& part, const std::string& rows) {
   if (!std::all_of(part.got.begin(), part.got.end(), is_finite)) return {};
   const Columns& got = part.columns;
   const Columns right = columns_of(part.part, part.cases, part.right, part.right);
-  Words sentences = part.part == 4 ? trajectory(part) : Words();
-  if (part.part == 2) add_block(sentences, {got, right, value("1", got)});
-  for (const Row& row : rows_of(std::to_string(part.part))) {
+  Words sentences;
+  for (const Row& row : rows_of(rows + std::to_string(part.part))) {
     const std::string where = row.count("where") > 0 ? row.at("where") : "1";
     if (row.count("otherwise") == 0 || sentences.empty())
       add_row(sentences, row, {got, right, value(where, got)});

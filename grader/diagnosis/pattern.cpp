@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <iterator>
-#include <numeric>
 #include <set>
 #include <sstream>
 
@@ -17,7 +15,6 @@ namespace {
 using Eigen::Index;
 
 constexpr std::size_t kMost = 5;  // sentences
-constexpr std::size_t kMostEntries = 4;
 
 std::vector<Number> wrong_numbers(const WrongPart& part) {
   std::vector<Number> wrong;
@@ -30,58 +27,17 @@ std::vector<Number> wrong_numbers(const WrongPart& part) {
   return wrong;
 }
 
-std::string entry(int part, Index i) {
-  static const char* const of_J[] = {"first entry", "second entry", "third entry"};
-  static const char* const of_a_step[] = {"x", "y", "theta", "v_x", "v_y", "omega"};
-  if (part == 1) return of_J[i % 3];
-  if (part == 3) return of_a_step[i];
-  return "V(" + std::to_string(i % 4) + ", " + std::to_string(i / 4) + ")";
-}
-
-// "J_t (third entry)", or the name alone if all entries are wrong, or many.
-std::string with_entries(int part, const Quantity& quantity, const std::set<Index>& wrong) {
-  Words names;
-  for (const Index i : quantity.entries) {
-    if (wrong.count(i) > 0) names.push_back(entry(part, i));
-  }
-  const bool are_all = names.size() == quantity.entries.size();
-  return quantity.name + (are_all || names.size() > kMostEntries ? "" : " (" + joined(names) + ")");
-}
-
-// "in every public question"; with an exception, that is also said.
-std::string in_those(bool all_answered) {
-  return std::string("in every public question") + (all_answered ? "" : " that it answers");
-}
-
 std::string which(int part, const std::set<Index>& wrong, bool all_answered) {
   Words right, touched;
   for (const Quantity& quantity : quantities(part)) {
     const bool is_wrong = std::any_of(quantity.entries.begin(), quantity.entries.end(),
                                       [&](Index i) { return wrong.count(i) > 0; });
-    (is_wrong ? touched : right)
-        .push_back(is_wrong ? with_entries(part, quantity, wrong) : quantity.name);
+    (is_wrong ? touched : right).push_back(quantity.name);
   }
   const std::string what = "rong: " + joined(touched) + ".";
   if (right.empty()) return "W" + what;
-  return "Right " + in_those(all_answered) + ": " + joined(right) + "; w" + what;
-}
-
-std::string first_wrong_column(const WrongPart& part, const std::vector<Number>& wrong,
-                               bool all_answered) {
-  std::set<int> firsts;
-  for (auto n = wrong.begin(); n != wrong.end(); ++n) {
-    if (n != wrong.begin() && n->question == std::prev(n)->question) continue;
-    const auto column = static_cast<std::size_t>(n->entry / numbers_together(4));
-    firsts.insert(known_columns(part.cases[n->question].params.T)[column]);
-  }
-  const int first = *firsts.begin();
-  if (first < 2 && firsts.size() == 1 && all_answered) {
-    return "Column " + std::to_string(first) +
-           " is the first wrong one in every case that is wrong.";
-  }
-  return first == 0 ? "In some cases column 0 is wrong already."
-                    : "Column 0 is right " + in_those(all_answered) +
-                          "; the first wrong one comes after it.";
+  return "Right in every public question" + std::string(all_answered ? "" : " that it answers") +
+         ": " + joined(right) + "; w" + what;
 }
 
 // Whether it holds of a number in these answers.
@@ -94,32 +50,28 @@ bool any_number(const Answers& got, Holds holds) {
 
 // What formula or rule the numbers follow: one that needs no case set apart.
 Words formula_or_rule(const WrongPart& part, const std::vector<Number>& wrong) {
-  Words sentences = part.part == 1 ? corners(part) : Words();
+  Words sentences = formulas(part, "corners ");
   if (sentences.empty()) sentences = formulas(part);
   return sentences.empty() && part.part != 4 ? rules(part, wrong) : sentences;
 }
 
-// A sentence beside which nothing else is said; else empty.
-std::string alone(const WrongPart& part) {
+// What is said alone, if anything is.
+Words alone(const WrongPart& part) {
   double garbage = 0;
   const auto is_it = [&](double x) { return is_garbage(garbage = x); };
   if (any_number(part.got, is_it))
-    return "A number in an answer is " + digits(garbage) + ": was it ever set?";
+    return {"A number in an answer is " + digits(garbage) + ": was it ever set?"};
   if (answers_differ_when_asked_again(part)) {
-    return "The same question, asked again after others, gets another answer. Often: a static or "
-           "global variable, a number that is never set, or `auto` for an expression of Eigen.";
+    return {
+        "The same question, asked again after others, gets another answer. Often: a static or "
+        "global variable, a number that is never set, or `auto` for an expression of Eigen."};
   }
-  return exchanged(part);
+  return formulas(part, "exchanges ");
 }
 
 }  // namespace
 
 std::vector<Quantity> quantities(int part) {
-  if (part == 4) {
-    std::vector<Index> entries(6 * known_columns(40).size());  // more than any trajectory has
-    std::iota(entries.begin(), entries.end(), 0);
-    return {{"the trajectory", entries}};
-  }
   std::vector<Quantity> all;
   for (const auto& [name, entries] : alternatives("answer" + std::to_string(part))) {
     all.push_back({name, {}});
@@ -163,18 +115,17 @@ std::vector<std::string> patterns(int part, const std::vector<Case>& cases,
   }
   const bool all_answered =
       std::all_of(got.begin(), got.end(), [](const Answer& a) { return a.thrown.empty(); });
-  Words sentences{part == 4 ? first_wrong_column(wrong, numbers, all_answered)
-                            : which(part, entries, all_answered)};
-  if (const std::string only = alone(wrong); !only.empty()) {
-    sentences.push_back(only);
+  Words sentences{which(part, entries, all_answered)};
+  if (const Words only = alone(wrong); !only.empty()) {
+    sentences.push_back(only[0]);
     return sentences;
   }
   const Words follows = formula_or_rule(wrong, numbers);
-  const Words responses = inputs(wrong, follows);
-  sentences.insert(sentences.end(), responses.begin(), responses.end());
+  const Words responses = inputs(wrong);
   const std::string only = responses.empty() && all_answered ? where(wrong, questions) : "";
-  if (!only.empty()) sentences.push_back(only);
   sentences.insert(sentences.end(), follows.begin(), follows.end());
+  if (!only.empty()) sentences.push_back(only);
+  sentences.insert(sentences.end(), responses.begin(), responses.end());
   if (sentences.size() > kMost) sentences.resize(kMost);
   return sentences;
 }

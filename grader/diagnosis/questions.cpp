@@ -58,7 +58,7 @@ std::vector<Case> questions(int part) {
   const auto file = public_file(part);
   if (!file) throw std::logic_error("there are no public fixtures of part " + std::to_string(part));
   std::ifstream in(*file);
-  Cases all = read_all_cases(in), others;
+  Cases all = read_cases(in, false), others;
   for (const Row& row : rows_of("questions " + std::to_string(part))) {
     for (const Case& base : those_of(row, all)) {
       for (const std::string& changes : split(row.at("ask"))) {

@@ -12,6 +12,16 @@ constexpr const char* kTable =
 #include "tables.txt"
     ;
 
+// "a0 = r3; a1 = r0; ..." for the places "3 0 ...".
+std::string as_numbers(const std::string& places) {
+  std::string numbers;
+  std::istringstream all(places);
+  int number = 0;
+  for (std::string place; all >> place; ++number)
+    numbers += (number > 0 ? "; a" : "a") + std::to_string(number) + " = r" + place;
+  return numbers;
+}
+
 std::map<std::string, std::vector<Row>> read_table() {
   std::map<std::string, std::vector<Row>> parts;
   std::string part, *last = nullptr;
@@ -30,7 +40,9 @@ std::map<std::string, std::vector<Row>> read_table() {
       *last += " " + text;
     } else {
       if (std::exchange(begins, false)) parts[part].emplace_back();
-      last = &(parts[part].back()[name] = text);
+      Row& row = parts[part].back();
+      last = &(row[name] = text);
+      if (name == "places") row["numbers"] = as_numbers(text);
     }
   }
   return parts;

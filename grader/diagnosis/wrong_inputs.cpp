@@ -55,17 +55,6 @@ bool is_zero(const Quantity& quantity, const Answers& got) {
   });
 }
 
-// Whether one of these sentences says what a quantity is: "The 3x3 block of your V is ...".
-bool are_about(const Words& formulas, const Quantity& quantity) {
-  const std::string name = quantity.name.substr(quantity.name.rfind("the ", 0) == 0 ? 4 : 0);
-  return std::any_of(formulas.begin(), formulas.end(), [&](std::string words) {
-    words.erase(std::min(words.find(" is "), words.size()));
-    if (const std::size_t at = words.find("your "); at != words.npos) words.erase(at, 5);
-    const bool is_rule = words.rfind("Every wrong", 0) == 0;  // of wrong numbers, not of all
-    return !is_rule && words.find(name) != words.npos;
-  });
-}
-
 // What was seen of an input and a quantity in all questions that differ in this input alone.
 struct Seen {
   bool any = false;
@@ -73,40 +62,6 @@ struct Seen {
   bool responds = false;   // the part's differ somewhere
   bool everywhere = true;  // the part's differ each time
 };
-
-// Whether a quantity is right wherever all inputs that it lacks are those of the first question,
-// which are not the assignment's, and mostly wrong elsewhere: then the program may keep them from
-// its first call.
-bool may_be_kept(const WrongPart& part, const Quantity& quantity, const ByInput& missing) {
-  const std::vector<Input> usual = inputs_of({});
-  Column as_first = value("1", part.columns);
-  for (std::size_t i = 0; i < kInputs; ++i) {
-    if (std::count(missing[i].begin(), missing[i].end(), quantity.name) == 0) continue;
-    const Column& input = part.columns.at(usual[i].name);
-    if (i >= kParameters || input(0) == usual[i].value) return false;
-    as_first *= (input == input(0)).cast<double>();
-  }
-  Index wrong = 0;
-  for (std::size_t k = 0; k < part.cases.size(); ++k) {
-    if (!differ(quantity, part.got[k], part.right[k])) continue;
-    if (as_first(Index(k)) != 0) return false;
-    ++wrong;
-  }
-  return 2 * wrong >= (as_first == 0).count();
-}
-
-// Takes those that a program may keep from its first call.
-ByInput take_kept(const WrongPart& part, ByInput& missing) {
-  ByInput kept;
-  const ByInput all = missing;
-  for (const Quantity& quantity : quantities(part.part)) {
-    if (!may_be_kept(part, quantity, all)) continue;
-    for (std::size_t i = 0; i < kInputs; ++i) {
-      if (std::erase(missing[i], quantity.name) > 0) kept[i].push_back(quantity.name);
-    }
-  }
-  return kept;
-}
 
 // In free flight these make no difference. Where none of them does, the program takes no contact
 // step in these questions, which is another mistake.
@@ -117,7 +72,7 @@ void leave_out_what_needs_a_contact(ByInput& missing) {
 }
 
 // One sentence for all inputs that have the same quantities.
-void add(Words& sentences, ByInput quantities, bool intrude, const std::string& end = ".") {
+void add(Words& sentences, ByInput quantities, bool intrude) {
   const std::vector<Input> inputs = inputs_of({});
   for (std::size_t i = 0; i < kInputs; ++i) {
     const Words changed = quantities[i];
@@ -132,9 +87,8 @@ void add(Words& sentences, ByInput quantities, bool intrude, const std::string& 
     const std::string s = one ? "s" : "", it = one ? "it" : "they";
     sentences.push_back(
         "Where only " + joined(names, " or ") + " is changed, " + joined(changed) +
-        (intrude ? " change" + s + " in your answers, and " + it + " should stay the same"
-                 : " stay" + s + " the same in your answers, and " + it + " should change") +
-        end);
+        (intrude ? " change" + s + " in your answers, and " + it + " should stay the same."
+                 : " stay" + s + " the same in your answers, and " + it + " should change."));
   }
 }
 
@@ -147,11 +101,11 @@ bool answers_differ_when_asked_again(const WrongPart& part) {
   });
 }
 
-Words inputs(const WrongPart& part, const Words& formulas) {
+Words inputs(const WrongPart& part) {
   ByInput missing, intruding;
   const std::vector<Pair> all = pairs(part.cases);
   for (const Quantity& quantity : quantities(part.part)) {
-    if (is_zero(quantity, part.got) || are_about(formulas, quantity)) continue;
+    if (is_zero(quantity, part.got)) continue;
     std::array<Seen, kInputs + 1> seen;
     for (const auto& [a, b, input] : all) {
       if (!is_finite(part.got[a]) || !is_finite(part.got[b])) continue;
@@ -172,7 +126,6 @@ Words inputs(const WrongPart& part, const Words& formulas) {
   }
   if (part.part >= 3) leave_out_what_needs_a_contact(missing);
   Words sentences;
-  add(sentences, take_kept(part, missing), false, ": kept from an earlier call?");
   add(sentences, missing, false);
   add(sentences, intruding, true);
   return sentences;

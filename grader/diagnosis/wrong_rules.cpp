@@ -1,8 +1,7 @@
-// Rules for wrong numbers: a factor, a difference, a constant, few digits, exchanged places.
+// Rules for wrong numbers: a factor, a difference, a constant, few digits.
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <numeric>
 
 #include "findings.hpp"
 #include "recognise.hpp"
@@ -77,57 +76,6 @@ bool have_few_digits(const Numbers& numbers) {
   });
 }
 
-// --- exchanged places ---
-
-using Places = std::vector<Index>;  // the one that each entry comes from
-
-bool explain(const WrongPart& part, const Places& places) {
-  return std::equal(part.got.begin(), part.got.end(), part.right.begin(),
-                    [&](const Answer& got, const Answer& right) {
-                      Index i = 0;
-                      return std::all_of(got.numbers.begin(), got.numbers.end(), [&](double x) {
-                        return same(right.numbers(places[std::size_t(i++)]), x);
-                      });
-                    });
-}
-
-// V and p, or only some of them, for unknowns in another order than eq. (8)'s.
-Places in_order(const Places& order, bool block, bool border, bool p) {
-  Places places(20);
-  std::iota(places.begin(), places.end(), 0);
-  for (std::size_t k = 0; k < 20; ++k) {
-    const std::size_t i = k % 4, j = k / 4;
-    const bool is_in_block = i < 3 && j < 3;
-    if (j == 4 && p) places[k] = 16 + order[i];
-    if (j < 4 && (is_in_block ? block : border)) places[k] = order[i] + 4 * order[j];
-  }
-  return places;
-}
-
-std::string orders_of_unknowns(const WrongPart& part) {
-  const char* const names[] = {"f_n", "f_t1", "f_t2", "lambda"};
-  struct {
-    const char *before, *after;
-    bool block, border, p, of_forces;  // whether lambda stays the last
-  } constexpr kSome[] = {
-      {"V and p are", "", true, true, true, false},
-      {"V is", ", and p isn't", true, true, false, false},
-      {"p is", ", and V isn't", false, false, true, false},
-      {"p and the 3x3 block of V are", ", and the border of V isn't", true, false, true, true},
-      {"the 3x3 block of V is", ", and its border and p aren't", true, false, false, true}};
-  Places order{0, 1, 2, 3};
-  while (std::next_permutation(order.begin(), order.end())) {
-    Words unknowns;
-    for (const Index i : order) unknowns.push_back(names[i]);
-    for (const auto& some : kSome) {
-      if (some.of_forces && order[3] != 3) continue;
-      if (explain(part, in_order(order, some.block, some.border, some.p)))
-        return some.before + (" in the order z = (" + joined(unknowns, ", ")) + ")" + some.after;
-    }
-  }
-  return "";
-}
-
 }  // namespace
 
 Words rules(const WrongPart& part, const Numbers& numbers) {
@@ -149,17 +97,6 @@ Words rules(const WrongPart& part, const Numbers& numbers) {
     if (!rule.empty() && found.size() < 2) found.push_back(rule);
   }
   return found;
-}
-
-std::string exchanged(const WrongPart& part) {
-  std::string words = part.part == 2 ? orders_of_unknowns(part) : "";
-  for (const Row& row : rows_of("exchanges " + std::to_string(part.part))) {
-    Places places;
-    for (const std::string& place : split(row.at("places"), ' '))
-      places.push_back(std::stol(place));
-    if (explain(part, places)) words = row.at("say");  // in fewer words than an order
-  }
-  return words.empty() ? "" : "One thing explains every wrong number: " + words + ".";
 }
 
 }  // namespace bounce::tests

@@ -60,11 +60,10 @@ json path(const tests::Case& c, const tests::Problem& problem) {
 }  // namespace
 
 json facts(const tests::Failure& failure) {
-  const auto& [c, problem, cases, wrong, ended_at, before, again] = failure;
+  const auto& [c, problem, cases, wrong, ended_at, again] = failure;
   json all = {{"cases", cases},
               {"wrong", wrong},
               {"ended_at", ended_at},
-              {"before", {{"right", before.right}, {"wrong", before.wrong}}},
               {"again", again},
               {"name", c.name},
               {"input", c.input},

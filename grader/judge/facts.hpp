@@ -1,8 +1,7 @@
 // A failed check in numbers: its first wrong case, or the one at which the program ended.
 //
 //   "cases", "wrong"   how many the check has, and how many are wrong
-//   "ended_at"   the number of the case at which the program ended, 0 if at none; "before" it:
-//                {"right", "wrong"}
+//   "ended_at"   the number of the case at which the program ended, 0 if at none
 //   "again"      says that all were right when they were asked before, in another order; or ""
 //   "name", "input", "hidden"   of the case; its input in words
 //   "contact"    what the corner does, in words

@@ -67,7 +67,7 @@ class RunnerProcess {
   void wait(pollfd* descriptors, nfds_t count, int milliseconds);
   void count_idle_time(const ProcessUsage& seen);
   void end_if_it_hangs(bool amid_an_answer);
-  void end_if_late(bool amid_an_answer);
+  void end_if_late();
   [[noreturn]] void end_after_close(const char* closed);
   [[noreturn]] void end(Termination termination, bool waits = false);
   int wait_for_exit();
@@ -83,10 +83,8 @@ class RunnerProcess {
   std::string last_print_;  // the end of the printed text, which holds an assertion's message
   Clock::duration waited_{};
   Seconds idle_{};
-  Seconds kept_waiting_{};  // for a CPU or a disk
-  Seconds in_threads_{};    // while our CPU was busy with them or with others
   // When idle time was last counted:
-  Seconds idle_before_{}, wanted_before_{}, spare_before_{}, waited_before_{};
+  Seconds idle_before_{}, spare_before_{};
   double cpu_before_ = 0, ended_before_ = 0;
   bool counts_idle_ = false;
   double spent_ = 0;

@@ -24,12 +24,10 @@ class Session {
   using Numbers = std::function<std::uint64_t()>;
   Session(Start start, Limits limits, std::uint32_t part, bool given, Numbers numbers);
 
-  // The answer to a question; for part 4 also the columns, T or one less. Throws tests::Ended if
-  // the check can't go on, std::runtime_error if this question has no answer.
+  // The answer to a question, the solution's where the part is given; for part 4 also the columns,
+  // T or one less. Throws tests::Ended if the check can't go on, std::runtime_error if this
+  // question has no answer.
   frames::Frame ask(frames::Frame question, Trajectory* columns = nullptr);
-
-  // Whether it answers callbacks for this part.
-  bool answers_for(std::uint32_t part) const { return given_ && part >= 1 && part < part_; }
 
   // CPU time of the current runner, ns; 0 if there is none.
   double cpu_ns() const { return runner_ ? runner_->cpu_ns() : 0; }
@@ -41,6 +39,7 @@ class Session {
   std::optional<Termination> take_end();
 
  private:
+  bool answers_for(std::uint32_t part) const { return given_ && part >= 1 && part < part_; }
   frames::Frame answer_of(const frames::Frame& question, Trajectory* columns);
   const char* why_not_asked() const;  // as a Termination's `what`, or null
   void end_runner(const Termination& end);
@@ -60,7 +59,7 @@ class Session {
   std::string kit_failure_;
 };
 
-// The session that submission_remote.cpp asks; the judge's main sets it.
+// The session that the checks ask; the judge's main sets it.
 extern Session* session;
 
 }  // namespace bounce::judge

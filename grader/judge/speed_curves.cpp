@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kDeltaSpeed = 0.1;  // m/s, delta over dt: the assignment's 0.001 m for 0.01 s
 constexpr double kNudge = 1e-3;      // m/s and rad/s: a thousandth of typical velocities
-constexpr int kFewest = 2, kMost = 15;
+constexpr int kFewest = 2, kMost = 5;
 constexpr long kStepsInAll = 25'000;  // of all rounds of a point, roughly
 
 // A scene at one dt.
@@ -66,33 +66,17 @@ class Measurement {
     curves.points.resize(scenes);
   }
 
-  // Decides how many rounds the time allows at this dt: all, the fewest or none.
-  void plan(const std::vector<Setting>& settings, double dt) {
-    double all = 0, fewest = 0;
-    for (const Setting& setting : settings) {
-      fewest += ns_per_step_ * setting.params.T * kFewest;
-      all += ns_per_step_ * setting.params.T * setting.rounds;
-    }
-    only_fewest_ = all > left_ns_;
-    if (fewest > left_ns_) {
-      curves.cut = Cut{dt, "it would take more CPU time than there is for all of this"};
-    }
-    ns_ = steps_ = 0;
-  }
-
-  // Runs a round, unless the plan has no more for this contender. The first is the scene itself,
-  // which could be known by heart. Of the others' times the least counts, because disturbances only
-  // add time.
+  // Runs a round. The first is the scene itself, which could be known by heart. Of the others'
+  // times the least counts, because disturbances only add time.
   void ask(const Setting& setting, const State& start, int round) {
-    if (curves.cut || (only_fewest_ && round >= kFewest)) return;
+    if (!curves.cut && left_ns_ < 0)
+      curves.cut = Cut{setting.params.dt, "it takes more CPU time than there is for all of this"};
+    if (curves.cut) return;
     try {
       const Timed timed = run_(setting.params, start);
       if (round == 0) error_ = error_of(setting, timed.trajectory);
       least_ns_ = round <= 1 ? timed.ns : std::min(least_ns_, timed.ns);
       left_ns_ -= timed.ns;
-      ns_ += timed.ns;
-      steps_ += setting.params.T;
-      ns_per_step_ = ns_ / steps_;
     } catch (const Termination& end) {
       curves.cut = Cut{setting.params.dt, "", end};
     } catch (const std::runtime_error& failed) {
@@ -110,8 +94,7 @@ class Measurement {
 
  private:
   Contender run_;
-  double left_ns_, ns_per_step_ = 0, ns_ = 0, steps_ = 0;
-  bool only_fewest_ = false;
+  double left_ns_;
   double least_ns_ = 0, error_ = 0;  // of the rounds at the present setting
 };
 
@@ -127,8 +110,6 @@ std::vector<Curves> speed_curves(const std::vector<exact::Scene>& scenes,
     std::vector<Setting> settings;
     for (std::size_t i = 0; i < scenes.size(); ++i)
       settings.push_back(setting_of(scenes[i], truths[i], dt));
-    for (Measurement& measurement : measurements)
-      if (!measurement.curves.cut) measurement.plan(settings, dt);
     for (std::size_t i = 0; i < scenes.size(); ++i) {
       for (int round = 0; round < settings[i].rounds; ++round) {
         const State start = round == 0 ? scenes[i].start : nudged(scenes[i].start);

@@ -24,8 +24,8 @@ namespace bounce::judge {
 
 // A trajectory, and the CPU time that it took, ns.
 struct Timed {
-  Trajectory trajectory;
-  double ns;
+  Trajectory trajectory = {};
+  double ns = 0;
 };
 
 // Computes a trajectory. If it fails, throws Termination, or std::runtime_error with a sentence.
@@ -53,8 +53,8 @@ struct Curves {
 // Time steps, s, from the assignment's downwards.
 inline const std::vector<double> kMeasuredSteps{1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 3e-5, 1e-5};
 
-// The curves of each contender. A contender is cut off if it throws, or if its next points would
-// exceed `budget_ns` of CPU time in total.
+// The curves of each contender. A contender is cut off if it throws, or after `budget_ns` of CPU
+// time.
 std::vector<Curves> speed_curves(const std::vector<exact::Scene>& scenes,
                                  const std::vector<Contender>& contenders, double budget_ns);
 

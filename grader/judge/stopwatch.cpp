@@ -13,8 +13,7 @@
 // If a timed column is wrong, the times mean nothing, and only {"wrong": place} is printed.
 //
 // A runner is timed from outside, by the system's count of its CPU time, from the question to the
-// last column of its answer. The cost of communication is measured with the solution's runner,
-// which is trusted, and subtracted from both.
+// last column of its answer, both included.
 //
 // Exit status 3 if the solution's runner ends, or if CPU time can't be measured.
 #include <algorithm>
@@ -50,7 +49,6 @@ using nlohmann::json;
 using Command = std::vector<std::string>;
 
 constexpr double kBudget = 2e9;  // ns of CPU time for all curves
-constexpr int kManyColumns = 20'001;
 
 // --- whether columns are right, each as the step from the one before: over a whole trajectory
 // rounding errors grow too much for a comparison ---
@@ -113,34 +111,14 @@ class Timer {
  public:
   explicit Timer(const Command& command) : session_(command, limits(), 4, false) {}
 
-  // The cost of communication, without computing: ns per question, and ns per column.
-  double per_question = 0, per_column = 0;
-
   Timed run(const Parameters& params, const State& start) {
-    Trajectory trajectory;
-    if (!started_) {
+    if (!started_) {  // else the first question would include the program's start
       Parameters one = params;
       one.T = 1;
-      ask(one, start, &trajectory);
+      ask(one, start);
       started_ = true;
     }
-    const double ns = ask(params, start, &trajectory);
-    return {trajectory, std::max(1.0, ns - per_question - per_column * params.T)};
-  }
-
-  // The CPU time of an answer, ns; without sending columns if `columns` is null.
-  double ask(const Parameters& params, const State& start, Trajectory* columns) {
-    frames::Frame question = frames::question(4, params, start.q, start.v);
-    question.silent = columns == nullptr;
-    const double before = session_.cpu_ns();
-    try {
-      const frames::Frame answer = session_.ask(question, columns);
-      if (columns) submission::require_columns(answer.q_columns, answer.v_columns, params.T);
-    } catch (const tests::Ended&) {
-      if (const auto end = session_.take_end()) throw *end;
-      throw;
-    }
-    return session_.cpu_ns() - before;
+    return ask(params, start);
   }
 
  private:
@@ -151,28 +129,24 @@ class Timer {
     return limits;
   }
 
-  Session session_;
-  bool started_ = false;  // else the first question would include the program's start
-};
-
-// Measures the cost of communication. The least of several times counts, because disturbances only
-// add time.
-void measure_communication(Timer& known) {
-  const auto least = [&](int T, bool with_columns) {
-    const State in_flight{{0, 1e9, 0}, {0, 0, 0}};
-    Parameters params;
-    params.T = T;
-    Trajectory columns;
-    double ns = INFINITY;
-    for (int i = 0; i < 9; ++i) {
-      ns = std::min(ns, known.ask(params, in_flight, with_columns ? &columns : nullptr));
+  Timed ask(const Parameters& params, const State& start) {
+    Timed answer;
+    const double before = session_.cpu_ns();
+    try {
+      const frames::Frame shape =
+          session_.ask(frames::question(4, params, start.q, start.v), &answer.trajectory);
+      submission::require_columns(shape.q_columns, shape.v_columns, params.T);
+    } catch (const tests::Ended&) {
+      if (const auto end = session_.take_end()) throw *end;
+      throw;
     }
-    return ns;
-  };
-  const double bare = least(kManyColumns, false), whole = least(kManyColumns, true);
-  known.per_question = least(1, true);
-  known.per_column = std::max(0.0, whole - bare) / kManyColumns;
-}
+    answer.ns = std::max(1.0, session_.cpu_ns() - before);
+    return answer;
+  }
+
+  Session session_;
+  bool started_ = false;
+};
 
 // Some column isn't a step of the solution's from the one before: the time of such answers says
 // nothing.
@@ -237,12 +211,6 @@ json measured(const json& asked) {
   const std::vector<exact::Scene> scenes = scenes_of_one_corner(asked.at("scenes"));
   const auto command = [&](const char* name) { return asked.at(name).get<Command>(); };
   Timer timed(command("timed")), solution(command("solution"));
-  Timer known(command("solution"));  // its own runner, so that the solution starts cold, too
-  measure_communication(known);
-  for (Timer* timer : {&timed, &solution}) {
-    timer->per_question = known.per_question;
-    timer->per_column = known.per_column;
-  }
   const auto run = [&](const Parameters& params, const State& start) {
     return run_submission(timed, params, start);
   };

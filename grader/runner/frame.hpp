@@ -26,9 +26,9 @@ enum class Kind : std::uint32_t { question = 1, answer, callback, threw, out_of_
 struct Frame {
   std::uint32_t magic = kMagic;
   Kind kind = Kind::question;
-  std::uint32_t part = 0;    // 1 to 4
-  std::uint32_t silent = 0;  // in a question of part 4: answer with the shapes only
-  std::uint64_t number = 0;  // an answer carries the number of its question
+  std::uint32_t part = 0;  // 1 to 4
+  std::uint32_t unused = 0;
+  std::uint64_t number = 0;                   // an answer carries the number of its question
   std::int64_t q_columns = 0, v_columns = 0;  // part 4; see columns_at_hand
   double scene[9] = {};                       // l, m, mu, epsilon, g, dt, delta
   std::int64_t T = 0;

@@ -1,7 +1,7 @@
-// The given part 1, which asks the judge.
+// The given part 1: another answers.
 #include <bounce/part1_contacts.hpp>
 
-#include "channel.hpp"
+#include "messages.hpp"
 
 namespace bounce {
 

@@ -1,7 +1,7 @@
-// The given part 2, which asks the judge.
+// The given part 2: another answers.
 #include <bounce/part2_lcp.hpp>
 
-#include "channel.hpp"
+#include "messages.hpp"
 
 namespace bounce {
 

@@ -1,7 +1,7 @@
-// The given part 3, which asks the judge.
+// The given part 3: another answers.
 #include <bounce/part3_step.hpp>
 
-#include "channel.hpp"
+#include "messages.hpp"
 
 namespace bounce {
 

@@ -1,5 +1,6 @@
-// The layout in a frame of each part's arguments and result, for the runner, its given parts and
-// the judge. A new part adds put and take for its result, unless it is a number or a matrix.
+// The layout in a frame of each part's arguments and result, for the runner, the given parts, the
+// judge, and recorded answers. A new part adds put and take for its result, unless it is a number
+// or a matrix.
 #pragma once
 
 #include <tuple>
@@ -74,3 +75,12 @@ Result answer(const Frame& question, Frame& answer, Result (*function)(const Arg
 }
 
 }  // namespace bounce::frames
+
+namespace bounce::runner {
+
+// An earlier part's result for this frame's arguments, for a part that is given: a runner asks the
+// judge, and a student's own build looks into recorded answers (tests/parts/linked/given.cpp).
+// Throws std::runtime_error if there is none.
+frames::Frame call_back(frames::Frame callback);
+
+}  // namespace bounce::runner

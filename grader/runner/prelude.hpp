@@ -39,13 +39,10 @@ inline void instances(Eigen::Matrix2d& A2, Eigen::Vector2d& a2, Eigen::Matrix3d&
                       Eigen::VectorXd& ax, Jacobian& J, Contact& contact, Trajectory& trajectory,
                       Eigen::Matrix<double, 2, 4>& corners) {
   double s = a.dot(A * a) + a.dot(a);
-  set(A, A.transpose() * A * A, A.transpose() * A * A * s, A * A, s * A * A, s * A, A * s);
-  A = A.transpose().eval();
-  A = A.inverse().eval();
+  set(A, A.transpose() * A * A, A.transpose() * A * A * s, A * A, s * A, A * s, A.inverse().eval());
   A = a.asDiagonal();
   set(a, A * a, s * A * a, a + s * A * a, a + s * (A * a), a + s * a, a - s * a, -a, s * a);
-  set(a, A.col(0), -A.col(0), A.row(0).transpose(), A.transpose() * a, A.inverse() * a);
-  set(a, a + s * A.inverse() * a, A.llt().solve(a), A.ldlt().solve(a), A.partialPivLu().solve(a));
+  set(a, A.col(0), A.inverse() * a, a + s * A.inverse() * a, A.partialPivLu().solve(a));
   a += s * a;
   a += A * a;
   a *= s;
@@ -53,18 +50,14 @@ inline void instances(Eigen::Matrix2d& A2, Eigen::Vector2d& a2, Eigen::Matrix3d&
   A.setIdentity();
   a.setZero();
   A(0, 0) = a(0);
-  A.row(0) = a.transpose();
   set(A.col(0), a, -a, A.col(0), -A.col(0));
-
   A2 << s, -s, s, s;
   A << s, s, s, s, s, s, s, s, s;
   A << a, -a, a;
   A << J.col(1), -J.col(0), J.col(0);
-  A4 << s, s, s, s, s, s, s, s, s, s, s, s, s, s, s, s;
   a2 << s, s;
   a << s, s, s;
   a4 << s, s, s, s;
-  a4 << a, s;
   J << s, s, s, s, s, s;
   J << a, a;
   corners << s, s, s, s, s, s, s, s;
@@ -72,45 +65,29 @@ inline void instances(Eigen::Matrix2d& A2, Eigen::Vector2d& a2, Eigen::Matrix3d&
   Eigen::Index at = 0;
   corners.row(1).minCoeff(&at);
   corners.col(0) = A2 * a2;
-
-  A2 = Eigen::Rotation2Dd(s).toRotationMatrix();
-  a2 = Eigen::Rotation2Dd(s) * a2;
   set(a2, s * a2, corners.col(at));
   set(A4.block<3, 3>(0, 0), A, A * s, A.transpose() * A * A * s);
-  set(A4.topLeftCorner<3, 3>(), A, A.transpose() * A * A * s, s * A.transpose() * A * A,
-      A.transpose() * A.inverse() * A * s);
+  set(A4.topLeftCorner<3, 3>(), A, A.transpose() * A * A * s, s * A.transpose() * A * A);
   A4.block<3, 1>(0, 3) = a;
-  A4.block<1, 3>(3, 0) = a.transpose();
   A4.block<1, 4>(3, 0) << s, s, s, s;
-  A4.block(0, 0, 3, 3) = A;
   A4.topRightCorner<3, 1>() = a;
   A4.row(3) << s, s, s, s;
   A4.col(3) << s, s, s, s;
-  a4.head<3>() = a;
   a = a4.head<3>();
 
   int i = 0;
-  Ax = Eigen::MatrixXd(i, i);
   Ax = Eigen::MatrixXd::Zero(i, i);
   ax = Eigen::VectorXd::Zero(i);
-  Ax << s, s, s, s;
-  ax << s, s, s;
   Ax(i, i) = ax(i);
   A4(i, i) = a(i) + a2(i) + J(i, i) + corners(i, i);
-
   J.col(0) = a;
   J.col(0) << s, s, s;
   contact.J.col(1) << s, s, s;
-  set(a, J.col(0), J.col(1) * s - J.col(0) * s + J.col(0) * s);
   trajectory.q.resize(3, 3);
   trajectory.q.col(0) = a;
   a = trajectory.q.col(0);
   set(trajectory.q, Eigen::Matrix3Xd::Zero(3, 3), Eigen::MatrixXd::Zero(3, 3));
-  std::cout << A << a.transpose() << a << A4 << a4 << J << Ax << s << std::endl;
   std::vector<double> numbers(4, s);
-  std::min_element(numbers.begin(), numbers.end());
-  std::sort(numbers.begin(), numbers.end());
-  numbers.push_back(s);
   std::vector<Eigen::Vector2d> points{a2};
   points.push_back(a2);
 }
@@ -119,12 +96,10 @@ inline void instances(Eigen::Matrix2d& A2, Eigen::Vector2d& a2, Eigen::Matrix3d&
 inline Vector3 instances(const Vector3& a, const Vector3& b, const Vector3& c, const Jacobian& J,
                          const Parameters& params, const Eigen::Matrix<double, 2, 4>& S,
                          const Eigen::Matrix2d& R, const Eigen::Matrix3d& A,
-                         const Eigen::Matrix3d& B, const Eigen::Matrix3d& C,
-                         const Eigen::Vector4d& h) {
+                         const Eigen::Matrix3d& B, const Eigen::Vector4d& h) {
   const double s = h(3);
   Eigen::Index at = 0;
   Eigen::Matrix<double, 2, 4> T = R * S;
-  T = R * S * s;
   S.row(1).minCoeff(&at);
   const Eigen::Vector2d u = S.col(at);
   const Eigen::Vector2d w = a.head<2>() + R * u;
@@ -138,22 +113,15 @@ inline Vector3 instances(const Vector3& a, const Vector3& b, const Vector3& c, c
   set(D, A.transpose() * B * A, A.transpose() * B * A * s, A * B, A * s);
   const Eigen::Matrix3d E = params.M(), F = A.inverse();
   Vector3 f = A * a + J.col(1) * h(0) - J.col(0) * h(1) + J.col(0) * h(2);
-  set(f, A * params.g, c + J.col(1) * h(0) - J.col(0) * h(1) + J.col(0) * h(2),
-      J.col(1) * h(0) - J.col(0) * h(1) + J.col(0) * h(2), a * h(0) + b * (h(2) - h(1)),
-      c + a * h(0) - b * h(1) + b * h(2), c + s * A * (c + a * h(0) - b * h(1) + b * h(2)));
-  set(f, a + s * A * b, a + s * A.inverse() * b, a + s * (A * b), a + s * b + c, a + s * b,
-      a + b * s, s * a + b, s * a);
+  set(f, A * params.g, J.col(1) * h(0) - J.col(0) * h(1) + J.col(0) * h(2),
+      c + a * h(0) - b * h(1) + b * h(2), a + s * A * b, a + s * (A * b), a + s * b + c, a + s * b,
+      s * a + b, s * a);
   f += J.col(1) * h(0) - J.col(0) * h(1) + J.col(0) * h(2);
-  f += J.col(1) * h(0) + J.col(0) * (h(2) - h(1));
   const double t = a.dot(b + s * c) + a.dot(b) + J.col(1).dot(b) + (1 + s) * a.dot(b) +
-                   a.dot(s * b + c) + a.dot(b + c) + a.dot((1 + s) * b + s * A * c) +
-                   a.dot(b + s * A * c) + (a.transpose() * ((1 + s) * b + s * A * c)).value();
+                   a.dot((1 + s) * b + s * A * c) + a.dot(b + s * A * c);
   Lcp lcp;
-  set(lcp.V.topLeftCorner<3, 3>(), A.transpose() * B * C * s, s * A.transpose() * B * C);
-  set(lcp.V.block<3, 3>(0, 0), A.transpose() * B * C * s, s * A.transpose() * B * C);
   lcp.V.topRightCorner<3, 1>() = a;
   lcp.V.row(3) << t, -1, -1, 0;
-  lcp.V.row(3) = Eigen::RowVector4d(t, t, t, t);
   lcp.p << t, -t, t, 0;
   lcp.p.setZero();
   lcp.V.setZero();

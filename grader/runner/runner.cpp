@@ -74,7 +74,7 @@ void serve() {
     Trajectory trajectory;
     const Frame answer = answer_to(question, trajectory);
     send(answer);
-    if (question.part == 4 && question.silent == 0) send_columns(question, answer, trajectory);
+    if (question.part == 4) send_columns(question, answer, trajectory);
   }
 }
 

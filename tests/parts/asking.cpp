@@ -16,13 +16,10 @@ constexpr const char* kAgain =
     " when asked again in another order, though right before: is something kept from one call to "
     "the next? ";
 
-Answered answered;  // of the cases before the one that is asked
-
 // Asks the cases in their order. The failure has no wrong case if all are right.
 Failure ask_all(const std::vector<Case>& cases, Ask ask) {
   Failure failure;
   failure.cases = cases.size();
-  answered = {};
   for (std::size_t i = 0; i < cases.size() && failure.ended_at == 0; ++i) {
     const Case& c = cases[i];
     Problem problem;
@@ -32,24 +29,20 @@ Failure ask_all(const std::vector<Case>& cases, Ask ask) {
     } catch (const Ended& end) {
       problem.sentence = end.what();
       failure.ended_at = i + 1;
-      failure.before = answered;
     } catch (const std::exception& thrown) {
       problem.sentence = thrown.what();
     }
     if (std::exchange(asked_what_is_not_recorded, false)) {
       testing::Test::RecordProperty(kUndecided, "");
-    } else if (problem.empty()) {
-      ++answered.right;
-    } else {
-      if (answered.wrong == 0 && !testing::Test::HasFailure()) found_wrong(c, problem);
-      if (answered.wrong == 0 || failure.ended_at > 0) {
+    } else if (!problem.empty()) {
+      if (failure.wrong == 0 && !testing::Test::HasFailure()) found_wrong(c, problem);
+      if (failure.wrong == 0 || failure.ended_at > 0) {
         failure.asked = c;
         failure.problem = problem;
       }
-      ++answered.wrong;
+      ++failure.wrong;
     }
   }
-  failure.wrong = answered.wrong;
   return failure;
 }
 
@@ -68,8 +61,6 @@ std::string running_check() {
 }
 
 }  // namespace
-
-const Answered& answered_before() { return answered; }
 
 void for_each_case(Ask ask) {
   std::vector<Case> cases = cases_of(running_check());

@@ -151,8 +151,9 @@ void read_input(const json& input, Case& c) {
   c.input += "parameters: " + other_parameters(c.params);
 }
 
-Case read_case(const json& from, bool hidden) {
+Case read_case(const json& from, const std::string& check, bool hidden) {
   Case c;
+  c.check = check;
   c.name = from.at("name");
   c.corner = from.value("contact", "");
   c.hidden = hidden;
@@ -163,34 +164,27 @@ Case read_case(const json& from, bool hidden) {
   return c;
 }
 
-json checks_in(std::istream& file) {
-  json all = json::parse(file);
-  return std::move(all.at("checks"));
-}
-
-std::vector<Case> read_cases(const json& checks, const std::string& check, bool hidden) {
-  std::vector<Case> cases;
-  const auto of_check = checks.find(check);
-  if (of_check == checks.end()) return cases;
-  for (const json& c : *of_check) cases.push_back(read_case(c, hidden));
-  return cases;
-}
-
 // Caches each file, since all checks of a part are in the same files.
-const json& checks_in(const std::filesystem::path& file) {
-  static std::map<std::filesystem::path, json> read;
+const std::vector<Case>& cases_in(const std::filesystem::path& file) {
+  static std::map<std::filesystem::path, std::vector<Case>> read;
   auto known = read.find(file);
   if (known == read.end()) {
     std::ifstream in(file);
-    known = read.emplace(file, checks_in(in)).first;
+    const bool hidden = file.parent_path().filename() == "hidden";
+    known = read.emplace(file, read_cases(in, hidden)).first;
   }
   return known->second;
 }
 
 }  // namespace
 
-std::vector<Case> read_cases(std::istream& file, const std::string& check, bool hidden) {
-  return read_cases(checks_in(file), check, hidden);
+std::vector<Case> read_cases(std::istream& file, bool hidden) {
+  std::vector<Case> cases;
+  const json all = json::parse(file);
+  for (const auto& [check, of_check] : all.at("checks").items()) {
+    for (const json& c : of_check) cases.push_back(read_case(c, check, hidden));
+  }
+  return cases;
 }
 
 std::vector<Case> cases_of(const std::string& check) {
@@ -198,20 +192,12 @@ std::vector<Case> cases_of(const std::string& check) {
   for (const auto& folder : fixture_folders()) {
     for (const auto& file : std::filesystem::directory_iterator(folder)) {
       if (file.path().filename().string().rfind(check.substr(0, check.find('.')), 0) != 0) continue;
-      const bool hidden = folder.filename() == "hidden";
-      const std::vector<Case> more = read_cases(checks_in(file.path()), check, hidden);
-      cases.insert(cases.end(), more.begin(), more.end());
+      for (const Case& c : cases_in(file.path())) {
+        if (c.check == check) cases.push_back(c);
+      }
     }
   }
   if (cases.empty()) throw std::logic_error("the fixtures hold no case of " + check);
-  return cases;
-}
-
-std::vector<Case> read_all_cases(std::istream& file) {
-  std::vector<Case> cases;
-  for (const json& check : checks_in(file)) {
-    for (const json& c : check) cases.push_back(read_case(c, false));
-  }
   return cases;
 }
 

@@ -13,7 +13,7 @@ namespace bounce::tests {
 
 // One question and its right answer. Only the members of the case's own part are filled in.
 struct Case {
-  std::string name;
+  std::string check, name;
   bool hidden = false;   // the expected answer is not shown
   double tolerance = 0;  // on each entry, absolute or relative, whichever is larger
   Parameters params;
@@ -59,14 +59,6 @@ void about_to_ask(const Case& c);
 // Called after the first question of the running check that is answered wrong.
 void found_wrong(const Case& c, const Problem& problem);
 
-// How many answers of the running check were right and wrong.
-struct Answered {
-  std::size_t right = 0, wrong = 0;
-};
-
-// Those before this question. Defined in asking.cpp.
-const Answered& answered_before();
-
 // What a failed check reports: its first wrong case, or the one at which the program ended.
 struct Failure {
   Case asked;
@@ -74,7 +66,6 @@ struct Failure {
   std::size_t cases = 0;     // of the check
   std::size_t wrong = 0;     // of these
   std::size_t ended_at = 0;  // the number of the case at which the program ended, from 1 on; else 0
-  Answered before;           // it, if the program ended
   std::string again;  // says that it was right when it was asked before, in another order; or empty
 };
 
@@ -83,22 +74,19 @@ std::string in_words(const Failure& failure);
 
 // --- reading ---
 
-// The cases of a check in one file of fixtures. Throws std::exception if the file is invalid.
-std::vector<Case> read_cases(std::istream& file, const std::string& check, bool hidden);
+// The cases in one file of fixtures, in its order. Throws std::exception if the file is invalid.
+std::vector<Case> read_cases(std::istream& file, bool hidden);
 
 // The cases of a check in all fixtures. Those of "part3.FallsFreely" are in files whose stem begins
 // with "part3".
 std::vector<Case> cases_of(const std::string& check);
-
-// The cases of all checks in a public file, in its order.
-std::vector<Case> read_all_cases(std::istream& file);
 
 // --- for the tests ---
 
 // Asks a question, and returns what is wrong with the answer.
 using Ask = Problem (*)(const Case&);
 
-// Set where recorded answers stand for the earlier parts (linked/given.hpp), and the submission
+// Set where recorded answers stand for the earlier parts (linked/given.cpp), and the submission
 // asks them something else: its own answer then decides nothing.
 inline bool asked_what_is_not_recorded = false;
 

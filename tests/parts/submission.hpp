@@ -1,35 +1,56 @@
 // The code under test. The tests call it only through submission::get_contacts and so on, with the
-// arguments and the result of the part's own function. There are two implementations: linked/ calls
-// the functions directly (in a student's own build, where a debugger works); the judge's
-// submission_remote.cpp asks a runner in another process.
+// arguments and the result of the part's own function.
 #pragma once
 
+#include <type_traits>
+
 #include "functions.hpp"
+#include "messages.hpp"
 
 namespace bounce::submission {
 
-template <int part, auto* function>
-struct Asked;
-
-template <int part, class Result, class... Arguments, Result (*function)(Arguments...)>
-struct Asked<part, function> {
-  // Of part 3, also where right earlier parts are given to part 4: then the right step. Of part 4,
-  // throws std::runtime_error unless q and v are both 3xT.
-  Result operator()(Arguments... arguments) const;
-};
-
-#define BOUNCE_ASKED(number, function) inline constexpr Asked<number, &bounce::function> function{};
-BOUNCE_FUNCTIONS(BOUNCE_ASKED)
-#undef BOUNCE_ASKED
-
-// The first T columns, or T - 1 if one is missing, so that a wrong number of columns doesn't make
-// the others wrong. Throws std::runtime_error if q or v has fewer, or none.
-Trajectory first_columns(const Vector3& q_0, const Vector3& v_0, const Parameters& params);
+// The answer to a question, and of part 4 the first T columns, or T - 1 if one is missing, so that
+// a wrong number of columns doesn't make the others wrong. Throws std::runtime_error if q or v has
+// fewer, or none. Of part 3, also where right earlier parts are given to part 4: then the right
+// step.
+//
+// There are two of it: linked/submission_linked.cpp calls the functions directly (in a student's
+// own build, where a debugger works); the judge's session.cpp asks a runner in another process.
+frames::Frame ask(const frames::Frame& question, Trajectory* columns);
 
 // Throws std::runtime_error, naming the shapes, unless both numbers of columns are T.
 void require_columns(Eigen::Index q_columns, Eigen::Index v_columns, int T);
 
 // How many of the first T columns both have. Throws the same if more than one is missing.
 Eigen::Index columns_at_hand(Eigen::Index q_columns, Eigen::Index v_columns, int T);
+
+template <int part, auto* function>
+struct Asked;
+
+template <int part, class Result, class... Arguments, Result (*function)(Arguments...)>
+struct Asked<part, function> {
+  // Of part 4, throws std::runtime_error unless q and v are both 3xT.
+  Result operator()(Arguments... arguments) const {
+    const frames::Frame question = frames::question(part, arguments...);
+    if constexpr (std::is_same_v<Result, Trajectory>) {
+      Trajectory columns;
+      const frames::Frame answer = ask(question, &columns);
+      require_columns(answer.q_columns, answer.v_columns, static_cast<int>(question.T));
+      return columns;
+    } else {
+      return frames::result<Result>(ask(question, nullptr));
+    }
+  }
+};
+
+#define BOUNCE_ASKED(number, function) inline constexpr Asked<number, &bounce::function> function{};
+BOUNCE_FUNCTIONS(BOUNCE_ASKED)
+#undef BOUNCE_ASKED
+
+inline Trajectory first_columns(const Vector3& q_0, const Vector3& v_0, const Parameters& params) {
+  Trajectory columns;
+  ask(frames::question(4, q_0, v_0, params), &columns);
+  return columns;
+}
 
 }  // namespace bounce::submission

@@ -185,9 +185,7 @@ def counts(failure: Facts) -> str:
     """How many cases are wrong; or where the program ended, which is asked no more."""
     if not failure["ended_at"]:
         return f"{failure['wrong']} of {failure['cases']} cases wrong"
-    before = [f"{n} {how}" for how, n in failure["before"].items() if n]
-    with_ = f", with {' and '.join(before)} before it" if before else ""
-    return f"ended at case {failure['ended_at']} of {failure['cases']}{with_}"
+    return f"ended at case {failure['ended_at']} of {failure['cases']}"
 
 
 def _answer(verdict: Verdict, failure: Facts, shown: bool) -> Iterator[str]:

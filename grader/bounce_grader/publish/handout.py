@@ -37,6 +37,9 @@ def files() -> dict[str, Path]:
         chosen |= {f"tests/{f.relative_to(tests)}": f for f in tests.glob(pattern) if f.is_file()}
     diagnosis = ROOT / "grader" / "diagnosis"
     chosen |= {f"tests/diagnosis/{f.name}": f for f in diagnosis.iterdir()}
+    runner = ROOT / "grader" / "runner"
+    chosen |= {f"tests/{name}": runner / name for name in ("frame.hpp", "messages.hpp")}
+    chosen |= {f"tests/linked/{f.name}": f for f in runner.glob("given_part*.cpp")}
     chosen |= {f"fixtures/public/{f.relative_to(PUBLIC)}": f for f in PUBLIC.rglob("*.json")}
     chosen[f"fixtures/public/{TABLE.name}"] = TABLE
     chosen["tests/parts.json"] = ROOT / "grader" / "parts.json"

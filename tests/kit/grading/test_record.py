@@ -55,7 +55,7 @@ def test_whatever_is_said_the_record_stays_json(text: str, names: list[str], sta
 def failure(**changes: Any) -> dict[str, Any]:
     """Facts of a check whose third of nine cases is wrong."""
     facts: dict[str, Any] = {"cases": 9, "wrong": 2, "ended_at": 0, "again": ""}
-    facts |= {"before": {"right": 0, "wrong": 0}, "name": "x", "input": "in", "hidden": False}
+    facts |= {"name": "x", "input": "in", "hidden": False}
     return facts | {"contact": "", "sentence": "", "quantities": []} | changes
 
 
@@ -76,7 +76,7 @@ def test_one_crash_is_told_once() -> None:
     """A crash in another line is told by itself."""
 
     def crash(case: int, line: int) -> Verdict:
-        facts = failure(ended_at=case, before={"right": case - 1, "wrong": 0}, sentence="ended")
+        facts = failure(ended_at=case, sentence="ended")
         return Verdict(False, "crashed", TRAP, "", facts, Place("a.cpp", line))
 
     first, second, *_, last = judged(*(crash(n, 7) for n in range(1, len(IDS))), crash(9, 8))
@@ -85,8 +85,8 @@ def test_one_crash_is_told_once() -> None:
     )
     assert first["message"] == f"ended at case 1 of 9; {whole}7"
     refers = f'as in "{PART.checks[0].title}": the program stopped itself with a trap, at a.cpp:7'
-    assert second["message"] == f"ended at case 2 of 9, with 1 right before it, {refers}"
-    assert last["message"] == f"ended at case 9 of 9, with 8 right before it; {whole}8"
+    assert second["message"] == f"ended at case 2 of 9, {refers}"
+    assert last["message"] == f"ended at case 9 of 9; {whole}8"
 
 
 def test_a_crash_when_asked_again_hides_no_exception_of_before() -> None:

@@ -73,7 +73,8 @@ const Row kRows[] = {
      "kill -ABRT $$",
      "crashed: aborted 6, "},
     // What works isn't taken to have slept once it has ended, as a box shows it when it is killed.
-    {"for i in 1 2 3; do perl -e '1 while (times)[0] < .8'; done; exit 7", "no_answer: exited 7"},
+    {"for i in 1 2 3; do perl -e '1 while (times)[0] + (times)[1] < .8'; done; exit 7",
+     "no_answer: exited 7"},
     {kDaemon + "exit 0", "no_answer: exited 0"},
     {kDaemon + "exec sleep 1000", "timed_out: waited 0", true},
     // A box says on descriptor 5 that it is made; before, nobody's program is to blame.

@@ -1,13 +1,15 @@
-#include "given.hpp"
-
+// Right answers in place of earlier parts: those that the solution gave to what the public cases
+// lead to. They are in given.json, beside the public fixtures.
 #include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <vector>
 
 #include "../cases.hpp"
+#include "messages.hpp"
 
 namespace bounce::tests {
 namespace {
@@ -41,24 +43,34 @@ Table read_states(const json& trajectories) {
   return table;
 }
 
-std::vector<Table> read_tables() {
-  std::ifstream in(fixture_folders().at(0) / "given.json");
-  const json given = json::parse(in);
-  return {read_rows(given.at("part1"), 7), read_rows(given.at("part2"), 20),
-          read_states(given.at("part3"))};
+const Table& recorded(std::uint32_t part) {
+  static const std::vector<Table> tables = [] {
+    std::ifstream in(fixture_folders().at(0) / "given.json");
+    const json given = json::parse(in);
+    return std::vector{read_rows(given.at("part1"), 7), read_rows(given.at("part2"), 20),
+                       read_states(given.at("part3"))};
+  }();
+  return tables.at(part - 1);
 }
 
 }  // namespace
+}  // namespace bounce::tests
 
-const double* given_answer(int part, const std::vector<double>& question) {
-  static const std::vector<Table> tables = read_tables();
-  const Table& table = tables.at(static_cast<std::size_t>(part - 1));
+// What isn't recorded throws.
+bounce::frames::Frame bounce::runner::call_back(frames::Frame asked) {
+  const tests::Table& table = tests::recorded(asked.part);
+  tests::Numbers question(std::begin(asked.scene), std::end(asked.scene));
+  question.push_back(static_cast<double>(asked.T));
+  const std::size_t arguments = table.begin()->first.size() - question.size();
+  question.insert(question.end(), asked.values, asked.values + arguments);
   const bool is_finite =
       std::all_of(question.begin(), question.end(), [](double x) { return std::isfinite(x); });
   const auto found = is_finite ? table.find(question) : table.end();
-  if (found != table.end()) return found->second.data();
-  asked_what_is_not_recorded = true;
-  throw std::runtime_error("an earlier part is asked what no right part asks");
+  if (found == table.end()) {
+    tests::asked_what_is_not_recorded = true;
+    throw std::runtime_error("an earlier part is asked what no right part asks");
+  }
+  frames::Frame answer;
+  std::copy(found->second.begin(), found->second.end(), answer.values);
+  return answer;
 }
-
-}  // namespace bounce::tests

@@ -56,14 +56,6 @@ std::string question(const Case& c) {
   return text;
 }
 
-// "3 right and 1 wrong"; empty if there are none.
-std::string in_words(const Answered& answered) {
-  const std::string right = std::to_string(answered.right) + " right";
-  const std::string wrong = std::to_string(answered.wrong) + " wrong";
-  if (answered.wrong == 0) return answered.right == 0 ? "" : right;
-  return answered.right == 0 ? wrong : right + " and " + wrong;
-}
-
 // Stops here: set a breakpoint in the part, and continue. The case is asked again.
 [[noreturn]] void ask_again(const Case& c, const Problem& problem) {
   std::cout << question(c) << "\n" << feedback(c, problem) << std::endl;
@@ -178,8 +170,7 @@ void write_mistakes(const std::string& file) {
 
 void about_to_ask(const Case& c) {
   if (notes.empty()) return;
-  const std::string before = in_words(answered_before());
-  asked = question(c) + (before.empty() ? "" : "\n  before   " + before);
+  asked = question(c);
   from = bytes_printed();
   note("running" + from, asked);
 }
