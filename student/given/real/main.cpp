@@ -126,10 +126,8 @@ std::string sentence(const Measured& measured, bool is_wrong) {
     return text + " For " + std::to_string(unsolved) +
            " of them solve_lcp finds no solution to your V and p.";
   if (std::abs(mine - due) > kSame * due)
-    return text +
-           (mine > due
-                ? " What yours is off more than the assignment's law comes from your program."
-                : " Yours isn't the assignment's law, and being nearer is luck.");
+    return text + (mine > due ? " What is more than the assignment's law comes from your program."
+                              : " Yours isn't the assignment's law, and being nearer is luck.");
   return is_wrong ? text : text + " What is left is the error of the law, not of your program.";
 }
 

@@ -131,7 +131,7 @@ def test_a_study_tells_what_keeps_a_wrong_part_from_the_truth(home: Path) -> Non
         *(
             pytest.param(*row, marks=pytest.mark.long)
             for row in [
-                ("restitution_left_out", "0.27 m/s", "more than the assignment's law comes from"),
+                ("restitution_left_out", "0.27 m/s", "comes from your program."),
                 ("friction_directions_swapped", "0.27 m/s", "comes from your program."),
                 ("mass_in_place_of_its_inverse", "11 m/s", "comes from your program."),
                 ("force_is_g", "0.091 m/s", "(the least that any push at the corner leaves)."),
