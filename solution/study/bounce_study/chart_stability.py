@@ -9,6 +9,8 @@ from bounce_study.tables import Tables
 
 LEAST_GAIN = 1e-12  # below it is rounding
 SMALLEST = 1e-17
+FALL, DELTA, EPSILON = 9.81, 1e-3, 0.5  # g, m/s^2, delta, m, and epsilon of the table of depths
+STEEPEST = np.pi / 4 + 1e-4  # rad, that the line to a square's lowest corner leans at most; rounded
 NEEDS = tuple(
     "energy_gain rest_and_drift flat_landing depth gauss_seidel solution_count almost_flat "
     "scaling".split()
@@ -16,13 +18,24 @@ NEEDS = tuple(
 
 
 def draw(tables: Tables) -> bytes:
-    panels = (_energy, _rest, _landing, _depth, _sweeps, _endless, _solutions, _flat, _scaling)
     figure, grid = style.pyplot().subplots(3, 3, figsize=(12.5, 11.5), layout="constrained")
-    for axes, panel in zip(grid.flat, panels):
+    for axes, (title, panel) in zip(grid.flat, PANELS.items()):
         panel(axes, tables)
+        axes.set_title(title)
         if axes.get_legend_handles_labels()[0]:
-            axes.legend(fontsize=6.5)
+            axes.legend(fontsize=6.5, frameon=True, edgecolor="none", framealpha=0.9)
     return style.svg(figure)
+
+
+def predicted_depth(table: Any) -> Any:
+    """How deep theory lets a corner get that falls on the ground, m.
+
+    The assignment's scheme sees a corner no sooner than after a whole step from just above delta.
+    Moreau-Jean sees one that was just above the ground at the middle of a step a whole step lower,
+    and lets it rise for half a step, epsilon times as fast.
+    """
+    way = table["v_dt_m"] + FALL * table["dt_s"] ** 2
+    return np.where(table["method"] == "assignment", way - DELTA, (1 - EPSILON / 2) * way)
 
 
 def _map(axes: Any, table: Any, x: str, y: str, value: str) -> Any:
@@ -38,9 +51,9 @@ def _energy(axes: Any, tables: Tables) -> None:
     gain = table["newton"].where(table["newton"] > LEAST_GAIN)
     shades = _map(axes, table.assign(gain=gain), "mu", "epsilon", "gain")
     limit = table.drop_duplicates("mu")
-    axes.plot(limit["mu"], limit["limit_epsilon"], "k--", label="no gain below: analytic limit")
-    axes.figure.colorbar(shades, ax=axes, label="share of the corner's energy")
-    axes.set(title="Energy gained by Newton's law", xlabel="μ", ylabel="ε", ylim=(0, 1))
+    axes.plot(limit["mu"], limit["limit_epsilon"], "k--", label="theory: no gain below")
+    axes.figure.colorbar(shades, ax=axes, label="energy gained / energy at the corner")
+    axes.set(xlabel="μ", ylabel="ε", ylim=(0, 1))
 
 
 def _rest(axes: Any, tables: Tables) -> None:
@@ -48,8 +61,8 @@ def _rest(axes: Any, tables: Tables) -> None:
     away = table[["height_m", "depth_m", "drift_m"]].max(axis=1).clip(lower=1e-9)
     for method, rows in table.assign(away=away).groupby("method", sort=False):
         axes.plot(rows["setting"], rows["away"], **style.line(method))
-    axes.set(title="Never at rest", xscale="log", yscale="log")
-    axes.set(xlabel="Δt, s", ylabel="farthest in ten seconds of rest, m")
+    axes.set(xscale="log", yscale="log", xlabel="Δt, s")
+    axes.set(ylabel="farthest in ten seconds of rest, m")
 
 
 def _landing(axes: Any, tables: Tables) -> None:
@@ -59,44 +72,50 @@ def _landing(axes: Any, tables: Tables) -> None:
     axes.set_xscale("symlog", linthresh=1e-16)
     tilts = np.array([1e-14, 1e-8, 1e-2])
     axes.set_xticks([*-tilts[::-1], 0, *tilts])
-    axes.set(title="One corner where two touch")
-    axes.set(xlabel="θ at the start, rad", ylabel="ω after the landing, rad/s")
+    axes.set(
+        xlabel="θ at the start, rad: logarithmic on either side of 0",
+        ylabel="ω after the landing, rad/s",
+    )
 
 
 def _depth(axes: Any, tables: Tables) -> None:
-    for method, rows in tables["depth"].groupby("method", sort=False):
-        axes.plot(rows["v_dt_m"], rows["depth_m"], **style.line(method) | {"linestyle": "none"})
-    axes.plot([1e-4, 2], [1e-4, 2], color="black", linewidth=0.8, label="v Δt")
-    axes.set(title="Through the ground", xscale="log", yscale="log", ylim=(1e-6, 3))
-    axes.set(xlabel="v Δt, m", ylabel="how deep a corner gets, m")
+    table = tables["depth"].assign(predicted=predicted_depth(tables["depth"]))
+    for method, rows in table[table["depth_m"] > 0].groupby("method", sort=False):
+        marks = style.line(method) | {"linestyle": "none"}
+        axes.plot(rows["predicted"], rows["depth_m"], **marks)
+    axes.plot([1e-6, 2], [1e-6, 2], color="black", linewidth=0.8, label="theory")
+    axes.set(xscale="log", yscale="log", ylabel="how deep a corner gets, m")
+    axes.set(xlabel="v Δt + g Δt² − δ, and 3/4 (v Δt + g Δt²) for Moreau–Jean, m")
 
 
 def _sweeps(axes: Any, tables: Tables) -> None:
     rows = tables["gauss_seidel"].query("problem == 'mass_ratio'")
-    axes.plot(rows["value"], rows["sweeps"], "o", color=style.BLUE, label="Gauss–Seidel, sweeps")
-    axes.plot(rows["value"], rows["predicted_sweeps"], "k-", label="predicted")
     axes.plot(
-        rows["value"], rows["lemke_pivots"], "s", color=style.VERMILION, label="Lemke, pivots"
+        rows["value"], rows["sweeps"], "s", color=style.VERMILION, label="Gauss–Seidel, sweeps"
     )
-    axes.set(title="Two squares, one on the other", xscale="log", yscale="log", xlabel="mass ratio")
+    axes.plot(rows["value"], rows["predicted_sweeps"], "k-", label="theory")
+    axes.plot(rows["value"], rows["lemke_pivots"], "v", color=style.BLUE, label="Lemke, pivots")
+    axes.set(xscale="log", yscale="log", xlabel="R: mass of the upper square over the lower")
 
 
 def _endless(axes: Any, tables: Tables) -> None:
     rows = tables["gauss_seidel"].query("problem == 'one_corner_mu'")
     axes.plot(rows["value"], 100 * rows["share_without_end"], "s-", color=style.VERMILION)
-    axes.axvline(4 / 3, color="black", linestyle="--", label="μ = 4/3, the least μ*")
-    axes.set(title="Gauss–Seidel without end", xlabel="μ", ylabel="contacts of one corner, %")
+    axes.axvline(4 / 3, color="black", linestyle="--", label="theory: μ = 4/3")
+    axes.set(xlabel="μ", ylabel="contacts of one corner without an end, %")
 
 
 def _solutions(axes: Any, tables: Tables) -> None:
     table = tables["solution_count"]
     several = table["most_solutions"].where(table["most_solutions"] > 1)
-    _map(axes, table.assign(several=several), "alpha_rad", "mu", "several")
+    shades = _map(axes, table.assign(several=several), "alpha_rad", "mu", "several")
+    color, most = shades.cmap(0), table["most_solutions"].max()
+    axes.plot([], [], "s", color=color, label=f"up to {most} solutions; white: one")
     star = table.drop_duplicates("alpha_rad")
-    axes.plot(star["alpha_rad"], star["mu_star"], "k-", label="μ*, where a = μ |b|")
-    axes.axvspan(np.pi / 4, 1.57, color="#dddddd", alpha=0.6, label="no square's lowest corner")
-    axes.set(title="Several solutions", ylim=(0, 4), ylabel="μ")
-    axes.set(xlabel="α, rad: how far the line to the corner leans")
+    axes.plot(star["alpha_rad"], star["mu_star"], "k-", label="theory: μ*")
+    axes.axvspan(np.pi / 4, 1.57, color="#dddddd", alpha=0.6, label="another corner is lower")
+    axes.set(ylim=(0, 4), ylabel="μ")
+    axes.set(xlabel="α, rad: from the vertical to the line centre–corner")
 
 
 def _flat(axes: Any, tables: Tables) -> None:
@@ -106,7 +125,7 @@ def _flat(axes: Any, tables: Tables) -> None:
     for column, (name, color, mark) in lines.items():
         residual = rows[column].clip(lower=SMALLEST)
         axes.plot(rows["theta_rad"], residual, marker=mark, color=color, label=name)
-    axes.set(title="Almost flat", xscale="log", yscale="log")
+    axes.set(xscale="log", yscale="log")
     axes.set(xlabel="θ of the side, rad", ylabel="worst residual of “solved”, m/s")
 
 
@@ -116,5 +135,18 @@ def _scaling(axes: Any, tables: Tables) -> None:
         axes.plot(rows["m_kg"], error, dash, color=style.VERMILION, label=f"Lemke, Δt {dt:g} s")
     closed = tables["scaling"].groupby("m_kg")["closed_form_error"].max()
     axes.plot(closed.index, closed, color=style.BLUE, marker="v", label="closed form, any Δt")
-    axes.set(title="Scales", xscale="log", yscale="log")
+    axes.set(xscale="log", yscale="log")
     axes.set(xlabel="m, kg", ylabel="relative error of the impulse")
+
+
+PANELS = {  # by title, which the page's table repeats
+    "Energy gained by Newton's law": _energy,
+    "Never at rest": _rest,
+    "One corner where two touch": _landing,
+    "Through the ground": _depth,
+    "Gauss–Seidel is slow": _sweeps,
+    "Gauss–Seidel never ends": _endless,
+    "Several solutions": _solutions,
+    "Almost flat": _flat,
+    "Scales of m and Δt": _scaling,
+}

@@ -43,7 +43,8 @@ def _time_over_error(axes: Any, runs: Any) -> None:
     axes.axvline(FINE, color="black", linewidth=0.8, linestyle=(0, (1, 2)), label="1 mm")
     for method, own in runs.groupby("method", sort=False):
         front = 2 if method in style.ENGINES else 3
-        axes.plot(own["error_m"].clip(lower=LEFT), own[TIME], **style.line(method), zorder=front)
+        error, time = own["error_m"].clip(lower=LEFT), own[TIME] / 1e3
+        axes.plot(error, time, **style.line(method), zorder=front)
 
 
 def speed_accuracy(tables: Tables) -> bytes:
@@ -54,7 +55,7 @@ def speed_accuracy(tables: Tables) -> bytes:
         axes.set_title(style.scene_label(scene))
     _legend(grid.flat[len(scenes)], grid.flat[0])
     figure.supxlabel("error, m")
-    figure.supylabel("CPU time per simulated second, ns")
+    figure.supylabel("CPU time per simulated second, µs")
     return style.svg(figure)
 
 
@@ -64,7 +65,7 @@ def speed_accuracy_one(tables: Tables) -> bytes:
     layout = {"width_ratios": [2.2, 1], "layout": "constrained"}
     figure, (axes, key) = style.pyplot().subplots(1, 2, figsize=(8.4, 5.0), **layout)
     _time_over_error(axes, runs)
-    axes.set(xlabel="error, m", ylabel="CPU time per simulated second, ns")
+    axes.set(xlabel="error, m", ylabel="CPU time per simulated second, µs")
     _legend(key, axes)
     return style.svg(figure)
 
@@ -119,16 +120,21 @@ def least_model(tables: Tables) -> bytes:
         right = rungs["error_m"] <= FINE
         shade = np.select([rungs["least"] == 1, right], ["black", "#bbbbbb"], "white")
         dots = {"c": shade, "edgecolors": "black", "linewidths": 0.8, "s": 36, "zorder": 3}
-        above.scatter(places, rungs["error_m"].clip(5e-16, 1e2), **dots)
-        below.scatter(places, rungs[TIME], **dots)
+        above.scatter(places, rungs["error_m"].clip(5e-16).replace(np.inf, np.nan), **dots)
+        endless = places[np.isinf(rungs["error_m"])]
+        above.scatter(endless, np.full(len(endless), 1e2), marker="x", color="black")
+        below.scatter(places, rungs[TIME] / 1e3, **dots)
         above.axhline(FINE, color="black", linewidth=0.8, linestyle=(0, (1, 2)))
         above.set(yscale="log", title=style.scene_label(scene))
         below.set(yscale="log", xticks=places)
     grid[0, 0].set_ylabel("error, m")
-    grid[1, 0].set_ylabel("CPU time per simulated second, ns")
+    grid[1, 0].set_ylabel("CPU time per simulated second, µs")
     models = tables["least_model"]["model"].unique()
     names = "   ".join(f"{i}: {name.replace('_', ' ')}" for i, name in enumerate(models))
-    figure.supxlabel(f"{names}\nblack: the least within 1 mm   grey: larger   white: wrong")
+    figure.supxlabel(
+        f"{names}\nblack: the least within 1 mm   grey: larger   white: "
+        "wrong   ×: its impacts go on without an end"
+    )
     return style.svg(figure)
 
 

@@ -27,11 +27,12 @@ def time(ns: float) -> str:
     return f"{short(ns / size)} {unit}"
 
 
-def metres(value: float) -> str:
+def metres(value: float, digits: int = 2) -> str:
     """Writes a length; below a tenth of a millimetre with an exponent."""
     if 1e-4 <= value < 1:
-        return f"{short(100 * value)} cm" if value >= 1e-2 else f"{short(1e3 * value)} mm"
-    return f"{short(value)} m"
+        size, unit = (1e2, "cm") if value >= 1e-2 else (1e3, "mm")
+        return f"{short(size * value, digits)} {unit}"
+    return f"{short(value, digits)} m"
 
 
 def interval(value: float, low: float, high: float) -> str:

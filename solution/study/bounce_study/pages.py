@@ -7,7 +7,7 @@ import jinja2
 
 from bounce_study import facts, numbers
 from bounce_study.facts import Facts
-from bounce_study.tables import Tables
+from bounce_study.tables import origins, Tables
 
 TEMPLATES = Path(__file__).parent / "pages"
 SPEED = ("speed_accuracy",)
@@ -21,7 +21,7 @@ Work = tuple[Callable[[Tables], Facts], ...]
 PAGES: dict[str, tuple[tuple[str, ...], Work]] = {
     "speed_accuracy": (SPEED, (facts.speed, facts.peers)),
     "peers": (SPEED, (facts.peers,)),
-    "stability": (tuple(STABILITY), (facts.stability,)),
+    "stability": (tuple(STABILITY), (facts.speed, facts.stability)),
     "least_model": (MODELS, (facts.models,)),
     "tolerance": (("tolerance",), (facts.tolerance,)),
     "measured": (MEASURED, (facts.measured,)),
@@ -34,6 +34,7 @@ PAGES: dict[str, tuple[tuple[str, ...], Work]] = {
             facts.models,
             facts.tolerance,
             facts.measured,
+            facts.scenes,
         ),
     ),
 }
@@ -52,7 +53,7 @@ def fill(tables: Tables) -> dict[str, str]:
     filled = {}
     for name, (needs, work) in PAGES.items():
         if all(table in tables for table in needs):
-            known: Facts = {"origin": tables[needs[0]].attrs}
+            known: Facts = {"measured_on": origins(tables, needs)}
             for facts_of in work:
                 known |= facts_of(tables)
             if name != "peers" or known["peers"] is not None:

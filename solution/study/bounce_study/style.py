@@ -38,7 +38,7 @@ METHODS: dict[str, tuple[str, str, str, Any]] = {
 ENGINES: dict[str, tuple[str, str, str, Any]] = {
     "chipmunk": ("Chipmunk, 50 iterations", GREY, "$C$", "-"),
     "chipmunk_10": ("Chipmunk, 10 iterations", GREY, "$K$", "-"),
-    "box2d": ("Box2D", GREY, "$X$", "-"),
+    "box2d": ("Box2D", GREY, "$B$", "-"),
     "mujoco": ("MuJoCo", GREY, "$M$", "-"),
     "siconos": ("Siconos", GREY, "$S$", "-"),
 }

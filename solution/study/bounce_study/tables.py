@@ -1,6 +1,7 @@
 """Reads the tables that bounce_study writes: CSV below comments that say where they are from."""
 
 import io
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -30,3 +31,18 @@ def fastest(runs: Any, within: float) -> Any:
     """Each method's fastest run in a scene with an error of at most `within`, fastest first."""
     reached = runs[runs["error_m"] <= within].sort_values(TIME, kind="stable")
     return reached.drop_duplicates(["scene", "method"])
+
+
+def origins(tables: Tables, names: Sequence[str]) -> str:
+    """Where and when tables were measured; each is named if that isn't the same for all."""
+    together: dict[str, list[str]] = {}
+    for name in names:
+        origin = tables[name].attrs
+        if "machine" in origin:
+            what = "{machine}; {compiler}, {flags}; {date}. {times}.".format_map(
+                {"times": ""} | origin
+            )
+            together.setdefault(what.removesuffix(" ."), []).append(name)
+    if len(together) == 1:
+        return next(iter(together))
+    return "\n".join(f"- {', '.join(own)}: {what}" for what, own in together.items())
