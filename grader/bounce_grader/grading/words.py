@@ -23,7 +23,6 @@ ENDINGS = {
     "threads": "the program was ended: it had more than {number} threads at a time",
     "waited": "{came}: the program waits for something, perhaps for input, or sleeps",
     "stopped": "{came}: the program stopped itself, as by SIGSTOP",
-    "late": "{came} within {number} s",
     "printed": "the program printed more than {number} MB and was stopped: a print in a loop "
     "without end, perhaps",
     "closed": "the program closed the pipe of its {text}, which is the kit's",
