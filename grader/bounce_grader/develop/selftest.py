@@ -15,7 +15,7 @@ from bounce_grader.grading.fixtures import hidden_folder
 Command = list[str]
 CPP = ("student", "solution", "grader", "tests/parts", "tests/kit")
 PYTHON = ["grader/bounce_grader", "tests", "solution"]
-READERS = ("frames", "fixtures", "terminations")
+READERS = ("frames", "terminations")
 SANITIZED, FUZZERS = str(ROOT / "build" / "sanitize"), ROOT / "build" / "fuzz"
 CORES = os.cpu_count() or 1
 WORKERS = CORES + 2  # much of the tests' time is waiting

@@ -9,7 +9,6 @@ from typing import Any
 import golden
 import pytest
 import stand_in
-from bounce_grader.classroom.grading import near_copies
 from bounce_grader.classroom.grading.near_copies import Pair, Similar
 from bounce_grader.classroom.grading.summary import of_result, Summary
 from bounce_grader.classroom.intake.student import Class, Student, Unmatched
@@ -59,19 +58,6 @@ def test_the_page_is_what_a_person_has_read(tmp_path: Path) -> None:
     expected = {name: re.sub(r">(?=<\w)", ">\n", text) for name, text in curves.items()}
     golden.compare(Path(__file__).parent / "class_page", expected)
     assert "Nothing is graded" in page.render(Class("a folder"), [], NOBODY, [])
-
-
-def test_a_page_about_a_thousand_stays_small_and_needs_nothing_else(tmp_path: Path) -> None:
-    looks = ("something that a person should look at, with a reason",)
-    one = replace(summary(tmp_path, "one"), mistakes=DEGREES, notes=looks)
-    people = [Student(f"4{i:05}", f"Surname {i}, First Middle", tmp_path) for i in range(1000)]
-    made = [replace(one, student=student) for student in people]
-    pairs = Similar((Pair("400001", "400002", 90),) * near_copies.MOST, 40)
-    text = page.render(Class("a folder"), made, pairs, ["a sentence of fifty"] * 1000)
-    assert len(text.encode()) < 2_000_000
-    assert "<details><summary>Adjustments and the grade book: 1000" in text
-    assert "http" not in text.replace("http-equiv", "")
-    assert text.count('<path class="curve ') == 1002
 
 
 SCROLLS_WITHOUT_KEYS = """

@@ -58,17 +58,6 @@ def test_a_dask_that_cannot_grade_is_said(cluster: Cluster, tmp_path: Path) -> N
         run.run(replace(asked, dask=cluster.address))
 
 
-def test_dask_without_workers_says_that_it_waits(
-    cluster: Cluster, tmp_path: Path, capfd: pytest.CaptureFixture[str]
-) -> None:
-    later = threading.Timer(5.0, cluster.worker)
-    later.start()
-    source = download(tmp_path / "x.zip", 1)
-    asked = stand_in.request(source, tmp_path / "out", dask=cluster.address)
-    assert run.run(asked) == 0
-    assert "has no workers yet; waiting for them" in capfd.readouterr().err
-
-
 def test_a_scheduler_that_dies_is_said_and_costs_nothing(cluster: Cluster, tmp_path: Path) -> None:
     source, out = download(tmp_path / "x.zip", 20), tmp_path / "out"
     cluster.worker()

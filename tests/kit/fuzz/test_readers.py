@@ -258,7 +258,7 @@ def test_whatever_comes_is_taken_within_the_limits_or_refused(
     assert taken >= reader.least_taken * reader.inputs
 
 
-@pytest.mark.parametrize("name", ["frames", "fixtures", "terminations"])
+@pytest.mark.parametrize("name", ["frames", "terminations"])
 def test_the_readers_of_the_judge_keep_their_promises(name: str, tmp_path: Path) -> None:
     """Its fuzzers write their seeds, and end at the first input for which a promise is broken."""
     program, seeds, inputs = BUILD / f"fuzz_{name}", tmp_path / "seeds", tmp_path / "inputs"

@@ -159,10 +159,6 @@ Formula moment(double normal, double tangential) {
   };
 }
 
-void inertia_of_side_0_4(Q c, X x) {
-  x(5) = c.v(2) + (x(5) - c.v(2)) * c.params.l * c.params.l / 0.16;
-}
-
 void friction_by_mu(Q c, X x) {
   const Vector3 f = impulse(c, x);
   const Contact contact = get_contacts(c.q, c.params);
@@ -200,7 +196,6 @@ struct Row {
 
 const Row kRows[] = {
     {"all right, part 1", 1, [](Q, X) {}},
-    {"all right, part 2", 2, [](Q, X) {}},
     {"all zeros", 1, [](Q, X x) { x.setZero(); }},
     // what is right, and what is wrong
     {"one entry", 1, [](Q c, X x) { x(2) += c.q(0) * c.q(2); }},
@@ -208,12 +203,10 @@ const Row kRows[] = {
     // a factor, a difference, a constant
     {"times -1", 1, [](Q, X x) { x(0) = -x(0); }},
     {"times m", 1, [](Q c, X x) { x(6) *= c.params.m; }},
-    {"times 0.75", 3, [](Q, X x) { x.tail(3) *= 0.75; }},
     {"two factors", 1, two_factors},
     {"no factor: rounding", 3, [](Q, X x) { x.head(3) *= 4.04769e-15; }},
     {"0.5 more", 2, [](Q, X x) { x(16) += 0.5; }},
     {"always 7", 1, [](Q, X x) { x(2) = 7; }},
-    {"always infinite", 2, [](Q, X x) { x(0) = INFINITY; }},
     {"always nan", 2, [](Q, X x) { x(0) = NAN; }},
     {"nan or infinite", 2, [](Q c, X x) { x(0) = c.v(0) > 0 ? NAN : INFINITY; }},
     {"sometimes 0, and more", 2, zero_or_more},
@@ -234,7 +227,6 @@ const Row kRows[] = {
     {"a twelfth", 2, inertia(1.0 / 12, 0)},
     {"a twelfth, and more", 2, inertia(1.0 / 12, 0.01)},
     {"at most 0.5", 3, [](Q, X x) { x(4) = std::min(x(4), 0.5); }},
-    {"at most 0.5, or 0.6", 3, [](Q, X x) { x(4) = x(4) > 0.8 ? 0.6 : std::min(x(4), 0.5); }},
     {"phi of the centre", 1, phi([](Q c, double) { return c.q(1); })},
     {"phi of a flat square", 1, phi([](Q c, double) { return c.q(1) - c.params.l / 2; })},
     {"the absolute value", 1, phi([](Q, double phi) { return std::abs(phi); })},
@@ -249,9 +241,7 @@ const Row kRows[] = {
     {"half the angle", 1, square([](Q c) { return c.q(2) / 2; }, side_of)},
     {"a small square", 1, square(angle_of, [](Q c) { return c.params.l / std::sqrt(8); })},
     {"pi = 3.14", 1, written_pi(3.14)},
-    {"pi = 3.1416", 1, written_pi(3.1416)},
     {"pi = 3.15", 1, written_pi(3.15)},
-    {"the usual inertia", 3, inertia_of_side_0_4},
     {"the right moment", 3, moment(1, -1)},
     {"a sign in the moment", 3, moment(1, 1)},
     {"no friction in the moment", 3, moment(-1, 0)},

@@ -18,7 +18,6 @@ from oracle import contact_velocity, Parameters, vector
 MEASURED = FIXTURES / "measured"
 SIDE, MU, EPSILON, GRAVITY, ROWS, DROPS = 0.06, 0.2, 0.5, 9.81, 150, 100
 NOISE = np.array([2e-6, 2e-6, 5e-5])  # m, m, rad: a tenth of a camera's
-ONE = "squares, one corner"
 DROPPED: dict[str, Any] = {"l": SIDE, "m": 0.1, "mu": MU, "epsilon": EPSILON}
 DROPPED |= {"g": [0, -GRAVITY, 0], "dt": 1 / 250, "delta": 0.001, "T": ROWS}
 
@@ -117,14 +116,6 @@ def error(hit: dict[str, str], law: dict[str, str], r_g_squared: float) -> float
     expected = contact_velocity(J, vector(v[:3]), Parameters.read(numbers))
     a, b, c = (float(own - there) for own, there in zip(expected, v[3:]))
     return math.hypot(a, b, math.sqrt(r_g_squared) * c)
-
-
-def test_too_few_ellipses_are_refused(
-    tmp_path: Path, squares: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    options = ["--squares", str(squares), "--ellipses", str(some_ellipses(tmp_path, 4))]
-    assert main(["study", "measured", *options]) == 2
-    assert "ellipses have no flag" in capsys.readouterr().err
 
 
 TABLES = json.loads((Path(__file__).parent / "study.json").read_text())

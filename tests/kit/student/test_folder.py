@@ -1,19 +1,15 @@
 """The student's folder without ./check: CMake builds it and runs its tests part by part, and
 editors and debuggers find their way."""
 
-import json
-import re
 import shutil
 import signal
 from pathlib import Path
 
 import pytest
-from conftest import ROOT
 from handed_out import Done, check, put, run, unzipped
 
 STEMS = ["part1_contacts", "part2_lcp", "part3_step", "part4_simulate"]
 STUBS = ["stub 1", "stub 2", "stub 3", "stub 4"]
-STUDENT = ROOT / "student"
 
 
 def configure(folder: Path, *options: str) -> Done:
@@ -55,28 +51,6 @@ def test_takes_an_eigen_of_any_later_version_and_says_what_is_gone(tmp_path: Pat
 
 
 # ---- editors and debuggers ----
-
-
-def test_settings_of_editors_can_be_read_and_name_what_is_there() -> None:
-    settings = [STUDENT / "CMakePresets.json", *STUDENT.glob(".*/*.json")]
-    read = {file.name: json.loads(file.read_text()) for file in settings}
-    labels = {task["label"] for task in read["tasks.json"]["tasks"]}
-    named = r'"(?:preLaunchTask|dependsOn)": "([^"]+)"'
-    text = json.dumps([read["tasks.json"], read["launch.json"]])
-    assert {"check", "check this part"} <= labels and {*re.findall(named, text)} <= labels
-    assert [p["name"] for p in read["CMakePresets.json"]["buildPresets"]] == ["debug"]
-
-
-@pytest.mark.long
-def test_clangd_finds_no_fault_in_the_stubs(tmp_path: Path) -> None:
-    if not shutil.which("clangd"):
-        pytest.skip("clangd isn't installed")
-    folder = unzipped(tmp_path)
-    assert configure(folder).returncode == 0
-    for part in sorted(folder.glob("src/part*.cpp")):
-        done = run(folder, "clangd", f"--check={part}")
-        assert "All checks completed, 0 errors" in done.stderr, done.stderr
-        assert not re.search(r"^[EW]\[", done.stderr, re.M), done.stderr
 
 
 @pytest.mark.xdist_group("student")

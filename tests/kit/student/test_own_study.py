@@ -123,26 +123,25 @@ def test_a_study_tells_what_keeps_a_wrong_part_from_the_truth(home: Path) -> Non
 # ---- measured impacts ----
 
 
+# By the mistake of part 2: the error, and how the sentence ends.
+REAL = {
+    "": ("0.091 m/s", "What is left is the error of the law, not of your program."),
+    "restitution_left_out": ("0.27 m/s", "comes from your program."),
+    "friction_directions_swapped": ("0.27 m/s", "comes from your program."),
+    "mass_in_place_of_its_inverse": ("11 m/s", "comes from your program."),
+    "force_is_g": ("0.091 m/s", "(the least that any push at the corner leaves)."),
+    "last_column_left_zero": ("no answer", "finds no solution to your V and p."),
+}
+
+
 @of_home
 @pytest.mark.parametrize(
-    "mistake, error, sentence",
-    [
-        ("", "0.091 m/s", "What is left is the error of the law, not of your program."),
-        *(
-            pytest.param(*row, marks=pytest.mark.long)
-            for row in [
-                ("restitution_left_out", "0.27 m/s", "comes from your program."),
-                ("friction_directions_swapped", "0.27 m/s", "comes from your program."),
-                ("mass_in_place_of_its_inverse", "11 m/s", "comes from your program."),
-                ("force_is_g", "0.091 m/s", "(the least that any push at the corner leaves)."),
-                ("last_column_left_zero", "no answer", "finds no solution to your V and p."),
-            ]
-        ),
-    ],
+    "mistake", ["", *(pytest.param(m, marks=pytest.mark.long) for m in REAL if m)]
 )
 def test_asks_the_students_own_part_2_alone_about_measured_impacts(
-    home: Path, mistake: str, error: str, sentence: str
+    home: Path, mistake: str
 ) -> None:
+    error, sentence = REAL[mistake]
     page = home / "real.html"
     page.unlink(missing_ok=True)
     laid = [f"mistakes/part2_{mistake}"] if mistake else []

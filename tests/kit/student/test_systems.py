@@ -2,13 +2,12 @@
 
 import shutil
 import subprocess
-import time
 from pathlib import Path
 
 import pytest
 from handed_out import SYSTEM, Done, check, put, run, unzipped
+from waiting import wait_for
 
-PATIENCE = 120  # s
 WINE = Path("/usr/lib/wine/wine64")
 MINGW = "x86_64-w64-mingw32-g++-posix"
 TOOLCHAIN = f"""set(CMAKE_SYSTEM_NAME Windows)
@@ -17,14 +16,7 @@ set(CMAKE_CXX_COMPILER {MINGW})
 set(CMAKE_EXE_LINKER_FLAGS -static)
 """
 # All that a check may ask CMake for.
-TARGETS = (
-    "all",
-    "study",
-    "optimised_test",
-    "real",
-    "part3_step_given_test",
-    "part4_simulate_given_test",
-)
+TARGETS = "all study optimised_test real part3_step_given_test part4_simulate_given_test".split()
 FRICTION = "mistakes/part3_friction_sign"
 # What is told of each with any compiler, and on Windows, where there are no signals.
 FAILURES = {
@@ -75,13 +67,6 @@ def build_for_windows(home: Path, prefix: Path) -> None:
         assert done.returncode == 0, done.stdout + done.stderr
 
 
-def wait_for(file: Path, words: str) -> None:
-    deadline = time.monotonic() + PATIENCE
-    while words not in file.read_text("utf-8"):
-        assert time.monotonic() < deadline, file.read_text("utf-8")
-        time.sleep(0.2)
-
-
 @pytest.mark.long
 def test_on_windows_a_check_says_the_same(tmp_path: Path) -> None:
     if not shutil.which(MINGW) or not WINE.exists():
@@ -116,12 +101,12 @@ def test_on_windows_a_check_says_the_same(tmp_path: Path) -> None:
     with open(printed, "w") as out:
         watch = subprocess.Popen([*program, "--watch"], cwd=home, stdout=out, env=SYSTEM | wine)
     try:
-        wait_for(printed, "100 / 100")
+        wait_for(lambda: "100 / 100" in printed.read_text("utf-8"))
         put(home, FRICTION)
         build()
         part3 = home / "src/part3_step.cpp"
         part3.write_text(part3.read_text() + "// Saved once more, now that it is built.\n")
-        wait_for(printed, FAILURES[FRICTION])
+        wait_for(lambda: FAILURES[FRICTION] in printed.read_text("utf-8"))
     finally:
         watch.kill()
         watch.wait()
