@@ -5,7 +5,6 @@ import os
 import sys
 from collections.abc import Callable
 from importlib import import_module
-from pathlib import Path
 from typing import Any
 
 from bounce_grader import __version__, formats
@@ -13,6 +12,7 @@ from bounce_grader.classroom import cli as class_cli
 from bounce_grader.common.errors import KitError, UsageError
 from bounce_grader.common.escaping import printable_text, terminal
 from bounce_grader.common.manifest import parts
+from bounce_grader.common.paths import given_path
 from bounce_grader.develop import study
 
 
@@ -69,7 +69,7 @@ def _parser() -> argparse.ArgumentParser:
         return made
 
     grade = command("grade", "grade_command", "grade a submission: a folder or an archive")
-    grade.add_argument("submission", type=Path)
+    grade.add_argument("submission", type=given_path)
     option, names = grade.add_argument, ", ".join(formats.NAMES)
     option("--json", metavar="FILE", help="write the score record ('-': to standard output)")
     option(
@@ -87,7 +87,7 @@ def _parser() -> argparse.ArgumentParser:
     class_cli.add(command("class", "classroom.cli", "grade a whole class"))
 
     gradescope = command("gradescope", "publish.gradescope", "pack an autograder for Gradescope")
-    gradescope.add_argument("--out", type=Path, required=True, metavar="FILE.zip")
+    gradescope.add_argument("--out", type=given_path, required=True, metavar="FILE.zip")
 
     fixtures = command("fixtures", "publish.fixtures", "write the fixtures from the solution")
     fixtures.add_argument("--check", action="store_true", help="only compare the committed ones")
@@ -95,7 +95,7 @@ def _parser() -> argparse.ArgumentParser:
     command("doctor", "develop.doctor", "try out whether the boxes hold here")
 
     handout = command("handout", "publish.handout", "write what students receive, as a zip")
-    handout.add_argument("--out", type=Path, required=True, metavar="FILE.zip")
+    handout.add_argument("--out", type=given_path, required=True, metavar="FILE.zip")
 
     study.add(command("study", "develop.study", "measure the methods: tables, charts and pages"))
 

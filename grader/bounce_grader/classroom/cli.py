@@ -1,17 +1,17 @@
 """The options of ./kit class."""
 
 import argparse
-from pathlib import Path
 
 from bounce_grader.common.errors import UsageError
+from bounce_grader.common.paths import given_path
 
 
 def add(parser: argparse.ArgumentParser) -> None:
     option = parser.add_argument
     handed_in = "Canvas's download, a folder of folders or of zips, or a checkout of repositories"
-    option("submissions", type=Path, nargs="?", help=handed_in)
-    option("--out", type=Path, required=True, metavar="DIR", help="what is written")
-    option("--gradebook", type=Path, metavar="CSV", help="Canvas's exported grade book")
+    option("submissions", type=given_path, nargs="?", help=handed_in)
+    option("--out", type=given_path, required=True, metavar="DIR", help="what is written")
+    option("--gradebook", type=given_path, metavar="CSV", help="Canvas's exported grade book")
     option("--column", default="", metavar="TITLE", help="its column, as in 'HW3 (98765)'")
     canvas = (
         "download the submissions by Canvas's API, with CANVAS_URL and CANVAS_TOKEN from the "
@@ -19,8 +19,8 @@ def add(parser: argparse.ArgumentParser) -> None:
     )
     option("--canvas", default="", metavar="COURSE/ASSIGNMENT", help=canvas)
     corpus = "other years' submissions, among which near-copies are looked for, too"
-    option("--corpus", type=Path, nargs="+", default=[], metavar="FOLDER", help=corpus)
-    option("--jobs", type=int, default=0, metavar="N", help="gradings side by side")
+    option("--corpus", type=given_path, nargs="+", default=[], metavar="FOLDER", help=corpus)
+    option("--jobs", type=int, metavar="N", help="gradings side by side")
     option("--dask", default="", metavar="ADDRESS", help="grade on the workers of this scheduler")
     flags = {
         "--upload": "post the points and pages that were shown to Canvas",
@@ -41,16 +41,25 @@ def run(options: argparse.Namespace) -> int:
 
     for wrong, sentence in (
         (options.regrade and options.apply, "--regrade shows, and --apply takes over: give one"),
-        (options.jobs < 0, f"--jobs takes a number of gradings, not {options.jobs}"),
+        (
+            options.jobs is not None and options.jobs < 1,
+            f"--jobs takes a number of gradings, not {options.jobs}",
+        ),
         (
             bool(options.canvas) == bool(options.submissions),
             "give either the submissions or --canvas COURSE/ASSIGNMENT",
         ),
         (
-            options.submissions and options.out.resolve() == options.submissions.resolve(),
-            f"{options.out} holds the submissions: give another folder by --out",
+            options.submissions
+            and options.submissions.resolve()
+            in (options.out.resolve(), *options.out.resolve().parents),
+            f"{options.out} is among the submissions: give a folder elsewhere by --out",
         ),
         (options.out.is_file(), f"{options.out} is a file: give a folder by --out"),
+        (
+            options.column and not options.gradebook,
+            "--column names a column of a grade book: give that by --gradebook",
+        ),
         (options.upload and not options.canvas, "--upload needs --canvas COURSE/ASSIGNMENT"),
         (
             options.canvas and options.gradebook,
@@ -59,7 +68,7 @@ def run(options: argparse.Namespace) -> int:
     ):
         if wrong:
             raise UsageError(sentence)
-    options.out = options.out.absolute()
+    options.out, options.jobs = options.out.absolute(), options.jobs or 0
     options.trust = options.trust_submission
     names = Request.__dataclass_fields__.keys()
     return grade_class(Request(**{n: value for n, value in vars(options).items() if n in names}))

@@ -26,7 +26,7 @@ from bounce_grader.classroom.output.final import Assigned
 from bounce_grader.classroom.output.gradebook import Gradebook
 from bounce_grader.common.errors import KitError, UsageError
 from bounce_grader.common.escaping import first_few, printable_name, terminal
-from bounce_grader.common.files import remove_abandoned, write_whole
+from bounce_grader.common.files import read_object, remove_abandoned, write_whole
 
 MOST_LINES = 20  # of a kind on the terminal; class.html has them all
 
@@ -101,6 +101,7 @@ def _read(request: Request) -> Given:
         intake = students.read(request.submissions, book.people() if book else {})
     else:
         token = canvas_api.token_of_environment()
+        read_object(request.out / canvas_upload.UPLOADED)
         canvas = Canvas(os.environ.get("CANVAS_URL", ""), request.canvas, token)
         intake = canvas_api.download(canvas, request.out)
     people.assign(intake)
@@ -117,6 +118,7 @@ def _gradebook(request: Request) -> Gradebook | None:
         return None
     if request.gradebook.resolve() == _filled_in(request).resolve():
         raise UsageError(f"{request.gradebook} would be overwritten: give another folder as --out")
+    read_object(request.out / gradebook.WRITTEN)  # refused, if it is broken, before any grading
     return gradebook_services.read(request.gradebook, request.column)
 
 
@@ -135,7 +137,7 @@ def _require_same_class(book: Gradebook, request: Request, intake: Class) -> Non
             f"{request.gradebook} a file from {book.service.capitalize()}: give both from one"
         )
     members = [member for student in intake.students for member in student.members]
-    listed = [member.id for member in members if member.listed]
+    listed = [member for member in members if member.listed]
     if intake.logins and not (request.out / ROSTER).exists():
         raise UsageError(
             f"{request.gradebook} can't be matched with GitHub logins, which students choose: "
@@ -148,8 +150,7 @@ def _require_same_class(book: Gradebook, request: Request, intake: Class) -> Non
             "book: post the grades in Canvas, and download the submissions again; or leave "
             "--gradebook out"
         )
-    own_ids_only = intake.service == "canvas" and not listed
-    book.require_some_of(listed or [member.id for member in members], own_ids_only)
+    book.require_some_of(listed if intake.logins else members, intake.service == "canvas")
 
 
 def _find_out_lateness(intake: Class, book: Gradebook) -> None:
@@ -188,6 +189,8 @@ def _run(request: Request, given: Given) -> int:
     tasks = [results.task_of(s, stamp, folder, request.speed) for s in intake.students]
     if request.regrade:
         return _regrade(request, folder, tasks)
+    if request.apply:
+        regrade.counting(folder)
     results.begin(folder, stamp, take_over=request.apply)
     failed = grading.grade_missing(tasks, request.unit, request.jobs, request.dask)
     summaries = grading.summarize(tasks, failed)

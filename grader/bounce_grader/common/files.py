@@ -14,6 +14,7 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
+from bounce_grader.common.errors import UsageError
 from bounce_grader.common.paths import WORK_FOLDER
 
 BOX_FOLDER = "bounce-box-"  # prefix of those of a reduced box, as in grader/box/enter.cpp
@@ -67,13 +68,20 @@ def zipped(held: Mapping[str, tuple[bytes, int]], compressed: bool) -> bytes:
 
 
 def read_object(path: Path) -> dict[str, Any]:
-    """The JSON object that an earlier run has written; an empty one if there is none that can be
-    read."""
+    """The JSON object of objects that an earlier run has written; an empty one if there is none.
+    Raises UsageError if it is broken."""
     try:
         data = json.loads(path.read_text("utf-8"))
-    except (OSError, ValueError):
+        if all(isinstance(value, dict) for value in data.values()):
+            return dict(data)
+    except FileNotFoundError:
         return {}
-    return data if isinstance(data, dict) else {}
+    except (OSError, ValueError, AttributeError):
+        pass
+    raise UsageError(
+        f"{path} is broken: put a copy of it back, or remove it; then points that an earlier run "
+        "has filled in count as a person's, and stay"
+    )
 
 
 def fitting(name: str, limit: int = 200) -> str:

@@ -1,5 +1,6 @@
-"""Paths of the kit's files and folders."""
+"""Paths of the kit's files and folders, and those that are given."""
 
+from argparse import ArgumentTypeError
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[3]
@@ -21,3 +22,11 @@ SOURCES = "sources"  # the folder in it with the submission's files
 FIXTURES = ROOT / "fixtures"
 SCENES = FIXTURES / "scenes"
 SECRET = ROOT / "course-secret"
+
+
+def given_path(text: str) -> Path:
+    """An argument that is a path. An empty one, as of a variable that isn't set, isn't meant for the
+    folder that one is in."""
+    if not text:
+        raise ArgumentTypeError("it is empty: give a path, or . for this folder")
+    return Path(text)

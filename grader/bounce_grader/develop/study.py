@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 
 from bounce_grader.common.errors import UsageError
-from bounce_grader.common.paths import ROOT
+from bounce_grader.common.paths import given_path, ROOT
 
 
 def add(parser: argparse.ArgumentParser) -> None:
@@ -22,21 +22,21 @@ def add(parser: argparse.ArgumentParser) -> None:
         "--tolerance", metavar="METRES", help="of simulate: the largest error (default: 0.001)"
     )
     parser.add_argument(
-        "--json", type=Path, metavar="FILE", help="of simulate: the motion, and all else"
+        "--json", type=given_path, metavar="FILE", help="of simulate: the motion, and all else"
     )
     parser.add_argument(
-        "--picture", type=Path, metavar="FILE.svg", help="of simulate: the same, drawn"
+        "--picture", type=given_path, metavar="FILE.svg", help="of simulate: the same, drawn"
     )
     parser.add_argument(
-        "--out", type=Path, metavar="FOLDER", help="what is written (default: docs/studies)"
+        "--out", type=given_path, metavar="FOLDER", help="what is written (default: docs/studies)"
     )
     parser.add_argument("--quick", action="store_true", help="fewer rounds and random scenes")
     parser.add_argument(
         "--peers", action="store_true", help="the engines that people use, too; installs them"
     )
     measured = parser.add_argument_group("measured impacts, for the question `measured`")
-    measured.add_argument("--squares", type=Path, metavar="FILE", help="drops of squares")
-    measured.add_argument("--ellipses", type=Path, metavar="FILE", help="impacts of ellipses")
+    measured.add_argument("--squares", type=given_path, metavar="FILE", help="drops of squares")
+    measured.add_argument("--ellipses", type=given_path, metavar="FILE", help="impacts of ellipses")
 
 
 def run(options: argparse.Namespace) -> int:

@@ -14,7 +14,9 @@ def counting(folder: Path) -> Stamp:
     """The version whose results count. Raises UsageError if there are none."""
     there = results.stamp_of(folder)
     if there is None:
-        raise UsageError(f"{folder.parent} holds no results yet: run without --regrade first")
+        raise UsageError(
+            f"{folder.parent} holds no results yet: run without --regrade and --apply first"
+        )
     return there
 
 

@@ -74,15 +74,21 @@ def _of_download(service: ModuleType, archive: Archive, people: Mapping[str, str
     title = service.TITLE
     intake = Class(f"a {title} download", service=title.lower(), tells_lateness=service is canvas)
     users: dict[str, list[Upload]] = {}
+    typed: list[Upload] = []
     for name, found in service.read(archive, people).items():
         if isinstance(found, str):
             intake.unmatched.append(Unmatched(name, found))
         elif found.typed:
-            what = f"is {found.typed} typed into {title}"
-            page = service.page_of([found])
-            intake.unmatched.append(without_files(name, what, found.user, page))
+            typed.append(found)
         else:
             users.setdefault(found.user, []).append(found)
+    for one in typed:
+        if one.user in users:
+            users[one.user].append(one)
+        else:
+            what = f"is {one.typed} typed into {title}"
+            page = service.page_of([one])
+            intake.unmatched.append(without_files(one.entry, what, one.user, page))
     for uploads in users.values():
         take(intake, archive, uploads, service.page_of(uploads))
     return intake

@@ -78,7 +78,9 @@ def _counted(archive: Archive, uploads: Sequence[Upload]) -> tuple[list[Upload],
     unused = []
     for upload in sorted(uploads, key=lambda upload: -upload.number):
         shown, file = printable_name(upload.file), own_name(upload, texts)
-        if upload.old:
+        if upload.typed:
+            unused.append(f"{upload.typed} was typed, too")
+        elif upload.old:
             unused.append(f"{shown} is of an older attempt")
         elif not may_count(file):
             unused.append(f"{shown} {NOT_USED}")

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 from bounce_grader.classroom.grading.summary import Final, Summary
 from bounce_grader.classroom.intake.instructor_files import ROSTER
-from bounce_grader.classroom.intake.student import Class
+from bounce_grader.classroom.intake.student import Class, Member
 from bounce_grader.classroom.output.table import Row, Table
 from bounce_grader.common.errors import UsageError
 from bounce_grader.common.files import read_object, write_whole
@@ -84,13 +84,13 @@ class Gradebook:
         """The student's own id at the service, by each id that only one student has."""
         return {id: of[0].ids[0] for id, of in self._by_any_id.items() if len(of) == 1}
 
-    def require_some_of(self, ids: Sequence[str], own_ids_only: bool) -> None:
-        """Raises UsageError if no student with one of these ids is in the file."""
-        known = self._by_own_id if own_ids_only else self._by_any_id
-        if ids and not known.keys() & set(ids):
+    def require_some_of(self, members: Sequence[Member], own_ids_only: bool) -> None:
+        """Raises UsageError if none of these is in the file."""
+        of = {True: self._by_any_id, False: self._by_own_id if own_ids_only else self._by_any_id}
+        if members and not any(member.id in of[member.listed] for member in members):
             raise UsageError(
-                f"none of the {len(ids)} students who handed in is in {self.table.name}: is it the "
-                "file of another assignment or course?"
+                f"nobody who handed in is in {self.table.name}: is it the file of another "
+                "assignment or course?"
             )
 
     def fill(
