@@ -57,3 +57,5 @@ def test_a_fifth_part_is_graded_beside_the_four(tmp_path: Path) -> None:
     assert points(copy, wrong) == [30, 30, 30, 10, 0]
     own_build = ["ninja", "-C", str(copy / "build" / "kit"), "solution_test"]
     assert subprocess.run(own_build, capture_output=True, check=False).returncode == 0
+    moved = copy.rename(tmp_path / "moved")
+    assert points(moved, moved / "solution" / "src") == [30, 30, 30, 10, 10]

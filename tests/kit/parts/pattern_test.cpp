@@ -33,11 +33,6 @@ std::string told(int part, const Formula& formula) {
 
 void rounded_to_float(Q, X x) { x = x.cast<float>().cast<double>().eval(); }
 
-void two_factors(Q, X x) {
-  x(0) *= -1;
-  x(6) *= 2;
-}
-
 double odd(Q c) { return 1 + c.v(0) * c.v(0); }
 
 void zero_or_more(Q c, X x) {
@@ -203,7 +198,6 @@ const Row kRows[] = {
     // a factor, a difference, a constant
     {"times -1", 1, [](Q, X x) { x(0) = -x(0); }},
     {"times m", 1, [](Q c, X x) { x(6) *= c.params.m; }},
-    {"two factors", 1, two_factors},
     {"no factor: rounding", 3, [](Q, X x) { x.head(3) *= 4.04769e-15; }},
     {"0.5 more", 2, [](Q, X x) { x(16) += 0.5; }},
     {"always 7", 1, [](Q, X x) { x(2) = 7; }},
