@@ -84,19 +84,20 @@ Words rules(const WrongPart& part, const Numbers& numbers) {
         "The wrong numbers are right to four digits or more: is there a float, or a constant with "
         "too few digits?"};
   }
-  const std::string all = rule_of("Every wrong number", part, numbers);
-  if (!all.empty()) return {all};
   Words found;
+  std::size_t wrong = 0;
   for (const auto& [name, entries] : quantities(part.part)) {
     Numbers own;
     for (const Number& n : numbers) {
       if (std::count(entries.begin(), entries.end(), n.entry) > 0) own.push_back(n);
     }
+    wrong += own.empty() ? 0 : 1;
     const std::string in = entries.size() == 1 ? "" : "number in ";
     const std::string rule = rule_of("Every wrong " + in + name, part, own);
     if (!rule.empty() && found.size() < 2) found.push_back(rule);
   }
-  return found;
+  const std::string all = wrong > 1 ? rule_of("Every wrong number", part, numbers) : "";
+  return all.empty() ? found : Words{all};
 }
 
 }  // namespace bounce::tests

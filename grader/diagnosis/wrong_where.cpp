@@ -30,7 +30,7 @@ std::string where(const WrongPart& part, const std::set<std::size_t>& wrong) {
   if (words.empty() || 4 * of_wrong < 3 * such) return "";
   const std::string all = std::to_string(such), some = std::to_string(of_wrong);
   return "Wrong only where " + joined(words) + ", in " +
-         (all == some ? "all " + all : some + " of " + all) + " such cases.";
+         (all == some ? "all " + all : some + " of " + all) + " such public questions.";
 }
 
 }  // namespace bounce::tests

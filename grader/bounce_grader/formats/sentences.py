@@ -102,14 +102,14 @@ def first_to_do(record: Record) -> str:
 
 
 def hint(part: Record, check: Record) -> str:
-    """The heading of the hint for a failed check, for the first one that of the part's mistake;
-    empty for a passed one."""
+    """The heading of the hint for a failed check, for the first one that of the mistake which costs
+    it, or of what the wrong numbers say; empty for a passed one."""
     if check["passed"]:
         return ""
     found = ""
     if check is _first_failed(part):
-        named = [mistake["hint"] for mistake in part["mistakes"]]
-        found = named[0] if named else hints.of_patterns(part["part"], part["patterns"])
+        mistake, patterns = check["mistake"], hints.of_patterns(part["part"], part["patterns"])
+        found = mistake["hint"] if mistake else patterns
     return found or hints.of_check(check["id"])
 
 

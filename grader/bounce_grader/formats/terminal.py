@@ -67,7 +67,7 @@ def _part(part: Record) -> list[tuple[str, str]]:
             out += _check(part, check)
     if sentences.had_help(part):
         out.append(
-            ("dim", "  judged with the earlier parts given: a mistake there costs nothing here")
+            ("dim", "  judged with right earlier parts: a mistake in yours costs nothing here")
         )
     return [*out, ("", "")]
 
