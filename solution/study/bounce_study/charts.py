@@ -157,7 +157,40 @@ def measured_laws(tables: Tables) -> bytes:
     return style.svg(figure)
 
 
+def square(_: Tables) -> bytes:
+    """The symbols of all pages at a square, whose lowest corner is just above delta."""
+    figure, axes = style.pyplot().subplots(figsize=(4.2, 2.2), layout="constrained")
+    (cosine, sine), height, delta = (np.cos(0.35), np.sin(0.35)), 0.78, 0.08
+    turn = np.array([[cosine, -sine], [sine, cosine]])
+    x, y = turn @ (np.array([[-1, 1, 1, -1, -1], [-1, -1, 1, 1, -1]]) / 2) + [[0], [height]]
+    axes.plot(x, y, color=style.BLUE)
+    axes.plot([0, x[0]], [height, y[0]], color=style.BLUE, linestyle=(0, (1, 1)))
+    axes.plot([x[0], x[0] + 0.7], [y[0], y[0]], color=style.INK, linewidth=0.6)
+    axes.plot(x[0], y[0], "o", color=style.VERMILION)
+    axes.axhline(0, color="black")
+    axes.axhline(delta, color="black", linewidth=0.8, linestyle=(0, (4, 3)))
+    arrow = {"arrowstyle": "->", "color": style.VERMILION}
+    axes.annotate("", (0.45, height - 0.3), (0, height), arrowprops=arrow)
+    spin = arrow | {"connectionstyle": "arc3,rad=0.5"}
+    axes.annotate("", (-0.12, height + 0.22), (0.2, height + 0.16), arrowprops=spin)
+    for place, text in {
+        (x[0] + 0.52, y[0] + 0.05): "θ",
+        ((x[1] + x[2]) / 2 + 0.05, (y[1] + y[2]) / 2): "l",
+        ((x[0] - 0.12) / 2, (height + y[0]) / 2 + 0.06): "ρ",
+        (0.42, height - 0.22): "v",
+        (0.04, height + 0.34): "ω",
+        (x[0] - 0.42, y[0] + 0.04): "corner",
+        (0.9, delta + 0.03): "δ: the assignment's contact",
+        (0.9, -0.14): "ground: y = 0, friction μ, restitution ε",
+    }.items():
+        axes.text(*place, text)
+    axes.set(aspect="equal", xlim=(-0.8, 2.7), ylim=(-0.2, 1.5))
+    axes.axis("off")
+    return style.svg(figure)
+
+
 CHARTS: dict[str, tuple[tuple[str, ...], Callable[[Tables], bytes]]] = {
+    "square": (("speed_accuracy",), square),
     "speed_accuracy": (("speed_accuracy",), speed_accuracy),
     "speed_accuracy_one": (("speed_accuracy",), speed_accuracy_one),
     "order": (("speed_accuracy",), order),

@@ -169,6 +169,7 @@ def stability(tables: Tables) -> Facts:
     return {
         "gains": len(gains),
         "pairs": len(energy),
+        "pairs_above": (energy["epsilon"] > energy["limit_epsilon"]).sum(),
         "gains_below": (gains["epsilon"] < gains["limit_epsilon"]).sum(),
         "gains_by_others": others.to_numpy().sum(),
         "largest_gain": 100 * gains["newton"].max(),
