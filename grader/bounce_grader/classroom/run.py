@@ -98,7 +98,9 @@ def _read(request: Request) -> Given:
     corpus = [student for folder in request.corpus for student in near_copies.corpus(folder)]
     canvas = None
     if request.submissions:
-        intake = students.read(request.submissions, book.people() if book else {})
+        own = book.people() if book else {}
+        named = {id: [name, *people.groups_of(id)] for id, name in own.items()}
+        intake = students.read(request.submissions, named)
     else:
         token = canvas_api.token_of_environment()
         read_object(request.out / canvas_upload.UPLOADED)

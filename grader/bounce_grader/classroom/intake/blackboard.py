@@ -11,10 +11,10 @@ Blackboard writes, "Name: Jane Doe (jdoe)"; without it, what all entries begin w
 import os
 import re
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 
 from bounce_grader.classroom.intake.archive import Archive, not_named
-from bounce_grader.classroom.intake.student import Upload
+from bounce_grader.classroom.intake.student import Names, Upload
 from bounce_grader.common.escaping import printable_name
 from bounce_grader.common.files import fitting
 
@@ -35,7 +35,7 @@ def parse(entry: str) -> Upload | None:
     return Upload(entry, "", match["head"], file, number=when, typed="" if file else "text")
 
 
-def read(archive: Archive, _people: Mapping[str, str]) -> dict[str, Upload | str]:
+def read(archive: Archive, _people: Names) -> dict[str, Upload | str]:
     """The files of each user, or the text of the newest attempt if that has none; for other entries, why
     they are of nobody."""
     read: dict[str, Upload | str] = {}

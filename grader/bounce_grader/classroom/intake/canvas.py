@@ -12,10 +12,10 @@ ambiguous (`read_all`).
 
 import re
 import unicodedata
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 
 from bounce_grader.classroom.intake.archive import Archive, not_named
-from bounce_grader.classroom.intake.student import Upload
+from bounce_grader.classroom.intake.student import Names, Upload
 from bounce_grader.common.escaping import printable_name
 from bounce_grader.common.files import fitting
 
@@ -26,8 +26,8 @@ WHO = rf"(?:(?!LATE_|anon_)(?P<name>[^/]+?)_)?(?:(?P<late>LATE)_)?{USER}"
 UPLOAD = re.compile(rf"{WHO}_(?P<attachment>{ID})_(?P<file>[^/]+)", re.DOTALL)
 TYPED = re.compile(rf"{WHO}_(?P<kind>text|link)\.html", re.DOTALL)
 EITHER = (
-    "could be one of several users', by its name: look in Canvas who handed it in, and grade it by "
-    "itself with ./kit grade"
+    "has a name that doesn't say for certain whose it is: look in Canvas who handed it in, and grade "
+    "it by itself with ./kit grade"
 )
 
 
@@ -44,7 +44,7 @@ def parse(entry: str) -> Upload | None:
     return Upload(*who, match["file"], bool(match["late"]), int(match["attachment"]), False)
 
 
-def read(archive: Archive, people: Mapping[str, str]) -> dict[str, Upload | str]:
+def read(archive: Archive, people: Names) -> dict[str, Upload | str]:
     """Each entry; or why it is of nobody."""
     found = read_all(archive.names(), people)
     return {
@@ -57,12 +57,12 @@ def _unnamed(entry: str) -> str:
     return "is in a folder; Canvas's download has none" if in_folder else not_named(TITLE, entry)
 
 
-def read_all(entries: Iterable[str], people: Mapping[str, str]) -> dict[str, Upload | None]:
+def read_all(entries: Iterable[str], people: Names) -> dict[str, Upload | None]:
     """Reads the names of all entries. The value is None for a name that Canvas doesn't write, and
     for an ambiguous one: students choose their names and the names of their files, so an entry can
-    often be split in several ways. `people` are the names in the grade book, by Canvas's ids. An
-    ambiguous entry counts for the one person there whose id and name it can be read with, unless
-    another entry certainly has that id, or can be read with that id and another name."""
+    often be split in several ways. An ambiguous entry counts for the one of these `people` whose id
+    and name it can be read with, unless another entry certainly has that id, or can be read with
+    that id and another name."""
     possible = {entry: readings(entry) for entry in entries}
     read = {entry: found[0] if len(found) == 1 else None for entry, found in possible.items()}
     certain = {found[0].user for found in possible.values() if len(found) == 1}
@@ -73,7 +73,7 @@ def read_all(entries: Iterable[str], people: Mapping[str, str]) -> dict[str, Upl
         known = [reading for reading in possible[entry] if reading.user in people]
         users = {reading.user for reading in known}
         if len(known) == 1 and not users & certain and len(names[known[0].user]) == 1:
-            if is_name_of(people[known[0].user], known[0].name):
+            if any(is_name_of(name, known[0].name) for name in people[known[0].user]):
                 read[entry] = known[0]
     return read
 

@@ -19,11 +19,11 @@ of years, days, hours, minutes and seconds (`format_time`).
 """
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from pathlib import PurePosixPath
 
 from bounce_grader.classroom.intake.archive import Archive, not_named
-from bounce_grader.classroom.intake.student import Upload
+from bounce_grader.classroom.intake.student import Names, Upload
 from bounce_grader.common.escaping import printable_name
 from bounce_grader.common.files import fitting
 
@@ -77,7 +77,7 @@ def page_of(uploads: Sequence[Upload]) -> str:
     return f"{name}_{uploads[0].user}_assignfeedback_file_feedback.html"
 
 
-def read(archive: Archive, _people: Mapping[str, str]) -> dict[str, Upload | str]:
+def read(archive: Archive, _people: Names) -> dict[str, Upload | str]:
     """Each entry; or why it is of nobody."""
     read: dict[str, Upload | str] = {}
     for entry in archive.names():

@@ -52,8 +52,13 @@ class People:
         if members or self._logins:
             return members
         own = self._own_ids.get(student.id, student.id)
-        groups = [of for name, of in self._roster.items() if name not in self._submissions]
-        return next((of for of in groups if own in [self._own_ids.get(m.id, m.id) for m in of]), [])
+        groups = [name for name in self.groups_of(own) if name not in self._submissions]
+        return self._roster[groups[0]] if groups else []
+
+    def groups_of(self, own: str) -> list[str]:
+        """What the roster calls the submissions of whoever has this id at the service."""
+        same = self._own_ids
+        return [n for n, of in self._roster.items() if own in [same.get(m.id, m.id) for m in of]]
 
     def _name(self, student: Student, members: Sequence[Member], intake: Class) -> str:
         """The name of a submission's person, as the roster or the grade book has it. In a Canvas

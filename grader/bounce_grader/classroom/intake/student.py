@@ -1,10 +1,15 @@
 """A student's submission, what can't be graded, and a class of both."""
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import NamedTuple
 
 from bounce_grader.common.escaping import printable_name
+
+
+# Of each person in the grade book, by the service's id: that name there, and the roster's of the group.
+Names = Mapping[str, Sequence[str]]
 
 
 class Upload(NamedTuple):

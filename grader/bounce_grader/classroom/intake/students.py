@@ -3,13 +3,13 @@ folders or zips, or in a checkout of repositories. What can't be matched is list
 reason."""
 
 import zipfile
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 from types import ModuleType
 
 from bounce_grader.classroom.intake import blackboard, canvas, from_folder, moodle
 from bounce_grader.classroom.intake.archive import Archive, is_file, is_folder, opened
-from bounce_grader.classroom.intake.student import Class, Unmatched, Upload
+from bounce_grader.classroom.intake.student import Class, Names, Unmatched, Upload
 from bounce_grader.classroom.intake.uploads import take, without_files
 from bounce_grader.common.errors import UsageError
 from bounce_grader.common.escaping import printable_name
@@ -20,9 +20,8 @@ from bounce_grader.submission.intake import is_archive
 SERVICES = (moodle, canvas, blackboard)
 
 
-def read(path: Path, people: Mapping[str, str] = {}) -> Class:
-    """Reads a class. `people` are the names in the grade book, by Canvas's ids. Raises UsageError
-    if there is no submission in `path`."""
+def read(path: Path, people: Names = {}) -> Class:
+    """Reads a class. Raises UsageError if there is no submission in `path`."""
     path = path.absolute()
     if path.is_dir():
         children = sorted(path.iterdir())
@@ -70,7 +69,7 @@ def _service(names: Sequence[str]) -> ModuleType | None:
     return canvas if known else None
 
 
-def _of_download(service: ModuleType, archive: Archive, people: Mapping[str, str]) -> Class:
+def _of_download(service: ModuleType, archive: Archive, people: Names) -> Class:
     title = service.TITLE
     intake = Class(f"a {title} download", service=title.lower(), tells_lateness=service is canvas)
     users: dict[str, list[Upload]] = {}
