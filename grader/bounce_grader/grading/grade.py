@@ -181,8 +181,11 @@ class _Grading:
         if part.number not in self.objects.parts:
             message = f"{part.file} isn't among the files submitted"
             return record.failed_part(part, "not_submitted", message)
-        stub = (STUBS / part.file).read_bytes()
-        if self.taken.files[self.taken.parts[part.number]].split() == stub.split():
+        file = self.taken.parts[part.number]
+        words = self.taken.files[file].split()
+        if not words:
+            return self._not_built(part, f"{file} is empty", None)
+        if words == (STUBS / part.file).read_bytes().split():
             message = f"nothing is filled in yet: start at the TODO in {part.file}"
             return record.failed_part(part, "graded", message)
         built = self.objects.parts[part.number]

@@ -63,6 +63,8 @@ def _at(place: Place | None) -> Record:
 def part_record(part: Part, judged: Judged) -> Record:
     ended = [verdict for verdict in judged.verdicts.values() if verdict.status != "graded"]
     place = next((verdict.place for verdict in ended if verdict.place), None)
+    if judged.status == "does_not_compile":  # no function to ask: said once, and of no check
+        return failed_part(part, judged.status, _part_message(part, judged), place)
     mistakes = [
         {key: known_mistakes()[name][key] for key in MISTAKE_FIELDS} for name in judged.mistakes
     ]

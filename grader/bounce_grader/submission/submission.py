@@ -33,6 +33,8 @@ BUILT_OR_GIVEN = {"build", MAC_FOLDER, "CMakeFiles", "fixtures", "tests"}
 BESIDE_SRC = ("exact/", "methods/", "study/")  # in solution/, whose src/ is graded as a submission
 INCLUDES_GTEST = re.compile(rb'^[ \t]*#[ \t]*include[ \t]*[<"]g(?:test|mock)/', re.M)
 HAS_A_TEST = re.compile(rb"^[ \t]*TEST(?:_F|_P)?[ \t]*\(", re.M)
+# Whose a file is, by its name in a service's download of a whole class.
+OF_A_CLASS = re.compile(r"_(\d+_(?=(?:\d+|assignsubmission)_)|[^_/]+_attempt_)")
 COPY = re.compile(r"(?:-\d+|\s?\(\d+\))$")  # the suffix of a file uploaded or downloaded again
 
 
@@ -100,7 +102,19 @@ class Submission(NamedTuple):
 def read(path: Path) -> Submission:
     """Raises UsageError, with one sentence, when there is nothing to grade."""
     with about_one_submission(f"{path} can't be read"), intake.opened(path) as entries:
+        _require_one_student(path, [entry.name for entry in entries])
         return take(path, entries)
+
+
+def _require_one_student(path: Path, names: list[str]) -> None:
+    """Raises UsageError if most files are named as those of several students in a service's
+    download, and no other is a part."""
+    whose = [found[1] for found in map(OF_A_CLASS.search, names) if found]
+    own = [n for n in names if part_file(PurePosixPath(n).name) and not OF_A_CLASS.search(n)]
+    if len(set(whose)) > 1 and 2 * len(whose) > len(names) and not own:
+        raise UsageError(
+            f"{path} is named as the download of a whole class: ./kit class {path} --out FOLDER"
+        )
 
 
 def take(path: Path, entries: list[Entry]) -> Submission:
