@@ -260,7 +260,8 @@ def _print(
         print(f"To look at: {to_look_at}; {request.out / 'class.html'} says why.")
     failed = [f"{s.student.shown} ({s.student.id})" for s in summaries if s.state == "failed"]
     if failed:
-        print(f"The kit failed on {terminal(first_few(failed))}: run the same command again.")
+        names = terminal(first_few(failed, separator="; "))
+        print(f"The kit failed on {names}: run the same command again.")
     in_book = book.people(intake.service == "canvas") if book else {}
     not_graded = [
         f"{printable_name(unmatched.name)!r} {unmatched.reason}"

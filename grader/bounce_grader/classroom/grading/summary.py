@@ -1,6 +1,7 @@
 """A summary of a result, with what the grade book, the tables and the class page need; a whole
 record is large."""
 
+import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, NamedTuple
@@ -9,6 +10,9 @@ from bounce_grader.classroom.intake.student import Student
 from bounce_grader.common.escaping import first_few
 from bounce_grader.common.manifest import full_points, named_together
 from bounce_grader.grading import speed
+
+# Files that are handed in beside parts, and are none under another name.
+NO_PART = re.compile(r"(\S*/)?(readme|cmakelists|makefile|\.ds_store|\._|__macosx)", re.IGNORECASE)
 
 
 class Applied(NamedTuple):
@@ -96,6 +100,7 @@ class Summary:
         """A missing part may be there under another name, or in a file that can't be read."""
         missing = [number for number, status in self.statuses.items() if status == "not_submitted"]
         others = [*self.unused, *(f"{name} is no part by its name" for name in self.beside)]
+        others = [other for other in others if not NO_PART.match(other)]
         there = first_few(others, separator="; ", more=self.ignored_more)
         return [f"{named_together(missing)} not there, but {there}"] if missing and others else []
 

@@ -24,6 +24,11 @@ def is_folder(path: Path) -> bool:
     return os.path.isdir(path) and not os.path.islink(path)
 
 
+def of_macos(name: str) -> bool:
+    """Whether macOS has added this file beside others: it is nobody's, and nothing is said of it."""
+    return "__MACOSX" in name.split("/") or name.split("/")[-1].startswith((".DS_Store", "._"))
+
+
 class Damaged(UsageError):
     """The whole download is damaged, which is no student's fault."""
 
@@ -46,9 +51,10 @@ class Archive:
 
     def names(self) -> list[str]:
         if self._zip:
-            return list(self._infos)
+            return [name for name in self._infos if not of_macos(name)]
         found = self.path.rglob("*") if self.deep else self.path.iterdir()
-        return sorted(str(f.relative_to(self.path)) for f in found if not is_folder(f))
+        names = (str(file.relative_to(self.path)) for file in found if not is_folder(file))
+        return sorted(name for name in names if not of_macos(name))
 
     def read(self, name: str, limit: int) -> bytes:
         try:
@@ -69,10 +75,8 @@ class Archive:
             raise UsageError(f"{name} can't be read from {self.path.name}: {error}") from error
 
 
-def not_named(service: str, entry: str) -> str:
-    """Why an entry is no submission, where it isn't named as the service names them."""
-    if entry.startswith("__MACOSX") or entry.endswith(".DS_Store"):
-        return "was made by macOS, and is no submission"
+def not_named(service: str) -> str:
+    """Why an entry is no submission."""
     return f"isn't named as {service} names submissions"
 
 

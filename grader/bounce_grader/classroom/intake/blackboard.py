@@ -45,7 +45,7 @@ def read(archive: Archive, _people: Names) -> dict[str, Upload | str]:
         if upload:
             heads.setdefault(upload.user, []).append(upload)
         else:
-            read[entry] = not_named(TITLE, entry)
+            read[entry] = not_named(TITLE)
     common = os.path.commonprefix([*heads]) if len(heads) > 1 else ""
     title = common[: common.rfind("_") + 1]
     whose = {head: _person(archive, head, of, title) for head, of in heads.items()}

@@ -53,8 +53,7 @@ def read(archive: Archive, people: Names) -> dict[str, Upload | str]:
 
 
 def _unnamed(entry: str) -> str:
-    in_folder = "/" in entry and not entry.startswith("__MACOSX")
-    return "is in a folder; Canvas's download has none" if in_folder else not_named(TITLE, entry)
+    return "is in a folder; Canvas's download has none" if "/" in entry else not_named(TITLE)
 
 
 def read_all(entries: Iterable[str], people: Names) -> dict[str, Upload | None]:

@@ -57,7 +57,7 @@ def _is_part(child: Path) -> bool:
 
 def _no_submission(child: Path) -> str:
     """Why a child can't be a submission; "" if it can."""
-    if child.name.startswith((".", "__MACOSX")):
+    if child.name.startswith("."):
         return "is no submission"
     if not is_folder(child):
         return "" if is_file(child) and is_archive(child.name) else "is neither a folder nor a zip"

@@ -83,7 +83,7 @@ def read(archive: Archive, _people: Names) -> dict[str, Upload | str]:
     for entry in archive.names():
         upload = parse(entry)
         leads_out = upload and not _is_inside(upload.file)
-        reason = "points outside of the submission" if leads_out else not_named(TITLE, entry)
+        reason = "points outside of the submission" if leads_out else not_named(TITLE)
         read[entry] = upload if upload and not leads_out else reason
     return read
 

@@ -8,7 +8,7 @@ from pathlib import Path
 from types import ModuleType
 
 from bounce_grader.classroom.intake import blackboard, canvas, from_folder, moodle
-from bounce_grader.classroom.intake.archive import Archive, is_file, is_folder, opened
+from bounce_grader.classroom.intake.archive import Archive, is_file, is_folder, of_macos, opened
 from bounce_grader.classroom.intake.student import Class, Names, Unmatched, Upload
 from bounce_grader.classroom.intake.uploads import take, without_files
 from bounce_grader.common.errors import UsageError
@@ -24,7 +24,7 @@ def read(path: Path, people: Names = {}) -> Class:
     """Reads a class. Raises UsageError if there is no submission in `path`."""
     path = path.absolute()
     if path.is_dir():
-        children = sorted(path.iterdir())
+        children = sorted(child for child in path.iterdir() if not of_macos(child.name))
         service = _service([child.name for child in children if is_file(child)])
         if service:
             intake = _of_download(service, opened(path), people)

@@ -90,8 +90,8 @@ def _write_zips(out: Path, folder: Path, pages: Sequence[str]) -> str:
     if not pages:
         return ""
     if not changed:
-        old = f", and {NEW_PAGES} is an older one" if (out / NEW_PAGES).exists() else ""
-        return f"No page has changed since the last run: there is nothing new to upload{old}."
+        last = NEW_PAGES if (out / NEW_PAGES).exists() else whole.name
+        return f"No page has changed since the last run: upload {last} unless you have done that."
     if not before:
         return f"Upload {whole.name}, with {number}."
     return (

@@ -147,7 +147,7 @@ def unknown_lateness(
     ]
     return [
         f"how many days late these are can't be read from {intake.service.capitalize()}'s files, "
-        f"and counts as one day unless {ADJUSTMENTS} says otherwise: {first_few(vague)}"
+        f"and counts as one day unless {ADJUSTMENTS} says otherwise: {first_few(vague, separator='; ')}"
     ] * bool(vague)
 
 

@@ -54,7 +54,7 @@ def render(
         chart_names=NAMES,
         looks=_looks(summaries),
         near=near,
-        incomplete=first_few([names[id] for id in near.incomplete]),
+        incomplete=first_few([names[id] for id in near.incomplete], separator="; "),
         pairs=[[*pair_names(p, names), pair_share(p)] for p in near.pairs],
         unmatched=[[printable_name(entry.name), entry.reason] for entry in submitted.unmatched],
         gradebook_sentences=gradebook_sentences,
