@@ -24,7 +24,7 @@ Samples truth_of(const Scene& scene, int samples) {
   options.cut = 1e-8;
   std::vector<long double> times;
   for (int i = 1; i <= samples; ++i) times.push_back((long double)(scene.until) * i / samples);
-  const Samples truth = in_long_double(scene, times, options);
+  Samples truth = in_long_double(scene, times, options);
   if (truth.size() != std::size_t(samples))
     throw std::runtime_error(scene.name + ": the truth stalled: events go on without an end");
   return truth;
