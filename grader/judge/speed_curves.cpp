@@ -103,8 +103,10 @@ class Measurement {
 std::vector<Curves> speed_curves(const std::vector<exact::Scene>& scenes,
                                  const std::vector<Contender>& contenders, double budget_ns) {
   std::vector<exact::Samples> truths;
+  truths.reserve(scenes.size());
   for (const exact::Scene& scene : scenes) truths.push_back(exact::truth_of(scene));
   std::vector<Measurement> measurements;
+  measurements.reserve(contenders.size());
   for (const Contender& run : contenders) measurements.emplace_back(run, budget_ns, scenes.size());
   for (const double dt : kMeasuredSteps) {
     std::vector<Setting> settings;
@@ -119,6 +121,7 @@ std::vector<Curves> speed_curves(const std::vector<exact::Scene>& scenes,
     }
   }
   std::vector<Curves> all;
+  all.reserve(measurements.size());
   for (const Measurement& measurement : measurements) all.push_back(measurement.curves);
   return all;
 }
