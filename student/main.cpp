@@ -1,10 +1,10 @@
 // Simulates a square with your four parts and writes an animation of it.
 //
-//   bounce                                    the scene below, as animation.html
-//   bounce --scene NAME [dt=0.001 ...]        a scene of explore.md, with numbers changed as you
-//   say bounce --many [NAME] [dt=0.001 ...]       200 throws, almost alike, as many.html bounce
-//   --play                             serves a page on which you throw the square yourself bounce
-//   --worked                           prints the step that the handout carries through
+//   bounce                               the scene below, as animation.html
+//   bounce --scene NAME [dt=0.001 ...]   a scene of explore.md, with the numbers that you give
+//   bounce --many [NAME] [dt=0.001 ...]  200 throws, almost alike, as many.html
+//   bounce --play                        serves a page on which you throw the square yourself
+//   bounce --worked                      prints the step that the handout carries through
 #include <exception>
 #include <filesystem>
 #include <iostream>

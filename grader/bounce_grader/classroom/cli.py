@@ -28,7 +28,8 @@ def add(parser: argparse.ArgumentParser) -> None:
         "--regrade": "grade again by this version of the kit, and show what would change",
         "--apply": "take over what --regrade has shown",
         "--speed": "chart speed against accuracy; takes twice as long",
-        "--sanitize": "remark undefined behaviour in parts with all points; takes twelve times as long",
+        "--sanitize": "remark undefined behaviour in parts with all points; takes twelve times "
+        "as long",
         "--reveal": "put the expected answers of hidden cases into the feedback; may be added later",
         "--trust-submission": "grade without a box where none can be had",
     }

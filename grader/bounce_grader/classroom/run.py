@@ -192,7 +192,7 @@ def _run(request: Request, given: Given) -> int:
     if request.regrade:
         return _regrade(request, folder, tasks)
     if request.apply:
-        regrade.counting(folder)
+        regrade.stamp_before(folder)
     results.begin(folder, stamp, take_over=request.apply)
     failed = grading.grade_missing(tasks, request.unit, request.jobs, request.dask)
     summaries = grading.summarize(tasks, failed)
@@ -227,7 +227,7 @@ def _run(request: Request, given: Given) -> int:
 
 
 def _regrade(request: Request, folder: Path, tasks: Sequence[Task]) -> int:
-    there = regrade.counting(folder)
+    there = regrade.stamp_before(folder)
     failed = grading.grade_missing(tasks, request.unit, request.jobs, request.dask)
     if failed:
         raise KitError(

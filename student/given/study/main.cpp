@@ -87,11 +87,8 @@ std::string in_the_same_time(const Scene& scene, const std::vector<Run>& fixed, 
              : least < kRounding ? " is right to rounding"
                                  : " reaches " + length(least));
   }
-  return text +
-         ". Moreau and Jean founded such time steps; both methods were measured elsewhere, in "
-         "calls "
-         "of solve_lcp; one takes " +
-         number(one_lcp * 1e9) + " ns here.";
+  return text + ". Both were measured elsewhere, in calls of solve_lcp, each of which takes " +
+         number(one_lcp * 1e9) + " ns here. Moreau and Jean founded such time steps.";
 }
 
 // Error over time, beside other methods; and error over step.

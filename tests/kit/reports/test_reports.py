@@ -1,7 +1,7 @@
-"""Every report on every record of records/ is what a person has read in expected/. The records: a mixed one, written by hand; a right one with remarks and
-half points; a hostile one, each of whose texts tries to break out of its
-format; one with a mistake in each part, pictures and curves; and a submission that can't be
-read."""
+"""Every report on every record of records/ is what a person has read in expected/. The records: a
+mixed one, written by hand; a right one with remarks and half points; a hostile one, each of whose
+texts tries to break out of its format; one with a mistake in each part, and curves; and a submission
+that can't be read."""
 
 import copy
 import io

@@ -10,8 +10,8 @@ from bounce_grader.common.errors import UsageError
 from bounce_grader.common.escaping import terminal
 
 
-def counting(folder: Path) -> Stamp:
-    """The version whose results count. Raises UsageError if there are none."""
+def stamp_before(folder: Path) -> Stamp:
+    """The version whose results count so far. Raises UsageError if there are none."""
     there = results.stamp_of(folder)
     if there is None:
         raise UsageError(

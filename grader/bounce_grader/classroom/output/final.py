@@ -76,8 +76,8 @@ def with_finals(
             names = " and ".join(of_person)
             if one.listed and len(of_person) > 1:
                 summary = summary.with_note(
-                    f"{ROSTER} gives {one.name or one.id} the points of several submissions ({names}): none is "
-                    "filled in; write the submission's id there that is theirs"
+                    f"{ROSTER} gives {one.name or one.id} the points of several submissions "
+                    f"({names}): none is filled in; write the submission's id there that is theirs"
                 )
             elif of_person and not one.listed and not logins:
                 summary = summary.with_note(f"{ROSTER} gives {one.id} the points of {names} alone")
@@ -147,7 +147,8 @@ def unknown_lateness(
     ]
     return [
         f"how many days late these are can't be read from {intake.service.capitalize()}'s files, "
-        f"and counts as one day unless {ADJUSTMENTS} says otherwise: {first_few(vague, separator='; ')}"
+        f"and counts as one day unless {ADJUSTMENTS} says otherwise: "
+        f"{first_few(vague, separator='; ')}"
     ] * bool(vague)
 
 
