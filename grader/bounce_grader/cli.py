@@ -5,7 +5,7 @@ import os
 import sys
 from collections.abc import Callable
 from importlib import import_module
-from typing import Any
+from typing import Any, NoReturn
 
 from bounce_grader import __version__, formats
 from bounce_grader.classroom import cli as class_cli
@@ -16,9 +16,19 @@ from bounce_grader.common.paths import given_path
 from bounce_grader.develop import study
 
 
+class Parser(argparse.ArgumentParser):
+    """Says in one sentence what is wrong."""
+
+    def error(self, message: str) -> NoReturn:
+        raise UsageError(f"{message} ({self.prog} --help)")
+
+
 def main(arguments: list[str]) -> int:
-    options = _parser().parse_args(arguments)
-    return _status(lambda: options.command(options))
+    def command() -> Any:
+        options = _parser().parse_args(arguments)
+        return options.command(options)
+
+    return _status(command)
 
 
 def check_manifest() -> int:
@@ -58,7 +68,7 @@ def _plain(message: str) -> str:
 
 
 def _parser() -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(prog="kit", description="Grades the bouncing assignment.")
+    parser = Parser(prog="kit", description="Grades the bouncing assignment.")
     parser.add_argument("--version", action="version", version=f"kit {__version__}")
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
 

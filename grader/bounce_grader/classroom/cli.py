@@ -25,8 +25,7 @@ def add(parser: argparse.ArgumentParser) -> None:
     flags = {
         "--upload": "post the points and pages that were shown to Canvas",
         "--overwrite": "replace other points that stand in the column",
-        "--regrade": "grade again by this version of the kit, and show what would change",
-        "--apply": "take over what --regrade has shown",
+        "--apply": "let the results of this version of the kit count, in place of another's",
         "--speed": "chart speed against accuracy; takes twice as long",
         "--sanitize": "remark undefined behaviour in parts with all points; takes twelve times "
         "as long",
@@ -38,10 +37,9 @@ def add(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
-    from bounce_grader.classroom.run import Request, run as grade_class
+    from bounce_grader.classroom.run import run as grade_class
 
     for wrong, sentence in (
-        (options.regrade and options.apply, "--regrade shows, and --apply takes over: give one"),
         (
             options.jobs is not None and options.jobs < 1,
             f"--jobs takes a number of gradings, not {options.jobs}",
@@ -70,6 +68,4 @@ def run(options: argparse.Namespace) -> int:
         if wrong:
             raise UsageError(sentence)
     options.out, options.jobs = options.out.absolute(), options.jobs or 0
-    options.trust = options.trust_submission
-    names = Request.__dataclass_fields__.keys()
-    return grade_class(Request(**{n: value for n, value in vars(options).items() if n in names}))
+    return grade_class(options)

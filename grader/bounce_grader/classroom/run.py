@@ -6,72 +6,48 @@ import os
 import sys
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
-from bounce_grader.classroom.grading import grading, near_copies, regrade, results, unit
-from bounce_grader.classroom.grading.near_copies import Similar
-from bounce_grader.classroom.grading.results import Task
-from bounce_grader.classroom.grading.summary import Summary
-from bounce_grader.classroom.grading.unit import Unit
+from bounce_grader.classroom.grading import grading, near_copies, results, unit
 from bounce_grader.classroom.intake import canvas_api, instructor_files, students
 from bounce_grader.classroom.intake.canvas_api import Canvas
 from bounce_grader.classroom.intake.instructor_files import Course, ROSTER
 from bounce_grader.classroom.intake.people import People
 from bounce_grader.classroom.intake.student import Class, Student
-from bounce_grader.classroom.output import canvas_upload, feedback, final, gradebook
-from bounce_grader.classroom.output import gradebook_services, grades, page
-from bounce_grader.classroom.output.final import Assigned
-from bounce_grader.classroom.output.gradebook import Gradebook
+from bounce_grader.classroom.output import canvas_upload, feedback, final, gradebook_files
+from bounce_grader.classroom.output import grades, page
+from bounce_grader.classroom.output.gradebook import Gradebook, WRITTEN
+from bounce_grader.classroom.output.gradebook_files import File
 from bounce_grader.common.errors import KitError, UsageError
-from bounce_grader.common.escaping import first_few, printable_name, terminal
+from bounce_grader.common.escaping import terminal
 from bounce_grader.common.files import read_object, remove_abandoned, write_whole
 
 MOST_LINES = 20  # of a kind on the terminal; class.html has them all
-
-
-@dataclass(frozen=True)
-class Request:
-    """The options of ./kit class, as cli.py has them."""
-
-    submissions: Path | None  # None with --canvas
-    out: Path
-    gradebook: Path | None = None
-    column: str = ""
-    dask: str = ""
-    jobs: int = 0
-    speed: bool = False
-    sanitize: bool = False
-    trust: bool = False
-    reveal: bool = False
-    overwrite: bool = False
-    canvas: str = ""  # COURSE/ASSIGNMENT
-    upload: bool = False
-    corpus: Sequence[Path] = ()
-    regrade: bool = False
-    apply: bool = False
-    unit: Unit = unit.run  # what grades one; tests have a quicker one
+Options = Any  # as cli.py has them
+UNIT = unit.run  # what grades one; tests have a quicker one
 
 
 class Given(NamedTuple):
     """All that is given: read and checked before anything is graded or written."""
 
     intake: Class
-    book: Gradebook | None
+    file: File | None  # of the grade book
     canvas: Canvas | None
     course: Course
-    assigned: Assigned
+    adjusted: final.Own
+    sentences: list[str]  # on adjustments and on the roster
     corpus: list[Student]
 
 
-def run(request: Request) -> int:
+def run(options: Options) -> int:
     """Returns 0, or 3 if the kit failed on a submission, which then has no score."""
     try:
-        given = _read(request)
-        with _locked(request.out):
-            remove_abandoned(request.out)
-            return _run(request, given)
+        given = _read(options)
+        with _locked(options.out):
+            remove_abandoned(options.out)
+            return _run(options, given)
     except KeyboardInterrupt:
         print(
             "kit: stopped; what is graded is kept. Run the same command again to go on.",
@@ -82,77 +58,65 @@ def run(request: Request) -> int:
         if error.errno != errno.ENOSPC:
             raise
         raise KitError(
-            f"the disk with {request.out} or with the temporary files is full: make room, and run "
+            f"the disk with {options.out} or with the temporary files is full: make room, and run "
             "the same command again. What is graded is kept"
         ) from error
 
 
-def _read(request: Request) -> Given:
+def _read(options: Options) -> Given:
     """Raises UsageError if something can't be read, or doesn't belong together."""
-    book = _gradebook(request)
+    read_object(options.out / WRITTEN)
+    file = _gradebook(options)
+    book = file.book if file else None
     names = book.people(own_ids_only=False) if book else {}
-    roster = instructor_files.roster(request.out)
+    roster = instructor_files.roster(options.out)
     people = People(roster, names, book.same_person() if book else {})
-    course = instructor_files.course(request.out)
-    adjustments = instructor_files.adjustments(request.out)
-    corpus = [student for folder in request.corpus for student in near_copies.corpus(folder)]
+    course = instructor_files.course(options.out)
+    adjustments = instructor_files.adjustments(options.out)
+    corpus = [student for folder in options.corpus for student in near_copies.corpus(folder)]
     canvas = None
-    if request.submissions:
+    if options.submissions:
         own = book.people() if book else {}
         named = {id: [name, *people.groups_of(id)] for id, name in own.items()}
-        intake = students.read(request.submissions, named)
+        intake = students.read(options.submissions, named)
     else:
         token = canvas_api.token_of_environment()
-        read_object(request.out / canvas_upload.UPLOADED)
-        canvas = Canvas(os.environ.get("CANVAS_URL", ""), request.canvas, token)
-        intake = canvas_api.download(canvas, request.out)
+        canvas = Canvas(os.environ.get("CANVAS_URL", ""), options.canvas, token)
+        intake = canvas_api.download(canvas, options.out)
     people.assign(intake)
     if book:
-        _require_same_class(book, request, intake)
+        _require_same_class(book, options, intake)
         _find_out_lateness(intake, book)
-    assigned = final.assign(adjustments, people, intake.students)
-    assigned.sentences.extend(people.without_submission(intake.students))
-    return Given(intake, book, canvas, course, assigned, corpus)
+    adjusted, sentences = final.assign(adjustments, people, intake.students)
+    sentences += people.without_submission(intake.students)
+    return Given(intake, file, canvas, course, adjusted, sentences, corpus)
 
 
-def _gradebook(request: Request) -> Gradebook | None:
-    if request.gradebook is None:
+def _gradebook(options: Options) -> File | None:
+    if options.gradebook is None:
         return None
-    if request.gradebook.resolve() == _filled_in(request).resolve():
-        raise UsageError(f"{request.gradebook} would be overwritten: give another folder as --out")
-    read_object(request.out / gradebook.WRITTEN)  # refused, if it is broken, before any grading
-    return gradebook_services.read(request.gradebook, request.column)
+    if options.gradebook.resolve() == _filled_in(options).resolve():
+        raise UsageError(f"{options.gradebook} would be overwritten: give another folder as --out")
+    return gradebook_files.read(options.gradebook, options.column)
 
 
-def _filled_in(request: Request) -> Path:
+def _filled_in(options: Options) -> Path:
     """The path of the filled-in grade book. Blackboard's file keeps its ending."""
-    own = request.gradebook.suffix.lower() if request.gradebook else ""
-    return request.out / f"gradebook{own if own in ('.xls', '.txt') else '.csv'}"
+    own = options.gradebook.suffix.lower()
+    return Path(options.out / f"gradebook{own if own in ('.xls', '.txt') else '.csv'}")
 
 
-def _require_same_class(book: Gradebook, request: Request, intake: Class) -> None:
+def _require_same_class(book: Gradebook, options: Options, intake: Class) -> None:
     """Raises UsageError if submissions and grade book can't be of one class. In files of different
     services, the same id can be that of different students."""
     if intake.service and book.service != intake.service:
         raise UsageError(
-            f"{request.submissions} is a download from {intake.service.capitalize()}, and "
-            f"{request.gradebook} a file from {book.service.capitalize()}: give both from one"
+            f"{options.submissions} is a download from {intake.service.capitalize()}, and "
+            f"{options.gradebook} a file from {book.service.capitalize()}: give both from one"
         )
     members = [member for student in intake.students for member in student.members]
-    listed = [member for member in members if member.listed]
-    if intake.logins and not (request.out / ROSTER).exists():
-        raise UsageError(
-            f"{request.gradebook} can't be matched with GitHub logins, which students choose: "
-            f"write {request.out / ROSTER}, whose columns submission and id say whose each "
-            "login is; or leave --gradebook out, and take the points from grades.csv"
-        )
-    if not listed and all(member.id.startswith("anon_") for member in members):
-        raise UsageError(
-            f"{request.submissions} is of an anonymous assignment, whose names are in no grade "
-            "book: post the grades in Canvas, and download the submissions again; or leave "
-            "--gradebook out"
-        )
-    book.require_some_of(listed if intake.logins else members, intake.service == "canvas")
+    if not intake.logins:
+        book.require_some_of(members, intake.service == "canvas")
 
 
 def _find_out_lateness(intake: Class, book: Gradebook) -> None:
@@ -184,101 +148,53 @@ def _locked(out: Path) -> Iterator[None]:
         yield
 
 
-def _run(request: Request, given: Given) -> int:
-    out, intake, assigned = request.out, given.intake, given.assigned
-    stamp = results.stamp_now(request.trust, request.sanitize)
-    folder = out / "results"
-    tasks = [results.task_of(s, stamp, folder, request.speed) for s in intake.students]
-    if request.regrade:
-        return _regrade(request, folder, tasks)
-    if request.apply:
-        regrade.stamp_before(folder)
-    results.begin(folder, stamp, take_over=request.apply)
-    failed = grading.grade_missing(tasks, request.unit, request.jobs, request.dask)
-    summaries = grading.summarize(tasks, failed)
-    summaries = final.with_finals(summaries, assigned, given.course, intake.logins)
-    readable = [s.student for s in summaries if s.state != "unreadable"]
-    near = near_copies.find(readable, given.corpus)
-    pages = feedback.write(out, intake, summaries, request.reveal)
-    for reasons in (near.incomplete, pages.without):
-        summaries = [
-            s.with_note(reasons[s.student.id]) if s.student.id in reasons else s for s in summaries
-        ]
-    sentences = [
-        *final.unknown_lateness(given.course, intake, assigned.own),
-        *assigned.sentences,
-        *final.adjusted(summaries),
-    ]
-    if given.book:
-        path = _filled_in(request)
-        sentences += gradebook.write(path, intake, summaries, given.book, request.overwrite)
-    write_whole(out / "grades.csv", "\ufeff" + grades.table(summaries))
-    text = page.render(intake, summaries, near, sentences, given.course)
-    write_whole(out / "class.html", text)
-    _print(request, given, summaries, sentences, near)
-    if pages.to_upload and not given.canvas:
-        print(pages.to_upload)
-    status = 3 if any(s.state == "failed" for s in summaries) else 0
-    if not given.canvas:
-        return status
-    wanted = (request.upload, request.overwrite)
-    left = canvas_upload.show_or_post(given.canvas, out, summaries, intake.unmatched, *wanted)
-    return max(status, left)
-
-
-def _regrade(request: Request, folder: Path, tasks: Sequence[Task]) -> int:
-    there = regrade.stamp_before(folder)
-    failed = grading.grade_missing(tasks, request.unit, request.jobs, request.dask)
-    if failed:
-        raise KitError(
-            f"submissions that could not be graded again: {len(failed)}; nothing is changed"
+def _run(options: Options, given: Given) -> int:
+    out, intake, folder = options.out, given.intake, options.out / "results"
+    stamp = results.stamp_now(options.trust_submission, options.sanitize)
+    readable = [student for student in intake.students if not student.refused]
+    tasks = [results.task_of(s, stamp, folder, options.speed) for s in readable]
+    there = results.stamp_of(folder)
+    failed = grading.grade_missing(tasks, UNIT, options.jobs, options.dask)
+    if there and there != stamp and not options.apply:
+        print(
+            f"The results in {folder} are by another version of the kit, or of its cases or options."
         )
-    print("\n".join(regrade.differences(there, tasks)))
-    return 0
+        print("\n".join(results.differences(there, tasks)))
+        return 3 if failed else 0
+    results.count(folder, stamp)
+    summaries = grading.summarize(intake.students, tasks, failed)
+    final.give(summaries, given.adjusted, given.course, intake.logins)
+    near = near_copies.find(summaries, given.corpus)
+    pages = feedback.write(out, summaries, options.reveal)
+    sentences = [
+        *intake.strays,
+        *final.unknown_lateness(given.course, intake),
+        *given.sentences,
+    ]
+    written = ["grades.csv", "class.html", "feedback/"]
+    if given.file:
+        path = _filled_in(options)
+        sentences += gradebook_files.write(path, intake, summaries, given.file, options.overwrite)
+        written.insert(0, path.name)
+    write_whole(out / "grades.csv", "\ufeff" + grades.table(summaries))
+    write_whole(out / "class.html", page.render(summaries, near, sentences, given.course.title))
+    graded = sum(summary.state == "graded" for summary in summaries)
+    print(f"{graded} of {len(summaries)} submissions graded ({intake.source}).")
+    looks = [f"{who}: {why}" for who, why in page.looks(summaries)]
+    _print(looks, sentences, page.of_near_copies(near))
+    print(f"Written to {out}: {', '.join(written)}")
+    status = 3 if any(summary.state == "failed" for summary in summaries) else 0
+    if given.canvas:
+        wanted = (options.upload, options.overwrite)
+        return max(status, canvas_upload.show_or_post(given.canvas, out, summaries, *wanted))
+    if to_upload := feedback.zip_new(out, intake.service, pages):
+        print(to_upload)
+    return status
 
 
-def _print(
-    request: Request,
-    given: Given,
-    summaries: Sequence[Summary],
-    sentences: Sequence[str],
-    near: Similar,
-) -> None:
-    """Prints what came out. Who is in the grade book and has no score is named by the sentences on
-    it."""
-    intake, book = given.intake, given.book
-    graded = [s for s in summaries if s.state == "graded"]
-    looks = [s for s in summaries if s.needs_a_look]
-    print(f"{len(graded)} of {intake.handed_in} submissions graded ({intake.source}).")
-    counts = {
-        "without a score": intake.handed_in - len(graded),
-        "graded": sum(s.state == "graded" for s in looks),
-        "not matched": sum(not unmatched.user for unmatched in intake.unmatched),
-    }
-    if any(counts.values()):
-        to_look_at = ", ".join(f"{count} {what}" for what, count in counts.items() if count)
-        print(f"To look at: {to_look_at}; {request.out / 'class.html'} says why.")
-    failed = [f"{s.student.shown} ({s.student.id})" for s in summaries if s.state == "failed"]
-    if failed:
-        names = terminal(first_few(failed, separator="; "))
-        print(f"The kit failed on {names}: run the same command again.")
-    in_book = book.people(intake.service == "canvas") if book else {}
-    not_graded = [
-        f"{printable_name(unmatched.name)!r} {unmatched.reason}"
-        for unmatched in intake.unmatched
-        if unmatched.user not in in_book
-    ]
-    reasons = [
-        f"{s.student.shown} ({s.student.id}): {'; '.join(s.needs_a_look)}"
-        for s in looks
-        if s.state == "graded" or s.student.id not in in_book
-    ]
-    more = 0
-    for lines in (not_graded, reasons, sentences, page.of_near_copies(near, summaries)):
+def _print(*kinds: Sequence[str]) -> None:
+    """Prints the first lines of each kind of what a person should look at."""
+    for lines in kinds:
         print("".join(f"  {terminal(line)}\n" for line in lines[:MOST_LINES]), end="")
-        more += len(lines[MOST_LINES:])
-    if more:
+    if more := sum(len(lines[MOST_LINES:]) for lines in kinds):
         print(f"  and {more} more, in class.html")
-    own = [_filled_in(request).name] if book else []
-    written = ", ".join([*own, "grades.csv", "class.html", "feedback/"])
-    print(f"Written to {request.out}: {written}")

@@ -2,7 +2,7 @@
 of it can be reached on a phone and by keys."""
 
 import re
-from dataclasses import replace
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -10,54 +10,55 @@ import golden
 import pytest
 import stand_in
 from bounce_grader.classroom.grading.near_copies import Pair, Similar
-from bounce_grader.classroom.grading.summary import of_result, Summary
-from bounce_grader.classroom.intake.student import Class, Student, Unmatched
+from bounce_grader.classroom.grading.summary import Summary
+from bounce_grader.classroom.intake.student import Student
 from bounce_grader.classroom.output import page
 from bounce_grader.formats.speed_chart import Curve, error_over_time
-from bounce_grader.submission import submission
+from bounce_grader.submission.submission import Submission
 from conftest import write
 
 NOBODY = Similar((), 0)
-CAUGHT = frozenset({"1B", "2H"})
-DEGREES = {"part1_degrees": "theta is taken for degrees"}
+DEGREES = {"name": "part1_degrees", "title": "theta is taken for degrees"}
+TWICE = {"name": "part2_dt_squared", "title": "dt twice <in> V"}
 
 
-def summary(tmp_path: Path, name: str, ns: float = 300, **changes: Any) -> Summary:
-    """Of a student who was timed."""
-    folder = write(tmp_path / name, {"part2_lcp.cpp": f"// ns: {ns}".encode()})
-    record = stand_in.record_of(submission.read(folder)) | changes
-    result = {"state": "graded", "message": "", "record": record}
-    return of_result(Student(name, name, folder), "0" * 64, result)
+def summary(name: str, ns: float = 300, mistakes: Sequence[Any] = (), **changes: Any) -> Summary:
+    """Of a student who was timed, and makes these mistakes."""
+    files = {"part2_lcp.cpp": f"// ns: {ns}".encode()}
+    record = stand_in.record_of(Submission(name, files, {2: "part2_lcp.cpp"}, {})) | changes
+    record["parts"][0]["mistakes"] = mistakes
+    return Summary(
+        Student(name, name, Path(name), feedback=f"{name}.html"), "graded", "", "0", record
+    )
 
 
 @pytest.mark.golden
-def test_the_page_is_what_a_person_has_read(tmp_path: Path) -> None:
+def test_the_page_is_what_a_person_has_read() -> None:
     """A missing answer has no error, however small those of the others are: only who has all points
     stands among right answers."""
     times = {"submission_ns": 1.0, "solution_ns": 1.0, "ratio": 1.0}
     odd = {"slow": times | {"ratio": 1e9, "largest_error": 0.0}, "untimed": {"largest_error": None}}
     odd |= {"far": {"largest_error": 1e300}, "exact": times | {"largest_error": 1e-13}}
-    made = [summary(tmp_path, name, speed=speed) for name, speed in odd.items()]
-    made += [summary(tmp_path, "<b>"), summary(tmp_path, "quick", 1e-300)]
-    right, failed = summary(tmp_path, "right"), Summary(Student("x", "x", tmp_path), "k", "failed")
-    made += [failed, replace(right, score=100.0, error=4.9e-13, mistakes=DEGREES)]
-    both = {**DEGREES, "part2_dt_squared": "dt twice <in> V"}
-    lost = replace(
-        summary(tmp_path, "lost"), score=70.0, error=4.9e-13, mistakes=both, caught=CAUGHT
-    )
+    made = [summary(name, speed=speed) for name, speed in odd.items()]
+    made += [
+        summary("<b>"),
+        summary("quick", 1e-300),
+        summary("right", mistakes=[DEGREES], score=100),
+    ]
+    made += [Summary(Student("x", "x", Path("x")), "failed", "the kit failed")]
+    made += [
+        summary("lost", mistakes=[DEGREES, TWICE], score=70, examples={"caught": ["1B", "2H"]})
+    ]
     pairs = (Pair("far", "slow", 90), Pair("<b>", "lost", 95, (1, 2, 4)))
     near = Similar((*pairs, Pair("far", "lost", 91, (1, 2, 3, 4))), 40, more=1)
-    text = page.render(Class("a folder"), [*made, lost], near, ["a sentence"])
+    text = page.render(made, near, ["a sentence"])
     text = re.sub(r"(?s)<style>.*?</style>", "<style>...</style>", text)
     numbers = ((1e-300, None), (1e300, 1e300), (1.0, 0.0))
     odd_curves = [Curve(numbers, kind, "<b>", ("10 ms",)) for kind in ("none", "solution")]
-    curves = {
-        "any_numbers.svg": error_over_time(odd_curves, "any numbers"),
-        "page.html": text.partition("<h2>All submissions")[0],
-    }
+    curves = {"any_numbers.svg": error_over_time(odd_curves, "any numbers"), "page.html": text}
     expected = {name: re.sub(r">(?=<\w)", ">\n", text) for name, text in curves.items()}
     golden.compare(Path(__file__).parent / "class_page", expected)
-    assert "Nothing is graded" in page.render(Class("a folder"), [], NOBODY, [])
+    assert "Nothing is graded" in page.render([], NOBODY, [])
 
 
 SCROLLS_WITHOUT_KEYS = """
@@ -71,10 +72,9 @@ NAMES = "return [...document.querySelectorAll('.names td:first-child')].map(one 
 
 
 def test_all_of_the_page_can_be_reached_on_a_phone_and_by_keys(tmp_path: Path, driver: Any) -> None:
-    unread = Unmatched("dupontemile_1204649_text.html", "is text typed into Canvas")
-    looks = summary(tmp_path, "x" * 60).with_note("a reason that is somewhat longer than others")
-    submitted = Class("a folder", unmatched=[unread])
-    text = page.render(submitted, [summary(tmp_path, "anna"), looks], NOBODY, [])
+    looks = summary("x" * 60)
+    looks.notes.append("a reason that is somewhat longer than others")
+    text = page.render([summary("anna"), looks], NOBODY, ["dupontemile_1204649_x.txt is nobody's"])
     write(tmp_path, {"class.html": text.encode()})
     for width in (390, 1280):
         size = {"width": width, "height": 900, "deviceScaleFactor": 1, "mobile": width < 500}

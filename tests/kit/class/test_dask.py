@@ -4,16 +4,12 @@ import random
 import signal
 import threading
 import time
-from dataclasses import replace
 from pathlib import Path
 
 import classes
 import pytest
 import stand_in
-from bounce_grader.classroom import run
-from bounce_grader.classroom.run import Request
 from bounce_grader.classroom.grading import results
-from bounce_grader.common.errors import KitError, UsageError
 from clusters import Cluster
 from waiting import wait_for
 
@@ -26,14 +22,14 @@ def download(path: Path, number: int) -> Path:
 
 def same(out: Path, source: Path, tmp_path: Path) -> bool:
     """Whether the results are those of the built-in engine."""
-    assert run.run(stand_in.request(source, tmp_path / "calm")) == 0
+    assert stand_in.grade_class(source, tmp_path / "calm") == 0
     return classes.same(out, tmp_path / "calm")
 
 
 def test_dask_survives_workers_that_are_killed(cluster: Cluster, tmp_path: Path) -> None:
     source, out = download(tmp_path / "x.zip", 40), tmp_path / "out"
     first, second = cluster.worker(), cluster.worker()
-    with stand_in.started(source, out, 0.2, cluster.address) as the_class:
+    with stand_in.started(source, out, 0.2, "--dask", cluster.address) as the_class:
         chance = random.Random(1)
         for worker in (first, second):
             there = len(results.keys(out / "results")) if out.exists() else 0
@@ -47,18 +43,21 @@ def test_dask_survives_workers_that_are_killed(cluster: Cluster, tmp_path: Path)
     assert len(classes.graded(out)) == 40
 
 
-def test_a_dask_that_cannot_grade_is_said(cluster: Cluster, tmp_path: Path) -> None:
-    source = download(tmp_path / "x.zip", 1)
-    asked = Request(source, tmp_path / "out")
-    with pytest.raises(UsageError, match="no Dask scheduler answers at tcp://127.0.0.1:9"):
-        run.run(replace(asked, dask="tcp://127.0.0.1:9"))
+def test_a_dask_that_cannot_grade_is_said(
+    cluster: Cluster, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    source, out = download(tmp_path / "x.zip", 1), tmp_path / "out"
+    assert stand_in.grade_class(source, out, "--dask", "tcp://127.0.0.1:9") == 2
+    assert "no Dask scheduler answers at tcp://127.0.0.1:9" in capsys.readouterr().err
     cluster.worker(path="")
     cluster.wait_for_worker()
-    with pytest.raises(UsageError, match="start them with PYTHONPATH=KIT/grader"):
-        run.run(replace(asked, dask=cluster.address))
+    assert stand_in.grade_class(source, out, "--dask", cluster.address) == 2
+    assert "start them with PYTHONPATH=KIT/grader" in capsys.readouterr().err
 
 
-def test_a_scheduler_that_dies_is_said_and_costs_nothing(cluster: Cluster, tmp_path: Path) -> None:
+def test_a_scheduler_that_dies_is_said_and_costs_nothing(
+    cluster: Cluster, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     source, out = download(tmp_path / "x.zip", 20), tmp_path / "out"
     cluster.worker()
 
@@ -68,10 +67,9 @@ def test_a_scheduler_that_dies_is_said_and_costs_nothing(cluster: Cluster, tmp_p
 
     killer = threading.Thread(target=kill_scheduler)
     killer.start()
-    asked = stand_in.request(source, out, 0.3, dask=cluster.address)
-    with pytest.raises(KitError, match="the Dask scheduler was lost: start it, and run the same"):
-        run.run(asked)
+    assert stand_in.grade_class(source, out, "--dask", cluster.address, seconds=0.3) == 3
+    assert "the Dask scheduler was lost: start it, and run the same" in capsys.readouterr().err
     killer.join()
     assert len(results.keys(out / "results")) >= 3
-    assert run.run(stand_in.request(source, out)) == 0
+    assert stand_in.grade_class(source, out) == 0
     assert same(out, source, tmp_path)

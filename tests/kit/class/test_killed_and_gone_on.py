@@ -12,15 +12,17 @@ from typing import Any
 import pytest
 from bounce_grader.classroom.grading import results
 from bounce_grader.classroom.intake import students
-from bounce_grader.common.errors import KitError, UsageError
-from classes import COLUMN, book, download, grade_class, graded, points_of, same, scores
+from classes import COLUMN, book, download, graded, points_of, same, scores
 from conftest import write
-from stand_in import started
+from stand_in import grade_class, started
 from waiting import wait_for
 
 
 def test_ctrl_c_stops_and_says_how_to_go_on(
-    tmp_path: Path, users: list[int], monkeypatch: pytest.MonkeyPatch
+    tmp_path: Path,
+    users: list[int],
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
 ) -> None:
     """And leaves no temporary folder."""
     source, out = download(tmp_path / "x.zip", users), tmp_path / "out"
@@ -29,13 +31,13 @@ def test_ctrl_c_stops_and_says_how_to_go_on(
     monkeypatch.setenv("TMPDIR", str(own))
     with started(source, out, seconds=2) as process:
         wait_for(lambda: len(results.keys(out / "results")) >= 2)
-        with pytest.raises(UsageError, match="another run is under way"):
-            grade_class(source, out)
+        assert grade_class(source, out) == 2
+        assert "another run is under way" in capsys.readouterr().err
         process.send_signal(signal.SIGINT)
         _, said = process.communicate(timeout=30)
         assert not list(own.glob("bounce-*"))
     assert process.returncode != 0
-    assert "of 10 submissions are graded and kept. Run the same command again to go on." in said
+    assert "what is graded is kept. Run the same command again to go on." in said
     assert out.stat().st_mode & 0o077 == 0  # it holds points and answers
     there = results.keys(out / "results")
     assert 2 <= len(there) < 10
@@ -66,9 +68,9 @@ def test_survives_being_killed_at_any_moment(tmp_path: Path, number: int, kills:
         there = results.keys(out / "results")
         assert known <= there and all(results.load(out / "results", key) for key in there)
         known = there
-    grade_class(source, out, gradebook=export, column=COLUMN)
+    grade_class(source, out, "--gradebook", str(export), "--column", COLUMN)
     assert len(graded(out)) == number
-    grade_class(source, tmp_path / "calm", gradebook=export, column=COLUMN)
+    grade_class(source, tmp_path / "calm", "--gradebook", str(export), "--column", COLUMN)
     assert same(out, tmp_path / "calm")
     for file in out.rglob(".*.part"):
         os.utime(file, (0, 0))
@@ -81,8 +83,8 @@ def test_a_grading_that_kills_its_worker_costs_nobody_else(
 ) -> None:
     bad, out = {"roe_301_3010_part2_lcp.cpp": b"// kills its grader"}, tmp_path / "out"
     assert grade_class(download(tmp_path / "x.zip", users, bad), out) == 3
-    said = "roe (301): the kit failed: the process that graded it was killed"
-    assert said in capsys.readouterr().out
+    said = capsys.readouterr().out
+    assert "roe (301): the kit failed, so" in said and "process that graded it was killed" in said
     assert scores(out) == points_of(users)
     assert not any("roe" in page.name for page in (out / "feedback").iterdir())
 
@@ -120,8 +122,8 @@ def test_a_full_disk_loses_nothing(
         while True:
             file.write(bytes(1024))
     capsys.readouterr()
-    with pytest.raises(KitError, match="is full: make room, and run the same command again"):
-        grade_class(source, out)
+    assert grade_class(source, out) == 3
+    assert "is full: make room, and run the same command again" in capsys.readouterr().err
     for kept, data in before.items():
         assert kept.read_bytes() == data
     for key in results.keys(out / "results"):

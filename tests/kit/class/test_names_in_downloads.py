@@ -64,7 +64,7 @@ def test_whose_a_file_is(entries: str, people: str, users: str) -> None:
     given = dict(line.split("=") for line in people.split("; ") if line)
     named = {id: names.split(" / ") for id, names in given.items()}
     read = canvas.read_all(entries.split(" + "), named).values()
-    assert [upload.user if upload else "?" for upload in read] == users.split()
+    assert ["?" if isinstance(one, str) else one.user for one in read] == users.split()
 
 
 @pytest.mark.parametrize("included, handed_in_as, _", table("helpers"))
@@ -74,8 +74,7 @@ def test_a_helper_has_the_name_that_it_is_included_by(
     text = f'#include "{included}"'.encode()
     named = {"doe_1_1_part1_contacts.cpp": text, f"doe_1_2_{handed_in_as}": b"// helps"}
     (student,) = students.read(write(tmp_path, named)).students
-    files = uploads.read(student.path, student.uploads).files
-    assert set(files) == {"part1_contacts.cpp", included}
+    assert included in uploads.read(student.path, student.uploads).files
 
 
 def test_names_that_canvas_and_macos_write_in_utf_8_without_saying_so(tmp_path: Path) -> None:

@@ -8,10 +8,10 @@ from pathlib import Path
 
 from bounce_grader.classroom.grading import near_copies
 from bounce_grader.classroom.grading.near_copies import Similar
+from bounce_grader.classroom.grading.summary import Summary
 from bounce_grader.classroom.intake import students
 from bounce_grader.common.paths import STUBS
 from conftest import ROOT, solution_files, write
-from handed_in import zipped
 from odd_students import repetitive
 
 Files = dict[str, bytes]
@@ -19,20 +19,15 @@ SOLUTION = solution_files()
 STEP = SOLUTION["part3_step.cpp"]
 
 
-def class_of(path: Path, submissions: Sequence[Files]) -> Path:
-    uploads = {
-        f"doe{user}_{user}_{user}{number}_{name}": text
-        for user, files in enumerate(submissions, 1)
-        for number, (name, text) in enumerate(files.items())
-    }
-    return zipped(path, uploads)
+def summaries_of(folder: Path, submissions: Sequence[Files]) -> list[Summary]:
+    """Of a class whose students are called 1, 2 and so on."""
+    for number, files in enumerate(submissions, 1):
+        write(folder / "all" / str(number), files)
+    return [Summary(student, "graded") for student in students.read(folder / "all").students]
 
 
-def compared(tmp_path: Path, submissions: Sequence[Files], corpus: Sequence[Path] = ()) -> Similar:
-    """Of a class in which the first student is number 1."""
-    found = students.read(class_of(tmp_path / "x.zip", submissions)).students
-    others = [other for folder in corpus for other in near_copies.corpus(folder)]
-    return near_copies.find(found, others)
+def compared(tmp_path: Path, submissions: Sequence[Files]) -> Similar:
+    return near_copies.find(summaries_of(tmp_path, submissions))
 
 
 def step(*texts: bytes) -> list[Files]:
@@ -67,7 +62,8 @@ def test_copies_of_another_year_and_of_two_parts_are_found(tmp_path: Path) -> No
     others = [ROOT / "tests/submissions/accepted" / path for path in own]
     other = {path.name: path.read_bytes() for path in others}
     last_year = write(tmp_path / "2025" / "old", COPY).parent
-    near = compared(tmp_path, [SOLUTION, {**COPY, **other}], [last_year])
+    summaries = summaries_of(tmp_path, [SOLUTION, {**COPY, **other}])
+    near = near_copies.find(summaries, near_copies.corpus(last_year))
     assert ("1", "2025/old") in pairs(near) and {"1", "2"} <= {id for p in pairs(near) for id in p}
     assert not any(pair.first.startswith("2025") for pair in near.pairs)
 
@@ -98,15 +94,16 @@ HIDDEN = {  # how a copy is hidden, as text before and after it
 
 def test_nothing_hides_a_copy(tmp_path: Path) -> None:
     for number, (how, (before, after)) in enumerate(HIDDEN.items()):
-        (tmp_path / str(number)).mkdir()
-        near = compared(tmp_path / str(number), step(before + STEP + after))
-        assert ("1", "3") in pairs(near) and not near.incomplete, how
+        summaries = summaries_of(tmp_path / str(number), step(before + STEP + after))
+        assert ("1", "3") in pairs(near_copies.find(summaries)), how
+        assert not any(summary.notes for summary in summaries), how
 
 
 def test_who_is_compared_only_in_part_is_named(tmp_path: Path) -> None:
     words = random.Random(1).choices("if for ( ) { } ; + * = x 1 return".split(), k=60_000)
-    near = compared(tmp_path, step(" ".join(words).encode()))
-    assert near.incomplete == {"3": near_copies.IN_PART}
+    summaries = summaries_of(tmp_path, step(" ".join(words).encode()))
+    near_copies.find(summaries)
+    assert [set(summary.notes) for summary in summaries] == [set(), set(), {near_copies.IN_PART}]
 
 
 def test_what_repeats_itself_is_compared_as_quickly(tmp_path: Path) -> None:

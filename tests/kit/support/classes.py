@@ -3,10 +3,7 @@
 import csv
 import io
 from pathlib import Path
-from typing import Any
 
-import stand_in
-from bounce_grader.classroom import run
 from bounce_grader.classroom.grading import results
 from handed_in import zipped
 
@@ -50,10 +47,6 @@ def graded(out: Path) -> dict[str, str]:
     """When each was graded, by its result's key."""
     found = {key: results.load(out / "results", key) for key in results.keys(out / "results")}
     return {key: str(result["at"]) for key, result in found.items() if result}
-
-
-def grade_class(source: Path, out: Path, **more: Any) -> int:
-    return run.run(stand_in.request(source, out, **more))
 
 
 def same(one: Path, other: Path) -> bool:

@@ -2,10 +2,9 @@
 becomes of it.
 
 As a program it grades a class:
-stand_in.py SUBMISSIONS OUT SECONDS_OF_EACH_GRADING [DASK_SCHEDULER]
+stand_in.py SECONDS_OF_EACH_GRADING SUBMISSIONS OUT [OPTION ...]
 """
 
-import multiprocessing
 import os
 import re
 import subprocess
@@ -16,22 +15,19 @@ from contextlib import contextmanager
 from functools import partial
 from pathlib import Path
 from typing import Any
+from unittest import mock
 
 ROOT = Path(__file__).resolve().parents[3]
 sys.path.insert(0, str(ROOT / "grader"))
 
+from bounce_grader import cli
+from bounce_grader.classroom import run
 from bounce_grader.classroom.grading import unit
 from bounce_grader.classroom.grading.results import Task
-from bounce_grader.classroom.run import Request, run
 from bounce_grader.common.errors import KitError
 from bounce_grader.common.manifest import Part, parts
 from bounce_grader.grading.record import whole
 from bounce_grader.submission.submission import Submission
-
-# Else every grading would import all of this. The server that gradings are forked from looks for
-# modules in the environment's path alone.
-multiprocessing.set_forkserver_preload(["stand_in"])
-os.environ["PYTHONPATH"] = os.pathsep.join(filter(None, sys.path))
 
 MESSAGE = "1 of 9 cases wrong; the first: a corner sticks"
 SHOWN: dict[str, Any] = {"name": "x", "input": "", "sentence": "", "quantities": []}
@@ -64,7 +60,6 @@ def _part(part: Part, text: str | None, later: bool, points: Mapping[str, float]
     mistakes = [{**MISTAKE, "name": name}] if (name := said("mistake")) else []
     if "breaks its page" in (text or ""):
         mistakes = [{"name": "part2_dt_squared", "title": "it is so"}]  # no sentence
-    remark = said("remark")
     return {
         "part": part.number,
         "stem": part.stem,
@@ -77,7 +72,7 @@ def _part(part: Part, text: str | None, later: bool, points: Mapping[str, float]
         "mistakes": mistakes,
         "patterns": [],
         "checks": checks,
-        **({"remarks": [remark]} if remark else {}),
+        "remarks": list(filter(None, [said("remark")])),
     }
 
 
@@ -128,20 +123,21 @@ def grade(
     return record if task.speed else {**record, "speed": None}
 
 
-def request(submissions: Path, out: Path, seconds: float = 0.0, **more: Any) -> Request:
-    worker = partial(unit.run, grade=partial(grade, seconds=seconds))
-    return Request(submissions, out, jobs=2, unit=worker, **more)
+def grade_class(source: Path, out: Path, *more: str, seconds: float = 0.0) -> int:
+    """Gives the command ./kit class in this process, where each grading takes so long."""
+    with mock.patch.object(run, "UNIT", partial(unit.run, grade=partial(grade, seconds=seconds))):
+        return cli.main(["class", str(source), "--out", str(out), "--jobs", "2", *more])
 
 
 @contextmanager
 def started(
-    source: Path, out: Path, seconds: float = 0.0, scheduler: str = ""
+    source: Path, out: Path, seconds: float = 0.0, *more: str
 ) -> Iterator["subprocess.Popen[str]"]:
     """Grades a class in a process of its own, which can be stopped and ends with the test."""
     environment = {**os.environ, "PYTHONPATH": f"{ROOT / 'grader'}:{Path(__file__).parent}"}
     # If the tests run in the background, Ctrl-C may be ignored, and children would inherit that.
     command = ["env", "--default-signal=INT", sys.executable, __file__]
-    command += [str(source), str(out), str(seconds), *([scheduler] if scheduler else [])]
+    command += [str(seconds), str(source), str(out), *more]
     pipe = subprocess.PIPE
     with subprocess.Popen(command, env=environment, stdout=pipe, stderr=pipe, text=True) as process:
         try:
@@ -152,6 +148,5 @@ def started(
 
 
 if __name__ == "__main__":
-    submissions, results, pause, *cluster = sys.argv[1:]
-    more = {"dask": cluster[0]} if cluster else {}
-    sys.exit(run(request(Path(submissions), Path(results), float(pause), **more)))
+    pause, submissions, results, *options = sys.argv[1:]
+    sys.exit(grade_class(Path(submissions), Path(results), *options, seconds=float(pause)))

@@ -1,6 +1,7 @@
 """Grades on a Dask cluster: each task is a future. Workers must see the kit, the submissions and
 the results under the same paths; they may join, leave and crash."""
 
+import errno
 import sys
 from collections.abc import Generator
 from concurrent.futures import CancelledError
@@ -8,18 +9,20 @@ from contextlib import suppress
 from typing import Any
 
 from bounce_grader.classroom.grading.results import Task
-from bounce_grader.classroom.grading.unit import Outcome, Unit
+from bounce_grader.classroom.grading.unit import Unit
 from bounce_grader.common.errors import KitError, UsageError
 
 LOST_WORKERS = 3  # that a grading may crash before it counts as a failure of the kit
 TO_CONNECT = "10s"
+NO_KIT = (
+    "the Dask workers don't find the kit: start them with PYTHONPATH=KIT/grader, where KIT is this "
+    "folder under the same path"
+)
 LOST = "the Dask scheduler was lost: start it, and run the same command again"
 
 
-def run(
-    tasks: list[Task], scheduler: str, unit: Unit
-) -> Generator[tuple[Task, Outcome], None, None]:
-    """Yields outcomes as they come. Raises UsageError if there is no such scheduler, KitError if it
+def run(tasks: list[Task], scheduler: str, unit: Unit) -> Generator[tuple[Task, str], None, None]:
+    """Yields what the unit returns, as it comes. Raises UsageError if there is no such scheduler, KitError if it
     is lost."""
     if not tasks:
         return
@@ -28,12 +31,15 @@ def run(
     try:
         from distributed import as_completed
 
-        _require_the_kit(client)
+        if not client.scheduler_info()["workers"]:
+            print("kit: the Dask scheduler has no workers yet; waiting for them", file=sys.stderr)
         for task in tasks:
             of[client.submit(unit, task, pure=False, retries=LOST_WORKERS)] = task
         for future in as_completed(list(of), loop=client.loop):
-            yield of[future], _outcome(future)
+            yield of[future], _failure(future)
     except (OSError, CancelledError) as error:
+        if isinstance(error, OSError) and error.errno == errno.ENOSPC:
+            raise
         raise KitError(LOST) from error
     finally:
         with suppress(OSError, CancelledError):
@@ -56,31 +62,13 @@ def _client(scheduler: str) -> Any:
         ) from error
 
 
-def _require_the_kit(client: Any) -> None:
-    """Raises UsageError if a worker can't import the unit: it would fail on every submission. A
-    worker that dies meanwhile isn't missed."""
-    answers = client.run(_try_import, on_error="return").values()
-    errors = [repr(answer) for answer in answers if isinstance(answer, Exception)]
-    if any("bounce_grader" in error for error in errors):
-        raise UsageError(
-            "the Dask workers don't find the kit: start them with PYTHONPATH=KIT/grader, where KIT "
-            "is this folder under the same path"
-        )
-    if not answers:
-        print("kit: the Dask scheduler has no workers yet; waiting for them", file=sys.stderr)
-
-
-def _try_import() -> str:
-    import bounce_grader.classroom.grading.unit
-
-    return bounce_grader.classroom.grading.unit.__name__
-
-
-def _outcome(future: Any) -> Outcome:
+def _failure(future: Any) -> str:
     """Waits for a task whose worker died after it was done: Dask does it again. Raises
-    CancelledError if the scheduler is lost."""
+    CancelledError if the scheduler is lost, OSError if the disk is full, UsageError if the worker
+    doesn't find the kit: it would fail on every submission."""
     error = future.exception()
-    if error is None:
-        outcome: Outcome = future.result()
-        return outcome
-    return Outcome(f"Dask: {type(error).__name__}: {error}"[:300])
+    if isinstance(error, OSError):
+        raise error
+    if isinstance(error, ImportError):
+        raise UsageError(NO_KIT)
+    return f"Dask: {type(error).__name__}: {error}"[:300] if error else str(future.result())

@@ -1,19 +1,25 @@
 """Grades the submissions without a result, on any engine, and summarizes all results."""
 
-import errno
+import multiprocessing
 import os
+import signal
 import sys
+import threading
 import time
 from collections.abc import Generator, Mapping, Sequence
+from concurrent.futures import as_completed, ProcessPoolExecutor, ThreadPoolExecutor
+from concurrent.futures.process import BrokenProcessPool
 from contextlib import closing
 
 from bounce_grader.classroom.grading import results
 from bounce_grader.classroom.grading.results import Task
 from bounce_grader.classroom.grading.summary import of_result, Summary
-from bounce_grader.classroom.grading.unit import Outcome, Unit
+from bounce_grader.classroom.grading.unit import Unit
+from bounce_grader.classroom.intake.student import Student
 
-TRIES = 3  # of a grading if the kit fails
-Graded = Generator[tuple[Task, Outcome], None, None]
+TO_CLEAN_UP = 3.0  # seconds in which a terminated grading can remove its files
+KILLED = "the process that graded it was killed, perhaps because memory ran out"
+Graded = Generator[tuple[Task, str], None, None]
 
 
 def grade_missing(
@@ -21,32 +27,9 @@ def grade_missing(
 ) -> dict[str, str]:
     """Grades the submissions without a valid result. Returns why the kit failed, by key."""
     missing = {t.key: t for t in tasks if not results.load(t.folder, t.key, t.speed)}
-    failed: dict[str, str] = {}
-    progress = _Progress(len(missing))
-    try:
-        for attempt in range(TRIES):
-            todo = [task for key, task in missing.items() if not attempt or key in failed]
-            failed = {}
-            with closing(_outcomes(todo, unit, jobs, scheduler)) as outcomes:
-                for task, outcome in outcomes:
-                    if outcome.disk_full:
-                        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
-                    if outcome.failure:
-                        failed[task.key] = outcome.failure
-                    if not outcome.failure or attempt == TRIES - 1:
-                        progress.advance()
-            if not failed:
-                break
-    except KeyboardInterrupt:
-        keys = {task.key for task in tasks}
-        left = sum(results.load(t.folder, t.key, t.speed) is None for t in missing.values())
-        print(
-            f"kit: stopped; {len(keys) - left} of {len(keys)} submissions are graded and kept. Run "
-            "the same command again to go on.",
-            file=sys.stderr,
-        )
-        sys.exit(130)
-    return failed
+    with closing(_outcomes(list(missing.values()), unit, jobs, scheduler)) as outcomes:
+        told = _with_progress(outcomes, len(missing))
+        return {task.key: failure for task, failure in told if failure}
 
 
 def _outcomes(tasks: list[Task], unit: Unit, jobs: int, scheduler: str) -> Graded:
@@ -54,37 +37,85 @@ def _outcomes(tasks: list[Task], unit: Unit, jobs: int, scheduler: str) -> Grade
         from bounce_grader.classroom.grading import engine_dask
 
         return engine_dask.run(tasks, scheduler, unit)
-    from bounce_grader.classroom.grading import engine_local
-
-    return engine_local.run(tasks, jobs or os.cpu_count() or 1, unit)
+    return in_processes(tasks, jobs or os.cpu_count() or 1, unit)
 
 
-class _Progress:
+def in_processes(tasks: list[Task], jobs: int, unit: Unit) -> Graded:
+    """The built-in engine: gradings side by side, each in a process of its own at that time, so that a
+    crash harms no other. Yields what the unit returns, as it comes. If the caller stops early, ends
+    the gradings under way."""
+    context = multiprocessing.get_context("spawn")
+    idle = [ProcessPoolExecutor(1, context, _prepare) for _ in range(jobs)]  # one for each thread
+
+    def graded(task: Task) -> str:
+        process = idle.pop()
+        try:
+            return process.submit(unit, task).result()
+        except BrokenProcessPool:
+            process = ProcessPoolExecutor(1, context, _prepare)
+            return KILLED
+        finally:
+            idle.append(process)
+
+    threads = ThreadPoolExecutor(jobs)
+    futures = {threads.submit(graded, task): task for task in tasks}
+    try:
+        for future in as_completed(futures):
+            yield futures[future], future.result()
+    finally:
+        threads.shutdown(wait=False, cancel_futures=True)
+        under_way = not all(future.done() for future in futures)
+        workers = multiprocessing.active_children() if under_way else []
+        for worker in workers:
+            worker.terminate()
+        for worker in workers:
+            worker.join(TO_CLEAN_UP)
+            worker.kill()
+        threads.shutdown()
+        for process in idle:
+            process.shutdown(wait=False)
+
+
+def _prepare() -> None:
+    """Makes a process ignore Ctrl-C, which the class handles, and end when the class has ended. When
+    it is terminated, it removes its temporary files first."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))
+    threading.Thread(target=_end_with_the_class, daemon=True).start()
+
+
+def _end_with_the_class() -> None:
+    parent = multiprocessing.parent_process()
+    assert parent
+    parent.join()
+    os._exit(1)
+
+
+def _with_progress(outcomes: Graded, number: int) -> Graded:
     """Says every few seconds how many are graded, the rate and the time left."""
-
-    def __init__(self, total: int) -> None:
-        self._total, self._done = total, 0
-        self._start = self._last = time.monotonic()
-
-    def advance(self) -> None:
-        self._done += 1
-        now, left = time.monotonic(), self._total - self._done
-        if left and now - self._last < (5.0 if sys.stderr.isatty() else 15.0):
-            return
-        self._last = now
-        rate = self._done / max(now - self._start, 1e-9)
-        ahead = f", {left / rate:.0f} s left" if left else ""
-        words = f"kit: {self._done} of {self._total} graded, {60 * rate:.0f} a minute{ahead}"
-        print(words, file=sys.stderr, flush=True)
+    start = last = time.monotonic()
+    for done, outcome in enumerate(outcomes, 1):
+        now, left = time.monotonic(), number - done
+        if not left or now - last > (5.0 if sys.stderr.isatty() else 15.0):
+            last, rate = now, done / max(now - start, 1e-9)
+            ahead = f", {left / rate:.0f} s left" if left else ""
+            words = f"kit: {done} of {number} graded, {60 * rate:.0f} a minute{ahead}"
+            print(words, file=sys.stderr, flush=True)
+        yield outcome
 
 
-def summarize(tasks: Sequence[Task], failed: Mapping[str, str]) -> list[Summary]:
-    summaries = []
-    for task in tasks:
-        result = results.load(task.folder, task.key)
-        if result:
-            summaries.append(of_result(task.student, task.key, result))
-        else:
-            message = f"the kit failed: {failed[task.key]}"
-            summaries.append(Summary(task.student, task.key, "failed", message))
-    return summaries
+def summarize(
+    students: Sequence[Student], tasks: Sequence[Task], failed: Mapping[str, str]
+) -> list[Summary]:
+    of = {task.student.id: task for task in tasks}
+    return [_summary(student, of.get(student.id), failed) for student in students]
+
+
+def _summary(student: Student, task: Task | None, failed: Mapping[str, str]) -> Summary:
+    if task is None:
+        return Summary(student, "unreadable", student.refused)
+    result = results.load(task.folder, task.key)
+    if result:
+        return of_result(student, result)
+    why = f"the kit failed, so give the same command again: {failed[task.key]}"
+    return Summary(student, "failed", why, task.key)

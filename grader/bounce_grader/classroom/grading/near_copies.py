@@ -10,7 +10,7 @@ import io
 import re
 import statistics
 from collections import defaultdict
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import cache
 from itertools import combinations
@@ -18,10 +18,12 @@ from pathlib import Path
 from typing import NamedTuple
 
 from bounce_grader.classroom.grading.results import digest
+from bounce_grader.classroom.grading.summary import Summary
 from bounce_grader.classroom.intake import students as students_of, uploads
 from bounce_grader.classroom.intake.student import Student
 from bounce_grader.common.errors import about_one_submission, UsageError
-from bounce_grader.common.manifest import parts
+from bounce_grader.common.escaping import printable_name
+from bounce_grader.common.manifest import named_together, parts
 from bounce_grader.common.paths import STUBS
 
 RUN = 8  # tokens
@@ -50,16 +52,22 @@ HIDING = re.compile(
         | "(?:\\.|[^"\\\n])*(?:"|\\?$) | '(?:\\.|[^'\\\n])*(?:'|\\?$))""",
     re.DOTALL | re.MULTILINE | re.VERBOSE,
 )
-Shares = dict[tuple[str, str], int]  # per cent in common, by the ids of two submissions
+# Whole submissions' under 0, those of part n under n, by whose they are.
+Runs = defaultdict[int, dict[str, set[int]]]
 
 
 class Pair(NamedTuple):
-    """Two submissions that have much in common."""
+    """Two submissions that have much in common: whose they are, and the share in per cent of the
+    one of which it is more."""
 
-    first: str  # a student's id
-    second: str  # another's; or one of another year's
-    share: int  # per cent, of the submission of which it is more
+    first: str
+    second: str  # perhaps of another year
+    share: int
     parts: tuple[int, ...] = ()  # if only these are alike, and not the submissions as a whole
+
+    @property
+    def in_common(self) -> str:
+        return f"{self.share} %{f' of {named_together(self.parts)}' if self.parts else ''}"
 
 
 class Similar(NamedTuple):
@@ -68,64 +76,61 @@ class Similar(NamedTuple):
     pairs: Sequence[Pair]
     usual: int  # per cent: the median share with the closest relative
     more: int = 0  # pairs that stand out, too
-    # Why somebody is left out or compared in part alone, by a student's id.
-    incomplete: Mapping[str, str] = {}
 
 
 def corpus(folder: Path) -> list[Student]:
     """Another year's submissions, to compare with. Raises UsageError if they are damaged."""
-    others = students_of.read(folder).students
+    others = [other for other in students_of.read(folder).students if not other.refused]
     for other in others:
         digest(other)
-    return [replace(other, id=f"{folder.name}/{other.name}") for other in others]
+    names = [f"{folder.name}/{printable_name(other.who)}" for other in others]
+    return [replace(other, id=name, name=name) for other, name in zip(others, names)]
 
 
-def find(students: Sequence[Student], others: Sequence[Student] = ()) -> Similar:
-    """Finds near-copies among students, and between them and others."""
-    incomplete: dict[str, str] = {}
-    texts = _texts([*students, *others], incomplete)
-    whole, usual = _alike(texts[0], LEAST)
-    pairs = {ids: Pair(*ids, share) for ids, share in whole.items()}
+def find(summaries: Sequence[Summary], others: Sequence[Student] = ()) -> Similar:
+    """Finds near-copies among the submissions that can be read, and between them and others. Notes
+    which can't be compared, or only in part."""
+    own = [summary for summary in summaries if summary.state != "unreadable"]
+    runs: Runs = defaultdict(dict)
+    for summary in own:
+        _add(runs, summary.student, summary.notes)
+    for other in others:
+        _add(runs, other, [])
+    whole, usual = _alike(runs[0], LEAST)
+    pairs = [Pair(*both, share) for both, share in whole.items()]
     of_parts: dict[tuple[str, str], dict[int, int]] = defaultdict(dict)
     for part in parts():
-        for ids, share in _alike(texts[part.number], LEAST_OF_PART)[0].items():
-            of_parts[ids][part.number] = share
-    for ids, shares in of_parts.items():
-        if ids not in pairs and len(shares) >= LEAST_PARTS:
-            pairs[ids] = Pair(*ids, min(shares.values()), tuple(sorted(shares)))
-    own = {student.id for student in students}
-    wanted = [pair for pair in pairs.values() if {pair.first, pair.second} & own]
+        for both, share in _alike(runs[part.number], LEAST_OF_PART)[0].items():
+            of_parts[both][part.number] = share
+    for both, shares in of_parts.items():
+        if both not in whole and len(shares) >= LEAST_PARTS:
+            pairs.append(Pair(*both, min(shares.values()), tuple(sorted(shares))))
+    names = {summary.student.who for summary in own}
+    wanted = [pair for pair in pairs if pair.first in names]
     wanted.sort(key=lambda pair: (bool(pair.parts), -pair.share, pair.first, pair.second))
-    notes = {id: why for id, why in incomplete.items() if id in own}
-    return Similar(wanted[:MOST], usual, len(wanted[MOST:]), notes)
+    return Similar(wanted[:MOST], usual, len(wanted[MOST:]))
 
 
-def _texts(
-    students: Iterable[Student], incomplete: dict[str, str]
-) -> dict[int, list[tuple[str, str]]]:
-    """The texts to compare, each with its id: the whole ones under 0, those of part n under n. Each
-    submission is read once, because a reading may take seconds. Adds to `incomplete` what can't be
-    compared, or is cut."""
-    texts: dict[int, list[tuple[str, str]]] = defaultdict(list)
-    for student in students:
-        try:
-            with about_one_submission("it can't be compared with others"):
-                own = own_texts(student)
-        except UsageError as error:
-            incomplete[student.id] = str(error)
-            continue
-        for number, text in own.items():
-            if len(text) > LONGEST:
-                incomplete[student.id] = IN_PART
-            texts[number].append((student.id, text[:LONGEST]))
-    return texts
+def _add(runs: Runs, student: Student, notes: list[str]) -> None:
+    """Adds a submission's runs; or notes why they can't be compared, or are cut. It is read once,
+    because a reading may take seconds."""
+    try:
+        with about_one_submission("it can't be compared with others"):
+            texts = own_texts(student)
+    except UsageError as error:
+        notes.append(str(error))
+        return
+    for number, text in texts.items():
+        if len(text) > LONGEST:
+            notes.append(IN_PART)
+        if found := runs_of(text[:LONGEST]):
+            runs[number][student.who] = found
 
 
-def _alike(texts: Iterable[tuple[str, str]], least: int) -> tuple[Shares, int]:
-    """The pairs of texts whose shares stand out, by id; and the usual share."""
-    runs = {id: found for id, text in texts if (found := runs_of(text))}
+def _alike(runs: Mapping[str, set[int]], least: int) -> tuple[dict[tuple[str, str], int], int]:
+    """The shares that stand out, in per cent, by whose submissions they are; and the usual share."""
     closest = dict.fromkeys(runs, 0)
-    shares: Shares = {}
+    shares: dict[tuple[str, str], int] = {}
     for (one, own), (other, others) in combinations(runs.items(), 2):
         share = round(100 * len(own & others) / min(len(own), len(others)))
         closest[one], closest[other] = max(closest[one], share), max(closest[other], share)
@@ -133,7 +138,7 @@ def _alike(texts: Iterable[tuple[str, str]], least: int) -> tuple[Shares, int]:
             shares[one, other] = share
     usual = round(statistics.median(closest.values())) if closest else 0
     # At least halfway between the usual share and 100.
-    return {ids: share for ids, share in shares.items() if share >= (usual + 100) // 2}, usual
+    return {both: share for both, share in shares.items() if share >= (usual + 100) // 2}, usual
 
 
 def runs_of(text: str) -> set[int]:
@@ -153,11 +158,8 @@ def runs_of(text: str) -> set[int]:
 
 def own_texts(student: Student) -> dict[int, str]:
     """The code that a student wrote, without comments and lines of the handout: of all files under
-    0, the parts first; of part n under n. Empty if the submission can't be read."""
-    try:
-        taken = uploads.read(student.path, student.uploads)
-    except UsageError:
-        return {}
+    0, the parts first; of part n under n. Raises UsageError."""
+    taken = uploads.read(student.path, student.uploads)
     handout = _handout()
     own = {
         name: "".join(f"{line}\n" for line in code_of(text) if line not in handout)

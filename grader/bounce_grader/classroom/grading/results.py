@@ -5,6 +5,7 @@ which version's results count."""
 import hashlib
 import json
 import os
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -13,12 +14,14 @@ from bounce_grader.classroom.intake import uploads
 from bounce_grader.classroom.intake.archive import Damaged
 from bounce_grader.classroom.intake.student import Student
 from bounce_grader.common.errors import UsageError
+from bounce_grader.common.escaping import terminal
 from bounce_grader.common.files import write_whole
 from bounce_grader.common.paths import ROOT
 from bounce_grader.grading import fixtures
 from bounce_grader.grading.record import digest_of
 
 SET = "set.json"
+SCORE = "score"
 # What a score depends on. What reports on records, tests the kit or publishes it can change none.
 PYTHON = ("build", "common", "grading", "sandbox", "submission", "classroom/intake")
 CPP = ("judge", "runner", "box", "diagnosis")
@@ -123,17 +126,38 @@ def stamp_of(folder: Path) -> Stamp | None:
         raise UsageError(f"{folder / SET} is broken: choose another folder for --out") from error
 
 
-def begin(folder: Path, stamp: Stamp, take_over: bool = False) -> None:
-    """Makes the results with this stamp count. Raises UsageError if those of another kit, course or
-    options do, unless it is to `take_over` from them."""
-    there = stamp_of(folder)
-    if there is None or take_over:
-        write_whole(folder / SET, json.dumps({**stamp._asdict(), "version": __version__}), True)
-    elif there != stamp:
-        what = "by another version of the kit" if there.kit != stamp.kit else "with other fixtures"
-        if there[:2] == stamp[:2]:
-            what = "with another choice of --trust-submission or --sanitize"
-        raise UsageError(
-            f"the results in {folder} were made {what}: add --regrade to see what would change, or "
-            "give another folder as --out"
-        )
+def count(folder: Path, stamp: Stamp) -> None:
+    """Makes the results with this stamp count."""
+    write_whole(folder / SET, json.dumps({**stamp._asdict(), "version": __version__}), True)
+
+
+def differences(there: Stamp, tasks: Sequence[Task]) -> list[str]:
+    """What the results of these tasks change in those that count so far: a summary, and then who
+    has another score or passes other checks."""
+    pairs = [
+        (task.student.who, _points(task, key_of(task.submission, there)), _points(task, task.key))
+        for task in tasks
+    ]
+    differing = [pair for pair in pairs if _outcome(pair[1]) != _outcome(pair[2])]
+    lines = [f"Submissions graded again: {len(tasks)}; with another result: {len(differing)}."]
+    for who, before, now in differing:
+        lines.append(terminal(f"{who}: {before.pop(SCORE)} -> {now.pop(SCORE)}"))
+        lines += [
+            f"  {id}: {before.get(id, '0')} -> {now.get(id, '0')}"
+            for id in dict.fromkeys([*before, *now])
+            if before and now and before.get(id, "0") != now.get(id, "0")
+        ]
+    return [*lines, "Nothing is changed yet. To take these over, add --apply."]
+
+
+def _outcome(points: Mapping[str, str]) -> tuple[str, set[str]]:
+    """The score, and the checks that fail."""
+    return points[SCORE], {id for id, of in points.items() if of == "0"}
+
+
+def _points(task: Task, key: str) -> dict[str, str]:
+    """The score, and the points of each check. Where there are none, the state stands for a score."""
+    result = load(task.folder, key) or {"state": "not graded", "record": None}
+    record = result["record"] or {"score": result["state"], "parts": []}
+    checks = {check["id"]: check["score"] for part in record["parts"] for check in part["checks"]}
+    return {id: str(points) for id, points in {SCORE: record["score"], **checks}.items()}

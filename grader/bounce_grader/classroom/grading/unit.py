@@ -10,7 +10,7 @@ import time
 from collections.abc import Callable
 from datetime import datetime, timezone
 from functools import partial
-from typing import Any, NamedTuple
+from typing import Any
 
 from bounce_grader.classroom.grading import results
 from bounce_grader.classroom.grading.results import Result, Task
@@ -26,14 +26,9 @@ Record = dict[str, Any]
 Grade = Callable[[Submission, Task], Record]
 
 
-class Outcome(NamedTuple):
-    """What a worker returns about a task, whose result is in its file."""
-
-    failure: str = ""  # why the kit failed, and there is none
-    disk_full: bool = False  # then no further result could be stored
-
-
-Unit = Callable[[Task], Outcome]
+# Returns why the kit failed, and there is no result; "" if there is one. Raises OSError if the disk is
+# full: then no further result could be stored.
+Unit = Callable[[Task], str]
 
 
 def grade_submission(taken: Submission, task: Task, within: Budget) -> Record:
@@ -51,18 +46,19 @@ def grade_submission(taken: Submission, task: Task, within: Budget) -> Record:
     return grade(taken, wanted)
 
 
-def run(task: Task, grade: Grade | None = None) -> Outcome:
-    """Grades a submission. Never raises an Exception: a failure of the kit is an outcome, too, but
-    leaves no file."""
+def run(task: Task, grade: Grade | None = None) -> str:
+    """Grades a submission, as a Unit."""
     grade = grade or partial(grade_submission, within=Budget())  # reading counts, too
     try:
         result = _result(task, grade)
         write_whole(results.path_of(task.folder, task.key), json.dumps(result), durable=True)
     except (KitError, OSError) as error:
-        return Outcome(str(error), isinstance(error, OSError) and error.errno == errno.ENOSPC)
+        if isinstance(error, OSError) and error.errno == errno.ENOSPC:
+            raise
+        return str(error)
     except Exception as error:  # an unforeseen fault of the kit
-        return Outcome(f"{type(error).__name__}: {error}")
-    return Outcome()
+        return f"{type(error).__name__}: {error}"
+    return ""
 
 
 def _result(task: Task, grade: Grade) -> Result:

@@ -9,7 +9,6 @@ from pathlib import Path
 
 from bounce_grader.common.errors import UsageError
 from bounce_grader.submission.folders import SAFELY
-from bounce_grader.submission.intake import is_archive
 from bounce_grader.submission.zips import name_of
 
 FAILURES = (zipfile.BadZipFile, zlib.error, EOFError, OSError, ValueError, RuntimeError, KeyError)
@@ -78,17 +77,6 @@ class Archive:
 def not_named(service: str) -> str:
     """Why an entry is no submission."""
     return f"isn't named as {service} names submissions"
-
-
-def zip_alone(folder: Path) -> Path | None:
-    """The zip, if it is all that a student's folder holds. None if the folder can't be listed."""
-    try:
-        names = [n for n in os.listdir(folder) if not n.startswith((".", "__MACOSX"))]
-    except OSError:
-        return None
-    inside = [folder / name for name in names]
-    alone = len(inside) == 1 and is_archive(inside[0].name) and is_file(inside[0])
-    return inside[0] if alone else None
 
 
 def opened(path: Path, deep: bool = False) -> Archive:

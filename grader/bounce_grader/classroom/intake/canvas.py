@@ -46,35 +46,32 @@ def parse(entry: str) -> Upload | None:
 
 def read(archive: Archive, people: Names) -> dict[str, Upload | str]:
     """Each entry; or why it is of nobody."""
-    found = read_all(archive.names(), people)
-    return {
-        entry: one or (EITHER if parse(entry) else _unnamed(entry)) for entry, one in found.items()
-    }
+    return read_all(archive.names(), people)
 
 
-def _unnamed(entry: str) -> str:
-    return "is in a folder; Canvas's download has none" if "/" in entry else not_named(TITLE)
-
-
-def read_all(entries: Iterable[str], people: Names) -> dict[str, Upload | None]:
-    """Reads the names of all entries. The value is None for a name that Canvas doesn't write, and
-    for an ambiguous one: students choose their names and the names of their files, so an entry can
-    often be split in several ways. An ambiguous entry counts for the one of these `people` whose id
-    and name it can be read with, unless another entry certainly has that id, or can be read with
-    that id and another name."""
+def read_all(entries: Iterable[str], people: Names) -> dict[str, Upload | str]:
+    """Reads the names of all entries, as `read` does. Students choose their names and the names of
+    their files, so an entry can often be split in several ways. Such an ambiguous entry counts for
+    the one of these `people` whose id and name it can be read with, unless another entry certainly
+    has that id."""
     possible = {entry: readings(entry) for entry in entries}
-    read = {entry: found[0] if len(found) == 1 else None for entry, found in possible.items()}
     certain = {found[0].user for found in possible.values() if len(found) == 1}
-    names: dict[str, set[str]] = {}  # that stand before a user's id
-    for reading in (reading for found in possible.values() for reading in found):
-        names.setdefault(reading.user, set()).add(reading.name)
-    for entry in (entry for entry, found in possible.items() if len(found) > 1):
-        known = [reading for reading in possible[entry] if reading.user in people]
-        users = {reading.user for reading in known}
-        if len(known) == 1 and not users & certain and len(names[known[0].user]) == 1:
-            if any(is_name_of(name, known[0].name) for name in people[known[0].user]):
-                read[entry] = known[0]
+    read: dict[str, Upload | str] = {}
+    for entry, found in possible.items():
+        known = [reading for reading in found if reading.user in people]
+        if len(found) == 1:
+            read[entry] = found[0]
+        elif len(known) == 1 and known[0].user not in certain and _is_named(known[0], people):
+            read[entry] = known[0]
+        elif "/" in entry:
+            read[entry] = "is in a folder; Canvas's download has none"
+        else:
+            read[entry] = EITHER if found else not_named(TITLE)
     return read
+
+
+def _is_named(reading: Upload, people: Names) -> bool:
+    return any(is_name_of(name, reading.name) for name in people[reading.user])
 
 
 def readings(entry: str) -> list[Upload]:

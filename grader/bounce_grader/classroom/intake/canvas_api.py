@@ -8,7 +8,6 @@ import json
 import math
 import os
 import re
-import time
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
@@ -16,17 +15,19 @@ from typing import Any
 from urllib.parse import urlsplit
 
 import requests
+from requests.adapters import HTTPAdapter
 from urllib3.exceptions import HTTPError
-from bounce_grader.classroom.intake.archive import opened
+from urllib3.util import Retry
 from bounce_grader.classroom.intake.canvas import page_of, sanitized
-from bounce_grader.classroom.intake.student import Class, Unmatched, Upload
-from bounce_grader.classroom.intake.uploads import may_count, MOST_UPLOADS, take, without_files
+from bounce_grader.classroom.intake.student import Class, Student, Upload
+from bounce_grader.classroom.intake.uploads import HAND_IN, may_count, MOST_UPLOADS, student_of
 from bounce_grader.common.errors import KitError, UsageError
 from bounce_grader.common.escaping import printable_name
 from bounce_grader.common.files import fitting, write_whole
 
 TRIES = 6
-WAIT = 1.0  # s before the second try; doubled each time
+WAIT = 1.0  # s, about, before the second try; doubled each time
+BUSY = (403, 429, 500, 502, 503, 504)  # where Canvas asks to wait, or has an error of its own
 REDIRECTIONS = 5  # of one request
 SECONDS = 60.0  # of one request
 LARGEST = 64 << 20  # bytes of one answer, and of all files of a student
@@ -68,9 +69,15 @@ class Canvas:
                 "--canvas needs CANVAS_URL in the environment, as https://canvas.example.edu"
             )
         self.assignment = assignment
-        self._origin = f"{parsed.scheme}://{parsed.netloc}"
+        self._origin = f"{parsed.scheme}://{parsed.netloc.lower()}"  # as the library has it
         self.path = f"/api/v1/courses/{match[1]}/assignments/{match[2]}"
         self._token = token
+        again = Retry(TRIES, backoff_factor=WAIT, status_forcelist=BUSY, allowed_methods=None)
+        again.raise_on_status = False
+        self._session = requests.Session()
+        self._session.max_redirects = REDIRECTIONS
+        for scheme in ("https://", "http://"):
+            self._session.mount(scheme, HTTPAdapter(max_retries=again))
 
     def all(self, path: str) -> Iterator[dict[str, Any]]:
         """Every entry of a list, page by page."""
@@ -85,54 +92,38 @@ class Canvas:
     def request(self, method: str, url: str, **content: Any) -> tuple[bytes, str | None]:
         """The body of an answer, and the address of the list's next page. Raises UsageError if the
         token isn't accepted, Refused if this request isn't, KitError if Canvas can't be reached."""
-        for attempt in range(TRIES):
-            if attempt:
-                time.sleep(WAIT * 2 ** (attempt - 1))
-            try:
-                with self._session(url) as session:
-                    answer = session.request(method, url, stream=True, timeout=SECONDS, **content)
-                    body = answer.raw.read(LARGEST + 1, decode_content=True)
-            except requests.TooManyRedirects:
-                raise Refused("it is redirected again and again") from None
-            except ValueError:  # a kind of address that isn't the web's
-                raise Refused("it leads to no address of the web") from None
-            except (requests.RequestException, HTTPError):
-                continue
-            if answer.ok:
-                return body, answer.links.get("next", {}).get("url")
-            _require_retryable(answer, body)
-        raise KitError(
+        wanted = {"stream": True, "timeout": SECONDS, "auth": self._sign, **content}
+        try:
+            with self._session.request(method, url, **wanted) as answer:
+                body = answer.raw.read(LARGEST + 1, decode_content=True)
+        except requests.TooManyRedirects:
+            raise Refused("it is redirected again and again") from None
+        except ValueError:  # a kind of address that isn't the web's
+            raise Refused("it leads to no address of the web") from None
+        except (requests.RequestException, HTTPError):
+            raise self._unreachable() from None
+        if answer.status_code == 401:
+            raise UsageError(
+                "Canvas doesn't accept the token: make a new one, and put it into CANVAS_TOKEN"
+            )
+        if answer.status_code in BUSY and (answer.status_code != 403 or b"Rate Limit" in body):
+            raise self._unreachable()
+        if not answer.ok:
+            raise Refused(f"{answer.status_code} {printable_name(answer.reason or '')}")
+        return body, answer.links.get("next", {}).get("url")
+
+    def _sign(self, request: Any) -> Any:
+        """Adds the token if a request goes to Canvas's own address; a redirection elsewhere loses
+        it. Without a way to sign, the library would take a password from ~/.netrc."""
+        if str(request.url).startswith(f"{self._origin}/"):
+            request.headers["Authorization"] = f"Bearer {self._token}"
+        return request
+
+    def _unreachable(self) -> KitError:
+        return KitError(
             f"Canvas doesn't answer at {self._origin}; what is done is kept, so give the same "
             "command again later"
         )
-
-    def _session(self, url: str) -> Any:
-        """A session with the token if it goes to Canvas's own address; a redirection elsewhere loses
-        it. Without a way to sign, the library would take a password from ~/.netrc."""
-
-        def sign(request: Any) -> Any:
-            if f"{own.scheme}://{own.netloc}" == self._origin:
-                request.headers["Authorization"] = f"Bearer {self._token}"
-            return request
-
-        own = urlsplit(url)
-        session = requests.Session()
-        session.max_redirects = REDIRECTIONS
-        session.auth = sign
-        return session
-
-
-def _require_retryable(answer: Any, body: bytes) -> None:
-    """Returns if the request should be tried again, because Canvas asks to wait or has an error of
-    its own. Else raises UsageError or Refused."""
-    code = answer.status_code
-    limited = code == 429 or code == 403 and b"Rate Limit" in body
-    if code == 401:
-        raise UsageError(
-            "Canvas doesn't accept the token: make a new one, and put it into CANVAS_TOKEN"
-        )
-    if not limited and code < 500:
-        raise Refused(f"{code} {printable_name(answer.reason or '')}")
 
 
 def _json(body: bytes) -> Any:
@@ -155,42 +146,38 @@ def download(canvas: Canvas, out: Path) -> Class:
         raise UsageError(
             f"Canvas has no assignment {canvas.assignment} for you ({refused})"
         ) from None
-    intake = Class("Canvas's API", service="canvas", tells_lateness=True)
-    missing = []
-    names: dict[str, str] = {}
-    late: dict[str, int] = {}
-    for submission in listed:
-        user = str(submission.get("user_id", ""))
-        names[user] = printable_name(str(_person(submission).get("sortable_name") or ""))
-        shown = names[user] or user
-        try:
-            uploads = _downloaded(canvas, folder, user, submission)
-        except Refused as refused:
-            missing.append(Unmatched(shown, f"isn't graded: {refused}", user))
-            continue
-        kind = str(submission.get("submission_type") or "")
-        if uploads:
-            take(intake, opened(folder), uploads, page_of(uploads))
-        elif kind or submission.get("submitted_at"):
-            what = f"is {TYPED[kind]} typed into Canvas" if kind in TYPED else "has no file"
-            missing.append(without_files(shown, what, user, f"{user}_feedback.html"))
-        if submission.get("late"):
-            late[user] = max(1, math.ceil(float(submission.get("seconds_late") or 0) / 86400))
-    named = [replace(u, name=names.get(u.user) or u.name) for u in intake.unmatched]
-    intake.unmatched = [*named, *missing]
-    intake.students = [
-        replace(s, person=names.get(s.id, ""), late_days=late.get(s.id, 0)) for s in intake.students
-    ]
+    students = [_student(canvas, folder, submission) for submission in listed]
+    intake = Class("Canvas's API", list(filter(None, students)), service="canvas")
+    intake.tells_lateness = True
     if not intake.students:
-        why = f"; {missing[0].name} {missing[0].reason}" if missing else ""
-        raise UsageError(
-            f"nobody has submitted a file to the assignment {canvas.assignment} yet{why}"
-        )
+        raise UsageError(f"nobody has submitted a file to the assignment {canvas.assignment} yet")
     return intake
 
 
-def _person(submission: dict[str, Any]) -> dict[str, Any]:
-    return submission.get("user") or {}
+def _student(canvas: Canvas, folder: Path, submission: dict[str, Any]) -> Student | None:
+    """None if nothing is handed in."""
+    user = str(submission.get("user_id", ""))
+    name = name_of(submission)
+    kind = str(submission.get("submission_type") or "")
+    try:
+        uploads = _downloaded(canvas, folder, user, submission)
+    except Refused as refused:
+        return Student(user, name or user, folder, refused=str(refused))
+    if uploads:
+        student = student_of(folder, uploads, page_of(uploads))
+    elif kind or submission.get("submitted_at"):
+        why = f"{TYPED[kind]} was typed" if kind in TYPED else "no file was handed in"
+        page = f"{user}_feedback.html"
+        student = Student(user, user, folder, feedback=page, refused=f"{why}: {HAND_IN}")
+    else:
+        return None
+    days = math.ceil(float(submission.get("seconds_late") or 0) / 86400)
+    return replace(student, person=name, late_days=max(1, days) * bool(submission.get("late")))
+
+
+def name_of(submission: dict[str, Any]) -> str:
+    """The name of a submission's person, as "Doe, Jane"; "" if Canvas gives none."""
+    return printable_name(str((submission.get("user") or {}).get("sortable_name") or ""))
 
 
 def _downloaded(
@@ -206,7 +193,10 @@ def _downloaded(
         if len(attachments) > MOST_UPLOADS or not may_count(upload.file):
             continue  # named, and never read
         if not path.exists():
-            _fetch(canvas, str(attachment.get("url") or ""), path)
+            try:
+                write_whole(path, canvas.request("GET", str(attachment.get("url")))[0])
+            except Refused as refused:
+                raise Refused(f"Canvas doesn't hand out {path.name} ({refused}): look at it there")
         room -= path.stat().st_size
         if room < 0:
             raise Refused(f"all that is handed in may have {LARGEST >> 20} MB")
@@ -218,26 +208,11 @@ def _upload(user: str, submission: dict[str, Any], attachment: dict[str, Any]) -
     try:
         id = int(attachment["id"])
     except (KeyError, TypeError, ValueError):
-        raise Refused("Canvas names a file without an id; look at it there") from None
-    sortable_name = str(_person(submission).get("sortable_name") or user)
-    name = fitting(sanitized(sortable_name), 80) or user
+        raise Refused("Canvas names a file without an id: look at it there") from None
+    name = fitting(sanitized(name_of(submission) or user), 80) or user
     late = bool(submission.get("late"))
     file = printable_name(str(attachment.get("display_name") or attachment.get("filename") or id))
     stem, dot, ending = file.replace("/", "_").rpartition(".")
     file = f"{fitting(stem, 80)}{dot}{fitting(ending, 20)}"
     entry = f"{name}{'_LATE' if late else ''}_{user}_{id}_{file}"
     return Upload(entry, name, user, file, late, id, as_named=False)
-
-
-def _fetch(canvas: Canvas, url: str, path: Path) -> None:
-    if not url:
-        raise Refused(f"Canvas names no address for {path.name}; look at it there")
-    try:
-        data, _ = canvas.request("GET", url)
-    except Refused as refused:
-        raise Refused(
-            f"Canvas doesn't hand out {path.name} ({refused}); look at it there"
-        ) from None
-    if len(data) > LARGEST:
-        raise Refused(f"{path.name} is too large: it may have {LARGEST >> 20} MB")
-    write_whole(path, data)

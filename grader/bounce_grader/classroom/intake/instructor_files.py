@@ -2,19 +2,17 @@
 title and what lateness costs; roster.csv, which says whose a submission is; and adjustments.csv,
 with what is changed in the points of a student, and why."""
 
-import csv
-import io
 from collections.abc import Sequence
 from importlib import import_module
 from pathlib import Path
 from typing import Any, NamedTuple
 
 from bounce_grader.classroom.intake.student import Member
+from bounce_grader.classroom.intake.table import Table
 from bounce_grader.common.errors import KitError, UsageError
 from bounce_grader.common.manifest import parts
 
 COURSE, ROSTER, ADJUSTMENTS = "course.toml", "roster.csv", "adjustments.csv"
-KNOWN = {"title": str, "late": dict}
 LATE = ("percent_per_day", "at_most_percent")
 EVERYBODY = "*"
 CHANGES = ("points", "late_days", "cap", "drop")
@@ -52,17 +50,18 @@ def course(out: Path) -> Course:
         data = toml.loads(path.read_text("utf-8"))
     except (OSError, ValueError) as error:
         raise UsageError(f"{path} can't be read as TOML: {error}") from error
-    for key, value in data.items():
-        if key not in KNOWN or not isinstance(value, KNOWN[key]):
-            raise UsageError(f"{path} holds {key!r}, which should be one of {', '.join(KNOWN)}")
-    late = data.pop("late", {})
-    for key, value in late.items():
-        if key not in LATE or type(value) not in (int, float) or not 0 <= value <= 100:
-            raise UsageError(
-                f"{path} holds {key} = {value} under [late]; it takes {' and '.join(LATE)}, each a "
-                "number from 0 to 100"
-            )
-    return Course(**data, **late)
+    title, late = data.pop("title", ""), data.pop("late", {})
+    if (
+        data
+        or not isinstance(title, str)
+        or not isinstance(late, dict)
+        or not late.keys() <= set(LATE)
+        or not all(type(x) in (int, float) and 0 <= x <= 100 for x in late.values())
+    ):
+        raise UsageError(
+            f"{path} takes a title, and under [late] {' and '.join(LATE)}, each a number from 0 to 100"
+        )
+    return Course(title, **late)
 
 
 def _toml() -> Any:
@@ -109,10 +108,8 @@ def _adjustment(path: Path, line: int, row: dict[str, str]) -> Adjustment:
     if not any(row[column] for column in CHANGES):
         raise UsageError(f"{where} it changes nothing; fill in one of {', '.join(CHANGES)}")
     late_days, cap = (_number(where, column, row) for column in ("late_days", "cap"))
-    if late_days is not None and (late_days < 0 or late_days != int(late_days)):
-        raise UsageError(f"{where} late_days is a whole number of days, 0 for an extension")
-    if cap is not None and cap < 0:
-        raise UsageError(f"{where} cap is the most points that are given, and not negative")
+    if min(late_days or 0, cap or 0) < 0 or (late_days or 0) % 1:
+        raise UsageError(f"{where} late_days is a whole number, and neither it nor cap is negative")
     return Adjustment(
         f"{ADJUSTMENTS}, line {line}:",
         row["student"],
@@ -150,39 +147,18 @@ def _checks(where: str, text: str) -> tuple[str, ...]:
 def _rows(
     path: Path, needed: Sequence[str], more: Sequence[str]
 ) -> list[tuple[int, dict[str, str]]]:
-    """The rows that aren't empty, each with the line in which it ends and its cells by column; none
-    if there is no such file. Columns may be in any order, and separated by commas or semicolons.
-    Raises UsageError."""
+    """The rows that aren't empty, each with its line and its cells by column; none if there is no
+    such file. Columns may be in any order. Raises UsageError."""
     if not path.exists():
         return []
-    try:
-        text = path.read_text("utf-8-sig")
-    except (OSError, UnicodeDecodeError) as error:
-        raise UsageError(f"{path} can't be read ({error}): save it as CSV in UTF-8") from error
-    first = text.partition("\n")[0]
-    delimiter = ";" if first.count(";") > first.count(",") else ","
-    try:
-        reader = csv.reader(io.StringIO(text, newline=""), delimiter=delimiter, strict=True)
-        rows = [(reader.line_num, [cell.strip() for cell in row]) for row in reader]
-    except csv.Error as error:
-        raise UsageError(f"{path} is no CSV ({error}): save it again as CSV in UTF-8") from error
-    header = [cell.lower() for cell in rows[0][1]] if rows else []
-    takes = ", ".join([*needed, *more])
-    for column in needed:
-        if column not in header:
-            raise UsageError(
-                f"{path} has no column {column!r}: its first line names the columns, {takes}"
-            )
-    for column in header:
-        if column not in (*needed, *more):
-            raise UsageError(f"{path} has the column {column!r}: it takes {takes}")
-        if header.count(column) > 1:
-            raise UsageError(f"{path} has the column {column!r} twice: keep one of them")
-    for line, cells in rows[1:]:
-        if any(cells) and len(cells) != len(header):
-            raise UsageError(
-                f"{path} has {len(cells)} cells in line {line}, and {len(header)} in its first: "
-                "put texts with commas into quotation marks"
-            )
+    table = Table(path)
+    header = [title.lower() for title in table.header]
+    if not set(needed) <= set(header) <= {*needed, *more} or len(set(header)) < len(header):
+        raise UsageError(
+            f"{path} has the columns {', '.join(header)}: it takes {' and '.join(needed)}, and any "
+            f"of {', '.join(more)}, each once"
+        )
+    rows = [row for row in table.rows[1:] if any(row.texts())]
+    table.require_all_cells(rows, "put texts with commas into quotation marks")
     empty = dict.fromkeys(more, "")
-    return [(line, empty | dict(zip(header, cells))) for line, cells in rows[1:] if any(cells)]
+    return [(row.line, empty | dict(zip(header, row.texts()))) for row in rows]

@@ -20,7 +20,6 @@ of years, days, hours, minutes and seconds (`format_time`).
 
 import re
 from collections.abc import Sequence
-from pathlib import PurePosixPath
 
 from bounce_grader.classroom.intake.archive import Archive, not_named
 from bounce_grader.classroom.intake.student import Names, Upload
@@ -79,15 +78,4 @@ def page_of(uploads: Sequence[Upload]) -> str:
 
 def read(archive: Archive, _people: Names) -> dict[str, Upload | str]:
     """Each entry; or why it is of nobody."""
-    read: dict[str, Upload | str] = {}
-    for entry in archive.names():
-        upload = parse(entry)
-        leads_out = upload and not _is_inside(upload.file)
-        reason = "points outside of the submission" if leads_out else not_named(TITLE)
-        read[entry] = upload if upload and not leads_out else reason
-    return read
-
-
-def _is_inside(file: str) -> bool:
-    parts_of = PurePosixPath(file).parts
-    return not file.startswith("/") and ".." not in parts_of and "\\" not in file
+    return {entry: parse(entry) or not_named(TITLE) for entry in archive.names()}

@@ -76,16 +76,12 @@ class People:
         return id in self._names or id in self._own_ids
 
     def without_submission(self, students: Sequence[Student]) -> list[str]:
-        """Sentences on lines of the roster that are of no submission, and on ids there that the
-        grade book hasn't; none if there are no such lines."""
+        """A sentence on lines of the roster that are of no submission; none if there are no such
+        lines."""
         listed = {member.id for s in students for member in s.members if member.listed}
         idle = [name for name, of in self._roster.items() if not {m.id for m in of} & listed]
-        ids = [m.id for name in idle for m in self._roster[name] if m.id not in self._own_ids]
         words = "no submission is matched with that id or with a member"
-        nobody = f"{first_few(ids, separator='; ')}, which is nobody's id in the grade book"
-        return [f"{ROSTER} lists {first_few(idle, separator='; ')}: {words}"] * bool(idle) + [
-            f"{ROSTER} has {nobody}"
-        ] * bool(self._own_ids and ids)
+        return [f"{ROSTER} lists {first_few(idle, separator='; ')}: {words}"] * bool(idle)
 
     def meant_by(self, id: str, students: Sequence[Student]) -> list[Person]:
         """The people whom an instructor means by an id: the one who has it in the grade book; else

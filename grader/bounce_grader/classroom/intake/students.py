@@ -2,18 +2,23 @@
 folders or zips, or in a checkout of repositories. What can't be matched is listed, with the
 reason."""
 
+import os
 import zipfile
 from collections.abc import Sequence
 from pathlib import Path
 from types import ModuleType
 
-from bounce_grader.classroom.intake import blackboard, canvas, from_folder, moodle
+from bounce_grader.classroom.intake import blackboard, canvas, moodle
 from bounce_grader.classroom.intake.archive import Archive, is_file, is_folder, of_macos, opened
-from bounce_grader.classroom.intake.student import Class, Names, Unmatched, Upload
-from bounce_grader.classroom.intake.uploads import take, without_files
+from bounce_grader.classroom.intake.student import Class, Names, Student, Upload
+from bounce_grader.classroom.intake.uploads import student_of
 from bounce_grader.common.errors import UsageError
 from bounce_grader.common.escaping import printable_name
-from bounce_grader.submission.intake import is_archive
+from bounce_grader.common.files import fitting
+from bounce_grader.common.manifest import parts
+from bounce_grader.submission import submission
+from bounce_grader.submission.intake import archive_stem, is_archive
+from bounce_grader.submission.submission import part_file
 
 # Each has its title, `parse` for the name of one entry, `read` for all entries of a download, and
 # `page_of` for the name of a feedback page.
@@ -28,12 +33,14 @@ def read(path: Path, people: Names = {}) -> Class:
         service = _service([child.name for child in children if is_file(child)])
         if service:
             intake = _of_download(service, opened(path), people)
-            beside = "is a folder beside a download's files, and isn't read"
-            intake.unmatched += [Unmatched(c.name, beside) for c in children if is_folder(c)]
+            for child in filter(is_folder, children):
+                intake.add_stray(
+                    child.name, "is a folder beside a download's files, and isn't read"
+                )
         elif any(is_folder(child) and moodle.parse(f"{child.name}/x") for child in children):
             intake = _of_download(moodle, opened(path, deep=True), people)
         else:
-            intake = from_folder.read(path, children)
+            intake = _of_folder(path, children)
     elif not path.exists():
         raise UsageError(f"there is no file or folder {printable_name(str(path))}")
     elif zipfile.is_zipfile(path):
@@ -45,7 +52,8 @@ def read(path: Path, people: Names = {}) -> Class:
         other = "is neither a folder nor a zip: give Canvas's download as it is"
         raise UsageError(f"{path} {reason if cut else other}")
     if not intake.students:
-        raise UsageError(f"no submission is found in {path}: {_expected(intake)}")
+        seen = f"the first entry, {intake.strays[0]}" if intake.strays else "it is empty"
+        raise UsageError(f"no submission is found in {path}: {seen}")
     intake.students.sort(key=lambda student: (student.name, student.id))
     return intake
 
@@ -73,30 +81,84 @@ def _of_download(service: ModuleType, archive: Archive, people: Names) -> Class:
     title = service.TITLE
     intake = Class(f"a {title} download", service=title.lower(), tells_lateness=service is canvas)
     users: dict[str, list[Upload]] = {}
-    typed: list[Upload] = []
     for name, found in service.read(archive, people).items():
         if isinstance(found, str):
-            intake.unmatched.append(Unmatched(name, found))
-        elif found.typed:
-            typed.append(found)
+            intake.add_stray(name, found)
         else:
             users.setdefault(found.user, []).append(found)
-    for one in typed:
-        if one.user in users:
-            users[one.user].append(one)
-        else:
-            what = f"is {one.typed} typed into {title}"
-            page = service.page_of([one])
-            intake.unmatched.append(without_files(one.entry, what, one.user, page))
-    for uploads in users.values():
-        take(intake, archive, uploads, service.page_of(uploads))
+    intake.students = [
+        student_of(archive.path, uploads, service.page_of(uploads)) for uploads in users.values()
+    ]
     return intake
 
 
-def _expected(intake: Class) -> str:
-    first = intake.unmatched[0] if intake.unmatched else None
-    seen = f"the first entry, {first.name!r}, {first.reason}" if first else "it is empty"
-    return (
-        f"{seen}; it should be the download of Canvas, Moodle or Blackboard, or a folder with one "
-        "folder or zip a student"
-    )
+# --- a folder of folders or zips, or a checkout of repositories ---
+
+
+def _of_folder(path: Path, children: list[Path]) -> Class:
+    intake = Class("a folder of submissions")
+    taken = [child for child in children if not _no_submission(child)]
+    cloned = [child for child in taken if os.path.exists(child / ".git")]
+    cut = 0
+    if 2 * len(cloned) > len(taken):
+        cut = _common_prefix(path, cloned)
+        before = f", named {cloned[0].name[:cut]!r} and a login" if cut else ""
+        intake.source = f"a checkout of repositories{before}"
+        intake.logins = True
+        taken = cloned
+    by_name: dict[str, list[Path]] = {}
+    for child in taken:
+        name = child.name[cut:] if is_folder(child) else archive_stem(child.name)
+        by_name.setdefault(name, []).append(child)
+    for name, (first, *others) in by_name.items():
+        names = " and ".join(printable_name(path.name) for path in (first, *others))
+        twice = f"it could be {names}: keep one of them" if others else ""
+        page = "" if others else f"{fitting(name)}.html"
+        intake.students.append(Student(name, name, first, feedback=page, refused=twice))
+    for child in children:
+        if child not in taken:
+            why = _no_submission(child) or "is no repository, as the others are"
+            intake.add_stray(child.name, why)
+    _require_a_class(path, children, intake.students)
+    return intake
+
+
+def _require_a_class(path: Path, children: list[Path], students: list[Student]) -> None:
+    """Raises UsageError if the folder is itself a submission, perhaps with its parts in src, or holds
+    none. A student may be called src, too."""
+    is_one = any(part_file(child.name) and is_file(child) for child in children)
+    others = (student.path for student in students if student.name != "src")
+    if is_one or not any(map(_has_a_part, others)):
+        if is_one or _has_a_part(path):
+            raise UsageError(f"{path} is one submission, and no class: ./kit grade {path}")
+        raise UsageError(
+            f"no folder or zip in {path} holds a part, as {parts()[0].file}: it should be the "
+            "download of Canvas, Moodle or Blackboard, or a folder with one folder or zip a student"
+        )
+
+
+def _no_submission(child: Path) -> str:
+    """Why a child can't be a submission; "" if it can."""
+    if child.name.startswith("."):
+        return "is no submission"
+    if not is_folder(child):
+        return "" if is_file(child) and is_archive(child.name) else "is neither a folder nor a zip"
+    written = os.path.exists(child / "results" / "set.json")
+    return "was written by ./kit class, and is no submission" if written else ""
+
+
+def _has_a_part(path: Path) -> bool:
+    try:
+        return bool(submission.read(path).parts)
+    except UsageError:
+        return False
+
+
+def _common_prefix(path: Path, folders: list[Path]) -> int:
+    """The length of the assignment's name, with which each repository's name begins; the login
+    follows."""
+    named = path.name.removesuffix("-submissions") + "-"
+    if all(folder.name.startswith(named) for folder in folders):
+        return len(named)
+    common = os.path.commonprefix([folder.name for folder in folders])
+    return common.rfind("-") + 1 if len(folders) > 1 else 0

@@ -1,6 +1,6 @@
 """Posts points and pages to Canvas: first shown as a plan, and then done if the plan is the same.
 
-OUT/uploaded.json is written after each student, so that a run that failed half-way goes on where it
+OUT/written.json is written after each student, so that a run that failed half-way goes on where it
 stopped, and no comment is posted twice.
 """
 
@@ -11,50 +11,55 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from bounce_grader.classroom.grading.summary import Summary
-from bounce_grader.classroom.intake.canvas_api import Canvas, Refused
-from bounce_grader.classroom.intake.student import Unmatched
-from bounce_grader.classroom.output import gradebook
-from bounce_grader.classroom.output.gradebook import is_ours
+from bounce_grader.classroom.intake.canvas_api import Canvas, name_of, Refused
+from bounce_grader.classroom.output.gradebook import Gradebook, Line, number_in, WRITTEN
 from bounce_grader.common.escaping import terminal
 from bounce_grader.common.files import read_object, write_whole
 from bounce_grader.common.numbers import short
 
-UPLOADED = "uploaded.json"
 PLAN = "plan.json"
-# By user: the "points" that were posted, and the "page"'s digest.
-Uploaded = dict[str, dict[str, Any]]
+PAGES = "pages"  # in written.json: the digest of the page that each user has, by assignment
 
 
 class Change(NamedTuple):
-    """What would be posted for one student; None where nothing is."""
+    """What would be posted for one student; "" where nothing is."""
 
     user: str
     name: str
-    before: float | None
-    points: float | None
-    page: str | None  # the file's name
+    before: str  # points
+    points: str
+    page: str  # the file's name
 
 
 def show_or_post(
-    canvas: Canvas,
-    out: Path,
-    summaries: Sequence[Summary],
-    entries: Iterable[Unmatched],
-    upload: bool,
-    overwrite: bool,
+    canvas: Canvas, out: Path, summaries: Sequence[Summary], upload: bool, overwrite: bool
 ) -> int:
     """Prints what would change on Canvas, and posts it on request if that was shown before. Returns
     1 if something is left to do."""
-    changes, kept = _plan(canvas, out, summaries, entries, overwrite)
+    written = read_object(out / WRITTEN)
+    finals = [one for summary in summaries for one in summary.finals]
+    book = _gradebook(canvas)
+    filled, sentences = book.fill(finals, False, written, overwrite)
+    points = {line.ids[0]: short(value) for line, value in filled if number_in(line.there) != value}
+    posted_pages = written.setdefault(f"{PAGES} {canvas.assignment}", {})
+    page_of = {one.id: s.student.feedback for s in summaries for one in s.finals}
+    page_of |= {s.student.id: s.student.feedback for s in summaries if s.student.refused}
+    changes = []
+    for line in book.lines:
+        user = line.ids[0]
+        page = page_of.get(user, "")
+        is_new = _digest(out, page) not in ("", posted_pages.get(user))
+        change = Change(user, line.person, line.there, points.get(user, ""), page * is_new)
+        changes += [change] * bool(change.points or change.page)
     if upload and _were_shown(out, changes):
-        refused = _post(canvas, out, changes)
+        refused = _post(canvas, out, changes, written)
         posted = len(changes) - len(refused)
         print(f"Students whose points or pages were posted: {posted} of {len(changes)}.")
-        _print([*refused, *kept])
+        _print([*refused, *sentences])
         return int(bool(refused))
     write_whole(out / PLAN, json.dumps(changes))
     print(f"Students whose points or pages would change on Canvas: {len(changes)}.")
-    _print([*map(_words, changes), *kept])
+    _print([*map(_words, changes), *sentences])
     if upload:
         print("This wasn't shown before: give the same command again to post it.")
     elif changes:
@@ -66,47 +71,23 @@ def _print(lines: Iterable[str]) -> None:
     print("".join(f"  {terminal(line)}\n" for line in lines), end="")
 
 
-def _plan(
-    canvas: Canvas,
-    out: Path,
-    summaries: Sequence[Summary],
-    entries: Iterable[Unmatched],
-    overwrite: bool,
-) -> tuple[list[Change], list[str]]:
-    """The changes, and sentences about points that stay because a person has entered them. A
-    student who submitted nothing that can be graded gets a page that says so, and no points."""
-    now = {str(s["user_id"]): s for s in canvas.all(f"{canvas.path}/submissions?per_page=100")}
-    uploaded = read_object(out / UPLOADED)
-    finals = [(one, s.student.feedback) for s in summaries for one in s.finals]
-    wanted: list[tuple[str, str, float | None, str]] = [
-        (one.id, one.name, round(one.points, 2), page) for one, page in finals
+def _gradebook(canvas: Canvas) -> Gradebook:
+    listed = canvas.all(f"{canvas.path}/submissions?include[]=user&per_page=100")
+    lines = [
+        Line(
+            number,
+            [str(submission["user_id"])],
+            name_of(submission),
+            "" if submission.get("score") is None else short(submission["score"]),
+            "is excused, and gets no points" if submission.get("excused") else "",
+        )
+        for number, submission in enumerate(listed)
     ]
-    graded = {one.id for one, _ in finals}
-    others = [entry for entry in entries if entry.user in now and entry.user not in graded]
-    wanted += [(entry.user, entry.name, None, entry.feedback) for entry in others]
-    changes, kept = [], []
-    for id, name, points, page in wanted:
-        there, done = now.get(id), uploaded.get(id, {})
-        if there is None:
-            kept.append(f"{name or id} ({id}) isn't in the assignment on Canvas")
-            continue
-        before = there.get("score")
-        if points is None or there.get("excused") or before == points:
-            posted = None
-        elif before is None or overwrite or is_ours(before, points, done.get("points", [])):
-            posted = points
-        else:
-            kept.append(f"{name} ({id}) {gradebook.kept(short(before), short(points))}")
-            posted = None
-        is_new = _digest(out, page) not in ("", done.get("page"))
-        if posted is not None or is_new:
-            changes.append(Change(id, name, before, posted, page if is_new else None))
-    return changes, kept
+    return Gradebook("canvas", "the assignment on Canvas", canvas.assignment, lines)
 
 
 def _words(change: Change) -> str:
-    before = "nothing" if change.before is None else short(change.before)
-    points = "" if change.points is None else f"{before} -> {short(change.points)} points"
+    points = f"{change.before or 'nothing'} -> {change.points} points" if change.points else ""
     what = " and ".join(filter(None, [points, "a page" * bool(change.page)]))
     return f"{change.name or change.user} ({change.user}): {what}"
 
@@ -120,34 +101,31 @@ def _were_shown(out: Path, changes: list[Change]) -> bool:
     return all(change in shown for change in changes)
 
 
-def _post(canvas: Canvas, out: Path, changes: list[Change]) -> list[str]:
+def _post(
+    canvas: Canvas, out: Path, changes: list[Change], written: dict[str, dict[str, Any]]
+) -> list[str]:
     """Posts the changes. Returns a sentence for each that Canvas refused."""
-    uploaded = read_object(out / UPLOADED)
+    _write(out, written)  # so that points count as ours if the answer is lost
     refused = []
     for change in changes:
         path = f"{canvas.path}/submissions/{change.user}"
-        done = uploaded.setdefault(change.user, {"points": [], "page": ""})
-        fields = {}
+        fields = {"submission[posted_grade]": change.points} if change.points else {}
         try:
             if change.page:
                 file = _upload(canvas, f"{path}/comments/files", out / "feedback" / change.page)
                 fields["comment[file_ids][]"] = str(file)
-            if change.points is not None:
-                fields["submission[posted_grade]"] = short(change.points)
-                done["points"] = [*done["points"], change.points]
-                _write(out, uploaded)  # so that it counts as ours if the answer is lost
             canvas.call("PUT", path, fields)
         except Refused as error:
             refused.append(f"{change.name} ({change.user}): Canvas refused it ({error})")
             continue
         if change.page:
-            done["page"] = _digest(out, change.page)
-        _write(out, uploaded)
+            written[f"{PAGES} {canvas.assignment}"][change.user] = _digest(out, change.page)
+            _write(out, written)
     return refused
 
 
-def _write(out: Path, uploaded: Uploaded) -> None:
-    write_whole(out / UPLOADED, json.dumps(uploaded, indent=1, sort_keys=True), durable=True)
+def _write(out: Path, written: dict[str, dict[str, Any]]) -> None:
+    write_whole(out / WRITTEN, json.dumps(written, indent=1, sort_keys=True), durable=True)
 
 
 def _digest(out: Path, page: str) -> str:
@@ -160,16 +138,12 @@ def _digest(out: Path, page: str) -> str:
 def _upload(canvas: Canvas, path: str, file: Path) -> int:
     """Uploads a page for a comment, in Canvas's three steps. Returns its id."""
     data = file.read_bytes()
-    told = canvas.call(
-        "POST", path, {"name": "feedback.html", "size": str(len(data)), "content_type": "text/html"}
-    )
-    try:
-        url, fields = str(told["upload_url"]), dict(told["upload_params"])
-    except (KeyError, TypeError, ValueError):
-        raise Refused("it names no address for the page") from None
+    asked = {"name": "feedback.html", "size": str(len(data)), "content_type": "text/html"}
     page = {"file": ("feedback.html", data, "text/html")}
-    body, _ = canvas.request("POST", url, data=fields, files=page)
     try:
+        told = canvas.call("POST", path, asked)
+        url, fields = str(told["upload_url"]), dict(told["upload_params"])
+        body, _ = canvas.request("POST", url, data=fields, files=page)
         return int(json.loads(body)["id"])
     except (KeyError, TypeError, ValueError):
-        raise Refused("it takes the page, and gives no id") from None
+        raise Refused("it doesn't say where the page goes, or gives no id for it") from None

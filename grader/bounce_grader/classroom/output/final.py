@@ -2,7 +2,6 @@
 the instructor. Records stay as they are."""
 
 from collections.abc import Mapping, Sequence
-from typing import NamedTuple
 
 from bounce_grader.classroom.grading.summary import Applied, Final, Summary
 from bounce_grader.classroom.intake.instructor_files import (
@@ -14,23 +13,18 @@ from bounce_grader.classroom.intake.instructor_files import (
 )
 from bounce_grader.classroom.intake.people import People
 from bounce_grader.classroom.intake.student import Class, Member, Student
-from bounce_grader.common.escaping import first_few
 from bounce_grader.common.manifest import full_points
 from bounce_grader.common.numbers import short
 
-
-class Assigned(NamedTuple):
-    """Whom the adjustments are for."""
-
-    # By the member's and the submission's id.
-    own: Mapping[tuple[str, str], Sequence[Adjustment]]
-    sentences: list[str]  # one for each that changes nothing
+# By the member's and the submission's id.
+Own = Mapping[tuple[str, str], Sequence[Adjustment]]
 
 
 def assign(
     adjustments: Sequence[Adjustment], people: People, students: Sequence[Student]
-) -> Assigned:
-    """An adjustment changes nothing if its id is nobody's, or that person has no submission."""
+) -> tuple[Own, list[str]]:
+    """Whom the adjustments are for; and a sentence for each that changes nothing, because its id is
+    nobody's, or that person has no submission."""
     own: dict[tuple[str, str], list[Adjustment]] = {}
     sentences = []
     for adjustment in adjustments:
@@ -38,53 +32,42 @@ def assign(
         meant = people.meant_by(who, students)
         for member, student in meant:
             own.setdefault((member.id, student.id), []).append(adjustment)
-        if not meant and who != EVERYBODY:
+        if all(student.refused for _, student in meant) and who != EVERYBODY:
             sentences.append(
-                f"{who} has no submission: the adjustment ({adjustment.reason}) changes nothing"
-                if people.known(who)
+                f"{who} has nothing that is graded: the adjustment ({adjustment.reason}) changes "
+                "nothing"
+                if meant or people.known(who)
                 else f"{adjustment.where} nobody here has the id {who!r}, so it changes nothing: "
                 "give an id as in grades.csv, or * for everybody"
             )
-    return Assigned(own, sentences)
+    return own, sentences
 
 
-def with_finals(
-    summaries: Sequence[Summary], assigned: Assigned, course: Course, logins: bool
-) -> list[Summary]:
+def give(summaries: Sequence[Summary], own: Own, course: Course, logins: bool) -> None:
     """Adds the final points of each person. Whom the roster finds in several submissions gets points
     from none of them; whom it finds in one, from no other. A login alone, which its student chose,
     gets no points."""
-    finals = {
-        s.student.id: [
-            _final(s, member, assigned.own.get((member.id, s.student.id), []), course)
-            for member in s.student.members
-            if s.score is not None
-        ]
-        for s in summaries
-    }
-    shown = {s.student.id: f"{s.student.name} ({s.student.id})" for s in summaries}
+    graded = [summary for summary in summaries if summary.score is not None]
     given: dict[str, list[str]] = {}  # submissions that the roster gives to each person
-    for id, of in finals.items():
-        for one in of:
-            if one.listed:
-                given.setdefault(one.id, []).append(shown[id])
-    done = []
-    for summary in summaries:
-        counting = []
-        for one in finals[summary.student.id]:
-            of_person = given.get(one.id, [])
-            names = " and ".join(of_person)
-            if one.listed and len(of_person) > 1:
-                summary = summary.with_note(
-                    f"{ROSTER} gives {one.name or one.id} the points of several submissions "
-                    f"({names}): none is filled in; write the submission's id there that is theirs"
+    for student in (summary.student for summary in graded):
+        for member in student.members:
+            if member.listed:
+                given.setdefault(member.id, []).append(f"{student.name} ({student.id})")
+    for summary in graded:
+        for member in summary.student.members:
+            names = given.get(member.id, [])
+            if member.listed and len(names) > 1:
+                summary.notes.append(
+                    f"{ROSTER} gives {member.name or member.id} the points of several submissions "
+                    f"({' and '.join(names)}): none is filled in; write the submission's id there "
+                    "that is theirs"
                 )
-            elif of_person and not one.listed and not logins:
-                summary = summary.with_note(f"{ROSTER} gives {one.id} the points of {names} alone")
+            elif names and not member.listed and not logins:
+                why = f"{ROSTER} gives {member.id} the points of {' and '.join(names)} alone"
+                summary.notes.append(why)
             else:
-                counting.append(one)
-        done.append(summary.with_finals(counting))
-    return done
+                adjustments = own.get((member.id, summary.student.id), [])
+                summary.finals.append(_final(summary, member, adjustments, course))
 
 
 def _final(summary: Summary, member: Member, own: Sequence[Adjustment], course: Course) -> Final:
@@ -99,11 +82,11 @@ def _final(summary: Summary, member: Member, own: Sequence[Adjustment], course: 
 
     for adjustment in own:
         if adjustment.drop:
-            lost = set(adjustment.drop) - summary.passed
-            given = sum(summary.most.get(id, 0.0) for id in lost)
+            dropped = [check for id, check in summary.checks.items() if id in adjustment.drop]
+            given = sum(check["max_score"] for check in dropped if not check["passed"])
             change(given, adjustment.reason, adjustment.comment)
-    days = _late_days(summary.student, own)
-    if days and course.percent_per_day:
+    days = _late_days(summary, own) if course.percent_per_day else 0
+    if days:
         percent = min(days * course.percent_per_day, course.at_most_percent)
         words = f"{days} day{'s' * (days > 1)} late, {short(percent)} %"
         change(-min(points, full_points() * percent / 100), words)
@@ -116,48 +99,21 @@ def _final(summary: Summary, member: Member, own: Sequence[Adjustment], course: 
     return Final(member.id, member.name, points, tuple(applied), member.listed)
 
 
-def _late_days(student: Student, own: Sequence[Adjustment]) -> int:
+def _late_days(summary: Summary, own: Sequence[Adjustment]) -> int:
     """The days that count as late: those that were written down, or the service's; where it says
     only that a submission is late, that counts as one day."""
     given = [a.late_days for a in own if a.late_days is not None]
-    return given[-1] if given else student.late_days or int(student.late)
-
-
-def unknown_lateness(
-    course: Course, intake: Class, own: Mapping[tuple[str, str], Sequence[Adjustment]]
-) -> list[str]:
-    """A sentence if lateness costs points, and neither the service nor an adjustment says how late
-    somebody was."""
-    if not course.percent_per_day:
-        return []
-    if not intake.tells_lateness:
-        worksheet = ", except in the grading worksheet, under Status (give it as --gradebook)"
-        return [
-            f"lateness costs points by course.toml, but {intake.source} doesn't say who was late"
-            f"{worksheet if intake.service == 'moodle' else ''}: only {ADJUSTMENTS} can tell"
-        ]
-    vague = [
-        student.shown
-        for student in intake.students
-        if student.late and not student.late_days
-        if any(
-            all(a.late_days is None for a in own.get((member.id, student.id), []))
-            for member in student.members
+    if not given and summary.student.late and not summary.student.late_days:
+        summary.notes.append(
+            "how many days late it is can't be read from the service's files, and counts as one "
+            f"unless {ADJUSTMENTS} says otherwise"
         )
-    ]
-    return [
-        f"how many days late these are can't be read from {intake.service.capitalize()}'s files, "
-        f"and counts as one day unless {ADJUSTMENTS} says otherwise: "
-        f"{first_few(vague, separator='; ')}"
-    ] * bool(vague)
+    return given[-1] if given else summary.student.late_days or int(summary.student.late)
 
 
-def adjusted(summaries: Sequence[Summary]) -> list[str]:
-    """A sentence for each person whose points were changed after the grading."""
+def unknown_lateness(course: Course, intake: Class) -> list[str]:
+    """A sentence if lateness costs points, and the service doesn't say who was late."""
     return [
-        f"{one.name or one.id} ({one.id}): {short(summary.score or 0.0)} -> "
-        f"{short(round(one.points, 2))} points ({one.changes})"
-        for summary in summaries
-        for one in summary.finals
-        if one.applied
-    ]
+        f"lateness costs points by course.toml, but {intake.source} doesn't say who was late: "
+        f"{ADJUSTMENTS} can, and so does Moodle's grading worksheet (--gradebook)"
+    ] * bool(course.percent_per_day and not intake.tells_lateness)

@@ -11,18 +11,21 @@ from bounce_grader.formats.html import MOST_UNUSED
 def table(summaries: Iterable[Summary]) -> str:
     header: list[Value] = [
         *("student", "id", "late", "state", "score", "final", "adjustments"),
-        *(part.stem for part in parts()),
-        *(check.id for part in parts() for check in part.checks),
+        *_with_points(),
         *("mistakes", "times the solution's time", "largest error", "needs a look", "not used"),
         "result",
     ]
     return "".join(map(csv_row, [header, *map(_row, summaries)]))
 
 
+def _with_points() -> list[str]:
+    return [*(part.stem for part in parts()), *(c.id for part in parts() for c in part.checks)]
+
+
 def _row(summary: Summary) -> list[Value]:
     student = summary.student
-    points = [summary.parts.get(part.number) for part in parts()]
-    checks = [summary.checks.get(check.id) for part in parts() for check in part.checks]
+    points = {part["stem"]: part["score"] for part in summary.parts}
+    points |= {id: check["score"] for id, check in summary.checks.items()}
     return [
         student.shown,
         student.id,
@@ -31,11 +34,11 @@ def _row(summary: Summary) -> list[Value]:
         _number(summary.score),
         _of_members({one.id: _number(round(one.points, 2)) for one in summary.finals}),
         _of_members({one.id: one.changes for one in summary.finals}) or "",
-        *map(_number, [*points, *checks]),
+        *(_number(points.get(column)) for column in _with_points()),
         "; ".join(summary.mistakes.values()),
-        *map(_number, [summary.ratio, summary.error]),
-        "; ".join(summary.needs_a_look),
-        first_few([*student.unused, *summary.ignored], MOST_UNUSED, "; ", summary.ignored_more),
+        *(_number(summary.speed.get(name)) for name in ("ratio", "largest_error")),
+        summary.needs_a_look,
+        first_few(summary.unused, MOST_UNUSED, "; ", summary.unused_more),
         summary.key,
     ]
 

@@ -3,24 +3,20 @@
 import os
 import statistics
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any, NamedTuple
 from urllib.parse import quote
 
-from bounce_grader.classroom.grading.near_copies import Pair, Similar
+from bounce_grader.classroom.grading.near_copies import Similar
 from bounce_grader.classroom.grading.summary import Summary
-from bounce_grader.classroom.intake.instructor_files import Course
-from bounce_grader.classroom.intake.student import Class
-from bounce_grader.common.escaping import first_few, printable_name
-from bounce_grader.common.manifest import full_points, named_together, part_of, parts
+from bounce_grader.common.escaping import first_few
+from bounce_grader.common.manifest import full_points, part_of, parts
 from bounce_grader.common.numbers import percent, seconds, short
 from bounce_grader.formats.html import fill
 from bounce_grader.formats.speed_chart import Curve, Drawing, error_over_time, NAMES
 from bounce_grader.formats.speed_chart import over_solution, STYLE
-from bounce_grader.grading import examples
+from bounce_grader.grading import examples, speed
 from bounce_grader.grading.known_mistakes import for_the_instructor
-
-MOST_UNUSED = 10  # names of unused files of one submission; grades.csv has more
 
 
 class Bar(NamedTuple):
@@ -33,52 +29,37 @@ class Bar(NamedTuple):
 
 
 def render(
-    submitted: Class,
-    summaries: Sequence[Summary],
-    near: Similar,
-    gradebook_sentences: Sequence[str],
-    course: Course = Course(),
+    summaries: Sequence[Summary], near: Similar, sentences: Sequence[str], title: str = ""
 ) -> str:
-    names = names_of(summaries)
+    """`sentences` are on files that are nobody's, on adjustments and on the grade book."""
     graded = [s for s in summaries if s.score is not None]
     return fill(
         "classroom/output/class.html.j2",
-        title=course.title or "The class",
-        figures=list(_figures(submitted, summaries)),
+        title=title or "The class",
+        figures=list(_figures(summaries, graded)),
         histogram=_histogram(graded),
         success=list(_success(graded)) if graded else [],
         mistakes=[_mistake(*made) for made in _who_made_mistakes(graded)],
         cases=_cases(graded),
-        curves=_chart(graded, names),
+        curves=_chart(graded),
         chart_style=STYLE,
         chart_names=NAMES,
-        looks=_looks(summaries),
+        looks=looks(summaries),
         near=near,
-        incomplete=first_few([names[id] for id in near.incomplete], separator="; "),
-        pairs=[[*pair_names(p, names), pair_share(p)] for p in near.pairs],
-        unmatched=[[printable_name(entry.name), entry.reason] for entry in submitted.unmatched],
-        gradebook_sentences=gradebook_sentences,
+        pairs=[[pair.first, pair.second, pair.in_common] for pair in near.pairs],
+        sentences=sentences,
         adjusted=any(s.is_adjusted for s in summaries),
         columns=["points", *(f"part {part.number}" for part in parts()), "in the end"],
         submissions=list(map(_row, summaries)),
-        names=names,
     )
 
 
-def names_of(summaries: Sequence[Summary]) -> dict[str, str]:
-    """Who each submission is of, by its id."""
-    students = [s.student for s in summaries]
-    return {s.id: s.id if s.shown == s.id else f"{s.shown} ({s.id})" for s in students}
-
-
-def _looks(summaries: Sequence[Summary]) -> list[list[str]]:
+def looks(summaries: Sequence[Summary]) -> list[tuple[str, str]]:
     """Who needs a look, and why; in one row if the reasons are the same, as with a reduced box."""
     who: dict[str, list[str]] = {}
-    for summary in summaries:
-        if summary.needs_a_look:
-            own = who.setdefault("; ".join(summary.needs_a_look), [])
-            own += names_of([summary]).values()
-    return [[first_few(names, separator="; "), why] for why, names in who.items()]
+    for summary in filter(lambda summary: summary.needs_a_look, summaries):
+        who.setdefault(summary.needs_a_look, []).append(summary.student.who)
+    return [(first_few(names, separator="; "), why) for why, names in who.items()]
 
 
 def _who_made_mistakes(graded: Sequence[Summary]) -> list[tuple[str, str, list[str]]]:
@@ -87,8 +68,7 @@ def _who_made_mistakes(graded: Sequence[Summary]) -> list[tuple[str, str, list[s
     made: dict[str, tuple[str, str, list[str]]] = {}
     for summary in graded:
         for name, title in summary.mistakes.items():
-            who = made.setdefault(name, (name, title, []))[2]
-            who += names_of([summary]).values()
+            made.setdefault(name, (name, title, []))[2].append(summary.student.who)
     return sorted(made.values(), key=lambda mistake: (-len(mistake[2]), mistake[0]))
 
 
@@ -100,7 +80,8 @@ def _mistake(name: str, title: str, who: list[str]) -> dict[str, Any]:
 
 def _cases(graded: Sequence[Summary]) -> list[str]:
     """What the cases caught that were handed in, in sentences; none if nobody wrote any."""
-    caught = [s.caught for s in graded if s.caught]
+    handed_in = [s.record.get("examples", {}).get("caught", ()) for s in graded]
+    caught = [set(names) for names in handed_in if names]
     if not caught:
         return []
     folders = examples.folders()
@@ -112,29 +93,18 @@ def _cases(graded: Sequence[Summary]) -> list[str]:
     ]
 
 
-def of_near_copies(near: Similar, summaries: Sequence[Summary]) -> list[str]:
+def of_near_copies(near: Similar) -> list[str]:
     """A sentence for each of the nearest copies."""
-    names = names_of(summaries)
     sentences = [
-        f"{' and '.join(pair_names(pair, names))} have {pair_share(pair)} in common: look whether "
-        "one is a copy"
+        f"{pair.first} and {pair.second} have {pair.in_common} in common: look whether one is a copy"
         for pair in near.pairs
     ]
     return sentences + [f"{near.more} more pairs stand out"] * bool(near.more)
 
 
-def pair_names(pair: Pair, names: Mapping[str, str]) -> list[str]:
-    """Who is alike; of another year, the folder and the name."""
-    return [names.get(id, printable_name(id)) for id in (pair.first, pair.second)]
-
-
-def pair_share(pair: Pair) -> str:
-    return f"{pair.share} %{f' of {named_together(pair.parts)}' if pair.parts else ''}"
-
-
-def _figures(submitted: Class, summaries: Sequence[Summary]) -> Iterator[tuple[str, str]]:
-    scores = [s.score for s in summaries if s.score is not None]
-    yield "submissions", str(max(submitted.handed_in, len(summaries)))
+def _figures(summaries: Sequence[Summary], graded: Sequence[Summary]) -> Iterator[tuple[str, str]]:
+    scores = [s.score or 0.0 for s in graded]
+    yield "submissions", str(len(summaries))
     yield "graded", str(len(scores))
     if scores:
         yield "median", short(statistics.median(scores))
@@ -162,26 +132,27 @@ def _histogram(graded: Sequence[Summary]) -> list[Bar]:
 def _success(graded: Sequence[Summary]) -> Iterator[Bar]:
     """Of each part, the mean of its points; of each check, how many passed it."""
     for part in parts():
-        mean = statistics.mean(s.parts[part.number] for s in graded)
+        mean = statistics.mean(s.parts[part.number - 1]["score"] for s in graded)
         note = f"{mean:.1f} of {short(part.points)}"
         yield Bar(f"Part {part.number}: {part.title}", mean / part.points, note, True)
         for check in part.checks:
-            share = sum(check.id in s.passed for s in graded) / len(graded)
+            share = sum(s.checks[check.id]["passed"] for s in graded) / len(graded)
             yield Bar(check.title, share, percent(share))
 
 
-def _chart(graded: Sequence[Summary], names: Mapping[str, str]) -> Drawing | None:
+def _chart(graded: Sequence[Summary]) -> Drawing | None:
     """All submissions' curves, with those of the solution and of the least model, as timed beside
     the first."""
-    curves = []
-    for one in graded:
-        kind = "full" if one.has_all_points else "some" if one.score else "none"
-        words = f"{names[one.student.id]}: {short(one.score or 0)} points"
-        curves.append(Curve(over_solution(one.curves, "submission"), kind, words))
-    curves = [curve for curve in curves if curve.places]
-    if not curves:
+    every = [(one, {of: speed.curve(one.speed, of) for of in speed.CURVES}) for one in graded]
+    timed = [(one, own) for one, own in every if over_solution(own, "submission")]
+    if not timed:
         return None
-    first = next(one.curves for one in graded if over_solution(one.curves, "submission"))
+    curves = []
+    for one, own in timed:
+        kind = "full" if one.has_all_points else "some" if one.score else "none"
+        words = f"{one.student.who}: {short(one.score or 0)} points"
+        curves.append(Curve(over_solution(own, "submission"), kind, words))
+    first = timed[0][1]
     steps = [seconds(1e9 * point.dt) for point in first["solution"]]
     for whose in ("solution", "least"):
         labels = steps if whose == "solution" else []
@@ -191,14 +162,11 @@ def _chart(graded: Sequence[Summary], names: Mapping[str, str]) -> Drawing | Non
 
 def _row(summary: Summary) -> dict[str, Any]:
     """A row of the table of all submissions."""
-    page = f"feedback/{summary.student.feedback}" if summary.student.feedback else ""
-    points = [summary.score, *(summary.parts.get(part.number) for part in parts())]
+    student = summary.student
+    points = [short(scored["score"]) for scored in (summary.record, *summary.parts) if scored]
     ends = sorted({round(one.points, 2) for one in summary.finals})
-    shown = ["" if one is None else short(one) for one in points]
     return {
-        "id": summary.student.id,
-        "page": quote(os.fsencode(page)),
-        "points": [*shown, " / ".join(map(short, ends))],
-        "late": "late" if summary.student.late else "",
-        "unused": first_few(summary.unused, MOST_UNUSED, "; ", summary.ignored_more),
+        "who": student.who,
+        "page": quote(os.fsencode(f"feedback/{student.feedback}" if student.feedback else "")),
+        "points": [*(points or [""] * (1 + len(parts()))), " / ".join(map(short, ends))],
     }

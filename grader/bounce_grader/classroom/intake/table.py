@@ -1,10 +1,10 @@
-"""Edits single cells of a CSV file from a service, and keeps every other byte."""
+"""Reads CSV files, from services and from hand; and edits single cells of them, so that every other
+byte stays."""
 
 import io
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
-from itertools import islice
 from pathlib import Path
 
 from bounce_grader.common.errors import UsageError
@@ -26,6 +26,9 @@ class Row:
         raw = self.cells[column] if column < len(self.cells) else ""
         return (raw[1:-1].replace('""', '"') if raw.startswith('"') else raw).strip()
 
+    def texts(self) -> list[str]:
+        return [self.text(column) for column in range(len(self.cells))]
+
     def put(self, column: int, text: str, delimiter: str) -> None:
         """Replaces a cell's text, quoted if it was before or if it has to be."""
         quoted = self.cells[column].startswith('"') or delimiter in text
@@ -43,41 +46,35 @@ class Table:
         except OSError as error:
             raise UsageError(f"{path} can't be read: {error.strerror}") from error
         if data.startswith(b"PK"):  # a zip, as an Excel workbook is
-            raise UsageError(f"{self.name} is a zip or a workbook: give the grade book as CSV")
-        self._encoding, text = self._decoded(data)
+            raise UsageError(f"{self.name} is a zip or a workbook: save it as CSV")
+        self._encoding = UTF_16.get(data[:2], "utf-8")
+        try:
+            text = data.decode(self._encoding)
+        except UnicodeError:
+            self._encoding = "latin-1"  # which every byte fits
+            text = data.decode(self._encoding)
         if "\0" in text:
             raise UsageError(f"{self.name} isn't UTF-8: download it again, or save it as CSV UTF-8")
         self._start = BOM * text.startswith(BOM)
         body = text[len(self._start) :]
-        self.delimiter = self._find_delimiter(body)
+        self.delimiter = max(",;\t", key=body.partition("\n")[0].count)
         self.rows = list(self._rows(body, self.delimiter))
         if not self.rows:
-            raise UsageError(f"{self.name} is empty: export the grade book again")
-        self.header = [self.rows[0].text(i) for i in range(len(self.rows[0].cells))]
+            raise UsageError(f"{self.name} is empty: export or write it again")
+        self.header = self.rows[0].texts()
+
+    def require_all_cells(self, rows: Iterable[Row], what_helps: str) -> None:
+        """Raises UsageError if one of these rows hasn't as many cells as the first."""
+        for row in rows:
+            if len(row.cells) != len(self.header):
+                raise UsageError(
+                    f"{self.name} has {len(row.cells)} cells in line {row.line}, and "
+                    f"{len(self.header)} in its first: {what_helps}"
+                )
 
     def encoded(self) -> bytes:
         lines = (self.delimiter.join(row.cells) + row.end for row in self.rows)
         return f"{self._start}{''.join(lines)}".encode(self._encoding)
-
-    def _decoded(self, data: bytes) -> tuple[str, str]:
-        """The encoding and the text. What is in neither UTF-8 nor UTF-16 is taken for Latin-1, which
-        every byte fits."""
-        encoding = UTF_16.get(data[:2], "utf-8")
-        try:
-            return encoding, data.decode(encoding)
-        except UnicodeError as error:
-            if encoding != "utf-8":
-                raise UsageError(f"{self.name} is damaged: download it again") from error
-            return "latin-1", data.decode("latin-1")
-
-    def _find_delimiter(self, body: str) -> str:
-        """As Canvas finds it: whichever gives the first three rows the same, larger number of cells;
-        a comma if none does. Blackboard has tabs, too."""
-        counts = {}
-        for delimiter in (",", ";", "\t"):
-            numbers = {len(row.cells) for row in islice(self._rows(body, delimiter), 3)}
-            counts[delimiter] = max(numbers) if len(numbers) == 1 and max(numbers) > 1 else 0
-        return max(counts, key=lambda delimiter: counts[delimiter])
 
     def _rows(self, body: str, delimiter: str) -> Iterator[Row]:
         """Joins the lines of each record, whose cells may hold line ends within quotes."""
