@@ -9,7 +9,7 @@ from bounce_grader.common.escaping import json_document
 from bounce_grader.common.files import write_whole
 from bounce_grader.formats import terminal
 from bounce_grader.grading.grade import grade, Options
-from bounce_grader.grading.record import with_answers
+from bounce_grader.grading.record import for_readers
 from bounce_grader.sandbox.box import kinds
 
 
@@ -20,15 +20,14 @@ def run(options: argparse.Namespace) -> int:
     if not folder.is_dir():
         raise UsageError(f"{options.json} can't be written: there is no folder {folder}")
     acceptable = (options.require_box,) if options.require_box else kinds(options.trust_submission)
-    wanted = Options(acceptable, options.speed, not options.no_sanitize, answers=options.reveal)
+    wanted = Options(acceptable, options.speed, not options.no_sanitize)
     try:
-        record = grade(options.submission, wanted)
+        record = for_readers(grade(options.submission, wanted), options.reveal)
     except UsageError as error:
         refused = formats.refused(options.format, str(error))
         if refused:
             print(refused)
         raise
-    record = with_answers(record) if options.reveal else record
     text = json_document(record, indent=1)
     if options.json == "-":
         print(text)

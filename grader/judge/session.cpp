@@ -53,8 +53,8 @@ Frame reply_to(const Frame& callback) {
 std::string thrown_text(const Frame& answer) {
   const std::string text = frames::text(answer);
   const bool cut = text.size() == sizeof answer.text - 1;
-  return (text == frames::kNoException ? "" : "an exception: ") +
-         one_line(text, sizeof answer.text) + (cut ? "..." : "");
+  if (text == frames::kNoException) return text;
+  return "an exception: \"" + one_line(text, sizeof answer.text) + (cut ? "...\"" : "\"");
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
 """Writes files atomically, and removes temporary ones that a killed process left."""
 
-import fcntl
 import hashlib
 import io
 import json
@@ -9,8 +8,8 @@ import shutil
 import stat
 import tempfile
 import time
-from collections.abc import Iterator, Mapping
-from contextlib import contextmanager, suppress
+from collections.abc import Mapping
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -18,7 +17,7 @@ from bounce_grader.common.errors import UsageError
 from bounce_grader.common.paths import WORK_FOLDER
 
 BOX_FOLDER = "bounce-box-"  # prefix of those of a reduced box, as in grader/box/enter.cpp
-ABANDONED = 3600.0  # seconds after which a temporary file counts as abandoned
+ABANDONED = 3600.0  # s, after which a temporary file counts as that; a grading takes two minutes
 
 
 def write_whole(path: Path, data: str | bytes, durable: bool = False, mode: int = 0o666) -> None:
@@ -94,54 +93,19 @@ def fitting(name: str, limit: int = 200) -> str:
     return f"{whole[: limit - 9].decode(errors='ignore')}-{digits}"
 
 
-@contextmanager
-def temporary_folder(prefix: str) -> Iterator[Path]:
-    """A temporary folder that other users can't enter. It is locked while this process lives, so
-    that remove_unlocked can tell what a killed process left."""
-    lock = -1
-    while lock < 0:
-        folder = Path(tempfile.mkdtemp(prefix=prefix))
-        lock = _lock(folder)
-    try:
-        yield folder
-    finally:
-        shutil.rmtree(folder, ignore_errors=True)
-        os.close(lock)
+def temporary_folder() -> tempfile.TemporaryDirectory[str]:
+    """The folder of a grading, which other users can't enter."""
+    return tempfile.TemporaryDirectory(prefix=WORK_FOLDER, ignore_cleanup_errors=True)
 
 
-def _lock(folder: Path) -> int:
-    """Locks a folder; -1 if another process has locked or removed it."""
-    handle = -1
-    try:
-        handle = os.open(folder, os.O_RDONLY | os.O_DIRECTORY | os.O_NOFOLLOW)
-        fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        if os.path.samestat(os.fstat(handle), folder.lstat()):
-            return handle
-    except OSError:
-        pass
-    if handle >= 0:
-        os.close(handle)
-    return -1
-
-
-def remove_unlocked() -> None:
-    """Removes the temporary folders of gradings that were killed. Those of running ones are
-    locked."""
-    for left in Path(tempfile.gettempdir()).glob(f"{WORK_FOLDER}*"):
-        lock = _lock(left)
-        if lock >= 0:
-            shutil.rmtree(left, ignore_errors=True)
-            os.close(lock)
-
-
-def remove_abandoned(folder: Path) -> None:
-    """Removes what killed writers and gradings left behind. Other gradings may be running, and may
-    remove their own files at the same time."""
-    remove_unlocked()
-    boxes = Path(tempfile.gettempdir()).glob(f"{BOX_FOLDER}*")
-    for left in [*folder.rglob(".*.part"), *boxes]:
+def remove_abandoned(folder: Path | None = None) -> None:
+    """Removes what killed gradings left among the temporary files, and killed writers in a folder.
+    Other gradings may be running, and may remove their own files at the same time."""
+    temporary = Path(tempfile.gettempdir())
+    found = [*temporary.glob(f"{WORK_FOLDER}*"), *temporary.glob(f"{BOX_FOLDER}*")]
+    for left in [*found, *(folder.rglob(".*.part") if folder else [])]:
         with suppress(OSError):
-            if time.time() - left.stat().st_mtime <= ABANDONED:
+            if time.time() - left.lstat().st_mtime <= ABANDONED:
                 continue
             if left.is_dir():
                 shutil.rmtree(left, ignore_errors=True)

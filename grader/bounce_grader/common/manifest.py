@@ -2,6 +2,7 @@
 
 import json
 import math
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from functools import cache
 from typing import Any, NamedTuple
@@ -10,7 +11,6 @@ from bounce_grader.common.errors import UsageError
 from bounce_grader.common.paths import ROOT
 
 NAME = "grader/parts.json"
-FIELDS = {"part": int, "stem": str, "title": str, "function": str, "checks": list}
 
 
 class Check(NamedTuple):
@@ -41,37 +41,30 @@ class Part(NamedTuple):
 def parts() -> tuple[Part, ...]:
     """Raises UsageError if the manifest isn't valid."""
     try:
-        found = json.loads((ROOT / NAME).read_text("utf-8"))["parts"]
-    except (OSError, ValueError, KeyError, TypeError) as error:
-        raise UsageError(f"{NAME} can't be read as JSON with a list of parts: {error}") from error
+        found = tuple(map(_part, json.loads((ROOT / NAME).read_text("utf-8"))["parts"]))
+    except (OSError, ValueError) as error:
+        raise UsageError(f"{NAME} can't be read as JSON: {error}") from error
+    except (KeyError, TypeError) as error:
+        raise UsageError(f"{NAME} lacks something, or has it in another form: {error}") from error
     for problem in _problems(found):
         raise UsageError(f"{NAME}: {problem}")
-    return tuple(
-        Part(
-            number=part["part"],
-            stem=part["stem"],
-            title=part["title"],
-            function=part["function"],
-            points=part["points"],
-            checks=tuple(Check(**check) for check in part["checks"]),
-            calls=tuple(part.get("calls", ())),
-        )
-        for part in found
+    return found
+
+
+def _part(written: dict[str, Any]) -> Part:
+    return Part(
+        number=written["part"],
+        stem=written["stem"],
+        title=written["title"],
+        function=written["function"],
+        points=written["points"],
+        checks=tuple(Check(**check) for check in written["checks"]),
+        calls=tuple(written.get("calls", ())),
     )
 
 
-@cache
-def example_points() -> float:
-    """What the cases give that students hand in; 0 unless the manifest says otherwise."""
-    parts()  # which finds a manifest that isn't valid
-    points = json.loads((ROOT / NAME).read_text("utf-8")).get("examples", 0)
-    if not _is_points(points):
-        raise UsageError(f"{NAME}: examples has to be a number of points that isn't negative")
-    return float(points)
-
-
 def full_points() -> float:
-    return sum(part.points for part in parts()) + example_points()
+    return sum(part.points for part in parts())
 
 
 def named_together(numbers: Sequence[int]) -> str:
@@ -87,36 +80,23 @@ def part_of(name: str) -> Part:
     return next(part for part in parts() if name.startswith(f"part{part.number}_"))
 
 
-def _problems(found: Any) -> Iterator[str]:
-    """What is wrong with the list of parts. Only the first counts: the others rely on it."""
-    if not isinstance(found, list) or not found:
-        yield "it lists no parts"
-    ids: list[str] = []
+def _problems(found: tuple[Part, ...]) -> Iterator[str]:
+    """What is wrong with the parts. Only the first counts."""
     for number, part in enumerate(found, 1):
-        if not isinstance(part, dict) or part.get("part") != number:
+        if part.number != number:
             yield f"entry {number} isn't part {number}: number the parts 1, 2, 3 and so on, in order"
-        for field, kind in FIELDS.items():
-            if not isinstance(part.get(field), kind):
-                yield f"part {number} lacks its {field!r}, or has another kind of value there"
-        if not _is_points(part.get("points")):
-            yield f"the points of part {number} have to be a number that isn't negative"
-        for check in part["checks"]:
-            if not isinstance(check, dict) or check.keys() != set(Check._fields):
-                yield f"each check of part {number} has to have an id, a title and points"
-            if not _is_points(check["points"]):
-                yield f"the points of {check['id']} have to be a number that isn't negative"
-            if check["id"] in ids:
-                yield f"the check {check['id']} is there twice: keep one"
-            ids.append(check["id"])
-        total = sum(check["points"] for check in part["checks"])
-        if not math.isclose(total, part["points"], abs_tol=1e-9):
+        given = {f"part {number}": part.points} | {c.id: c.points for c in part.checks}
+        for what, points in given.items():
+            if type(points) not in (int, float) or not 0 <= points < math.inf:
+                yield f"the points of {what} have to be a number that isn't negative"
+        total = sum(check.points for check in part.checks)
+        if not math.isclose(total, part.points, abs_tol=1e-9):
             yield (
-                f"part {number} gives {part['points']:g} points, and its checks {total:g} "
+                f"part {number} gives {part.points:g} points, and its checks {total:g} "
                 "together: make them equal"
             )
-    if not sum(part["points"] for part in found):
+    for id, times in Counter(check.id for part in found for check in part.checks).items():
+        if times > 1:
+            yield f"the check {id} is there {times} times: keep one"
+    if not sum(part.points for part in found):
         yield "all checks together give no points"
-
-
-def _is_points(points: Any) -> bool:
-    return type(points) in (int, float) and 0 <= points < math.inf

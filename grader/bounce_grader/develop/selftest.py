@@ -5,10 +5,8 @@ import os
 import subprocess
 import sys
 import time
-from typing import NamedTuple
 
 from bounce_grader.common.errors import UsageError
-from bounce_grader.common.parallel_map import parallel_map
 from bounce_grader.common.paths import BUILD, ROOT
 from bounce_grader.grading.fixtures import hidden_folder
 
@@ -22,42 +20,19 @@ WORKERS = CORES + 2  # much of the tests' time is waiting
 PYTEST = [sys.executable, "-m", "pytest", "-q", "-n", str(WORKERS)]
 
 
-class Step(NamedTuple):
-    """One step of ./kit test: commands one after the other, until one fails."""
-
-    name: str
-    commands: list[Command]
-    is_long: bool = False  # whether only a long run has it
-    all_cores: bool = False  # whether it uses all cores all the time
-    quiet: bool = True  # prints only what a command says that fails
-
-    def passes(self) -> bool:
-        return all(_run(command, self.quiet) == 0 for command in self.commands)
-
-
 def run(options: argparse.Namespace) -> int:
-    """Runs the steps: several at a time, and then, one by one, those that use all cores all the time.
-    Returns the exit status."""
-    is_long = options.long
+    """Runs the steps, one after the other. Returns the exit status."""
     if options.accept:
         return _accept()
     hidden_folder()  # so that the oracle finds the hidden ones too
-    steps = [step for step in _steps(is_long) if is_long or not step.is_long]
-    ordered = sorted(steps, key=lambda step: step.all_cores)
-
-    def passes(step: Step) -> bool:
-        place = f"== {ordered.index(step) + 1} of {len(ordered)}, {step.name}"
-        print(f"{place} ...", flush=True)
+    steps = _steps(options.long)
+    failed = []
+    for number, (name, commands) in enumerate(steps.items(), 1):
+        print(f"== {number} of {len(steps)}, {name} ...", flush=True)
         start = time.monotonic()
-        passed = step.passes()
-        print(f"{place}: {time.monotonic() - start:.1f} s", flush=True)
-        return passed
-
-    together = [step for step in ordered if not step.all_cores]
-    passed = parallel_map(passes, together, WORKERS) + [
-        passes(step) for step in ordered[len(together) :]
-    ]
-    failed = [step.name for step, ok in zip(ordered, passed) if not ok]
+        if any(map(_run, commands)):  # until the first that fails
+            failed.append(name)
+        print(f"   {time.monotonic() - start:.1f} s", flush=True)
     if failed:
         print(f"failed: {', '.join(failed)}")
     return int(bool(failed))
@@ -68,13 +43,16 @@ def _accept() -> int:
     if os.environ.get("CI"):
         raise UsageError("--accept is for a person who reads the diff; in CI there is none")
     os.environ["BOUNCE_ACCEPT"] = "1"
-    status = _run([*PYTEST, "-m", "golden"], quiet=False)
+    status = _run([*PYTEST, "-m", "golden"])
     print("What is expected was written anew; read it: git diff tests/kit", flush=True)
     return status
 
 
-def _run(command: Command, quiet: bool) -> int:
+def _run(command: Command) -> int:
+    """Of the tests in Python, which take minutes, each is seen; of the others what one says that
+    fails."""
     environment = {**os.environ, "PYTHONPATH": str(ROOT / "grader")}
+    quiet = "pytest" not in command
     done = subprocess.run(
         command, cwd=ROOT, env=environment, capture_output=quiet, text=True, check=False
     )
@@ -83,36 +61,36 @@ def _run(command: Command, quiet: bool) -> int:
     return done.returncode
 
 
-def _steps(is_long: bool) -> list[Step]:
-    chosen = [] if is_long else ["-m", "not long"]
+def _steps(is_long: bool) -> dict[str, list[Command]]:
     cpp = [str(file) for folder in CPP for file in sorted((ROOT / folder).rglob("*.?pp"))]
     mypy = ["mypy", "--no-error-summary", "--cache-dir", str(BUILD / "mypy"), *PYTHON]
     sanitized = [["cmake", "--preset", "sanitize"], ["ninja", "-C", SANITIZED, "cpp_tests"]]
     build_fuzzers = ["ninja", "-C", str(FUZZERS), *(f"fuzz_{name}" for name in READERS)]
     fuzzed = [command for name in READERS for command in _fuzzed(f"fuzz_{name}")]
-    return [
-        Step(
-            "Python tests, the gallery among them",
-            [[*PYTEST, "--dist", "loadgroup", *chosen]],
-            quiet=False,
-        ),
-        Step("types: mypy", [mypy]),
-        Step("formatting: clang-format", [["clang-format", "--dry-run", "-Werror", *cpp]]),
-        Step("formatting: black", [["black", "-q", "--check", *PYTHON]]),
-        Step(
-            "answers of known mistakes are what the kit writes",
-            [[str(ROOT / "kit"), "fixtures", "--check"]],
-            is_long=True,  # builds each of them; that they are named is shown by the gallery
-        ),
-        Step("C++ tests", [_ctest(str(BUILD))]),
-        Step("lint: clang-tidy", _clang_tidy(is_long)),
-        Step("C++ tests with sanitizers", [*sanitized, _ctest(SANITIZED)], True, True),
-        Step(
-            "C++ readers with a million inputs each",
-            [["cmake", "--preset", "fuzz"], build_fuzzers, *fuzzed],
-            is_long=True,
-        ),
-    ]
+    usual = {
+        "types: mypy": [mypy],
+        "formatting: clang-format": [["clang-format", "--dry-run", "-Werror", *cpp]],
+        "formatting: black": [["black", "-q", "--check", *PYTHON]],
+        "C++ tests": [_ctest(str(BUILD))],
+        "Python tests, the gallery among them": [
+            [*PYTEST, "--dist", "loadgroup", *([] if is_long else ["-m", "not long"])]
+        ],
+        "lint: clang-tidy": _clang_tidy(is_long),
+    }
+    if not is_long:
+        return usual
+    return usual | {
+        # Builds each of them; that they are named is shown by the gallery.
+        "answers of known mistakes are what the kit writes": [
+            [str(ROOT / "kit"), "fixtures", "--check"]
+        ],
+        "C++ tests with sanitizers": [*sanitized, _ctest(SANITIZED)],
+        "C++ readers with a million inputs each": [
+            ["cmake", "--preset", "fuzz"],
+            build_fuzzers,
+            *fuzzed,
+        ],
+    }
 
 
 def _ctest(folder: str) -> Command:

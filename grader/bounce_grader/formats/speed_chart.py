@@ -28,7 +28,7 @@ Place = tuple[float, float]  # px, to the right and down
 
 
 class Drawing(str):
-    """Finished SVG or CSS, which a template inserts without escaping."""
+    """Finished SVG, CSS or HTML, which a template inserts without escaping."""
 
     def __html__(self) -> str:
         return self

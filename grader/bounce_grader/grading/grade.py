@@ -10,10 +10,10 @@ from typing import NamedTuple
 from bounce_grader.build import compiler, linking
 from bounce_grader.build.compile import compile_all, Objects
 from bounce_grader.common.errors import KitError
-from bounce_grader.common.files import remove_unlocked, temporary_folder
+from bounce_grader.common.files import remove_abandoned, temporary_folder
 from bounce_grader.common.manifest import parts, Part
 from bounce_grader.common.parallel_map import parallel_map
-from bounce_grader.common.paths import STUBS, WORK_FOLDER
+from bounce_grader.common.paths import STUBS
 from bounce_grader.grading import examples, fixtures, judging, record, sanitizing
 from bounce_grader.grading.judging import Judged
 from bounce_grader.grading.record import Record
@@ -30,22 +30,23 @@ class Options(NamedTuple):
     boxes: tuple[str, ...] = boxes.FULL_OR_REDUCED  # the acceptable kinds, best first
     speed: bool = False
     sanitize: bool = False  # run parts with all points with sanitizers, for remarks
-    jobs: int = 0  # 0: one per core
-    answers: bool = False  # keep the expected answers of hidden cases, for with_answers
+    jobs: int = 0  # 0: one per core, and no more than parts
     within: Budget | None = None  # the grading's budget; None: a new one from its start on
 
 
 def grade(given: Path | Submission, options: Options = Options()) -> Record:
     """Grades a submission, or a folder or zip that holds one. Raises UsageError if it can't be
-    read, KitError if the kit fails."""
+    read, KitError if the kit fails. The record has the answers of hidden cases, too, until
+    record.for_readers leaves them out."""
     start = time.monotonic()
     within = options.within or Budget()
     taken = given if isinstance(given, Submission) else submission.read(given)
     box = boxes.choose(options.boxes)._replace(budget=within)
     hidden = fixtures.hidden_folder()
-    remove_unlocked()
-    jobs = options.jobs or os.cpu_count() or 1
-    with temporary_folder(WORK_FOLDER) as work:
+    remove_abandoned()
+    jobs = options.jobs or min(os.cpu_count() or 1, len(parts()))
+    with temporary_folder() as name:
+        work = Path(name)
         box.give(work)
         grading = _Grading(taken, work, hidden, box, jobs)
         compiled = time.monotonic()
@@ -61,7 +62,7 @@ def grade(given: Path | Submission, options: Options = Options()) -> Record:
     end = time.monotonic()
     graded = record.whole(
         taken,
-        [*records, *(examples.part_records(cases) if cases else [])],
+        records,
         box.kind,
         {"compile": compiled - start, "run": end - compiled, "total": end - start},
         record.digest_of([fixtures.PUBLIC, hidden]),
@@ -69,7 +70,7 @@ def grade(given: Path | Submission, options: Options = Options()) -> Record:
     )
     if cases:
         graded["examples"] = cases
-    return graded if options.answers else record.without_answers(graded)
+    return graded
 
 
 class _Grading:
@@ -202,7 +203,8 @@ def _require_working_kit(box: Box) -> None:
     """Called if a submission scores 0: raises KitError unless a stub compiles and runs, so that a
     broken kit isn't taken for a bad submission."""
     taken = submission.read(STUBS)
-    with temporary_folder(WORK_FOLDER) as work:
+    with temporary_folder() as name:
+        work = Path(name)
         box.give(work)
         objects = compile_all(taken, work, box, 1)
         stub = objects.parts[1]

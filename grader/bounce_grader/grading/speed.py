@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 from bounce_grader.common.errors import KitError
 from bounce_grader.common.escaping import printable_text
-from bounce_grader.common.numbers import metres, seconds, two_digits
+from bounce_grader.common.numbers import metres, seconds
 from bounce_grader.common.paths import REFERENCE_RUNNER, SCENES, STOPWATCH
 from bounce_grader.grading import words
 from bounce_grader.sandbox import processes
@@ -113,24 +113,19 @@ def sentences(measured: Measured) -> list[str]:
 
 
 def _reached(mine: list[Point], solution: list[Point], least: list[Point]) -> str:
-    first, right, quick = (
+    first, quick = (
         next((p for p in curve if p.error is not None and p.error <= FINE), None)
-        for curve in (mine, solution, least)
+        for curve in (mine, least)
     )
     if first is None:
         last = mine[-1]
         far = "somewhere not finite" if last.error is None else f"off by {metres(last.error)}"
-        out = f"Your program doesn't get within 1 mm: at {step(last)} it is still {far}"
-        return out + (f"; the solution does at {step(right)}." if right else ".")
+        return f"Your program doesn't get within 1 mm: at {step(last)} it is still {far}."
     out = (
         f"Your program is within 1 mm of the exact motion from {step(first)} on, and then "
         f"takes {seconds(first.ns)} for a second of motion"
     )
-    at_same = next((p for p in solution if p.dt == first.dt), None)
-    if at_same:
-        ratio = first.ns / at_same.ns
-        times = f"{two_digits(ratio)} times the solution's time"
-        out += f", {'about as long as the solution' if 0.9 < ratio < 1.1 else times}"
+    out += "".join(f"; the solution {seconds(p.ns)}" for p in solution if p.dt == first.dt)
     if quick:
         out += f"; no more model than each step needs does that in {seconds(quick.ns)}"
     return out + "."

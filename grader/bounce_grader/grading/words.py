@@ -40,8 +40,9 @@ ENDINGS = {
     "not asked as it hung": "nothing was asked here: the part hung before, and its time is used up",
     "not asked for want of time": "nothing was asked here: the time for this part, or for the whole "
     "grading, is used up",
-    "call": "the program asked the system for what it isn't given: the system call {call}",
+    "call": "the program asked the system for what it isn't given: {call}",
 }
+STARTS_A_PROCESS = ("clone", "fork", "vfork")  # a thread is allowed, and asks clone otherwise
 # How a signal ended it, and what the program reported of the cause (grader/runner/crash.hpp).
 SIGNALS = {
     "SIGSEGV": "crashed with a segmentation fault: so early that it couldn't say where; global "
@@ -124,7 +125,8 @@ def ending(ended: Facts) -> str:
     if what in ("signal", "sanitizer"):
         return f"the program {_by_signal(number, text)}"
     came = "only a part of an answer came" if text else "no answer came"
-    return ENDINGS[what].format(text=text, number=number, came=came, call=text or number)
+    call = "to start a process" if text in STARTS_A_PROCESS else f"the system call {text or number}"
+    return ENDINGS[what].format(text=text, number=number, came=came, call=call)
 
 
 def failed_assertion(text: str) -> tuple[str, str] | None:
@@ -148,7 +150,7 @@ def _aborted(text: str) -> str:
         kind = rest.partition("\n")[0].partition("'")[0]
         _, said, what = rest.rpartition("  what():  ")
         what = what.partition("\n")[0] if said else ""
-        return f"{THREW}: {_line(kind)}" + (f": {_line(what)}" if what else "")
+        return f"{THREW}: {_line(kind)}" + (f', "{_line(what)}"' if what else "")
     last = _line(text.rstrip("\n").rpartition("\n")[2])
     return f"{OVERWROTE} ({last})" if OF_MEMORY.search(last) else ABORTED
 
@@ -217,19 +219,4 @@ def _matrix(rows: Rows, indent: int, right: list[list[bool]] | None = None) -> s
 
 
 def _number(x: float | str) -> str:
-    return x if isinstance(x, str) else f"{x:.12g}"
-
-
-def shown(failure: Facts, revealed: bool = False) -> Facts:
-    """The failed case in numbers, for whoever reads the record; of a hidden case, nothing that tells
-    the answer unless it is revealed."""
-    fields = ("name", "input", "sentence", "quantities", "contact")
-    case = {name: failure[name] for name in fields if failure.get(name) not in (None, "")}
-    case.setdefault("sentence", "")
-    if failure["hidden"] and not revealed:
-        case.pop("contact", None)
-        case["quantities"] = [
-            {name: value for name, value in quantity.items() if name != "expected"}
-            for quantity in failure["quantities"]
-        ]
-    return case
+    return x if isinstance(x, str) else f"{x + 0.0:.12g}"  # and no -0

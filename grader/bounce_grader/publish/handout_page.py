@@ -6,11 +6,11 @@ from html import escape
 from pathlib import Path
 from typing import Any
 
-from bounce_grader.common.manifest import parts
+from bounce_grader.common.manifest import full_points, parts
+from bounce_grader.formats.html import fill
+from bounce_grader.formats.speed_chart import Drawing
 from bounce_grader.publish import equations
 
-NUMBER = r"\d+(?:\.\d+)?"
-STYLE = Path(__file__).with_suffix(".css")
 
 
 def page(file: Path) -> bytes:
@@ -21,7 +21,7 @@ def page(file: Path) -> bytes:
     markdown.add_render_rule("fence", _fence)
     markdown.add_render_rule("code_block", _code)
     markdown.add_render_rule("text", _text)
-    markdown.add_render_rule("table_open", lambda *_: '<div class="wide" tabindex="0"><table>\n')
+    markdown.add_render_rule("table_open", lambda *_: '<div class="table" tabindex="0"><table>\n')
     markdown.add_render_rule("table_close", lambda *_: "</table></div>\n")
     tokens = markdown.parse(with_points(file.read_text("utf-8")))
     _number_headings(tokens)
@@ -37,12 +37,7 @@ def page(file: Path) -> bytes:
         body = re.sub(r"<p>Checks: .*?</p>", "", body, flags=re.DOTALL)
         stage = r"<h3[^>]*>(.*?)</h3>(.*?)(?=<h[23]|$)"
         body = re.sub(stage, r"<details><summary>\1</summary>\2</details>", body, flags=re.DOTALL)
-    return (
-        f'<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
-        f'<meta name="viewport" content="width=device-width, initial-scale=1">\n'
-        f"<title>{escape(title)}</title>\n<style>\n{STYLE.read_text()}</style>\n</head>\n"
-        f"<body>\n<main>\n{body}</main>\n</body>\n</html>\n"
-    ).encode()
+    return fill("publish/handout_page.html.j2", title=title, body=Drawing(body)).encode()
 
 
 def _drawing(file: Path) -> str:
@@ -74,15 +69,8 @@ def _fence(self: Any, tokens: list[Any], index: int, *_: Any) -> str:
 
 
 def with_points(text: str) -> str:
-    """The text with the points of each part and their sum, wherever the handout or a header says
-    them: "Part 2 (30 points)", the table of parts, "worth 100 points", "30, 30, 30 and 10
-    points"."""
-    points = [f"{part.points:g}" for part in parts()]
+    """The text with the points of each part and their sum, where the handout says them: in the table
+    of parts, and in "worth 100 points"."""
     for part in parts():
-        own = rf"\g<1>{part.points:g}\g<2>"
-        text = re.sub(rf"(\bPart {part.number}\b[^\n(]*\(){NUMBER}( points\))", own, text)
-        text = re.sub(rf"(?m)^(\| {part.number} \|.*\| ){NUMBER}( \|)$", own, text)
-    total = f"{sum(part.points for part in parts()):g}"
-    text = re.sub(rf"(\bworth ){NUMBER}( points)", rf"\g<1>{total}\g<2>", text)
-    listed = f"{', '.join(points[:-1])} and {points[-1]}"
-    return re.sub(rf"(?:{NUMBER}, )+{NUMBER} and {NUMBER}( points)", rf"{listed}\g<1>", text)
+        text = re.sub(rf"(?m)^(\| {part.number} \|.*\| ).* \|$", rf"\g<1>{part.points:g} |", text)
+    return re.sub(r"\bworth \S+ points", f"worth {full_points():g} points", text)

@@ -54,10 +54,10 @@ class Box(NamedTuple):
     ) -> processes.Result:
         """Runs a command that to_run, to_run_sanitized or to_build made, or a program that runs
         such commands itself. Raises Overrun if the grading has used up its time."""
-        with self.budget.within(limits) as lower:
-            result = processes.run(command, lower, stdin=stdin, cwd=cwd, output=output)
-            if result.stopped:
-                self.budget.charge(result.cpu_seconds)
+        lower = self.budget.within(limits)
+        result = processes.run(command, lower, stdin=stdin, cwd=cwd, output=output)
+        if result.stopped:
+            self.budget.charge(result.cpu_seconds)
         if not result.ok:
             self.budget.require_time()
         return result

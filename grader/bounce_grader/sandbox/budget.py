@@ -3,16 +3,12 @@ judges together."""
 
 import resource
 import time
-from collections.abc import Iterator
-from contextlib import contextmanager
-from threading import Condition
 
 from bounce_grader.common.errors import KitError
 from bounce_grader.sandbox.processes import Limits
 
 CPU_SECONDS = 60.0
 WALL_SECONDS = 120.0
-SPARE = 5  # CPU seconds that a process may get less than it asks for, rather than wait
 
 
 class Overrun(Exception):
@@ -35,9 +31,6 @@ class Budget:
         self._limits = cpu_seconds, wall_seconds
         self._cpu_end = _cpu() + cpu_seconds
         self._wall_end = time.monotonic() + wall_seconds
-        # CPU seconds that the processes may use that run now.
-        self._taken: list[int] = part_of._taken if part_of else []
-        self._given_back: Condition = part_of._given_back if part_of else Condition()
 
     def charge(self, cpu_seconds: float) -> None:
         """Adds CPU time that the system doesn't count as our children's: that of processes which
@@ -77,30 +70,15 @@ class Budget:
                 "time: the machine was too busy, or it was stopped; run the same command again"
             )
 
-    @contextmanager
-    def within(self, limits: Limits) -> Iterator[Limits]:
-        """Yields these limits, or lower ones if less is left, for a process that runs while this
-        context lasts. What runs beside it shares the CPU time: each takes as much as it may need,
-        and waits for it if the others have it. Raises Overrun if nothing is left."""
-        with self._given_back:
-            least = limits.cpu_seconds - SPARE
-            self._given_back.wait_for(lambda: not self._taken or self._free() >= least)
-            taken = int(max(1, min(limits.cpu_seconds, self._free() + 1)))
-            self._taken.append(taken)
-        try:
-            self.require_time()
-            cpu, wall = self.left()
-            yield limits._replace(
-                cpu_seconds=int(min(taken, cpu + 1)),
-                wall_seconds=min(limits.wall_seconds, wall + 0.01),
-            )
-        finally:
-            with self._given_back:
-                self._taken.remove(taken)
-                self._given_back.notify_all()
-
-    def _free(self) -> float:
-        return self.left()[0] - sum(self._taken)
+    def within(self, limits: Limits) -> Limits:
+        """These limits, or lower ones if less is left. Processes that run side by side may each use
+        what is left. Raises Overrun if nothing is."""
+        self.require_time()
+        cpu, wall = self.left()
+        return limits._replace(
+            cpu_seconds=int(min(limits.cpu_seconds, cpu + 1)),
+            wall_seconds=min(limits.wall_seconds, wall + 0.01),
+        )
 
 
 def _cpu() -> float:

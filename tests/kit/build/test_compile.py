@@ -11,7 +11,7 @@ import pytest
 from bounce_grader.build import compile as compiling, compiler, linking, object_cache
 from bounce_grader.common.errors import KitError
 from bounce_grader.common.files import temporary_folder
-from bounce_grader.common.paths import CONTRACT, RUNNER, WORK_FOLDER
+from bounce_grader.common.paths import CONTRACT, RUNNER
 from bounce_grader.grading.grade import grade as grade_path
 from bounce_grader.sandbox import processes
 from bounce_grader.sandbox.box import Box
@@ -50,8 +50,8 @@ def test_what_was_compiled_without_a_box_is_not_taken_in_one(tmp_path: Path) -> 
     taken = read(write(tmp_path / "s", {"part1_contacts.cpp": seeing}))
     compiled = []
     for kind in ("none", "full"):
-        with temporary_folder(WORK_FOLDER) as work:
-            Box(kind).give(work)
+        with temporary_folder() as name:
+            Box(kind).give(work := Path(name))
             compiled += [bool(compiling.compile_all(taken, work, Box(kind), 1).parts[1].path)]
     assert compiled == [True, False]
 
@@ -192,7 +192,8 @@ def test_the_signal_that_ends_what_gcc_starts_is_known_from_within_each_box(
     )
     endless = ("-fconstexpr-ops-limit=2000000000000", "-fconstexpr-loop-limit=2000000000")
     box, slow = Box(kind), read(write(tmp_path, {"part1_contacts.cpp": text}))
-    with temporary_folder(WORK_FOLDER) as work:
+    with temporary_folder() as name:
+        work = Path(name)
         slow.write_to(work)
         box.give(work)
         gcc = compiler.gcc("part1_contacts.cpp", slow, box, flags=endless)

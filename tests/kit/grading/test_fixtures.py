@@ -3,14 +3,14 @@ each of them gets wrong what should be."""
 
 import json
 import math
+import shutil
 from pathlib import Path
 from typing import Any
 
 import pytest
 from bounce_grader.common.manifest import parts
 from bounce_grader.grading import fixtures
-from bounce_grader.grading.examples import TABLE
-from bounce_grader.publish import fixtures as published, wrong_programs
+from bounce_grader.publish import fixtures as published
 
 SECRETS = ["a", "correct horse", "ü" * 200, ""]
 Files = dict[str, bytes]
@@ -74,12 +74,12 @@ def test_what_is_often_wrong_gets_a_case_wrong(hidden: list[Path]) -> None:
 
 
 def test_the_committed_ones_are_what_the_kit_writes_and_a_byte_of_difference_is_noticed(
-    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+    tmp_path: Path,
 ) -> None:
-    assert not published.differing() and TABLE.read_text() == wrong_programs.table()
-    fixtures.write("public", tmp_path)
-    file = tmp_path / "part2_lcp.json"
+    published.write_cases(tmp_path)
+    shutil.copytree(fixtures.PUBLIC / "mistakes", tmp_path / "public" / "mistakes")
+    assert not published.differing(tmp_path)
+    file = tmp_path / "public" / "part2_lcp.json"
     file.write_bytes(file.read_bytes().replace(b"0", b"1", 1))
-    (tmp_path / "part5.json").write_text("{}")
-    monkeypatch.setattr(published, "PUBLIC", tmp_path)
-    assert published.differing() == ["public/part2_lcp.json", "public/part5.json"]
+    (tmp_path / "public" / "part5.json").write_text("{}")
+    assert published.differing(tmp_path) == ["public/part2_lcp.json", "public/part5.json"]

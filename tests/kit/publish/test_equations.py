@@ -53,7 +53,7 @@ def test_what_is_no_equation_is_refused_and_a_sentence_keeps_its_words() -> None
 
 def test_the_page_holds_each_equation_and_needs_no_other_file() -> None:
     assert re.findall(r'<span id="eq(\d+)">', PAGE) == [str(n) for n in range(1, 16)]
-    assert "prefers-color-scheme: dark" in PAGE and "@media print" in PAGE
+    assert "prefers-color-scheme:dark" in PAGE and "@media print" in PAGE
     assert not re.search(r"(src|xlink:href)=|url\(|@import|<link|<script", PAGE)
     blocks = re.findall(r"<pre.*?</pre>", PAGE, re.S)
     assert not [block for block in blocks if re.search(r"   \(\d+\)$", block, re.M)]

@@ -1,20 +1,16 @@
 """The budget of a whole grading, and what happens to the remaining parts."""
 
 import resource
-import time
 from pathlib import Path
-from threading import Lock
 from typing import Any
 
 import hostile
 import pytest
 from bounce_grader.common.errors import KitError
 from bounce_grader.common.manifest import parts
-from bounce_grader.common.parallel_map import parallel_map
 from bounce_grader.grading import judging
 from bounce_grader.grading.grade import grade as grade_path, Options
 from bounce_grader.sandbox.budget import Budget, Overrun
-from bounce_grader.sandbox.processes import Limits
 from conftest import SOLUTION, Grade, points, write
 
 
@@ -30,23 +26,6 @@ def test_time_that_the_machine_takes_costs_nobody_points() -> None:
         Budget(100, 0).require_time()
     with pytest.raises(KitError, match="had 0 s of CPU time"):
         grade_path(SOLUTION, Options(within=Budget(60, 0)))
-
-
-def test_processes_side_by_side_may_not_use_the_rest_each() -> None:
-    """Twelve at once of which each would use 10 s: they wait for one another."""
-    mine, most, running, lock = Budget(30, 100), [0], [0], Lock()
-
-    def one(_: int) -> None:
-        with mine.within(Limits(10, 60, memory=None, file_size=0)) as limits:
-            with lock:
-                running[0] += limits.cpu_seconds
-                most[0] = max(most[0], running[0])
-            time.sleep(0.01)
-            with lock:
-                running[0] -= limits.cpu_seconds
-
-    parallel_map(one, range(12), 12)
-    assert 20 <= most[0] <= 31 and running[0] == 0
 
 
 def test_points_earned_stay_when_the_time_is_up(

@@ -40,7 +40,6 @@ def grade_submission(taken: Submission, task: Task, within: Budget) -> Record:
         task.speed,
         sanitize=task.stamp.sanitize,
         jobs=1,
-        answers=True,
         within=within,
     )
     return grade(taken, wanted)

@@ -10,7 +10,7 @@ from bounce_grader.classroom.intake import canvas
 from bounce_grader.common.errors import about_one_submission, UsageError
 from bounce_grader.common.files import write_whole, zipped
 from bounce_grader.formats import html
-from bounce_grader.grading.record import with_answers, without_answers
+from bounce_grader.grading.record import for_readers
 
 MODE = 0o644  # of pages in a zip
 
@@ -36,7 +36,7 @@ def write(out: Path, summaries: Sequence[Summary], reveal: bool) -> list[str]:
 def _page(summary: Summary, reveal: bool) -> str:
     if not summary.record:
         return html.refused(summary.message)
-    record = (with_answers if reveal else without_answers)(summary.record)
+    record = for_readers(summary.record, reveal)
     student = summary.student
     in_the_end = summary.finals if summary.is_adjusted else ()
     return html.render(record, student.shown, student.unused, in_the_end)
