@@ -39,33 +39,19 @@ def add(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     from bounce_grader.classroom.run import run as grade_class
 
+    given, canvas, book = options.submissions, options.canvas, options.gradebook
+    out, column, jobs = options.out.resolve(), options.column, options.jobs
+    inside = given and given.resolve() in (out, *out.parents)
     for wrong, sentence in (
-        (
-            options.jobs is not None and options.jobs < 1,
-            f"--jobs takes a number of gradings, not {options.jobs}",
-        ),
-        (
-            bool(options.canvas) == bool(options.submissions),
-            "give either the submissions or --canvas COURSE/ASSIGNMENT",
-        ),
-        (
-            options.submissions
-            and options.submissions.resolve()
-            in (options.out.resolve(), *options.out.resolve().parents),
-            f"{options.out} is among the submissions: give a folder elsewhere by --out",
-        ),
+        (jobs is not None and jobs < 1, f"--jobs takes 1 or more, not {jobs}"),
+        (bool(canvas) == bool(given), "give either the submissions or --canvas COURSE/ASSIGNMENT"),
+        (inside, f"{options.out} is among the submissions: give a folder elsewhere by --out"),
         (options.out.is_file(), f"{options.out} is a file: give a folder by --out"),
-        (
-            options.column and not options.gradebook,
-            "--column names a column of a grade book: give that by --gradebook",
-        ),
-        (options.upload and not options.canvas, "--upload needs --canvas COURSE/ASSIGNMENT"),
-        (
-            options.canvas and options.gradebook,
-            "--canvas posts the points by itself: leave --gradebook out",
-        ),
+        (column and not book, "--column is of a grade book: give that by --gradebook"),
+        (options.upload and not canvas, "--upload needs --canvas COURSE/ASSIGNMENT"),
+        (canvas and book, "--canvas posts the points by itself: leave --gradebook out"),
     ):
         if wrong:
             raise UsageError(sentence)
-    options.out, options.jobs = options.out.absolute(), options.jobs or 0
+    options.out, options.jobs = options.out.absolute(), jobs or 0
     return grade_class(options)

@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 from bounce_grader.classroom.grading import grading, near_copies, results, unit
 from bounce_grader.classroom.intake import canvas_api, instructor_files, students
 from bounce_grader.classroom.intake.canvas_api import Canvas
-from bounce_grader.classroom.intake.instructor_files import Course, ROSTER
+from bounce_grader.classroom.intake.instructor_files import Course
 from bounce_grader.classroom.intake.people import People
 from bounce_grader.classroom.intake.student import Class, Student
 from bounce_grader.classroom.output import canvas_upload, feedback, final, gradebook_files
@@ -49,18 +49,13 @@ def run(options: Options) -> int:
             remove_abandoned(options.out)
             return _run(options, given)
     except KeyboardInterrupt:
-        print(
-            "kit: stopped; what is graded is kept. Run the same command again to go on.",
-            file=sys.stderr,
-        )
+        print("kit: stopped; the same command goes on from here", file=sys.stderr)
         return 130
     except OSError as error:
         if error.errno != errno.ENOSPC:
             raise
-        raise KitError(
-            f"the disk with {options.out} or with the temporary files is full: make room, and run "
-            "the same command again. What is graded is kept"
-        ) from error
+        where = f"the disk with {options.out} or with the temporary files"
+        raise KitError(f"{where} is full: make room, and run the same command again") from error
 
 
 def _read(options: Options) -> Given:
@@ -142,9 +137,7 @@ def _locked(out: Path) -> Iterator[None]:
         try:
             fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError as error:
-            raise UsageError(
-                f"another run is under way in {out}: wait for it, or stop it"
-            ) from error
+            raise UsageError(f"another run is under way in {out}: wait for it") from error
         yield
 
 

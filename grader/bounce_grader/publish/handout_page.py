@@ -12,7 +12,6 @@ from bounce_grader.formats.speed_chart import Drawing
 from bounce_grader.publish import equations
 
 
-
 def page(file: Path) -> bytes:
     """The page of a Markdown file. The pictures that it shows lie beside it, as SVG."""
     from markdown_it import MarkdownIt

@@ -7,13 +7,10 @@ import subprocess
 import time
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
 
 import pytest
 from bounce_grader.classroom.grading import results
-from bounce_grader.classroom.intake import students
 from classes import COLUMN, book, download, graded, points_of, same, scores
-from conftest import write
 from stand_in import grade_class, started
 from waiting import wait_for
 
@@ -37,7 +34,7 @@ def test_ctrl_c_stops_and_says_how_to_go_on(
         _, said = process.communicate(timeout=30)
         assert not list(own.glob("bounce-*"))
     assert process.returncode != 0
-    assert "what is graded is kept. Run the same command again to go on." in said
+    assert "kit: stopped; the same command goes on from here" in said
     assert out.stat().st_mode & 0o077 == 0  # it holds points and answers
     there = results.keys(out / "results")
     assert 2 <= len(there) < 10
@@ -89,16 +86,6 @@ def test_a_grading_that_kills_its_worker_costs_nobody_else(
     assert not any("roe" in page.name for page in (out / "feedback").iterdir())
 
 
-def test_a_broken_result_is_graded_again(tmp_path: Path, users: list[int]) -> None:
-    source, out = download(tmp_path / "x.zip", users), tmp_path / "out"
-    grade_class(source, out)
-    torn, empty, *_ = sorted(f for f in (out / "results").iterdir() if f.name != "set.json")
-    torn.write_bytes(torn.read_bytes()[:100])
-    empty.write_bytes(b"")
-    grade_class(source, out)
-    assert scores(out) == points_of(users)
-
-
 @pytest.fixture
 def small_disk(tmp_path: Path) -> Iterator[Path]:
     """A file system of half a megabyte."""
@@ -132,45 +119,3 @@ def test_a_full_disk_loses_nothing(
     assert grade_class(source, out) == 0
     assert scores(out) == points_of(users)
     assert len(graded(out)) == 10
-
-
-# --- which results are kept ---
-
-
-def test_a_result_is_named_by_all_that_it_follows_from(tmp_path: Path) -> None:
-    stamp = results.Stamp("kit", "fixtures")
-    others: list[dict[str, Any]] = [
-        {"kit": "2"},
-        {"fixtures": "2"},
-        {"trust": True},
-        {"sanitize": True},
-    ]
-    stamps = [stamp, *(stamp._replace(**other) for other in others)]
-    keys = set()
-    for text in (b"// x", b"// y", b"// x"):
-        write(tmp_path, {"all/anna/part2_lcp.cpp": text})
-        (student,) = students.read(tmp_path / "all").students
-        keys |= {results.task_of(student, one, tmp_path, False).key for one in stamps}
-    assert len(keys) == 10
-
-
-PACKAGE = "grader/bounce_grader"
-MAKES_RESULTS = [f"{PACKAGE}/grading/judging.py", f"{PACKAGE}/classroom/grading/unit.py"]
-MAKES_RESULTS += ["grader/runner/prelude.hpp", "grader/parts.json", "tests/parts/cases.cpp"]
-SHOWS_RESULTS = [f"{PACKAGE}/formats/html.py", "tests/kit/judge/judge_test.cpp"]
-
-
-def test_another_kit_is_known_wherever_it_lies(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """Even in a folder with the name of one of the kit's own."""
-    root = tmp_path / "classroom" / "formats"
-    monkeypatch.setattr(results, "ROOT", root)
-    write(root, dict.fromkeys([*MAKES_RESULTS, *SHOWS_RESULTS], b"0"))
-    before = results._kit_digest()
-    write(root, dict.fromkeys(SHOWS_RESULTS, b"changed"))
-    assert results._kit_digest() == before
-    for name in MAKES_RESULTS:
-        write(root, {name: b"2"})
-        assert results._kit_digest() != before, name
-        write(root, {name: b"0"})

@@ -3,11 +3,12 @@ have a row for each."""
 
 import csv
 import io
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 from bounce_grader.classroom.intake import blackboard, canvas, moodle, students, uploads
+from bounce_grader.classroom.intake.student import Upload
 from bounce_grader.submission import submission
 from conftest import write
 from corpus import Member, zip_of
@@ -18,29 +19,19 @@ def table(name: str) -> list[list[str]]:
     return list(csv.reader(io.StringIO(text, newline="")))[1:]
 
 
-def of_canvas(entry: str) -> Sequence[object]:
-    """The names are Canvas's own: lib/content_zipper.rb, spec/lib/content_zipper_spec.rb."""
-    read = canvas.parse(entry)
-    if read is None:
+def fields(upload: Upload | None) -> list[str]:
+    """What an entry's name says; nothing if the service doesn't write such names. Those of Canvas are
+    of its lib/content_zipper.rb and spec/lib/content_zipper_spec.rb."""
+    if upload is None:
         return []
-    rest = ("", read.typed) if read.typed else (read.number, read.file)
-    return [read.name, read.user, "late" if read.late else "", *rest]
+    late, number = "late" if upload.late else "", str(upload.number or "")
+    return [upload.name, upload.user, late, number, upload.typed, upload.file]
 
 
-def of_moodle(entry: str) -> Sequence[object]:
-    read = moodle.parse(entry)
-    return [read.name, read.user, "", read.typed or "file", read.file] if read else []
-
-
-def of_blackboard(entry: str) -> Sequence[object]:
-    read = blackboard.parse(entry)
-    return [read.user, read.number, "", "", read.file] if read else []
-
-
-READ: dict[str, Callable[[str], Sequence[object]]] = {
-    "canvas": of_canvas,
-    "moodle": of_moodle,
-    "blackboard": of_blackboard,
+READ: dict[str, Callable[[str], list[str]]] = {
+    "canvas": lambda entry: fields(canvas.parse(entry)),
+    "moodle": lambda entry: fields(moodle.parse(entry)),
+    "blackboard": lambda entry: fields(blackboard.parse(entry)),
     "sanitized": lambda name: [canvas.sanitized(name)],
     "part": lambda file: [submission.part_file(file) or ""],
 }
@@ -49,8 +40,8 @@ READ: dict[str, Callable[[str], Sequence[object]]] = {
 @pytest.mark.parametrize("row", table("names"), ids=lambda row: "-".join(row[:2]))
 def test_a_name_is_read(row: list[str]) -> None:
     service, entry, *expected = row
-    fields = [str(field) for field in READ[service](entry)]
-    assert fields + [""] * (5 - len(fields)) == expected
+    read = READ[service](entry)
+    assert read + [""] * (6 - len(read)) == expected
 
 
 @pytest.mark.parametrize("status, days", table("lateness"))

@@ -134,14 +134,14 @@ def test_in_reading_it_is_one_students(
 def test_who_cannot_be_compared_needs_a_look(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    whole = near_copies.own_texts
+    whole = near_copies.own_runs
 
-    def odd(student: Student) -> dict[int, str]:
+    def odd(student: Student, notes: list[str]) -> dict[int, set[int]]:
         if student.id == "301":
             raise OverflowError("too large")
-        return whole(student)
+        return whole(student, notes)
 
-    monkeypatch.setattr(near_copies, "own_texts", odd)
+    monkeypatch.setattr(near_copies, "own_runs", odd)
     uploads = {"roe_301_1_part2_lcp.cpp": b"// odd"}
     assert grade_class(download(tmp_path / "x.zip", [101, 102], uploads), tmp_path / "out") == 0
     found = rows(tmp_path / "out")

@@ -97,13 +97,10 @@ def between(page: str, start: str, end: str) -> str:
 
 
 def class_page(page: str) -> str:
-    looks = text_of(between(page, "<h2>Needs a look", "<section><h2>Points"))
-    near = text_of(between(page, "<h2>Near-copies</h2>", "</section>"))
-    near = re.sub("The share of one .*\n", "", near)
+    """The figures, who needs a look, and how many curves there are."""
+    figures, looks, *_ = page.partition("<body>")[2].split("<section>")
     curves = page.count('<path class="curve ')
-    figures = re.findall(r"<b>([^<]*)</b>([^<]*)", page.partition("</ul>")[0])
-    said = "".join(f"{number} {name}\n" for number, name in figures) + f"Needs a look\n{looks}"
-    return said + f"Near-copies\n{near}Curves: {curves}\n"
+    return text_of(figures) + text_of(looks) + f"Curves: {curves}\n"
 
 
 def feedback_page(page: str) -> str:

@@ -2,6 +2,7 @@
 attacking."""
 
 import random
+import threading
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -13,6 +14,7 @@ from classes import column, COLUMN, same
 from clusters import Cluster
 from conftest import ROOT
 from handed_in import submission_of
+from waiting import wait_for
 
 
 def chosen(number: int, *kinds: str) -> list[Path]:
@@ -43,12 +45,23 @@ def grade(folder: Path, out: str, *more: str) -> dict[str, str]:
 
 
 @pytest.mark.long
-def test_a_class_is_the_same_on_a_cluster(cluster: Cluster, tmp_path: Path) -> None:
+def test_a_class_is_the_same_on_a_cluster_that_loses_a_worker(
+    cluster: Cluster, tmp_path: Path
+) -> None:
     made = chosen(30, "accepted", "mistakes", "broken")
     assert written(tmp_path, made) == grade(tmp_path, "local")
+    lost = cluster.worker()
     cluster.worker()
-    cluster.worker()
+    results = tmp_path / "dask" / "results"
+
+    def kill_worker() -> None:
+        wait_for(lambda: list(results.glob("*.json")))
+        lost.kill()
+
+    killer = threading.Thread(target=kill_worker)
+    killer.start()
     grade(tmp_path, "dask", "--dask", cluster.address)
+    killer.join()
     assert same(tmp_path / "dask", tmp_path / "local")
 
 

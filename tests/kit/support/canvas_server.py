@@ -80,83 +80,72 @@ class Handler(BaseHTTPRequestHandler):
         self.end_headers()
         self.wfile.write(data)
 
-    def _is_refused(self) -> bool:
-        if self.state.limited:
+    def _request(self) -> None:
+        data = self.rfile.read(int(self.headers.get("Content-Length") or 0))
+        token = self.headers.get("Authorization")
+        self.here = f"http://{self.headers['Host']}"
+        self.elsewhere = self.here.replace("127.0.0.1", "localhost")  # where no token must go
+        if self.path.startswith(("/stored/", "/upload")):
+            self.state.tokens_elsewhere += filter(None, [token])
+            self._stored(data)
+        elif self.state.limited:
             self.state.limited -= 1
             code = 403 if self.state.limited % 2 else 429
             self._answer(code, b"403 Forbidden (Rate Limit Exceeded)")
-            return True
-        if self.headers.get("Authorization") != f"Bearer {TOKEN}":
+        elif token != f"Bearer {TOKEN}":
             self._answer(401, {"errors": [{"message": "Invalid access token."}]})
-            return True
-        return False
+        elif self.command == "GET":
+            self._get()
+        elif self.command == "POST":
+            assert self.path.endswith("/comments/files") and b"content_type=text%2Fhtml" in data
+            upload = {"upload_url": f"{self.elsewhere}/upload", "upload_params": {"key": "x"}}
+            self._answer(200, upload)
+        else:
+            self._put(urllib.parse.parse_qs(data.decode()))
 
-    @property
-    def _origin(self) -> str:
-        return f"http://{self.headers['Host']}"
+    do_GET = do_POST = do_PUT = _request
 
-    @property
-    def _elsewhere(self) -> str:
-        """Another server, to which the token must not go."""
-        return self._origin.replace("127.0.0.1", "localhost")
-
-    def do_GET(self) -> None:
-        url = urllib.parse.urlsplit(self.path)
-        if url.path.startswith("/stored/"):  # elsewhere, as on a server of files
-            self.state.tokens_elsewhere += filter(None, [self.headers.get("Authorization")])
-            self._answer(200, self.state.files[int(url.path.split("/")[2])])
+    def _stored(self, data: bytes) -> None:
+        """As a server of files answers."""
+        files = self.state.files
+        if self.command == "GET":
+            self._answer(200, files[int(self.path.split("/")[2])])
             return
-        if self._is_refused():
-            return
+        assert b'name="key"' in data
+        id = 900_000 + len(files)
+        body = data.partition(b'filename="feedback.html"')[2].partition(b"\r\n\r\n")[2]
+        files[id] = body.rpartition(b"\r\n--")[0]
+        self._answer(201, {"id": id})
+
+    def _get(self) -> None:
+        url, state = urllib.parse.urlsplit(self.path), self.state
         file = re.fullmatch(r"/files/(\d+)/download", url.path)
-        if file and int(file[1]) in self.state.gone:
-            self._answer(404, b"gone")
-        elif file:
-            stored = f"{self._elsewhere}/stored/{file[1]}"
-            self._answer(302, b"", Location=self.state.elsewhere.get(file[1], stored))
+        if file and int(file[1]) not in state.gone:
+            stored = f"{self.elsewhere}/stored/{file[1]}"
+            self._answer(302, b"", Location=state.elsewhere.get(file[1], stored))
         elif url.path == "/api/v1/courses/7/assignments/9/submissions":
             first = int(urllib.parse.parse_qs(url.query).get("page", ["0"])[0])
-            some = list(self.state.submissions.values())[first : first + PAGE]
-            text = json.dumps(some).replace("@/files", f"{self._origin}/files").encode()
-            more = first + PAGE < len(self.state.submissions)
-            link = f'<{self._origin}{url.path}?page={first + PAGE}>; rel="next"' if more else ""
-            self._answer(200, text, Link=f'<{self._origin}{url.path}>; rel="current",{link}')
+            some = list(state.submissions.values())[first : first + PAGE]
+            text = json.dumps(some).replace("@/files", f"{self.here}/files").encode()
+            more = first + PAGE < len(state.submissions)
+            link = f'<{self.here}{url.path}?page={first + PAGE}>; rel="next"' if more else ""
+            self._answer(200, text, Link=f'<{self.here}{url.path}>; rel="current",{link}')
         else:
             self._answer(404, {"errors": [{"message": "not found"}]})
 
-    def do_POST(self) -> None:
-        data = self.rfile.read(int(self.headers["Content-Length"]))
-        if self.path == "/upload":
-            self.state.tokens_elsewhere += filter(None, [self.headers.get("Authorization")])
-            assert b'name="key"' in data
-            body = data.partition(b'filename="feedback.html"')[2].partition(b"\r\n\r\n")[2]
-            id = 900_000 + len(self.state.files)
-            self.state.files[id] = body.rpartition(b"\r\n--")[0]
-            self._answer(201, {"id": id})
-            return
-        if self._is_refused():
-            return
-        assert self.path.endswith("/comments/files") and b"content_type=text%2Fhtml" in data
-        url = f"{self._elsewhere}/upload"
-        self._answer(200, {"upload_url": url, "upload_params": {"key": "x"}})
-
-    def do_PUT(self) -> None:
-        data = self.rfile.read(int(self.headers["Content-Length"]))
-        if self._is_refused():
-            return
-        user = int(self.path.rpartition("/")[2])
-        if user in self.state.refused:
+    def _put(self, fields: dict[str, list[str]]) -> None:
+        user, state = int(self.path.rpartition("/")[2]), self.state
+        if user in state.refused:
             self._answer(400, {"errors": [{"message": "bad"}]})
             return
-        if self.state.broken_after == 0:
+        if state.broken_after == 0:
             self._answer(500, b"broken")
             return
-        self.state.broken_after -= 1
-        fields = urllib.parse.parse_qs(data.decode())
+        state.broken_after -= 1
         if "submission[posted_grade]" in fields:
-            self.state.submissions[user]["score"] = float(fields["submission[posted_grade]"][0])
+            state.submissions[user]["score"] = float(fields["submission[posted_grade]"][0])
         for id in fields.get("comment[file_ids][]", []):
-            self.state.comments.setdefault(user, []).append(self.state.files[int(id)])
+            state.comments.setdefault(user, []).append(state.files[int(id)])
         self._answer(200, {"id": user})
 
 

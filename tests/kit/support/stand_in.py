@@ -26,12 +26,11 @@ from bounce_grader.classroom.grading import unit
 from bounce_grader.classroom.grading.results import Task
 from bounce_grader.common.errors import KitError
 from bounce_grader.common.manifest import Part, parts
-from bounce_grader.grading.record import whole
+from bounce_grader.grading.record import failed_part, whole
 from bounce_grader.submission.submission import Submission
 
 MESSAGE = "1 of 9 cases wrong; the first: a corner sticks"
-SHOWN: dict[str, Any] = {"name": "x", "input": "", "sentence": "", "quantities": []}
-REVEALED: dict[str, Any] = {"message": f"{MESSAGE}\n  expected phi = 0.8128", "shown": SHOWN}
+REVEALED = {"message": f"{MESSAGE}\n  expected phi = 0.8128"}
 MISTAKE: dict[str, Any] = {"title": "it is so", "sentence": "", "equations": [1], "hint": "1.1"}
 
 
@@ -42,38 +41,20 @@ def _said(text: str, word: str, otherwise: str = "") -> str:
 
 
 def _part(part: Part, text: str | None, later: bool, points: Mapping[str, float]) -> dict[str, Any]:
-    said = partial(_said, text or "")
-    failing = len(part.checks) if text is None else int(said("fails", "0"))
-    if later:
-        failing = int(said("later", str(failing)))
-    checks: list[dict[str, Any]] = []
-    for number, check in enumerate(part.checks):
-        right, most = number >= failing, points.get(check.id, check.points)
-        made = {
-            "id": check.id,
-            "title": check.title,
-            "score": most if right else 0,
-            "max_score": most,
-        }
-        made |= {"passed": right, "message": "" if right else MESSAGE, "mistake": None}
-        checks.append(made if right else made | {"revealed": REVEALED})
+    if text is None:
+        return failed_part(part, "not_submitted", "")
+    said = partial(_said, text)
+    failing = int((said("later") if later else "") or said("fails", "0"))
+    record = failed_part(part, said("status", "graded"), "")
+    for number, check in enumerate(record["checks"]):
+        check["max_score"] = points.get(check["id"], check["max_score"])
+        passed = {"passed": True, "score": check["max_score"]}
+        check.update({"message": MESSAGE, "revealed": REVEALED} if number < failing else passed)
     mistakes = [{**MISTAKE, "name": name}] if (name := said("mistake")) else []
-    if "breaks its page" in (text or ""):
+    if "breaks its page" in text:
         mistakes = [{"name": "part2_dt_squared", "title": "it is so"}]  # no sentence
-    return {
-        "part": part.number,
-        "stem": part.stem,
-        "title": part.title,
-        "score": sum(check["score"] for check in checks),
-        "max_score": part.points,
-        "status": "not_submitted" if text is None else said("status", "graded"),
-        "message": "",
-        "graded_with": "own",
-        "mistakes": mistakes,
-        "patterns": [],
-        "checks": checks,
-        "remarks": list(filter(None, [said("remark")])),
-    }
+    record["score"] = sum(check["score"] for check in record["checks"])
+    return record | {"mistakes": mistakes, "remarks": list(filter(None, [said("remark")]))}
 
 
 def record_of(

@@ -51,15 +51,12 @@ def _client(scheduler: str) -> Any:
     try:
         from distributed import Client
     except ImportError as error:
-        raise UsageError(
-            "Dask isn't installed here: apt-get install python3-distributed"
-        ) from error
+        raise UsageError("Dask is missing: apt-get install python3-distributed") from error
     try:
         return Client(scheduler, timeout=TO_CONNECT, set_as_default=False)
     except (OSError, ValueError) as error:
-        raise UsageError(
-            f"no Dask scheduler answers at {scheduler}: start one with dask-scheduler"
-        ) from error
+        where = f"no Dask scheduler answers at {scheduler}"
+        raise UsageError(f"{where}: start one with dask-scheduler") from error
 
 
 def _failure(future: Any) -> str:

@@ -13,7 +13,7 @@ from collections import defaultdict
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import cache
-from itertools import combinations
+from itertools import combinations, islice
 from pathlib import Path
 from typing import NamedTuple
 
@@ -31,26 +31,25 @@ LEAST = 60  # per cent in common
 LEAST_OF_PART = 90  # per cent of one part; right answers to a short task look alike
 LEAST_PARTS = 2  # alike, for a pair that isn't alike as a whole
 MOST = 20  # pairs that are named
-LONGEST = 64 * 1024  # characters that are compared of each, without comments and blanks
+LONGEST = 16_000  # tokens that are compared of each
 IN_PART = (
-    f"it is longer than {LONGEST >> 10} KB even without comments, and only its beginning is compared "
-    "with others: look whether it is a copy"
+    f"it is longer than {LONGEST} words and signs, and only its beginning is compared with others: "
+    "look whether it is a copy"
 )
-TOKEN = re.compile(r"(?P<name>[^\W\d]\w*)|(?P<number>\.?\d[\w.]*)|\S")
 KEYWORDS = set(
     "auto bool break case catch class const constexpr continue default do double else enum false "
     "float for if inline int namespace new operator return static struct switch template this throw "
     "true try typename unsigned using void while".split()
 )
-# What hides code, or seems to: comments, and what may hold the signs that begin one. Matching takes
-# time that grows with the text, whatever a student writes.
-HIDING = re.compile(
-    r"""(?P<comment>//[^\n]* | /\*.*?\*/) | /\*(?P<never_closed>.*)\Z
+# Comments and blanks are skipped. Literals and names of headers may hold the signs that begin a
+# comment. Matching takes time that grows with the text, whatever a student writes.
+TOKEN = re.compile(
+    r"""(?P<skipped>\s+ | //[^\n]* | /\*.*?(?:\*/|\Z))
     | (?P<header>(?:\#\s*include | __has_include\s*\()\s*<[^>\n]{0,200}>)
-    | (?<!\w)(?P<number>\.?\d(?:'?[\w.])*)
-    | (?P<literal>(?<!\w)(?:u8|[uUL])?R"(?P<mark>[^()\\\s]{0,16})\(.*?(?:\)(?P=mark)"|\Z)
-        | "(?:\\.|[^"\\\n])*(?:"|\\?$) | '(?:\\.|[^'\\\n])*(?:'|\\?$))""",
-    re.DOTALL | re.MULTILINE | re.VERBOSE,
+    | (?P<literal>(?:u8|[uUL])?R"(?P<mark>[^()\\\s]{0,16})\(.*?(?:\)(?P=mark)"|\Z)
+        | "(?:\\.|[^"\\\n])*"? | '(?:\\.|[^'\\\n])*'?)
+    | (?P<number>\.?\d(?:'?[\w.])*) | (?P<name>[^\W\d]\w*) | .""",
+    re.DOTALL | re.VERBOSE,
 )
 # Whole submissions' under 0, those of part n under n, by whose they are.
 Runs = defaultdict[int, dict[str, set[int]]]
@@ -116,15 +115,13 @@ def _add(runs: Runs, student: Student, notes: list[str]) -> None:
     because a reading may take seconds."""
     try:
         with about_one_submission("it can't be compared with others"):
-            texts = own_texts(student)
+            found = own_runs(student, notes)
     except UsageError as error:
         notes.append(str(error))
         return
-    for number, text in texts.items():
-        if len(text) > LONGEST:
-            notes.append(IN_PART)
-        if found := runs_of(text[:LONGEST]):
-            runs[number][student.who] = found
+    for number, own in found.items():
+        if len(own) >= RUN:
+            runs[number][student.who] = own
 
 
 def _alike(runs: Mapping[str, set[int]], least: int) -> tuple[dict[tuple[str, str], int], int]:
@@ -141,52 +138,39 @@ def _alike(runs: Mapping[str, set[int]], least: int) -> tuple[dict[tuple[str, st
     return {both: share for both, share in shares.items() if share >= (usual + 100) // 2}, usual
 
 
-def runs_of(text: str) -> set[int]:
-    """The hashes of all runs of tokens; none of a text that is only a few runs long."""
-    tokens = [
-        "name"
-        if token["name"] and token[0] not in KEYWORDS
-        else "number"
-        if token["number"]
-        else token[0]
-        for token in TOKEN.finditer(text)
-    ]
-    if len(tokens) < 2 * RUN:
-        return set()
+def own_runs(student: Student, notes: list[str]) -> dict[int, set[int]]:
+    """The runs that aren't the handout's: of all files under 0, of part n under n. Raises
+    UsageError."""
+    taken = uploads.read(student.path, student.uploads)
+    own: dict[str, set[int]] = {}
+    room = LONGEST
+    for name in dict.fromkeys([*taken.parts.values(), *sorted(taken.files)]):
+        tokens = tokens_of(taken.files[name])
+        notes += [IN_PART] * (len(tokens) > room)
+        own[name] = runs_of(tokens[:room]) - _handout()
+        room -= min(room, len(tokens))
+    of_parts = {number: own[file] for number, file in taken.parts.items()}
+    return {0: set().union(*own.values()), **of_parts}
+
+
+def runs_of(tokens: Sequence[str]) -> set[int]:
+    """Their hashes."""
     return set(map(hash, zip(*(tokens[start:] for start in range(RUN)))))
 
 
-def own_texts(student: Student) -> dict[int, str]:
-    """The code that a student wrote, without comments and lines of the handout: of all files under
-    0, the parts first; of part n under n. Raises UsageError."""
-    taken = uploads.read(student.path, student.uploads)
-    handout = _handout()
-    own = {
-        name: "".join(f"{line}\n" for line in code_of(text) if line not in handout)
-        for name, text in taken.files.items()
-    }
-    of_parts = {number: own[file] for number, file in taken.parts.items()}
-    helpers = [own[name] for name in sorted(own.keys() - set(taken.parts.values()))]
-    return {0: "".join([*of_parts.values(), *helpers]), **of_parts}
-
-
-def code_of(text: bytes) -> list[str]:
-    """The lines of a source that hold code, without comments, indentation and the contents of
-    literals."""
+def tokens_of(text: bytes) -> list[str]:
+    """The tokens of a source, in which all names are the same, all numbers and all literals; of a
+    long one only its first."""
     whole = io.StringIO(text.decode("utf-8", "replace"), newline=None).read()
     spliced = re.sub(r"\\[ \t]*\n", "", whole)
-    code = HIDING.sub(_without_content, spliced)
-    return [line for line in (" ".join(line.split()) for line in code.split("\n")) if line]
-
-
-def _without_content(match: re.Match[str]) -> str:
-    if match["comment"]:
-        return " "
-    if match["number"]:
-        return match["number"].replace("'", "")
-    return match["never_closed"] or ("#include" if match["header"] else '""')
+    found = (match for match in TOKEN.finditer(spliced) if match.lastgroup != "skipped")
+    return [
+        match[0] if match[0] in KEYWORDS or not match.lastgroup else match.lastgroup
+        for match in islice(found, LONGEST + 1)
+    ]
 
 
 @cache
-def _handout() -> set[str]:
-    return {line for f in STUBS.glob("*.cpp") for line in code_of(f.read_bytes())} - {"{", "}"}
+def _handout() -> set[int]:
+    """The runs in the handout's stubs, which are nobody's own."""
+    return {run for stub in STUBS.glob("*.cpp") for run in runs_of(tokens_of(stub.read_bytes()))}

@@ -24,8 +24,6 @@ from bounce_grader.submission.submission import Submission
 
 Record = dict[str, Any]
 Grade = Callable[[Submission, Task], Record]
-
-
 # Returns why the kit failed, and there is no result; "" if there is one. Raises OSError if the disk is
 # full: then no further result could be stored.
 Unit = Callable[[Task], str]
@@ -35,13 +33,8 @@ def grade_submission(taken: Submission, task: Task, within: Budget) -> Record:
     from bounce_grader.grading.grade import grade, Options
     from bounce_grader.sandbox import box
 
-    wanted = Options(
-        box.kinds(task.stamp.trust),
-        task.speed,
-        sanitize=task.stamp.sanitize,
-        jobs=1,
-        within=within,
-    )
+    kinds, sanitize = box.kinds(task.stamp.trust), task.stamp.sanitize
+    wanted = Options(kinds, task.speed, sanitize, jobs=1, within=within)
     return grade(taken, wanted)
 
 

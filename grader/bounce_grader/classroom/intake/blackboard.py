@@ -5,10 +5,9 @@ unpacked.
     {assignment}_{user}_attempt_{2026-11-20-23-15-42}.txt     who submitted, and what else is typed
 
 Both the assignment's title and a user's name may hold "_". The text begins with a line that
-Blackboard writes, "Name: Jane Doe (jdoe)"; without it, what all entries begin with is the title.
+Blackboard writes, "Name: Jane Doe (jdoe)".
 """
 
-import os
 import re
 from collections import Counter
 from collections.abc import Sequence
@@ -46,9 +45,7 @@ def read(archive: Archive, _people: Names) -> dict[str, Upload | str]:
             heads.setdefault(upload.user, []).append(upload)
         else:
             read[entry] = not_named(TITLE)
-    common = os.path.commonprefix([*heads]) if len(heads) > 1 else ""
-    title = common[: common.rfind("_") + 1]
-    whose = {head: _person(archive, head, of, title) for head, of in heads.items()}
+    whose = {head: _person(archive, head, of) for head, of in heads.items()}
     times = Counter(user for user, _ in whose.values())
     for head, uploads in heads.items():
         user, name = whose[head]
@@ -65,11 +62,9 @@ def read(archive: Archive, _people: Names) -> dict[str, Upload | str]:
     return read
 
 
-def _person(archive: Archive, head: str, uploads: Sequence[Upload], title: str) -> tuple[str, str]:
-    """The user and the name, by the first line of a text that is about this entry; else, what
-    follows the title that all entries have."""
-    user = head.removeprefix(title) if title else ""
-    name = user
+def _person(archive: Archive, head: str, uploads: Sequence[Upload]) -> tuple[str, str]:
+    """The user and the name, by the first line of a text that is about this entry."""
+    user = name = ""
     for upload in filter(lambda upload: upload.typed, uploads):
         text = archive.read(upload.entry, 4096).decode("utf-8", "replace")
         match = NAME.fullmatch(text.partition("\n")[0].strip())

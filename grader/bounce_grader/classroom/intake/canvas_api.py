@@ -25,7 +25,7 @@ from bounce_grader.common.errors import KitError, UsageError
 from bounce_grader.common.escaping import printable_name
 from bounce_grader.common.files import fitting, write_whole
 
-TRIES = 6
+TRIES = 5  # after the first
 WAIT = 1.0  # s, about, before the second try; doubled each time
 BUSY = (403, 429, 500, 502, 503, 504)  # where Canvas asks to wait, or has an error of its own
 REDIRECTIONS = 5  # of one request
@@ -48,10 +48,8 @@ def token_of_environment() -> str:
         with os.fdopen(int(handed)) as stream:
             token = stream.read()
     if not token.strip():
-        raise UsageError(
-            "--canvas needs CANVAS_TOKEN in the environment: in Canvas, Account, Settings, New "
-            "Access Token"
-        )
+        where = "in Canvas, Account, Settings, New Access Token"
+        raise UsageError(f"--canvas needs CANVAS_TOKEN in the environment: {where}")
     return token.strip()
 
 
@@ -65,9 +63,7 @@ class Canvas:
         parsed = urlsplit(url)
         local = parsed.hostname in ("localhost", "127.0.0.1")
         if not parsed.hostname or parsed.scheme != "https" and not local:
-            raise UsageError(
-                "--canvas needs CANVAS_URL in the environment, as https://canvas.example.edu"
-            )
+            raise UsageError("--canvas needs CANVAS_URL, as https://canvas.example.edu")
         self.assignment = assignment
         self._origin = f"{parsed.scheme}://{parsed.netloc.lower()}"  # as the library has it
         self.path = f"/api/v1/courses/{match[1]}/assignments/{match[2]}"
@@ -103,9 +99,7 @@ class Canvas:
         except (requests.RequestException, HTTPError):
             raise self._unreachable() from None
         if answer.status_code == 401:
-            raise UsageError(
-                "Canvas doesn't accept the token: make a new one, and put it into CANVAS_TOKEN"
-            )
+            raise UsageError("Canvas doesn't accept CANVAS_TOKEN: make a new one there")
         if answer.status_code in BUSY and (answer.status_code != 403 or b"Rate Limit" in body):
             raise self._unreachable()
         if not answer.ok:
@@ -120,19 +114,14 @@ class Canvas:
         return request
 
     def _unreachable(self) -> KitError:
-        return KitError(
-            f"Canvas doesn't answer at {self._origin}; what is done is kept, so give the same "
-            "command again later"
-        )
+        return KitError(f"no answer from {self._origin}: give the same command again later")
 
 
 def _json(body: bytes) -> Any:
     try:
         return json.loads(body)
     except ValueError as error:
-        raise KitError(
-            "Canvas answered with something else than JSON: is CANVAS_URL right?"
-        ) from error
+        raise KitError("Canvas's answer is no JSON: is CANVAS_URL right?") from error
 
 
 def download(canvas: Canvas, out: Path) -> Class:
@@ -143,9 +132,7 @@ def download(canvas: Canvas, out: Path) -> Class:
     try:
         listed = list(canvas.all(f"{canvas.path}/submissions?include[]=user&per_page=100"))
     except Refused as refused:
-        raise UsageError(
-            f"Canvas has no assignment {canvas.assignment} for you ({refused})"
-        ) from None
+        raise UsageError(f"Canvas shows no assignment {canvas.assignment} ({refused})") from None
     students = [_student(canvas, folder, submission) for submission in listed]
     intake = Class("Canvas's API", list(filter(None, students)), service="canvas")
     intake.tells_lateness = True

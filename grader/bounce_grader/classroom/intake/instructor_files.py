@@ -58,9 +58,8 @@ def course(out: Path) -> Course:
         or not late.keys() <= set(LATE)
         or not all(type(x) in (int, float) and 0 <= x <= 100 for x in late.values())
     ):
-        raise UsageError(
-            f"{path} takes a title, and under [late] {' and '.join(LATE)}, each a number from 0 to 100"
-        )
+        late = f"{' and '.join(LATE)}, numbers from 0 to 100"
+        raise UsageError(f"{path} takes a title, and under [late] {late}")
     return Course(title, **late)
 
 
@@ -85,10 +84,7 @@ def roster(out: Path) -> dict[str, list[Member]]:
         if not submission or not id:
             raise UsageError(f"{path} lacks the submission or the id in line {line}: fill it in")
         if id in seen:
-            raise UsageError(
-                f"{path} has the id {id} in lines {seen[id]} and {line}: a person's points come "
-                "from one submission, so keep one of them"
-            )
+            raise UsageError(f"{path} has {id} in lines {seen[id]} and {line}: keep one of them")
         seen[id] = line
         members.setdefault(submission, []).append(Member(id, row["name"], True))
     return members

@@ -72,9 +72,6 @@ class People:
             return person if own and is_name_of(person, student.name) else student.person
         return person or (student.name if intake.service else student.person)
 
-    def known(self, id: str) -> bool:
-        return id in self._names or id in self._own_ids
-
     def without_submission(self, students: Sequence[Student]) -> list[str]:
         """A sentence on lines of the roster that are of no submission; none if there are no such
         lines."""

@@ -15,7 +15,6 @@ from bounce_grader.classroom.intake.uploads import student_of
 from bounce_grader.common.errors import UsageError
 from bounce_grader.common.escaping import printable_name
 from bounce_grader.common.files import fitting
-from bounce_grader.common.manifest import parts
 from bounce_grader.submission import submission
 from bounce_grader.submission.intake import archive_stem, is_archive
 from bounce_grader.submission.submission import part_file
@@ -34,9 +33,7 @@ def read(path: Path, people: Names = {}) -> Class:
         if service:
             intake = _of_download(service, opened(path), people)
             for child in filter(is_folder, children):
-                intake.add_stray(
-                    child.name, "is a folder beside a download's files, and isn't read"
-                )
+                intake.add_stray(child.name, "is a folder beside the files, and isn't read")
         elif any(is_folder(child) and moodle.parse(f"{child.name}/x") for child in children):
             intake = _of_download(moodle, opened(path, deep=True), people)
         else:
@@ -131,10 +128,8 @@ def _require_a_class(path: Path, children: list[Path], students: list[Student]) 
     if is_one or not any(map(_has_a_part, others)):
         if is_one or _has_a_part(path):
             raise UsageError(f"{path} is one submission, and no class: ./kit grade {path}")
-        raise UsageError(
-            f"no folder or zip in {path} holds a part, as {parts()[0].file}: it should be the "
-            "download of Canvas, Moodle or Blackboard, or a folder with one folder or zip a student"
-        )
+        expected = "a service's download, or a folder with one folder or zip a student"
+        raise UsageError(f"nothing in {path} holds a part: it should be {expected}")
 
 
 def _no_submission(child: Path) -> str:

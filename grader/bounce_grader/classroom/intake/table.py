@@ -1,11 +1,10 @@
-"""Reads CSV files, from services and from hand; and edits single cells of them, so that every other
-byte stays."""
+"""Reads CSV files, from services and from hand; and changes cells of them."""
 
+import csv
 import io
-import re
-from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from collections.abc import Iterable
 from pathlib import Path
+from typing import Any, NamedTuple
 
 from bounce_grader.common.errors import UsageError
 
@@ -13,33 +12,26 @@ BOM = "\ufeff"
 UTF_16 = {b"\xff\xfe": "utf-16-le", b"\xfe\xff": "utf-16-be"}  # often Blackboard's
 
 
-@dataclass
-class Row:
-    """A row: its cells as the file has them, quotes and all, and what ends it."""
+class Row(NamedTuple):
+    """A row, and the line in which it ends."""
 
-    cells: list[str]
-    end: str  # "\\n", "\\r\\n", or nothing at the end of the file
     line: int
+    cells: list[str]
 
     def text(self, column: int) -> str:
         """What a cell says; "" if there is no such cell."""
-        raw = self.cells[column] if column < len(self.cells) else ""
-        return (raw[1:-1].replace('""', '"') if raw.startswith('"') else raw).strip()
+        return self.cells[column].strip() if column < len(self.cells) else ""
 
     def texts(self) -> list[str]:
-        return [self.text(column) for column in range(len(self.cells))]
-
-    def put(self, column: int, text: str, delimiter: str) -> None:
-        """Replaces a cell's text, quoted if it was before or if it has to be."""
-        quoted = self.cells[column].startswith('"') or delimiter in text
-        self.cells[column] = f'"{text}"' if quoted else text
+        return [cell.strip() for cell in self.cells]
 
 
 class Table:
-    """A CSV file whose cells can be filled in, and whose other bytes stay the same."""
+    """A CSV file with a first row at least. Written again, it has the same encoding, delimiter, line
+    ends and cells, except those that were changed."""
 
     def __init__(self, path: Path) -> None:
-        """Reads a file, with a first row at least. Raises UsageError if it isn't one."""
+        """Raises UsageError if it isn't such a file."""
         self.name = path.name
         try:
             data = path.read_bytes()
@@ -53,12 +45,19 @@ class Table:
         except UnicodeError:
             self._encoding = "latin-1"  # which every byte fits
             text = data.decode(self._encoding)
-        if "\0" in text:
-            raise UsageError(f"{self.name} isn't UTF-8: download it again, or save it as CSV UTF-8")
-        self._start = BOM * text.startswith(BOM)
-        body = text[len(self._start) :]
-        self.delimiter = max(",;\t", key=body.partition("\n")[0].count)
-        self.rows = list(self._rows(body, self.delimiter))
+        self._start, body = BOM * text.startswith(BOM), text.removeprefix(BOM)
+        self._style: dict[str, Any] = {
+            "delimiter": max(",;\t", key=body.partition("\n")[0].count),
+            "lineterminator": "\r\n" if "\r\n" in body else "\n",
+            "quoting": csv.QUOTE_ALL if body.startswith('"') else csv.QUOTE_MINIMAL,
+        }
+        lines = io.StringIO(body, newline="")
+        reader = csv.reader(lines, **self._style, strict=True)
+        try:
+            self.rows = [Row(reader.line_num, cells) for cells in reader]
+        except csv.Error as error:
+            where = f"{self.name} is no CSV, as its line {reader.line_num} shows ({error})"
+            raise UsageError(f"{where}: download it again, or save it as CSV UTF-8") from error
         if not self.rows:
             raise UsageError(f"{self.name} is empty: export or write it again")
         self.header = self.rows[0].texts()
@@ -73,22 +72,6 @@ class Table:
                 )
 
     def encoded(self) -> bytes:
-        lines = (self.delimiter.join(row.cells) + row.end for row in self.rows)
-        return f"{self._start}{''.join(lines)}".encode(self._encoding)
-
-    def _rows(self, body: str, delimiter: str) -> Iterator[Row]:
-        """Joins the lines of each record, whose cells may hold line ends within quotes."""
-        cell = rf'(?:\A|{delimiter})((?:"[^"]*(?:"|\Z)|[^"{delimiter}])*)'
-        record, first = "", 1
-        for number, line in enumerate(io.StringIO(body, newline=""), 1):
-            if not record:
-                first = number
-            record += line
-            if record.count('"') % 2 == 0:
-                text = record.rstrip("\r\n")
-                yield Row(re.findall(cell, text), record[len(text) :], first)
-                record = ""
-        if record:
-            raise UsageError(
-                f"{self.name} has a quotation mark in line {first} that nothing closes"
-            )
+        text = io.StringIO(newline="")
+        csv.writer(text, **self._style).writerows(row.cells for row in self.rows)
+        return f"{self._start}{text.getvalue()}".encode(self._encoding)

@@ -16,14 +16,7 @@ from bounce_grader.common.errors import about_one_submission, UsageError
 from bounce_grader.common.escaping import first_few, printable_name
 from bounce_grader.common.manifest import parts
 from bounce_grader.submission import intake, submission
-from bounce_grader.submission.entry import (
-    LARGEST_SOURCE,
-    MOST_ENTRIES,
-    checked,
-    Entry,
-    of_bytes,
-    UnpackLimits,
-)
+from bounce_grader.submission.entry import checked, Entry, LARGEST_SOURCE, of_bytes, UnpackLimits
 from bounce_grader.submission.intake import NOT_USED, is_archive
 from bounce_grader.submission.submission import COPY, HEADERS, part_file, SOURCES
 from bounce_grader.submission.submission import Submission
@@ -47,24 +40,17 @@ def _ending(file: str) -> str:
 def student_of(download: Path, uploads: Sequence[Upload], page: str) -> Student:
     """The student who has uploaded these, with the name of their feedback page."""
     last = max(uploads, key=lambda upload: upload.number)
+    name, late = last.name or last.user, any(upload.late for upload in uploads)
     counted, unused = _counted(uploads)
     refused = "" if counted else f"{first_few(unused, separator='; ')}: {HAND_IN}"
     number = sum(not upload.old for upload in uploads)
     if number > MOST_UPLOADS:
         refused = f"{number} files are handed in; a submission may have {MOST_UPLOADS}: {HAND_IN}"
-    return Student(
-        last.user,
-        last.name or last.user,
-        download,
-        tuple(counted),
-        any(upload.late for upload in uploads),
-        page,
-        () if refused else tuple(unused),
-        refused=refused,
-    )
+    unused = () if refused else unused
+    return Student(last.user, name, download, counted, late, page, unused, refused=refused)
 
 
-def _counted(uploads: Sequence[Upload]) -> tuple[list[Upload], list[str]]:
+def _counted(uploads: Sequence[Upload]) -> tuple[tuple[Upload, ...], tuple[str, ...]]:
     """The newest upload of each file, and a sentence for each upload that isn't used."""
     newest: dict[str, Upload] = {}
     unused = []
@@ -80,7 +66,7 @@ def _counted(uploads: Sequence[Upload]) -> tuple[list[Upload], list[str]]:
             unused.append(f"{shown} is older than {printable_name(newest[file].file)}")
         else:
             newest[file] = upload
-    return sorted(newest.values(), key=lambda upload: upload.number), unused
+    return tuple(sorted(newest.values(), key=lambda upload: upload.number)), tuple(unused)
 
 
 def names_of(upload: Upload) -> list[str]:
@@ -120,9 +106,8 @@ def _contents(archive: Archive, uploads: Iterable[Upload]) -> Iterator[tuple[Upl
         data = archive.read(upload.entry, limit + 1)
         room -= len(data)
         if room < 0:
-            raise UsageError(
-                f"{upload.file} is too large: all that is handed in may have {LARGEST >> 20} MB"
-            )
+            most = f"all that is handed in may have {LARGEST >> 20} MB"
+            raise UsageError(f"{upload.file} is too large: {most}")
         yield upload, data
 
 

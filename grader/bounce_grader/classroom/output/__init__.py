@@ -1,4 +1,4 @@
 """The grade book, the feedback pages and the page about the class.
 
-May import: assignment, classroom.intake, classroom.grading, common, formats, grading.
+May import: classroom.intake, classroom.grading, common, formats, grading.
 """

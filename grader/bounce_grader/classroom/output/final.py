@@ -33,13 +33,8 @@ def assign(
         for member, student in meant:
             own.setdefault((member.id, student.id), []).append(adjustment)
         if all(student.refused for _, student in meant) and who != EVERYBODY:
-            sentences.append(
-                f"{who} has nothing that is graded: the adjustment ({adjustment.reason}) changes "
-                "nothing"
-                if meant or people.known(who)
-                else f"{adjustment.where} nobody here has the id {who!r}, so it changes nothing: "
-                "give an id as in grades.csv, or * for everybody"
-            )
+            words = f"nothing of {who!r} is graded, so it changes nothing; ids are as in grades.csv"
+            sentences.append(f"{adjustment.where} {words}")
     return own, sentences
 
 
@@ -57,10 +52,9 @@ def give(summaries: Sequence[Summary], own: Own, course: Course, logins: bool) -
         for member in summary.student.members:
             names = given.get(member.id, [])
             if member.listed and len(names) > 1:
+                several = f"{ROSTER} gives {member.name or member.id} {' and '.join(names)}"
                 summary.notes.append(
-                    f"{ROSTER} gives {member.name or member.id} the points of several submissions "
-                    f"({' and '.join(names)}): none is filled in; write the submission's id there "
-                    "that is theirs"
+                    f"{several}: no points are filled in; write the id of theirs there"
                 )
             elif names and not member.listed and not logins:
                 why = f"{ROSTER} gives {member.id} the points of {' and '.join(names)} alone"
@@ -104,10 +98,8 @@ def _late_days(summary: Summary, own: Sequence[Adjustment]) -> int:
     only that a submission is late, that counts as one day."""
     given = [a.late_days for a in own if a.late_days is not None]
     if not given and summary.student.late and not summary.student.late_days:
-        summary.notes.append(
-            "how many days late it is can't be read from the service's files, and counts as one "
-            f"unless {ADJUSTMENTS} says otherwise"
-        )
+        unknown = "by how many days it is late can't be read, and counts as one"
+        summary.notes.append(f"{unknown} unless {ADJUSTMENTS} says otherwise")
     return given[-1] if given else summary.student.late_days or int(summary.student.late)
 
 

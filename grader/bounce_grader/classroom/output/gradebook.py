@@ -1,8 +1,7 @@
 """Decides which points go into the grade book, whichever service's: a file that was exported, or what
 Canvas's API tells. What a person has entered there stays."""
 
-import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -77,10 +76,7 @@ class Gradebook:
     def require_some_of(self, members: Sequence[Member], own_ids_only: bool) -> None:
         """Raises UsageError if none of these is in the file."""
         if members and not any(self._lines_of(member, own_ids_only) for member in members):
-            raise UsageError(
-                f"nobody who handed in is in {self.name}: is it the file of another assignment or "
-                "course?"
-            )
+            raise UsageError(f"nobody who handed in is in {self.name}: is it of another course?")
 
     def _lines_of(self, person: Member | Final, own_ids_only: bool) -> Sequence[Line]:
         by_id = self._by_own_id if own_ids_only and not person.listed else self._by_any_id
@@ -110,10 +106,10 @@ class Gradebook:
             filled.append((line, float(points)))
             ours[line.ids[0]] = list(dict.fromkeys([*ours.get(line.ids[0], []), points]))
             if from_canvas and not meant[0].listed and meant[0].name != line.person:
-                sentences.append(
-                    f"{line.who} has the points of {meant[0].name}: if that is a group, give its "
-                    "other members the same"
+                whose_points = (
+                    f"has the points of {meant[0].name}: give the others of a group the same"
                 )
+                sentences.append(f"{line.who} {whose_points}")
         sentences += [
             f"{final.name} ({final.id}) is graded, but isn't in {self.name}"
             for final in sorted(finals, key=lambda final: final.id)
@@ -140,9 +136,7 @@ class Gradebook:
         points = round(meant[0].points, 2)
         known = [points, *map(number_in, ours.get(line.ids[0], []))]
         if not line.stays and line.there and not overwrite and number_in(line.there) not in known:
-            return (
-                f"keeps {line.there}, where the grading gives {points:.2f}; --overwrite replaces it"
-            )
+            return f"keeps {line.there}, where {points:.2f} is graded; --overwrite replaces it"
         return line.stays
 
     def _other_points_possible(self) -> list[str]:

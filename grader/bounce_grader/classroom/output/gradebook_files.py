@@ -1,5 +1,5 @@
 """The grade files of Canvas (its export), Moodle (its offline grading worksheet) and Blackboard:
-where each has ids, names and points. Each byte that isn't filled in stays the same.
+where each has ids, names and points. Each cell that isn't filled in stays the same.
 
 Moodle's importer (mod/assign/feedback/offline) finds its columns by their titles, in the site's
 language, and a student by the number at the end of the first cell.
@@ -47,10 +47,8 @@ def read(path: Path, title: str) -> File:
         return _of_canvas(table, title)
     if any(map(PARTICIPANT.fullmatch, firsts)):
         return _of_moodle(table, title)
-    raise UsageError(
-        f"{table.name} is no grade book of Canvas (Grades, Export), no grading worksheet of Moodle, "
-        "and no file of Blackboard"
-    )
+    services = "Canvas (Grades, Export), Moodle (its worksheet) or Blackboard"
+    raise UsageError(f"{table.name} holds no grades from {services}: export them again")
 
 
 def _of_canvas(table: Table, title: str) -> File:
@@ -166,7 +164,7 @@ def write(
     has_comma = any("," in points for points in file.book.possible)
     for line, points in filled:
         text = f"{points:.2f}".replace(".", "," if has_comma else ".")
-        file.table.rows[line.number].put(file.column, text, file.table.delimiter)
+        file.table.rows[line.number].cells[file.column] = text
     write_whole(path, file.table.encoded())
     write_whole(path.with_name(WRITTEN), json.dumps(written, indent=1, sort_keys=True))
     left_out = [one for one in finals if one not in given]

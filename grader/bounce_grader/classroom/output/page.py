@@ -4,7 +4,7 @@ import os
 import statistics
 from collections import Counter
 from collections.abc import Iterator, Sequence
-from typing import Any, NamedTuple
+from typing import NamedTuple
 from urllib.parse import quote
 
 from bounce_grader.classroom.grading.near_copies import Similar
@@ -17,6 +17,8 @@ from bounce_grader.formats.speed_chart import Curve, Drawing, error_over_time, N
 from bounce_grader.formats.speed_chart import over_solution, STYLE
 from bounce_grader.grading import examples, speed
 from bounce_grader.grading.known_mistakes import for_the_instructor
+
+MOST_NAMES = 10  # of who made a mistake; grades.csv has all
 
 
 class Bar(NamedTuple):
@@ -33,13 +35,14 @@ def render(
 ) -> str:
     """`sentences` are on files that are nobody's, on adjustments and on the grade book."""
     graded = [s for s in summaries if s.score is not None]
+    students = [summary.student for summary in summaries]
     return fill(
         "classroom/output/class.html.j2",
         title=title or "The class",
         figures=list(_figures(summaries, graded)),
         histogram=_histogram(graded),
         success=list(_success(graded)) if graded else [],
-        mistakes=[_mistake(*made) for made in _who_made_mistakes(graded)],
+        mistakes=list(_mistakes(graded)),
         cases=_cases(graded),
         curves=_chart(graded),
         chart_style=STYLE,
@@ -49,8 +52,9 @@ def render(
         pairs=[[pair.first, pair.second, pair.in_common] for pair in near.pairs],
         sentences=sentences,
         adjusted=any(s.is_adjusted for s in summaries),
-        columns=["points", *(f"part {part.number}" for part in parts()), "in the end"],
+        columns=["who", "points", *(f"part {part.number}" for part in parts()), "in the end"],
         submissions=list(map(_row, summaries)),
+        links={s.who: _link(s.feedback) for s in students if s.feedback},
     )
 
 
@@ -62,20 +66,17 @@ def looks(summaries: Sequence[Summary]) -> list[tuple[str, str]]:
     return [(first_few(names, separator="; "), why) for why, names in who.items()]
 
 
-def _who_made_mistakes(graded: Sequence[Summary]) -> list[tuple[str, str, list[str]]]:
-    """The name, the title and the students of each known mistake, the most frequent first,
-    and then by part."""
-    made: dict[str, tuple[str, str, list[str]]] = {}
+def _mistakes(graded: Sequence[Summary]) -> Iterator[list[str]]:
+    """Of each known mistake, the most frequent first, and then by part: its title and part, the line
+    for the instructor with the heading of the students' hint, and who made it."""
+    made: dict[tuple[str, str], list[str]] = {}
     for summary in graded:
-        for name, title in summary.mistakes.items():
-            made.setdefault(name, (name, title, []))[2].append(summary.student.who)
-    return sorted(made.values(), key=lambda mistake: (-len(mistake[2]), mistake[0]))
-
-
-def _mistake(name: str, title: str, who: list[str]) -> dict[str, Any]:
-    """A mistake with the line for the instructor, and the heading of the students' hint."""
-    words, heading = for_the_instructor(name)
-    return dict(part=part_of(name).number, title=title, words=words, heading=heading, who=who)
+        for mistake in summary.mistakes.items():
+            made.setdefault(mistake, []).append(summary.student.who)
+    for (name, title), who in sorted(made.items(), key=lambda item: (-len(item[1]), item[0])):
+        words, heading = for_the_instructor(name)
+        names = f"{len(who)}: {first_few(who, MOST_NAMES, '; ')}"
+        yield [title, str(part_of(name).number), f"{words} Hint {heading}.", names]
 
 
 def _cases(graded: Sequence[Summary]) -> list[str]:
@@ -160,13 +161,13 @@ def _chart(graded: Sequence[Summary]) -> Drawing | None:
     return error_over_time(curves, "Speed against accuracy, one line for each submission")
 
 
-def _row(summary: Summary) -> dict[str, Any]:
+def _row(summary: Summary) -> list[str]:
     """A row of the table of all submissions."""
-    student = summary.student
     points = [short(scored["score"]) for scored in (summary.record, *summary.parts) if scored]
     ends = sorted({round(one.points, 2) for one in summary.finals})
-    return {
-        "who": student.who,
-        "page": quote(os.fsencode(f"feedback/{student.feedback}" if student.feedback else "")),
-        "points": [*(points or [""] * (1 + len(parts()))), " / ".join(map(short, ends))],
-    }
+    blank = [""] * (1 + len(parts()))
+    return [summary.student.who, *(points or blank), " / ".join(map(short, ends))]
+
+
+def _link(feedback: str) -> str:
+    return quote(os.fsencode(f"feedback/{feedback}"))
