@@ -58,7 +58,7 @@ def test_the_page_is_what_a_person_has_read() -> None:
     curves = {"any_numbers.svg": error_over_time(odd_curves, "any numbers"), "page.html": text}
     expected = {name: re.sub(r">(?=<\w)", ">\n", text) for name, text in curves.items()}
     golden.compare(Path(__file__).parent / "class_page", expected)
-    assert "Nothing is graded" in page.render([], NOBODY, [])
+    assert "None." in page.render([], NOBODY, [])
 
 
 SCROLLS_WITHOUT_KEYS = """

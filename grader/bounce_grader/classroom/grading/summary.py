@@ -89,10 +89,6 @@ class Summary:
         return (self.score or 0.0) >= full_points()
 
     @property
-    def is_adjusted(self) -> bool:
-        return any(final.applied for final in self.finals)
-
-    @property
     def needs_a_look(self) -> str:
         """The reasons for which a person should look at it; "" if there are none."""
         reasons = [] if self.state == "graded" else [self.message]

@@ -6,7 +6,6 @@ result depends on, and the file is written whole or not at all.
 
 import errno
 import json
-import time
 from collections.abc import Callable
 from datetime import datetime, timezone
 from functools import partial
@@ -55,7 +54,6 @@ def run(task: Task, grade: Grade | None = None) -> str:
 
 def _result(task: Task, grade: Grade) -> Result:
     """The content of the result's file. A submission that can't be read has a result, too."""
-    start = time.monotonic()
     record: Record | None = None
     message = ""
     beside: list[str] = []
@@ -69,7 +67,6 @@ def _result(task: Task, grade: Grade) -> Result:
     return {
         "key": task.key,
         "at": datetime.now(timezone.utc).isoformat(timespec="seconds"),
-        "seconds": round(time.monotonic() - start, 3),
         "submission": task.submission,
         **task.stamp._asdict(),
         "timed": task.speed,

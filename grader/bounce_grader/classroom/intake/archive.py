@@ -33,11 +33,10 @@ class Damaged(UsageError):
 
 
 class Archive:
-    """Reads entries by name, at most `limit` bytes of each; of a folder only the files in it, or if
-    it is `deep` those in its folders, too. Raises UsageError."""
+    """Reads entries by name, at most `limit` bytes of each. Raises UsageError."""
 
-    def __init__(self, path: Path, deep: bool = False) -> None:
-        self.path, self.deep = path, deep
+    def __init__(self, path: Path) -> None:
+        self.path = path
         self._zip: zipfile.ZipFile | None = None
         self._infos: dict[str, zipfile.ZipInfo] = {}  # by their names
         if not path.is_dir():
@@ -51,8 +50,8 @@ class Archive:
     def names(self) -> list[str]:
         if self._zip:
             return [name for name in self._infos if not of_macos(name)]
-        found = self.path.rglob("*") if self.deep else self.path.iterdir()
-        names = (str(file.relative_to(self.path)) for file in found if not is_folder(file))
+        found = (file for file in self.path.rglob("*") if not is_folder(file))
+        names = (str(file.relative_to(self.path)) for file in found)
         return sorted(name for name in names if not of_macos(name))
 
     def read(self, name: str, limit: int) -> bytes:
@@ -79,12 +78,12 @@ def not_named(service: str) -> str:
     return f"isn't named as {service} names submissions"
 
 
-def opened(path: Path, deep: bool = False) -> Archive:
+def opened(path: Path) -> Archive:
     """Opens an archive, and caches it until the file changes: its list of entries may be long."""
     status = path.stat()
-    return _opened(path, deep, status.st_mtime_ns, status.st_ino)
+    return _opened(path, status.st_mtime_ns, status.st_ino)
 
 
 @lru_cache(maxsize=2)
-def _opened(path: Path, deep: bool, changed: int, inode: int) -> Archive:
-    return Archive(path, deep)
+def _opened(path: Path, changed: int, inode: int) -> Archive:
+    return Archive(path)

@@ -98,11 +98,8 @@ def adjustments(out: Path) -> list[Adjustment]:
 
 def _adjustment(path: Path, line: int, row: dict[str, str]) -> Adjustment:
     where = f"{path}, line {line}:"
-    for column in ("student", "reason"):
-        if not row[column]:
-            raise UsageError(f"{where} the {column} is missing")
-    if not any(row[column] for column in CHANGES):
-        raise UsageError(f"{where} it changes nothing; fill in one of {', '.join(CHANGES)}")
+    if not (row["student"] and row["reason"] and any(row[column] for column in CHANGES)):
+        raise UsageError(f"{where} fill in student, reason and one of {', '.join(CHANGES)}")
     late_days, cap = (_number(where, column, row) for column in ("late_days", "cap"))
     if min(late_days or 0, cap or 0) < 0 or (late_days or 0) % 1:
         raise UsageError(f"{where} late_days is a whole number, and neither it nor cap is negative")

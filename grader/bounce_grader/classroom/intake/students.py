@@ -30,12 +30,10 @@ def read(path: Path, people: Names = {}) -> Class:
     if path.is_dir():
         children = sorted(child for child in path.iterdir() if not of_macos(child.name))
         service = _service([child.name for child in children if is_file(child)])
+        if any(is_folder(child) and moodle.parse(f"{child.name}/x") for child in children):
+            service = service or moodle
         if service:
             intake = _of_download(service, opened(path), people)
-            for child in filter(is_folder, children):
-                intake.add_stray(child.name, "is a folder beside the files, and isn't read")
-        elif any(is_folder(child) and moodle.parse(f"{child.name}/x") for child in children):
-            intake = _of_download(moodle, opened(path, deep=True), people)
         else:
             intake = _of_folder(path, children)
     elif not path.exists():

@@ -38,7 +38,7 @@ def _page(summary: Summary, reveal: bool) -> str:
         return html.refused(summary.message)
     record = for_readers(summary.record, reveal)
     student = summary.student
-    in_the_end = summary.finals if summary.is_adjusted else ()
+    in_the_end = summary.finals if any(final.applied for final in summary.finals) else ()
     return html.render(record, student.shown, student.unused, in_the_end)
 
 

@@ -78,7 +78,7 @@ def _of_canvas(table: Table, title: str) -> File:
 def _of_moodle(table: Table, title: str) -> File:
     column = _only_column(table, title, [title or "Grade"], table.header)
     status = next((text for text in table.header if text in moodle.STATUS), "")
-    locked = "has a grade that Moodle lets nobody change here: the cell stays as it was"
+    locked = "has a grade that Moodle lets nobody change here"
     lines = [
         Line(
             number,

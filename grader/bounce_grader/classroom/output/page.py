@@ -41,7 +41,7 @@ def render(
         title=title or "The class",
         figures=list(_figures(summaries, graded)),
         histogram=_histogram(graded),
-        success=list(_success(graded)) if graded else [],
+        success=list(_success(graded)),
         mistakes=list(_mistakes(graded)),
         cases=_cases(graded),
         curves=_chart(graded),
@@ -51,7 +51,6 @@ def render(
         near=near,
         pairs=[[pair.first, pair.second, pair.in_common] for pair in near.pairs],
         sentences=sentences,
-        adjusted=any(s.is_adjusted for s in summaries),
         columns=["who", "points", *(f"part {part.number}" for part in parts()), "in the end"],
         submissions=list(map(_row, summaries)),
         links={s.who: _link(s.feedback) for s in students if s.feedback},
@@ -132,7 +131,7 @@ def _histogram(graded: Sequence[Summary]) -> list[Bar]:
 
 def _success(graded: Sequence[Summary]) -> Iterator[Bar]:
     """Of each part, the mean of its points; of each check, how many passed it."""
-    for part in parts():
+    for part in parts() if graded else ():
         mean = statistics.mean(s.parts[part.number - 1]["score"] for s in graded)
         note = f"{mean:.1f} of {short(part.points)}"
         yield Bar(f"Part {part.number}: {part.title}", mean / part.points, note, True)
