@@ -39,10 +39,7 @@
 #include <string>
 #include <vector>
 
-#include "filter.hpp"
-#include "landlock.hpp"
-#include "reaper.hpp"
-#include "require.hpp"
+#include "steps.hpp"
 
 namespace bounce::box {
 namespace {
@@ -56,8 +53,7 @@ struct Options {
   std::string kind, box = "full";
   uid_t user = 65534;
   std::string folder;  // where the command starts; "": the current folder
-  std::vector<std::string> visible;
-  std::vector<std::string> command;
+  std::vector<std::string> visible, command;
 };
 
 // Global, because a signal handler and the guard read them, too.
@@ -73,8 +69,7 @@ Options parse(const std::vector<std::string>& words) {
   Options options;
   options.kind = words[0];
   for (auto word = words.begin() + 1; word != end; word += 2) {
-    const std::string& name = word[0];
-    const std::string& value = word[1];
+    const std::string &name = word[0], &value = word[1];
     if (name == "--box") options.box = value;
     if (name == "--user") options.user = static_cast<uid_t>(std::stoul(value));
     if (name == "--status") status = std::stoi(value);

@@ -1,4 +1,4 @@
-#include "filter.hpp"
+#include "steps.hpp"
 
 #include <fcntl.h>
 #include <linux/sched.h>
@@ -17,8 +17,6 @@
 #include <iterator>
 #include <sstream>
 #include <string>
-
-#include "require.hpp"
 
 namespace bounce::box {
 namespace {

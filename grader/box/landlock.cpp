@@ -1,4 +1,4 @@
-#include "landlock.hpp"
+#include "steps.hpp"
 
 #include <fcntl.h>
 #include <linux/landlock.h>
@@ -6,9 +6,9 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdint>
-
-#include "require.hpp"
+#include <iterator>
 
 namespace bounce::box {
 namespace {
@@ -18,14 +18,9 @@ struct Rules {
   std::uint64_t files = 0, connections = 0, scopes = 0;
 };
 
-struct Version {
-  int number;
-  std::uint64_t files;  // the number of file access rights that it knows, from bit 0
-  std::size_t size;     // how many bytes of Rules it accepts
-};
-
-constexpr Version kVersions[] = {{1, 13, 8},  {2, 14, 8},  {3, 15, 8},
-                                 {4, 15, 16}, {5, 16, 16}, {6, 16, 24}};
+// By version, from 1 on: how many rights to files it knows, from bit 0; how many bytes of Rules.
+constexpr int kFileRights[] = {13, 14, 15, 15, 16, 16};
+constexpr std::size_t kRulesSize[] = {8, 8, 8, 16, 16, 24};
 constexpr std::uint64_t kConnections = 3;  // to bind to a port and to connect to one
 constexpr std::uint64_t kScopes = 3;       // abstract sockets and signals
 constexpr std::uint64_t kRead = LANDLOCK_ACCESS_FS_READ_FILE | LANDLOCK_ACCESS_FS_READ_DIR;
@@ -33,15 +28,6 @@ constexpr std::uint64_t kSee = kRead | LANDLOCK_ACCESS_FS_EXECUTE;
 constexpr std::uint64_t kTruncate = 1 << 14;
 constexpr std::uint64_t kOfOneFile = LANDLOCK_ACCESS_FS_EXECUTE | LANDLOCK_ACCESS_FS_WRITE_FILE |
                                      LANDLOCK_ACCESS_FS_READ_FILE | kTruncate;
-
-Version version() {
-  const long found = ::syscall(SYS_landlock_create_ruleset, nullptr, 0, 1U);
-  Version known = kVersions[0];
-  for (const Version& each : kVersions) {
-    if (each.number <= require(found, "Landlock")) known = each;
-  }
-  return known;
-}
 
 void add(int ruleset, const std::string& path, std::uint64_t access) {
   const int fd = ::open(path.c_str(), O_PATH | O_CLOEXEC);
@@ -59,11 +45,12 @@ void add(int ruleset, const std::string& path, std::uint64_t access) {
 }  // namespace
 
 void see_only(const std::vector<std::string>& visible, const std::string& writable) {
-  const Version known = version();
-  const std::uint64_t all = (std::uint64_t{1} << known.files) - 1;
+  const long version = require(::syscall(SYS_landlock_create_ruleset, nullptr, 0, 1U), "Landlock");
+  const long known = std::min<long>(version, std::ssize(kFileRights)) - 1;
+  const std::uint64_t all = (std::uint64_t{1} << kFileRights[known]) - 1;
   const Rules rules{all, kConnections, kScopes};
-  const auto ruleset = static_cast<int>(
-      require(::syscall(SYS_landlock_create_ruleset, &rules, known.size, 0U), "Landlock's rules"));
+  const auto ruleset = static_cast<int>(require(
+      ::syscall(SYS_landlock_create_ruleset, &rules, kRulesSize[known], 0U), "Landlock's rules"));
   for (const std::string& path : visible) add(ruleset, path, kSee);
   if (!writable.empty()) add(ruleset, writable, all);
   add(ruleset, "/dev/null", (kRead | LANDLOCK_ACCESS_FS_WRITE_FILE | kTruncate) & all);

@@ -1,4 +1,4 @@
-#include "reaper.hpp"
+#include "steps.hpp"
 
 #include <sys/prctl.h>
 #include <sys/wait.h>
@@ -9,9 +9,6 @@
 #include <cstdlib>
 #include <fstream>
 #include <string>
-#include <utility>
-
-#include "require.hpp"
 
 namespace bounce::box {
 namespace {
@@ -65,21 +62,18 @@ int end_of(pid_t child) {
   return as_exit_status(status);
 }
 
-void close_all_but(std::vector<int> kept) {
-  std::sort(kept.begin(), kept.end());
-  unsigned next = 0;
-  for (const int fd : kept) {
-    const auto number = static_cast<unsigned>(fd);
-    if (fd < 0) continue;
-    if (number > next) ::close_range(next, number - 1, 0);
-    next = number + 1;
+void close_all_but(const std::vector<int>& kept) {
+  int end = 0;
+  for (const int fd : kept) end = std::max(end, fd + 1);
+  ::close_range(static_cast<unsigned>(end), ~0U, 0);
+  while (end-- > 0) {
+    if (std::count(kept.begin(), kept.end(), end) == 0) ::close(end);
   }
-  ::close_range(next, ~0U, 0);
 }
 
 }  // namespace
 
-void guard_what_follows(const Guarding& guarding, std::vector<int> kept) {
+void guard_what_follows(const Guarding& guarding, const std::vector<int>& kept) {
   require(::prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0), "becoming the reaper");
   int ready[2];  // closed once the guard is ready
   require(::pipe(ready), "a pipe");
@@ -93,8 +87,7 @@ void guard_what_follows(const Guarding& guarding, std::vector<int> kept) {
   }
   hear_when_to_end();
   guarding.before();
-  close_all_but(
-      std::move(kept));  // also `ready`, and pipes, so that only the child keeps them open
+  close_all_but(kept);  // also `ready`, and pipes, so that only the child keeps them open
   const int status = end_of(child);
   end_what_is_left();
   guarding.afterwards();

@@ -2,7 +2,6 @@
 // and unknown ones described, by these numbers.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,7 +41,8 @@ Eigen::VectorXd numbers_of(const Trajectory& trajectory);
 int numbers_together(int part);
 
 // The part's file in the folders of public fixtures, found by the beginning of its name.
-std::optional<std::filesystem::path> public_file(int part, const std::string& folder = "");
+// Throws std::runtime_error if there is none.
+std::filesystem::path public_file(int part, const std::string& folder = "");
 
 // What a wrong part is asked: its public cases and the diagnostic questions, and at last the first
 // ones again, in reverse order: so a program gives itself away that keeps something between calls,

@@ -24,14 +24,11 @@ std::string number(double x, int digits) {
   return text;
 }
 
-std::string padded(const std::string& text, std::size_t width) {
-  return text.size() < width ? text + std::string(width - text.size(), ' ') : text;
-}
-
-std::size_t width_of(const Words& lines) {
+// Makes lines equally long.
+void pad(Words& lines) {
   std::size_t width = 0;
   for (const std::string& line : lines) width = std::max(width, line.size());
-  return width;
+  for (std::string& line : lines) line.resize(width, ' ');
 }
 
 // Six digits, or more if a wrong number would look the same as the right one.
@@ -43,23 +40,18 @@ int digits_for(const Difference& d, const Marks& right) {
 }
 
 // A title, and a line for each row of the matrix, its columns aligned; a wrong entry is marked.
-Words lines_of(const std::string& title, const Eigen::MatrixXd& m, const Marks& right, int digits) {
+Words lines_of(const char* title, const Eigen::MatrixXd& m, const Marks& right, int digits) {
   Words rows(static_cast<std::size_t>(m.rows()), m.size() == 1 ? "" : "[");
   for (Index j = 0; j < m.cols(); ++j) {
-    Words entries;
-    for (Index i = 0; i < m.rows(); ++i) {
-      const std::string entry = number(m(i, j), digits);
-      entries.push_back(right(i, j) ? " " + entry + " " : ">" + entry + "<");
-    }
     for (std::size_t i = 0; i < rows.size(); ++i) {
-      rows[i] += (j > 0 ? "  " : "") + padded(entries[i], width_of(entries));
+      const std::string entry = number(m(Index(i), j), digits);
+      rows[i] += (j > 0 ? "  " : "") + (right(Index(i), j) ? " " + entry + " " : ">" + entry + "<");
     }
+    pad(rows);
   }
-  for (std::string& row : rows) {
-    if (m.size() > 1) row += "]";
-    if (row.back() == ' ') row.pop_back();
-  }
+  for (std::string& row : rows) row += m.size() > 1 ? "]" : "";
   rows.insert(rows.begin(), title);
+  pad(rows);
   return rows;
 }
 
@@ -68,15 +60,17 @@ std::string side_by_side(const Case& c, const Difference& d) {
   const Marks right = agrees(c, d.expected, d.got);
   const Marks all = Marks::Constant(right.rows(), right.cols(), true);
   const int digits = digits_for(d, right);
-  const Words yours = lines_of("yours, >wrong<", d.got, right, digits);
+  Words lines = lines_of("yours, >wrong<", d.got, right, digits);
   const Words rights = lines_of("right", d.expected, all, digits);
-  const std::size_t width = width_of(yours) + 4;
-  const bool beside = width + rights.back().size() < 72;
-  std::string text = "  " + d.name + ", in " + d.unit + "\n";
-  for (std::size_t i = 0; i < yours.size(); ++i) {
-    text += "    " + (beside ? padded(yours[i], width) + rights[i] : yours[i]) + "\n";
+  if (lines[0].size() + 4 + rights[0].size() < 72) {
+    for (std::size_t i = 0; i < lines.size(); ++i) lines[i] += "    " + rights[i];
+  } else {
+    lines.insert(lines.end(), rights.begin(), rights.end());
   }
-  for (std::size_t i = 0; i < (beside ? 0 : rights.size()); ++i) text += "    " + rights[i] + "\n";
+  std::string text = "  " + d.name + ", in " + d.unit + "\n";
+  for (const std::string& line : lines) {
+    text += "    " + line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+  }
   return text;
 }
 
@@ -95,13 +89,9 @@ std::string odd_number(const Eigen::MatrixXd& got) {
   return "";
 }
 
-bool are_zero(const double* numbers, Index size) {
-  return std::all_of(numbers, numbers + size, [](double x) { return x == 0; });
-}
-
 // What no answer can be, or what isn't filled in; else empty.
 std::string explanation(const Difference& d) {
-  if (!are_zero(d.got.data(), d.got.size())) return odd_number(d.got);
+  if (!d.got.isZero(0)) return odd_number(d.got);
   return d.got.size() > 1 ? "  every entry is 0: is it filled in?\n"
                           : "  it is 0: not filled in, or a smallest that was never found?\n";
 }

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <map>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -103,8 +102,8 @@ Words inputs(const WrongPart& wrong);
 // Whether the same question, asked twice, gets two answers.
 bool answers_differ_when_asked_again(const WrongPart& wrong);
 
-// "Wrong only where ...", for these questions. Empty if all or too few others are right, or if
-// nothing sets the wrong ones apart.
-std::string where(const WrongPart& wrong, const std::set<std::size_t>& questions);
+// "Wrong only where ...", of the questions with these numbers. Empty if too few others are right,
+// or if nothing sets the wrong ones apart.
+std::string where(const WrongPart& wrong, const std::vector<Number>& numbers);
 
 }  // namespace bounce::tests

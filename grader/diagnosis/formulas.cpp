@@ -89,6 +89,8 @@ std::string tidied(std::string text) {
       {"J_n^T (0)", "0"},
       {"J_t^T (0)", "0"},
       {", and with the forces' change of (v_x, v_y, omega) multiplied by (1, 1, 1)", ""},
+      {", and with the forces' change of (v_x, v_y, omega) multiplied by (m, m, m r_g^2)",
+       ", and without M^-1 before the forces"},
       {"that , and", "that"},
       {" and dt for dt", ""},
       {"the right M^-1 and ", ""},

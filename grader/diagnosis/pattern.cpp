@@ -1,9 +1,6 @@
-#include "pattern.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <set>
 #include <sstream>
 
 #include "findings.hpp"
@@ -27,11 +24,15 @@ std::vector<Number> wrong_numbers(const WrongPart& part) {
   return wrong;
 }
 
-std::string which(int part, const std::set<Index>& wrong, bool all_answered) {
+bool has(const Quantity& quantity, const Number& n) {
+  return std::count(quantity.entries.begin(), quantity.entries.end(), n.entry) > 0;
+}
+
+std::string which(int part, const std::vector<Number>& wrong, bool all_answered) {
   Words right, touched;
   for (const Quantity& quantity : quantities(part)) {
-    const bool is_wrong = std::any_of(quantity.entries.begin(), quantity.entries.end(),
-                                      [&](Index i) { return wrong.count(i) > 0; });
+    const bool is_wrong =
+        std::any_of(wrong.begin(), wrong.end(), [&](const Number& n) { return has(quantity, n); });
     (is_wrong ? touched : right).push_back(quantity.name);
   }
   const std::string what = "rong: " + joined(touched) + ".";
@@ -64,7 +65,7 @@ Words alone(const WrongPart& part) {
   if (answers_differ_when_asked_again(part)) {
     return {
         "The same question, asked again after others, gets another answer. Often: a static or "
-        "global variable, a number that is never set, or `auto` for an expression of Eigen."};
+        "global variable, or a number that is read before it is set or after it is gone."};
   }
   return formulas(part, "exchanges ");
 }
@@ -98,36 +99,35 @@ std::string digits(double x) {
   return text;
 }
 
-std::vector<std::string> patterns(int part, const std::vector<Case>& cases,
-                                  const std::vector<Answer>& right,
-                                  const std::vector<Answer>& got) {
+Words patterns(int part, const Cases& cases, const Answers& right, const Answers& got) {
   if (got.size() != right.size() || got.size() != cases.size()) return {};
   if (rows_of(std::to_string(part)).empty()) return {};  // nothing is known of the part
   const WrongPart wrong{part, cases, right, got, columns_of(part, cases, right, got)};
   const std::vector<Number> numbers = wrong_numbers(wrong);
   // A stub's answers need no description.
   if (numbers.empty() || !any_number(got, [](double x) { return x != 0; })) return {};
-  std::set<std::size_t> questions;
-  std::set<Index> entries;
-  for (const Number& n : numbers) {
-    questions.insert(n.question);
-    entries.insert(n.entry);
-  }
   const bool all_answered =
       std::all_of(got.begin(), got.end(), [](const Answer& a) { return a.thrown.empty(); });
-  Words sentences{which(part, entries, all_answered)};
+  Words sentences{which(part, numbers, all_answered)};
   if (const Words only = alone(wrong); !only.empty()) {
     sentences.push_back(only[0]);
     return sentences;
   }
   const Words follows = formula_or_rule(wrong, numbers);
   const Words responses = inputs(wrong);
-  const std::string only = responses.empty() && all_answered ? where(wrong, questions) : "";
+  const std::string only = responses.empty() && all_answered ? where(wrong, numbers) : "";
   sentences.insert(sentences.end(), follows.begin(), follows.end());
   if (!only.empty()) sentences.push_back(only);
   sentences.insert(sentences.end(), responses.begin(), responses.end());
   if (sentences.size() > kMost) sentences.resize(kMost);
   return sentences;
+}
+
+Diagnosis diagnosis(int part, const Cases& cases, const Answers& got) {
+  const KnownMistakes known = known_mistakes(part);
+  Diagnosis all{recognise(known, got), {}};
+  if (all.mistakes.empty()) all.patterns = patterns(part, cases, known.right, got);
+  return all;
 }
 
 }  // namespace bounce::tests

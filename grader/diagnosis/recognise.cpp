@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <climits>
 #include <cmath>
-#include <istream>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
@@ -172,7 +172,8 @@ Names in_common(const std::vector<Names>& explanations) {
 
 }  // namespace
 
-KnownMistakes read_mistakes(std::istream& file, int part) {
+KnownMistakes known_mistakes(int part) {
+  std::ifstream file(public_file(part, "mistakes"));
   const json all = json::parse(file);
   KnownMistakes known{numbers_together(part), {}, {}};
   for (const json& answer : all.at("right")) known.right.push_back(read_answer(answer));

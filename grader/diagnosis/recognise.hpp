@@ -1,7 +1,6 @@
-// Recognises known mistakes by a part's answers.
+// Recognises known mistakes by a part's answers, and describes what no known mistake explains.
 #pragma once
 
-#include <iosfwd>
 #include <string>
 #include <vector>
 
@@ -23,8 +22,8 @@ struct KnownMistakes {
 };
 
 // Reads a part's known mistakes from its file in fixtures/public/mistakes. Throws std::exception if
-// the file is invalid.
-KnownMistakes read_mistakes(std::istream& file, int part);
+// there is none, or it is invalid.
+KnownMistakes known_mistakes(int part);
 
 // The mistakes that explain the answers: none, one, or two together. One mistake must explain every
 // answer of the part, including the right ones, and show in enough of them to be sure. A pair must
@@ -33,6 +32,22 @@ KnownMistakes read_mistakes(std::istream& file, int part);
 // wrong in a way that isn't known. If several explanations fit, returns only what they have in
 // common; and nothing if a number is garbage.
 std::vector<Mistake> recognise(const KnownMistakes& known, const std::vector<Answer>& got);
+
+// Up to five sentences, each a fact about all answers: which quantities are right and which wrong;
+// which inputs make no difference and should, or the reverse; otherwise, in which cases they are
+// wrong; and a formula or rule that gives every wrong number. Where numbers can't be meant, or
+// one question gets two answers, that is said and no more. Empty if there is nothing to say, or if
+// nothing is wrong. The cases are the questions of the part, in the order of the answers.
+std::vector<std::string> patterns(int part, const std::vector<Case>& cases,
+                                  const std::vector<Answer>& right, const std::vector<Answer>& got);
+
+// What is said of a part's answers to its questions: the known mistakes of the public fixtures;
+// where they explain nothing, the patterns.
+struct Diagnosis {
+  std::vector<Mistake> mistakes;
+  std::vector<std::string> patterns;
+};
+Diagnosis diagnosis(int part, const std::vector<Case>& cases, const std::vector<Answer>& got);
 
 // Whether no calculation of a part gives this number: memory that was never set may hold it.
 bool is_garbage(double x);

@@ -8,9 +8,6 @@
 //   "sentence"   what the numbers alone don't say, such as an exception's text
 //   "quantities" the wrong ones: {"name", "unit", "got", "right", "expected"}, matrices by rows;
 //                "right" has a bool for each entry
-//   "scene"      if a picture needs it: {"l", "m", "g", "dt", "delta", "q", "v"}
-//   "path"       part 4: {"first", "got", "columns", "expected"}: the first wrong column, and
-//                configurations by column from 0 on ("expected" only those of "columns")
 //
 // "contact" and "expected" would tell the answer to a hidden case. A number that isn't finite is
 // "nan", "inf" or "-inf".
@@ -26,6 +23,8 @@ namespace bounce::judge {
 nlohmann::json facts(const tests::Failure& failure);
 
 // How a program ended: {"what", "number", "text"}.
-nlohmann::json facts(const Termination& end);
+inline nlohmann::json facts(const Termination& end) {
+  return {{"what", end.what}, {"number", end.number}, {"text", end.text}};
+}
 
 }  // namespace bounce::judge

@@ -14,8 +14,8 @@
 // ended says how the program ended, if it did, and stack where it came; failure is the failed case
 // in numbers, with the expected answers of hidden cases, which students must not see (both:
 // facts.hpp); null if the check passed, or failed as a whole. largest_error is the largest in
-// public cases, to two digits. mistakes and patterns are empty unless "recognise" is given and a
-// check failed; then a second runner is asked the public cases.
+// public cases, and null if it isn't finite. mistakes and patterns are empty unless "recognise" is
+// given and a check failed; then a second runner is asked the public cases.
 //
 // With "answers", it prints the runner's answers to the public cases instead: each is a list of
 // numbers, with null for NaN and infinity, or the text of an exception.
@@ -29,14 +29,10 @@
 
 #include <cmath>
 #include <csignal>
-#include <cstdio>
-#include <cstdlib>
-#include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "../diagnosis/answers.hpp"
-#include "../diagnosis/pattern.hpp"
 #include "../diagnosis/recognise.hpp"
 #include "facts.hpp"
 #include "session.hpp"
@@ -130,16 +126,10 @@ bool may_be_a_mistake(const json& checks) {
 
 void recognise(json& result) {
   const int part = asked.at("part");
-  const auto file = tests::public_file(part, "mistakes");
-  if (!file) throw std::runtime_error("there are no known mistakes: run ./kit fixtures");
-  std::ifstream in(*file);
-  const tests::KnownMistakes known = tests::read_mistakes(in, part);
   const std::vector<tests::Case> questions = tests::questions(part);
-  const std::vector<tests::Answer> got = fresh_answers(questions);
-  for (const auto& mistake : tests::recognise(known, got))
-    result["mistakes"].push_back(mistake.name);
-  if (!result["mistakes"].empty()) return;
-  result["patterns"] = tests::patterns(part, questions, known.right, got);
+  const auto found = tests::diagnosis(part, questions, fresh_answers(questions));
+  for (const tests::Mistake& mistake : found.mistakes) result["mistakes"].push_back(mistake.name);
+  result["patterns"] = found.patterns;
 }
 
 json answers() {
@@ -160,14 +150,6 @@ std::string wait() try {
   return in_one_line(end);
 }
 
-// Rounds to two digits; null if it isn't finite.
-json rounded(double error) {
-  if (!std::isfinite(error)) return nullptr;
-  char digits[16];
-  std::snprintf(digits, sizeof digits, "%.1e", error);
-  return std::strtod(digits, nullptr);
-}
-
 json verdicts() {
   const auto first = new_session();
   session = first.get();
@@ -183,7 +165,7 @@ json verdicts() {
   if (!verdicts->kit_failure.empty()) throw std::runtime_error(verdicts->kit_failure);
 
   json result = {{"checks", verdicts->checks},
-                 {"largest_error", rounded(tests::largest_error())},
+                 {"largest_error", tests::largest_error()},
                  {"mistakes", json::array()},
                  {"patterns", json::array()}};
   if (is_asked("recognise") && may_be_a_mistake(verdicts->checks)) recognise(result);

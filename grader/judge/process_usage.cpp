@@ -82,14 +82,14 @@ void add_threads(pid_t pid, ProcessUsage& all) {
 bool add(pid_t pid, ProcessUsage& all) {
   const char state = state_of(folder_of(pid)).letter;
   const std::optional<double> cpu = cpu_seconds_of(pid);
-  const auto children = children_of(pid);
-  if (state == 0 || !cpu || !children) return false;
+  const std::vector<pid_t> children = children_of(pid);
+  if (state == 0 || !cpu) return false;
   all.reads_a_disk = all.reads_a_disk || state == 'D';
   all.stopped = all.stopped || state == 'T' || state == 't';
   all.cpu_seconds += *cpu;
   all.ended_seconds += *cpu;
   add_threads(pid, all);  // after the clock, so that no running thread is taken for an ended one
-  for (const pid_t child : *children) add(child, all);  // unless it has just ended
+  for (const pid_t child : children) add(child, all);  // unless it has just ended
   return true;
 }
 
@@ -100,9 +100,8 @@ std::optional<ProcessUsage> usage_of(pid_t pid) {
   return add(pid, all) ? std::optional(all) : std::nullopt;
 }
 
-std::optional<std::vector<pid_t>> children_of(pid_t pid) {
+std::vector<pid_t> children_of(pid_t pid) {
   std::ifstream file(folder_of(pid) + "/task/" + std::to_string(pid) + "/children");
-  if (!file) return std::nullopt;
   std::vector<pid_t> children;
   for (pid_t child = 0; file >> child;) children.push_back(child);
   return children;
@@ -118,21 +117,15 @@ double own_delay_seconds() {
   return scheduled("/proc/self").delay + seconds(stolen);
 }
 
-// Field 4 of each CPU's line in /proc/stat.
+// Field 4 of the CPU's line in /proc/stat.
 double spare_seconds() {
-  cpu_set_t ours;
-  CPU_ZERO(&ours);
-  ::sched_getaffinity(0, sizeof ours, &ours);
+  const std::string name = "cpu" + std::to_string(::sched_getcpu());
   std::ifstream file("/proc/stat");
-  double sum = 0;
-  for (std::string line; std::getline(file, line) && line.rfind("cpu", 0) == 0;) {
-    std::istringstream fields(line.substr(3));
-    std::size_t cpu = 0;
-    double user = 0, nice = 0, system = 0, spare = 0;
-    const bool one = line[3] != ' ' && fields >> cpu >> user >> nice >> system >> spare;
-    if (one && cpu < CPU_SETSIZE && CPU_ISSET(cpu, &ours)) sum += spare;
-  }
-  return seconds(sum / std::max(CPU_COUNT(&ours), 1));
+  std::string word;
+  while (file >> word && word != name) continue;
+  double user = 0, nice = 0, system = 0, spare = 0;
+  file >> user >> nice >> system >> spare;
+  return seconds(spare);
 }
 
 }  // namespace bounce::judge

@@ -25,15 +25,14 @@ struct ProcessUsage {
 // Empty if the system doesn't report it, or the process is gone.
 std::optional<ProcessUsage> usage_of(pid_t pid);
 
-// The processes that it has started, or taken over, and that still exist. Empty as above.
-std::optional<std::vector<pid_t>> children_of(pid_t pid);
+// The processes that it has started, or taken over, and that still exist.
+std::vector<pid_t> children_of(pid_t pid);
 
 // For how long this process was ready to run while no CPU was free, and for how long the host of a
 // virtual machine gave its CPUs to others (steal time), s.
 double own_delay_seconds();
 
-// For how long the CPUs that this process may use had nothing to do, on average, s; in steps of 10
-// ms.
+// For how long the CPU of this process, which stays there, had nothing to do, s; in steps of 10 ms.
 double spare_seconds();
 
 }  // namespace bounce::judge

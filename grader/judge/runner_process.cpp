@@ -48,7 +48,7 @@ void limit(int resource, rlim_t soft, rlim_t hard) {
   // First moves them away from 0 to 5, so that no dup2 overwrites a descriptor still needed.
   for (int& fd : pipes) fd = ::fcntl(fd, F_DUPFD, 10);
   const auto [questions, answers, prints, status] = pipes;
-  const int nothing = ::open("/dev/null", O_RDWR);  // as grader/box/filter.hpp wants it
+  const int nothing = ::open("/dev/null", O_RDWR);  // as grader/box/steps.hpp wants it
   ::dup2(nothing, 0);
   ::dup2(prints, 1);
   ::dup2(prints, 2);
@@ -70,13 +70,11 @@ void limit(int resource, rlim_t soft, rlim_t hard) {
   ::_exit(127);
 }
 
-const char* what_came(bool amid_an_answer) { return amid_an_answer ? "a part of an answer" : ""; }
-
 // The last of a chain of processes in which each has started the next, as in a box; `pid` itself if
 // it has started none.
 pid_t last_below(pid_t pid) {
-  const auto children = children_of(pid);
-  return children && !children->empty() ? last_below(children->front()) : pid;
+  const std::vector<pid_t> children = children_of(pid);
+  return children.empty() ? pid : last_below(children.front());
 }
 
 // Ends the children of this process that it hasn't started: they are orphans of its descendants. A
@@ -85,7 +83,7 @@ pid_t last_below(pid_t pid) {
 void end_orphans() {
   for (int generation = 0; generation < kGenerations; ++generation) {
     bool any = false;
-    for (const pid_t child : children_of(::getpid()).value_or(std::vector<pid_t>())) {
+    for (const pid_t child : children_of(::getpid())) {
       if (started.count(child) > 0) continue;
       any = true;
       ::kill(child, SIGKILL);
@@ -260,7 +258,8 @@ void RunnerProcess::end_if_it_hangs(bool amid_an_answer) {
   }
   if (seen.cpu_seconds > limits_.cpu_seconds + kCpuGrace) end(out_of_cpu_time(limits_, memory_));
   if (idle_.count() < limits_.idle_seconds) return;
-  end({"timed_out", seen.stopped ? "stopped" : "waited", 0, what_came(amid_an_answer)}, true);
+  const char* came = amid_an_answer ? "a part of an answer" : "";
+  end({"timed_out", seen.stopped ? "stopped" : "waited", 0, came}, true);
 }
 
 // A program that isn't idle, and uses no CPU time up, is none of those that should have ended.

@@ -1,8 +1,7 @@
 #include "session.hpp"
 
-#include <sys/random.h>
-
 #include <algorithm>
+#include <random>
 #include <utility>
 
 #include "../../tests/parts/cases.hpp"
@@ -22,11 +21,8 @@ constexpr const char* kFunctions[] = {
 
 // A random number, so that no program can write an answer before it has the question.
 std::uint64_t unforeseeable_number() {
-  std::uint64_t number = 0;
-  if (::getrandom(&number, sizeof number, 0) != sizeof number) {
-    throw KitFailure("the system gives no random numbers");
-  }
-  return number;
+  static std::random_device random;
+  return std::uniform_int_distribution<std::uint64_t>()(random);
 }
 
 // More than any correct program needs; stops a program that calls back in an endless loop.
@@ -79,7 +75,7 @@ Session::Session(Start start, Limits limits, std::uint32_t part, bool given, Num
 std::optional<Termination> Session::take_end() { return std::exchange(end_, std::nullopt); }
 
 Frame Session::ask(Frame question, Trajectory* columns) {
-  if (!kit_failure_.empty()) throw tests::Ended(kit_failure_);
+  if (!kit_failure_.empty()) throw tests::Ended{kit_failure_};
   if (answers_for(question.part)) {
     const Frame reply = reply_to(question);
     if (reply.kind == Kind::threw) throw std::runtime_error(frames::text(reply));
@@ -88,7 +84,7 @@ Frame Session::ask(Frame question, Trajectory* columns) {
   if (const char* why = why_not_asked()) {
     end_ = Termination{"no_answer", why};
     end_->of_no_case = true;
-    throw tests::Ended(why);
+    throw tests::Ended{why};
   }
   Frame answer;
   try {
@@ -97,10 +93,10 @@ Frame Session::ask(Frame question, Trajectory* columns) {
     answer = answer_of(question, columns);
   } catch (const KitFailure& failure) {
     kit_failure_ = failure.what();
-    throw tests::Ended(kit_failure_);
+    throw tests::Ended{kit_failure_};
   } catch (const Termination& end) {
     end_runner(end);
-    throw tests::Ended(end.what);
+    throw tests::Ended{end.what};
   }
   if (answer.kind == Kind::threw) {
     throw std::runtime_error("the program threw " + thrown_text(answer));

@@ -1,122 +1,75 @@
 // stopwatch JSON
 //
-// JSON is {"scenes": folder, "timed": command, "solution": command}, where a command, a list of
-// words, starts a runner. Measures, for each dt, the scenes that the
-// assignment's model can simulate (speed_curves.hpp), with a submission's runner built for speed,
-// the solution's runner, and the simulator that uses the least model for each step. Prints {"dt":
-// [...], "scenes": [{"scene", "title", "seconds", "submission", "solution", "least"}], "cut"};
-// a curve is a list of {"dt", "ns", "error"}, with ns of CPU time for a simulated
-// second and an error in m, or null if it isn't finite. cut says where and why the submission's
-// curves end early: {"dt", "sentence", "ended"}, with how its program ended (termination.hpp), if
-// it did; else it is null.
+// Measures speed against accuracy: programs take turns at scenes with smaller and smaller steps,
+// those that the assignment's model can simulate: a submission's runner built for speed, the
+// solution's runner, and the simulator that uses the least model for each step. JSON is {"scenes":
+// folder, "timed": command, "solution": command}; a command, a list of words, starts a runner.
+// Prints {"dt":
+// [...], "scenes": [{"scene", "title", "seconds", "submission", "solution", "least"}], "cut"}; a
+// curve is a list of {"dt", "ns", "error"}, with ns of CPU time for a simulated second and an error
+// in m, or null if it isn't finite. cut says where and why the submission's curves end early:
+// {"dt", "sentence", "ended"}, with how its program ended (termination.hpp), if it did; else it is
+// null.
 //
-// If a timed column is wrong, the times mean nothing, and only {"wrong": place} is printed.
+// The error is that of the first round, which starts as the scene does. The time is the least of
+// the other rounds', whose initial velocities are changed at random by about a thousandth, so that
+// answers which were kept or computed beforehand are wrong there. If a timed column is wrong, the
+// times mean nothing, and only {"wrong": place} is printed.
 //
 // A runner is timed from outside, by the system's count of its CPU time, from the question to the
 // last column of its answer, both included.
 //
 // Exit status 3 if the solution's runner ends, or if CPU time can't be measured.
 #include <algorithm>
-#include <bounce/part3_step.hpp>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <ctime>
+#include <functional>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <random>
 
 #include "../../solution/exact/simulate_scene.hpp"
-#include "../../solution/fixtures/decidable.hpp"
+#include "../../solution/exact/truth.hpp"
 #include "../../tests/parts/cases.hpp"
 #include "../../tests/parts/submission.hpp"
 #include "../runner/messages.hpp"
 #include "facts.hpp"
+#include "right_columns.hpp"
 #include "session.hpp"
-#include "speed_curves.hpp"
 
-namespace bounce {
-
-// The stopwatch reads no fixtures.
-std::vector<std::filesystem::path> tests::fixture_folders() { return {}; }
-void tests::about_to_ask(const Case&) {}
-void tests::found_wrong(const Case&, const Problem&) {}
-std::string tests::in_words(const Failure&) { return {}; }
-
-namespace judge {
+namespace bounce::judge {
 namespace {
 
 using nlohmann::json;
-using Command = std::vector<std::string>;
 
-constexpr double kBudget = 2e9;  // ns of CPU time for all curves
+const std::vector<double> kSteps{1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 3e-5, 1e-5};  // s
+constexpr double kBudget = 2e9;  // ns of CPU time for all curves of a program
+// delta over dt, m/s: the assignment's 0.001 m for 0.01 s. With a fixed delta, the error of any
+// correct program stops falling at some multiple of delta, which says nothing about the program.
+constexpr double kDeltaSpeed = 0.1;
+constexpr double kNudge = 1e-3;  // m/s and rad/s: a thousandth of typical velocities
+constexpr int kFewest = 2, kMost = 5;
+constexpr long kStepsInAll = 25'000;  // of all rounds of a point, roughly
 
-// --- whether columns are right, each as the step from the one before: over a whole trajectory
-// rounding errors grow too much for a comparison ---
+// --- programs ---
 
-constexpr double kTolerance = 1e-9;  // that of the fixtures
-// What rounding decides may go either way within decidable.hpp's margin of 1e-6; the answers for
-// starts so near differ by some hundred times that, or belong to another contact.
-constexpr double kAside = 2e-6;
-constexpr double kLoose = 2e-4;
-// Columns of a trajectory that may come about in this way. A program that rounds otherwise has one
-// now and then; more of them in a row would be a motion of its own.
-constexpr int kMostAside = 3;
+struct Timed {
+  Trajectory trajectory = {};
+  double ns = 0;  // of CPU time
+};
 
-// As tests/parts/cases.cpp compares; NaN is never right.
-bool is_near(const Vector3& expected, const Vector3& got, double tolerance) {
-  return ((got - expected).array().abs() <= tolerance * expected.array().abs().max(1.0)).all();
-}
-
-bool are_same(const State& expected, const State& got, double tolerance = kTolerance) {
-  return is_near(expected.q, got.q, tolerance) && is_near(expected.v, got.v, tolerance);
-}
-
-// Whether some start beside this one leads there: a little higher or lower, so that it touches or
-// not, or turned a little, so that another corner is the lowest.
-bool may_lead_to(const State& now, const State& from, const Parameters& params) {
-  for (const double up : {0.0, kAside, -kAside}) {
-    for (const double turn : {0.0, kAside, -kAside}) {
-      const Vector3 aside = from.q + Vector3(0, up, turn / params.l);
-      if (are_same(step(aside, from.v, params), now, kLoose)) return true;
-    }
-  }
-  return false;
-}
-
-// The first column that isn't the solution's step from the column before, or for column 0 not
-// `start`. Where rounding decides what happens in a step (decidable.hpp), a column is also right if
-// it is the solution's step from a state that differs by as little.
-std::optional<Eigen::Index> wrong_column(const Trajectory& trajectory, const State& start,
-                                         const Parameters& params) {
-  State before = start;
-  int aside = 0;
-  for (Eigen::Index column = 0; column < trajectory.q.cols(); ++column) {
-    const State now{trajectory.q.col(column), trajectory.v.col(column)};
-    const State expected = column == 0 ? start : step(before.q, before.v, params);
-    if (!now.q.allFinite() || !now.v.allFinite()) return column;
-    if (!are_same(expected, now)) {
-      const bool may_be = column > 0 && !fixtures::mode_of_step(before.q, before.v, params) &&
-                          may_lead_to(now, before, params) && ++aside <= kMostAside;
-      if (!may_be) return column;
-    }
-    before = now;
-  }
-  return std::nullopt;
-}
-
-// --- the contenders ---
-
-// A runner whose CPU time is measured.
+// A runner whose CPU time is measured. Throws Termination where it ends.
 class Timer {
  public:
-  explicit Timer(const Command& command) : session_(command, limits(), 4, false) {}
+  explicit Timer(const std::vector<std::string>& command) : session_(command, limits(), 4, false) {}
 
-  Timed run(const Parameters& params, const State& start) {
-    if (!started_) {  // else the first question would include the program's start
-      Parameters one = params;
-      one.T = 1;
-      ask(one, start);
-      started_ = true;
+  Timed run(Parameters params, const State& start) {
+    if (session_.cpu_ns() == 0) {  // else the first question would include the program's start
+      const int T = std::exchange(params.T, 1);
+      ask(params, start);
+      params.T = T;
     }
     return ask(params, start);
   }
@@ -136,34 +89,29 @@ class Timer {
       const frames::Frame shape =
           session_.ask(frames::question(4, params, start.q, start.v), &answer.trajectory);
       submission::require_columns(shape.q_columns, shape.v_columns, params.T);
-    } catch (const tests::Ended&) {
+    } catch (const tests::Ended& ended) {
       if (const auto end = session_.take_end()) throw *end;
-      throw;
+      throw std::runtime_error(ended.why);
     }
     answer.ns = std::max(1.0, session_.cpu_ns() - before);
     return answer;
   }
 
   Session session_;
-  bool started_ = false;
 };
 
-// Some column isn't a step of the solution's from the one before: the time of such answers says
-// nothing.
+// Some column isn't a step of the solution's from the one before.
 struct Wrong {
   std::string place;
 };
 
-// Throws Wrong.
-Timed run_submission(Timer& timed, const Parameters& params, const State& start) {
-  Timed result = timed.run(params, start);
-  if (const auto wrong = wrong_column(result.trajectory, start, params)) {
-    char words[80];
-    std::snprintf(words, sizeof words, "at dt = %.2g s, column %td of %d", params.dt, *wrong,
-                  params.T);
-    throw Wrong{words};
-  }
-  return result;
+void require_right(const Trajectory& trajectory, const Parameters& params, const State& start) {
+  const auto wrong = wrong_column(trajectory, start, params);
+  if (!wrong) return;
+  char words[80];
+  std::snprintf(words, sizeof words, "at dt = %.2g s, column %td of %d", params.dt, *wrong,
+                params.T);
+  throw Wrong{words};
 }
 
 // CPU time of this thread. That of the process only advances in ticks if it has a limit.
@@ -179,60 +127,125 @@ Timed run_least_model(const Parameters& params, const State& start) {
   return {std::move(trajectory), std::max(1.0, cpu_ns() - before)};
 }
 
-// --- the answer ---
+// --- rounds ---
 
-json as_json(const Cut& cut) {
-  return {
-      {"dt", cut.dt}, {"sentence", cut.sentence}, {"ended", cut.end ? facts(*cut.end) : json()}};
+// A scene at one dt.
+struct Setting {
+  const exact::Scene& scene;
+  const exact::Samples& truth;
+  Parameters params = scene.params;
+  long between = 0;  // steps, from one sample to the next
+
+  Setting(const exact::Scene& of, const exact::Samples& its_truth, double dt)
+      : scene(of), truth(its_truth) {
+    params.dt = exact::fitting_step(scene, dt);
+    params.delta = kDeltaSpeed * params.dt;
+    between = std::lround(scene.until / exact::kSamples / params.dt);
+    params.T = static_cast<int>(exact::kSamples * between) + 1;
+  }
+
+  // The largest distance to the truth over the samples, m.
+  double error_of(const Trajectory& trajectory) const {
+    exact::Samples samples;
+    for (int i = 1; i <= exact::kSamples; ++i) {
+      const State state{trajectory.q.col(i * between), trajectory.v.col(i * between)};
+      samples.push_back(methods::motion_of<double>(state));
+    }
+    return exact::error_of(scene, samples, truth);
+  }
+};
+
+// The scene's start with random changes to the velocities.
+State nudged(State start) {
+  static std::random_device random;
+  std::uniform_real_distribution<double> change(-kNudge, kNudge);
+  for (double& x : start.v) x += change(random);
+  return start;
 }
 
-json as_json(const std::vector<Point>& points) {
-  json list = json::array();
-  for (const Point& point : points) {
-    list.push_back({{"dt", point.dt},
-                    {"ns", std::round(point.ns_per_second)},
-                    {"error", std::isfinite(point.error) ? json(point.error) : json(nullptr)}});
+// A program that takes turns, and what it has reached.
+struct Contender {
+  const char* name;
+  std::function<Timed(const Parameters& params, const State& start)> run;
+  json cut = nullptr;  // where and why its curves end early
+  double left_ns = kBudget;
+  double ns = 0, error = 0;  // of the rounds at the present setting
+
+  // The first round is the scene itself, which could be known by heart. Of the others' times the
+  // least counts, because disturbances only add time.
+  void take_turn(const Setting& setting, const State& start, int round) {
+    const auto end = [&](const std::string& why, const json& ended) {
+      cut = {{"dt", setting.params.dt}, {"sentence", why}, {"ended", ended}};
+    };
+    if (cut.is_null() && left_ns < 0) {
+      end("it takes more CPU time than there is for all of this", nullptr);
+    }
+    if (!cut.is_null()) return;
+    try {
+      const Timed timed = run(setting.params, start);
+      if (round == 0) error = setting.error_of(timed.trajectory);
+      ns = round <= 1 ? timed.ns : std::min(ns, timed.ns);
+      left_ns -= timed.ns;
+    } catch (const Termination& ended) {
+      end("", facts(ended));
+    } catch (const std::runtime_error& failed) {
+      end(failed.what(), nullptr);
+    }
   }
-  return list;
+
+  void add_point(const Setting& setting, json& curve) const {
+    if (!cut.is_null()) return;
+    curve.push_back({{"dt", setting.params.dt},
+                     {"ns", std::round(ns / setting.scene.until)},
+                     {"error", std::isfinite(error) ? json(error) : json()}});
+  }
+};
+
+// Adds a point to each one's curve in a scene.
+void measure(std::vector<Contender>& contenders, const Setting& setting, json& curves) {
+  const auto rounds = std::clamp<long>(kStepsInAll / setting.params.T, kFewest, kMost);
+  for (int round = 0; round < rounds; ++round) {
+    const State start = round == 0 ? setting.scene.start : nudged(setting.scene.start);
+    for (Contender& one : contenders) one.take_turn(setting, start, round);
+  }
+  for (const Contender& one : contenders) one.add_point(setting, curves[one.name]);
 }
 
 // Those that need at most one corner with friction: the assignment's model has no two corners at
 // once, as in a square that rests on a face.
-std::vector<exact::Scene> scenes_of_one_corner(const std::string& folder) {
-  std::vector<exact::Scene> scenes;
-  for (const exact::Scene& scene : exact::read_scenes(folder)) {
-    const bool asleep = scene.least == exact::ModelLevel::asleep;
-    if (!asleep && scene.least <= exact::ModelLevel::one_friction) scenes.push_back(scene);
-  }
-  return scenes;
+bool has_one_corner(const exact::Scene& scene) {
+  return scene.least != exact::ModelLevel::asleep && scene.least <= exact::ModelLevel::one_friction;
 }
 
 json measured(const json& asked) {
-  const std::vector<exact::Scene> scenes = scenes_of_one_corner(asked.at("scenes"));
-  const auto command = [&](const char* name) { return asked.at(name).get<Command>(); };
-  Timer timed(command("timed")), solution(command("solution"));
-  const auto run = [&](const Parameters& params, const State& start) {
-    return run_submission(timed, params, start);
+  Timer timed(asked.at("timed")), solution(asked.at("solution"));
+  const auto run_right = [&](const Parameters& params, const State& start) {
+    Timed result = timed.run(params, start);
+    require_right(result.trajectory, params, start);
+    return result;
   };
   const auto run_solution = [&](const Parameters& params, const State& start) {
     return solution.run(params, start);
   };
-  const auto curves = speed_curves(scenes, {run, run_solution, run_least_model}, kBudget);
-  if (const auto& cut = curves[1].cut) {
-    throw std::runtime_error("the solution: " + cut->sentence + (cut->end ? cut->end->what : ""));
+  std::vector<Contender> contenders{
+      {"submission", run_right}, {"solution", run_solution}, {"least", run_least_model}};
+  std::vector<exact::Scene> scenes = exact::read_scenes(asked.at("scenes").get<std::string>());
+  std::erase_if(scenes, [](const exact::Scene& scene) { return !has_one_corner(scene); });
+  std::vector<exact::Samples> truths;
+  json all = json::array();
+  for (const exact::Scene& scene : scenes) {
+    truths.push_back(exact::truth_of(scene));
+    all.push_back({{"scene", scene.name}, {"title", scene.title}, {"seconds", scene.until}});
+    for (const Contender& one : contenders) all.back()[one.name] = json::array();
   }
-  const auto& cut = curves[0].cut;
-  json answer = {{"dt", kMeasuredSteps}, {"scenes", json::array()}};
-  answer["cut"] = cut ? as_json(*cut) : json();
-  for (std::size_t i = 0; i < scenes.size(); ++i) {
-    answer["scenes"].push_back({{"scene", scenes[i].name},
-                                {"title", scenes[i].title},
-                                {"seconds", scenes[i].until},
-                                {"submission", as_json(curves[0].points[i])},
-                                {"solution", as_json(curves[1].points[i])},
-                                {"least", as_json(curves[2].points[i])}});
+  for (const double dt : kSteps) {
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+      measure(contenders, Setting(scenes[i], truths[i], dt), all[i]);
+    }
   }
-  return answer;
+  const json& cut = contenders[1].cut;
+  if (!cut.is_null()) throw std::runtime_error("the solution was cut: " + cut.dump());
+  return {{"dt", kSteps}, {"scenes", all}, {"cut", contenders[0].cut}};
 }
 
 json answer_to(const json& asked) try { return measured(asked); } catch (const Wrong& wrong) {
@@ -240,8 +253,7 @@ json answer_to(const json& asked) try { return measured(asked); } catch (const W
 }
 
 }  // namespace
-}  // namespace judge
-}  // namespace bounce
+}  // namespace bounce::judge
 
 int main(int argc, char** argv) try {
   std::signal(SIGPIPE, SIG_IGN);

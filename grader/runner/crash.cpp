@@ -1,17 +1,26 @@
 #include "crash.hpp"
 
-#include <ucontext.h>
+#if defined(__linux__) || defined(__APPLE__)
+#include <fcntl.h>
 #include <unistd.h>
 #include <unwind.h>
 
 #include <csignal>
 #include <cstdint>
 #include <cstring>
-#include <iterator>
+#include <initializer_list>
+#ifdef __APPLE__
+#include <mach-o/dyld.h>
+#else
+#include <link.h>
+#include <ucontext.h>
+#endif
 
 namespace bounce::runner {
 namespace {
 
+int report = STDERR_FILENO;
+std::uintptr_t program_moved = 0;  // how far the system has put the program from its own addresses
 constexpr std::size_t kLongestText = 200;
 constexpr std::uintptr_t kNearNull = 64 * 1024;
 constexpr std::uintptr_t kBelowTheStack = 64 * 1024;  // that a call may touch below its pointer
@@ -28,7 +37,7 @@ struct Stack {
 _Unwind_Reason_Code note_frame(_Unwind_Context* context, void* to) {
   Stack& stack = *static_cast<Stack*>(to);
   int before = 0;
-  const std::uintptr_t address = _Unwind_GetIPInfo(context, &before);
+  const std::uintptr_t address = _Unwind_GetIPInfo(context, &before) - program_moved;
   stack.addresses[stack.size++] = before ? address : address - 1;
   return stack.size < kFrames ? _URC_NO_REASON : _URC_END_OF_STACK;
 }
@@ -43,7 +52,7 @@ char* put_hexadecimal(char* to, std::uintptr_t x) {
   return to;
 }
 
-char* put_decimal(char* to, unsigned x) {
+[[maybe_unused]] char* put_decimal(char* to, unsigned x) {
   if (x >= 10) to = put_decimal(to, x / 10);
   *to++ = "0123456789"[x % 10];
   return to;
@@ -56,9 +65,9 @@ char* put_text(char* to, const char* text) {
 }
 
 std::uintptr_t stack_pointer([[maybe_unused]] void* context) {
-#if defined(__x86_64__)
+#if defined(__linux__) && defined(__x86_64__)
   return static_cast<std::uintptr_t>(static_cast<ucontext_t*>(context)->uc_mcontext.gregs[REG_RSP]);
-#elif defined(__aarch64__)
+#elif defined(__linux__) && defined(__aarch64__)
   return static_cast<ucontext_t*>(context)->uc_mcontext.sp;
 #else
   return stack_begin;
@@ -76,8 +85,10 @@ char* put_cause(char* to, int signal, const siginfo_t& info, void* context) {
   to = put_text(put_text(to, "\n"), kCause);
   if (finding) {
     to = put_text(put_text(to, kFound), finding);
+#ifdef __linux__
   } else if (signal == SIGSYS) {
     to = put_decimal(put_text(to, kCall), static_cast<unsigned>(info.si_syscall));
+#endif
   } else if (info.si_code <= 0) {  // a signal that was sent, no fault
     to = put_text(to, kUnknown);
   } else if (signal == SIGSEGV) {
@@ -99,26 +110,42 @@ void tell(int signal, siginfo_t* info, void* context) {
   for (int i = 0; i < stack.size; ++i) end = put_hexadecimal(end, stack.addresses[i]);
   *end++ = '\n';
   [[maybe_unused]] const auto written =
-      ::write(STDERR_FILENO, lines, static_cast<std::size_t>(end - lines));
+      ::write(report, lines, static_cast<std::size_t>(end - lines));
   ::raise(signal);  // unlike a fault, a refused call or a sent signal isn't repeated
 }
 
-// Runs before the submission's constructors: 101 is the first priority that isn't reserved.
-[[gnu::constructor(101)]] void tell_where_it_crashes() {
+}  // namespace
+
+void report_crashes(const char* file) {
+  if (file) report = ::open(file, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+#ifdef __APPLE__
+  program_moved = static_cast<std::uintptr_t>(_dyld_get_image_vmaddr_slide(0));
+#else
+  ::dl_iterate_phdr(
+      [](dl_phdr_info* info, std::size_t, void*) {
+        program_moved = info->dlpi_addr;
+        return 1;  // the program itself is the first of what is loaded
+      },
+      nullptr);
+#endif
   stack_begin = reinterpret_cast<std::uintptr_t>(__builtin_frame_address(0));
   static char other_stack[64 * 1024];  // the usual stack may have overflowed
-  const stack_t alternative{other_stack, 0, sizeof other_stack};
+  stack_t alternative = {};
+  alternative.ss_sp = other_stack;
+  alternative.ss_size = sizeof other_stack;
   ::sigaltstack(&alternative, nullptr);
   struct sigaction action = {};
   action.sa_sigaction = tell;
-  action.sa_flags = SA_SIGINFO | SA_ONSTACK | SA_RESETHAND;  // a second signal ends the program
+  // A second signal ends the program.
+  action.sa_flags = SA_SIGINFO | SA_ONSTACK | static_cast<int>(SA_RESETHAND);
   for (const int signal : {SIGSEGV, SIGABRT, SIGFPE, SIGILL, SIGBUS, SIGSYS}) {
     ::sigaction(signal, &action, nullptr);
   }
 }
 
-}  // namespace
-
 void note_finding(const char* what) { finding = what; }
 
 }  // namespace bounce::runner
+#else
+void bounce::runner::report_crashes(const char*) {}
+#endif

@@ -1,5 +1,5 @@
-// Reports where and why a program crashes, in two lines on standard error before a signal ends it.
-// The grader turns them into a message, and into the submission's file and line.
+// Reports where and why a program crashes, in two lines before a signal ends it. The grader turns
+// them into a message, and into the submission's file and line; so does ./check.
 #pragma once
 
 namespace bounce::runner {
@@ -15,6 +15,9 @@ inline constexpr char kUnknown[] = "unknown";             // anything else
 inline constexpr char kStack[] = "stack of the crash:";   // and the addresses on the stack:
 inline constexpr int kFrames = 40;                        // at most so many,
 inline constexpr int kDigits = 16;                        // each " 0x" and so many digits
+
+// From here on; to a file, or to standard error. Does nothing on Windows.
+void report_crashes(const char* file = nullptr);
 
 // Sets the cause of the next crash; `what` must stay valid.
 void note_finding(const char* what);

@@ -1,6 +1,6 @@
 // The layout in a frame of each part's arguments and result, for the runner, the given parts, the
-// judge, and recorded answers. A new part adds put and take for its result, unless it is a number
-// or a matrix.
+// judge, and recorded answers. A new part adds put and take for its result, unless it is a number,
+// a matrix, or a struct of two of these.
 #pragma once
 
 #include <tuple>
@@ -9,34 +9,19 @@
 
 namespace bounce::frames {
 
-inline void put(Frame& frame, double*& values, const Contact& contact) {
-  put(frame, values, contact.J);
-  put(frame, values, contact.phi);
+// A struct of two of them, such as Contact.
+template <class Pair, class = std::enable_if_t<std::is_aggregate_v<Pair>>>
+void put(Frame& frame, double*& values, const Pair& pair) {
+  const auto& [first, second] = pair;
+  put(frame, values, first);
+  put(frame, values, second);
 }
 
-inline void take(const Frame& frame, const double*& values, Contact& contact) {
-  take(frame, values, contact.J);
-  take(frame, values, contact.phi);
-}
-
-inline void put(Frame& frame, double*& values, const Lcp& lcp) {
-  put(frame, values, lcp.V);
-  put(frame, values, lcp.p);
-}
-
-inline void take(const Frame& frame, const double*& values, Lcp& lcp) {
-  take(frame, values, lcp.V);
-  take(frame, values, lcp.p);
-}
-
-inline void put(Frame& frame, double*& values, const State& state) {
-  put(frame, values, state.q);
-  put(frame, values, state.v);
-}
-
-inline void take(const Frame& frame, const double*& values, State& state) {
-  take(frame, values, state.q);
-  take(frame, values, state.v);
+template <class Pair, class = std::enable_if_t<std::is_aggregate_v<Pair>>>
+void take(const Frame& frame, const double*& values, Pair& pair) {
+  auto& [first, second] = pair;
+  take(frame, values, first);
+  take(frame, values, second);
 }
 
 // Its columns follow the frame.

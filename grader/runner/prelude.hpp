@@ -36,54 +36,32 @@ void set(To&& to, const Expressions&... expressions) {
 
 inline void instances(Eigen::Matrix2d& A2, Eigen::Vector2d& a2, Eigen::Matrix3d& A, Vector3& a,
                       Eigen::Matrix4d& A4, Eigen::Vector4d& a4, Eigen::MatrixXd& Ax,
-                      Eigen::VectorXd& ax, Jacobian& J, Contact& contact, Trajectory& trajectory,
+                      Eigen::VectorXd& ax, Jacobian& J, Trajectory& trajectory,
                       Eigen::Matrix<double, 2, 4>& corners) {
   double s = a.dot(A * a) + a.dot(a);
-  set(A, A.transpose() * A * A, A.transpose() * A * A * s, A * A, s * A, A * s, A.inverse().eval());
-  A = a.asDiagonal();
-  set(a, A * a, s * A * a, a + s * A * a, a + s * (A * a), a + s * a, a - s * a, -a, s * a);
-  set(a, A.col(0), A.inverse() * a, a + s * A.inverse() * a, A.partialPivLu().solve(a));
-  a += s * a;
+  set(A, A.transpose() * A * A * s, s * A);
+  set(a, a - s * a, -a, A.col(0), A.inverse() * a, a + s * A.inverse() * a,
+      A.partialPivLu().solve(a));
   a += A * a;
   a *= s;
-  A.setZero();
   A.setIdentity();
-  a.setZero();
-  A(0, 0) = a(0);
-  set(A.col(0), a, -a, A.col(0), -A.col(0));
-  A2 << s, -s, s, s;
-  A << s, s, s, s, s, s, s, s, s;
-  A << a, -a, a;
+  set(A.col(0), A.col(0), -A.col(0));
   A << J.col(1), -J.col(0), J.col(0);
-  a2 << s, s;
-  a << s, s, s;
-  a4 << s, s, s, s;
-  J << s, s, s, s, s, s;
-  J << a, a;
-  corners << s, s, s, s, s, s, s, s;
   corners = A2 * corners;
   Eigen::Index at = 0;
   corners.row(1).minCoeff(&at);
   corners.col(0) = A2 * a2;
-  set(a2, s * a2, corners.col(at));
-  set(A4.block<3, 3>(0, 0), A, A * s, A.transpose() * A * A * s);
-  set(A4.topLeftCorner<3, 3>(), A, A.transpose() * A * A * s, s * A.transpose() * A * A);
-  A4.block<3, 1>(0, 3) = a;
-  A4.block<1, 4>(3, 0) << s, s, s, s;
-  A4.topRightCorner<3, 1>() = a;
-  A4.row(3) << s, s, s, s;
+  set(a2, s * a2);
+  set(A4.block<3, 3>(0, 0), A * s);
+  set(A4.topLeftCorner<3, 3>(), A.transpose() * A * A * s, s * A.transpose() * A * A);
   A4.col(3) << s, s, s, s;
   a = a4.head<3>();
 
   int i = 0;
-  Ax = Eigen::MatrixXd::Zero(i, i);
   ax = Eigen::VectorXd::Zero(i);
   Ax(i, i) = ax(i);
   A4(i, i) = a(i) + a2(i) + J(i, i) + corners(i, i);
   J.col(0) = a;
-  J.col(0) << s, s, s;
-  contact.J.col(1) << s, s, s;
-  trajectory.q.resize(3, 3);
   trajectory.q.col(0) = a;
   a = trajectory.q.col(0);
   set(trajectory.q, Eigen::Matrix3Xd::Zero(3, 3), Eigen::MatrixXd::Zero(3, 3));
@@ -99,7 +77,6 @@ inline Vector3 instances(const Vector3& a, const Vector3& b, const Vector3& c, c
                          const Eigen::Matrix3d& B, const Eigen::Vector4d& h) {
   const double s = h(3);
   Eigen::Index at = 0;
-  Eigen::Matrix<double, 2, 4> T = R * S;
   S.row(1).minCoeff(&at);
   const Eigen::Vector2d u = S.col(at);
   const Eigen::Vector2d w = a.head<2>() + R * u;
@@ -110,19 +87,16 @@ inline Vector3 instances(const Vector3& a, const Vector3& b, const Vector3& c, c
   set(D.col(0), a, -a, J.col(1), -J.col(1));
   Jacobian K;
   K << a, b;
-  set(D, A.transpose() * B * A, A.transpose() * B * A * s, A * B, A * s);
+  set(D, A.transpose() * B * A * s, A * B, A * s);
   const Eigen::Matrix3d E = params.M(), F = A.inverse();
   Vector3 f = A * a + J.col(1) * h(0) - J.col(0) * h(1) + J.col(0) * h(2);
-  set(f, A * params.g, J.col(1) * h(0) - J.col(0) * h(1) + J.col(0) * h(2),
-      c + a * h(0) - b * h(1) + b * h(2), a + s * A * b, a + s * (A * b), a + s * b + c, a + s * b,
-      s * a + b, s * a);
-  f += J.col(1) * h(0) - J.col(0) * h(1) + J.col(0) * h(2);
+  set(f, J.col(1) * h(0) - J.col(0) * h(1) + J.col(0) * h(2), c + a * h(0) - b * h(1) + b * h(2),
+      a + s * A * b, a + s * (A * b), a + s * b + c, a + s * b, s * a + b, s * a);
   const double t = a.dot(b + s * c) + a.dot(b) + J.col(1).dot(b) + (1 + s) * a.dot(b) +
                    a.dot((1 + s) * b + s * A * c) + a.dot(b + s * A * c);
   Lcp lcp;
   lcp.V.topRightCorner<3, 1>() = a;
   lcp.V.row(3) << t, -1, -1, 0;
-  lcp.p << t, -t, t, 0;
   lcp.p.setZero();
   lcp.V.setZero();
   return Vector3(1, 0, -u.y()) + Vector3(w.x(), w.y(), d.x() + E(0, 0) + F(0, 0));

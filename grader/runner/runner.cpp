@@ -12,6 +12,7 @@
 
 #include "../../tests/parts/functions.hpp"
 #include "channel.hpp"
+#include "crash.hpp"
 
 // Weak, because a runner need not hold every part; a missing function is null.
 namespace bounce {
@@ -24,6 +25,9 @@ namespace {
 
 using frames::Frame;
 using frames::Kind;
+
+// Runs before the submission's constructors: 101 is the first priority that isn't reserved.
+[[gnu::constructor(101)]] void report_own_crashes() { report_crashes(); }
 
 // Calls the function that the question asks for, if it is there.
 void call(const Frame& question, Frame& answer, Trajectory& trajectory) {

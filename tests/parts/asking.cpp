@@ -27,7 +27,7 @@ Failure ask_all(const std::vector<Case>& cases, Ask ask) {
     try {
       problem = ask(c);
     } catch (const Ended& end) {
-      problem.sentence = end.what();
+      problem.sentence = end.why;
       failure.ended_at = i + 1;
     } catch (const std::exception& thrown) {
       problem.sentence = thrown.what();

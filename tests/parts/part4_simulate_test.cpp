@@ -12,7 +12,15 @@
 namespace bounce::tests {
 namespace {
 
-Problem problem(const std::string& sentence) { return {sentence, {}, {}, -1}; }
+Problem problem(const std::string& sentence) { return {sentence, {}}; }
+
+Trajectory first_columns(const Case& c) { return submission::first_columns(c.q, c.v, c.params); }
+
+Problem compare_column(const Case& c, Eigen::Index t, const State& right, const Trajectory& got) {
+  const std::string in_column = " in column " + std::to_string(t);
+  return both(compare(c, "q" + in_column, kConfiguration, right.q, got.q.col(t)),
+              compare(c, "v" + in_column, kVelocity, right.v, got.v.col(t)));
+}
 
 // "; from column 20 on every entry is 0", if the trajectory ends like this.
 std::string zeros_at_the_end(const Trajectory& got) {
@@ -25,22 +33,17 @@ std::string zeros_at_the_end(const Trajectory& got) {
 
 // Reports only the first wrong column, because one wrong step makes everything after it wrong.
 Problem compare_columns(const Case& c) {
-  const Trajectory got = submission::first_columns(c.q, c.v, c.params);
+  const Trajectory got = first_columns(c);
   for (std::size_t i = 0; i < c.columns.size(); ++i) {
     const auto known = static_cast<Eigen::Index>(i);
     const std::string column = "column " + std::to_string(c.columns[i]);
     if (c.columns[i] >= got.q.cols()) return problem(column + " is missing");
-    Problem wrong = both(compare(c, "q in " + column, kConfiguration, c.trajectory.q.col(known),
-                                 got.q.col(c.columns[i])),
-                         compare(c, "v in " + column, kVelocity, c.trajectory.v.col(known),
-                                 got.v.col(c.columns[i])));
+    const State right{c.trajectory.q.col(known), c.trajectory.v.col(known)};
+    Problem wrong = compare_column(c, c.columns[i], right, got);
     if (wrong.empty()) continue;
     const bool leaves_out = i > 0 && c.columns[i] > c.columns[i - 1] + 1;
-    wrong.sentence =
-        column + " is the first wrong one" + (leaves_out ? " of those that are compared" : "");
-    wrong.path = got.q;
-    wrong.column = c.columns[i];
-    wrong.sentence += zeros_at_the_end(got);
+    wrong.sentence = column + " is the first wrong one" +
+                     (leaves_out ? " of those that are compared" : "") + zeros_at_the_end(got);
     return wrong;
   }
   return {};
@@ -51,9 +54,7 @@ Problem compare_columns(const Case& c) {
 Problem compare_steps(const Case& c) {
   Trajectory got;
   try {
-    got = submission::first_columns(c.q, c.v, c.params);
-  } catch (const Ended&) {
-    throw;
+    got = first_columns(c);
   } catch (const std::exception&) {
     return {};  // columns are missing, which other checks see
   }
@@ -66,11 +67,9 @@ Problem compare_steps(const Case& c) {
       if (!std::exchange(asked_what_is_not_recorded, false)) throw;
       continue;
     }
-    const std::string column = "column " + std::to_string(t + 1);
-    Problem wrong = both(compare(c, "q in " + column, kConfiguration, next.q, got.q.col(t + 1)),
-                         compare(c, "v in " + column, kVelocity, next.v, got.v.col(t + 1)));
+    Problem wrong = compare_column(c, t + 1, next, got);
     if (wrong.empty()) continue;
-    wrong.sentence = column + " is not one step from the column before";
+    wrong.sentence = "column " + std::to_string(t + 1) + " is not one step from the column before";
     return wrong;
   }
   return {};
@@ -87,11 +86,7 @@ TEST(part4, HasTColumns) {
 }
 
 TEST(part4, StartsAtTheInitialState) {
-  for_each_case([](const Case& c) {
-    const Trajectory got = submission::first_columns(c.q, c.v, c.params);
-    return both(compare(c, "q in column 0", kConfiguration, c.q, got.q.col(0)),
-                compare(c, "v in column 0", kVelocity, c.v, got.v.col(0)));
-  });
+  for_each_case([](const Case& c) { return compare_column(c, 0, {c.q, c.v}, first_columns(c)); });
 }
 
 TEST(part4, StepsFromTheColumnBefore) {
@@ -103,14 +98,14 @@ TEST(part4, PassesParametersOn) { for_each_case(compare_columns); }
 
 TEST(part4, StaysFiniteOnALongRun) {
   for_each_case_once([](const Case& c) {
-    const Trajectory first = submission::first_columns(c.q, c.v, c.params);
+    const Trajectory first = first_columns(c);
     if (!first.q.allFinite() || !first.v.allFinite()) {
       return problem("NaN or infinity in some column: was each one set?");
     }
     if (first.q.leftCols(1) == first.q.rightCols(1) || first.q.cwiseAbs().maxCoeff() > 1e6) {
       return problem("a last q that is the first one again, or a q beyond 1e6");
     }
-    const Trajectory second = submission::first_columns(c.q, c.v, c.params);
+    const Trajectory second = first_columns(c);
     if (first.q != second.q || first.v != second.v) {
       return problem("another trajectory when asked the same a second time");
     }

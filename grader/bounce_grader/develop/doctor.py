@@ -7,7 +7,6 @@ import argparse
 import json
 import os
 import secrets
-import socket
 import tempfile
 import time
 from collections.abc import Callable, Iterator, Sequence
@@ -101,25 +100,24 @@ def attempt(
 
 @contextmanager
 def _bait() -> Iterator[list[Protection]]:
-    """Sets up bait that the probe must not reach (files, a variable, a port, an open descriptor),
-    and gives the protections to test."""
+    """Sets up bait that the probe must not reach (files, a variable, an open descriptor), and gives
+    the protections to test."""
     marker = secrets.token_hex(16)
     own = Path.home() if os.access(Path.home(), os.W_OK) else None
     with (
         tempfile.NamedTemporaryFile("w", prefix="bounce-bait-") as file,
         tempfile.NamedTemporaryFile("w", prefix="bounce-bait-", dir=own) as home,
-        socket.create_server(("127.0.0.1", 0)) as server,
     ):
         os.set_inheritable(file.fileno(), True)
         os.chmod(file.name, 0o644)
         os.chmod(home.name, 0o644)
-        yield _protections(marker, file, home, server.getsockname()[1])
+        yield _protections(marker, file, home)
 
 
-def _protections(marker: str, file: IO[str], home: IO[str], port: int) -> list[Protection]:
+def _protections(marker: str, file: IO[str], home: IO[str]) -> list[Protection]:
     """Those of protections.json, with this bait for its words in capitals. In two halves, the probe
     doesn't find the marker on its own command line."""
-    bait = {"FILE": file.name, "HOME_FILE": home.name, "PORT": str(port)}
+    bait = {"FILE": file.name, "HOME_FILE": home.name}
     bait |= {"MARKER": marker, "HALF": marker[:16], "OTHER_HALF": marker[16:]}
     bait |= {"CLOCK": str(~os.getpid() << 3 | 2), "EMPTY": ""}  # of this process's CPU time
     bait |= {"PROCESS": str(os.getpid()), "ENVIRONMENT": f"/proc/{os.getpid()}/environ"}

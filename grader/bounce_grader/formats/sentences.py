@@ -108,8 +108,8 @@ def hint(part: Record, check: Record) -> str:
         return ""
     found = ""
     if check is _first_failed(part):
-        mistake, patterns = check["mistake"], hints.of_patterns(part["part"], part["patterns"])
-        found = mistake["hint"] if mistake else patterns
+        patterns = hints.of_patterns(part["part"], part["patterns"], check["id"])
+        found = check["mistake"]["hint"] if check["mistake"] else patterns
     return found or hints.of_check(check["id"])
 
 

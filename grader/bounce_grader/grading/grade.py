@@ -12,6 +12,7 @@ from bounce_grader.build.compile import compile_all, Objects
 from bounce_grader.common.errors import KitError
 from bounce_grader.common.files import remove_abandoned, temporary_folder
 from bounce_grader.common.manifest import parts, Part
+from bounce_grader.common.numbers import scientific
 from bounce_grader.common.parallel_map import parallel_map
 from bounce_grader.common.paths import STUBS
 from bounce_grader.grading import examples, fixtures, judging, record, sanitizing
@@ -225,7 +226,8 @@ def _speed(grading: _Grading) -> Record:
     results = grading.results.values()
     errors = [judged.largest_error for judged in results if isinstance(judged, Judged)]
     known = [error for error in errors if error is not None]
-    measured: Record = {"largest_error": max(known) if len(known) == len(parts()) else None}
+    largest = float(scientific(max(known))) if len(known) == len(parts()) else None
+    measured: Record = {"largest_error": largest}
     with suppress(Overrun):
         if grading.together:
             taken, work, box = grading.taken, grading.work, grading.box

@@ -47,12 +47,18 @@ def of_check(check: str) -> str:
     return next((hint.heading for hint in hints() if check in hint.checks), "")
 
 
-def of_patterns(part: int, patterns: list[str]) -> str:
+def of_patterns(part: int, patterns: list[str], check: str) -> str:
     """The heading for what the patterns of a part's wrong numbers say: that of the words which come
-    first; empty if there is none."""
+    first; empty if there is none. Words with "your" are about numbers of the hint's own checks, and
+    help with no other check."""
     said = " ".join(patterns)
     own = [hint for hint in hints() if hint.part == part]
-    found = {said.find(words): hint.heading for hint in own for words in hint.diagnoses}
+    found = {
+        said.find(words): hint.heading
+        for hint in own
+        for words in hint.diagnoses
+        if check in hint.checks or "our" not in words
+    }
     found.pop(-1, None)
     return found[min(found)] if found else ""
 

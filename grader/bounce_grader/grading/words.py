@@ -73,6 +73,7 @@ OF_MEMORY = re.compile(
     r"(free|malloc|realloc|malloc_consolidate|munmap_chunk)\(\): |double free or corruption|"
     "corrupted size|corrupted double-linked|stack smashing detected"
 )
+NOTHING = 1e-14  # as in grader/diagnosis/feedback.cpp
 CRASHES = "crashes.txt"  # what failed assertions and sanitizers mean, for ./check, too
 
 
@@ -219,4 +220,5 @@ def _matrix(rows: Rows, indent: int, right: list[list[bool]] | None = None) -> s
 
 
 def _number(x: float | str) -> str:
-    return x if isinstance(x, str) else f"{x + 0.0:.12g}"  # and no -0
+    """With the rounding errors of 0 as 0."""
+    return x if isinstance(x, str) else f"{0 if abs(x) < NOTHING else x:.12g}"

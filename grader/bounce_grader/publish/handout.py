@@ -37,8 +37,11 @@ def files() -> dict[str, Path]:
     diagnosis = ROOT / "grader" / "diagnosis"
     chosen |= {f"tests/diagnosis/{f.name}": f for f in diagnosis.iterdir()}
     runner = ROOT / "grader" / "runner"
-    chosen |= {f"tests/{name}": runner / name for name in ("frame.hpp", "messages.hpp")}
+    chosen |= {
+        f"tests/{name}": runner / name for name in ("frame.hpp", "messages.hpp", "crash.hpp")
+    }
     chosen |= {f"tests/linked/{f.name}": f for f in runner.glob("given_part*.cpp")}
+    chosen["tests/linked/crash.cpp"] = runner / "crash.cpp"
     chosen |= {f"fixtures/public/{f.relative_to(PUBLIC)}": f for f in PUBLIC.rglob("*.json")}
     chosen[f"fixtures/public/{TABLE.name}"] = TABLE
     chosen["tests/parts.json"] = ROOT / "grader" / "parts.json"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
+#include <sstream>
 
 #include "compiler_words.hpp"
 #include "files.hpp"
@@ -56,9 +57,11 @@ std::string place_of_crash(const std::string& program, const fs::path& stack) {
 #else
   std::vector<std::string> command{"addr2line", "-e", program};
 #endif
-  const std::vector<std::string> addresses = lines_of(read(stack));
-  if (addresses.empty()) return "";
-  command.insert(command.end(), addresses.begin(), addresses.end());
+  std::istringstream words(read(stack));
+  for (std::string word; words >> word;) {
+    if (word.rfind("0x", 0) == 0) command.push_back(word);
+  }
+  if (command.back().rfind("0x", 0) != 0) return "";
   fs::remove(stack);
   check::run(command, stack, Limits::none);
   const std::string place = place_in_sources(own_lines(read(stack)));

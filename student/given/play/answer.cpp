@@ -4,7 +4,7 @@
 #include <thread>
 
 #include "../drawing.hpp"
-#include "linked/stack.hpp"
+#include "crash.hpp"
 #include "linked/time_limit.hpp"
 #include "local_server.hpp"
 #include "play.hpp"
@@ -46,7 +46,7 @@ std::string answer_to(const std::string& question) {
 
 int answer(const std::filesystem::path& address) {
   const auto folder = address.parent_path();
-  tests::write_stack_of_crash((folder / "stack.txt").string());
+  runner::report_crashes((folder / "stack.txt").string().c_str());
   LocalServer server;
   server.http.new_task_queue = [] { return new httplib::ThreadPool(1); };
   server.http.Post(server.path("simulate"), [](const auto& request, auto& response) {

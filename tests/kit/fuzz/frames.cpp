@@ -14,14 +14,7 @@
 #include "../../parts/cases.hpp"
 #include "fuzz.hpp"
 
-namespace bounce {
-
-std::vector<std::filesystem::path> tests::fixture_folders() { return {}; }
-void tests::about_to_ask(const Case&) {}
-void tests::found_wrong(const Case&, const Problem&) {}
-std::string tests::in_words(const Failure&) { return ""; }
-
-namespace fuzz {
+namespace bounce::fuzz {
 namespace {
 
 using frames::Frame;
@@ -70,7 +63,7 @@ bool ask(judge::Session& session, const Input& input) {
     require(input.part != 4 || columns.v.cols() == n);
   } catch (const tests::Ended& ended) {
     const auto end = session.take_end();
-    require(is_one_line(ended.what()) && end && !end->status.empty());
+    require(is_one_line(ended.why) && end && !end->status.empty());
     return false;
   } catch (const std::runtime_error& no_answer) {
     require(is_one_line(no_answer.what()) && !session.take_end());
@@ -130,8 +123,7 @@ std::vector<std::string> seeds() {
   };
 }
 
-}  // namespace fuzz
-}  // namespace bounce
+}  // namespace bounce::fuzz
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace bounce;

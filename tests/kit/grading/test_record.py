@@ -9,7 +9,7 @@ import golden
 import pytest
 from bounce_grader.common.escaping import LONGEST_NAME, LONGEST_TEXT
 from bounce_grader.common.manifest import parts
-from bounce_grader.grading import judging, record, words
+from bounce_grader.grading import hints, judging, record, words
 from bounce_grader.grading.judging import Judged
 from bounce_grader.grading.words import Verdict
 from bounce_grader.submission.submission import Place, Submission
@@ -88,6 +88,16 @@ def test_one_crash_is_told_once() -> None:
     assert last["message"] == f"ended at case 9 of 9; {whole}8"
 
 
+def test_what_is_said_of_other_numbers_names_no_hint_for_a_check() -> None:
+    border = ["Wrong: V.", "The last row of your V is (2 mu, -1, -1, 0) in every question."]
+    assert hints.of_patterns(2, border, "part2.FormsTheBlockOfTheForces") == ""
+    assert (
+        hints.of_patterns(2, border, "part2.BordersItWithTheFrictionCone") == "2.2 The border of V"
+    )
+    corner = ["Your answer is always that of corner 2."]
+    assert hints.of_patterns(1, corner, IDS[0]) == "1.3 Any of the four corners"
+
+
 def test_a_crash_when_asked_again_hides_no_exception_of_before() -> None:
     """The case that is told threw; the program ended only later, in the other order."""
     facts = failure(sentence="the program threw x")
@@ -99,7 +109,7 @@ def test_a_crash_when_asked_again_hides_no_exception_of_before() -> None:
 def test_a_wrong_quantity_is_laid_out_with_its_wrong_entries_in_brackets() -> None:
     rows = {
         "a matrix": ([[1, 2], [3, 4]], [[1, 2], ["nan", 4]], [[True, True], [False, True]]),
-        "a vector": ([[1], [2], [0]], [[1], [-0.0], [-0.0]], [[True], [False], [True]]),
+        "a vector": ([[1], [2], [0]], [[1], [-0.0], [-6.9e-17]], [[True], [False], [True]]),
         "a vector, hidden": ([[1], [2], [3]], [[1], [-2], [3]], [[True], [False], [True]]),
         "a row": ([[1, 2]], [["nan", 4]], [[False, False]]),
         "a scalar": ([[5]], [[1e-7 / 3]], [[False]]),

@@ -14,9 +14,6 @@
 namespace bounce {
 
 std::vector<std::filesystem::path> tests::fixture_folders() { return {}; }
-void tests::about_to_ask(const Case&) {}
-void tests::found_wrong(const Case&, const Problem&) {}
-std::string tests::in_words(const Failure&) { return ""; }
 
 namespace judge {
 namespace {

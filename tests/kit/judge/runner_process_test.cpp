@@ -100,6 +100,7 @@ TEST(RunnerProcess, NamesTheEndOfARunner) {
 
 // On a busy machine nobody can tell how long threads that have ended wanted a CPU.
 TEST(RunnerProcess, EndsOneThatSleepsWithThreadsOnceTheCpuHadNothingToDo) {
+  judge::stay_on_this_cpu();
   Limits limits;
   limits.idle_seconds = 0.5;
   limits.wall_seconds = 5;

@@ -1,7 +1,6 @@
 // The questions of a part, the right answers and the known mistakes, as the fixtures hold them.
 #pragma once
 
-#include <fstream>
 #include <map>
 
 #include "../../../grader/diagnosis/recognise.hpp"
@@ -16,8 +15,7 @@ struct KnownPart {
 inline const KnownPart& known_part(int number) {
   static std::map<int, KnownPart> parts;
   if (parts.count(number) == 0) {
-    std::ifstream in(public_file(number, "mistakes").value());
-    parts.emplace(number, KnownPart{questions(number), read_mistakes(in, number)});
+    parts.emplace(number, KnownPart{questions(number), known_mistakes(number)});
   }
   return parts.at(number);
 }

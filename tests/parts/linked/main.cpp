@@ -20,11 +20,10 @@
 #include <iostream>
 
 #include "answers.hpp"
+#include "crash.hpp"
 #include "feedback.hpp"
 #include "linked.hpp"
-#include "pattern.hpp"
 #include "recognise.hpp"
-#include "stack.hpp"
 #include "time_limit.hpp"
 #ifndef BOUNCE_FIXTURES
 #include "paths.hpp"  // which student/CMakeLists.txt makes
@@ -143,19 +142,13 @@ std::string in_words(const Mistake& m) {
 // One paragraph per line: the known mistakes that the answers to the public cases point to; or, if
 // there are none, the patterns in the numbers. Empty if there is nothing to say.
 std::string mistakes_in_words(int part) {
-  const auto file = public_file(part, "mistakes");
-  if (!file) return "";
-  std::ifstream in(*file);
-  const KnownMistakes known = read_mistakes(in, part);
   const std::vector<Case> cases = questions(part);
-  const std::vector<Answer> got = answers(part, cases);
-  const std::vector<Mistake> mistakes = recognise(known, got);
+  const auto [mistakes, patterns] = diagnosis(part, cases, answers(part, cases));
   std::string text;
   if (mistakes.size() == 1) text = "This looks like a known mistake.\n";
   if (mistakes.size() == 2) text = "This looks like two known mistakes at once.\n";
   for (const Mistake& mistake : mistakes) text += in_words(mistake);
-  if (!mistakes.empty()) return text;
-  for (const auto& sentence : patterns(part, cases, known.right, got)) text += sentence + "\n";
+  for (const std::string& sentence : patterns) text += sentence + "\n";
   return text;
 }
 
@@ -201,6 +194,6 @@ int main(int argc, char** argv) {
   }
   bounce::tests::debugs = argc == 2 && std::string(argv[1]) == "--debug";
   if (option == "--notes" && argc > 3) bounce::tests::take_notes(argv[2], argv[3]);
-  if (option == "--notes" && argc > 4) bounce::tests::write_stack_of_crash(argv[4]);
+  if (option == "--notes" && argc > 4) bounce::runner::report_crashes(argv[4]);
   return RUN_ALL_TESTS();
 }
