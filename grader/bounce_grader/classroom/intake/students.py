@@ -42,10 +42,9 @@ def read(path: Path, people: Names = {}) -> Class:
         archive = opened(path)
         intake = _of_download(_service(archive.names()) or canvas, archive, people)
     else:
-        cut = is_archive(path.name) or not path.stat().st_size
-        reason = "is broken, or was cut short: download it again"
-        other = "is neither a folder nor a zip: give Canvas's download as it is"
-        raise UsageError(f"{path} {reason if cut else other}")
+        raise UsageError(
+            f"{path} is no folder and no whole zip: give the download as it is, or anew"
+        )
     if not intake.students:
         seen = f"the first entry, {intake.strays[0]}" if intake.strays else "it is empty"
         raise UsageError(f"no submission is found in {path}: {seen}")

@@ -1,7 +1,7 @@
 """Decides which points go into the grade book, whichever service's: a file that was exported, or what
 Canvas's API tells. What a person has entered there stays."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -97,14 +97,16 @@ class Gradebook:
         ours = written.setdefault(self.title, {})
         filled, sentences = [], self._other_points_possible()
         for line in filter(lambda line: any(line.ids), self.lines):
-            meant = whose.get(line.number, [])
-            why = self._unfilled(line, meant, times, ours, overwrite)
+            meant, before = whose.get(line.number, []), ours.get(line.ids[0], [])
+            why = self._unfilled(line, meant, times) or self._stays(
+                line, meant[0], before, overwrite
+            )
             if why:
                 sentences.append(f"{line.who} {why}")
                 continue
             points = f"{meant[0].points:.2f}"
             filled.append((line, float(points)))
-            ours[line.ids[0]] = list(dict.fromkeys([*ours.get(line.ids[0], []), points]))
+            ours[line.ids[0]] = list(dict.fromkeys([*before, points]))
             if from_canvas and not meant[0].listed and meant[0].name != line.person:
                 whose_points = (
                     f"has the points of {meant[0].name}: give the others of a group the same"
@@ -117,27 +119,22 @@ class Gradebook:
         ]
         return filled, list(dict.fromkeys(sentences))
 
-    def _unfilled(
-        self,
-        line: Line,
-        meant: Sequence[Final],
-        times: Sequence[str],
-        ours: Mapping[str, Sequence[str]],
-        overwrite: bool,
-    ) -> str:
-        """Why a line takes no points; "" if it does."""
+    def _unfilled(self, line: Line, meant: Sequence[Final], times: Sequence[str]) -> str:
+        """Why there are no points for a line; "" if there are."""
         if not meant:
             return "has no score: nothing is filled in"
         if len(meant) > 1:
             several = " and ".join(f"{final.name} ({final.id})" for final in meant)
             return f"is meant by {several}: none is filled in"
-        if (count := times.count(meant[0].id)) > 1:
-            return f"has {count} rows in {self.name}: none is filled"
-        points = round(meant[0].points, 2)
-        known = [points, *map(number_in, ours.get(line.ids[0], []))]
-        if not line.stays and line.there and not overwrite and number_in(line.there) not in known:
-            return f"keeps {line.there}, where {points:.2f} is graded; --overwrite replaces it"
-        return line.stays
+        count = times.count(meant[0].id)
+        return f"has {count} rows in {self.name}: none is filled" if count > 1 else ""
+
+    def _stays(self, line: Line, final: Final, before: Sequence[str], overwrite: bool) -> str:
+        """Why what stands in a line stays; "" if it doesn't."""
+        points, there = round(final.points, 2), number_in(line.there)
+        if line.stays or overwrite or not line.there or there in (points, *map(number_in, before)):
+            return line.stays
+        return f"keeps {line.there}, where {points:.2f} is graded; --overwrite replaces it"
 
     def _other_points_possible(self) -> list[str]:
         return [
