@@ -61,8 +61,8 @@ def users() -> list[int]:
 
 
 @pytest.fixture
-def cluster() -> Iterator[clusters.Cluster]:
-    with clusters.started() as made:
+def cluster(tmp_path: Path) -> Iterator[clusters.Cluster]:
+    with clusters.started(tmp_path) as made:
         yield made
 
 

@@ -20,7 +20,6 @@ def test_a_dask_that_cannot_grade_is_said(
     assert stand_in.grade_class(source, out, "--dask", "tcp://127.0.0.1:9") == 2
     assert "no Dask scheduler answers at tcp://127.0.0.1:9" in capsys.readouterr().err
     cluster.worker(path="")
-    cluster.wait_for_worker()
     assert stand_in.grade_class(source, out, "--dask", cluster.address) == 2
     assert "start them with PYTHONPATH=KIT/grader" in capsys.readouterr().err
 

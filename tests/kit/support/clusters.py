@@ -1,7 +1,7 @@
 """A Dask cluster on this machine, for tests that lose parts of it."""
 
+import json
 import os
-import socket
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -18,7 +18,7 @@ ROOT = Path(__file__).resolve().parents[3]
 
 @dataclass
 class Cluster:
-    address: str
+    address: str = ""
     processes: list["subprocess.Popen[bytes]"] = field(default_factory=list)
 
     def start(
@@ -35,30 +35,26 @@ class Cluster:
         options = ["--nthreads", "1", "--no-nanny", "--no-dashboard"]
         return self.start("/usr/bin/dask-worker", self.address, *options, **more)
 
-    def wait_for_worker(self) -> None:
-        from distributed import Client
-
-        with Client(self.address, set_as_default=False) as client:
-            client.wait_for_workers(1, timeout=60)
-
 
 @contextmanager
-def started() -> Iterator[Cluster]:
+def started(folder: Path) -> Iterator[Cluster]:
     """A scheduler, without workers yet."""
     if which("dask-worker") is None:
         pytest.skip("python3-distributed is missing")
-    with socket.socket() as free:
-        free.bind(("127.0.0.1", 0))
-        port = free.getsockname()[1]
-    made = Cluster(f"tcp://127.0.0.1:{port}")
-    options = ["--host", "127.0.0.1", "--port", str(port), "--no-dashboard"]
+    file = folder / "scheduler.json"
+    made = Cluster()
+    options = [
+        "--host",
+        "127.0.0.1",
+        "--port",
+        "0",
+        "--no-dashboard",
+        "--scheduler-file",
+        str(file),
+    ]
     made.start("/usr/bin/dask-scheduler", *options)
-
-    def answers() -> bool:
-        with socket.socket() as probe:
-            return probe.connect_ex(("127.0.0.1", port)) == 0
-
-    wait_for(answers)
+    wait_for(lambda: file.exists() and file.read_text().endswith("}"))
+    made.address = json.loads(file.read_text())["address"]
     yield made
     for process in made.processes:
         process.kill()
