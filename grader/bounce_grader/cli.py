@@ -3,7 +3,6 @@
 import argparse
 import os
 import sys
-from collections.abc import Callable
 from importlib import import_module
 from typing import Any, NoReturn
 
@@ -11,7 +10,6 @@ from bounce_grader import __version__, formats
 from bounce_grader.classroom import cli as class_cli
 from bounce_grader.common.errors import KitError, UsageError
 from bounce_grader.common.escaping import printable_text, terminal
-from bounce_grader.common.manifest import parts
 from bounce_grader.common.paths import given_path
 from bounce_grader.develop import study
 
@@ -24,25 +22,12 @@ class Parser(argparse.ArgumentParser):
 
 
 def main(arguments: list[str]) -> int:
-    def command() -> Any:
-        options = _parser().parse_args(arguments)
-        return options.command(options)
-
-    return _status(command)
-
-
-def check_manifest() -> int:
-    """Says what is wrong in parts.json, before anything is built from it. Returns an exit
-    status."""
-    return _status(parts)
-
-
-def _status(command: Callable[[], Any]) -> int:
     """The exit status of a command: what it returns if that is a number, 0 if it isn't; or that of
     the error that ended it, which is printed."""
     try:
         try:
-            returned = command()
+            options = _parser().parse_args(arguments)
+            returned = options.command(options)
             return returned if isinstance(returned, int) else 0
         finally:
             sys.stdout.flush()

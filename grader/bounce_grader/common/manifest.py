@@ -63,8 +63,18 @@ def _part(written: dict[str, Any]) -> Part:
     )
 
 
+@cache
+def example_points() -> float:
+    """What the cases give that students hand in; 0 unless the manifest says otherwise."""
+    parts()  # which finds a manifest that isn't valid
+    points = json.loads((ROOT / NAME).read_text("utf-8")).get("examples", 0)
+    if not _is_points(points):
+        raise UsageError(f"{NAME}: examples has to be a number of points that isn't negative")
+    return float(points)
+
+
 def full_points() -> float:
-    return sum(part.points for part in parts())
+    return sum(part.points for part in parts()) + example_points()
 
 
 def named_together(numbers: Sequence[int]) -> str:
@@ -87,7 +97,7 @@ def _problems(found: tuple[Part, ...]) -> Iterator[str]:
             yield f"entry {number} isn't part {number}: number the parts 1, 2, 3 and so on, in order"
         given = {f"part {number}": part.points} | {c.id: c.points for c in part.checks}
         for what, points in given.items():
-            if type(points) not in (int, float) or not 0 <= points < math.inf:
+            if not _is_points(points):
                 yield f"the points of {what} have to be a number that isn't negative"
         total = sum(check.points for check in part.checks)
         if not math.isclose(total, part.points, abs_tol=1e-9):
@@ -100,3 +110,7 @@ def _problems(found: tuple[Part, ...]) -> Iterator[str]:
             yield f"the check {id} is there {times} times: keep one"
     if not sum(part.points for part in found):
         yield "all checks together give no points"
+
+
+def _is_points(points: Any) -> bool:
+    return type(points) in (int, float) and 0 <= points < math.inf

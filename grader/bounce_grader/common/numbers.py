@@ -3,18 +3,7 @@
 from collections.abc import Mapping
 from typing import Any
 
-LENGTHS = (
-    ("m", 1.0, 0.0999),
-    ("mm", 1e-3, 0.999e-4),
-    ("\N{MICRO SIGN}m", 1e-6, 0.999e-7),
-    ("nm", 1e-9, 0.0),
-)  # unit, its size, and the least length written in it; a tick may be rounded down
-TIMES = (
-    ("s", 1e9, 1e9),
-    ("ms", 1e6, 1e6),
-    ("\N{MICRO SIGN}s", 1e3, 1e3),
-    ("ns", 1.0, 0.0),
-)  # in ns
+PREFIXES = (("", 1.0), ("m", 1e-3), ("\N{MICRO SIGN}", 1e-6), ("n", 1e-9))
 
 
 def short(x: float) -> str:
@@ -48,14 +37,14 @@ def two_digits(x: float) -> str:
 
 
 def metres(x: float) -> str:
-    return _with_unit(x, LENGTHS)
+    return _with_prefix(x, "m")
 
 
 def seconds(ns: float) -> str:
     """Writes a time given in nanoseconds."""
-    return _with_unit(ns, TIMES)
+    return _with_prefix(1e-9 * ns, "s")
 
 
-def _with_unit(x: float, units: tuple[tuple[str, float, float], ...]) -> str:
-    unit, size = next((unit, size) for unit, size, least in units if x >= least)
-    return f"{two_digits(x / size)} {unit}"
+def _with_prefix(x: float, unit: str) -> str:
+    prefix, size = next((one for one in PREFIXES if x >= 0.999 * one[1]), PREFIXES[-1])
+    return f"{two_digits(x / size)} {prefix}{unit}"

@@ -7,12 +7,14 @@ import sys
 import time
 
 from bounce_grader.common.errors import UsageError
+from bounce_grader.common.parallel_map import parallel_map
 from bounce_grader.common.paths import BUILD, ROOT
 from bounce_grader.grading.fixtures import hidden_folder
 
 Command = list[str]
 CPP = ("student", "solution", "grader", "tests/parts", "tests/kit")
 PYTHON = ["grader/bounce_grader", "tests", "solution"]
+SANITIZING = "C++ tests with sanitizers"
 READERS = ("frames", "terminations")
 SANITIZED, FUZZERS = str(ROOT / "build" / "sanitize"), ROOT / "build" / "fuzz"
 CORES = os.cpu_count() or 1
@@ -21,18 +23,25 @@ PYTEST = [sys.executable, "-m", "pytest", "-q", "-n", str(WORKERS)]
 
 
 def run(options: argparse.Namespace) -> int:
-    """Runs the steps, one after the other. Returns the exit status."""
+    """Runs the steps side by side, and then the one that uses all cores all the time. Returns the
+    exit status."""
     if options.accept:
         return _accept()
     hidden_folder()  # so that the oracle finds the hidden ones too
     steps = _steps(options.long)
-    failed = []
-    for number, (name, commands) in enumerate(steps.items(), 1):
-        print(f"== {number} of {len(steps)}, {name} ...", flush=True)
+
+    def passes(name: str) -> bool:
+        place = f"== {[*steps].index(name) + 1} of {len(steps)}, {name}"
+        print(f"{place} ...", flush=True)
         start = time.monotonic()
-        if any(map(_run, commands)):  # until the first that fails
-            failed.append(name)
-        print(f"   {time.monotonic() - start:.1f} s", flush=True)
+        passed = not any(map(_run, steps[name]))  # until the first that fails
+        print(f"{place}: {time.monotonic() - start:.1f} s", flush=True)
+        return passed
+
+    together = [name for name in steps if name != SANITIZING]
+    passed = parallel_map(passes, together, len(together))
+    passed += [passes(name) for name in steps if name == SANITIZING]
+    failed = [name for name, ok in zip(steps, passed) if not ok]
     if failed:
         print(f"failed: {', '.join(failed)}")
     return int(bool(failed))
@@ -68,13 +77,13 @@ def _steps(is_long: bool) -> dict[str, list[Command]]:
     build_fuzzers = ["ninja", "-C", str(FUZZERS), *(f"fuzz_{name}" for name in READERS)]
     fuzzed = [command for name in READERS for command in _fuzzed(f"fuzz_{name}")]
     usual = {
+        "Python tests, the gallery among them": [
+            [*PYTEST, "--dist", "loadgroup", *([] if is_long else ["-m", "not long"])]
+        ],
         "types: mypy": [mypy],
         "formatting: clang-format": [["clang-format", "--dry-run", "-Werror", *cpp]],
         "formatting: black": [["black", "-q", "--check", *PYTHON]],
         "C++ tests": [_ctest(str(BUILD))],
-        "Python tests, the gallery among them": [
-            [*PYTEST, "--dist", "loadgroup", *([] if is_long else ["-m", "not long"])]
-        ],
         "lint: clang-tidy": _clang_tidy(is_long),
     }
     if not is_long:
@@ -84,12 +93,12 @@ def _steps(is_long: bool) -> dict[str, list[Command]]:
         "answers of known mistakes are what the kit writes": [
             [str(ROOT / "kit"), "fixtures", "--check"]
         ],
-        "C++ tests with sanitizers": [*sanitized, _ctest(SANITIZED)],
         "C++ readers with a million inputs each": [
             ["cmake", "--preset", "fuzz"],
             build_fuzzers,
             *fuzzed,
         ],
+        SANITIZING: [*sanitized, _ctest(SANITIZED)],
     }
 
 

@@ -3,7 +3,7 @@
 from typing import Any
 
 from bounce_grader.common.escaping import json_document, printable
-from bounce_grader.common.numbers import out_of
+from bounce_grader.common.numbers import out_of, scientific
 from bounce_grader.formats import sentences
 from bounce_grader.grading.record import Record
 
@@ -19,6 +19,7 @@ def render(record: Record) -> str:
         "visibility": "visible",
         "stdout_visibility": "hidden",
         "tests": [_test(*numbered) for numbered in sentences.numbered(record)],
+        "leaderboard": _leaderboard(record),
         "extra_data": {
             name: record[name] for name in ("kit", "box", "fixtures_sha256", "submission_sha256")
         },
@@ -61,3 +62,18 @@ def _test(number: str, part: Record, check: Record) -> dict[str, Any]:
         "tags": [part["stem"]],
         "visibility": "visible",
     }
+
+
+def _leaderboard(record: Record) -> list[dict[str, Any]]:
+    """The leaderboard. Speed and error count only with full points: a program that returns zeros is
+    fastest."""
+    rows: list[dict[str, Any]] = [{"name": "Points", "value": record["score"]}]
+    right = record["score"] == record["max_score"]
+    speed = (record.get("speed") or {}) if right else {}
+    if speed.get("ratio") is not None:
+        ratio = round(speed["ratio"], 2)
+        rows.append({"name": "Time over the solution's", "value": ratio, "order": "asc"})
+    if speed.get("largest_error") is not None:
+        error = float(scientific(speed["largest_error"]))
+        rows.append({"name": "Largest error", "value": error, "order": "asc"})
+    return rows

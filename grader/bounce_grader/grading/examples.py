@@ -1,12 +1,13 @@
 """Judges the cases that are handed in beside the parts, as ./check --examples does, with the same
-program. They give no points."""
+program. They give points only if parts.json has some for them."""
 
 import json
 import re
 
 from bounce_grader.common.errors import KitError
+from bounce_grader.common.manifest import Check, example_points, Part, parts
 from bounce_grader.common.paths import EXAMPLES, FIXTURES, HANDOUT, ROOT, RUNNER
-from bounce_grader.grading.record import Record
+from bounce_grader.grading.record import failed_part, Record
 from bounce_grader.sandbox.box import Box
 from bounce_grader.sandbox.processes import Limits
 from bounce_grader.submission.submission import CASES
@@ -23,12 +24,29 @@ def folders() -> dict[str, str]:
 
 
 def judged(cases: bytes, box: Box) -> Record | None:
-    """What the record says of them; None if there are none, or those as handed out."""
-    if cases.split() in ([], (HANDOUT / CASES).read_bytes().split()):
+    """What the record says of them; None if there are none, and no points for them either."""
+    is_own = cases.split() not in ([], (HANDOUT / CASES).read_bytes().split())
+    if not is_own and not example_points():
         return None
     command = [*box.to_build(RUNNER, [EXAMPLES, TABLE], ()), str(EXAMPLES), "-", str(TABLE)]
-    result = box.run(command, LIMITS, stdin=cases)
+    result = box.run(command, LIMITS, stdin=cases if is_own else b"")
     if not result.ok:
         raise KitError(f"the cases in {CASES} could not be judged: {result.err.strip()}")
     found: Record = json.loads(result.out)
     return found
+
+
+def part_records(found: Record) -> list[Record]:
+    """Where cases give points, one more part of the record: each wrong program that is caught gives
+    its share."""
+    most, missed = example_points(), found["missed"]
+    if not most:
+        return []
+    number, caught = len(parts()) + 1, len(found["caught"])
+    check = Check(f"part{number}.CasesCatchWrongPrograms", "cases catch all wrong programs", most)
+    part = Part(number, f"part{number}_examples", "Cases", "", most, (check,), ())
+    made = failed_part(part, "graded", f"{caught} of {caught + len(missed)} are caught")
+    made["score"] = made["checks"][0]["score"] = round(most * caught / (caught + len(missed)), 2)
+    made["checks"][0]["passed"] = not missed
+    made["checks"][0]["message"] = f"not caught: {', '.join(missed)}" if missed else ""
+    return [made]

@@ -63,7 +63,7 @@ def grade(given: Path | Submission, options: Options = Options()) -> Record:
     end = time.monotonic()
     graded = record.whole(
         taken,
-        records,
+        [*records, *(examples.part_records(cases) if cases else [])],
         box.kind,
         {"compile": compiled - start, "run": end - compiled, "total": end - start},
         record.digest_of([fixtures.PUBLIC, hidden]),

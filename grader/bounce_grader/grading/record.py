@@ -74,8 +74,8 @@ def part_record(part: Part, judged: Judged) -> Record:
         "mistakes": mistakes,
         "patterns": [printable_text(sentence) for sentence in judged.patterns],
         "checks": [
-            _check_record(check, verdict.passed, message, mistakes) | _at(verdict.place) | answer
-            for check, verdict, message, answer in _with_each_reason_once(part, judged)
+            _check_record(check, verdict.passed, message, mistakes) | _at(verdict.place) | numbers
+            for check, verdict, message, numbers in _with_each_reason_once(part, judged)
         ],
     }
 
@@ -88,8 +88,8 @@ def with_remark(graded: Record, remark: str, place: Place | None) -> Record:
 def _with_each_reason_once(
     part: Part, judged: Judged
 ) -> Iterator[tuple[Check, Verdict, str, Record]]:
-    """The checks with their verdicts, messages and hidden answers. One that fails by the same exception
-    or crash as an earlier check refers to that check, in place of repeating its case."""
+    """The checks with their verdicts, messages and numbers. One that fails by the same exception or
+    crash as an earlier check refers to that check, in place of repeating its case."""
     first: dict[str, Check] = {}
     for check in part.checks:
         verdict = judged.verdicts[check.id]
@@ -98,7 +98,7 @@ def _with_each_reason_once(
             cases = words.counts(verdict.failure)
             yield check, verdict, f'{cases}, as in "{first[reason].title}": {reason}', {}
             continue
-        yield check, verdict, words.of_check(verdict), _revealed(verdict)
+        yield check, verdict, words.of_check(verdict), _numbers(verdict)
         if reason:
             first[reason] = check
 
@@ -123,21 +123,30 @@ def _check_record(check: Check, passed: bool, message: str, mistakes: list[Recor
     }
 
 
-def _revealed(verdict: Verdict) -> Record:
-    """The message about a hidden case with its answer, which only some may see."""
+def _numbers(verdict: Verdict) -> Record:
+    """The failed case in numbers; for a hidden case also the message with its answer, which only
+    some may see."""
     failure = verdict.failure
-    if not failure or not failure["hidden"] or verdict.status != "graded":
+    if not failure or verdict.status != "graded":
         return {}
-    return {"revealed": words.of_check(verdict, True)}
+    shown = {"shown": words.shown(failure)}
+    return shown | ({"revealed": words.of_check(verdict, True)} if failure["hidden"] else {})
 
 
 def for_readers(record: Record, answers: bool) -> Record:
-    """The record without the expected answers of hidden cases, as a student may see it; or with them
-    in the messages."""
+    """The record without what tells the answers to hidden cases, as a student may see it; or with
+    it."""
 
     def read(check: Record) -> Record:
-        kept = {key: value for key, value in check.items() if key != "revealed"}
-        return kept | ({"message": check["revealed"]} if answers and "revealed" in check else {})
+        kept = dict(check)
+        revealed = kept.pop("revealed", None)
+        if answers:
+            return kept | ({"message": revealed} if revealed else {})
+        shown = kept.get("shown", {})
+        if shown.get("hidden"):
+            own = [{k: q[k] for k in q if k != "expected"} for q in shown["quantities"]]
+            kept["shown"] = shown | {"contact": "", "quantities": own}
+        return kept
 
     parts_ = [{**part, "checks": list(map(read, part["checks"]))} for part in record["parts"]]
     return {**record, "parts": parts_}

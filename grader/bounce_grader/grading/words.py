@@ -222,3 +222,9 @@ def _matrix(rows: Rows, indent: int, right: list[list[bool]] | None = None) -> s
 def _number(x: float | str) -> str:
     """With the rounding errors of 0 as 0."""
     return x if isinstance(x, str) else f"{0 if abs(x) < NOTHING else x:.12g}"
+
+
+def shown(failure: Facts) -> Facts:
+    """The failed case in numbers, for whoever reads the record."""
+    fields = ("name", "input", "hidden", "contact", "sentence", "quantities")
+    return {name: failure[name] for name in fields}

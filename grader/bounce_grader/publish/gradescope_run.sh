@@ -4,7 +4,7 @@
 set -uo pipefail
 cd /autograder/source
 results=/autograder/results/results.json
-./kit grade /autograder/submission --format gradescope >"$results.part"
+./kit grade /autograder/submission --speed --format gradescope >"$results.part"
 status=$?
 # 0: graded; 2: the submission can't be read, and the file says so to the student.
 if [ "$status" -ne 0 ] && [ "$status" -ne 2 ] || [ ! -s "$results.part" ]; then

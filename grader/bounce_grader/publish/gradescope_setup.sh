@@ -4,4 +4,4 @@
 set -euo pipefail
 cd /autograder/source
 chmod +x kit run_autograder
-./kit grade solution --min-score 100
+./kit grade solution --speed --min-score 100

@@ -21,6 +21,7 @@ SKIPPED = {"build", "animation.html", "real.html", "study.html", "__pycache__"}
 OF_EDITORS = {".clangd", ".devcontainer", ".vscode"}  # other names with a dot are left out
 PAGES = ("README", "explore", "hints/*")
 PROGRAMS = {"check"}
+WITH_POINTS = {".md", ".hpp"}  # the files of student/ that may say points
 
 
 def run(options: argparse.Namespace) -> int:
@@ -66,7 +67,9 @@ def contents() -> dict[str, bytes]:
 
 def _as_handed_out(file: Path) -> bytes:
     data = file.read_bytes()
-    return with_points(data.decode()).encode() if file == HANDOUT / "README.md" else data
+    if file.suffix in WITH_POINTS and file.is_relative_to(HANDOUT):
+        return with_points(data.decode()).encode()
+    return data
 
 
 def _is_skipped(path: Path) -> bool:

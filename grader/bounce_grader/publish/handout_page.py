@@ -6,11 +6,12 @@ from html import escape
 from pathlib import Path
 from typing import Any
 
-from bounce_grader.common.manifest import full_points, parts
+from bounce_grader.common.manifest import parts
 from bounce_grader.formats.html import fill
 from bounce_grader.formats.speed_chart import Drawing
 from bounce_grader.publish import equations
 
+NUMBER = r"\d+(?:\.\d+)?"
 
 def page(file: Path) -> bytes:
     """The page of a Markdown file. The pictures that it shows lie beside it, as SVG."""
@@ -68,8 +69,15 @@ def _fence(self: Any, tokens: list[Any], index: int, *_: Any) -> str:
 
 
 def with_points(text: str) -> str:
-    """The text with the points of each part and their sum, where the handout says them: in the table
-    of parts, and in "worth 100 points"."""
+    """The text with the points of each part and their sum, wherever the handout or a header says
+    them: "Part 2 (30 points)", the table of parts, "worth 100 points", "30, 30, 30 and 10
+    points"."""
+    points = [f"{part.points:g}" for part in parts()]
     for part in parts():
-        text = re.sub(rf"(?m)^(\| {part.number} \|.*\| ).* \|$", rf"\g<1>{part.points:g} |", text)
-    return re.sub(r"\bworth \S+ points", f"worth {full_points():g} points", text)
+        own = rf"\g<1>{part.points:g}\g<2>"
+        text = re.sub(rf"(\bPart {part.number}\b[^\n(]*\(){NUMBER}( points\))", own, text)
+        text = re.sub(rf"(?m)^(\| {part.number} \|.*\| ){NUMBER}( \|)$", own, text)
+    total = f"{sum(part.points for part in parts()):g}"
+    text = re.sub(rf"(\bworth ){NUMBER}( points)", rf"\g<1>{total}\g<2>", text)
+    listed = f"{', '.join(points[:-1])} and {points[-1]}"
+    return re.sub(rf"(?:{NUMBER}, )+{NUMBER} and {NUMBER}( points)", rf"{listed}\g<1>", text)

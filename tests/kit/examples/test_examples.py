@@ -14,7 +14,7 @@ from bounce_grader.build.compile import compile_all
 from bounce_grader.common.manifest import Part, parts
 from bounce_grader.common.paths import EXAMPLES, REFERENCE_RUNNER
 from bounce_grader.formats import terminal
-from bounce_grader.grading import fixtures, known_mistakes
+from bounce_grader.grading import examples, fixtures, known_mistakes
 from bounce_grader.grading.examples import folders, TABLE
 from bounce_grader.submission import submission
 from conftest import Grade, ROOT, write
@@ -60,16 +60,20 @@ def test_a_case_is_judged_in_one_sentence_with_its_place() -> None:
 
 
 @pytest.mark.golden
-def test_cases_that_are_handed_in_are_told_of_and_give_no_points(grade: Grade) -> None:
+def test_cases_that_are_handed_in_are_told_of_and_give_points_where_the_course_says_so(
+    grade: Grade, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(examples, "example_points", lambda: 46)
+    assert grade({})["parts"][-1]["score"] == 0
     cases = (HERE / "alone.txt").read_bytes().partition(b"part 3: y = 0.15")[0]
     record = grade({"examples.txt": cases + b"part 1: -> phi"})
-    assert record["score"] == record["max_score"] == 100
+    assert (record["score"], record["max_score"]) == (100 + 46 * 20 / 23, 146)
     schema = json.loads((ROOT / "docs" / "record.schema.json").read_text())
     pytest.importorskip("jsonschema").validate(record, schema)
     report = "".join(f"{line}\n" for _, line in terminal.lines(record))
-    golden.compare_file(HERE / "report.expected.txt", report[report.index("Cases:") :])
-    as_handed_out = (ROOT / "student" / "examples.txt").read_bytes()
-    assert "examples" not in grade({"examples.txt": as_handed_out})
+    golden.compare_file(HERE / "report.expected.txt", report.partition("Part 5")[2])
+    monkeypatch.undo()
+    assert (record := grade({}))["score"] == record["max_score"] == 100 and not record["ignored"]
 
 
 @pytest.fixture(scope="module")

@@ -4,13 +4,17 @@ import re
 
 import pytest
 from bounce_grader.grading.known_mistakes import gallery, Mistake
+from bounce_grader.grading.hints import hints
 from bounce_grader.grading.record import KNOWN
+from conftest import ROOT
 
 # The numbers don't tell how the code is written: a cause is said as one, after "Often:". And in a
 # pair, what is right of the one may be wrong by the other.
 ABOUT_CODE = re.compile(
     r"\b(loops?|static|global|variables?|typed|written down|hard-coded|appears? nowhere|<<)\b"
 )
+README = (ROOT / "student" / "README.md").read_text("utf-8")
+EQUATIONS = {int(number) for number in re.findall(r"\((\d+)\)$", README, re.M)}
 SAYS_RIGHT = re.compile(r"\b(is|are) right\b(?! one)")
 
 
@@ -19,4 +23,5 @@ def test_a_mistakes_words_are_true_and_no_instructors(m: Mistake) -> None:
     assert not ABOUT_CODE.search(f"{m.title}. {m.sentence}".partition("Often:")[0])
     assert not SAYS_RIGHT.search(m.sentence)
     assert m.hint.startswith(m.name[4])  # its part's
+    assert m.hint in [hint.heading for hint in hints()] and set(m.equations) <= EQUATIONS
     assert m.instructor not in (KNOWN / f"{m.part.stem}.json").read_text()

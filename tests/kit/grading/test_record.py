@@ -56,7 +56,7 @@ def failure(**changes: Any) -> dict[str, Any]:
     """Facts of a check whose third of nine cases is wrong."""
     facts: dict[str, Any] = {"cases": 9, "wrong": 2, "ended_at": 0, "again": ""}
     facts |= {"name": "x", "input": "in", "hidden": False}
-    return facts | {"sentence": "", "quantities": []} | changes
+    return facts | {"contact": "", "sentence": "", "quantities": []} | changes
 
 
 def test_one_exception_is_told_once() -> None:
@@ -67,8 +67,9 @@ def test_one_exception_is_told_once() -> None:
     first, *again, last = judged(*[same] * (len(IDS) - 1), another)
     whole = "2 of 9 cases wrong; the first: x\n  input    in\n  got      the program threw "
     assert (first["message"], last["message"]) == (f"{whole}x", f"{whole}y")
+    assert first["shown"]["sentence"] == "the program threw x" and "shown" in last
     refers = f'2 of 9 cases wrong, as in "{PART.checks[0].title}": the program threw x'
-    assert all(check["message"] == refers for check in again)
+    assert all(check["message"] == refers and "shown" not in check for check in again)
 
 
 def test_one_crash_is_told_once() -> None:

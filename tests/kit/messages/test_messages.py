@@ -10,13 +10,12 @@ from pathlib import Path
 
 import golden
 import pytest
-from bounce_grader import cli
 from bounce_grader.build.compiler import compile_problem
 from bounce_grader.build.errors import of_linker
 from bounce_grader.common import manifest
-from bounce_grader.common.errors import KitError, UsageError
+from bounce_grader.common.errors import UsageError
 from bounce_grader.common.paths import WORK_FOLDER
-from bounce_grader.grading import judging, known_mistakes
+from bounce_grader.grading import judging
 from bounce_grader.sandbox.processes import Result
 from conftest import ROOT
 from edits import edited
@@ -43,18 +42,6 @@ def of_the_manifest(edits: str, where: Path) -> str:
         return str(refused)
 
 
-def of_a_mistake(words: str, where: Path) -> str:
-    of_the_manifest("", where)  # with the kit's own
-    folder = where / "part1_new"
-    folder.mkdir(exist_ok=True)
-    (folder / "expected.json").write_text('{"lost": ["part1.X"]}')
-    (folder / "mistake.md").write_text(f"{words}\n")
-    try:
-        return known_mistakes.read(folder).title
-    except KitError as refused:
-        return str(refused)
-
-
 def of_addr2line(lines: str) -> str:
     return str(judging.place_in(lines.replace("WORK", WORK_FOLDER).replace("ESC", "\x1b").encode()))
 
@@ -78,19 +65,10 @@ def elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]
 @pytest.mark.golden
 def test_each_message_has_its_sentence(elsewhere: Path) -> None:
     told: dict[str, str] = {}
-    sentences: Sentences = {**SENTENCES, "mistake": partial(of_a_mistake, where=elsewhere)}
-    sentences["manifest"] = partial(of_the_manifest, where=elsewhere)
+    sentences: Sentences = {**SENTENCES, "manifest": partial(of_the_manifest, where=elsewhere)}
     for name, sentence in sentences.items():
         written = (EXPECTED / f"{name}.txt").read_text()
         said = re.findall(r"(.+?)\n->[^\n]*\n+", written, re.DOTALL)
         assert len(said) == written.count("\n->"), name
         told[f"{name}.txt"] = "\n".join(f"{one}\n-> {sentence(one)}\n" for one in said)
     golden.compare(EXPECTED, told)
-
-
-def test_a_wrong_manifest_ends_a_command_before_it_builds_anything(
-    elsewhere: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    of_the_manifest("parts 0 checks 0 points = 7", elsewhere)
-    assert cli.check_manifest() == 2
-    assert capsys.readouterr().err.startswith("kit: grader/parts.json: part 1 gives 30 points")

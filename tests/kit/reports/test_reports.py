@@ -99,6 +99,8 @@ def saying(record: Record, text: str) -> Record:
         part["message"] = words
         for check in part["checks"]:
             check["message"] = "" if check["passed"] else words
+            if check.get("shown"):
+                check["shown"]["sentence"] = check["shown"]["input"] = words
     return changed
 
 
