@@ -33,7 +33,7 @@ struct Model {
 };
 
 struct EventOptions {
-  Model model;
+  Model model = {};
   double cut = 1e-6;         // in units of sqrt(l g), within a factor of 2
   double tolerance = 1e-15;  // of one step of a series, in rad and in units of l / sqrt 2
   double touching = 1e-13;  // in units of l, within a factor of 2: corners this near touch together

@@ -80,14 +80,12 @@ class Simulation {
   };
 
   Checks check(const Motions& motions, const EventReport& report) const {
-    EventOptions finer;
-    finer.cut = 1e-8;
-    finer.tolerance = 1e-18;
-    finer.touching = 0;  // what counts as touching in double is an error to be measured, too
-    finer.most_events = 2 * kMostEvents;
     EventReport of_finer;
-    const Motions precise =
-        in_long_double(scene_, {times_.begin(), times_.end()}, finer, &of_finer);
+    // Nothing counts as touching: what does in double is an error to be measured, too.
+    const Motions precise = in_long_double(
+        scene_, {times_.begin(), times_.end()},
+        {.cut = 1e-8, .tolerance = 1e-18, .touching = 0, .most_events = 2 * kMostEvents},
+        &of_finer);
     const double gap = methods::lowest_gap(methods::motion_of<double>(scene_.start),
                                            methods::Body<double>(scene_.params));
     const bool bounces = gap > kNear * scene_.params.l && !report.stays && !of_finer.stays &&
@@ -104,12 +102,9 @@ class Simulation {
 
   Motions in_double(long most_events, EventReport* report, double noise = 0,
                     unsigned seed = 1) const {
-    EventOptions options;
-    options.most_events = most_events;
-    options.noise = noise;
-    options.seed = seed;
     return simulate_events<double>(scene_.params, methods::motion_of<double>(scene_.start), times_,
-                                   options, report);
+                                   {.most_events = most_events, .noise = noise, .seed = seed},
+                                   report);
   }
 
   [[noreturn]] void refuse(std::size_t i, const std::string& why) const {

@@ -19,15 +19,17 @@ double fitting_step(const Scene& scene, double dt, int samples) {
 }
 
 Samples truth_of(const Scene& scene, int samples) {
-  EventOptions options;
-  options.tolerance = 1e-18;
-  options.cut = 1e-8;
   std::vector<long double> times;
   for (int i = 1; i <= samples; ++i) times.push_back((long double)(scene.until) * i / samples);
-  Samples truth = in_long_double(scene, times, options);
+  Samples truth = in_long_double(scene, times, {.cut = 1e-8, .tolerance = 1e-18});
   if (truth.size() != std::size_t(samples))
     throw std::runtime_error(scene.name + ": the truth stalled: events go on without an end");
   return truth;
+}
+
+Samples second_truth(const Scene& scene, const std::vector<double>& times) {
+  return in_long_double(scene, {times.begin(), times.end()},
+                        {.cut = 3e-8, .tolerance = 1e-19, .touching = 0, .noise = 0x1p-62});
 }
 
 Samples in_long_double(const Scene& scene, const std::vector<long double>& times,
@@ -35,8 +37,7 @@ Samples in_long_double(const Scene& scene, const std::vector<long double>& times
   Samples rounded;
   for (const auto& s : simulate_events<long double>(
            scene.params, methods::motion_of<long double>(scene.start), times, options, report)) {
-    rounded.push_back(
-        {double(s.x), double(s.y), double(s.theta), double(s.v_x), double(s.v_y), double(s.omega)});
+    rounded.push_back(methods::motion_of<double>(methods::state_of(s)));
   }
   return rounded;
 }

@@ -20,6 +20,10 @@ std::vector<double> sample_times(const Scene& scene, int samples = kSamples);
 // it stalled.
 Samples truth_of(const Scene& scene, int samples = kSamples);
 
+// Once more at these times, with other tolerances and other rounding than those that the truth and
+// simulate_to's bounds are made of.
+Samples second_truth(const Scene& scene, const std::vector<double>& times);
+
 // The motion of a scene in long double, rounded in the end.
 Samples in_long_double(const Scene& scene, const std::vector<long double>& times,
                        const EventOptions& options, EventReport* report = nullptr);

@@ -91,10 +91,12 @@ double lcp_residual(const Eigen::MatrixXd& V, const Eigen::VectorXd& p, const Ei
   return z.cwiseMin(w).cwiseAbs().maxCoeff();
 }
 
-Lcp8 form_lcp8(const Jacobian& J_1, const Jacobian& J_2, const Vector3& v,
+Lcp8 form_lcp8(const Arm<double>& r_1, const Arm<double>& r_2, const Vector3& v,
                const Parameters& params) {
-  Eigen::Matrix<double, 3, 6> J_hat;
-  J_hat << J_1.col(1), -J_1.col(0), J_1.col(0), J_2.col(1), -J_2.col(0), J_2.col(0);
+  Eigen::Matrix<double, 3, 6> J_hat;  // J_n, -J_t and J_t of each
+  J_hat << 0, -1, 1, 0, -1, 1,        //
+      1, 0, 0, 1, 0, 0,               //
+      r_1.x, r_1.y, -r_1.y, r_2.x, r_2.y, -r_2.y;
   const Eigen::Matrix3d M_inv = params.M().inverse();
   const Eigen::Matrix<double, 6, 6> A = J_hat.transpose() * M_inv * J_hat * params.dt;
   const Eigen::Matrix<double, 6, 1> w = J_hat.transpose() * (v + params.dt * params.g);

@@ -9,7 +9,8 @@
 #pragma once
 
 #include <Eigen/Dense>
-#include <bounce/types.hpp>
+
+#include "square.hpp"
 
 namespace bounce::methods {
 
@@ -29,13 +30,13 @@ LemkeResult lemke(const Eigen::MatrixXd& V, const Eigen::VectorXd& p, double piv
 // It compares numbers of different units, if z and p have any. NaN counts as infinite.
 double lcp_residual(const Eigen::MatrixXd& V, const Eigen::VectorXd& p, const Eigen::VectorXd& z);
 
-// The LCP of eqs. (9) and (10) for two corners, literally: z = (f_n, f_t1, f_t2, lambda) of the
-// first corner, then of the second, 8x8, in forces.
+// The LCP of eqs. (9) and (10) for two corners with these arms, literally: z = (f_n, f_t1, f_t2,
+// lambda) of the first corner, then of the second, 8x8, in forces.
 struct Lcp8 {
   Eigen::MatrixXd V;
   Eigen::VectorXd p;
 };
-Lcp8 form_lcp8(const Jacobian& J_1, const Jacobian& J_2, const Vector3& v,
+Lcp8 form_lcp8(const Arm<double>& r_1, const Arm<double>& r_2, const Vector3& v,
                const Parameters& params);
 
 }  // namespace bounce::methods

@@ -55,6 +55,12 @@ OneCorner<Real> one_corner(const Arm<Real>& r, Real gyration_squared, Real u_n, 
           mu};
 }
 
+// The corner of a rectangle that leans alpha from the vertical below the centre, rad. Its distance
+// from there is 1 m; then r_g^2 = 1/3 m^2, whatever the sides.
+inline OneCorner<double> leaning_corner(double alpha, double u_n, double u_t, double mu) {
+  return one_corner<double>({std::sin(alpha), -std::cos(alpha)}, 1.0 / 3, u_n, u_t, mu);
+}
+
 // The solution if a > mu |b|; else one of several, or with a - sigma mu b = 0 no finite number. NaN
 // in gives NaN out.
 template <class Real>

@@ -13,12 +13,6 @@ namespace {
 using methods::Arm;
 using methods::ImpactLaw;
 
-constexpr double kGyration = 1.0 / 3;  // of a rectangle whose corner is 1 from the centre
-
-methods::OneCorner<double> leaning(double alpha, double u_n, double u_t, double mu) {
-  return methods::one_corner<double>({std::sin(alpha), -std::cos(alpha)}, kGyration, u_n, u_t, mu);
-}
-
 // Kane's paradox: the energy after the impact over that before.
 double kane(ImpactLaw law) {
   Parameters params;
@@ -48,7 +42,7 @@ Least least_over_angles(const Value& value) {
   Least least{1e300, 0};
   for (int i = 1; i < 20'000; ++i) {
     const double alpha = i * std::numbers::pi / 40'000;
-    const auto k = leaning(alpha, 0, 0, 0);
+    const auto k = methods::leaning_corner(alpha, 0, 0, 0);
     if (value(k) < least.value) least = {value(k), std::tan(alpha)};
   }
   return least;
@@ -68,7 +62,8 @@ Table examples() {
   table.add("rectangle", "least mu with a <= mu |b|", mu.value, "none");
   table.add("rectangle", "tan alpha there", mu.tan_alpha, "none");
   constexpr double kMu = 2, kApproach = 0.1, kSliding = 1;
-  const auto found = methods::all_solutions(leaning(std::atan(0.5), kApproach, kSliding, kMu));
+  const auto found =
+      methods::all_solutions(methods::leaning_corner(std::atan(0.5), kApproach, kSliding, kMu));
   std::vector<double> impulses;
   impulses.reserve(std::size_t(found.count));
   for (int i = 0; i < found.count; ++i) impulses.push_back(found.all[i].n);

@@ -17,4 +17,12 @@ std::vector<methods::Motion<double>> motion_with(const Scene& scene, ModelLevel 
                                                  const std::vector<double>& times,
                                                  EventOptions options = {});
 
+// The scene's parameters for steps of dt, s, until it isn't compared any more.
+Parameters stepped(const Scene& scene, double dt);
+
+// Moreau-Jean's scheme, which takes the whole model wherever a corner touches: the motion after
+// each step; and the largest distance of a coordinate of simulate_scene to it.
+std::vector<methods::Motion<double>> whole_model(const Parameters& params, const State& start);
+double distance_to_whole_model(const Parameters& params, const State& start);
+
 }  // namespace bounce::study

@@ -8,8 +8,6 @@
 
 #include "../exact/simulate_scene.hpp"
 #include "../exact/truth.hpp"
-#include "../methods/moreau_jean.hpp"
-#include "../methods/scheme.hpp"
 #include "ladder.hpp"
 #include "questions.hpp"
 #include "random_scenes.hpp"
@@ -23,13 +21,6 @@ constexpr double kEventsASecond = 5000;  // in random scenes
 
 Samples run_model(const Scene& scene, ModelLevel level, const EventOptions& options = {}) {
   return motion_with(scene, level, sample_times(scene), options);
-}
-
-Parameters stepped(const Scene& scene, double dt) {
-  Parameters params = scene.params;
-  params.dt = dt;
-  params.T = int(std::lround(scene.until / dt)) + 1;
-  return params;
 }
 
 // In the air or on the ground, turned or flat, with or without friction, spin and a slope: a
@@ -56,24 +47,6 @@ double error_with(const Scene& scene, ModelLevel level, const Samples& truth) {
   EventOptions options;
   options.most_events = long(kEventsASecond * scene.until);
   return error_of(scene, run_model(scene, level, options), truth);
-}
-
-// The whole model wherever a corner touches: the motion after each step.
-Samples whole_model(const Parameters& params, const State& start) {
-  return methods::sample(methods::MoreauJean<2>(params, methods::motion_of<double>(start)),
-                         params.T - 1, 1);
-}
-
-// How far the simulator that chooses is from it.
-double apart(const Parameters& params, const State& start) {
-  const Trajectory chosen = simulate_scene(params, start);
-  double farthest = 0;
-  Eigen::Index column = 0;
-  for (const auto& s : whole_model(params, start)) {
-    const Vector3 off = chosen.q.col(++column) - methods::state_of(s).q;
-    farthest = std::max(farthest, off.cwiseAbs().maxCoeff());
-  }
-  return farthest;
 }
 
 // The smallest model that holds every one that simulate_scene took.
@@ -129,7 +102,8 @@ Table chosen_model(const Scenes& scenes, const Extent& extent) {
       std::vector<Job> jobs{job_of([&] { simulate_scene(params, scene.start); }),
                             job_of([&] { whole_model(params, scene.start); })};
       time_in_turn(jobs, extent);
-      table.add(scene.name, dt, apart(params, scene.start), quantile(ratios(jobs[1], jobs[0])));
+      table.add(scene.name, dt, distance_to_whole_model(params, scene.start),
+                quantile(ratios(jobs[1], jobs[0])));
     }
   }
   return table;

@@ -24,11 +24,6 @@ using methods::Collision;
 using methods::ImpactLaw;
 using methods::Motion;
 
-// The arm of a rectangle of rho 1 that leans alpha from the vertical; r_g^2 = rho^2 / 3 always.
-constexpr double kGyration = 1.0 / 3;
-
-Arm<double> leaning_arm(double alpha) { return {std::sin(alpha), -std::cos(alpha)}; }
-
 // A corner's share of the energy, x^T G^-1 x / 2 with x = (v_n, v_t).
 double energy_of(const Collision<double>& k) {
   return (k.c * k.v_n * k.v_n - 2 * k.b * k.v_n * k.v_t + k.a * k.v_t * k.v_t) /
@@ -39,8 +34,7 @@ double energy_of(const Collision<double>& k) {
 double largest_gain(ImpactLaw law, double mu, double epsilon) {
   double largest = -1;
   for (int i = 0; i <= 45; ++i) {
-    const auto k =
-        methods::one_corner<double>(leaning_arm(i * std::numbers::pi / 180), kGyration, 0, 0, mu);
+    const auto k = methods::leaning_corner(i * std::numbers::pi / 180, 0, 0, mu);
     for (int j = -300; j <= 300; ++j) {
       const Collision<double> hit{k.a, k.b, k.c, -1, j / 100.0, mu, epsilon};
       largest = std::max(largest,
@@ -54,8 +48,7 @@ double largest_gain(ImpactLaw law, double mu, double epsilon) {
 double least_limit(double mu) {
   double least = 1;
   for (int i = 0; i <= 45; ++i) {
-    const auto k =
-        methods::one_corner<double>(leaning_arm(i * std::numbers::pi / 180), kGyration, 0, 0, mu);
+    const auto k = methods::leaning_corner(i * std::numbers::pi / 180, 0, 0, mu);
     if (k.a > mu * std::abs(k.b)) least = std::min(least, methods::gain_limit(k.a, k.b, k.c, mu));
   }
   return least;
@@ -66,7 +59,7 @@ int most_solutions(double alpha, double mu) {
   for (const double u_n : {-1.0, 1.0}) {
     for (int i = -160; i <= 160; ++i) {  // u_t to 1e5: just above mu* it takes thousands
       const double u_t = i == 0 ? 0 : std::copysign(std::pow(10.0, std::abs(i) / 20.0 - 3), i);
-      const auto k = methods::one_corner(leaning_arm(alpha), kGyration, u_n, u_t, mu);
+      const auto k = methods::leaning_corner(alpha, u_n, u_t, mu);
       most = std::max(most, methods::all_solutions(k).count);
     }
   }
@@ -102,8 +95,8 @@ double share_without_end(double mu) {
   int endless = 0;
   constexpr int kContacts = 2000;
   for (int i = 0; i < kContacts; ++i) {
-    const auto k = methods::one_corner<double>(leaning_arm(uniform(-0.78, 0.78)), kGyration,
-                                               -uniform(0.1, 1), uniform(-3, 3), mu);
+    const double u_t = uniform(-3, 3), u_n = -uniform(0.1, 1);
+    const auto k = methods::leaning_corner(uniform(-0.78, 0.78), u_n, u_t, mu);
     Eigen::Matrix2d G;
     G << k.a, k.b, k.b, k.c;
     endless +=
@@ -155,11 +148,6 @@ double residual_of(const methods::TwoCorners<double>& k, const methods::SideImpu
 // low corners in contact.
 Residuals residuals_at(double theta) {
   const Parameters params;
-  const auto jacobian = [](const Arm<double>& arm) {
-    Jacobian J;
-    J << Vector3(1, 0, -arm.y), Vector3(0, 1, arm.x);
-    return J;
-  };
   std::mt19937_64 random(1);
   const auto uniform = [&] { return 4 * double(random() >> 11) * 0x1p-53 - 2; };
   Residuals worst{};
@@ -167,7 +155,7 @@ Residuals residuals_at(double theta) {
     const double turned = theta * std::pow(10.0, (uniform() + 2) / 16);
     const auto r = methods::arms(params.l / 2, std::cos(turned), std::sin(turned));
     const Vector3 v(uniform(), uniform() - 2, 10 * uniform());
-    const methods::Lcp8 lcp = methods::form_lcp8(jacobian(r[2]), jacobian(r[3]), v, params);
+    const methods::Lcp8 lcp = methods::form_lcp8(r[2], r[3], v, params);
     const methods::LemkeResult z = methods::lemke(lcp.V, lcp.p, 1e-12);
     const double left = methods::lcp_residual(lcp.V, lcp.p, z.z);
     if (z.end == methods::LemkeEnd::solved) worst.lemke = std::max(worst.lemke, left);
@@ -259,8 +247,8 @@ Table solution_count() {
   constexpr int n = 10;
   for (int i = 1; i < 3 * n; ++i) {
     const double alpha = i * std::numbers::pi / (6 * n);
-    const Arm<double> r = leaning_arm(alpha);
-    const double mu_star = (kGyration + r.x * r.x) / std::abs(r.x * r.y);  // a = mu |b|
+    const auto k = methods::leaning_corner(alpha, 0, 0, 0);
+    const double mu_star = k.a / std::abs(k.b);
     for (int j = 0; j <= 2 * n; ++j)
       table.add(alpha, 2.0 * j / n, most_solutions(alpha, 2.0 * j / n), mu_star);
   }

@@ -5,6 +5,7 @@
 #include "../exact/simulate_to.hpp"
 #include "../exact/truth.hpp"
 #include "../methods/moreau_jean.hpp"
+#include "../methods/scheme.hpp"
 #include "questions.hpp"
 #include "random_scenes.hpp"
 
@@ -13,16 +14,6 @@ namespace {
 
 using methods::Motion;
 using Motions = std::vector<Motion<double>>;
-
-// In long double, with other tolerances and other rounding than those that bounds are measured by.
-Motions truth_at(const Scene& scene, const std::vector<double>& times) {
-  EventOptions finest;
-  finest.cut = 3e-8;
-  finest.tolerance = 1e-19;
-  finest.touching = 0;
-  finest.noise = 0x1p-62;
-  return in_long_double(scene, {times.begin(), times.end()}, finest);
-}
 
 // CPU time of a run, ns: the least of five, since one alone may be disturbed.
 template <class Run>
@@ -47,12 +38,8 @@ Motions stepped(const Scene& scene, long steps) {
   Parameters params = scene.params;
   params.dt /= double(steps);
   const auto start = methods::motion_of<double>(scene.start);
-  methods::MoreauJean<2> scheme(params, start);
-  Motions motions{start};
-  for (int i = 1; i < params.T; ++i) {
-    scheme.steps(steps);
-    motions.push_back(scheme.motion());
-  }
+  Motions motions = methods::sample(methods::MoreauJean<2>(params, start), params.T - 1, steps);
+  motions.insert(motions.begin(), start);
   return motions;
 }
 
@@ -92,7 +79,7 @@ Table tolerance(int count) {
         const Answer answer = simulate_to(scene, within);
         ns.push_back(least_time([&] { simulate_to(scene, within); }));
         flights += answer.method == "free flight";
-        const Motions truth = truth_at(scene, answer.times);
+        const Motions truth = second_truth(scene, answer.times);
         const double error = error_of(scene, answer.motions, truth);
         violated += !(error <= answer.bound);
         if (error > 0) bounds.push_back(answer.bound / error);

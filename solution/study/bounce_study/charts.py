@@ -129,8 +129,7 @@ def least_model(tables: Tables) -> bytes:
         below.set(yscale="log", xticks=places)
     grid[0, 0].set_ylabel("error, m")
     grid[1, 0].set_ylabel("CPU time per simulated second, µs")
-    models = tables["least_model"]["model"].unique()
-    names = "   ".join(f"{i}: {name.replace('_', ' ')}" for i, name in enumerate(models))
+    names = "   ".join(f"{i}: {name}" for i, name in enumerate(style.MODELS.values()))
     figure.supxlabel(
         f"{names}\nblack: the least within 1 mm   grey: larger   white: "
         "wrong   ×: its impacts go on without an end"

@@ -11,7 +11,7 @@ import pandas as pd
 from bounce_grader.common.paths import FIXTURES
 from bounce_study import charts, chart_stability
 from bounce_study.numbers import interval, metres, ratio, short, time
-from bounce_study.style import ENGINES, label, METHODS, scene_label
+from bounce_study.style import ENGINES, label, METHODS, MODELS, scene_label
 from bounce_study.tables import fastest, FINE, FINEST, Tables, TIME
 
 Facts = dict[str, Any]
@@ -211,7 +211,7 @@ def models(tables: Tables) -> Facts:
         rows.append(
             {
                 "scene": scene_label(scene),
-                "least model": least["model"].replace("_", " "),
+                "least model": MODELS[least["model"]],
                 "as expected": "yes" if least["expected"] else "no",
                 "least error of a smaller one": metres(wrong.min()) if len(wrong) else "none is",
                 "its time per second": time(least[TIME]),

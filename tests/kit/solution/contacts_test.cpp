@@ -12,18 +12,13 @@
 namespace bounce::exact::tests {
 namespace {
 
-using methods::Arm;
 using methods::Collision;
 using methods::ImpactLaw;
+using methods::leaning_corner;
 using methods::OneCorner;
 
-// The corner of a rectangle of rho 1 and r_g^2 = rho^2 / 3 that leans alpha from the vertical.
-OneCorner<double> leaning(double alpha, double u_n, double u_t, double mu) {
-  return methods::one_corner<double>({std::sin(alpha), -std::cos(alpha)}, 1.0 / 3, u_n, u_t, mu);
-}
-
 Collision<double> collision(double alpha, double v_n, double v_t, double mu, double epsilon) {
-  const auto k = leaning(alpha, 0, 0, mu);
+  const auto k = leaning_corner(alpha, 0, 0, mu);
   return {k.a, k.b, k.c, v_n, v_t, mu, epsilon};
 }
 
@@ -57,7 +52,7 @@ TEST(impact, NewtonsLawGainsEnergyAboveTheLimitAndNotBelow) {
   Random random(2);
   for (int i = 0; i < 100; ++i) {
     const double alpha = random.uniform(0.05, 1.5), mu = random.uniform(0.01, 1.2);
-    const auto k = leaning(alpha, 0, 0, mu);
+    const auto k = leaning_corner(alpha, 0, 0, mu);
     const double limit = methods::gain_limit(k.a, k.b, k.c, mu);
     ASSERT_GE(limit, std::sqrt(1 - k.b * k.b / (k.a * k.c)) - 1e-15);
     double above = -1, below = -1;
@@ -89,7 +84,7 @@ methods::GaussSeidel swept(const OneCorner<double>& k, int most) {
 TEST(one_corner, IsSolvedAlikeInClosedFormAndBySweeps) {
   Random random(1);
   for (int i = 0; i < 5000; ++i) {
-    const auto k = leaning(random.uniform(-1.5, 1.5), random.uniform(-1, 0.2),
+    const auto k = leaning_corner(random.uniform(-1.5, 1.5), random.uniform(-1, 0.2),
                            random.uniform(-5, 5), random.uniform(0, 1.2));
     const auto p = methods::solve_one_corner(k);
     ASSERT_LE(residual(k, p.n, p.t), 1e-12 * (1 + p.n)) << i;
@@ -103,7 +98,7 @@ TEST(one_corner, HasOneSolutionBelowMuStarAndSometimesMoreAbove) {
   Random random(5);
   int several = 0;
   for (int i = 0; i < 100'000; ++i) {
-    const auto k = leaning(random.uniform(-1.5, 1.5), random.uniform(-1, 1), random.uniform(-5, 5),
+    const auto k = leaning_corner(random.uniform(-1.5, 1.5), random.uniform(-1, 1), random.uniform(-5, 5),
                            random.uniform(0, 4));
     const auto found = methods::all_solutions(k);
     ASSERT_GE(found.count, 1) << i;
@@ -132,15 +127,9 @@ struct Side {
   }
 };
 
-Jacobian jacobian(const Arm<double>& r) {
-  Jacobian J;
-  J << Vector3(1, 0, -r.y), Vector3(0, 1, r.x);
-  return J;
-}
-
 Side side_at(double theta, const Vector3& v, const Parameters& params = {}) {
   const auto r = methods::arms(params.l / 2, std::cos(theta), std::sin(theta));
-  Side side{methods::form_lcp8(jacobian(r[2]), jacobian(r[3]), v, params), {}, {}};
+  Side side{methods::form_lcp8(r[2], r[3], v, params), {}, {}};
   const Eigen::VectorXd& p = side.lcp.p;
   side.merged = methods::solve_two_corners(methods::two_corners<double>(
       r[2], r[3], params.l * params.l / 6, {p(0), p(4)}, (p(2) + p(6)) / 2, params.mu));

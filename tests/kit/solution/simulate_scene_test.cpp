@@ -7,30 +7,10 @@
 #include <numeric>
 
 #include "cases.hpp"
-#include "methods/moreau_jean.hpp"
+#include "study/ladder.hpp"
 
 namespace bounce::exact::tests {
 namespace {
-
-// How far it is from Moreau and Jean's scheme, which takes the whole model wherever a corner
-// touches.
-double apart(const Parameters& params, const State& start) {
-  const Trajectory chosen = simulate_scene(params, start);
-  methods::MoreauJean<2> whole(params, methods::motion_of<double>(start));
-  double farthest = 0;
-  for (int t = 1; t < params.T; ++t) {
-    whole.steps(1);
-    const Vector3 off = chosen.q.col(t) - methods::state_of(whole.motion()).q;
-    farthest = std::max(farthest, off.cwiseAbs().maxCoeff());
-  }
-  return farthest;
-}
-
-Scene with_dt(Scene scene, double dt) {
-  scene.params.dt = dt;
-  scene.params.T = int(std::lround(scene.until / dt)) + 1;
-  return scene;
-}
 
 ModelReport report_of(const Parameters& params, const State& start) {
   ModelReport report{};
@@ -41,11 +21,9 @@ ModelReport report_of(const Parameters& params, const State& start) {
 long steps(const ModelReport& report, ModelLevel level) { return report[std::size_t(level)]; }
 
 TEST(simulate_scene, IsTheWholeModelInEveryScene) {
-  for (const Scene& any : scenes()) {
-    for (const double dt : {1e-2, 1e-3}) {
-      const Scene scene = with_dt(any, dt);
-      EXPECT_LE(apart(scene.params, scene.start), 1e-6) << scene.name << dt;
-    }
+  for (const Scene& scene : scenes()) {
+    for (const double dt : {1e-2, 1e-3})
+      EXPECT_LE(distance_to_whole_model(stepped(scene, dt), scene.start), 1e-6) << scene.name << dt;
   }
 }
 
@@ -55,32 +33,33 @@ TEST(simulate_scene, IsTheWholeModelInRandomDrops) {
     Case c = ordinary_case(random, i, 1);
     c.params.dt = std::pow(10, random.uniform(-2.7, -1.7));
     c.params.T = int(1 / c.params.dt) + 1;
-    ASSERT_LE(apart(c.params, methods::state_of(c.start)), 1e-6) << i;
+    ASSERT_LE(distance_to_whole_model(c.params, methods::state_of(c.start)), 1e-6) << i;
   }
 }
 
 TEST(simulate_scene, UsesNoMoreThanTheLeastModelOfAScene) {
-  for (const Scene& any : scenes()) {
-    const Scene scene = with_dt(any, 1e-4);
-    const ModelReport report = report_of(scene.params, scene.start);
+  for (const Scene& scene : scenes()) {
+    const Parameters params = stepped(scene, 1e-4);
+    const ModelReport report = report_of(params, scene.start);
     for (int level = int(scene.least) + 1; level < kModelLevels; ++level) {
       const long allowed = scene.least == ModelLevel::asleep ? 1 : 0;  // not yet known to be rest
       EXPECT_LE(report[std::size_t(level)], allowed) << scene.name << name_of(ModelLevel(level));
     }
-    EXPECT_EQ(std::accumulate(report.begin(), report.end(), 0L), scene.params.T - 1);
+    EXPECT_EQ(std::accumulate(report.begin(), report.end(), 0L), params.T - 1);
   }
 }
 
 // A square that rests in the air between two steps, by less than gravity takes away in one, is held
 // all the same, and sleeps.
 TEST(simulate_scene, FallsAsleepWithWhateverStep) {
+  const Scene scene = scene_named("tilted_settling");
   for (const double dt : {1e-2, 3e-3, 1e-3, 3e-4}) {
-    const Scene scene = with_dt(scene_named("tilted_settling"), dt);
+    const Parameters params = stepped(scene, dt);
     ModelReport report{};
-    const Trajectory trajectory = simulate_scene(scene.params, scene.start, &report);
-    EXPECT_GT(steps(report, ModelLevel::asleep), (scene.params.T - 1) / 2) << dt;
+    const Trajectory trajectory = simulate_scene(params, scene.start, &report);
+    EXPECT_GT(steps(report, ModelLevel::asleep), (params.T - 1) / 2) << dt;
     EXPECT_GT(steps(report, ModelLevel::two_frictions), 0) << dt;
-    EXPECT_EQ(trajectory.v.col(scene.params.T - 1), Vector3::Zero());
+    EXPECT_EQ(trajectory.v.col(params.T - 1), Vector3::Zero());
   }
 }
 

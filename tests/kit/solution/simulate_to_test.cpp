@@ -11,15 +11,8 @@
 namespace bounce::exact::tests {
 namespace {
 
-// In long double, with other tolerances and other rounding than simulate_to works with.
 double true_error(const Scene& scene, const Answer& answer) {
-  EventOptions finest;
-  finest.cut = 3e-8;
-  finest.tolerance = 1e-19;
-  finest.touching = 0;
-  finest.noise = 0x1p-62;
-  const std::vector<long double> times(answer.times.begin(), answer.times.end());
-  return error_of(scene, answer.motions, in_long_double(scene, times, finest));
+  return error_of(scene, answer.motions, second_truth(scene, answer.times));
 }
 
 double median(std::vector<double> values) {
