@@ -136,7 +136,7 @@ std::vector<Real> even_times(Real until, int count) {
 inline std::vector<Scene> scenes() { return read_scenes(BOUNCE_SCENES); }
 
 inline Scene scene_named(const std::string& name) {
-  return read_scene(std::string(BOUNCE_SCENES) + "/" + name + ".json");
+  return read_scene(std::filesystem::path(BOUNCE_SCENES) / (name + ".json"));
 }
 
 }  // namespace bounce::exact::tests
