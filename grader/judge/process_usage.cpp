@@ -71,6 +71,7 @@ void add_threads(pid_t pid, ProcessUsage& all) {
     ++threads;
     memory = std::max(memory, state.memory);
     all.ready = all.ready || state.letter == 'R';
+    all.reads_a_disk = all.reads_a_disk || state.letter == 'D';
     all.delay_seconds += thread.delay;
     all.ended_seconds -= thread.run;
   }
@@ -84,7 +85,6 @@ bool add(pid_t pid, ProcessUsage& all) {
   const std::optional<double> cpu = cpu_seconds_of(pid);
   const std::vector<pid_t> children = children_of(pid);
   if (state == 0 || !cpu) return false;
-  all.reads_a_disk = all.reads_a_disk || state == 'D';
   all.stopped = all.stopped || state == 'T' || state == 't';
   all.cpu_seconds += *cpu;
   all.ended_seconds += *cpu;

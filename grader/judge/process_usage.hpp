@@ -12,7 +12,7 @@ namespace bounce::judge {
 
 // The current usage of a process and all its descendants together.
 struct ProcessUsage {
-  bool reads_a_disk = false;  // one of them is in uninterruptible sleep
+  bool reads_a_disk = false;  // a thread is in uninterruptible sleep
   bool stopped = false;       // one was stopped, as by SIGSTOP
   bool ready = false;         // a thread runs, or could
   std::size_t threads = 0;    // of the one that has most

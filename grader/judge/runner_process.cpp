@@ -224,19 +224,20 @@ void RunnerProcess::require_a_box() {
 // Idle time is the time that we waited, minus the time in which the runner or we used or wanted a
 // CPU. So neither printing nor short sleeps hide it, and a busy machine doesn't add to it. Of
 // threads that have ended, nobody knows how long they wanted one, and many may want one at a time:
-// with threads, the time counts in which our CPU had nothing to do. None counts while the box is
-// set up or a page is read from disk. How long a thread wants a CPU is known when it gets one, so
-// it is too soon to count while one is ready and none has run. A process that has ended takes its
-// times along: from there on they are counted anew.
+// with threads, if one has run, the time counts in which our CPU had nothing to do. None counts
+// while the box is set up or a page is read from disk. How long a thread wants a CPU is known when
+// it gets one, so it is too soon to count while one is ready and none has run. A process that has
+// ended takes its times along: from there on they are counted anew.
 void RunnerProcess::count_idle_time(const ProcessUsage& seen) {
   const Seconds wanted(seen.delay_seconds + own_delay_seconds()), spare(spare_seconds());
   const Seconds idle = waited_ - wanted - Seconds(seen.cpu_seconds);
-  const bool one_ended = seen.cpu_seconds < cpu_before_;
-  if (seen.ready && seen.cpu_seconds == cpu_before_) return;
+  const bool one_ended = seen.cpu_seconds < cpu_before_, none_ran = seen.cpu_seconds == cpu_before_;
+  if (seen.ready && none_ran) return;
   const Seconds our_cpu_spare = spare - spare_before_;
   const bool threads = seen.threads > 1 || seen.ended_seconds > ended_before_;
   if (counts_idle_ && !seen.reads_a_disk && !one_ended) {
-    idle_ = std::max(idle_ + (threads ? our_cpu_spare : idle - idle_before_), Seconds::zero());
+    idle_ = std::max(idle_ + (threads && !none_ran ? our_cpu_spare : idle - idle_before_),
+                     Seconds::zero());
   }
   spare_before_ = spare;
   cpu_before_ = seen.cpu_seconds;

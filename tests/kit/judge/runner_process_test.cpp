@@ -113,6 +113,14 @@ TEST(RunnerProcess, EndsOneThatSleepsWithThreadsOnceTheCpuHadNothingToDo) {
   EXPECT_LT(judge::spare_seconds() - before, 2 * limits.idle_seconds + 1);
 }
 
+TEST(RunnerProcess, EndsOneWhoseThreadsAllSleepWhileOthersUseTheCpu) {
+  judge::stay_on_this_cpu();
+  const RunnerProcess other({"/bin/sh", "-c", "exec perl -e '1 while 1'"}, Limits());
+  const Termination end =
+      end_of(kThreads + "Thread(target=time.sleep, args=(999,)).start()\ntime.sleep(999)'");
+  EXPECT_TRUE(end.waits) << end.what;
+}
+
 TEST(RunnerProcess, CountsNoTimeInWhichTheJudgeItselfIsStopped) {
   const std::string frozen = "kill -STOP $PPID; sleep 3; kill -CONT $PPID; " + kFrame;
   RunnerProcess runner({"/bin/sh", "-c", frozen + "exec sleep 1000"}, Limits());
