@@ -13,6 +13,7 @@ from bounce_grader.publish import equations
 
 NUMBER = r"\d+(?:\.\d+)?"
 
+
 def page(file: Path) -> bytes:
     """The page of a Markdown file. The pictures that it shows lie beside it, as SVG."""
     from markdown_it import MarkdownIt
