@@ -108,6 +108,8 @@ std::string one_line(std::string_view text, std::size_t most) {
   for (char& sign : line) {
     if (sign == '\n' || sign == '\r' || sign == '\t') sign = ' ';
   }
+  const auto both_blank = [](char a, char b) { return a == ' ' && b == ' '; };
+  line.erase(std::unique(line.begin(), line.end(), both_blank), line.end());
   return cut ? line + "..." : line;
 }
 

@@ -50,8 +50,9 @@ Termination out_of_memory(const Limits& limits);
 std::string in_one_line(const Termination& end);
 
 // Cuts a text to `most` bytes, not within a character, and marks the cut by "..."; line breaks and
-// tabs become blanks. What isn't UTF-8 is replaced when it is printed (main.cpp), and what doesn't
-// print where it is read (common/escaping.py).
+// tabs become blanks, and many blanks one, as these could make a terminal begin a line anywhere.
+// What isn't UTF-8 is replaced when it is printed (main.cpp), and what doesn't print where it is
+// read (common/escaping.py).
 std::string one_line(std::string_view text, std::size_t most);
 
 }  // namespace bounce::judge

@@ -30,7 +30,7 @@ class Built(NamedTuple):
 
 def of_compiler(printed: str, file: str) -> Built:
     """The first error that a compiler printed about a file."""
-    errors = re.findall(r"^(.+?):(\d{1,9}):(\d{1,9}): (?:fatal )?error: (.*)$", printed, re.MULTILINE)
+    errors = re.findall(r"^(.+?):(\d{1,10}):(\d{1,9}): (?:fatal )?error: (.*)$", printed, re.MULTILINE)
     if not errors:
         return Built(None, f"{file}: {_without_a_place(printed)}")
     where, line, column, what = errors[0]
@@ -50,10 +50,10 @@ def of_compiler(printed: str, file: str) -> Built:
 
 def _without_a_place(printed: str) -> str:
     for error in re.findall(r"^(?:\S+: )?(?:fatal )?error: (.*)$", printed, re.MULTILINE):
-        if not error.startswith("clang frontend command failed"):
+        if not error.startswith(("clang frontend command failed", "unable to execute command")):
             return str(error)
     return (
-        "the compiler gave up on it: it takes more than 2 GB of memory, or "
+        "the compiler gave up on it: it takes more than 2 GB of memory, or 64 MB of files, or "
         "meets a fault of the compiler's own; take lines out until it compiles"
     )
 
@@ -96,5 +96,6 @@ def of_linker(printed: str) -> Built:
     if twice:
         return Built(None, f"{twice.group(1)} is defined in two files")
     return Built(None, 
-        "the parts can't be linked with each other: look for lines of assembler in them"
+        "the parts can't be linked with each other: look for very large "
+        "global arrays in them, and for lines of assembler"
     )

@@ -157,6 +157,7 @@ def _aborted(text: str) -> str:
 
 
 def _line(text: str) -> str:
+    text = " ".join(text.split())  # many blanks could begin a line of the report at will
     return text if len(text) <= 120 else f"{text[:120]}..."
 
 

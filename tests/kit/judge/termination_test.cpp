@@ -48,7 +48,7 @@ const Row kRows[] = {
     {SIGABRT, kBadAlloc + "hello\n"s + cause(runner::kUnknown),
      "out_of_memory: out of memory 1024"},
     {SIGABRT, "free(): double free\n" + cause(runner::kUnknown) + "stack",
-     "crashed: aborted 6, free(): double free  "},
+     "crashed: aborted 6, free(): double free "},
 };
 
 TEST(Termination, SaysInOneLineHowAProgramEnded) {
@@ -107,7 +107,7 @@ TEST(OneLine, LeavesOneLineOfBoundedLengthAndNoHalfOfACharacter) {
   const std::pair<std::string, std::string> rows[] = {
       {"", ""},
       {"Übung ½ θ → 日本 🙂, <b>&amp;=1", "Übung ½ θ → 日本 🙂, <b>&amp;=1"},
-      {"a\nb\r\tc\x1b[2J", "a b  c\x1b[2J"},
+      {"a\nb\r\tc\x1b[2J", "a b c\x1b[2J"},
       {many, many},
       {many + "a", many + "..."},
       {many.substr(1) + "θ", many.substr(1) + "..."},

@@ -92,14 +92,14 @@ def _end_with_the_class() -> None:
 
 
 def _with_progress(outcomes: Graded, number: int) -> Graded:
-    """Says every few seconds how many are graded, the rate and the time left."""
+    """Says every few seconds how many are done, the rate and the time left."""
     start = last = time.monotonic()
     for done, outcome in enumerate(outcomes, 1):
         now, left = time.monotonic(), number - done
         if not left or now - last > (5.0 if sys.stderr.isatty() else 15.0):
             last, rate = now, done / max(now - start, 1e-9)
             ahead = f", {left / rate:.0f} s left" if left else ""
-            words = f"kit: {done} of {number} graded, {60 * rate:.0f} a minute{ahead}"
+            words = f"kit: {done} of {number} done, {60 * rate:.0f} a minute{ahead}"
             print(words, file=sys.stderr, flush=True)
         yield outcome
 
