@@ -160,13 +160,11 @@ bool leave_a_daemon(const Given&) {
   ::_exit(0);
 }
 
-constexpr int kProcesses = 40'000;  // ids to try, because /proc may not be listable
-
 // Whether this file in the /proc folder of any other process can be opened, and holds the other two
 // words joined, if they are given.
 bool open_files_of_others(const Given& given) {
   const bool has_canary = given.words.size() > 2;
-  for (int pid = 1; pid < kProcesses; ++pid) {
+  for (int pid = 1; pid < 40'000; ++pid) {  // /proc may not be listable
     std::ifstream in("/proc/" + std::to_string(pid) + "/" + given.word, std::ios::binary);
     if (pid == ::getpid() || !in) continue;
     if (!has_canary) return true;

@@ -1,8 +1,6 @@
 // The steps into a box that `enter` takes from inside.
 #pragma once
 
-#include <sys/types.h>
-
 #include <cerrno>
 #include <cstring>
 #include <stdexcept>

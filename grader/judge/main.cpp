@@ -32,7 +32,6 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "../diagnosis/answers.hpp"
 #include "../diagnosis/recognise.hpp"
 #include "facts.hpp"
 #include "session.hpp"

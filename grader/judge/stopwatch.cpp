@@ -211,10 +211,9 @@ void measure(std::vector<Contender>& contenders, const Setting& setting, json& c
   for (const Contender& one : contenders) one.add_point(setting, curves[one.name]);
 }
 
-// Those that need at most one corner with friction: the assignment's model has no two corners at
-// once, as in a square that rests on a face.
-bool has_one_corner(const exact::Scene& scene) {
-  return scene.least != exact::ModelLevel::asleep && scene.least <= exact::ModelLevel::one_friction;
+// The assignment's model has no two corners at once, as in a square that rests on a face.
+bool needs_two_corners(const exact::Scene& scene) {
+  return scene.least == exact::ModelLevel::asleep || scene.least > exact::ModelLevel::one_friction;
 }
 
 json measured(const json& asked) {
@@ -224,13 +223,11 @@ json measured(const json& asked) {
     require_right(result.trajectory, params, start);
     return result;
   };
-  const auto run_solution = [&](const Parameters& params, const State& start) {
-    return solution.run(params, start);
-  };
-  std::vector<Contender> contenders{
-      {"submission", run_right}, {"solution", run_solution}, {"least", run_least_model}};
+  std::vector<Contender> contenders{{"submission", run_right},
+                                    {"solution", std::bind_front(&Timer::run, &solution)},
+                                    {"least", run_least_model}};
   std::vector<exact::Scene> scenes = exact::read_scenes(asked.at("scenes").get<std::string>());
-  std::erase_if(scenes, [](const exact::Scene& scene) { return !has_one_corner(scene); });
+  std::erase_if(scenes, needs_two_corners);
   std::vector<exact::Samples> truths;
   json all = json::array();
   for (const exact::Scene& scene : scenes) {
