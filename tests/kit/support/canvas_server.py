@@ -14,7 +14,7 @@ from typing import Any
 TOKEN = "7~secretsecretsecret"
 PAGE = 3  # entries
 HTML = b"<!doctype html>"
-OTHER = {"limited", "broken_after", "refused", "gone", "elsewhere"}
+OTHER = {"limited", "broken_after", "refused", "lost", "gone", "elsewhere"}
 
 
 @dataclass
@@ -25,6 +25,7 @@ class State:
     limited: int = 0  # requests that are answered by a limit of the rate
     broken_after: int = -1  # posts of points until the server fails for good
     refused: Sequence[int] = ()  # users
+    lost: Sequence[int] = ()  # users whose points are taken, without an answer that says so
     gone: Sequence[int] = ()  # files
     elsewhere: dict[str, str] = field(default_factory=dict)  # where a file's address leads
     tokens_elsewhere: list[str] = field(default_factory=list)
@@ -84,7 +85,8 @@ class Handler(BaseHTTPRequestHandler):
         data = self.rfile.read(int(self.headers.get("Content-Length") or 0))
         token = self.headers.get("Authorization")
         self.here = f"http://{self.headers['Host']}"
-        self.elsewhere = self.here.replace("127.0.0.1", "localhost")  # where no token must go
+        host = self.headers["Host"].replace("127.0.0.1", "localhost")
+        self.elsewhere = f"{self.here}@{host}"  # where no token must go, though it begins as ours
         if self.path.startswith(("/stored/", "/upload")):
             self.state.tokens_elsewhere += filter(None, [token])
             self._stored(data)
@@ -144,6 +146,9 @@ class Handler(BaseHTTPRequestHandler):
         state.broken_after -= 1
         if "submission[posted_grade]" in fields:
             state.submissions[user]["score"] = float(fields["submission[posted_grade]"][0])
+        if user in state.lost:
+            self._answer(500, b"broken")
+            return
         for id in fields.get("comment[file_ids][]", []):
             state.comments.setdefault(user, []).append(state.files[int(id)])
         self._answer(200, {"id": user})
