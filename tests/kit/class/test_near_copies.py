@@ -62,6 +62,7 @@ def test_copies_of_another_year_and_of_two_parts_are_found(tmp_path: Path) -> No
     others = [ROOT / "tests/submissions/accepted" / path for path in own]
     other = {path.name: path.read_bytes() for path in others}
     last_year = write(tmp_path / "2025" / "old", COPY).parent
+    write(last_year / "older", COPY)
     summaries = summaries_of(tmp_path, [SOLUTION, {**COPY, **other}])
     near = near_copies.find(summaries, near_copies.corpus(last_year))
     assert ("1", "2025/old") in pairs(near) and {"1", "2"} <= {id for p in pairs(near) for id in p}
