@@ -107,6 +107,8 @@ def _zips() -> Iterator[tuple[str, bytes]]:
     yield "a name of 65,000 bytes", zip_of([Member(b"n" * 65_000 + b".cpp")])
     yield "20000 folders deep", zip_of([Member(b"d/" * 20_000 + b"part2_lcp.cpp")])
     yield "a bomb", bomb(400)
+    large = bytes(22 << 20) + PLAIN
+    yield "zips inside, large together", holding({f"{i}.zip": large for i in range(3)})
     for size in LIES:
         yield f"claims {size} bytes", claiming(size)
     yield "damaged in the middle", damaged()
