@@ -97,6 +97,35 @@ TEST(Session, AsksNoMoreWhenItsTimeIsUp) {
   EXPECT_EQ(end.what, "not asked for want of time");
 }
 
+TEST(Session, StartsNoMoreOfAProgramThatHangs) {
+  std::signal(SIGPIPE, SIG_IGN);
+  Limits limits;
+  limits.cpu_seconds = 1;
+  limits.idle_seconds = 0.5;
+  const struct {
+    const char* script;
+    bool given;
+    int runners;
+  } rows[] = {
+      {"exec sleep 9", false, 1},
+      {"while :; do :; done", true, 1},
+      {"sleep 0.4; exit 1", false, 2},  // what they sleep counts together
+  };
+  for (const auto& row : rows) {
+    int runners = 0;
+    const auto start = [&](const Limits& now) {
+      ++runners;
+      return std::make_unique<RunnerProcess>(std::vector<std::string>{"/bin/sh", "-c", row.script},
+                                             now);
+    };
+    Session session(start, limits, 3, row.given, always_one);
+    for (int i = 0; i < 4; ++i) {
+      EXPECT_THROW(session.ask(frame_of(Kind::question, 3)), tests::Ended);
+    }
+    EXPECT_EQ(runners, row.runners) << row.script << " " << row.given;
+  }
+}
+
 TEST(Session, TakesARunnerOrABoxThatCannotBeStartedForAFaultOfTheKit) {
   std::signal(SIGPIPE, SIG_IGN);  // as in the judge: the box may have ended before it is asked
   const auto throws = [](const Limits&) -> std::unique_ptr<RunnerProcess> {
