@@ -98,6 +98,15 @@ TEST(RunnerProcess, NamesTheEndOfARunner) {
   EXPECT_NE(std::system("pgrep -f '[s]leep 54321' >/dev/null"), 0) << "a daemon is left behind";
 }
 
+// Sanitizers reserve more addresses than there is memory, so the system doesn't limit them.
+TEST(RunnerProcess, EndsASanitizedOneThatStoresTooMuch) {
+  Limits limits;
+  limits.sanitized = true;
+  limits.memory = std::size_t{64} << 20;
+  const Termination end = end_of("exec perl -e '$x = \"x\" x (200 << 20); sleep 9'", limits);
+  EXPECT_EQ(judge::in_one_line(end), "out_of_memory: out of memory 64");
+}
+
 // On a busy machine nobody can tell how long threads that have ended wanted a CPU.
 TEST(RunnerProcess, EndsOneThatSleepsWithThreadsOnceTheCpuHadNothingToDo) {
   judge::stay_on_this_cpu();
