@@ -7,6 +7,7 @@
 
 #include "../check/ending.hpp"
 #include "../check/files.hpp"
+#include "../study/page.hpp"
 #include "../study/tables.hpp"
 #include "local_server.hpp"
 #include "pages.hpp"
@@ -137,10 +138,7 @@ std::string page() {
                               {"v", numbers(start.v)},
                               {"params", params}});
   }
-  std::string text = data.dump(), html(pages::play);
-  for (std::size_t at = 0; (at = text.find('<', at)) != std::string::npos;)
-    text.replace(at, 1, "\\u003c");
-  return html.replace(html.find("DATA"), 4, text);
+  return study::page_with(pages::play, data);
 }
 
 #ifdef _WIN32

@@ -20,7 +20,7 @@
 namespace bounce::real {
 namespace {
 
-using study::list, study::number_or_null, study::object, study::quoted;
+using nlohmann::json;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kSame = 1e-3;  // of the error: the table's numbers have five digits
@@ -131,29 +131,26 @@ std::string sentence(const Measured& measured, bool is_wrong) {
   return is_wrong ? text : text + " What is left is the error of the law, not of your program.";
 }
 
-std::string numbers(const Vector3& v) { return list(v, number_or_null); }
+json numbers(const Vector3& v) { return {v(0), v(1), v(2)}; }
 
-std::string data(const Measured& measured, const std::string& sentence, bool is_wrong) {
-  const Parameters& p = measured.params;
-  const auto of_law = [&](const Law& law) {
-    return object({{"name", quoted(law.name)},
-                   {"error", number_or_null(law.error)},
-                   {"label", quoted(speed(law.error))}});
-  };
-  const auto of_impact = [](const Impact& hit) {
-    return object({{"r", "[" + number_or_null(hit.r_x) + "," + number_or_null(hit.r_y) + "]"},
-                   {"before", numbers(hit.before)},
-                   {"after", numbers(hit.after)},
-                   {"mine", numbers(hit.mine)},
-                   {"error", number_or_null(hit.error)}});
-  };
-  return object({{"wrong", is_wrong ? "true" : "false"},
-                 {"l", number_or_null(p.l)},
-                 {"mu", number_or_null(p.mu)},
-                 {"epsilon", number_or_null(p.epsilon)},
-                 {"sentence", quoted(sentence)},
-                 {"bars", list(measured.laws, of_law)},
-                 {"impacts", list(measured.impacts, of_impact)}});
+json data(const Measured& measured, const std::string& sentence, bool is_wrong) {
+  const auto& [params, laws, impacts] = measured;
+  json data{{"wrong", is_wrong},
+            {"l", params.l},
+            {"mu", params.mu},
+            {"epsilon", params.epsilon},
+            {"sentence", sentence}};
+  for (const Law& law : laws) {
+    data["bars"].push_back({{"name", law.name}, {"error", law.error}, {"label", speed(law.error)}});
+  }
+  for (const Impact& hit : impacts) {
+    data["impacts"].push_back({{"r", {hit.r_x, hit.r_y}},
+                               {"before", numbers(hit.before)},
+                               {"after", numbers(hit.after)},
+                               {"mine", numbers(hit.mine)},
+                               {"error", hit.error}});
+  }
+  return data;
 }
 
 }  // namespace

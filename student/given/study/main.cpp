@@ -165,22 +165,16 @@ Study study(const std::vector<Scene>& scenes) {
   return study;
 }
 
-std::string json(const Study& study, bool is_wrong) {
-  const auto of_verdict = [](const Verdict& verdict) {
-    return object({{"about", quoted(verdict.about)},
-                   {"text", quoted(verdict.text)},
-                   {"chart", quoted(verdict.chart)},
-                   {"question", std::to_string(verdict.question)}});
-  };
-  const auto of_trial = [](const Trial& trial) {
-    return object({{"name", quoted(trial.name)},
-                   {"found", quoted(trial.found)},
-                   {"lines", json(trial.lines)}});
-  };
-  return object({{"wrong", is_wrong ? "true" : "false"},
-                 {"verdicts", list(study.verdicts, of_verdict)},
-                 {"trials", list(study.trials, of_trial)},
-                 {"charts", list(study.charts, [](const Chart& chart) { return json(chart); })}});
+json data_of(const Study& study, bool is_wrong) {
+  json data{{"wrong", is_wrong}, {"charts", study.charts}};
+  for (const auto& [about, text, chart, question] : study.verdicts) {
+    data["verdicts"].push_back(
+        {{"about", about}, {"text", text}, {"chart", chart}, {"question", question}});
+  }
+  for (const auto& [name, found, lines] : study.trials) {
+    data["trials"].push_back({{"name", name}, {"found", found}, {"lines", lines}});
+  }
+  return data;
 }
 
 }  // namespace
@@ -194,7 +188,7 @@ int main(int argc, char** argv) {
   }
   try {
     const Study made = study(read_scenes(argv[1]));
-    write_page(argv[2], bounce::pages::studied, json(made, argc > 3));
+    write_page(argv[2], bounce::pages::studied, data_of(made, argc > 3));
     for (const auto& [about, text, chart, question] : made.verdicts) {
       std::cout << about << "\t" << text << " (question " << question << ")\n";
     }

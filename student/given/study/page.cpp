@@ -8,29 +8,13 @@
 namespace bounce::study {
 namespace {
 
-constexpr std::string_view kData = "DATA";
-
 std::string printed(double x, const char* format) {
   char text[40];
   std::snprintf(text, sizeof text, format, x);
   return text;
 }
 
-std::string of_line(const Line& line) {
-  Points finite;
-  for (const auto& [x, y] : line.points) {
-    if (std::isfinite(x) && std::isfinite(y)) finite.emplace_back(x, y);
-  }
-  const auto pair = [](const auto& point) {
-    return "[" + number_or_null(point.first) + "," + number_or_null(point.second) + "]";
-  };
-  return object(
-      {{"name", quoted(line.name)}, {"kind", quoted(line.kind)}, {"points", list(finite, pair)}});
-}
-
-std::string json(const Axis& axis) {
-  return object({{"name", quoted(axis.name)}, {"log", axis.logarithmic ? "true" : "false"}});
-}
+json axis(const Axis& axis) { return {{"name", axis.name}, {"log", axis.logarithmic}}; }
 
 }  // namespace
 
@@ -53,40 +37,20 @@ std::string length(double metres, const char* format) {
   return metres > 0 ? "less than 0.01 \xc2\xb5m" : "0";
 }
 
-std::string quoted(const std::string& text) {
-  std::string json = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') json += '\\';
-    json += c == '<' ? "\\u003c" : std::string(1, c);
+void to_json(json& made, const Line& line) {
+  made = {{"name", line.name}, {"kind", line.kind}, {"points", json::array()}};
+  for (const auto& [x, y] : line.points) {
+    if (std::isfinite(x) && std::isfinite(y)) made["points"].push_back({x, y});
   }
-  return json + "\"";
 }
 
-std::string number_or_null(double x) { return std::isfinite(x) ? printed(x, "%.6g") : "null"; }
-
-std::string object(const std::vector<std::pair<std::string, std::string>>& members) {
-  std::string text;
-  for (const auto& [name, value] : members) {
-    text += (text.empty() ? "" : ",") + quoted(name) + ":" + value;
-  }
-  return "{" + text + "}";
+void to_json(json& made, const Chart& chart) {
+  made = {{"id", chart.id},     {"title", chart.title},       {"x", axis(chart.x)},
+          {"y", axis(chart.y)}, {"sentence", chart.sentence}, {"lines", chart.lines}};
 }
 
-std::string json(const std::vector<Line>& lines) { return list(lines, of_line); }
-
-std::string json(const Chart& chart) {
-  return object({{"id", quoted(chart.id)},
-                 {"title", quoted(chart.title)},
-                 {"x", json(chart.x)},
-                 {"y", json(chart.y)},
-                 {"sentence", quoted(chart.sentence)},
-                 {"lines", json(chart.lines)}});
-}
-
-void write_page(const std::filesystem::path& file, std::string_view page, const std::string& data) {
-  std::string html(page);
-  html.replace(html.find(kData), kData.size(), data);
-  if (!(std::ofstream(file, std::ios::binary) << html).flush()) {
+void write_page(const std::filesystem::path& file, std::string_view page, const json& data) {
+  if (!(std::ofstream(file, std::ios::binary) << page_with(page, data)).flush()) {
     throw std::runtime_error(file.string() + " can't be written");
   }
 }

@@ -1,13 +1,16 @@
-// Given: numbers as a reader wants them, and what a page's script draws, as JSON.
+// Given: numbers as a reader wants them, and pages with what their scripts draw.
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 namespace bounce::study {
+
+using nlohmann::json;
 
 // Three digits at most, as "%.3g" has them, or as `format` says; 120 and not 1.2e+02.
 std::string number(double x, const char* format = "%.3g");
@@ -38,23 +41,19 @@ struct Chart {
   std::string sentence;  // what it shows, in words
 };
 
-std::string quoted(const std::string& text);
-std::string number_or_null(double x);
-std::string json(const std::vector<Line>& lines);
-std::string json(const Chart& chart);
+void to_json(json& made, const Line& line);
+void to_json(json& made, const Chart& chart);
 
-// {"name": value, ...}, of values that are JSON.
-std::string object(const std::vector<std::pair<std::string, std::string>>& members);
-
-// "[...]" of what `make` gives for each.
-template <class All, class Make>
-std::string list(const All& all, const Make& make) {
-  std::string text;
-  for (const auto& one : all) text += (text.empty() ? "" : ",\n") + make(one);
-  return "[" + text + "]";
+// The page with the data in place of DATA, numbers that aren't finite as null.
+inline std::string page_with(std::string_view page, const json& data) {
+  const std::string_view place = "DATA";
+  std::string text = data.dump(), html(page);
+  for (std::size_t at = 0; (at = text.find('<', at)) != std::string::npos;)
+    text.replace(at, 1, "\\u003c");
+  return html.replace(html.find(place), place.size(), text);
 }
 
-// Writes the page with DATA in its place. Throws std::runtime_error, naming the file.
-void write_page(const std::filesystem::path& file, std::string_view page, const std::string& data);
+// Writes that. Throws std::runtime_error, naming the file.
+void write_page(const std::filesystem::path& file, std::string_view page, const json& data);
 
 }  // namespace bounce::study
