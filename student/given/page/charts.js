@@ -13,6 +13,12 @@ function make(name, attributes = {}, ...children) {
 const digits = (x) => (x !== 0 && (Math.abs(x) >= 1e6 || Math.abs(x) < 1e-4) ? x.toExponential(2) : String(Number(x.toPrecision(3))));
 const isZero = (axis, value) => axis.log && value < LEAST;
 
+// The smallest of 1, 2, 5, 10, 20, ... that is at least `least`.
+function round125(least) {
+  const power = 10 ** Math.floor(Math.log10(least));
+  return [1, 2, 5, 10].map((n) => n * power).find((n) => n >= least * (1 - 1e-9));
+}
+
 // Where numbers stand between two ends of the field, and the axis's ticks. Zeros have a strip apart.
 function scale(axis, values, begin, end) {
   const shown = values.filter((value) => !isZero(axis, value));
@@ -24,9 +30,7 @@ function scale(axis, values, begin, end) {
   const hasZeros = shown.length < values.length;
   const from = hasZeros ? begin + Math.sign(end - begin) * 26 : begin;
   const at = (value) => (isZero(axis, value) ? begin + Math.sign(end - begin) * 6 : from + ((of(value) - low) / (high - low)) * (end - from));
-  const raw = (high - low) / 5;
-  const unit = 10 ** Math.floor(Math.log10(raw));
-  const step = axis.log ? Math.max(1, Math.ceil((high - low) / 6)) : unit * [1, 2, 5, 10].find((factor) => factor * unit >= raw);
+  const step = axis.log ? Math.max(1, Math.ceil((high - low) / 6)) : round125((high - low) / 5);
   const ticks = [];
   for (let tick = Math.ceil(low / step - 1e-9) * step; tick <= high + 1e-9; tick += step) ticks.push(axis.log ? 10 ** tick : tick);
   return { at, ticks, hasZeros, edge: from };

@@ -45,12 +45,6 @@ function camera() {
   return view(scale, x, y, wide() / 2, Math.max(Y, least + 20));
 }
 
-// The smallest of 1, 2, 5, 10, 20, ... that is at least `least`.
-function round125(least) {
-  const power = 10 ** Math.floor(Math.log10(least));
-  return [1, 2, 5, 10].map((n) => n * power).find((n) => n >= least * (1 - 1e-9));
-}
-
 // The multiples of `step` from a to b. They are counted: far from 0, adding a step may change
 // nothing.
 function multiples(step, a, b) {
