@@ -31,28 +31,22 @@ bool agrees(const Values& values, const Case& asked) {
   });
 }
 
-// Whether a program gives much the same when an input changes by next to nothing.
-bool is_decided(const Program& program, const Case& asked, const Quantity& input,
-                const Table& table) {
-  const Values here = table.run(program, asked.values);
-  for (const double nudge : {-kNudge, kNudge}) {
-    Case beside = asked;
-    beside.values[input.place] += nudge;
-    const Values there = table.run(program, beside.values);
-    for (const Given& given : asked.outputs) {
-      const double a = here[given.quantity->place], b = there[given.quantity->place];
-      const double most = kContinuous * std::max({1.0, std::abs(a), std::abs(b)});
-      if (!(std::abs(a - b) < most)) return false;
-    }
-  }
-  return true;
-}
-
-// The input by which rounding decides what a program answers; null if there is none.
+// The input by which rounding decides what a program answers: where this changes by next to
+// nothing, an answer changes by more. Null if there is none.
 const Quantity* undecided(const Program& program, const Case& asked, const Table& table) {
+  const Values here = table.run(program, asked.values);
+  const auto changes_with = [&](const Quantity& input, double nudge) {
+    Values beside = asked.values;
+    beside[input.place] += nudge;
+    const Values there = table.run(program, beside);
+    return std::any_of(asked.outputs.begin(), asked.outputs.end(), [&](const Given& claim) {
+      const double a = here[claim.quantity->place], b = there[claim.quantity->place];
+      return !(std::abs(a - b) < kContinuous * std::max({1.0, std::abs(a), std::abs(b)}));
+    });
+  };
   for (const Quantity& input : table.inputs) {
-    const bool may_decide = input.name == "y" || input.name == "theta";
-    if (may_decide && !is_decided(program, asked, input, table)) return &input;
+    if (input.name != "y" && input.name != "theta") continue;
+    if (changes_with(input, -kNudge) || changes_with(input, kNudge)) return &input;
   }
   return nullptr;
 }
