@@ -15,7 +15,7 @@ import odd_texts
 import pytest
 from bounce_grader import cli, formats
 from bounce_grader.common import escaping
-from bounce_grader.formats import html, terminal
+from bounce_grader.formats import html, sentences, terminal
 from conftest import ROOT, SOLUTION
 from edits import edited
 from hypothesis import example, given
@@ -69,6 +69,11 @@ def test_a_submission_that_cannot_be_read_is_told_where_there_is_a_place() -> No
     made = {f"{name}.txt": formats.refused(name, REFUSED) for name in formats.NAMES}
     assert formats.refused(None, REFUSED) == ""
     compare("unreadable", {file: text for file, text in made.items() if text})
+
+
+def test_what_did_not_run_comes_first_as_a_whole() -> None:
+    first = sentences.first_to_do({"parts": MIXED["parts"][1:]})
+    assert first.startswith("First: part 2, does not build: ")
 
 
 # --- the record ---
