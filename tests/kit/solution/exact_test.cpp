@@ -225,6 +225,7 @@ TEST(exact, IsTheSameInLongDouble) {
     const auto start = methods::motion_of<double>(scene.start);
     const auto usual = motion_of(scene.params, start, sample_times(scene));
     EXPECT_LE(error_of(scene, usual, truth_of(scene)), 1e-9) << scene.name;
+    EXPECT_TRUE(std::isinf(error_of(scene, {}, truth_of(scene)))) << scene.name;
   }
 }
 

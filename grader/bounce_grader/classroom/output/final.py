@@ -23,11 +23,11 @@ Own = Mapping[tuple[str, str], Sequence[Adjustment]]
 def assign(
     adjustments: Sequence[Adjustment], people: People, students: Sequence[Student]
 ) -> tuple[Own, list[str]]:
-    """Whom the adjustments are for; and a sentence for each that changes nothing, because its id is
-    nobody's, or that person has no submission."""
+    """Whom the adjustments are for, a person's own after everybody's; and a sentence for each that
+    changes nothing, because its id is nobody's, or that person has no submission."""
     own: dict[tuple[str, str], list[Adjustment]] = {}
     sentences = []
-    for adjustment in adjustments:
+    for adjustment in sorted(adjustments, key=lambda one: one.student != EVERYBODY):
         who = adjustment.student
         meant = people.meant_by(who, students)
         for member, student in meant:
@@ -74,10 +74,10 @@ def _final(summary: Summary, member: Member, own: Sequence[Adjustment], course: 
         points += by
         applied.append(Applied(round(by, 2), reason, comment))
 
+    lost = {id: check["max_score"] for id, check in summary.checks.items() if not check["passed"]}
     for adjustment in own:
         if adjustment.drop:
-            dropped = [check for id, check in summary.checks.items() if id in adjustment.drop]
-            given = sum(check["max_score"] for check in dropped if not check["passed"])
+            given = sum(lost.pop(id, 0) for id in adjustment.drop)  # once, whoever drops it again
             change(given, adjustment.reason, adjustment.comment)
     days = _late_days(summary, own) if course.percent_per_day else 0
     if days:
@@ -107,5 +107,6 @@ def unknown_lateness(course: Course, intake: Class) -> list[str]:
     """A sentence if lateness costs points, and the service doesn't say who was late."""
     return [
         f"lateness costs points by course.toml, but {intake.source} doesn't say who was late: "
-        f"{ADJUSTMENTS} can, and so does Moodle's grading worksheet (--gradebook)"
+        f"{ADJUSTMENTS} can"
+        + ", and so does the grading worksheet (--gradebook)" * (intake.service == "moodle")
     ] * bool(course.percent_per_day and not intake.tells_lateness)

@@ -95,11 +95,12 @@ def _cases(graded: Sequence[Summary]) -> list[str]:
 
 def of_near_copies(near: Similar) -> list[str]:
     """A sentence for each of the nearest copies."""
-    sentences = [
+    all_of_them = len(near.pairs) + near.more
+    counted = [f"{all_of_them} pairs have much in common; those with most:"] * bool(near.more)
+    return counted + [
         f"{pair.first} and {pair.second} have {pair.in_common} in common: look whether one is a copy"
         for pair in near.pairs
     ]
-    return sentences + [f"{near.more} more pairs stand out"] * bool(near.more)
 
 
 def _figures(summaries: Sequence[Summary], graded: Sequence[Summary]) -> Iterator[tuple[str, str]]:
