@@ -47,7 +47,7 @@ Frame reply_to(const Frame& callback) {
 
 // With the text of what(), as much of it as fits into a frame.
 std::string thrown_text(const Frame& answer) {
-  const std::string text = frames::text(answer);
+  std::string text = frames::text(answer);
   const bool cut = text.size() == sizeof answer.text - 1;
   if (text == frames::kNoException) return text;
   return "an exception: \"" + one_line(text, sizeof answer.text) + (cut ? "...\"" : "\"");

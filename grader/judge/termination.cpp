@@ -98,7 +98,7 @@ Termination out_of_memory(const Limits& limits) {
 
 std::string in_one_line(const Termination& end) {
   std::string line = end.status + ": " + end.what + " " + std::to_string(end.number);
-  return line + (end.text.empty() ? "" : ", " + one_line(end.text, 700));
+  return one_line(line + (end.text.empty() ? "" : ", " + end.text), 750);
 }
 
 std::string one_line(std::string_view text, std::size_t most) {

