@@ -1,15 +1,13 @@
 // stopwatch JSON
 //
-// Measures speed against accuracy: programs take turns at scenes with smaller and smaller steps,
-// those that the assignment's model can simulate: a submission's runner built for speed, the
-// solution's runner, and the simulator that uses the least model for each step. JSON is {"scenes":
-// folder, "timed": command, "solution": command}; a command, a list of words, starts a runner.
-// Prints {"dt":
-// [...], "scenes": [{"scene", "title", "seconds", "submission", "solution", "least"}], "cut"}; a
-// curve is a list of {"dt", "ns", "error"}, with ns of CPU time for a simulated second and an error
-// in m, or null if it isn't finite. cut says where and why the submission's curves end early:
-// {"dt", "sentence", "ended"}, with how its program ended (termination.hpp), if it did; else it is
-// null.
+// Measures speed against accuracy. A submission's runner built for speed, the solution's runner and
+// the simulator that uses the least model for each step take turns, with smaller and smaller steps,
+// in the scenes that the assignment's model can simulate. JSON is {"scenes": folder, "timed":
+// command, "solution": command}; a command, a list of words, starts a runner. Prints {"dt": [...],
+// "scenes": [{"scene", "title", "seconds", "submission", "solution", "least"}], "cut"}; a curve is
+// a list of {"dt", "ns", "error"}, with ns of CPU time for a simulated second and an error in m, or
+// null if it isn't finite. cut says where and why the submission's curves end early: {"dt",
+// "sentence", "ended"}, with how its program ended (termination.hpp), if it did; else it is null.
 //
 // The error is that of the first round, which starts as the scene does. The time is the least of
 // the other rounds', whose initial velocities are changed at random by about a thousandth, so that

@@ -57,7 +57,7 @@ def of_patterns(part: int, patterns: list[str], check: str) -> str:
         said.find(words): hint.heading
         for hint in own
         for words in hint.diagnoses
-        if check in hint.checks or "our" not in words
+        if check in hint.checks or "your" not in words.lower()
     }
     found.pop(-1, None)
     return found[min(found)] if found else ""

@@ -3,10 +3,10 @@ committed ones."""
 
 import argparse
 import json
-import shutil
 import tempfile
 from pathlib import Path
 
+from bounce_grader.common.files import write_whole
 from bounce_grader.common.paths import FIXTURES
 from bounce_grader.grading import known_mistakes
 from bounce_grader.grading.examples import TABLE
@@ -27,9 +27,10 @@ def run(options: argparse.Namespace) -> int:
                 print(f"fixtures/{differs} isn't what the kit writes: run ./kit fixtures")
             return int(bool(names))
         for differs in names:
-            (FIXTURES / differs).unlink(missing_ok=True)
             if (made / differs).exists():
-                shutil.copyfile(made / differs, FIXTURES / differs)
+                write_whole(FIXTURES / differs, (made / differs).read_bytes())
+            else:
+                (FIXTURES / differs).unlink()
     hidden_folder()
     return 0
 

@@ -55,7 +55,9 @@ std::string heading_of(const Part& part, const Check& check, const std::string& 
   std::size_t first = std::string::npos;
   const auto look_for = [&](const std::string& words) {
     // Words with "your" are about numbers that this section's own checks compare.
-    if (words.find("our") != std::string::npos && heading != of_check) return;
+    const bool about_numbers =
+        words.find("your") != std::string::npos || words.find("Your") != std::string::npos;
+    if (about_numbers && heading != of_check) return;
     if (const std::size_t at = mistake.find(words); at < first) {
       first = at;
       of_mistake = heading;

@@ -6,6 +6,7 @@ print a whole report, run ./kit."""
 import os
 import re
 import shlex
+import shutil
 import subprocess
 from pathlib import Path
 from typing import Any
@@ -74,3 +75,15 @@ def test_each_command_ends_as_it_is_written_down(
         command = repr(row["command"])[1:-1]
         got += f"=== {row['name']}\n$ kit {command}\n{outcome(row, folder, capsys)}\n"
     golden.compare_file(HERE / "commands.txt", got)
+
+
+def test_what_is_wrong_in_the_manifest_is_said_before_what_the_build_says(tmp_path: Path) -> None:
+    for name in ("kit", "CMakeLists.txt", "CMakePresets.json"):
+        shutil.copy2(ROOT / name, tmp_path)
+    shutil.copytree(ROOT / "grader", tmp_path / "grader")
+    (tmp_path / "grader" / "parts.json").write_text('{"parts": [1,]}')
+    command = [str(tmp_path / "kit"), "grade", str(tmp_path)]
+    environment = {**os.environ, "KIT_NO_INSTALL": "1"}
+    done = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
+    last = done.stderr.splitlines()[-1]
+    assert done.returncode == 2 and last.startswith("kit: grader/parts.json can't be read as JSON")

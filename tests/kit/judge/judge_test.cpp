@@ -109,8 +109,8 @@ TEST(Session, StartsNoMoreOfAProgramThatHangs) {
   } rows[] = {
       {"exec sleep 9", false, 1},
       {"while :; do :; done", true, 1},
-      {"sleep 0.4; exit 1", false,
-       4},  // what they sleep counts together, a busy machine's share less
+      // What they sleep counts together, less than all of it on a busy machine.
+      {"sleep 0.4; exit 1", false, 4},
   };
   for (const auto& row : rows) {
     int runners = 0;

@@ -22,8 +22,8 @@ LOST = "the Dask scheduler was lost: start it, and run the same command again"
 
 
 def run(tasks: list[Task], scheduler: str, unit: Unit) -> Generator[tuple[Task, str], None, None]:
-    """Yields what the unit returns, as it comes. Raises UsageError if there is no such scheduler, KitError if it
-    is lost."""
+    """Yields what the unit returns, as it comes. Raises UsageError if there is no such scheduler,
+    KitError if it is lost."""
     if not tasks:
         return
     client = _client(scheduler)
