@@ -2,10 +2,11 @@
 bytes."""
 
 import io
+import re
 from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
-from typing import cast
+from typing import BinaryIO
 
 from bounce_grader.common.errors import UsageError
 from bounce_grader.common.escaping import printable_name
@@ -14,17 +15,11 @@ from bounce_grader.submission import folders
 from bounce_grader.submission.entry import checked, readable, too_many
 from bounce_grader.submission.entry import MOST_ENTRIES, Entry, UnpackLimits
 
-Stream = io.FileIO | io.BytesIO
 BY_LIBARCHIVE = (".tar.gz", ".tgz", ".tar.bz2", ".tar.xz", ".tar.zst", ".tar", ".7z", ".rar")
 ENDINGS = (".zip", *BY_LIBARCHIVE)
-# How those begin, whatever their names: 7-Zip, RAR, and what gzip, bzip2, xz and zstd pack.
-MAGIC = (
-    b"7z\xbc\xaf\x27\x1c",
-    b"Rar!\x1a\x07",
-    b"\x1f\x8b",
-    b"BZh",
-    b"\xfd7zXZ",
-    b"\x28\xb5\x2f\xfd",
+# How those begin, whatever their names: 7-Zip, RAR, what gzip, bzip2, xz and zstd pack, and a tar.
+MAGIC = re.compile(
+    rb"7z\xbc\xaf\x27\x1c|Rar!\x1a\x07|\x1f\x8b|BZh|\xfd7zXZ|\x28\xb5\x2f\xfd|(?s:.{257})ustar"
 )
 MOST_INNER = 3  # archives inside of a submission that are opened
 LARGEST_PACKED = 32 * 1024 * 1024  # bytes of an archive inside, or one that libarchive unpacks
@@ -53,7 +48,7 @@ def opened(
             listed, empty = list(stack.enter_context(folders.opened(path))), "empty"
         else:
             with readable(path):
-                stream: Stream = io.FileIO(path) if packed is None else io.BytesIO(packed)
+                stream = path.open("rb") if packed is None else io.BytesIO(packed)
             stack.callback(stream.close)
             listed, empty = list(_unpacked(path, stream, left)), "empty or damaged"
         listed = _with_inner(path, listed, left)
@@ -62,21 +57,19 @@ def opened(
         yield listed
 
 
-def _unpacked(path: Path, stream: Stream, left: UnpackLimits) -> Iterator[Entry]:
+def _unpacked(path: Path, stream: BinaryIO, left: UnpackLimits) -> Iterator[Entry]:
+    from bounce_grader.submission import archives, zips  # no folder needs them
+
     with readable(path):
         start = stream.read(512)
         stream.seek(0)
     named = path.name.lower().endswith(BY_LIBARCHIVE) and not start.startswith(b"PK")
-    if named or start.startswith(MAGIC) or start[257:262] == b"ustar":
-        from bounce_grader.submission import archives
-
+    if named or MAGIC.match(start):
         with readable(path):
             packed = stream.read(LARGEST_PACKED + 1)
         _require_small(path, packed)
-        return checked(path, archives.entries(path, packed, left))
-    from bounce_grader.submission import zips
-
-    return checked(path, zips.entries(path, cast(io.RawIOBase, stream)))
+        stream = io.BytesIO(archives.as_zip(path, packed, left))
+    return checked(path, zips.entries(path, stream))
 
 
 def _require_small(path: Path, packed: bytes) -> None:

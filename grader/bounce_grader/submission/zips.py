@@ -5,6 +5,7 @@ import stat
 import zipfile
 from collections.abc import Iterator
 from pathlib import Path
+from typing import BinaryIO, cast
 
 from bounce_grader.common.errors import UsageError
 from bounce_grader.submission.entry import MOST_ENTRIES, Entry, readable, too_many
@@ -15,14 +16,14 @@ LARGEST_DIRECTORY = 2 * 1024 * 1024  # of a table of contents, or a single read
 METHODS = {zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED}  # others may need gigabytes
 
 
-def entries(path: Path, stream: io.RawIOBase) -> Iterator[Entry]:
+def entries(path: Path, stream: BinaryIO) -> Iterator[Entry]:
     """The entries of the zip, which can be read while the stream is open. Raises UsageError if they
     can't be listed."""
     with readable(path):
-        bounded = _Bounded(stream)
+        bounded = _Bounded(cast(io.RawIOBase, stream))
         bounded.path = path
         if not zipfile.is_zipfile(bounded):
-            if isinstance(stream, io.FileIO) and path.suffix.lower() != ".zip":
+            if not isinstance(stream, io.BytesIO) and path.suffix.lower() != ".zip":
                 raise UsageError(f"{path} is neither a folder nor a zip")
             raise UsageError(f"{path} is broken, or no zip: make it anew and submit again")
         archive = zipfile.ZipFile(bounded)
