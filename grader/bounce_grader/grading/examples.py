@@ -20,7 +20,7 @@ LIMITS = Limits(cpu_seconds=5, wall_seconds=60, memory=1 << 30, file_size=1 << 2
 
 def folders() -> dict[str, str]:
     """The gallery's folder of each wrong program: {"1A": "part1_quadrant_truncated"}."""
-    return dict(re.findall(r"(?m)^wrong (\S+) (\S+)$", SOURCE.read_text("utf-8")))
+    return dict(re.findall(r"(?m)^\[wrong (\S+) (\S+)\]$", SOURCE.read_text("utf-8")))
 
 
 def judged(cases: bytes, box: Box) -> Record | None:

@@ -4,6 +4,7 @@ into fixtures/public/wrong_programs.txt: the same with numbers in place of names
 
 import hashlib
 import re
+from configparser import ConfigParser
 
 from bounce_grader.grading.examples import SOURCE
 
@@ -21,62 +22,42 @@ Formulas = dict[str, str]  # by the name of what they give, in order
 
 
 def table() -> str:
-    heads, parts, wrong = _read()
+    source = ConfigParser(delimiters="=", interpolation=None)
+    source.optionxform = str  # type: ignore[assignment,method-assign]  # which keeps capitals
+    source.read(SOURCE, "utf-8")
     programs: dict[tuple[int, str], list[tuple[str, str]]] = {}
     for part, needed in STEPS_OF.items():
-        before = [item for n in needed[:-1] for item in parts[n].items()]
-        programs[part, RIGHT] = [*before, *parts[part].items()]
-        for letter, own in wrong.items():
-            if letter.startswith(str(part)):
-                programs[part, letter] = [*before, *_changed(parts[part], own).items()]
+        before = [item for n in needed[:-1] for item in source[f"part {n}"].items()]
+        right = dict(source[f"part {part}"])
+        programs[part, RIGHT] = [*before, *right.items()]
+        for title in source.sections():
+            if title.startswith(f"wrong {part}"):
+                own = _changed(right, dict(source[title]))
+                programs[part, title.split()[1]] = [*before, *own.items()]
     steps = sorted({step for program in programs.values() for step in program}, key=_shuffled)
-    inputs = [head.split()[1] for head in heads if head.startswith("input")]
-    names = sorted({*inputs, *(name for name, _ in steps)}, key=_shuffled)
+    names = sorted({*source["inputs"], *(name for name, _ in steps)}, key=_shuffled)
     at = {name: str(index) for index, name in enumerate(names)}
     lines = []
-    for kind, *words in map(str.split, heads):
-        if kind == "input":
-            lines.append(" ".join([kind, at[words[0]], *words]))
-        else:
-            lines += [f"{kind} {at[name]} {name} 0 -1e300 1e300 {words[0]}" for name in words[1:]]
+    for name, words in source["inputs"].items():
+        lines.append(" ".join(["input", at[name], name, *words.split()]))
+    for part_number, words in source["outputs"].items():
+        for name in words.split():
+            lines.append(f"output {at[name]} {name} 0 -1e300 1e300 {part_number}")
     lines += [f"step {at[name]} {_numbered(formula, at)}" for name, formula in steps]
     for (part, letter), program in programs.items():
-        lines.append(
-            " ".join(["program", str(part), letter, *(str(steps.index(s)) for s in program)])
-        )
+        numbers = (str(steps.index(step)) for step in program)
+        lines.append(" ".join(["program", str(part), letter, *numbers]))
     return "\n".join(lines) + "\n"
-
-
-def _read() -> tuple[list[str], dict[int, Formulas], dict[str, Formulas]]:
-    heads: list[str] = []
-    parts: dict[int, Formulas] = {}
-    wrong: dict[str, Formulas] = {}
-    now: Formulas = {}
-    for line in SOURCE.read_text("utf-8").splitlines():
-        name, equals, formula = line.partition(" = ")
-        words = line.split()
-        if not words or line.startswith("#"):
-            continue
-        if equals:
-            now[name.strip()] = formula
-        elif words[0] == "part":
-            now = parts[int(words[1])] = {}
-        elif words[0] == "wrong":
-            now = wrong[words[1]] = {}
-        else:
-            heads.append(line)
-    return heads, parts, wrong
 
 
 def _changed(right: Formulas, own: Formulas) -> Formulas:
     """A wrong program's formulas, in order."""
-    new: Formulas = {}
+    changed: Formulas = {}
     before: dict[str, Formulas] = {}
     for name, formula in own.items():
-        new[name] = formula
+        changed[name] = formula
         if name in right:
-            before[name], new = new, {}
-    changed = new
+            before[name], changed = changed, {}
     for name, formula in right.items():
         changed |= before.get(name, {name: formula})
     return changed
