@@ -65,11 +65,10 @@ def _parser() -> argparse.ArgumentParser:
 
     grade = command("grade", "grade_command", "grade a submission: a folder or an archive")
     grade.add_argument("submission", type=given_path)
-    option, names = grade.add_argument, ", ".join(formats.NAMES)
+    option = grade.add_argument
     option("--json", metavar="FILE", help="write the score record ('-': to standard output)")
-    option(
-        "--format", choices=formats.NAMES, metavar="NAME", help=f"in place of the report: {names}"
-    )
+    names = f"in place of the report: {', '.join(formats.NAMES)}"
+    option("--format", choices=formats.NAMES, metavar="NAME", help=names)
     option("--min-score", type=float, metavar="S", help="exit with 1 below this score")
     option("--speed", action="store_true", help="chart speed against accuracy")
     option("--reveal", action="store_true", help="show the expected answers of hidden cases, too")

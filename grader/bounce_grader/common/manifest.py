@@ -41,7 +41,7 @@ class Part(NamedTuple):
 def parts() -> tuple[Part, ...]:
     """Raises UsageError if the manifest isn't valid."""
     try:
-        found = tuple(map(_part, json.loads((ROOT / NAME).read_text("utf-8"))["parts"]))
+        found = tuple(map(_part, _read()["parts"]))
     except (OSError, ValueError) as error:
         raise UsageError(f"{NAME} can't be read as JSON: {error}") from error
     except (KeyError, TypeError) as error:
@@ -51,23 +51,21 @@ def parts() -> tuple[Part, ...]:
     return found
 
 
+def _read() -> Any:
+    return json.loads((ROOT / NAME).read_text("utf-8"))
+
+
 def _part(written: dict[str, Any]) -> Part:
-    return Part(
-        number=written["part"],
-        stem=written["stem"],
-        title=written["title"],
-        function=written["function"],
-        points=written["points"],
-        checks=tuple(Check(**check) for check in written["checks"]),
-        calls=tuple(written.get("calls", ())),
-    )
+    checks = tuple(Check(**check) for check in written["checks"])
+    names = ("part", "stem", "title", "function", "points")
+    return Part(*map(written.__getitem__, names), checks, tuple(written.get("calls", ())))
 
 
 @cache
 def example_points() -> float:
     """What the cases give that students hand in; 0 unless the manifest says otherwise."""
     parts()  # which finds a manifest that isn't valid
-    points = json.loads((ROOT / NAME).read_text("utf-8")).get("examples", 0)
+    points = _read().get("examples", 0)
     if not _is_points(points):
         raise UsageError(f"{NAME}: examples has to be a number of points that isn't negative")
     return float(points)

@@ -2,7 +2,7 @@
 
 import signal
 from collections.abc import Callable, Iterable
-from concurrent.futures import FIRST_EXCEPTION, Future, ThreadPoolExecutor, wait
+from concurrent.futures import FIRST_EXCEPTION, ThreadPoolExecutor, wait
 from signal import pthread_sigmask, SIG_BLOCK, SIG_SETMASK
 from typing import TypeVar
 
@@ -19,18 +19,13 @@ def parallel_map(function: Callable[[X], Y], items: Iterable[X], jobs: int) -> l
     # The pool wouldn't wait for a thread that it was starting when a signal came, whose compiler would
     # go on while its folder is removed. The threads themselves, and what they start, get signals.
     before = pthread_sigmask(SIG_BLOCK, (signal.SIGINT, signal.SIGTERM))
-    running: list[Future[Y]] = []
     with ThreadPoolExecutor(jobs, "", pthread_sigmask, (SIG_SETMASK, before)) as pool:
         try:
-            for item in given:
-                running.append(pool.submit(function, item))
+            running = [pool.submit(function, item) for item in given]
             pthread_sigmask(SIG_SETMASK, before)
             wait(running, return_when=FIRST_EXCEPTION)
         finally:
             pthread_sigmask(SIG_SETMASK, before)
-            for future in running:
-                future.cancel()
-    for future in running:
-        if not future.cancelled():
-            future.result()  # which raises what the function raised
+            pool.shutdown(cancel_futures=True)
+    # Those that were cancelled come after all that began, whose error is raised here.
     return [future.result() for future in running]

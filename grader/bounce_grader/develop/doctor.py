@@ -12,7 +12,7 @@ import time
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from pathlib import Path
-from typing import IO, NamedTuple
+from typing import NamedTuple
 
 from bounce_grader.build.compiler import COMPILE, compiler
 from bounce_grader.common.escaping import terminal
@@ -101,41 +101,37 @@ def attempt(
 @contextmanager
 def _bait() -> Iterator[list[Protection]]:
     """Sets up bait that the probe must not reach (files, a variable, an open descriptor), and gives
-    the protections to test."""
-    marker = secrets.token_hex(16)
+    the protections to test, with the bait for words in capitals. In two halves, the probe doesn't
+    find the marker on its own command line."""
+    marker, process = secrets.token_hex(16), os.getpid()
     own = Path.home() if os.access(Path.home(), os.W_OK) else None
     with (
         tempfile.NamedTemporaryFile("w", prefix="bounce-bait-") as file,
         tempfile.NamedTemporaryFile("w", prefix="bounce-bait-", dir=own) as home,
     ):
+        names = file.name, home.name
         os.set_inheritable(file.fileno(), True)
-        os.chmod(file.name, 0o644)
-        os.chmod(home.name, 0o644)
-        yield _protections(marker, file, home)
-
-
-def _protections(marker: str, file: IO[str], home: IO[str]) -> list[Protection]:
-    """Those of protections.json, with this bait for its words in capitals. In two halves, the probe
-    doesn't find the marker on its own command line."""
-    bait = {"FILE": file.name, "HOME_FILE": home.name}
-    bait |= {"MARKER": marker, "HALF": marker[:16], "OTHER_HALF": marker[16:]}
-    bait |= {"CLOCK": str(~os.getpid() << 3 | 2), "EMPTY": ""}  # of this process's CPU time
-    bait |= {"PROCESS": str(os.getpid()), "ENVIRONMENT": f"/proc/{os.getpid()}/environ"}
-    bait |= {"SOLUTION": str(ROOT / "solution/src/part1_contacts.cpp")}
-    outside: dict[str, Callable[[], bool]] = {
-        "both files are empty": lambda: not any(map(os.path.getsize, (file.name, home.name))),
-        "no process is left": lambda: _no_process_has(marker),
-    }
-    return [
-        Protection(
-            row["title"],
-            [[bait.get(word, word) for word in attempt.split()] for attempt in row["attempts"]],
-            tuple(row.get("in", PLACES)),
-            outside.get(row.get("outside", "")),
-            marker if row.get("canary") else "",
-        )
-        for row in json.loads(TABLE.read_text("utf-8"))
-    ]
+        for name in names:
+            os.chmod(name, 0o644)
+        bait = {"FILE": file.name, "HOME_FILE": home.name, "PROCESS": str(process)}
+        bait |= {"MARKER": marker, "HALF": marker[:16], "OTHER_HALF": marker[16:], "EMPTY": ""}
+        bait["CLOCK"] = str(~process << 3 | 2)  # of this process's CPU time
+        bait["ENVIRONMENT"] = f"/proc/{process}/environ"
+        bait["SOLUTION"] = str(ROOT / "solution/src/part1_contacts.cpp")
+        outside: dict[str, Callable[[], bool]] = {
+            "both files are empty": lambda: not any(map(os.path.getsize, names)),
+            "no process is left": lambda: _no_process_has(marker),
+        }
+        yield [
+            Protection(
+                row["title"],
+                [[bait.get(word, word) for word in words.split()] for words in row["attempts"]],
+                tuple(row.get("in", PLACES)),
+                outside.get(row.get("outside", "")),
+                marker if row.get("canary") else "",
+            )
+            for row in json.loads(TABLE.read_text("utf-8"))
+        ]
 
 
 def _no_process_has(marker: str) -> bool:

@@ -5,6 +5,7 @@ import os
 import subprocess
 import sys
 import time
+from itertools import compress
 
 from bounce_grader.common.errors import UsageError
 from bounce_grader.common.parallel_map import parallel_map
@@ -16,7 +17,7 @@ CPP = ("student", "solution", "grader", "tests/parts", "tests/kit")
 PYTHON = ["grader/bounce_grader", "tests", "solution"]
 SANITIZING = "C++ tests with sanitizers"
 READERS = ("frames", "terminations")
-SANITIZED, FUZZERS = str(ROOT / "build" / "sanitize"), ROOT / "build" / "fuzz"
+SANITIZED, FUZZED = ROOT / "build" / "sanitize", ROOT / "build" / "fuzz"
 CORES = os.cpu_count() or 1
 WORKERS = CORES + 2  # much of the tests' time is waiting
 PYTEST = [sys.executable, "-m", "pytest", "-q", "-n", str(WORKERS)]
@@ -29,19 +30,18 @@ def run(options: argparse.Namespace) -> int:
         return _accept()
     hidden_folder()  # so that the oracle finds the hidden ones too
     steps = _steps(options.long)
+    places = {name: f"== {i} of {len(steps)}, {name}" for i, name in enumerate(steps, 1)}
 
-    def passes(name: str) -> bool:
-        place = f"== {[*steps].index(name) + 1} of {len(steps)}, {name}"
-        print(f"{place} ...", flush=True)
+    def fails(name: str) -> bool:
+        print(f"{places[name]} ...", flush=True)
         start = time.monotonic()
-        passed = not any(map(_run, steps[name]))  # until the first that fails
-        print(f"{place}: {time.monotonic() - start:.1f} s", flush=True)
-        return passed
+        failed = any(map(_run, steps[name]))  # until the first that fails
+        print(f"{places[name]}: {time.monotonic() - start:.1f} s", flush=True)
+        return failed
 
     together = [name for name in steps if name != SANITIZING]
-    passed = parallel_map(passes, together, len(together))
-    passed += [passes(name) for name in steps if name == SANITIZING]
-    failed = [name for name, ok in zip(steps, passed) if not ok]
+    failed = [*compress(together, parallel_map(fails, together, len(together)))]
+    failed += [name for name in steps if name == SANITIZING and fails(name)]
     if failed:
         print(f"failed: {', '.join(failed)}")
     return int(bool(failed))
@@ -73,37 +73,30 @@ def _run(command: Command) -> int:
 def _steps(is_long: bool) -> dict[str, list[Command]]:
     cpp = [str(file) for folder in CPP for file in sorted((ROOT / folder).rglob("*.?pp"))]
     mypy = ["mypy", "--no-error-summary", "--cache-dir", str(BUILD / "mypy"), *PYTHON]
-    sanitized = [["cmake", "--preset", "sanitize"], ["ninja", "-C", SANITIZED, "cpp_tests"]]
-    build_fuzzers = ["ninja", "-C", str(FUZZERS), *(f"fuzz_{name}" for name in READERS)]
-    fuzzed = [command for name in READERS for command in _fuzzed(f"fuzz_{name}")]
-    usual = {
-        "Python tests, the gallery among them": [
-            [*PYTEST, "--dist", "loadgroup", *([] if is_long else ["-m", "not long"])]
-        ],
+    python = [*PYTEST, "--dist", "loadgroup", *([] if is_long else ["-m", "not long"])]
+    steps = {
+        "Python tests, the gallery among them": [python],
         "types: mypy": [mypy],
         "formatting: clang-format": [["clang-format", "--dry-run", "-Werror", *cpp]],
         "formatting: black": [["black", "-q", "--check", *PYTHON]],
-        "C++ tests": [_ctest(str(BUILD))],
+        "C++ tests": [_ctest(BUILD)],
         "lint: clang-tidy": _clang_tidy(is_long),
     }
     if not is_long:
-        return usual
-    return usual | {
-        # Builds each of them; that they are named is shown by the gallery.
-        "answers of known mistakes are what the kit writes": [
-            [str(ROOT / "kit"), "fixtures", "--check"]
-        ],
-        "C++ readers with a million inputs each": [
-            ["cmake", "--preset", "fuzz"],
-            build_fuzzers,
-            *fuzzed,
-        ],
-        SANITIZING: [*sanitized, _ctest(SANITIZED)],
-    }
+        return steps
+    # Builds each of them; that they are named is shown by the gallery.
+    mistakes = "answers of known mistakes are what the kit writes"
+    steps[mistakes] = [[str(ROOT / "kit"), "fixtures", "--check"]]
+    fuzzers = [f"fuzz_{name}" for name in READERS]
+    built = [["cmake", "--preset", "fuzz"], ["ninja", "-C", str(FUZZED), *fuzzers]]
+    fuzzed = [command for name in fuzzers for command in _fuzzed(name)]
+    steps["C++ readers with a million inputs each"] = [*built, *fuzzed]
+    sanitized = [["cmake", "--preset", "sanitize"], ["ninja", "-C", str(SANITIZED), "cpp_tests"]]
+    return steps | {SANITIZING: [*sanitized, _ctest(SANITIZED)]}
 
 
-def _ctest(folder: str) -> Command:
-    return ["ctest", "--test-dir", folder, "--output-on-failure", "-j", str(WORKERS)]
+def _ctest(folder: Path) -> Command:
+    return ["ctest", "--test-dir", str(folder), "--output-on-failure", "-j", str(WORKERS)]
 
 
 def _clang_tidy(is_long: bool) -> list[Command]:
@@ -122,11 +115,11 @@ def _clang_tidy(is_long: bool) -> list[Command]:
 def _fuzzed(program: str) -> list[Command]:
     """libFuzzer mutates inputs to reach new code, always the same ones. One that makes a reader fail
     is stored in build/fuzz/inputs/. The Python readers have theirs in test_readers.py."""
-    seeds, inputs = str(FUZZERS / "seeds" / program), str(FUZZERS / "inputs")
+    seeds, inputs = str(FUZZED / "seeds" / program), str(FUZZED / "inputs")
     options = ["-runs=1000000", "-seed=1", "-timeout=10", "-max_len=8192"]
     return [
         ["rm", "-rf", seeds],  # libFuzzer adds inputs to it
         ["mkdir", "-p", seeds, inputs],
         [str(BUILD / program), "--seeds", seeds],
-        [str(FUZZERS / program), *options, f"-artifact_prefix={inputs}/{program}-", seeds],
+        [str(FUZZED / program), *options, f"-artifact_prefix={inputs}/{program}-", seeds],
     ]

@@ -11,39 +11,40 @@ from bounce_grader.common.paths import given_path, ROOT
 
 
 def add(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument(
-        "questions",
-        nargs="*",
-        metavar="QUESTION",
-        help="tables to measure; all unless named. Or: simulate SCENE.json, its motion within a "
-        "tolerance, and the least model and the cheapest method for it",
+    option = parser.add_argument
+    asked = (
+        "tables to measure; all unless named. Or: simulate SCENE.json, its motion within a "
+        "tolerance, and the least model and the cheapest method for it"
     )
-    parser.add_argument(
-        "--tolerance", metavar="METRES", help="of simulate: the largest error (default: 0.001)"
-    )
-    parser.add_argument(
-        "--json", type=given_path, metavar="FILE", help="of simulate: the motion, and all else"
-    )
-    parser.add_argument(
-        "--picture", type=given_path, metavar="FILE.svg", help="of simulate: the same, drawn"
-    )
-    parser.add_argument(
-        "--out", type=given_path, metavar="FOLDER", help="what is written (default: docs/studies)"
-    )
-    parser.add_argument("--quick", action="store_true", help="fewer rounds and random scenes")
-    parser.add_argument(
-        "--peers", action="store_true", help="the engines that people use, too; installs them"
-    )
-    measured = parser.add_argument_group("measured impacts, for the question `measured`")
-    measured.add_argument("--squares", type=given_path, metavar="FILE", help="drops of squares")
-    measured.add_argument("--ellipses", type=given_path, metavar="FILE", help="impacts of ellipses")
+    option("questions", nargs="*", metavar="QUESTION", help=asked)
+    largest = "of simulate: the largest error (default: 0.001)"
+    option("--tolerance", metavar="METRES", help=largest)
+    files = {
+        "--json FILE": "of simulate: the motion, and all else",
+        "--picture FILE.svg": "of simulate: the same, drawn",
+        "--out FOLDER": "what is written (default: docs/studies)",
+        "--squares FILE": "of the question `measured`: drops of squares",
+        "--ellipses FILE": "of the question `measured`: impacts of ellipses",
+    }
+    for words, help in files.items():
+        name, metavar = words.split()
+        option(name, type=given_path, metavar=metavar, help=help)
+    option("--quick", action="store_true", help="fewer rounds and random scenes")
+    engines = "the engines that people use, too; installs them"
+    option("--peers", action="store_true", help=engines)
 
 
 def run(options: argparse.Namespace) -> int:
     sys.path.insert(0, str(ROOT / "solution" / "study"))
     os.environ["OPENBLAS_NUM_THREADS"] = "1"  # numpy's matrices are small here: others only wait
-    if options.questions[:1] == ["simulate"]:
-        return _simulate(options)
+    command, *scenes = options.questions or [""]
+    if command == "simulate":
+        from bounce_study.simulate import simulate
+
+        if len(scenes) != 1:
+            raise UsageError("name one scene: ./kit study simulate SCENE.json")
+        tolerance = options.tolerance or "0.001"
+        return simulate(Path(scenes[0]), tolerance, options.json, options.picture)
     if options.tolerance or options.json or options.picture:
         raise UsageError(
             "--tolerance, --json and --picture are for ./kit study simulate SCENE.json"
@@ -61,12 +62,3 @@ def run(options: argparse.Namespace) -> int:
             print(table.to_string(index=False), end="\n\n")
         return 0
     return study.run(request)
-
-
-def _simulate(options: argparse.Namespace) -> int:
-    from bounce_study.simulate import simulate
-
-    if len(options.questions) != 2:
-        raise UsageError("name one scene: ./kit study simulate SCENE.json")
-    tolerance = options.tolerance or "0.001"
-    return simulate(Path(options.questions[1]), tolerance, options.json, options.picture)

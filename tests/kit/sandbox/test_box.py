@@ -1,6 +1,7 @@
 """The boxes keep their promises; and without a box, the probe's attempts succeed."""
 
 import errno
+import json
 import os
 import subprocess
 import sys
@@ -61,10 +62,11 @@ def test_it_holds_for_an_ordinary_user_too() -> None:
 
 
 def test_a_protection_that_fails_is_said(
-    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
-    failing = doctor.Protection("says nothing", [["flood", "0"]], ("compile",))
-    monkeypatch.setattr(doctor, "_protections", lambda *bait: [failing])
+    failing = {"title": "says nothing", "attempts": ["flood 0"], "in": ["compile"]}
+    (tmp_path / "protections.json").write_text(json.dumps([failing]))
+    monkeypatch.setattr(doctor, "TABLE", tmp_path / "protections.json")
     assert doctor.run(Namespace()) == 1
     assert "full compile: says nothing: NO: could: flood" in capsys.readouterr().out
 
