@@ -50,6 +50,16 @@ def write_whole(path: Path, data: str | bytes, durable: bool = False, mode: int 
             os.close(handle)
 
 
+def write_zip(path: Path, held: Mapping[str, tuple[bytes, int]], compressed: bool) -> None:
+    """Writes a zip that only its owner can read. Raises UsageError if that can't be done."""
+    if not path.parent.is_dir():
+        raise UsageError(f"{path} can't be written: there is no folder {path.parent}")
+    try:
+        write_whole(path, zipped(held, compressed), mode=0o600)
+    except OSError as error:
+        raise UsageError(f"{path} can't be written: {error.strerror}") from error
+
+
 def zipped(held: Mapping[str, tuple[bytes, int]], compressed: bool) -> bytes:
     """A zip of these contents and permissions, by path in it, whose bytes depend on nothing else. One
     that isn't compressed has the same bytes with each version of zlib."""

@@ -41,7 +41,7 @@ class Part(NamedTuple):
 def parts() -> tuple[Part, ...]:
     """Raises UsageError if the manifest isn't valid."""
     try:
-        found = tuple(map(_part, _read()["parts"]))
+        found = tuple(_part(**written) for written in _read()["parts"])
     except (OSError, ValueError) as error:
         raise UsageError(f"{NAME} can't be read as JSON: {error}") from error
     except (KeyError, TypeError) as error:
@@ -55,10 +55,8 @@ def _read() -> Any:
     return json.loads((ROOT / NAME).read_text("utf-8"))
 
 
-def _part(written: dict[str, Any]) -> Part:
-    checks = tuple(Check(**check) for check in written["checks"])
-    names = ("part", "stem", "title", "function", "points")
-    return Part(*map(written.__getitem__, names), checks, tuple(written.get("calls", ())))
+def _part(part: int, checks: list[Any], calls: Sequence[int] = (), **others: Any) -> Part:
+    return Part(part, checks=tuple(Check(**one) for one in checks), calls=tuple(calls), **others)
 
 
 @cache

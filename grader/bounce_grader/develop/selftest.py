@@ -6,6 +6,7 @@ import subprocess
 import sys
 import time
 from itertools import compress
+from pathlib import Path
 
 from bounce_grader.common.errors import UsageError
 from bounce_grader.common.parallel_map import parallel_map

@@ -27,10 +27,9 @@ def run(options: argparse.Namespace) -> int:
                 print(f"fixtures/{differs} isn't what the kit writes: run ./kit fixtures")
             return int(bool(names))
         for differs in names:
+            (FIXTURES / differs).unlink(missing_ok=True)
             if (made / differs).exists():
                 write_whole(FIXTURES / differs, (made / differs).read_bytes())
-            else:
-                (FIXTURES / differs).unlink()
     hidden_folder()
     return 0
 

@@ -4,9 +4,9 @@ import argparse
 from collections.abc import Iterator
 from pathlib import Path
 
+from bounce_grader.common.files import write_zip
 from bounce_grader.common.paths import ROOT
 from bounce_grader.grading import fixtures
-from bounce_grader.publish import archive
 
 # Only these: a course may keep submissions and results in the kit's folder, too.
 PACKED = (
@@ -14,9 +14,8 @@ PACKED = (
     *("CHANGELOG.md", "CONTRIBUTING.md", "docs", "fixtures", "grader", "solution", "student"),
     "tests",
 )
-BUILT = "student/build"  # by working in the handout; other folders of that name hold sources
+BUILT = ROOT / "student" / "build"  # by working there; other folders of that name hold sources
 LEFT_OUT = {"__pycache__", ".pytest_cache", ".mypy_cache", "hidden"}
-
 SCRIPTS = {"setup.sh": "gradescope_setup.sh", "run_autograder": "gradescope_run.sh"}
 
 
@@ -33,13 +32,12 @@ def write(path: Path) -> None:
     for file in sorted(_packed(ROOT)):
         mode = 0o755 if file.stat().st_mode & 0o100 else 0o644
         held[file.relative_to(ROOT).as_posix()] = file.read_bytes(), mode
-    archive.write(path, held, compressed=True)
+    write_zip(path, held, compressed=True)
 
 
 def _packed(root: Path) -> Iterator[Path]:
-    def is_skipped(path: Path) -> bool:
-        return path.name in LEFT_OUT or path.suffix == ".zip" or path == root / BUILT
-
-    for name in PACKED:
-        place = root / name
-        yield from archive.files_in(place, is_skipped) if place.is_dir() else [place]
+    for place in (root / name for name in PACKED):
+        for file in [place, *place.rglob("*")]:
+            is_left_out = LEFT_OUT & {*file.parts} or BUILT in file.parents or file.suffix == ".zip"
+            if file.is_file() and not file.is_symlink() and not is_left_out:
+                yield file

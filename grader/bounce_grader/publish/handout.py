@@ -8,14 +8,27 @@ points the texts say. Times and permissions are fixed, so that the same kit give
 import argparse
 from pathlib import Path
 
+from bounce_grader.common.files import write_zip
 from bounce_grader.common.paths import HANDOUT, ROOT
 from bounce_grader.grading.examples import TABLE
-from bounce_grader.grading.fixtures import PUBLIC
-from bounce_grader.publish import archive, handout_data, handout_page
+from bounce_grader.publish import handout_data, handout_page
 from bounce_grader.publish.handout_page import with_points
 
 TOP = "bounce"  # the folder in the zip
-TESTS = ("*.?pp", "linked/*.?pp")
+# Beside the folder student/: a folder of the zip, and the files of the kit in it.
+FROM_THE_KIT = (
+    ("", ".clang-format"),
+    ("tests/", "tests/parts/*.?pp"),
+    ("tests/", "grader/parts.json"),
+    *(("tests/", f"grader/runner/{name}.hpp") for name in ("frame", "messages", "crash")),
+    ("tests/diagnosis/", "grader/diagnosis/*"),
+    ("tests/linked/", "tests/parts/linked/*.?pp"),
+    ("tests/linked/", "grader/runner/given_part*.cpp"),
+    ("tests/linked/", "grader/runner/crash.cpp"),
+    ("fixtures/public/", "fixtures/public/*.json"),
+    ("fixtures/public/", f"fixtures/public/{TABLE.name}"),
+    ("fixtures/public/mistakes/", "fixtures/public/mistakes/*.json"),
+)
 # Made by working in student/.
 SKIPPED = {"build", "animation.html", "real.html", "study.html", "__pycache__"}
 OF_EDITORS = {".clangd", ".devcontainer", ".vscode"}  # other names with a dot are left out
@@ -31,38 +44,25 @@ def run(options: argparse.Namespace) -> int:
 
 def files() -> dict[str, Path]:
     """The files of the handout, as path in the zip -> file of the kit, in order."""
-    chosen = {str(f.relative_to(HANDOUT)): f for f in archive.files_in(HANDOUT, _is_skipped)}
-    tests = ROOT / "tests" / "parts"
-    for pattern in TESTS:
-        chosen |= {f"tests/{f.relative_to(tests)}": f for f in tests.glob(pattern) if f.is_file()}
-    diagnosis = ROOT / "grader" / "diagnosis"
-    chosen |= {f"tests/diagnosis/{f.name}": f for f in diagnosis.iterdir()}
-    runner = ROOT / "grader" / "runner"
-    chosen |= {
-        f"tests/{name}": runner / name for name in ("frame.hpp", "messages.hpp", "crash.hpp")
-    }
-    chosen |= {f"tests/linked/{f.name}": f for f in runner.glob("given_part*.cpp")}
-    chosen["tests/linked/crash.cpp"] = runner / "crash.cpp"
-    chosen |= {f"fixtures/public/{f.relative_to(PUBLIC)}": f for f in PUBLIC.rglob("*.json")}
-    chosen[f"fixtures/public/{TABLE.name}"] = TABLE
-    chosen["tests/parts.json"] = ROOT / "grader" / "parts.json"
-    chosen[".clang-format"] = ROOT / ".clang-format"
+    own = (file for file in HANDOUT.rglob("*") if file.is_file() and not file.is_symlink())
+    within = {str(file.relative_to(HANDOUT)): file for file in own}
+    chosen = {name: file for name, file in within.items() if not _is_skipped(name)}
+    for to, pattern in FROM_THE_KIT:
+        chosen |= {f"{to}{file.name}": file for file in ROOT.glob(pattern)}
     return dict(sorted(chosen.items()))
 
 
 def contents() -> dict[str, bytes]:
     """What the zip holds, by path in it: these files, the pages made of Markdown, and the numbers
     of the study and of measured impacts."""
-    texts = [file for name in PAGES for file in HANDOUT.glob(f"{name}.md")]
-    made = {
-        str(file.relative_to(HANDOUT).with_suffix(".html")): handout_page.page(file)
-        for file in texts
-    }
-    made["tests/checks.txt"] = handout_data.checks().encode()
-    made["fixtures/study.txt"] = handout_data.study().encode()
-    made["fixtures/measured.txt"] = handout_data.measured().encode()
     held = {name: _as_handed_out(file) for name, file in files().items()}
-    return dict(sorted({**held, **made}.items()))
+    for text in (text for name in PAGES for text in HANDOUT.glob(f"{name}.md")):
+        page = str(text.relative_to(HANDOUT).with_suffix(".html"))
+        held[page] = handout_page.page(text)
+    held["tests/checks.txt"] = handout_data.checks().encode()
+    held["fixtures/study.txt"] = handout_data.study().encode()
+    held["fixtures/measured.txt"] = handout_data.measured().encode()
+    return dict(sorted(held.items()))
 
 
 def _as_handed_out(file: Path) -> bytes:
@@ -72,9 +72,9 @@ def _as_handed_out(file: Path) -> bytes:
     return data
 
 
-def _is_skipped(path: Path) -> bool:
-    is_hidden = path.name.startswith(".") and path.name not in OF_EDITORS
-    return path.name in SKIPPED or is_hidden
+def _is_skipped(name: str) -> bool:
+    parts = {*name.split("/")} - OF_EDITORS
+    return bool(parts & SKIPPED) or any(part.startswith(".") for part in parts)
 
 
 def write(path: Path) -> int:
@@ -83,5 +83,5 @@ def write(path: Path) -> int:
         f"{TOP}/{name}": (data, 0o755 if name in PROGRAMS else 0o644)
         for name, data in contents().items()
     }
-    archive.write(path, held, compressed=False)
+    write_zip(path, held, compressed=False)
     return len(held)

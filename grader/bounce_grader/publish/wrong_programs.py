@@ -23,7 +23,7 @@ Formulas = dict[str, str]  # by the name of what they give, in order
 
 def table() -> str:
     source = ConfigParser(delimiters="=", interpolation=None)
-    source.optionxform = str  # type: ignore[assignment,method-assign]  # which keeps capitals
+    source.optionxform = str  # type: ignore[assignment]  # which keeps capitals
     source.read(SOURCE, "utf-8")
     programs: dict[tuple[int, str], list[tuple[str, str]]] = {}
     for part, needed in STEPS_OF.items():

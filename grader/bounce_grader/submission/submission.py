@@ -140,20 +140,19 @@ def take(path: Path, entries: list[Entry]) -> Submission:
             raise _too_much(path)
     _require_a_place_for_each(path, wanted)
     chosen = {part.number: name for part in parts() for name in _choose(part, list(wanted))}
-    for name in [n for n, text in files.items() if n not in chosen.values() and _is_test(n, text)]:
-        del files[name]
-        not_text[name] = "holds GoogleTest tests, which aren't run here"
-    unused = {n for n in files if part_file(PurePosixPath(n).name)} - {*chosen.values()}
+    others = files.keys() - {*chosen.values()}
+    tests = {name for name in others if _is_test(name, files[name])}
+    not_text |= dict.fromkeys(tests, "holds GoogleTest tests, which aren't run here")
+    unused = tests | {name for name in others if part_file(PurePosixPath(name).name)}
+    used = {n: text for n, text in files.items() if n not in unused}
+    left = sorted(names.keys() - used.keys() - {*chosen.values(), CASES})
     cases = names.get(CASES)
-    left = (
-        (names.keys() - wanted.keys() - {CASES}) | unused | (not_text.keys() - {*chosen.values()})
-    )
     return Submission(
         name=path.name,
-        files={n: t for n, t in files.items() if n not in unused},
+        files=used,
         parts={number: name for number, name in chosen.items() if name in files},
         refused={n: f"{name} {not_text[name]}" for n, name in chosen.items() if name in not_text},
-        ignored=tuple(f"{n} ({not_text[n]})" if n in not_text else n for n in sorted(left)),
+        ignored=tuple(f"{n} ({not_text[n]})" if n in not_text else n for n in left),
         top=top,
         cases=cases.read(LARGEST_SOURCE) if cases and not cases.link else b"",
     )

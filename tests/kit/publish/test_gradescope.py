@@ -12,7 +12,9 @@ from bounce_grader.publish import gradescope
 from conftest import solution_files, write
 
 
-def test_the_autograder_holds_the_kit_and_its_secret(tmp_path: Path) -> None:
+def test_the_autograder_holds_the_kit_and_its_secret(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """Twice the same bytes, and nothing that lies beside the kit."""
     for name in ("a.zip", "b.zip"):
         gradescope.write(tmp_path / name)
@@ -24,6 +26,7 @@ def test_the_autograder_holds_the_kit_and_its_secret(tmp_path: Path) -> None:
     assert not any(name.startswith(("build/", ".git/", "fixtures/hidden/")) for name in modes)
     write(tmp_path / "x", {f"{name}/x": b"" for name in gradescope.PACKED})
     write(tmp_path / "x", {"hw3/out/results/x.json": b"{}", "a.zip": b"", "student/build/x": b""})
+    monkeypatch.setattr(gradescope, "BUILT", tmp_path / "x/student/build")
     packed = {file.relative_to(tmp_path / "x") for file in gradescope._packed(tmp_path / "x")}
     assert {file.parts[0] for file in packed} == set(gradescope.PACKED)
     assert not any("build" in file.parts for file in packed)
