@@ -6,38 +6,37 @@ import os
 import sys
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import replace
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from bounce_grader.classroom.grading import grading, near_copies, results, unit
-from bounce_grader.classroom.intake import canvas_api, instructor_files, students
+from bounce_grader.classroom.grading import grading, near_copies, results
+from bounce_grader.classroom.intake import canvas_api, gradebook as gradebook_files
+from bounce_grader.classroom.intake import instructor_files, students
 from bounce_grader.classroom.intake.canvas_api import Canvas
+from bounce_grader.classroom.intake.gradebook import Gradebook
 from bounce_grader.classroom.intake.instructor_files import Course
 from bounce_grader.classroom.intake.people import People
 from bounce_grader.classroom.intake.student import Class, Student
-from bounce_grader.classroom.output import canvas_upload, feedback, final, gradebook_files
-from bounce_grader.classroom.output import grades, page
-from bounce_grader.classroom.output.gradebook import Gradebook, WRITTEN
-from bounce_grader.classroom.output.gradebook_files import File
+from bounce_grader.classroom.output import canvas_upload, feedback, final, gradebook, grades, page
+from bounce_grader.classroom.output.gradebook import WRITTEN
 from bounce_grader.common.errors import KitError, UsageError
 from bounce_grader.common.escaping import terminal
 from bounce_grader.common.files import read_object, remove_abandoned, write_whole
 
 MOST_LINES = 20  # of a kind on the terminal; class.html has them all
 Options = Any  # as cli.py has them
-UNIT = unit.run  # what grades one; tests have a quicker one
+UNIT = results.grade_one  # what grades one; tests have a quicker one
 
 
 class Given(NamedTuple):
     """All that is given: read and checked before anything is graded or written."""
 
     intake: Class
-    file: File | None  # of the grade book
+    book: Gradebook
     canvas: Canvas | None
     course: Course
     adjusted: final.Own
-    sentences: list[str]  # on adjustments and on the roster
+    sentences: list[str]  # on files that are nobody's, on lateness, adjustments and the roster
     corpus: list[Student]
 
 
@@ -61,67 +60,47 @@ def run(options: Options) -> int:
 def _read(options: Options) -> Given:
     """Raises UsageError if something can't be read, or doesn't belong together."""
     read_object(options.out / WRITTEN)
-    file = _gradebook(options)
-    book = file.book if file else None
-    names = book.people(own_ids_only=False) if book else {}
-    roster = instructor_files.roster(options.out)
-    people = People(roster, names, book.same_person() if book else {})
+    book = Gradebook()
+    if options.gradebook:
+        if options.gradebook.resolve() == _filled_in(options).resolve():
+            where = f"{options.gradebook} would be overwritten"
+            raise UsageError(f"{where}: give another folder as --out")
+        book = gradebook_files.read(options.gradebook, options.column)
+    people = People(instructor_files.roster(options.out), book)
     course = instructor_files.course(options.out)
     adjustments = instructor_files.adjustments(options.out)
     corpus = [student for folder in options.corpus for student in near_copies.corpus(folder)]
     canvas = None
     if options.submissions:
-        own = book.people() if book else {}
-        named = {id: [name, *people.groups_of(id)] for id, name in own.items()}
-        intake = students.read(options.submissions, named)
+        intake = students.read(options.submissions, people.names())
     else:
         token = canvas_api.token_of_environment()
         canvas = Canvas(os.environ.get("CANVAS_URL", ""), options.canvas, token)
         intake = canvas_api.download(canvas, options.out)
     people.assign(intake)
-    if book:
-        _require_same_class(book, options, intake)
-        _find_out_lateness(intake, book)
+    if intake.service and book.service not in ("", intake.service):
+        # In files of different services, the same id can be that of different students.
+        raise UsageError(
+            f"{options.submissions} is a download from {intake.service.capitalize()}, and "
+            f"{options.gradebook} a file from {book.service.capitalize()}: give both from one"
+        )
+    if book.service:
+        gradebook.require_same_class(book, intake)
     adjusted, sentences = final.assign(adjustments, people, intake.students)
+    if course.percent_per_day and intake.service != "canvas" and not book.late:
+        whose = (
+            f"lateness costs points by course.toml, but {intake.source} doesn't say who was late"
+        )
+        moodle = ", and so does the grading worksheet (--gradebook)" * (intake.service == "moodle")
+        sentences.insert(0, f"{whose}: {instructor_files.ADJUSTMENTS} can{moodle}")
     sentences += people.without_submission(intake.students)
-    return Given(intake, file, canvas, course, adjusted, sentences, corpus)
-
-
-def _gradebook(options: Options) -> File | None:
-    if options.gradebook is None:
-        return None
-    if options.gradebook.resolve() == _filled_in(options).resolve():
-        raise UsageError(f"{options.gradebook} would be overwritten: give another folder as --out")
-    return gradebook_files.read(options.gradebook, options.column)
+    return Given(intake, book, canvas, course, adjusted, [*intake.strays, *sentences], corpus)
 
 
 def _filled_in(options: Options) -> Path:
     """The path of the filled-in grade book. Blackboard's file keeps its ending."""
     own = options.gradebook.suffix.lower()
     return Path(options.out / f"gradebook{own if own in ('.xls', '.txt') else '.csv'}")
-
-
-def _require_same_class(book: Gradebook, options: Options, intake: Class) -> None:
-    """Raises UsageError if submissions and grade book can't be of one class. In files of different
-    services, the same id can be that of different students."""
-    if intake.service and book.service != intake.service:
-        raise UsageError(
-            f"{options.submissions} is a download from {intake.service.capitalize()}, and "
-            f"{options.gradebook} a file from {book.service.capitalize()}: give both from one"
-        )
-    members = [member for student in intake.students for member in student.members]
-    if not intake.logins:
-        book.require_some_of(members, intake.service == "canvas")
-
-
-def _find_out_lateness(intake: Class, book: Gradebook) -> None:
-    """Gives each submission the lateness that the grade book has."""
-    late = book.days_late()
-    intake.tells_lateness = intake.tells_lateness or bool(late)
-    intake.students = [
-        replace(s, late=late[s.id] != 0, late_days=late[s.id] or 0) if s.id in late else s
-        for s in intake.students
-    ]
 
 
 @contextmanager
@@ -159,15 +138,10 @@ def _run(options: Options, given: Given) -> int:
     final.give(summaries, given.adjusted, given.course, intake.logins)
     near = near_copies.find(summaries, given.corpus)
     pages = feedback.write(out, summaries, options.reveal)
-    sentences = [
-        *intake.strays,
-        *final.unknown_lateness(given.course, intake),
-        *given.sentences,
-    ]
-    written = ["grades.csv", "class.html", "feedback/"]
-    if given.file:
+    sentences, written = given.sentences, ["grades.csv", "class.html", "feedback/"]
+    if given.book.table:
         path = _filled_in(options)
-        sentences += gradebook_files.write(path, intake, summaries, given.file, options.overwrite)
+        sentences += gradebook.write(path, intake, summaries, given.book, options.overwrite)
         written.insert(0, path.name)
     write_whole(out / "grades.csv", "\ufeff" + grades.table(summaries))
     write_whole(out / "class.html", page.render(summaries, near, sentences, given.course.title))

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from bounce_grader.classroom.intake import blackboard, canvas, moodle, students, uploads
+from bounce_grader.classroom.intake import gradebook, services, students, uploads
 from bounce_grader.classroom.intake.student import Upload
 from bounce_grader.submission import submission
 from conftest import write
@@ -29,10 +29,10 @@ def fields(upload: Upload | None) -> list[str]:
 
 
 READ: dict[str, Callable[[str], list[str]]] = {
-    "canvas": lambda entry: fields(canvas.parse(entry)),
-    "moodle": lambda entry: fields(moodle.parse(entry)),
-    "blackboard": lambda entry: fields(blackboard.parse(entry)),
-    "sanitized": lambda name: [canvas.sanitized(name)],
+    "canvas": lambda entry: fields(services.CANVAS.parse(entry)),
+    "moodle": lambda entry: fields(services.MOODLE.parse(entry)),
+    "blackboard": lambda entry: fields(services.BLACKBOARD.parse(entry)),
+    "sanitized": lambda name: [services.sanitized(name)],
     "part": lambda file: [submission.part_file(file) or ""],
 }
 
@@ -46,7 +46,7 @@ def test_a_name_is_read(row: list[str]) -> None:
 
 @pytest.mark.parametrize("status, days", table("lateness"))
 def test_days_late_in_moodles_words(status: str, days: str) -> None:
-    assert moodle.days_late(status) == (int(days) if days else None)
+    assert gradebook.days_late(status) == (int(days) if days else None)
 
 
 @pytest.mark.parametrize("entries, people, users", table("whose"))
@@ -54,7 +54,7 @@ def test_whose_a_file_is(entries: str, people: str, users: str) -> None:
     """A "?" where a person has to look: a name could put a file into another's submission."""
     given = dict(line.split("=") for line in people.split("; ") if line)
     named = {id: names.split(" / ") for id, names in given.items()}
-    read = canvas.read_all(entries.split(" + "), named).values()
+    read = services.read_canvas(entries.split(" + "), named).values()
     assert ["?" if isinstance(one, str) else one.user for one in read] == users.split()
 
 
@@ -80,9 +80,9 @@ def test_names_that_canvas_and_macos_write_in_utf_8_without_saying_so(tmp_path: 
 @pytest.mark.parametrize("letters", ["李" * 200, "ä" * 110, "n" * 200])
 def test_the_name_of_a_page_fits_into_a_file_system_and_keeps_its_ids(letters: str) -> None:
     ids = f"{'9' * 20}_{'8' * 20}"
-    upload = canvas.parse(f"{letters}_LATE_{ids}_photo.jpg")
+    upload = services.CANVAS.parse(f"{letters}_LATE_{ids}_photo.jpg")
     assert upload
-    page = canvas.page_of([upload])
+    page = services.canvas_page([upload])
     assert len(page.encode()) < 240 and page.endswith(f"_LATE_{ids}_feedback.html")
-    back = canvas.parse(page)
+    back = services.CANVAS.parse(page)
     assert back and (back.user, back.number) == ("9" * 20, int("8" * 20))

@@ -24,7 +24,7 @@ import golden
 import pytest
 import stand_in
 from bounce_grader import cli
-from bounce_grader.classroom.grading import grading, near_copies, results, unit
+from bounce_grader.classroom.grading import grading, near_copies, results
 from bounce_grader.classroom.intake import canvas_api
 from canvas_server import running, State, TOKEN
 from conftest import write
@@ -75,7 +75,7 @@ def set_stage(kit: dict[str, Any], patch: pytest.MonkeyPatch) -> None:
     grade = partial(stand_in.grade, **{name: kit[name] for name in kit.keys() - {"version"}})
 
     def run(tasks: Any, jobs: int, _: Any = None) -> Iterator[Any]:
-        yield from ((task, unit.run(task, grade)) for task in tasks)
+        yield from ((task, results.grade_one(task, grade)) for task in tasks)
 
     patch.setattr(grading, "in_processes", run)
     patch.setattr(results, "__version__", version)

@@ -22,8 +22,7 @@ sys.path.insert(0, str(ROOT / "grader"))
 
 from bounce_grader import cli
 from bounce_grader.classroom import run
-from bounce_grader.classroom.grading import unit
-from bounce_grader.classroom.grading.results import Task
+from bounce_grader.classroom.grading.results import grade_one, Task
 from bounce_grader.common.errors import KitError
 from bounce_grader.common.manifest import Part, parts
 from bounce_grader.grading.record import failed_part, whole
@@ -106,7 +105,7 @@ def grade(
 
 def grade_class(source: Path, out: Path, *more: str, seconds: float = 0.0) -> int:
     """Gives the command ./kit class in this process, where each grading takes so long."""
-    with mock.patch.object(run, "UNIT", partial(unit.run, grade=partial(grade, seconds=seconds))):
+    with mock.patch.object(run, "UNIT", partial(grade_one, grade=partial(grade, seconds=seconds))):
         return cli.main(["class", str(source), "--out", str(out), "--jobs", "2", *more])
 
 

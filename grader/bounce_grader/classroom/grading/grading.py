@@ -1,5 +1,7 @@
-"""Grades the submissions without a result, on any engine, and summarizes all results."""
+"""Grades the submissions without a result, on this machine or on a Dask cluster, and summarizes all
+results."""
 
+import errno
 import multiprocessing
 import os
 import signal
@@ -7,43 +9,80 @@ import sys
 import threading
 import time
 from collections.abc import Generator, Mapping, Sequence
-from concurrent.futures import as_completed, ProcessPoolExecutor, ThreadPoolExecutor
+from concurrent.futures import as_completed, CancelledError
+from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
-from contextlib import closing
+from contextlib import closing, suppress
+from typing import Any
 
 from bounce_grader.classroom.grading import results
-from bounce_grader.classroom.grading.results import Task
-from bounce_grader.classroom.grading.summary import of_result, Summary
-from bounce_grader.classroom.grading.unit import Unit
+from bounce_grader.classroom.grading.results import Task, Unit
+from bounce_grader.classroom.grading.summary import Summary
 from bounce_grader.classroom.intake.student import Student
+from bounce_grader.common.errors import KitError, UsageError
 
 TO_CLEAN_UP = 3.0  # seconds in which a terminated grading can remove its files
 KILLED = "the process that graded it was killed, perhaps because memory ran out"
-Graded = Generator[tuple[Task, str], None, None]
+LOST_WORKERS = 3  # of Dask, that a grading may crash before it counts as a failure of the kit
+TO_CONNECT = "10s"
+NO_KIT = (
+    "the Dask workers don't find the kit: start them with PYTHONPATH=KIT/grader, where KIT is this "
+    "folder under the same path"
+)
+LOST = "the Dask scheduler was lost: start it, and run the same command again"
+Graded = Generator[
+    tuple[Task, str], None, None
+]  # each task, with what the unit returns, as it comes
 
 
 def grade_missing(
     tasks: Sequence[Task], unit: Unit, jobs: int = 0, scheduler: str = ""
 ) -> dict[str, str]:
     """Grades the submissions without a valid result. Returns why the kit failed, by key."""
-    missing = {t.key: t for t in tasks if not results.load(t.folder, t.key, t.speed)}
-    with closing(_outcomes(list(missing.values()), unit, jobs, scheduler)) as outcomes:
+    keyed = {t.key: t for t in tasks if not results.load(t.folder, t.key, t.speed)}
+    missing, jobs = list(keyed.values()), jobs or os.cpu_count() or 1
+    outcomes = on_dask(missing, scheduler, unit) if scheduler else in_processes(missing, jobs, unit)
+    with closing(outcomes):
         told = _with_progress(outcomes, len(missing))
         return {task.key: failure for task, failure in told if failure}
 
 
-def _outcomes(tasks: list[Task], unit: Unit, jobs: int, scheduler: str) -> Graded:
-    if scheduler:
-        from bounce_grader.classroom.grading import engine_dask
+def _with_progress(outcomes: Graded, number: int) -> Graded:
+    """Says every few seconds how many are done, the rate and the time left."""
+    start = last = time.monotonic()
+    for done, outcome in enumerate(outcomes, 1):
+        now, left = time.monotonic(), number - done
+        if not left or now - last > (5.0 if sys.stderr.isatty() else 15.0):
+            last, rate = now, done / max(now - start, 1e-9)
+            ahead = f", {left / rate:.0f} s left" if left else ""
+            words = f"kit: {done} of {number} done, {60 * rate:.0f} a minute{ahead}"
+            print(words, file=sys.stderr, flush=True)
+        yield outcome
 
-        return engine_dask.run(tasks, scheduler, unit)
-    return in_processes(tasks, jobs or os.cpu_count() or 1, unit)
+
+def summarize(
+    students: Sequence[Student], tasks: Sequence[Task], failed: Mapping[str, str]
+) -> list[Summary]:
+    of = {task.student.id: task for task in tasks}
+    return [_summary(student, of.get(student.id), failed) for student in students]
 
 
-def in_processes(tasks: list[Task], jobs: int, unit: Unit) -> Graded:
-    """The built-in engine: gradings side by side, each in a process of its own at that time, so that a
-    crash harms no other. Yields what the unit returns, as it comes. If the caller stops early, ends
-    the gradings under way."""
+def _summary(student: Student, task: Task | None, failed: Mapping[str, str]) -> Summary:
+    if task is None:
+        return Summary(student, "unreadable", student.refused)
+    if of := results.load(task.folder, task.key):
+        graded = (of["state"], of["message"], of["key"], of["record"], tuple(of["beside"]))
+        return Summary(student, *graded)
+    why = f"the kit failed, so give the same command again: {failed[task.key]}"
+    return Summary(student, "failed", why, task.key)
+
+
+# --- on this machine ---
+
+
+def in_processes(tasks: Sequence[Task], jobs: int, unit: Unit) -> Graded:
+    """Gradings side by side, each in a process of its own at that time, so that a crash harms no
+    other. If the caller stops early, ends the gradings under way."""
     context = multiprocessing.get_context("spawn")
     idle = [ProcessPoolExecutor(1, context, _prepare) for _ in range(jobs)]  # one for each thread
 
@@ -91,31 +130,49 @@ def _end_with_the_class() -> None:
     os._exit(1)
 
 
-def _with_progress(outcomes: Graded, number: int) -> Graded:
-    """Says every few seconds how many are done, the rate and the time left."""
-    start = last = time.monotonic()
-    for done, outcome in enumerate(outcomes, 1):
-        now, left = time.monotonic(), number - done
-        if not left or now - last > (5.0 if sys.stderr.isatty() else 15.0):
-            last, rate = now, done / max(now - start, 1e-9)
-            ahead = f", {left / rate:.0f} s left" if left else ""
-            words = f"kit: {done} of {number} done, {60 * rate:.0f} a minute{ahead}"
-            print(words, file=sys.stderr, flush=True)
-        yield outcome
+# --- on a Dask cluster ---
 
 
-def summarize(
-    students: Sequence[Student], tasks: Sequence[Task], failed: Mapping[str, str]
-) -> list[Summary]:
-    of = {task.student.id: task for task in tasks}
-    return [_summary(student, of.get(student.id), failed) for student in students]
+def on_dask(tasks: Sequence[Task], scheduler: str, unit: Unit) -> Graded:
+    """Each task is a future. Workers must see the kit, the submissions and the results under the
+    same paths; they may join, leave and crash. Raises UsageError if there is no such scheduler,
+    KitError if it is lost."""
+    if not tasks:
+        return
+    try:
+        from distributed import as_completed as as_done, Client
+    except ImportError as error:
+        raise UsageError("Dask is missing: apt-get install python3-distributed") from error
+    try:
+        client = Client(scheduler, timeout=TO_CONNECT, set_as_default=False)
+    except (OSError, ValueError) as error:
+        where = f"no Dask scheduler answers at {scheduler}"
+        raise UsageError(f"{where}: start one with dask-scheduler") from error
+    of: dict[Any, Task] = {}
+    try:
+        if not client.scheduler_info()["workers"]:
+            print("kit: the Dask scheduler has no workers yet; waiting for them", file=sys.stderr)
+        for task in tasks:
+            of[client.submit(unit, task, pure=False, retries=LOST_WORKERS)] = task
+        for future in as_done(list(of), loop=client.loop):
+            yield of[future], _outcome(future)
+    except (OSError, CancelledError) as error:
+        if isinstance(error, OSError) and error.errno == errno.ENOSPC:
+            raise
+        raise KitError(LOST) from error
+    finally:
+        with suppress(OSError, CancelledError):
+            client.cancel(list(of))
+            client.close()
 
 
-def _summary(student: Student, task: Task | None, failed: Mapping[str, str]) -> Summary:
-    if task is None:
-        return Summary(student, "unreadable", student.refused)
-    result = results.load(task.folder, task.key)
-    if result:
-        return of_result(student, result)
-    why = f"the kit failed, so give the same command again: {failed[task.key]}"
-    return Summary(student, "failed", why, task.key)
+def _outcome(future: Any) -> str:
+    """Waits for a task whose worker died after it was done: Dask does it again. Raises
+    CancelledError if the scheduler is lost, OSError if the disk is full, UsageError if the worker
+    doesn't find the kit: it would fail on every submission."""
+    error = future.exception()
+    if isinstance(error, OSError):
+        raise error
+    if isinstance(error, ImportError):
+        raise UsageError(NO_KIT)
+    return f"Dask: {type(error).__name__}: {error}"[:300] if error else str(future.result())

@@ -1,11 +1,17 @@
-"""The folder of results: a file for each submission, named by a hash of all that its grading follows
-from, so that the results of several versions of the kit lie side by side; and set.json, which says
-which version's results count."""
+"""Grades one submission, as any engine does it, and writes the result to one file.
 
+The file is named by a hash of all that its grading follows from, and it is written whole or not at
+all. So a submission can be graded any number of times and anywhere, and the results of several
+versions of the kit lie side by side; set.json says which version's results count.
+"""
+
+import errno
 import hashlib
 import json
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from datetime import datetime, timezone
+from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -13,12 +19,14 @@ from bounce_grader import __version__
 from bounce_grader.classroom.intake import uploads
 from bounce_grader.classroom.intake.archive import Damaged
 from bounce_grader.classroom.intake.student import Student
-from bounce_grader.common.errors import UsageError
-from bounce_grader.common.escaping import terminal
+from bounce_grader.common.errors import KitError, UsageError
+from bounce_grader.common.escaping import first_few, printable_name, terminal
 from bounce_grader.common.files import write_whole
 from bounce_grader.common.paths import ROOT
 from bounce_grader.grading import fixtures
-from bounce_grader.grading.record import digest_of
+from bounce_grader.grading.record import digest_of, Record, sentence
+from bounce_grader.sandbox.budget import Budget
+from bounce_grader.submission.submission import Submission
 
 SET = "set.json"
 SCORE = "score"
@@ -30,7 +38,7 @@ SOURCES = (
     *(f"grader/{room}" for room in CPP),
     *("tests/parts", "solution/src", "student/include", "student/given"),
 )
-UNIT = "grader/bounce_grader/classroom/grading/unit.py"  # decides whether one can be graded
+FILES = ("grader/parts.json", "grader/bounce_grader/classroom/grading/results.py")
 Result = dict[str, Any]
 
 
@@ -52,6 +60,12 @@ class Task(NamedTuple):
     student: Student
     folder: Path  # of the results
     speed: bool
+
+
+Grade = Callable[[Submission, Task], Record]
+# Returns why the kit failed, and there is no result; "" if there is one. Raises OSError if the disk is
+# full: then no further result could be stored.
+Unit = Callable[[Task], str]
 
 
 def task_of(student: Student, stamp: Stamp, folder: Path, speed: bool) -> Task:
@@ -93,7 +107,66 @@ def _kit_digest() -> str:
 def _sources() -> list[Path]:
     kinds = {".py", ".cpp", ".hpp", ".json", ".txt"}
     files = (file for room in SOURCES for file in (ROOT / room).rglob("*") if file.suffix in kinds)
-    return sorted([*files, ROOT / UNIT, ROOT / "grader" / "parts.json"])
+    return sorted([*files, *(ROOT / file for file in FILES)])
+
+
+# --- one grading ---
+
+
+def grade_submission(taken: Submission, task: Task, within: Budget) -> Record:
+    from bounce_grader.grading.grade import grade, Options
+    from bounce_grader.sandbox import box
+
+    kinds, sanitize = box.kinds(task.stamp.trust), task.stamp.sanitize
+    return grade(taken, Options(kinds, task.speed, sanitize, jobs=1, within=within))
+
+
+def grade_one(task: Task, grade: Grade | None = None) -> str:
+    """Grades a submission, as a Unit."""
+    grade = grade or partial(grade_submission, within=Budget())  # reading counts, too
+    try:
+        result = json.dumps(_result(task, grade))
+        write_whole(path_of(task.folder, task.key), result, durable=True)
+    except (KitError, OSError) as error:
+        if isinstance(error, OSError) and error.errno == errno.ENOSPC:
+            raise
+        return str(error)
+    except Exception as error:  # an unforeseen fault of the kit
+        return f"{type(error).__name__}: {error}"
+    return ""
+
+
+def _result(task: Task, grade: Grade) -> Result:
+    """The content of the result's file. A submission that can't be read has a result, too."""
+    result: Result = {
+        "key": task.key,
+        "at": datetime.now(timezone.utc).isoformat(timespec="seconds"),
+        "submission": task.submission,
+        **task.stamp._asdict(),
+        "timed": task.speed,
+    }
+    try:
+        taken = uploads.read(task.student.path, task.student.uploads)
+        _require_a_part(taken)
+        beside = list(map(printable_name, taken.helpers))
+        graded = {"state": "graded", "message": "", "record": grade(taken, task), "beside": beside}
+    except UsageError as error:
+        message = sentence(str(error).replace(str(task.student.path), "the submission"))
+        graded = {"state": "unreadable", "message": message, "record": {}, "beside": []}
+    return result | graded
+
+
+def _require_a_part(taken: Submission) -> None:
+    """Raises UsageError if no part is found, as with other names: a person should look at it,
+    rather than it getting a zero."""
+    if not taken.parts and not taken.refused:
+        left = [name for name in taken.ignored if not name.startswith("__MACOSX")]
+        names = list(map(printable_name, [*taken.helpers, *left]))
+        others = f", but {first_few(names)}" if names else ""
+        raise UsageError(f"none of the parts is there under its name{others}")
+
+
+# --- the folder of results ---
 
 
 def path_of(folder: Path, key: str) -> Path:
@@ -107,8 +180,7 @@ def load(folder: Path, key: str, timed: bool = False) -> Result | None:
         result: Result = json.loads(path_of(folder, key).read_bytes())
     except (OSError, ValueError):
         return None
-    valid = result.get("key") == key and result.get("state") and (result["timed"] or not timed)
-    return result if valid else None
+    return result if result.get("key") == key and (result["timed"] or not timed) else None
 
 
 def keys(folder: Path) -> set[str]:
@@ -157,7 +229,7 @@ def _outcome(points: Mapping[str, str]) -> tuple[str, set[str]]:
 
 def _points(task: Task, key: str) -> dict[str, str]:
     """The score, and the points of each check. Where there are none, the state stands for a score."""
-    result = load(task.folder, key) or {"state": "not graded", "record": None}
+    result = load(task.folder, key) or {"state": "not graded", "record": {}}
     record = result["record"] or {"score": result["state"], "parts": []}
     checks = {check["id"]: check["score"] for part in record["parts"] for check in part["checks"]}
     return {id: str(points) for id, points in {SCORE: record["score"], **checks}.items()}

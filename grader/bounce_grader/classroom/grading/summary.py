@@ -1,10 +1,10 @@
 """What is known of one submission, graded or not: what the class's outputs are made of."""
 
 import re
-from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
+from bounce_grader.classroom.intake.instructor_files import Adjustment
 from bounce_grader.classroom.intake.student import Student
 from bounce_grader.common.escaping import first_few
 from bounce_grader.common.manifest import full_points, named_together
@@ -15,21 +15,13 @@ NO_PART = re.compile(r"(\S*/)?(readme|cmakelists|makefile|\.ds_store|\._|__macos
 ODD = {"timed_out", "out_of_memory", "no_answer", "crashed", "does_not_compile"}  # ends of a part
 
 
-class Applied(NamedTuple):
-    """A change of a person's points after the grading."""
-
-    points: float
-    reason: str
-    comment: str = ""
-
-
 class Final(NamedTuple):
     """A person's points in the end."""
 
     id: str
     name: str
     points: float
-    applied: tuple[Applied, ...] = ()
+    applied: tuple[Adjustment, ...] = ()  # with the points that each gave
     listed: bool = False  # in the instructor's roster
 
     @property
@@ -108,8 +100,3 @@ class Summary:
         others = [other for other in others if not NO_PART.match(other)]
         there = first_few(others, separator="; ", more=self.unused_more)
         return [f"{named_together(missing)} not there, but {there}"] if missing and others else []
-
-
-def of_result(student: Student, result: Mapping[str, Any]) -> Summary:
-    state, message, record = result["state"], result["message"], result["record"] or {}
-    return Summary(student, state, message, result["key"], record, tuple(result["beside"]))

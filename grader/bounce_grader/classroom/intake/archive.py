@@ -38,21 +38,18 @@ class Archive:
     def __init__(self, path: Path) -> None:
         self.path = path
         self._zip: zipfile.ZipFile | None = None
-        self._infos: dict[str, zipfile.ZipInfo] = {}  # by their names
-        if not path.is_dir():
+        if path.is_dir():
+            files = (file for file in path.rglob("*") if not is_folder(file))
+            names = sorted(str(file.relative_to(path)) for file in files)
+        else:
             try:
                 self._zip = zipfile.ZipFile(path)
                 infos = self._zip.infolist()
-                self._infos = {name_of(info): info for info in infos if not info.is_dir()}
             except FAILURES as error:
                 raise Damaged(f"{path} is broken ({error}): download it again") from error
-
-    def names(self) -> list[str]:
-        if self._zip:
-            return [name for name in self._infos if not of_macos(name)]
-        found = (file for file in self.path.rglob("*") if not is_folder(file))
-        names = (str(file.relative_to(self.path)) for file in found)
-        return sorted(name for name in names if not of_macos(name))
+            self._infos = {name_of(info): info for info in infos if not info.is_dir()}
+            names = list(self._infos)
+        self.names = [name for name in names if not of_macos(name)]
 
     def read(self, name: str, limit: int) -> bytes:
         try:
@@ -66,16 +63,10 @@ class Archive:
                     raise ValueError("it is no ordinary file")
                 return file.read(limit)
         except FAILURES as error:
-            if self._zip:
-                raise Damaged(
-                    f"{self.path} is damaged ({name}: {error}): download it again"
-                ) from error
-            raise UsageError(f"{name} can't be read from {self.path.name}: {error}") from error
-
-
-def not_named(service: str) -> str:
-    """Why an entry is no submission."""
-    return f"isn't named as {service} names submissions"
+            if not self._zip:
+                raise UsageError(f"{name} can't be read from {self.path.name}: {error}") from error
+            damaged = f"{self.path} is damaged ({name}: {error})"
+            raise Damaged(f"{damaged}: download it again") from error
 
 
 def opened(path: Path) -> Archive:

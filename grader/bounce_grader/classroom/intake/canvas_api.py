@@ -18,7 +18,7 @@ import requests
 from requests.adapters import HTTPAdapter
 from urllib3.exceptions import HTTPError
 from urllib3.util import Retry
-from bounce_grader.classroom.intake.canvas import page_of, sanitized
+from bounce_grader.classroom.intake.services import canvas_page, sanitized
 from bounce_grader.classroom.intake.student import Class, Student, Upload
 from bounce_grader.classroom.intake.uploads import HAND_IN, may_count, MOST_UPLOADS, student_of
 from bounce_grader.common.errors import KitError, UsageError
@@ -135,7 +135,6 @@ def download(canvas: Canvas, out: Path) -> Class:
         raise UsageError(f"Canvas shows no assignment {canvas.assignment} ({refused})") from None
     students = [_student(canvas, folder, submission) for submission in listed]
     intake = Class("Canvas's API", list(filter(None, students)), service="canvas")
-    intake.tells_lateness = True
     if not intake.students:
         raise UsageError(f"nobody has submitted a file to the assignment {canvas.assignment} yet")
     return intake
@@ -151,7 +150,7 @@ def _student(canvas: Canvas, folder: Path, submission: dict[str, Any]) -> Studen
     except Refused as refused:
         return Student(user, name or user, folder, refused=str(refused))
     if uploads:
-        student = student_of(folder, uploads, page_of(uploads))
+        student = student_of(folder, uploads, canvas_page(uploads))
     elif kind or submission.get("submitted_at"):
         why = f"{TYPED[kind]} was typed" if kind in TYPED else "no file was handed in"
         page = f"{user}_feedback.html"

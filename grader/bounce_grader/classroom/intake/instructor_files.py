@@ -2,10 +2,11 @@
 title and what lateness costs; roster.csv, which says whose a submission is; and adjustments.csv,
 with what is changed in the points of a student, and why."""
 
+import sys
 from collections.abc import Sequence
 from importlib import import_module
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from bounce_grader.classroom.intake.student import Member
 from bounce_grader.classroom.intake.table import Table
@@ -32,7 +33,7 @@ class Adjustment(NamedTuple):
     where: str  # the file and the line
     student: str  # an id; or EVERYBODY
     points: float = 0.0  # added
-    late_days: int | None = None  # in place of the service's; 0 for an extension
+    late_days: float | None = None  # in place of the service's; 0 for an extension
     cap: float | None = None  # the most points
     drop: tuple[str, ...] = ()  # checks whose points are given
     reason: str = ""
@@ -45,9 +46,11 @@ def course(out: Path) -> Course:
     path = out / COURSE
     if not path.exists():
         return Course()
-    toml = _toml()
-    try:
+    try:  # Python has a reader of TOML from 3.11 on, which was made from tomli
+        toml = import_module("tomllib" if sys.version_info >= (3, 11) else "tomli")
         data = toml.loads(path.read_text("utf-8"))
+    except ModuleNotFoundError as error:
+        raise KitError(f"{COURSE} can't be read here: apt-get install python3-tomli") from error
     except (OSError, ValueError) as error:
         raise UsageError(f"{path} can't be read as TOML: {error}") from error
     title, late = data.pop("title", ""), data.pop("late", {})
@@ -61,16 +64,6 @@ def course(out: Path) -> Course:
         late = f"{' and '.join(LATE)}, numbers from 0 to 100"
         raise UsageError(f"{path} takes a title, and under [late] {late}")
     return Course(title, **late)
-
-
-def _toml() -> Any:
-    """Python's own reader of TOML, from 3.11 on, or the one it was made from."""
-    for name in ("tomllib", "tomli"):
-        try:
-            return import_module(name)
-        except ModuleNotFoundError:
-            continue
-    raise KitError(f"{COURSE} can't be read here: apt-get install python3-tomli")
 
 
 def roster(out: Path) -> dict[str, list[Member]]:
@@ -100,19 +93,12 @@ def _adjustment(path: Path, line: int, row: dict[str, str]) -> Adjustment:
     where = f"{path}, line {line}:"
     if not (row["student"] and row["reason"] and any(row[column] for column in CHANGES)):
         raise UsageError(f"{where} fill in student, reason and one of {', '.join(CHANGES)}")
-    late_days, cap = (_number(where, column, row) for column in ("late_days", "cap"))
+    points, late_days, cap = (_number(where, column, row) for column in CHANGES[:3])
     if min(late_days or 0, cap or 0) < 0 or (late_days or 0) % 1:
         raise UsageError(f"{where} late_days is a whole number, and neither it nor cap is negative")
-    return Adjustment(
-        f"{ADJUSTMENTS}, line {line}:",
-        row["student"],
-        _number(where, "points", row) or 0.0,
-        None if late_days is None else int(late_days),
-        cap,
-        _checks(where, row["drop"]),
-        row["reason"],
-        row["comment"],
-    )
+    drop, why = _checks(where, row["drop"]), (row["reason"], row["comment"])
+    short = f"{ADJUSTMENTS}, line {line}:"
+    return Adjustment(short, row["student"], points or 0.0, late_days, cap, drop, *why)
 
 
 def _number(where: str, column: str, row: dict[str, str]) -> float | None:

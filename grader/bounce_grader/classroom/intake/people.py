@@ -4,9 +4,10 @@ book, the instructor's roster, and the download."""
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
-from bounce_grader.classroom.intake.canvas import is_name_of
+from bounce_grader.classroom.intake.gradebook import Gradebook, only_one
 from bounce_grader.classroom.intake.instructor_files import EVERYBODY, ROSTER
-from bounce_grader.classroom.intake.student import Class, Member, Student
+from bounce_grader.classroom.intake.services import is_name_of
+from bounce_grader.classroom.intake.student import Class, Member, Names, Student
 from bounce_grader.common.escaping import first_few
 
 Person = tuple[Member, Student]  # who gets the points, and what was submitted
@@ -15,31 +16,29 @@ Person = tuple[Member, Student]  # who gets the points, and what was submitted
 class People:
     """The people of a course."""
 
-    def __init__(
-        self,
-        roster: Mapping[str, list[Member]],
-        names: Mapping[str, str] = {},
-        own_ids: Mapping[str, str] = {},
-    ) -> None:
-        """`names` are those in the grade book, by each id that one person has there; `own_ids`, the
-        service's own ids, by the same ids."""
-        self._own_ids = own_ids
+    def __init__(self, roster: Mapping[str, list[Member]], book: Gradebook) -> None:
+        lines = only_one(book.by_any_id)
+        names = {id: line.person for id, line in lines.items()}
+        self._own_ids = {id: line.ids[0] for id, line in lines.items()}  # at the service
+        self._in_book, self._late = only_one(book.by_own_id), book.late
         self._roster = {
             submission.casefold(): [m._replace(name=m.name or names.get(m.id, "")) for m in members]
             for submission, members in roster.items()
         }
         listed = [member for members in self._roster.values() for member in members]
-        self._names = {**names, **{member.id: member.name for member in listed if member.name}}
+        self._names = names | {member.id: member.name for member in listed}
         self._logins, self._submissions = False, set[str]()
 
     def assign(self, intake: Class) -> None:
-        """Gives each submission its members, and the name of its person."""
+        """Gives each submission its members, the name of its person, and the lateness that the grade
+        book has."""
         self._logins = intake.logins
         self._submissions = {student.id.casefold() for student in intake.students}
         assigned = []
         for student in intake.students:
             listed = self._listed(student)
-            student = replace(student, person=self._name(student, listed, intake))
+            late = self._late.get(student.id, student.late_days)
+            student = replace(student, person=self._name(student, listed, intake), late_days=late)
             members = tuple(listed or [Member(student.id, student.shown)])
             assigned.append(replace(student, members=members))
         intake.students = sorted(assigned, key=lambda s: (s.shown.casefold(), s.id))
@@ -52,13 +51,16 @@ class People:
         if members or self._logins:
             return members
         own = self._own_ids.get(student.id, student.id)
-        groups = [name for name in self.groups_of(own) if name not in self._submissions]
+        groups = [name for name in self._groups_of(own) if name not in self._submissions]
         return self._roster[groups[0]] if groups else []
 
-    def groups_of(self, own: str) -> list[str]:
+    def _groups_of(self, own: str) -> list[str]:
         """What the roster calls the submissions of whoever has this id at the service."""
         same = self._own_ids
         return [n for n, of in self._roster.items() if own in [same.get(m.id, m.id) for m in of]]
+
+    def names(self) -> Names:
+        return {id: [line.person, *self._groups_of(id)] for id, line in self._in_book.items()}
 
     def _name(self, student: Student, members: Sequence[Member], intake: Class) -> str:
         """The name of a submission's person, as the roster or the grade book has it. In a Canvas

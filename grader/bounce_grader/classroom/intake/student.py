@@ -41,11 +41,12 @@ class Student:
     name: str
     path: Path  # the folder or zip; with uploads, the whole download
     uploads: tuple[Upload, ...] = ()  # those that count
-    late: bool = False
     feedback: str = ""  # the name of the feedback page; "" if there is none
     unused: tuple[str, ...] = ()  # a sentence for each file that doesn't count
     person: str = ""  # the name in the grade book or the roster, as "Doe, Jane"
-    late_days: int = 0  # days begun after the due date, where that is known
+    late_days: int | None = (
+        0  # begun after the due date; None if it is late by nobody knows how many
+    )
     members: tuple[Member, ...] = ()  # who gets the points
     refused: str = ""  # why nothing can be graded, for the student and the instructor
 
@@ -69,7 +70,6 @@ class Class:
     strays: list[str] = field(default_factory=list)  # a sentence for each entry that is nobody's
     logins: bool = False  # whether a student's id is a GitHub login, which students choose
     service: str = ""  # "canvas", "moodle" or "blackboard", if that wrote the download
-    tells_lateness: bool = False  # whether it is known who was late
 
     def add_stray(self, name: str, reason: str) -> None:
         """`reason` continues a sentence that begins with the name."""

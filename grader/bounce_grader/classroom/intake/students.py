@@ -6,10 +6,9 @@ import os
 import zipfile
 from collections.abc import Sequence
 from pathlib import Path
-from types import ModuleType
 
-from bounce_grader.classroom.intake import blackboard, canvas, moodle
 from bounce_grader.classroom.intake.archive import Archive, is_file, is_folder, of_macos, opened
+from bounce_grader.classroom.intake.services import CANVAS, Service, SERVICES
 from bounce_grader.classroom.intake.student import Class, Names, Student, Upload
 from bounce_grader.classroom.intake.uploads import student_of
 from bounce_grader.common.errors import UsageError
@@ -19,20 +18,15 @@ from bounce_grader.submission import submission
 from bounce_grader.submission.intake import archive_stem, is_archive
 from bounce_grader.submission.submission import part_file
 
-# Each has its title, `parse` for the name of one entry, `read` for all entries of a download, and
-# `page_of` for the name of a feedback page.
-SERVICES = (moodle, canvas, blackboard)
-
 
 def read(path: Path, people: Names = {}) -> Class:
     """Reads a class. Raises UsageError if there is no submission in `path`."""
     path = path.absolute()
     if path.is_dir():
         children = sorted(child for child in path.iterdir() if not of_macos(child.name))
-        service = _service([child.name for child in children if is_file(child)])
-        if any(is_folder(child) and moodle.parse(f"{child.name}/x") for child in children):
-            service = service or moodle
-        if service:
+        files = [child.name for child in children if is_file(child)]
+        folders = [f"{child.name}/x" for child in children if is_folder(child)]
+        if service := _service([*files, *folders]):
             intake = _of_download(service, opened(path), people)
         else:
             intake = _of_folder(path, children)
@@ -40,7 +34,7 @@ def read(path: Path, people: Names = {}) -> Class:
         raise UsageError(f"there is no file or folder {printable_name(str(path))}")
     elif zipfile.is_zipfile(path):
         archive = opened(path)
-        intake = _of_download(_service(archive.names()) or canvas, archive, people)
+        intake = _of_download(_service(archive.names) or CANVAS, archive, people)
     else:
         raise UsageError(
             f"{path} is no folder and no whole zip: give the download as it is, or anew"
@@ -52,12 +46,11 @@ def read(path: Path, people: Names = {}) -> Class:
     return intake
 
 
-def _service(names: Sequence[str]) -> ModuleType | None:
+def _service(names: Sequence[str]) -> Service | None:
     """The service whose download has such files; None if there is no such service.
 
     Students choose how the names of their files end, so one name proves nothing: every name that
-    looks like some service's has to look like this one's. Moodle and Canvas are tried first,
-    because they write the beginning of each name themselves. Blackboard's names begin with the
+    looks like some service's has to look like this one's. Blackboard's names begin with the
     assignment's title, which may be anything. So in a download of another service, a student could
     give a file a name that looks like Blackboard's. But Canvas gives each file an id of its own; what
     Blackboard writes of the user 12345 and an assignment "HW_3" looks like one file, several times.
@@ -66,14 +59,13 @@ def _service(names: Sequence[str]) -> ModuleType | None:
     for service in SERVICES:
         parsed = list(map(service.parse, known))
         ids = [upload.number for upload in parsed if upload and not upload.typed]
-        if known and all(parsed) and (service is not canvas or len(set(ids)) == len(ids)):
+        if known and all(parsed) and (service is not CANVAS or len(set(ids)) == len(ids)):
             return service
-    return canvas if known else None
+    return CANVAS if known else None
 
 
-def _of_download(service: ModuleType, archive: Archive, people: Names) -> Class:
-    title = service.TITLE
-    intake = Class(f"a {title} download", service=title.lower(), tells_lateness=service is canvas)
+def _of_download(service: Service, archive: Archive, people: Names) -> Class:
+    intake = Class(f"a {service.title} download", service=service.title.lower())
     users: dict[str, list[Upload]] = {}
     for name, found in service.read(archive, people).items():
         if isinstance(found, str):

@@ -62,6 +62,10 @@ class Table:
             raise UsageError(f"{self.name} is empty: export or write it again")
         self.header = self.rows[0].texts()
 
+    def by_title(self, row: Row) -> dict[str, str]:
+        """What each cell of a row says."""
+        return {title: row.text(column) for column, title in enumerate(self.header)}
+
     def require_all_cells(self, rows: Iterable[Row], what_helps: str) -> None:
         """Raises UsageError if one of these rows hasn't as many cells as the first."""
         for row in rows:

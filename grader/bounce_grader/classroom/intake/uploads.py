@@ -40,14 +40,17 @@ def _ending(file: str) -> str:
 def student_of(download: Path, uploads: Sequence[Upload], page: str) -> Student:
     """The student who has uploaded these, with the name of their feedback page."""
     last = max(uploads, key=lambda upload: upload.number)
-    name, late = last.name or last.user, any(upload.late for upload in uploads)
+    late_days = None if any(upload.late for upload in uploads) else 0
     counted, unused = _counted(uploads)
     refused = "" if counted else f"{first_few(unused, separator='; ')}: {HAND_IN}"
     number = sum(not upload.old for upload in uploads)
     if number > MOST_UPLOADS:
         refused = f"{number} files are handed in; a submission may have {MOST_UPLOADS}: {HAND_IN}"
     unused = () if refused else unused
-    return Student(last.user, name, download, counted, late, page, unused, refused=refused)
+    name = last.name or last.user
+    return Student(
+        last.user, name, download, counted, page, unused, late_days=late_days, refused=refused
+    )
 
 
 def _counted(uploads: Sequence[Upload]) -> tuple[tuple[Upload, ...], tuple[str, ...]]:

@@ -12,7 +12,8 @@ from typing import Any, NamedTuple
 
 from bounce_grader.classroom.grading.summary import Summary
 from bounce_grader.classroom.intake.canvas_api import Canvas, name_of, Refused
-from bounce_grader.classroom.output.gradebook import Gradebook, Line, number_in, WRITTEN
+from bounce_grader.classroom.intake.gradebook import Gradebook, Line
+from bounce_grader.classroom.output.gradebook import fill, number_in, WRITTEN
 from bounce_grader.common.escaping import terminal
 from bounce_grader.common.files import read_object, write_whole
 from bounce_grader.common.numbers import short
@@ -39,7 +40,7 @@ def show_or_post(
     written = read_object(out / WRITTEN)
     finals = [one for summary in summaries for one in summary.finals]
     book = _gradebook(canvas)
-    filled, sentences = book.fill(finals, False, written, overwrite)
+    filled, sentences = fill(book, finals, False, written, overwrite)
     points = {line.ids[0]: short(value) for line, value in filled if number_in(line.there) != value}
     posted_pages = written.setdefault(f"{PAGES} {canvas.assignment}", {})
     page_of = {one.id: s.student.feedback for s in summaries for one in s.finals}

@@ -6,7 +6,7 @@ from contextlib import suppress
 from pathlib import Path
 
 from bounce_grader.classroom.grading.summary import Summary
-from bounce_grader.classroom.intake import canvas
+from bounce_grader.classroom.intake.services import CANVAS
 from bounce_grader.common.errors import about_one_submission, UsageError
 from bounce_grader.common.files import write_whole, zipped
 from bounce_grader.formats import html
@@ -45,7 +45,7 @@ def _page(summary: Summary, reveal: bool) -> str:
 def zip_new(out: Path, service: str, pages: Sequence[str]) -> str:
     """Zips the pages that no earlier zip has as they are now: Canvas adds a comment for each page
     that it is given. Returns what to upload; "" if the service takes no zip."""
-    taken = [p for p in pages if service == "moodle" or service == "canvas" and canvas.parse(p)]
+    taken = [p for p in pages if service == "moodle" or service == "canvas" and CANVAS.parse(p)]
     earlier = sorted(out.glob("feedback-[0-9][0-9][0-9].zip"))
     before: dict[str, bytes] = {}
     for path in earlier:

@@ -3,7 +3,7 @@ the instructor. Records stay as they are."""
 
 from collections.abc import Mapping, Sequence
 
-from bounce_grader.classroom.grading.summary import Applied, Final, Summary
+from bounce_grader.classroom.grading.summary import Final, Summary
 from bounce_grader.classroom.intake.instructor_files import (
     Adjustment,
     ADJUSTMENTS,
@@ -12,7 +12,7 @@ from bounce_grader.classroom.intake.instructor_files import (
     ROSTER,
 )
 from bounce_grader.classroom.intake.people import People
-from bounce_grader.classroom.intake.student import Class, Member, Student
+from bounce_grader.classroom.intake.student import Member, Student
 from bounce_grader.common.manifest import full_points
 from bounce_grader.common.numbers import short
 
@@ -67,46 +67,38 @@ def give(summaries: Sequence[Summary], own: Own, course: Course, logins: bool) -
 def _final(summary: Summary, member: Member, own: Sequence[Adjustment], course: Course) -> Final:
     """Applies, in this order: dropped checks, lateness, points, caps."""
     points = summary.score or 0.0
-    applied: list[Applied] = []
+    applied: list[Adjustment] = []
 
-    def change(by: float, reason: str, comment: str = "") -> None:
+    def change(by: float, why: Adjustment) -> None:
         nonlocal points
         points += by
-        applied.append(Applied(round(by, 2), reason, comment))
+        applied.append(why._replace(points=round(by, 2)))
 
     lost = {id: check["max_score"] for id, check in summary.checks.items() if not check["passed"]}
     for adjustment in own:
         if adjustment.drop:
             given = sum(lost.pop(id, 0) for id in adjustment.drop)  # once, whoever drops it again
-            change(given, adjustment.reason, adjustment.comment)
+            change(given, adjustment)
     days = _late_days(summary, own) if course.percent_per_day else 0
     if days:
         percent = min(days * course.percent_per_day, course.at_most_percent)
-        words = f"{days} day{'s' * (days > 1)} late, {short(percent)} %"
-        change(-min(points, full_points() * percent / 100), words)
+        words = f"{short(days)} day{'s' * (days > 1)} late, {short(percent)} %"
+        change(-min(points, full_points() * percent / 100), Adjustment("", "", reason=words))
     for adjustment in own:
         if adjustment.points or adjustment.late_days is not None:
-            change(max(adjustment.points, -points), adjustment.reason, adjustment.comment)
+            change(max(adjustment.points, -points), adjustment)
     for adjustment in own:
         if adjustment.cap is not None and points > adjustment.cap:
-            change(adjustment.cap - points, adjustment.reason, adjustment.comment)
+            change(adjustment.cap - points, adjustment)
     return Final(member.id, member.name, points, tuple(applied), member.listed)
 
 
-def _late_days(summary: Summary, own: Sequence[Adjustment]) -> int:
+def _late_days(summary: Summary, own: Sequence[Adjustment]) -> float:
     """The days that count as late: those that were written down, or the service's; where it says
     only that a submission is late, that counts as one day."""
     given = [a.late_days for a in own if a.late_days is not None]
-    if not given and summary.student.late and not summary.student.late_days:
+    days = given[-1] if given else summary.student.late_days
+    if days is None:
         unknown = "by how many days it is late can't be read, and counts as one"
         summary.notes.append(f"{unknown} unless {ADJUSTMENTS} says otherwise")
-    return given[-1] if given else summary.student.late_days or int(summary.student.late)
-
-
-def unknown_lateness(course: Course, intake: Class) -> list[str]:
-    """A sentence if lateness costs points, and the service doesn't say who was late."""
-    return [
-        f"lateness costs points by course.toml, but {intake.source} doesn't say who was late: "
-        f"{ADJUSTMENTS} can"
-        + ", and so does the grading worksheet (--gradebook)" * (intake.service == "moodle")
-    ] * bool(course.percent_per_day and not intake.tells_lateness)
+    return 1 if days is None else days

@@ -1,13 +1,17 @@
-"""Decides which points go into the grade book, whichever service's: a file that was exported, or what
-Canvas's API tells. What a person has entered there stays."""
+"""Decides which points go into the grade book, whichever service's, and fills in a file. What a
+person has entered there stays, and so does each cell that isn't filled in."""
 
-from collections.abc import Sequence
-from dataclasses import dataclass
-from typing import NamedTuple
+import json
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from pathlib import Path
 
-from bounce_grader.classroom.grading.summary import Final
-from bounce_grader.classroom.intake.student import Member
+from bounce_grader.classroom.grading.summary import Final, Summary
+from bounce_grader.classroom.intake.gradebook import Gradebook, Line
+from bounce_grader.classroom.intake.instructor_files import ROSTER
+from bounce_grader.classroom.intake.student import Class, Member
 from bounce_grader.common.errors import UsageError
+from bounce_grader.common.files import read_object, write_whole
 from bounce_grader.common.manifest import full_points
 from bounce_grader.common.numbers import short
 
@@ -16,133 +20,77 @@ WRITTEN = "written.json"  # the points that runs have filled in: what differs, a
 Written = dict[str, dict[str, list[str]]]
 
 
-class Line(NamedTuple):
-    """A student's line."""
-
-    number: int
-    ids: Sequence[str]  # each "" where there is none; the service's own is the first
-    person: str  # the name, as "Doe, Jane"
-    there: str  # the points that stand there; "" if none do
-    stays: str = ""  # why it takes no points
-    late: int | None = 0  # days; None if the words aren't known
-
-    @property
-    def who(self) -> str:
-        return f"{self.person} ({next(filter(None, self.ids), 'without an ID')})"
+def require_same_class(book: Gradebook, intake: Class) -> None:
+    """Raises UsageError if nobody who handed in is in the grade book."""
+    members = [member for student in intake.students for member in student.members]
+    if not intake.logins and members:
+        if not any(_lines_of(book, one, intake.service == "canvas") for one in members):
+            raise UsageError(f"nobody who handed in is in {book.name}: is it of another course?")
 
 
-@dataclass
-class Gradebook:
-    """A service's lines, one for each student."""
+def _lines_of(book: Gradebook, person: Member | Final, from_canvas: bool) -> Sequence[Line]:
+    """For a Canvas download only the service's own ids count, except the roster's, because any other
+    number in it comes from a student."""
+    by_id = book.by_own_id if from_canvas and not person.listed else book.by_any_id
+    return by_id.get(person.id, ())
 
-    service: str
-    name: str  # of the file
-    title: str  # of the column to fill
-    lines: Sequence[Line]
-    possible: Sequence[str] = ()  # what the file says of the most points
-    tells_lateness: bool = False
 
-    def __post_init__(self) -> None:
-        self._by_own_id = self._by_id(1)
-        self._by_any_id = self._by_id(max((len(line.ids) for line in self.lines), default=0))
+def fill(
+    book: Gradebook, finals: Sequence[Final], from_canvas: bool, written: Written, overwrite: bool
+) -> tuple[list[tuple[Line, float]], list[str]]:
+    """The lines that take points, which are also noted in `written`; and what the instructor should
+    know. `from_canvas` says that the ids are those of a Canvas download. Points that already stand
+    in a line are kept, unless earlier runs have `written` them, or if `overwrite` is set."""
+    whose: dict[int, list[Final]] = {}  # by the line's number
+    for final in finals:
+        for line in _lines_of(book, final, from_canvas):
+            whose.setdefault(line.number, []).append(final)
+    times = Counter(final.id for finals in whose.values() for final in finals)
+    ours = written.setdefault(book.title, {})
+    filled, sentences = [], _other_points_possible(book)
+    for line in filter(lambda line: any(line.ids), book.lines):
+        meant, before = whose.get(line.number, []), ours.get(line.ids[0], [])
+        if len(meant) == 1 and (count := times[meant[0].id]) > 1:
+            why = f"has {count} rows in {book.name}: none is filled"
+        else:
+            why = _unfilled(line, meant, before, overwrite)
+        if why:
+            sentences.append(f"{line.who} {why}")
+            continue
+        points, name = f"{meant[0].points:.2f}", meant[0].name
+        filled.append((line, float(points)))
+        ours[line.ids[0]] = list(dict.fromkeys([*before, points]))
+        if from_canvas and not meant[0].listed and name != line.person:
+            whose_points = f"has the points of {name}: give the others of a group the same"
+            sentences.append(f"{line.who} {whose_points}")
+    sentences += [
+        f"{final.name} ({final.id}) is graded, but isn't in {book.name}"
+        for final in sorted(finals, key=lambda final: final.id)
+        if final.id not in times
+    ]
+    return filled, list(dict.fromkeys(sentences))
 
-    def _by_id(self, kinds: int) -> dict[str, list[Line]]:
-        """The lines of each id, of the first kinds; the service's own take precedence, as in its
-        importer."""
-        found: dict[str, list[Line]] = {}
-        for kind in reversed(range(kinds)):
-            of_kind: dict[str, list[Line]] = {}
-            for line in self.lines:
-                if line.ids[kind]:
-                    of_kind.setdefault(line.ids[kind], []).append(line)
-            found |= of_kind
-        return found
 
-    def days_late(self) -> dict[str, int | None]:
-        """How many days each student is late, by id. Empty if the file doesn't tell."""
-        lines = self._by_own_id if self.tells_lateness else {}
-        return {id: of[0].late for id, of in lines.items()}
+def _unfilled(line: Line, meant: Sequence[Final], before: Sequence[str], overwrite: bool) -> str:
+    """Why a line takes no points; "" if it does."""
+    if not meant:
+        return "has no score: nothing is filled in"
+    if len(meant) > 1:
+        several = " and ".join(f"{final.name} ({final.id})" for final in meant)
+        return f"is meant by {several}: none is filled in"
+    points, there = round(meant[0].points, 2), number_in(line.there)
+    if line.stays or overwrite or not line.there or there in (points, *map(number_in, before)):
+        return line.stays
+    return f"keeps {line.there}, where {points:.2f} is graded; --overwrite replaces it"
 
-    def people(self, own_ids_only: bool = True) -> dict[str, str]:
-        """The names of students, as "Doe, Jane", by each id that only one has. For a Canvas download
-        only the service's own ids count, because any other number in it comes from a student."""
-        lines = self._by_own_id if own_ids_only else self._by_any_id
-        return {id: of[0].person for id, of in lines.items() if len(of) == 1}
 
-    def same_person(self) -> dict[str, str]:
-        """The student's own id at the service, by each id that only one student has."""
-        return {id: of[0].ids[0] for id, of in self._by_any_id.items() if len(of) == 1}
-
-    def require_some_of(self, members: Sequence[Member], own_ids_only: bool) -> None:
-        """Raises UsageError if none of these is in the file."""
-        if members and not any(self._lines_of(member, own_ids_only) for member in members):
-            raise UsageError(f"nobody who handed in is in {self.name}: is it of another course?")
-
-    def _lines_of(self, person: Member | Final, own_ids_only: bool) -> Sequence[Line]:
-        by_id = self._by_own_id if own_ids_only and not person.listed else self._by_any_id
-        return by_id.get(person.id, ())
-
-    def fill(
-        self, finals: Sequence[Final], from_canvas: bool, written: Written, overwrite: bool
-    ) -> tuple[list[tuple[Line, float]], list[str]]:
-        """The lines that take points, which are also noted in `written`; and what the instructor
-        should know. `from_canvas` says that the ids are those of a Canvas download, except the
-        roster's. Points that already stand in a line are kept, unless earlier runs have `written`
-        them, or if `overwrite` is set."""
-        whose: dict[int, list[Final]] = {}  # by the line's number
-        for final in finals:
-            for line in self._lines_of(final, from_canvas):
-                whose.setdefault(line.number, []).append(final)
-        times = [final.id for finals in whose.values() for final in finals]
-        ours = written.setdefault(self.title, {})
-        filled, sentences = [], self._other_points_possible()
-        for line in filter(lambda line: any(line.ids), self.lines):
-            meant, before = whose.get(line.number, []), ours.get(line.ids[0], [])
-            why = self._unfilled(line, meant, times) or self._stays(
-                line, meant[0], before, overwrite
-            )
-            if why:
-                sentences.append(f"{line.who} {why}")
-                continue
-            points = f"{meant[0].points:.2f}"
-            filled.append((line, float(points)))
-            ours[line.ids[0]] = list(dict.fromkeys([*before, points]))
-            if from_canvas and not meant[0].listed and meant[0].name != line.person:
-                whose_points = (
-                    f"has the points of {meant[0].name}: give the others of a group the same"
-                )
-                sentences.append(f"{line.who} {whose_points}")
-        sentences += [
-            f"{final.name} ({final.id}) is graded, but isn't in {self.name}"
-            for final in sorted(finals, key=lambda final: final.id)
-            if final.id not in times
-        ]
-        return filled, list(dict.fromkeys(sentences))
-
-    def _unfilled(self, line: Line, meant: Sequence[Final], times: Sequence[str]) -> str:
-        """Why there are no points for a line; "" if there are."""
-        if not meant:
-            return "has no score: nothing is filled in"
-        if len(meant) > 1:
-            several = " and ".join(f"{final.name} ({final.id})" for final in meant)
-            return f"is meant by {several}: none is filled in"
-        count = times.count(meant[0].id)
-        return f"has {count} rows in {self.name}: none is filled" if count > 1 else ""
-
-    def _stays(self, line: Line, final: Final, before: Sequence[str], overwrite: bool) -> str:
-        """Why what stands in a line stays; "" if it doesn't."""
-        points, there = round(final.points, 2), number_in(line.there)
-        if line.stays or overwrite or not line.there or there in (points, *map(number_in, before)):
-            return line.stays
-        return f"keeps {line.there}, where {points:.2f} is graded; --overwrite replaces it"
-
-    def _other_points_possible(self) -> list[str]:
-        return [
-            f"{self.service.capitalize()} has {short(points)} points possible for {self.title}, the "
-            f"kit {short(full_points())}: if it is the right column, change it there"
-            for points in dict.fromkeys(map(number_in, self.possible))
-            if points is not None and points != full_points()
-        ]
+def _other_points_possible(book: Gradebook) -> list[str]:
+    return [
+        f"{book.service.capitalize()} has {short(points)} points possible for {book.title}, the "
+        f"kit {short(full_points())}: if it is the right column, change it there"
+        for points in dict.fromkeys(map(number_in, book.possible))
+        if points is not None and points != full_points()
+    ]
 
 
 def number_in(text: str) -> float | None:
@@ -150,3 +98,40 @@ def number_in(text: str) -> float | None:
         return float(text.strip().replace(",", "."))
     except ValueError:
         return None
+
+
+def write(
+    path: Path, submitted: Class, summaries: Sequence[Summary], book: Gradebook, overwrite: bool
+) -> list[str]:
+    """Fills a file in, for everyone who has a score: a missing one must not become a zero. A
+    submission that is known by its GitHub login alone gets no points: its student could have chosen
+    somebody else's id as a login. Returns sentences for the instructor."""
+    assert book.table
+    finals = [one._replace(name=one.name or s.student.shown) for s in summaries for one in s.finals]
+    given = [one for one in finals if one.listed or not submitted.logins]
+    written = read_object(path.with_name(WRITTEN))
+    lacking = _lacking(book, written.get(book.title, {}))
+    from_canvas = submitted.service == "canvas"
+    filled, sentences = fill(book, given, from_canvas, written, overwrite)
+    has_comma = any("," in points for points in book.possible)
+    for line, points in filled:
+        text = f"{points:.2f}".replace(".", "," if has_comma else ".")
+        book.table.rows[line.number].cells[book.column] = text
+    write_whole(path, book.table.encoded())
+    write_whole(path.with_name(WRITTEN), json.dumps(written, indent=1, sort_keys=True))
+    left_out = [one.id for one in finals if one not in given]
+    return [
+        *lacking,
+        *sentences,
+        *(f"{id} isn't in {ROSTER}: the points are in grades.csv" for id in left_out),
+    ]
+
+
+def _lacking(book: Gradebook, written: Mapping[str, Sequence[str]]) -> list[str]:
+    """Corrections since an earlier run can't be seen in an old file."""
+    emptied = sum(line.ids[0] in written and not line.there for line in book.lines)
+    return [
+        f"{book.name} lacks what an earlier run has filled into {emptied} "
+        f"cell{'s' * (emptied > 1)}: if that is imported, export the grades again, or "
+        "corrections made there since then are lost"
+    ] * bool(emptied)

@@ -29,7 +29,7 @@ def _row(summary: Summary) -> list[Value]:
     return [
         student.shown,
         student.id,
-        "late" if student.late else "",
+        "" if student.late_days == 0 else "late",
         summary.state,
         _number(summary.score),
         _of_members({one.id: _number(round(one.points, 2)) for one in summary.finals}),

@@ -111,8 +111,7 @@ def _figures(summaries: Sequence[Summary], graded: Sequence[Summary]) -> Iterato
         yield "median", short(statistics.median(scores))
         yield "mean", f"{statistics.mean(scores):.1f}"
         yield "with all points", str(sum(s.has_all_points for s in summaries))
-    late = sum(s.student.late for s in summaries)
-    if late:
+    if late := sum(s.student.late_days != 0 for s in summaries):
         yield "late", str(late)
 
 

@@ -1,0 +1,224 @@
+"""How Canvas, Moodle and Blackboard name the entries of a download of all submissions, packed or
+unpacked, and the feedback pages that they take back.
+
+Canvas, in lib/content_zipper.rb:
+
+    {name}[_LATE]_{user id}_{attachment id}_{file}
+    [LATE_]anon_{anonymous id}_{attachment id}_{file}
+    {name}[_LATE]_{user id}_text.html, or _link.html: a text entry, or a web address
+
+A name is in lower case and holds only letters, digits and "_", so LATE is never part of it. A name
+may end in "_12", as a group's does, and a file name may begin with "12_"; such an entry is
+ambiguous (`read_canvas`).
+
+Moodle, in mod/assign:
+
+    {full name}_{participant}_assignsubmission_file/{path}      since 4.1
+    {full name}_{participant}_assignsubmission_file_/{path}     since 3.1
+    {full name}_{participant}_assignsubmission_file_{file}      without folders
+    {full name}_{participant}_assignsubmission_onlinetext...    a text typed into Moodle
+
+A full name holds no "_", because Moodle writes blanks in their place; a group's comes before it,
+with a hyphen.
+
+Blackboard:
+
+    {assignment}_{user}_attempt_{2026-11-20-23-15-42}_{file}
+    {assignment}_{user}_attempt_{2026-11-20-23-15-42}.txt     who submitted, and what else is typed
+
+Both the assignment's title and a user's name may hold "_". The text begins with a line that
+Blackboard writes, "Name: Jane Doe (jdoe)".
+"""
+
+import re
+import unicodedata
+from collections import Counter, defaultdict
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import NamedTuple
+
+from bounce_grader.classroom.intake.archive import Archive
+from bounce_grader.classroom.intake.student import Names, Upload
+from bounce_grader.common.escaping import printable_name
+from bounce_grader.common.files import fitting
+
+Read = dict[str, Upload | str]  # by entry; or why it is of nobody
+TYPED = {"text": "text", "link": "an address", "onlinetext": "text", ".txt": "text"}
+UNKNOWN = "isn't named as {} names submissions"
+ID = "[0-9]{1,20}"
+WHO = (  # in Canvas's names
+    r"(?:(?!LATE_|anon_)(?P<name>[^/]+?)_)?(?:(?P<late>LATE)_)?"
+    rf"(?P<user>anon_[A-Za-z0-9]{{1,20}}|{ID})"
+)
+EITHER = (
+    "has a name that doesn't say for certain whose it is: look in Canvas who handed it in, and grade "
+    "it by itself with ./kit grade"
+)
+WHOSE = re.compile(r"\ufeff?Name:\s*(?P<name>.*)\((?P<user>[^()\s]+)\)\s*$")  # in Blackboard's text
+
+
+class Service(NamedTuple):
+    """A service, and how it names things."""
+
+    title: str
+    entries: Sequence[str]  # patterns of an entry's name; the first that fits counts
+    read: Callable[[Archive, Names], Read]  # a download
+    page_of: Callable[[Sequence[Upload]], str]  # the name for a feedback page
+    as_named: bool = True  # files keep the names that students gave them
+
+    def parse(self, entry: str) -> Upload | None:
+        """What an entry's name says; None if the service doesn't write such names. Of Blackboard's,
+        the user has the assignment's title before it: these can't be told apart yet."""
+        matches = (re.fullmatch(pattern, entry, re.DOTALL) for pattern in self.entries)
+        match = next(filter(None, matches), None)
+        if not match:
+            return None
+        of: Mapping[str, str] = defaultdict(str, match.groupdict(""))
+        number, typed = int(of["number"].replace("-", "") or 0), TYPED.get(of["kind"], "")
+        who = (entry, of["name"], of["user"], of["file"], bool(of["late"]))
+        return Upload(*who, number, self.as_named, typed)
+
+
+def read_canvas(entries: Iterable[str], people: Names) -> Read:
+    """Reads the names of all entries of Canvas's download. Students choose their names and the names
+    of their files, so an entry can often be split in several ways. Such an ambiguous entry counts for
+    the one of these `people` whose id and name it can be read with, unless another entry certainly
+    has that id."""
+    possible = {entry: _readings(entry) for entry in entries}
+    certain = {found[0].user for found in possible.values() if len(found) == 1}
+    read: Read = {}
+    for entry, found in possible.items():
+        known = [reading for reading in found if reading.user in people]
+        if len(found) == 1:
+            read[entry] = found[0]
+        elif len(known) == 1 and known[0].user not in certain and _is_named(known[0], people):
+            read[entry] = known[0]
+        elif "/" in entry:
+            read[entry] = "is in a folder; Canvas's download has none"
+        else:
+            read[entry] = EITHER if found else UNKNOWN.format("Canvas")
+    return read
+
+
+def _is_named(reading: Upload, people: Names) -> bool:
+    return any(is_name_of(name, reading.name) for name in people[reading.user])
+
+
+def _readings(entry: str) -> list[Upload]:
+    """All ways to split an entry's name into its fields."""
+    first = CANVAS.parse(entry)
+    if first is None or (first.user.startswith("anon_") and not first.name):
+        return [first] if first else []
+    possible = [first] if first.typed or first.user.startswith("anon_") else []
+    ids = re.compile(rf"(?<!_LATE)(?=(?:^|_)(LATE_)?({ID})_({ID})_(.+))", re.DOTALL)
+    for match in ids.finditer(entry):
+        late, user, attachment, file = match.groups()
+        name = entry[: match.start()]
+        possible.append(Upload(entry, name, user, file, bool(late), int(attachment), False))
+    return possible
+
+
+def canvas_page(uploads: Sequence[Upload]) -> str:
+    """Canvas accepts a page as a comment if its name has the ids of an upload: the newest. It can't
+    import one about what was typed."""
+    newest = max(uploads, key=lambda upload: upload.number)
+    if newest.typed:
+        return f"{fitting(newest.entry.removesuffix('.html'))}_feedback.html"
+    ids = newest.entry[len(newest.name) : -len(newest.file)]
+    return f"{printable_name(fitting(newest.name, 150))}{ids}feedback.html"
+
+
+def sanitized(sortable_name: str) -> str:
+    """What Canvas makes of "Doe, Jane": doejane."""
+    flat = re.sub(r"_(\d+)_", r"\1", sortable_name).lower()
+    return "".join(filter(_in_a_word, flat))
+
+
+def is_name_of(person: str, canvas_name: str) -> bool:
+    """Letter for letter, in whichever order and however an accent is written."""
+    names = (sanitized(person), canvas_name)
+    one, other = (sorted(unicodedata.normalize("NFC", name)) for name in names)
+    return one == other
+
+
+def _in_a_word(c: str) -> bool:
+    """Whether Ruby's [[:word:]] matches it, which includes combining marks."""
+    return unicodedata.category(c)[0] in "LM" or unicodedata.category(c) in ("Nd", "Pc")
+
+
+def _read_moodle(archive: Archive, _people: Names) -> Read:
+    return {entry: MOODLE.parse(entry) or UNKNOWN.format("Moodle") for entry in archive.names}
+
+
+def _moodle_page(uploads: Sequence[Upload]) -> str:
+    """Moodle's importer of feedback files takes this, whichever its version: it splits at "_"."""
+    name = printable_name(fitting(uploads[0].name, 150))
+    return f"{name}_{uploads[0].user}_assignfeedback_file_feedback.html"
+
+
+def _read_blackboard(archive: Archive, _people: Names) -> Read:
+    """The files of each user, and the text of the newest attempt if that has none."""
+    read: Read = {}
+    heads: dict[str, list[Upload]] = defaultdict(list)
+    for entry in archive.names:
+        if upload := BLACKBOARD.parse(entry):
+            heads[upload.user].append(upload)
+        else:
+            read[entry] = UNKNOWN.format("Blackboard")
+    whose = {head: _person(archive, head, of) for head, of in heads.items()}
+    times = Counter(user for user, _ in whose.values())
+    for head, uploads in heads.items():
+        user, name = whose[head]
+        last = max(upload.number for upload in uploads)
+        files = [upload for upload in uploads if upload.file]
+        if all(upload.number < last for upload in files):
+            files += [upload for upload in uploads if upload.number == last]
+        if not user:
+            read[head] = "has no text that says whose it is"
+        elif times[user] > 1:
+            read[head] = f"isn't the only one that could be {user}'s: keep one of them"
+        else:
+            for upload in files:
+                old = upload.number < last
+                read[upload.entry] = upload._replace(name=name, user=user, old=old)
+    return read
+
+
+def _person(archive: Archive, head: str, uploads: Sequence[Upload]) -> tuple[str, str]:
+    """The user and the name, by the first line of a text that is about this entry."""
+    user = name = ""
+    for upload in filter(lambda upload: upload.typed, uploads):
+        text = archive.read(upload.entry, 4096).decode("utf-8", "replace")
+        match = WHOSE.fullmatch(text.partition("\n")[0].strip())
+        if match and head.endswith(f"_{match['user']}"):
+            user, name = match["user"], match["name"].strip() or match["user"]
+    return user, name
+
+
+CANVAS = Service(
+    "Canvas",
+    (rf"{WHO}_(?P<kind>text|link)\.html", rf"{WHO}_(?P<number>{ID})_(?P<file>[^/]+)"),
+    lambda archive, people: read_canvas(archive.names, people),
+    canvas_page,
+    as_named=False,
+)
+MOODLE = Service(
+    "Moodle",
+    [
+        rf"(?P<name>[^_/]+)_(?P<user>{ID})_assignsubmission_(?P<kind>file|onlinetext)"
+        r"(?:_?/|_)(?P<file>.+)"
+    ],
+    _read_moodle,
+    _moodle_page,
+)
+BLACKBOARD = Service(
+    "Blackboard",
+    [  # up to the first time: a file's own name may hold another student's
+        r"(?P<user>[^/]+?)_attempt_(?P<number>\d{4}(?:-\d\d){5})"
+        r"(?:_(?P<file>[^/]+)|(?P<kind>\.txt))"
+    ],
+    _read_blackboard,
+    # Not by the student's name, which may hold a "/".
+    lambda uploads: f"{fitting(printable_name(uploads[0].user))}.html",
+)
+# Moodle and Canvas come first, because they write the beginning of each name themselves.
+SERVICES = (MOODLE, CANVAS, BLACKBOARD)
