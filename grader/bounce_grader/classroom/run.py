@@ -123,8 +123,7 @@ def _locked(out: Path) -> Iterator[None]:
 def _run(options: Options, given: Given) -> int:
     out, intake, folder = options.out, given.intake, options.out / "results"
     stamp = results.stamp_now(options.trust_submission, options.sanitize)
-    readable = [student for student in intake.students if not student.refused]
-    tasks = [results.task_of(s, stamp, folder, options.speed) for s in readable]
+    tasks = [results.task_of(s, stamp, folder, options.speed) for s in intake.students]
     there = results.stamp_of(folder)
     failed = grading.grade_missing(tasks, UNIT, options.jobs, options.dask)
     if there and there != stamp and not options.apply:
@@ -134,7 +133,7 @@ def _run(options: Options, given: Given) -> int:
         print("\n".join(results.differences(there, tasks)))
         return 3 if failed else 0
     results.count(folder, stamp)
-    summaries = grading.summarize(intake.students, tasks, failed)
+    summaries = grading.summarize(tasks, failed)
     final.give(summaries, given.adjusted, given.course, intake.logins)
     near = near_copies.find(summaries, given.corpus)
     pages = feedback.write(out, summaries, options.reveal)

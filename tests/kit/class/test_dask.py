@@ -6,7 +6,6 @@ from pathlib import Path
 import classes
 import pytest
 import stand_in
-from bounce_grader.classroom.grading import results
 from clusters import Cluster
 from waiting import wait_for
 
@@ -31,7 +30,7 @@ def test_a_scheduler_that_dies_is_said_and_costs_nothing(
     cluster.worker()
 
     def kill_scheduler() -> None:
-        wait_for(lambda: len(results.keys(out / "results")) >= 3)
+        wait_for(lambda: len(classes.keys(out)) >= 3)
         cluster.processes[0].kill()
 
     killer = threading.Thread(target=kill_scheduler)
@@ -39,7 +38,7 @@ def test_a_scheduler_that_dies_is_said_and_costs_nothing(
     assert stand_in.grade_class(source, out, "--dask", cluster.address, seconds=0.3) == 3
     assert "the Dask scheduler was lost: start it, and run the same" in capsys.readouterr().err
     killer.join()
-    assert len(results.keys(out / "results")) >= 3
+    assert len(classes.keys(out)) >= 3
     assert stand_in.grade_class(source, out) == 0
     assert stand_in.grade_class(source, tmp_path / "calm") == 0
     assert classes.same(out, tmp_path / "calm")

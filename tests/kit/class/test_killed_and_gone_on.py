@@ -9,8 +9,8 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from bounce_grader.classroom.grading import results
-from classes import COLUMN, book, download, graded, points_of, same, scores
+from bounce_grader.classroom.grading.results import load
+from classes import COLUMN, book, download, graded, keys, points_of, same, scores
 from stand_in import grade_class, started
 from waiting import wait_for
 
@@ -27,7 +27,7 @@ def test_ctrl_c_stops_and_says_how_to_go_on(
     own.mkdir()
     monkeypatch.setenv("TMPDIR", str(own))
     with started(source, out, seconds=2) as process:
-        wait_for(lambda: len(results.keys(out / "results")) >= 2)
+        wait_for(lambda: len(keys(out)) >= 2)
         assert grade_class(source, out) == 2
         assert "another run is under way" in capsys.readouterr().err
         process.send_signal(signal.SIGINT)
@@ -36,7 +36,7 @@ def test_ctrl_c_stops_and_says_how_to_go_on(
     assert process.returncode != 0
     assert "kit: stopped; the same command goes on from here" in said
     assert out.stat().st_mode & 0o077 == 0  # it holds points and answers
-    there = results.keys(out / "results")
+    there = keys(out)
     assert 2 <= len(there) < 10
     assert grade_class(source, out) == 0
     assert len(graded(out)) == 10 and there <= set(graded(out))
@@ -46,10 +46,10 @@ def test_gradings_end_with_the_class(tmp_path: Path, users: list[int]) -> None:
     """If the class is killed, no grading goes on."""
     source, out = download(tmp_path / "x.zip", users), tmp_path / "out"
     with started(source, out, seconds=2.0):
-        wait_for(lambda: len(results.keys(out / "results")) >= 1)
-    there = results.keys(out / "results")
+        wait_for(lambda: len(keys(out)) >= 1)
+    there = keys(out)
     time.sleep(3.0)
-    assert results.keys(out / "results") == there
+    assert keys(out) == there
 
 
 @pytest.mark.parametrize("number, kills", [(20, 4), pytest.param(99, 20, marks=pytest.mark.long)])
@@ -62,8 +62,8 @@ def test_survives_being_killed_at_any_moment(tmp_path: Path, number: int, kills:
     for _ in range(kills):
         with started(source, out, seconds=0.02):
             time.sleep(chance.uniform(0.05, 1.5))
-        there = results.keys(out / "results")
-        assert known <= there and all(results.load(out / "results", key) for key in there)
+        there = keys(out)
+        assert known <= there and all(load(out / "results", key) for key in there)
         known = there
     grade_class(source, out, "--gradebook", str(export), "--column", COLUMN)
     assert len(graded(out)) == number
@@ -113,8 +113,8 @@ def test_a_full_disk_loses_nothing(
     assert "is full: make room, and run the same command again" in capsys.readouterr().err
     for kept, data in before.items():
         assert kept.read_bytes() == data
-    for key in results.keys(out / "results"):
-        assert results.load(out / "results", key)
+    for key in keys(out):
+        assert load(out / "results", key)
     filler.unlink()
     assert grade_class(source, out) == 0
     assert scores(out) == points_of(users)

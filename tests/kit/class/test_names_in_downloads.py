@@ -65,7 +65,7 @@ def test_a_helper_has_the_name_that_it_is_included_by(
     text = f'#include "{included}"'.encode()
     named = {"doe_1_1_part1_contacts.cpp": text, f"doe_1_2_{handed_in_as}": b"// helps"}
     (student,) = students.read(write(tmp_path, named)).students
-    assert included in uploads.read(student.path, student.uploads).files
+    assert included in uploads.read(student).files
 
 
 def test_names_that_canvas_and_macos_write_in_utf_8_without_saying_so(tmp_path: Path) -> None:
@@ -73,7 +73,7 @@ def test_names_that_canvas_and_macos_write_in_utf_8_without_saying_so(tmp_path: 
     write(tmp_path, {"x.zip": zip_of([Member("weißjürgen_1_2_hw.zip".encode(), within)])})
     (student,) = students.read(tmp_path / "x.zip").students
     assert student.feedback == "weißjürgen_1_2_feedback.html"
-    files = uploads.read(student.path, student.uploads).files
+    files = uploads.read(student).files
     assert set(files) == {"größe.hpp", "part2_lcp.cpp"}
 
 

@@ -23,7 +23,7 @@ def read(path: Path, files: Uploads) -> Submission:
     resource.setrlimit(resource.RLIMIT_FSIZE, (1 << 20, before[1]))
     try:
         with limited_memory(400 << 20):
-            return uploads.read(student.path, student.uploads)
+            return uploads.read(student)
     finally:
         resource.setrlimit(resource.RLIMIT_FSIZE, before)
 

@@ -4,7 +4,7 @@ import csv
 import io
 from pathlib import Path
 
-from bounce_grader.classroom.grading import results
+from bounce_grader.classroom.grading.results import load, SET
 from handed_in import zipped
 
 COLUMN = "HW3 (98765)"
@@ -43,9 +43,14 @@ def scores(out: Path) -> dict[str, str]:
     return {row["id"]: f"{float(row['score']):.2f}" for row in rows if row["score"]}
 
 
+def keys(out: Path) -> set[str]:
+    """Of the results."""
+    return {file.stem for file in (out / "results").glob("*.json") if file.name != SET}
+
+
 def graded(out: Path) -> dict[str, str]:
     """When each was graded, by its result's key."""
-    found = {key: results.load(out / "results", key) for key in results.keys(out / "results")}
+    found = {key: load(out / "results", key) for key in keys(out)}
     return {key: str(result["at"]) for key, result in found.items() if result}
 
 

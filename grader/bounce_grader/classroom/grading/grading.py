@@ -18,7 +18,6 @@ from typing import Any
 from bounce_grader.classroom.grading import results
 from bounce_grader.classroom.grading.results import Task, Unit
 from bounce_grader.classroom.grading.summary import Summary
-from bounce_grader.classroom.intake.student import Student
 from bounce_grader.common.errors import KitError, UsageError
 
 TO_CLEAN_UP = 3.0  # seconds in which a terminated grading can remove its files
@@ -60,21 +59,16 @@ def _with_progress(outcomes: Graded, number: int) -> Graded:
         yield outcome
 
 
-def summarize(
-    students: Sequence[Student], tasks: Sequence[Task], failed: Mapping[str, str]
-) -> list[Summary]:
-    of = {task.student.id: task for task in tasks}
-    return [_summary(student, of.get(student.id), failed) for student in students]
+def summarize(tasks: Sequence[Task], failed: Mapping[str, str]) -> list[Summary]:
+    return [_summary(task, failed) for task in tasks]
 
 
-def _summary(student: Student, task: Task | None, failed: Mapping[str, str]) -> Summary:
-    if task is None:
-        return Summary(student, "unreadable", student.refused)
+def _summary(task: Task, failed: Mapping[str, str]) -> Summary:
     if of := results.load(task.folder, task.key):
         graded = (of["state"], of["message"], of["key"], of["record"], tuple(of["beside"]))
-        return Summary(student, *graded)
+        return Summary(task.student, *graded)
     why = f"the kit failed, so give the same command again: {failed[task.key]}"
-    return Summary(student, "failed", why, task.key)
+    return Summary(task.student, "failed", why, task.key)
 
 
 # --- on this machine ---

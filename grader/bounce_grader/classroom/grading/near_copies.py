@@ -79,7 +79,7 @@ class Similar(NamedTuple):
 
 def corpus(folder: Path) -> list[Student]:
     """Another year's submissions, to compare with. Raises UsageError if they are damaged."""
-    others = [other for other in students_of.read(folder).students if not other.refused]
+    others = students_of.read(folder).students
     for other in others:
         digest(other)
     names = [f"{folder.name}/{printable_name(other.who)}" for other in others]
@@ -115,13 +115,11 @@ def _add(runs: Runs, student: Student, notes: list[str]) -> None:
     because a reading may take seconds."""
     try:
         with about_one_submission("it can't be compared with others"):
-            found = own_runs(student, notes)
+            for number, own in own_runs(student, notes).items():
+                if len(own) >= RUN:
+                    runs[number][student.who] = own
     except UsageError as error:
         notes.append(str(error))
-        return
-    for number, own in found.items():
-        if len(own) >= RUN:
-            runs[number][student.who] = own
 
 
 def _alike(runs: Mapping[str, set[int]], least: int) -> tuple[dict[tuple[str, str], int], int]:
@@ -141,7 +139,7 @@ def _alike(runs: Mapping[str, set[int]], least: int) -> tuple[dict[tuple[str, st
 def own_runs(student: Student, notes: list[str]) -> dict[int, set[int]]:
     """The runs that aren't the handout's: of all files under 0, of part n under n. Raises
     UsageError."""
-    taken = uploads.read(student.path, student.uploads)
+    taken = uploads.read(student)
     own: dict[str, set[int]] = {}
     room = LONGEST
     for name in dict.fromkeys([*taken.parts.values(), *sorted(taken.files)]):

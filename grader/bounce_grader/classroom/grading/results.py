@@ -82,7 +82,7 @@ def digest(student: Student) -> str:
     Damaged if the class's download is damaged."""
     data: list[Any] = [os.path.isdir(student.path)]
     try:
-        taken = uploads.read(student.path, student.uploads)
+        taken = uploads.read(student)
         data += [taken.sha256, taken.parts, taken.refused, taken.ignored]
     except Damaged:
         raise
@@ -92,19 +92,15 @@ def digest(student: Student) -> str:
 
 
 def stamp_now(trust: bool, sanitize: bool) -> Stamp:
-    fixture_digest = digest_of([fixtures.PUBLIC, fixtures.hidden_folder()])
-    return Stamp(_kit_digest(), fixture_digest, trust, sanitize)
-
-
-def _kit_digest() -> str:
-    """A digest of the sources that a score depends on, the same on every machine of a cluster."""
-    digest = hashlib.sha256(__version__.encode())
+    kit = hashlib.sha256(__version__.encode())
     for file in _sources():
-        digest.update(f"\0{file.relative_to(ROOT)}\0".encode() + file.read_bytes())
-    return digest.hexdigest()
+        kit.update(f"\0{file.relative_to(ROOT)}\0".encode() + file.read_bytes())
+    cases = digest_of([fixtures.PUBLIC, fixtures.hidden_folder()])
+    return Stamp(kit.hexdigest(), cases, trust, sanitize)
 
 
 def _sources() -> list[Path]:
+    """Those that a score depends on, the same on every machine of a cluster."""
     kinds = {".py", ".cpp", ".hpp", ".json", ".txt"}
     files = (file for room in SOURCES for file in (ROOT / room).rglob("*") if file.suffix in kinds)
     return sorted([*files, *(ROOT / file for file in FILES)])
@@ -126,7 +122,7 @@ def grade_one(task: Task, grade: Grade | None = None) -> str:
     grade = grade or partial(grade_submission, within=Budget())  # reading counts, too
     try:
         result = json.dumps(_result(task, grade))
-        write_whole(path_of(task.folder, task.key), result, durable=True)
+        write_whole(task.folder / f"{task.key}.json", result, durable=True)
     except (KitError, OSError) as error:
         if isinstance(error, OSError) and error.errno == errno.ENOSPC:
             raise
@@ -146,7 +142,7 @@ def _result(task: Task, grade: Grade) -> Result:
         "timed": task.speed,
     }
     try:
-        taken = uploads.read(task.student.path, task.student.uploads)
+        taken = uploads.read(task.student)
         _require_a_part(taken)
         beside = list(map(printable_name, taken.helpers))
         graded = {"state": "graded", "message": "", "record": grade(taken, task), "beside": beside}
@@ -169,22 +165,14 @@ def _require_a_part(taken: Submission) -> None:
 # --- the folder of results ---
 
 
-def path_of(folder: Path, key: str) -> Path:
-    return folder / f"{key}.json"
-
-
 def load(folder: Path, key: str, timed: bool = False) -> Result | None:
     """A result; None if there is no valid one. It does for a run without times, too, if it is timed:
     timing changes no score."""
     try:
-        result: Result = json.loads(path_of(folder, key).read_bytes())
+        result: Result = json.loads((folder / f"{key}.json").read_bytes())
     except (OSError, ValueError):
         return None
     return result if result.get("key") == key and (result["timed"] or not timed) else None
-
-
-def keys(folder: Path) -> set[str]:
-    return {file.stem for file in folder.glob("*.json") if file.name != SET}
 
 
 def stamp_of(folder: Path) -> Stamp | None:

@@ -89,42 +89,34 @@ def names_of(upload: Upload) -> list[str]:
 # --- as one submission ---
 
 
-def read(path: Path, uploads: tuple[Upload, ...]) -> Submission:
-    """Reads a submission. `path` is its folder or zip; or, with `uploads`, the download that holds
-    them. Raises UsageError."""
-    if not uploads:
-        return submission.read(path)
+def read(student: Student) -> Submission:
+    """Reads what a student has handed in. Raises UsageError."""
+    if student.refused:
+        raise UsageError(student.refused)
+    if not student.uploads:
+        return submission.read(student.path)
     with about_one_submission(f"{WHOLE} can't be read"), ExitStack() as open_zips:
-        entries = _merged(opened(path), uploads, open_zips)
-        taken = submission.take(WHOLE, list(entries.values()))
+        merged = _merged(opened(student.path), student.uploads, open_zips)
+        taken = submission.take(WHOLE, list(merged.values()))
     return taken
 
 
-def _contents(archive: Archive, uploads: Iterable[Upload]) -> Iterator[tuple[Upload, bytes]]:
-    """Each upload with its bytes. Of a source, at most one byte more than allowed is read, which is
-    enough to see that it is too large. Raises UsageError if all together are too large."""
-    room = LARGEST
+def _merged(archive: Archive, uploads: Sequence[Upload], open_zips: ExitStack) -> dict[str, Entry]:
+    """The files of all uploads, which are given oldest first. A newer file replaces an older one of
+    the same name or the same part. Raises UsageError if all together are too large."""
+    merged: dict[str, Entry] = {}
+    left, room = UnpackLimits(), LARGEST
+    if sum(is_archive(upload.file) for upload in uploads) > MOST_ZIPS:
+        raise UsageError(f"{WHOLE} holds more than {MOST_ZIPS} zips: hand in one")
     for upload in uploads:
-        limit = room if is_archive(upload.file) else min(room, LARGEST_SOURCE)
-        data = archive.read(upload.entry, limit + 1)
+        packed = is_archive(upload.file)
+        # One byte more than a source may have is enough to see that it is too large.
+        data = archive.read(upload.entry, 1 + (room if packed else min(room, LARGEST_SOURCE)))
         room -= len(data)
         if room < 0:
             most = f"all that is handed in may have {LARGEST >> 20} MB"
             raise UsageError(f"{upload.file} is too large: {most}")
-        yield upload, data
-
-
-def _merged(
-    archive: Archive, uploads: tuple[Upload, ...], open_zips: ExitStack
-) -> dict[str, Entry]:
-    """The files of all uploads, which are given oldest first. A newer file replaces an older one of
-    the same name or the same part."""
-    merged: dict[str, Entry] = {}
-    left = UnpackLimits()
-    if sum(is_archive(upload.file) for upload in uploads) > MOST_ZIPS:
-        raise UsageError(f"{WHOLE} holds more than {MOST_ZIPS} zips: hand in one")
-    for upload, data in _contents(archive, uploads):
-        if is_archive(upload.file):
+        if packed:
             name = Path(upload.file) if len(uploads) > 1 else WHOLE
             newer = open_zips.enter_context(intake.opened(name, data, left))
         else:
