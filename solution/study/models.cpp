@@ -16,7 +16,7 @@ namespace bounce::study {
 namespace {
 
 constexpr double kFine = 1e-3;           // m
-constexpr double kStep = 1e-3;           // s, of the simulator that chooses, in random scenes
+constexpr double kChoosing = 1e-3;       // s, of the simulator that chooses, in random scenes
 constexpr double kEventsASecond = 5000;  // in random scenes
 
 Samples run_model(const Scene& scene, ModelLevel level, const EventOptions& options = {}) {
@@ -52,7 +52,7 @@ double error_with(const Scene& scene, ModelLevel level, const Samples& truth) {
 // The smallest model that holds every one that simulate_scene took.
 ModelLevel chosen_by_bounds(const Scene& scene) {
   ModelReport report{};
-  simulate_scene(stepped(scene, kStep), scene.start, &report);
+  simulate_scene(stepped(scene, kChoosing), scene.start, &report);
   Model all{0, false};
   bool moves = false;
   for (int i = 1; i < kModelLevels; ++i) {

@@ -43,14 +43,14 @@ const std::string kThreads =
 // A daemon: its parent is gone, and it has a session of its own.
 const std::string kDaemon = "(setsid sh -c 'exec sleep 54321 >/dev/null 2>&1 3<&- 4>&-' &); ";
 
-struct Row {
+struct Script {
   std::string script;
   const char* end;     // how its line begins
   bool waits = false;  // and nothing more is asked of the part
   bool boxed = false;
 };
 
-const Row kRows[] = {
+const Script kScripts[] = {
     {"exit 7", "no_answer: exited 7"},
     {"trap '' TERM INT HUP; sleep 1000", "timed_out: waited 0", true},
     {"cat <&3 >/dev/null", "timed_out: waited 0", true},
@@ -87,7 +87,7 @@ const Row kRows[] = {
 };
 
 TEST(RunnerProcess, NamesTheEndOfARunner) {
-  for (const Row& row : kRows) {
+  for (const Script& row : kScripts) {
     Limits limits;
     limits.boxed = row.boxed;
     const Termination end = end_of(row.script, limits);

@@ -54,7 +54,7 @@ std::string names(const std::vector<Answers>& known, const Answers& got) {
   return found;
 }
 
-struct Row {
+struct Program {
   const char* why;
   std::vector<Answers> known;
   Answers got;
@@ -71,7 +71,7 @@ const std::vector<Answers> kThree{with(negated), with(same, raised), with(double
 const std::vector<Answers> kOverlapping{with(negated, same, negated), with(same, doubled, doubled)};
 const std::vector<Answers> kSum{with(negated, same, negated), with(same, raised, raised)};
 
-const Row kRows[] = {
+const Program kPrograms[] = {
     {"nothing is wrong", kThree, with(same), ""},
     {"it explains every answer", kThree, with(doubled), "c"},
     {"one answer is otherwise", kThree, with(negated, same, same, 0, 4), ""},
@@ -103,7 +103,7 @@ const Row kRows[] = {
 };
 
 TEST(recognise, NamesWhatExplainsEveryAnswerAndNothingElse) {
-  for (const Row& row : kRows) EXPECT_EQ(names(row.known, row.got), row.names) << row.why;
+  for (const Program& row : kPrograms) EXPECT_EQ(names(row.known, row.got), row.names) << row.why;
 }
 
 // Part 3: the move, then v'. A mistake in v' is known whatever moves q.

@@ -39,7 +39,7 @@ Scene scene_at_any_scale(Random& random) {
   return scene;
 }
 
-struct Kind {
+struct SceneKind {
   const char* name;
   Scene (*make)(Random&);
   int share;      // one case of so many; 0: a few, which take long
@@ -47,9 +47,9 @@ struct Kind {
 };
 
 TEST(simulate_to, KeepsItsBoundOrRefuses) {
-  for (const Kind& kind : {Kind{"ordinary", random_scene, 2, true},
-                           Kind{"touching by rounding", scene_at_any_scale, 5, false},
-                           Kind{"crowded", short_crowded_scene, 0, false}}) {
+  for (const SceneKind& kind : {SceneKind{"ordinary", random_scene, 2, true},
+                                SceneKind{"touching by rounding", scene_at_any_scale, 5, false},
+                                SceneKind{"crowded", short_crowded_scene, 0, false}}) {
     Random random(kind.answered ? 21 : 41);
     const int count = kind.share > 0 ? random_cases(1000) / kind.share : 20;
     int refused = 0;
