@@ -128,7 +128,7 @@ json numbers(const Vector3& of) { return {of(0), of(1), of(2)}; }
 
 // The scenes, and Explore's questions, with the page around them.
 std::string page() {
-  json data{{"scenes", json::array()}, {"explore", check::read("explore.md")}};
+  json data{{"scenes", json::array()}, {"explore", check::read("explore.html")}};
   for (const auto& [name, title, p, start, truth, others] : study::read_scenes(BOUNCE_STUDY)) {
     const json params{{"l", p.l},          {"m", p.m},   {"mu", p.mu},       {"epsilon", p.epsilon},
                       {"g", numbers(p.g)}, {"dt", p.dt}, {"delta", p.delta}, {"T", p.T}};

@@ -19,10 +19,10 @@ from selenium.webdriver.common.keys import Keys
 pytestmark = pytest.mark.xdist_group("student")
 TRUTH = """
 const scene = given.scenes.find(({ name }) => name === arguments[0]);
-const path = truth(scene.q, scene.v, scene.params, arguments[1] / 10, 201);
+const path = truth(scene.q, scene.v, { ...scene.params, dt: arguments[1] / 10, T: 201 });
 return Array.from(Array(20), (_, i) => path.map((row) => row[10 * (i + 1)]));
 """
-FAR = "return [q, paths[2]].map((path) => [path[0][T - 1], path[1][T - 1]])"
+FAR = "return [q, paths[1]].map((path) => [path[0][T - 1], path[1][T - 1]])"
 
 
 def build(home: Path, *laid: str) -> None:
@@ -81,16 +81,15 @@ def test_the_square_is_dragged_thrown_and_compared(page: Page) -> None:
     script, stage = page.driver.execute_script, page.find("stage")
     script("setScene('tumble dt=0.001').then(() => seek(0))")
     page.wait_until(lambda: script("return T === 401 && !playing && position === 0"))
-    at = script(
-        "const at = camera(), [x, y] = pose(0); return [at.X(x) - wide() / 2, at.Y(y) - high() / 2]"
-    )
+    x, y, width, height = script("return [...camera().to(...pose(0)), wide(), high()]")
     mouse = webdriver.ActionChains(page.driver, duration=30)
-    mouse.move_to_element_with_offset(stage, *map(round, at)).click_and_hold()
+    from_middle = round(x - width / 2), round(y - height / 2)
+    mouse.move_to_element_with_offset(stage, *from_middle).click_and_hold()
     for x, y in [(6, -3)] * 20 + [(20, -10)] * 6:
         mouse.move_by_offset(x, y)
     mouse.release().perform()
-    page.wait_until(lambda: script("return start.v[0] > 0.1 && held === null && playing"))
-    page.wait_until(lambda: script("return !busy && T === 401"))
+    page.wait_until(lambda: script("return thrown.vx > 0.1 && held === null && playing"))
+    page.wait_until(lambda: script("return throws.then(() => T === 401)"))
     (x, y), true = script(FAR)
     assert (x, y) == pytest.approx(true, abs=0.1) and (x, y) != pytest.approx(true, abs=1e-6)
 
@@ -118,12 +117,12 @@ def test_sliders_the_keyboard_and_models_change_the_same_throw(page: Page) -> No
     script("setScene('tumble dt=0.01')")
     page.wait_until(lambda: script("return T === 41"))
     coarse = shown(0)
-    script("byId('sliders').firstChild.querySelector('input').focus()")
+    script("settings.elements.dt.focus()")
     page.press(*[Keys.ARROW_LEFT] * 100)
-    page.wait_until(lambda: script("return !busy && T === 401"))
+    page.wait_until(lambda: script("return throws.then(() => T === 401)"))
     assert shown(0) < coarse / 3 and shown(1) == 0 and shown(3) > 0.5
-    page.find("errors").find_element("css selector", "[value='0']").click()
-    assert script("return right === paths[0]")
+    page.find("errors").find_element("css selector", "[value='3']").click()
+    assert script("return right === paths[3]")
     page.press("t")
     page.wait_until(page.playing)
     card = page.find("experiments").find_element("xpath", ".//article[.//button]")

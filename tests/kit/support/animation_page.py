@@ -42,18 +42,21 @@ window.passTime = (ms) => {
 };
 """
 COUNT_PIXELS = """
-const stage = document.getElementById("stage");
-const hex = getComputedStyle(document.documentElement).getPropertyValue("--" + arguments[0]).trim();
+const [colour, shot, done] = arguments;
+const hex = getComputedStyle(document.documentElement).getPropertyValue("--" + colour).trim();
 const want = [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16));
-const copy = new OffscreenCanvas(stage.width, stage.height);
-const ctx = copy.getContext("2d", { willReadFrequently: true });
-ctx.drawImage(stage, 0, 0);
-const d = ctx.getImageData(0, 0, stage.width, stage.height).data;
-let count = 0;
-for (let i = 0; i < d.length; i += 4) {
-  if (d[i + 3] > 250 && want.every((w, j) => Math.abs(d[i + j] - w) < 12)) ++count;
-}
-return count;
+const image = new Image();
+image.onload = () => {
+  const ctx = new OffscreenCanvas(image.width, image.height).getContext("2d");
+  ctx.drawImage(image, 0, 0);
+  const d = ctx.getImageData(0, 0, image.width, image.height).data;
+  let count = 0;
+  for (let i = 0; i < d.length; i += 4) {
+    if (want.every((w, j) => Math.abs(d[i + j] - w) < 12)) ++count;
+  }
+  done(count);
+};
+image.src = "data:image/png;base64," + shot;
 """
 
 
@@ -94,7 +97,8 @@ class Page:
         Select(self.find("speed")).select_by_value(speed)
 
     def pixels(self, colour: str) -> int:
-        return int(self.driver.execute_script(COUNT_PIXELS, colour))
+        shot = self.find("stage").screenshot_as_base64
+        return int(self.driver.execute_async_script(COUNT_PIXELS, colour, shot))
 
     def point_at_plots(self, share: float) -> None:
         """Presses on the first plot, at this share of its time from the left."""
@@ -176,7 +180,7 @@ def open_page(driver: Any, file: Path) -> Iterator[Open]:
 
     def open_(path: Path = file) -> Page:
         driver.get(path.as_uri())
-        page.wait_until(lambda: page.find("stage").get_dom_attribute("width") is not None)
+        page.wait_until(lambda: page.find("column").text != "")
         return page
 
     yield open_
