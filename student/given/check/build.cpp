@@ -1,14 +1,13 @@
-#include "build.hpp"
-
 #include <algorithm>
 #include <chrono>
-#include <numeric>
 #include <set>
 #include <thread>
+#include <tuple>
 
-#include "compiler_words.hpp"
 #include "files.hpp"
 #include "process.hpp"
+#include "run.hpp"
+#include "words.hpp"
 
 namespace bounce::check {
 namespace {
@@ -18,73 +17,43 @@ namespace fs = std::filesystem;
 const fs::path kBuild = kWork / "build.txt", kWarnings = kWork / "warnings",
                kSources = kWork / "sources";
 
-void remember_warnings(const std::vector<std::string>& said) {
-  std::vector<std::string> all = lines_of(read(kWarnings));
-  for (const std::string& line : said) {
-    if (is_warning_of_own_file(line)) all.push_back(line);
-  }
-  std::string text;
-  for (const std::string& line : std::set<std::string>(all.begin(), all.end())) text += line + "\n";
-  write(kWarnings, text);
-}
-
-// Those of other files still stand, unless what is included has changed.
-void forget_warnings(const std::string& file) {
-  std::string text;
-  for (const std::string& line : lines_of(read(kWarnings))) {
-    if (fs::path(file).extension() == ".cpp" && file_of(line) != file) text += line + "\n";
-  }
-  write(kWarnings, text);
-}
-
-// A build looks at times alone, and a file may come back with an old one, as from a zip.
-void touch_what_changed() {
-  const std::string now = state_of_sources();
-  const std::vector<std::string> before = lines_of(read(kSources)), after = lines_of(now);
-  const auto file_of_those = [](const std::vector<std::string>& these,
-                                const std::vector<std::string>& not_in) {
-    std::set<std::string> files;
-    for (const std::string& line : these) {
-      const bool is_new = std::find(not_in.begin(), not_in.end(), line) == not_in.end();
-      if (is_new) files.insert(line.substr(line.find(' ') + 1));
+// Touches the files that have changed, since a build looks at times alone, and one may come back
+// with an old one, as from a zip. Forgets their warnings; and all others, too, where what is
+// included has changed.
+void note_changes() {
+  const std::string before = read(kSources), now = state_of_sources();
+  const std::vector<std::string> known = lines_of(before);
+  std::set<std::string> unchanged;
+  bool is_all_compiled = false;
+  for (const std::string& line : lines_of(now)) {
+    const std::string file = line.substr(line.find(' ') + 1);
+    if (std::count(known.begin(), known.end(), line)) {
+      unchanged.insert(file);
+      continue;
     }
-    return files;
-  };
-  for (const std::string& file : file_of_those(before, after)) forget_warnings(file);
-  for (const std::string& file : file_of_those(after, before)) {
     std::error_code gone;
     if (!before.empty()) fs::last_write_time(file, fs::file_time_type::clock::now(), gone);
+    const bool is_new = !has(before, " " + file + "\n");
+    is_all_compiled = is_all_compiled || (!is_new && fs::path(file).extension() != ".cpp");
   }
+  std::string kept;
+  for (const std::string& line : lines_of(read(kWarnings))) {
+    if (!is_all_compiled && unchanged.count(file_of(line))) kept += line + "\n";
+  }
+  write(kWarnings, kept);
   write(kSources, now);
 }
 
-bool build_targets(const std::vector<std::string>& targets) {
-  const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
-  std::vector<std::string> command{
-      "cmake",   "--build", "build", "--config", "Debug", "--parallel", std::to_string(cores),
-      "--target"};
-  command.insert(command.end(), targets.begin(), targets.end());
-  fs::remove(kBuild);
-  const auto ended = run(command, kBuild, Limits::none);
-  if (!ended) throw Failure("CMake isn't found any more: install it again");
-  remember_warnings(own_lines(read(kBuild)));
-  return ended->code == 0 && ended->signal == 0;
-}
-
-void build_part(Run& run, const Part& part) {
+void build_part(Run& run, Part& part) {
   for (const int earlier : part.calls) {
-    if (run.unbuilt.count(earlier)) {
-      run.unbuilt[part.number] = run.unbuilt[earlier];
-      return;
-    }
+    part.broken = part.broken ? part.broken : run.part(earlier).broken;
   }
-  if (build_targets({run.target(part)})) return;
-  run.unbuilt[part.number] = part.number;
-  const std::vector<std::string> said = own_lines(read(kBuild));
-  if (is_linker_error(said)) run.unlinked.insert(part.number);
-  const std::string meaning = meaning_of(said);
-  run.errors[part.number] =
-      first_error(said) + (meaning.empty() ? "" : "\n" + folded(meaning, 74, "  "));
+  if (part.broken || build_programs({target_of(run, part)})) return;
+  part.broken = &part;
+  const std::vector<std::string> printed = own_lines(read(kBuild));
+  const std::string meaning = meaning_of(printed);
+  part.is_unlinked = is_linker_error(printed);
+  part.error = first_error(printed) + (meaning.empty() ? "" : "\n" + folded(meaning, 74, "  "));
 }
 
 }  // namespace
@@ -94,39 +63,41 @@ void build_parts(Run& run) {
     if (fs::exists(part.file())) continue;
     throw Failure(part.file() + " is missing: copy it from the handout's zip");
   }
-  touch_what_changed();
+  note_changes();
   std::vector<std::string> targets;
   std::set<int> needed;
-  for (const int number : run.chosen) {
-    targets.push_back(run.target(run.part(number)));
-    needed.insert(number);
-    needed.insert(run.part(number).calls.begin(), run.part(number).calls.end());
+  for (const Part* part : run.chosen) {
+    targets.push_back(target_of(run, *part));
+    needed.insert(part->number);
+    needed.insert(part->calls.begin(), part->calls.end());
   }
-  if (build_targets(targets)) return;
-  const std::string said = read(kBuild);
-  if (said.find("CMake Error") != std::string::npos) {
-    throw Failure("CMake could not prepare the build:\n" + said);
-  }
+  if (build_programs(targets)) return;
+  const std::string printed = read(kBuild);
+  if (has(printed, "CMake Error")) throw Failure("CMake could not prepare the build:\n" + printed);
   for (const int number : needed) build_part(run, run.part(number));
 }
 
-std::vector<const Part*> build_given(const Run& run, const std::vector<const Part*>& parts) {
-  std::vector<std::string> targets;
-  for (const Part* part : parts) targets.push_back(run.given_target(*part));
-  if (targets.empty() || build_targets(targets)) return parts;
-  std::vector<const Part*> built;
-  for (const Part* part : parts) {
-    if (build_targets({run.given_target(*part)})) built.push_back(part);
+bool build_programs(const std::vector<std::string>& targets) {
+  const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
+  std::vector<std::string> command{
+      "cmake",   "--build", "build", "--config", "Debug", "--parallel", std::to_string(cores),
+      "--target"};
+  command.insert(command.end(), targets.begin(), targets.end());
+  fs::remove(kBuild);
+  const auto ended = run(command, kBuild, Limits::none);
+  if (!ended) throw Failure("CMake isn't found any more: install it again");
+  std::string all = read(kWarnings);
+  for (const std::string& line : own_lines(read(kBuild))) {
+    if (is_warning_of_own_file(line) && !has(all, line + "\n")) all += line + "\n";
   }
-  return built;
+  write(kWarnings, all);
+  return ended->code == 0 && ended->signal == 0;
 }
-
-bool build_program(const std::string& name) { return build_targets({name}); }
 
 std::vector<std::string> warnings() {
   std::vector<std::string> all = lines_of(read(kWarnings));
-  std::stable_sort(all.begin(), all.end(), [](const std::string& a, const std::string& b) {
-    return std::pair(file_of(a), line_of(a)) < std::pair(file_of(b), line_of(b));
+  std::sort(all.begin(), all.end(), [](const std::string& a, const std::string& b) {
+    return std::tuple(file_of(a), line_of(a), a) < std::tuple(file_of(b), line_of(b), b);
   });
   return all;
 }
@@ -142,14 +113,16 @@ std::string state_of_sources() {
       lines.insert(std::to_string(digest) + " " + entry.path().generic_string() + "\n");
     }
   }
-  return std::accumulate(lines.begin(), lines.end(), std::string());
+  std::string state;
+  for (const std::string& line : lines) state += line;
+  return state;
 }
 
 std::string once_after_a_change(const std::string& name, bool still_there,
                                 const std::function<std::string()>& find) {
   const fs::path file = kWork / (name + "_found.txt");
   const std::string now = state_of_sources() + "\n", before = read(file);
-  if (still_there && before.rfind(now, 0) == 0) return before.substr(now.size());
+  if (still_there && begins(before, now)) return before.substr(now.size());
   const std::string found = find();
   write(file, now + found);
   return found;

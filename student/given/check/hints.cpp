@@ -1,10 +1,8 @@
-
 #include <algorithm>
 #include <iostream>
 
 #include "files.hpp"
 #include "report.hpp"
-#include "run.hpp"
 
 namespace bounce::check {
 namespace {
@@ -30,17 +28,17 @@ void print_stage(const std::string& page, const std::string& heading, int stage)
   bool here = false, fenced = false;
   int n = 0;
   for (const std::string& line : lines) {
-    if (line.rfind("## ", 0) == 0) {
+    if (begins(line, "## ")) {
       here = line == "## " + heading;
       n = 0;
     }
-    if (here && line.rfind("### ", 0) == 0) {
+    if (here && begins(line, "### ")) {
       if (++n != stage) continue;
       std::cout << folded(
           "Hint " + heading + ", stage " + std::to_string(n) + " of 3: " + line.substr(4), 78, "");
       if (n == kStages)
         std::cout << "\n" << folded(lines.at(2).substr(lines.at(2).find("Unless")), 78, "");
-    } else if (line.rfind("```", 0) == 0) {
+    } else if (begins(line, "```")) {
       fenced = !fenced;
     } else if (here && n == stage) {
       std::cout << (line.empty() ? "\n" : folded((fenced ? "    " : "") + line, 78, ""));
@@ -55,22 +53,21 @@ std::string heading_of(const Part& part, const Check& check, const std::string& 
   std::size_t first = std::string::npos;
   const auto look_for = [&](const std::string& words) {
     // Words with "your" are about numbers that this section's own checks compare.
-    const bool about_numbers =
-        words.find("your") != std::string::npos || words.find("Your") != std::string::npos;
+    const bool about_numbers = has(words, "your") || has(words, "Your");
     if (about_numbers && heading != of_check) return;
     if (const std::size_t at = mistake.find(words); at < first) {
       first = at;
       of_mistake = heading;
     }
   };
-  const std::string checks = "Checks: ", diagnoses = "Diagnoses: ";
+  const std::string diagnoses = "Diagnoses: ";
   for (const std::string& line : lines_of(read(page_of(part)))) {
-    if (line.rfind("## ", 0) == 0) {
+    if (begins(line, "## ")) {
       heading = line.substr(3);
-      if (mistake.find("hint " + heading) != std::string::npos) return heading;
-    } else if (line.rfind(checks, 0) == 0) {
-      if ((line + ",").find(check.id + ",") != std::string::npos) of_check = heading;
-    } else if (line.rfind(diagnoses, 0) == 0) {
+      if (has(mistake, "hint " + heading)) return heading;
+    } else if (begins(line, "Checks: ") && has(line + ",", check.id + ",")) {
+      of_check = heading;
+    } else if (begins(line, diagnoses)) {
       for (const std::string& words : split(line.substr(diagnoses.size()), ';')) {
         look_for(words.substr(words.find_first_not_of(' ')));
       }

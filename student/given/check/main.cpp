@@ -1,17 +1,15 @@
 // Builds what has changed, runs the public checks part by part, and shows the first thing to do.
 // ./check and check.cmd start it; README.md says what it can do.
 #include <chrono>
+#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <set>
 #include <thread>
 
-#include "build.hpp"
 #include "files.hpp"
-#include "parts.hpp"
 #include "process.hpp"
 #include "report.hpp"
-#include "run.hpp"
 
 namespace bounce::check {
 namespace {
@@ -35,10 +33,6 @@ struct Options {
   bool has(const std::string& word) const { return words.count(word) == 1; }
 };
 
-struct Usage : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
 // "2" of "2", "part2", "part2_lcp" or "src/part2_lcp.cpp"; another word as it is.
 std::string number_of(const std::string& word, const std::vector<Part>& parts) {
   const std::string name = std::filesystem::path(word).stem().string();
@@ -60,7 +54,8 @@ Options read_options(const std::vector<std::string>& words, const std::vector<Pa
     if (is_number) {
       options.part = word[0] - '0';
     } else if (std::string(kKnown).find("./check " + word + " ") == std::string::npos) {
-      throw Usage("check: " + word + " is not known; there are:\n" + kKnown);
+      std::cerr << "check: " << word << " is not known; there are:\n" << kKnown;
+      std::exit(kUsage);
     }
     options.words.insert(word);
   }
@@ -73,32 +68,19 @@ Options read_options(const std::vector<std::string>& words, const std::vector<Pa
   return options;
 }
 
-Run run_of(const Options& options) {
-  Run run;
-  run.all = read_parts();
-  run.sanitized = options.has("--sanitize");
-  for (const Part& part : run.all) {
-    if (!options.part || options.part == part.number) run.chosen.push_back(part.number);
-  }
-  return run;
-}
-
 // Whether there is nothing to mend. The screen is cleared before the result, where that `replaces`
 // another.
 bool check(const Options& options, bool replaces = false) {
   std::filesystem::create_directories(kWork);
-  const Lock alone(kWork / "lock");
-  Run run = run_of(options);
+  const auto alone = lock(kWork / "lock");
+  Run run = read_run(options.part, options.has("--sanitize"));
   build_parts(run);
   run_parts(run);
   if (replaces && is_terminal()) std::cout << "\033[H\033[2J";
-  bool is_right = !run.first_part;
-  if (options.has("--hint")) {
-    hint(run);
-  } else {
-    is_right = report(run);
-  }
-  const bool is_green = is_right && !options.part && !options.has("--hint");
+  const bool hints = options.has("--hint");
+  if (hints) hint(run);
+  const bool is_right = hints ? !run.first_part : report(run);
+  const bool is_green = is_right && !options.part && !hints;
   if (options.has("--real")) ask_about_real_impacts(run);
   if (options.has("--study") || (is_green && !options.has("--real"))) {
     study(run, options.has("--study"));
@@ -119,8 +101,7 @@ bool check(const Options& options, bool replaces = false) {
     } catch (const Failure& failure) {  // a file may be missing for a moment
       std::cout << "check: " << failure.what() << "\n";
     }
-    std::cout << style().dim << "Waiting for a change in src/; Ctrl-C ends it." << style().plain
-              << std::endl;
+    std::cout << dim("Waiting for a change in src/; Ctrl-C ends it.") << std::endl;
     while (state_of_sources() == before)
       std::this_thread::sleep_for(std::chrono::milliseconds(300));
   }
@@ -143,7 +124,7 @@ int run(const std::vector<std::string>& words) {
     std::cout << kKnown;
     return kAllPass;
   }
-  const Options options = read_options(words, read_parts());
+  const Options options = read_options(words, read_run(0, false).all);
   if (options.has("--examples")) {
     return judge_examples(options.part, options.has("--hint")) ? kAllPass : kSomethingFails;
   }
@@ -162,9 +143,6 @@ int main(int argc, char** argv) {
   using namespace bounce::check;
   try {
     return run({argv + 1, argv + argc});
-  } catch (const Usage& usage) {
-    std::cerr << usage.what();
-    return kUsage;
   } catch (const std::exception& failure) {
     std::cerr << "check: " << failure.what() << "\n";
     return kCannotCheck;

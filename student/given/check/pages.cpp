@@ -1,13 +1,10 @@
-
 #include <filesystem>
 #include <iostream>
 
-#include "build.hpp"
-#include "ending.hpp"
 #include "files.hpp"
 #include "process.hpp"
 #include "report.hpp"
-#include "run.hpp"
+#include "words.hpp"
 
 namespace bounce::check {
 namespace {
@@ -16,26 +13,20 @@ namespace fs = std::filesystem;
 
 // Of a program that gives other numbers when it is optimised, a page would tell what is not so.
 void require_same_when_optimised(const Run& run) {
-  const fs::path notes = kWork / "optimised", prints = kWork / "optimised.txt";
-  fs::remove_all(notes);
-  fs::create_directories(notes);
-  fs::remove(prints);
-  const std::string program = "build/optimised_test";
-  if (!check::run({program, "--notes", notes.string(), prints.string()}, prints,
-                  Limits::of_a_part)) {
-    throw Failure(program + " can't be started: remove the folder build");
-  }
-  for (const int number : run.chosen) {
-    if (run.given.count(number)) continue;
-    for (const Check& check : run.part(number).checks) {
-      const bool passes = note_of(run.part(number), check).status == "passed";
-      const std::string now = read(notes / check.id);
-      const std::string optimised = now.substr(0, now.find_first_of(" \n"));
-      if (!passes || optimised == "passed") continue;
-      const std::string does = optimised == "failed" ? "gives other numbers" : "gives no numbers";
-      throw Failure("no study was written: your program " + does +
-                    " when it is optimised; usually `auto` for a matrix");
+  Part all;
+  for (const Part* part : run.chosen) {
+    for (const Check& check : part->checks) {
+      if (!part->is_given && part->result.note(check).status == "passed")
+        all.checks.push_back(check);
     }
+  }
+  all.result = run_checks(run, all, "optimised_test");
+  for (const Check& check : all.checks) {
+    const std::string status = all.result.note(check).status;
+    if (status == "passed") continue;
+    throw Failure("no study was written: your program gives " +
+                  std::string(status == "failed" ? "other" : "no") +
+                  " numbers when it is optimised; usually `auto` for a matrix");
   }
 }
 
@@ -56,10 +47,10 @@ std::string write_page(const std::string& name, bool is_wrong, const std::string
 }
 
 std::string measured(const Run& run) {
-  std::cout << style().dim << "Measuring what your program is worth: some seconds, once after a "
-            << "change." << style().plain << std::endl;
+  std::cout << dim("Measuring what your program is worth: some seconds, once after a change.")
+            << std::endl;
   fs::remove("study.html");  // one of another program
-  if (!build_program("study") || !build_program("optimised_test")) {
+  if (!build_programs({"study", "optimised_test"})) {
     throw Failure("the study needs all four parts to compile");
   }
   require_same_when_optimised(run);
@@ -74,7 +65,7 @@ void study(const Run& run, bool whole) {
     whole = true;
     return measured(run);
   });
-  std::cout << "\n" << style().bold << "What your program is worth" << style().plain;
+  std::cout << "\n" << bold("What your program is worth");
   if (!whole) {
     std::cout << " is in study.html, as before; ./check --study says it again.\n";
     return;
@@ -89,27 +80,25 @@ void study(const Run& run, bool whole) {
                "methods fail, and model no more than a scene needs.\n";
 }
 
-void ask_about_real_impacts(const Run& run) {
+void ask_about_real_impacts(Run& run) {
   const Part& part = run.part(2);
   fs::remove("real.html");  // one of another program
-  if (run.unbuilt.count(2) || !build_program("real"))
-    throw Failure("--real needs part 2 to compile");
-  const std::string said =
-      write_page("real", points_of(part) < part.points, "fixtures/measured.txt");
+  if (part.broken || !build_programs({"real"})) throw Failure("--real needs part 2 to compile");
+  const std::string said = write_page("real", part.worth() < part.points, "fixtures/measured.txt");
   std::cout << "\n"
             << folded(said, 78, "") << "Each of them is in real.html; open it in a browser.\n";
 }
 
 bool judge_examples(int part, bool hints) {
   fs::create_directories(kWork);
-  const Lock alone(kWork / "lock");
+  const auto alone = lock(kWork / "lock");
   if (!fs::exists("examples.txt")) {
     throw Failure("examples.txt is missing: copy it from the handout's zip");
   }
   if (!fs::exists("build/examples") && !fs::exists("build/examples.exe")) {
     std::cerr << "check: building what judges your cases; some seconds, once" << std::endl;
   }
-  if (!build_program("examples")) throw Failure(read(kWork / "build.txt"));
+  if (!build_programs({"examples"})) throw Failure(read(kWork / "build.txt"));
   const fs::path said = kWork / "examples.txt";
   fs::remove(said);
   std::vector<std::string> command{"build/examples", "examples.txt",

@@ -1,12 +1,18 @@
 // Starts another program and waits until it ends; in process_posix.cpp and process_windows.cpp.
 #pragma once
 
+#include <csignal>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace bounce::check {
+
+#ifdef _WIN32
+enum : int { SIGBUS = -1, SIGKILL = -2, SIGXCPU = -3, SIGXFSZ = -4 };  // which nothing ends with
+#endif
 
 // How a program ended: with an exit code, or by a signal. On Windows, an exception has the signal's
 // number that it would have elsewhere.
@@ -22,22 +28,13 @@ enum class Limits { none, of_a_part };  // of a part: memory, time, the size of 
 std::optional<Termination> run(const std::vector<std::string>& command,
                                const std::filesystem::path& output, Limits limits);
 
-// Held by one check at a time in this folder; the system takes it back however the program ends.
-class Lock {
- public:
-  // If another check holds the lock, prints a message and waits. Throws Failure.
-  explicit Lock(const std::filesystem::path& file);
-  ~Lock();
-  Lock(const Lock&) = delete;
-  Lock& operator=(const Lock&) = delete;
-
- private:
-#ifdef _WIN32
-  void* handle_;
-#else
-  int handle_;
-#endif
-};
+// Held by one check at a time in this folder, until the result is gone or the program ends, however
+// it does. If another check holds it, prints a message and waits. Throws Failure.
+std::shared_ptr<void> lock(const std::filesystem::path& file);
+inline constexpr const char* kWaits =
+    "check: another check is running in this folder; this one waits for it";
+inline constexpr const char* kReadOnly =
+    "the folder build/ can't be written here: move the handout to your own files";
 
 // Whether standard output is a terminal.
 bool is_terminal();

@@ -58,18 +58,16 @@ std::optional<Termination> run(const std::vector<std::string>& command,
   return Termination{WEXITSTATUS(status), 0};
 }
 
-Lock::Lock(const std::filesystem::path& file)
-    : handle_(::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644)) {
-  if (handle_ < 0) {
-    throw Failure("the folder build/ can't be written here: move the handout to your own files");
+std::shared_ptr<void> lock(const std::filesystem::path& file) {
+  const int handle = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
+  if (handle < 0) throw Failure(kReadOnly);
+  if (::flock(handle, LOCK_EX | LOCK_NB) != 0) {
+    std::cerr << kWaits << std::endl;
+    while (::flock(handle, LOCK_EX) != 0 && errno == EINTR) {
+    }
   }
-  if (::flock(handle_, LOCK_EX | LOCK_NB) == 0) return;
-  std::cerr << "check: another check is running in this folder; this one waits for it" << std::endl;
-  while (::flock(handle_, LOCK_EX) != 0 && errno == EINTR) {
-  }
+  return {nullptr, [handle](void*) { ::close(handle); }};
 }
-
-Lock::~Lock() { ::close(handle_); }
 
 bool is_terminal() { return ::isatty(STDOUT_FILENO) == 1; }
 

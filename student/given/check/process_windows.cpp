@@ -95,20 +95,18 @@ std::optional<Termination> run(const std::vector<std::string>& command,
   return termination_of(code);
 }
 
-Lock::Lock(const std::filesystem::path& file)
-    : handle_(CreateFileW(file.wstring().c_str(), GENERIC_READ | GENERIC_WRITE,
-                          FILE_SHARE_READ | FILE_SHARE_WRITE, nullptr, OPEN_ALWAYS, 0, nullptr)) {
-  if (handle_ == INVALID_HANDLE_VALUE) {
-    throw Failure("the folder build can't be written here: move the handout to your own files");
-  }
+std::shared_ptr<void> lock(const std::filesystem::path& file) {
+  const HANDLE handle =
+      CreateFileW(file.wstring().c_str(), GENERIC_READ | GENERIC_WRITE,
+                  FILE_SHARE_READ | FILE_SHARE_WRITE, nullptr, OPEN_ALWAYS, 0, nullptr);
+  if (handle == INVALID_HANDLE_VALUE) throw Failure(kReadOnly);
   OVERLAPPED at{};
-  const DWORD now = LOCKFILE_EXCLUSIVE_LOCK | LOCKFILE_FAIL_IMMEDIATELY;
-  if (LockFileEx(handle_, now, 0, 1, 0, &at)) return;
-  std::cerr << "check: another check is running in this folder; this one waits for it" << std::endl;
-  LockFileEx(handle_, LOCKFILE_EXCLUSIVE_LOCK, 0, 1, 0, &at);
+  if (!LockFileEx(handle, LOCKFILE_EXCLUSIVE_LOCK | LOCKFILE_FAIL_IMMEDIATELY, 0, 1, 0, &at)) {
+    std::cerr << kWaits << std::endl;
+    LockFileEx(handle, LOCKFILE_EXCLUSIVE_LOCK, 0, 1, 0, &at);
+  }
+  return {handle, CloseHandle};
 }
-
-Lock::~Lock() { CloseHandle(handle_); }
 
 bool is_terminal() {
   if (!_isatty(_fileno(stdout))) return false;

@@ -2,7 +2,7 @@
 // tells more of a program than its checks.
 #pragma once
 
-#include "parts.hpp"
+#include "run.hpp"
 
 namespace bounce::check {
 
@@ -27,16 +27,16 @@ void study(const Run& run, bool whole);
 
 // Asks part 2 about measured impacts, says how far it is off, and writes real.html. Throws Failure
 // as study does.
-void ask_about_real_impacts(const Run& run);
+void ask_about_real_impacts(Run& run);
 
 // Says which wrong programs the cases in examples.txt catch, of one part or of all (0), or gives a
 // hint. Whether nothing is left to do. Throws Failure.
 bool judge_examples(int part, bool hints);
 
-// Colours, as far as the terminal has them.
-struct Style {
-  std::string bold, red, green, dim, plain;
-};
-const Style& style();
+// In colours, as far as the terminal has them.
+std::string bold(const std::string& text);
+std::string dim(const std::string& text);
+std::string red(const std::string& text);
+std::string green(const std::string& text);
 
 }  // namespace bounce::check

@@ -1,14 +1,12 @@
 #include "run.hpp"
 
 #include <algorithm>
-#include <cstdint>
 #include <filesystem>
 #include <iostream>
 
-#include "build.hpp"
-#include "ending.hpp"
 #include "files.hpp"
 #include "process.hpp"
+#include "words.hpp"
 
 namespace bounce::check {
 namespace {
@@ -17,178 +15,70 @@ namespace fs = std::filesystem;
 
 constexpr int kMostHung = 2;  // checks of a part that may hang
 
-fs::path notes_of(const Part& part) {
-  return kWork / part.notes / ("part" + std::to_string(part.number));
-}
-
-// Those of the run with the student's own earlier parts, where given ones score better.
-fs::path own_notes_of(const Part& part) {
-  return kWork / "own_notes" / ("part" + std::to_string(part.number));
-}
+// AddressSanitizer reserves far more memory than it uses.
+Limits limits_of(const Run& run) { return run.sanitized ? Limits::none : Limits::of_a_part; }
 
 // From a file of a part's program: "STATUS [FROM TO]" and what there is to say.
 Note read_note(const fs::path& file) {
   const std::string text = read(file);
   const std::size_t end = std::min(text.find('\n'), text.size());
   const std::vector<std::string> words = split(text.substr(0, end), ' ');
-  Note note{words.empty() ? "unknown" : words[0], 0, 0, words.size() == 3, ""};
+  Note note;
+  if (!words.empty()) note.status = words[0];
   if (words.size() > 1) note.from = std::stoul(words[1]);
+  note.has_prints = words.size() == 3;
   if (note.has_prints) note.to = std::stoul(words[2]);
   if (end < text.size()) note.text = text.substr(end + 1);
   return note;
 }
 
-void say_how_it_ended(const fs::path& file, const Note& note, const Termination& ended,
-                      const std::string& printed, const std::string& place, std::uintmax_t size) {
-  const bool hung = ended.signal == 0 && ended.code == kTooLong;
-  write(file, (hung ? "hung " : "crashed ") + std::to_string(note.from) + " " +
-                  std::to_string(size) + "\n" + reason_of(ended, printed) + place +
-                  "\nIt was asked: " + note.text);
-}
-
-// As where a global object's constructor crashes: none of the checks was run.
-void say_that_none_began(const fs::path& notes, const Part& part, const Termination& ended,
-                         const std::string& printed) {
-  const std::string text = "crashed\nBefore the first check began, " + reason_of(ended, printed) +
-                           "\nLook at what runs before main: objects outside of functions, and "
-                           "what their constructors do.\n";
-  for (const Check& check : part.checks) write(notes / check.id, text);
-}
-
-std::vector<fs::path> files_in(const fs::path& folder) {
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(folder)) files.push_back(entry.path());
-  return files;
-}
-
-std::string program_of(const Run& run, const Part& part) {
-  return "build/" + (run.given.count(part.number) ? run.given_target(part) : run.target(part));
-}
-
-// AddressSanitizer reserves far more memory than it uses.
-Limits limits_of(const Run& run) { return run.sanitized ? Limits::none : Limits::of_a_part; }
-
-// A check that crashes or hangs costs itself alone: the program is started again for the others.
-void run_part(const Run& run, const Part& part) {
-  const fs::path notes = notes_of(part), prints = prints_file(part.number);
-  fs::remove_all(notes);
-  fs::create_directories(notes);
-  fs::remove(prints);
-  write(prints, "");
-  const fs::path stack = kWork / "stack.txt";
-  std::vector<std::string> command{program_of(run, part), "--notes", notes.string(),
-                                   prints.string()};
-  if (!run.sanitized) command.push_back(stack.string());  // sanitizers say it themselves
-  int hung = 0;
-  for (bool again = true; again;) {
-    again = false;
-    fs::remove(stack);
-    const auto ended = check::run(command, prints, limits_of(run));
-    if (!ended) throw Failure(program_of(run, part) + " can't be started: remove the folder build");
-    const std::string printed = read(prints);
-    const std::string place = place_of_crash(command[0], stack);
-    if (fs::is_empty(notes)) say_that_none_began(notes, part, *ended, printed);
-    for (const fs::path& file : files_in(notes)) {
-      const Note note = read_note(file);
-      const bool is_new_hang = note.status == "hung" && note.text.rfind("no answer", 0) != 0;
-      if (note.status != "running" && !is_new_hang) continue;
-      say_how_it_ended(file, note, is_new_hang ? Termination{kTooLong, 0} : *ended, printed, place,
-                       fs::file_size(prints));
-      hung += is_new_hang;
-      if (is_new_hang && is_terminal()) std::cerr << "A check gives no answer; asking others.\n";
-      again = hung < kMostHung && ended->signal != kPrintedTooMuch;
-    }
-  }
-}
-
-int points_of(const Part& part, const std::string& status) {
-  int points = 0;
-  for (const Check& check : part.checks) {
-    if (note_of(part, check).status == status) points += check.points;
-  }
-  return points;
-}
-
 // Whether an earlier part that this one calls is wrong, as far as public checks can tell.
-bool is_an_earlier_wrong(const Run& run, const Part& part) {
+bool is_an_earlier_wrong(Run& run, const Part& part) {
   return std::any_of(part.calls.begin(), part.calls.end(), [&](int number) {
-    const Part& earlier = run.part(number);
-    if (run.unbuilt.count(number) || run.given.count(number)) return true;
-    if (run.is_one_part()) {  // only that one was run
-      if (!build_program(run.target(earlier))) return true;
-      run_part(run, earlier);
+    Part& earlier = run.part(number);
+    if (earlier.broken || earlier.is_given) return true;
+    if (earlier.result.notes.empty()) {  // where only one part was run
+      if (!build_programs({target_of(run, earlier)})) return true;
+      earlier.result = run_checks(run, earlier, target_of(run, earlier));
     }
-    return points_of(earlier) < earlier.points;
+    return earlier.worth() < earlier.points;
   });
 }
 
-// What is undecided with the given earlier parts is as it was with the student's own, if it passed
-// or if those are right.
-void fill_in(const Run& run, const Part& part) {
-  const bool waits = undecided_of(run, part) > 0 && is_an_earlier_wrong(run, part);
+// With recorded answers in place of the earlier parts, too: the better result stays.
+void run_with_given(Run& run, Part& part) {
+  Part given = part;
+  given.result = run_checks(run, part, given_target_of(part));
+  const bool waits = given.undecided() > 0 && is_an_earlier_wrong(run, part);
+  // What is undecided is as it was with the student's own parts, if it passed or if those are
+  // right.
   for (const Check& check : part.checks) {
-    if (note_of(part, check).status != kUndecided) continue;
-    const Note own = read_note(own_notes_of(part) / check.id);
+    const Note own = part.result.note(check);
+    if (given.result.note(check).status != kUndecided) continue;
     if (own.status == "passed" || (own.status != "unknown" && !waits))
-      write(notes_of(part) / check.id, own.status + "\n" + own.text);
+      given.result.notes[check.id] = {own.status, 0, 0, false, own.text};
   }
-}
-
-// The better result stays.
-void run_with_given(Run& run, const Part& part) {
-  const fs::path notes = notes_of(part), prints = prints_file(part.number);
-  const fs::path own_notes = own_notes_of(part), own_prints = kWork / "own_prints.txt";
-  const bool has_own = !run.unbuilt.count(part.number);
-  const int own_points = has_own ? points_of(part) : 0;
-  fs::remove_all(own_notes);
-  if (has_own) {
-    fs::create_directories(own_notes.parent_path());
-    fs::rename(notes, own_notes);
-    fs::rename(prints, own_prints);
-  }
-  run.given.insert(part.number);
-  run_part(run, part);
-  fill_in(run, part);
-  const int points = points_of(part);
-  const bool own_decide_less = undecided_of(run, part) > 0 && is_an_earlier_wrong(run, part);
-  if (!has_own || points > own_points || (points == own_points && own_decide_less)) {
-    run.unbuilt.erase(part.number);
-    return;
-  }
-  run.given.erase(part.number);
-  fs::remove_all(notes);
-  fs::rename(own_notes, notes);
-  fs::rename(own_prints, prints);
+  const bool decides_more = waits && given.undecided() > 0;
+  const int gain = given.worth() - part.worth();
+  if (!part.broken && gain <= 0 && !(gain == 0 && decides_more)) return;
+  part.own = part.result;
+  part.result = given.result;
+  part.is_given = true;
+  part.broken = nullptr;
 }
 
 // Whether it may get more points with given earlier parts.
 bool may_gain(const Run& run, const Part& part) {
-  const auto unbuilt = run.unbuilt.find(part.number);
-  const bool is_built = unbuilt == run.unbuilt.end();
-  const bool compiles =
-      is_built || unbuilt->second != part.number || run.unlinked.count(part.number);
-  const bool is_right = is_built && points_of(part) == part.points;
-  return compiles && !is_right && !run.sanitized && !part.calls.empty();
-}
-
-// Runs them as they are, and where that isn't all right, with given earlier parts.
-void judge(Run& run, const std::vector<const Part*>& parts) {
-  for (const Part* part : parts) {
-    if (!run.unbuilt.count(part->number)) run_part(run, *part);
-  }
-  std::vector<const Part*> may_gain_points;
-  for (const Part* part : parts) {
-    if (may_gain(run, *part)) may_gain_points.push_back(part);
-  }
-  for (const Part* part : build_given(run, may_gain_points)) run_with_given(run, *part);
+  const bool compiles = part.broken != &part || part.is_unlinked;
+  return compiles && part.worth() < part.points && !run.sanitized && !part.calls.empty();
 }
 
 // A fault of an earlier part that its own public checks don't ask.
 void find_fault_of_earlier(Run& run, const Part& part) {
-  if (!run.given.count(part.number) || is_an_earlier_wrong(run, part)) return;
-  if (points_of(part) < part.points) return;  // that it is wrong itself comes first
+  if (!part.is_given || is_an_earlier_wrong(run, part)) return;
+  if (part.worth() < part.points) return;  // that it is wrong itself comes first
   for (const Check& check : part.checks) {
-    const Note own = read_note(own_notes_of(part) / check.id);
+    const Note own = part.own.note(check);
     if (own.status == "passed" || own.text.empty()) continue;
     run.fault_shows_in = &part;
     run.fault = own.text;
@@ -198,59 +88,111 @@ void find_fault_of_earlier(Run& run, const Part& part) {
 
 }  // namespace
 
-std::string prints_file(int part) {
-  return (kWork / ("printed_" + std::to_string(part) + ".txt")).generic_string();
+int Part::worth(const std::string& status) const {
+  int sum = 0;
+  for (const Check& check : checks) {
+    if (result.note(check).status == status) sum += check.points;
+  }
+  return sum;
 }
 
-Note note_of(const Part& part, const Check& check) { return read_note(notes_of(part) / check.id); }
-
-void run_parts(Run& run) {
-  run.score = run.possible = run.undecided = 0;
-  run.fault_shows_in = nullptr;
-  run.first_part = nullptr;
-  run.first_check = nullptr;
-  std::vector<const Part*> chosen;
-  for (const int number : run.chosen) chosen.push_back(&run.part(number));
-  judge(run, chosen);
-  for (const int number : run.chosen) {
-    const Part& part = run.part(number);
-    run.possible += part.points;
-    if (!run.fault_shows_in) find_fault_of_earlier(run, part);
-    if (run.unbuilt.count(number)) {
-      if (!run.first_part) run.first_part = &part;
-      continue;
-    }
-    run.undecided += undecided_of(run, part);
-    if (run.unlinked.count(number) && !run.first_part) run.first_part = &part;  // with the others
-    for (const Check& check : part.checks) {
-      const std::string status = note_of(part, check).status;
-      if (status == "passed") {
-        run.score += check.points;
-      } else if (status != kUndecided && !run.first_part) {
-        run.first_part = &part;
-        run.first_check = &check;
-      }
+Run read_run(int part, bool sanitized) {
+  Run run;
+  run.sanitized = sanitized;
+  for (const std::string& line : lines_of(read("tests/checks.txt"))) {
+    const std::vector<std::string> cells = split(line, '\t');
+    if (cells.size() >= 5 && cells[0] == "part") {
+      run.all.push_back({std::stoi(cells[1]), cells[2], cells[4], std::stoi(cells[3])});
+      for (const std::string& number : split(cells.size() > 5 ? cells[5] : "", ' '))
+        run.all.back().calls.push_back(std::stoi(number));
+    } else if (cells.size() == 4 && !run.all.empty()) {
+      run.all.back().checks.push_back({cells[1], cells[3], std::stoi(cells[2])});
     }
   }
+  if (run.all.empty()) throw Failure("tests/checks.txt is missing: unpack the handout anew");
+  for (Part& each : run.all) {
+    if (!part || part == each.number) run.chosen.push_back(&each);
+  }
+  return run;
 }
 
-int points_of(const Part& part) { return points_of(part, "passed"); }
+Result run_checks(const Run& run, const Part& part, const std::string& target) {
+  const std::string number = std::to_string(part.number);
+  const bool is_given = target == given_target_of(part);
+  const fs::path notes = kWork / "notes", stack = kWork / "stack.txt",
+                 prints = kWork / ("printed_" + number + (is_given ? "_given.txt" : ".txt"));
+  Result result{"build/" + target, prints.generic_string()};
+  fs::remove_all(notes);
+  fs::create_directories(notes);
+  write(prints, "");
+  std::vector<std::string> command{result.program, "--notes", notes.string(), result.prints};
+  if (!run.sanitized) command.push_back(stack.string());  // sanitizers say it themselves
+  int hung = 0;
+  for (bool again = true; again;) {
+    again = false;
+    fs::remove(stack);
+    const auto ended = check::run(command, prints, limits_of(run));
+    if (!ended) throw Failure(result.program + " can't be started: remove the folder build");
+    const std::string printed = read(prints), place = place_of_crash(result.program, stack);
+    for (const Check& check : part.checks) {
+      if (result.notes.count(check.id) || !fs::exists(notes / check.id)) continue;
+      Note& note = result.notes[check.id] = read_note(notes / check.id);
+      const bool hangs = note.status == "hung";
+      if (note.status != "running" && !hangs) continue;
+      const std::string why = reason_of(hangs ? Termination{kTooLong, 0} : *ended, printed);
+      note = {hangs ? "hung" : "crashed", note.from, fs::file_size(prints), true,
+              why + place + "\nIt was asked: " + note.text};
+      hung += hangs;
+      if (hangs && is_terminal()) std::cerr << "A check gives no answer; asking others.\n";
+      again = hung < kMostHung && ended->signal != SIGXFSZ;
+    }
+    if (!result.notes.empty()) continue;
+    for (const Check& check : part.checks) {  // as where a global object's constructor crashes
+      result.notes[check.id] = {"crashed", 0, 0, false,
+                                "Before the first check began, " + reason_of(*ended, printed) +
+                                    "\nLook at what runs before main: objects outside of "
+                                    "functions, and what their constructors do.\n"};
+    }
+  }
+  return result;
+}
 
-int undecided_of(const Run& run, const Part& part) {
-  return run.unbuilt.count(part.number) ? 0 : points_of(part, kUndecided);
+void run_parts(Run& run) {
+  std::vector<std::string> targets;
+  for (Part* part : run.chosen) {
+    if (!part->broken) part->result = run_checks(run, *part, target_of(run, *part));
+    if (may_gain(run, *part)) targets.push_back(given_target_of(*part));
+  }
+  const bool are_built = targets.empty() || build_programs(targets);
+  for (Part* part : run.chosen) {
+    if (may_gain(run, *part) && (are_built || build_programs({given_target_of(*part)})))
+      run_with_given(run, *part);
+  }
+  for (const Part* part : run.chosen) {
+    run.possible += part->points;
+    run.score += part->worth();
+    run.undecided += part->undecided();
+    if (!run.fault_shows_in) find_fault_of_earlier(run, *part);
+    if ((part->broken || part->is_unlinked) && !run.first_part) run.first_part = part;
+    for (const Check& check : part->checks) {
+      const std::string status = part->result.note(check).status;
+      if (status == "passed" || status == kUndecided || run.first_part) continue;
+      run.first_part = part;
+      run.first_check = &check;
+    }
+  }
 }
 
 std::string mistake_of(const Run& run, const Part& part) {
-  for (const fs::path& file : files_in(notes_of(part))) {
-    const std::string status = read_note(file).status;
-    if (status == "crashed" || status == "hung") return "";
+  for (const auto& [check, note] : part.result.notes) {
+    if (note.status == "crashed" || note.status == "hung") return "";
   }
-  const fs::path told = kWork / ("mistake_" + std::to_string(part.number) + ".txt");
-  fs::remove(told);
-  check::run({program_of(run, part), "--mistake", told.string()}, kWork / "nobody_reads.txt",
+  const fs::path found = kWork / "mistake.txt";
+  fs::remove(found);
+  check::run({part.result.program, "--mistake", found.string()}, kWork / "nobody_reads.txt",
              limits_of(run));
   fs::remove(kWork / "nobody_reads.txt");
-  return read(told);
+  return read(found);
 }
 
 }  // namespace bounce::check

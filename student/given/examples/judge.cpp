@@ -1,5 +1,3 @@
-#include "judge.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <set>

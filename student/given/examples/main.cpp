@@ -8,7 +8,7 @@
 #include <iostream>
 #include <iterator>
 
-#include "judge.hpp"
+#include "cases.hpp"
 
 namespace bounce::examples {
 namespace {

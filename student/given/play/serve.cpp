@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "../check/ending.hpp"
 #include "../check/files.hpp"
+#include "../check/words.hpp"
 #include "../study/page.hpp"
 #include "../study/tables.hpp"
 #include "local_server.hpp"

@@ -1,0 +1,261 @@
+#include "words.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <sstream>
+
+#include "files.hpp"
+
+namespace bounce::check {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kCrashes = "crashes.txt";
+constexpr std::size_t kLongest = 200;  // characters of a line
+
+bool is_own(const std::string& line) { return begins(line, "src/") || begins(line, "include/"); }
+
+bool is_error(const std::string& line) {
+  return has(line, ": error: ") || has(line, ": fatal error: ");
+}
+
+// "undefined reference to `f()'", without the linker's name and the object, where a function is
+// missing or there twice; else empty.
+std::string missing_function(const std::string& line) {
+  if (has(line, "already defined in")) return line;  // behind the function's name
+  for (const char* what :
+       {"undefined reference to", "Undefined symbols", "undefined symbol",
+        "unresolved external symbol", "multiple definition of", "duplicate symbol"}) {
+    if (has(line, what)) return line.substr(line.find(what));
+  }
+  return "";
+}
+
+bool is_missing(const std::string& line) { return !missing_function(line).empty(); }
+
+bool is_from_linker(const std::string& line) {
+  const std::string program = line.substr(0, line.find(": "));
+  return !has(program, " ") &&
+         (program == "collect2" || begins(program, "clang") || begins(program, "ld"));
+}
+
+// "src/part3_step.cpp:12" if the line has that at `begin`, else empty.
+std::string place_at(const std::string& line, std::size_t begin) {
+  const std::size_t colon = line.find_first_of(" :", begin);
+  if (colon == std::string::npos || line[colon] != ':') return "";
+  const std::size_t end = std::min(line.find_first_not_of("0123456789", colon + 1), line.size());
+  return end > colon + 1 ? line.substr(begin, end - begin) : "";
+}
+
+// The first place in a file of the student's that a line names, whatever stands in front of it.
+std::string own_place(const std::string& line) {
+  for (std::size_t at = 0; at < line.size(); ++at) {
+    const bool is_own = line.compare(at, 4, "src/") == 0 || line.compare(at, 8, "include/") == 0;
+    if (!is_own || (at > 0 && line[at - 1] == '/')) continue;
+    if (std::string place = place_at(line, at); !place.empty()) return place;
+  }
+  return "";
+}
+
+// "file.cpp(12,3): error C2065: what" of Visual C++ as others write it; other lines as they are.
+std::string as_others_write(const std::string& line) {
+  for (const std::string kind : {"error", "warning"}) {
+    const std::size_t at =
+        std::min(line.find(": " + kind + " "), line.find(": fatal " + kind + " "));
+    if (at == std::string::npos) continue;
+    const std::size_t open = line.rfind('(', at), what = line.find(": ", at + 2);
+    if (open == std::string::npos || what == std::string::npos) continue;
+    const int number = std::atoi(line.c_str() + open + 1);
+    if (number == 0 || line.find(')', open) > at) continue;
+    std::string file = line.substr(0, open);
+    file.erase(0, file.find_first_not_of(' '));
+    std::replace(file.begin(), file.end(), '\\', '/');
+    return file + ":" + std::to_string(number) + ": " + kind + line.substr(what);
+  }
+  return line;
+}
+
+// With ' for the quotation marks of all compilers.
+std::string plainly_quoted(std::string line) {
+  for (const std::string quote : {"\u2018", "\u2019", "`", "\""}) {
+    for (std::size_t at = 0; (at = line.find(quote, at)) != std::string::npos;)
+      line.replace(at, quote.size(), "'");
+  }
+  return line;
+}
+
+// The sentence of the table above the first piece that the text holds; empty if it holds none.
+std::string meaning_in(const std::string& table, const std::string& text) {
+  const std::string plain = plainly_quoted(text);
+  std::string sentence;
+  for (const std::string& line : lines_of(read("given/check/" + table))) {
+    if (!begins(line, "  ")) {
+      sentence = line;
+    } else if (has(plain, line.substr(2))) {
+      return sentence;
+    }
+  }
+  return "";
+}
+
+// The last line in which a program says why it stops.
+std::string last_reason(const std::string& printed) {
+  std::string last;
+  for (const std::string& line : lines_of(printed)) {
+    if (has(line, "Assertion") || has(line, "what():")) last = printable(line);
+  }
+  return last;
+}
+
+std::string why_aborted(const std::string& said) {
+  static const std::string kAborted = "the program was aborted: ";
+  if (const std::size_t at = said.find("what():"); at != std::string::npos) {
+    return "the program threw an exception: " + said.substr(said.find_first_not_of(' ', at + 7)) +
+           ", and nobody caught it";
+  }
+  if (const std::string meaning = meaning_in(kCrashes, said); !meaning.empty()) {
+    const std::size_t type = std::min(said.find("Eigen::Matrix<double, "), said.size());
+    int rows = 0, columns = 0;
+    std::sscanf(said.c_str() + type, "Eigen::Matrix<double, %d, %d", &rows, &columns);
+    const std::string size = std::to_string(rows) + "x" + std::to_string(columns);
+    return kAborted + meaning + (rows > 0 && columns > 0 ? " (a " + size + " matrix)" : "");
+  }
+  if (const std::size_t at = said.find("Assertion"); at != std::string::npos) {
+    return kAborted + "a failed assertion: " + said.substr(at + 9).substr(0, 100);
+  }
+  return kAborted + "a failed assertion, or an exception nobody caught";
+}
+
+}  // namespace
+
+std::vector<std::string> own_lines(const std::string& printed) {
+  const std::string here = fs::current_path().generic_string() + "/";
+  std::vector<std::string> lines = lines_of(printed);
+  for (std::string& line : lines) {
+    line = as_others_write(line);
+    if (const std::size_t at = line.find(here); at != std::string::npos)
+      line.erase(at, here.size());
+  }
+  return lines;
+}
+
+bool is_warning_of_own_file(const std::string& line) {
+  return begins(line, "src/") && has(line, ": warning: ") &&
+         line.find(": ") == line.find(": warning: ");
+}
+
+bool is_linker_error(const std::vector<std::string>& lines) {
+  const auto is_compilers = [](const std::string& line) {
+    return is_error(line) && !is_from_linker(line);
+  };
+  return std::none_of(lines.begin(), lines.end(), is_compilers) &&
+         std::any_of(lines.begin(), lines.end(), is_missing);
+}
+
+std::string file_of(const std::string& line) { return line.substr(0, line.find(':')); }
+
+int line_of(const std::string& line) { return std::atoi(line.c_str() + file_of(line).size() + 1); }
+
+std::string meaning_of(const std::vector<std::string>& lines) {
+  for (const std::string& line : lines) {
+    if (!is_error(line) && !is_missing(line)) continue;
+    const std::string meaning = meaning_in("compiler_errors.txt", line);
+    if (!meaning.empty() || is_error(line)) return meaning;  // of errors, the first alone
+  }
+  return "";
+}
+
+std::string first_error(const std::vector<std::string>& lines) {
+  std::string said, own, rest, missing;
+  int more = 0;
+  for (const std::string& line : lines) {
+    const bool leads_here = has(line, "required from") || has(line, "instantiation of");
+    if (own.empty() && (!said.empty() || leads_here)) own = own_place(line);
+    if (said.empty() && is_error(line) && !is_from_linker(line)) {
+      said = line;
+      more = 2;
+      continue;
+    }
+    if (more-- > 0) rest += "\n  " + line.substr(0, kLongest);
+    if (missing.empty()) missing = missing_function(line);
+  }
+  const auto shown = [](const std::string& line) { return "  " + line.substr(0, kLongest); };
+  if (!said.empty() && is_own(said)) {
+    return shown(own_place(said) + ": " + said.substr(said.find("error: ") + 7)) + rest;
+  }
+  if (!said.empty())
+    return shown((own.empty() ? "a header" : own) + ": " + said.substr(said.find("error: ") + 7));
+  if (!missing.empty()) return shown(missing);
+  return "  the build failed; what it says is in " + (kWork / "build.txt").generic_string();
+}
+
+std::string found_by_sanitizers(const std::string& printed) {
+  const std::string undefined = ": runtime error: ", address = "ERROR: AddressSanitizer: ";
+  std::string found;
+  for (const std::string& line : own_lines(printed)) {
+    if (const std::size_t at = line.find(undefined); at != std::string::npos) {
+      const std::string place = own_place(line.substr(0, at));
+      if (!place.empty()) return place + ": " + line.substr(at + undefined.size(), kLongest);
+    }
+    if (const std::size_t at = line.find(address); found.empty() && at != std::string::npos) {
+      const std::string kind = line.substr(at + address.size());
+      found = kind.substr(0, kind.find_first_of(" :("));
+      if (const std::string meaning = meaning_in(kCrashes, found); !meaning.empty())
+        found = meaning;
+    }
+    const std::string place = found.empty() ? "" : own_place(line);
+    if (!place.empty()) return place + ": " + found;
+  }
+  return found;
+}
+
+std::string place_of_crash(const std::string& program, const fs::path& stack) {
+#ifdef __APPLE__
+  std::vector<std::string> command{"atos", "-fullPath", "-o", program};
+#else
+  std::vector<std::string> command{"addr2line", "-e", program};
+#endif
+  std::istringstream words(read(stack));
+  for (std::string word; words >> word;) {
+    if (begins(word, "0x")) command.push_back(word);
+  }
+  if (!begins(command.back(), "0x")) return "";
+  fs::remove(stack);
+  check::run(command, stack, Limits::none);
+  for (const std::string& line : own_lines(read(stack))) {
+    if (const std::string place = own_place(line); begins(place, "src/")) return ", at " + place;
+  }
+  return "";
+}
+
+std::string reason_of(const Termination& ended, const std::string& printed) {
+  if (const std::string found = found_by_sanitizers(printed); !found.empty()) return found;
+  switch (ended.signal) {
+    case 0:
+      break;
+    case SIGXFSZ:
+      return "the program printed without end";
+    case SIGXCPU:
+      return "the program worked without end: an endless loop?";
+    case SIGABRT:
+      return why_aborted(last_reason(printed));
+    case SIGFPE:
+      return "the program crashed: a division by zero";
+    case SIGBUS:
+    case SIGSEGV:
+      return "the program crashed: an index or a pointer out of bounds, or recursion without end";
+    case SIGILL:
+      return "the program crashed: is a return missing?";
+    case SIGKILL:
+      return "the program was ended, perhaps for want of memory";
+    default:
+      return "the program was ended by signal " + std::to_string(ended.signal);
+  }
+  if (ended.code == kTooLong) return "no answer within 3 s of work: an endless loop?";
+  return "the program ended by itself, with status " + std::to_string(ended.code) +
+         ": does it call exit?";
+}
+
+}  // namespace bounce::check
