@@ -6,8 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "study/tables.hpp"
-
 namespace bounce {
 
 // What the page of the animation draws.
@@ -28,11 +26,21 @@ void draw(const Drawing& drawing, const std::filesystem::path& page);
 // that can't be shown.
 Trajectory simulated(const State& start, const Parameters& params);
 
-// The scene 200 times, from angles that are within a tenth of a degree. Throws as `simulated` does.
-Drawing many(const study::Scene& scene);
+// The scene that the first word names, with numbers that the others change: "tumble", "dt=0.001".
+// Throws as `simulated` does, and std::invalid_argument where there is no such scene or number.
+Drawing drawing_of(const std::vector<std::string>& words);
+
+// It 200 times, from angles that are within a tenth of a degree; without a name a scene in which
+// small differences grow fast. Throws as `drawing_of` does.
+Drawing many(const std::vector<std::string>& words);
 
 // Takes the step that the handout carries through ("One contact by numbers"), and prints what each
 // part returns. Step into it with a debugger.
 void worked_example();
+
+// --play: serves a page on which the square can be thrown, on this machine, until this program is
+// ended, and returns its exit status. `program` is its own file, beside which stands what calls the
+// four parts: when that is built again, the page goes on with the new one.
+int serve(const std::filesystem::path& program);
 
 }  // namespace bounce

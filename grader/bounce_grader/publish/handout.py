@@ -60,8 +60,8 @@ def contents() -> dict[str, bytes]:
         page = str(text.relative_to(HANDOUT).with_suffix(".html"))
         held[page] = handout_page.page(text)
     held["tests/checks.txt"] = handout_data.checks().encode()
-    held["fixtures/study.txt"] = handout_data.study().encode()
-    held["fixtures/measured.txt"] = handout_data.measured().encode()
+    held["fixtures/study.json"] = handout_data.study().encode()
+    held["fixtures/measured.json"] = handout_data.measured().encode()
     return dict(sorted(held.items()))
 
 

@@ -1,4 +1,4 @@
-"""Tables of the handout, as text: the checks and their points, and from fixtures/ what it compares a
+"""Tables of the handout: the checks and their points, and from fixtures/ what it compares a
 student's program with.
 
 Of the study: every scene, and for three of them the truth and what other methods reached in how much
@@ -8,6 +8,7 @@ on them; the licence of the data stands at the top.
 
 import csv
 import json
+import re
 from collections.abc import Iterator
 from math import log10, sqrt
 
@@ -43,27 +44,31 @@ def checks() -> str:
 
 def study() -> str:
     others = sorted({file.stem for file in SCENES.glob("*.json")} - set(STUDIED))
-    return "".join(line + "\n" for name in (*STUDIED, *others) for line in _scene(name))
+    return _text([_scene(name) for name in (*STUDIED, *others)])
 
 
-def _scene(name: str) -> Iterator[str]:
+def _scene(name: str) -> dict[str, object]:
     scene = json.loads((SCENES / f"{name}.json").read_text("utf-8"))
-    p = scene["params"]
-    numbers = [p["l"], p["m"], p["mu"], p["epsilon"], *p["g"], p["delta"], p["T"]]
-    numbers += [*scene["q"], *scene["v"]]
-    yield " ".join(["scene", name, *map(repr, map(float, numbers)), scene["title"]])
+    kept = {key: scene[key] for key in ("name", "title", "params", "q", "v")}
     if name not in STUDIED:
-        return
-    for row in rows("truth.csv"):
-        if row["scene"] == name:
-            yield " ".join(["truth", row["t_s"], row["x_m"], row["y_m"], row["theta_rad"]])
+        return kept | {"truth": [], "others": []}
+    truth = [
+        [float(row[key]) for key in ("t_s", "x_m", "y_m", "theta_rad")]
+        for row in rows("truth.csv")
+        if row["scene"] == name
+    ]
+    others = []
     for method, title in METHODS.items():
         reached = [
-            f"{float(row['ns_per_simulated_second']) / KERNEL_NS:.4g} {float(row['own_error_m']):.4g}"
+            [
+                float(f"{float(row['ns_per_simulated_second']) / KERNEL_NS:.4g}"),
+                float(f"{float(row['own_error_m']):.4g}"),
+            ]
             for row in rows("speed_accuracy.csv")
             if (row["scene"], row["method"]) == (name, method) and _is_shown(row)
         ]
-        yield " ".join(["other", *reached, title])
+        others.append({"name": title, "reached": reached})
+    return kept | {"truth": truth, "others": others}
 
 
 def _is_shown(row: dict[str, str]) -> bool:
@@ -80,31 +85,35 @@ def rows(table: str) -> Iterator[dict[str, str]]:
 
 
 def measured() -> str:
-    return "".join(line + "\n" for line in (*_licence(), *_laws(), *_impacts()))
-
-
-def _licence() -> Iterator[str]:
-    readme = (FIXTURES / "measured" / "README.md").read_text("utf-8")
-    yield "# Impacts of a real square, worked out from the positions that N. Fazeli and colleagues"
-    yield "# (MCube Lab, MIT) measured, published in DAIRLab/ImpactModeling under this licence:"
-    for line in readme.partition("## Licence of the figures\n")[2].splitlines():
-        yield f"# {line}".rstrip()
-    yield "# square: l (of a uniform one with its inertia, m), mu, epsilon. floor, assignment, law:"
-    yield "# the median error, m/s. impact: r of the corner (m), v before and after, as in part 1."
-
-
-def _laws() -> Iterator[str]:
     laws = {row["law"]: row for row in rows("measured_laws.csv") if row["shape"] == "squares"}
     body = {row["quantity"]: row["value"] for row in rows("measured_body.csv")}
     newton = laws["newton"]
-    side = sqrt(6 * float(body["gyration_squared"]))
-    yield f"square {side:.5g} {newton['mu']} {newton['epsilon']}"
-    yield f"floor {newton['floor_m_s']}"
-    yield f"assignment {newton['median_m_s']} {ASSIGNMENT}"
-    for law, name in SIMPLER.items():
-        yield f"law {laws[law]['median_m_s']} {name}"
+    bars = [(ASSIGNMENT, newton["median_m_s"])]
+    bars += [(name, laws[law]["median_m_s"]) for law, name in SIMPLER.items()]
+    bars.append(("the least that any push at the corner leaves", newton["floor_m_s"]))
+    impacts = (list(map(float, list(row.values())[1:])) for row in rows("measured_impacts.csv"))
+    return _text(
+        {
+            "source": "Impacts of a real square, worked out from the positions that N. Fazeli and "
+            "colleagues (MCube Lab, MIT) measured, published in DAIRLab/ImpactModeling under this "
+            "licence. l is that of a uniform square with its inertia, in m; error is the median one "
+            "of a law, in m/s; r points from the centre to the corner, in m; velocities as in part 1.",
+            "licence": _licence(),
+            "l": float(f"{sqrt(6 * float(body['gyration_squared'])):.5g}"),
+            "mu": float(newton["mu"]),
+            "epsilon": float(newton["epsilon"]),
+            "bars": [{"name": name, "error": float(error)} for name, error in bars],
+            "impacts": [{"r": x[:2], "before": x[2:5], "after": x[5:]} for x in impacts],
+        }
+    )
 
 
-def _impacts() -> Iterator[str]:
-    for row in rows("measured_impacts.csv"):
-        yield " ".join(["impact", *list(row.values())[1:]])
+def _text(data: object) -> str:
+    """JSON with each list of numbers in a line."""
+    lines = json.dumps(data, indent=1)
+    return re.sub(r'\[[^]["{}]*\]', lambda numbers: " ".join(numbers[0].split()), lines) + "\n"
+
+
+def _licence() -> list[str]:
+    readme = (FIXTURES / "measured" / "README.md").read_text("utf-8")
+    return readme.partition("## Licence of the figures\n")[2].strip().splitlines()

@@ -54,7 +54,7 @@ std::string measured(const Run& run) {
     throw Failure("the study needs all four parts to compile");
   }
   require_same_when_optimised(run);
-  return write_page("study", run.first_part, "fixtures/study.txt");
+  return write_page("study", run.first_part, "fixtures/study.json");
 }
 
 }  // namespace
@@ -84,7 +84,7 @@ void ask_about_real_impacts(Run& run) {
   const Part& part = run.part(2);
   fs::remove("real.html");  // one of another program
   if (part.broken || !build_programs({"real"})) throw Failure("--real needs part 2 to compile");
-  const std::string said = write_page("real", part.worth() < part.points, "fixtures/measured.txt");
+  const std::string said = write_page("real", part.worth() < part.points, "fixtures/measured.json");
   std::cout << "\n"
             << folded(said, 78, "") << "Each of them is in real.html; open it in a browser.\n";
 }

@@ -1,38 +1,40 @@
-#include <fstream>
-#include <future>
+// --play: serves the page on which the square can be thrown.
+#include <chrono>
 #include <iostream>
 #include <mutex>
 #include <nlohmann/json.hpp>
+#include <random>
+#include <stdexcept>
 #include <thread>
 
 #include "../check/files.hpp"
 #include "../check/words.hpp"
+#include "../drawing.hpp"
 #include "../study/page.hpp"
 #include "../study/tables.hpp"
-#include "local_server.hpp"
 #include "pages.hpp"
 #include "paths.hpp"
-#include "play.hpp"
 
-namespace bounce::play {
+// Behind Eigen, whose names it defines as macros.
+#include <httplib.h>
+
+namespace bounce {
 namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-constexpr int kLongest = 90;  // s that an answer may take; the program ends itself before
+constexpr const char* kHost = "127.0.0.1";
 constexpr auto kLinking = std::chrono::seconds(10);  // that it may take to link the program
 
-// The program with the student's parts, in a process of its own.
+// The program with the student's parts (answer.cpp), which is started for each question.
 class Program {
  public:
-  explicit Program(const fs::path& file)
-      : file_(file), folder_(file.parent_path() / "play"), copy_(folder_ / file.filename()) {
-    fs::create_directories(folder_);
+  Program(const fs::path& file, const fs::path& folder) : file_(file), folder_(folder) {
+    fs::create_directories(folder);
   }
-  ~Program() { end(); }
 
-  // Another number whenever the program was built again.
+  // Another number whenever it was built again.
   long long version() const {
     std::error_code gone;  // while it is being linked
     return static_cast<long long>(fs::last_write_time(file_, gone).time_since_epoch().count());
@@ -42,103 +44,73 @@ class Program {
   // version that was asked.
   std::string answer_to(const std::string& question) {
     const std::lock_guard one_at_a_time(mutex_);
-    if (runs() && built_ != version()) end();
+    const fs::path printed = folder_ / "printed.txt", stack = folder_ / "stack.txt";
+    const fs::path answer = folder_ / "answer.json";
+    for (const fs::path& file : {printed, stack, answer}) fs::remove(file);
+    check::write(folder_ / "question.json", question);
     const auto give_up = std::chrono::steady_clock::now() + kLinking;
-    for (bool is_asked_again = false;;) {
-      if (!runs()) start();
-      if (std::ifstream in(folder_ / "address"); in >> port_ >> path_) {
-        if (const auto answer = post("simulate", question)) return of_version(answer->body);
-      }
-      const auto ended = ended_.get();
-      if (!ended && std::chrono::steady_clock::now() < give_up) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(20));
-        continue;
-      }
-      if (!ended) return problem("the program can't be started: it is being built, or is gone");
-      const bool is_old = ended->code == 0 && ended->signal == 0;
-      if (!is_old || is_asked_again) {
-        return problem(check::reason_of(*ended, check::read(folder_ / "printed.txt")) +
-                       check::place_of_crash(copy_.string(), folder_ / "stack.txt"));
-      }
-      is_asked_again = true;
+    std::optional<check::Termination> ended;
+    long long asked = 0;
+    for (bool again = true; again; again = !ended && std::chrono::steady_clock::now() < give_up) {
+      if (asked) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+      asked = version();
+      ended = check::run({file_.string(), folder_.string()}, printed, check::Limits::of_a_part);
     }
+    std::string text = check::read(answer);
+    if (text.empty()) {
+      text =
+          json{{"problem", ended ? check::reason_of(*ended, check::read(printed)) +
+                                       check::place_of_crash(file_.string(), stack)
+                                 : "the program can't be started: it is being built, or is gone"}}
+              .dump();
+    }
+    return "{\"version\":" + std::to_string(asked) + "," + text.substr(1);
   }
 
  private:
-  std::string of_version(const std::string& answer) const {
-    return "{\"version\":" + std::to_string(built_) + "," + answer.substr(1);
-  }
-
-  std::string problem(const std::string& sentence) const {
-    return of_version(json{{"problem", sentence}}.dump());
-  }
-
-  bool runs() const {
-    return ended_.valid() && ended_.wait_for(std::chrono::seconds(0)) != std::future_status::ready;
-  }
-
-  // Waits until it says where it can be asked, or ends.
-  void start() {
-    for (const char* name : {"address", "printed.txt", "stack.txt"}) fs::remove(folder_ / name);
-    built_ = version();
-    take();
-    ended_ = std::async(std::launch::async, [this] {
-      return check::run({copy_.string(), "--answer", (folder_ / "address").string()},
-                        folder_ / "printed.txt", check::Limits::of_a_part);
-    });
-    while (runs() && !fs::exists(folder_ / "address"))
-      std::this_thread::sleep_for(std::chrono::milliseconds(2));
-  }
-
-  // Takes it under a name of its own, so that it can be built meanwhile: a linker writes a new
-  // file. No system starts a file that is still being written; a copy of such a file it would
-  // start.
-  void take() const {
-    std::error_code failed;
-    fs::remove(copy_, failed);
-#ifndef _WIN32
-    fs::create_hard_link(file_, copy_, failed);
-    if (!failed) return;
-#endif
-    fs::copy_file(file_, copy_, failed);
-  }
-
-  void end() {
-    if (!runs()) return;
-    post("end", "");
-    ended_.wait();
-  }
-
-  httplib::Result post(const std::string& name, const std::string& text) const {
-    httplib::Client client(LocalServer::kHost, port_);
-    client.set_tcp_nodelay(true);
-    client.set_read_timeout(kLongest);
-    return client.Post(path_ + name, text, "application/json");
-  }
-
-  fs::path file_, folder_, copy_;
+  fs::path file_, folder_;
   std::mutex mutex_;
-  std::future<std::optional<check::Termination>> ended_;
-  long long built_ = 0;
-  int port_ = 0;
-  std::string path_;
 };
 
-json numbers(const Vector3& of) { return {of(0), of(1), of(2)}; }
+// Where nobody else on this machine finds it.
+std::string secret_path() {
+  std::random_device random;
+  std::string path = "/";
+  for (int i = 0; i < 4; ++i) path += std::to_string(random()) + (i < 3 ? "-" : "/");
+  return path;
+}
+
+// Binds the server to the loopback address, at a port that is free, and returns this. What isn't
+// asked for by its own page isn't found: also by a page of another server that this machine's name
+// was given to.
+int bind(httplib::Server& server) {
+  server.set_socket_options([](socket_t) {});  // the port is nobody else's
+  server.set_tcp_nodelay(true);
+  server.set_keep_alive_max_count(1'000'000);
+  server.set_payload_max_length(10'000);
+  server.set_default_headers({{"Cache-Control", "no-store"},
+                              {"Referrer-Policy", "no-referrer"},
+                              {"X-Content-Type-Options", "nosniff"},
+                              {"X-Frame-Options", "DENY"}});
+  const int port = server.bind_to_any_port(kHost);
+  if (port < 0) throw std::runtime_error("no port of this machine is free");
+  const std::string host = kHost + (":" + std::to_string(port));
+  server.set_pre_routing_handler(
+      [host](const httplib::Request& request, httplib::Response& response) {
+        const std::string origin = request.get_header_value("Origin");
+        const bool is_own = request.get_header_value("Host") == host;
+        if (is_own && (origin.empty() || origin == "http://" + host))
+          return httplib::Server::HandlerResponse::Unhandled;
+        response.status = 404;
+        return httplib::Server::HandlerResponse::Handled;
+      });
+  return port;
+}
 
 // The scenes, and Explore's questions, with the page around them.
 std::string page() {
-  json data{{"scenes", json::array()}, {"explore", check::read("explore.html")}};
-  for (const auto& [name, title, p, start, truth, others] : study::read_scenes(BOUNCE_STUDY)) {
-    const json params{{"l", p.l},          {"m", p.m},   {"mu", p.mu},       {"epsilon", p.epsilon},
-                      {"g", numbers(p.g)}, {"dt", p.dt}, {"delta", p.delta}, {"T", p.T}};
-    data["scenes"].push_back({{"name", name},
-                              {"title", title},
-                              {"q", numbers(start.q)},
-                              {"v", numbers(start.v)},
-                              {"params", params}});
-  }
-  return study::page_with(pages::play, data);
+  return study::page_with(pages::play, {{"scenes", study::read_json(BOUNCE_STUDY)},
+                                        {"explore", check::read("explore.html")}});
 }
 
 #ifdef _WIN32
@@ -162,20 +134,23 @@ int serve(const fs::path& given) {
 #ifdef _WIN32
   make_way(file);
 #endif
-  Program program(file);
-  LocalServer server;
-  server.http.Get(server.path(""), [](const auto&, auto& response) {
+  const fs::path folder = file.parent_path();
+  Program program(folder / ("answer" + file.extension().string()), folder / "play");
+  httplib::Server server;
+  const int port = bind(server);
+  const std::string path = secret_path();
+  server.Get(path, [](const auto&, auto& response) {
     response.set_content(page(), "text/html; charset=utf-8");
   });
-  server.http.Get(server.path("version"), [&](const auto&, auto& response) {
+  server.Get(path + "version", [&](const auto&, auto& response) {
     response.set_content(json{{"version", program.version()}}.dump(), "application/json");
   });
-  server.http.Post(server.path("simulate"), [&](const auto& request, auto& response) {
+  server.Post(path + "simulate", [&](const auto& request, auto& response) {
     response.set_content(program.answer_to(request.body), "application/json");
   });
-  std::cout << "Throw the square at http://" << LocalServer::kHost << ":" << server.port()
-            << server.path("") << " in a browser; Ctrl-C ends it." << std::endl;
-  return server.http.listen_after_bind() ? 0 : 1;
+  std::cout << "Throw the square at http://" << kHost << ":" << port << path
+            << " in a browser; Ctrl-C ends it." << std::endl;
+  return server.listen_after_bind() ? 0 : 1;
 }
 
-}  // namespace bounce::play
+}  // namespace bounce

@@ -8,13 +8,11 @@
 #include <bounce/solve_lcp.hpp>
 #include <cmath>
 #include <exception>
-#include <fstream>
 #include <iostream>
 #include <limits>
-#include <sstream>
-#include <stdexcept>
 
 #include "../study/page.hpp"
+#include "../study/tables.hpp"
 #include "pages.hpp"
 
 namespace bounce::real {
@@ -25,84 +23,33 @@ using nlohmann::json;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kSame = 1e-3;  // of the error: the table's numbers have five digits
 
-// An impact of one corner as it was measured; r points from the centre to the corner. And what
-// follows from your form_lcp for it: v in m/s, m/s, rad/s; and how far that is off, in m/s, not
-// finite where solve_lcp finds no solution.
-struct Impact {
-  double r_x, r_y;  // m
-  Vector3 before, after;
-  Vector3 mine = Vector3::Constant(kInfinity);
-  double error = kInfinity;
-};
-
-// How far a law of impact is off, in the median over the impacts, m/s.
-struct Law {
-  std::string name;
-  double error;
-};
-
-struct Measured {
-  Parameters params;      // mu and epsilon fitted to other impacts of the same square
-  std::vector<Law> laws;  // yours, part 2 by the course's solution, others, and the least of all
-  std::vector<Impact> impacts;
-};
-
-// From fixtures/measured.txt.
-Measured read_measured(const std::string& file) {
-  std::ifstream in(file);
-  Measured measured{{}, {{"your form_lcp", kInfinity}}, {}};
-  measured.params.g.setZero();  // an impact takes no time
-  Law least{"the least that any push at the corner leaves", 0};
-  for (std::string text, kind; std::getline(in, text);) {
-    std::istringstream line(text);
-    line >> kind;
-    if (kind == "square")
-      line >> measured.params.l >> measured.params.mu >> measured.params.epsilon;
-    if (kind == "floor") line >> least.error;
-    if (kind == "assignment" || kind == "law") {
-      Law law;
-      std::getline(line >> law.error >> std::ws, law.name);
-      measured.laws.push_back(law);
-    }
-    if (kind == "impact") {
-      Impact hit{};
-      line >> hit.r_x >> hit.r_y;
-      for (double& x : hit.before) line >> x;
-      for (double& x : hit.after) line >> x;
-      measured.impacts.push_back(hit);
-    }
-  }
-  if (measured.impacts.empty())
-    throw std::runtime_error(file + " is missing: unpack the handout anew");
-  measured.laws.push_back(least);
-  return measured;
-}
-
-// The velocity that follows, and sqrt(dv_x^2 + dv_y^2 + r_g^2 domega^2) from the measured one, with
-// r_g^2 = l^2/6: the metric of the energy.
-void answer(Impact& hit, const Parameters& params) {
+// How far the velocity that follows from your form_lcp for a measured impact is off:
+// sqrt(dv_x^2 + dv_y^2 + r_g^2 domega^2) with r_g^2 = l^2/6, the metric of the energy, m/s. Adds
+// both to the impact. Infinite where solve_lcp finds no solution.
+double answer(json& impact, const Parameters& params) {
+  const double r_x = impact["r"][0], r_y = impact["r"][1];  // from the centre to the corner, m
+  const Vector3 before = study::vector_of(impact["before"]);
   Jacobian J;
-  J << 1, 0, 0, 1, -hit.r_y, hit.r_x;
-  const Lcp lcp = form_lcp(J, hit.before, params);
-  Vector3 f;
+  J << 1, 0, 0, 1, -r_y, r_x;
+  const Lcp lcp = form_lcp(J, before, params);
+  Vector3 mine = Vector3::Constant(kInfinity);
   try {
-    f = solve_lcp(lcp.V, lcp.p);
+    const Vector3 f = solve_lcp(lcp.V, lcp.p);
+    const Eigen::Vector2d force(f(2) - f(1), f(0));  // along the ground, and away from it
+    mine = before + params.dt * params.M().inverse() * J * force;
   } catch (const std::exception&) {
-    return;
   }
-  const Eigen::Vector2d force(f(2) - f(1), f(0));  // along the ground, and away from it
-  hit.mine = hit.before + params.dt * params.M().inverse() * J * force;
-  const Vector3 off = hit.mine - hit.after;
-  hit.error = std::sqrt(off.dot(params.M() * off) / params.m);
-  if (!std::isfinite(hit.error)) hit.error = kInfinity;
+  const Vector3 off = mine - study::vector_of(impact["after"]);
+  const double error = std::sqrt(off.dot(params.M() * off) / params.m);
+  impact["mine"] = {mine(0), mine(1), mine(2)};
+  impact["error"] = error;
+  return std::isfinite(error) ? error : kInfinity;
 }
 
-double median(const std::vector<Impact>& impacts) {
-  std::vector<double> errors;
-  for (const Impact& hit : impacts) errors.push_back(hit.error);
-  std::sort(errors.begin(), errors.end());
-  const std::size_t half = errors.size() / 2;
-  return errors.size() % 2 ? errors[half] : (errors[half - 1] + errors[half]) / 2;
+double median(std::vector<double> all) {
+  std::sort(all.begin(), all.end());
+  const std::size_t half = all.size() / 2;
+  return all.size() % 2 ? all[half] : (all[half - 1] + all[half]) / 2;
 }
 
 // "0.095 m/s"
@@ -111,16 +58,16 @@ std::string speed(double metres_per_second) {
                                           : "no answer";
 }
 
-// Each law behind what comes before it; the last is what no law gets below.
-std::string sentence(const Measured& measured, bool is_wrong) {
-  const auto& [params, laws, impacts] = measured;
-  const double mine = laws[0].error, due = laws[1].error;
-  const auto unsolved = std::count_if(impacts.begin(), impacts.end(),
-                                      [](const Impact& hit) { return !std::isfinite(hit.error); });
-  std::string text = "Over " + std::to_string(impacts.size()) +
+// The laws stand in order: yours, the assignment's, others, and what no law gets below.
+std::string sentence(const json& laws, const std::vector<double>& errors, bool is_wrong) {
+  const double mine = laws[0]["error"], due = laws[1]["error"];
+  const auto unsolved = std::count(errors.begin(), errors.end(), kInfinity);
+  std::string text = "Over " + std::to_string(errors.size()) +
                      " measured impacts of a real square the velocity after is off, in the "
                      "median, by";
-  for (const Law& law : laws) text += " " + speed(law.error) + " (" + law.name + "),";
+  for (const json& law : laws) {
+    text += " " + std::string(law["label"]) + " (" + std::string(law["name"]) + "),";
+  }
   text.back() = '.';
   if (unsolved > 0)
     return text + " For " + std::to_string(unsolved) +
@@ -131,25 +78,20 @@ std::string sentence(const Measured& measured, bool is_wrong) {
   return is_wrong ? text : text + " What is left is the error of the law, not of your program.";
 }
 
-json numbers(const Vector3& v) { return {v(0), v(1), v(2)}; }
-
-json data(const Measured& measured, const std::string& sentence, bool is_wrong) {
-  const auto& [params, laws, impacts] = measured;
-  json data{{"wrong", is_wrong},
-            {"l", params.l},
-            {"mu", params.mu},
-            {"epsilon", params.epsilon},
-            {"sentence", sentence}};
-  for (const Law& law : laws) {
-    data["bars"].push_back({{"name", law.name}, {"error", law.error}, {"label", speed(law.error)}});
-  }
-  for (const Impact& hit : impacts) {
-    data["impacts"].push_back({{"r", {hit.r_x, hit.r_y}},
-                               {"before", numbers(hit.before)},
-                               {"after", numbers(hit.after)},
-                               {"mine", numbers(hit.mine)},
-                               {"error", hit.error}});
-  }
+// The page's data and the sentence in it: the measured ones with your answers.
+json answered(json data, bool is_wrong) {
+  Parameters params;
+  params.g.setZero();      // an impact takes no time
+  params.l = data["l"];    // of the square, m
+  params.mu = data["mu"];  // both fitted to other impacts of the same square
+  params.epsilon = data["epsilon"];
+  std::vector<double> errors;
+  for (json& impact : data["impacts"]) errors.push_back(answer(impact, params));
+  json& laws = data["bars"];  // how far each is off, in the median over the impacts, m/s
+  laws.insert(laws.begin(), json{{"name", "your form_lcp"}, {"error", median(errors)}});
+  for (json& law : laws) law["label"] = speed(law["error"]);
+  data["sentence"] = sentence(laws, errors, is_wrong);
+  data["wrong"] = is_wrong;
   return data;
 }
 
@@ -157,18 +99,15 @@ json data(const Measured& measured, const std::string& sentence, bool is_wrong) 
 }  // namespace bounce::real
 
 int main(int argc, char** argv) {
-  using namespace bounce::real;
+  using namespace bounce;
   if (argc < 3) {
     std::cerr << "usage: real MEASURED PAGE [--wrong]; ./check --real starts it\n";
     return 2;
   }
   try {
-    Measured measured = read_measured(argv[1]);
-    for (Impact& hit : measured.impacts) answer(hit, measured.params);
-    measured.laws[0].error = median(measured.impacts);
-    const std::string said = sentence(measured, argc > 3);
-    bounce::study::write_page(argv[2], bounce::pages::impacts, data(measured, said, argc > 3));
-    std::cout << said << "\n";
+    const nlohmann::json data = real::answered(study::read_json(argv[1]), argc > 3);
+    study::write_page(argv[2], pages::impacts, data);
+    std::cout << std::string(data["sentence"]) << "\n";
   } catch (const std::exception& error) {
     std::cerr << "No page was written: " << error.what() << ".\n";
     return 1;

@@ -12,8 +12,8 @@
 #include <iostream>
 
 #include "measure.hpp"
+#include "page.hpp"
 #include "pages.hpp"
-#include "stability.hpp"
 
 namespace bounce::study {
 namespace {
@@ -22,12 +22,6 @@ constexpr double kRounding = 1e-9;    // m
 constexpr double kAboutAsLong = 1.2;  // two measurements of one program differ by as much
 constexpr const char* kUnusable =
     "Your program returns NaN, or another number of columns, somewhere here: ./check says where.";
-
-// One of what the program is worth, the chart that shows it, and the question of Explore about it.
-struct Verdict {
-  std::string about, text, chart;
-  int question;
-};
 
 bool is_usable(const std::vector<Run>& runs) {
   return std::all_of(runs.begin(), runs.end(), [](const Run& r) { return std::isfinite(r.error); });
@@ -43,7 +37,7 @@ Runs best(Runs begin, Runs end) {
 // calls of solve_lcp.
 std::string speed(const Scene& scene, const Run& run, double one_lcp) {
   if (!std::isfinite(run.error)) return kUnusable;
-  const double course = scene.others.front().reached.front().lcp_calls * one_lcp;
+  const double course = scene.others[0]["reached"][0][0].get<double>() * one_lcp;
   return "In " + scene.title + ", with dt = " + number(run.dt) + " s, a step takes " +
          number(run.seconds * run.dt * 1e6, "%.2g") +
          " \xc2\xb5s in the mean of flight and contact: " + rounded(1 / run.seconds) +
@@ -76,13 +70,14 @@ std::string in_the_same_time(const Scene& scene, const std::vector<Run>& fixed, 
   if (!is_usable(fixed)) return kUnusable;
   const double time = best(fixed.begin(), fixed.end())->seconds / one_lcp;
   std::string text = "In the time of your best run, and a fifth more,";
-  for (const Method& method : scene.others) {
+  for (const json& method : scene.others) {
     if (&method == &scene.others.front()) continue;  // the course's program
     double least = INFINITY;
-    for (const Reached& r : method.reached) {
-      if (r.lcp_calls <= kAboutAsLong * time) least = std::min(least, r.error);
+    for (const json& reached : method["reached"]) {
+      if (reached[0] <= kAboutAsLong * time) least = std::min<double>(least, reached[1]);
     }
-    text += (&method == &scene.others.back() ? ", and the " : " the ") + method.name +
+    text += (&method == &scene.others.back() ? ", and the " : " the ") +
+            std::string(method["name"]) +
             (std::isinf(least)   ? " takes longer"
              : least < kRounding ? " is right to rounding"
                                  : " reaches " + length(least));
@@ -92,9 +87,9 @@ std::string in_the_same_time(const Scene& scene, const std::vector<Run>& fixed, 
 }
 
 // Error over time, beside other methods; and error over step.
-std::vector<Chart> charts_of(const Scene& scene, const std::vector<Run>& fixed,
-                             const std::vector<Run>& scaled, double one_lcp) {
-  std::vector<Line> times, steps;
+json charts_of(const Scene& scene, const std::vector<Run>& fixed, const std::vector<Run>& scaled,
+               double one_lcp) {
+  json times, steps;
   for (const auto& [name, runs] :
        {std::pair("delta fixed", &fixed), {"delta = 0.1 m/s dt", &scaled}}) {
     Points over_time, over_step;
@@ -102,27 +97,29 @@ std::vector<Chart> charts_of(const Scene& scene, const std::vector<Run>& fixed,
       over_time.emplace_back(r.seconds * 1e6, r.error);
       over_step.emplace_back(r.dt, r.error);
     }
-    times.push_back({std::string("yours, ") + name, over_time});
-    steps.push_back({name, over_step});
+    times.push_back(line(std::string("yours, ") + name, over_time));
+    steps.push_back(line(name, over_step));
   }
-  for (const Method& method : scene.others) {
+  for (const json& method : scene.others) {
     Points all;
-    for (const Reached& r : method.reached) all.emplace_back(r.lcp_calls * one_lcp * 1e6, r.error);
-    times.push_back({method.name, all, "other"});
+    for (const json& reached : method["reached"])
+      all.emplace_back(reached[0].get<double>() * one_lcp * 1e6, reached[1]);
+    times.push_back(line(method["name"], all, "other"));
   }
-  const Axis error{"error, m", true};
-  return {{"time-" + scene.name,
-           scene.title + ": Error over time",
-           {"time of a simulated second, \xc2\xb5s here", true},
-           error,
-           times,
-           in_the_same_time(scene, fixed, one_lcp)},
-          {"step-" + scene.name,
-           scene.title + ": Error over step",
-           {"dt, s", true},
-           error,
-           steps,
-           accuracy(scene, fixed)}};
+  // What is 0 or below 1e-9 is drawn apart, below an axis that is logarithmic.
+  const auto axis = [](const char* name) { return json{{"name", name}, {"log", true}}; };
+  return {{{"id", "time-" + scene.name},
+           {"title", scene.title + ": Error over time"},
+           {"x", axis("time of a simulated second, \xc2\xb5s here")},
+           {"y", axis("error, m")},
+           {"lines", times},
+           {"sentence", in_the_same_time(scene, fixed, one_lcp)}},
+          {{"id", "step-" + scene.name},
+           {"title", scene.title + ": Error over step"},
+           {"x", axis("dt, s")},
+           {"y", axis("error, m")},
+           {"lines", steps},
+           {"sentence", accuracy(scene, fixed)}}};
 }
 
 std::string model(const Scene& scene) {
@@ -135,46 +132,33 @@ std::string model(const Scene& scene) {
          " a second one.";
 }
 
-struct Study {
-  std::vector<Verdict> verdicts;
-  std::vector<Trial> trials;
-  std::vector<Chart> charts;
-};
-
-Study study(const std::vector<Scene>& scenes) {
+// What the page draws.
+json study(const std::vector<Scene>& scenes, bool is_wrong) {
   const double one_lcp = lcp_seconds();
   const Scene& first = scenes.front();
+  json study{{"wrong", is_wrong}, {"trials", trials(first.params)}};
+  // Of what the program is worth, the chart that shows it, and the question of Explore about it.
+  const auto say = [&](const char* about, const std::string& text, const std::string& chart,
+                       int question) {
+    study["verdicts"].push_back(
+        {{"about", about}, {"text", text}, {"chart", chart}, {"question", question}});
+  };
   const std::string time = "time-" + first.name;
-  Study study;
-  study.trials = trials(first.params);
   for (const Scene& scene : scenes) {
     if (scene.truth.empty()) continue;
     const std::vector<Run> fixed = runs(scene, Lift::fixed), scaled = runs(scene, Lift::scaled);
-    for (Chart& chart : charts_of(scene, fixed, scaled, one_lcp)) study.charts.push_back(chart);
+    for (const json& chart : charts_of(scene, fixed, scaled, one_lcp))
+      study["charts"].push_back(chart);
     if (&scene != &first) continue;
-    study.verdicts = {{"speed", speed(scene, fixed[1], one_lcp), time, 7},  // with dt = 0.01 s
-                      {"accuracy", accuracy(scene, fixed), "step-" + scene.name, 1},
-                      {"", in_the_same_time(scene, fixed, one_lcp), time, 7}};
+    say("speed", speed(scene, fixed[1], one_lcp), time, 7);  // with dt = 0.01 s
+    say("accuracy", accuracy(scene, fixed), "step-" + scene.name, 1);
+    say("", in_the_same_time(scene, fixed, one_lcp), time, 7);
   }
-  const Trial &impact = study.trials[0], &rest = study.trials[2];
-  study.verdicts.insert(
-      study.verdicts.end(),
-      {{"stability", "Large epsilon with friction: " + impact.found + ".", impact.name, 3},
-       {"", "Rest on a face: " + rest.found + ".", rest.name, 4},
-       {"model", model(first), time, 5}});
+  const auto found = [&](int trial) { return std::string(study["trials"][trial]["found"]) + "."; };
+  say("stability", "Large epsilon with friction: " + found(0), "impact", 3);
+  say("", "Rest on a face: " + found(2), "rest", 4);
+  say("model", model(first), time, 5);
   return study;
-}
-
-json data_of(const Study& study, bool is_wrong) {
-  json data{{"wrong", is_wrong}, {"charts", study.charts}};
-  for (const auto& [about, text, chart, question] : study.verdicts) {
-    data["verdicts"].push_back(
-        {{"about", about}, {"text", text}, {"chart", chart}, {"question", question}});
-  }
-  for (const auto& [name, found, lines] : study.trials) {
-    data["trials"].push_back({{"name", name}, {"found", found}, {"lines", lines}});
-  }
-  return data;
 }
 
 }  // namespace
@@ -187,10 +171,11 @@ int main(int argc, char** argv) {
     return 2;
   }
   try {
-    const Study made = study(read_scenes(argv[1]));
-    write_page(argv[2], bounce::pages::studied, data_of(made, argc > 3));
-    for (const auto& [about, text, chart, question] : made.verdicts) {
-      std::cout << about << "\t" << text << " (question " << question << ")\n";
+    const json made = study(read_scenes(argv[1]), argc > 3);
+    write_page(argv[2], bounce::pages::studied, made);
+    for (const json& verdict : made["verdicts"]) {
+      std::cout << std::string(verdict["about"]) << "\t" << std::string(verdict["text"])
+                << " (question " << verdict["question"] << ")\n";
     }
   } catch (const std::exception& error) {
     std::cerr << "No study was written: " << error.what() << ".\n";

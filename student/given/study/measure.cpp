@@ -39,7 +39,7 @@ double seconds_of(const Act& act) {
 
 // The step is fitted so that a whole number of them makes up the time between two samples.
 Run run(const Scene& scene, double wanted, Lift lift) {
-  const double between = scene.truth.front().t;
+  const double between = scene.truth[0][0];
   const auto n = static_cast<Eigen::Index>(std::max(1.0, std::round(between / wanted)));
   const auto samples = static_cast<Eigen::Index>(scene.truth.size());
   Parameters params = scene.params;
@@ -49,11 +49,12 @@ Run run(const Scene& scene, double wanted, Lift lift) {
   const auto [q, v] = scene.start;
   Trajectory trajectory;
   const double took = seconds_of([&, q = q, v = v] { trajectory = simulate(q, v, params); });
-  Run result{params.dt, kInfinity, took / scene.truth.back().t};
+  Run result{params.dt, kInfinity, took / scene.truth.back()[0].get<double>()};
   if (!is_usable(trajectory, params)) return result;
   result.error = 0;
   for (Eigen::Index k = 0; k < samples; ++k) {
-    const Vector3& right = scene.truth[static_cast<std::size_t>(k)].q;
+    const json& row = scene.truth[static_cast<std::size_t>(k)];
+    const Vector3 right(row[1].get<double>(), row[2].get<double>(), row[3].get<double>());
     result.error = std::max(result.error, distance(trajectory.q.col((k + 1) * n), right, params.l));
   }
   return result;
@@ -84,7 +85,7 @@ double lcp_seconds() {
 
 Touches touches(const Scene& scene, double dt) {
   Touches count;
-  const auto moved = motion(scene.start, scene.params, dt, scene.truth.back().t);
+  const auto moved = motion(scene.start, scene.params, dt, scene.truth.back()[0]);
   for (Eigen::Index t = 0; moved && t + 1 < moved->q.cols(); ++t) {
     const auto heights_now = heights(moved->q.col(t), scene.params.l);
     (heights_now[0] >= scene.params.delta   ? count.none

@@ -31,6 +31,11 @@ struct Touches {
 };
 Touches touches(const Scene& scene, double dt);
 
+// Tries your parts where time steps fail. Of each trial its name in the page, what your parts do
+// there, in a few words, and the lines of its chart. The page has the words that are always the
+// same.
+json trials(const Parameters& params);
+
 // ---- for all that is measured ----
 
 // The motion with this step and for this long. Empty where it isn't finite, or of another size.

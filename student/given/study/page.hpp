@@ -1,8 +1,12 @@
 // Given: numbers as a reader wants them, and pages with what their scripts draw.
 #pragma once
 
+#include <cmath>
+#include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -12,37 +16,44 @@ namespace bounce::study {
 
 using nlohmann::json;
 
+inline std::string printed(double x, const char* format) {
+  char text[40];
+  std::snprintf(text, sizeof text, format, x);
+  return text;
+}
+
 // Three digits at most, as "%.3g" has them, or as `format` says; 120 and not 1.2e+02.
-std::string number(double x, const char* format = "%.3g");
+inline std::string number(double x, const char* format = "%.3g") {
+  return printed(x, x >= 100 && x < 1e6 ? "%.0f" : format);
+}
 
 // Two digits, and commas: "80,000".
-std::string rounded(double x);
+inline std::string rounded(double x) {
+  const double unit = std::pow(10, std::floor(std::log10(x)) - 1);
+  std::string text = printed(std::round(x / unit) * unit, "%.0f");
+  for (std::size_t at = text.size(); at > 3; at -= 3) text.insert(at - 3, ",");
+  return text;
+}
 
 // "1.2 mm": a number as above, and a unit that suits.
-std::string length(double metres, const char* format = "%.3g");
+inline std::string length(double metres, const char* format = "%.3g") {
+  if (metres >= 1) return number(metres, format) + " m";
+  if (metres >= 1e-2) return number(metres * 100, format) + " cm";
+  if (metres >= 1e-4) return number(metres * 1000, format) + " mm";
+  if (metres >= 1e-8) return number(metres * 1e6, format) + " \xc2\xb5m";
+  return metres > 0 ? "less than 0.01 \xc2\xb5m" : "0";
+}
 
+// A line of a chart, without the points that aren't finite: "own" with dots, "other" thin with
+// dots, "bound" without.
 using Points = std::vector<std::pair<double, double>>;
-
-struct Axis {
-  std::string name;  // with its unit
-  bool logarithmic;  // what is 0 or below 1e-9 is drawn apart, below the axis
-};
-
-struct Line {
-  std::string name;
-  Points points;             // those that aren't finite are left out
-  std::string kind = "own";  // "own" with dots, "other" thin with dots, "bound" without
-};
-
-struct Chart {
-  std::string id, title;
-  Axis x, y;
-  std::vector<Line> lines;
-  std::string sentence;  // what it shows, in words
-};
-
-void to_json(json& made, const Line& line);
-void to_json(json& made, const Chart& chart);
+inline json line(const std::string& name, const Points& points, const std::string& kind = "own") {
+  json line{{"name", name}, {"kind", kind}, {"points", json::array()}};
+  for (const auto& [x, y] : points) {
+    if (std::isfinite(x) && std::isfinite(y)) line["points"].push_back({x, y});
+  }
+  return line;
+}
 
 // The page with the data in place of DATA, numbers that aren't finite as null.
 inline std::string page_with(std::string_view page, const json& data) {
@@ -54,6 +65,10 @@ inline std::string page_with(std::string_view page, const json& data) {
 }
 
 // Writes that. Throws std::runtime_error, naming the file.
-void write_page(const std::filesystem::path& file, std::string_view page, const json& data);
+inline void write_page(const std::filesystem::path& file, std::string_view page, const json& data) {
+  if (!(std::ofstream(file, std::ios::binary) << page_with(page, data)).flush()) {
+    throw std::runtime_error(file.string() + " can't be written");
+  }
+}
 
 }  // namespace bounce::study

@@ -1,5 +1,3 @@
-#include "stability.hpp"
-
 #include <algorithm>
 #include <bounce/part3_step.hpp>
 #include <cmath>
@@ -7,6 +5,7 @@
 #include <numbers>
 
 #include "measure.hpp"
+#include "page.hpp"
 
 namespace bounce::study {
 namespace {
@@ -16,19 +15,24 @@ constexpr double kRestSeconds = 10, kSlopeSeconds = 1, kLongSeconds = 100;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kDegree = std::numbers::pi / 180;
 
-// What was found, unless the program gave no number.
-std::string told(double found, const std::string& sentence) {
-  return std::isnan(found) ? "NaN, or another number of columns: ./check says where" : sentence;
+// A trial with the lines of its chart. What was found in it is said, unless the program gave no
+// number.
+json trial(const char* name, double found, const std::string& sentence, const json& lines) {
+  const bool gives_none = std::isnan(found);
+  return {
+      {"name", name},
+      {"found", gives_none ? "NaN, or another number of columns: ./check says where" : sentence},
+      {"lines", lines}};
 }
 
 // What `measure` gives at each x, in a line for each step.
 template <class Measure>
-std::vector<Line> with_both_steps(const std::vector<double>& at, const Measure& measure) {
-  std::vector<Line> lines;
+json with_both_steps(const std::vector<double>& at, const Measure& measure) {
+  json lines;
   for (const double dt : {kCoarse, kFine}) {
     Points points;
     for (const double x : at) points.emplace_back(x, measure(x, dt));
-    lines.push_back({"dt = " + number(dt) + " s", points});
+    lines.push_back(line("dt = " + number(dt) + " s", points));
   }
   return lines;
 }
@@ -72,9 +76,9 @@ double largest_gain(Parameters params, double epsilon, double mu) {
   return largest;
 }
 
-Trial impact(const Parameters& params) {
+json impact(const Parameters& params) {
   double first = 2, most = 0;
-  std::vector<Line> lines;
+  json lines;
   for (const double mu : {0.1, 0.3, 1.0}) {
     Points points;
     for (int i = 0; i <= 100; i += i < 70 ? 10 : 1) {
@@ -83,14 +87,14 @@ Trial impact(const Parameters& params) {
       if (gain > 1e-9) first = std::min(first, epsilon);
       most = std::isnan(gain) ? kNone : std::max(most, gain);
     }
-    lines.push_back({"mu = " + number(mu), points});
+    lines.push_back(line("mu = " + number(mu), points));
   }
-  lines.push_back({"no gain", {{0, 0}, {1, 0}}, "bound"});
+  lines.push_back(line("no gain", {{0, 0}, {1, 0}}, "bound"));
   const std::string found = first > 1 ? "no impact gains energy"
                                       : "from epsilon = " + number(first) +
                                             " on some impacts gain energy, up to " +
                                             number(100 * most, "%.2g") + " %";
-  return {"impact", told(most, found), lines};
+  return trial("impact", most, found, lines);
 }
 
 // ---- fast fall ----
@@ -108,18 +112,18 @@ double depth(const Parameters& params, double speed, double dt) {
   return most;
 }
 
-Trial fall(const Parameters& params) {
+json fall(const Parameters& params) {
   const std::vector<double> speeds{1, 2, 5, 10, 20, 60, 100};
-  auto lines =
+  json lines =
       with_both_steps(speeds, [&](double speed, double dt) { return depth(params, speed, dt); });
-  for (Line& bound : with_both_steps(speeds, [](double v, double dt) { return v * dt; })) {
-    lines.push_back({"v dt, " + bound.name, bound.points, "bound"});
+  for (const double dt : {kCoarse, kFine}) {
+    lines.push_back(line("v dt, dt = " + number(dt) + " s", {{1, dt}, {100, 100 * dt}}, "bound"));
   }
   const double at_60 = depth(params, 60, kCoarse);
-  return {"fall",
-          told(at_60, "at 60 m/s it sinks in by " + length(at_60, "%.2g") + ", " +
-                          number(at_60 / params.l, "%.2g") + " sides, with dt = 0.01 s"),
-          lines};
+  return trial("fall", at_60,
+               "at 60 m/s it sinks in by " + length(at_60, "%.2g") + ", " +
+                   number(at_60 / params.l, "%.2g") + " sides, with dt = 0.01 s",
+               lines);
 }
 
 // ---- rest ----
@@ -137,8 +141,8 @@ Rest rest(Parameters params, double dt, double delta) {
           moved->q.row(0).cwiseAbs().maxCoeff(), deepest(*moved, params.l)};
 }
 
-Trial tremble(const Parameters& params) {
-  std::vector<Line> lines;
+json tremble(const Parameters& params) {
+  json lines;
   for (const bool scaled : {false, true}) {
     Points up, along;
     for (const double dt : {2e-2, 1e-2, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4}) {
@@ -147,15 +151,15 @@ Trial tremble(const Parameters& params) {
       along.emplace_back(dt, far.along);
     }
     const std::string with = scaled ? "delta = 0.1 m/s dt" : "delta fixed";
-    lines.push_back({"up, " + with, up});
-    lines.push_back({"along, " + with, along});
+    lines.push_back(line("up, " + with, up));
+    lines.push_back(line("along, " + with, along));
   }
   const Rest usual = rest(params, kCoarse, params.delta);
-  return {"rest",
-          told(usual.up, "it trembles, up to " + length(usual.up, "%.2g") +
-                             " above where it should lie, and wanders by " +
-                             length(usual.along, "%.2g") + " in ten seconds, with dt = 0.01 s"),
-          lines};
+  return trial("rest", usual.up,
+               "it trembles, up to " + length(usual.up, "%.2g") +
+                   " above where it should lie, and wanders by " + length(usual.along, "%.2g") +
+                   " in ten seconds, with dt = 0.01 s",
+               lines);
 }
 
 // ---- tilted ground ----
@@ -170,7 +174,7 @@ double way_down(Parameters params, double degrees, double dt) {
   return moved ? moved->q(0, moved->q.cols() - 1) : kNone;
 }
 
-Trial slope(const Parameters& params) {
+json slope(const Parameters& params) {
   std::vector<double> tilts;
   Points right;
   for (int tilt = 0; tilt <= 30; tilt += 2) {
@@ -179,39 +183,39 @@ Trial slope(const Parameters& params) {
     right.emplace_back(
         tilt, std::max(0.0, 0.5 * (g(0) + params.mu * g(1)) * kSlopeSeconds * kSlopeSeconds));
   }
-  auto lines = with_both_steps(
+  json lines = with_both_steps(
       tilts, [&](double degrees, double dt) { return way_down(params, degrees, dt); });
-  lines.push_back({"right", right, "bound"});
+  lines.push_back(line("right", right, "bound"));
   const double at_10 = way_down(params, 10, kFine);
-  return {"slope",
-          told(at_10, "on 10 degrees it creeps " + length(std::abs(at_10), "%.2g") +
-                          " in a second, with dt = 0.001 s"),
-          lines};
+  return trial("slope", at_10,
+               "on 10 degrees it creeps " + length(std::abs(at_10), "%.2g") +
+                   " in a second, with dt = 0.001 s",
+               lines);
 }
 
 // ---- thin contact ----
 
-Trial thin(const Parameters& params) {
+json thin(const Parameters& params) {
   std::vector<double> deltas;
   for (double delta = 1e-2; delta > 5e-7; delta /= std::sqrt(10)) deltas.push_back(delta);
   const auto below = [&](double delta, double dt) { return rest(params, dt, delta).below; };
   const double at_least = below(1e-6, kCoarse);
-  return {"thin",
-          told(at_least, "with delta = 1 \xc2\xb5m it sinks in by " + length(at_least, "%.2g") +
-                             ", and stays there, with dt = 0.01 s"),
-          with_both_steps(deltas, below)};
+  return trial("thin", at_least,
+               "with delta = 1 \xc2\xb5m it sinks in by " + length(at_least, "%.2g") +
+                   ", and stays there, with dt = 0.01 s",
+               with_both_steps(deltas, below));
 }
 
 // ---- long run ----
 
-Trial long_run(Parameters params) {
+json long_run(Parameters params) {
   params.epsilon = 1;
   params.mu = 0;
   const State start{{0, 0.5, 0.3}, {1, 0, 5}};
   const auto energy = [&](const Vector3& q, const Vector3& v) {
     return 0.5 * v.dot(params.M() * v) - params.m * params.g.dot(q);
   };
-  std::vector<Line> lines;
+  json lines;
   double last = kNone;
   for (const double dt : {kCoarse, kFine}) {
     Points points;
@@ -222,18 +226,17 @@ Trial long_run(Parameters params) {
       last = energy(moved->q.col(t), moved->v.col(t)) / energy(start.q, start.v);
       points.emplace_back(static_cast<double>(t) * dt, last);
     }
-    lines.push_back({"dt = " + number(dt) + " s", points});
+    lines.push_back(line("dt = " + number(dt) + " s", points));
   }
-  lines.push_back({"right", {{0, 1}, {kLongSeconds, 1}}, "bound"});
-  return {"long",
-          told(last, "after 100 s it has " + number(last, "%.2g") +
-                         " times the energy, with dt = 0.001 s"),
-          lines};
+  lines.push_back(line("right", {{0, 1}, {kLongSeconds, 1}}, "bound"));
+  return trial(
+      "long", last,
+      "after 100 s it has " + number(last, "%.2g") + " times the energy, with dt = 0.001 s", lines);
 }
 
 }  // namespace
 
-std::vector<Trial> trials(const Parameters& params) {
+json trials(const Parameters& params) {
   return {impact(params), fall(params), tremble(params),
           slope(params),  thin(params), long_run(params)};
 }

@@ -1,43 +1,62 @@
-// Given: what the study compares with, from fixtures/study.txt: scenes, where the square really is
+// Given: what the study compares with, from fixtures/study.json: scenes, where the square really is
 // in them, and what other methods reached in how much time.
 #pragma once
 
 #include <bounce/types.hpp>
 #include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace bounce::study {
 
-struct Sample {
-  double t;   // s
-  Vector3 q;  // m, m, rad
-};
-
-// What a method reached in a scene. The time is for a simulated second, in calls of solve_lcp
-// (lcp_seconds in measure.hpp), so that it holds on every machine.
-struct Reached {
-  double lcp_calls, error;  // error in m
-};
-
-struct Method {
-  std::string name;
-  std::vector<Reached> reached;
-};
+using nlohmann::json;
 
 struct Scene {
   std::string name, title;
   Parameters params;
   State start;
-  std::vector<Sample> truth;  // at even times, the last one the end; empty where it isn't studied
-  std::vector<Method> others;
+  json truth;   // rows t, x, y, theta, at even times t, the last one the end; empty where it isn't
+                // studied; s, m, m, rad
+  json others;  // methods, each with its "name" and what it "reached": rows time, error. The time
+                // is for a simulated second, in calls of solve_lcp (lcp_seconds in measure.hpp), so
+                // that it holds on every machine; the error in m
 };
 
-// Throws std::runtime_error, naming the file.
-std::vector<Scene> read_scenes(const std::filesystem::path& file);
+// Of the fixtures. Throws std::runtime_error, naming the file.
+inline json read_json(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  json read = json::parse(in, nullptr, false);
+  if (read.is_discarded())
+    throw std::runtime_error(file.string() + " is missing: unpack the handout anew");
+  return read;
+}
 
-// Sets numbers of the scene: "dt=0.001", "vy=-60". It lasts as long as before, unless T is set.
-// Throws std::invalid_argument.
-void change(Scene& scene, const std::vector<std::string>& assignments);
+// Of three numbers, of an object with "q" and "v", and of one with all parameters. They throw
+// json::exception.
+inline Vector3 vector_of(const json& numbers) {
+  return {numbers.at(0).get<double>(), numbers.at(1).get<double>(), numbers.at(2).get<double>()};
+}
+
+inline State state_of(const json& object) {
+  return {vector_of(object.at("q")), vector_of(object.at("v"))};
+}
+
+inline Parameters parameters_of(const json& p) {
+  return {p.at("l"),  p.at("m"),     p.at("mu"), p.at("epsilon"), vector_of(p.at("g")),
+          p.at("dt"), p.at("delta"), p.at("T")};
+}
+
+// Throws as read_json does.
+inline std::vector<Scene> read_scenes(const std::filesystem::path& file) {
+  std::vector<Scene> scenes;
+  for (const json& read : read_json(file)) {
+    scenes.push_back({read["name"], read["title"], parameters_of(read["params"]), state_of(read),
+                      read["truth"], read["others"]});
+  }
+  return scenes;
+}
 
 }  // namespace bounce::study

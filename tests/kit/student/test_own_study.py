@@ -28,25 +28,25 @@ def rows(table: str, **where: str) -> list[dict[str, str]]:
 
 def test_names_scenes_that_are_there() -> None:
     named = set(re.findall(r"--scene (\w+)", EXPLORE)) | {"pointed_drop", "tumble", "rest"}
-    text = handout_data.study()
-    scenes = re.findall(r"^scene (\w+) ", text, re.M)
+    scenes = {scene["name"]: scene for scene in json.loads(handout_data.study())}
     assert named <= set(scenes) == {f.stem for f in (ROOT / "fixtures/scenes").glob("*.json")}
-    assert len(re.findall(r"^truth ", text, re.M)) == 20 * len(handout_data.STUDIED)
-    assert len(re.findall(r"^other ", text, re.M)) == 3 * len(handout_data.STUDIED)
+    for name, scene in scenes.items():
+        is_studied = name in handout_data.STUDIED
+        assert [len(scene["truth"]), len(scene["others"])] == ([20, 3] if is_studied else [0, 0])
 
 
 def test_measured_impacts_are_those_of_the_study_under_their_licence() -> None:
-    text = handout_data.measured()
-    assert "# Copyright 2020 Dynamic Autonomy and Intelligent Robotics Lab" in text
-    assert "OF THIS SOFTWARE, EVEN IF ADVISED OF THE POSSIBILITY OF SUCH DAMAGE." in text
+    measured = json.loads(handout_data.measured())
+    licence = "\n".join(measured["licence"])
+    assert "\nCopyright 2020 Dynamic Autonomy and Intelligent Robotics Lab" in licence
+    assert "OF THIS SOFTWARE, EVEN IF ADVISED OF THE POSSIBILITY OF SUCH DAMAGE." in licence
     [newton] = rows("measured_laws", shape="squares", law="newton")
-    impacts = re.findall(r"^impact (.*)$", text, re.M)
-    assert len(impacts) == int(newton["tested"])
-    assert {len(impact.split()) for impact in impacts} == {8}
-    [(side, *square)] = re.findall(r"^square (\S+) (\S+) (\S+)$", text, re.M)
-    assert square == [newton["mu"], newton["epsilon"]]
+    assert len(measured["impacts"]) == int(newton["tested"])
+    assert {len(x["r"] + x["before"] + x["after"]) for x in measured["impacts"]} == {8}
+    fitted = [float(newton[name]) for name in ("mu", "epsilon")]
+    assert [measured["mu"], measured["epsilon"]] == fitted
     [gyration] = rows("measured_body", quantity="gyration_squared")
-    assert float(side) ** 2 / 6 == pytest.approx(float(gyration["value"]), rel=1e-4)
+    assert measured["l"] ** 2 / 6 == pytest.approx(float(gyration["value"]), rel=1e-4)
 
 
 # ---- the program ----
