@@ -41,20 +41,15 @@ bool is_from_linker(const std::string& line) {
          (program == "collect2" || begins(program, "clang") || begins(program, "ld"));
 }
 
-// "src/part3_step.cpp:12" if the line has that at `begin`, else empty.
-std::string place_at(const std::string& line, std::size_t begin) {
-  const std::size_t colon = line.find_first_of(" :", begin);
-  if (colon == std::string::npos || line[colon] != ':') return "";
-  const std::size_t end = std::min(line.find_first_not_of("0123456789", colon + 1), line.size());
-  return end > colon + 1 ? line.substr(begin, end - begin) : "";
-}
-
-// The first place in a file of the student's that a line names, whatever stands in front of it.
+// "src/part3_step.cpp:12": the first place in a file of the student's that a line names, whatever
+// stands in front of it; empty if there is none.
 std::string own_place(const std::string& line) {
   for (std::size_t at = 0; at < line.size(); ++at) {
     const bool is_own = line.compare(at, 4, "src/") == 0 || line.compare(at, 8, "include/") == 0;
     if (!is_own || (at > 0 && line[at - 1] == '/')) continue;
-    if (std::string place = place_at(line, at); !place.empty()) return place;
+    const std::size_t colon = std::min(line.find_first_of(" :", at), line.size());
+    const std::size_t end = std::min(line.find_first_not_of("0123456789", colon + 1), line.size());
+    if (line[colon] == ':' && end > colon + 1) return line.substr(at, end - at);
   }
   return "";
 }

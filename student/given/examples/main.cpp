@@ -8,7 +8,7 @@
 #include <iostream>
 #include <iterator>
 
-#include "cases.hpp"
+#include "judge.hpp"
 
 namespace bounce::examples {
 namespace {
