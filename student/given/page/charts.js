@@ -83,7 +83,6 @@ function plot(chart, svg) {
   const x = scale(chart.x, points.map((point) => point[0]), left, right);
   const y = scale(chart.y, points.map((point) => point[1]), bottom, 10);
   const write = (words, x, y, more) => make("text", { x, y, ...more }, words);
-  const aside = { transform: `translate(13 ${height / 2 - 18}) rotate(-90)` };
   svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
   svg.replaceChildren(
     ...x.ticks.map(([X]) => path("grid", `M ${X} 10 V ${bottom}`)),
@@ -91,7 +90,7 @@ function plot(chart, svg) {
     ...x.ticks.map(([X, words]) => write(words, X, height - 28)),
     ...y.ticks.map(([Y, words]) => write(words, left - 7, Y + 4, { class: "end" })),
     write(chart.x.name, (left + right) / 2, height - 8),
-    write(chart.y.name, 0, 0, aside),
+    write(chart.y.name, 18 - height / 2, 13, { transform: "rotate(-90)" }),
     ...chart.lines.flatMap((line, i) => drawn(chart, line, i, x, y)),
   );
   return { x, y, bottom };

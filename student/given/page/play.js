@@ -247,6 +247,7 @@ function experiment(heading) {
 const explore = new DOMParser().parseFromString(given.explore, "text/html");
 const questions = [...explore.querySelectorAll("h2")].filter((h2) => /^\d/.test(h2.textContent));
 byId("experiments").lastElementChild.append(...questions.map(experiment));
+byId("experiments").hidden = questions.length === 0;
 
 // ---- the page begins ----
 
