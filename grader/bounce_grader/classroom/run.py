@@ -2,7 +2,6 @@
 
 import errno
 import fcntl
-import os
 import sys
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
@@ -10,15 +9,15 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from bounce_grader.classroom.grading import grading, near_copies, results
+from bounce_grader.classroom.grading.summary import Summary
 from bounce_grader.classroom.intake import canvas_api, gradebook as gradebook_files
-from bounce_grader.classroom.intake import instructor_files, students
+from bounce_grader.classroom.intake import students
 from bounce_grader.classroom.intake.canvas_api import Canvas
 from bounce_grader.classroom.intake.gradebook import Gradebook
-from bounce_grader.classroom.intake.instructor_files import Course
-from bounce_grader.classroom.intake.people import People
-from bounce_grader.classroom.intake.student import Class, Student
-from bounce_grader.classroom.output import canvas_upload, feedback, final, gradebook, grades, page
+from bounce_grader.classroom.intake.student import Class
+from bounce_grader.classroom.output import canvas_upload, feedback, gradebook, grades, page
 from bounce_grader.classroom.output.gradebook import WRITTEN
+from bounce_grader.classroom.output.people import People
 from bounce_grader.common.errors import KitError, UsageError
 from bounce_grader.common.escaping import terminal
 from bounce_grader.common.files import read_object, remove_abandoned, write_whole
@@ -32,12 +31,10 @@ class Given(NamedTuple):
     """All that is given: read and checked before anything is graded or written."""
 
     intake: Class
-    book: Gradebook
     canvas: Canvas | None
-    course: Course
-    adjusted: final.Own
+    people: People
     sentences: list[str]  # on files that are nobody's, on lateness, adjustments and the roster
-    corpus: list[Student]
+    corpus: list[Summary]
 
 
 def run(options: Options) -> int:
@@ -66,18 +63,15 @@ def _read(options: Options) -> Given:
             where = f"{options.gradebook} would be overwritten"
             raise UsageError(f"{where}: give another folder as --out")
         book = gradebook_files.read(options.gradebook, options.column)
-    people = People(instructor_files.roster(options.out), book)
-    course = instructor_files.course(options.out)
-    adjustments = instructor_files.adjustments(options.out)
-    corpus = [student for folder in options.corpus for student in near_copies.corpus(folder)]
+    people = People(options.out, book)
+    corpus = [other for folder in options.corpus for other in near_copies.corpus(folder)]
     canvas = None
     if options.submissions:
         intake = students.read(options.submissions, people.names())
     else:
-        token = canvas_api.token_of_environment()
-        canvas = Canvas(os.environ.get("CANVAS_URL", ""), options.canvas, token)
+        canvas = Canvas(options.canvas)
         intake = canvas_api.download(canvas, options.out)
-    people.assign(intake)
+    sentences = people.assign(intake)
     if intake.service and book.service not in ("", intake.service):
         # In files of different services, the same id can be that of different students.
         raise UsageError(
@@ -86,15 +80,7 @@ def _read(options: Options) -> Given:
         )
     if book.service:
         gradebook.require_same_class(book, intake)
-    adjusted, sentences = final.assign(adjustments, people, intake.students)
-    if course.percent_per_day and intake.service != "canvas" and not book.late:
-        whose = (
-            f"lateness costs points by course.toml, but {intake.source} doesn't say who was late"
-        )
-        moodle = ", and so does the grading worksheet (--gradebook)" * (intake.service == "moodle")
-        sentences.insert(0, f"{whose}: {instructor_files.ADJUSTMENTS} can{moodle}")
-    sentences += people.without_submission(intake.students)
-    return Given(intake, book, canvas, course, adjusted, [*intake.strays, *sentences], corpus)
+    return Given(intake, canvas, people, [*intake.strays, *sentences], corpus)
 
 
 def _filled_in(options: Options) -> Path:
@@ -123,33 +109,33 @@ def _locked(out: Path) -> Iterator[None]:
 def _run(options: Options, given: Given) -> int:
     out, intake, folder = options.out, given.intake, options.out / "results"
     stamp = results.stamp_now(options.trust_submission, options.sanitize)
-    tasks = [results.task_of(s, stamp, folder, options.speed) for s in intake.students]
+    tasks = [
+        results.Task(results.digest(s), stamp, s, folder, options.speed) for s in intake.students
+    ]
     there = results.stamp_of(folder)
-    failed = grading.grade_missing(tasks, UNIT, options.jobs, options.dask)
+    summaries = grading.grade(tasks, UNIT, options.jobs, options.dask)
+    status = 3 if any(summary.state == "failed" for summary in summaries) else 0
     if there and there != stamp and not options.apply:
-        print(
-            f"The results in {folder} are by another version of the kit, or of its cases or options."
-        )
         print("\n".join(results.differences(there, tasks)))
-        return 3 if failed else 0
+        return status
     results.count(folder, stamp)
-    summaries = grading.summarize(tasks, failed)
-    final.give(summaries, given.adjusted, given.course, intake.logins)
+    given.people.give_points(summaries)
     near = near_copies.find(summaries, given.corpus)
     pages = feedback.write(out, summaries, options.reveal)
     sentences, written = given.sentences, ["grades.csv", "class.html", "feedback/"]
-    if given.book.table:
+    if given.people.book.table:
         path = _filled_in(options)
-        sentences += gradebook.write(path, intake, summaries, given.book, options.overwrite)
+        sentences += gradebook.write(path, intake, summaries, given.people.book, options.overwrite)
         written.insert(0, path.name)
     write_whole(out / "grades.csv", "\ufeff" + grades.table(summaries))
-    write_whole(out / "class.html", page.render(summaries, near, sentences, given.course.title))
+    write_whole(
+        out / "class.html", page.render(summaries, near, sentences, given.people.course.title)
+    )
     graded = sum(summary.state == "graded" for summary in summaries)
     print(f"{graded} of {len(summaries)} submissions graded ({intake.source}).")
     looks = [f"{who}: {why}" for who, why in page.looks(summaries)]
     _print(looks, sentences, page.of_near_copies(near))
     print(f"Written to {out}: {', '.join(written)}")
-    status = 3 if any(summary.state == "failed" for summary in summaries) else 0
     if given.canvas:
         wanted = (options.upload, options.overwrite)
         return max(status, canvas_upload.show_or_post(given.canvas, out, summaries, *wanted))

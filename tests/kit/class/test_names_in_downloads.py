@@ -25,7 +25,14 @@ def fields(upload: Upload | None) -> list[str]:
     if upload is None:
         return []
     late, number = "late" if upload.late else "", str(upload.number or "")
-    return [upload.name, upload.user, late, number, upload.typed, upload.file]
+    return [
+        upload.name,
+        upload.user,
+        late,
+        number,
+        upload.instead.removesuffix(" was typed"),
+        upload.file,
+    ]
 
 
 READ: dict[str, Callable[[str], list[str]]] = {

@@ -34,32 +34,23 @@ Graded = Generator[
 ]  # each task, with what the unit returns, as it comes
 
 
-def grade_missing(
-    tasks: Sequence[Task], unit: Unit, jobs: int = 0, scheduler: str = ""
-) -> dict[str, str]:
-    """Grades the submissions without a valid result. Returns why the kit failed, by key."""
+def grade(tasks: Sequence[Task], unit: Unit, jobs: int, scheduler: str) -> list[Summary]:
+    """Grades the submissions without a valid result, and says every few seconds how many are done,
+    the rate and the time left. Returns a summary of each."""
     keyed = {t.key: t for t in tasks if not results.load(t.folder, t.key, t.speed)}
     missing, jobs = list(keyed.values()), jobs or os.cpu_count() or 1
-    outcomes = on_dask(missing, scheduler, unit) if scheduler else in_processes(missing, jobs, unit)
-    with closing(outcomes):
-        told = _with_progress(outcomes, len(missing))
-        return {task.key: failure for task, failure in told if failure}
-
-
-def _with_progress(outcomes: Graded, number: int) -> Graded:
-    """Says every few seconds how many are done, the rate and the time left."""
+    graded = on_dask(missing, scheduler, unit) if scheduler else in_processes(missing, jobs, unit)
+    failed: dict[str, str] = {}
     start = last = time.monotonic()
-    for done, outcome in enumerate(outcomes, 1):
-        now, left = time.monotonic(), number - done
-        if not left or now - last > (5.0 if sys.stderr.isatty() else 15.0):
-            last, rate = now, done / max(now - start, 1e-9)
-            ahead = f", {left / rate:.0f} s left" if left else ""
-            words = f"kit: {done} of {number} done, {60 * rate:.0f} a minute{ahead}"
-            print(words, file=sys.stderr, flush=True)
-        yield outcome
-
-
-def summarize(tasks: Sequence[Task], failed: Mapping[str, str]) -> list[Summary]:
+    with closing(graded):
+        for done, (task, failure) in enumerate(graded, 1):
+            failed |= {task.key: failure} if failure else {}
+            now, left = time.monotonic(), len(missing) - done
+            if not left or now - last > (5.0 if sys.stderr.isatty() else 15.0):
+                last, rate = now, done / max(now - start, 1e-9)
+                ahead = f", {left / rate:.0f} s left" if left else ""
+                words = f"kit: {done} of {len(missing)} done, {60 * rate:.0f} a minute{ahead}"
+                print(words, file=sys.stderr, flush=True)
     return [_summary(task, failed) for task in tasks]
 
 
@@ -97,16 +88,13 @@ def in_processes(tasks: Sequence[Task], jobs: int, unit: Unit) -> Graded:
             yield futures[future], future.result()
     finally:
         threads.shutdown(wait=False, cancel_futures=True)
-        under_way = not all(future.done() for future in futures)
-        workers = multiprocessing.active_children() if under_way else []
+        workers = multiprocessing.active_children()
         for worker in workers:
             worker.terminate()
         for worker in workers:
             worker.join(TO_CLEAN_UP)
             worker.kill()
         threads.shutdown()
-        for process in idle:
-            process.shutdown(wait=False)
 
 
 def _prepare() -> None:

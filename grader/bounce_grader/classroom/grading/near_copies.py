@@ -20,7 +20,6 @@ from typing import NamedTuple
 from bounce_grader.classroom.grading.results import digest
 from bounce_grader.classroom.grading.summary import Summary
 from bounce_grader.classroom.intake import students as students_of, uploads
-from bounce_grader.classroom.intake.student import Student
 from bounce_grader.common.errors import about_one_submission, UsageError
 from bounce_grader.common.escaping import printable_name
 from bounce_grader.common.manifest import named_together, parts
@@ -56,12 +55,11 @@ Runs = defaultdict[int, dict[str, set[int]]]
 
 
 class Pair(NamedTuple):
-    """Two submissions that have much in common: whose they are, and the share in per cent of the
-    one of which it is more."""
+    """Two submissions that have much in common."""
 
-    first: str
+    first: str  # whose it is
     second: str  # perhaps of another year
-    share: int
+    share: int  # per cent of the one of which it is more
     parts: tuple[int, ...] = ()  # if only these are alike, and not the submissions as a whole
 
     @property
@@ -77,24 +75,24 @@ class Similar(NamedTuple):
     more: int = 0  # pairs that stand out, too
 
 
-def corpus(folder: Path) -> list[Student]:
+def corpus(folder: Path) -> list[Summary]:
     """Another year's submissions, to compare with. Raises UsageError if they are damaged."""
-    others = students_of.read(folder).students
-    for other in others:
-        digest(other)
-    names = [f"{folder.name}/{printable_name(other.who)}" for other in others]
-    return [replace(other, id=name, name=name) for other, name in zip(others, names)]
+    others = []
+    for student in students_of.read(folder).students:
+        digest(student)
+        name = f"{folder.name}/{printable_name(student.who)}"
+        others.append(Summary(replace(student, id=name, name=name), "graded"))
+    return others
 
 
-def find(summaries: Sequence[Summary], others: Sequence[Student] = ()) -> Similar:
+def find(summaries: Sequence[Summary], others: Sequence[Summary] = ()) -> Similar:
     """Finds near-copies among the submissions that can be read, and between them and others. Notes
     which can't be compared, or only in part."""
     own = [summary for summary in summaries if summary.state != "unreadable"]
+    names = {summary.student.who for summary in own}
     runs: Runs = defaultdict(dict)
-    for summary in own:
-        _add(runs, summary.student, summary.notes)
-    for other in others:
-        _add(runs, other, [])
+    for summary in (*own, *others):
+        _add(runs, summary)
     whole, usual = _alike(runs[0], LEAST)
     pairs = [Pair(*both, share) for both, share in whole.items()]
     of_parts: dict[tuple[str, str], dict[int, int]] = defaultdict(dict)
@@ -103,23 +101,22 @@ def find(summaries: Sequence[Summary], others: Sequence[Student] = ()) -> Simila
             of_parts[both][part.number] = share
     for both, shares in of_parts.items():
         if both not in whole and len(shares) >= LEAST_PARTS:
-            pairs.append(Pair(*both, min(shares.values()), tuple(sorted(shares))))
-    names = {summary.student.who for summary in own}
+            pairs.append(Pair(*both, min(shares.values()), tuple(shares)))
     wanted = [pair for pair in pairs if pair.first in names]
     wanted.sort(key=lambda pair: (bool(pair.parts), -pair.share, pair.first, pair.second))
     return Similar(wanted[:MOST], usual, len(wanted[MOST:]))
 
 
-def _add(runs: Runs, student: Student, notes: list[str]) -> None:
+def _add(runs: Runs, summary: Summary) -> None:
     """Adds a submission's runs; or notes why they can't be compared, or are cut. It is read once,
     because a reading may take seconds."""
     try:
         with about_one_submission("it can't be compared with others"):
-            for number, own in own_runs(student, notes).items():
+            for number, own in own_runs(summary).items():
                 if len(own) >= RUN:
-                    runs[number][student.who] = own
+                    runs[number][summary.student.who] = own
     except UsageError as error:
-        notes.append(str(error))
+        summary.notes.append(str(error))
 
 
 def _alike(runs: Mapping[str, set[int]], least: int) -> tuple[dict[tuple[str, str], int], int]:
@@ -136,15 +133,15 @@ def _alike(runs: Mapping[str, set[int]], least: int) -> tuple[dict[tuple[str, st
     return {both: share for both, share in shares.items() if share >= (usual + 100) // 2}, usual
 
 
-def own_runs(student: Student, notes: list[str]) -> dict[int, set[int]]:
+def own_runs(summary: Summary) -> dict[int, set[int]]:
     """The runs that aren't the handout's: of all files under 0, of part n under n. Raises
     UsageError."""
-    taken = uploads.read(student)
+    taken = uploads.read(summary.student)
     own: dict[str, set[int]] = {}
     room = LONGEST
     for name in dict.fromkeys([*taken.parts.values(), *sorted(taken.files)]):
         tokens = tokens_of(taken.files[name])
-        notes += [IN_PART] * (len(tokens) > room)
+        summary.notes += [IN_PART] * (len(tokens) > room)
         own[name] = runs_of(tokens[:room]) - _handout()
         room -= min(room, len(tokens))
     of_parts = {number: own[file] for number, file in taken.parts.items()}

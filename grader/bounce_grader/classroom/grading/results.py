@@ -17,7 +17,6 @@ from typing import Any, NamedTuple
 
 from bounce_grader import __version__
 from bounce_grader.classroom.intake import uploads
-from bounce_grader.classroom.intake.archive import Damaged
 from bounce_grader.classroom.intake.student import Student
 from bounce_grader.common.errors import KitError, UsageError
 from bounce_grader.common.escaping import first_few, printable_name, terminal
@@ -29,7 +28,6 @@ from bounce_grader.sandbox.budget import Budget
 from bounce_grader.submission.submission import Submission
 
 SET = "set.json"
-SCORE = "score"
 # What a score depends on. What reports on records, tests the kit or publishes it can change none.
 PYTHON = ("build", "common", "grading", "sandbox", "submission", "classroom/intake")
 CPP = ("judge", "runner", "box", "diagnosis")
@@ -54,23 +52,22 @@ class Stamp(NamedTuple):
 class Task(NamedTuple):
     """A submission to grade, in plain values that can be sent to any machine."""
 
-    key: str  # of the result
     submission: str  # digest
     stamp: Stamp
     student: Student
     folder: Path  # of the results
     speed: bool
 
+    @property
+    def key(self) -> str:
+        """Of the result."""
+        return key_of(self.submission, self.stamp)
+
 
 Grade = Callable[[Submission, Task], Record]
 # Returns why the kit failed, and there is no result; "" if there is one. Raises OSError if the disk is
 # full: then no further result could be stored.
 Unit = Callable[[Task], str]
-
-
-def task_of(student: Student, stamp: Stamp, folder: Path, speed: bool) -> Task:
-    submission = digest(student)
-    return Task(key_of(submission, stamp), submission, stamp, student, folder, speed)
 
 
 def key_of(submission: str, stamp: Stamp) -> str:
@@ -84,7 +81,7 @@ def digest(student: Student) -> str:
     try:
         taken = uploads.read(student)
         data += [taken.sha256, taken.parts, taken.refused, taken.ignored]
-    except Damaged:
+    except uploads.Damaged:
         raise
     except UsageError as error:
         data.append(str(error).replace(str(student.path), ""))
@@ -194,30 +191,32 @@ def count(folder: Path, stamp: Stamp) -> None:
 def differences(there: Stamp, tasks: Sequence[Task]) -> list[str]:
     """What the results of these tasks change in those that count so far: a summary, and then who
     has another score or passes other checks."""
-    pairs = [
-        (task.student.who, _points(task, key_of(task.submission, there)), _points(task, task.key))
-        for task in tasks
-    ]
-    differing = [pair for pair in pairs if _outcome(pair[1]) != _outcome(pair[2])]
-    lines = [f"Submissions graded again: {len(tasks)}; with another result: {len(differing)}."]
-    for who, before, now in differing:
-        lines.append(terminal(f"{who}: {before.pop(SCORE)} -> {now.pop(SCORE)}"))
+    lines, differing = [], 0
+    for task in tasks:
+        old, before = _points(task, key_of(task.submission, there))
+        new, now = _points(task, task.key)
+        failing = [{id for id, of in points.items() if not of} for points in (before, now)]
+        if old == new and failing[0] == failing[1]:
+            continue
+        differing += 1
+        lines.append(terminal(f"{task.student.who}: {old} -> {new}"))
         lines += [
-            f"  {id}: {before.get(id, '0')} -> {now.get(id, '0')}"
-            for id in dict.fromkeys([*before, *now])
-            if before and now and before.get(id, "0") != now.get(id, "0")
+            f"  {id}: {before.get(id, 0)} -> {now.get(id, 0)}"
+            for id in (before | now if before and now else ())
+            if before.get(id, 0) != now.get(id, 0)
         ]
-    return [*lines, "Nothing is changed yet. To take these over, add --apply."]
+    return [
+        f"The results in {tasks[0].folder} are by another version of the kit, or of its cases or "
+        "options.",
+        f"Submissions graded again: {len(tasks)}; with another result: {differing}.",
+        *lines,
+        "Nothing is changed yet. To take these over, add --apply.",
+    ]
 
 
-def _outcome(points: Mapping[str, str]) -> tuple[str, set[str]]:
-    """The score, and the checks that fail."""
-    return points[SCORE], {id for id, of in points.items() if of == "0"}
-
-
-def _points(task: Task, key: str) -> dict[str, str]:
+def _points(task: Task, key: str) -> tuple[Any, dict[str, float]]:
     """The score, and the points of each check. Where there are none, the state stands for a score."""
     result = load(task.folder, key) or {"state": "not graded", "record": {}}
     record = result["record"] or {"score": result["state"], "parts": []}
-    checks = {check["id"]: check["score"] for part in record["parts"] for check in part["checks"]}
-    return {id: str(points) for id, points in {SCORE: record["score"], **checks}.items()}
+    checks = (check for part in record["parts"] for check in part["checks"])
+    return record["score"], {check["id"]: check["score"] for check in checks}

@@ -24,12 +24,6 @@ class Final(NamedTuple):
     applied: tuple[Adjustment, ...] = ()  # with the points that each gave
     listed: bool = False  # in the instructor's roster
 
-    @property
-    def changes(self) -> str:
-        return ", ".join(
-            f"{a.reason} {a.points:+g}" if a.points else a.reason for a in self.applied
-        )
-
 
 @dataclass
 class Summary:
@@ -44,41 +38,17 @@ class Summary:
     notes: list[str] = field(default_factory=list)  # what else a person should look at
     finals: list[Final] = field(default_factory=list)  # of each member, if it is graded
 
-    @property
-    def score(self) -> float | None:
-        return self.record.get("score")
-
-    @property
-    def parts(self) -> list[Record]:
-        return self.record.get("parts", [])
-
-    @property
-    def checks(self) -> dict[str, Record]:
-        """By id."""
-        return {check["id"]: check for part in self.parts for check in part["checks"]}
-
-    @property
-    def mistakes(self) -> dict[str, str]:
-        """Titles, by name."""
-        return {m["name"]: m["title"] for part in self.parts for m in part["mistakes"]}
-
-    @property
-    def speed(self) -> Record:
-        return self.record.get("speed") or {}
-
-    @property
-    def unused(self) -> list[str]:
-        ignored = self.record.get("ignored", [])
-        return [*self.student.unused, *(f"{name} wasn't used" for name in ignored)]
-
-    @property
-    def unused_more(self) -> int:
-        """The number of others."""
-        return int(self.record.get("ignored_more", 0))
-
-    @property
-    def has_all_points(self) -> bool:
-        return (self.score or 0.0) >= full_points()
+    def __post_init__(self) -> None:
+        self.score: float | None = self.record.get("score")
+        self.has_all_points = (self.score or 0.0) >= full_points()
+        self.parts: list[Record] = self.record.get("parts", [])
+        self.checks = {check["id"]: check for part in self.parts for check in part["checks"]}
+        mistakes = (mistake for part in self.parts for mistake in part["mistakes"])
+        self.mistakes: dict[str, str] = {m["name"]: m["title"] for m in mistakes}  # their titles
+        self.speed: Record = self.record.get("speed") or {}
+        ignored = [f"{name} wasn't used" for name in self.record.get("ignored", [])]
+        self.unused = [*self.student.unused, *ignored]
+        self.unused_more = int(self.record.get("ignored_more", 0))  # the number of others
 
     @property
     def needs_a_look(self) -> str:

@@ -20,7 +20,7 @@ from urllib3.exceptions import HTTPError
 from urllib3.util import Retry
 from bounce_grader.classroom.intake.services import canvas_page, sanitized
 from bounce_grader.classroom.intake.student import Class, Student, Upload
-from bounce_grader.classroom.intake.uploads import HAND_IN, may_count, MOST_UPLOADS, student_of
+from bounce_grader.classroom.intake.uploads import may_count, MOST_UPLOADS, student_of
 from bounce_grader.common.errors import KitError, UsageError
 from bounce_grader.common.escaping import printable_name
 from bounce_grader.common.files import fitting, write_whole
@@ -28,18 +28,17 @@ from bounce_grader.common.files import fitting, write_whole
 TRIES = 5  # after the first
 WAIT = 1.0  # s, about, before the second try; doubled each time
 BUSY = (403, 429, 500, 502, 503, 504)  # where Canvas asks to wait, or has an error of its own
-REDIRECTIONS = 5  # of one request
 SECONDS = 60.0  # of one request
 LARGEST = 64 << 20  # bytes of one answer, and of all files of a student
 FILES = "canvas"  # the folder in OUT with what was downloaded
-TYPED = {"online_text_entry": "text", "online_url": "an address"}
+TYPED = {"online_text_entry": "text was typed", "online_url": "an address was typed"}
 
 
 class Refused(Exception):
     """Canvas's answer to one request, which says nothing about the others."""
 
 
-def token_of_environment() -> str:
+def _token() -> str:
     """The token, which ./kit hands on by a descriptor, so that it isn't in the environment of a
     process that starts a submission's. Raises UsageError if there is none."""
     handed = os.environ.pop("CANVAS_TOKEN_FD", "")
@@ -56,28 +55,28 @@ def token_of_environment() -> str:
 class Canvas:
     """One assignment of a course on Canvas, by its API."""
 
-    def __init__(self, url: str, assignment: str, token: str) -> None:
+    def __init__(self, assignment: str) -> None:
+        """Reads the address and the token from the environment. Raises UsageError."""
+        self._token = _token()
         match = re.fullmatch(r"(\d+)/(\d+)", assignment)
         if not match:
             raise UsageError(f"--canvas takes COURSE/ASSIGNMENT, two numbers, not {assignment!r}")
-        parsed = urlsplit(url)
+        parsed = urlsplit(os.environ.get("CANVAS_URL", ""))
         local = parsed.hostname in ("localhost", "127.0.0.1")
         if not parsed.hostname or parsed.scheme != "https" and not local:
             raise UsageError("--canvas needs CANVAS_URL, as https://canvas.example.edu")
         self.assignment = assignment
         self._origin = f"{parsed.scheme}://{parsed.netloc.lower()}"  # as the library has it
         self.path = f"/api/v1/courses/{match[1]}/assignments/{match[2]}"
-        self._token = token
         again = Retry(TRIES, backoff_factor=WAIT, status_forcelist=BUSY, allowed_methods=None)
         again.raise_on_status = False
         self._session = requests.Session()
-        self._session.max_redirects = REDIRECTIONS
         for scheme in ("https://", "http://"):
             self._session.mount(scheme, HTTPAdapter(max_retries=again))
 
-    def all(self, path: str) -> Iterator[dict[str, Any]]:
-        """Every entry of a list, page by page."""
-        url: str | None = self._origin + path
+    def submissions(self) -> Iterator[dict[str, Any]]:
+        """Those of all students, page by page."""
+        url: str | None = f"{self._origin}{self.path}/submissions?include[]=user&per_page=100"
         while url:
             body, url = self.request("GET", url)
             yield from _json(body)
@@ -130,7 +129,7 @@ def download(canvas: Canvas, out: Path) -> Class:
     out.mkdir(mode=0o700, parents=True, exist_ok=True)
     folder.mkdir(exist_ok=True)
     try:
-        listed = list(canvas.all(f"{canvas.path}/submissions?include[]=user&per_page=100"))
+        listed = list(canvas.submissions())
     except Refused as refused:
         raise UsageError(f"Canvas shows no assignment {canvas.assignment} ({refused})") from None
     students = [_student(canvas, folder, submission) for submission in listed]
@@ -149,14 +148,14 @@ def _student(canvas: Canvas, folder: Path, submission: dict[str, Any]) -> Studen
         uploads = _downloaded(canvas, folder, user, submission)
     except Refused as refused:
         return Student(user, name or user, folder, refused=str(refused))
-    if uploads:
-        student = student_of(folder, uploads, canvas_page(uploads))
-    elif kind or submission.get("submitted_at"):
-        why = f"{TYPED[kind]} was typed" if kind in TYPED else "no file was handed in"
-        page = f"{user}_feedback.html"
-        student = Student(user, user, folder, feedback=page, refused=f"{why}: {HAND_IN}")
-    else:
+    if kind or submission.get("submitted_at"):
+        other = Upload(
+            f"{user}.html", "", user, "", instead=TYPED.get(kind, "no file was handed in")
+        )
+        uploads = uploads or [other]
+    if not uploads:
         return None
+    student = student_of(folder, uploads, canvas_page(uploads))
     days = math.ceil(float(submission.get("seconds_late") or 0) / 86400)
     return replace(student, person=name, late_days=max(1, days) * bool(submission.get("late")))
 

@@ -12,13 +12,15 @@ of years, days, hours, minutes and seconds (`format_time`).
 """
 
 import difflib
+import json
 import re
+from collections import defaultdict
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import NamedTuple
 
-from bounce_grader.classroom.intake.table import Table
+from bounce_grader.classroom.intake.table import Row, Table
 from bounce_grader.common.errors import UsageError
 
 CANVAS_IDS = ("ID", "SIS User ID", "SIS Login ID", "Integration ID")
@@ -27,16 +29,8 @@ POSTING = re.compile(r"(Muted|Manual Posting.*)?", re.IGNORECASE)
 PARTICIPANT = re.compile(r"[^\W\d].*?\s?\d+", re.DOTALL)  # Moodle's first cell: Participant 12345
 TOTAL = re.compile(r"\s*\[Total Pts: ([\d.,]+)[^\]]*\]\s*\|\s*\d+\s*$")  # and in Blackboard's file
 NAMES = ("Student", "Full name", "LastName", "FirstName", "Last Name", "First Name")
-STATUS = (  # titles of Moodle's column
-    *("Status", "Statut", "Estado", "Estatus", "Estat", "Stato", "Stav", "Tila", "Durum"),
-    *("Állapot", "Stare", "Состояние", "Статус", "Стан", "Κατάσταση", "ステータス", "状态", "狀態", "상태"),
-)
-UNITS = {  # what the words for a unit begin with, by the days in it
-    365: "year|jahr|an|añ|jaar|år|rok|vuo|yıl|év|год|рік|年|년",
-    1: "day|tag|jour|día|dia|dies|giorn|dag|dzie|dni|den|dn|päiv|gün|nap|zi|день|дн|ημέρ|日|天|일",
-    0: "hour|hr|stunde|heure|hora|hore|ora|ore|óra|uur|uren|timm|time|godz|hod|tunti|saat|час|годин"
-    "|ώρ|時間|小时|小時|시간|min|мин|хв|λεπτ|perc|dakika|分|분|sec|sek|seg|saniye|сек|δευτ|秒|초",
-}
+# In the languages of Moodle: titles of the column, and what words begin with, by the days in a unit.
+WORDS = json.loads(Path(__file__).with_name("moodle_words.json").read_text("utf-8"))
 
 
 class Line(NamedTuple):
@@ -60,21 +54,17 @@ class Gradebook:
     service: str = ""
     name: str = ""  # of the file
     title: str = ""  # of the column to fill
-    lines: Sequence[Line] = ()
-    possible: Sequence[str] = ()  # what the file says of the most points
-    late: Mapping[str, int | None] = field(default_factory=dict)  # days, by id, if the file tells
+    lines: list[Line] = field(default_factory=list)
+    possible: list[str] = field(default_factory=list)  # what the file says of the most points
+    late: dict[str, int | None] = field(default_factory=dict)  # days, by id, if the file tells
     table: Table | None = None
     column: int = 0
 
-    def __post_init__(self) -> None:
-        self.by_own_id = self._by_id(1)
-        self.by_any_id = self._by_id(len(CANVAS_IDS))
-
-    def _by_id(self, kinds: int) -> dict[str, list[Line]]:
-        """The lines of each id, of the first kinds; the service's own take precedence, as in its
+    def by_id(self, own: bool = False) -> dict[str, list[Line]]:
+        """The lines of each id; or of the service's own alone, which else take precedence, as in its
         importer."""
         found: dict[str, list[Line]] = {}
-        for kind in reversed(range(kinds)):
+        for kind in range(1 if own else len(CANVAS_IDS))[::-1]:
             of_kind: dict[str, list[Line]] = {}
             for line in self.lines:
                 for id in filter(None, line.ids[kind : kind + 1]):
@@ -82,10 +72,9 @@ class Gradebook:
             found |= of_kind
         return found
 
-
-def only_one(lines: Mapping[str, Sequence[Line]]) -> dict[str, Line]:
-    """The line of each id that only one has."""
-    return {id: of[0] for id, of in lines.items() if len(of) == 1}
+    def people(self, own: bool = False) -> dict[str, Line]:
+        """The line of each id that only one has."""
+        return {id: of[0] for id, of in self.by_id(own).items() if len(of) == 1}
 
 
 def read(path: Path, title: str) -> Gradebook:
@@ -94,75 +83,45 @@ def read(path: Path, title: str) -> Gradebook:
     table = Table(path)
     header, firsts = table.header, (row.text(0) for row in table.rows[1:])
     if "Username" in header and any(map(TOTAL.search, header)):
-        return _of_blackboard(table, title)
-    if re.fullmatch(r"\W*(Student|LastName)", header[0]) and "ID" in header[1:4]:
-        return _of_canvas(table, title)
-    if any(map(PARTICIPANT.fullmatch, firsts)):
-        return _of_moodle(table, title or "Grade")
-    services = "Canvas (Grades, Export), Moodle (its worksheet) or Blackboard"
-    raise UsageError(f"{table.name} holds no grades from {services}: export them again")
-
-
-def _of_canvas(table: Table, title: str) -> Gradebook:
-    column = _only_column(table, title, ASSIGNMENT)
-    lines, possible = [], []
+        service, column = "blackboard", _only_column(table, title, TOTAL)
+    elif re.fullmatch(r"\W*(Student|LastName)", header[0]) and "ID" in header[1:4]:
+        service, column = "canvas", _only_column(table, title, ASSIGNMENT)
+    elif any(map(PARTICIPANT.fullmatch, firsts)):
+        service, column = "moodle", _only_column(table, title or "Grade", re.compile(""))
+    else:
+        services = "Canvas (Grades, Export), Moodle (its worksheet) or Blackboard"
+        raise UsageError(f"{table.name} holds no grades from {services}: export them again")
+    book = Gradebook(service, table.name, header[column], table=table, column=column)
     for number, row in enumerate(table.rows[1:], 1):
-        cells, there = table.by_title(row), row.text(column)
+        _add(book, number, defaultdict(str, table.by_title(row)), row)
+    table.require_all_cells((table.rows[line.number] for line in book.lines), "download it again")
+    return book
+
+
+def _add(book: Gradebook, number: int, cells: Mapping[str, str], row: Row) -> None:
+    """Adds a student's line; or notes what a row says of the most points."""
+    first, there, stays = row.text(0), row.text(book.column), ""
+    if book.service == "canvas":
         ids = [cells[title] for title in CANVAS_IDS if title in cells]
-        if "Points Possible" in row.text(0) and not ids[0]:  # and no student with such a name
-            possible.append(there)
-        elif not all(map(POSTING.fullmatch, row.texts())):  # as for Canvas's importer
-            stays = f"stays {there}" if there.upper() in ("EX", "N/A") else ""
-            lines.append(_line(number, ids, cells, there, stays))
-    return _book("canvas", table, column, lines, possible)
-
-
-def _of_moodle(table: Table, title: str) -> Gradebook:
-    column = _only_column(table, title, re.compile(""))
-    status = next((title for title in table.header if title in STATUS), "")
-    lines, possible = [], []
-    late: dict[str, int | None] = {}
-    for number, row in enumerate(table.rows[1:], 1):
-        cells, there = table.by_title(row), row.text(column)
-        ids = ["".join(re.findall(r"\d+$", row.text(0)))]
-        locked = cells.get("Grade can be changed", "").lower() == "no"
-        stays = "has a grade that Moodle lets nobody change here" if locked else ""
-        lines.append(_line(number, ids, cells, "" if there == "-" else there, stays))
-        possible.append(cells.get("Maximum Grade", ""))
-        if status:
-            late[ids[0]] = days_late(cells[status])
-    return _book("moodle", table, column, lines, possible, late)
-
-
-def _of_blackboard(table: Table, title: str) -> Gradebook:
-    """Often UTF-16 with tabs."""
-    column = _only_column(table, title, TOTAL)
-    lines = []
-    for number, row in enumerate(table.rows[1:], 1):
-        cells = table.by_title(row)
-        there = re.sub(r"(?s)Needs Grading.*", "", row.text(column))
-        lines.append(_line(number, [cells["Username"]], cells, there))
-    return _book("blackboard", table, column, lines, TOTAL.findall(table.header[column]))
-
-
-def _line(
-    number: int, ids: Sequence[str], cells: Mapping[str, str], there: str, stays: str = ""
-) -> Line:
-    names = ", ".join(filter(None, (cells.get(title, "") for title in NAMES)))
-    return Line(number, ids, names or ids[0], there, stays)
-
-
-def _book(
-    service: str,
-    table: Table,
-    column: int,
-    lines: Sequence[Line],
-    possible: Sequence[str],
-    late: Mapping[str, int | None] = {},
-) -> Gradebook:
-    table.require_all_cells((table.rows[line.number] for line in lines), "download it again")
-    title = table.header[column]
-    return Gradebook(service, table.name, title, lines, possible, late, table, column)
+        if "Points Possible" in first and not ids[0]:  # and no student with such a name
+            book.possible.append(there)
+            return
+        if all(map(POSTING.fullmatch, row.texts())):  # no student for Canvas's importer
+            return
+        stays = f"stays {there}" if there.upper() in ("EX", "N/A") else ""
+    elif book.service == "moodle":
+        ids, there = ["".join(re.findall(r"\d+$", first))], "" if there == "-" else there
+        if cells["Grade can be changed"].lower() == "no":
+            stays = "has a grade that Moodle lets nobody change here"
+        book.possible.append(cells["Maximum Grade"])
+        book.late.update(
+            {ids[0]: days_late(cells[title]) for title in WORDS["status"] if title in cells}
+        )
+    else:
+        ids, there = [cells["Username"]], re.sub(r"(?s)Needs Grading.*", "", there)
+        book.possible += TOTAL.findall(book.title)
+    name = ", ".join(filter(None, (cells[title] for title in NAMES)))
+    book.lines.append(Line(number, ids, name or ids[0], there, stays))
 
 
 def _only_column(table: Table, title: str, ending: re.Pattern[str]) -> int:
@@ -188,9 +147,10 @@ def days_late(status: str) -> int | None:
         return 0
     days, begun = 0, False
     for number, word in re.findall(r"(\d+)\s+([^\W\d]+)", late):
-        unit = next((d for d, words in UNITS.items() if re.match(words, word.lower())), None)
+        units = (d for d, of in WORDS["units"].items() if word.lower().startswith(tuple(of)))
+        unit = next(units, None)
         if unit is None:
             return None
-        days += int(number) * unit
-        begun = begun or unit == 0
+        days += int(number) * int(unit)
+        begun = begun or unit == "0"
     return days + begun

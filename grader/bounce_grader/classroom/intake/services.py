@@ -36,13 +36,14 @@ from collections import Counter, defaultdict
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import NamedTuple
 
-from bounce_grader.classroom.intake.archive import Archive
 from bounce_grader.classroom.intake.student import Names, Upload
+from bounce_grader.classroom.intake.uploads import Archive
 from bounce_grader.common.escaping import printable_name
 from bounce_grader.common.files import fitting
 
 Read = dict[str, Upload | str]  # by entry; or why it is of nobody
-TYPED = {"text": "text", "link": "an address", "onlinetext": "text", ".txt": "text"}
+TEXT, ADDRESS = "text was typed", "an address was typed"
+TYPED = {"text": TEXT, "link": ADDRESS, "onlinetext": TEXT, ".txt": TEXT}
 UNKNOWN = "isn't named as {} names submissions"
 ID = "[0-9]{1,20}"
 WHO = (  # in Canvas's names
@@ -73,9 +74,9 @@ class Service(NamedTuple):
         if not match:
             return None
         of: Mapping[str, str] = defaultdict(str, match.groupdict(""))
-        number, typed = int(of["number"].replace("-", "") or 0), TYPED.get(of["kind"], "")
+        number, instead = int(of["number"].replace("-", "") or 0), TYPED.get(of["kind"], "")
         who = (entry, of["name"], of["user"], of["file"], bool(of["late"]))
-        return Upload(*who, number, self.as_named, typed)
+        return Upload(*who, number, self.as_named, instead)
 
 
 def read_canvas(entries: Iterable[str], people: Names) -> Read:
@@ -88,10 +89,11 @@ def read_canvas(entries: Iterable[str], people: Names) -> Read:
     read: Read = {}
     for entry, found in possible.items():
         known = [reading for reading in found if reading.user in people]
+        named = [r for r in known if any(is_name_of(name, r.name) for name in people[r.user])]
         if len(found) == 1:
             read[entry] = found[0]
-        elif len(known) == 1 and known[0].user not in certain and _is_named(known[0], people):
-            read[entry] = known[0]
+        elif known == named and len(named) == 1 and named[0].user not in certain:
+            read[entry] = named[0]
         elif "/" in entry:
             read[entry] = "is in a folder; Canvas's download has none"
         else:
@@ -99,16 +101,12 @@ def read_canvas(entries: Iterable[str], people: Names) -> Read:
     return read
 
 
-def _is_named(reading: Upload, people: Names) -> bool:
-    return any(is_name_of(name, reading.name) for name in people[reading.user])
-
-
 def _readings(entry: str) -> list[Upload]:
     """All ways to split an entry's name into its fields."""
     first = CANVAS.parse(entry)
     if first is None or (first.user.startswith("anon_") and not first.name):
         return [first] if first else []
-    possible = [first] if first.typed or first.user.startswith("anon_") else []
+    possible = [first] if first.instead or first.user.startswith("anon_") else []
     ids = re.compile(rf"(?<!_LATE)(?=(?:^|_)(LATE_)?({ID})_({ID})_(.+))", re.DOTALL)
     for match in ids.finditer(entry):
         late, user, attachment, file = match.groups()
@@ -121,16 +119,18 @@ def canvas_page(uploads: Sequence[Upload]) -> str:
     """Canvas accepts a page as a comment if its name has the ids of an upload: the newest. It can't
     import one about what was typed."""
     newest = max(uploads, key=lambda upload: upload.number)
-    if newest.typed:
+    if newest.instead:
         return f"{fitting(newest.entry.removesuffix('.html'))}_feedback.html"
     ids = newest.entry[len(newest.name) : -len(newest.file)]
     return f"{printable_name(fitting(newest.name, 150))}{ids}feedback.html"
 
 
 def sanitized(sortable_name: str) -> str:
-    """What Canvas makes of "Doe, Jane": doejane."""
+    """What Canvas makes of "Doe, Jane": doejane. Only what Ruby's [[:word:]] matches stays, which
+    includes combining marks."""
     flat = re.sub(r"_(\d+)_", r"\1", sortable_name).lower()
-    return "".join(filter(_in_a_word, flat))
+    kinds = ((c, unicodedata.category(c)) for c in flat)
+    return "".join(c for c, kind in kinds if kind[0] in "LM" or kind in ("Nd", "Pc"))
 
 
 def is_name_of(person: str, canvas_name: str) -> bool:
@@ -138,15 +138,6 @@ def is_name_of(person: str, canvas_name: str) -> bool:
     names = (sanitized(person), canvas_name)
     one, other = (sorted(unicodedata.normalize("NFC", name)) for name in names)
     return one == other
-
-
-def _in_a_word(c: str) -> bool:
-    """Whether Ruby's [[:word:]] matches it, which includes combining marks."""
-    return unicodedata.category(c)[0] in "LM" or unicodedata.category(c) in ("Nd", "Pc")
-
-
-def _read_moodle(archive: Archive, _people: Names) -> Read:
-    return {entry: MOODLE.parse(entry) or UNKNOWN.format("Moodle") for entry in archive.names}
 
 
 def _moodle_page(uploads: Sequence[Upload]) -> str:
@@ -186,7 +177,7 @@ def _read_blackboard(archive: Archive, _people: Names) -> Read:
 def _person(archive: Archive, head: str, uploads: Sequence[Upload]) -> tuple[str, str]:
     """The user and the name, by the first line of a text that is about this entry."""
     user = name = ""
-    for upload in filter(lambda upload: upload.typed, uploads):
+    for upload in filter(lambda upload: upload.instead, uploads):
         text = archive.read(upload.entry, 4096).decode("utf-8", "replace")
         match = WHOSE.fullmatch(text.partition("\n")[0].strip())
         if match and head.endswith(f"_{match['user']}"):
@@ -201,13 +192,13 @@ CANVAS = Service(
     canvas_page,
     as_named=False,
 )
-MOODLE = Service(
+MOODLE: Service = Service(
     "Moodle",
     [
         rf"(?P<name>[^_/]+)_(?P<user>{ID})_assignsubmission_(?P<kind>file|onlinetext)"
         r"(?:_?/|_)(?P<file>.+)"
     ],
-    _read_moodle,
+    lambda archive, _: {e: MOODLE.parse(e) or UNKNOWN.format("Moodle") for e in archive.names},
     _moodle_page,
 )
 BLACKBOARD = Service(

@@ -12,16 +12,16 @@ Names = Mapping[str, Sequence[str]]
 
 
 class Upload(NamedTuple):
-    """One file of a service's download, by its name there; or what was typed into the service."""
+    """One file of a service's download, by its name there; or what the service has instead."""
 
     entry: str  # its whole name in the download
     name: str  # of the student or group: "doejane"; "" if the assignment is anonymous
     user: str  # the service's id
-    file: str  # "" if it is typed
+    file: str  # "" if there is none
     late: bool = False
     number: int = 0  # grows: the id of Canvas's attachment, the time of Blackboard's attempt
     as_named: bool = True  # the file has the student's own name for it, and no other file's
-    typed: str = ""  # "text" or "an address"
+    instead: str = ""  # of a file, as "text was typed"
     old: bool = False  # of an attempt that doesn't count any more
 
 

@@ -7,10 +7,10 @@ import zipfile
 from collections.abc import Sequence
 from pathlib import Path
 
-from bounce_grader.classroom.intake.archive import Archive, is_file, is_folder, of_macos, opened
 from bounce_grader.classroom.intake.services import CANVAS, Service, SERVICES
 from bounce_grader.classroom.intake.student import Class, Names, Student, Upload
-from bounce_grader.classroom.intake.uploads import student_of
+from bounce_grader.classroom.intake.uploads import Archive, is_file, is_folder, of_macos
+from bounce_grader.classroom.intake.uploads import opened, student_of
 from bounce_grader.common.errors import UsageError
 from bounce_grader.common.escaping import printable_name
 from bounce_grader.common.files import fitting
@@ -58,7 +58,7 @@ def _service(names: Sequence[str]) -> Service | None:
     known = [name for name in names if any(service.parse(name) for service in SERVICES)]
     for service in SERVICES:
         parsed = list(map(service.parse, known))
-        ids = [upload.number for upload in parsed if upload and not upload.typed]
+        ids = [upload.number for upload in parsed if upload and not upload.instead]
         if known and all(parsed) and (service is not CANVAS or len(set(ids)) == len(ids)):
             return service
     return CANVAS if known else None

@@ -1,31 +1,106 @@
-"""What a service's download holds of one student: which uploads count, what is said of the rest, and
-all of them as one submission.
+"""A service's download, a zip or the folder that it was unpacked to, and what it holds of one student:
+which uploads count, what is said of the rest, and all of them as one submission.
 
 Everything is read into memory, up to a limit on the total. Nothing is written, and no claimed size
 is trusted.
 """
 
 import os
-from collections.abc import Iterable, Iterator, Sequence
+import stat
+import zipfile
+import zlib
+from collections.abc import Sequence
 from contextlib import ExitStack
+from functools import lru_cache
 from pathlib import Path
 
-from bounce_grader.classroom.intake.archive import Archive, opened
 from bounce_grader.classroom.intake.student import Student, Upload
 from bounce_grader.common.errors import about_one_submission, UsageError
 from bounce_grader.common.escaping import first_few, printable_name
 from bounce_grader.common.manifest import parts
 from bounce_grader.submission import intake, submission
 from bounce_grader.submission.entry import checked, Entry, LARGEST_SOURCE, of_bytes, UnpackLimits
+from bounce_grader.submission.folders import SAFELY
 from bounce_grader.submission.intake import NOT_USED, is_archive
 from bounce_grader.submission.submission import COPY, HEADERS, part_file, SOURCES
 from bounce_grader.submission.submission import Submission
+from bounce_grader.submission.zips import name_of
 
+FAILURES = (zipfile.BadZipFile, zlib.error, EOFError, OSError, ValueError, RuntimeError, KeyError)
 MOST_ZIPS = 10
 LARGEST = 64 * 1024 * 1024  # bytes of all uploads together
 WHOLE = Path("the submission")  # its name in messages
 MOST_UPLOADS = 100  # of a student's
 HAND_IN = f"hand in the parts, {parts()[0].file} to {parts()[-1].file}, as files or as one zip"
+
+
+def is_file(path: Path) -> bool:
+    """Whether it is an ordinary file, and no link to one."""
+    return os.path.isfile(path) and not os.path.islink(path)
+
+
+def is_folder(path: Path) -> bool:
+    return os.path.isdir(path) and not os.path.islink(path)
+
+
+def of_macos(name: str) -> bool:
+    """Whether macOS has added this file beside others: it is nobody's, and nothing is said of it."""
+    return "__MACOSX" in name.split("/") or name.split("/")[-1].startswith((".DS_Store", "._"))
+
+
+class Damaged(UsageError):
+    """The whole download is damaged, which is no student's fault."""
+
+
+class Archive:
+    """Reads entries by name, at most `limit` bytes of each. Raises UsageError."""
+
+    def __init__(self, path: Path) -> None:
+        self.path = path
+        self._zip: zipfile.ZipFile | None = None
+        if path.is_dir():
+            files = (file for file in path.rglob("*") if not is_folder(file))
+            names = sorted(str(file.relative_to(path)) for file in files)
+        else:
+            try:
+                self._zip = zipfile.ZipFile(path)
+                infos = self._zip.infolist()
+            except FAILURES as error:
+                raise Damaged(f"{path} is broken ({error}): download it again") from error
+            self._infos = {name_of(info): info for info in infos if not info.is_dir()}
+            names = list(self._infos)
+        self.names = [name for name in names if not of_macos(name)]
+
+    def read(self, name: str, limit: int) -> bytes:
+        try:
+            if self._zip:
+                with self._zip.open(self._infos[name]) as stream:
+                    return stream.read(limit)
+            if os.path.islink(self.path / name):
+                raise ValueError("it is a link")
+            with open(os.open(self.path / name, SAFELY), "rb") as file:
+                if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
+                    raise ValueError("it is no ordinary file")
+                return file.read(limit)
+        except FAILURES as error:
+            if not self._zip:
+                raise UsageError(f"{name} can't be read from {self.path.name}: {error}") from error
+            damaged = f"{self.path} is damaged ({name}: {error})"
+            raise Damaged(f"{damaged}: download it again") from error
+
+
+def opened(path: Path) -> Archive:
+    """Opens an archive, and caches it until the file changes: its list of entries may be long."""
+    status = path.stat()
+    return _opened(path, status.st_mtime_ns, status.st_ino)
+
+
+@lru_cache(maxsize=2)
+def _opened(path: Path, changed: int, inode: int) -> Archive:
+    return Archive(path)
+
+
+# --- of one student ---
 
 
 def may_count(file: str) -> bool:
@@ -59,8 +134,8 @@ def _counted(uploads: Sequence[Upload]) -> tuple[tuple[Upload, ...], tuple[str, 
     unused = []
     for upload in sorted(uploads, key=lambda upload: -upload.number):
         shown, file = printable_name(upload.file), names_of(upload)[0]
-        if upload.typed:
-            unused.append(f"{upload.typed} was typed")
+        if upload.instead:
+            unused.append(upload.instead)
         elif upload.old:
             unused.append(f"{shown} is of an older attempt")
         elif not may_count(file):

@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 from bounce_grader.classroom.grading.summary import Summary
 from bounce_grader.classroom.intake.canvas_api import Canvas, name_of, Refused
 from bounce_grader.classroom.intake.gradebook import Gradebook, Line
-from bounce_grader.classroom.output.gradebook import fill, number_in, WRITTEN
+from bounce_grader.classroom.output.gradebook import fill, note, number_in, WRITTEN
 from bounce_grader.common.escaping import terminal
 from bounce_grader.common.files import read_object, write_whole
 from bounce_grader.common.numbers import short
@@ -73,7 +73,6 @@ def _print(lines: Iterable[str]) -> None:
 
 
 def _gradebook(canvas: Canvas) -> Gradebook:
-    listed = canvas.all(f"{canvas.path}/submissions?include[]=user&per_page=100")
     lines = [
         Line(
             number,
@@ -82,7 +81,7 @@ def _gradebook(canvas: Canvas) -> Gradebook:
             "" if submission.get("score") is None else short(submission["score"]),
             "is excused, and gets no points" if submission.get("excused") else "",
         )
-        for number, submission in enumerate(listed)
+        for number, submission in enumerate(canvas.submissions())
     ]
     return Gradebook("canvas", "the assignment on Canvas", canvas.assignment, lines)
 
@@ -106,7 +105,7 @@ def _post(
     canvas: Canvas, out: Path, changes: list[Change], written: dict[str, dict[str, Any]]
 ) -> list[str]:
     """Posts the changes. Returns a sentence for each that Canvas refused."""
-    _write(out, written)  # so that points count as ours if the answer is lost
+    note(out, written)  # so that points count as ours if the answer is lost
     refused = []
     for change in changes:
         path = f"{canvas.path}/submissions/{change.user}"
@@ -121,12 +120,8 @@ def _post(
             continue
         if change.page:
             written[f"{PAGES} {canvas.assignment}"][change.user] = _digest(out, change.page)
-            _write(out, written)
+            note(out, written)
     return refused
-
-
-def _write(out: Path, written: dict[str, dict[str, Any]]) -> None:
-    write_whole(out / WRITTEN, json.dumps(written, indent=1, sort_keys=True), durable=True)
 
 
 def _digest(out: Path, page: str) -> str:

@@ -5,6 +5,7 @@ import json
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from pathlib import Path
+from typing import Any, TypeVar
 
 from bounce_grader.classroom.grading.summary import Final, Summary
 from bounce_grader.classroom.intake.gradebook import Gradebook, Line
@@ -16,6 +17,7 @@ from bounce_grader.common.manifest import full_points
 from bounce_grader.common.numbers import short
 
 WRITTEN = "written.json"  # the points that runs have filled in: what differs, a person has changed
+Person = TypeVar("Person", Member, Final)
 # A column's title -> the service's id -> all points that runs have filled in there.
 Written = dict[str, dict[str, list[str]]]
 
@@ -23,16 +25,18 @@ Written = dict[str, dict[str, list[str]]]
 def require_same_class(book: Gradebook, intake: Class) -> None:
     """Raises UsageError if nobody who handed in is in the grade book."""
     members = [member for student in intake.students for member in student.members]
-    if not intake.logins and members:
-        if not any(_lines_of(book, one, intake.service == "canvas") for one in members):
-            raise UsageError(f"nobody who handed in is in {book.name}: is it of another course?")
+    if not intake.logins and members and not _lines_of(book, members, intake.service == "canvas"):
+        raise UsageError(f"nobody who handed in is in {book.name}: is it of another course?")
 
 
-def _lines_of(book: Gradebook, person: Member | Final, from_canvas: bool) -> Sequence[Line]:
-    """For a Canvas download only the service's own ids count, except the roster's, because any other
-    number in it comes from a student."""
-    by_id = book.by_own_id if from_canvas and not person.listed else book.by_any_id
-    return by_id.get(person.id, ())
+def _lines_of(
+    book: Gradebook, people: Sequence[Person], from_canvas: bool
+) -> list[tuple[Line, Person]]:
+    """The lines of these people. For a Canvas download only the service's own ids count, except the
+    roster's, because any other number in it comes from a student."""
+    own, every = book.by_id(own=True), book.by_id()
+    ids = [(one, own if from_canvas and not one.listed else every) for one in people]
+    return [(line, one) for one, by_id in ids for line in by_id.get(one.id, ())]
 
 
 def fill(
@@ -42,9 +46,8 @@ def fill(
     know. `from_canvas` says that the ids are those of a Canvas download. Points that already stand
     in a line are kept, unless earlier runs have `written` them, or if `overwrite` is set."""
     whose: dict[int, list[Final]] = {}  # by the line's number
-    for final in finals:
-        for line in _lines_of(book, final, from_canvas):
-            whose.setdefault(line.number, []).append(final)
+    for line, final in _lines_of(book, finals, from_canvas):
+        whose.setdefault(line.number, []).append(final)
     times = Counter(final.id for finals in whose.values() for final in finals)
     ours = written.setdefault(book.title, {})
     filled, sentences = [], _other_points_possible(book)
@@ -93,6 +96,11 @@ def _other_points_possible(book: Gradebook) -> list[str]:
     ]
 
 
+def note(out: Path, written: Mapping[str, Mapping[str, Any]]) -> None:
+    """Notes what runs have filled in and posted."""
+    write_whole(out / WRITTEN, json.dumps(written, indent=1, sort_keys=True), durable=True)
+
+
 def number_in(text: str) -> float | None:
     try:
         return float(text.strip().replace(",", "."))
@@ -118,7 +126,7 @@ def write(
         text = f"{points:.2f}".replace(".", "," if has_comma else ".")
         book.table.rows[line.number].cells[book.column] = text
     write_whole(path, book.table.encoded())
-    write_whole(path.with_name(WRITTEN), json.dumps(written, indent=1, sort_keys=True))
+    note(path.parent, written)
     left_out = [one.id for one in finals if one not in given]
     return [
         *lacking,

@@ -4,7 +4,6 @@ import os
 import statistics
 from collections import Counter
 from collections.abc import Iterator, Sequence
-from typing import NamedTuple
 from urllib.parse import quote
 
 from bounce_grader.classroom.grading.near_copies import Similar
@@ -19,15 +18,7 @@ from bounce_grader.grading import examples, speed
 from bounce_grader.grading.known_mistakes import for_the_instructor
 
 MOST_NAMES = 10  # of who made a mistake; grades.csv has all
-
-
-class Bar(NamedTuple):
-    """One bar of a chart: its label, its length from 0 to 1, and its number."""
-
-    label: str
-    share: float
-    note: str
-    heading: bool = False
+Bar = tuple[str, float, str, bool]  # label, length from 0 to 1, number, whether it is a heading
 
 
 def render(
@@ -35,12 +26,11 @@ def render(
 ) -> str:
     """`sentences` are on files that are nobody's, on adjustments and on the grade book."""
     graded = [s for s in summaries if s.score is not None]
-    students = [summary.student for summary in summaries]
     return fill(
         "classroom/output/class.html.j2",
         title=title or "The class",
         figures=list(_figures(summaries, graded)),
-        histogram=_histogram(graded),
+        histogram=list(_histogram(graded)),
         success=list(_success(graded)),
         mistakes=list(_mistakes(graded)),
         cases=_cases(graded),
@@ -53,7 +43,11 @@ def render(
         sentences=sentences,
         columns=["who", "points", *(f"part {part.number}" for part in parts()), "in the end"],
         submissions=list(map(_row, summaries)),
-        links={s.who: _link(s.feedback) for s in students if s.feedback},
+        links={
+            s.student.who: quote(os.fsencode(f"feedback/{s.student.feedback}"))
+            for s in summaries
+            if s.student.feedback
+        },
     )
 
 
@@ -95,9 +89,8 @@ def _cases(graded: Sequence[Summary]) -> list[str]:
 
 def of_near_copies(near: Similar) -> list[str]:
     """A sentence for each of the nearest copies."""
-    all_of_them = len(near.pairs) + near.more
-    counted = [f"{all_of_them} pairs have much in common; those with most:"] * bool(near.more)
-    return counted + [
+    number = len(near.pairs) + near.more
+    return [f"{number} pairs have much in common; those with most:"] * bool(near.more) + [
         f"{pair.first} and {pair.second} have {pair.in_common} in common: look whether one is a copy"
         for pair in near.pairs
     ]
@@ -115,18 +108,14 @@ def _figures(summaries: Sequence[Summary], graded: Sequence[Summary]) -> Iterato
         yield "late", str(late)
 
 
-def _histogram(graded: Sequence[Summary]) -> list[Bar]:
+def _histogram(graded: Sequence[Summary]) -> Iterator[Bar]:
     """How many submissions have how many points: by tenths, and full points."""
     full = full_points()
-    columns = Counter(
-        10 if s.has_all_points else min(9, int(10 * (s.score or 0) / full)) for s in graded
-    )
-    highest = max(columns.values(), default=1)
-    labels = [f"{short(full * i / 10)}–{short(full * (i + 1) / 10)}" for i in range(10)]
-    return [
-        Bar(f"{label} points", columns[i] / highest, str(columns[i]))
-        for i, label in enumerate([*labels, short(full)])
-    ]
+    tenths = [10 if s.has_all_points else min(9, int(10 * (s.score or 0) / full)) for s in graded]
+    highest = max(Counter(tenths).values(), default=1)
+    for i in range(11):
+        label = f"{short(full * i / 10)}{f'–{short(full * (i + 1) / 10)}' * (i < 10)} points"
+        yield label, tenths.count(i) / highest, str(tenths.count(i)), False
 
 
 def _success(graded: Sequence[Summary]) -> Iterator[Bar]:
@@ -134,10 +123,10 @@ def _success(graded: Sequence[Summary]) -> Iterator[Bar]:
     for part in parts() if graded else ():
         mean = statistics.mean(s.parts[part.number - 1]["score"] for s in graded)
         note = f"{mean:.1f} of {short(part.points)}"
-        yield Bar(f"Part {part.number}: {part.title}", mean / part.points, note, True)
+        yield f"Part {part.number}: {part.title}", mean / part.points, note, True
         for check in part.checks:
             share = sum(s.checks[check.id]["passed"] for s in graded) / len(graded)
-            yield Bar(check.title, share, percent(share))
+            yield check.title, share, percent(share), False
 
 
 def _chart(graded: Sequence[Summary]) -> Drawing | None:
@@ -166,7 +155,3 @@ def _row(summary: Summary) -> list[str]:
     ends = sorted({round(one.points, 2) for one in summary.finals})
     blank = [""] * (1 + len(parts()))
     return [summary.student.who, *(points or blank), " / ".join(map(short, ends))]
-
-
-def _link(feedback: str) -> str:
-    return quote(os.fsencode(f"feedback/{feedback}"))
