@@ -12,11 +12,8 @@ from bounce_grader.classroom.grading import grading, near_copies, results
 from bounce_grader.classroom.grading.summary import Summary
 from bounce_grader.classroom.intake import canvas_api, gradebook as gradebook_files
 from bounce_grader.classroom.intake import students
-from bounce_grader.classroom.intake.canvas_api import Canvas
-from bounce_grader.classroom.intake.gradebook import Gradebook
 from bounce_grader.classroom.intake.student import Class
 from bounce_grader.classroom.output import canvas_upload, feedback, gradebook, grades, page
-from bounce_grader.classroom.output.gradebook import WRITTEN
 from bounce_grader.classroom.output.people import People
 from bounce_grader.common.errors import KitError, UsageError
 from bounce_grader.common.escaping import terminal
@@ -31,7 +28,7 @@ class Given(NamedTuple):
     """All that is given: read and checked before anything is graded or written."""
 
     intake: Class
-    canvas: Canvas | None
+    canvas: canvas_api.Canvas | None
     people: People
     sentences: list[str]  # on files that are nobody's, on lateness, adjustments and the roster
     corpus: list[Summary]
@@ -56,8 +53,8 @@ def run(options: Options) -> int:
 
 def _read(options: Options) -> Given:
     """Raises UsageError if something can't be read, or doesn't belong together."""
-    read_object(options.out / WRITTEN)
-    book = Gradebook()
+    read_object(options.out / gradebook.WRITTEN)
+    book = gradebook_files.Gradebook()
     if options.gradebook:
         if options.gradebook.resolve() == _filled_in(options).resolve():
             where = f"{options.gradebook} would be overwritten"
@@ -69,17 +66,10 @@ def _read(options: Options) -> Given:
     if options.submissions:
         intake = students.read(options.submissions, people.names())
     else:
-        canvas = Canvas(options.canvas)
+        canvas = canvas_api.Canvas(options.canvas)
         intake = canvas_api.download(canvas, options.out)
     sentences = people.assign(intake)
-    if intake.service and book.service not in ("", intake.service):
-        # In files of different services, the same id can be that of different students.
-        raise UsageError(
-            f"{options.submissions} is a download from {intake.service.capitalize()}, and "
-            f"{options.gradebook} a file from {book.service.capitalize()}: give both from one"
-        )
-    if book.service:
-        gradebook.require_same_class(book, intake)
+    gradebook.require_same_class(book, intake)
     return Given(intake, canvas, people, [*intake.strays, *sentences], corpus)
 
 
@@ -91,8 +81,7 @@ def _filled_in(options: Options) -> Path:
 
 @contextmanager
 def _locked(out: Path) -> Iterator[None]:
-    """Locks the output folder, so that only one run writes to it. The lock ends with the
-    process."""
+    """Lets only one run write to the output folder. The lock ends with the process."""
     try:
         out.mkdir(mode=0o700, parents=True, exist_ok=True)  # it will hold points and answers
         lock = open(out / ".lock", "w")

@@ -133,6 +133,6 @@ def test_in_reading_it_is_one_students(
 def test_who_cannot_be_compared_needs_a_look(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(near_copies, "own_runs", partial(fails, OverflowError("too large")))
+    monkeypatch.setattr(near_copies, "tokens_of", partial(fails, OverflowError("too large")))
     assert grade_class(download(tmp_path / "x.zip", [101]), tmp_path / "out") == 0
     assert "can't be compared" in rows(tmp_path / "out")["101"]["needs a look"]

@@ -26,6 +26,7 @@ from bounce_grader.classroom.grading.results import grade_one, Task
 from bounce_grader.common.errors import KitError
 from bounce_grader.common.manifest import Part, parts
 from bounce_grader.grading.record import failed_part, whole
+from bounce_grader.sandbox.budget import Budget
 from bounce_grader.submission.submission import Submission
 
 MESSAGE = "1 of 9 cases wrong; the first: a corner sticks"
@@ -86,6 +87,7 @@ def _times(ns: float, error: float) -> dict[str, Any]:
 def grade(
     taken: Submission,
     task: Task,
+    _within: Budget,
     seconds: float = 0.0,
     later: bool = False,
     points: Mapping[str, float] = {},

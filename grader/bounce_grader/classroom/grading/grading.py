@@ -1,5 +1,4 @@
-"""Grades the submissions without a result, on this machine or on a Dask cluster, and summarizes all
-results."""
+"""Grades submissions that have no result, here or on a Dask cluster, and summarizes all results."""
 
 import errno
 import multiprocessing
@@ -116,17 +115,17 @@ def _end_with_the_class() -> None:
 
 
 def on_dask(tasks: Sequence[Task], scheduler: str, unit: Unit) -> Graded:
-    """Each task is a future. Workers must see the kit, the submissions and the results under the
-    same paths; they may join, leave and crash. Raises UsageError if there is no such scheduler,
-    KitError if it is lost."""
+    """Workers must see the kit, the submissions and the results under the same paths; they may
+    join, leave and crash. Raises UsageError if there is no such scheduler, KitError if it is lost.
+    """
     if not tasks:
         return
     try:
         from distributed import as_completed as as_done, Client
+
+        client = Client(scheduler, timeout=TO_CONNECT, set_as_default=False)
     except ImportError as error:
         raise UsageError("Dask is missing: apt-get install python3-distributed") from error
-    try:
-        client = Client(scheduler, timeout=TO_CONNECT, set_as_default=False)
     except (OSError, ValueError) as error:
         where = f"no Dask scheduler answers at {scheduler}"
         raise UsageError(f"{where}: start one with dask-scheduler") from error

@@ -50,8 +50,7 @@ TOKEN = re.compile(
     | (?P<number>\.?\d(?:'?[\w.])*) | (?P<name>[^\W\d]\w*) | .""",
     re.DOTALL | re.VERBOSE,
 )
-# Whole submissions' under 0, those of part n under n, by whose they are.
-Runs = defaultdict[int, dict[str, set[int]]]
+Runs = Mapping[str, Mapping[int, set[int]]]  # by whose they are
 
 
 class Pair(NamedTuple):
@@ -90,14 +89,12 @@ def find(summaries: Sequence[Summary], others: Sequence[Summary] = ()) -> Simila
     which can't be compared, or only in part."""
     own = [summary for summary in summaries if summary.state != "unreadable"]
     names = {summary.student.who for summary in own}
-    runs: Runs = defaultdict(dict)
-    for summary in (*own, *others):
-        _add(runs, summary)
-    whole, usual = _alike(runs[0], LEAST)
+    runs = {summary.student.who: own_runs(summary) for summary in (*own, *others)}
+    whole, usual = _alike(runs, 0, LEAST)
     pairs = [Pair(*both, share) for both, share in whole.items()]
     of_parts: dict[tuple[str, str], dict[int, int]] = defaultdict(dict)
     for part in parts():
-        for both, share in _alike(runs[part.number], LEAST_OF_PART)[0].items():
+        for both, share in _alike(runs, part.number, LEAST_OF_PART)[0].items():
             of_parts[both][part.number] = share
     for both, shares in of_parts.items():
         if both not in whole and len(shares) >= LEAST_PARTS:
@@ -107,23 +104,12 @@ def find(summaries: Sequence[Summary], others: Sequence[Summary] = ()) -> Simila
     return Similar(wanted[:MOST], usual, len(wanted[MOST:]))
 
 
-def _add(runs: Runs, summary: Summary) -> None:
-    """Adds a submission's runs; or notes why they can't be compared, or are cut. It is read once,
-    because a reading may take seconds."""
-    try:
-        with about_one_submission("it can't be compared with others"):
-            for number, own in own_runs(summary).items():
-                if len(own) >= RUN:
-                    runs[number][summary.student.who] = own
-    except UsageError as error:
-        summary.notes.append(str(error))
-
-
-def _alike(runs: Mapping[str, set[int]], least: int) -> tuple[dict[tuple[str, str], int], int]:
+def _alike(runs: Runs, number: int, least: int) -> tuple[dict[tuple[str, str], int], int]:
     """The shares that stand out, in per cent, by whose submissions they are; and the usual share."""
-    closest = dict.fromkeys(runs, 0)
+    those = {who: of[number] for who, of in runs.items() if number in of}
+    closest = dict.fromkeys(those, 0)
     shares: dict[tuple[str, str], int] = {}
-    for (one, own), (other, others) in combinations(runs.items(), 2):
+    for (one, own), (other, others) in combinations(those.items(), 2):
         share = round(100 * len(own & others) / min(len(own), len(others)))
         closest[one], closest[other] = max(closest[one], share), max(closest[other], share)
         if share >= least:
@@ -134,18 +120,23 @@ def _alike(runs: Mapping[str, set[int]], least: int) -> tuple[dict[tuple[str, st
 
 
 def own_runs(summary: Summary) -> dict[int, set[int]]:
-    """The runs that aren't the handout's: of all files under 0, of part n under n. Raises
-    UsageError."""
-    taken = uploads.read(summary.student)
+    """The runs that aren't the handout's: of all files under 0, of part n under n. Notes why they
+    can't be compared, or are cut. They are read once, because a reading may take seconds."""
     own: dict[str, set[int]] = {}
     room = LONGEST
-    for name in dict.fromkeys([*taken.parts.values(), *sorted(taken.files)]):
-        tokens = tokens_of(taken.files[name])
-        summary.notes += [IN_PART] * (len(tokens) > room)
-        own[name] = runs_of(tokens[:room]) - _handout()
-        room -= min(room, len(tokens))
-    of_parts = {number: own[file] for number, file in taken.parts.items()}
-    return {0: set().union(*own.values()), **of_parts}
+    try:
+        with about_one_submission("it can't be compared with others"):
+            taken = uploads.read(summary.student)
+            for name in dict.fromkeys([*taken.parts.values(), *sorted(taken.files)]):
+                tokens = tokens_of(taken.files[name])
+                summary.notes += [IN_PART] * (len(tokens) > room)
+                own[name] = runs_of(tokens[:room]) - _handout()
+                room -= min(room, len(tokens))
+    except UsageError as error:
+        summary.notes.append(str(error))
+        return {}
+    runs = {0: set().union(*own.values()), **{n: own[file] for n, file in taken.parts.items()}}
+    return {number: of for number, of in runs.items() if len(of) >= RUN}
 
 
 def runs_of(tokens: Sequence[str]) -> set[int]:
@@ -154,8 +145,7 @@ def runs_of(tokens: Sequence[str]) -> set[int]:
 
 
 def tokens_of(text: bytes) -> list[str]:
-    """The tokens of a source, in which all names are the same, all numbers and all literals; of a
-    long one only its first."""
+    """A source's first tokens, in which all names are the same, all numbers and all literals."""
     whole = io.StringIO(text.decode("utf-8", "replace"), newline=None).read()
     spliced = re.sub(r"\\[ \t]*\n", "", whole)
     found = (match for match in TOKEN.finditer(spliced) if match.lastgroup != "skipped")

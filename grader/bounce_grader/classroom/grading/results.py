@@ -11,7 +11,6 @@ import json
 import os
 from collections.abc import Callable, Mapping, Sequence
 from datetime import datetime, timezone
-from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -64,9 +63,9 @@ class Task(NamedTuple):
         return key_of(self.submission, self.stamp)
 
 
-Grade = Callable[[Submission, Task], Record]
-# Returns why the kit failed, and there is no result; "" if there is one. Raises OSError if the disk is
-# full: then no further result could be stored.
+Grade = Callable[[Submission, Task, Budget], Record]
+# Returns why the kit failed, and there is no result; "" if there is one. Raises OSError if the disk
+# is full: then no further result could be stored.
 Unit = Callable[[Task], str]
 
 
@@ -114,9 +113,8 @@ def grade_submission(taken: Submission, task: Task, within: Budget) -> Record:
     return grade(taken, Options(kinds, task.speed, sanitize, jobs=1, within=within))
 
 
-def grade_one(task: Task, grade: Grade | None = None) -> str:
+def grade_one(task: Task, grade: Grade = grade_submission) -> str:
     """Grades a submission, as a Unit."""
-    grade = grade or partial(grade_submission, within=Budget())  # reading counts, too
     try:
         result = json.dumps(_result(task, grade))
         write_whole(task.folder / f"{task.key}.json", result, durable=True)
@@ -138,11 +136,17 @@ def _result(task: Task, grade: Grade) -> Result:
         **task.stamp._asdict(),
         "timed": task.speed,
     }
+    within = Budget()  # reading counts, too
     try:
         taken = uploads.read(task.student)
         _require_a_part(taken)
         beside = list(map(printable_name, taken.helpers))
-        graded = {"state": "graded", "message": "", "record": grade(taken, task), "beside": beside}
+        graded = {
+            "state": "graded",
+            "message": "",
+            "record": grade(taken, task, within),
+            "beside": beside,
+        }
     except UsageError as error:
         message = sentence(str(error).replace(str(task.student.path), "the submission"))
         graded = {"state": "unreadable", "message": message, "record": {}, "beside": []}
@@ -150,8 +154,7 @@ def _result(task: Task, grade: Grade) -> Result:
 
 
 def _require_a_part(taken: Submission) -> None:
-    """Raises UsageError if no part is found, as with other names: a person should look at it,
-    rather than it getting a zero."""
+    """Raises UsageError if no part is found, as with other names: a person looks, before a zero."""
     if not taken.parts and not taken.refused:
         left = [name for name in taken.ignored if not name.startswith("__MACOSX")]
         names = list(map(printable_name, [*taken.helpers, *left]))
@@ -163,8 +166,7 @@ def _require_a_part(taken: Submission) -> None:
 
 
 def load(folder: Path, key: str, timed: bool = False) -> Result | None:
-    """A result; None if there is no valid one. It does for a run without times, too, if it is timed:
-    timing changes no score."""
+    """A valid result, or None. A timed one does without times, too: timing changes no score."""
     try:
         result: Result = json.loads((folder / f"{key}.json").read_bytes())
     except (OSError, ValueError):
@@ -215,7 +217,7 @@ def differences(there: Stamp, tasks: Sequence[Task]) -> list[str]:
 
 
 def _points(task: Task, key: str) -> tuple[Any, dict[str, float]]:
-    """The score, and the points of each check. Where there are none, the state stands for a score."""
+    """The score, and the points of each check. If there are none, the state stands for a score."""
     result = load(task.folder, key) or {"state": "not graded", "record": {}}
     record = result["record"] or {"score": result["state"], "parts": []}
     checks = (check for part in record["parts"] for check in part["checks"])

@@ -2,10 +2,8 @@
 
 import re
 from dataclasses import dataclass, field
-from typing import NamedTuple
 
-from bounce_grader.classroom.intake.instructor_files import Adjustment
-from bounce_grader.classroom.intake.student import Student
+from bounce_grader.classroom.intake.student import Member, Student
 from bounce_grader.common.escaping import first_few
 from bounce_grader.common.manifest import full_points, named_together
 from bounce_grader.grading.record import Record
@@ -13,16 +11,6 @@ from bounce_grader.grading.record import Record
 # Files that are handed in beside parts, and are none under another name.
 NO_PART = re.compile(r"(\S*/)?(readme|cmakelists|makefile|\.ds_store|\._|__macosx)", re.IGNORECASE)
 ODD = {"timed_out", "out_of_memory", "no_answer", "crashed", "does_not_compile"}  # ends of a part
-
-
-class Final(NamedTuple):
-    """A person's points in the end."""
-
-    id: str
-    name: str
-    points: float
-    applied: tuple[Adjustment, ...] = ()  # with the points that each gave
-    listed: bool = False  # in the instructor's roster
 
 
 @dataclass
@@ -36,7 +24,7 @@ class Summary:
     record: Record = field(default_factory=dict)  # empty unless it is graded
     beside: tuple[str, ...] = ()  # sources that aren't parts
     notes: list[str] = field(default_factory=list)  # what else a person should look at
-    finals: list[Final] = field(default_factory=list)  # of each member, if it is graded
+    finals: list[Member] = field(default_factory=list)  # with their points, if it is graded
 
     def __post_init__(self) -> None:
         self.score: float | None = self.record.get("score")

@@ -87,6 +87,7 @@ class Canvas:
     def request(self, method: str, url: str, **content: Any) -> tuple[bytes, str | None]:
         """The body of an answer, and the address of the list's next page. Raises UsageError if the
         token isn't accepted, Refused if this request isn't, KitError if Canvas can't be reached."""
+        unreachable = KitError(f"no answer from {self._origin}: give the same command again later")
         wanted = {"stream": True, "timeout": SECONDS, "auth": self._sign, **content}
         try:
             with self._session.request(method, url, **wanted) as answer:
@@ -96,11 +97,11 @@ class Canvas:
         except ValueError:  # a kind of address that isn't the web's
             raise Refused("it leads to no address of the web") from None
         except (requests.RequestException, HTTPError):
-            raise self._unreachable() from None
+            raise unreachable from None
         if answer.status_code == 401:
             raise UsageError("Canvas doesn't accept CANVAS_TOKEN: make a new one there")
         if answer.status_code in BUSY and (answer.status_code != 403 or b"Rate Limit" in body):
-            raise self._unreachable()
+            raise unreachable
         if not answer.ok:
             raise Refused(f"{answer.status_code} {printable_name(answer.reason or '')}")
         return body, answer.links.get("next", {}).get("url")
@@ -111,9 +112,6 @@ class Canvas:
         if str(request.url).startswith(f"{self._origin}/"):
             request.headers["Authorization"] = f"Bearer {self._token}"
         return request
-
-    def _unreachable(self) -> KitError:
-        return KitError(f"no answer from {self._origin}: give the same command again later")
 
 
 def _json(body: bytes) -> Any:

@@ -29,7 +29,7 @@ POSTING = re.compile(r"(Muted|Manual Posting.*)?", re.IGNORECASE)
 PARTICIPANT = re.compile(r"[^\W\d].*?\s?\d+", re.DOTALL)  # Moodle's first cell: Participant 12345
 TOTAL = re.compile(r"\s*\[Total Pts: ([\d.,]+)[^\]]*\]\s*\|\s*\d+\s*$")  # and in Blackboard's file
 NAMES = ("Student", "Full name", "LastName", "FirstName", "Last Name", "First Name")
-# In the languages of Moodle: titles of the column, and what words begin with, by the days in a unit.
+# In Moodle's languages: titles of the column, and what words begin with, by the days in a unit.
 WORDS = json.loads(Path(__file__).with_name("moodle_words.json").read_text("utf-8"))
 
 
@@ -61,8 +61,7 @@ class Gradebook:
     column: int = 0
 
     def by_id(self, own: bool = False) -> dict[str, list[Line]]:
-        """The lines of each id; or of the service's own alone, which else take precedence, as in its
-        importer."""
+        """The lines of each id, or of the service's own, which its importer looks at first."""
         found: dict[str, list[Line]] = {}
         for kind in range(1 if own else len(CANVAS_IDS))[::-1]:
             of_kind: dict[str, list[Line]] = {}
@@ -141,16 +140,13 @@ def _only_column(table: Table, title: str, ending: re.Pattern[str]) -> int:
 def days_late(status: str) -> int | None:
     """How many days are begun after the deadline, by a cell of Moodle's worksheet; None if the words
     aren't known. Full hours count, so that "2 days late" is two days."""
-    pieces = status.split(" - ")
-    late = pieces[1] if len(pieces) > 1 else ""
+    late = [*status.split(" - "), ""][1]
     if re.search(r"\d{4}|\d:\d", late):  # the date of an extension
         return 0
     days, begun = 0, False
     for number, word in re.findall(r"(\d+)\s+([^\W\d]+)", late):
-        units = (d for d, of in WORDS["units"].items() if word.lower().startswith(tuple(of)))
-        unit = next(units, None)
-        if unit is None:
+        units = [int(d) for d, of in WORDS["units"].items() if word.lower().startswith(tuple(of))]
+        if not units:
             return None
-        days += int(number) * int(unit)
-        begun = begun or unit == "0"
+        days, begun = days + int(number) * units[0], begun or units[0] == 0
     return days + begun

@@ -8,7 +8,7 @@ from importlib import import_module
 from pathlib import Path
 from typing import NamedTuple
 
-from bounce_grader.classroom.intake.student import Member
+from bounce_grader.classroom.intake.student import Adjustment, Member
 from bounce_grader.classroom.intake.table import Table
 from bounce_grader.common.errors import KitError, UsageError
 from bounce_grader.common.manifest import parts
@@ -27,22 +27,8 @@ class Course(NamedTuple):
     at_most_percent: float = 100.0
 
 
-class Adjustment(NamedTuple):
-    """One row of adjustments.csv: what changes for whom, and why."""
-
-    where: str  # the file and the line
-    student: str  # an id; or EVERYBODY
-    points: float = 0.0  # added
-    late_days: float | None = None  # in place of the service's; 0 for an extension
-    cap: float | None = None  # the most points
-    drop: tuple[str, ...] = ()  # checks whose points are given
-    reason: str = ""
-    comment: str = ""
-
-
 def course(out: Path) -> Course:
-    """The course's policy; the default, under which lateness costs nothing, if there is no such
-    file. Raises UsageError."""
+    """The course's policy; without such a file, lateness costs nothing. Raises UsageError."""
     path = out / COURSE
     if not path.exists():
         return Course()
@@ -54,21 +40,16 @@ def course(out: Path) -> Course:
     except (OSError, ValueError) as error:
         raise UsageError(f"{path} can't be read as TOML: {error}") from error
     title, late = data.pop("title", ""), data.pop("late", {})
-    if (
-        data
-        or not isinstance(title, str)
-        or not isinstance(late, dict)
-        or not late.keys() <= set(LATE)
-        or not all(type(x) in (int, float) and 0 <= x <= 100 for x in late.values())
-    ):
+    known = isinstance(title, str) and isinstance(late, dict) and late.keys() <= set(LATE)
+    numbers = known and all(type(x) in (int, float) and 0 <= x <= 100 for x in late.values())
+    if data or not numbers:
         late = f"{' and '.join(LATE)}, numbers from 0 to 100"
         raise UsageError(f"{path} takes a title, and under [late] {late}")
     return Course(title, **late)
 
 
 def roster(out: Path) -> dict[str, list[Member]]:
-    """The members of each submission, by its id or name: a login, or the name of a folder or group.
-    Raises UsageError."""
+    """The members by submission: a login, or the name of a folder or group. Raises UsageError."""
     path = out / ROSTER
     members: dict[str, list[Member]] = {}
     seen: dict[str, int] = {}

@@ -25,12 +25,27 @@ class Upload(NamedTuple):
     old: bool = False  # of an attempt that doesn't count any more
 
 
+class Adjustment(NamedTuple):
+    """One row of adjustments.csv: what changes for whom, and why."""
+
+    where: str  # the file and the line
+    student: str  # an id, or "*" for everybody
+    points: float = 0.0  # added
+    late_days: float | None = None  # in place of the service's; 0 for an extension
+    cap: float | None = None  # the most points
+    drop: tuple[str, ...] = ()  # checks whose points are given
+    reason: str = ""
+    comment: str = ""
+
+
 class Member(NamedTuple):
     """A person who gets the points of a submission."""
 
     id: str
     name: str
     listed: bool = False  # in the instructor's roster
+    points: float = 0.0  # in the end
+    applied: tuple[Adjustment, ...] = ()  # with the points that each gave
 
 
 @dataclass(frozen=True)

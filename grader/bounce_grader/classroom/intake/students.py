@@ -139,8 +139,7 @@ def _has_a_part(path: Path) -> bool:
 
 
 def _common_prefix(path: Path, folders: list[Path]) -> int:
-    """The length of the assignment's name, with which each repository's name begins; the login
-    follows."""
+    """The length of the assignment's name, which is before the login in each repository's."""
     named = path.name.removesuffix("-submissions") + "-"
     if all(folder.name.startswith(named) for folder in folders):
         return len(named)

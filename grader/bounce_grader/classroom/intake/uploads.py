@@ -1,12 +1,11 @@
-"""A service's download, a zip or the folder that it was unpacked to, and what it holds of one student:
-which uploads count, what is said of the rest, and all of them as one submission.
+"""A service's download, a zip or the folder that it was unpacked to, and what it holds of one
+student: which uploads count, what is said of the rest, and all of them as one submission.
 
 Everything is read into memory, up to a limit on the total. Nothing is written, and no claimed size
 is trusted.
 """
 
 import os
-import stat
 import zipfile
 import zlib
 from collections.abc import Sequence
@@ -76,11 +75,10 @@ class Archive:
             if self._zip:
                 with self._zip.open(self._infos[name]) as stream:
                     return stream.read(limit)
-            if os.path.islink(self.path / name):
-                raise ValueError("it is a link")
-            with open(os.open(self.path / name, SAFELY), "rb") as file:
-                if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
-                    raise ValueError("it is no ordinary file")
+            path = self.path / name
+            if not is_file(path):
+                raise ValueError("it is a link" if path.is_symlink() else "it is no ordinary file")
+            with open(os.open(path, SAFELY), "rb") as file:
                 return file.read(limit)
         except FAILURES as error:
             if not self._zip:
@@ -96,7 +94,7 @@ def opened(path: Path) -> Archive:
 
 
 @lru_cache(maxsize=2)
-def _opened(path: Path, changed: int, inode: int) -> Archive:
+def _opened(path: Path, *_status: int) -> Archive:
     return Archive(path)
 
 
@@ -105,11 +103,7 @@ def _opened(path: Path, changed: int, inode: int) -> Archive:
 
 def may_count(file: str) -> bool:
     is_of_cases = file.startswith("examples") and file.endswith(".txt")  # Canvas adds numbers
-    return _ending(file) in SOURCES | HEADERS or is_archive(file) or is_of_cases
-
-
-def _ending(file: str) -> str:
-    return os.path.splitext(file)[1].lower()
+    return Path(file).suffix.lower() in SOURCES | HEADERS or is_archive(file) or is_of_cases
 
 
 def student_of(download: Path, uploads: Sequence[Upload], page: str) -> Student:
@@ -158,7 +152,7 @@ def names_of(upload: Upload) -> list[str]:
         return [file]
     without_number: str = next((name for name in plain if name != file), file)
     own = part_file(file) or without_number
-    return list({file: "", own: ""}) if _ending(file) in HEADERS else [own]
+    return list({file: "", own: ""}) if Path(file).suffix.lower() in HEADERS else [own]
 
 
 # --- as one submission ---

@@ -7,6 +7,7 @@ stopped, and no comment is posted twice.
 import hashlib
 import json
 from collections.abc import Iterable, Sequence
+from contextlib import suppress
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -52,7 +53,10 @@ def show_or_post(
         is_new = _digest(out, page) not in ("", posted_pages.get(user))
         change = Change(user, line.person, line.there, points.get(user, ""), page * is_new)
         changes += [change] * bool(change.points or change.page)
-    if upload and _were_shown(out, changes):
+    shown = []  # last
+    with suppress(OSError, ValueError):
+        shown = json.loads((out / PLAN).read_text())
+    if upload and all(list(change) in shown for change in changes):
         refused = _post(canvas, out, changes, written)
         posted = len(changes) - len(refused)
         print(f"Students whose points or pages were posted: {posted} of {len(changes)}.")
@@ -90,15 +94,6 @@ def _words(change: Change) -> str:
     points = f"{change.before or 'nothing'} -> {change.points} points" if change.points else ""
     what = " and ".join(filter(None, [points, "a page" * bool(change.page)]))
     return f"{change.name or change.user} ({change.user}): {what}"
-
-
-def _were_shown(out: Path, changes: list[Change]) -> bool:
-    """Whether all of these changes are among those that were shown last."""
-    try:
-        shown = [Change(*fields) for fields in json.loads((out / PLAN).read_text())]
-    except (OSError, ValueError, TypeError):
-        shown = []
-    return all(change in shown for change in changes)
 
 
 def _post(

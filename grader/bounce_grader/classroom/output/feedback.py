@@ -1,7 +1,7 @@
 """Writes the feedback pages; and for Canvas and Moodle, zips of the pages that they can import."""
 
 import zipfile
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from pathlib import Path
 
@@ -12,22 +12,20 @@ from bounce_grader.common.files import write_whole, zipped
 from bounce_grader.formats import html
 from bounce_grader.grading.record import for_readers
 
-MODE = 0o644  # of pages in a zip
 
-
-def write(out: Path, summaries: Sequence[Summary], reveal: bool) -> list[str]:
+def write(out: Path, summaries: Sequence[Summary], reveal: bool) -> dict[str, str]:
     """Writes a page for each submission, graded or not; only with `reveal` with the expected answers
-    of hidden cases. Returns their names, and notes which can't be written."""
-    folder = out / "feedback"
-    folder.mkdir(exist_ok=True)
-    pages: list[str] = []
+    of hidden cases. Returns them by their names, and notes which can't be written."""
+    (out / "feedback").mkdir(exist_ok=True)
+    pages: dict[str, str] = {}
     for summary in summaries:
         name = summary.student.feedback
         if name and summary.state != "failed":
             try:
                 with about_one_submission("there is no feedback page, as it can't be written"):
-                    write_whole(folder / name, _page(summary, reveal))
-                    pages.append(name)
+                    page = _page(summary, reveal)
+                    write_whole(out / "feedback" / name, page)
+                    pages[name] = page
             except UsageError as error:
                 summary.notes.append(str(error))
     return pages
@@ -36,13 +34,12 @@ def write(out: Path, summaries: Sequence[Summary], reveal: bool) -> list[str]:
 def _page(summary: Summary, reveal: bool) -> str:
     if not summary.record:
         return html.refused(summary.message)
-    record = for_readers(summary.record, reveal)
-    student = summary.student
+    record, student = for_readers(summary.record, reveal), summary.student
     in_the_end = summary.finals if any(final.applied for final in summary.finals) else ()
     return html.render(record, student.shown, student.unused, in_the_end)
 
 
-def zip_new(out: Path, service: str, pages: Sequence[str]) -> str:
+def zip_new(out: Path, service: str, pages: Mapping[str, str]) -> str:
     """Zips the pages that no earlier zip has as they are now: Canvas adds a comment for each page
     that it is given. Returns what to upload; "" if the service takes no zip."""
     taken = [p for p in pages if service == "moodle" or service == "canvas" and CANVAS.parse(p)]
@@ -51,8 +48,8 @@ def zip_new(out: Path, service: str, pages: Sequence[str]) -> str:
     for path in earlier:
         with suppress(zipfile.BadZipFile), zipfile.ZipFile(path) as archive:
             before |= {name: archive.read(name) for name in archive.namelist()}
-    now = {name: (out / "feedback" / name).read_bytes() for name in taken}
-    changed = {name: (page, MODE) for name, page in now.items() if before.get(name) != page}
+    now = {name: (pages[name].encode(), 0o644) for name in taken}
+    changed = {name: page for name, page in now.items() if before.get(name) != page[0]}
     if changed:
         path = out / f"feedback-{len(earlier) + 1:03}.zip"
         write_whole(path, zipped(changed, True))

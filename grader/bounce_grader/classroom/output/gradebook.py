@@ -5,9 +5,9 @@ import json
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import Any
 
-from bounce_grader.classroom.grading.summary import Final, Summary
+from bounce_grader.classroom.grading.summary import Summary
 from bounce_grader.classroom.intake.gradebook import Gradebook, Line
 from bounce_grader.classroom.intake.instructor_files import ROSTER
 from bounce_grader.classroom.intake.student import Class, Member
@@ -17,21 +17,25 @@ from bounce_grader.common.manifest import full_points
 from bounce_grader.common.numbers import short
 
 WRITTEN = "written.json"  # the points that runs have filled in: what differs, a person has changed
-Person = TypeVar("Person", Member, Final)
 # A column's title -> the service's id -> all points that runs have filled in there.
 Written = dict[str, dict[str, list[str]]]
 
 
 def require_same_class(book: Gradebook, intake: Class) -> None:
-    """Raises UsageError if nobody who handed in is in the grade book."""
+    """Raises UsageError if grade book and submissions can't be of one class. In those of different
+    services, the same id can be that of different students."""
+    if book.service and intake.service not in ("", book.service):
+        file = f"{book.name} is a file from {book.service.capitalize()}"
+        raise UsageError(f"{file}, and the submissions are {intake.source}: give both from one")
     members = [member for student in intake.students for member in student.members]
-    if not intake.logins and members and not _lines_of(book, members, intake.service == "canvas"):
+    from_canvas = intake.service == "canvas"
+    if book.service and members and not (intake.logins or _lines_of(book, members, from_canvas)):
         raise UsageError(f"nobody who handed in is in {book.name}: is it of another course?")
 
 
 def _lines_of(
-    book: Gradebook, people: Sequence[Person], from_canvas: bool
-) -> list[tuple[Line, Person]]:
+    book: Gradebook, people: Sequence[Member], from_canvas: bool
+) -> list[tuple[Line, Member]]:
     """The lines of these people. For a Canvas download only the service's own ids count, except the
     roster's, because any other number in it comes from a student."""
     own, every = book.by_id(own=True), book.by_id()
@@ -40,12 +44,12 @@ def _lines_of(
 
 
 def fill(
-    book: Gradebook, finals: Sequence[Final], from_canvas: bool, written: Written, overwrite: bool
+    book: Gradebook, finals: Sequence[Member], from_canvas: bool, written: Written, overwrite: bool
 ) -> tuple[list[tuple[Line, float]], list[str]]:
     """The lines that take points, which are also noted in `written`; and what the instructor should
     know. `from_canvas` says that the ids are those of a Canvas download. Points that already stand
     in a line are kept, unless earlier runs have `written` them, or if `overwrite` is set."""
-    whose: dict[int, list[Final]] = {}  # by the line's number
+    whose: dict[int, list[Member]] = {}  # by the line's number
     for line, final in _lines_of(book, finals, from_canvas):
         whose.setdefault(line.number, []).append(final)
     times = Counter(final.id for finals in whose.values() for final in finals)
@@ -74,7 +78,7 @@ def fill(
     return filled, list(dict.fromkeys(sentences))
 
 
-def _unfilled(line: Line, meant: Sequence[Final], before: Sequence[str], overwrite: bool) -> str:
+def _unfilled(line: Line, meant: Sequence[Member], before: Sequence[str], overwrite: bool) -> str:
     """Why a line takes no points; "" if it does."""
     if not meant:
         return "has no score: nothing is filled in"

@@ -2,7 +2,8 @@
 
 from collections.abc import Iterable, Mapping
 
-from bounce_grader.classroom.grading.summary import Final, Summary
+from bounce_grader.classroom.grading.summary import Summary
+from bounce_grader.classroom.intake.student import Member
 from bounce_grader.common.escaping import csv_row, first_few, Value
 from bounce_grader.common.manifest import parts
 from bounce_grader.formats.html import MOST_UNUSED
@@ -44,8 +45,8 @@ def _of_members(values: Mapping[str, Value]) -> Value:
     return next(iter(values.values()), None)
 
 
-def _changes(final: Final) -> str:
-    return ", ".join(f"{a.reason} {a.points:+g}" if a.points else a.reason for a in final.applied)
+def _changes(member: Member) -> str:
+    return ", ".join(f"{a.reason} {a.points:+g}" if a.points else a.reason for a in member.applied)
 
 
 def _number(value: float | None) -> Value:

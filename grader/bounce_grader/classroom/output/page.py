@@ -130,8 +130,7 @@ def _success(graded: Sequence[Summary]) -> Iterator[Bar]:
 
 
 def _chart(graded: Sequence[Summary]) -> Drawing | None:
-    """All submissions' curves, with those of the solution and of the least model, as timed beside
-    the first."""
+    """All submissions' curves, and the solution's and least model's as timed beside the first."""
     every = [(one, {of: speed.curve(one.speed, of) for of in speed.CURVES}) for one in graded]
     timed = [(one, own) for one, own in every if over_solution(own, "submission")]
     if not timed:

@@ -7,13 +7,13 @@ from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from bounce_grader.classroom.grading.summary import Final, Summary
-from bounce_grader.classroom.intake import instructor_files
+from bounce_grader.classroom.grading.summary import Summary
+from bounce_grader.classroom.intake import instructor_files as files
 from bounce_grader.classroom.intake.gradebook import Gradebook
-from bounce_grader.classroom.intake.instructor_files import Adjustment, ADJUSTMENTS
-from bounce_grader.classroom.intake.instructor_files import COURSE, Course, EVERYBODY, ROSTER
+from bounce_grader.classroom.intake.instructor_files import ADJUSTMENTS, COURSE, Course
+from bounce_grader.classroom.intake.instructor_files import EVERYBODY, ROSTER
 from bounce_grader.classroom.intake.services import is_name_of
-from bounce_grader.classroom.intake.student import Class, Member, Names, Student
+from bounce_grader.classroom.intake.student import Adjustment, Class, Member, Names, Student
 from bounce_grader.common.escaping import first_few
 from bounce_grader.common.manifest import full_points
 from bounce_grader.common.numbers import short
@@ -26,13 +26,13 @@ class People:
 
     def __init__(self, out: Path, book: Gradebook) -> None:
         """Reads the instructor's files in the folder `out`. Raises UsageError."""
-        self.book, self.course = book, instructor_files.course(out)
-        self._adjustments = instructor_files.adjustments(out)
+        self.book, self.course = book, files.course(out)
+        self._adjustments = files.adjustments(out)
         names = {id: line.person for id, line in book.people().items()}
         self._own_ids = {id: line.ids[0] for id, line in book.people().items()}  # at the service
         self._roster = {
             submission.casefold(): [m._replace(name=m.name or names.get(m.id, "")) for m in members]
-            for submission, members in instructor_files.roster(out).items()
+            for submission, members in files.roster(out).items()
         }
         listed = [member for members in self._roster.values() for member in members]
         self._names = names | {member.id: member.name for member in listed}
@@ -49,9 +49,8 @@ class People:
         return [n for n, of in self._roster.items() if own in [same.get(m.id, m.id) for m in of]]
 
     def assign(self, intake: Class) -> list[str]:
-        """Gives each submission its members, the name of its person, and the lateness that the grade
-        book has. Returns sentences if nobody tells that, and on what the instructor's files say of
-        nobody."""
+        """Gives each submission its members, the name of its person, and the grade book's lateness.
+        Returns sentences if nobody tells that, and on what the instructor's files say of nobody."""
         self._logins = intake.logins
         submissions = {student.id.casefold() for student in intake.students}
         assigned = []
@@ -97,8 +96,8 @@ class People:
         return [f"{unknown}: {ADJUSTMENTS} can{moodle}"]
 
     def _adjust(self, people: Sequence[Person]) -> list[str]:
-        """Notes whom each adjustment is for, a person's own after everybody's. Returns a sentence for
-        each that changes nothing, because its id is nobody's, or that person has no submission."""
+        """Notes whom each adjustment is for, a person's own after everybody's. Returns a sentence
+        for each that changes nothing, as its id is nobody's, or that person has no submission."""
         sentences = []
         for adjustment in sorted(self._adjustments, key=lambda one: one.student != EVERYBODY):
             who = adjustment.student
@@ -147,7 +146,7 @@ class People:
                 summary.finals.append(_final(summary, member, own, self.course))
 
 
-def _final(summary: Summary, member: Member, own: Sequence[Adjustment], course: Course) -> Final:
+def _final(summary: Summary, member: Member, own: Sequence[Adjustment], course: Course) -> Member:
     """Applies, in this order: dropped checks, lateness, points, caps."""
     points = summary.score or 0.0
     applied: list[Adjustment] = []
@@ -171,7 +170,7 @@ def _final(summary: Summary, member: Member, own: Sequence[Adjustment], course: 
     for adjustment in own:
         if adjustment.cap is not None and points > adjustment.cap:
             change(adjustment.cap - points, adjustment)
-    return Final(member.id, member.name, points, tuple(applied), member.listed)
+    return member._replace(points=points, applied=tuple(applied))
 
 
 def _late_days(summary: Summary, own: Sequence[Adjustment]) -> float:
