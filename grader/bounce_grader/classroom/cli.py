@@ -1,6 +1,7 @@
 """The options of ./kit class."""
 
 import argparse
+from functools import partial
 
 from bounce_grader.common.errors import UsageError
 from bounce_grader.common.paths import given_path
@@ -22,18 +23,16 @@ def add(parser: argparse.ArgumentParser) -> None:
     option("--corpus", type=given_path, nargs="+", default=[], metavar="FOLDER", help=corpus)
     option("--jobs", type=int, metavar="N", help="gradings side by side")
     option("--dask", default="", metavar="ADDRESS", help="grade on the workers of this scheduler")
-    flags = {
-        "--upload": "post the points and pages that were shown to Canvas",
-        "--overwrite": "replace other points that stand in the column",
-        "--apply": "let the results of this version of the kit count, in place of another's",
-        "--speed": "chart speed against accuracy; takes twice as long",
-        "--sanitize": "remark undefined behaviour in parts with all points; takes twelve times "
-        "as long",
-        "--reveal": "put the expected answers of hidden cases into the feedback; may be added later",
-        "--trust-submission": "grade without a box where none can be had",
-    }
-    for name, words in flags.items():
-        option(name, action="store_true", help=words)
+    flag = partial(option, action="store_true")
+    flag("--upload", help="post the points and pages that were shown to Canvas")
+    flag("--overwrite", help="replace other points that stand in the column")
+    flag("--apply", help="let the results of this version of the kit count, in place of another's")
+    flag("--speed", help="chart speed against accuracy; takes twice as long")
+    sanitize = "remark undefined behaviour in parts with all points; takes twelve times as long"
+    flag("--sanitize", help=sanitize)
+    reveal = "put the expected answers of hidden cases into the feedback; may be added later"
+    flag("--reveal", help=reveal)
+    flag("--trust-submission", help="grade without a box where none can be had")
 
 
 def run(options: argparse.Namespace) -> int:

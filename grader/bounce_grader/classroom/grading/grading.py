@@ -22,12 +22,10 @@ from bounce_grader.common.errors import KitError, UsageError
 TO_CLEAN_UP = 3.0  # seconds in which a terminated grading can remove its files
 KILLED = "the process that graded it was killed, perhaps because memory ran out"
 LOST_WORKERS = 3  # of Dask, that a grading may crash before it counts as a failure of the kit
-TO_CONNECT = "10s"
 NO_KIT = (
     "the Dask workers don't find the kit: start them with PYTHONPATH=KIT/grader, where KIT is this "
     "folder under the same path"
 )
-LOST = "the Dask scheduler was lost: start it, and run the same command again"
 Graded = Generator[
     tuple[Task, str], None, None
 ]  # each task, with what the unit returns, as it comes
@@ -123,7 +121,7 @@ def on_dask(tasks: Sequence[Task], scheduler: str, unit: Unit) -> Graded:
     try:
         from distributed import as_completed as as_done, Client
 
-        client = Client(scheduler, timeout=TO_CONNECT, set_as_default=False)
+        client = Client(scheduler, timeout="10s", set_as_default=False)
     except ImportError as error:
         raise UsageError("Dask is missing: apt-get install python3-distributed") from error
     except (OSError, ValueError) as error:
@@ -140,7 +138,8 @@ def on_dask(tasks: Sequence[Task], scheduler: str, unit: Unit) -> Graded:
     except (OSError, CancelledError) as error:
         if isinstance(error, OSError) and error.errno == errno.ENOSPC:
             raise
-        raise KitError(LOST) from error
+        lost = "the Dask scheduler was lost: start it, and run the same command again"
+        raise KitError(lost) from error
     finally:
         with suppress(OSError, CancelledError):
             client.cancel(list(of))

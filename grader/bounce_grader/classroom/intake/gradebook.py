@@ -42,10 +42,6 @@ class Line(NamedTuple):
     there: str  # the points that stand there; "" if none do
     stays: str = ""  # why it takes no points
 
-    @property
-    def who(self) -> str:
-        return f"{self.person} ({next(filter(None, self.ids), 'without an ID')})"
-
 
 @dataclass
 class Gradebook:

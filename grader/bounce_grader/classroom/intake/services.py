@@ -169,8 +169,9 @@ def _read_blackboard(archive: Archive, _people: Names) -> Read:
             read[head] = f"isn't the only one that could be {user}'s: keep one of them"
         else:
             for upload in files:
-                old = upload.number < last
-                read[upload.entry] = upload._replace(name=name, user=user, old=old)
+                old = f"{printable_name(upload.file)} is of an older attempt"
+                why = upload.instead or old * (upload.number < last)
+                read[upload.entry] = upload._replace(name=name, user=user, instead=why)
     return read
 
 

@@ -1,4 +1,4 @@
-"""A student's submission, and the class that it belongs to."""
+"""A student's submission and points, and the class that it belongs to."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -21,8 +21,7 @@ class Upload(NamedTuple):
     late: bool = False
     number: int = 0  # grows: the id of Canvas's attachment, the time of Blackboard's attempt
     as_named: bool = True  # the file has the student's own name for it, and no other file's
-    instead: str = ""  # of a file, as "text was typed"
-    old: bool = False  # of an attempt that doesn't count any more
+    instead: str = ""  # why it is no file that counts, as "text was typed"
 
 
 class Adjustment(NamedTuple):

@@ -103,7 +103,11 @@ def _opened(path: Path, *_status: int) -> Archive:
 
 def may_count(file: str) -> bool:
     is_of_cases = file.startswith("examples") and file.endswith(".txt")  # Canvas adds numbers
-    return Path(file).suffix.lower() in SOURCES | HEADERS or is_archive(file) or is_of_cases
+    return _ending(file) in SOURCES | HEADERS or is_archive(file) or is_of_cases
+
+
+def _ending(file: str) -> str:
+    return os.path.splitext(file)[1].lower()
 
 
 def student_of(download: Path, uploads: Sequence[Upload], page: str) -> Student:
@@ -112,7 +116,7 @@ def student_of(download: Path, uploads: Sequence[Upload], page: str) -> Student:
     late_days = None if any(upload.late for upload in uploads) else 0
     counted, unused = _counted(uploads)
     refused = "" if counted else f"{first_few(unused, separator='; ')}: {HAND_IN}"
-    number = sum(not upload.old for upload in uploads)
+    number = sum(not upload.instead for upload in uploads)
     if number > MOST_UPLOADS:
         refused = f"{number} files are handed in; a submission may have {MOST_UPLOADS}: {HAND_IN}"
     unused = () if refused else unused
@@ -130,8 +134,6 @@ def _counted(uploads: Sequence[Upload]) -> tuple[tuple[Upload, ...], tuple[str, 
         shown, file = printable_name(upload.file), names_of(upload)[0]
         if upload.instead:
             unused.append(upload.instead)
-        elif upload.old:
-            unused.append(f"{shown} is of an older attempt")
         elif not may_count(file):
             unused.append(f"{shown} {NOT_USED}")
         elif file in newest:
@@ -152,7 +154,7 @@ def names_of(upload: Upload) -> list[str]:
         return [file]
     without_number: str = next((name for name in plain if name != file), file)
     own = part_file(file) or without_number
-    return list({file: "", own: ""}) if Path(file).suffix.lower() in HEADERS else [own]
+    return list({file: "", own: ""}) if _ending(file) in HEADERS else [own]
 
 
 # --- as one submission ---

@@ -57,19 +57,20 @@ def fill(
     filled, sentences = [], _other_points_possible(book)
     for line in filter(lambda line: any(line.ids), book.lines):
         meant, before = whose.get(line.number, []), ours.get(line.ids[0], [])
+        who = f"{line.person} ({next(filter(None, line.ids))})"
         if len(meant) == 1 and (count := times[meant[0].id]) > 1:
             why = f"has {count} rows in {book.name}: none is filled"
         else:
             why = _unfilled(line, meant, before, overwrite)
         if why:
-            sentences.append(f"{line.who} {why}")
+            sentences.append(f"{who} {why}")
             continue
         points, name = f"{meant[0].points:.2f}", meant[0].name
         filled.append((line, float(points)))
         ours[line.ids[0]] = list(dict.fromkeys([*before, points]))
         if from_canvas and not meant[0].listed and name != line.person:
             whose_points = f"has the points of {name}: give the others of a group the same"
-            sentences.append(f"{line.who} {whose_points}")
+            sentences.append(f"{who} {whose_points}")
     sentences += [
         f"{final.name} ({final.id}) is graded, but isn't in {book.name}"
         for final in sorted(finals, key=lambda final: final.id)
