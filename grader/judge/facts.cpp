@@ -46,9 +46,8 @@ json facts(const tests::Failure& failure) {
               {"contact", c.corner},
               {"sentence", problem.sentence},
               {"quantities", json::array()}};
-  for (const tests::Difference& d : problem.differences) {
+  for (const tests::Difference& d : problem.differences)
     all["quantities"].push_back(quantity(c, d));
-  }
   return all;
 }
 

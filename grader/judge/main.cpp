@@ -27,6 +27,7 @@
 // itself failed, which is no verdict about the submission.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <csignal>
 #include <iostream>
@@ -115,12 +116,10 @@ std::vector<tests::Answer> fresh_answers(const std::vector<tests::Case>& questio
 // Whether to look for known mistakes: not if the program ended while it was tested, as that says
 // enough.
 bool may_be_a_mistake(const json& checks) {
-  bool failed = false;
-  for (const json& check : checks) {
-    if (check["status"] != "graded") return false;
-    failed = failed || !check["passed"];
-  }
-  return failed;
+  const auto graded = [](const json& check) { return check["status"] == "graded"; };
+  const auto passed = [](const json& check) -> bool { return check["passed"]; };
+  return std::all_of(checks.begin(), checks.end(), graded) &&
+         !std::all_of(checks.begin(), checks.end(), passed);
 }
 
 void recognise(json& result) {

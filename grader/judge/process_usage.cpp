@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <ctime>
 #include <filesystem>
 #include <fstream>
@@ -110,11 +111,9 @@ std::vector<pid_t> children_of(pid_t pid) {
 // Field 8 of the first line of /proc/stat, of all CPUs together: at least what one has lost.
 double own_delay_seconds() {
   std::ifstream file("/proc/stat");
-  std::string skipped;
-  for (int field = 0; field < 8; ++field) file >> skipped;
-  double stolen = 0;
-  file >> stolen;
-  return scheduled("/proc/self").delay + seconds(stolen);
+  std::string stolen;
+  for (int field = 0; field <= 8; ++field) file >> stolen;
+  return scheduled("/proc/self").delay + seconds(std::atof(stolen.c_str()));
 }
 
 // Field 4 of the CPU's line in /proc/stat.

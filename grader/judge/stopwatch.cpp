@@ -103,15 +103,6 @@ struct Wrong {
   std::string place;
 };
 
-void require_right(const Trajectory& trajectory, const Parameters& params, const State& start) {
-  const auto wrong = wrong_column(trajectory, start, params);
-  if (!wrong) return;
-  char words[80];
-  std::snprintf(words, sizeof words, "at dt = %.2g s, column %td of %d", params.dt, *wrong,
-                params.T);
-  throw Wrong{words};
-}
-
 // CPU time of this thread. That of the process only advances in ticks if it has a limit.
 double cpu_ns() {
   timespec time{};
@@ -209,23 +200,24 @@ void measure(std::vector<Contender>& contenders, const Setting& setting, json& c
   for (const Contender& one : contenders) one.add_point(setting, curves[one.name]);
 }
 
-// The assignment's model has no two corners at once, as in a square that rests on a face.
-bool needs_two_corners(const exact::Scene& scene) {
-  return scene.least == exact::ModelLevel::asleep || scene.least > exact::ModelLevel::one_friction;
-}
-
 json measured(const json& asked) {
   Timer timed(asked.at("timed")), solution(asked.at("solution"));
   const auto run_right = [&](const Parameters& params, const State& start) {
     Timed result = timed.run(params, start);
-    require_right(result.trajectory, params, start);
-    return result;
+    const auto wrong = wrong_column(result.trajectory, start, params);
+    if (!wrong) return result;
+    char words[80];
+    std::snprintf(words, sizeof words, "at dt = %.2g s, column %td of %d", params.dt, *wrong,
+                  params.T);
+    throw Wrong{words};
   };
   std::vector<Contender> contenders{{"submission", run_right},
                                     {"solution", std::bind_front(&Timer::run, &solution)},
                                     {"least", run_least_model}};
   std::vector<exact::Scene> scenes = exact::read_scenes(asked.at("scenes").get<std::string>());
-  std::erase_if(scenes, needs_two_corners);
+  // The assignment's model has no two corners at once, as in a square that rests on a face.
+  using enum exact::ModelLevel;
+  std::erase_if(scenes, [](const auto& s) { return s.least == asleep || s.least > one_friction; });
   std::vector<exact::Samples> truths;
   json all = json::array();
   for (const exact::Scene& scene : scenes) {

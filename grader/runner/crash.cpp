@@ -42,11 +42,15 @@ _Unwind_Reason_Code note_frame(_Unwind_Context* context, void* to) {
   return stack.size < kFrames ? _URC_NO_REASON : _URC_END_OF_STACK;
 }
 
+char* put_text(char* to, const char* text) {
+  const std::size_t size = ::strnlen(text, kLongestText);
+  std::memcpy(to, text, size);
+  return to + size;
+}
+
 // Writes hexadecimal digits by hand: a signal handler may not call printf.
 char* put_hexadecimal(char* to, std::uintptr_t x) {
-  *to++ = ' ';
-  *to++ = '0';
-  *to++ = 'x';
+  to = put_text(to, " 0x");
   for (int shift = 4 * (kDigits - 1); shift >= 0; shift -= 4)
     *to++ = "0123456789abcdef"[(x >> shift) & 15];
   return to;
@@ -56,12 +60,6 @@ char* put_hexadecimal(char* to, std::uintptr_t x) {
   if (x >= 10) to = put_decimal(to, x / 10);
   *to++ = "0123456789"[x % 10];
   return to;
-}
-
-char* put_text(char* to, const char* text) {
-  const std::size_t size = ::strnlen(text, kLongestText);
-  std::memcpy(to, text, size);
-  return to + size;
 }
 
 std::uintptr_t stack_pointer([[maybe_unused]] void* context) {
@@ -82,6 +80,7 @@ const char* cause_of_fault(std::uintptr_t address, std::uintptr_t pointer) {
 }
 
 char* put_cause(char* to, int signal, const siginfo_t& info, void* context) {
+  const bool is_fault = info.si_code > 0;  // and no signal that was sent
   to = put_text(put_text(to, "\n"), kCause);
   if (finding) {
     to = put_text(put_text(to, kFound), finding);
@@ -89,12 +88,10 @@ char* put_cause(char* to, int signal, const siginfo_t& info, void* context) {
   } else if (signal == SIGSYS) {
     to = put_decimal(put_text(to, kCall), static_cast<unsigned>(info.si_syscall));
 #endif
-  } else if (info.si_code <= 0) {  // a signal that was sent, no fault
-    to = put_text(to, kUnknown);
-  } else if (signal == SIGSEGV) {
+  } else if (is_fault && signal == SIGSEGV) {
     const auto address = reinterpret_cast<std::uintptr_t>(info.si_addr);
     to = put_text(to, cause_of_fault(address, stack_pointer(context)));
-  } else if (signal == SIGFPE) {
+  } else if (is_fault && signal == SIGFPE) {
     to = put_text(to, info.si_code == FPE_INTDIV ? kDivision : kFloat);
   } else {
     to = put_text(to, kUnknown);
