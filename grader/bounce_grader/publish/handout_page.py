@@ -21,7 +21,9 @@ def page(file: Path) -> bytes:
     markdown = MarkdownIt("commonmark", {"html": True}).enable("table")
     markdown.add_render_rule("fence", _fence)
     markdown.add_render_rule("code_block", _code)
-    markdown.add_render_rule("text", _text)
+    markdown.add_render_rule(
+        "text", lambda _, tokens, at, *__: equations.inline(tokens[at].content)
+    )
     markdown.add_render_rule("table_open", lambda *_: '<div class="table" tabindex="0"><table>\n')
     markdown.add_render_rule("table_close", lambda *_: "</table></div>\n")
     tokens = markdown.parse(with_points(file.read_text("utf-8")))
@@ -53,20 +55,14 @@ def _number_headings(tokens: list[Any]) -> None:
             opening.attrSet("id", "-".join(words))
 
 
-def _text(self: Any, tokens: list[Any], index: int, *_: Any) -> str:
-    return equations.inline(tokens[index].content)
-
-
 def _code(_: Any, tokens: list[Any], index: int, *__: Any) -> str:
     return f'<pre tabindex="0"><code>{escape(tokens[index].content, quote=False)}</code></pre>\n'
 
 
 def _fence(self: Any, tokens: list[Any], index: int, *_: Any) -> str:
-    token = tokens[index]
-    is_equation = not token.info and re.search(r"[=<]", token.content)
-    if not is_equation:
-        return _code(self, tokens, index)
-    return equations.displayed(token.content)
+    content = tokens[index].content
+    is_equation = not tokens[index].info and re.search(r"[=<]", content)
+    return equations.displayed(content) if is_equation else _code(self, tokens, index)
 
 
 def with_points(text: str) -> str:

@@ -4,7 +4,7 @@ led elsewhere if the folder changes meanwhile."""
 import os
 import stat
 from collections.abc import Iterator
-from contextlib import AbstractContextManager, contextmanager
+from contextlib import AbstractContextManager, ExitStack
 from itertools import islice
 from pathlib import Path
 
@@ -16,19 +16,12 @@ SAFELY = os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC
 DEEPEST = 100
 
 
-@contextmanager
-def opened(path: Path) -> Iterator[Iterator[Entry]]:
-    """The entries, which can be read while this is open. Raises UsageError if they can't be
+def entries(path: Path, stack: ExitStack) -> Iterator[Entry]:
+    """The entries, which can be read while the stack is open. Raises UsageError if they can't be
     listed."""
     with _readable(path):
         top = os.open(path, os.O_RDONLY | os.O_DIRECTORY | os.O_CLOEXEC)
-    try:
-        yield _entries(path, top)
-    finally:
-        os.close(top)
-
-
-def _entries(path: Path, top: int) -> Iterator[Entry]:
+    stack.callback(os.close, top)
     folders: list[tuple[str, ...]] = [()]
     seen = 0
     while folders:

@@ -3,7 +3,7 @@ bytes."""
 
 import io
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
 from typing import BinaryIO
@@ -45,12 +45,12 @@ def opened(
     left = left or UnpackLimits()
     with ExitStack() as stack:
         if packed is None and _is_folder(path):
-            listed, empty = list(stack.enter_context(folders.opened(path))), "empty"
+            listed, empty = list(folders.entries(path, stack)), "empty"
         else:
             with readable(path):
                 stream = path.open("rb") if packed is None else io.BytesIO(packed)
-            stack.callback(stream.close)
-            listed, empty = list(_unpacked(path, stream, left)), "empty or damaged"
+            unpacked = _unpacked(path, stack.enter_context(stream), left)
+            listed, empty = list(unpacked), "empty or damaged"
         listed = _with_inner(path, listed, left)
         if not listed:
             raise UsageError(f"{path} is {empty}: it should hold {parts()[0].file} and so on")
@@ -66,15 +66,16 @@ def _unpacked(path: Path, stream: BinaryIO, left: UnpackLimits) -> Iterator[Entr
     named = path.name.lower().endswith(BY_LIBARCHIVE) and not start.startswith(b"PK")
     if named or MAGIC.match(start):
         with readable(path):
-            packed = stream.read(LARGEST_PACKED + 1)
-        _require_small(path, packed)
+            packed = _packed(path, stream.read)
         stream = io.BytesIO(archives.as_zip(path, packed, left))
     return checked(path, zips.entries(path, stream))
 
 
-def _require_small(path: Path, packed: bytes) -> None:
+def _packed(path: Path, read: Callable[[int], bytes]) -> bytes:
+    packed = read(LARGEST_PACKED + 1)
     if len(packed) > LARGEST_PACKED:
         raise UsageError(f"{path} is larger than {LARGEST_PACKED >> 20} MB: submit the parts alone")
+    return packed
 
 
 def _with_inner(path: Path, listed: list[Entry], left: UnpackLimits) -> list[Entry]:
@@ -86,8 +87,7 @@ def _with_inner(path: Path, listed: list[Entry], left: UnpackLimits) -> list[Ent
     found = [entry for entry in listed if entry not in inner[:MOST_INNER]]
     for archive in inner[:MOST_INNER]:
         name = Path(printable_name(archive.name))
-        packed = archive.read(LARGEST_PACKED + 1)
-        _require_small(name, packed)
+        packed = _packed(name, archive.read)
         left.take(name, len(packed))
         entries = _unpacked(name, io.BytesIO(packed), left)
         found += [entry._replace(name=f"{archive.name}/{entry.name}") for entry in entries]

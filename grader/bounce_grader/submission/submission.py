@@ -84,11 +84,9 @@ class Submission(NamedTuple):
 
     @property
     def sha256(self) -> str:
-        digest = hashlib.sha256()
-        for name in sorted(self.files):
-            digest.update(os.fsencode(f"{name}\0{len(self.files[name])}\0") + self.files[name])
-        digest.update(self.cases)
-        return digest.hexdigest()
+        files = sorted(self.files.items())
+        texts = [os.fsencode(f"{name}\0{len(text)}\0") + text for name, text in files]
+        return hashlib.sha256(b"".join([*texts, self.cases])).hexdigest()
 
     def write_to(self, folder: Path, names: Iterable[str] | None = None) -> None:
         """Writes these files, or all, into the folder, which it creates."""
@@ -211,13 +209,11 @@ def _choose(part: Part, names: list[str]) -> Iterator[str]:
     file has the part's own name."""
     copies = [PurePosixPath(n) for n in names if part_file(PurePosixPath(n).name) == part.file]
     named = [path for path in copies if path.name.lower() == part.file] or copies
-    if not named:
-        return
-    depth = min(len(f.parts) for f in named)
+    depth = min((len(f.parts) for f in named), default=0)
     nearest = sorted(str(f) for f in named if len(f.parts) == depth)
     if len(nearest) > 1:
         raise UsageError(
             f"{part.file} is there {len(nearest)} times ({first_few([*map(printable_name, nearest)])}): "
             "keep one, so that the right one is graded"
         )
-    yield nearest[0]
+    yield from nearest
