@@ -11,6 +11,7 @@ import tempfile
 import time
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
+from itertools import product
 from pathlib import Path
 from typing import NamedTuple
 
@@ -52,14 +53,11 @@ class Finding(NamedTuple):
 def findings() -> list[Finding]:
     """Every protection in every box, in the order of the table."""
     with _bait() as protections, tempfile.TemporaryDirectory(prefix="bounce-doctor-") as name:
-        folder = Path(name)
+        folder, found = Path(name), list[Finding]()
         Box("full").give(folder)
-        return [
-            finding
-            for kind, places in (("full", PLACES), ("reduced", PLACES[:2]))
-            for place in places
-            for finding in _in_box(Box(kind), place, folder, protections)
-        ]
+        for kind, place in (*product(["full"], PLACES), *product(["reduced"], PLACES[:2])):
+            found += _in_box(Box(kind), place, folder, protections)
+        return found
 
 
 def _in_box(box: Box, place: str, folder: Path, protections: list[Protection]) -> Iterator[Finding]:

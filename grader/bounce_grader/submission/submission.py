@@ -71,10 +71,8 @@ class Submission(NamedTuple):
     @property
     def helpers(self) -> list[str]:
         """The sources beside the parts."""
-        own = set(self.parts.values())
-        return sorted(
-            f for f in self.files if PurePosixPath(f).suffix.lower() in SOURCES and f not in own
-        )
+        others = self.files.keys() - {*self.parts.values()}
+        return sorted(f for f in others if PurePosixPath(f).suffix.lower() in SOURCES)
 
     @property
     def include_folders(self) -> list[str]:
@@ -120,11 +118,8 @@ def take(path: Path, entries: list[Entry]) -> Submission:
     top = _common_folder(entries)
     names = {entry.name.removeprefix(f"{top}/"): entry for entry in entries}
     apart = BESIDE_SRC if any(n.startswith("src/") for n in names) else ()
-    wanted = {
-        n: e
-        for n, e in names.items()
-        if not (e.link or n.startswith(apart)) and _wanted(PurePosixPath(n))
-    }
+    own = (name for name, entry in names.items() if not (entry.link or name.startswith(apart)))
+    wanted = {name: names[name] for name in own if _wanted(PurePosixPath(name))}
     if len(wanted) > MOST_SOURCES:
         raise _too_much(path)
     files: dict[str, bytes] = {}
