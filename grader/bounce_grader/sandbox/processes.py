@@ -11,9 +11,9 @@ import signal
 import subprocess
 import sys
 import time
-from contextlib import ExitStack, suppress
+from contextlib import suppress
 from pathlib import Path
-from typing import NamedTuple
+from typing import BinaryIO, NamedTuple
 
 from bounce_grader.common.errors import KitError
 
@@ -41,14 +41,9 @@ class Limits(NamedTuple):
     errors: int = 64 * 1024
 
     def prefix(self) -> list[str]:
-        return [
-            "/usr/bin/prlimit",
-            f"--cpu={self.cpu_seconds}",
-            f"--as={'unlimited' if self.memory is None else self.memory}",
-            f"--fsize={self.file_size}",
-            "--core=0",
-            "--",
-        ]
+        memory = "unlimited" if self.memory is None else self.memory
+        most = {"cpu": self.cpu_seconds, "as": memory, "fsize": self.file_size, "core": 0}
+        return ["/usr/bin/prlimit", *(f"--{name}={value}" for name, value in most.items()), "--"]
 
 
 class Result(NamedTuple):
@@ -66,7 +61,7 @@ class Result(NamedTuple):
 
     @property
     def ok(self) -> bool:
-        return self.code == 0 and not self.too_long and not self.flooded and self.boxed
+        return self.code == 0 and self.boxed and not self.stopped
 
     @property
     def stopped(self) -> bool:
@@ -78,7 +73,7 @@ class Result(NamedTuple):
     def killed(self) -> bool:
         """Whether SIGKILL ended it, and `run` didn't. A box passes a signal on as an exit
         status."""
-        return self.code in (-9, 128 + 9) and not self.too_long and not self.flooded
+        return self.code in (-9, 128 + 9) and not self.stopped
 
 
 def run(
@@ -92,30 +87,28 @@ def run(
     """Runs a command to its end, with `stdin` as its standard input. The file that a box passes out
     is written to the new file `output`. Without limits, for the kit's own programs, all that it
     prints is kept."""
-    with ExitStack() as stack:
-        descriptors = {}
-        if STATUS in command:
-            status, descriptors[STATUS] = os.pipe()
-            stack.callback(os.close, status)
-            stack.callback(os.close, descriptors[STATUS])
-        if OUTPUT in command:
-            descriptors[OUTPUT] = _opened(output) if output else os.open(os.devnull, os.O_WRONLY)
-            stack.callback(os.close, descriptors[OUTPUT])
-        words = [str(descriptors.get(word, word)) for word in command]
-        given = subprocess.DEVNULL
-        if stdin:
-            given = _in_memory(stdin)
-            stack.callback(os.close, given)
-        words = [*(limits.prefix() if limits else []), *words]
+    to_us, from_box = os.pipe()  # no file, which the process could be forbidden to write
+    with (
+        open(to_us, "rb", buffering=0) as status,
+        open(from_box, "wb") as reports,
+        open(output or os.devnull, "wb") as made,
+        _in_memory(stdin) as given,
+    ):
+        if output:  # whatever the umask: a later box reads it as another user
+            os.fchmod(made.fileno(), 0o644)
+        os.set_blocking(to_us, False)
+        opened = {STATUS: reports.fileno(), OUTPUT: made.fileno()}
+        passed = {word: opened[word] for word in opened if word in command}
+        words = [*(limits.prefix() if limits else []), *(str(passed.get(w, w)) for w in command)]
         try:
             process = subprocess.Popen(
                 words,
-                stdin=given,
+                stdin=given if stdin else subprocess.DEVNULL,
                 stdout=subprocess.PIPE,
                 stderr=subprocess.PIPE,
                 cwd=cwd,
                 env=ENVIRONMENT,
-                pass_fds=tuple(descriptors.values()),
+                pass_fds=tuple(passed.values()),
                 start_new_session=True,
             )
         except OSError as error:
@@ -127,33 +120,19 @@ def run(
                 if process.poll() is None:
                     _stop(process)
                 raise
-        report = _reported(status) if STATUS in command else MADE
+        report = (status.read(8) or b"") if STATUS in command else MADE
     if SHORT in report:
         raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), str(output))
     return result._replace(boxed=report == MADE, cpu_limit=limits.cpu_seconds if limits else 0.0)
 
 
-def _in_memory(data: bytes) -> int:
+def _in_memory(data: bytes) -> BinaryIO:
     """A file in memory with these bytes, to be read alone. Unlike a pipe it has room for all of
     them, so that we never wait for a process that waits for us."""
     with open(os.memfd_create("stdin"), "wb") as file:
         file.write(data)
         file.flush()
-        return os.open(f"/proc/self/fd/{file.fileno()}", os.O_RDONLY)
-
-
-def _reported(status: int) -> bytes:
-    os.set_blocking(status, False)
-    try:
-        return os.read(status, 8)
-    except BlockingIOError:
-        return b""
-
-
-def _opened(output: Path) -> int:
-    descriptor = os.open(output, os.O_WRONLY | os.O_CREAT | os.O_TRUNC)
-    os.fchmod(descriptor, 0o644)  # whatever the umask: a later box reads it as another user
-    return descriptor
+        return open(f"/proc/self/fd/{file.fileno()}", "rb")
 
 
 def _collect(process: subprocess.Popen[bytes], limits: Limits | None) -> Result:
@@ -172,21 +151,13 @@ def _collect(process: subprocess.Popen[bytes], limits: Limits | None) -> Result:
                 chunk = os.read(key.fd, CHUNK)
                 if not chunk:
                     selector.unregister(key.fd)
-                    continue
                 room = caps[key.fd] - len(kept[key.fd])
                 kept[key.fd] += chunk[: max(0, room)]
                 flooded = flooded or (key.fd == out and len(chunk) > room)
             too_long = deadline is not None and time.monotonic() >= deadline
     code, seconds, peak = _ended(process, stop=too_long or flooded)
-    return Result(
-        code,
-        seconds,
-        peak=peak,
-        out=bytes(kept[out]),
-        err=kept[err].decode("utf-8", "replace"),
-        too_long=too_long,
-        flooded=flooded,
-    )
+    said = kept[err].decode("utf-8", "replace")
+    return Result(code, seconds, bytes(kept[out]), said, too_long, flooded, peak=peak)
 
 
 def _ended(process: subprocess.Popen[bytes], stop: bool) -> tuple[int, float, int]:
