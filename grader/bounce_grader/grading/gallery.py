@@ -17,17 +17,10 @@ def expected(folder: Path, reduced: bool = False) -> Expected:
     data: Expected = json.loads(file.read_text()) if file.exists() else {}
     if reduced:
         data |= data["reduced"]
-    return data | {"lost": _checks(data.get("lost", []))}
+    checks = {f"part{part.number}": [check.id for check in part.checks] for part in parts()}
+    return data | {"lost": [id for lost in data.get("lost", []) for id in checks.get(lost, [lost])]}
 
 
 def points(lost: list[str]) -> list[float]:
     """The points of each part without these checks."""
     return [sum(c.points for c in part.checks if c.id not in lost) for part in parts()]
-
-
-def _checks(lost: list[str]) -> list[str]:
-    """The ids of these checks and parts' checks, in the manifest's order; unknown names come
-    last."""
-    known = [(f"part{part.number}", check.id) for part in parts() for check in part.checks]
-    named = [check for part, check in known if part in lost or check in lost]
-    return named + [name for name in lost if all(name not in words for words in known)]

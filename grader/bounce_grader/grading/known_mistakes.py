@@ -16,18 +16,17 @@ The line for the instructor is left out there.
 """
 
 import json
+import math
 import os
 import re
-import tempfile
-from collections.abc import Mapping
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
 from bounce_grader.build import linking
 from bounce_grader.build.compile import compile_all
 from bounce_grader.common.errors import KitError
-from bounce_grader.common.files import write_whole
+from bounce_grader.common.files import temporary_folder, write_whole
 from bounce_grader.common.manifest import part_of, parts, Part
 from bounce_grader.common.parallel_map import parallel_map
 from bounce_grader.common.paths import JUDGE, REFERENCE_RUNNER, ROOT
@@ -99,26 +98,16 @@ def answers(part: Part, runner: Path, cases: Path) -> Answers:
     return list(json.loads(result.out))
 
 
-def _all_answers(mistakes: list[Mistake], cases: Path) -> dict[str, Answers]:
-    """The answers of each mistake's file alone, built for this."""
-    with tempfile.TemporaryDirectory() as name:
-
-        def asked(m: Mistake) -> Answers:
-            work = Path(name) / m.name
-            work.mkdir()
-            objects = compile_all(submission.read(GALLERY / m.name), work, TRUSTED, 1)
-            linked = linking.link_alone(m.part, objects, work / "runner", TRUSTED)
-            if not linked.path:
-                raise KitError(f"{m.name} can't be built: {linked.problem}")
-            got = answers(m.part, linked.path, cases)
-            if not got:
-                raise KitError(
-                    f"{m.name} ends before it has answered; such ones belong into broken/"
-                )
+def _of_mistake(mistake: Mistake, cases: Path) -> Answers:
+    """The answers of a mistake's file alone, which is built for this."""
+    with temporary_folder() as name:
+        objects = compile_all(submission.read(GALLERY / mistake.name), Path(name), TRUSTED, 1)
+        linked = linking.link_alone(mistake.part, objects, Path(name, "runner"), TRUSTED)
+        if not linked.path:
+            raise KitError(f"{mistake.name} can't be built: {linked.problem}")
+        if got := answers(mistake.part, linked.path, cases):
             return got
-
-        got = parallel_map(asked, mistakes, os.cpu_count() or 1)
-    return {m.name: answers for m, answers in zip(mistakes, got)}
+    raise KitError(f"{mistake.name} ends before it has answered; such ones belong into broken/")
 
 
 # --- the files ---
@@ -128,51 +117,37 @@ def write(public: Path) -> None:
     """Writes the folder mistakes beside the cases in a folder. Of mistakes with the same answers all
     but one have to name that one in "recognised_as": the judge would name none of them."""
     mistakes = gallery()
-    got = _all_answers(mistakes, public)
+    got = parallel_map(partial(_of_mistake, cases=public), mistakes, os.cpu_count() or 1)
     for part in parts():
         right = _rounded(answers(part, REFERENCE_RUNNER, public))
-        write_whole(public / "mistakes" / f"{part.stem}.json", _file(part, right, mistakes, got))
+        told = [
+            {key: getattr(m, key) for key in MISTAKE_FIELDS}
+            | {"checks": m.lost, "answers": _differences(right, _rounded(mistaken))}
+            for m, mistaken in zip(mistakes, got)
+            if m.part == part and m.recognised_as == m.name
+        ]
+        known = {"stem": part.stem, "right": right, "mistakes": told}
+        text = json.dumps(known, ensure_ascii=False, separators=(",", ":"))
+        lines = re.sub(r'(?<=[\[,])(?=\[|{"name")', "\n", text)  # one for each answer and mistake
+        write_whole(public / "mistakes" / f"{part.stem}.json", lines + "\n")
 
 
 def are_equal_up_to_rounding(a: Any, b: Any) -> bool:
     """Whether two JSON values are equal, up to the rounding of numbers."""
     if isinstance(a, dict) and isinstance(b, dict):
-        return list(a) == list(b) and all(are_equal_up_to_rounding(a[key], b[key]) for key in a)
+        return are_equal_up_to_rounding([*map(list, a.items())], [*map(list, b.items())])
     if isinstance(a, list) and isinstance(b, list):
         return len(a) == len(b) and all(map(are_equal_up_to_rounding, a, b))
     if isinstance(a, float | int) and isinstance(b, float | int):
-        return abs(a - b) <= 1e-10 * max(1.0, abs(a), abs(b))
+        return math.isclose(a, b, rel_tol=1e-10, abs_tol=1e-10)
     return bool(a == b)
 
 
-def _file(part: Part, right: Answers, mistakes: list[Mistake], got: Mapping[str, Answers]) -> str:
-    """The JSON text for a part, with one mistake on each line."""
-    lines = [
-        _line(
-            {key: getattr(m, key) for key in MISTAKE_FIELDS}
-            | {"checks": m.lost, "answers": _differences(right, _rounded(got[m.name]))}
-        )
-        for m in mistakes
-        if m.part == part and m.recognised_as == m.name
-    ]
-    answers_line = ",\n".join(_line(answer) for answer in right)
-    body = ",\n".join(lines)
-    return f'{{"stem": "{part.stem}", "right": [\n{answers_line}],\n"mistakes": [\n{body}]}}\n'
-
-
-def _line(value: Any) -> str:
-    return json.dumps(value, ensure_ascii=False, separators=(",", ":"))
-
-
 def _rounded(answers: Answers) -> Answers:
-    return [
-        answer if isinstance(answer, str) else [None if x is None else _shorter(x) for x in answer]
-        for answer in answers
-    ]
+    def shorter(x: float | None) -> float | None:
+        return None if x is None else float(f"{x:.{DIGITS}g}") if abs(x) > 1e-12 else 0.0
 
-
-def _shorter(x: float) -> float:
-    return float(f"{x:.{DIGITS}g}") if abs(x) > 1e-12 else 0.0
+    return [a if isinstance(a, str) else list(map(shorter, a)) for a in answers]
 
 
 def _differences(right: Answers, mistaken: Answers) -> dict[str, Any]:
@@ -184,7 +159,7 @@ def _differences(right: Answers, mistaken: Answers) -> dict[str, Any]:
             wrong = {
                 str(i): x
                 for i, (e, x) in enumerate(zip(expected, got))
-                if x is None or abs(x - e) > 1e-9 * max(1.0, abs(e), abs(x))
+                if x is None or not math.isclose(x, e, rel_tol=1e-9, abs_tol=1e-9)
             }
         if wrong:
             different[str(k)] = wrong
@@ -195,6 +170,7 @@ def _differences(right: Answers, mistaken: Answers) -> dict[str, Any]:
 def for_the_instructor(name: str) -> tuple[str, str]:
     """The line for the instructor, and the heading of the hint; empty if the gallery isn't
     there."""
-    file = GALLERY / name / "mistake.md"
-    match = LAYOUT.fullmatch(file.read_text(encoding="utf-8")) if file.exists() else None
-    return (match["instructor"], match["hint"]) if match else ("", "")
+    if not (GALLERY / name).exists():
+        return "", ""
+    known = read(GALLERY / name)
+    return known.instructor, known.hint
