@@ -16,10 +16,7 @@ def render(name: str, record: dict[str, Any]) -> str:
     if name == "json":
         return json_document(record, indent=1)
     module = import_module(f"{__name__}.{name}")
-    if name == "github":
-        module.write_summary(record)
-    report: str = module.render(record)
-    return report.rstrip("\n") if name == "html" else report
+    return str(module.render(record)).rstrip("\n")
 
 
 def refused(name: str | None, sentence: str) -> str:

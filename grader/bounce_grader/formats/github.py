@@ -11,7 +11,10 @@ from bounce_grader.grading.record import Record
 
 
 def render(record: Record) -> str:
-    """Workflow commands for standard output."""
+    """Workflow commands for standard output. Writes the score as an output of a workflow's step,
+    and its summary, if this runs in one."""
+    _append("GITHUB_OUTPUT", f"score={short(record['score'])}\n")
+    _append("GITHUB_STEP_SUMMARY", markdown.render(record) + "\n")
     lines = [line for part in record["parts"] for line in _part(part)]
     lines += [workflow("warning", words, title="Speed") for words in sentences.speed_words(record)]
     if record["box"] != "full":
@@ -25,12 +28,6 @@ def render(record: Record) -> str:
 def refused(sentence: str) -> str:
     """The report on a submission that can't be read, without points."""
     return workflow("error", sentence, title="Not graded")
-
-
-def write_summary(record: Record) -> None:
-    """Writes the score as an output of a workflow's step, and its summary, if this runs in one."""
-    _append("GITHUB_OUTPUT", f"score={short(record['score'])}\n")
-    _append("GITHUB_STEP_SUMMARY", markdown.render(record) + "\n")
 
 
 def _append(variable: str, text: str) -> None:

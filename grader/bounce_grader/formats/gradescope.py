@@ -7,17 +7,23 @@ from bounce_grader.common.numbers import out_of, scientific
 from bounce_grader.formats import sentences
 from bounce_grader.grading.record import Record
 
+TEXT = {"output_format": "text", "stdout_visibility": "hidden"}
+
 
 def render(record: Record) -> str:
     """The report. It has no score at the top level, which would override the sum of the tests."""
+    lines = [
+        f"Part {part['part']}, {part['title']}: {out_of(part)}. "
+        + printable(sentences.part_words(part))
+        for part in record["parts"]
+    ]
     result: dict[str, Any] = {
         "execution_time": record["seconds"]["total"],
-        "output": _summary(record),
-        "output_format": "text",
+        "output": "\n".join([*lines, *map(printable, sentences.speed_words(record))]),
+        **TEXT,
         "test_output_format": "text",
         "test_name_format": "text",
         "visibility": "visible",
-        "stdout_visibility": "hidden",
         "tests": [_test(*numbered) for numbered in sentences.numbered(record)],
         "leaderboard": _leaderboard(record),
         "extra_data": {
@@ -30,23 +36,7 @@ def render(record: Record) -> str:
 def refused(sentence: str) -> str:
     """The report on a submission that can't be read. Its score is 0, because Gradescope takes a
     result without a score for a failure of the autograder; the student can submit again."""
-    result = {
-        "score": 0,
-        "output": printable(sentence),
-        "output_format": "text",
-        "tests": [],
-        "stdout_visibility": "hidden",
-    }
-    return json_document(result, indent=1)
-
-
-def _summary(record: Record) -> str:
-    lines = [
-        f"Part {part['part']}, {part['title']}: {out_of(part)}. "
-        + printable(sentences.part_words(part))
-        for part in record["parts"]
-    ]
-    return "\n".join([*lines, *map(printable, sentences.speed_words(record))])
+    return json_document({"score": 0, "output": printable(sentence), **TEXT, "tests": []}, indent=1)
 
 
 def _test(number: str, part: Record, check: Record) -> dict[str, Any]:

@@ -1,6 +1,6 @@
 """Sentences about a record, for several formats."""
 
-from bounce_grader.grading import hints
+from bounce_grader.grading import hints, speed
 from bounce_grader.grading.record import Record
 
 STATUS_WORDS = {
@@ -61,8 +61,6 @@ def where_to_read(mistake: Record) -> str:
 
 def speed_words(record: Record) -> list[str]:
     """Why the submission wasn't timed, if different answers are the reason."""
-    from bounce_grader.grading import speed
-
     measured = record.get("speed") or {}
     return speed.sentences(measured) if "otherwise" in measured else []
 
@@ -108,8 +106,8 @@ def hint(part: Record, check: Record) -> str:
         return ""
     found = ""
     if check is _first_failed(part):
-        patterns = hints.of_patterns(part["part"], part["patterns"], check["id"])
-        found = check["mistake"]["hint"] if check["mistake"] else patterns
+        found = (check["mistake"] or {}).get("hint", "")
+        found = found or hints.of_patterns(part["part"], part["patterns"], check["id"])
     return found or hints.of_check(check["id"])
 
 

@@ -18,10 +18,9 @@ STYLES = {"": "", "bold": "1", "dim": "2", "red": "31", "green": "32", "yellow":
 def show(record: Record, stream: TextIO | None = None) -> None:
     """Prints the report; in colour where the stream is a terminal."""
     stream = stream or sys.stdout
-    if not stream.isatty() or os.environ.get("NO_COLOR"):
-        stream.writelines(f"{line}\n" for _, line in lines(record))
-        return
-    stream.writelines(f"\33[{STYLES[style]}m{line}\33[0m\n" for style, line in lines(record))
+    is_plain = not stream.isatty() or os.environ.get("NO_COLOR")
+    for style, line in lines(record):
+        stream.write(f"{line}\n" if is_plain else f"\33[{STYLES[style]}m{line}\33[0m\n")
 
 
 def lines(record: Record) -> list[tuple[str, str]]:
@@ -30,8 +29,8 @@ def lines(record: Record) -> list[tuple[str, str]]:
     out = [("bold", f"Score {out_of(record)}"), ("", "")]
     for part in record["parts"]:
         out += _part(part)
-    cases = sentences.about_cases(record)
-    out += [("", terminal(line)) for line in [*cases, *([""] if cases else [])]]
+    if cases := sentences.about_cases(record):
+        out += [("", terminal(line)) for line in (*cases, "")]
     if record.get("speed"):
         out += _speed(record["speed"])
     unusual = [name for name in record["ignored"] if name not in _handed_out()]

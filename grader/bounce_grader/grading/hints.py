@@ -7,6 +7,8 @@ from typing import NamedTuple
 from bounce_grader.common.manifest import parts
 from bounce_grader.common.paths import HANDOUT
 
+HINTS = HANDOUT / "hints"
+
 
 class Hint(NamedTuple):
     """One section of a part's hints."""
@@ -29,17 +31,13 @@ def hints() -> tuple[Hint, ...]:
             "".join(re.findall(r"^### A nudge\n\n(.+)$", section, re.M)).replace("`", ""),
         )
         for part in parts()
-        for section in _text(part.stem).split("\n## ")[1:]
+        for section in (HINTS / f"{part.stem}.md").read_text("utf-8").split("\n## ")[1:]
     )
 
 
-def _text(stem: str) -> str:
-    return (HANDOUT / "hints" / f"{stem}.md").read_text("utf-8")
-
-
 def _listed(label: str, separator: str, section: str) -> list[str]:
-    lines = [line for line in section.splitlines() if line.startswith(label)]
-    return [item for line in lines for item in line.removeprefix(label).split(separator)]
+    lines = re.findall(f"(?m)^{label}(.*)$", section)
+    return [item for line in lines for item in line.split(separator)]
 
 
 def of_check(check: str) -> str:
@@ -52,15 +50,13 @@ def of_patterns(part: int, patterns: list[str], check: str) -> str:
     first; empty if there is none. Words with "your" are about numbers of the hint's own checks, and
     help with no other check."""
     said = " ".join(patterns)
-    own = [hint for hint in hints() if hint.part == part]
-    found = {
-        said.find(words): hint.heading
-        for hint in own
+    found = [
+        (said.find(words), hint.heading)
+        for hint in hints()
         for words in hint.diagnoses
-        if check in hint.checks or "your" not in words.lower()
-    }
-    found.pop(-1, None)
-    return found[min(found)] if found else ""
+        if hint.part == part and (check in hint.checks or "your" not in words.lower())
+    ]
+    return min((place for place in found if place[0] >= 0), default=(0, ""))[1]
 
 
 def nudge(heading: str) -> str:

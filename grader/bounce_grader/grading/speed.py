@@ -63,15 +63,12 @@ def _cut(cut: Any) -> str:
 
 
 def _scene(scene: Any) -> Measured:
-    curves = {
-        curve: [point | {"error": _rounded(point["error"])} for point in scene[curve]]
-        for curve in CURVES
-    }
-    return scene | {key: printable_text(scene[key]) for key in ("scene", "title")} | curves
+    def rounded(point: Any) -> Any:
+        error = point["error"]
+        is_finite = error is not None and error <= LARGEST
+        return point | {"error": float(f"{error:.3e}") if is_finite else None}
 
-
-def _rounded(error: float | None) -> float | None:
-    return None if error is None or error > LARGEST else float(f"{error:.3e}")
+    return scene | {curve: list(map(rounded, scene[curve])) for curve in CURVES}
 
 
 def _step(measured: Measured) -> Measured:
@@ -90,15 +87,12 @@ def _step(measured: Measured) -> Measured:
 
 def curve(measured: Measured, whose: str) -> list[Point]:
     """One curve over all scenes, with a point for each dt at which every scene was timed."""
-    points = []
-    for k, dt in enumerate(measured.get("dt", [])):
-        at = [(s["seconds"], s[whose][k]) for s in measured["scenes"] if k < len(s[whose])]
-        if not at or len(at) < len(measured["scenes"]):
-            break
-        seconds = sum(s for s, _ in at)
-        errors = [p["error"] for _, p in at]
-        worst = None if None in errors else max(errors)
-        points.append(Point(dt, sum(s * p["ns"] for s, p in at) / seconds, worst))
+    scenes, points = measured.get("scenes", []), []
+    whole = sum(scene["seconds"] for scene in scenes)
+    for dt, *at in zip(measured.get("dt", []), *(scene[whose] for scene in scenes)):
+        ns = sum(scene["seconds"] * p["ns"] for scene, p in zip(scenes, at)) / whole
+        errors = [p["error"] for p in at]
+        points.append(Point(dt, ns, None if None in errors else max(errors)))
     return points
 
 

@@ -30,7 +30,7 @@ from bounce_grader.sandbox.budget import Budget
 from bounce_grader.submission.submission import Submission
 
 MESSAGE = "1 of 9 cases wrong; the first: a corner sticks"
-REVEALED = {"message": f"{MESSAGE}\n  expected phi = 0.8128"}
+REVEALED = f"{MESSAGE}\n  expected phi = 0.8128"
 MISTAKE: dict[str, Any] = {"title": "it is so", "sentence": "", "equations": [1], "hint": "1.1"}
 
 
@@ -67,7 +67,7 @@ def record_of(
     seconds = {"compile": 0.0, "run": 0.0, "total": 0.0}
     text = " ".join(texts.values())
     timed = _times(float(_said(text, "ns", "200")), float(_said(text, "error", "1e-13")))
-    return whole(taken, made, _said(text, "box", "full"), seconds, "0" * 64, timed)
+    return whole(taken, made, _said(text, "box", "full"), seconds, "0" * 64, speed=timed)
 
 
 def _times(ns: float, error: float) -> dict[str, Any]:
