@@ -27,7 +27,7 @@ struct Limits {
 // Thrown where a runner can't go on.
 struct Termination {
   std::string status = {};  // of the score record: crashed, timed_out, out_of_memory, no_answer ...
-  std::string what = {};    // a name in words.py
+  std::string what = {};    // a name in grading/endings.txt
   long number = 0;          // which belongs to it: an exit status, a signal, a limit
   std::string text = {};    // likewise; of "aborted" what the program printed last, any bytes
   std::string stack = {};   // of a crash: hexadecimal addresses, each after a space

@@ -9,7 +9,7 @@ from bounce_grader.common.errors import KitError
 from bounce_grader.common.escaping import printable_text, terminal
 from bounce_grader.common.paths import CONTRACT, RUNNER
 from bounce_grader.sandbox import processes
-from bounce_grader.sandbox.box import Box
+from bounce_grader.sandbox.box import Box, PROGRAMS
 from bounce_grader.submission.submission import Submission
 
 COMPILE = processes.Limits(15, 120, memory=2 << 30, file_size=64 << 20)
@@ -19,17 +19,17 @@ MAIN = b"_Z14submitted_main"  # in an object whose source defines main, by its n
 
 
 def run(
-    command: list[str],
-    folder: Path,
-    box: Box,
-    made: Path,
-    programs: Iterable[str] = (),
+    command: list[str], folder: Path, box: Box, made: Path, by_gcc: bool = False
 ) -> processes.Result:
     """Runs a compiler in the folder of a submission's sources; it writes the object to the file
     `made`. Raises KitError if the box or the machine failed, and not the submission."""
-    prefix = box.to_build(folder, [CONTRACT, RUNNER], programs)
+    prefix = box.to_build(folder, [CONTRACT, RUNNER], PROGRAMS if by_gcc else ())
     result = box.run([*prefix, *command], COMPILE, cwd=folder, output=made)
     require_compiler_ran(result)
+    # If one of the programs that g++ starts fails after it has begun, g++'s exit status is another
+    # than its own or its wrapper's.
+    if by_gcc and result.code in (1, 125):
+        raise KitError("g++ couldn't start its compiler; is the machine short of processes?")
     return result
 
 
@@ -50,13 +50,6 @@ def _killed_early(result: processes.Result) -> bool:
     """Whether it was killed well before its limit of CPU time. The system enforces that limit in
     ticks but reports times in nanoseconds, so a process at its limit can seem to be below it."""
     return result.killed and result.cpu_seconds < 0.7 * result.cpu_limit
-
-
-def require_gcc_ran(result: processes.Result) -> None:
-    """Raises KitError if g++ couldn't start its compiler or assembler. If one of these fails after
-    it has begun, g++'s exit status is another."""
-    if result.code in (1, 125):  # of g++ itself, or of its wrapper
-        raise KitError("g++ couldn't start its compiler; is the machine short of processes?")
 
 
 def clang(file: str, submission: Submission, timed: bool = False) -> list[str]:

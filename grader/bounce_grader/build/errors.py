@@ -30,7 +30,7 @@ class Built(NamedTuple):
 
 def of_compiler(printed: str, file: str) -> Built:
     """The first error that a compiler printed about a file."""
-    errors = re.findall(r"^(.+?):(\d{1,10}):(\d{1,9}): (?:fatal )?error: (.*)$", printed, re.MULTILINE)
+    errors = re.findall(r"^(.+?):(\d{1,10}):(\d{1,9}): (?:fatal )?error: (.*)$", printed, re.M)
     if not errors:
         return Built(None, f"{file}: {_without_a_place(printed)}")
     where, line, column, what = errors[0]
@@ -40,7 +40,7 @@ def of_compiler(printed: str, file: str) -> Built:
     sentence = f"{place}: {error}"
     if where.startswith("/"):
         header = Path(str(place)).name
-        note = re.search(rf"^{re.escape(file)}:(\d{{1,9}}):\d+: note: ", printed, re.MULTILINE)
+        note = re.search(rf"^{re.escape(file)}:(\d{{1,9}}):\d+: note: ", printed, re.M)
         place = Place(file, int(note.group(1)) if note else 1)
         sentence = f"{error}{f', asked for at {place}' if note else f' in {file}'} ({header})"
     usual = meaning(what)
@@ -65,9 +65,9 @@ def meaning(error: str, file: str = "compiler_errors.txt") -> str:
 
 
 @functools.cache
-def meanings(file: str) -> list[tuple[str, str]]:
-    """Pairs of a piece of a message and the sentence that explains it. In the file, the pieces are
-    indented below their sentence."""
+def meanings(file: str | Path) -> list[tuple[str, str]]:
+    """Pairs of a piece of a message and the sentence that explains it. In the file, which is among
+    those of ./check if it has no folder, the pieces are indented below their sentence."""
     found, sentence = [], ""
     for line in (EXPLAINED / file).read_text(encoding="utf-8").splitlines():
         if line.startswith("  "):
@@ -85,17 +85,17 @@ def of_linker(printed: str) -> Built:
     long lines don't make it slow."""
     error = r"(?m)^ld\.lld: error: "
     referenced = r"(?:\n>>> referenced by (.+?):(\d{1,9}))?"
-    missing = re.search(rf"{error}undefined symbol: (.*){referenced}", printed)
-    if missing and missing.group(2):
-        place = Place(missing.group(2), int(missing.group(3)))
-        words = f"{place} uses {missing.group(1)}, which no file that compiles defines"
-        return Built(None, words, place)
-    if missing:
-        return Built(None, f"{missing.group(1)} is used, but no file that compiles defines it")
+    if missing := re.search(rf"{error}undefined symbol: (.*){referenced}", printed):
+        symbol, file, line = missing.groups()
+        if not file:
+            return Built(None, f"{symbol} is used, but no file that compiles defines it")
+        place = Place(file, int(line))
+        return Built(None, f"{place} uses {symbol}, which no file that compiles defines", place)
     twice = re.search(rf"{error}duplicate symbol: (.*)", printed)
     if twice:
         return Built(None, f"{twice.group(1)} is defined in two files")
-    return Built(None, 
+    return Built(
+        None,
         "the parts can't be linked with each other: look for very large "
-        "global arrays in them, and for lines of assembler"
+        "global arrays in them, and for lines of assembler",
     )

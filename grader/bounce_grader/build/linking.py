@@ -10,7 +10,7 @@ from bounce_grader.build.errors import Built, of_linker
 from bounce_grader.common.manifest import Part
 from bounce_grader.common.paths import CACHE, RUNNER, SOURCES
 from bounce_grader.sandbox import processes
-from bounce_grader.sandbox.box import PROGRAMS, Box
+from bounce_grader.sandbox.box import Box
 from bounce_grader.submission.submission import Submission
 
 LINK = processes.Limits(cpu_seconds=10, wall_seconds=60, memory=2 << 30, file_size=64 << 20)
@@ -27,13 +27,7 @@ SANITIZERS = (
 )
 # Eigen allocates in another way for sanitizers, and the kit's objects free as without them.
 ALLOCATES_ALIKE = "-DEIGEN_MALLOC_ALREADY_ALIGNED=1"
-CHECKED_LINK = (
-    "-no-pie",
-    "-static-libasan",
-    "-static-libubsan",
-    "-static-libstdc++",
-    "-static-libgcc",
-)
+CHECKED_LINK = ("-no-pie", *(f"-static-lib{name}" for name in ("asan", "ubsan", "stdc++", "gcc")))
 
 
 def link_together(objects: Objects, runner: Path, box: Box, timed: bool = False) -> Built:
@@ -49,13 +43,13 @@ def link_alone(part: Part, objects: Objects, runner: Path, box: Box) -> Built:
     If that fails, a second try adds the files of the other parts, which may define what this part
     needs. The given parts still come first, and duplicate definitions are allowed.
     """
-    own = [objects.parts[part.number].path, *(b.path for b in objects.helpers.values())]
-    alone = _link([*own, *_given(part)], runner, box)
+    helpers = [built.path for built in objects.helpers]
+    own = [objects.parts[part.number].path, *helpers, *_given(part)]
+    alone = _link(own, runner, box)
     others = [b.path for number, b in objects.parts.items() if number != part.number and b.path]
-    if alone.path or not (others or objects.helpers):
+    if alone.path or not (others or helpers):
         return alone
-    flags = ("--allow-multiple-definition",)
-    second = _link([*own, *_given(part), *others], runner, box, flags)
+    second = _link([*own, *others], runner, box, ("--allow-multiple-definition",))
     return second if second.path else alone
 
 
@@ -68,8 +62,7 @@ def link_sanitized(part: Part, submission: Submission, work: Path, box: Box) -> 
     for file in [submission.parts[part.number], *submission.helpers]:
         objects.append(work / f"checked{part.number}-{len(objects)}.o")
         command = gcc(file, submission, box, flags=(*SANITIZERS, ALLOCATES_ALIKE))
-        result = compiler.run(command, sources, box, objects[-1], PROGRAMS)
-        compiler.require_gcc_ran(result)
+        result = compiler.run(command, sources, box, objects[-1], by_gcc=True)
         if not result.ok:
             return compile_problem(result, file)
         if sum(path.stat().st_size for path in objects) > HELPERS_BYTES:
@@ -93,10 +86,11 @@ def _link(
     kit: tuple[str, ...] = KIT_OBJECTS,
 ) -> Built:
     """Links these files with the kit's, by the linker command that clang would run."""
+    linked = [path for path in files if path]
+    objects = [*flags, *(f"{RUNNER}/{name}.o" for name in kit), *map(str, linked)]
     command = (RUNNER / "link_command.txt").read_text().splitlines()
     place = command.index("OBJECTS")
-    linked = [path for path in files if path]
-    command[place : place + 1] = [*flags, *(f"{RUNNER}/{name}.o" for name in kit), *map(str, linked)]
+    command[place : place + 1] = objects
     visible = [path for path in linked if path.is_relative_to(CACHE)]
     return _linked(box.to_build(RUNNER, visible, programs=()) + command, runner, box)
 

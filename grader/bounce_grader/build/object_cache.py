@@ -41,12 +41,9 @@ def needed(file: str, submission: Submission, named: frozenset[str]) -> list[str
 def name_of(file: str, names: Iterable[str], submission: Submission, box: Box, timed: bool) -> str:
     """The cache key of an object: a hash of the file, of all that it can include, of the toolchain,
     of the box, and of FORMAT."""
-    words = [FORMAT, file, box.kind, str(timed), *submission.include_folders]
-    hasher = hashlib.sha256(toolchain_digest() + os.fsencode("\0".join(words)))
-    for name in names:
-        text = submission.files[name]
-        hasher.update(os.fsencode(f"\0{name}\0{len(text)}\0") + text)
-    return hasher.hexdigest()
+    made_from = [FORMAT, toolchain_digest(), file, box.kind, timed, submission.include_folders]
+    texts = [(name, submission.files[name]) for name in names]
+    return hashlib.sha256(repr((made_from, texts)).encode()).hexdigest()
 
 
 @cache
@@ -59,11 +56,9 @@ def toolchain_digest() -> bytes:
             f"the kit's folder {BUILD} belongs to {BUILD.owner()}, who alone can grade with it: "
             "copy the kit to a folder of your own, and run it there"
         )
-    hasher = hashlib.sha256(str(RUNNER).encode())
-    made = (path for path in RUNNER.iterdir() if path.suffix in MADE)  # no file of a running build
-    for path in sorted(made):
-        hasher.update(f"{path.name} {path.stat().st_mtime_ns}\0".encode())
-    return hasher.digest()
+    files = sorted(path for path in RUNNER.iterdir() if path.suffix in MADE)  # no running build's
+    stamps = [(path.name, path.stat().st_mtime_ns) for path in files]
+    return hashlib.sha256(repr((str(RUNNER), stamps)).encode()).digest()
 
 
 def place(name: str) -> Path:

@@ -83,7 +83,7 @@ def attempt(
     """Runs one attempt of the probe: whether it succeeded, and the output. Unless it is known to
     have failed, it counts as a success."""
     if place != "compile":
-        boxed = box.to_run(PROBE) if place == "run" else box.to_run_sanitized(PROBE)
+        boxed = box.to_run(PROBE, sanitized=place == "check")
         asked = json.dumps({"watch": True, "sanitized": place == "check"})
         result = processes.run([*above, str(JUDGE), asked, *boxed, *words], WATCHING)
         answer = result.out.decode("utf-8", "replace").strip()

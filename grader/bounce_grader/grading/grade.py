@@ -56,22 +56,20 @@ def grade(given: Path | Submission, options: Options = Options()) -> Record:
         records = [grading.record_of(part) for part in parts()]
         if not any(r["score"] for r in records):
             _require_working_kit(Box(box.kind))
-        measured = _speed(grading) if options.speed else None
+        speed = _speed(grading) if options.speed else None
         cases = examples.judged(taken.cases, box)
         if options.sanitize:
             records = parallel_map(grading.with_remarks, records, jobs)
     end = time.monotonic()
-    graded = record.whole(
+    return record.whole(
         taken,
         [*records, *(examples.part_records(cases) if cases else [])],
         box.kind,
         {"compile": compiled - start, "run": end - compiled, "total": end - start},
         record.digest_of([fixtures.PUBLIC, hidden]),
-        measured,
+        speed=speed,
+        examples=cases,
     )
-    if cases:
-        graded["examples"] = cases
-    return graded
 
 
 class _Grading:
@@ -103,6 +101,10 @@ class _Grading:
                 now = [part for part in parts() if bool(part.calls) == calling]
                 parallel_map(partial(self._judge_own, runner), now, self.jobs)
 
+    def _judge_own(self, runner: Path, part: Part) -> None:
+        files = self.taken.files
+        self.own[part] = judging.judge(part, runner, files, self.box, self.hidden, alone=False)
+
     def judge_alone(self) -> None:
         """Judges each part alone that could score better, and takes the better result. One after
         the other: side by side, the given answers of a later part could reach an earlier one, by
@@ -117,16 +119,17 @@ class _Grading:
                 runner = self.work / f"alone{part.number}"
                 alone = linking.link_alone(part, self.objects, runner, self.box)
                 if alone.path:
-                    tries.append(self._judge(alone.path, bool(part.calls), part, recognise=True))
+                    files = self.taken.files
+                    # First: of two that score the same, the one with the given parts counts.
+                    tries.insert(0, judging.judge(part, runner, files, self.box, self.hidden))
                 elif not tries:
                     # With the errors of helpers, which may be the reason.
-                    broken = [b.problem for b in self.objects.helpers.values() if not b.path]
+                    broken = [b.problem for b in self.objects.helpers if not b.path]
                     return self._not_built(part, "; ".join([alone.problem, *broken]), alone.place)
         except Overrun as overrun:
             if not tries:
                 return record.failed_part(part, "timed_out", f"not judged: {overrun}")
-        # If both score the same, the later one, with the given parts.
-        return max(reversed(tries), key=lambda judged: judged.score(part))
+        return max(tries, key=lambda judged: judged.score(part))
 
     def record_of(self, part: Part) -> Record:
         """The record of a part. Called once all parts are judged, because explaining a crash may
@@ -153,28 +156,15 @@ class _Grading:
         found = sanitizing.remark(part, self.taken, self.work, self.box)
         return record.with_remark(graded, *found) if found else graded
 
-    def _judge_own(self, runner: Path, part: Part) -> None:
-        self.own[part] = self._judge(runner, False, part)
-
-    def _judge(self, runner: Path, given: bool, part: Part, recognise: bool = False) -> Judged:
-        files = frozenset(self.taken.files)
-        return judging.judge(
-            part, runner, given, self.hidden, self.box, recognise=recognise, files=files
-        )
-
     def _could_be_better(self, part: Part) -> bool:
         """Whether the part might score more when it is linked alone, where neither earlier parts
         nor static initializers of other files can harm it. If another part answered in the same
         runner, a static initializer can't be why this part hung."""
-        if part not in self.own:
-            return True
-        own = self.own[part]
-        if own.score(part) == part.points:
-            return False
-        hangs_by_itself = own.status == "timed_out" and any(
-            other.status == "graded" for other in self.own.values()
-        )
-        return bool(part.calls) or not hangs_by_itself
+        own = self.own.get(part)
+        if not own or own.score(part) == part.points:
+            return not own
+        others_answered = any(other.status == "graded" for other in self.own.values())
+        return bool(part.calls) or own.status != "timed_out" or not others_answered
 
     def _problem(self, part: Part) -> Record | None:
         """The record of a part of which there is nothing to run."""
@@ -212,9 +202,7 @@ def _require_working_kit(box: Box) -> None:
         linked = linking.link_alone(parts()[0], objects, work / "stub", box) if stub.path else stub
         if not linked.path:
             raise KitError(f"a stub can't be built: {linked.problem}")
-    problem = boxes.problem_of(box)
-    if problem:
-        boxes.forget(box.kind)
+    if problem := boxes.problem_of(box):
         raise KitError(f"the box stopped working while it was in use: {problem}")
 
 

@@ -2,9 +2,8 @@
 
 import json
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Container
 from contextlib import suppress
-from functools import cache
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -38,54 +37,59 @@ class Judged(NamedTuple):
         return sum(check.points for check in part.checks if self.verdicts[check.id].passed)
 
     @property
+    def ended(self) -> list[Verdict]:
+        """Of the checks in which its runner ended."""
+        return [verdict for verdict in self.verdicts.values() if verdict.status != "graded"]
+
+    @property
     def status(self) -> str:
         """The way in which its runner first ended; "graded" if it answered every question."""
-        ended = [v.status for v in self.verdicts.values() if v.status != "graded"]
-        return ended[0] if ended else "graded"
+        return self.ended[0].status if self.ended else "graded"
 
 
 def judge(
     part: Part,
     runner: Path,
-    given: bool,
-    hidden: Path | None,
+    files: Container[str],
     box: Box,
+    hidden: Path | None = None,
+    alone: bool = True,
     sanitized: bool = False,
-    recognise: bool = False,
-    files: frozenset[str] = frozenset(),
 ) -> Judged:
-    """Judges a part; without `hidden`, on the public cases alone. `given`: with given earlier
-    parts; `sanitized`: the runner has sanitizers; `files`: the submission's files, in which a crash
-    is located. Checks that the grading has no time left for fail. Raises KitError if the judge
-    fails or doesn't name every check exactly once."""
+    """Judges a part; without `hidden`, on the public cases alone. If `alone`, the runner has given
+    earlier parts. `sanitized`: the runner has sanitizers, and its wrong answers aren't explained;
+    `files`: the submission's files, in which a crash is located. Checks that the grading has no
+    time left for fail. Raises KitError if the judge fails or doesn't name every check."""
     cpu, wall = box.budget.left()
+    given = alone and bool(part.calls)
     asked = {
         "part": part.number,
         "fixtures": [str(FIXTURES / "public"), *([str(hidden)] if hidden else [])],
         "given": given,
         "sanitized": sanitized,
-        "recognise": recognise,
+        "recognise": alone and not sanitized,
         "boxed": box.kind != "none",
         "cpu_seconds": max(1, int(min(cpu, MOST_CPU_SECONDS))),
         "seconds": max(1, int(min(wall, MOST_SECONDS))),
     }
-    runs = box.to_run_sanitized(runner) if sanitized else box.to_run(runner)
     box.budget.require_time()
     # Not limited by the budget: the judge keeps to the seconds above, and reports what passed.
     limits = WAIT._replace(memory=None) if sanitized else WAIT
-    result = processes.run([str(JUDGE), json.dumps(asked), *runs], limits)
+    command = [str(JUDGE), json.dumps(asked), *box.to_run(runner, sanitized)]
+    result = processes.run(command, limits)
     box.budget.require_responsive_machine()
     if not result.ok:
         raise KitError(f"the judge failed on part {part.number}: {result.err.strip() or 'killed'}")
     judged = read_answer(result.out, part)
-    places = {id: _place(v.stack, runner, files, box) for id, v in judged.verdicts.items()}
-    verdicts = {id: v._replace(place=places[id]) for id, v in judged.verdicts.items()}
+    stacks = {verdict.stack for verdict in judged.verdicts.values() if verdict.stack}
+    places = {stack: _place(stack, runner, files, box) for stack in stacks}
+    verdicts = {id: v._replace(place=places.get(v.stack)) for id, v in judged.verdicts.items()}
     return judged._replace(verdicts=verdicts, graded_with="given" if given else "own")
 
 
 def read_answer(out: bytes, part: Part) -> Judged:
     """Parses the judge's answer, which grader/judge/main.cpp describes. Checks that parts.json
-    leaves out are dropped. Raises KitError."""
+    leaves out are dropped. Raises KitError if it isn't whole, or lacks a check."""
     try:
         answer = _printable(json.loads(out))
         verdicts = {check.pop("id"): Verdict(**check) for check in answer["checks"]}
@@ -111,16 +115,13 @@ def _printable(x: Any) -> Any:
     return printable_text(x) if isinstance(x, str) else x
 
 
-@cache
-def _place(stack: str, runner: Path, files: frozenset[str], box: Box) -> Place | None:
+def _place(stack: str, runner: Path, files: Container[str], box: Box) -> Place | None:
     """The innermost line on the stack that is in the submission's own files; None if unknown, also
     for want of time, as the verdict is valid without it."""
-    if not stack:
-        return None
     command = ["/usr/bin/addr2line", "-i", "-e", str(runner), *stack.split()]
     with suppress(Overrun):
         result = box.run(box.to_build(runner.parent, [runner]) + command, SYMBOLS)
-        return place_in(result.out, files.__contains__) if result.ok else None
+        return place_in(result.out, files.__contains__)
     return None
 
 
@@ -132,6 +133,6 @@ def place_in(lines: bytes, is_submitted: Callable[[str], bool] = bool) -> Place 
         inside = re.match(
             rf"[^/]{{1,50}}/{SOURCES}(?:-[0-9a-f]{{16}})?/(.{{1,255}}?):(\d{{1,9}})(?!\d)", rest
         )
-        if inside and is_submitted(inside.group(1)):
-            return Place(printable_name(inside.group(1)), int(inside.group(2)))
+        if inside and is_submitted(inside[1]):
+            return Place(printable_name(inside[1]), int(inside[2]))
     return None

@@ -23,6 +23,7 @@ from bounce_grader.submission.submission import Place, Submission
 Record = dict[str, Any]
 KNOWN = FIXTURES / "public" / "mistakes"
 MISTAKE_FIELDS = ("name", "title", "sentence", "equations", "hint")
+SHOWN = ("name", "input", "hidden", "contact", "sentence", "quantities")  # of a failed case
 LONGEST_SENTENCE = 1000
 MOST_IGNORED = 100  # names
 
@@ -61,22 +62,19 @@ def _at(place: Place | None) -> Record:
 
 
 def part_record(part: Part, judged: Judged) -> Record:
-    ended = [verdict for verdict in judged.verdicts.values() if verdict.status != "graded"]
-    place = next((verdict.place for verdict in ended if verdict.place), None)
+    place = next((verdict.place for verdict in judged.ended if verdict.place), None)
+    whole = failed_part(part, judged.status, _part_message(part, judged), place)
     if judged.status == "does_not_compile":  # no function to ask: said once, and of no check
-        return failed_part(part, judged.status, _part_message(part, judged), place)
+        return whole
     mistakes = [
         {key: known_mistakes()[name][key] for key in MISTAKE_FIELDS} for name in judged.mistakes
     ]
-    return failed_part(part, judged.status, _part_message(part, judged), place) | {
+    return whole | {
         "score": judged.score(part),
         "graded_with": judged.graded_with,
         "mistakes": mistakes,
         "patterns": [printable_text(sentence) for sentence in judged.patterns],
-        "checks": [
-            _check_record(check, verdict.passed, message, mistakes) | _at(verdict.place) | numbers
-            for check, verdict, message, numbers in _with_each_reason_once(part, judged)
-        ],
+        "checks": list(_checks(part, judged, mistakes)),
     }
 
 
@@ -85,22 +83,20 @@ def with_remark(graded: Record, remark: str, place: Place | None) -> Record:
     return graded | {"remarks": [*graded["remarks"], sentence(remark)]} | _at(place)
 
 
-def _with_each_reason_once(
-    part: Part, judged: Judged
-) -> Iterator[tuple[Check, Verdict, str, Record]]:
-    """The checks with their verdicts, messages and numbers. One that fails by the same exception or
-    crash as an earlier check refers to that check, in place of repeating its case."""
-    first: dict[str, Check] = {}
+def _checks(part: Part, judged: Judged, mistakes: list[Record]) -> Iterator[Record]:
+    """The records of the checks. One that fails by the same exception or crash as an earlier check
+    refers to that check, in place of repeating its case."""
+    first: dict[str, str] = {}  # the title of the check, by the reason
     for check in part.checks:
         verdict = judged.verdicts[check.id]
-        reason = verdict.reason
+        reason, numbers, message = verdict.reason, _numbers(verdict), words.of_check(verdict)
         if reason in first and verdict.failure:
-            cases = words.counts(verdict.failure)
-            yield check, verdict, f'{cases}, as in "{first[reason].title}": {reason}', {}
-            continue
-        yield check, verdict, words.of_check(verdict), _numbers(verdict)
-        if reason:
-            first[reason] = check
+            message = f'{words.counts(verdict.failure)}, as in "{first[reason]}": {reason}'
+            numbers = {}
+        elif reason:
+            first[reason] = check.title
+        made = _check_record(check, verdict.passed, message, mistakes)
+        yield made | _at(verdict.place) | numbers
 
 
 def _mistake_of(check: Check, mistakes: list[Record]) -> Record | None:
@@ -129,7 +125,7 @@ def _numbers(verdict: Verdict) -> Record:
     failure = verdict.failure
     if not failure or verdict.status != "graded":
         return {}
-    shown = {"shown": words.shown(failure)}
+    shown = {"shown": {name: failure[name] for name in SHOWN}}
     return shown | ({"revealed": words.of_check(verdict, True)} if failure["hidden"] else {})
 
 
@@ -138,12 +134,11 @@ def for_readers(record: Record, answers: bool) -> Record:
     it."""
 
     def read(check: Record) -> Record:
-        kept = dict(check)
-        revealed = kept.pop("revealed", None)
-        if answers:
-            return kept | ({"message": revealed} if revealed else {})
+        kept = {key: check[key] for key in check if key != "revealed"}
         shown = kept.get("shown", {})
-        if shown.get("hidden"):
+        if answers:
+            kept["message"] = check.get("revealed", check["message"])
+        elif shown.get("hidden"):
             own = [{k: q[k] for k in q if k != "expected"} for q in shown["quantities"]]
             kept["shown"] = shown | {"contact": "", "quantities": own}
         return kept
@@ -153,14 +148,13 @@ def for_readers(record: Record, answers: bool) -> Record:
 
 
 def _part_message(part: Part, judged: Judged) -> str:
-    lost = [c for c in part.checks if not judged.verdicts[c.id].passed]
+    lost = sum(not judged.verdicts[check.id].passed for check in part.checks)
     if not lost:
         return "everything right"
-    ended = [v for v in judged.verdicts.values() if v.status != "graded"]
-    if ended:
-        return ended[0].end
-    nothing = len(lost) == len(part.checks)
-    return "no check passed yet" if nothing else f"{len(lost)} of {len(part.checks)} checks failed"
+    if judged.ended:
+        return judged.ended[0].end
+    every = len(part.checks)
+    return "no check passed yet" if lost == every else f"{lost} of {every} checks failed"
 
 
 def sentence(text: str) -> str:
@@ -174,9 +168,11 @@ def whole(
     box: str,
     seconds: Mapping[str, float],
     fixtures_sha256: str,
-    speed: Record | None,
+    **more: Record | None,
 ) -> Record:
-    record: Record = {
+    """The record of a submission, with what there is of `more`."""
+    rest = len(submission.ignored) - MOST_IGNORED
+    return {
         "score": sum(p["score"] for p in part_records),
         "max_score": sum(p["max_score"] for p in part_records),
         "parts": [_with_paths(part, submission) for part in part_records],
@@ -186,26 +182,23 @@ def whole(
         "fixtures_sha256": fixtures_sha256,
         "submission_sha256": submission.sha256,
         "ignored": [printable_name(file) for file in submission.ignored[:MOST_IGNORED]],
+        **({"ignored_more": rest} if rest > 0 else {}),
+        **{name: value for name, value in more.items() if value},
     }
-    if len(submission.ignored) > MOST_IGNORED:
-        record["ignored_more"] = len(submission.ignored) - MOST_IGNORED
-    return {**record, "speed": speed} if speed else record
 
 
 def _with_paths(part: Record, submission: Submission) -> Record:
     """The part and its checks with the paths that their places have in what was handed in. A part
     that isn't about a certain line has line 0 of its file."""
 
-    def path(file: str) -> str:
-        return printable_name(str(PurePosixPath(submission.top, file)))
-
     def located(found: Record) -> Record:
         place = found.get("place")
-        return found | {"place": place | {"file": path(place["file"])}} if place else found
+        path = PurePosixPath(submission.top, place["file"]) if place else ""
+        return found | ({"place": place | {"file": printable_name(str(path))}} if place else {})
 
-    if part["part"] in submission.parts and "place" not in part:
-        part = part | _at(Place(submission.parts[part["part"]], 0))
-    return {**located(part), "checks": list(map(located, part["checks"]))}
+    if part["part"] in submission.parts:
+        part = _at(Place(submission.parts[part["part"]], 0)) | part
+    return located(part) | {"checks": list(map(located, part["checks"]))}
 
 
 def digest_of(folders: list[Path]) -> str:

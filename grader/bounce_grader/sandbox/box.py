@@ -52,38 +52,34 @@ class Box(NamedTuple):
         output: Path | None = None,
         stdin: bytes = b"",
     ) -> processes.Result:
-        """Runs a command that to_run, to_run_sanitized or to_build made, or a program that runs
-        such commands itself. Raises Overrun if the grading has used up its time."""
+        """Runs a command that to_run or to_build made, or a program that runs such commands itself.
+        Raises Overrun if the grading has used up its time."""
         lower = self.budget.within(limits)
         result = processes.run(command, lower, stdin=stdin, cwd=cwd, output=output)
         if result.stopped:
-            self.budget.charge(result.cpu_seconds)
+            Budget.killed += result.cpu_seconds
         if not result.ok:
             self.budget.require_time()
         return result
 
-    def to_run(self, program: Path) -> list[str]:
+    def to_run(self, program: Path, sanitized: bool = False) -> list[str]:
         """The command that runs a statically linked program. The program sees only its own file,
         read-only; and it may make only the system calls that the filter allows, none of which
-        opens a file."""
+        opens a file. One with sanitizers also sees the system's libraries, only in the full box."""
         if self.kind == "none":
             return [str(program)]
+        step = ["check" if sanitized else "run", "--user", str(_user()), *TO_JUDGE]
         if self.kind == "reduced":
-            entering = [*_enter(ENTER, "run"), *TO_JUDGE, "--box", "reduced", "--see", str(program)]
-            return [*entering, "--", str(program)]
-        command = [*_bubblewrap(), "--ro-bind", str(program), "/runner", "--remount-ro", "/"]
-        return [*command, "--", *_enter(Path("/enter"), "run"), *TO_JUDGE, "--", "/runner"]
-
-    def to_run_sanitized(self, program: Path) -> list[str]:
-        """The command that runs a program built with sanitizers, which also sees the system's
-        libraries. Only for the full box."""
-        libraries = [p for p in toolchain() if p.endswith(("-linux-gnu", "/usr/lib64"))]
-        command = [*_bubblewrap(), *_open_to_all(libraries)]
-        for path in libraries:
-            command += ["--ro-bind", path, path]
-        command += ["--symlink", "usr/lib", "/lib", "--symlink", "usr/lib64", "/lib64"]
+            seen = ["--box", "reduced", "--see", str(program)]
+            return [str(ENTER), *step, *seen, "--", str(program)]
+        command = _bubblewrap([])
+        if sanitized:
+            command = _bubblewrap(
+                p for p in toolchain() if p.endswith(("-linux-gnu", "/usr/lib64"))
+            )
+            command += ["--symlink", "usr/lib", "/lib", "--symlink", "usr/lib64", "/lib64"]
         command += ["--ro-bind", str(program), "/runner", "--remount-ro", "/"]
-        return [*command, "--", *_enter(Path("/enter"), "check"), *TO_JUDGE, "--", "/runner"]
+        return [*command, "--", "/enter", *step, "--", "/runner"]
 
     def to_build(
         self, folder: Path, visible: Iterable[Path], programs: Iterable[str] = PROGRAMS
@@ -101,14 +97,12 @@ class Box(NamedTuple):
             places = [word for path in [*seen, str(ENTER)] for word in ("--see", path)]
             return [str(ENTER), *entering, "--box", "reduced", *places, "--"]
         bounded = ["--size", str(TEMPORARY)] if _knows("--size") else []
-        command = [*_bubblewrap(), "--perms", "1777", *bounded, "--tmpfs", "/tmp"]
         # clang looks for the system's headers in /usr/bin/../lib, even if /usr/bin is empty.
-        command += _open_to_all(["/dev/null", "/usr/bin/any", *seen])
+        temporary = ["--perms", "1777", *bounded, "--tmpfs", "/tmp"]
+        command = _bubblewrap(seen, ["/dev/null", "/usr/bin/any"], temporary)
         command += ["--dev-bind", "/dev/null", "/dev/null"]
         for name in ("bin", "lib", "lib64"):
             command += ["--symlink", f"usr/{name}", f"/{name}"]
-        for path in seen:
-            command += ["--ro-bind", path, path]
         return [*command, "--remount-ro", "/", "--", "/enter", *entering, "--"]
 
     @property
@@ -147,11 +141,6 @@ def choose(kinds: Iterable[str] = FULL_OR_REDUCED) -> Box:
     )
 
 
-def forget(kind: str) -> None:
-    """Makes the next grading test this kind of box again."""
-    _held(kind).unlink(missing_ok=True)
-
-
 def _held(kind: str) -> Path:
     """A file that exists if this kind of box has worked since the machine started, for this user,
     in these namespaces, with these programs. Testing it again takes a tenth of a grading."""
@@ -163,7 +152,8 @@ def _held(kind: str) -> Path:
 
 
 def problem_of(box: Box) -> str | None:
-    """Why a program known to be good doesn't run in the box; None if it does."""
+    """Why a program known to be good doesn't run in the box, which the next grading will test, too;
+    None if it does."""
     if box.kind == "none":
         return None
     if box.kind == "full" and which("bwrap") is None:
@@ -177,6 +167,7 @@ def problem_of(box: Box) -> str | None:
     tried = processes.run(box.to_run(GIVEN_RUNNER), limits)
     if tried.ok:
         return None
+    _held(box.kind).unlink(missing_ok=True)
     return tried.err.strip().splitlines()[-1] if tried.err.strip() else "it ended"
 
 
@@ -189,10 +180,6 @@ def toolchain() -> list[str]:
     return libraries
 
 
-def _enter(program: Path, kind: str) -> list[str]:
-    return [str(program), kind, "--user", str(_user())]
-
-
 def _user() -> int:
     return FIRST_USER + os.getpid() % USERS
 
@@ -203,20 +190,22 @@ def _knows(option: str) -> bool:
     return option.encode() in processes.run(["/usr/bin/bwrap", "--help"]).out
 
 
-def _bubblewrap() -> list[str]:
+def _bubblewrap(
+    seen: Iterable[str], others: Iterable[str] = (), mounts: Iterable[str] = ()
+) -> list[str]:
+    """A box in which these paths can be read, over these mounts. Folders above them and above the
+    others are for every user; by default bubblewrap makes them readable for its own user only."""
+    bound = list(seen)
+    above = {str(folder) for path in (*bound, *others) for folder in Path(path).parents} - {"/"}
     return [
         *("/usr/bin/bwrap", "--unshare-pid", "--unshare-net", "--unshare-ipc", "--unshare-uts"),
         *("--die-with-parent", "--new-session", "--clearenv", "--hostname", "box", "--as-pid-1"),
         *_privileges(),
         *("--ro-bind", str(ENTER), "/enter"),
+        *mounts,
+        *(word for path in sorted(above) for word in ("--perms", "0755", "--dir", path)),
+        *(word for path in bound for word in ("--ro-bind", path, path)),
     ]
-
-
-def _open_to_all(paths: Iterable[str]) -> list[str]:
-    """Makes the folders above these paths readable for every user; by default bubblewrap makes them
-    readable for its own user only."""
-    above = sorted({str(folder) for path in paths for folder in Path(path).parents} - {"/"})
-    return [word for path in above for word in ("--perms", "0755", "--dir", path)]
 
 
 def _privileges() -> list[str]:

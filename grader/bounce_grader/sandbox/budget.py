@@ -1,6 +1,7 @@
 """The time that one grading may take in total: reading the submission, compilers, linkers and
 judges together."""
 
+import math
 import resource
 import time
 
@@ -17,35 +18,30 @@ class Overrun(Exception):
 
 class Budget:
     """A limit, counted from now on, on the wall-clock time and on the CPU time of this process and
-    of all children that it has waited for. One may be a part of another, and has no more time than
-    that has left; `whose` begins the sentence that says that it is used up."""
+    of all children that it has waited for. `whose` begins the sentence that says that it is used
+    up."""
+
+    killed = 0.0  # s, of CPU: what `processes.run` killed, which the system counts as nobody's
 
     def __init__(
         self,
         cpu_seconds: float = CPU_SECONDS,
         wall_seconds: float = WALL_SECONDS,
-        part_of: "Budget | None" = None,
         whose: str = "the grading as a whole",
+        part_of: "Budget | None" = None,
     ):
-        self._part_of, self._whose = part_of, whose
-        self._limits = cpu_seconds, wall_seconds
+        self._limits, self._whose, self._part_of = (cpu_seconds, wall_seconds), whose, part_of
         self._cpu_end = _cpu() + cpu_seconds
         self._wall_end = time.monotonic() + wall_seconds
 
-    def charge(self, cpu_seconds: float) -> None:
-        """Adds CPU time that the system doesn't count as our children's: that of processes which
-        `processes.run` killed."""
-        self._cpu_end -= cpu_seconds
-        if self._part_of:
-            self._part_of.charge(cpu_seconds)
+    def part(self, cpu_seconds: float, wall_seconds: float = math.inf, whose: str = "") -> "Budget":
+        """A part of this one, which has no more time than is left."""
+        cpu, wall = self.left()
+        return Budget(min(cpu_seconds, cpu), min(wall_seconds, wall), whose, part_of=self)
 
     def left(self) -> tuple[float, float]:
         """The CPU seconds and wall-clock seconds that are left; negative if overdrawn."""
-        cpu, wall = self._cpu_end - _cpu(), self._wall_end - time.monotonic()
-        if not self._part_of:
-            return cpu, wall
-        whole_cpu, whole_wall = self._part_of.left()
-        return min(cpu, whole_cpu), min(wall, whole_wall)
+        return self._cpu_end - _cpu(), self._wall_end - time.monotonic()
 
     def require_time(self) -> None:
         """Raises Overrun if the time is used up; KitError if the machine used it up, and not the
@@ -83,7 +79,7 @@ class Budget:
 
 def _cpu() -> float:
     of = [resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)]
-    return sum(usage.ru_utime + usage.ru_stime for usage in of)
+    return Budget.killed + sum(usage.ru_utime + usage.ru_stime for usage in of)
 
 
-UNLIMITED = Budget(float("inf"), float("inf"))
+UNLIMITED = Budget(math.inf, math.inf)

@@ -118,7 +118,7 @@ def test_helpers_fill_no_disk(tmp_path: Path, size: int, kept: int) -> None:
     taken = read(write(tmp_path / "in", {**solution_files(), **files}))
     (tmp_path / "work").mkdir()
     made = compiling.compile_all(taken, tmp_path / "work", Box("none"), 1)
-    problems = [built.problem for built in made.helpers.values() if not built.path]
+    problems = [built.problem for built in made.helpers if not built.path]
     assert len(problems) == 8 - kept and any("more than" in words for words in problems)
     assert not list((tmp_path / "work").iterdir())
     assert all(built.path for built in made.parts.values())
@@ -132,7 +132,10 @@ def test_helpers_have_a_limit_in_common(grade: Grade, monkeypatch: pytest.Monkey
     part = missing + solution_files()["part1_contacts.cpp"]
     record = grade({**helpers, "part1_contacts.cpp": part})
     assert points(record) == [0, 30, 30, 10]
-    assert "helper1.cpp wasn't compiled: the compiling of helpers had used its 0.02 s" in record["parts"][0]["message"]
+    assert (
+        "helper1.cpp wasn't compiled: the compiling of helpers had used its 0.02 s"
+        in record["parts"][0]["message"]
+    )
 
 
 # --- whose fault it is ---
@@ -147,9 +150,7 @@ NO_VERDICT = {  # by what ends the command of a compiler
     "a g++ that can start nothing": ("/g++", ENDED._replace(code=1)),
 }
 VERDICTS = {
-    "takes more memory to compile than there is": ENDED._replace(
-        cpu_limit=15, peak=compiler.LARGE
-    ),
+    "takes more memory to compile than there is": ENDED._replace(cpu_limit=15, peak=compiler.LARGE),
     "took more than 15 s to compile": ENDED,  # as it was given less, at the end of a grading
     "the compiler gave up on it: it takes more than 2 GB of memory": ENDED._replace(
         code=134, err=GAVE_UP

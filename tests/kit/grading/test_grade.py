@@ -178,7 +178,7 @@ def judge_that(patch: Patch, script: Path, does: str) -> None:
 def box_that_fails(patch: Patch, _: Path, after: int) -> None:
     to_run, calls = box.Box.to_run, iter(range(99))
 
-    def fails(its: box.Box, program: Path) -> list[str]:
+    def fails(its: box.Box, program: Path, *_: bool) -> list[str]:
         return to_run(its, program) if next(calls) < after else ["/bin/sh", "-c", "echo no room"]
 
     patch.setattr(box.Box, "to_run", fails)
