@@ -1,18 +1,9 @@
 """The known mistakes: their descriptions in the gallery, and their answers to the public cases.
 
-A folder of tests/submissions/mistakes/ holds a wrong file, expected.json and mistake.md:
-
-    # Title
-
-    One sentence for the student.
-
-    - Equations: 4, 5
-    - Hint: 1.2 The moment arm r
-    - For the instructor: one line
-
-This module builds the wrong files, and writes the descriptions and the files' answers to
-fixtures/public/mistakes/*.json, by which the judge and a student's own build recognise mistakes.
-The line for the instructor is left out there.
+A folder of tests/submissions/mistakes/ holds a wrong file, expected.json and mistake.md, as
+tests/submissions/README.md says. This module builds the wrong files, and writes the descriptions
+and the files' answers to fixtures/public/mistakes/*.json, by which the judge and a student's own
+build recognise mistakes. The line for the instructor is left out there.
 """
 
 import json
