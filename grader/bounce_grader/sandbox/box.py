@@ -141,6 +141,11 @@ def choose(kinds: Iterable[str] = FULL_OR_REDUCED) -> Box:
     )
 
 
+def forget(kind: str) -> None:
+    """Makes the next grading test this kind of box again."""
+    _held(kind).unlink(missing_ok=True)
+
+
 def _held(kind: str) -> Path:
     """A file that exists if this kind of box has worked since the machine started, for this user,
     in these namespaces, with these programs. Testing it again takes a tenth of a grading."""
@@ -152,8 +157,7 @@ def _held(kind: str) -> Path:
 
 
 def problem_of(box: Box) -> str | None:
-    """Why a program known to be good doesn't run in the box, which the next grading will test, too;
-    None if it does."""
+    """Why a program known to be good doesn't run in the box; None if it does."""
     if box.kind == "none":
         return None
     if box.kind == "full" and which("bwrap") is None:
@@ -167,7 +171,6 @@ def problem_of(box: Box) -> str | None:
     tried = processes.run(box.to_run(GIVEN_RUNNER), limits)
     if tried.ok:
         return None
-    _held(box.kind).unlink(missing_ok=True)
     return tried.err.strip().splitlines()[-1] if tried.err.strip() else "it ended"
 
 
