@@ -10,6 +10,8 @@ from bounce_grader.common.errors import KitError
 from bounce_grader.common.manifest import parts
 from bounce_grader.grading import judging
 from bounce_grader.grading.grade import grade as grade_path, Options
+from bounce_grader.sandbox import processes
+from bounce_grader.sandbox.box import Box
 from bounce_grader.sandbox.budget import Budget, Overrun
 from conftest import SOLUTION, Grade, points, write
 
@@ -59,3 +61,12 @@ def test_the_judge_keeps_to_what_is_left(end: str, tmp_path: Path) -> None:
     assert record["score"] == 0
     assert "whole" in record["parts"][3]["message"], record["parts"][3]
     assert _cpu_seconds_of_children() - before < 20  # and not the 60 that the runners could take
+
+
+def test_what_a_killed_program_left_behind_counts() -> None:
+    """The system counts the time of a child for a parent that waits for it; here that is killed."""
+    box = Box("none", budget=Budget(60, 60))
+    command = ["/bin/sh", "-c", "sh -c 'while :; do :; done' & wait"]
+    before = box.budget.left()[0]
+    assert box.run(command, processes.Limits(30, 2, memory=None, file_size=0)).too_long
+    assert before - box.budget.left()[0] > 0.5
