@@ -30,8 +30,8 @@ Trajectory simulated(const State& start, const Parameters& params);
 // Throws as `simulated` does, and std::invalid_argument where there is no such scene or number.
 Drawing drawing_of(const std::vector<std::string>& words);
 
-// It 200 times, from angles that are within a tenth of a degree; without a name a scene in which
-// small differences grow fast. Throws as `drawing_of` does.
+// That scene 200 times, from angles within a tenth of a degree; without a name, one in which small
+// differences grow fast. Throws as `drawing_of` does.
 Drawing many(const std::vector<std::string>& words);
 
 // Takes the step that the handout carries through ("One contact by numbers"), and prints what each

@@ -10,8 +10,8 @@ from typing import Any, NamedTuple
 
 from bounce_grader.classroom.grading import grading, near_copies, results
 from bounce_grader.classroom.grading.summary import Summary
-from bounce_grader.classroom.intake import canvas_api, gradebook as gradebook_files
-from bounce_grader.classroom.intake import students
+from bounce_grader.classroom.intake import canvas_api, students
+from bounce_grader.classroom.intake.gradebook import Gradebook, read as read_gradebook
 from bounce_grader.classroom.intake.student import Class
 from bounce_grader.classroom.output import canvas_upload, feedback, gradebook, grades, page
 from bounce_grader.classroom.output.people import People
@@ -54,12 +54,12 @@ def run(options: Options) -> int:
 def _read(options: Options) -> Given:
     """Raises UsageError if something can't be read, or doesn't belong together."""
     read_object(options.out / gradebook.WRITTEN)
-    book = gradebook_files.Gradebook()
+    book = Gradebook()
     if options.gradebook:
         if options.gradebook.resolve() == _filled_in(options).resolve():
             where = f"{options.gradebook} would be overwritten"
             raise UsageError(f"{where}: give another folder as --out")
-        book = gradebook_files.read(options.gradebook, options.column)
+        book = read_gradebook(options.gradebook, options.column)
     people = People(options.out, book)
     corpus = [other for folder in options.corpus for other in near_copies.corpus(folder)]
     canvas = None

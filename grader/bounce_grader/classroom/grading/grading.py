@@ -26,9 +26,8 @@ NO_KIT = (
     "the Dask workers don't find the kit: start them with PYTHONPATH=KIT/grader, where KIT is this "
     "folder under the same path"
 )
-Graded = Generator[
-    tuple[Task, str], None, None
-]  # each task, with what the unit returns, as it comes
+# Each task with what the unit returns, in the order in which they end.
+Graded = Generator[tuple[Task, str], None, None]
 
 
 def grade(tasks: Sequence[Task], unit: Unit, jobs: int, scheduler: str) -> list[Summary]:

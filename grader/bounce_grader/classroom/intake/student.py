@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from bounce_grader.common.escaping import printable_name
 
-# Of each person in the grade book, by the service's id: that name there, and the roster's of the group.
+# By the service's id, of each person in the grade book: the name there, and the roster's of groups.
 Names = Mapping[str, Sequence[str]]
 
 
@@ -58,9 +58,7 @@ class Student:
     feedback: str = ""  # the name of the feedback page; "" if there is none
     unused: tuple[str, ...] = ()  # a sentence for each file that doesn't count
     person: str = ""  # the name in the grade book or the roster, as "Doe, Jane"
-    late_days: int | None = (
-        0  # begun after the due date; None if it is late by nobody knows how many
-    )
+    late_days: int | None = 0  # begun after the due date; None if it is late, and not said how much
     members: tuple[Member, ...] = ()  # who gets the points
     refused: str = ""  # why nothing can be graded, for the student and the instructor
 
