@@ -1,6 +1,6 @@
 """Whatever one student's files contain, nobody else loses anything: the class is graded, and that
-student is named. odd_submissions_as_uploads.txt and odd_submissions_as_folders.txt say what becomes
-of each; what is odd are the zips of odd_zips.py, the uploads of odd_students.py and the folders of
+student is named. uploads_in_a_class.txt and folders_in_a_class.txt say what becomes of each; what
+is odd are the zips of odd_zips.py, the uploads of odd_students.py and the folders of
 odd_submissions.py."""
 
 import csv
@@ -27,7 +27,7 @@ from odd_submissions import bash, COMMANDS, PARTS
 from odd_zips import PLAIN
 from stand_in import grade_class
 
-HERE = Path(__file__).parent
+EXPECTED = Path(__file__).parent / "expected"
 HONEST = {"doejane_101_1010_part2_lcp.cpp": b"// fails: 1\n"}
 CLOSED = COMMANDS["closed"]
 TWICE = ("an upload that is there twice", "roe_299_1_part2_lcp.cpp")
@@ -87,7 +87,7 @@ def test_no_upload_costs_anybody_else(tmp_path: Path) -> None:
     alone = zipped(tmp_path / "alone.zip", HONEST)
     names = {**users, "299": TWICE[0]}
     golden.compare_file(
-        HERE / "odd_submissions_as_uploads.txt", outcomes(tmp_path / "x.zip", alone, "101", names)
+        EXPECTED / "uploads_in_a_class.txt", outcomes(tmp_path / "x.zip", alone, "101", names)
     )
     assert "and 1880 more" in (tmp_path / "out" / "grades.csv").read_text()
 
@@ -108,7 +108,7 @@ def test_no_folder_costs_anybody_else(tmp_path: Path) -> None:
         subprocess.run(["chmod", "-R", "u+rwX", str(every)], check=False)
         subprocess.run(["rm", "-rf", str(every)], check=True)  # however deep
     assert not Path("/tmp/was-run").exists()
-    golden.compare_file(HERE / "odd_submissions_as_folders.txt", got)
+    golden.compare_file(EXPECTED / "folders_in_a_class.txt", got)
     pages = [os.fsencode(file.name) for file in (tmp_path / "out" / "feedback").iterdir()]
     assert b"ann\xe4.html" in pages and max(map(len, pages)) < 240
     assert len([page for page in pages if page.startswith("ü".encode())]) == 2
