@@ -1,22 +1,19 @@
-"""One unread file of a submission, how to read a source from it, and what its archives may take."""
+"""One unread file of a submission, and how to read a source from it."""
 
-import re
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from pathlib import Path, PurePosixPath
+from pathlib import Path
 from typing import NamedTuple
 
 from bounce_grader.common.errors import UsageError
-from bounce_grader.common.escaping import printable_name, printable_text
+from bounce_grader.common.escaping import printable_text
 
 MOST_ENTRIES = 5000
 LARGEST_SOURCE = 1024 * 1024
-UNPACKED = 64 * 1024 * 1024  # bytes
 
 
 class NotText(Exception):
-    """A file can't be used as a source. The message continues a sentence that begins with its
-    name."""
+    """A file can't be used as a source. The message continues a sentence that begins by its name."""
 
 
 class Entry(NamedTuple):
@@ -27,46 +24,8 @@ class Entry(NamedTuple):
     read: Callable[[int], bytes]  # at most so many bytes
 
 
-def of_bytes(name: str, data: bytes, link: bool = False) -> Entry:
-    return Entry(name, link, lambda limit: data[:limit])
-
-
-class UnpackLimits:
-    """What all archives of one submission may still take together."""
-
-    room = UNPACKED  # for what is unpacked, and for archives inside of others
-    seconds = 10.0  # of libarchive's CPU time
-
-    def take(self, path: Path, size: int) -> None:
-        """Raises UsageError if there is no room for so many bytes."""
-        self.room -= size
-        if self.room < 0:
-            raise UsageError(
-                f"{path} has more than {UNPACKED >> 20} MB unpacked, alone or with the other "
-                "archives: submit the parts alone"
-            )
-
-
-def checked(path: Path, entries: Iterable[Entry]) -> Iterator[Entry]:
-    """An archive's entries by names that lead nowhere else, each once. Raises UsageError."""
-    names: set[str] = set()
-    for entry in entries:
-        name = _inside_name(path, entry.name)
-        if name in names:
-            raise UsageError(f"{path} holds two entries of the same name: make it anew")
-        names.add(name)
-        yield entry._replace(name=name)
-
-
-def _inside_name(path: Path, claimed: str) -> str:
-    name = PurePosixPath(claimed.replace("\\", "/"))
-    if name.is_absolute() or ".." in name.parts or re.match("[A-Za-z]:(/|$)", str(name)):
-        raise UsageError(
-            f"{path} has an entry that points outside of it ('{printable_name(str(name))}')"
-        )
-    if not name.parts:
-        raise UsageError(f"{path} has an entry without a name: make it anew and submit again")
-    return str(name)
+def of_bytes(name: str, data: bytes) -> Entry:
+    return Entry(name, False, lambda limit: data[:limit])
 
 
 def text_of(entry: Entry) -> bytes:
@@ -87,8 +46,7 @@ def too_many(path: Path) -> UsageError:
 
 @contextmanager
 def readable(path: object) -> Iterator[None]:
-    """Raises UsageError for whatever is raised within: a broken zip makes zipfile raise a dozen
-    kinds."""
+    """Raises UsageError for whatever is raised within; for a broken zip, zipfile has a dozen kinds."""
     try:
         yield
     except UsageError:

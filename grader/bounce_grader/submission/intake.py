@@ -1,19 +1,29 @@
 """Lists the files of a submission, a folder or an archive, without trusting its names, sizes or
-bytes."""
+bytes.
+
+A zip is read in memory, and what isn't asked for isn't unpacked. Of a tar, or an archive of 7-Zip,
+RAR and others, libarchive's bsdtar makes a zip, from its standard input to its output. It parses what
+strangers made, and an archive may even ask it for other files (mtree has a field for that): so it
+runs in a box always, also for a submission that is trusted, and what it writes is read as anybody's
+zip. Left out are hard links, pipes and devices, which a zip can't hold.
+"""
 
 import io
 import re
-from collections.abc import Callable, Iterator
+import stat
+import zipfile
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import ExitStack, contextmanager
-from pathlib import Path
-from typing import BinaryIO
+from pathlib import Path, PurePosixPath
+from typing import BinaryIO, cast
 
-from bounce_grader.common.errors import UsageError
-from bounce_grader.common.escaping import printable_name
+from bounce_grader.common.errors import KitError, UsageError
+from bounce_grader.common.escaping import printable_name, printable_text
 from bounce_grader.common.manifest import parts
+from bounce_grader.sandbox import box as boxes
+from bounce_grader.sandbox.processes import Limits, Result
 from bounce_grader.submission import folders
-from bounce_grader.submission.entry import checked, readable, too_many
-from bounce_grader.submission.entry import MOST_ENTRIES, Entry, UnpackLimits
+from bounce_grader.submission.entry import Entry, MOST_ENTRIES, readable, too_many
 
 BY_LIBARCHIVE = (".tar.gz", ".tgz", ".tar.bz2", ".tar.xz", ".tar.zst", ".tar", ".7z", ".rar")
 ENDINGS = (".zip", *BY_LIBARCHIVE)
@@ -23,7 +33,35 @@ MAGIC = re.compile(
 )
 MOST_INNER = 3  # archives inside of a submission that are opened
 LARGEST_PACKED = 32 * 1024 * 1024  # bytes of an archive inside, or one that libarchive unpacks
+UNPACKED = 64 * 1024 * 1024  # bytes
 NOT_USED = "is no C++ source and no zip"  # after the name of an upload
+# zipfile's
+ENCRYPTED = 0x1
+UTF_8 = 0x800
+LARGEST_DIRECTORY = 2 * 1024 * 1024  # of a table of contents, or a single read
+METHODS = {zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED}  # others may need gigabytes
+# bsdtar's
+PROGRAMS = ("env", "bsdtar")
+LOCALES = Path("/usr/lib/locale")
+NOT_FOUND = 127  # the exit status of env
+COMMAND = ("/usr/bin/env", "LC_ALL=C.UTF-8", "/usr/bin/bsdtar", "-cPf-", "--format=zip")
+STORED = "--options=zip:compression=store"
+
+
+class UnpackLimits:
+    """What all archives of one submission may still take together."""
+
+    room = UNPACKED  # for what is unpacked, and for archives inside of others
+    seconds = 10.0  # of libarchive's CPU time
+
+    def take(self, path: Path, size: int) -> None:
+        """Raises UsageError if there is no room for so many bytes."""
+        self.room -= size
+        if self.room < 0:
+            raise UsageError(
+                f"{path} has more than {UNPACKED >> 20} MB unpacked, alone or with the other "
+                "archives: submit the parts alone"
+            )
 
 
 def is_archive(name: str) -> bool:
@@ -57,25 +95,13 @@ def opened(
         yield listed
 
 
-def _unpacked(path: Path, stream: BinaryIO, left: UnpackLimits) -> Iterator[Entry]:
-    from bounce_grader.submission import archives, zips  # no folder needs them
-
+def _is_folder(path: Path) -> bool:
     with readable(path):
-        start = stream.read(512)
-        stream.seek(0)
-    named = path.name.lower().endswith(BY_LIBARCHIVE) and not start.startswith(b"PK")
-    if named or MAGIC.match(start):
-        with readable(path):
-            packed = _packed(path, stream.read)
-        stream = io.BytesIO(archives.as_zip(path, packed, left))
-    return checked(path, zips.entries(path, stream))
-
-
-def _packed(path: Path, read: Callable[[int], bytes]) -> bytes:
-    packed = read(LARGEST_PACKED + 1)
-    if len(packed) > LARGEST_PACKED:
-        raise UsageError(f"{path} is larger than {LARGEST_PACKED >> 20} MB: submit the parts alone")
-    return packed
+        if not path.exists():
+            raise UsageError(f"there is no file or folder {printable_name(str(path))}")
+        if not (path.is_dir() or path.is_file()):
+            raise UsageError(f"{path} is neither a folder nor a zip")
+        return path.is_dir()
 
 
 def _with_inner(path: Path, listed: list[Entry], left: UnpackLimits) -> list[Entry]:
@@ -96,10 +122,133 @@ def _with_inner(path: Path, listed: list[Entry], left: UnpackLimits) -> list[Ent
     return found
 
 
-def _is_folder(path: Path) -> bool:
+def _unpacked(path: Path, stream: BinaryIO, left: UnpackLimits) -> Iterator[Entry]:
     with readable(path):
-        if not path.exists():
-            raise UsageError(f"there is no file or folder {printable_name(str(path))}")
-        if not (path.is_dir() or path.is_file()):
-            raise UsageError(f"{path} is neither a folder nor a zip")
-        return path.is_dir()
+        start = stream.read(512)
+        stream.seek(0)
+    named = path.name.lower().endswith(BY_LIBARCHIVE) and not start.startswith(b"PK")
+    if named or MAGIC.match(start):
+        with readable(path):
+            packed = _packed(path, stream.read)
+        stream = io.BytesIO(_as_zip(path, packed, left))
+    return checked(path, _of_zip(path, stream))
+
+
+def _packed(path: Path, read: Callable[[int], bytes]) -> bytes:
+    packed = read(LARGEST_PACKED + 1)
+    if len(packed) > LARGEST_PACKED:
+        raise UsageError(f"{path} is larger than {LARGEST_PACKED >> 20} MB: submit the parts alone")
+    return packed
+
+
+def checked(path: Path, entries: Iterable[Entry]) -> Iterator[Entry]:
+    """An archive's entries by names that lead nowhere else, each once. Raises UsageError."""
+    names: set[str] = set()
+    for entry in entries:
+        name = _inside_name(path, entry.name)
+        if name in names:
+            raise UsageError(f"{path} holds two entries of the same name: make it anew")
+        names.add(name)
+        yield entry._replace(name=name)
+
+
+def _inside_name(path: Path, claimed: str) -> str:
+    name = PurePosixPath(claimed.replace("\\", "/"))
+    if name.is_absolute() or ".." in name.parts or re.match("[A-Za-z]:(/|$)", str(name)):
+        raise UsageError(
+            f"{path} has an entry that points outside of it ('{printable_name(str(name))}')"
+        )
+    if not name.parts:
+        raise UsageError(f"{path} has an entry without a name: make it anew and submit again")
+    return str(name)
+
+
+# --- a zip ---
+
+
+def _of_zip(path: Path, stream: BinaryIO) -> Iterator[Entry]:
+    """The entries of the zip, which can be read while the stream is open. Raises UsageError if they
+    can't be listed."""
+    with readable(path):
+        bounded = _Bounded(cast(io.RawIOBase, stream))
+        bounded.path = path
+        if not zipfile.is_zipfile(bounded):
+            if not isinstance(stream, io.BytesIO) and path.suffix.lower() != ".zip":
+                raise UsageError(f"{path} is neither a folder nor a zip")
+            raise UsageError(f"{path} is broken, or no zip: make it anew and submit again")
+        archive = zipfile.ZipFile(bounded)
+    infos = archive.infolist()
+    if len(infos) > MOST_ENTRIES:  # folders count, too
+        raise too_many(path)
+    # Entries that share their bytes would be unpacked from them again and again.
+    if sum(info.compress_size for info in infos) > archive.start_dir:
+        raise UsageError(f"{path} is broken (its entries overlap): make it anew and submit again")
+    for info in infos:
+        if not info.filename.endswith(("/", "\\")):
+            yield _entry(path, archive, info)
+
+
+class _Bounded(io.BufferedReader):
+    """Limits one read: zipfile reads the table of contents in one piece, of the size that the zip
+    claims."""
+
+    path: Path
+
+    def read(self, size: int | None = -1) -> bytes:
+        if size is not None and size > LARGEST_DIRECTORY:
+            raise too_many(self.path)
+        return super().read(size)
+
+
+def name_in_zip(info: zipfile.ZipInfo) -> str:
+    """An entry's name. Canvas and macOS write UTF-8 without saying so; zipfile then takes it for
+    code page 437."""
+    if info.flag_bits & UTF_8:
+        return info.filename
+    try:
+        return info.filename.encode("cp437").decode("utf-8")
+    except UnicodeError:
+        return info.filename
+
+
+def _entry(path: Path, archive: zipfile.ZipFile, info: zipfile.ZipInfo) -> Entry:
+    if info.flag_bits & ENCRYPTED:
+        raise UsageError(f"{path} is encrypted: submit it without a password")
+
+    def read(limit: int) -> bytes:
+        if info.compress_type not in METHODS:
+            raise UsageError(f"{path} is compressed in an unusual way: make it anew, as plain zip")
+        with readable(path), archive.open(info) as stream:
+            return stream.read(limit)
+
+    kind = stat.S_IFMT(info.external_attr >> 16)  # 0 if the zip wasn't made on Unix
+    return Entry(name_in_zip(info), kind not in (0, stat.S_IFREG), read)
+
+
+# --- other archives ---
+
+
+def _as_zip(path: Path, packed: bytes, left: UnpackLimits) -> bytes:
+    """Raises UsageError if the archive can't be unpacked within the limits."""
+    try:
+        box = boxes.choose()
+    except KitError as error:
+        raise UsageError(f"{path} isn't opened here, but a zip would be: {error}") from error
+    prefix = box.to_build(Path("/usr/include"), [LOCALES], PROGRAMS)  # where it finds no archive
+    limits = Limits(max(1, int(left.seconds)), 60, memory=1 << 30, file_size=0, output=left.room)
+    result = box.run([*prefix, *COMMAND, STORED, "@-"], limits, stdin=packed)
+    if not result.boxed or result.code == NOT_FOUND:
+        raise KitError(f"bsdtar could not be started: {result.err.strip()[:200] or 'it ended'}")
+    left.seconds -= result.cpu_seconds
+    left.take(path, left.room + 1 if result.flooded else len(result.out))
+    if not result.ok or left.seconds < 0:
+        raise UsageError(f"{path} can't be unpacked ({_why(result)}): make it anew, as a zip")
+    return result.out
+
+
+def _why(result: Result) -> str:
+    if result.ok or result.too_long or result.killed:
+        return "it takes too much time or space"
+    reason = result.err.partition("\n")[0].removeprefix("bsdtar: ")
+    reason = reason.removeprefix("Error reading archive -: ").replace("(null)", "a password?")
+    return printable_text(reason or "libarchive's bsdtar crashed", 200)

@@ -13,7 +13,7 @@ import pytest
 from bounce_grader.common.errors import UsageError
 from bounce_grader.submission import intake, submission
 from bounce_grader.submission.submission import Submission
-from bounce_grader.submission.entry import UNPACKED
+from bounce_grader.submission.intake import UNPACKED
 from conftest import write
 from handed_in import limited_memory, packed_tar, zipped
 from odd_submissions import bash, COMMANDS, FILES, PARTS, PATHS

@@ -18,12 +18,10 @@ from bounce_grader.common.errors import about_one_submission, UsageError
 from bounce_grader.common.escaping import first_few, printable_name
 from bounce_grader.common.manifest import parts
 from bounce_grader.submission import intake, submission
-from bounce_grader.submission.entry import checked, Entry, LARGEST_SOURCE, of_bytes, UnpackLimits
+from bounce_grader.submission.entry import Entry, LARGEST_SOURCE, of_bytes
 from bounce_grader.submission.folders import SAFELY
-from bounce_grader.submission.intake import NOT_USED, is_archive
-from bounce_grader.submission.submission import COPY, HEADERS, part_file, SOURCES
-from bounce_grader.submission.submission import Submission
-from bounce_grader.submission.zips import name_of
+from bounce_grader.submission.intake import checked, is_archive, name_in_zip, NOT_USED, UnpackLimits
+from bounce_grader.submission.submission import COPY, HEADERS, part_file, SOURCES, Submission
 
 FAILURES = (zipfile.BadZipFile, zlib.error, EOFError, OSError, ValueError, RuntimeError, KeyError)
 MOST_ZIPS = 10
@@ -66,7 +64,7 @@ class Archive:
                 infos = self._zip.infolist()
             except FAILURES as error:
                 raise Damaged(f"{path} is broken ({error}): download it again") from error
-            self._infos = {name_of(info): info for info in infos if not info.is_dir()}
+            self._infos = {name_in_zip(info): info for info in infos if not info.is_dir()}
             names = list(self._infos)
         self.names = [name for name in names if not of_macos(name)]
 
