@@ -24,6 +24,7 @@ import json
 import math
 import re
 from collections.abc import Iterable, Sequence
+from html import escape
 
 REPLACEMENT = "\N{REPLACEMENT CHARACTER}"
 ZERO_WIDTH_SPACE = "\N{ZERO WIDTH SPACE}"
@@ -51,16 +52,14 @@ def printable_name(text: str) -> str:
 
 
 def first_few(items: Sequence[str], limit: int = 5, separator: str = ", ", more: int = 0) -> str:
-    """Joins the first few items of a list, as "a, b and 7 more"; counts `more` on top of the
-    list."""
+    """Joins the first few items of a list, as "a, b and 7 more", `more` of which aren't in it."""
     rest = max(0, len(items) - limit) + more
     shown = separator.join(items[:limit])
     return f"{shown} and {rest} more" if rest > 0 else shown
 
 
 def terminal(text: str) -> str:
-    """One line without control characters. A space breaks up what a CI log would run as a
-    command."""
+    """One line without control characters."""
     return _no_command(printable(text).replace("\n", REPLACEMENT))
 
 
@@ -75,8 +74,6 @@ def _no_old_command(text: str) -> str:
 
 def html(text: str) -> str:
     """Escapes text for HTML. Line ends stay; a browser shows them within <pre>."""
-    from html import escape
-
     return xml_document(escape(printable(text), quote=True))
 
 
@@ -107,16 +104,13 @@ def _csv_field(value: Value) -> str:
         return str(value)
     text = printable(value)
     if not re.fullmatch(r"-?\d+(\.\d+)?", text, re.ASCII):
-        # With a locale that separates by semicolons, a spreadsheet splits there, even within
-        # quotes.
+        # Where a semicolon separates, a spreadsheet splits there, even within quotes.
         text = re.sub(rf"(^|\n)(?= *{FORMULA})|;(?=[ \"']*{FORMULA})", r"\g<0>'", text)
     return '"' + text.replace('"', '""') + '"'
 
 
 def markdown(text: str) -> str:
     """One line without markup; on GitHub, also without a mention, a reference or a link."""
-    from html import escape
-
     line = escape(printable(text).replace("\n", " "), quote=False)
     marked = re.sub(r"([\\`*_{}\[\]()#+!|~-])", r"\\\1", line)
     return _no_command(re.sub(r"(@|#|://|www\.)", rf"\1{ZERO_WIDTH_SPACE}", marked))

@@ -8,6 +8,7 @@ import shutil
 import stat
 import tempfile
 import time
+import zipfile
 from collections.abc import Mapping
 from contextlib import suppress
 from pathlib import Path
@@ -22,8 +23,7 @@ ABANDONED = 3600.0  # s, after which a temporary file counts as that; a grading 
 
 def write_whole(path: Path, data: str | bytes, durable: bool = False, mode: int = 0o666) -> None:
     """Writes a file whole or not at all, by renaming a temporary one. If `durable`, the file also
-    survives a power loss. If it raises OSError, the old file stays. A device or a pipe is written
-    to directly."""
+    survives a power loss. If it raises OSError, the old file stays. A device is written to."""
     content = data.encode() if isinstance(data, str) else data
     if path.exists() and not path.is_file() and not path.is_dir():
         path.write_bytes(content)
@@ -63,8 +63,6 @@ def write_zip(path: Path, held: Mapping[str, tuple[bytes, int]], compressed: boo
 def zipped(held: Mapping[str, tuple[bytes, int]], compressed: bool) -> bytes:
     """A zip of these contents and permissions, by path in it, whose bytes depend on nothing else. One
     that isn't compressed has the same bytes with each version of zlib."""
-    import zipfile  # no grading needs it
-
     data = io.BytesIO()
     with zipfile.ZipFile(data, "w") as archive:
         for name, (content, mode) in held.items():
@@ -77,8 +75,7 @@ def zipped(held: Mapping[str, tuple[bytes, int]], compressed: bool) -> bytes:
 
 
 def read_object(path: Path) -> dict[str, Any]:
-    """The JSON object of objects that an earlier run has written; an empty one if there is none.
-    Raises UsageError if it is broken."""
+    """The JSON object of objects of an earlier run; {} if there is none. Raises UsageError."""
     try:
         data = json.loads(path.read_text("utf-8"))
         if all(isinstance(value, dict) for value in data.values()):
@@ -94,8 +91,7 @@ def read_object(path: Path) -> dict[str, Any]:
 
 
 def fitting(name: str, limit: int = 200) -> str:
-    """Cuts a name to at most so many bytes; a file system allows 255. Digits in place of what is
-    cut off tell two long names apart."""
+    """Cuts a name to so many bytes; a file system allows 255. Digits tell two long names apart."""
     whole = os.fsencode(name)
     if len(whole) <= limit:
         return name

@@ -31,10 +31,6 @@ def scientific(x: float) -> str:
     return f"{x:.1e}"
 
 
-def two_digits(x: float) -> str:
-    """Two significant digits; no exponent below a million."""
-    return short(float(f"{x:.2g}"))
-
 
 def metres(x: float) -> str:
     return _with_prefix(x, "m")
@@ -46,5 +42,6 @@ def seconds(ns: float) -> str:
 
 
 def _with_prefix(x: float, unit: str) -> str:
+    """With two significant digits."""
     prefix, size = next((one for one in PREFIXES if x >= 0.999 * one[1]), PREFIXES[-1])
-    return f"{two_digits(x / size)} {prefix}{unit}"
+    return f"{short(float(f'{x / size:.2g}'))} {prefix}{unit}"

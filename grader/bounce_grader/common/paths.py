@@ -25,8 +25,7 @@ SECRET = ROOT / "course-secret"
 
 
 def given_path(text: str) -> Path:
-    """An argument that is a path. An empty one, as of a variable that isn't set, isn't meant for the
-    folder that one is in."""
+    """An argument that is a path. An empty one, as of an unset variable, isn't meant for `.`"""
     if not text:
         raise ArgumentTypeError("it is empty: give a path, or . for this folder")
     return Path(text)

@@ -203,7 +203,6 @@ def _require_working_kit(box: Box) -> None:
         if not linked.path:
             raise KitError(f"a stub can't be built: {linked.problem}")
     if problem := boxes.problem_of(box):
-        boxes.forget(box.kind)
         raise KitError(f"the box stopped working while it was in use: {problem}")
 
 

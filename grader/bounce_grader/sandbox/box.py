@@ -8,18 +8,16 @@ filter of system calls. It stays as the box's first process, reports over its ow
 the box was made, and passes out the one file that a build has made.
 """
 
-import hashlib
 import os
 import stat
 from collections.abc import Iterable
-from contextlib import suppress
 from functools import cache
 from pathlib import Path
 from shutil import which
 from typing import NamedTuple
 
 from bounce_grader.common.errors import KitError
-from bounce_grader.common.paths import BUILD, ENTER, GIVEN_RUNNER
+from bounce_grader.common.paths import ENTER, GIVEN_RUNNER
 from bounce_grader.sandbox import processes
 from bounce_grader.sandbox.budget import UNLIMITED, Budget
 
@@ -85,8 +83,7 @@ class Box(NamedTuple):
         self, folder: Path, visible: Iterable[Path], programs: Iterable[str] = PROGRAMS
     ) -> list[str]:
         """A prefix that runs a compiler or linker in `folder`, which it can only read. It can write
-        only to a temporary folder, where it makes the file OUTPUT. clang and its linker need none
-        of `programs`."""
+        to a temporary folder, where it makes OUTPUT. clang and its linker need no `programs`."""
         entering = ["build", *TO_KIT, "--in", str(folder)]
         if self.kind == "none":
             return [str(ENTER), *entering, "--box", "none", "--"]
@@ -123,16 +120,14 @@ def kinds(trust: bool) -> tuple[str, ...]:
     return (*FULL_OR_REDUCED, "none") if trust else FULL_OR_REDUCED
 
 
-def choose(kinds: Iterable[str] = FULL_OR_REDUCED) -> Box:
-    """Chooses the first of these kinds in which a program known to be good runs."""
+@cache
+def choose(kinds: tuple[str, ...] = FULL_OR_REDUCED) -> Box:
+    """Chooses the first of these kinds in which a program known to be good runs. A process tries
+    them once."""
     problems = []
     for kind in kinds:
-        held = _held(kind)
-        problem = None if held.exists() else problem_of(Box(kind))
+        problem = problem_of(Box(kind))
         if problem is None:
-            with suppress(OSError):  # if the file can't be written, the box is tested each time
-                held.parent.mkdir(parents=True, exist_ok=True)
-                held.touch()
             return Box(kind)
         problems.append(f"{kind}: {problem}")
     raise KitError(
@@ -140,20 +135,6 @@ def choose(kinds: Iterable[str] = FULL_OR_REDUCED) -> Box:
         "are allowed, or pass --trust-submission for code that you would run yourself"
     )
 
-
-def forget(kind: str) -> None:
-    """Makes the next grading test this kind of box again."""
-    _held(kind).unlink(missing_ok=True)
-
-
-def _held(kind: str) -> Path:
-    """A file that exists if this kind of box has worked since the machine started, for this user,
-    in these namespaces, with these programs. Testing it again takes a tenth of a grading."""
-    programs = [ENTER, GIVEN_RUNNER, Path(which("bwrap") or "/")]
-    known = [Path("/proc/sys/kernel/random/boot_id").read_text(), os.geteuid()]
-    known += [os.readlink(f"/proc/self/ns/{name}") for name in ("user", "mnt", "pid")]
-    known += [path.stat().st_mtime_ns for path in programs if path.exists()]
-    return BUILD / "boxes" / f"{kind}-{hashlib.sha256(repr(known).encode()).hexdigest()}"
 
 
 def problem_of(box: Box) -> str | None:

@@ -1,5 +1,4 @@
-"""The time that one grading may take in total: reading the submission, compilers, linkers and
-judges together."""
+"""The time that one grading may take: to read the submission, compile, link and judge it."""
 
 import math
 import resource
@@ -18,8 +17,7 @@ class Overrun(Exception):
 
 class Budget:
     """A limit, counted from now on, on the wall-clock time and on the CPU time of this process and
-    of all children that it has waited for. `whose` begins the sentence that says that it is used
-    up."""
+    of all children that it has waited for. `whose` begins the sentence when that is used up."""
 
     killed = 0.0  # s, of CPU: what `processes.run` killed, which the system counts as nobody's
 
@@ -44,8 +42,7 @@ class Budget:
         return self._cpu_end - _cpu(), self._wall_end - time.monotonic()
 
     def require_time(self) -> None:
-        """Raises Overrun if the time is used up; KitError if the machine used it up, and not the
-        submission."""
+        """Raises Overrun if the time is used up; KitError if the machine used it up."""
         if self._part_of:
             self._part_of.require_time()
         self.require_responsive_machine()

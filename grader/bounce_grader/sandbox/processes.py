@@ -30,8 +30,7 @@ MADE, SHORT = b"m", b"s"  # what a box reports on STATUS
 class Limits(NamedTuple):
     """What a process may use. The CPU limit decides; the wall-clock limit is a loose backstop. The
     CPU limit ends it by SIGKILL, because a compiler answers SIGXCPU with a long stack trace. A
-    process that prints more than `output` bytes is ended; of its standard error as many as `errors`
-    are kept."""
+    process that prints more than `output` bytes is ended; of its errors, `errors` bytes are kept."""
 
     cpu_seconds: int
     wall_seconds: float
@@ -65,14 +64,12 @@ class Result(NamedTuple):
 
     @property
     def stopped(self) -> bool:
-        """Whether `run` killed it. Then the system's count of our children's CPU time lacks its
-        time."""
+        """Whether `run` killed it. The system's count of our children's CPU time lacks its time."""
         return self.too_long or self.flooded
 
     @property
     def killed(self) -> bool:
-        """Whether SIGKILL ended it, and `run` didn't. A box passes a signal on as an exit
-        status."""
+        """Whether SIGKILL ended it, and `run` didn't. A box makes a signal an exit status."""
         return self.code in (-9, 128 + 9) and not self.stopped
 
 
@@ -85,8 +82,7 @@ def run(
     output: Path | None = None,
 ) -> Result:
     """Runs a command to its end, with `stdin` as its standard input. The file that a box passes out
-    is written to the new file `output`. Without limits, for the kit's own programs, all that it
-    prints is kept."""
+    is written to the new file `output`. Without limits, for the kit's programs, it keeps all."""
     to_us, from_box = os.pipe()  # no file, which the process could be forbidden to write
     with (
         open(to_us, "rb", buffering=0) as status,
@@ -188,8 +184,7 @@ def _seconds_of_all_below(root: int) -> float:
 
 
 def _stop(process: subprocess.Popen[bytes]) -> None:
-    """Ends a process group: by SIGTERM, so that the reduced box can remove its files, and after a
-    grace period by SIGKILL."""
+    """Ends a process group: by SIGTERM, on which the reduced box removes its files, or SIGKILL."""
     os.killpg(process.pid, signal.SIGTERM)
     try:
         process.wait(GRACE)

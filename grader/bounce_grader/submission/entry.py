@@ -13,7 +13,7 @@ LARGEST_SOURCE = 1024 * 1024
 
 
 class NotText(Exception):
-    """A file can't be used as a source. The message continues a sentence that begins by its name."""
+    """A file can't be used as a source. The message continues a sentence that begins with it."""
 
 
 class Entry(NamedTuple):
@@ -46,7 +46,7 @@ def too_many(path: Path) -> UsageError:
 
 @contextmanager
 def readable(path: object) -> Iterator[None]:
-    """Raises UsageError for whatever is raised within; for a broken zip, zipfile has a dozen kinds."""
+    """Raises UsageError for whatever is raised within, as zipfile's dozen kinds of error."""
     try:
         yield
     except UsageError:

@@ -17,8 +17,7 @@ DEEPEST = 100
 
 
 def entries(path: Path, stack: ExitStack) -> Iterator[Entry]:
-    """The entries, which can be read while the stack is open. Raises UsageError if they can't be
-    listed."""
+    """The entries, to be read while the stack is open. Raises UsageError if it can't list them."""
     with _readable(path):
         top = os.open(path, os.O_RDONLY | os.O_DIRECTORY | os.O_CLOEXEC)
     stack.callback(os.close, top)

@@ -2,10 +2,10 @@
 bytes.
 
 A zip is read in memory, and what isn't asked for isn't unpacked. Of a tar, or an archive of 7-Zip,
-RAR and others, libarchive's bsdtar makes a zip, from its standard input to its output. It parses what
-strangers made, and an archive may even ask it for other files (mtree has a field for that): so it
-runs in a box always, also for a submission that is trusted, and what it writes is read as anybody's
-zip. Left out are hard links, pipes and devices, which a zip can't hold.
+RAR and others, libarchive's bsdtar makes a zip, from its standard input to its output. It parses
+what strangers made, and an archive may even ask it for other files (mtree has a field for that): so
+it runs in a box always, also for a submission that is trusted, and what it writes is read as
+anybody's zip. Left out are hard links, pipes and devices, which a zip can't hold.
 """
 
 import io
@@ -13,7 +13,7 @@ import re
 import stat
 import zipfile
 from collections.abc import Callable, Iterable, Iterator
-from contextlib import ExitStack, contextmanager
+from contextlib import contextmanager, ExitStack, suppress
 from pathlib import Path, PurePosixPath
 from typing import BinaryIO, cast
 
@@ -167,8 +167,7 @@ def _inside_name(path: Path, claimed: str) -> str:
 
 
 def _of_zip(path: Path, stream: BinaryIO) -> Iterator[Entry]:
-    """The entries of the zip, which can be read while the stream is open. Raises UsageError if they
-    can't be listed."""
+    """The entries, to be read while the stream is open. Raises UsageError if it can't list them."""
     with readable(path):
         bounded = _Bounded(cast(io.RawIOBase, stream))
         bounded.path = path
@@ -189,8 +188,7 @@ def _of_zip(path: Path, stream: BinaryIO) -> Iterator[Entry]:
 
 
 class _Bounded(io.BufferedReader):
-    """Limits one read: zipfile reads the table of contents in one piece, of the size that the zip
-    claims."""
+    """Limits one read: zipfile reads a table of contents whole, of the size that the zip claims."""
 
     path: Path
 
@@ -201,14 +199,12 @@ class _Bounded(io.BufferedReader):
 
 
 def name_in_zip(info: zipfile.ZipInfo) -> str:
-    """An entry's name. Canvas and macOS write UTF-8 without saying so; zipfile then takes it for
-    code page 437."""
-    if info.flag_bits & UTF_8:
-        return info.filename
-    try:
-        return info.filename.encode("cp437").decode("utf-8")
-    except UnicodeError:
-        return info.filename
+    """An entry's name. Canvas and macOS write UTF-8 without saying so, which zipfile takes for code
+    page 437."""
+    with suppress(UnicodeError):
+        if not info.flag_bits & UTF_8:
+            return info.filename.encode("cp437").decode("utf-8")
+    return info.filename
 
 
 def _entry(path: Path, archive: zipfile.ZipFile, info: zipfile.ZipInfo) -> Entry:

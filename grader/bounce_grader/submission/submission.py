@@ -103,8 +103,8 @@ def read(path: Path) -> Submission:
 
 
 def _require_one_student(path: Path, names: list[str]) -> None:
-    """Raises UsageError if most files are named as those of several students in a service's
-    download, and no other is a part."""
+    """Raises UsageError if most files are named as several students' in a service's download, and
+    no other is a part."""
     whose = [found[1] for found in map(OF_A_CLASS.search, names) if found]
     own = [n for n in names if part_file(PurePosixPath(n).name) and not OF_A_CLASS.search(n)]
     if len(set(whose)) > 1 and 2 * len(whose) > len(names) and not own:
@@ -200,15 +200,13 @@ def _usable(name: str) -> bool:
 
 
 def _choose(part: Part, names: list[str]) -> Iterator[str]:
-    """The file of a part; of several, the one nearest to the top. A copy's name counts only if no
-    file has the part's own name."""
+    """The file of a part; of several, the nearest to the top. A copy counts for want of another."""
     copies = [PurePosixPath(n) for n in names if part_file(PurePosixPath(n).name) == part.file]
     named = [path for path in copies if path.name.lower() == part.file] or copies
     depth = min((len(f.parts) for f in named), default=0)
     nearest = sorted(str(f) for f in named if len(f.parts) == depth)
     if len(nearest) > 1:
-        raise UsageError(
-            f"{part.file} is there {len(nearest)} times ({first_few([*map(printable_name, nearest)])}): "
-            "keep one, so that the right one is graded"
-        )
+        shown = first_few(list(map(printable_name, nearest)))
+        times = f"{part.file} is there {len(nearest)} times ({shown})"
+        raise UsageError(f"{times}: keep one, so that the right one is graded")
     yield from nearest

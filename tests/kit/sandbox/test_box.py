@@ -71,39 +71,24 @@ def test_a_protection_that_fails_is_said(
     assert "full compile: says nothing: NO: could: flood" in capsys.readouterr().out
 
 
-def test_a_box_that_held_is_not_tried_again_unless_something_changed(
-    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
-) -> None:
-    tried: list[str] = []
-
-    def problem(box: Box) -> str | None:
-        tried.append(box.kind)
-        return "it has no floor" if box.kind == "full" else None
-
-    monkeypatch.setattr(boxes, "problem_of", problem)
-    monkeypatch.setattr(boxes, "BUILD", tmp_path)
-    assert [boxes.choose().kind, boxes.choose().kind] == ["reduced", "reduced"]
-    assert tried == ["full", "reduced", "full"]
-    (tmp_path / "enter").touch()
-    monkeypatch.setattr(boxes, "ENTER", tmp_path / "enter")  # another program
-    boxes.choose()
-    monkeypatch.setattr(os, "geteuid", lambda: 4711)  # another user
-    boxes.choose()
-    assert tried[3:] == ["full", "reduced"] * 2
+def test_the_first_box_that_holds_is_taken(monkeypatch: pytest.MonkeyPatch) -> None:
+    problems = {"full": "it has no floor", "reduced": None}
+    monkeypatch.setattr(boxes, "problem_of", lambda box: problems[box.kind])
+    assert boxes.choose.__wrapped__().kind == "reduced"
+    problems["reduced"] = "it has no walls"
+    with pytest.raises(KitError, match="full: it has no floor; reduced: it has no walls"):
+        boxes.choose.__wrapped__()
 
 
-def test_a_box_that_stops_holding_is_the_kits_fault_and_tried_anew(
+def test_a_box_that_stops_holding_is_the_kits_fault(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     """Nobody gets a zero because a box stopped working."""
-    monkeypatch.setattr(boxes, "BUILD", tmp_path)
-    boxes.choose(["reduced"])
-    assert list((tmp_path / "boxes").iterdir())
-    wrong = write(tmp_path / "wrong", {"part1_contacts.cpp": b"this is no C++"})
+    boxes.choose(("reduced",))
+    wrong = write(tmp_path, {"part1_contacts.cpp": b"this is no C++"})
     monkeypatch.setattr(boxes, "problem_of", lambda box: "it has lost its floor")
     with pytest.raises(KitError, match="it has lost its floor"):
         grade(wrong, Options(boxes=("reduced",)))
-    assert not list((tmp_path / "boxes").iterdir())
 
 
 # An ordinary user who may make no user namespaces, as on some clusters, and has other programs.
