@@ -1,5 +1,5 @@
-"""The command ./kit: grades submissions of the bouncing assignment. Each package in here does one
-job, and its docstring says what it may import; docs/architecture.md describes them."""
+"""The command ./kit: grades submissions of the bouncing assignment. docs/architecture.md describes
+its packages, and says what each may import."""
 
 import os
 import sys

@@ -1,4 +1,0 @@
-"""Shared by all packages: errors, paths, files, escaping, numbers, a parallel map.
-
-May import: nothing of this package.
-"""

@@ -1,7 +1,4 @@
-"""Makes reports from the score record: one module for each format, none of which starts a process.
-
-May import: common, grading.
-"""
+"""Makes reports from the score record: one module for each format."""
 
 from importlib import import_module
 from typing import Any
@@ -9,6 +6,7 @@ from typing import Any
 from bounce_grader.common.escaping import json_document
 
 NAMES = ("gradescope", "github", "html", "junit", "json", "markdown")
+OF_UNREADABLE = NAMES[:3]  # those with a report on a submission that can't be read
 
 
 def render(name: str, record: dict[str, Any]) -> str:
@@ -21,7 +19,5 @@ def render(name: str, record: dict[str, Any]) -> str:
 
 def refused(name: str | None, sentence: str) -> str:
     """The report on a submission that can't be read; empty for formats without one."""
-    if name not in NAMES or name == "json":
-        return ""
-    module = import_module(f"{__name__}.{name}")
-    return str(module.refused(sentence)) if hasattr(module, "refused") else ""
+    known = name in OF_UNREADABLE
+    return str(import_module(f"{__name__}.{name}").refused(sentence)) if known else ""

@@ -1,4 +1,0 @@
-"""Writes what is published: fixtures, the handout, and bundles for services.
-
-May import: common, formats, grading.
-"""

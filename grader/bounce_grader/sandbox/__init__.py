@@ -1,4 +1,0 @@
-"""Boxes, processes, and limits on their resources.
-
-May import: common.
-"""
