@@ -5,18 +5,16 @@ import os
 import subprocess
 import sys
 import time
-from itertools import compress
 from pathlib import Path
 
 from bounce_grader.common.errors import UsageError
-from bounce_grader.common.parallel_map import parallel_map
+
 from bounce_grader.common.paths import BUILD, ROOT
 from bounce_grader.grading.fixtures import hidden_folder
 
 Command = list[str]
 CPP = ("student", "solution", "grader", "tests/parts", "tests/kit")
 PYTHON = ["grader/bounce_grader", "tests", "solution"]
-SANITIZING = "C++ tests with sanitizers"
 READERS = ("frames", "terminations")
 SANITIZED, FUZZED = ROOT / "build" / "sanitize", ROOT / "build" / "fuzz"
 CORES = os.cpu_count() or 1
@@ -25,24 +23,16 @@ PYTEST = [sys.executable, "-m", "pytest", "-q", "-n", str(WORKERS)]
 
 
 def run(options: argparse.Namespace) -> int:
-    """Runs the steps side by side, and then the one that uses all cores all the time. Returns the
-    exit status."""
+    """Runs the steps, each on all cores, the quickest first. Returns the exit status."""
     if options.accept:
         return _accept()
     hidden_folder()  # so that the oracle finds the hidden ones too
-    steps = _steps(options.long)
-    places = {name: f"== {i} of {len(steps)}, {name}" for i, name in enumerate(steps, 1)}
-
-    def fails(name: str) -> bool:
-        print(f"{places[name]} ...", flush=True)
+    steps, failed = _steps(options.long), []
+    for number, (name, commands) in enumerate(steps.items(), 1):
+        print(f"== {number} of {len(steps)}, {name} ...", flush=True)
         start = time.monotonic()
-        failed = any(map(_run, steps[name]))  # until the first that fails
-        print(f"{places[name]}: {time.monotonic() - start:.1f} s", flush=True)
-        return failed
-
-    together = [name for name in steps if name != SANITIZING]
-    failed = [*compress(together, parallel_map(fails, together, len(together)))]
-    failed += [name for name in steps if name == SANITIZING and fails(name)]
+        failed += [name] * any(map(_run, commands))  # until the first that fails
+        print(f"== {time.monotonic() - start:.1f} s", flush=True)
     if failed:
         print(f"failed: {', '.join(failed)}")
     return int(bool(failed))
@@ -59,8 +49,7 @@ def _accept() -> int:
 
 
 def _run(command: Command) -> int:
-    """Of the tests in Python, which take minutes, each is seen; of the others what one says that
-    fails."""
+    """Shows each of the tests in Python, which take minutes; of the others what a failed one says."""
     environment = {**os.environ, "PYTHONPATH": str(ROOT / "grader")}
     quiet = "pytest" not in command
     done = subprocess.run(
@@ -76,12 +65,12 @@ def _steps(is_long: bool) -> dict[str, list[Command]]:
     mypy = ["mypy", "--no-error-summary", "--cache-dir", str(BUILD / "mypy"), *PYTHON]
     python = [*PYTEST, "--dist", "loadgroup", *([] if is_long else ["-m", "not long"])]
     steps = {
-        "Python tests, the gallery among them": [python],
-        "types: mypy": [mypy],
-        "formatting: clang-format": [["clang-format", "--dry-run", "-Werror", *cpp]],
         "formatting: black": [["black", "-q", "--check", *PYTHON]],
+        "formatting: clang-format": [["clang-format", "--dry-run", "-Werror", *cpp]],
+        "types: mypy": [mypy],
         "C++ tests": [_ctest(BUILD)],
         "lint: clang-tidy": _clang_tidy(is_long),
+        "Python tests, the gallery among them": [python],
     }
     if not is_long:
         return steps
@@ -93,7 +82,7 @@ def _steps(is_long: bool) -> dict[str, list[Command]]:
     fuzzed = [command for name in fuzzers for command in _fuzzed(name)]
     steps["C++ readers with a million inputs each"] = [*built, *fuzzed]
     sanitized = [["cmake", "--preset", "sanitize"], ["ninja", "-C", str(SANITIZED), "cpp_tests"]]
-    return steps | {SANITIZING: [*sanitized, _ctest(SANITIZED)]}
+    return steps | {"C++ tests with sanitizers": [*sanitized, _ctest(SANITIZED)]}
 
 
 def _ctest(folder: Path) -> Command:
