@@ -3,15 +3,14 @@
 import argparse
 import os
 import sys
+from functools import partial
 from importlib import import_module
 from typing import Any, NoReturn
 
 from bounce_grader import __version__, formats
-from bounce_grader.classroom import cli as class_cli
 from bounce_grader.common.errors import KitError, UsageError
 from bounce_grader.common.escaping import printable_text, terminal
 from bounce_grader.common.paths import given_path
-from bounce_grader.develop import study
 
 
 class Parser(argparse.ArgumentParser):
@@ -63,22 +62,8 @@ def _parser() -> argparse.ArgumentParser:
         made.set_defaults(command=lambda given: import_module(f"bounce_grader.{module}").run(given))
         return made
 
-    grade = command("grade", "grade_command", "grade a submission: a folder or an archive")
-    grade.add_argument("submission", type=given_path)
-    option = grade.add_argument
-    option("--json", metavar="FILE", help="write the score record ('-': to standard output)")
-    names = f"in place of the report: {', '.join(formats.NAMES)}"
-    option("--format", choices=formats.NAMES, metavar="NAME", help=names)
-    option("--min-score", type=float, metavar="S", help="exit with 1 below this score")
-    option("--speed", action="store_true", help="chart speed against accuracy")
-    option("--reveal", action="store_true", help="show the expected answers of hidden cases, too")
-    remarks = "leave out remarks about undefined behaviour, which take longer than all else"
-    option("--no-sanitize", action="store_true", help=remarks)
-    box = grade.add_mutually_exclusive_group().add_argument
-    box("--require-box", choices=["full"], help="refuse to grade where this box can't be had")
-    box("--trust-submission", action="store_true", help="grade without a box where none can be had")
-
-    class_cli.add(command("class", "classroom.cli", "grade a whole class"))
+    _add_grade(command("grade", "grade_command", "grade a submission: a folder or an archive"))
+    _add_class(command("class", "classroom.run", "grade a whole class"))
 
     gradescope = command("gradescope", "publish.gradescope", "pack an autograder for Gradescope")
     gradescope.add_argument("--out", type=given_path, required=True, metavar="FILE.zip")
@@ -91,7 +76,7 @@ def _parser() -> argparse.ArgumentParser:
     handout = command("handout", "publish.handout", "write what students receive, as a zip")
     handout.add_argument("--out", type=given_path, required=True, metavar="FILE.zip")
 
-    study.add(command("study", "develop.study", "measure the methods: tables, charts and pages"))
+    _add_study(command("study", "develop.study", "measure the methods: tables, charts and pages"))
 
     bench = command("bench", "develop.bench", "measure the grader's speed")
     bench.add_argument("--submissions", type=int, default=100, metavar="N", help="of a class")
@@ -103,3 +88,71 @@ def _parser() -> argparse.ArgumentParser:
     is_long = "with sanitizers, and a million inputs for each reader, too"
     test.add_argument("--long", action="store_true", help=is_long)
     return parser
+
+
+def _add_grade(parser: argparse.ArgumentParser) -> None:
+    option = parser.add_argument
+    option("submission", type=given_path)
+    option("--json", metavar="FILE", help="write the score record ('-': to standard output)")
+    names = f"in place of the report: {', '.join(formats.NAMES)}"
+    option("--format", choices=formats.NAMES, metavar="NAME", help=names)
+    option("--min-score", type=float, metavar="S", help="exit with 1 below this score")
+    option("--speed", action="store_true", help="chart speed against accuracy")
+    option("--reveal", action="store_true", help="show the expected answers of hidden cases, too")
+    remarks = "leave out remarks about undefined behaviour, which take longer than all else"
+    option("--no-sanitize", action="store_true", help=remarks)
+    box = parser.add_mutually_exclusive_group().add_argument
+    box("--require-box", choices=["full"], help="refuse to grade where this box can't be had")
+    box("--trust-submission", action="store_true", help="grade without a box where none can be had")
+
+
+def _add_class(parser: argparse.ArgumentParser) -> None:
+    option = parser.add_argument
+    handed_in = "Canvas's download, a folder of folders or of zips, or a checkout of repositories"
+    option("submissions", type=given_path, nargs="?", help=handed_in)
+    option("--out", type=given_path, required=True, metavar="DIR", help="what is written")
+    option("--gradebook", type=given_path, metavar="CSV", help="Canvas's exported grade book")
+    option("--column", default="", metavar="TITLE", help="its column, as in 'HW3 (98765)'")
+    canvas = (
+        "download the submissions by Canvas's API, with CANVAS_URL and CANVAS_TOKEN from the "
+        "environment; shows what --upload would change there"
+    )
+    option("--canvas", default="", metavar="COURSE/ASSIGNMENT", help=canvas)
+    corpus = "other years' submissions, among which near-copies are looked for, too"
+    option("--corpus", type=given_path, nargs="+", default=[], metavar="FOLDER", help=corpus)
+    option("--jobs", type=int, metavar="N", help="gradings side by side")
+    option("--dask", default="", metavar="ADDRESS", help="grade on the workers of this scheduler")
+    flag = partial(option, action="store_true")
+    flag("--upload", help="post the points and pages that were shown to Canvas")
+    flag("--overwrite", help="replace other points that stand in the column")
+    flag("--apply", help="let the results of this version of the kit count, in place of another's")
+    flag("--speed", help="chart speed against accuracy; takes twice as long")
+    sanitize = "remark undefined behaviour in parts with all points; takes twelve times as long"
+    flag("--sanitize", help=sanitize)
+    reveal = "put the expected answers of hidden cases into the feedback; may be added later"
+    flag("--reveal", help=reveal)
+    flag("--trust-submission", help="grade without a box where none can be had")
+
+
+def _add_study(parser: argparse.ArgumentParser) -> None:
+    option = parser.add_argument
+    asked = (
+        "tables to measure; all unless named. Or: simulate SCENE.json, its motion within a "
+        "tolerance, and the least model and the cheapest method for it"
+    )
+    option("questions", nargs="*", metavar="QUESTION", help=asked)
+    largest = "of simulate: the largest error (default: 0.001)"
+    option("--tolerance", metavar="METRES", help=largest)
+    files = {
+        "--json FILE": "of simulate: the motion, and all else",
+        "--picture FILE.svg": "of simulate: the same, drawn",
+        "--out FOLDER": "what is written (default: docs/studies)",
+        "--squares FILE": "of the question `measured`: drops of squares",
+        "--ellipses FILE": "of the question `measured`: impacts of ellipses",
+    }
+    for words, help in files.items():
+        name, metavar = words.split()
+        option(name, type=given_path, metavar=metavar, help=help)
+    option("--quick", action="store_true", help="fewer rounds and random scenes")
+    engines = "the engines that people use, too; installs them"
+    option("--peers", action="store_true", help=engines)

@@ -20,7 +20,7 @@ from bounce_grader.common.escaping import terminal
 from bounce_grader.common.files import read_object, remove_abandoned, write_whole
 
 MOST_LINES = 20  # of a kind on the terminal; class.html has them all
-Options = Any  # as cli.py has them
+Options = Any  # as the command line has them
 UNIT = results.grade_one  # what grades one; tests have a quicker one
 
 
@@ -36,6 +36,8 @@ class Given(NamedTuple):
 
 def run(options: Options) -> int:
     """Returns 0, or 3 if the kit failed on a submission, which then has no score."""
+    _require_sense(options)
+    options.out, options.jobs = options.out.absolute(), options.jobs or 0
     try:
         given = _read(options)
         with _locked(options.out):
@@ -49,6 +51,24 @@ def run(options: Options) -> int:
             raise
         where = f"the disk with {options.out} or with the temporary files"
         raise KitError(f"{where} is full: make room, and run the same command again") from error
+
+
+def _require_sense(options: Options) -> None:
+    """Raises UsageError for options that don't go together."""
+    given, canvas, book = options.submissions, options.canvas, options.gradebook
+    out, column, jobs = options.out.resolve(), options.column, options.jobs
+    inside = given and given.resolve() in (out, *out.parents)
+    for wrong, sentence in (
+        (jobs is not None and jobs < 1, f"--jobs takes 1 or more, not {jobs}"),
+        (bool(canvas) == bool(given), "give either the submissions or --canvas COURSE/ASSIGNMENT"),
+        (inside, f"{options.out} is among the submissions: give a folder elsewhere by --out"),
+        (options.out.is_file(), f"{options.out} is a file: give a folder by --out"),
+        (column and not book, "--column is of a grade book: give that by --gradebook"),
+        (options.upload and not canvas, "--upload needs --canvas COURSE/ASSIGNMENT"),
+        (canvas and book, "--canvas posts the points by itself: leave --gradebook out"),
+    ):
+        if wrong:
+            raise UsageError(sentence)
 
 
 def _read(options: Options) -> Given:

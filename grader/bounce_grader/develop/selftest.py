@@ -8,7 +8,6 @@ import time
 from pathlib import Path
 
 from bounce_grader.common.errors import UsageError
-
 from bounce_grader.common.paths import BUILD, ROOT
 from bounce_grader.grading.fixtures import hidden_folder
 
@@ -49,7 +48,7 @@ def _accept() -> int:
 
 
 def _run(command: Command) -> int:
-    """Shows each of the tests in Python, which take minutes; of the others what a failed one says."""
+    """Shows each of the tests in Python, which take minutes; of others what a failing one says."""
     environment = {**os.environ, "PYTHONPATH": str(ROOT / "grader")}
     quiet = "pytest" not in command
     done = subprocess.run(

@@ -1,5 +1,4 @@
-"""./kit study: its options. The study itself is a package in solution/study/, beside its C++
-sources."""
+"""./kit study: starts the study, a package in solution/study/ beside its C++ sources."""
 
 import argparse
 import os
@@ -7,31 +6,7 @@ import sys
 from pathlib import Path
 
 from bounce_grader.common.errors import UsageError
-from bounce_grader.common.paths import given_path, ROOT
-
-
-def add(parser: argparse.ArgumentParser) -> None:
-    option = parser.add_argument
-    asked = (
-        "tables to measure; all unless named. Or: simulate SCENE.json, its motion within a "
-        "tolerance, and the least model and the cheapest method for it"
-    )
-    option("questions", nargs="*", metavar="QUESTION", help=asked)
-    largest = "of simulate: the largest error (default: 0.001)"
-    option("--tolerance", metavar="METRES", help=largest)
-    files = {
-        "--json FILE": "of simulate: the motion, and all else",
-        "--picture FILE.svg": "of simulate: the same, drawn",
-        "--out FOLDER": "what is written (default: docs/studies)",
-        "--squares FILE": "of the question `measured`: drops of squares",
-        "--ellipses FILE": "of the question `measured`: impacts of ellipses",
-    }
-    for words, help in files.items():
-        name, metavar = words.split()
-        option(name, type=given_path, metavar=metavar, help=help)
-    option("--quick", action="store_true", help="fewer rounds and random scenes")
-    engines = "the engines that people use, too; installs them"
-    option("--peers", action="store_true", help=engines)
+from bounce_grader.common.paths import ROOT
 
 
 def run(options: argparse.Namespace) -> int:
