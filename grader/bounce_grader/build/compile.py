@@ -28,14 +28,12 @@ class Objects(NamedTuple):
         return [*self.parts.values(), *self.helpers]
 
 
-def compile_all(
-    submission: Submission, work: Path, box: Box, jobs: int, timed: bool = False
-) -> Objects:
+def compile_all(taken: Submission, work: Path, box: Box, jobs: int, timed: bool = False) -> Objects:
     """Compiles every part and then every helper by itself, in folders inside of the folder `work`.
     If `timed`, compiles as for normal use, without run-time checks."""
-    named = object_cache.named_sources(submission)
-    built = partial(_built, submission, named, work, timed)
-    parts = parallel_map(partial(built, box), submission.parts.values(), jobs)
+    named = object_cache.named_sources(taken)
+    built = partial(_built, taken, named, work, timed)
+    parts = parallel_map(partial(built, box), taken.parts.values(), jobs)
     limited = box.budget.part(HELPERS_SECONDS, whose="the compiling of helpers")
     helping = box._replace(budget=limited)
     sizes: list[int] = []
@@ -48,29 +46,29 @@ def compile_all(
         sizes.append(made.path.stat().st_size if made.path else 0)
         return made
 
-    helpers = parallel_map(helper, submission.helpers, jobs)
-    return Objects(dict(zip(submission.parts, parts)), helpers)
+    helpers = parallel_map(helper, taken.helpers, jobs)
+    return Objects(dict(zip(taken.parts, parts)), helpers)
 
 
 def _built(
-    submission: Submission, named: frozenset[str], work: Path, timed: bool, box: Box, file: str
+    taken: Submission, named: frozenset[str], work: Path, timed: bool, box: Box, file: str
 ) -> Built:
     """Compiles a file, unless its object is in the cache; by g++ what clang rejects. The cache
     key covers every file that the compiler can see: no other source unless it is `named` by some
     file, so that the object stays valid when other parts change."""
-    names = object_cache.needed(file, submission, named)
-    name = object_cache.name_of(file, names, submission, box, timed)
+    names = object_cache.needed(file, taken, named)
+    name = object_cache.name_of(file, names, taken, box, timed)
     place = object_cache.place(name)
     if object_cache.is_there(place):
         return Built(place)
     folder, made = work / f"{SOURCES}-{name[:16]}", work / f"{name[:16]}.o"
-    submission.write_to(folder, names)
+    taken.write_to(folder, names)
     box.give(folder)
     try:
-        clang = compiler.clang(file, submission, timed)
+        clang = compiler.clang(file, taken, timed)
         first = result = compiler.run(clang, folder, box, made)
         if not first.ok and not compiler.ran_out_of_time(first) and not first.flooded:
-            gcc = compiler.gcc(file, submission, box, timed)
+            gcc = compiler.gcc(file, taken, box, timed)
             result = compiler.run(gcc, folder, box, made, by_gcc=True)
         size = made.stat().st_size
         if not result.ok or not size:

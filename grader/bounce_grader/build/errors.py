@@ -41,11 +41,11 @@ def of_compiler(printed: str, file: str) -> Built:
     if where.startswith("/"):
         header = Path(str(place)).name
         note = re.search(rf"^{re.escape(file)}:(\d{{1,9}}):\d+: note: ", printed, re.M)
-        place = Place(file, int(note.group(1)) if note else 1)
+        place = Place(file, int(note[1]) if note else 1)
         sentence = f"{error}{f', asked for at {place}' if note else f' in {file}'} ({header})"
-    usual = meaning(what)
-    stop = "" if sentence.endswith((".", "?")) else "."
-    return Built(None, f"{sentence}{stop} {usual}" if usual else sentence, place)
+    if usual := meaning(what):
+        sentence += f"{'' if sentence.endswith(('.', '?')) else '.'} {usual}"
+    return Built(None, sentence, place)
 
 
 def _without_a_place(printed: str) -> str:
@@ -81,8 +81,7 @@ def meanings(file: str | Path) -> list[tuple[str, str]]:
 
 
 def of_linker(printed: str) -> Built:
-    """The missing or duplicate symbol. It is looked for at line starts only, so that a submission's
-    long lines don't make it slow."""
+    """The missing or duplicate symbol, looked for at line starts: long lines don't make it slow."""
     error = r"(?m)^ld\.lld: error: "
     referenced = r"(?:\n>>> referenced by (.+?):(\d{1,9}))?"
     if missing := re.search(rf"{error}undefined symbol: (.*){referenced}", printed):
@@ -91,11 +90,7 @@ def of_linker(printed: str) -> Built:
             return Built(None, f"{symbol} is used, but no file that compiles defines it")
         place = Place(file, int(line))
         return Built(None, f"{place} uses {symbol}, which no file that compiles defines", place)
-    twice = re.search(rf"{error}duplicate symbol: (.*)", printed)
-    if twice:
-        return Built(None, f"{twice.group(1)} is defined in two files")
-    return Built(
-        None,
-        "the parts can't be linked with each other: look for very large "
-        "global arrays in them, and for lines of assembler",
-    )
+    if twice := re.search(rf"{error}duplicate symbol: (.*)", printed):
+        return Built(None, f"{twice[1]} is defined in two files")
+    large = "look for very large global arrays in them, and for lines of assembler"
+    return Built(None, f"the parts can't be linked with each other: {large}")

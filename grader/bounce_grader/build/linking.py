@@ -9,14 +9,13 @@ from bounce_grader.build.compiler import compile_problem, gcc, require_compiler_
 from bounce_grader.build.errors import Built, of_linker
 from bounce_grader.common.manifest import Part
 from bounce_grader.common.paths import CACHE, RUNNER, SOURCES
-from bounce_grader.sandbox import processes
 from bounce_grader.sandbox.box import Box
+from bounce_grader.sandbox.processes import Limits
 from bounce_grader.submission.submission import Submission
 
-LINK = processes.Limits(cpu_seconds=10, wall_seconds=60, memory=2 << 30, file_size=64 << 20)
+LINK = Limits(cpu_seconds=10, wall_seconds=60, memory=2 << 30, file_size=64 << 20)
 RUNNER_OBJECTS = ("runner", "channel", "crash", "solve_lcp", "render")
-# The checked code comes first: if several objects define an inline function, the linker takes the
-# first.
+# The checked code comes first: of an inline function in several objects the linker takes the first.
 KIT_OBJECTS = ("prelude", *RUNNER_OBJECTS)
 
 # Without what AddressSanitizer finds, too, and what a file does that can't be opened in the box.
@@ -53,15 +52,15 @@ def link_alone(part: Part, objects: Objects, runner: Path, box: Box) -> Built:
     return second if second.path else alone
 
 
-def link_sanitized(part: Part, submission: Submission, work: Path, box: Box) -> Built:
+def link_sanitized(part: Part, taken: Submission, work: Path, box: Box) -> Built:
     """Like link_alone, but compiles and links with g++'s sanitizers."""
     sources = work / SOURCES
-    submission.write_to(sources)
+    taken.write_to(sources)
     box.give(sources)
     objects: list[Path] = []
-    for file in [submission.parts[part.number], *submission.helpers]:
+    for file in [taken.parts[part.number], *taken.helpers]:
         objects.append(work / f"checked{part.number}-{len(objects)}.o")
-        command = gcc(file, submission, box, flags=(*SANITIZERS, ALLOCATES_ALIKE))
+        command = gcc(file, taken, box, flags=(*SANITIZERS, ALLOCATES_ALIKE))
         result = compiler.run(command, sources, box, objects[-1], by_gcc=True)
         if not result.ok:
             return compile_problem(result, file)

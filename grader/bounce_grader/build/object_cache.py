@@ -22,27 +22,26 @@ MADE = {".pch", ".gch", ".o", ".txt", ".hpp"}  # what submissions are built with
 IN_USE = 3600  # seconds; every grading is over by then
 
 
-def named_sources(submission: Submission) -> frozenset[str]:
+def named_sources(taken: Submission) -> frozenset[str]:
     """The sources that some file may include: whose names occur in one, as in #include "helper.cpp";
     all of them where a name may be put together of pieces or goes on in another line."""
-    text = b"\0".join(submission.files.values())
-    sources = frozenset([*submission.helpers, *submission.parts.values()])
+    text = b"\0".join(taken.files.values())
+    sources = frozenset([*taken.helpers, *taken.parts.values()])
     if re.search(rb"##|%:%:|\\\r?\n", text):
         return sources
     return frozenset(name for name in sources if os.fsencode(Path(name).name) in text)
 
 
-def needed(file: str, submission: Submission, named: frozenset[str]) -> list[str]:
+def needed(file: str, taken: Submission, named: frozenset[str]) -> list[str]:
     """What is needed to compile a file: itself, all headers, and the named sources."""
-    sources = {*submission.helpers, *submission.parts.values()} - named
-    return sorted(n for n in submission.files if n == file or n not in sources)
+    sources = {*taken.helpers, *taken.parts.values()} - named
+    return sorted(n for n in taken.files if n == file or n not in sources)
 
 
-def name_of(file: str, names: Iterable[str], submission: Submission, box: Box, timed: bool) -> str:
-    """The cache key of an object: a hash of the file, of all that it can include, of the toolchain,
-    of the box, and of FORMAT."""
-    made_from = [FORMAT, toolchain_digest(), file, box.kind, timed, submission.include_folders]
-    texts = [(name, submission.files[name]) for name in names]
+def name_of(file: str, names: Iterable[str], taken: Submission, box: Box, timed: bool) -> str:
+    """The cache key of an object: a hash of all that it is made from, the toolchain and FORMAT."""
+    made_from = [FORMAT, toolchain_digest(), file, box.kind, timed, taken.include_folders]
+    texts = [(name, taken.files[name]) for name in names]
     return hashlib.sha256(repr((made_from, texts)).encode()).hexdigest()
 
 
@@ -93,8 +92,7 @@ def _digest(data: bytes) -> bytes:
 
 
 def forget_old(folder: Path) -> None:
-    """Removes the objects that weren't used for longest, but none that a concurrent grading may be
-    about to link."""
+    """Removes the objects that weren't used for longest, but none that a grading may be using."""
     kept = 0
     with suppress(FileNotFoundError):  # another grading removed one first
         used = [(file.stat().st_mtime, file.stat().st_size, file) for file in folder.iterdir()]
