@@ -113,10 +113,8 @@ def _add_class(parser: argparse.ArgumentParser) -> None:
     option("--out", type=given_path, required=True, metavar="DIR", help="what is written")
     option("--gradebook", type=given_path, metavar="CSV", help="Canvas's exported grade book")
     option("--column", default="", metavar="TITLE", help="its column, as in 'HW3 (98765)'")
-    canvas = (
-        "download the submissions by Canvas's API, with CANVAS_URL and CANVAS_TOKEN from the "
-        "environment; shows what --upload would change there"
-    )
+    canvas = "download the submissions by Canvas's API, with CANVAS_URL and CANVAS_TOKEN from "
+    canvas += "the environment; shows what --upload would change there"
     option("--canvas", default="", metavar="COURSE/ASSIGNMENT", help=canvas)
     corpus = "other years' submissions, among which near-copies are looked for, too"
     option("--corpus", type=given_path, nargs="+", default=[], metavar="FOLDER", help=corpus)
@@ -136,23 +134,15 @@ def _add_class(parser: argparse.ArgumentParser) -> None:
 
 def _add_study(parser: argparse.ArgumentParser) -> None:
     option = parser.add_argument
-    asked = (
-        "tables to measure; all unless named. Or: simulate SCENE.json, its motion within a "
-        "tolerance, and the least model and the cheapest method for it"
-    )
+    asked = "tables to measure; all unless named. Or: simulate SCENE.json, its motion within a "
+    asked += "tolerance, and the least model and the cheapest method for it"
     option("questions", nargs="*", metavar="QUESTION", help=asked)
-    largest = "of simulate: the largest error (default: 0.001)"
-    option("--tolerance", metavar="METRES", help=largest)
-    files = {
-        "--json FILE": "of simulate: the motion, and all else",
-        "--picture FILE.svg": "of simulate: the same, drawn",
-        "--out FOLDER": "what is written (default: docs/studies)",
-        "--squares FILE": "of the question `measured`: drops of squares",
-        "--ellipses FILE": "of the question `measured`: impacts of ellipses",
-    }
-    for words, help in files.items():
-        name, metavar = words.split()
-        option(name, type=given_path, metavar=metavar, help=help)
+    option("--tolerance", metavar="METRES", help="of simulate: the largest error (default: 0.001)")
+    file = partial(option, type=given_path)
+    file("--json", metavar="FILE", help="of simulate: the motion, and all else")
+    file("--picture", metavar="FILE.svg", help="of simulate: the same, drawn")
+    file("--out", metavar="FOLDER", help="what is written (default: docs/studies)")
+    file("--squares", metavar="FILE", help="of the question `measured`: drops of squares")
+    file("--ellipses", metavar="FILE", help="of the question `measured`: impacts of ellipses")
     option("--quick", action="store_true", help="fewer rounds and random scenes")
-    engines = "the engines that people use, too; installs them"
-    option("--peers", action="store_true", help=engines)
+    option("--peers", action="store_true", help="the engines that people use, too; installs them")

@@ -1,20 +1,34 @@
-"""Compiles the parts of a submission and its helpers (its other sources), in a box."""
+"""Compiles the parts of a submission and its helpers (its other sources) in a box; or takes their
+objects from a cache, where each is stored under a hash of everything that it was made from."""
 
+import hashlib
+import os
+import re
 import shutil
-from functools import partial
+import time
+from collections.abc import Iterable
+from contextlib import suppress
+from functools import cache, partial
 from pathlib import Path
 from typing import NamedTuple
 
-from bounce_grader.build import compiler, object_cache
+from bounce_grader.build import compiler
 from bounce_grader.build.errors import Built
+from bounce_grader.common.errors import KitError
 from bounce_grader.common.parallel_map import parallel_map
-from bounce_grader.common.paths import SOURCES
+from bounce_grader.common.paths import BUILD, CACHE, RUNNER, SOURCES
 from bounce_grader.sandbox.box import Box
 from bounce_grader.sandbox.budget import Overrun
 from bounce_grader.submission.submission import Submission
 
 HELPERS_SECONDS = 30  # of CPU time, for all helpers of a submission together
 HELPERS_BYTES = 32 << 20  # of objects, likewise; one more may be under way
+# Change it to invalidate all objects.
+FORMAT = "a file of its own from a process of its own, with its digest"
+KEPT_BYTES = 16 << 20  # in each of the 256 folders
+DIGEST = 32  # bytes
+MADE = {".pch", ".gch", ".o", ".txt", ".hpp"}  # what submissions are built with
+IN_USE = 3600  # seconds; every grading is over by then
 
 
 class Objects(NamedTuple):
@@ -23,16 +37,11 @@ class Objects(NamedTuple):
     parts: dict[int, Built]
     helpers: list[Built]
 
-    @property
-    def all(self) -> list[Built]:
-        return [*self.parts.values(), *self.helpers]
-
 
 def compile_all(taken: Submission, work: Path, box: Box, jobs: int, timed: bool = False) -> Objects:
     """Compiles every part and then every helper by itself, in folders inside of the folder `work`.
     If `timed`, compiles as for normal use, without run-time checks."""
-    named = object_cache.named_sources(taken)
-    built = partial(_built, taken, named, work, timed)
+    built = partial(_built, taken, _unnamed_sources(taken), work, timed)
     parts = parallel_map(partial(built, box), taken.parts.values(), jobs)
     limited = box.budget.part(HELPERS_SECONDS, whose="the compiling of helpers")
     helping = box._replace(budget=limited)
@@ -50,16 +59,26 @@ def compile_all(taken: Submission, work: Path, box: Box, jobs: int, timed: bool 
     return Objects(dict(zip(taken.parts, parts)), helpers)
 
 
+def _unnamed_sources(taken: Submission) -> set[str]:
+    """The sources that no file can include: whose names occur in none, as in #include "helper.cpp".
+    None of them where a name may be put together of pieces or goes on in another line."""
+    text = b"\0".join(taken.files.values())
+    if re.search(rb"##|%:%:|\\\r?\n", text):
+        return set()
+    sources = {*taken.helpers, *taken.parts.values()}
+    return {name for name in sources if os.fsencode(Path(name).name) not in text}
+
+
 def _built(
-    taken: Submission, named: frozenset[str], work: Path, timed: bool, box: Box, file: str
+    taken: Submission, unnamed: set[str], work: Path, timed: bool, box: Box, file: str
 ) -> Built:
-    """Compiles a file, unless its object is in the cache; by g++ what clang rejects. The cache
-    key covers every file that the compiler can see: no other source unless it is `named` by some
-    file, so that the object stays valid when other parts change."""
-    names = object_cache.needed(file, taken, named)
-    name = object_cache.name_of(file, names, taken, box, timed)
-    place = object_cache.place(name)
-    if object_cache.is_there(place):
+    """Compiles a file, unless its object is in the cache; by g++ what clang rejects. The compiler
+    sees, and the cache's key covers, no source that is `unnamed` by all files, so that the object
+    stays valid when other parts change."""
+    names = sorted(taken.files.keys() - (unnamed - {file}))
+    name = name_of(file, names, taken, box, timed)
+    place = place_of(name)
+    if is_there(place):
         return Built(place)
     folder, made = work / f"{SOURCES}-{name[:16]}", work / f"{name[:16]}.o"
     taken.write_to(folder, names)
@@ -75,10 +94,76 @@ def _built(
             return compiler.compile_problem(first, file)
         if size > compiler.LARGEST_OBJECT:
             return compiler.too_large(file)
-        return Built(object_cache.store(made.read_bytes(), place))
+        return Built(store(made.read_bytes(), place))
     except Overrun as overrun:
         return Built(None, f"{file} wasn't compiled: {overrun}")
     finally:
         # At once: those of all files together may not fit into the temporary folder.
         shutil.rmtree(folder)
         made.unlink(missing_ok=True)
+
+
+# --- the cache ---
+
+
+def name_of(file: str, names: Iterable[str], taken: Submission, box: Box, timed: bool) -> str:
+    """The cache key of an object: a hash of all that it is made from, the toolchain and FORMAT."""
+    made_from = [FORMAT, toolchain_digest(), file, box.kind, timed, taken.include_folders]
+    texts = [(name, taken.files[name]) for name in names]
+    return hashlib.sha256(repr((made_from, texts)).encode()).hexdigest()
+
+
+@cache
+def toolchain_digest() -> bytes:
+    """A digest of the flags, the precompiled headers and the kit's own objects."""
+    if not (RUNNER / "prelude.pch").exists():
+        raise KitError("the kit isn't built: run it as ./kit, which builds what is missing")
+    if not os.access(BUILD, os.W_OK):
+        whose = f"{BUILD} belongs to {BUILD.owner()}, who alone can grade with it"
+        copy = "copy the kit to a folder of your own, and run it there"
+        raise KitError(f"the kit's folder {whose}: {copy}")
+    files = sorted(path for path in RUNNER.iterdir() if path.suffix in MADE)  # no running build's
+    stamps = [(path.name, path.stat().st_mtime_ns) for path in files]
+    return hashlib.sha256(repr((str(RUNNER), stamps)).encode()).digest()
+
+
+def place_of(name: str) -> Path:
+    return CACHE / name[:2] / name[2:]
+
+
+def is_there(object_file: Path) -> bool:
+    """Whether the object exists, and is what was stored: a machine that lost its power may have
+    kept half of it. Marks it as used, so that it stays for this grading."""
+    try:
+        os.utime(object_file)
+        data = object_file.read_bytes()
+    except FileNotFoundError:
+        return False
+    return _digest(data[:-DIGEST]) == data[-DIGEST:]
+
+
+def store(data: bytes, path: Path) -> Path:
+    """Writes an object, whole or not at all, so that concurrent gradings can share it. Its digest
+    follows it; no linker looks beyond an object's end."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    forget_old(path.parent)
+    temporary = path.with_suffix(f".{os.getpid()}.{id(data)}")
+    temporary.write_bytes(data + _digest(data))
+    temporary.chmod(0o644)  # whatever the umask: a box reads it as another user
+    temporary.replace(path)
+    return path
+
+
+def _digest(data: bytes) -> bytes:
+    return hashlib.sha256(data).digest()
+
+
+def forget_old(folder: Path) -> None:
+    """Removes the objects that weren't used for longest, but none that a grading may be using."""
+    kept = 0
+    with suppress(FileNotFoundError):  # another grading removed one first
+        used = [(file.stat().st_mtime, file.stat().st_size, file) for file in folder.iterdir()]
+        for time_of_use, size, file in sorted(used, reverse=True):
+            kept += size
+            if kept > KEPT_BYTES and time.time() - time_of_use > IN_USE:
+                file.unlink()

@@ -1,7 +1,6 @@
 """Runs the compilers in a box, and tells whose fault it is if one makes no object."""
 
 from collections.abc import Iterable
-from functools import cache
 from pathlib import Path
 
 from bounce_grader.build.errors import Built, of_compiler
@@ -71,7 +70,6 @@ def _source(file: str, taken: Submission) -> list[str]:
     return [*folders, "-Dmain=submitted_main", "-x", "c++", "-c", file, "-o", "OUTPUT"]
 
 
-@cache
 def compiler() -> str:
     return (RUNNER / "compiler.txt").read_text().strip()
 

@@ -52,10 +52,9 @@ def _without_a_place(printed: str) -> str:
     for error in re.findall(r"^(?:\S+: )?(?:fatal )?error: (.*)$", printed, re.MULTILINE):
         if not error.startswith(("clang frontend command failed", "unable to execute command")):
             return str(error)
-    return (
-        "the compiler gave up on it: it takes more than 2 GB of memory, or 64 MB of files, or "
-        "meets a fault of the compiler's own; take lines out until it compiles"
-    )
+    limits = "it takes more than 2 GB of memory, or 64 MB of files"
+    fault = "or meets a fault of the compiler's own; take lines out until it compiles"
+    return f"the compiler gave up on it: {limits}, {fault}"
 
 
 def meaning(error: str, file: str = "compiler_errors.txt") -> str:

@@ -5,9 +5,8 @@ from pathlib import Path
 
 from bounce_grader.build import compiler
 from bounce_grader.build.compile import HELPERS_BYTES, Objects
-from bounce_grader.build.compiler import compile_problem, gcc, require_compiler_ran, too_large
 from bounce_grader.build.errors import Built, of_linker
-from bounce_grader.common.manifest import Part
+from bounce_grader.common.manifest import Part, parts
 from bounce_grader.common.paths import CACHE, RUNNER, SOURCES
 from bounce_grader.sandbox.box import Box
 from bounce_grader.sandbox.processes import Limits
@@ -29,11 +28,13 @@ ALLOCATES_ALIKE = "-DEIGEN_MALLOC_ALREADY_ALIGNED=1"
 CHECKED_LINK = ("-no-pie", *(f"-static-lib{name}" for name in ("asan", "ubsan", "stdc++", "gcc")))
 
 
-def link_together(objects: Objects, runner: Path, box: Box, timed: bool = False) -> Built:
-    """Links one runner with all of the submission's own parts. If `timed`, it leaves out the
-    prelude's code, which has run-time checks and is slower than the code in the parts."""
-    own = [built.path for built in objects.all]
-    return _link(own, runner, box, kit=RUNNER_OBJECTS if timed else KIT_OBJECTS)
+def link_together(objects: Objects, runner: Path, box: Box, timed: bool = False) -> Path | None:
+    """Links one runner with all of the submission's own parts; None if one is missing, or they
+    don't link. If `timed`, it leaves out the prelude's code, which has run-time checks and is
+    slower than the code in the parts."""
+    own = [built.path for built in (*objects.parts.values(), *objects.helpers)]
+    is_whole = len(objects.parts) == len(parts()) and all(own)
+    return _link(own, runner, box, timed=timed).path if is_whole else None
 
 
 def link_alone(part: Part, objects: Objects, runner: Path, box: Box) -> Built:
@@ -48,7 +49,7 @@ def link_alone(part: Part, objects: Objects, runner: Path, box: Box) -> Built:
     others = [b.path for number, b in objects.parts.items() if number != part.number and b.path]
     if alone.path or not (others or helpers):
         return alone
-    second = _link([*own, *others], runner, box, ("--allow-multiple-definition",))
+    second = _link([*own, *others], runner, box, "--allow-multiple-definition")
     return second if second.path else alone
 
 
@@ -60,12 +61,12 @@ def link_sanitized(part: Part, taken: Submission, work: Path, box: Box) -> Built
     objects: list[Path] = []
     for file in [taken.parts[part.number], *taken.helpers]:
         objects.append(work / f"checked{part.number}-{len(objects)}.o")
-        command = gcc(file, taken, box, flags=(*SANITIZERS, ALLOCATES_ALIKE))
+        command = compiler.gcc(file, taken, box, flags=(*SANITIZERS, ALLOCATES_ALIKE))
         result = compiler.run(command, sources, box, objects[-1], by_gcc=True)
         if not result.ok:
-            return compile_problem(result, file)
+            return compiler.compile_problem(result, file)
         if sum(path.stat().st_size for path in objects) > HELPERS_BYTES:
-            return too_large(file)
+            return compiler.too_large(file)
     kit = [str(RUNNER / f"{name}.o") for name in (*RUNNER_OBJECTS, "sanitizers")]
     command = ["/usr/bin/g++", *SANITIZERS, *CHECKED_LINK, "-o", "OUTPUT"]
     command += [*kit, *map(str, [*objects, *_given(part)])]
@@ -78,14 +79,10 @@ def _given(part: Part) -> list[Path]:
 
 
 def _link(
-    files: Iterable[Path | None],
-    runner: Path,
-    box: Box,
-    flags: tuple[str, ...] = (),
-    kit: tuple[str, ...] = KIT_OBJECTS,
+    files: Iterable[Path | None], runner: Path, box: Box, *flags: str, timed: bool = False
 ) -> Built:
     """Links these files with the kit's, by the linker command that clang would run."""
-    linked = [path for path in files if path]
+    linked, kit = [path for path in files if path], RUNNER_OBJECTS if timed else KIT_OBJECTS
     objects = [*flags, *(f"{RUNNER}/{name}.o" for name in kit), *map(str, linked)]
     command = (RUNNER / "link_command.txt").read_text().splitlines()
     place = command.index("OBJECTS")
@@ -96,7 +93,7 @@ def _link(
 
 def _linked(command: list[str], runner: Path, box: Box) -> Built:
     result = box.run(command, LINK, cwd=RUNNER, output=runner)
-    require_compiler_ran(result)
+    compiler.require_compiler_ran(result)
     if not result.ok or not runner.stat().st_size:
         return of_linker(result.err)
     runner.chmod(0o755)

@@ -6,11 +6,12 @@ import sys
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
 from bounce_grader.classroom.grading import grading, near_copies, results
 from bounce_grader.classroom.grading.summary import Summary
-from bounce_grader.classroom.intake import canvas_api, students
+from bounce_grader.classroom.intake import students
+from bounce_grader.classroom.intake.canvas_api import Canvas, download
 from bounce_grader.classroom.intake.gradebook import Gradebook, read as read_gradebook
 from bounce_grader.classroom.intake.student import Class
 from bounce_grader.classroom.output import canvas_upload, feedback, gradebook, grades, page
@@ -24,25 +25,15 @@ Options = Any  # as the command line has them
 UNIT = results.grade_one  # what grades one; tests have a quicker one
 
 
-class Given(NamedTuple):
-    """All that is given: read and checked before anything is graded or written."""
-
-    intake: Class
-    canvas: canvas_api.Canvas | None
-    people: People
-    sentences: list[str]  # on files that are nobody's, on lateness, adjustments and the roster
-    corpus: list[Summary]
-
-
 def run(options: Options) -> int:
     """Returns 0, or 3 if the kit failed on a submission, which then has no score."""
     _require_sense(options)
-    options.out, options.jobs = options.out.absolute(), options.jobs or 0
+    options.out = options.out.absolute()
     try:
         given = _read(options)
         with _locked(options.out):
             remove_abandoned(options.out)
-            return _run(options, given)
+            return _run(options, *given)
     except KeyboardInterrupt:
         print("kit: stopped; the same command goes on from here", file=sys.stderr)
         return 130
@@ -71,8 +62,10 @@ def _require_sense(options: Options) -> None:
             raise UsageError(sentence)
 
 
-def _read(options: Options) -> Given:
-    """Raises UsageError if something can't be read, or doesn't belong together."""
+def _read(options: Options) -> tuple[Class, Canvas | None, People, list[Summary]]:
+    """All that is given, read and checked before anything is graded or written: the class, the
+    assignment on Canvas, the people of the course, and other years' submissions. Raises UsageError
+    if something can't be read, or doesn't belong together."""
     read_object(options.out / gradebook.WRITTEN)
     book = Gradebook()
     if options.gradebook:
@@ -82,15 +75,14 @@ def _read(options: Options) -> Given:
         book = read_gradebook(options.gradebook, options.column)
     people = People(options.out, book)
     corpus = [other for folder in options.corpus for other in near_copies.corpus(folder)]
-    canvas = None
-    if options.submissions:
-        intake = students.read(options.submissions, people.names())
+    canvas = Canvas(options.canvas) if options.canvas else None
+    if canvas:
+        intake = download(canvas, options.out)
     else:
-        canvas = canvas_api.Canvas(options.canvas)
-        intake = canvas_api.download(canvas, options.out)
-    sentences = people.assign(intake)
+        intake = students.read(options.submissions, people.names())
+    intake.strays += people.assign(intake)
     gradebook.require_same_class(book, intake)
-    return Given(intake, canvas, people, [*intake.strays, *sentences], corpus)
+    return intake, canvas, people, corpus
 
 
 def _filled_in(options: Options) -> Path:
@@ -115,12 +107,12 @@ def _locked(out: Path) -> Iterator[None]:
         yield
 
 
-def _run(options: Options, given: Given) -> int:
-    out, intake, folder = options.out, given.intake, options.out / "results"
+def _run(
+    options: Options, intake: Class, canvas: Canvas | None, people: People, corpus: list[Summary]
+) -> int:
+    out, folder, speed = options.out, options.out / "results", options.speed
     stamp = results.stamp_now(options.trust_submission, options.sanitize)
-    tasks = [
-        results.Task(results.digest(s), stamp, s, folder, options.speed) for s in intake.students
-    ]
+    tasks = [results.Task(results.digest(s), stamp, s, folder, speed) for s in intake.students]
     there = results.stamp_of(folder)
     summaries = grading.grade(tasks, UNIT, options.jobs, options.dask)
     status = 3 if any(summary.state == "failed" for summary in summaries) else 0
@@ -128,26 +120,24 @@ def _run(options: Options, given: Given) -> int:
         print("\n".join(results.differences(there, tasks)))
         return status
     results.count(folder, stamp)
-    given.people.give_points(summaries)
-    near = near_copies.find(summaries, given.corpus)
+    people.give_points(summaries)
+    near = near_copies.find(summaries, corpus)
     pages = feedback.write(out, summaries, options.reveal)
-    sentences, written = given.sentences, ["grades.csv", "class.html", "feedback/"]
-    if given.people.book.table:
+    sentences, written = intake.strays, ["grades.csv", "class.html", "feedback/"]
+    if people.book.table:
         path = _filled_in(options)
-        sentences += gradebook.write(path, intake, summaries, given.people.book, options.overwrite)
+        sentences += gradebook.write(path, intake, summaries, people.book, options.overwrite)
         written.insert(0, path.name)
     write_whole(out / "grades.csv", "\ufeff" + grades.table(summaries))
-    write_whole(
-        out / "class.html", page.render(summaries, near, sentences, given.people.course.title)
-    )
+    title = people.course.title
+    write_whole(out / "class.html", page.render(summaries, near, sentences, title))
     graded = sum(summary.state == "graded" for summary in summaries)
     print(f"{graded} of {len(summaries)} submissions graded ({intake.source}).")
     looks = [f"{who}: {why}" for who, why in page.looks(summaries)]
     _print(looks, sentences, page.of_near_copies(near))
     print(f"Written to {out}: {', '.join(written)}")
-    if given.canvas:
-        wanted = (options.upload, options.overwrite)
-        return max(status, canvas_upload.show_or_post(given.canvas, out, summaries, *wanted))
+    if canvas:
+        return max(status, canvas_upload.show_or_post(canvas, summaries, options))
     if to_upload := feedback.zip_new(out, intake.service, pages):
         print(to_upload)
     return status

@@ -84,10 +84,8 @@ def read_object(path: Path) -> dict[str, Any]:
         return {}
     except (OSError, ValueError, AttributeError):
         pass
-    raise UsageError(
-        f"{path} is broken: put a copy of it back, or remove it; then points that an earlier run "
-        "has filled in count as a person's, and stay"
-    )
+    then = "then points that an earlier run has filled in count as a person's, and stay"
+    raise UsageError(f"{path} is broken: put a copy of it back, or remove it; {then}")
 
 
 def fitting(name: str, limit: int = 200) -> str:

@@ -97,10 +97,8 @@ def _problems(found: tuple[Part, ...]) -> Iterator[str]:
                 yield f"the points of {what} have to be a number that isn't negative"
         total = sum(check.points for check in part.checks)
         if not math.isclose(total, part.points, abs_tol=1e-9):
-            yield (
-                f"part {number} gives {part.points:g} points, and its checks {total:g} "
-                "together: make them equal"
-            )
+            unequal = f"gives {part.points:g} points, and its checks {total:g} together"
+            yield f"part {number} {unequal}: make them equal"
     for id, times in Counter(check.id for part in found for check in part.checks).items():
         if times > 1:
             yield f"the check {id} is there {times} times: keep one"

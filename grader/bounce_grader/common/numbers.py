@@ -31,7 +31,6 @@ def scientific(x: float) -> str:
     return f"{x:.1e}"
 
 
-
 def metres(x: float) -> str:
     return _with_prefix(x, "m")
 

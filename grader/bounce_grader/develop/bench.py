@@ -103,8 +103,7 @@ def _class(folder: Path, size: int) -> Iterator[Line]:
 def _student(folder: Path) -> Iterator[Line]:
     """Times ./check in a new handout as it comes, and with the parts filled in and part 2 changed.
     The time that the compiler takes for the student's own text isn't counted. The first check is
-    timed twice and the shorter time counts, because the first may have to read the compiler from
-    the disk."""
+    timed twice, and the shorter time counts: the compiler may have to come from the disk."""
     from bounce_grader.publish import handout
 
     handout.write(folder / "handout.zip")
@@ -131,8 +130,7 @@ def _student(folder: Path) -> Iterator[Line]:
 
 
 def _variant(folder: Path, *sources: Path) -> Path:
-    """A copy of these folders over each other with a new comment in each part, so that no object is
-    in the cache."""
+    """A copy of these folders over each other, with a comment in each part that no cache knows."""
     folder.mkdir()
     for source in sources:
         for file in filter(Path.is_file, source.iterdir()):

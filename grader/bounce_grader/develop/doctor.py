@@ -61,8 +61,7 @@ def findings() -> list[Finding]:
 
 
 def _in_box(box: Box, place: str, folder: Path, protections: list[Protection]) -> Iterator[Finding]:
-    """Tries the protections in one box, after checking that the box can be made and the probe
-    starts."""
+    """Tries the protections in one box, if it can be made and the probe starts."""
     name, problem = f"{box.kind} {place}", problem_of(box)
     if not problem and not attempt(box, place, folder, ["nothing"])[0]:
         problem = "the probe doesn't start"
@@ -155,8 +154,7 @@ def run(_: argparse.Namespace) -> int:
     for title in dict.fromkeys(finding.protection for finding in found):
         print(f"{title:<42}" + "".join(f"{held.get((title, box), ''):<9}" for box in boxes))
     lines = [f"{f.box}: {f.protection}: NO: {f.detail}" for f in found if f.held is False]
-    lines += dict.fromkeys(
-        f"{f.box}: can't be had here: {f.detail}" for f in found if f.held is None
-    )
+    lacking = (f for f in found if f.held is None)
+    lines += dict.fromkeys(f"{f.box}: can't be had here: {f.detail}" for f in lacking)
     print("\n".join(map(terminal, [*lines, f"Submissions are compiled by {compiler()}."])))
     return int(not all(finding.held for finding in found))

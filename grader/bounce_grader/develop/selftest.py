@@ -49,11 +49,9 @@ def _accept() -> int:
 
 def _run(command: Command) -> int:
     """Shows each of the tests in Python, which take minutes; of others what a failing one says."""
-    environment = {**os.environ, "PYTHONPATH": str(ROOT / "grader")}
+    env = {**os.environ, "PYTHONPATH": str(ROOT / "grader")}
     quiet = "pytest" not in command
-    done = subprocess.run(
-        command, cwd=ROOT, env=environment, capture_output=quiet, text=True, check=False
-    )
+    done = subprocess.run(command, cwd=ROOT, env=env, capture_output=quiet, text=True, check=False)
     if quiet and done.returncode != 0:
         print(done.stdout, done.stderr, sep="\n", flush=True)
     return done.returncode

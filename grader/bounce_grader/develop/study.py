@@ -21,9 +21,8 @@ def run(options: argparse.Namespace) -> int:
         tolerance = options.tolerance or "0.001"
         return simulate(Path(scenes[0]), tolerance, options.json, options.picture)
     if options.tolerance or options.json or options.picture:
-        raise UsageError(
-            "--tolerance, --json and --picture are for ./kit study simulate SCENE.json"
-        )
+        of_simulate = "--tolerance, --json and --picture"
+        raise UsageError(f"{of_simulate} are for ./kit study simulate SCENE.json")
     from bounce_study import run as study
 
     files = {n: getattr(options, n) for n in ("squares", "ellipses") if getattr(options, n)}

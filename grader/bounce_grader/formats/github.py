@@ -1,5 +1,4 @@
-"""GitHub Actions: annotations at files and lines of the submission, a summary, and the score as an
-output of the step."""
+"""GitHub Actions: annotations at a submission's lines, a summary, and the score as an output."""
 
 import os
 
@@ -42,8 +41,7 @@ def _append(variable: str, text: str) -> None:
 
 
 def _part(part: Record) -> list[str]:
-    """At most one annotation for a part, because GitHub shows only ten of each kind in a step. It
-    points to a line if one is known."""
+    """At most one annotation for a part, at a line if one is known: GitHub shows ten of a kind."""
     if part["score"] == part["max_score"] and not part.get("remarks"):
         return []
     lines = [sentences.part_words(part)]

@@ -7,6 +7,7 @@ from bounce_grader.common.numbers import out_of, scientific
 from bounce_grader.formats import sentences
 from bounce_grader.grading.record import Record
 
+EXTRA = ("kit", "box", "fixtures_sha256", "submission_sha256")  # of the record
 TEXT = {"output_format": "text", "stdout_visibility": "hidden"}
 
 
@@ -26,9 +27,7 @@ def render(record: Record) -> str:
         "visibility": "visible",
         "tests": [_test(*numbered) for numbered in sentences.numbered(record)],
         "leaderboard": _leaderboard(record),
-        "extra_data": {
-            name: record[name] for name in ("kit", "box", "fixtures_sha256", "submission_sha256")
-        },
+        "extra_data": {name: record[name] for name in EXTRA},
     }
     return json_document(result, indent=1)
 
@@ -55,8 +54,7 @@ def _test(number: str, part: Record, check: Record) -> dict[str, Any]:
 
 
 def _leaderboard(record: Record) -> list[dict[str, Any]]:
-    """The leaderboard. Speed and error count only with full points: a program that returns zeros is
-    fastest."""
+    """Speed and error count only with full points: a program that returns zeros is fastest."""
     rows: list[dict[str, Any]] = [{"name": "Points", "value": record["score"]}]
     right = record["score"] == record["max_score"]
     speed = (record.get("speed") or {}) if right else {}

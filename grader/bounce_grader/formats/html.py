@@ -5,6 +5,8 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+from markupsafe import Markup
+
 from bounce_grader.common import escaping, numbers
 from bounce_grader.formats import sentences, speed_chart
 from bounce_grader.grading import hints, speed
@@ -16,12 +18,7 @@ PAGE = "formats/feedback.html.j2"
 PACKAGE = Path(__file__).resolve().parents[1]
 
 
-def render(
-    record: Record,
-    name: str = "",
-    unused: tuple[str, ...] = (),
-    in_the_end: Sequence[Any] = (),
-) -> str:
+def render(record: Record, name: str = "", unused: Sequence[str] = (), *in_the_end: Any) -> str:
     """The page of a person or a group. `in_the_end` says what each member gets, where that isn't the
     score: points, and what was applied."""
     measured = record.get("speed") or {}
@@ -34,10 +31,6 @@ def render(
         speed_sentences=" ".join(speed.sentences(measured)),
         unused=_unused(record, unused),
         in_the_end=in_the_end,
-        speed_chart=speed_chart,
-        hints=hints,
-        numbers=numbers,
-        sentences=sentences,
     )
 
 
@@ -46,15 +39,14 @@ def refused(sentence: str) -> str:
     return fill(PAGE, title=f"{TITLE}not graded", refusal=sentence)
 
 
-def _unused(record: Record, unused: tuple[str, ...]) -> list[str]:
+def _unused(record: Record, unused: Sequence[str]) -> list[str]:
     files = [*unused, *(f"{file} wasn't used" for file in record["ignored"])]
     rest = max(0, len(files) - MOST_UNUSED) + record.get("ignored_more", 0)
     return [*files[:MOST_UNUSED], *([f"and {rest} more"] if rest else [])]
 
 
 def fill(template: str, **values: Any) -> str:
-    """Fills a template, given by its path in this package. A missing value raises
-    jinja2.UndefinedError."""
+    """Fills the template at a path in this package. Raises UndefinedError for a missing value."""
     return str(_environment().get_template(template).render(values))
 
 
@@ -62,7 +54,7 @@ def fill(template: str, **values: Any) -> str:
 def _environment() -> Any:
     from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
-    return Environment(
+    made = Environment(
         loader=FileSystemLoader(PACKAGE),
         autoescape=True,
         finalize=_escaped,
@@ -71,11 +63,11 @@ def _environment() -> Any:
         lstrip_blocks=True,
         keep_trailing_newline=True,
     )
+    made.globals.update(hints=hints, numbers=numbers, sentences=sentences, speed_chart=speed_chart)
+    return made
 
 
 def _escaped(value: Any) -> Any:
     """Escapes each printed value; Jinja's own escaping would leave control characters and commands
     to CI in it. Drawings and markup of macros have __html__, and stay as they are."""
-    from markupsafe import Markup
-
     return value if hasattr(value, "__html__") else Markup(escaping.html(str(value)))

@@ -19,8 +19,7 @@ def render(record: Record) -> str:
 
 
 def _suite(part: Record) -> ElementTree.Element:
-    """The suite of a part. A check that didn't run counts as an error, a wrong answer as a
-    failure."""
+    """The suite of a part. A check that didn't run is an error, a wrong answer a failure."""
     errors = [c for c in part["checks"] if not c["passed"] and _did_not_run(part, c)]
     failed = [check for check in part["checks"] if not check["passed"]]
     suite = ElementTree.Element(

@@ -19,8 +19,7 @@ def has_run(part: Record) -> bool:
 
 
 def had_help(part: Record) -> bool:
-    """Whether the part lost points even with given earlier parts, so that mistakes there cost
-    nothing."""
+    """Whether it lost points with given earlier parts, so that mistakes in these cost nothing."""
     return part["graded_with"] == "given" and part["score"] < part["max_score"]
 
 

@@ -10,11 +10,12 @@ from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
+from markupsafe import Markup
+
 from bounce_grader.common.escaping import html
 from bounce_grader.common.numbers import metres, seconds, short
 from bounce_grader.common.paths import HANDOUT
 from bounce_grader.grading import speed
-from bounce_grader.grading.speed import Measured, Point
 
 LEFT, RIGHT, TOP, BOTTOM = 90, 680, 20, 400  # px: where the axes end, of 720 x 454
 # The curve's class by what it shows; delta is in proportion to dt, as in the handout's second line.
@@ -24,24 +25,16 @@ NAMES = {
     "solution": "assignment's scheme, as the course solves it",
     "least": "no more model than each step needs",
 }
-Curves = Mapping[str, Sequence[Point]]  # by whose they are, as in speed.CURVES
+Curves = Mapping[str, Sequence[speed.Point]]  # by whose they are, as in speed.CURVES
 Place = tuple[float, float]  # px, to the right and down
 
 
-class Drawing(str):
-    """Finished SVG, CSS or HTML, which a template inserts without escaping."""
-
-    def __html__(self) -> str:
-        return self
-
-
-STYLE = Drawing((HANDOUT / "given" / "page" / "chart.css").read_text("utf-8"))
+STYLE = Markup((HANDOUT / "given" / "page" / "chart.css").read_text("utf-8"))
 MARKS = Path(__file__).with_name("chart_marks.svg")
 
 
 class Curve(NamedTuple):
-    """A curve with a point for each time step: CPU time as a multiple of the solution's at 1 ms,
-    and error in m."""
+    """A curve with a point for each time step: CPU time over the solution's at 1 ms; error in m."""
 
     places: Sequence[tuple[float, float | None]]
     kind: str  # whose; of one among a class, whether it got "full", "some" or no ("none") points
@@ -49,18 +42,16 @@ class Curve(NamedTuple):
     labels: Sequence[str] = ()  # of the places
 
 
-def of_one(measured: Measured) -> Drawing:
+def of_one(measured: speed.Measured) -> Markup:
     """A submission's curve, with its time steps, beside the solution's and the least model's."""
     curves = {whose: speed.curve(measured, whose) for whose in speed.CURVES}
-    steps = [seconds(1e9 * point.dt) for point in curves["submission"]]
-    return error_over_time(
-        [
-            Curve(over_solution(curves, whose), whose, name, steps * (whose == "submission"))
-            for whose, name in NAMES.items()
-            if curves[whose]
-        ],
-        "Speed against accuracy",
-    )
+    labels = {"submission": [seconds(1e9 * point.dt) for point in curves["submission"]]}
+    shown = [
+        Curve(over_solution(curves, whose), whose, name, labels.get(whose, ()))
+        for whose, name in NAMES.items()
+        if curves[whose]
+    ]
+    return error_over_time(shown, "Speed against accuracy")
 
 
 def over_solution(curves: Curves, whose: str) -> list[tuple[float, float | None]]:
@@ -69,9 +60,8 @@ def over_solution(curves: Curves, whose: str) -> list[tuple[float, float | None]
     return [(p.ns / unit[-1], p.error) for p in curves.get(whose, ()) if unit]
 
 
-def error_over_time(curves: Sequence[Curve], label: str) -> Drawing:
-    """The curves on logarithmic axes, with a line at the error that is near enough. The more curves,
-    the fainter each is."""
+def error_over_time(curves: Sequence[Curve], label: str) -> Markup:
+    """The curves, the fainter the more there are; and a line at the error that is near enough."""
     places = [place for curve in curves for place in curve.places]
     x = _axis((x for x, _ in places), 1e-4, 1e5, LEFT, RIGHT)
     y = _axis((speed.FINE, *(y for _, y in places if y is not None)), 1e-9, 1e2, BOTTOM, TOP)
@@ -90,7 +80,7 @@ def error_over_time(curves: Sequence[Curve], label: str) -> Drawing:
     ]
     faint = f"--faint:{min(0.5, max(0.07, 20 / len(curves))):.2f}"
     head = f'viewBox="0 0 720 454" role="img" aria-label="{html(label)}" style="{faint}"'
-    return Drawing(f"<svg {head}>{''.join(shapes)}</svg>")
+    return Markup(f"<svg {head}>{''.join(shapes)}</svg>")
 
 
 class _Axis(NamedTuple):

@@ -2,7 +2,6 @@
 
 import os
 import sys
-from functools import cache
 from typing import TextIO
 
 from bounce_grader.common.escaping import first_few, terminal
@@ -24,8 +23,7 @@ def show(record: Record, stream: TextIO | None = None) -> None:
 
 
 def lines(record: Record) -> list[tuple[str, str]]:
-    """The report's lines, as (style, text). Text from a submission is stripped of control
-    characters."""
+    """The report's lines, as (style, text), in which a submission's text has no controls."""
     out = [("bold", f"Score {out_of(record)}"), ("", "")]
     for part in record["parts"]:
         out += _part(part)
@@ -33,18 +31,13 @@ def lines(record: Record) -> list[tuple[str, str]]:
         out += [("", terminal(line)) for line in (*cases, "")]
     if record.get("speed"):
         out += _speed(record["speed"])
-    unusual = [name for name in record["ignored"] if name not in _handed_out()]
-    if unusual:
+    handed_out = {path.relative_to(HANDOUT).as_posix() for path in HANDOUT.rglob("*")}
+    if unusual := [name for name in record["ignored"] if name not in handed_out]:
         files = first_few([*map(terminal, unusual)], more=record.get("ignored_more", 0))
         out.append(("dim", f"Not used: {files}"))
     if record["box"] == "none":
         out.append(("yellow", "Graded without a box: this code could do whatever you can."))
     return out
-
-
-@cache
-def _handed_out() -> set[str]:
-    return {path.relative_to(HANDOUT).as_posix() for path in HANDOUT.rglob("*")}
 
 
 def _part(part: Record) -> list[tuple[str, str]]:
@@ -65,9 +58,8 @@ def _part(part: Record) -> list[tuple[str, str]]:
         for check in part["checks"]:
             out += _check(part, check)
     if sentences.had_help(part):
-        out.append(
-            ("dim", "  judged with right earlier parts: a mistake in yours costs nothing here")
-        )
+        words = "judged with right earlier parts: a mistake in yours costs nothing here"
+        out.append(("dim", f"  {words}"))
     return [*out, ("", "")]
 
 

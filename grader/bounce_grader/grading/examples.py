@@ -37,8 +37,7 @@ def judged(cases: bytes, box: Box) -> Record | None:
 
 
 def part_records(found: Record) -> list[Record]:
-    """Where cases give points, one more part of the record: each wrong program that is caught gives
-    its share."""
+    """Where cases give points, a part of the record: each wrong program caught gives its share."""
     most, missed = example_points(), found["missed"]
     if not most:
         return []

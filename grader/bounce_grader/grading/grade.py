@@ -8,15 +8,14 @@ from pathlib import Path
 from typing import NamedTuple
 
 from bounce_grader.build import compiler, linking
-from bounce_grader.build.compile import compile_all, Objects
+from bounce_grader.build.compile import compile_all
 from bounce_grader.common.errors import KitError
 from bounce_grader.common.files import remove_abandoned, temporary_folder
 from bounce_grader.common.manifest import parts, Part
 from bounce_grader.common.numbers import scientific
 from bounce_grader.common.parallel_map import parallel_map
 from bounce_grader.common.paths import STUBS
-from bounce_grader.grading import examples, fixtures, judging, record, sanitizing
-from bounce_grader.grading.judging import Judged
+from bounce_grader.grading import examples, fixtures, judging, record
 from bounce_grader.grading.record import Record
 from bounce_grader.sandbox import box as boxes
 from bounce_grader.sandbox.box import Box
@@ -61,12 +60,13 @@ def grade(given: Path | Submission, options: Options = Options()) -> Record:
         if options.sanitize:
             records = parallel_map(grading.with_remarks, records, jobs)
     end = time.monotonic()
+    seconds = {"compile": compiled - start, "run": end - compiled, "total": end - start}
     return record.whole(
         taken,
         [*records, *(examples.part_records(cases) if cases else [])],
-        box.kind,
-        {"compile": compiled - start, "run": end - compiled, "total": end - start},
-        record.digest_of([fixtures.PUBLIC, hidden]),
+        box=box.kind,
+        seconds={phase: round(value, 3) for phase, value in seconds.items()},
+        fixtures_sha256=record.digest_of([fixtures.PUBLIC, hidden]),
         speed=speed,
         examples=cases,
     )
@@ -80,21 +80,15 @@ class _Grading:
         self.taken, self.work, self.hidden, self.box, self.jobs = taken, work, hidden, box, jobs
         self.objects = compile_all(taken, work, box, jobs)
         self.together: Path | None = None  # the runner with all parts, if they link
-        self.own: dict[Part, Judged] = {}
-        self.results: dict[Part, Judged | Record] = {}  # a record: no line of it could be run
-
-    def link_together(self, objects: Objects, name: str, timed: bool = False) -> Path | None:
-        """The runner with all parts; None if one is missing, or they don't link."""
-        complete = len(objects.parts) == len(parts()) and all(built.path for built in objects.all)
-        if not complete:
-            return None
-        return linking.link_together(objects, self.work / name, self.box, timed).path
+        self.own: dict[Part, judging.Judged] = {}
+        self.results: dict[Part, judging.Judged | Record] = {}  # a record: nothing could be run
 
     def judge_together(self) -> None:
         """Judges the parts in the runner that holds them all. Parts that call no other come first:
         if one of them hangs, its callers would hang, too, and are judged with given parts."""
         with suppress(Overrun):
-            self.together = runner = self.link_together(self.objects, "together")
+            runner = linking.link_together(self.objects, self.work / "together", self.box)
+            self.together = runner
             for calling in (False, True):
                 if not runner or any(j.status == "timed_out" for j in self.own.values()):
                     return
@@ -112,7 +106,7 @@ class _Grading:
         for part in parts():
             self.results[part] = self._problem(part) or self._better(part)
 
-    def _better(self, part: Part) -> Judged | Record:
+    def _better(self, part: Part) -> judging.Judged | Record:
         tries = [self.own[part]] if part in self.own else []
         try:
             if self._could_be_better(part):
@@ -132,28 +126,25 @@ class _Grading:
         return max(tries, key=lambda judged: judged.score(part))
 
     def record_of(self, part: Part) -> Record:
-        """The record of a part. Called once all parts are judged, because explaining a crash may
-        take only the time that is left."""
+        """The record of a part, once all are judged: explaining a crash takes what time is left."""
         best = self.results[part]
-        if not isinstance(best, Judged):
+        if not isinstance(best, judging.Judged):
             return best
         if best.status == "crashed":
-            best = sanitizing.with_cause(part, best, self.taken, self.work, self.hidden, self.box)
+            best = judging.with_cause(part, best, self.taken, self.work, self.hidden, self.box)
         graded = record.part_record(part, best)
         path = self.objects.parts[part.number].path
-        if path and compiler.MAIN in path.read_bytes():
-            remark = (
-                f"{part.file} defines main(), and so does ./check, which can't link it: take it out"
-            )
-            return record.with_remark(graded, remark, None)
-        return graded
+        if not (path and compiler.MAIN in path.read_bytes()):
+            return graded
+        twice = f"{part.file} defines main(), and so does ./check, which can't link it"
+        return record.with_remark(graded, f"{twice}: take it out", None)
 
     def with_remarks(self, graded: Record) -> Record:
         """The record of a part; if it has all points, with what the sanitizers find in it."""
         if graded["score"] < graded["max_score"]:
             return graded
         part = parts()[graded["part"] - 1]
-        found = sanitizing.remark(part, self.taken, self.work, self.box)
+        found = judging.remark(part, self.taken, self.work, self.box)
         return record.with_remark(graded, *found) if found else graded
 
     def _could_be_better(self, part: Part) -> bool:
@@ -212,7 +203,7 @@ def _speed(grading: _Grading) -> Record:
     from bounce_grader.grading import speed
 
     results = grading.results.values()
-    errors = [judged.largest_error for judged in results if isinstance(judged, Judged)]
+    errors = [judged.largest_error for judged in results if isinstance(judged, judging.Judged)]
     known = [error for error in errors if error is not None]
     largest = float(scientific(max(known))) if len(known) == len(parts()) else None
     measured: Record = {"largest_error": largest}
@@ -220,7 +211,6 @@ def _speed(grading: _Grading) -> Record:
         if grading.together:
             taken, work, box = grading.taken, grading.work, grading.box
             objects = compile_all(taken, work, box, grading.jobs, timed=True)
-            timed = grading.link_together(objects, "timed", timed=True)
-            if timed:
+            if timed := linking.link_together(objects, work / "timed", box, timed=True):
                 measured |= speed.measure(timed, box) or {}
     return measured

@@ -47,8 +47,7 @@ def of_check(check: str) -> str:
 
 def of_patterns(part: int, patterns: list[str], check: str) -> str:
     """The heading for what the patterns of a part's wrong numbers say: that of the words which come
-    first; empty if there is none. Words with "your" are about numbers of the hint's own checks, and
-    help with no other check."""
+    first; empty if there is none. Words with "your" are about numbers of the hint's own checks."""
     said = " ".join(patterns)
     found = [
         (said.find(words), hint.heading)

@@ -1,4 +1,8 @@
-"""Runs the judge on a runner, and reads its verdicts."""
+"""Runs the judge on a runner, and reads its verdicts.
+
+A part may be built and run again with AddressSanitizer and UBSan: one that crashed, as they report
+the first wrong memory access, not the last; or one with all points, whose right numbers may be luck.
+This never changes the score."""
 
 import json
 import re
@@ -7,19 +11,26 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from bounce_grader.build import linking
 from bounce_grader.common.errors import KitError
 from bounce_grader.common.escaping import first_few, printable_name, printable_text
 from bounce_grader.common.manifest import Part
 from bounce_grader.common.paths import FIXTURES, JUDGE, SOURCES, WORK_FOLDER
-from bounce_grader.grading.words import Verdict
+from bounce_grader.grading.words import ending, Verdict
 from bounce_grader.sandbox import processes
 from bounce_grader.sandbox.box import LARGEST_FILE, Box
 from bounce_grader.sandbox.budget import Overrun
-from bounce_grader.submission.submission import Place
+from bounce_grader.submission.submission import Place, Submission
 
 SYMBOLS = processes.Limits(cpu_seconds=5, wall_seconds=30, memory=1 << 30, file_size=0)
 WAIT = processes.Limits(60, 300, memory=4 << 30, file_size=LARGEST_FILE, output=1 << 20)
+IN_SOURCES = re.compile(
+    rf"[^/]{{1,50}}/{SOURCES}(?:-[0-9a-f]{{16}})?/(.{{1,255}}?):(\d{{1,9}})(?!\d)"
+)
 MOST_CPU_SECONDS, MOST_SECONDS = 30, 200  # for all runners of a part together
+SANITIZED_CPU_SECONDS, SANITIZED_SECONDS = 20.0, 80.0  # for one part
+MARGIN = 5.0  # s, to stop it
+FOUND = "found"  # the kind of an end by a fault that the sanitizers name, and we know
 
 
 class Judged(NamedTuple):
@@ -96,12 +107,10 @@ def read_answer(out: bytes, part: Part) -> Judged:
         largest, mistakes, patterns = (answer[k] for k in ("largest_error", "mistakes", "patterns"))
     except (ValueError, TypeError, LookupError) as error:
         raise KitError(f"the judge's answer on part {part.number} can't be read") from error
-    missing = [check.id for check in part.checks if check.id not in verdicts]
-    if missing:
-        raise KitError(
-            f"the judge's checks of part {part.number} lack some of parts.json "
-            f"({first_few(missing)}): correct the id there, or leave the check out"
-        )
+    if missing := [check.id for check in part.checks if check.id not in verdicts]:
+        some = f"lack some of parts.json ({first_few(missing)})"
+        correct = "correct the id there, or leave the check out"
+        raise KitError(f"the judge's checks of part {part.number} {some}: {correct}")
     kept = {check.id: verdicts[check.id] for check in part.checks}
     return Judged(kept, largest, "own", tuple(mistakes), tuple(patterns))
 
@@ -126,13 +135,56 @@ def _place(stack: str, runner: Path, files: Container[str], box: Box) -> Place |
 
 
 def place_in(lines: bytes, is_submitted: Callable[[str], bool] = bool) -> Place | None:
-    """The first line in a file of the submission. The submission can put any name there by #line,
-    so `is_submitted` checks it."""
+    """The first line in a file of the submission, which can put any name there by #line."""
     for line in lines.splitlines():
         _, _, rest = line.decode("utf-8", "replace").partition(f"/{WORK_FOLDER}")
-        inside = re.match(
-            rf"[^/]{{1,50}}/{SOURCES}(?:-[0-9a-f]{{16}})?/(.{{1,255}}?):(\d{{1,9}})(?!\d)", rest
-        )
+        inside = IN_SOURCES.match(rest)
         if inside and is_submitted(inside[1]):
             return Place(printable_name(inside[1]), int(inside[2]))
     return None
+
+
+# --- with sanitizers ---
+
+
+def with_cause(
+    part: Part, judged: Judged, taken: Submission, work: Path, hidden: Path, box: Box
+) -> Judged:
+    """The same verdicts; those about crashes that no assertion explains also say what the
+    sanitizers found, if anything."""
+    crashed = {id: v for id, v in judged.verdicts.items() if v.status == "crashed"}
+    unclear = [id for id, v in crashed.items() if v.kind_of_end != "assertion"]
+    again = _again(part, taken, work, hidden, box) if unclear else {}
+    for id in unclear if again else ():
+        if again[id].kind_of_end == FOUND:
+            crashed[id] = crashed[id]._replace(found=again[id].end)
+    return judged._replace(verdicts=judged.verdicts | crashed)
+
+
+def remark(part: Part, taken: Submission, work: Path, box: Box) -> tuple[str, Place | None] | None:
+    """What the sanitizers find in a part with all points, in public cases, and where, or None."""
+    again = _again(part, taken, work, None, box)
+    for verdict in again.values():
+        if verdict.kind_of_end == FOUND and verdict.ended:
+            return f"{verdict.place or part.file}: {ending(verdict.ended)}", verdict.place
+    for check, verdict in zip(part.checks, again.values()):
+        answered = verdict.status == "graded" and (verdict.failure or {}).get("quantities")
+        if not verdict.passed and answered:
+            fails = f'{part.file}: built with g++ and its sanitizers, it fails "{check.title}"'
+            return f"{fails}: does it use a value that was never set, or that is gone?", None
+    return None
+
+
+def _again(
+    part: Part, taken: Submission, work: Path, hidden: Path | None, box: Box
+) -> dict[str, Verdict]:
+    """The verdicts with sanitizers and given parts, on the public cases alone where no folder of
+    hidden ones is given. Empty where that can't be done: the score is valid without them."""
+    cpu, wall = (left - MARGIN for left in box.budget.left())
+    limited = box.budget.part(min(cpu, SANITIZED_CPU_SECONDS), min(wall, SANITIZED_SECONDS))
+    box = box._replace(budget=limited)
+    with suppress(KitError, Overrun):
+        built = linking.link_sanitized(part, taken, work, box) if box.kind == "full" else None
+        if built and built.path:
+            return judge(part, built.path, taken.files, box, hidden, sanitized=True).verdicts
+    return {}

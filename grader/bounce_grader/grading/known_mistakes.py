@@ -10,7 +10,7 @@ import json
 import math
 import os
 import re
-from functools import cache, partial
+from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -123,17 +123,6 @@ def write(public: Path) -> None:
         write_whole(public / "mistakes" / f"{part.stem}.json", lines + "\n")
 
 
-def are_equal_up_to_rounding(a: Any, b: Any) -> bool:
-    """Whether two JSON values are equal, up to the rounding of numbers."""
-    if isinstance(a, dict) and isinstance(b, dict):
-        return are_equal_up_to_rounding([*map(list, a.items())], [*map(list, b.items())])
-    if isinstance(a, list) and isinstance(b, list):
-        return len(a) == len(b) and all(map(are_equal_up_to_rounding, a, b))
-    if isinstance(a, float | int) and isinstance(b, float | int):
-        return math.isclose(a, b, rel_tol=1e-10, abs_tol=1e-10)
-    return bool(a == b)
-
-
 def _rounded(answers: Answers) -> Answers:
     def shorter(x: float | None) -> float | None:
         return None if x is None else float(f"{x:.{DIGITS}g}") if abs(x) > 1e-12 else 0.0
@@ -157,10 +146,8 @@ def _differences(right: Answers, mistaken: Answers) -> dict[str, Any]:
     return different
 
 
-@cache
 def for_the_instructor(name: str) -> tuple[str, str]:
-    """The line for the instructor, and the heading of the hint; empty if the gallery isn't
-    there."""
+    """The line for the instructor, and the hint's heading; empty where there is no gallery."""
     if not (GALLERY / name).exists():
         return "", ""
     known = read(GALLERY / name)

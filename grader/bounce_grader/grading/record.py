@@ -6,7 +6,7 @@ bounded length here, so that the record is always valid JSON in UTF-8.
 
 import hashlib
 import json
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from functools import cache
 from pathlib import Path, PurePosixPath
 from typing import Any
@@ -17,7 +17,6 @@ from bounce_grader.common.manifest import parts, Check, Part
 from bounce_grader.common.paths import FIXTURES
 from bounce_grader.grading import words
 from bounce_grader.grading.judging import Judged
-from bounce_grader.grading.words import Verdict
 from bounce_grader.submission.submission import Place, Submission
 
 Record = dict[str, Any]
@@ -30,8 +29,7 @@ MOST_IGNORED = 100  # names
 
 @cache
 def known_mistakes() -> dict[str, Record]:
-    """What students are told about each known mistake, and the checks that it costs, by its
-    name."""
+    """What students are told about each known mistake, and the checks that it costs, by name."""
     files = [KNOWN / f"{part.stem}.json" for part in parts()]
     entries = [one for file in files for one in json.loads(file.read_text("utf-8"))["mistakes"]]
     return {one["name"]: {key: one[key] for key in one if key != "answers"} for one in entries}
@@ -66,9 +64,8 @@ def part_record(part: Part, judged: Judged) -> Record:
     whole = failed_part(part, judged.status, _part_message(part, judged), place)
     if judged.status == "does_not_compile":  # no function to ask: said once, and of no check
         return whole
-    mistakes = [
-        {key: known_mistakes()[name][key] for key in MISTAKE_FIELDS} for name in judged.mistakes
-    ]
+    known = [known_mistakes()[name] for name in judged.mistakes]
+    mistakes = [{key: mistake[key] for key in MISTAKE_FIELDS} for mistake in known]
     return whole | {
         "score": judged.score(part),
         "graded_with": judged.graded_with,
@@ -100,8 +97,7 @@ def _checks(part: Part, judged: Judged, mistakes: list[Record]) -> Iterator[Reco
 
 
 def _mistake_of(check: Check, mistakes: list[Record]) -> Record | None:
-    """The mistake to name for a failed check: the part's only one, or the first that costs this
-    check."""
+    """The mistake to name for a failed check: the part's only one, or the first that costs it."""
     if len(mistakes) == 1:
         return mistakes[0]
     return next((m for m in mistakes if check.id in known_mistakes()[m["name"]]["checks"]), None)
@@ -119,9 +115,8 @@ def _check_record(check: Check, passed: bool, message: str, mistakes: list[Recor
     }
 
 
-def _numbers(verdict: Verdict) -> Record:
-    """The failed case in numbers; for a hidden case also the message with its answer, which only
-    some may see."""
+def _numbers(verdict: words.Verdict) -> Record:
+    """The failed case in numbers; of a hidden case also the message with its answer, for some."""
     failure = verdict.failure
     if not failure or verdict.status != "graded":
         return {}
@@ -130,8 +125,7 @@ def _numbers(verdict: Verdict) -> Record:
 
 
 def for_readers(record: Record, answers: bool) -> Record:
-    """The record without what tells the answers to hidden cases, as a student may see it; or with
-    it."""
+    """The record without what tells the answers to hidden cases, as for a student; or with it."""
 
     def read(check: Record) -> Record:
         kept = {key: check[key] for key in check if key != "revealed"}
@@ -154,7 +148,7 @@ def _part_message(part: Part, judged: Judged) -> str:
     if judged.ended:
         return judged.ended[0].end
     every = len(part.checks)
-    return "no check passed yet" if lost == every else f"{lost} of {every} checks failed"
+    return f"{lost} of {every} checks failed" if lost < every else "no check passed yet"
 
 
 def sentence(text: str) -> str:
@@ -162,28 +156,19 @@ def sentence(text: str) -> str:
     return printable_text(text, LONGEST_SENTENCE).replace("\n", " ")
 
 
-def whole(
-    submission: Submission,
-    part_records: list[Record],
-    box: str,
-    seconds: Mapping[str, float],
-    fixtures_sha256: str,
-    **more: Record | None,
-) -> Record:
-    """The record of a submission, with what there is of `more`."""
+def whole(submission: Submission, part_records: list[Record], **facts: Any) -> Record:
+    """The record of a submission, with what there is of the `facts` about its grading: the kind of
+    the box, the seconds of each phase, fixtures_sha256, the speed, and the examples."""
     rest = len(submission.ignored) - MOST_IGNORED
     return {
         "score": sum(p["score"] for p in part_records),
         "max_score": sum(p["max_score"] for p in part_records),
         "parts": [_with_paths(part, submission) for part in part_records],
-        "box": box,
-        "seconds": {phase: round(value, 3) for phase, value in seconds.items()},
+        **{name: fact for name, fact in facts.items() if fact},
         "kit": __version__,
-        "fixtures_sha256": fixtures_sha256,
         "submission_sha256": submission.sha256,
         "ignored": [printable_name(file) for file in submission.ignored[:MOST_IGNORED]],
         **({"ignored_more": rest} if rest > 0 else {}),
-        **{name: value for name, value in more.items() if value},
     }
 
 

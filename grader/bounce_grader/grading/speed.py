@@ -1,5 +1,4 @@
-"""Measures a submission's speed and accuracy with the stopwatch, and puts the results into
-words."""
+"""Measures a submission's speed and accuracy by the stopwatch, and puts the results into words."""
 
 import json
 from pathlib import Path
@@ -115,10 +114,8 @@ def _reached(mine: list[Point], solution: list[Point], least: list[Point]) -> st
         last = mine[-1]
         far = "somewhere not finite" if last.error is None else f"off by {metres(last.error)}"
         return f"Your program doesn't get within 1 mm: at {step(last)} it is still {far}."
-    out = (
-        f"Your program is within 1 mm of the exact motion from {step(first)} on, and then "
-        f"takes {seconds(first.ns)} for a second of motion"
-    )
+    out = f"Your program is within 1 mm of the exact motion from {step(first)} on, "
+    out += f"and then takes {seconds(first.ns)} for a second of motion"
     out += "".join(f"; the solution {seconds(p.ns)}" for p in solution if p.dt == first.dt)
     if quick:
         out += f"; no more model than each step needs does that in {seconds(quick.ns)}"

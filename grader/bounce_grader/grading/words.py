@@ -46,8 +46,7 @@ class Verdict(NamedTuple):
 
     @property
     def reason(self) -> str:
-        """The exception of the failed case, or how the program crashed; empty if there is
-        neither."""
+        """The exception of the failed case, or how the program crashed; or empty."""
         if self.status == "crashed":
             return self.end
         failure = self.failure if self.status == "graded" else None
@@ -55,8 +54,7 @@ class Verdict(NamedTuple):
 
 
 def ending(ended: Facts) -> str:
-    """How a program ended, and the likely cause. Raises KeyError if the facts are none of the
-    judge's."""
+    """How a program ended, and the likely cause. Raises KeyError for facts of another judge."""
     kind, text = _end(ended)
     number = ended["number"]
     came = "only a part of an answer came" if text else "no answer came"

@@ -12,7 +12,6 @@ from bounce_grader.common.files import write_zip
 from bounce_grader.common.paths import HANDOUT, ROOT
 from bounce_grader.grading.examples import TABLE
 from bounce_grader.publish import handout_data, handout_page
-from bounce_grader.publish.handout_page import with_points
 
 TOP = "bounce"  # the folder in the zip
 # Beside the folder student/: a folder of the zip, and the files of the kit in it.
@@ -68,7 +67,7 @@ def contents() -> dict[str, bytes]:
 def _as_handed_out(file: Path) -> bytes:
     data = file.read_bytes()
     if file.suffix in WITH_POINTS and file.is_relative_to(HANDOUT):
-        return with_points(data.decode()).encode()
+        return handout_page.with_points(data.decode()).encode()
     return data
 
 

@@ -16,6 +16,7 @@ from bounce_grader.common.manifest import parts
 from bounce_grader.common.paths import FIXTURES, SCENES
 from bounce_grader.formats.speed_chart import NAMES
 
+PLACE = ("t_s", "x_m", "y_m", "theta_rad")  # of the truth, and its time
 STUDIED = ("tumble", "oblique_bounce", "slide")
 METHODS = {
     "assignment": NAMES["solution"],
@@ -52,28 +53,20 @@ def _scene(name: str) -> dict[str, object]:
     kept = {key: scene[key] for key in ("name", "title", "params", "q", "v")}
     if name not in STUDIED:
         return kept | {"truth": [], "others": []}
-    truth = [
-        [float(row[key]) for key in ("t_s", "x_m", "y_m", "theta_rad")]
-        for row in rows("truth.csv")
-        if row["scene"] == name
-    ]
-    others = []
+    own = [row for row in rows("truth.csv") if row["scene"] == name]
+    truth = [[float(row[key]) for key in PLACE] for row in own]
+    timed, others = [row for row in rows("speed_accuracy.csv") if row["scene"] == name], []
     for method, title in METHODS.items():
-        reached = [
-            [
-                float(f"{float(row['ns_per_simulated_second']) / KERNEL_NS:.4g}"),
-                float(f"{float(row['own_error_m']):.4g}"),
-            ]
-            for row in rows("speed_accuracy.csv")
-            if (row["scene"], row["method"]) == (name, method) and _is_shown(row)
-        ]
+        shown = [row for row in timed if row["method"] == method and _is_shown(row)]
+        times = (float(row["ns_per_simulated_second"]) / KERNEL_NS for row in shown)
+        errors = (float(row["own_error_m"]) for row in shown)
+        reached = [[float(f"{x:.4g}") for x in both] for both in zip(times, errors)]
         others.append({"name": title, "reached": reached})
     return kept | {"truth": truth, "others": others}
 
 
 def _is_shown(row: dict[str, str]) -> bool:
-    """Whether a row goes into the handout: all rows for a tolerance, but only two steps for each
-    factor of ten."""
+    """Whether a row is handed out: all for a tolerance, but two steps for each factor of ten."""
     halves = 2 * log10(float(row["setting"]))
     return row["method"] == "event_driven" or abs(halves - round(halves)) < 0.03
 

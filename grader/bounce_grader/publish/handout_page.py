@@ -1,14 +1,14 @@
-"""Makes an HTML page of a Markdown file of the handout: one file, which needs no other and no
-network."""
+"""Makes of a Markdown file of the handout an HTML page that needs no other file and no network."""
 
 import re
 from html import escape
 from pathlib import Path
 from typing import Any
 
+from markupsafe import Markup
+
 from bounce_grader.common.manifest import parts
 from bounce_grader.formats.html import fill
-from bounce_grader.formats.speed_chart import Drawing
 from bounce_grader.publish import equations
 
 NUMBER = r"\d+(?:\.\d+)?"
@@ -21,9 +21,7 @@ def page(file: Path) -> bytes:
     markdown = MarkdownIt("commonmark", {"html": True}).enable("table")
     markdown.add_render_rule("fence", _fence)
     markdown.add_render_rule("code_block", _code)
-    markdown.add_render_rule(
-        "text", lambda _, tokens, at, *__: equations.inline(tokens[at].content)
-    )
+    markdown.add_render_rule("text", lambda _, tokens, i, *__: equations.inline(tokens[i].content))
     markdown.add_render_rule("table_open", lambda *_: '<div class="table" tabindex="0"><table>\n')
     markdown.add_render_rule("table_close", lambda *_: "</table></div>\n")
     tokens = markdown.parse(with_points(file.read_text("utf-8")))
@@ -40,7 +38,7 @@ def page(file: Path) -> bytes:
         body = re.sub(r"<p>Checks: .*?</p>", "", body, flags=re.DOTALL)
         stage = r"<h3[^>]*>(.*?)</h3>(.*?)(?=<h[23]|$)"
         body = re.sub(stage, r"<details><summary>\1</summary>\2</details>", body, flags=re.DOTALL)
-    return fill("publish/handout_page.html.j2", title=title, body=Drawing(body)).encode()
+    return fill("publish/handout_page.html.j2", title=title, body=Markup(body)).encode()
 
 
 def _drawing(file: Path) -> str:

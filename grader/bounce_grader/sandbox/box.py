@@ -14,7 +14,7 @@ from collections.abc import Iterable
 from functools import cache
 from pathlib import Path
 from shutil import which
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from bounce_grader.common.errors import KitError
 from bounce_grader.common.paths import ENTER, GIVEN_RUNNER
@@ -42,18 +42,10 @@ class Box(NamedTuple):
     kind: str
     budget: Budget = UNLIMITED
 
-    def run(
-        self,
-        command: list[str],
-        limits: processes.Limits,
-        cwd: Path | None = None,
-        output: Path | None = None,
-        stdin: bytes = b"",
-    ) -> processes.Result:
-        """Runs a command that to_run or to_build made, or a program that runs such commands itself.
-        Raises Overrun if the grading has used up its time."""
-        lower = self.budget.within(limits)
-        result = processes.run(command, lower, stdin=stdin, cwd=cwd, output=output)
+    def run(self, command: list[str], limits: processes.Limits, **given: Any) -> processes.Result:
+        """Runs a command that to_run or to_build made, or a program that runs such commands itself,
+        as processes.run does. Raises Overrun if the grading has used up its time."""
+        result = processes.run(command, self.budget.within(limits), **given)
         if result.stopped:
             Budget.killed += result.cpu_seconds
         if not result.ok:
@@ -68,13 +60,12 @@ class Box(NamedTuple):
             return [str(program)]
         step = ["check" if sanitized else "run", "--user", str(_user()), *TO_JUDGE]
         if self.kind == "reduced":
-            seen = ["--box", "reduced", "--see", str(program)]
-            return [str(ENTER), *step, *seen, "--", str(program)]
+            name = str(program)
+            return [str(ENTER), *step, "--box", "reduced", "--see", name, "--", name]
         command = _bubblewrap([])
         if sanitized:
-            command = _bubblewrap(
-                p for p in toolchain() if p.endswith(("-linux-gnu", "/usr/lib64"))
-            )
+            libraries = (p for p in toolchain() if p.endswith(("-linux-gnu", "/usr/lib64")))
+            command = _bubblewrap(libraries)
             command += ["--symlink", "usr/lib", "/lib", "--symlink", "usr/lib64", "/lib64"]
         command += ["--ro-bind", str(program), "/runner", "--remount-ro", "/"]
         return [*command, "--", "/enter", *step, "--", "/runner"]
@@ -122,19 +113,16 @@ def kinds(trust: bool) -> tuple[str, ...]:
 
 @cache
 def choose(kinds: tuple[str, ...] = FULL_OR_REDUCED) -> Box:
-    """Chooses the first of these kinds in which a program known to be good runs. A process tries
-    them once."""
+    """The first of these kinds in which a program known to be good runs, tried once a process."""
     problems = []
     for kind in kinds:
         problem = problem_of(Box(kind))
         if problem is None:
             return Box(kind)
         problems.append(f"{kind}: {problem}")
-    raise KitError(
-        f"no box can be had here ({'; '.join(problems)}); install bubblewrap where user namespaces "
-        "are allowed, or pass --trust-submission for code that you would run yourself"
-    )
-
+    install = "install bubblewrap where user namespaces are allowed"
+    trust = "or pass --trust-submission for code that you would run yourself"
+    raise KitError(f"no box can be had here ({'; '.join(problems)}); {install}, {trust}")
 
 
 def problem_of(box: Box) -> str | None:
@@ -155,12 +143,11 @@ def problem_of(box: Box) -> str | None:
     return tried.err.strip().splitlines()[-1] if tried.err.strip() else "it ended"
 
 
-@cache
 def toolchain() -> list[str]:
     """The files and folders of the compilers and the linker, except programs in /usr/bin."""
     libraries = [path for path in (*LIBRARIES, LARGE_PAGES) if Path(path).exists()]
-    libraries += sorted(str(p) for p in Path("/usr/lib").glob("*-linux-gnu"))
-    libraries += sorted(str(p) for p in Path("/usr/lib").glob("llvm-*"))
+    for pattern in ("*-linux-gnu", "llvm-*"):
+        libraries += sorted(str(path) for path in Path("/usr/lib").glob(pattern))
     return libraries
 
 

@@ -9,6 +9,7 @@ from bounce_grader.sandbox.processes import Limits
 
 CPU_SECONDS = 60.0
 WALL_SECONDS = 120.0
+WHOLE = "the grading as a whole"
 
 
 class Overrun(Exception):
@@ -20,22 +21,18 @@ class Budget:
     of all children that it has waited for. `whose` begins the sentence when that is used up."""
 
     killed = 0.0  # s, of CPU: what `processes.run` killed, which the system counts as nobody's
+    _part_of: "Budget | None" = None
 
-    def __init__(
-        self,
-        cpu_seconds: float = CPU_SECONDS,
-        wall_seconds: float = WALL_SECONDS,
-        whose: str = "the grading as a whole",
-        part_of: "Budget | None" = None,
-    ):
-        self._limits, self._whose, self._part_of = (cpu_seconds, wall_seconds), whose, part_of
-        self._cpu_end = _cpu() + cpu_seconds
-        self._wall_end = time.monotonic() + wall_seconds
+    def __init__(self, cpu: float = CPU_SECONDS, wall: float = WALL_SECONDS, whose: str = WHOLE):
+        self._limits, self._whose = (cpu, wall), whose
+        self._cpu_end, self._wall_end = _cpu() + cpu, time.monotonic() + wall
 
-    def part(self, cpu_seconds: float, wall_seconds: float = math.inf, whose: str = "") -> "Budget":
+    def part(self, cpu: float, wall: float = math.inf, whose: str = "") -> "Budget":
         """A part of this one, which has no more time than is left."""
-        cpu, wall = self.left()
-        return Budget(min(cpu_seconds, cpu), min(wall_seconds, wall), whose, part_of=self)
+        left = self.left()
+        made = Budget(min(cpu, left[0]), min(wall, left[1]), whose)
+        made._part_of = self
+        return made
 
     def left(self) -> tuple[float, float]:
         """The CPU seconds and wall-clock seconds that are left; negative if overdrawn."""
@@ -56,12 +53,11 @@ class Budget:
         """Raises KitError if the wall-clock time is used up but little of the CPU time: the machine
         was too busy, or the grading was suspended. A submission can't cause this, because each of
         its programs may sleep for a few seconds only."""
-        cpu, wall = self.left()
-        if wall <= 0 and cpu > self._limits[0] / 2:
-            raise KitError(
-                f"in {self._limits[1]:.0f} s this grading had {self._limits[0] - cpu:.0f} s of CPU "
-                "time: the machine was too busy, or it was stopped; run the same command again"
-            )
+        (cpu_limit, wall_limit), (cpu, wall) = self._limits, self.left()
+        if wall <= 0 and cpu > cpu_limit / 2:
+            had = f"in {wall_limit:.0f} s this grading had {cpu_limit - cpu:.0f} s of CPU time"
+            busy = "the machine was too busy, or it was stopped"
+            raise KitError(f"{had}: {busy}; run the same command again")
 
     def within(self, limits: Limits) -> Limits:
         """These limits, or lower ones if less is left. Processes that run side by side may each use

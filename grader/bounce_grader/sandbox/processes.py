@@ -30,7 +30,7 @@ MADE, SHORT = b"m", b"s"  # what a box reports on STATUS
 class Limits(NamedTuple):
     """What a process may use. The CPU limit decides; the wall-clock limit is a loose backstop. The
     CPU limit ends it by SIGKILL, because a compiler answers SIGXCPU with a long stack trace. A
-    process that prints more than `output` bytes is ended; of its errors, `errors` bytes are kept."""
+    process that prints more than `output` bytes is ended; `errors` bytes of its errors are kept."""
 
     cpu_seconds: int
     wall_seconds: float

@@ -58,10 +58,8 @@ class UnpackLimits:
         """Raises UsageError if there is no room for so many bytes."""
         self.room -= size
         if self.room < 0:
-            raise UsageError(
-                f"{path} has more than {UNPACKED >> 20} MB unpacked, alone or with the other "
-                "archives: submit the parts alone"
-            )
+            much = f"has more than {UNPACKED >> 20} MB unpacked, alone or with the other archives"
+            raise UsageError(f"{path} {much}: submit the parts alone")
 
 
 def is_archive(name: str) -> bool:
@@ -155,9 +153,8 @@ def checked(path: Path, entries: Iterable[Entry]) -> Iterator[Entry]:
 def _inside_name(path: Path, claimed: str) -> str:
     name = PurePosixPath(claimed.replace("\\", "/"))
     if name.is_absolute() or ".." in name.parts or re.match("[A-Za-z]:(/|$)", str(name)):
-        raise UsageError(
-            f"{path} has an entry that points outside of it ('{printable_name(str(name))}')"
-        )
+        shown = printable_name(str(name))
+        raise UsageError(f"{path} has an entry that points outside of it ('{shown}')")
     if not name.parts:
         raise UsageError(f"{path} has an entry without a name: make it anew and submit again")
     return str(name)

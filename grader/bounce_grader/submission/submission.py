@@ -108,9 +108,8 @@ def _require_one_student(path: Path, names: list[str]) -> None:
     whose = [found[1] for found in map(OF_A_CLASS.search, names) if found]
     own = [n for n in names if part_file(PurePosixPath(n).name) and not OF_A_CLASS.search(n)]
     if len(set(whose)) > 1 and 2 * len(whose) > len(names) and not own:
-        raise UsageError(
-            f"{path} is named as the download of a whole class: ./kit class {path} --out FOLDER"
-        )
+        instead = f"./kit class {path} --out FOLDER"
+        raise UsageError(f"{path} is named as the download of a whole class: {instead}")
 
 
 def take(path: Path, entries: list[Entry]) -> Submission:
@@ -159,10 +158,8 @@ def _is_test(name: str, text: bytes) -> bool:
 
 
 def _too_much(path: Path) -> UsageError:
-    return UsageError(
-        f"{path} holds more than {MOST_SOURCES} sources or {MOST_BYTES >> 20} MB of them: "
-        "submit the parts and their helpers alone"
-    )
+    most = f"more than {MOST_SOURCES} sources or {MOST_BYTES >> 20} MB of them"
+    return UsageError(f"{path} holds {most}: submit the parts and their helpers alone")
 
 
 def _require_a_place_for_each(path: Path, names: Iterable[str]) -> None:

@@ -8,7 +8,7 @@ from contextlib import suppress
 from pathlib import Path
 
 import pytest
-from bounce_grader.build import compile as compiling, compiler, linking, object_cache
+from bounce_grader.build import compile as compiling, compiler, linking
 from bounce_grader.common.errors import KitError
 from bounce_grader.common.files import temporary_folder
 from bounce_grader.common.paths import CONTRACT, RUNNER
@@ -59,8 +59,8 @@ def test_what_was_compiled_without_a_box_is_not_taken_in_one(tmp_path: Path) -> 
 def test_a_changed_kit_makes_other_objects(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     for name in ("prelude.pch", "solve_lcp.o"):
         (tmp_path / name).write_bytes(b"")
-    monkeypatch.setattr(object_cache, "RUNNER", tmp_path)
-    digest = object_cache.toolchain_digest.__wrapped__
+    monkeypatch.setattr(compiling, "RUNNER", tmp_path)
+    digest = compiling.toolchain_digest.__wrapped__
     before = digest()
     assert digest() == before
     os.utime(tmp_path / "solve_lcp.o", ns=(1, 1))
@@ -74,7 +74,7 @@ def test_an_object_that_lost_its_content_is_made_anew(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """As after a loss of power."""
-    for module in (object_cache, linking):
+    for module in (compiling, linking):
         monkeypatch.setattr(module, "CACHE", tmp_path / "cache")
     write(tmp_path / "s", solution_files())
     assert points(grade_path(tmp_path / "s")) == FULL

@@ -12,7 +12,7 @@ from typing import Any
 import pytest
 from bounce_grader.common.paths import STUBS
 from bounce_grader.formats import terminal
-from bounce_grader.grading import fixtures, gallery, sanitizing
+from bounce_grader.grading import fixtures, gallery, judging
 from bounce_grader.grading.gallery import expected, Expected
 from bounce_grader.grading.grade import grade, Options
 from conftest import ROOT, lost, points
@@ -47,7 +47,7 @@ def shown(record: dict[str, Any]) -> str:
 def test_gets_what_it_should(folder: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """A mistake is named as itself, or as its twin with the same answers; nothing else is. What
     sanitizers add to a crash takes ten times as long as the grading: the long run tries it."""
-    monkeypatch.setattr(sanitizing, "with_cause", lambda part, judged, *_: judged)
+    monkeypatch.setattr(judging, "with_cause", lambda part, judged, *_: judged)
     record = grade(submission_of(folder, tmp_path / "submission"))
     gets(expected(folder), record)
     named = [mistake["name"] for part in record["parts"] for mistake in part["mistakes"]]

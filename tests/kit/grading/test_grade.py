@@ -11,7 +11,7 @@ from typing import Any
 
 import golden
 import pytest
-from bounce_grader.build import compiler, object_cache
+from bounce_grader.build import compile as compiling, compiler
 from bounce_grader.common.errors import KitError
 from bounce_grader.common.manifest import parts
 from bounce_grader.common.paths import CONTRACT, RUNNER
@@ -176,6 +176,7 @@ def judge_that(patch: Patch, script: Path, does: str) -> None:
 
 
 def box_that_fails(patch: Patch, _: Path, after: int) -> None:
+    box.choose()  # which would try it, too
     to_run, calls = box.Box.to_run, iter(range(99))
 
     def fails(its: box.Box, program: Path, *_: bool) -> list[str]:
@@ -187,7 +188,7 @@ def box_that_fails(patch: Patch, _: Path, after: int) -> None:
 def compiler_that_fails(patch: Patch, nothing: Path) -> None:
     for name in ("clang", "gcc"):
         patch.setattr(compiler, name, lambda *_: ["/bin/false"])
-    patch.setattr(object_cache, "place", lambda name: nothing)
+    patch.setattr(compiling, "place_of", lambda name: nothing)
 
 
 @pytest.mark.parametrize(

@@ -42,7 +42,7 @@ def test_whatever_is_said_the_record_stays_json(text: str, names: list[str], sta
         told = judging.read_answer(json.dumps(answer | {"largest_error": 0.5}).encode(), PART)
         part = record.part_record(PART, told)
     taken = Submission("x", {}, {}, {}, tuple(names))
-    whole = record.whole(taken, [part], "full", {"run": 1.0}, "")
+    whole = record.whole(taken, [part])
     data = json.dumps(whole, ensure_ascii=False, allow_nan=False).encode("utf-8")
     assert json.loads(data.decode("utf-8")) == whole
     assert part["message"].isprintable() and len(part["message"]) <= record.LONGEST_SENTENCE

@@ -67,7 +67,8 @@ def record_of(
     seconds = {"compile": 0.0, "run": 0.0, "total": 0.0}
     text = " ".join(texts.values())
     timed = _times(float(_said(text, "ns", "200")), float(_said(text, "error", "1e-13")))
-    return whole(taken, made, _said(text, "box", "full"), seconds, "0" * 64, speed=timed)
+    facts = {"box": _said(text, "box", "full"), "seconds": seconds, "fixtures_sha256": "0" * 64}
+    return whole(taken, made, **facts, speed=timed)
 
 
 def _times(ns: float, error: float) -> dict[str, Any]:

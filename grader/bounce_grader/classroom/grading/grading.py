@@ -22,10 +22,7 @@ from bounce_grader.common.errors import KitError, UsageError
 TO_CLEAN_UP = 3.0  # seconds in which a terminated grading can remove its files
 KILLED = "the process that graded it was killed, perhaps because memory ran out"
 LOST_WORKERS = 3  # of Dask, that a grading may crash before it counts as a failure of the kit
-NO_KIT = (
-    "the Dask workers don't find the kit: start them with PYTHONPATH=KIT/grader, where KIT is this "
-    "folder under the same path"
-)
+WITH_KIT = "start them with PYTHONPATH=KIT/grader, where KIT is this folder under the same path"
 # Each task with what the unit returns, in the order in which they end.
 Graded = Generator[tuple[Task, str], None, None]
 
@@ -153,5 +150,5 @@ def _outcome(future: Any) -> str:
     if isinstance(error, OSError):
         raise error
     if isinstance(error, ImportError):
-        raise UsageError(NO_KIT)
+        raise UsageError(f"the Dask workers don't find the kit: {WITH_KIT}")
     return f"Dask: {type(error).__name__}: {error}"[:300] if error else str(future.result())

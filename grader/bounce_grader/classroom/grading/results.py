@@ -9,7 +9,7 @@ import errno
 import hashlib
 import json
 import os
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from datetime import datetime, timezone
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -140,17 +140,11 @@ def _result(task: Task, grade: Grade) -> Result:
     try:
         taken = uploads.read(task.student)
         _require_a_part(taken)
-        beside = list(map(printable_name, taken.helpers))
-        graded = {
-            "state": "graded",
-            "message": "",
-            "record": grade(taken, task, within),
-            "beside": beside,
-        }
+        record, beside = grade(taken, task, within), list(map(printable_name, taken.helpers))
+        return result | {"state": "graded", "message": "", "record": record, "beside": beside}
     except UsageError as error:
         message = sentence(str(error).replace(str(task.student.path), "the submission"))
-        graded = {"state": "unreadable", "message": message, "record": {}, "beside": []}
-    return result | graded
+        return result | {"state": "unreadable", "message": message, "record": {}, "beside": []}
 
 
 def _require_a_part(taken: Submission) -> None:

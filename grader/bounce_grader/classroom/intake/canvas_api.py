@@ -34,6 +34,9 @@ FILES = "canvas"  # the folder in OUT with what was downloaded
 TYPED = {"online_text_entry": "text was typed", "online_url": "an address was typed"}
 
 
+Submission = dict[str, Any]  # one, and its person's name and files, as the API describes them
+
+
 class Refused(Exception):
     """Canvas's answer to one request, which says nothing about the others."""
 
@@ -74,7 +77,7 @@ class Canvas:
         for scheme in ("https://", "http://"):
             self._session.mount(scheme, HTTPAdapter(max_retries=again))
 
-    def submissions(self) -> Iterator[dict[str, Any]]:
+    def submissions(self) -> Iterator[Submission]:
         """Those of all students, page by page."""
         url: str | None = f"{self._origin}{self.path}/submissions?include[]=user&per_page=100"
         while url:
@@ -137,7 +140,7 @@ def download(canvas: Canvas, out: Path) -> Class:
     return intake
 
 
-def _student(canvas: Canvas, folder: Path, submission: dict[str, Any]) -> Student | None:
+def _student(canvas: Canvas, folder: Path, submission: Submission) -> Student | None:
     """None if nothing is handed in."""
     user = str(submission.get("user_id", ""))
     name = name_of(submission)
@@ -146,11 +149,9 @@ def _student(canvas: Canvas, folder: Path, submission: dict[str, Any]) -> Studen
         uploads = _downloaded(canvas, folder, user, submission)
     except Refused as refused:
         return Student(user, name or user, folder, refused=str(refused))
-    if kind or submission.get("submitted_at"):
-        other = Upload(
-            f"{user}.html", "", user, "", instead=TYPED.get(kind, "no file was handed in")
-        )
-        uploads = uploads or [other]
+    if not uploads and (kind or submission.get("submitted_at")):
+        instead = TYPED.get(kind, "no file was handed in")
+        uploads = [Upload(f"{user}.html", "", user, "", instead=instead)]
     if not uploads:
         return None
     student = student_of(folder, uploads, canvas_page(uploads))
@@ -158,19 +159,17 @@ def _student(canvas: Canvas, folder: Path, submission: dict[str, Any]) -> Studen
     return replace(student, person=name, late_days=max(1, days) * bool(submission.get("late")))
 
 
-def name_of(submission: dict[str, Any]) -> str:
+def name_of(submission: Submission) -> str:
     """The name of a submission's person, as "Doe, Jane"; "" if Canvas gives none."""
     return printable_name(str((submission.get("user") or {}).get("sortable_name") or ""))
 
 
-def _downloaded(
-    canvas: Canvas, folder: Path, user: str, submission: dict[str, Any]
-) -> list[Upload]:
+def _downloaded(canvas: Canvas, folder: Path, user: str, submission: Submission) -> list[Upload]:
     """A student's uploads. Raises Refused if one can't be downloaded: without it, a grading would
     take points for what was handed in."""
     attachments = submission.get("attachments") or []
     uploads = [_upload(user, submission, attachment) for attachment in attachments]
-    room = LARGEST
+    size = 0
     for upload, attachment in zip(uploads, attachments):
         path = folder / upload.entry
         if len(attachments) > MOST_UPLOADS or not may_count(upload.file):
@@ -180,13 +179,13 @@ def _downloaded(
                 write_whole(path, canvas.request("GET", str(attachment.get("url")))[0])
             except Refused as refused:
                 raise Refused(f"Canvas doesn't hand out {path.name} ({refused}): look at it there")
-        room -= path.stat().st_size
-        if room < 0:
+        size += path.stat().st_size
+        if size > LARGEST:
             raise Refused(f"all that is handed in may have {LARGEST >> 20} MB")
     return uploads
 
 
-def _upload(user: str, submission: dict[str, Any], attachment: dict[str, Any]) -> Upload:
+def _upload(user: str, submission: Submission, attachment: dict[str, Any]) -> Upload:
     """An attachment, with the name that it has in Canvas's download."""
     try:
         id = int(attachment["id"])

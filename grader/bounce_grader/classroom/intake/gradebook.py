@@ -88,7 +88,8 @@ def read(path: Path, title: str) -> Gradebook:
         raise UsageError(f"{table.name} holds no grades from {services}: export them again")
     book = Gradebook(service, table.name, header[column], table=table, column=column)
     for number, row in enumerate(table.rows[1:], 1):
-        _add(book, number, defaultdict(str, table.by_title(row)), row)
+        cells = {title: row.text(i) for i, title in enumerate(header)}
+        _add(book, number, defaultdict(str, cells), row)
     table.require_all_cells((table.rows[line.number] for line in book.lines), "download it again")
     return book
 
@@ -109,9 +110,8 @@ def _add(book: Gradebook, number: int, cells: Mapping[str, str], row: Row) -> No
         if cells["Grade can be changed"].lower() == "no":
             stays = "has a grade that Moodle lets nobody change here"
         book.possible.append(cells["Maximum Grade"])
-        book.late.update(
-            {ids[0]: days_late(cells[title]) for title in WORDS["status"] if title in cells}
-        )
+        for title in filter(cells.__contains__, WORDS["status"]):
+            book.late[ids[0]] = days_late(cells[title])
     else:
         ids, there = [cells["Username"]], re.sub(r"(?s)Needs Grading.*", "", there)
         book.possible += TOTAL.findall(book.title)
@@ -127,10 +127,9 @@ def _only_column(table: Table, title: str, ending: re.Pattern[str]) -> int:
     if len(found) == 1:
         return found[0]
     near = difflib.get_close_matches(title, choices, 3, 0.3) or choices[:3]
-    raise UsageError(
-        f"{table.name} has {f'{len(found)} columns' if found else 'no column'}"
-        f"{title and f' {title!r}'} to fill: name one by --column, as {', '.join(map(repr, near))}"
-    )
+    columns = f"{len(found)} columns" if found else "no column"
+    name = f"name one by --column, as {', '.join(map(repr, near))}"
+    raise UsageError(f"{table.name} has {columns}{title and f' {title!r}'} to fill: {name}")
 
 
 def days_late(status: str) -> int | None:

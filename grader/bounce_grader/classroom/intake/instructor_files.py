@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from bounce_grader.classroom.intake.student import Adjustment, Member
-from bounce_grader.classroom.intake.table import Table
+from bounce_grader.classroom.intake.table import number_in, Table
 from bounce_grader.common.errors import KitError, UsageError
 from bounce_grader.common.manifest import parts
 
@@ -83,14 +83,8 @@ def _adjustment(path: Path, line: int, row: dict[str, str]) -> Adjustment:
 
 
 def _number(where: str, column: str, row: dict[str, str]) -> float | None:
-    text = row[column].replace("\N{MINUS SIGN}", "-").replace(",", ".").strip()
-    if not text:
-        return None
-    try:
-        number = float(text)
-    except ValueError:
-        number = float("nan")
-    if not abs(number) < 1e6:
+    number = number_in(row[column].replace("\N{MINUS SIGN}", "-"))
+    if row[column] and not (number is not None and abs(number) < 1e6):
         raise UsageError(f"{where} {column} should be a number, and is {row[column]!r}")
     return number
 
@@ -114,10 +108,8 @@ def _rows(
     table = Table(path)
     header = [title.lower() for title in table.header]
     if not set(needed) <= set(header) <= {*needed, *more} or len(set(header)) < len(header):
-        raise UsageError(
-            f"{path} has the columns {', '.join(header)}: it takes {' and '.join(needed)}, and any "
-            f"of {', '.join(more)}, each once"
-        )
+        takes = f"it takes {' and '.join(needed)}, and any of {', '.join(more)}, each once"
+        raise UsageError(f"{path} has the columns {', '.join(header)}: {takes}")
     rows = [row for row in table.rows[1:] if any(row.texts())]
     table.require_all_cells(rows, "put texts with commas into quotation marks")
     empty = dict.fromkeys(more, "")

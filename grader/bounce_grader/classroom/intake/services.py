@@ -50,10 +50,8 @@ WHO = (  # in Canvas's names
     r"(?:(?!LATE_|anon_)(?P<name>[^/]+?)_)?(?:(?P<late>LATE)_)?"
     rf"(?P<user>anon_[A-Za-z0-9]{{1,20}}|{ID})"
 )
-EITHER = (
-    "has a name that doesn't say for certain whose it is: look in Canvas who handed it in, and grade "
-    "it by itself with ./kit grade"
-)
+EITHER = "has a name that doesn't say for certain whose it is: look in Canvas who handed it in, "
+EITHER += "and grade it by itself with ./kit grade"
 WHOSE = re.compile(r"\ufeff?Name:\s*(?P<name>.*)\((?P<user>[^()\s]+)\)\s*$")  # in Blackboard's text
 
 
@@ -81,9 +79,8 @@ class Service(NamedTuple):
 
 def read_canvas(entries: Iterable[str], people: Names) -> Read:
     """Reads the names of all entries of Canvas's download. Students choose their names and the names
-    of their files, so an entry can often be split in several ways. Such an ambiguous entry counts for
-    the one of these `people` whose id and name it can be read with, unless another entry certainly
-    has that id."""
+    of their files, so an entry can often be split in several ways. Such an entry counts for the one
+    of these `people` whose id and name it can have, unless another entry certainly has that id."""
     possible = {entry: _readings(entry) for entry in entries}
     certain = {found[0].user for found in possible.values() if len(found) == 1}
     read: Read = {}
@@ -126,8 +123,7 @@ def canvas_page(uploads: Sequence[Upload]) -> str:
 
 
 def sanitized(sortable_name: str) -> str:
-    """What Canvas makes of "Doe, Jane": doejane. Only what Ruby's [[:word:]] matches stays, which
-    includes combining marks."""
+    """What Canvas makes of "Doe, Jane": doejane. Only what Ruby's [[:word:]] matches stays."""
     flat = re.sub(r"_(\d+)_", r"\1", sortable_name).lower()
     kinds = ((c, unicodedata.category(c)) for c in flat)
     return "".join(c for c, kind in kinds if kind[0] in "LM" or kind in ("Nd", "Pc"))

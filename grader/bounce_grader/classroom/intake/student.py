@@ -79,7 +79,7 @@ class Class:
 
     source: str  # what kind of folder or zip SUBMISSIONS is
     students: list[Student] = field(default_factory=list)
-    strays: list[str] = field(default_factory=list)  # a sentence for each entry that is nobody's
+    strays: list[str] = field(default_factory=list)  # sentences, as on each entry that is nobody's
     logins: bool = False  # whether a student's id is a GitHub login, which students choose
     service: str = ""  # "canvas", "moodle" or "blackboard", if that wrote the download
 

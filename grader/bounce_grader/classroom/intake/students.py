@@ -1,6 +1,5 @@
 """Finds each student's submission in a download from Canvas, Moodle or Blackboard, in a folder of
-folders or zips, or in a checkout of repositories. What can't be matched is listed, with the
-reason."""
+folders or zips, or in a checkout of repositories. What matches nobody is listed with the reason."""
 
 import os
 import zipfile
@@ -36,9 +35,8 @@ def read(path: Path, people: Names = {}) -> Class:
         archive = opened(path)
         intake = _of_download(_service(archive.names) or CANVAS, archive, people)
     else:
-        raise UsageError(
-            f"{path} is no folder and no whole zip: give the download as it is, or anew"
-        )
+        as_it_is = "give the download as it is, or anew"
+        raise UsageError(f"{path} is no folder and no whole zip: {as_it_is}")
     if not intake.students:
         seen = f"the first entry, {intake.strays[0]}" if intake.strays else "it is empty"
         raise UsageError(f"no submission is found in {path}: {seen}")
@@ -72,9 +70,8 @@ def _of_download(service: Service, archive: Archive, people: Names) -> Class:
             intake.add_stray(name, found)
         else:
             users.setdefault(found.user, []).append(found)
-    intake.students = [
-        student_of(archive.path, uploads, service.page_of(uploads)) for uploads in users.values()
-    ]
+    for uploads in users.values():
+        intake.students.append(student_of(archive.path, uploads, service.page_of(uploads)))
     return intake
 
 

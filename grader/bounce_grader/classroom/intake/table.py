@@ -12,6 +12,14 @@ BOM = "\ufeff"
 UTF_16 = {b"\xff\xfe": "utf-16-le", b"\xfe\xff": "utf-16-be"}  # often Blackboard's
 
 
+def number_in(text: str) -> float | None:
+    """The number that a cell holds, with a point or a comma; None if it holds none."""
+    try:
+        return float(text.strip().replace(",", "."))
+    except ValueError:
+        return None
+
+
 class Row(NamedTuple):
     """A row, and the line in which it ends."""
 
@@ -62,18 +70,12 @@ class Table:
             raise UsageError(f"{self.name} is empty: export or write it again")
         self.header = self.rows[0].texts()
 
-    def by_title(self, row: Row) -> dict[str, str]:
-        """What each cell of a row says."""
-        return {title: row.text(column) for column, title in enumerate(self.header)}
-
     def require_all_cells(self, rows: Iterable[Row], what_helps: str) -> None:
         """Raises UsageError if one of these rows hasn't as many cells as the first."""
         for row in rows:
             if len(row.cells) != len(self.header):
-                raise UsageError(
-                    f"{self.name} has {len(row.cells)} cells in line {row.line}, and "
-                    f"{len(self.header)} in its first: {what_helps}"
-                )
+                cells = f"{len(row.cells)} cells in line {row.line}, and {len(self.header)}"
+                raise UsageError(f"{self.name} has {cells} in its first: {what_helps}")
 
     def encoded(self) -> bytes:
         text = io.StringIO(newline="")

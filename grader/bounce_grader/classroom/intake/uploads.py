@@ -111,17 +111,14 @@ def _ending(file: str) -> str:
 def student_of(download: Path, uploads: Sequence[Upload], page: str) -> Student:
     """The student who has uploaded these, with the name of their feedback page."""
     last = max(uploads, key=lambda upload: upload.number)
-    late_days = None if any(upload.late for upload in uploads) else 0
+    late = None if any(upload.late for upload in uploads) else 0
     counted, unused = _counted(uploads)
-    refused = "" if counted else f"{first_few(unused, separator='; ')}: {HAND_IN}"
+    why = "" if counted else f"{first_few(unused, separator='; ')}: {HAND_IN}"
     number = sum(not upload.instead for upload in uploads)
     if number > MOST_UPLOADS:
-        refused = f"{number} files are handed in; a submission may have {MOST_UPLOADS}: {HAND_IN}"
-    unused = () if refused else unused
-    name = last.name or last.user
-    return Student(
-        last.user, name, download, counted, page, unused, late_days=late_days, refused=refused
-    )
+        why = f"{number} files are handed in; a submission may have {MOST_UPLOADS}: {HAND_IN}"
+    whose = (last.user, last.name or last.user, download, counted, page, () if why else unused)
+    return Student(*whose, late_days=late, refused=why)
 
 
 def _counted(uploads: Sequence[Upload]) -> tuple[tuple[Upload, ...], tuple[str, ...]]:

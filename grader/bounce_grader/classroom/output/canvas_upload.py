@@ -14,7 +14,8 @@ from typing import Any, NamedTuple
 from bounce_grader.classroom.grading.summary import Summary
 from bounce_grader.classroom.intake.canvas_api import Canvas, name_of, Refused
 from bounce_grader.classroom.intake.gradebook import Gradebook, Line
-from bounce_grader.classroom.output.gradebook import fill, note, number_in, WRITTEN
+from bounce_grader.classroom.intake.table import number_in
+from bounce_grader.classroom.output.gradebook import fill, note, WRITTEN, Written
 from bounce_grader.common.escaping import terminal
 from bounce_grader.common.files import read_object, write_whole
 from bounce_grader.common.numbers import short
@@ -33,15 +34,14 @@ class Change(NamedTuple):
     page: str  # the file's name
 
 
-def show_or_post(
-    canvas: Canvas, out: Path, summaries: Sequence[Summary], upload: bool, overwrite: bool
-) -> int:
+def show_or_post(canvas: Canvas, summaries: Sequence[Summary], options: Any) -> int:
     """Prints what would change on Canvas, and posts it on request if that was shown before. Returns
     1 if something is left to do."""
+    out, upload = options.out, options.upload
     written = read_object(out / WRITTEN)
     finals = [one for summary in summaries for one in summary.finals]
     book = _gradebook(canvas)
-    filled, sentences = fill(book, finals, False, written, overwrite)
+    filled, sentences = fill(book, finals, False, written, options.overwrite)
     points = {line.ids[0]: short(value) for line, value in filled if number_in(line.there) != value}
     posted_pages = written.setdefault(f"{PAGES} {canvas.assignment}", {})
     page_of = {one.id: s.student.feedback for s in summaries for one in s.finals}
@@ -77,17 +77,13 @@ def _print(lines: Iterable[str]) -> None:
 
 
 def _gradebook(canvas: Canvas) -> Gradebook:
-    lines = [
-        Line(
-            number,
-            [str(submission["user_id"])],
-            name_of(submission),
-            "" if submission.get("score") is None else short(submission["score"]),
-            "is excused, and gets no points" if submission.get("excused") else "",
-        )
-        for number, submission in enumerate(canvas.submissions())
-    ]
-    return Gradebook("canvas", "the assignment on Canvas", canvas.assignment, lines)
+    book = Gradebook("canvas", "the assignment on Canvas", canvas.assignment)
+    for number, submission in enumerate(canvas.submissions()):
+        there = "" if submission.get("score") is None else short(submission["score"])
+        stays = "is excused, and gets no points" * bool(submission.get("excused"))
+        ids = [str(submission["user_id"])]
+        book.lines.append(Line(number, ids, name_of(submission), there, stays))
+    return book
 
 
 def _words(change: Change) -> str:
@@ -96,9 +92,7 @@ def _words(change: Change) -> str:
     return f"{change.name or change.user} ({change.user}): {what}"
 
 
-def _post(
-    canvas: Canvas, out: Path, changes: list[Change], written: dict[str, dict[str, Any]]
-) -> list[str]:
+def _post(canvas: Canvas, out: Path, changes: list[Change], written: Written) -> list[str]:
     """Posts the changes. Returns a sentence for each that Canvas refused."""
     note(out, written)  # so that points count as ours if the answer is lost
     refused = []

@@ -36,7 +36,7 @@ def _page(summary: Summary, reveal: bool) -> str:
         return html.refused(summary.message)
     record, student = for_readers(summary.record, reveal), summary.student
     in_the_end = summary.finals if any(final.applied for final in summary.finals) else ()
-    return html.render(record, student.shown, student.unused, in_the_end)
+    return html.render(record, student.shown, student.unused, *in_the_end)
 
 
 def zip_new(out: Path, service: str, pages: Mapping[str, str]) -> str:

@@ -11,14 +11,15 @@ from bounce_grader.classroom.grading.summary import Summary
 from bounce_grader.classroom.intake.gradebook import Gradebook, Line
 from bounce_grader.classroom.intake.instructor_files import ROSTER
 from bounce_grader.classroom.intake.student import Class, Member
+from bounce_grader.classroom.intake.table import number_in
 from bounce_grader.common.errors import UsageError
 from bounce_grader.common.files import read_object, write_whole
 from bounce_grader.common.manifest import full_points
 from bounce_grader.common.numbers import short
 
 WRITTEN = "written.json"  # the points that runs have filled in: what differs, a person has changed
-# A column's title -> the service's id -> all points that runs have filled in there.
-Written = dict[str, dict[str, list[str]]]
+# A column's title -> the service's id -> all points that runs have filled in there, or the page.
+Written = dict[str, dict[str, Any]]
 
 
 def require_same_class(book: Gradebook, intake: Class) -> None:
@@ -101,16 +102,9 @@ def _other_points_possible(book: Gradebook) -> list[str]:
     ]
 
 
-def note(out: Path, written: Mapping[str, Mapping[str, Any]]) -> None:
+def note(out: Path, written: Written) -> None:
     """Notes what runs have filled in and posted."""
     write_whole(out / WRITTEN, json.dumps(written, indent=1, sort_keys=True), durable=True)
-
-
-def number_in(text: str) -> float | None:
-    try:
-        return float(text.strip().replace(",", "."))
-    except ValueError:
-        return None
 
 
 def write(
@@ -132,19 +126,13 @@ def write(
         book.table.rows[line.number].cells[book.column] = text
     write_whole(path, book.table.encoded())
     note(path.parent, written)
-    left_out = [one.id for one in finals if one not in given]
-    return [
-        *lacking,
-        *sentences,
-        *(f"{id} isn't in {ROSTER}: the points are in grades.csv" for id in left_out),
-    ]
+    where = f"isn't in {ROSTER}: the points are in grades.csv"
+    return [*lacking, *sentences, *(f"{one.id} {where}" for one in finals if one not in given)]
 
 
 def _lacking(book: Gradebook, written: Mapping[str, Sequence[str]]) -> list[str]:
     """Corrections since an earlier run can't be seen in an old file."""
     emptied = sum(line.ids[0] in written and not line.there for line in book.lines)
-    return [
-        f"{book.name} lacks what an earlier run has filled into {emptied} "
-        f"cell{'s' * (emptied > 1)}: if that is imported, export the grades again, or "
-        "corrections made there since then are lost"
-    ] * bool(emptied)
+    cells = f"what an earlier run has filled into {emptied} cell{'s' * (emptied > 1)}"
+    again = "export the grades again, or corrections made there since then are lost"
+    return [f"{book.name} lacks {cells}: if that is imported, {again}"] * bool(emptied)

@@ -6,14 +6,14 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from urllib.parse import quote
 
+from markupsafe import Markup
+
 from bounce_grader.classroom.grading.near_copies import Similar
 from bounce_grader.classroom.grading.summary import Summary
 from bounce_grader.common.escaping import first_few
 from bounce_grader.common.manifest import full_points, part_of, parts
 from bounce_grader.common.numbers import percent, seconds, short
-from bounce_grader.formats.html import fill
-from bounce_grader.formats.speed_chart import Curve, Drawing, error_over_time, NAMES
-from bounce_grader.formats.speed_chart import over_solution, STYLE
+from bounce_grader.formats import html, speed_chart as chart
 from bounce_grader.grading import examples, speed
 from bounce_grader.grading.known_mistakes import for_the_instructor
 
@@ -26,7 +26,8 @@ def render(
 ) -> str:
     """`sentences` are on files that are nobody's, on adjustments and on the grade book."""
     graded = [s for s in summaries if s.score is not None]
-    return fill(
+    pages = {s.student.who: s.student.feedback for s in summaries if s.student.feedback}
+    return html.fill(
         "classroom/output/class.html.j2",
         title=title or "The class",
         figures=list(_figures(summaries, graded)),
@@ -35,19 +36,13 @@ def render(
         mistakes=list(_mistakes(graded)),
         cases=_cases(graded),
         curves=_chart(graded),
-        chart_style=STYLE,
-        chart_names=NAMES,
         looks=looks(summaries),
         near=near,
         pairs=[[pair.first, pair.second, pair.in_common] for pair in near.pairs],
         sentences=sentences,
         columns=["who", "points", *(f"part {part.number}" for part in parts()), "in the end"],
         submissions=list(map(_row, summaries)),
-        links={
-            s.student.who: quote(os.fsencode(f"feedback/{s.student.feedback}"))
-            for s in summaries
-            if s.student.feedback
-        },
+        links={who: quote(os.fsencode(f"feedback/{page}")) for who, page in pages.items()},
     )
 
 
@@ -129,23 +124,23 @@ def _success(graded: Sequence[Summary]) -> Iterator[Bar]:
             yield check.title, share, percent(share), False
 
 
-def _chart(graded: Sequence[Summary]) -> Drawing | None:
+def _chart(graded: Sequence[Summary]) -> Markup | None:
     """All submissions' curves, and the solution's and least model's as timed beside the first."""
     every = [(one, {of: speed.curve(one.speed, of) for of in speed.CURVES}) for one in graded]
-    timed = [(one, own) for one, own in every if over_solution(own, "submission")]
+    timed = [(one, own) for one, own in every if chart.over_solution(own, "submission")]
     if not timed:
         return None
     curves = []
     for one, own in timed:
         kind = "full" if one.has_all_points else "some" if one.score else "none"
         words = f"{one.student.who}: {short(one.score or 0)} points"
-        curves.append(Curve(over_solution(own, "submission"), kind, words))
+        curves.append(chart.Curve(chart.over_solution(own, "submission"), kind, words))
     first = timed[0][1]
     steps = [seconds(1e9 * point.dt) for point in first["solution"]]
     for whose in ("solution", "least"):
-        labels = steps if whose == "solution" else []
-        curves.append(Curve(over_solution(first, whose), whose, NAMES[whose], labels))
-    return error_over_time(curves, "Speed against accuracy, one line for each submission")
+        places, labels = chart.over_solution(first, whose), steps * (whose == "solution")
+        curves.append(chart.Curve(places, whose, chart.NAMES[whose], labels))
+    return chart.error_over_time(curves, "Speed against accuracy, one line for each submission")
 
 
 def _row(summary: Summary) -> list[str]:

@@ -10,8 +10,6 @@ from pathlib import Path
 from bounce_grader.classroom.grading.summary import Summary
 from bounce_grader.classroom.intake import instructor_files as files
 from bounce_grader.classroom.intake.gradebook import Gradebook
-from bounce_grader.classroom.intake.instructor_files import ADJUSTMENTS, COURSE, Course
-from bounce_grader.classroom.intake.instructor_files import EVERYBODY, ROSTER
 from bounce_grader.classroom.intake.services import is_name_of
 from bounce_grader.classroom.intake.student import Adjustment, Class, Member, Names, Student
 from bounce_grader.common.escaping import first_few
@@ -91,20 +89,21 @@ class People:
     def _no_lateness(self, intake: Class) -> list[str]:
         if not self.course.percent_per_day or intake.service == "canvas" or self.book.late:
             return []
-        unknown = f"lateness costs points by {COURSE}, but {intake.source} doesn't say who was late"
+        costs = f"lateness costs points by {files.COURSE}"
         moodle = ", and so does the grading worksheet (--gradebook)" * (intake.service == "moodle")
-        return [f"{unknown}: {ADJUSTMENTS} can{moodle}"]
+        can = f"{files.ADJUSTMENTS} can{moodle}"
+        return [f"{costs}, but {intake.source} doesn't say who was late: {can}"]
 
     def _adjust(self, people: Sequence[Person]) -> list[str]:
         """Notes whom each adjustment is for, a person's own after everybody's. Returns a sentence
         for each that changes nothing, as its id is nobody's, or that person has no submission."""
         sentences = []
-        for adjustment in sorted(self._adjustments, key=lambda one: one.student != EVERYBODY):
+        for adjustment in sorted(self._adjustments, key=lambda one: one.student != files.EVERYBODY):
             who = adjustment.student
-            meant = people if who == EVERYBODY else self._meant_by(who, people)
+            meant = people if who == files.EVERYBODY else self._meant_by(who, people)
             for member, student in meant:
                 self._adjusted[member.id, student.id].append(adjustment)
-            if all(student.refused for _, student in meant) and who != EVERYBODY:
+            if all(student.refused for _, student in meant) and who != files.EVERYBODY:
                 words = "is graded, so it changes nothing; ids are as in grades.csv"
                 sentences.append(f"{adjustment.where} nothing of {who!r} {words}")
         return sentences
@@ -123,12 +122,11 @@ class People:
         """A sentence on lines of the roster that are of no submission, if there are any."""
         idle = [name for name, of in self._roster.items() if not {m.id for m in of} & listed]
         words = "no submission is matched with that id or with a member"
-        return [f"{ROSTER} lists {first_few(idle, separator='; ')}: {words}"] * bool(idle)
+        return [f"{files.ROSTER} lists {first_few(idle, separator='; ')}: {words}"] * bool(idle)
 
     def give_points(self, summaries: Sequence[Summary]) -> None:
         """Adds the final points of each person. Whom the roster finds in several submissions gets
-        points from none of them; whom it finds in one, from no other. A login alone, which its
-        student chose, gets no points."""
+        points from none of them; whom it finds in one, from no other; a login alone, from none."""
         graded = [(m, s) for s in summaries if s.score is not None for m in s.student.members]
         given: dict[str, list[str]] = defaultdict(list)  # submissions, by the roster's ids
         for member, summary in graded:
@@ -136,17 +134,18 @@ class People:
                 given[member.id].append(f"{summary.student.name} ({summary.student.id})")
         for member, summary in graded:
             names = " and ".join(given[member.id])
+            note, gives = summary.notes.append, f"{files.ROSTER} gives"
             if member.listed and len(given[member.id]) > 1:
                 why = "no points are filled in; write the id of theirs there"
-                summary.notes.append(f"{ROSTER} gives {member.name or member.id} {names}: {why}")
+                note(f"{gives} {member.name or member.id} {names}: {why}")
             elif names and not member.listed and not self._logins:
-                summary.notes.append(f"{ROSTER} gives {member.id} the points of {names} alone")
+                note(f"{gives} {member.id} the points of {names} alone")
             else:
                 own = self._adjusted[member.id, summary.student.id]
                 summary.finals.append(_final(summary, member, own, self.course))
 
 
-def _final(summary: Summary, member: Member, own: Sequence[Adjustment], course: Course) -> Member:
+def _final(summary: Summary, member: Member, own: list[Adjustment], course: files.Course) -> Member:
     """Applies, in this order: dropped checks, lateness, points, caps."""
     points = summary.score or 0.0
     applied: list[Adjustment] = []
@@ -180,5 +179,5 @@ def _late_days(summary: Summary, own: Sequence[Adjustment]) -> float:
     days = given[-1] if given else summary.student.late_days
     if days is None:
         unknown = "by how many days it is late can't be read, and counts as one"
-        summary.notes.append(f"{unknown} unless {ADJUSTMENTS} says otherwise")
+        summary.notes.append(f"{unknown} unless {files.ADJUSTMENTS} says otherwise")
     return 1 if days is None else days
