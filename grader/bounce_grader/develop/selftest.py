@@ -5,9 +5,11 @@ import os
 import subprocess
 import sys
 import time
+from itertools import compress
 from pathlib import Path
 
 from bounce_grader.common.errors import UsageError
+from bounce_grader.common.parallel_map import parallel_map
 from bounce_grader.common.paths import BUILD, ROOT
 from bounce_grader.grading.fixtures import hidden_folder
 
@@ -22,16 +24,22 @@ PYTEST = [sys.executable, "-m", "pytest", "-q", "-n", str(WORKERS)]
 
 
 def run(options: argparse.Namespace) -> int:
-    """Runs the steps, each on all cores, the quickest first. Returns the exit status."""
+    """Runs the steps, two at a time: the tests in Python take most of the time, and the others are
+    done beside them. Returns the exit status."""
     if options.accept:
         return _accept()
     hidden_folder()  # so that the oracle finds the hidden ones too
-    steps, failed = _steps(options.long), []
-    for number, (name, commands) in enumerate(steps.items(), 1):
-        print(f"== {number} of {len(steps)}, {name} ...", flush=True)
+    steps = _steps(options.long)
+    places = {name: f"== {i} of {len(steps)}, {name}" for i, name in enumerate(steps, 1)}
+
+    def fails(name: str) -> bool:
+        print(f"{places[name]} ...", flush=True)
         start = time.monotonic()
-        failed += [name] * any(map(_run, commands))  # until the first that fails
-        print(f"== {time.monotonic() - start:.1f} s", flush=True)
+        failed = any(map(_run, steps[name]))  # until the first that fails
+        print(f"{places[name]}: {time.monotonic() - start:.1f} s", flush=True)
+        return failed
+
+    failed = [*compress(steps, parallel_map(fails, steps, 2))]
     if failed:
         print(f"failed: {', '.join(failed)}")
     return int(bool(failed))
@@ -62,12 +70,12 @@ def _steps(is_long: bool) -> dict[str, list[Command]]:
     mypy = ["mypy", "--no-error-summary", "--cache-dir", str(BUILD / "mypy"), *PYTHON]
     python = [*PYTEST, "--dist", "loadgroup", *([] if is_long else ["-m", "not long"])]
     steps = {
+        "Python tests, the gallery among them": [python],
         "formatting: black": [["black", "-q", "--check", *PYTHON]],
         "formatting: clang-format": [["clang-format", "--dry-run", "-Werror", *cpp]],
         "types: mypy": [mypy],
         "C++ tests": [_ctest(BUILD)],
         "lint: clang-tidy": _clang_tidy(is_long),
-        "Python tests, the gallery among them": [python],
     }
     if not is_long:
         return steps
