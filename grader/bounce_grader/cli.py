@@ -21,13 +21,11 @@ class Parser(argparse.ArgumentParser):
 
 
 def main(arguments: list[str]) -> int:
-    """The exit status of a command: what it returns if that is a number, 0 if it isn't; or that of
-    the error that ended it, which is printed."""
+    """The exit status of a command, or of the error that ended it, which is printed."""
     try:
         try:
             options = _parser().parse_args(arguments)
-            returned = options.command(options)
-            return returned if isinstance(returned, int) else 0
+            return int(options.command(options))
         finally:
             sys.stdout.flush()
     except UsageError as error:

@@ -24,8 +24,7 @@ def run(options: argparse.Namespace) -> int:
     try:
         record = for_readers(grade(options.submission, wanted), options.reveal)
     except UsageError as error:
-        refused = formats.refused(options.format, str(error))
-        if refused:
+        if refused := formats.refused(options.format, str(error)):
             print(refused)
         raise
     text = json_document(record, indent=1)

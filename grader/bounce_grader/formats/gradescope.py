@@ -13,11 +13,10 @@ TEXT = {"output_format": "text", "stdout_visibility": "hidden"}
 
 def render(record: Record) -> str:
     """The report. It has no score at the top level, which would override the sum of the tests."""
-    lines = [
-        f"Part {part['part']}, {part['title']}: {out_of(part)}. "
-        + printable(sentences.part_words(part))
-        for part in record["parts"]
-    ]
+    lines = []
+    for part in record["parts"]:
+        words = printable(sentences.part_words(part))
+        lines.append(f"Part {part['part']}, {part['title']}: {out_of(part)}. {words}")
     result: dict[str, Any] = {
         "execution_time": record["seconds"]["total"],
         "output": "\n".join([*lines, *map(printable, sentences.speed_words(record))]),
@@ -58,10 +57,9 @@ def _leaderboard(record: Record) -> list[dict[str, Any]]:
     rows: list[dict[str, Any]] = [{"name": "Points", "value": record["score"]}]
     right = record["score"] == record["max_score"]
     speed = (record.get("speed") or {}) if right else {}
-    if speed.get("ratio") is not None:
-        ratio = round(speed["ratio"], 2)
-        rows.append({"name": "Time over the solution's", "value": ratio, "order": "asc"})
-    if speed.get("largest_error") is not None:
-        error = float(scientific(speed["largest_error"]))
-        rows.append({"name": "Largest error", "value": error, "order": "asc"})
+    if (ratio := speed.get("ratio")) is not None:
+        rows.append({"name": "Time over the solution's", "value": round(ratio, 2), "order": "asc"})
+    if (error := speed.get("largest_error")) is not None:
+        value = float(scientific(error))
+        rows.append({"name": "Largest error", "value": value, "order": "asc"})
     return rows

@@ -22,14 +22,10 @@ def _suite(part: Record) -> ElementTree.Element:
     """The suite of a part. A check that didn't run is an error, a wrong answer a failure."""
     errors = [c for c in part["checks"] if not c["passed"] and _did_not_run(part, c)]
     failed = [check for check in part["checks"] if not check["passed"]]
-    suite = ElementTree.Element(
-        "testsuite",
-        name=part["stem"],
-        tests=str(len(part["checks"])),
-        failures=str(len(failed) - len(errors)),
-        errors=str(len(errors)),
-        skipped="0",
-    )
+    counts = {"tests": len(part["checks"]), "failures": len(failed) - len(errors)}
+    counts |= {"errors": len(errors), "skipped": 0}
+    named = {"name": part["stem"]} | {name: str(count) for name, count in counts.items()}
+    suite = ElementTree.Element("testsuite", named)
     properties = ElementTree.SubElement(suite, "properties")
     for name in ("score", "max_score"):
         ElementTree.SubElement(properties, "property", name=name, value=short(part[name]))

@@ -9,12 +9,7 @@ LONGEST = 60_000  # characters; a comment on GitHub may have 65,536
 
 
 def render(record: Record) -> str:
-    lines = [
-        f"## {out_of(record)} points",
-        "",
-        "| part | points | |",
-        "| --- | ---: | --- |",
-    ]
+    lines = [f"## {out_of(record)} points", "", "| part | points | |", "| --- | ---: | --- |"]
     for part in record["parts"]:
         title, words = map(escaping.markdown, (part["title"], sentences.part_words(part)))
         lines.append(f"| {part['part']}: {title} | {out_of(part)} | {words} |")

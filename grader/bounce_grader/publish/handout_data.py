@@ -25,10 +25,7 @@ METHODS = {
 }
 STUDIES = FIXTURES / "study"  # which ./kit study measures
 KERNEL_NS = 62.0  # of a call of solve_lcp, where the assignment's scheme took these times
-SIMPLER = {
-    "frictionless": "a corner without friction",
-    "sticking": "a corner that always sticks",
-}
+SIMPLER = {"frictionless": "a corner without friction", "sticking": "a corner that always sticks"}
 ASSIGNMENT = "the assignment's law, as the course solves it"
 
 
