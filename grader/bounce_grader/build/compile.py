@@ -73,8 +73,8 @@ def _built(
     taken: Submission, unnamed: set[str], work: Path, timed: bool, box: Box, file: str
 ) -> Built:
     """Compiles a file, unless its object is in the cache; by g++ what clang rejects. The compiler
-    sees, and the cache's key covers, no source that is `unnamed` by all files, so that the object
-    stays valid when other parts change."""
+    sees, and the cache's key covers, no other source that is `unnamed`, so that the object stays
+    valid when other parts change."""
     names = sorted(taken.files.keys() - (unnamed - {file}))
     name = name_of(file, names, taken, box, timed)
     place = place_of(name)

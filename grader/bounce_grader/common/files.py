@@ -23,7 +23,7 @@ ABANDONED = 3600.0  # s, after which a temporary file counts as that; a grading 
 
 def write_whole(path: Path, data: str | bytes, durable: bool = False, mode: int = 0o666) -> None:
     """Writes a file whole or not at all, by renaming a temporary one. If `durable`, the file also
-    survives a power loss. If it raises OSError, the old file stays. A device is written to."""
+    survives a power loss. If it raises OSError, the old file stays. To a device it just writes."""
     content = data.encode() if isinstance(data, str) else data
     if path.exists() and not path.is_file() and not path.is_dir():
         path.write_bytes(content)

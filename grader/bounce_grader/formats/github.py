@@ -39,7 +39,7 @@ def _append(variable: str, text: str) -> None:
 
 
 def _part(part: Record) -> list[str]:
-    """At most one annotation for a part, at a line if one is known: GitHub shows ten of a kind."""
+    """At most one annotation for a part, as GitHub shows ten of a kind; at a line if it's known."""
     if part["score"] == part["max_score"] and not part.get("remarks"):
         return []
     lines = [sentences.part_words(part)]

@@ -61,7 +61,7 @@ def over_solution(curves: Curves, whose: str) -> list[tuple[float, float | None]
 
 
 def error_over_time(curves: Sequence[Curve], label: str) -> Markup:
-    """The curves, the fainter the more there are; and a line at the error that is near enough."""
+    """The curves on logarithmic axes, fainter if there are many, and a line at what is enough."""
     places = [place for curve in curves for place in curve.places]
     x = _axis((x for x, _ in places), 1e-4, 1e5, LEFT, RIGHT)
     y = _axis((speed.FINE, *(y for _, y in places if y is not None)), 1e-9, 1e2, BOTTOM, TOP)

@@ -23,7 +23,7 @@ def show(record: Record, stream: TextIO | None = None) -> None:
 
 
 def lines(record: Record) -> list[tuple[str, str]]:
-    """The report's lines, as (style, text), in which a submission's text has no controls."""
+    """The report's lines, as (style, text); a submission's text without control characters."""
     out = [("bold", f"Score {out_of(record)}"), ("", "")]
     for part in record["parts"]:
         out += _part(part)

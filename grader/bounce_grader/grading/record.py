@@ -116,7 +116,7 @@ def _check_record(check: Check, passed: bool, message: str, mistakes: list[Recor
 
 
 def _numbers(verdict: words.Verdict) -> Record:
-    """The failed case in numbers; of a hidden case also the message with its answer, for some."""
+    """The failed case in numbers; if hidden, also the message with its answer, for some to see."""
     failure = verdict.failure
     if not failure or verdict.status != "graded":
         return {}
@@ -125,7 +125,7 @@ def _numbers(verdict: words.Verdict) -> Record:
 
 
 def for_readers(record: Record, answers: bool) -> Record:
-    """The record without what tells the answers to hidden cases, as for a student; or with it."""
+    """The record without what tells answers to hidden cases, as students may see it; or with it."""
 
     def read(check: Record) -> Record:
         kept = {key: check[key] for key in check if key != "revealed"}

@@ -54,7 +54,7 @@ class Verdict(NamedTuple):
 
 
 def ending(ended: Facts) -> str:
-    """How a program ended, and the likely cause. Raises KeyError for facts of another judge."""
+    """How a program ended, and the likely cause. Raises KeyError for what the judge never says."""
     kind, text = _end(ended)
     number = ended["number"]
     came = "only a part of an answer came" if text else "no answer came"

@@ -44,7 +44,8 @@ def write_cases(to: Path) -> None:
 
 
 def differing(made: Path) -> list[str]:
-    """The files that were made or committed alone, or differ by even a byte; paths in fixtures/."""
+    """The committed files that differ, by even a byte, from those made, or are there alone; as
+    paths in fixtures/."""
     names = {
         f"{folder}/{file.name}"
         for folder in FOLDERS

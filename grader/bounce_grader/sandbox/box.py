@@ -113,7 +113,7 @@ def kinds(trust: bool) -> tuple[str, ...]:
 
 @cache
 def choose(kinds: tuple[str, ...] = FULL_OR_REDUCED) -> Box:
-    """The first of these kinds in which a program known to be good runs, tried once a process."""
+    """The first of these kinds in which a program known to be good runs; a process tries once."""
     problems = []
     for kind in kinds:
         problem = problem_of(Box(kind))

@@ -69,7 +69,7 @@ class Result(NamedTuple):
 
     @property
     def killed(self) -> bool:
-        """Whether SIGKILL ended it, and `run` didn't. A box makes a signal an exit status."""
+        """Whether SIGKILL ended it, and `run` didn't. A box passes a signal on as a status."""
         return self.code in (-9, 128 + 9) and not self.stopped
 
 
@@ -82,7 +82,8 @@ def run(
     output: Path | None = None,
 ) -> Result:
     """Runs a command to its end, with `stdin` as its standard input. The file that a box passes out
-    is written to the new file `output`. Without limits, for the kit's programs, it keeps all."""
+    is written to the new file `output`. Without limits, as for the kit's programs, it keeps all
+    that is printed."""
     to_us, from_box = os.pipe()  # no file, which the process could be forbidden to write
     with (
         open(to_us, "rb", buffering=0) as status,
@@ -184,7 +185,7 @@ def _seconds_of_all_below(root: int) -> float:
 
 
 def _stop(process: subprocess.Popen[bytes]) -> None:
-    """Ends a process group: by SIGTERM, on which the reduced box removes its files, or SIGKILL."""
+    """Ends a process group: by SIGTERM, so that a reduced box removes its files; then by SIGKILL."""
     os.killpg(process.pid, signal.SIGTERM)
     try:
         process.wait(GRACE)

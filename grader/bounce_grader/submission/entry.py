@@ -13,7 +13,7 @@ LARGEST_SOURCE = 1024 * 1024
 
 
 class NotText(Exception):
-    """A file can't be used as a source. The message continues a sentence that begins with it."""
+    """A file can't be used as a source. The message continues a sentence after its name."""
 
 
 class Entry(NamedTuple):

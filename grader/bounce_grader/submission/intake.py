@@ -35,12 +35,12 @@ MOST_INNER = 3  # archives inside of a submission that are opened
 LARGEST_PACKED = 32 * 1024 * 1024  # bytes of an archive inside, or one that libarchive unpacks
 UNPACKED = 64 * 1024 * 1024  # bytes
 NOT_USED = "is no C++ source and no zip"  # after the name of an upload
-# zipfile's
+# For zipfile:
 ENCRYPTED = 0x1
 UTF_8 = 0x800
 LARGEST_DIRECTORY = 2 * 1024 * 1024  # of a table of contents, or a single read
 METHODS = {zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED}  # others may need gigabytes
-# bsdtar's
+# For bsdtar:
 PROGRAMS = ("env", "bsdtar")
 LOCALES = Path("/usr/lib/locale")
 NOT_FOUND = 127  # the exit status of env

@@ -197,7 +197,7 @@ def _usable(name: str) -> bool:
 
 
 def _choose(part: Part, names: list[str]) -> Iterator[str]:
-    """The file of a part; of several, the nearest to the top. A copy counts for want of another."""
+    """The file of a part; of several, the nearest to the top. Copies count where it is missing."""
     copies = [PurePosixPath(n) for n in names if part_file(PurePosixPath(n).name) == part.file]
     named = [path for path in copies if path.name.lower() == part.file] or copies
     depth = min((len(f.parts) for f in named), default=0)

@@ -126,7 +126,8 @@ class People:
 
     def give_points(self, summaries: Sequence[Summary]) -> None:
         """Adds the final points of each person. Whom the roster finds in several submissions gets
-        points from none of them; whom it finds in one, from no other; a login alone, from none."""
+        points from none of them; whom it finds in one, from no other. A login alone, which its
+        student chose, gets no points."""
         graded = [(m, s) for s in summaries if s.score is not None for m in s.student.members]
         given: dict[str, list[str]] = defaultdict(list)  # submissions, by the roster's ids
         for member, summary in graded:
