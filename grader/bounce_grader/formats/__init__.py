@@ -6,7 +6,7 @@ from typing import Any
 from bounce_grader.common.escaping import json_document
 
 NAMES = ("gradescope", "github", "html", "junit", "json", "markdown")
-OF_UNREADABLE = NAMES[:3]  # those with a report on a submission that can't be read
+OF_UNREADABLE = ("gradescope", "github", "html")  # those that report on what can't be read
 
 
 def render(name: str, record: dict[str, Any]) -> str:

@@ -185,7 +185,7 @@ def _seconds_of_all_below(root: int) -> float:
 
 
 def _stop(process: subprocess.Popen[bytes]) -> None:
-    """Ends a process group: by SIGTERM, so that a reduced box removes its files; then by SIGKILL."""
+    """Ends a process group: by SIGTERM, so that a reduced box cleans up, and then by SIGKILL."""
     os.killpg(process.pid, signal.SIGTERM)
     try:
         process.wait(GRACE)
