@@ -19,9 +19,7 @@ LIMITS = processes.Limits(cpu_seconds=120, wall_seconds=600, memory=4 << 30, fil
 
 def secret() -> str:
     """The course's secret, from the file course-secret; without that file, a default."""
-    if SECRET.exists():
-        return SECRET.read_text().strip()
-    return DEFAULT_SECRET
+    return SECRET.read_text().strip() if SECRET.exists() else DEFAULT_SECRET
 
 
 def write(kind: str, folder: Path, secret: str = DEFAULT_SECRET) -> None:
