@@ -11,7 +11,6 @@ import re
 import statistics
 from collections import defaultdict
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 from functools import cache
 from itertools import combinations, islice
 from pathlib import Path
@@ -78,7 +77,7 @@ def corpus(folder: Path) -> list[Summary]:
     for student in students_of.read(folder).students:
         digest(student)
         name = f"{folder.name}/{printable_name(student.who)}"
-        others.append(Summary(replace(student, id=name, name=name), "graded"))
+        others.append(Summary(student._replace(id=name, name=name), "graded"))
     return others
 
 

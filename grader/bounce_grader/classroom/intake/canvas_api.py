@@ -9,7 +9,6 @@ import math
 import os
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 from urllib.parse import urlsplit
@@ -156,7 +155,7 @@ def _student(canvas: Canvas, folder: Path, submission: Submission) -> Student | 
         return None
     student = student_of(folder, uploads, canvas_page(uploads))
     days = math.ceil(float(submission.get("seconds_late") or 0) / 86400)
-    return replace(student, person=name, late_days=max(1, days) * bool(submission.get("late")))
+    return student._replace(person=name, late_days=max(1, days) * bool(submission.get("late")))
 
 
 def name_of(submission: Submission) -> str:

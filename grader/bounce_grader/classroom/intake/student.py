@@ -47,8 +47,7 @@ class Member(NamedTuple):
     applied: tuple[Adjustment, ...] = ()  # with the points that each gave
 
 
-@dataclass(frozen=True)
-class Student:
+class Student(NamedTuple):
     """One submission: a person's, or a group's."""
 
     id: str  # the service's, a login, or the name of a folder

@@ -4,7 +4,6 @@ adjustments of the instructor. Records stay as they are."""
 
 from collections import defaultdict
 from collections.abc import Sequence
-from dataclasses import replace
 from pathlib import Path
 
 from bounce_grader.classroom.grading.summary import Summary
@@ -55,9 +54,9 @@ class People:
         for student in intake.students:
             own = self._listed(student, submissions)
             late = self.book.late.get(student.id, student.late_days)
-            student = replace(student, person=self._name(student, own, intake), late_days=late)
+            student = student._replace(person=self._name(student, own, intake), late_days=late)
             members = tuple(own or [Member(student.id, student.shown)])
-            assigned.append(replace(student, members=members))
+            assigned.append(student._replace(members=members))
         intake.students = sorted(assigned, key=lambda s: (s.shown.casefold(), s.id))
         people = [(member, student) for student in intake.students for member in student.members]
         listed = {member.id for member, _ in people if member.listed}
