@@ -2,7 +2,6 @@
 
 import os
 import sys
-from typing import TextIO
 
 from bounce_grader.common.escaping import first_few, terminal
 from bounce_grader.common.numbers import out_of, scientific
@@ -14,12 +13,11 @@ from bounce_grader.grading.record import Record
 STYLES = {"": "", "bold": "1", "dim": "2", "red": "31", "green": "32", "yellow": "33"}
 
 
-def show(record: Record, stream: TextIO | None = None) -> None:
-    """Prints the report; in colour where the stream is a terminal."""
-    stream = stream or sys.stdout
-    is_plain = not stream.isatty() or os.environ.get("NO_COLOR")
+def show(record: Record) -> None:
+    """Prints the report; in colour on a terminal."""
+    is_plain = not sys.stdout.isatty() or os.environ.get("NO_COLOR")
     for style, line in lines(record):
-        stream.write(f"{line}\n" if is_plain else f"\33[{STYLES[style]}m{line}\33[0m\n")
+        print(line if is_plain else f"\33[{STYLES[style]}m{line}\33[0m")
 
 
 def lines(record: Record) -> list[tuple[str, str]]:

@@ -5,6 +5,7 @@ tests/submissions/README.md says what a folder holds.
 
 import io
 import shutil
+from contextlib import redirect_stdout
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -38,9 +39,9 @@ def name_of(folder: Path) -> str:
 
 
 def shown(record: dict[str, Any]) -> str:
-    stream = io.StringIO()
-    terminal.show(record, stream)
-    return stream.getvalue()
+    with redirect_stdout(io.StringIO()) as printed:
+        terminal.show(record)
+    return printed.getvalue()
 
 
 @pytest.mark.parametrize("folder", ALL, ids=name_of)

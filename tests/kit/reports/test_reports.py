@@ -7,6 +7,7 @@ import copy
 import io
 import json
 import re
+from contextlib import redirect_stdout
 from pathlib import Path
 from typing import Any
 
@@ -33,9 +34,9 @@ ENDINGS = {"html": "html", "junit": "xml", "markdown": "md", "github": "txt"}
 
 
 def in_a_terminal(record: Record) -> str:
-    stream = io.StringIO()
-    terminal.show(record, stream)
-    return stream.getvalue()
+    with redirect_stdout(io.StringIO()) as printed:
+        terminal.show(record)
+    return printed.getvalue()
 
 
 # --- what a person has read ---
