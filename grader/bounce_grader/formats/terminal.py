@@ -29,7 +29,8 @@ def lines(record: Record) -> list[tuple[str, str]]:
         out += [("", terminal(line)) for line in (*cases, "")]
     if record.get("speed"):
         out += _speed(record["speed"])
-    handed_out = {path.relative_to(HANDOUT).as_posix() for path in HANDOUT.rglob("*")}
+    given = HANDOUT.rglob("*") if record["ignored"] else ()
+    handed_out = {path.relative_to(HANDOUT).as_posix() for path in given}
     if unusual := [name for name in record["ignored"] if name not in handed_out]:
         files = first_few([*map(terminal, unusual)], more=record.get("ignored_more", 0))
         out.append(("dim", f"Not used: {files}"))

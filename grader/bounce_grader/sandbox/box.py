@@ -143,6 +143,7 @@ def problem_of(box: Box) -> str | None:
     return tried.err.strip().splitlines()[-1] if tried.err.strip() else "it ended"
 
 
+@cache
 def toolchain() -> list[str]:
     """The files and folders of the compilers and the linker, except programs in /usr/bin."""
     libraries = [path for path in (*LIBRARIES, LARGE_PAGES) if Path(path).exists()]
