@@ -1,5 +1,5 @@
-"""Judges the cases that are handed in beside the parts, as ./check --examples does, with the same
-program. They give points only if parts.json has some for them."""
+"""Judges the cases that are handed in beside the parts, as ./check --examples does, by the same
+functions. They give points only if parts.json has some for them."""
 
 import json
 import re
@@ -28,7 +28,7 @@ def judged(cases: bytes, box: Box) -> Record | None:
     is_own = cases.split() not in ([], (HANDOUT / CASES).read_bytes().split())
     if not is_own and not example_points():
         return None
-    command = [*box.to_build(RUNNER, [EXAMPLES, TABLE], ()), str(EXAMPLES), "-", str(TABLE)]
+    command = [*box.to_build(RUNNER, [EXAMPLES, TABLE], ()), str(EXAMPLES), str(TABLE)]
     result = box.run(command, LIMITS, stdin=cases if is_own else b"")
     if not result.ok:
         raise KitError(f"the cases in {CASES} could not be judged: {result.err.strip()}")

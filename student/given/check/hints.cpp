@@ -7,19 +7,7 @@
 namespace bounce::check {
 namespace {
 
-constexpr int kStages = 3;
-
 std::string page_of(const Part& part) { return "hints/" + part.stem + ".md"; }
-
-// The one after the last that was opened under this heading; build/check/hint remembers it.
-int next_stage(const std::string& heading) {
-  const std::filesystem::path file = kWork / "hint";
-  const std::vector<std::string> last = lines_of(read(file));
-  const bool same = last.size() == 2 && last[1] == heading;
-  const int stage = same ? std::stoi(last[0]) + 1 : 1;
-  write(file, std::to_string(stage) + "\n" + heading + "\n");
-  return stage;
-}
 
 // The stage's text below the heading; the last begins with the state of its worked numbers, which
 // the page's third line says.
@@ -47,6 +35,15 @@ void print_stage(const std::string& page, const std::string& heading, int stage)
 }
 
 }  // namespace
+
+int next_stage(const std::string& name) {
+  const std::filesystem::path file = kWork / "hint";
+  const std::vector<std::string> last = lines_of(read(file));
+  const bool same = last.size() == 2 && last[1] == name;
+  const int stage = same ? std::stoi(last[0]) + 1 : 1;
+  write(file, std::to_string(stage) + "\n" + name + "\n");
+  return stage;
+}
 
 std::string heading_of(const Part& part, const Check& check, const std::string& mistake) {
   std::string heading, of_check, of_mistake;

@@ -89,25 +89,4 @@ void ask_about_real_impacts(Run& run) {
             << folded(said, 78, "") << "Each of them is in real.html; open it in a browser.\n";
 }
 
-bool judge_examples(int part, bool hints) {
-  fs::create_directories(kWork);
-  const auto alone = lock(kWork / "lock");
-  if (!fs::exists("examples.txt")) {
-    throw Failure("examples.txt is missing: copy it from the handout's zip");
-  }
-  if (!fs::exists("build/examples") && !fs::exists("build/examples.exe")) {
-    std::cerr << "check: building what judges your cases; some seconds, once" << std::endl;
-  }
-  if (!build_programs({"examples"})) throw Failure(read(kWork / "build.txt"));
-  const fs::path said = kWork / "examples.txt";
-  fs::remove(said);
-  std::vector<std::string> command{"build/examples", "examples.txt",
-                                   "fixtures/public/wrong_programs.txt", std::to_string(part)};
-  if (hints) command.insert(command.end(), {"given/examples/hints.txt", "build/check/hint"});
-  const auto ended = check::run(command, said, Limits::of_a_part);
-  if (!ended) throw Failure("build/examples can't be started: remove the folder build");
-  std::cout << read(said);
-  return ended->code == 0 && !ended->signal;
-}
-
 }  // namespace bounce::check

@@ -16,6 +16,10 @@ void print_what_does_not_compile(const Run& run);
 // Opens the hint for the first check that fails, a stage at a time.
 void hint(const Run& run);
 
+// The stage after the last one that was opened under this name; build/check/hint remembers it.
+int next_stage(const std::string& name);
+inline constexpr int kStages = 3;
+
 // "1.1 The height of the lowest corner": the heading of the hint for what is told of the mistake,
 // or else for the check.
 std::string heading_of(const Part& part, const Check& check, const std::string& mistake);
@@ -29,8 +33,8 @@ void study(const Run& run, bool whole);
 // as study does.
 void ask_about_real_impacts(Run& run);
 
-// Says which wrong programs the cases in examples.txt catch, of one part or of all (0), or gives a
-// hint. Whether nothing is left to do. Throws Failure.
+// Says which wrong programs the cases in examples.txt catch, of one part or of all (0), or opens the
+// next stage of a hint. Whether nothing is left to do. Throws Failure.
 bool judge_examples(int part, bool hints);
 
 // In colours, as far as the terminal has them.
