@@ -3,6 +3,7 @@
 
 #include <bounce/types.hpp>
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -16,8 +17,8 @@ struct Drawing {
   std::string title{};                   // "" for the usual one
 };
 
-// As JSON, which the page's script reads. Throws std::invalid_argument where it can't be drawn.
-std::string data_of(const Drawing& drawing);
+// What the page's script reads. Throws std::invalid_argument where it can't be drawn.
+nlohmann::json data_of(const Drawing& drawing);
 
 // Writes the page, as render does.
 void draw(const Drawing& drawing, const std::filesystem::path& page);

@@ -4,6 +4,7 @@
 
 #include "../examples/judge.hpp"
 #include "files.hpp"
+#include "process.hpp"
 #include "report.hpp"
 
 namespace bounce::check {

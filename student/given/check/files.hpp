@@ -1,4 +1,4 @@
-// Small things about files and text that the check program needs in several places.
+// Small things about files and text that several programs need.
 #pragma once
 
 #include <algorithm>
@@ -11,8 +11,6 @@
 #include <vector>
 
 namespace bounce::check {
-
-inline const std::filesystem::path kWork = "build/check";  // what the program keeps between runs
 
 // Ends the program with one sentence and exit status 3.
 struct Failure : std::runtime_error {
@@ -31,16 +29,26 @@ inline std::string read(const std::filesystem::path& file, std::size_t begin = 0
   return text;
 }
 
-// Replaces the file in one step. Throws Failure.
+// Replaces the file in one step, so that a reader sees the old one or the new one, never half of
+// it. Throws Failure, and leaves the old one.
 inline void write(const std::filesystem::path& file, const std::string& text) {
+  const auto fail = [&](const std::string& reason) {
+    throw Failure("cannot write " + file.string() + ": " + reason);
+  };
+  if (std::filesystem::exists(file) && !std::filesystem::is_regular_file(file))
+    fail("it is there already and is not a file");
   std::filesystem::path part = file;
-  part += ".new";
+  part += ".part";
+  std::ofstream out(part, std::ios::binary);
+  if (!out) fail("its folder is missing or may not be written to");
+  out << text;
+  out.close();
   std::error_code failed;
-  if (std::ofstream out(part, std::ios::binary); !(out << text << std::flush)) {
-    throw Failure(file.string() + " can't be written: is the disk full, or the folder read-only?");
-  }
-  std::filesystem::rename(part, file, failed);
-  if (failed) throw Failure(file.string() + " can't be written: " + failed.message());
+  if (out) std::filesystem::rename(part, file, failed);
+  if (out && !failed) return;
+  const std::string reason = out ? failed.message() : "the disk may be full";
+  std::filesystem::remove(part, failed);
+  fail(reason);
 }
 
 inline bool has(const std::string& text, const std::string& piece) {

@@ -2,6 +2,7 @@
 #include <iostream>
 
 #include "files.hpp"
+#include "process.hpp"
 #include "report.hpp"
 
 namespace bounce::check {

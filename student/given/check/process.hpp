@@ -21,6 +21,8 @@ struct Termination {
   int signal = 0;
 };
 
+inline const std::filesystem::path kWork = "build/check";  // what the check keeps between runs
+
 enum class Limits { none, of_a_part };  // of a part: memory, time, the size of what it prints
 
 // Runs the command, with nothing to read. What it prints is added to `output`. Empty if the program

@@ -25,7 +25,7 @@ std::string answer(std::ifstream question) {
     const Parameters params = study::parameters_of(asked.at("params"));
     if (params.T < 1 || params.T > kMostColumns)
       throw std::invalid_argument("these are too many steps: choose a larger dt");
-    return data_of({simulated(study::state_of(asked), params), params});
+    return data_of({simulated(study::state_of(asked), params), params}).dump();
   } catch (const json::exception&) {
     return json{{"problem", "this question isn't understood"}}.dump();
   } catch (const std::exception& error) {

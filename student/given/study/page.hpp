@@ -4,13 +4,13 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
+
+#include "../check/files.hpp"
 
 namespace bounce::study {
 
@@ -64,11 +64,9 @@ inline std::string page_with(std::string_view page, const json& data) {
   return html.replace(html.find(place), place.size(), text);
 }
 
-// Writes that. Throws std::runtime_error, naming the file.
+// Writes that. Throws as check::write does.
 inline void write_page(const std::filesystem::path& file, std::string_view page, const json& data) {
-  if (!(std::ofstream(file, std::ios::binary) << page_with(page, data)).flush()) {
-    throw std::runtime_error(file.string() + " can't be written");
-  }
+  check::write(file, page_with(page, data));
 }
 
 }  // namespace bounce::study
