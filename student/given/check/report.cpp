@@ -40,13 +40,12 @@ void print_checks(const Part& part) {
 }
 
 void print_part(const Run& run, const Part& part) {
-  const bool is_needed = part.broken && part.broken != &part;
+  const Part* broken = part.broken;
+  const bool is_needed = broken && broken != &part;
   std::string what = part.title;
-  if (is_needed)
-    what = "not run: it needs part " + std::to_string(part.broken->number) + ", which ";
-  if (part.broken) {
-    what = (is_needed ? what : "") +
-           (part.broken->is_unlinked ? "compiles, but does not link" : "does not compile");
+  if (broken) {
+    what = is_needed ? "not run: it needs part " + std::to_string(broken->number) + ", which " : "";
+    what += broken->is_unlinked ? "compiles, but does not link" : "does not compile";
   }
   what = in_columns("Part " + std::to_string(part.number) + "  " + what, 61, part.worth(),
                     part.points);

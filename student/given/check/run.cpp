@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <sstream>
 
 #include "files.hpp"
 #include "process.hpp"
@@ -22,13 +23,11 @@ Limits limits_of(const Run& run) { return run.sanitized ? Limits::none : Limits:
 Note read_note(const fs::path& file) {
   const std::string text = read(file);
   const std::size_t end = std::min(text.find('\n'), text.size());
-  const std::vector<std::string> words = split(text.substr(0, end), ' ');
+  std::istringstream words(text.substr(0, end));
   Note note;
-  if (!words.empty()) note.status = words[0];
-  if (words.size() > 1) note.from = std::stoul(words[1]);
-  note.has_prints = words.size() == 3;
-  if (note.has_prints) note.to = std::stoul(words[2]);
-  if (end < text.size()) note.text = text.substr(end + 1);
+  words >> note.status >> note.from;
+  note.has_prints = static_cast<bool>(words >> note.to);
+  note.text = text.substr(std::min(end + 1, text.size()));
   return note;
 }
 

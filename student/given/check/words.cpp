@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <sstream>
+#include <utility>
 
 #include "files.hpp"
 
@@ -14,6 +15,16 @@ namespace fs = std::filesystem;
 
 constexpr const char* kCrashes = "crashes.txt";
 constexpr std::size_t kLongest = 200;  // characters of a line
+constexpr const char* kOutOfBounds =
+    "the program crashed: an index or a pointer out of bounds, or recursion without end";
+constexpr std::pair<int, const char*> kSignals[] = {
+    {SIGXFSZ, "the program printed without end"},
+    {SIGXCPU, "the program worked without end: an endless loop?"},
+    {SIGFPE, "the program crashed: a division by zero"},
+    {SIGBUS, kOutOfBounds},
+    {SIGSEGV, kOutOfBounds},
+    {SIGILL, "the program crashed: is a return missing?"},
+    {SIGKILL, "the program was ended, perhaps for want of memory"}};
 
 bool is_own(const std::string& line) { return begins(line, "src/") || begins(line, "include/"); }
 
@@ -227,27 +238,11 @@ std::string place_of_crash(const std::string& program, const fs::path& stack) {
 
 std::string reason_of(const Termination& ended, const std::string& printed) {
   if (const std::string found = found_by_sanitizers(printed); !found.empty()) return found;
-  switch (ended.signal) {
-    case 0:
-      break;
-    case SIGXFSZ:
-      return "the program printed without end";
-    case SIGXCPU:
-      return "the program worked without end: an endless loop?";
-    case SIGABRT:
-      return why_aborted(last_reason(printed));
-    case SIGFPE:
-      return "the program crashed: a division by zero";
-    case SIGBUS:
-    case SIGSEGV:
-      return "the program crashed: an index or a pointer out of bounds, or recursion without end";
-    case SIGILL:
-      return "the program crashed: is a return missing?";
-    case SIGKILL:
-      return "the program was ended, perhaps for want of memory";
-    default:
-      return "the program was ended by signal " + std::to_string(ended.signal);
+  if (ended.signal == SIGABRT) return why_aborted(last_reason(printed));
+  for (const auto& [signal, sentence] : kSignals) {
+    if (ended.signal == signal) return sentence;
   }
+  if (ended.signal) return "the program was ended by signal " + std::to_string(ended.signal);
   if (ended.code == kTooLong) return "no answer within 3 s of work: an endless loop?";
   return "the program ended by itself, with status " + std::to_string(ended.code) +
          ": does it call exit?";

@@ -123,13 +123,12 @@ json charts_of(const Scene& scene, const std::vector<Run>& fixed, const std::vec
 }
 
 std::string model(const Scene& scene) {
-  const Touches touched = touches(scene, 1e-3);
-  const int all = touched.none + touched.one + touched.two;
+  const auto [none, one, two] = touches(scene, 1e-3);
+  const int all = none + one + two;
   if (all == 0) return kUnusable;
-  return scene.title + ": in " + std::to_string(touched.none) + " of " + std::to_string(all) +
-         " steps of 1 ms nothing touches, and a formula is enough; " + std::to_string(touched.one) +
-         " need one corner, and " + (touched.two ? std::to_string(touched.two) : "none") +
-         " a second one.";
+  return scene.title + ": in " + std::to_string(none) + " of " + std::to_string(all) +
+         " steps of 1 ms nothing touches, and a formula is enough; " + std::to_string(one) +
+         " need one corner, and " + (two ? std::to_string(two) : "none") + " a second one.";
 }
 
 // What the page draws.

@@ -83,16 +83,14 @@ double lcp_seconds() {
          kCalls;
 }
 
-Touches touches(const Scene& scene, double dt) {
-  Touches count;
+std::array<int, 3> touches(const Scene& scene, double dt) {
+  std::array<int, 3> counts{};
   const auto moved = motion(scene.start, scene.params, dt, scene.truth.back()[0]);
   for (Eigen::Index t = 0; moved && t + 1 < moved->q.cols(); ++t) {
-    const auto heights_now = heights(moved->q.col(t), scene.params.l);
-    (heights_now[0] >= scene.params.delta   ? count.none
-     : heights_now[1] >= scene.params.delta ? count.one
-                                            : count.two)++;
+    const auto [lowest, second, third, highest] = heights(moved->q.col(t), scene.params.l);
+    ++counts[(lowest < scene.params.delta) + (second < scene.params.delta)];
   }
-  return count;
+  return counts;
 }
 
 std::optional<Trajectory> motion(const State& start, Parameters params, double dt, double seconds) {

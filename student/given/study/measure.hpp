@@ -26,10 +26,7 @@ std::vector<Run> runs(const Scene& scene, Lift lift);
 double lcp_seconds();
 
 // In how many steps of a run nothing touches, one corner does, or a second one as well.
-struct Touches {
-  int none = 0, one = 0, two = 0;
-};
-Touches touches(const Scene& scene, double dt);
+std::array<int, 3> touches(const Scene& scene, double dt);
 
 // Tries your parts where time steps fail. Of each trial its name in the page, what your parts do
 // there, in a few words, and the lines of its chart. The page has the words that are always the
