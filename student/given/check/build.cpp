@@ -50,10 +50,9 @@ void build_part(Run& run, Part& part) {
   }
   if (part.broken || build_programs({target_of(run, part)})) return;
   part.broken = &part;
-  const std::vector<std::string> printed = own_lines(read(kBuild));
-  const std::string meaning = meaning_of(printed);
-  part.is_unlinked = is_linker_error(printed);
-  part.error = first_error(printed) + (meaning.empty() ? "" : "\n" + folded(meaning, 74, "  "));
+  const BuildError found = first_error(own_lines(read(kBuild)));
+  part.error = found.text;
+  part.is_unlinked = found.is_of_linker;
 }
 
 }  // namespace

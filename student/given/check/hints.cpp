@@ -49,15 +49,6 @@ int next_stage(const std::string& name) {
 std::string heading_of(const Part& part, const Check& check, const std::string& mistake) {
   std::string heading, of_check, of_mistake;
   std::size_t first = std::string::npos;
-  const auto look_for = [&](const std::string& words) {
-    // Words with "your" are about numbers that this section's own checks compare.
-    const bool about_numbers = has(words, "your") || has(words, "Your");
-    if (about_numbers && heading != of_check) return;
-    if (const std::size_t at = mistake.find(words); at < first) {
-      first = at;
-      of_mistake = heading;
-    }
-  };
   const std::string diagnoses = "Diagnoses: ";
   for (const std::string& line : lines_of(read(page_of(part)))) {
     if (begins(line, "## ")) {
@@ -66,8 +57,14 @@ std::string heading_of(const Part& part, const Check& check, const std::string& 
     } else if (begins(line, "Checks: ") && has(line + ",", check.id + ",")) {
       of_check = heading;
     } else if (begins(line, diagnoses)) {
-      for (const std::string& words : split(line.substr(diagnoses.size()), ';')) {
-        look_for(words.substr(words.find_first_not_of(' ')));
+      for (const std::string& each : split(line.substr(diagnoses.size()), ';')) {
+        const std::string words = each.substr(each.find_first_not_of(' '));
+        // Words with "your" are about numbers that this section's own checks compare.
+        const bool about_numbers = has(words, "your") || has(words, "Your");
+        const std::size_t at = mistake.find(words);
+        if (at >= first || (about_numbers && heading != of_check)) continue;
+        first = at;
+        of_mistake = heading;
       }
     }
   }

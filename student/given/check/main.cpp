@@ -15,21 +15,11 @@ namespace bounce::check {
 namespace {
 
 constexpr int kAllPass = 0, kSomethingFails = 1, kUsage = 2, kCannotCheck = 3;
-constexpr const char* kKnown =
-    "./check            all four parts\n"
-    "./check 2          part 2 alone\n"
-    "./check --examples which wrong programs the cases in examples.txt catch; with --hint, a hint\n"
-    "./check --hint     the next stage of the hint for the first check that fails; or ./check 2 "
-    "--hint\n"
-    "./check --sanitize finds wrong uses of memory, too; slower\n"
-    "./check --real     what your part 2 makes of measured impacts, as a page\n"
-    "./check --study    how accurate, fast and stable your program is, as a page\n"
-    "./check --watch    again whenever you save a file, until Ctrl-C\n"
-    "./check --zip      packs what you hand in, as hand_in.zip\n";
+const std::filesystem::path kOptions = "given/check/options.txt";
 
 struct Options {
   int part = 0;                 // 0: all
-  std::set<std::string> words;  // of those above
+  std::set<std::string> words;  // of options.txt
   bool has(const std::string& word) const { return words.count(word) == 1; }
 };
 
@@ -53,8 +43,8 @@ Options read_options(const std::vector<std::string>& words, const std::vector<Pa
     }
     if (is_number) {
       options.part = word[0] - '0';
-    } else if (std::string(kKnown).find("./check " + word + " ") == std::string::npos) {
-      std::cerr << "check: " << word << " is not known; there are:\n" << kKnown;
+    } else if (!has(read(kOptions), "./check " + word + " ")) {
+      std::cerr << "check: " << word << " is not known; there are:\n" << read(kOptions);
       std::exit(kUsage);
     }
     options.words.insert(word);
@@ -121,7 +111,7 @@ void zip() {
 
 int run(const std::vector<std::string>& words) {
   if (words.size() == 1 && (words[0] == "-h" || words[0] == "--help")) {
-    std::cout << kKnown;
+    std::cout << read(kOptions);
     return kAllPass;
   }
   const Options options = read_options(words, read_run(0, false).all);

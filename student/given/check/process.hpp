@@ -12,6 +12,9 @@ namespace bounce::check {
 
 #ifdef _WIN32
 enum : int { SIGBUS = -1, SIGKILL = -2, SIGXCPU = -3, SIGXFSZ = -4 };  // which nothing ends with
+inline constexpr bool kHasSanitizers = false;
+#else
+inline constexpr bool kHasSanitizers = true;
 #endif
 
 // How a program ended: with an exit code, or by a signal. On Windows, an exception has the signal's

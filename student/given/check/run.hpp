@@ -80,12 +80,6 @@ struct Run {
 
 // ---- building ----
 
-#ifdef _WIN32
-inline constexpr bool kHasSanitizers = false;
-#else
-inline constexpr bool kHasSanitizers = true;
-#endif
-
 // The program that runs a part's checks, as CMake calls it; and the one in which right answers
 // stand for those of the earlier parts.
 inline std::string target_of(const Run& run, const Part& part) {

@@ -44,8 +44,6 @@ std::string missing_function(const std::string& line) {
   return "";
 }
 
-bool is_missing(const std::string& line) { return !missing_function(line).empty(); }
-
 bool is_from_linker(const std::string& line) {
   const std::string program = line.substr(0, line.find(": "));
   return !has(program, " ") &&
@@ -152,49 +150,37 @@ bool is_warning_of_own_file(const std::string& line) {
          line.find(": ") == line.find(": warning: ");
 }
 
-bool is_linker_error(const std::vector<std::string>& lines) {
-  const auto is_compilers = [](const std::string& line) {
-    return is_error(line) && !is_from_linker(line);
-  };
-  return std::none_of(lines.begin(), lines.end(), is_compilers) &&
-         std::any_of(lines.begin(), lines.end(), is_missing);
-}
-
 std::string file_of(const std::string& line) { return line.substr(0, line.find(':')); }
 
 int line_of(const std::string& line) { return std::atoi(line.c_str() + file_of(line).size() + 1); }
 
-std::string meaning_of(const std::vector<std::string>& lines) {
-  for (const std::string& line : lines) {
-    if (!is_error(line) && !is_missing(line)) continue;
-    const std::string meaning = meaning_in("compiler_errors.txt", line);
-    if (!meaning.empty() || is_error(line)) return meaning;  // of errors, the first alone
-  }
-  return "";
-}
-
-std::string first_error(const std::vector<std::string>& lines) {
-  std::string said, own, rest, missing;
+BuildError first_error(const std::vector<std::string>& lines) {
+  std::string error, own, rest, missing;
   int more = 0;
   for (const std::string& line : lines) {
     const bool leads_here = has(line, "required from") || has(line, "instantiation of");
-    if (own.empty() && (!said.empty() || leads_here)) own = own_place(line);
-    if (said.empty() && is_error(line) && !is_from_linker(line)) {
-      said = line;
+    if (own.empty() && (!error.empty() || leads_here)) own = own_place(line);
+    if (error.empty() && is_error(line) && !is_from_linker(line)) {
+      error = line;
       more = 2;
       continue;
     }
     if (more-- > 0) rest += "\n  " + line.substr(0, kLongest);
     if (missing.empty()) missing = missing_function(line);
   }
-  const auto shown = [](const std::string& line) { return "  " + line.substr(0, kLongest); };
-  if (!said.empty() && is_own(said)) {
-    return shown(own_place(said) + ": " + said.substr(said.find("error: ") + 7)) + rest;
+  if (error.empty() && missing.empty()) {
+    return {"  the build failed; what it says is in " + (kWork / "build.txt").generic_string()};
   }
-  if (!said.empty())
-    return shown((own.empty() ? "a header" : own) + ": " + said.substr(said.find("error: ") + 7));
-  if (!missing.empty()) return shown(missing);
-  return "  the build failed; what it says is in " + (kWork / "build.txt").generic_string();
+  std::string text = missing;
+  if (!error.empty()) {
+    text = (is_own(error) ? own_place(error)
+            : own.empty() ? "a header"
+                          : own) +
+           ": " + error.substr(error.find("error: ") + 7);
+  }
+  text = "  " + text.substr(0, kLongest) + (is_own(error) ? rest : "");
+  const std::string meaning = meaning_in("compiler_errors.txt", error.empty() ? missing : error);
+  return {text + (meaning.empty() ? "" : "\n" + folded(meaning, 74, "  ")), error.empty()};
 }
 
 std::string found_by_sanitizers(const std::string& printed) {

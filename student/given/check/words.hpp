@@ -22,15 +22,15 @@ bool is_warning_of_own_file(const std::string& line);
 std::string file_of(const std::string& line);
 int line_of(const std::string& line);
 
-// The first error with the file and line that it comes from, indented, and two lines more. Where it
-// is inside of a library, with the student's own line that asked for it.
-std::string first_error(const std::vector<std::string>& lines);
+struct BuildError {
+  std::string text;           // indented
+  bool is_of_linker = false;  // all files compiled, and a function is missing, or there twice
+};
 
-// Whether all files compiled, and the linker missed a function, or found it twice.
-bool is_linker_error(const std::vector<std::string>& lines);
-
-// What the first error usually means, in a sentence; empty where that isn't known.
-std::string meaning_of(const std::vector<std::string>& lines);
+// The first error with the file and line that it comes from, two lines more, and what it usually
+// means, where that is known. Where it is inside of a library, with the student's own line that
+// asked for it.
+BuildError first_error(const std::vector<std::string>& lines);
 
 // ---- how a program ends ----
 
