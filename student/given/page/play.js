@@ -5,8 +5,7 @@ let throws = Promise.resolve(); // all answers up to the last throw's
 let chosen = 1; // the path of the dashed square
 let paths = []; // of the program and of the models, in the table's order
 let farthest = []; // m, that each gets from the true motion
-let version = null; // of the program that answered last
-let news = ""; // what is said beside an answer, until something else is thrown
+let news = ""; // what is said beside an answer
 
 const tell = (sentence) => (byId("status").textContent = sentence);
 
@@ -33,10 +32,7 @@ async function ask(name, question) {
 async function simulate(scene) {
   const waiting = setTimeout(() => tell("Waiting for your program \u2026"), 1000);
   try {
-    const { problem, version: answering, ...answer } = await ask("simulate", scene);
-    if (version !== null && version !== answering)
-      news = "Your program was built again: this is the same throw with the new one.";
-    version = answering;
+    const { problem, ...answer } = await ask("simulate", scene);
     const sentence = problem && problem[0].toUpperCase() + problem.slice(1).replace(/[^?]$/, "$&.");
     tell(problem ? `${sentence} Change your program and build it; this page notices.` : news);
     return problem ? null : answer;
@@ -51,10 +47,10 @@ async function simulate(scene) {
 
 // Throws it with these numbers once earlier throws are answered, unless another follows till then.
 // Where the square's lowest corner would begin in the ground, it is lifted.
-function begin(numbers, time = 0) {
+function begin(numbers, time = 0, words = "") {
   const reach = Math.max(...corners(numbers.theta, numbers.l).map(([, y]) => y));
   const mine = (thrown = { ...numbers, y: Math.max(numbers.y, reach) });
-  news = "";
+  news = words;
   showSettings();
   const run = () => mine === thrown && throwIt(sceneOf(mine), time);
   return (throws = throws.then(run, run));
@@ -251,11 +247,12 @@ byId("experiments").hidden = questions.length === 0;
 
 // ---- the page begins ----
 
-let noticed = null; // the program that was built last
+let version = null; // of the program
 setInterval(async () => {
   const now = (await ask("version").catch(() => null))?.version;
-  if (!now || [version, noticed].includes(now) || held) return;
-  noticed = now;
-  begin({ ...thrown });
+  if (!now || version === now || held) return;
+  const words = "Your program was built again: this is the same throw with the new one.";
+  if (version) begin({ ...thrown }, 0, words);
+  version = now;
 }, 1000);
 setScene(select.options[1].value);

@@ -40,8 +40,7 @@ class Program {
     return static_cast<long long>(fs::last_write_time(file_, gone).time_since_epoch().count());
   }
 
-  // The answer to a question of the page; or why there is none, in the words of ./check. With the
-  // version that was asked.
+  // The answer to a question of the page; or why there is none, in the words of ./check.
   std::string answer_to(const std::string& question) {
     const std::lock_guard one_at_a_time(mutex_);
     const fs::path printed = folder_ / "printed.txt", stack = folder_ / "stack.txt";
@@ -49,22 +48,21 @@ class Program {
     for (const fs::path& file : {printed, stack, answer}) fs::remove(file);
     check::write(folder_ / "question.json", question);
     const auto give_up = std::chrono::steady_clock::now() + kLinking;
-    std::optional<check::Termination> ended;
-    long long asked = 0;
-    for (bool again = true; again; again = !ended && std::chrono::steady_clock::now() < give_up) {
-      if (asked) std::this_thread::sleep_for(std::chrono::milliseconds(20));
-      asked = version();
-      ended = check::run({file_.string(), folder_.string()}, printed, check::Limits::of_a_part);
+    const auto start = [&] {
+      return check::run({file_.string(), folder_.string()}, printed, check::Limits::of_a_part);
+    };
+    auto ended = start();
+    while (!ended && std::chrono::steady_clock::now() < give_up) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+      ended = start();
     }
-    std::string text = check::read(answer);
-    if (text.empty()) {
-      text =
-          json{{"problem", ended ? check::reason_of(*ended, check::read(printed)) +
-                                       check::place_of_crash(file_.string(), stack)
-                                 : "the program can't be started: it is being built, or is gone"}}
-              .dump();
+    if (const std::string text = check::read(answer); !text.empty()) return text;
+    std::string problem = "the program can't be started: it is being built, or is gone";
+    if (ended) {
+      problem = check::reason_of(*ended, check::read(printed)) +
+                check::place_of_crash(file_.string(), stack);
     }
-    return "{\"version\":" + std::to_string(asked) + "," + text.substr(1);
+    return json{{"problem", problem}}.dump();
   }
 
  private:
