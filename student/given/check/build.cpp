@@ -22,12 +22,11 @@ const fs::path kBuild = kWork / "build.txt", kWarnings = kWork / "warnings",
 // included has changed.
 void note_changes() {
   const std::string before = read(kSources), now = state_of_sources();
-  const std::vector<std::string> known = lines_of(before);
   std::set<std::string> unchanged;
   bool is_all_compiled = false;
   for (const std::string& line : lines_of(now)) {
     const std::string file = line.substr(line.find(' ') + 1);
-    if (std::count(known.begin(), known.end(), line)) {
+    if (has(before, line + "\n")) {
       unchanged.insert(file);
       continue;
     }
