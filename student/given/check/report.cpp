@@ -13,6 +13,14 @@ namespace bounce::check {
 namespace {
 
 constexpr std::size_t kMostPrinted = 10, kMostWarnings = 3;  // lines
+constexpr const char *kRed = "\033[31m", *kGreen = "\033[32m";
+
+std::string coloured(const std::string& text, const char* begin) {
+  const auto is_set = [](const char* name) { return std::getenv(name) && *std::getenv(name); };
+  static const bool has_colours = is_terminal() && !is_set("NO_COLOR") &&
+                                  !(is_set("TERM") && std::getenv("TERM") == std::string("dumb"));
+  return has_colours ? begin + text + "\033[0m" : text;
+}
 
 std::string in_columns(const std::string& text, int width, int points, int of) {
   char line[200];
@@ -29,9 +37,9 @@ void print_checks(const Part& part) {
     const std::string row =
         " " + in_columns(check.title, 57, passed ? check.points : 0, check.points);
     std::cout << "  "
-              << (passed    ? green("\u2713" + row)
+              << (passed    ? coloured("\u2713" + row, kGreen)
                   : unknown ? dim("?" + row)
-                            : red("\u2717" + row))
+                            : coloured("\u2717" + row, kRed))
               << "\n";
   }
   if (is_one_unknown)
@@ -195,13 +203,6 @@ bool has_defined_behaviour() try {
   return true;
 }
 
-std::string coloured(const std::string& text, const char* begin) {
-  const auto is_set = [](const char* name) { return std::getenv(name) && *std::getenv(name); };
-  static const bool has_colours = is_terminal() && !is_set("NO_COLOR") &&
-                                  !(is_set("TERM") && std::getenv("TERM") == std::string("dumb"));
-  return has_colours ? begin + text + "\033[0m" : text;
-}
-
 }  // namespace
 
 void print_what_does_not_compile(const Run& run) {
@@ -238,7 +239,5 @@ bool report(const Run& run) {
 
 std::string bold(const std::string& text) { return coloured(text, "\033[1m"); }
 std::string dim(const std::string& text) { return coloured(text, "\033[2m"); }
-std::string red(const std::string& text) { return coloured(text, "\033[31m"); }
-std::string green(const std::string& text) { return coloured(text, "\033[32m"); }
 
 }  // namespace bounce::check

@@ -37,10 +37,8 @@ void ask_about_real_impacts(Run& run);
 // the next stage of a hint. Whether nothing is left to do. Throws Failure.
 bool judge_examples(int part, bool hints);
 
-// In colours, as far as the terminal has them.
+// As far as the terminal has it.
 std::string bold(const std::string& text);
 std::string dim(const std::string& text);
-std::string red(const std::string& text);
-std::string green(const std::string& text);
 
 }  // namespace bounce::check
