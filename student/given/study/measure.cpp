@@ -87,7 +87,7 @@ std::array<int, 3> touches(const Scene& scene, double dt) {
   std::array<int, 3> counts{};
   const auto moved = motion(scene.start, scene.params, dt, scene.truth.back()[0]);
   for (Eigen::Index t = 0; moved && t + 1 < moved->q.cols(); ++t) {
-    const auto [lowest, second, third, highest] = heights(moved->q.col(t), scene.params.l);
+    const auto [lowest, second] = lowest_heights(moved->q.col(t), scene.params.l);
     ++counts[(lowest < scene.params.delta) + (second < scene.params.delta)];
   }
   return counts;
@@ -101,15 +101,10 @@ std::optional<Trajectory> motion(const State& start, Parameters params, double d
   return trajectory;
 }
 
-std::array<double, 4> heights(const Vector3& q, double l) {
-  std::array<double, 4> all{};
-  for (std::size_t k = 0; k < 4; ++k) {
-    const double turned =
-        q(2) + std::numbers::pi / 4 + static_cast<double>(k) * std::numbers::pi / 2;
-    all[k] = q(1) + l / std::numbers::sqrt2 * std::sin(turned);
-  }
-  std::sort(all.begin(), all.end());
-  return all;
+std::array<double, 2> lowest_heights(const Vector3& q, double l) {
+  const double turned = q(2) + std::numbers::pi / 4, reach = l / std::numbers::sqrt2;
+  const auto [less, more] = std::minmax({std::abs(std::sin(turned)), std::abs(std::cos(turned))});
+  return {q(1) - reach * more, q(1) - reach * less};
 }
 
 }  // namespace bounce::study

@@ -38,8 +38,8 @@ json trials(const Parameters& params);
 // The motion with this step and for this long. Empty where it isn't finite, or of another size.
 std::optional<Trajectory> motion(const State& start, Parameters params, double dt, double seconds);
 
-// The heights of the corners of the square at q, the lowest first, m.
-std::array<double, 4> heights(const Vector3& q, double l);
+// The heights of the two lowest corners of the square at q, the lowest first, m.
+std::array<double, 2> lowest_heights(const Vector3& q, double l);
 
 // delta over dt where it is scaled, m/s.
 inline constexpr double kShare = 0.1;

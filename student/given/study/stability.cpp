@@ -39,7 +39,7 @@ json with_both_steps(const std::vector<double>& at, const Measure& measure) {
 
 double deepest(const Trajectory& moved, double l) {
   double most = 0;
-  for (const auto& q : moved.q.colwise()) most = std::max(most, -heights(q, l)[0]);
+  for (const auto& q : moved.q.colwise()) most = std::max(most, -lowest_heights(q, l)[0]);
   return most;
 }
 
