@@ -18,19 +18,6 @@ constexpr SIZE_T kMemory = SIZE_T{4} << 30;  // bytes
 constexpr DWORD kLongestRun = 120'000;       // ms; each check ends sooner, a constructor may not
 constexpr UINT kStopped = 124;               // as a test program's where a check takes too long
 
-// As the program's own start takes the line apart again.
-std::string quoted(const std::string& word) {
-  if (!word.empty() && word.find_first_of(" \t\"") == std::string::npos) return word;
-  std::string line = "\"";
-  std::size_t backslashes = 0;
-  for (const char c : word) {
-    if (c == '"') line.append(backslashes + 1, '\\');
-    backslashes = c == '\\' ? backslashes + 1 : 0;
-    line += c;
-  }
-  return line.append(backslashes, '\\') + "\"";
-}
-
 Termination termination_of(DWORD code) {
   switch (code) {
     case EXCEPTION_ACCESS_VIOLATION:
@@ -52,8 +39,9 @@ Termination termination_of(DWORD code) {
 
 std::optional<Termination> run(const std::vector<std::string>& command,
                                const std::filesystem::path& output, Limits limits) {
+  // No word holds a quotation mark, which no file's name can hold here, or ends in a backslash.
   std::string line;
-  for (const std::string& word : command) line += (line.empty() ? "" : " ") + quoted(word);
+  for (const std::string& word : command) line += "\"" + word + "\" ";
   SECURITY_ATTRIBUTES inherited{sizeof(SECURITY_ATTRIBUTES), nullptr, TRUE};
   const HANDLE out =
       CreateFileW(output.wstring().c_str(), FILE_APPEND_DATA, FILE_SHARE_READ | FILE_SHARE_WRITE,
