@@ -28,8 +28,10 @@ constexpr std::pair<int, const char*> kSignals[] = {
 
 bool is_own(const std::string& line) { return begins(line, "src/") || begins(line, "include/"); }
 
+// Of the compiler, and not of the linker.
 bool is_error(const std::string& line) {
-  return has(line, ": error: ") || has(line, ": fatal error: ");
+  const bool is_linkers = begins(line, "collect2: ") || begins(line, "clang") || begins(line, "ld");
+  return !is_linkers && (has(line, ": error: ") || has(line, ": fatal error: "));
 }
 
 // "undefined reference to `f()'", without the linker's name and the object, where a function is
@@ -42,12 +44,6 @@ std::string missing_function(const std::string& line) {
     if (has(line, what)) return line.substr(line.find(what));
   }
   return "";
-}
-
-bool is_from_linker(const std::string& line) {
-  const std::string program = line.substr(0, line.find(": "));
-  return !has(program, " ") &&
-         (program == "collect2" || begins(program, "clang") || begins(program, "ld"));
 }
 
 // "src/part3_step.cpp:12": the first place in a file of the student's that a line names, whatever
@@ -160,7 +156,7 @@ BuildError first_error(const std::vector<std::string>& lines) {
   for (const std::string& line : lines) {
     const bool leads_here = has(line, "required from") || has(line, "instantiation of");
     if (own.empty() && (!error.empty() || leads_here)) own = own_place(line);
-    if (error.empty() && is_error(line) && !is_from_linker(line)) {
+    if (error.empty() && is_error(line)) {
       error = line;
       more = 2;
       continue;
