@@ -85,8 +85,8 @@ std::vector<std::string> own_prints(const Part& part, const std::string& printed
 // Those of the case that is told of, and not of those before and after it.
 void print_what_was_printed(const Part& part, const Note& note) {
   const std::string file = part.result.prints;
-  if (!note.has_prints || own_prints(part, read(file)).empty()) return;
-  const auto lines = own_prints(part, read(file, note.from, note.to));
+  if (!note.to || own_prints(part, read(file)).empty()) return;
+  const auto lines = own_prints(part, read(file, note.from, *note.to));
   if (lines.empty()) {
     std::cout << "  Your program printed nothing in this case; all that it printed is in " << file
               << ".\n";

@@ -26,7 +26,7 @@ Note read_note(const fs::path& file) {
   std::istringstream words(text.substr(0, end));
   Note note;
   words >> note.status >> note.from;
-  note.has_prints = static_cast<bool>(words >> note.to);
+  if (std::size_t to = 0; words >> to) note.to = to;
   note.text = text.substr(std::min(end + 1, text.size()));
   return note;
 }
@@ -55,7 +55,7 @@ void run_with_given(Run& run, Part& part) {
     const Note own = part.result.note(check);
     if (given.result.note(check).status != kUndecided) continue;
     if (own.status == "passed" || (own.status != "unknown" && !waits))
-      given.result.notes[check.id] = {own.status, 0, 0, false, own.text};
+      given.result.notes[check.id] = {own.status, own.text};
   }
   const bool decides_more = waits && given.undecided() > 0;
   const int gain = given.worth() - part.worth();
@@ -139,15 +139,15 @@ Result run_checks(const Run& run, const Part& part, const std::string& target) {
       const bool hangs = note.status == "hung";
       if (note.status != "running" && !hangs) continue;
       const std::string why = reason_of(hangs ? Termination{kTooLong, 0} : *ended, printed);
-      note = {hangs ? "hung" : "crashed", note.from, fs::file_size(prints), true,
-              why + place + "\nIt was asked: " + note.text};
+      note = {hangs ? "hung" : "crashed", why + place + "\nIt was asked: " + note.text, note.from,
+              fs::file_size(prints)};
       hung += hangs;
       if (hangs && is_terminal()) std::cerr << "A check gives no answer; asking others.\n";
       again = hung < kMostHung && ended->signal != SIGXFSZ;
     }
     if (!result.notes.empty()) continue;
     for (const Check& check : part.checks) {  // as where a global object's constructor crashes
-      result.notes[check.id] = {"crashed", 0, 0, false,
+      result.notes[check.id] = {"crashed",
                                 "Before the first check began, " + reason_of(*ended, printed) +
                                     "\nLook at what runs before main: objects outside of "
                                     "functions, and what their constructors do.\n"};

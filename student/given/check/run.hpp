@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,10 +21,10 @@ inline constexpr const char* kUndecided = "undecided";
 
 // What is known of a check.
 struct Note {
-  std::string status = "unknown";  // passed, failed, crashed, hung, kUndecided; unknown if not run
-  std::size_t from = 0, to = 0;    // bytes of what the program printed, around the case
-  bool has_prints = false;         // whether these are known
-  std::string text{};              // what there is to say
+  std::string status = "unknown";   // passed, failed, crashed, hung, kUndecided; unknown if not run
+  std::string text{};               // what there is to say
+  std::size_t from = 0;             // bytes of what the program printed, around the case
+  std::optional<std::size_t> to{};  // empty where these aren't known
 };
 
 // Of a program that ran a part's checks.

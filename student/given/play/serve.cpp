@@ -27,48 +27,39 @@ using nlohmann::json;
 constexpr const char* kHost = "127.0.0.1";
 constexpr auto kLinking = std::chrono::seconds(10);  // that it may take to link the program
 
-// The program with the student's parts (answer.cpp), which is started for each question.
-class Program {
- public:
-  Program(const fs::path& file, const fs::path& folder) : file_(file), folder_(folder) {
-    fs::create_directories(folder);
-  }
+// Another number whenever the program was built again.
+long long version_of(const fs::path& program) {
+  std::error_code gone;  // while it is being linked
+  return static_cast<long long>(fs::last_write_time(program, gone).time_since_epoch().count());
+}
 
-  // Another number whenever it was built again.
-  long long version() const {
-    std::error_code gone;  // while it is being linked
-    return static_cast<long long>(fs::last_write_time(file_, gone).time_since_epoch().count());
+// The answer to a question of the page by the program with the student's parts (answer.cpp), which
+// is started for each question; or why there is none, in the words of ./check.
+std::string answer_to(const std::string& question, const fs::path& program,
+                      const fs::path& folder) {
+  static std::mutex one_at_a_time;
+  const std::lock_guard alone(one_at_a_time);
+  const fs::path printed = folder / "printed.txt", stack = folder / "stack.txt";
+  const fs::path answer = folder / "answer.json";
+  for (const fs::path& file : {printed, stack, answer}) fs::remove(file);
+  check::write(folder / "question.json", question);
+  const auto give_up = std::chrono::steady_clock::now() + kLinking;
+  const auto start = [&] {
+    return check::run({program.string(), folder.string()}, printed, check::Limits::of_a_part);
+  };
+  auto ended = start();
+  while (!ended && std::chrono::steady_clock::now() < give_up) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    ended = start();
   }
-
-  // The answer to a question of the page; or why there is none, in the words of ./check.
-  std::string answer_to(const std::string& question) {
-    const std::lock_guard one_at_a_time(mutex_);
-    const fs::path printed = folder_ / "printed.txt", stack = folder_ / "stack.txt";
-    const fs::path answer = folder_ / "answer.json";
-    for (const fs::path& file : {printed, stack, answer}) fs::remove(file);
-    check::write(folder_ / "question.json", question);
-    const auto give_up = std::chrono::steady_clock::now() + kLinking;
-    const auto start = [&] {
-      return check::run({file_.string(), folder_.string()}, printed, check::Limits::of_a_part);
-    };
-    auto ended = start();
-    while (!ended && std::chrono::steady_clock::now() < give_up) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(20));
-      ended = start();
-    }
-    if (const std::string text = check::read(answer); !text.empty()) return text;
-    std::string problem = "the program can't be started: it is being built, or is gone";
-    if (ended) {
-      problem = check::reason_of(*ended, check::read(printed)) +
-                check::place_of_crash(file_.string(), stack);
-    }
-    return json{{"problem", problem}}.dump();
+  if (const std::string text = check::read(answer); !text.empty()) return text;
+  std::string problem = "the program can't be started: it is being built, or is gone";
+  if (ended) {
+    problem = check::reason_of(*ended, check::read(printed)) +
+              check::place_of_crash(program.string(), stack);
   }
-
- private:
-  fs::path file_, folder_;
-  std::mutex mutex_;
-};
+  return json{{"problem", problem}}.dump();
+}
 
 // Where nobody else on this machine finds it.
 std::string secret_path() {
@@ -132,8 +123,9 @@ int serve(const fs::path& given) {
 #ifdef _WIN32
   make_way(file);
 #endif
-  const fs::path folder = file.parent_path();
-  Program program(folder / ("answer" + file.extension().string()), folder / "play");
+  const fs::path program = file.parent_path() / ("answer" + file.extension().string());
+  const fs::path folder = file.parent_path() / "play";
+  fs::create_directories(folder);
   httplib::Server server;
   const int port = bind(server);
   const std::string path = secret_path();
@@ -141,10 +133,10 @@ int serve(const fs::path& given) {
     response.set_content(page(), "text/html; charset=utf-8");
   });
   server.Get(path + "version", [&](const auto&, auto& response) {
-    response.set_content(json{{"version", program.version()}}.dump(), "application/json");
+    response.set_content(json{{"version", version_of(program)}}.dump(), "application/json");
   });
   server.Post(path + "simulate", [&](const auto& request, auto& response) {
-    response.set_content(program.answer_to(request.body), "application/json");
+    response.set_content(answer_to(request.body, program, folder), "application/json");
   });
   std::cout << "Throw the square at http://" << kHost << ":" << port << path
             << " in a browser; Ctrl-C ends it." << std::endl;
