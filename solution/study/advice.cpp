@@ -9,12 +9,14 @@
 namespace bounce::study {
 namespace {
 
+using json = nlohmann::ordered_json;
+
 constexpr long kMostEvents = 20'000;  // of a model
 
-std::vector<ModelRun> model_runs(const Scene& scene, const Answer& answer, double tolerance) {
+json model_runs(const Scene& scene, const Answer& answer, double tolerance) {
   EventOptions options;
   options.most_events = kMostEvents;
-  std::vector<ModelRun> runs;
+  json runs = json::array();
   bool found = false;
   for (int i = 0; i < kModelLevels; ++i) {
     const ModelLevel level = ModelLevel(i);
@@ -24,7 +26,7 @@ std::vector<ModelRun> model_runs(const Scene& scene, const Answer& answer, doubl
     const double error = error_of(scene, motions, answer.motions) + answer.bound;
     const bool least = !found && error <= tolerance;
     found = found || least;
-    runs.push_back({level, error, least});
+    runs.push_back({{"model", name_of(level)}, {"error", error}, {"least", least}});
   }
   return runs;
 }
@@ -41,22 +43,26 @@ std::vector<double> settings_of(const Method& method, const Scene& scene, int sa
 
 }  // namespace
 
-Advice advise(const Scene& scene, const Answer& answer, double tolerance) {
+json advise(const Scene& scene, const Answer& answer, double tolerance) {
   Scene compared = scene;
   compared.until = answer.times.back();
   const int samples = int(answer.times.size()) - 1;
-  Advice advice{model_runs(compared, answer, tolerance), {}};
-  if (samples == 0) return advice;
+  json advice{{"models", model_runs(compared, answer, tolerance)}, {"methods", json::array()}};
+  json& runs = advice["methods"];
   const Samples truth(answer.motions.begin() + 1, answer.motions.end());
   std::vector<Job> jobs;
-  for (const Method& method : all_methods()) {
+  for (const Method& method : samples > 0 ? all_methods() : Methods()) {
     bool coarser_is = false;
     for (const double setting : settings_of(method, compared, samples)) {
       const auto run = [=, &compared] { return method.simulate(compared, setting, samples); };
       const double error = error_of(compared, run(), truth) + answer.bound;
       const bool is = error <= tolerance;
-      if (coarser_is) advice.methods.back().within = is;
-      advice.methods.push_back({method.name, method.has_step, setting, error, 0, false});
+      if (coarser_is) runs.back()["within"] = is;
+      runs.push_back({{"method", method.name},
+                      {method.has_step ? "step" : "tolerance", setting},
+                      {"error", error},
+                      {"ns", 0},
+                      {"within", false}});
       jobs.push_back(job_of([run] { run(); }));
       if (coarser_is && is) break;
       coarser_is = is;
@@ -64,7 +70,7 @@ Advice advise(const Scene& scene, const Answer& answer, double tolerance) {
   }
   time_in_turn(jobs, kQuick);
   for (std::size_t i = 0; i < jobs.size(); ++i)
-    advice.methods[i].ns = *std::min_element(jobs[i].ns.begin(), jobs[i].ns.end());
+    runs[i]["ns"] = *std::min_element(jobs[i].ns.begin(), jobs[i].ns.end());
   return advice;
 }
 

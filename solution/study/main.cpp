@@ -1,6 +1,5 @@
-// bounce_study [--quick] SCENES FOLDER [QUESTION ...]: reads the scenes of a folder, answers the
-// named questions (by default all), and writes a CSV for each into FOLDER. --quick measures fewer
-// rounds, and fewer random scenes.
+// bounce_study [--quick] SCENES FILE.csv QUESTION: reads the scenes of a folder, and writes the
+// table that answers the question. --quick measures fewer rounds, and fewer random scenes.
 //
 // bounce_study simulate SCENE.json TOLERANCE: see simulate.hpp.
 #include <algorithm>
@@ -54,29 +53,13 @@ std::map<std::string, Question> questions(int core, const Extent& extent) {
             times_taken(core)}}};
 }
 
-int run(const std::vector<std::string>& words, const Extent& extent) {
-  const int core = pin_to_one_core();
-  const auto all = questions(core, extent);
-  std::vector<std::string> names(words.begin() + 2, words.end());
-  if (names.empty())
-    for (const auto& [name, question] : all) names.push_back(name);
-  for (const std::string& name : names) {
-    if (all.count(name)) continue;
-    std::cerr << "bounce_study: there is no question \"" << name << "\"; there are:";
-    for (const auto& [known, question] : all) std::cerr << " " << known;
-    std::cerr << "\n";
-    return 2;
-  }
-  const Scenes scenes = read_scenes(words[0]);
-  std::filesystem::create_directories(words[1]);
-  for (const std::string& name : names) {
-    const std::filesystem::path file = std::filesystem::path(words[1]) / (name + ".csv");
-    const Question& question = all.at(name);
-    const Table table = question.answer(scenes, extent);
-    table.write(file, origin(question.times));
-    std::cout << file.string() << ": " << table.rows() << " rows\n" << std::flush;
-  }
-  return 0;
+void run(const std::string& scenes, const std::string& file, const std::string& name,
+         const Extent& extent) {
+  const auto all = questions(pin_to_one_core(), extent);
+  const auto question = all.find(name);
+  if (question == all.end()) throw std::invalid_argument("there is no question \"" + name + "\"");
+  const Table table = question->second.answer(read_scenes(scenes), extent);
+  table.write(file, origin(question->second.times));
 }
 
 }  // namespace
@@ -90,11 +73,10 @@ int main(int argc, char** argv) try {
   }
   const bool quick = !words.empty() && words[0] == "--quick";
   if (quick) words.erase(words.begin());
-  if (words.size() < 2) {
-    std::cerr << "usage: bounce_study [--quick] SCENES FOLDER [QUESTION ...]\n";
-    return 2;
-  }
-  return bounce::study::run(words, quick ? bounce::study::kQuick : bounce::study::Extent());
+  if (words.size() != 3) throw std::invalid_argument("usage: [--quick] SCENES FILE.csv QUESTION");
+  bounce::study::run(words[0], words[1], words[2],
+                     quick ? bounce::study::kQuick : bounce::study::Extent());
+  return 0;
 } catch (const bounce::exact::Refusal& refusal) {
   std::cerr << "bounce_study: " << refusal.what() << "\n";
   return 1;

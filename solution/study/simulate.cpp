@@ -44,19 +44,7 @@ void simulate(const std::filesystem::path& file, const std::string& tolerance, s
   const double within = number_of(tolerance), begin = cpu_ns();
   const Answer answer = simulate_to(scene, within);
   json whole = json_of(answer, (cpu_ns() - begin) / 1e9);
-  const Advice advice = advise(scene, answer, within);
-  whole["models"] = whole["methods"] = json::array();
-  for (const ModelRun& run : advice.models) {  // an infinite error is written as null
-    whole["models"].push_back(
-        {{"model", name_of(run.level)}, {"error", run.error}, {"least", run.least}});
-  }
-  for (const MethodRun& run : advice.methods) {
-    whole["methods"].push_back({{"method", run.method},
-                                {run.has_step ? "step" : "tolerance", run.setting},
-                                {"error", run.error},
-                                {"ns", run.ns},
-                                {"within", run.within}});
-  }
+  whole.update(advise(scene, answer, within));
   out << whole << "\n";
 }
 

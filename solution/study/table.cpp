@@ -86,18 +86,13 @@ void Table::add_row(std::vector<std::string> row) {
   rows_.push_back(std::move(row));
 }
 
-void Table::write(const std::filesystem::path& file, const std::vector<std::string>& origin) const {
-  const std::filesystem::path unfinished = file.string() + ".unfinished";
-  std::ofstream out(unfinished, std::ios::binary);
+void Table::write(const std::string& file, const std::vector<std::string>& origin) const {
+  std::ofstream out(file, std::ios::binary);
   for (const std::string& text : origin) out << text << "\n";
   out << line(columns_);
   for (const auto& row : rows_) out << line(row);
   out.close();
-  if (!out) {
-    std::filesystem::remove(unfinished);
-    throw std::runtime_error("cannot write " + file.string());
-  }
-  std::filesystem::rename(unfinished, file);
+  if (!out) throw std::runtime_error("cannot write " + file);
 }
 
 std::vector<std::string> origin(const std::string& times) {

@@ -1,7 +1,6 @@
 // One table of a study, written as CSV with comma and a header line.
 #pragma once
 
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,11 +19,9 @@ class Table {
     add_row({text(values)...});
   }
 
-  // Writes the file whole or not at all: under another name first, which is then renamed. Lines
-  // that begin with # come first: machine, compiler, flags and date. Throws std::runtime_error.
-  void write(const std::filesystem::path& file, const std::vector<std::string>& origin) const;
-
-  std::size_t rows() const { return rows_.size(); }
+  // Lines that begin with # come first: machine, compiler, flags and date. Throws
+  // std::runtime_error if the file can't be written whole.
+  void write(const std::string& file, const std::vector<std::string>& origin) const;
 
  private:
   static std::string text(const std::string& value) { return value; }

@@ -6,10 +6,8 @@ the folder itself never shows half of a study. A study that has ended measures a
 """
 
 import hashlib
-import os
 import shutil
 import sys
-import tempfile
 import time
 from dataclasses import dataclass
 from pathlib import Path
@@ -95,13 +93,13 @@ def _measure(name: str, request: Request, file: Path) -> None:
     """Writes a table; raises UsageError with the program's sentence where a scene is bad."""
     engines = request.peers and name == "speed_accuracy"
     extent = ["--quick"] if request.quick else []
-    with tempfile.TemporaryDirectory(prefix="measuring-", dir=file.parent) as folder:
-        command = [str(PEERS if engines else PROGRAM), *extent, str(SCENES), folder]
-        done = processes.run(command if engines else [*command, name])
-        if not done.ok:
-            message = done.err.strip().partition(": ")[2] or f"status {done.code}"
-            raise (UsageError if done.code == 2 else KitError)(message)
-        os.replace(Path(folder) / f"{name}.csv", file)
+    unfinished = file.with_suffix(".unfinished")
+    command = [str(PEERS if engines else PROGRAM), *extent, str(SCENES), str(unfinished)]
+    done = processes.run(command if engines else [*command, name])
+    if not done.ok:
+        message = done.err.strip().partition(": ")[2] or f"status {done.code}"
+        raise (UsageError if done.code == 2 else KitError)(message)
+    unfinished.replace(file)
 
 
 def _measured(request: Request, folder: Path) -> dict[str, Path]:

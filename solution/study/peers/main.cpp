@@ -1,4 +1,4 @@
-// bounce_peers [--quick] SCENES FOLDER: writes FOLDER/speed_accuracy.csv, as bounce_study does,
+// bounce_peers [--quick] SCENES FILE.csv: writes the table speed_accuracy, as bounce_study does,
 // with the engines that were found when this was built in the same rounds as our methods.
 #include <iostream>
 
@@ -8,7 +8,7 @@
 namespace bounce::study {
 namespace {
 
-void run(const std::string& scenes, const std::filesystem::path& folder, bool quick) {
+void run(const std::string& scenes, const std::string& file, bool quick) {
   const Extent extent = quick ? kQuick : Extent{9, 1e6};
   const int core = pin_to_one_core();
   Methods methods = all_methods();
@@ -19,8 +19,7 @@ void run(const std::string& scenes, const std::filesystem::path& folder, bool qu
   }
   std::vector<std::string> lines = origin(times_taken(core, extent));
   lines.push_back(engines);
-  std::filesystem::create_directories(folder);
-  speed_accuracy(read_scenes(scenes), methods, extent).write(folder / "speed_accuracy.csv", lines);
+  speed_accuracy(read_scenes(scenes), methods, extent).write(file, lines);
 }
 
 }  // namespace
@@ -30,10 +29,7 @@ int main(int argc, char** argv) try {
   std::vector<std::string> words(argv + 1, argv + argc);
   const bool quick = !words.empty() && words[0] == "--quick";
   if (quick) words.erase(words.begin());
-  if (words.size() != 2) {
-    std::cerr << "usage: bounce_peers [--quick] SCENES FOLDER\n";
-    return 2;
-  }
+  if (words.size() != 2) throw std::invalid_argument("usage: [--quick] SCENES FILE.csv");
   bounce::study::run(words[0], words[1], quick);
   return 0;
 } catch (const std::invalid_argument& problem) {

@@ -42,10 +42,10 @@ def errors(tmp_path_factory: pytest.TempPathFactory) -> Errors:
     folder = tmp_path_factory.mktemp("peers")
     for data in SCENES:
         (folder / f"{data['name']}.json").write_text(json.dumps(data))
-    command: list[str | Path] = [PROGRAM, "--quick", folder, folder / "out"]
+    command: list[str | Path] = [PROGRAM, "--quick", folder, folder / "out.csv"]
     subprocess.run(command, check=True, capture_output=True)
     by_scene: Errors = {}
-    lines = (folder / "out" / "speed_accuracy.csv").read_text().splitlines()
+    lines = (folder / "out.csv").read_text().splitlines()
     for row in csv.DictReader(line for line in lines if not line.startswith("#")):
         if not row["method"].startswith(OURS):
             own = by_scene.setdefault(row["scene"], {}).setdefault(row["method"], {})
