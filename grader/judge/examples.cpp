@@ -11,11 +11,9 @@ int main(int argc, char** argv) {
   using namespace bounce::examples;
   using json = nlohmann::ordered_json;
   if (argc != 2) return 2;
-  const auto read = [](std::istream& in) {
-    return std::string(std::istreambuf_iterator<char>(in), {});
-  };
+  using Bytes = std::istreambuf_iterator<char>;
   std::ifstream table(argv[1], std::ios::binary);
-  const Judged judged = judge(read(std::cin), Table(read(table)));
+  const Judged judged = judge({Bytes(std::cin), {}}, Table({Bytes(table), {}}));
   json cases = json::array();
   for (const Verdict& verdict : judged.verdicts) {
     cases.push_back({{"place", verdict.place},
@@ -25,5 +23,4 @@ int main(int argc, char** argv) {
                      {"message", verdict.sentence}});
   }
   std::cout << json{{"cases", cases}, {"caught", judged.caught}, {"missed", judged.missed}} << "\n";
-  return 0;
 }

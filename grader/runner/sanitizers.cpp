@@ -22,9 +22,8 @@ void __ubsan_on_report() {
 // The runner's handler gets the faults, because it reports the place; leaks aren't checked.
 const char* __asan_default_options() {
   return "abort_on_error=1:handle_segv=0:handle_sigbus=0:handle_sigfpe=0:handle_sigill=0:"
-         "disable_coredump=0:detect_leaks=0:symbolize=0:allocator_may_return_null=0:max_allocation_"
-         "size_mb=1024:"
-         "detect_stack_use_after_return=1";
+         "disable_coredump=0:detect_leaks=0:symbolize=0:allocator_may_return_null=0:"
+         "max_allocation_size_mb=1024:detect_stack_use_after_return=1";
 }
 
 const char* __ubsan_default_options() { return "abort_on_error=1:print_stacktrace=0"; }
