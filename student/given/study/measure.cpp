@@ -18,12 +18,6 @@ bool is_usable(const Trajectory& t, const Parameters& params) {
   return t.q.cols() == params.T && t.v.cols() == params.T && t.q.allFinite() && t.v.allFinite();
 }
 
-double distance(const Vector3& q, const Vector3& right, double l) {
-  Vector3 apart = q - right;
-  apart(2) *= l / std::numbers::sqrt2;  // the way of a corner
-  return apart.norm();
-}
-
 // CPU time of one call, in the mean: what else the machine does makes little difference.
 template <class Act>
 double seconds_of(const Act& act) {
@@ -55,7 +49,9 @@ Run run(const Scene& scene, double wanted, Lift lift) {
   for (Eigen::Index k = 0; k < samples; ++k) {
     const json& row = scene.truth[static_cast<std::size_t>(k)];
     const Vector3 right(row[1].get<double>(), row[2].get<double>(), row[3].get<double>());
-    result.error = std::max(result.error, distance(trajectory.q.col((k + 1) * n), right, params.l));
+    Vector3 apart = trajectory.q.col((k + 1) * n) - right;
+    apart(2) *= params.l / std::numbers::sqrt2;  // the way of a corner
+    result.error = std::max(result.error, apart.norm());
   }
   return result;
 }
