@@ -17,6 +17,7 @@ STABILITY = (
 ).split()
 MODELS = ("least_model", "chosen_model", "random_models")
 MEASURED = ("measured_laws", "measured_body")
+EVERY = (facts.speed, facts.peers, facts.stability, facts.models, facts.tolerance, facts.measured)
 Work = tuple[Callable[[Tables], Facts], ...]
 PAGES: dict[str, tuple[tuple[str, ...], Work]] = {
     "speed_accuracy": (SPEED, (facts.speed, facts.peers)),
@@ -25,18 +26,7 @@ PAGES: dict[str, tuple[tuple[str, ...], Work]] = {
     "least_model": (MODELS, (facts.models,)),
     "tolerance": (("tolerance",), (facts.tolerance,)),
     "measured": (MEASURED, (facts.measured,)),
-    "README": (
-        (*STABILITY, *MODELS, "tolerance", *MEASURED),
-        (
-            facts.speed,
-            facts.peers,
-            facts.stability,
-            facts.models,
-            facts.tolerance,
-            facts.measured,
-            facts.scenes,
-        ),
-    ),
+    "README": ((*STABILITY, *MODELS, "tolerance", *MEASURED), (*EVERY, facts.scenes)),
 }
 
 
