@@ -9,10 +9,6 @@
 #include <stdexcept>
 #include <thread>
 
-#ifndef BOUNCE_FLAGS
-#define BOUNCE_FLAGS "unknown"
-#endif
-
 namespace bounce::study {
 namespace {
 

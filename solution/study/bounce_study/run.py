@@ -82,9 +82,8 @@ def run(request: Request) -> int:
 def _version(request: Request) -> str:
     """Hashes all that a table depends on."""
     version = hashlib.sha256(f"{request.quick} {request.peers}".encode())
-    scenes = sorted(SCENES.glob("*.json"))
     programs = [PROGRAM, *([PEERS] if request.peers else [])]
-    for file in (*programs, *scenes):
+    for file in (*programs, *sorted(SCENES.glob("*.json"))):
         version.update(file.name.encode() + b"\0" + hashlib.sha256(file.read_bytes()).digest())
     return version.hexdigest()[:16]
 
