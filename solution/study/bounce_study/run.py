@@ -64,8 +64,7 @@ def run(request: Request) -> int:
     version, start = _version(request), time.monotonic()
     measured: dict[str, Path] = {}
     for i, name in enumerate((*asked, "charts and pages"), start=1):
-        seconds = time.monotonic() - start
-        where = f"{i} of {len(asked) + 1}, {seconds:.0f} s"
+        where = f"{i} of {len(asked) + 1}, {time.monotonic() - start:.0f} s"
         print(f"kit: {where}: {name}", file=sys.stderr, flush=True)
         if name == MEASURED:
             measured |= _measured(request, unfinished)
