@@ -17,7 +17,7 @@ namespace {
 
 struct Question {
   std::function<Table(const Scenes&, const Extent&)> answer;
-  std::string times = "";
+  std::string times{};
 };
 
 std::map<std::string, Question> questions(int core, const Extent& extent) {
