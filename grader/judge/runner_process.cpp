@@ -63,9 +63,9 @@ void limit(int resource, rlim_t soft, rlim_t hard) {
   limit(RLIMIT_FSIZE, kLargestFile, kLargestFile);
   limit(RLIMIT_NOFILE, 64, 64);
   limit(RLIMIT_CORE, 0, 0);
-  std::vector<char*> words;
-  for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
-  words.push_back(nullptr);
+  std::vector<char*> words(command.size() + 1);  // the last is null
+  std::transform(command.begin(), command.end(), words.begin(),
+                 [](const std::string& word) { return const_cast<char*>(word.c_str()); });
   ::execv(words[0], words.data());
   ::_exit(127);
 }

@@ -85,16 +85,16 @@ class Fields {
   }
   Vector3 vector(const std::string& name) {
     const json& value = get(name);
-    const auto is_number = [](const json& x) { return x.is_number(); };
     if (!value.is_array() || value.size() != 3 ||
-        !std::all_of(value.begin(), value.end(), is_number))
+        !std::all_of(value.begin(), value.end(), [](const json& x) { return x.is_number(); }))
       refuse(prefix_ + name, "must be a list of 3 numbers");
     return {value[0].get<double>(), value[1].get<double>(), value[2].get<double>()};
   }
   void nothing_else(const std::set<std::string>& ignored = {}) const {
-    for (const auto& [name, value] : object_.items())
+    for (const auto& [name, value] : object_.items()) {
       if (known_.count(name) + ignored.count(name) == 0)
         refuse(prefix_ + name, "is unknown; take it out or correct its name");
+    }
   }
 
  private:

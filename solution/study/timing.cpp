@@ -28,7 +28,7 @@ double cpu_ns() {
   return double(time.tv_sec) * 1e9 + double(time.tv_nsec);
 }
 
-Job job_of(std::function<void()> run) {
+Job job_of(const std::function<void()>& run) {
   return {[run](long repeats) {
     const double start = cpu_ns();
     for (long i = 0; i < repeats; ++i) run();
@@ -38,6 +38,7 @@ Job job_of(std::function<void()> run) {
 
 void time_in_turn(std::vector<Job>& jobs, const Extent& extent) {
   std::vector<Turn> turns;
+  turns.reserve(jobs.size());
   for (const Job& job : jobs) turns.push_back(turn_of(job, extent));
   for (int round = 0; round < extent.rounds; ++round) {
     for (std::size_t i = 0; i < jobs.size(); ++i) {

@@ -25,7 +25,7 @@ struct Job {
 };
 
 // The whole of a function is timed.
-Job job_of(std::function<void()> run);
+Job job_of(const std::function<void()>& run);
 
 // Fills `ns`. Each job is run once before it is timed.
 void time_in_turn(std::vector<Job>& jobs, const Extent& extent);
