@@ -23,7 +23,6 @@ SCENES = FIXTURES / "scenes"
 STUDIES = ROOT / "docs" / "studies"
 HANDOUT = FIXTURES / "study"  # of the committed tables, those that the handout is made of
 OF_HANDOUT = ("speed_accuracy", "truth", "measured_laws", "measured_impacts", "measured_body")
-UNFINISHED = ".unfinished"
 MEASURED = "measured"
 MEASURED_TABLES = OF_HANDOUT[2:]
 QUESTIONS = tuple(
@@ -56,7 +55,7 @@ def run(request: Request) -> int:
     program = PEERS if request.peers else PROGRAM
     if not program.exists():
         raise KitError(f"{program.name} is not built: run ./kit study, with --peers for engines")
-    unfinished = request.out / UNFINISHED
+    unfinished = request.out / ".unfinished"
     try:
         unfinished.mkdir(parents=True, exist_ok=True)
     except OSError as error:
