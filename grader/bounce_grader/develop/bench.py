@@ -1,6 +1,6 @@
 """./kit bench: measures what a grading, a class and a student's check cost, and compares it with
-goals. Run it on an idle machine. Only ratios within one run can be compared between machines, so a
-goal in seconds is for one on which g++ takes PACE for the solution; elsewhere it is scaled."""
+goals. Run it on an idle machine. Only ratios within one run can be compared between machines: a goal
+in seconds is that of a machine on which g++ takes PACE for the solution, and is scaled to this one."""
 
 import argparse
 import math
@@ -23,7 +23,7 @@ from bounce_grader.grading.gallery import expected
 ROUNDS = 9
 SOLUTION = ROOT / "solution" / "src"
 GALLERY = ROOT / "tests" / "submissions"
-PACE = 6.0  # s
+PACE = 6.0  # s, of g++ -O1 -c for the four files
 EVERY = 3  # of the accepted ones, one in so many
 PLAIN_GCC = ("g++", "-std=c++20", "-O1", "-isystem", "/usr/include/eigen3", "-I", str(CONTRACT))
 

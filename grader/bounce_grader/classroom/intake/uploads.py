@@ -117,8 +117,8 @@ def student_of(download: Path, uploads: Sequence[Upload], page: str) -> Student:
     number = sum(not upload.instead for upload in uploads)
     if number > MOST_UPLOADS:
         why = f"{number} files are handed in; a submission may have {MOST_UPLOADS}: {HAND_IN}"
-    whose = (last.user, last.name or last.user, download, counted, page, () if why else unused)
-    return Student(*whose, late_days=late, refused=why)
+    student = Student(last.user, last.name or last.user, download, counted, page, late_days=late)
+    return student._replace(unused=() if why else unused, refused=why)
 
 
 def _counted(uploads: Sequence[Upload]) -> tuple[tuple[Upload, ...], tuple[str, ...]]:
