@@ -14,7 +14,7 @@ function layOut() {
   if (many.length) {
     const away = (t) => ([xs, ys]) => Math.hypot(xs[t] - q[0][t], ys[t] - q[1][t]);
     const apart = q[0].map((_, t) => Math.max(...many.map(away(t))));
-    charts["farthest from the middle one, m"] = [line("apart", apart)];
+    charts["largest distance, m"] = [line("from the middle one", apart)];
   }
   charts["height \u03c6, m"] = [line("\u03c6", lows.map(({ y }) => y))];
   if (comparing()) charts["height \u03c6, m"].push(line("dashed", lowsRight.map(({ y }) => y)));
