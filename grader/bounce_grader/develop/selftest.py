@@ -19,7 +19,7 @@ PYTHON = ["grader/bounce_grader", "tests", "solution"]
 READERS = ("frames", "terminations")
 SANITIZED, FUZZED = ROOT / "build" / "sanitize", ROOT / "build" / "fuzz"
 CORES = os.cpu_count() or 1
-WORKERS = CORES + 2  # much of the tests' time is waiting
+WORKERS = CORES + 1  # some of the tests wait
 PYTEST = [sys.executable, "-m", "pytest", "-q", "-n", str(WORKERS)]
 
 

@@ -56,7 +56,7 @@ def test_days_late_in_moodles_words(status: str, days: str) -> None:
     assert gradebook.days_late(status) == (int(days) if days else None)
 
 
-@pytest.mark.parametrize("entries, people, users", table("whose"))
+@pytest.mark.parametrize("entries, people, users", table("whose_entries"))
 def test_whose_a_file_is(entries: str, people: str, users: str) -> None:
     """A "?" where a person has to look: a name could put a file into another's submission."""
     given = dict(line.split("=") for line in people.split("; ") if line)
@@ -65,7 +65,7 @@ def test_whose_a_file_is(entries: str, people: str, users: str) -> None:
     assert ["?" if isinstance(one, str) else one.user for one in read] == users.split()
 
 
-@pytest.mark.parametrize("included, handed_in_as, _", table("helpers"))
+@pytest.mark.parametrize("included, handed_in_as, _", table("helper_files"))
 def test_a_helper_has_the_name_that_it_is_included_by(
     tmp_path: Path, included: str, handed_in_as: str, _: str
 ) -> None:
