@@ -30,7 +30,7 @@ inline bool are_same(const State& expected, const State& got, double tolerance) 
 // Whether rounding decides the step, and some start beside this one leads there: a little higher or
 // lower, so that it touches or not, or turned a little, so that another corner is the lowest.
 inline bool may_lead_to(const State& now, const State& from, const Parameters& params) {
-  if (fixtures::mode_of_step(from.q, from.v, params)) return false;
+  if (fixtures::mode_of_step(from, params)) return false;
   for (const double up : {0.0, kAside, -kAside}) {
     for (const double turn : {0.0, kAside, -kAside}) {
       const Vector3 aside = from.q + Vector3(0, up, turn / params.l);
