@@ -14,15 +14,14 @@ using json = nlohmann::ordered_json;
 constexpr long kMostEvents = 20'000;  // of a model
 
 json model_runs(const Scene& scene, const Answer& answer, double tolerance) {
-  EventOptions options;
-  options.most_events = kMostEvents;
   json runs = json::array();
   bool found = false;
   for (int i = 0; i < kModelLevels; ++i) {
     const ModelLevel level = ModelLevel(i);
     const bool whole = level == ModelLevel::two_frictions;
     const Samples motions =
-        whole ? answer.motions : motion_with(scene, level, answer.times, options);
+        whole ? answer.motions
+              : motion_with(scene, level, answer.times, {.most_events = kMostEvents});
     const double error = error_of(scene, motions, answer.motions) + answer.bound;
     const bool least = !found && error <= tolerance;
     found = found || least;

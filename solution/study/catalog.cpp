@@ -28,10 +28,7 @@ Samples run_scheme(const Scene& scene, double dt, int samples, double delta_spee
 
 // The less exact the rest is, the sooner bounces may end.
 EventOptions options_for(double tolerance) {
-  EventOptions options;
-  options.tolerance = tolerance;
-  options.cut = std::max(options.cut, std::sqrt(tolerance));
-  return options;
+  return {.cut = std::max(EventOptions().cut, std::sqrt(tolerance)), .tolerance = tolerance};
 }
 
 Samples run_events(const Scene& scene, int samples, const EventOptions& options) {

@@ -19,10 +19,6 @@ struct Method {
   std::function<Samples(const Scene&, double setting, int samples)> simulate;
   // CPU time of this many runs, ns; empty where a run is all that `simulate` does.
   std::function<double(const Scene&, double setting, long repeats)> time = {};
-
-  Samples run(const Scene& scene, double setting) const {
-    return simulate(scene, setting, kSamples);
-  }
 };
 using Methods = std::vector<Method>;
 

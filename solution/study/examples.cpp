@@ -15,9 +15,7 @@ using methods::ImpactLaw;
 
 // Kane's paradox: the energy after the impact over that before.
 double kane(ImpactLaw law) {
-  Parameters params;
-  params.epsilon = 0.9;
-  params.g.setZero();
+  const Parameters params{.epsilon = 0.9, .g = {0, 0, 0}};
   const methods::Body<double> body(params);
   methods::Motion<double> s{0, 0.104267, 0.043633, 0.040023, -0.396829, 6.313089};
   const Jacobian J = get_contacts(methods::state_of(s).q, params).J;

@@ -44,26 +44,23 @@ Scene scene_of(unsigned seed) {
 }
 
 double error_with(const Scene& scene, ModelLevel level, const Samples& truth) {
-  EventOptions options;
-  options.most_events = long(kEventsASecond * scene.until);
-  return error_of(scene, run_model(scene, level, options), truth);
+  const long most = long(kEventsASecond * scene.until);
+  return error_of(scene, run_model(scene, level, {.most_events = most}), truth);
 }
 
 // The smallest model that holds every one that simulate_scene took.
 ModelLevel chosen_by_bounds(const Scene& scene) {
   ModelReport report{};
   simulate_scene(stepped(scene, kChoosing), scene.start, &report);
-  Model all{0, false};
-  bool moves = false;
+  ModelLevel largest = ModelLevel::asleep;
+  bool friction = false;
   for (int i = 1; i < kModelLevels; ++i) {
     if (report[std::size_t(i)] == 0) continue;
-    moves = true;
-    const Model model = model_of(ModelLevel(i));
-    all = {std::max(all.corners, model.corners), all.friction || model.friction};
+    largest = ModelLevel(i);
+    friction = friction || model_of(largest).friction;
   }
-  if (all.corners == 0) return moves ? ModelLevel::ballistic : ModelLevel::asleep;
-  if (all.corners == 1) return all.friction ? ModelLevel::one_friction : ModelLevel::one_normal;
-  return all.friction ? ModelLevel::two_frictions : ModelLevel::two_normals;
+  // Each level holds those before it, but two corners without friction not one with it.
+  return friction && largest == ModelLevel::two_normals ? ModelLevel::two_frictions : largest;
 }
 
 }  // namespace

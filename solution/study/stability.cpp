@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
-#include <random>
 #include <stdexcept>
 
 #include "../exact/event_driven.hpp"
@@ -15,6 +14,7 @@
 #include "../methods/moreau_jean.hpp"
 #include "catalog.hpp"
 #include "questions.hpp"
+#include "random_scenes.hpp"
 
 namespace bounce::study {
 namespace {
@@ -88,15 +88,12 @@ constexpr int kMostSweeps = 10'000;
 
 // The share of one-corner contacts with random arms and velocities that don't converge.
 double share_without_end(double mu) {
-  std::mt19937_64 random(1);
-  const auto uniform = [&](double low, double high) {
-    return low + (high - low) * double(random() >> 11) * 0x1p-53;
-  };
+  Random random(1);
   int endless = 0;
   constexpr int kContacts = 2000;
   for (int i = 0; i < kContacts; ++i) {
-    const double u_t = uniform(-3, 3), u_n = -uniform(0.1, 1);
-    const auto k = methods::leaning_corner(uniform(-0.78, 0.78), u_n, u_t, mu);
+    const double u_t = random.uniform(-3, 3), u_n = -random.uniform(0.1, 1);
+    const auto k = methods::leaning_corner(random.uniform(-0.78, 0.78), u_n, u_t, mu);
     Eigen::Matrix2d G;
     G << k.a, k.b, k.b, k.c;
     endless +=
@@ -109,8 +106,7 @@ double share_without_end(double mu) {
 // spread evenly over the fall of one step, so that no method is lucky.
 template <class Scheme>
 double deepest(double speed, double dt) {
-  Parameters params;
-  params.dt = dt;
+  const Parameters params{.dt = dt};
   const methods::Body<double> body(params);
   double depth = 0;
   constexpr int kStarts = 256;
@@ -148,8 +144,8 @@ double residual_of(const methods::TwoCorners<double>& k, const methods::SideImpu
 // low corners in contact.
 Residuals residuals_at(double theta) {
   const Parameters params;
-  std::mt19937_64 random(1);
-  const auto uniform = [&] { return 4 * double(random() >> 11) * 0x1p-53 - 2; };
+  Random random(1);
+  const auto uniform = [&] { return random.uniform(-2, 2); };
   Residuals worst{};
   for (int i = 0; i < 4000; ++i) {
     const double turned = theta * std::pow(10.0, (uniform() + 2) / 16);
@@ -189,10 +185,7 @@ methods::CornerImpulse<Real> impulse_of(const Jacobian& J, const Vector3& v,
 // The same contact with another mass and step, by solvers in double; the reference is the closed
 // form in long double.
 Scaled scaled(double m, double dt) {
-  Parameters params;
-  params.m = m;
-  params.dt = dt;
-  params.g.setZero();
+  const Parameters params{.m = m, .g = {0, 0, 0}, .dt = dt};
   const Contact contact = get_contacts({0.5, 0.1255, 0.3}, params);
   const Vector3 v(3, -1, 2);
   const Lcp lcp = form_lcp(contact.J, v, params);
@@ -213,8 +206,7 @@ constexpr double kLooking = 0.21;  // s; the face lands at 0.202 s, and again on
 
 template <class Scheme>
 double turning(double theta) {
-  Parameters params;
-  params.dt = kStep;
+  const Parameters params{.dt = kStep};
   Scheme scheme(params, Motion<double>{0, params.l / 2 + kDrop, theta, 0, 0, 0});
   scheme.steps(std::lround(kLooking / kStep));
   return scheme.motion().omega;

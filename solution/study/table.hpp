@@ -1,6 +1,7 @@
 // One table of a study, written as CSV with comma and a header line.
 #pragma once
 
+#include <concepts>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,13 +26,10 @@ class Table {
 
  private:
   static std::string text(const std::string& value) { return value; }
-  static std::string text(const char* value) { return value; }
   static std::string text(double value);
   // Empty if there is no number to write.
   static std::string text(const std::optional<double>& value) { return value ? text(*value) : ""; }
-  static std::string text(long value) { return std::to_string(value); }
-  static std::string text(int value) { return std::to_string(value); }
-  static std::string text(bool value) { return value ? "1" : "0"; }
+  static std::string text(std::integral auto value) { return std::to_string(value); }  // bool: 1, 0
   void add_row(std::vector<std::string> row);
 
   std::vector<std::string> columns_;

@@ -48,9 +48,7 @@ double best_time(const Scene& scene, const std::vector<double>& times, const Mot
                  double tolerance) {
   double best = std::numeric_limits<double>::infinity();
   for (const auto& [of_series, cut] : {std::pair{1e-15, 1e-6}, {1e-8, 1e-4}, {1e-5, 3e-3}}) {
-    EventOptions options;
-    options.tolerance = of_series;
-    options.cut = cut;
+    const EventOptions options{.cut = cut, .tolerance = of_series};
     const auto start = methods::motion_of<double>(scene.start);
     best = std::min(best, time_within(scene, truth, tolerance, [&] {
                       return simulate_events<double>(scene.params, start, times, options);

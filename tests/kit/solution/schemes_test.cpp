@@ -37,7 +37,7 @@ double error(const std::string& method, const Scene& scene, double setting) {
   const auto all = all_methods();
   const auto found =
       std::find_if(all.begin(), all.end(), [&](auto& m) { return m.name == method; });
-  return error_of(scene, found->run(scene, setting), truth_of(scene));
+  return error_of(scene, found->simulate(scene, setting, kSamples), truth_of(scene));
 }
 
 // --- every scheme ---
