@@ -94,11 +94,7 @@ class Box2d final : public Engine {
 }  // namespace
 
 Peers box2d() {
-  return {{"box2d",
-           "2.4.1",  // its constant still says 2.4.0
-           [](const Scene& scene, double dt) -> std::unique_ptr<Engine> {
-             return std::make_unique<Box2d>(scene, dt);
-           }}};
+  return {{"box2d", "2.4.1", make<Box2d>}};  // its constant still says 2.4.0
 }
 
 }  // namespace bounce::study

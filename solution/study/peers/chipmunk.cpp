@@ -38,8 +38,6 @@ class Chipmunk final : public Engine {
     cpBodyFree(body_);
     cpSpaceFree(space_);
   }
-  Chipmunk(const Chipmunk&) = delete;
-  Chipmunk& operator=(const Chipmunk&) = delete;
 
   void step() override { cpSpaceStep(space_, dt_); }
 
@@ -72,15 +70,11 @@ class Chipmunk final : public Engine {
   cpShape *shape_ = nullptr, *ground_ = nullptr;
 };
 
-template <int iterations>
-std::unique_ptr<Engine> make(const Scene& scene, double dt) {
-  return std::make_unique<Chipmunk>(scene, dt, iterations);
-}
-
 }  // namespace
 
 Peers chipmunk() {
-  return {{"chipmunk", cpVersionString, make<50>}, {"chipmunk_10", cpVersionString, make<10>}};
+  return {{"chipmunk", cpVersionString, make<Chipmunk, 50>},
+          {"chipmunk_10", cpVersionString, make<Chipmunk, 10>}};
 }
 
 }  // namespace bounce::study

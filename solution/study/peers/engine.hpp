@@ -30,6 +30,12 @@ struct Peer {
   double least_dt = 3e-5;  // s. Smaller steps would take too long.
 };
 
+// What makes an engine of a class, with settings of the class's own.
+template <class World, auto... settings>
+std::unique_ptr<Engine> make(const Scene& scene, double dt) {
+  return std::make_unique<World>(scene, dt, settings...);
+}
+
 // How far the ground reaches to either side, and how deep if it is a box, m.
 inline constexpr double kGroundHalf = 50, kGroundDepth = 10;
 

@@ -99,8 +99,6 @@ class MuJoCo final : public Engine {
     mj_deleteData(data_);
     mj_deleteModel(model_);
   }
-  MuJoCo(const MuJoCo&) = delete;
-  MuJoCo& operator=(const MuJoCo&) = delete;
 
   void step() override { mj_step(model_, data_); }
 
@@ -116,12 +114,6 @@ class MuJoCo final : public Engine {
 
 }  // namespace
 
-Peers mujoco() {
-  return {{"mujoco", mj_versionString(),
-           [](const Scene& scene, double dt) -> std::unique_ptr<Engine> {
-             return std::make_unique<MuJoCo>(scene, dt);
-           },
-           kLeastDt}};
-}
+Peers mujoco() { return {{"mujoco", mj_versionString(), make<MuJoCo>, kLeastDt}}; }
 
 }  // namespace bounce::study

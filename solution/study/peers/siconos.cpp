@@ -106,12 +106,6 @@ class SiconosEngine final : public Engine {
 
 }  // namespace
 
-Peers siconos() {
-  return {{"siconos", "4.4.0",
-           [](const Scene& scene, double dt) -> std::unique_ptr<Engine> {
-             return std::make_unique<SiconosEngine>(scene, dt);
-           },
-           kLeastDt}};
-}
+Peers siconos() { return {{"siconos", "4.4.0", make<SiconosEngine>, kLeastDt}}; }
 
 }  // namespace bounce::study
