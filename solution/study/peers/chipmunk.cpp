@@ -70,11 +70,10 @@ class Chipmunk final : public Engine {
   cpShape *shape_ = nullptr, *ground_ = nullptr;
 };
 
+[[maybe_unused]] const auto iterations_50 =
+    all_peers.emplace("chipmunk", Peer{cpVersionString, make<Chipmunk, 50>});
+[[maybe_unused]] const auto iterations_10 =
+    all_peers.emplace("chipmunk_10", Peer{cpVersionString, make<Chipmunk, 10>});
+
 }  // namespace
-
-Peers chipmunk() {
-  return {{"chipmunk", cpVersionString, make<Chipmunk, 50>},
-          {"chipmunk_10", cpVersionString, make<Chipmunk, 10>}};
-}
-
 }  // namespace bounce::study

@@ -44,39 +44,18 @@ double time_of(const Peer& peer, const Scene& scene, double dt, long repeats) {
 
 }  // namespace
 
-Method method_of(const Peer& peer, double least_dt) {
+Method method_of(const std::string& name, const Peer& peer, double least_dt) {
   const double least = std::max(least_dt, peer.least_dt);
   std::vector<double> steps = steps_down_to(std::max(least, kClose), kLargest);
   for (double dt = kClose / std::sqrt(10.0); dt > 0.99 * least; dt /= std::sqrt(10.0))
     steps.push_back(dt);
-  return {peer.name, true, steps,
+  return {name, true, steps,
           [peer](const Scene& scene, double dt, int samples) {
             return samples_of(peer, scene, dt, samples);
           },
           [peer](const Scene& scene, double dt, long repeats) {
             return time_of(peer, scene, dt, repeats);
           }};
-}
-
-Peers all_peers() {
-  Peers all;
-  for (Peers (*const engine)() : std::initializer_list<Peers (*)()>{
-#ifdef BOUNCE_PEER_CHIPMUNK
-           chipmunk,
-#endif
-#ifdef BOUNCE_PEER_BOX2D
-           box2d,
-#endif
-#ifdef BOUNCE_PEER_MUJOCO
-           mujoco,
-#endif
-#ifdef BOUNCE_PEER_SICONOS
-           siconos,
-#endif
-       }) {
-    for (const Peer& peer : engine()) all.push_back(peer);
-  }
-  return all;
 }
 
 }  // namespace bounce::study

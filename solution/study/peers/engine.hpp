@@ -2,9 +2,9 @@
 // step. There is one file per engine, with its settings above the code.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "../../exact/scene.hpp"
 
@@ -25,7 +25,7 @@ class Engine {
 };
 
 struct Peer {
-  std::string name, version;
+  std::string version;
   std::unique_ptr<Engine> (*make)(const Scene& scene, double dt);
   double least_dt = 3e-5;  // s. Smaller steps would take too long.
 };
@@ -39,19 +39,13 @@ std::unique_ptr<Engine> make(const Scene& scene, double dt) {
 // How far the ground reaches to either side, and how deep if it is a box, m.
 inline constexpr double kGroundHalf = 50, kGroundDepth = 10;
 
-// Each engine with the settings that its authors recommend, where they do.
-using Peers = std::vector<Peer>;
-Peers chipmunk();
-Peers box2d();
-Peers mujoco();
-Peers siconos();
-
-// The engines that were found when this was built.
-Peers all_peers();
+// The engines that were found when this was built, by name, each with the settings that its authors
+// recommend, where they do. Their files enter them.
+inline std::map<std::string, Peer> all_peers;
 
 // An engine as a method (catalog.hpp): only its steps are timed, without making the world or
 // reading the motion. Steps are from 1/30 s, which games take, down to least_dt or the peer's own.
 struct Method;
-Method method_of(const Peer& peer, double least_dt);
+Method method_of(const std::string& name, const Peer& peer, double least_dt);
 
 }  // namespace bounce::study

@@ -13,9 +13,9 @@ void run(const std::string& scenes, const std::string& file, bool quick) {
   const int core = pin_to_one_core();
   Methods methods = all_methods();
   std::string engines = "# engines:";
-  for (const Peer& peer : all_peers()) {
-    methods.push_back(method_of(peer, quick ? 1e-3 : 1e-6));
-    engines += " " + peer.name + " " + peer.version;
+  for (const auto& [name, peer] : all_peers) {
+    methods.push_back(method_of(name, peer, quick ? 1e-3 : 1e-6));
+    engines += " " + name + " " + peer.version;
   }
   std::vector<std::string> lines = origin(times_taken(core, extent));
   lines.push_back(engines);

@@ -112,8 +112,8 @@ class MuJoCo final : public Engine {
   mjData* data_;
 };
 
+[[maybe_unused]] const auto mujoco =
+    all_peers.emplace("mujoco", Peer{mj_versionString(), make<MuJoCo>, kLeastDt});
+
 }  // namespace
-
-Peers mujoco() { return {{"mujoco", mj_versionString(), make<MuJoCo>, kLeastDt}}; }
-
 }  // namespace bounce::study

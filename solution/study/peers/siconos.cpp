@@ -104,8 +104,8 @@ class SiconosEngine final : public Engine {
   std::shared_ptr<TimeStepping> simulation_;
 };
 
+[[maybe_unused]] const auto siconos =
+    all_peers.emplace("siconos", Peer{"4.4.0", make<SiconosEngine>, kLeastDt});
+
 }  // namespace
-
-Peers siconos() { return {{"siconos", "4.4.0", make<SiconosEngine>, kLeastDt}}; }
-
 }  // namespace bounce::study
