@@ -31,16 +31,21 @@ MADE = {".pch", ".gch", ".o", ".txt", ".hpp"}  # what submissions are built with
 IN_USE = 3600  # seconds; every grading is over by then
 
 
-class Objects(NamedTuple):
-    """The objects of a submission: of its parts by number, and of its helpers."""
+class Compiled(NamedTuple):
+    """A submission whose files are compiled, to be linked in the folder `work` and run in the box."""
 
-    parts: dict[int, Built]
+    taken: Submission
+    work: Path
+    box: Box
+    timed: bool  # compiled as for normal use, without run-time checks
+    parts: dict[int, Built]  # by number
     helpers: list[Built]
 
 
-def compile_all(taken: Submission, work: Path, box: Box, jobs: int, timed: bool = False) -> Objects:
-    """Compiles every part and then every helper by itself, in folders inside of the folder `work`.
-    If `timed`, compiles as for normal use, without run-time checks."""
+def compile_all(
+    taken: Submission, work: Path, box: Box, jobs: int, timed: bool = False
+) -> Compiled:
+    """Compiles every part and then every helper by itself, in folders inside of the folder `work`."""
     built = partial(_built, taken, _unnamed_sources(taken), work, timed)
     parts = parallel_map(partial(built, box), taken.parts.values(), jobs)
     limited = box.budget.part(HELPERS_SECONDS, whose="the compiling of helpers")
@@ -56,7 +61,7 @@ def compile_all(taken: Submission, work: Path, box: Box, jobs: int, timed: bool 
         return made
 
     helpers = parallel_map(helper, taken.helpers, jobs)
-    return Objects(dict(zip(taken.parts, parts)), helpers)
+    return Compiled(taken, work, box, timed, dict(zip(taken.parts, parts)), helpers)
 
 
 def _unnamed_sources(taken: Submission) -> set[str]:

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from bounce_grader.build import compiler, linking
-from bounce_grader.build.compile import compile_all
+from bounce_grader.build.compile import compile_all, Compiled
 from bounce_grader.common.errors import KitError
 from bounce_grader.common.files import remove_abandoned, temporary_folder
 from bounce_grader.common.manifest import parts, Part
@@ -48,7 +48,7 @@ def grade(given: Path | Submission, options: Options = Options()) -> Record:
     with temporary_folder() as name:
         work = Path(name)
         box.give(work)
-        grading = _Grading(taken, work, hidden, box, jobs)
+        grading = _Grading(compile_all(taken, work, box, jobs), hidden, jobs)
         compiled = time.monotonic()
         grading.judge_together()
         grading.judge_alone()
@@ -76,9 +76,8 @@ class _Grading:
     """Judges the parts. First all parts linked together; then, if a part could score better, this
     part alone, with the given earlier parts. The better score counts."""
 
-    def __init__(self, taken: Submission, work: Path, hidden: Path, box: Box, jobs: int) -> None:
-        self.taken, self.work, self.hidden, self.box, self.jobs = taken, work, hidden, box, jobs
-        self.objects = compile_all(taken, work, box, jobs)
+    def __init__(self, compiled: Compiled, hidden: Path, jobs: int) -> None:
+        self.compiled, self.hidden, self.jobs = compiled, hidden, jobs
         self.together: Path | None = None  # the runner with all parts, if they link
         self.own: dict[Part, judging.Judged] = {}
         self.results: dict[Part, judging.Judged | Record] = {}  # a record: nothing could be run
@@ -87,17 +86,15 @@ class _Grading:
         """Judges the parts in the runner that holds them all. Parts that call no other come first:
         if one of them hangs, its callers would hang, too, and are judged with given parts."""
         with suppress(Overrun):
-            runner = linking.link_together(self.objects, self.work / "together", self.box)
-            self.together = runner
+            self.together = linking.link_together(self.compiled)
             for calling in (False, True):
-                if not runner or any(j.status == "timed_out" for j in self.own.values()):
+                if not self.together or any(j.status == "timed_out" for j in self.own.values()):
                     return
                 now = [part for part in parts() if bool(part.calls) == calling]
-                parallel_map(partial(self._judge_own, runner), now, self.jobs)
+                parallel_map(partial(self._judge_own, self.together), now, self.jobs)
 
     def _judge_own(self, runner: Path, part: Part) -> None:
-        files = self.taken.files
-        self.own[part] = judging.judge(part, runner, files, self.box, self.hidden, alone=False)
+        self.own[part] = judging.judge(part, "together", self.compiled, runner, self.hidden)
 
     def judge_alone(self) -> None:
         """Judges each part alone that could score better, and takes the better result. One after
@@ -110,15 +107,14 @@ class _Grading:
         tries = [self.own[part]] if part in self.own else []
         try:
             if self._could_be_better(part):
-                runner = self.work / f"alone{part.number}"
-                alone = linking.link_alone(part, self.objects, runner, self.box)
+                alone = linking.link_alone(part, self.compiled)
                 if alone.path:
-                    files = self.taken.files
+                    judged = judging.judge(part, "alone", self.compiled, alone.path, self.hidden)
                     # First: of two that score the same, the one with the given parts counts.
-                    tries.insert(0, judging.judge(part, runner, files, self.box, self.hidden))
+                    tries.insert(0, judged)
                 elif not tries:
                     # With the errors of helpers, which may be the reason.
-                    broken = [b.problem for b in self.objects.helpers if not b.path]
+                    broken = [b.problem for b in self.compiled.helpers if not b.path]
                     return self._not_built(part, "; ".join([alone.problem, *broken]), alone.place)
         except Overrun as overrun:
             if not tries:
@@ -131,9 +127,9 @@ class _Grading:
         if not isinstance(best, judging.Judged):
             return best
         if best.status == "crashed":
-            best = judging.with_cause(part, best, self.taken, self.work, self.hidden, self.box)
+            best = judging.with_cause(part, best, self.compiled, self.hidden)
         graded = record.part_record(part, best)
-        path = self.objects.parts[part.number].path
+        path = self.compiled.parts[part.number].path
         if not (path and compiler.MAIN in path.read_bytes()):
             return graded
         twice = f"{part.file} defines main(), and so does ./check, which can't link it"
@@ -143,8 +139,7 @@ class _Grading:
         """The record of a part; if it has all points, with what the sanitizers find in it."""
         if graded["score"] < graded["max_score"]:
             return graded
-        part = parts()[graded["part"] - 1]
-        found = judging.remark(part, self.taken, self.work, self.box)
+        found = judging.remark(parts()[graded["part"] - 1], self.compiled)
         return record.with_remark(graded, *found) if found else graded
 
     def _could_be_better(self, part: Part) -> bool:
@@ -159,25 +154,26 @@ class _Grading:
 
     def _problem(self, part: Part) -> Record | None:
         """The record of a part of which there is nothing to run."""
-        if part.number in self.taken.refused:
-            return self._not_built(part, self.taken.refused[part.number], None)
-        if part.number not in self.objects.parts:
+        taken = self.compiled.taken
+        if part.number in taken.refused:
+            return self._not_built(part, taken.refused[part.number], None)
+        if part.number not in taken.parts:
             message = f"{part.file} isn't among the files submitted"
             return record.failed_part(part, "not_submitted", message)
-        file = self.taken.parts[part.number]
-        words = self.taken.files[file].split()
+        file = taken.parts[part.number]
+        words = taken.files[file].split()
         if not words:
             return self._not_built(part, f"{file} is empty", None)
         if words == (STUBS / part.file).read_bytes().split():
             message = f"nothing is filled in yet: start at the TODO in {part.file}"
             return record.failed_part(part, "graded", message)
-        built = self.objects.parts[part.number]
+        built = self.compiled.parts[part.number]
         return None if built.path else self._not_built(part, built.problem, built.place)
 
     def _not_built(self, part: Part, why: str, place: Place | None) -> Record:
         if place:  # as "./helper.hpp", or as whatever the submission made a compiler write
             place = place._replace(file=os.path.normpath(place.file))
-        known = place if place and place.file in self.taken.files else None
+        known = place if place and place.file in self.compiled.taken.files else None
         return record.failed_part(part, "does_not_compile", why, known)
 
 
@@ -188,9 +184,9 @@ def _require_working_kit(box: Box) -> None:
     with temporary_folder() as name:
         work = Path(name)
         box.give(work)
-        objects = compile_all(taken, work, box, 1)
-        stub = objects.parts[1]
-        linked = linking.link_alone(parts()[0], objects, work / "stub", box) if stub.path else stub
+        compiled = compile_all(taken, work, box, 1)
+        stub = compiled.parts[1]
+        linked = linking.link_alone(parts()[0], compiled) if stub.path else stub
         if not linked.path:
             raise KitError(f"a stub can't be built: {linked.problem}")
     if problem := boxes.problem_of(box):
@@ -209,8 +205,8 @@ def _speed(grading: _Grading) -> Record:
     measured: Record = {"largest_error": largest}
     with suppress(Overrun):
         if grading.together:
-            taken, work, box = grading.taken, grading.work, grading.box
-            objects = compile_all(taken, work, box, grading.jobs, timed=True)
-            if timed := linking.link_together(objects, work / "timed", box, timed=True):
+            taken, work, box, *_ = grading.compiled
+            compiled = compile_all(taken, work, box, grading.jobs, timed=True)
+            if timed := linking.link_together(compiled):
                 measured |= speed.measure(timed, box) or {}
     return measured

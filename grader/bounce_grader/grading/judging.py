@@ -6,21 +6,22 @@ This never changes the score."""
 
 import json
 import re
-from collections.abc import Callable, Container
+from collections.abc import Callable
 from contextlib import suppress
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any, Literal, NamedTuple
 
 from bounce_grader.build import linking
+from bounce_grader.build.compile import Compiled
 from bounce_grader.common.errors import KitError
 from bounce_grader.common.escaping import first_few, printable_name, printable_text
 from bounce_grader.common.manifest import Part
 from bounce_grader.common.paths import FIXTURES, JUDGE, SOURCES, WORK_FOLDER
 from bounce_grader.grading.words import ending, Verdict
 from bounce_grader.sandbox import processes
-from bounce_grader.sandbox.box import LARGEST_FILE, Box
+from bounce_grader.sandbox.box import LARGEST_FILE
 from bounce_grader.sandbox.budget import Overrun
-from bounce_grader.submission.submission import Place, Submission
+from bounce_grader.submission.submission import Place
 
 SYMBOLS = processes.Limits(cpu_seconds=5, wall_seconds=30, memory=1 << 30, file_size=0)
 WAIT = processes.Limits(60, 300, memory=4 << 30, file_size=LARGEST_FILE, output=1 << 20)
@@ -31,6 +32,9 @@ MOST_CPU_SECONDS, MOST_SECONDS = 30, 200  # for all runners of a part together
 SANITIZED_CPU_SECONDS, SANITIZED_SECONDS = 20.0, 80.0  # for one part
 MARGIN = 5.0  # s, to stop it
 FOUND = "found"  # the kind of an end by a fault that the sanitizers name, and we know
+# In a runner of all parts, or of this one with given earlier parts; the last has sanitizers, and its
+# wrong answers aren't explained.
+How = Literal["together", "alone", "sanitized"]
 
 
 class Judged(NamedTuple):
@@ -58,27 +62,18 @@ class Judged(NamedTuple):
         return self.ended[0].status if self.ended else "graded"
 
 
-def judge(
-    part: Part,
-    runner: Path,
-    files: Container[str],
-    box: Box,
-    hidden: Path | None = None,
-    alone: bool = True,
-    sanitized: bool = False,
-) -> Judged:
-    """Judges a part; without `hidden`, on the public cases alone. If `alone`, the runner has given
-    earlier parts. `sanitized`: the runner has sanitizers, and its wrong answers aren't explained;
-    `files`: the submission's files, in which a crash is located. Checks that the grading has no
+def judge(part: Part, how: How, compiled: Compiled, runner: Path, hidden: Path | None) -> Judged:
+    """Judges a part; without `hidden`, on the public cases alone. Checks that the grading has no
     time left for fail. Raises KitError if the judge fails or doesn't name every check."""
+    box, sanitized = compiled.box, how == "sanitized"
     cpu, wall = box.budget.left()
-    given = alone and bool(part.calls)
+    given = how != "together" and bool(part.calls)
     asked = {
         "part": part.number,
         "fixtures": [str(FIXTURES / "public"), *([str(hidden)] if hidden else [])],
         "given": given,
         "sanitized": sanitized,
-        "recognise": alone and not sanitized,
+        "recognise": how == "alone",
         "boxed": box.kind != "none",
         "cpu_seconds": max(1, int(min(cpu, MOST_CPU_SECONDS))),
         "seconds": max(1, int(min(wall, MOST_SECONDS))),
@@ -93,7 +88,7 @@ def judge(
         raise KitError(f"the judge failed on part {part.number}: {result.err.strip() or 'killed'}")
     judged = read_answer(result.out, part)
     stacks = {verdict.stack for verdict in judged.verdicts.values() if verdict.stack}
-    places = {stack: _place(stack, runner, files, box) for stack in stacks}
+    places = {stack: _place(stack, runner, compiled) for stack in stacks}
     verdicts = {id: v._replace(place=places.get(v.stack)) for id, v in judged.verdicts.items()}
     return judged._replace(verdicts=verdicts, graded_with="given" if given else "own")
 
@@ -124,13 +119,14 @@ def _printable(x: Any) -> Any:
     return printable_text(x) if isinstance(x, str) else x
 
 
-def _place(stack: str, runner: Path, files: Container[str], box: Box) -> Place | None:
+def _place(stack: str, runner: Path, compiled: Compiled) -> Place | None:
     """The innermost line on the stack that is in the submission's own files; None if unknown, also
     for want of time, as the verdict is valid without it."""
     command = ["/usr/bin/addr2line", "-i", "-e", str(runner), *stack.split()]
+    prefix = compiled.box.to_build(runner.parent, [runner])
     with suppress(Overrun):
-        result = box.run(box.to_build(runner.parent, [runner]) + command, SYMBOLS)
-        return place_in(result.out, files.__contains__)
+        result = compiled.box.run(prefix + command, SYMBOLS)
+        return place_in(result.out, compiled.taken.files.__contains__)
     return None
 
 
@@ -147,23 +143,21 @@ def place_in(lines: bytes, is_submitted: Callable[[str], bool] = bool) -> Place 
 # --- with sanitizers ---
 
 
-def with_cause(
-    part: Part, judged: Judged, taken: Submission, work: Path, hidden: Path, box: Box
-) -> Judged:
+def with_cause(part: Part, judged: Judged, compiled: Compiled, hidden: Path) -> Judged:
     """The same verdicts; those about crashes that no assertion explains also say what the
     sanitizers found, if anything."""
     crashed = {id: v for id, v in judged.verdicts.items() if v.status == "crashed"}
     unclear = [id for id, v in crashed.items() if v.kind_of_end != "assertion"]
-    again = _again(part, taken, work, hidden, box) if unclear else {}
+    again = _again(part, compiled, hidden) if unclear else {}
     for id in unclear if again else ():
         if again[id].kind_of_end == FOUND:
             crashed[id] = crashed[id]._replace(found=again[id].end)
     return judged._replace(verdicts=judged.verdicts | crashed)
 
 
-def remark(part: Part, taken: Submission, work: Path, box: Box) -> tuple[str, Place | None] | None:
+def remark(part: Part, compiled: Compiled) -> tuple[str, Place | None] | None:
     """What the sanitizers find in a part with all points, in public cases, and where, or None."""
-    again = _again(part, taken, work, None, box)
+    again = _again(part, compiled, None)
     for verdict in again.values():
         if verdict.kind_of_end == FOUND and verdict.ended:
             return f"{verdict.place or part.file}: {ending(verdict.ended)}", verdict.place
@@ -175,16 +169,15 @@ def remark(part: Part, taken: Submission, work: Path, box: Box) -> tuple[str, Pl
     return None
 
 
-def _again(
-    part: Part, taken: Submission, work: Path, hidden: Path | None, box: Box
-) -> dict[str, Verdict]:
+def _again(part: Part, compiled: Compiled, hidden: Path | None) -> dict[str, Verdict]:
     """The verdicts with sanitizers and given parts, on the public cases alone where no folder of
     hidden ones is given. Empty where that can't be done: the score is valid without them."""
+    box = compiled.box
     cpu, wall = (left - MARGIN for left in box.budget.left())
     limited = box.budget.part(min(cpu, SANITIZED_CPU_SECONDS), min(wall, SANITIZED_SECONDS))
-    box = box._replace(budget=limited)
+    compiled = compiled._replace(box=box._replace(budget=limited))
     with suppress(KitError, Overrun):
-        built = linking.link_sanitized(part, taken, work, box) if box.kind == "full" else None
+        built = linking.link_sanitized(part, compiled) if box.kind == "full" else None
         if built and built.path:
-            return judge(part, built.path, taken.files, box, hidden, sanitized=True).verdicts
+            return judge(part, "sanitized", compiled, built.path, hidden).verdicts
     return {}

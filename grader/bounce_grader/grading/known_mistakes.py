@@ -92,8 +92,8 @@ def answers(part: Part, runner: Path, cases: Path) -> Answers:
 def _of_mistake(mistake: Mistake, cases: Path) -> Answers:
     """The answers of a mistake's file alone, which is built for this."""
     with temporary_folder() as name:
-        objects = compile_all(submission.read(GALLERY / mistake.name), Path(name), TRUSTED, 1)
-        linked = linking.link_alone(mistake.part, objects, Path(name, "runner"), TRUSTED)
+        compiled = compile_all(submission.read(GALLERY / mistake.name), Path(name), TRUSTED, 1)
+        linked = linking.link_alone(mistake.part, compiled)
         if not linked.path:
             raise KitError(f"{mistake.name} can't be built: {linked.problem}")
         if got := answers(mistake.part, linked.path, cases):

@@ -157,10 +157,8 @@ def test_the_formulas_answer_as_the_programs_do(
         if not program.startswith(str(part.number)):
             continue
         taken = submission.read(known_mistakes.GALLERY / folder)
-        objects = compile_all(taken, tmp_path / folder, known_mistakes.TRUSTED, 1)
-        runner = linking.link_alone(
-            part, objects, tmp_path / f"{folder}.run", known_mistakes.TRUSTED
-        )
+        compiled = compile_all(taken, tmp_path, known_mistakes.TRUSTED, 1)
+        runner = linking.link_alone(part, compiled)
         assert runner.path
         wrong = answers(part, runner.path, cases, asked)
         lines = [line_of(part, case, wrong[n]) for case, _, n in kept]
