@@ -22,8 +22,7 @@ from bounce_grader.common.escaping import printable_name, printable_text
 from bounce_grader.common.manifest import parts
 from bounce_grader.sandbox import box as boxes
 from bounce_grader.sandbox.processes import Limits, Result
-from bounce_grader.submission import folders
-from bounce_grader.submission.entry import Entry, MOST_ENTRIES, readable, too_many
+from bounce_grader.submission.entry import Entry, MOST_ENTRIES, of_folder, readable, too_many
 
 BY_LIBARCHIVE = (".tar.gz", ".tgz", ".tar.bz2", ".tar.xz", ".tar.zst", ".tar", ".7z", ".rar")
 ENDINGS = (".zip", *BY_LIBARCHIVE)
@@ -81,7 +80,7 @@ def opened(
     left = left or UnpackLimits()
     with ExitStack() as stack:
         if packed is None and _is_folder(path):
-            listed, empty = list(folders.entries(path, stack)), "empty"
+            listed, empty = list(of_folder(path, stack)), "empty"
         else:
             with readable(path):
                 stream = path.open("rb") if packed is None else io.BytesIO(packed)
