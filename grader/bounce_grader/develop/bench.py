@@ -18,7 +18,7 @@ from typing import NamedTuple
 from bounce_grader.common.errors import KitError
 from bounce_grader.common.manifest import parts
 from bounce_grader.common.paths import CONTRACT, ROOT
-from bounce_grader.grading.gallery import expected
+from bounce_grader.grading.known_mistakes import expected
 
 ROUNDS = 9
 SOLUTION = ROOT / "solution" / "src"

@@ -21,7 +21,6 @@ from bounce_grader.common.files import temporary_folder, write_whole
 from bounce_grader.common.manifest import part_of, parts, Part
 from bounce_grader.common.parallel_map import parallel_map
 from bounce_grader.common.paths import JUDGE, REFERENCE_RUNNER, ROOT
-from bounce_grader.grading.gallery import expected
 from bounce_grader.grading.record import MISTAKE_FIELDS
 from bounce_grader.sandbox import processes
 from bounce_grader.sandbox.box import LARGEST_FILE, Box
@@ -59,6 +58,20 @@ class Mistake(NamedTuple):
 def gallery() -> list[Mistake]:
     """All mistakes of the gallery. Raises KitError that says what is wrong, and where."""
     return [read(folder) for folder in sorted(GALLERY.iterdir()) if folder.is_dir()]
+
+
+def expected(folder: Path) -> dict[str, Any]:
+    """The content of expected.json, in which a person wrote what a submission of the gallery should
+    get. One that loses nothing needs no file."""
+    file = folder / "expected.json"
+    data: dict[str, Any] = json.loads(file.read_text()) if file.exists() else {}
+    return data | {"lost": check_ids(data.get("lost", []))}
+
+
+def check_ids(lost: list[str]) -> list[str]:
+    """The ids of what is lost: of all its checks where that is a part."""
+    checks = {f"part{part.number}": [check.id for check in part.checks] for part in parts()}
+    return [id for name in lost for id in checks.get(name, [name])]
 
 
 def read(folder: Path) -> Mistake:

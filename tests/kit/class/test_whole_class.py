@@ -9,11 +9,11 @@ from pathlib import Path
 import classes
 import pytest
 from bounce_grader import cli
-from bounce_grader.grading import gallery
+from bounce_grader.grading.known_mistakes import expected
 from classes import column, COLUMN, same
 from clusters import Cluster
 from conftest import ROOT
-from handed_in import submission_of
+from handed_in import points_without, submission_of
 from waiting import wait_for
 
 
@@ -32,7 +32,7 @@ def written(folder: Path, submissions: Sequence[Path]) -> dict[str, str]:
     for user, submission in users.items():
         submission_of(submission, folder / "submissions" / str(user))
     classes.book(folder / "export.csv", list(users))
-    points = {user: gallery.points(gallery.expected(s)["lost"]) for user, s in users.items()}
+    points = {user: points_without(expected(s)["lost"]) for user, s in users.items()}
     return {str(user): f"{sum(of):.2f}" for user, of in points.items()}
 
 

@@ -11,8 +11,9 @@ from pathlib import Path
 
 import pytest
 from bounce_grader.common.errors import UsageError
+from bounce_grader.common.manifest import parts
 from bounce_grader.common.paths import ROOT
-from bounce_grader.grading.gallery import expected
+from bounce_grader.grading.known_mistakes import expected
 from bounce_grader.submission import submission
 
 
@@ -31,6 +32,11 @@ def submission_of(folder: Path, to: Path) -> Path:
     ignore = shutil.ignore_patterns("expected.json", "*.md")
     shutil.copytree(folder, to, dirs_exist_ok=True, ignore=ignore)
     return to
+
+
+def points_without(lost: list[str]) -> list[float]:
+    """The points of each part without these checks."""
+    return [sum(c.points for c in part.checks if c.id not in lost) for part in parts()]
 
 
 def packed_tar(files: dict[str, bytes], kind: str = "gz") -> bytes:
