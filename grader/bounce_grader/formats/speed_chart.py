@@ -6,7 +6,7 @@ the handout's own charts; the marks are drawn in chart_marks.svg, by the kind of
 """
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
@@ -25,7 +25,6 @@ NAMES = {
     "solution": "assignment's scheme, as the course solves it",
     "least": "no more model than each step needs",
 }
-Curves = Mapping[str, Sequence[speed.Point]]  # by whose they are, as in speed.CURVES
 Place = tuple[float, float]  # px, to the right and down
 
 
@@ -44,20 +43,21 @@ class Curve(NamedTuple):
 
 def of_one(measured: speed.Measured) -> Markup:
     """A submission's curve, with its time steps, beside the solution's and the least model's."""
-    curves = {whose: speed.curve(measured, whose) for whose in speed.CURVES}
-    labels = {"submission": [seconds(1e9 * point.dt) for point in curves["submission"]]}
-    shown = [
-        Curve(over_solution(curves, whose), whose, name, labels.get(whose, ()))
-        for whose, name in NAMES.items()
-        if curves[whose]
-    ]
+    shown = [curve for curve in curves_of(measured, "submission").values() if curve.places]
     return error_over_time(shown, "Speed against accuracy")
 
 
-def over_solution(curves: Curves, whose: str) -> list[tuple[float, float | None]]:
-    """The places of a curve. The unit of time is the solution's, measured in the same run."""
-    unit = [point.ns for point in curves.get("solution", ()) if point.dt >= speed.STEP]
-    return [(p.ns / unit[-1], p.error) for p in curves.get(whose, ()) if unit]
+def curves_of(measured: speed.Measured, labelled: str) -> dict[str, Curve]:
+    """What was timed together, by whose it is, one of them with its time steps. The unit of time is
+    the solution's, measured in the same run."""
+    points = {whose: speed.curve(measured, whose) for whose in NAMES}
+    unit = [point.ns for point in points["solution"] if point.dt >= speed.STEP]
+    curves = {}
+    for whose, name in NAMES.items():
+        places = [(p.ns / unit[-1], p.error) for p in points[whose] if unit]
+        labels = [seconds(1e9 * p.dt) for p in points[whose] if whose == labelled]
+        curves[whose] = Curve(places, whose, name, labels)
+    return curves
 
 
 def error_over_time(curves: Sequence[Curve], label: str) -> Markup:

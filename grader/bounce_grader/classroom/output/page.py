@@ -12,9 +12,9 @@ from bounce_grader.classroom.grading.near_copies import Similar
 from bounce_grader.classroom.grading.summary import Summary
 from bounce_grader.common.escaping import first_few
 from bounce_grader.common.manifest import full_points, part_of, parts
-from bounce_grader.common.numbers import percent, seconds, short
+from bounce_grader.common.numbers import percent, short
 from bounce_grader.formats import html, speed_chart as chart
-from bounce_grader.grading import examples, speed
+from bounce_grader.grading import examples
 from bounce_grader.grading.known_mistakes import for_the_instructor
 
 MOST_NAMES = 10  # of who made a mistake; grades.csv has all
@@ -126,20 +126,16 @@ def _success(graded: Sequence[Summary]) -> Iterator[Bar]:
 
 def _chart(graded: Sequence[Summary]) -> Markup | None:
     """All submissions' curves, and the solution's and least model's as timed beside the first."""
-    every = [(one, {of: speed.curve(one.speed, of) for of in speed.CURVES}) for one in graded]
-    timed = [(one, own) for one, own in every if chart.over_solution(own, "submission")]
+    every = [(one, chart.curves_of(one.speed, "solution")) for one in graded]
+    timed = [(one, own) for one, own in every if own["submission"].places]
     if not timed:
         return None
     curves = []
     for one, own in timed:
         kind = "full" if one.has_all_points else "some" if one.score else "none"
         words = f"{one.student.who}: {short(one.score or 0)} points"
-        curves.append(chart.Curve(chart.over_solution(own, "submission"), kind, words))
-    first = timed[0][1]
-    steps = [seconds(1e9 * point.dt) for point in first["solution"]]
-    for whose in ("solution", "least"):
-        places, labels = chart.over_solution(first, whose), steps * (whose == "solution")
-        curves.append(chart.Curve(places, whose, chart.NAMES[whose], labels))
+        curves.append(own["submission"]._replace(kind=kind, title=words))
+    curves += [timed[0][1][whose] for whose in ("solution", "least")]
     return chart.error_over_time(curves, "Speed against accuracy, one line for each submission")
 
 
