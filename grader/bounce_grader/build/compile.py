@@ -10,10 +10,10 @@ from collections.abc import Iterable
 from contextlib import suppress
 from functools import cache, partial
 from pathlib import Path
-from typing import NamedTuple
 
-from bounce_grader.build import compiler
+from bounce_grader.build import toolchain
 from bounce_grader.build.errors import Built
+from bounce_grader.build.toolchain import Compiled, HELPERS_BYTES
 from bounce_grader.common.errors import KitError
 from bounce_grader.common.parallel_map import parallel_map
 from bounce_grader.common.paths import BUILD, CACHE, RUNNER, SOURCES
@@ -22,24 +22,12 @@ from bounce_grader.sandbox.budget import Overrun
 from bounce_grader.submission.submission import Submission
 
 HELPERS_SECONDS = 30  # of CPU time, for all helpers of a submission together
-HELPERS_BYTES = 32 << 20  # of objects, likewise; one more may be under way
 # Change it to invalidate all objects.
 FORMAT = "a file of its own from a process of its own, with its digest"
 KEPT_BYTES = 16 << 20  # in each of the 256 folders
 DIGEST = 32  # bytes
 MADE = {".pch", ".gch", ".o", ".txt", ".hpp"}  # what submissions are built with
 IN_USE = 3600  # seconds; every grading is over by then
-
-
-class Compiled(NamedTuple):
-    """A submission whose files are compiled, to be linked in the folder `work` and run in the box."""
-
-    taken: Submission
-    work: Path
-    box: Box
-    timed: bool  # compiled as for normal use, without run-time checks
-    parts: dict[int, Built]  # by number
-    helpers: list[Built]
 
 
 def compile_all(
@@ -89,16 +77,16 @@ def _built(
     taken.write_to(folder, names)
     box.give(folder)
     try:
-        clang = compiler.clang(file, taken, timed)
-        first = result = compiler.run(clang, folder, box, made)
-        if not first.ok and not compiler.ran_out_of_time(first) and not first.flooded:
-            gcc = compiler.gcc(file, taken, box, timed)
-            result = compiler.run(gcc, folder, box, made, by_gcc=True)
+        clang = toolchain.clang(file, taken, timed)
+        first = result = toolchain.run(clang, folder, box, made)
+        if not first.ok and not toolchain.ran_out_of_time(first) and not first.flooded:
+            gcc = toolchain.gcc(file, taken, box, timed)
+            result = toolchain.run(gcc, folder, box, made, by_gcc=True)
         size = made.stat().st_size
         if not result.ok or not size:
-            return compiler.compile_problem(first, file)
-        if size > compiler.LARGEST_OBJECT:
-            return compiler.too_large(file)
+            return toolchain.compile_problem(first, file)
+        if size > toolchain.LARGEST_OBJECT:
+            return toolchain.too_large(file)
         return Built(store(made.read_bytes(), place))
     except Overrun as overrun:
         return Built(None, f"{file} wasn't compiled: {overrun}")

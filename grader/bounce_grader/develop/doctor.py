@@ -15,7 +15,7 @@ from itertools import product
 from pathlib import Path
 from typing import NamedTuple
 
-from bounce_grader.build.compiler import COMPILE, compiler
+from bounce_grader.build.toolchain import COMPILE, compiler
 from bounce_grader.common.escaping import terminal
 from bounce_grader.common.paths import JUDGE, PROBE, ROOT
 from bounce_grader.sandbox import processes

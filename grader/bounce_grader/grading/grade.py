@@ -7,8 +7,8 @@ from functools import partial
 from pathlib import Path
 from typing import NamedTuple
 
-from bounce_grader.build import compiler, linking
-from bounce_grader.build.compile import compile_all, Compiled
+from bounce_grader.build.compile import compile_all
+from bounce_grader.build.toolchain import Compiled, link_alone, link_together, MAIN
 from bounce_grader.common.errors import KitError
 from bounce_grader.common.files import remove_abandoned, temporary_folder
 from bounce_grader.common.manifest import parts, Part
@@ -86,7 +86,7 @@ class _Grading:
         """Judges the parts in the runner that holds them all. Parts that call no other come first:
         if one of them hangs, its callers would hang, too, and are judged with given parts."""
         with suppress(Overrun):
-            self.together = linking.link_together(self.compiled)
+            self.together = link_together(self.compiled)
             for calling in (False, True):
                 if not self.together or any(j.status == "timed_out" for j in self.own.values()):
                     return
@@ -107,7 +107,7 @@ class _Grading:
         tries = [self.own[part]] if part in self.own else []
         try:
             if self._could_be_better(part):
-                alone = linking.link_alone(part, self.compiled)
+                alone = link_alone(part, self.compiled)
                 if alone.path:
                     judged = judging.judge(part, "alone", self.compiled, alone.path, self.hidden)
                     # First: of two that score the same, the one with the given parts counts.
@@ -130,7 +130,7 @@ class _Grading:
             best = judging.with_cause(part, best, self.compiled, self.hidden)
         graded = record.part_record(part, best)
         path = self.compiled.parts[part.number].path
-        if not (path and compiler.MAIN in path.read_bytes()):
+        if not (path and MAIN in path.read_bytes()):
             return graded
         twice = f"{part.file} defines main(), and so does ./check, which can't link it"
         return record.with_remark(graded, f"{twice}: take it out", None)
@@ -186,7 +186,7 @@ def _require_working_kit(box: Box) -> None:
         box.give(work)
         compiled = compile_all(taken, work, box, 1)
         stub = compiled.parts[1]
-        linked = linking.link_alone(parts()[0], compiled) if stub.path else stub
+        linked = link_alone(parts()[0], compiled) if stub.path else stub
         if not linked.path:
             raise KitError(f"a stub can't be built: {linked.problem}")
     if problem := boxes.problem_of(box):
@@ -207,6 +207,6 @@ def _speed(grading: _Grading) -> Record:
         if grading.together:
             taken, work, box, *_ = grading.compiled
             compiled = compile_all(taken, work, box, grading.jobs, timed=True)
-            if timed := linking.link_together(compiled):
+            if timed := link_together(compiled):
                 measured |= speed.measure(timed, box) or {}
     return measured

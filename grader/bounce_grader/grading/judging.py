@@ -11,8 +11,7 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any, Literal, NamedTuple
 
-from bounce_grader.build import linking
-from bounce_grader.build.compile import Compiled
+from bounce_grader.build.toolchain import Compiled, link_sanitized
 from bounce_grader.common.errors import KitError
 from bounce_grader.common.escaping import first_few, printable_name, printable_text
 from bounce_grader.common.manifest import Part
@@ -177,7 +176,7 @@ def _again(part: Part, compiled: Compiled, hidden: Path | None) -> dict[str, Ver
     limited = box.budget.part(min(cpu, SANITIZED_CPU_SECONDS), min(wall, SANITIZED_SECONDS))
     compiled = compiled._replace(box=box._replace(budget=limited))
     with suppress(KitError, Overrun):
-        built = linking.link_sanitized(part, compiled) if box.kind == "full" else None
+        built = link_sanitized(part, compiled) if box.kind == "full" else None
         if built and built.path:
             return judge(part, "sanitized", compiled, built.path, hidden).verdicts
     return {}

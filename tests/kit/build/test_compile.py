@@ -8,7 +8,7 @@ from contextlib import suppress
 from pathlib import Path
 
 import pytest
-from bounce_grader.build import compile as compiling, compiler, linking
+from bounce_grader.build import compile as compiling, toolchain
 from bounce_grader.common.errors import KitError
 from bounce_grader.common.files import temporary_folder
 from bounce_grader.common.paths import CONTRACT, RUNNER
@@ -74,7 +74,7 @@ def test_an_object_that_lost_its_content_is_made_anew(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """As after a loss of power."""
-    for module in (compiling, linking):
+    for module in (compiling, toolchain):
         monkeypatch.setattr(module, "CACHE", tmp_path / "cache")
     write(tmp_path / "s", solution_files())
     assert points(grade_path(tmp_path / "s")) == FULL
@@ -150,7 +150,9 @@ NO_VERDICT = {  # by what ends the command of a compiler
     "a g++ that can start nothing": ("/g++", ENDED._replace(code=1)),
 }
 VERDICTS = {
-    "takes more memory to compile than there is": ENDED._replace(cpu_limit=15, peak=compiler.LARGE),
+    "takes more memory to compile than there is": ENDED._replace(
+        cpu_limit=15, peak=toolchain.LARGE
+    ),
     "took more than 15 s to compile": ENDED,  # as it was given less, at the end of a grading
     "the compiler gave up on it: it takes more than 2 GB of memory": ENDED._replace(
         code=134, err=GAVE_UP
@@ -178,8 +180,8 @@ def test_a_box_or_a_machine_that_fails_is_no_verdict(
 
 @pytest.mark.parametrize("words", VERDICTS)
 def test_what_a_submission_makes_of_its_compiler_is_its_own_fault(words: str) -> None:
-    compiler.require_compiler_ran(VERDICTS[words])
-    assert words in compiler.compile_problem(VERDICTS[words], "x.cpp").problem
+    toolchain.require_compiler_ran(VERDICTS[words])
+    assert words in toolchain.compile_problem(VERDICTS[words], "x.cpp").problem
 
 
 @pytest.mark.parametrize("kind", ["full", "reduced", "none"])
@@ -197,7 +199,7 @@ def test_the_signal_that_ends_what_gcc_starts_is_known_from_within_each_box(
         work = Path(name)
         slow.write_to(work)
         box.give(work)
-        gcc = compiler.gcc("part1_contacts.cpp", slow, box, flags=endless)
-        limits = compiler.COMPILE._replace(cpu_seconds=1)
+        gcc = toolchain.gcc("part1_contacts.cpp", slow, box, flags=endless)
+        limits = toolchain.COMPILE._replace(cpu_seconds=1)
         ended = run([*box.to_build(work, [CONTRACT, RUNNER]), *gcc], limits)
     assert ended.boxed and ended.code == 128 + 9 and ended.cpu_seconds > 0.4, ended

@@ -6,7 +6,7 @@ import json
 from pathlib import Path
 
 import pytest
-from bounce_grader.build.compiler import compiler
+from bounce_grader.build.toolchain import compiler
 from bounce_grader.common.manifest import parts
 from bounce_grader.common.paths import RUNNER
 from bounce_grader.grading.grade import grade as grade_path

@@ -16,7 +16,7 @@ from typing import Any, NamedTuple
 
 import corpus
 import pytest
-from bounce_grader.build import compiler, errors
+from bounce_grader.build import errors, toolchain
 from bounce_grader.common import escaping
 from bounce_grader.common.errors import KitError, UsageError
 from bounce_grader.common.manifest import parts
@@ -108,7 +108,7 @@ def check_file(data: bytes, path: Path) -> bool:
 
 def check_compiler(data: bytes, _: Path) -> bool:
     printed = Result(1, 0.0, b"", data.decode("utf-8", "replace"), False, False)
-    problem = compiler.compile_problem(printed, "part2_lcp.cpp").problem
+    problem = toolchain.compile_problem(printed, "part2_lcp.cpp").problem
     assert problem and "\n" not in problem and "\n" not in errors.of_linker(printed.err).problem
     printed_last = escaping.printable_text(data.decode("utf-8", "replace"))
     ending = words.ending({"what": "aborted", "number": 6, "text": printed_last})

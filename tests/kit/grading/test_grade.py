@@ -11,7 +11,7 @@ from typing import Any
 
 import golden
 import pytest
-from bounce_grader.build import compile as compiling, compiler
+from bounce_grader.build import compile as compiling, toolchain
 from bounce_grader.common.errors import KitError
 from bounce_grader.common.manifest import parts
 from bounce_grader.common.paths import CONTRACT, RUNNER
@@ -187,7 +187,7 @@ def box_that_fails(patch: Patch, _: Path, after: int) -> None:
 
 def compiler_that_fails(patch: Patch, nothing: Path) -> None:
     for name in ("clang", "gcc"):
-        patch.setattr(compiler, name, lambda *_: ["/bin/false"])
+        patch.setattr(toolchain, name, lambda *_: ["/bin/false"])
     patch.setattr(compiling, "place_of", lambda name: nothing)
 
 

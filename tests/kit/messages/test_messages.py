@@ -10,7 +10,7 @@ from pathlib import Path
 
 import golden
 import pytest
-from bounce_grader.build.compiler import compile_problem
+from bounce_grader.build.toolchain import compile_problem
 from bounce_grader.build.errors import of_linker
 from bounce_grader.common import manifest
 from bounce_grader.common.errors import UsageError

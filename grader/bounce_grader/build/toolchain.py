@@ -1,0 +1,204 @@
+"""Runs the compilers and the linker in a box, and tells whose fault it is if one makes nothing."""
+
+from collections.abc import Iterable
+from pathlib import Path
+from typing import NamedTuple
+
+from bounce_grader.build.errors import Built, of_compiler, of_linker
+from bounce_grader.common.errors import KitError
+from bounce_grader.common.escaping import printable_text, terminal
+from bounce_grader.common.manifest import Part, parts
+from bounce_grader.common.paths import CACHE, CONTRACT, RUNNER, SOURCES
+from bounce_grader.sandbox.box import Box, PROGRAMS
+from bounce_grader.sandbox.processes import Limits, Result
+from bounce_grader.submission.submission import Submission
+
+COMPILE = Limits(15, 120, memory=2 << 30, file_size=64 << 20)
+LARGE = 640 << 20  # bytes of a compiler's memory; for an honest part it takes up to 470 MB
+LARGEST_OBJECT = 8 << 20
+HELPERS_BYTES = 32 << 20  # of all helpers of a submission together; one more may be under way
+MAIN = b"_Z14submitted_main"  # in an object whose source defines main, by its name for the linker
+LINK = Limits(cpu_seconds=10, wall_seconds=60, memory=2 << 30, file_size=64 << 20)
+RUNNER_OBJECTS = ("runner", "channel", "crash", "solve_lcp", "render")
+# The checked code comes first: of an inline function in several objects the linker takes the first.
+KIT_OBJECTS = ("prelude", *RUNNER_OBJECTS)
+
+# Without what AddressSanitizer finds, too, and what a file does that can't be opened in the box.
+SANITIZERS = (
+    "-fsanitize=address,undefined",
+    "-fno-sanitize=alignment,null,object-size,vptr,nonnull-attribute,returns-nonnull-attribute",
+    "-fno-sanitize-recover=all",
+)
+# Eigen allocates in another way for sanitizers, and the kit's objects free as without them.
+ALLOCATES_ALIKE = "-DEIGEN_MALLOC_ALREADY_ALIGNED=1"
+CHECKED_LINK = ("-no-pie", *(f"-static-lib{name}" for name in ("asan", "ubsan", "stdc++", "gcc")))
+
+
+class Compiled(NamedTuple):
+    """A submission whose files are compiled, to be linked in the folder `work` and run in the box."""
+
+    taken: Submission
+    work: Path
+    box: Box
+    timed: bool  # compiled as for normal use, without run-time checks
+    parts: dict[int, Built]  # by number
+    helpers: list[Built]
+
+
+# --- compilers ---
+
+
+def run(command: list[str], folder: Path, box: Box, made: Path, by_gcc: bool = False) -> Result:
+    """Runs a compiler in the folder of a submission's sources; it writes the object to the file
+    `made`. Raises KitError if the box or the machine failed, and not the submission."""
+    prefix = box.to_build(folder, [CONTRACT, RUNNER], PROGRAMS if by_gcc else ())
+    result = box.run([*prefix, *command], COMPILE, cwd=folder, output=made)
+    require_compiler_ran(result)
+    # A program that g++ starts and that fails once it has begun gives g++ another exit status.
+    if by_gcc and result.code in (1, 125):
+        raise KitError("g++ couldn't start its compiler; is the machine short of processes?")
+    return result
+
+
+def require_compiler_ran(result: Result) -> None:
+    """Raises KitError if the box or the machine kept the compiler from running. This is decided by
+    what the box reports on a descriptor that no compiler has, and by signals and times; never by
+    text, because a submission can make a compiler print any text."""
+    if not result.boxed:
+        why = terminal(printable_text(result.err.strip().partition("\n")[0], 200))
+        raise KitError(f"a box couldn't be made: {why or 'it ended'}")
+    if _killed_early(result) and result.peak < LARGE:
+        raise KitError("the compiler was killed from outside; is the machine short of memory?")
+    if result.too_long and result.cpu_seconds < result.cpu_limit / 2:
+        raise KitError("a compiler hardly ran: the machine was too busy, or it was stopped")
+
+
+def _killed_early(result: Result) -> bool:
+    """Whether it was killed well before its limit of CPU time. The system enforces that limit in
+    ticks but reports times in nanoseconds, so a process at its limit can seem to be below it."""
+    return result.killed and result.cpu_seconds < 0.7 * result.cpu_limit
+
+
+def clang(file: str, taken: Submission, timed: bool = False) -> list[str]:
+    flags, header = ("speed_flags", "speed") if timed else ("clang_flags", "prelude")
+    command = [compiler(), f"@{RUNNER / flags}.txt", "-include-pch", str(RUNNER / f"{header}.pch")]
+    return [*command, *_source(file, taken)]
+
+
+def gcc(
+    file: str, taken: Submission, box: Box, timed: bool = False, flags: Iterable[str] = ()
+) -> list[str]:
+    """Used for what clang rejects: code that a student's own compiler accepts must count. If a
+    signal ends a program that g++ starts, the exit status tells which."""
+    kind = "gcc_speed_flags" if timed else "gcc_flags"
+    command = ["/usr/bin/g++", "-wrapper", f"{box.enter},step", "-pass-exit-codes"]
+    command += [f"@{RUNNER / kind}.txt", *flags, "-include", str(RUNNER / "prelude.hpp")]
+    return [*command, *_source(file, taken)]
+
+
+def _source(file: str, taken: Submission) -> list[str]:
+    folders = [f"-I{name}" for name in taken.include_folders]
+    return [*folders, "-Dmain=submitted_main", "-x", "c++", "-c", file, "-o", "OUTPUT"]
+
+
+def compiler() -> str:
+    return (RUNNER / "compiler.txt").read_text().strip()
+
+
+def ran_out_of_time(result: Result) -> bool:
+    return result.too_long or result.code in (-9, -24, 128 + 9, 128 + 24)
+
+
+def too_large(file: str) -> Built:
+    return Built(None, f"{file} makes an object of more than {LARGEST_OBJECT >> 20} MB")
+
+
+def compile_problem(result: Result, file: str) -> Built:
+    """Why a compiler made no object of the file."""
+    if _killed_early(result):
+        return Built(None, f"{file} takes more memory to compile than there is")
+    if ran_out_of_time(result):
+        return Built(None, f"{file} took more than {COMPILE.cpu_seconds} s to compile")
+    if result.code in (-25, 128 + 25):
+        return too_large(file)
+    if result.flooded:
+        words = "makes the compiler print without end: look for lines of assembler in it"
+        return Built(None, f"{file} {words}")
+    return of_compiler(result.err, file)
+
+
+# --- the linker ---
+
+
+def link_together(compiled: Compiled) -> Path | None:
+    """Links one runner with all of the submission's own parts; None if one is missing, or they
+    don't link."""
+    own = [built.path for built in (*compiled.parts.values(), *compiled.helpers)]
+    is_whole = len(compiled.parts) == len(parts()) and all(own)
+    name = "timed" if compiled.timed else "together"
+    return _link(compiled, name, own).path if is_whole else None
+
+
+def link_alone(part: Part, compiled: Compiled) -> Built:
+    """Links a runner with one part; calls to earlier parts go to the judge, which answers them.
+
+    If that fails, a second try adds the files of the other parts, which may define what this part
+    needs. The given parts still come first, and duplicate definitions are allowed.
+    """
+    helpers = [built.path for built in compiled.helpers]
+    own, name = [compiled.parts[part.number].path, *helpers, *_given(part)], f"alone{part.number}"
+    alone = _link(compiled, name, own)
+    others = [b.path for number, b in compiled.parts.items() if number != part.number and b.path]
+    if alone.path or not (others or helpers):
+        return alone
+    second = _link(compiled, name, [*own, *others], "--allow-multiple-definition")
+    return second if second.path else alone
+
+
+def link_sanitized(part: Part, compiled: Compiled) -> Built:
+    """Like link_alone, but compiles and links with g++'s sanitizers."""
+    taken, work, box = compiled.taken, compiled.work, compiled.box
+    sources = work / SOURCES
+    taken.write_to(sources)
+    box.give(sources)
+    objects: list[Path] = []
+    for file in [taken.parts[part.number], *taken.helpers]:
+        objects.append(work / f"checked{part.number}-{len(objects)}.o")
+        command = gcc(file, taken, box, flags=(*SANITIZERS, ALLOCATES_ALIKE))
+        result = run(command, sources, box, objects[-1], by_gcc=True)
+        if not result.ok:
+            return compile_problem(result, file)
+        if sum(path.stat().st_size for path in objects) > HELPERS_BYTES:
+            return too_large(file)
+    kit = [str(RUNNER / f"{name}.o") for name in (*RUNNER_OBJECTS, "sanitizers")]
+    command = ["/usr/bin/g++", *SANITIZERS, *CHECKED_LINK, "-o", "OUTPUT"]
+    command += [*kit, *map(str, [*objects, *_given(part)])]
+    prefix = box.to_build(RUNNER, [RUNNER, *objects])
+    return _linked(prefix + command, work / f"checked{part.number}", box)
+
+
+def _given(part: Part) -> list[Path]:
+    return [RUNNER / f"given_part{number}.o" for number in part.calls]
+
+
+def _link(compiled: Compiled, name: str, files: Iterable[Path | None], *flags: str) -> Built:
+    """Links these files with the kit's, by the linker command that clang would run. A runner that
+    is timed goes without the prelude's code: its run-time checks make it slower than the parts'."""
+    linked, box = [path for path in files if path], compiled.box
+    kit = RUNNER_OBJECTS if compiled.timed else KIT_OBJECTS
+    objects = [*flags, *(f"{RUNNER}/{name}.o" for name in kit), *map(str, linked)]
+    command = (RUNNER / "link_command.txt").read_text().splitlines()
+    place = command.index("OBJECTS")
+    command[place : place + 1] = objects
+    visible = [path for path in linked if path.is_relative_to(CACHE)]
+    prefix = box.to_build(RUNNER, visible, programs=())
+    return _linked(prefix + command, compiled.work / name, box)
+
+
+def _linked(command: list[str], runner: Path, box: Box) -> Built:
+    result = box.run(command, LINK, cwd=RUNNER, output=runner)
+    require_compiler_ran(result)
+    if not result.ok or not runner.stat().st_size:
+        return of_linker(result.err)
+    runner.chmod(0o755)
+    return Built(runner)
