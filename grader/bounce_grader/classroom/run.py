@@ -3,10 +3,9 @@
 import errno
 import fcntl
 import sys
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
+from typing import Any, TextIO
 
 from bounce_grader.classroom.grading import grading, near_copies, results
 from bounce_grader.classroom.grading.summary import Summary
@@ -91,20 +90,18 @@ def _filled_in(options: Options) -> Path:
     return Path(options.out / f"gradebook{own if own in ('.xls', '.txt') else '.csv'}")
 
 
-@contextmanager
-def _locked(out: Path) -> Iterator[None]:
-    """Lets only one run write to the output folder. The lock ends with the process."""
+def _locked(out: Path) -> TextIO:
+    """Lets only one run write to the output folder, until this file is closed or the process ends."""
     try:
         out.mkdir(mode=0o700, parents=True, exist_ok=True)  # it will hold points and answers
         lock = open(out / ".lock", "w")
     except OSError as error:
         raise UsageError(f"{out} can't be written: {error.strerror}") from error
-    with lock:
-        try:
-            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except BlockingIOError as error:
-            raise UsageError(f"another run is under way in {out}: wait for it") from error
-        yield
+    try:
+        fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except BlockingIOError as error:
+        raise UsageError(f"another run is under way in {out}: wait for it") from error
+    return lock
 
 
 def _run(

@@ -173,11 +173,9 @@ def _require_a_place_for_each(path: Path, names: Iterable[str]) -> None:
 
 def _common_folder(entries: list[Entry]) -> str:
     """The one folder that holds everything, as when a folder was zipped; else '.'."""
-    own = [PurePosixPath(entry.name).parts for entry in entries]
-    own = [parts for parts in own if parts[0] != MAC_FOLDER]
-    tops = {parts[0] for parts in own}
-    nested = all(len(parts) > 1 for parts in own)
-    return tops.pop() if len(tops) == 1 and nested else "."
+    folders = [(*PurePosixPath(entry.name).parts[:-1], ".") for entry in entries]
+    tops = {folder[0] for folder in folders} - {MAC_FOLDER}
+    return tops.pop() if len(tops) == 1 else "."
 
 
 def _wanted(name: PurePosixPath) -> bool:

@@ -60,17 +60,13 @@ class Task(NamedTuple):
     @property
     def key(self) -> str:
         """Of the result."""
-        return key_of(self.submission, self.stamp)
+        return hashlib.sha256(repr((self.submission, *self.stamp)).encode()).hexdigest()
 
 
 Grade = Callable[[Submission, Task, Budget], Record]
 # Returns why the kit failed, and there is no result; "" if there is one. Raises OSError if the disk
 # is full: then no further result could be stored.
 Unit = Callable[[Task], str]
-
-
-def key_of(submission: str, stamp: Stamp) -> str:
-    return hashlib.sha256(repr((submission, *stamp)).encode()).hexdigest()
 
 
 def digest(student: Student) -> str:
@@ -189,8 +185,8 @@ def differences(there: Stamp, tasks: Sequence[Task]) -> list[str]:
     has another score or passes other checks."""
     lines, differing = [], 0
     for task in tasks:
-        old, before = _points(task, key_of(task.submission, there))
-        new, now = _points(task, task.key)
+        old, before = _points(task._replace(stamp=there))
+        new, now = _points(task)
         failing = [{id for id, of in points.items() if not of} for points in (before, now)]
         if old == new and failing[0] == failing[1]:
             continue
@@ -210,9 +206,9 @@ def differences(there: Stamp, tasks: Sequence[Task]) -> list[str]:
     ]
 
 
-def _points(task: Task, key: str) -> tuple[Any, dict[str, float]]:
+def _points(task: Task) -> tuple[Any, dict[str, float]]:
     """The score, and the points of each check. If there are none, the state stands for a score."""
-    result = load(task.folder, key) or {"state": "not graded", "record": {}}
+    result = load(task.folder, task.key) or {"state": "not graded", "record": {}}
     record = result["record"] or {"score": result["state"], "parts": []}
     checks = (check for part in record["parts"] for check in part["checks"])
     return record["score"], {check["id"]: check["score"] for check in checks}
