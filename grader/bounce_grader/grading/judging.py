@@ -125,7 +125,7 @@ def _place(stack: str, runner: Path, compiled: Compiled) -> Place | None:
     prefix = compiled.box.to_build(runner.parent, [runner])
     with suppress(Overrun):
         result = compiled.box.run(prefix + command, SYMBOLS)
-        return place_in(result.out, compiled.taken.files.__contains__)
+        return place_in(result.out, compiled.taken.files.__contains__) if result.ok else None
     return None
 
 

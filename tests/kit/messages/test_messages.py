@@ -10,13 +10,16 @@ from pathlib import Path
 
 import golden
 import pytest
-from bounce_grader.build.toolchain import compile_problem
 from bounce_grader.build.errors import of_linker
+from bounce_grader.build.toolchain import compile_problem, Compiled
 from bounce_grader.common import manifest
 from bounce_grader.common.errors import UsageError
 from bounce_grader.common.paths import WORK_FOLDER
 from bounce_grader.grading import judging
+from bounce_grader.sandbox import processes
+from bounce_grader.sandbox.box import Box
 from bounce_grader.sandbox.processes import Result
+from bounce_grader.submission.submission import Place, Submission
 from conftest import ROOT
 from edits import edited
 
@@ -51,6 +54,19 @@ SENTENCES: Sentences = {
     "linker": lambda said: of_linker(said).problem,
     "addr2line": of_addr2line,
 }
+
+
+@pytest.mark.parametrize("flooded", [False, True])
+def test_what_addr2line_says_counts_if_it_ended_in_order(
+    flooded: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    line = f"/tmp/{WORK_FOLDER}a1b2/sources/part1_contacts.cpp:12\n".encode()
+    result = Result(0, 0.0, line, "", False, flooded)
+    monkeypatch.setattr(processes, "run", lambda *_: result)
+    taken = Submission("", {"part1_contacts.cpp": b""}, {}, {})
+    compiled = Compiled(taken, Path(), Box("none"), False, {}, [])
+    place = judging._place("0x1", Path("runner"), compiled)
+    assert place == (None if flooded else Place("part1_contacts.cpp", 12))
 
 
 @pytest.fixture
