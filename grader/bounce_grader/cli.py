@@ -111,8 +111,8 @@ def _add_class(parser: argparse.ArgumentParser) -> None:
     option("--out", type=given_path, required=True, metavar="DIR", help="what is written")
     option("--gradebook", type=given_path, metavar="CSV", help="Canvas's exported grade book")
     option("--column", default="", metavar="TITLE", help="its column, as in 'HW3 (98765)'")
-    canvas = "download the submissions by Canvas's API, with CANVAS_URL and CANVAS_TOKEN from "
-    canvas += "the environment; shows what --upload would change there"
+    download = "download the submissions by Canvas's API, with CANVAS_URL and CANVAS_TOKEN from"
+    canvas = f"{download} the environment; shows what --upload would change there"
     option("--canvas", default="", metavar="COURSE/ASSIGNMENT", help=canvas)
     corpus = "other years' submissions, among which near-copies are looked for, too"
     option("--corpus", type=given_path, nargs="+", default=[], metavar="FOLDER", help=corpus)
@@ -132,8 +132,8 @@ def _add_class(parser: argparse.ArgumentParser) -> None:
 
 def _add_study(parser: argparse.ArgumentParser) -> None:
     option = parser.add_argument
-    asked = "tables to measure; all unless named. Or: simulate SCENE.json, its motion within a "
-    asked += "tolerance, and the least model and the cheapest method for it"
+    motion = "its motion within a tolerance, and the least model and the cheapest method for it"
+    asked = f"tables to measure; all unless named. Or: simulate SCENE.json, {motion}"
     option("questions", nargs="*", metavar="QUESTION", help=asked)
     option("--tolerance", metavar="METRES", help="of simulate: the largest error (default: 0.001)")
     file = partial(option, type=given_path)

@@ -30,8 +30,8 @@ LEAST_OF_PART = 90  # per cent of one part; right answers to a short task look a
 LEAST_PARTS = 2  # alike, for a pair that isn't alike as a whole
 MOST = 20  # pairs that are named
 LONGEST = 16_000  # tokens that are compared of each
-IN_PART = f"it is longer than {LONGEST} words and signs, and only its beginning is compared "
-IN_PART += "with others: look whether it is a copy"
+LONGER = f"it is longer than {LONGEST} words and signs"
+IN_PART = f"{LONGER}, and only its beginning is compared with others: look whether it is a copy"
 KEYWORDS = set(
     "auto bool break case catch class const constexpr continue default do double else enum false "
     "float for if inline int namespace new operator return static struct switch template this throw "

@@ -50,8 +50,8 @@ WHO = (  # in Canvas's names
     r"(?:(?!LATE_|anon_)(?P<name>[^/]+?)_)?(?:(?P<late>LATE)_)?"
     rf"(?P<user>anon_[A-Za-z0-9]{{1,20}}|{ID})"
 )
-EITHER = "has a name that doesn't say for certain whose it is: look in Canvas who handed it in, "
-EITHER += "and grade it by itself with ./kit grade"
+ALONE = "look in Canvas who handed it in, and grade it by itself with ./kit grade"
+EITHER = f"has a name that doesn't say for certain whose it is: {ALONE}"
 WHOSE = re.compile(r"\ufeff?Name:\s*(?P<name>.*)\((?P<user>[^()\s]+)\)\s*$")  # in Blackboard's text
 
 
