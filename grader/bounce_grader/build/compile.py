@@ -6,15 +6,16 @@ import os
 import re
 import shutil
 import time
-from collections.abc import Iterable
-from contextlib import suppress
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager, suppress
 from functools import cache, partial
 from pathlib import Path
 
 from bounce_grader.build import toolchain
 from bounce_grader.build.errors import Built
-from bounce_grader.build.toolchain import Compiled, HELPERS_BYTES
+from bounce_grader.build.toolchain import HELPERS_BYTES, Work
 from bounce_grader.common.errors import KitError
+from bounce_grader.common.files import temporary_folder
 from bounce_grader.common.parallel_map import parallel_map
 from bounce_grader.common.paths import BUILD, CACHE, RUNNER, SOURCES
 from bounce_grader.sandbox.box import Box
@@ -30,26 +31,33 @@ MADE = {".pch", ".gch", ".o", ".txt", ".hpp"}  # what submissions are built with
 IN_USE = 3600  # seconds; every grading is over by then
 
 
-def compile_all(
-    taken: Submission, work: Path, box: Box, jobs: int, timed: bool = False
-) -> Compiled:
-    """Compiles every part and then every helper by itself, in folders inside of the folder `work`."""
-    built = partial(_built, taken, _unnamed_sources(taken), work, timed)
-    parts = parallel_map(partial(built, box), taken.parts.values(), jobs)
+@contextmanager
+def compiled(taken: Submission, box: Box, jobs: int = 1) -> Iterator[Work]:
+    """The work on a submission, in a temporary folder of its own."""
+    with temporary_folder() as name:
+        box.give(Path(name))
+        yield compile_all(Work(taken, Path(name), box, jobs))
+
+
+def compile_all(work: Work) -> Work:
+    """Compiles every part and then every helper by itself, in folders inside of the work's."""
+    taken, box, jobs = work.taken, work.box, work.jobs
+    unnamed = _unnamed_sources(taken)
+    parts = parallel_map(partial(_built, work, unnamed), taken.parts.values(), jobs)
     limited = box.budget.part(HELPERS_SECONDS, whose="the compiling of helpers")
-    helping = box._replace(budget=limited)
+    helping = work._replace(box=box._replace(budget=limited))
     sizes: list[int] = []
 
     def helper(file: str) -> Built:
         if sum(sizes) > HELPERS_BYTES:
             most = f"the helpers' objects take more than {HELPERS_BYTES >> 20} MB"
             return Built(None, f"{file} wasn't compiled: {most}")
-        made = built(helping, file)
+        made = _built(helping, unnamed, file)
         sizes.append(made.path.stat().st_size if made.path else 0)
         return made
 
     helpers = parallel_map(helper, taken.helpers, jobs)
-    return Compiled(taken, work, box, timed, dict(zip(taken.parts, parts)), helpers)
+    return work._replace(parts=dict(zip(taken.parts, parts)), helpers=helpers)
 
 
 def _unnamed_sources(taken: Submission) -> set[str]:
@@ -62,25 +70,23 @@ def _unnamed_sources(taken: Submission) -> set[str]:
     return {name for name in sources if os.fsencode(Path(name).name) not in text}
 
 
-def _built(
-    taken: Submission, unnamed: set[str], work: Path, timed: bool, box: Box, file: str
-) -> Built:
+def _built(work: Work, unnamed: set[str], file: str) -> Built:
     """Compiles a file, unless its object is in the cache; by g++ what clang rejects. The compiler
     sees, and the cache's key covers, no other source that is `unnamed`, so that the object stays
     valid when other parts change."""
+    taken, box = work.taken, work.box
     names = sorted(taken.files.keys() - (unnamed - {file}))
-    name = name_of(file, names, taken, box, timed)
+    name = name_of(work, file, names)
     place = place_of(name)
     if is_there(place):
         return Built(place)
-    folder, made = work / f"{SOURCES}-{name[:16]}", work / f"{name[:16]}.o"
+    folder, made = work.folder / f"{SOURCES}-{name[:16]}", work.folder / f"{name[:16]}.o"
     taken.write_to(folder, names)
     box.give(folder)
     try:
-        clang = toolchain.clang(file, taken, timed)
-        first = result = toolchain.run(clang, folder, box, made)
+        first = result = toolchain.run(toolchain.clang(work, file), folder, box, made)
         if not first.ok and not toolchain.ran_out_of_time(first) and not first.flooded:
-            gcc = toolchain.gcc(file, taken, box, timed)
+            gcc = toolchain.gcc(work, file)
             result = toolchain.run(gcc, folder, box, made, by_gcc=True)
         size = made.stat().st_size
         if not result.ok or not size:
@@ -99,9 +105,10 @@ def _built(
 # --- the cache ---
 
 
-def name_of(file: str, names: Iterable[str], taken: Submission, box: Box, timed: bool) -> str:
+def name_of(work: Work, file: str, names: Iterable[str]) -> str:
     """The cache key of an object: a hash of all that it is made from, the toolchain and FORMAT."""
-    made_from = [FORMAT, toolchain_digest(), file, box.kind, timed, taken.include_folders]
+    taken, kind = work.taken, work.box.kind
+    made_from = [FORMAT, toolchain_digest(), file, kind, work.timed, taken.include_folders]
     texts = [(name, taken.files[name]) for name in names]
     return hashlib.sha256(repr((made_from, texts)).encode()).hexdigest()
 

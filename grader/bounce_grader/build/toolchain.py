@@ -1,6 +1,6 @@
 """Runs the compilers and the linker in a box, and tells whose fault it is if one makes nothing."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
@@ -34,15 +34,16 @@ ALLOCATES_ALIKE = "-DEIGEN_MALLOC_ALREADY_ALIGNED=1"
 CHECKED_LINK = ("-no-pie", *(f"-static-lib{name}" for name in ("asan", "ubsan", "stdc++", "gcc")))
 
 
-class Compiled(NamedTuple):
-    """A submission whose files are compiled, to be linked in the folder `work` and run in the box."""
+class Work(NamedTuple):
+    """A submission that is built in a folder and run in a box; with its objects, once there are."""
 
     taken: Submission
-    work: Path
+    folder: Path
     box: Box
-    timed: bool  # compiled as for normal use, without run-time checks
-    parts: dict[int, Built]  # by number
-    helpers: list[Built]
+    jobs: int = 1  # at the same time
+    timed: bool = False  # built as for normal use, without run-time checks
+    parts: Mapping[int, Built] = {}  # by number
+    helpers: Sequence[Built] = ()
 
 
 # --- compilers ---
@@ -79,25 +80,23 @@ def _killed_early(result: Result) -> bool:
     return result.killed and result.cpu_seconds < 0.7 * result.cpu_limit
 
 
-def clang(file: str, taken: Submission, timed: bool = False) -> list[str]:
-    flags, header = ("speed_flags", "speed") if timed else ("clang_flags", "prelude")
+def clang(work: Work, file: str) -> list[str]:
+    flags, header = ("speed_flags", "speed") if work.timed else ("clang_flags", "prelude")
     command = [compiler(), f"@{RUNNER / flags}.txt", "-include-pch", str(RUNNER / f"{header}.pch")]
-    return [*command, *_source(file, taken)]
+    return [*command, *_source(work, file)]
 
 
-def gcc(
-    file: str, taken: Submission, box: Box, timed: bool = False, flags: Iterable[str] = ()
-) -> list[str]:
+def gcc(work: Work, file: str, flags: Iterable[str] = ()) -> list[str]:
     """Used for what clang rejects: code that a student's own compiler accepts must count. If a
     signal ends a program that g++ starts, the exit status tells which."""
-    kind = "gcc_speed_flags" if timed else "gcc_flags"
-    command = ["/usr/bin/g++", "-wrapper", f"{box.enter},step", "-pass-exit-codes"]
+    kind = "gcc_speed_flags" if work.timed else "gcc_flags"
+    command = ["/usr/bin/g++", "-wrapper", f"{work.box.enter},step", "-pass-exit-codes"]
     command += [f"@{RUNNER / kind}.txt", *flags, "-include", str(RUNNER / "prelude.hpp")]
-    return [*command, *_source(file, taken)]
+    return [*command, *_source(work, file)]
 
 
-def _source(file: str, taken: Submission) -> list[str]:
-    folders = [f"-I{name}" for name in taken.include_folders]
+def _source(work: Work, file: str) -> list[str]:
+    folders = [f"-I{name}" for name in work.taken.include_folders]
     return [*folders, "-Dmain=submitted_main", "-x", "c++", "-c", file, "-o", "OUTPUT"]
 
 
@@ -130,41 +129,41 @@ def compile_problem(result: Result, file: str) -> Built:
 # --- the linker ---
 
 
-def link_together(compiled: Compiled) -> Path | None:
+def link_together(work: Work) -> Path | None:
     """Links one runner with all of the submission's own parts; None if one is missing, or they
     don't link."""
-    own = [built.path for built in (*compiled.parts.values(), *compiled.helpers)]
-    is_whole = len(compiled.parts) == len(parts()) and all(own)
-    name = "timed" if compiled.timed else "together"
-    return _link(compiled, name, own).path if is_whole else None
+    own = [built.path for built in (*work.parts.values(), *work.helpers)]
+    is_whole = len(work.parts) == len(parts()) and all(own)
+    name = "timed" if work.timed else "together"
+    return _link(work, name, own).path if is_whole else None
 
 
-def link_alone(part: Part, compiled: Compiled) -> Built:
+def link_alone(part: Part, work: Work) -> Built:
     """Links a runner with one part; calls to earlier parts go to the judge, which answers them.
 
     If that fails, a second try adds the files of the other parts, which may define what this part
     needs. The given parts still come first, and duplicate definitions are allowed.
     """
-    helpers = [built.path for built in compiled.helpers]
-    own, name = [compiled.parts[part.number].path, *helpers, *_given(part)], f"alone{part.number}"
-    alone = _link(compiled, name, own)
-    others = [b.path for number, b in compiled.parts.items() if number != part.number and b.path]
+    helpers = [built.path for built in work.helpers]
+    own, name = [work.parts[part.number].path, *helpers, *_given(part)], f"alone{part.number}"
+    alone = _link(work, name, own)
+    others = [b.path for number, b in work.parts.items() if number != part.number and b.path]
     if alone.path or not (others or helpers):
         return alone
-    second = _link(compiled, name, [*own, *others], "--allow-multiple-definition")
+    second = _link(work, name, [*own, *others], "--allow-multiple-definition")
     return second if second.path else alone
 
 
-def link_sanitized(part: Part, compiled: Compiled) -> Built:
+def link_sanitized(part: Part, work: Work) -> Built:
     """Like link_alone, but compiles and links with g++'s sanitizers."""
-    taken, work, box = compiled.taken, compiled.work, compiled.box
-    sources = work / SOURCES
+    taken, folder, box = work.taken, work.folder, work.box
+    sources = folder / SOURCES
     taken.write_to(sources)
     box.give(sources)
     objects: list[Path] = []
     for file in [taken.parts[part.number], *taken.helpers]:
-        objects.append(work / f"checked{part.number}-{len(objects)}.o")
-        command = gcc(file, taken, box, flags=(*SANITIZERS, ALLOCATES_ALIKE))
+        objects.append(folder / f"checked{part.number}-{len(objects)}.o")
+        command = gcc(work, file, (*SANITIZERS, ALLOCATES_ALIKE))
         result = run(command, sources, box, objects[-1], by_gcc=True)
         if not result.ok:
             return compile_problem(result, file)
@@ -174,25 +173,25 @@ def link_sanitized(part: Part, compiled: Compiled) -> Built:
     command = ["/usr/bin/g++", *SANITIZERS, *CHECKED_LINK, "-o", "OUTPUT"]
     command += [*kit, *map(str, [*objects, *_given(part)])]
     prefix = box.to_build(RUNNER, [RUNNER, *objects])
-    return _linked(prefix + command, work / f"checked{part.number}", box)
+    return _linked(prefix + command, folder / f"checked{part.number}", box)
 
 
 def _given(part: Part) -> list[Path]:
     return [RUNNER / f"given_part{number}.o" for number in part.calls]
 
 
-def _link(compiled: Compiled, name: str, files: Iterable[Path | None], *flags: str) -> Built:
+def _link(work: Work, name: str, files: Iterable[Path | None], *flags: str) -> Built:
     """Links these files with the kit's, by the linker command that clang would run. A runner that
     is timed goes without the prelude's code: its run-time checks make it slower than the parts'."""
-    linked, box = [path for path in files if path], compiled.box
-    kit = RUNNER_OBJECTS if compiled.timed else KIT_OBJECTS
+    linked, box = [path for path in files if path], work.box
+    kit = RUNNER_OBJECTS if work.timed else KIT_OBJECTS
     objects = [*flags, *(f"{RUNNER}/{name}.o" for name in kit), *map(str, linked)]
     command = (RUNNER / "link_command.txt").read_text().splitlines()
     place = command.index("OBJECTS")
     command[place : place + 1] = objects
     visible = [path for path in linked if path.is_relative_to(CACHE)]
     prefix = box.to_build(RUNNER, visible, programs=())
-    return _linked(prefix + command, compiled.work / name, box)
+    return _linked(prefix + command, work.folder / name, box)
 
 
 def _linked(command: list[str], runner: Path, box: Box) -> Built:

@@ -7,10 +7,10 @@ from functools import partial
 from pathlib import Path
 from typing import NamedTuple
 
-from bounce_grader.build.compile import compile_all
-from bounce_grader.build.toolchain import Compiled, link_alone, link_together, MAIN
+from bounce_grader.build.compile import compile_all, compiled
+from bounce_grader.build.toolchain import link_alone, link_together, MAIN, Work
 from bounce_grader.common.errors import KitError
-from bounce_grader.common.files import remove_abandoned, temporary_folder
+from bounce_grader.common.files import remove_abandoned
 from bounce_grader.common.manifest import parts, Part
 from bounce_grader.common.numbers import scientific
 from bounce_grader.common.parallel_map import parallel_map
@@ -45,11 +45,9 @@ def grade(given: Path | Submission, options: Options = Options()) -> Record:
     hidden = fixtures.hidden_folder()
     remove_abandoned()
     jobs = options.jobs or min(os.cpu_count() or 1, len(parts()))
-    with temporary_folder() as name:
-        work = Path(name)
-        box.give(work)
-        grading = _Grading(compile_all(taken, work, box, jobs), hidden, jobs)
-        compiled = time.monotonic()
+    with compiled(taken, box, jobs) as work:
+        grading = _Grading(work, hidden)
+        built = time.monotonic()
         grading.judge_together()
         grading.judge_alone()
         records = [grading.record_of(part) for part in parts()]
@@ -60,7 +58,7 @@ def grade(given: Path | Submission, options: Options = Options()) -> Record:
         if options.sanitize:
             records = parallel_map(grading.with_remarks, records, jobs)
     end = time.monotonic()
-    seconds = {"compile": compiled - start, "run": end - compiled, "total": end - start}
+    seconds = {"compile": built - start, "run": end - built, "total": end - start}
     return record.whole(
         taken,
         [*records, *(examples.part_records(cases) if cases else [])],
@@ -76,8 +74,8 @@ class _Grading:
     """Judges the parts. First all parts linked together; then, if a part could score better, this
     part alone, with the given earlier parts. The better score counts."""
 
-    def __init__(self, compiled: Compiled, hidden: Path, jobs: int) -> None:
-        self.compiled, self.hidden, self.jobs = compiled, hidden, jobs
+    def __init__(self, work: Work, hidden: Path) -> None:
+        self.work, self.hidden = work, hidden
         self.together: Path | None = None  # the runner with all parts, if they link
         self.own: dict[Part, judging.Judged] = {}
         self.results: dict[Part, judging.Judged | Record] = {}  # a record: nothing could be run
@@ -86,15 +84,15 @@ class _Grading:
         """Judges the parts in the runner that holds them all. Parts that call no other come first:
         if one of them hangs, its callers would hang, too, and are judged with given parts."""
         with suppress(Overrun):
-            self.together = link_together(self.compiled)
+            self.together = link_together(self.work)
             for calling in (False, True):
                 if not self.together or any(j.status == "timed_out" for j in self.own.values()):
                     return
                 now = [part for part in parts() if bool(part.calls) == calling]
-                parallel_map(partial(self._judge_own, self.together), now, self.jobs)
+                parallel_map(partial(self._judge_own, self.together), now, self.work.jobs)
 
     def _judge_own(self, runner: Path, part: Part) -> None:
-        self.own[part] = judging.judge(part, "together", self.compiled, runner, self.hidden)
+        self.own[part] = judging.judge(part, "together", self.work, runner, self.hidden)
 
     def judge_alone(self) -> None:
         """Judges each part alone that could score better, and takes the better result. One after
@@ -107,14 +105,14 @@ class _Grading:
         tries = [self.own[part]] if part in self.own else []
         try:
             if self._could_be_better(part):
-                alone = link_alone(part, self.compiled)
+                alone = link_alone(part, self.work)
                 if alone.path:
-                    judged = judging.judge(part, "alone", self.compiled, alone.path, self.hidden)
+                    judged = judging.judge(part, "alone", self.work, alone.path, self.hidden)
                     # First: of two that score the same, the one with the given parts counts.
                     tries.insert(0, judged)
                 elif not tries:
                     # With the errors of helpers, which may be the reason.
-                    broken = [b.problem for b in self.compiled.helpers if not b.path]
+                    broken = [b.problem for b in self.work.helpers if not b.path]
                     return self._not_built(part, "; ".join([alone.problem, *broken]), alone.place)
         except Overrun as overrun:
             if not tries:
@@ -127,9 +125,9 @@ class _Grading:
         if not isinstance(best, judging.Judged):
             return best
         if best.status == "crashed":
-            best = judging.with_cause(part, best, self.compiled, self.hidden)
+            best = judging.with_cause(part, best, self.work, self.hidden)
         graded = record.part_record(part, best)
-        path = self.compiled.parts[part.number].path
+        path = self.work.parts[part.number].path
         if not (path and MAIN in path.read_bytes()):
             return graded
         twice = f"{part.file} defines main(), and so does ./check, which can't link it"
@@ -139,7 +137,7 @@ class _Grading:
         """The record of a part; if it has all points, with what the sanitizers find in it."""
         if graded["score"] < graded["max_score"]:
             return graded
-        found = judging.remark(parts()[graded["part"] - 1], self.compiled)
+        found = judging.remark(parts()[graded["part"] - 1], self.work)
         return record.with_remark(graded, *found) if found else graded
 
     def _could_be_better(self, part: Part) -> bool:
@@ -154,7 +152,7 @@ class _Grading:
 
     def _problem(self, part: Part) -> Record | None:
         """The record of a part of which there is nothing to run."""
-        taken = self.compiled.taken
+        taken = self.work.taken
         if part.number in taken.refused:
             return self._not_built(part, taken.refused[part.number], None)
         if part.number not in taken.parts:
@@ -167,13 +165,13 @@ class _Grading:
         if words == (STUBS / part.file).read_bytes().split():
             message = f"nothing is filled in yet: start at the TODO in {part.file}"
             return record.failed_part(part, "graded", message)
-        built = self.compiled.parts[part.number]
+        built = self.work.parts[part.number]
         return None if built.path else self._not_built(part, built.problem, built.place)
 
     def _not_built(self, part: Part, why: str, place: Place | None) -> Record:
         if place:  # as "./helper.hpp", or as whatever the submission made a compiler write
             place = place._replace(file=os.path.normpath(place.file))
-        known = place if place and place.file in self.compiled.taken.files else None
+        known = place if place and place.file in self.work.taken.files else None
         return record.failed_part(part, "does_not_compile", why, known)
 
 
@@ -181,12 +179,9 @@ def _require_working_kit(box: Box) -> None:
     """Called if a submission scores 0: raises KitError unless a stub compiles and runs, so that a
     broken kit isn't taken for a bad submission."""
     taken = submission.read(STUBS)
-    with temporary_folder() as name:
-        work = Path(name)
-        box.give(work)
-        compiled = compile_all(taken, work, box, 1)
-        stub = compiled.parts[1]
-        linked = link_alone(parts()[0], compiled) if stub.path else stub
+    with compiled(taken, box) as work:
+        stub = work.parts[1]
+        linked = link_alone(parts()[0], work) if stub.path else stub
         if not linked.path:
             raise KitError(f"a stub can't be built: {linked.problem}")
     if problem := boxes.problem_of(box):
@@ -205,8 +200,7 @@ def _speed(grading: _Grading) -> Record:
     measured: Record = {"largest_error": largest}
     with suppress(Overrun):
         if grading.together:
-            taken, work, box, *_ = grading.compiled
-            compiled = compile_all(taken, work, box, grading.jobs, timed=True)
-            if timed := link_together(compiled):
-                measured |= speed.measure(timed, box) or {}
+            work = compile_all(grading.work._replace(timed=True))
+            if timed := link_together(work):
+                measured |= speed.measure(timed, work.box) or {}
     return measured

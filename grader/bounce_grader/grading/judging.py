@@ -11,7 +11,7 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any, Literal, NamedTuple
 
-from bounce_grader.build.toolchain import Compiled, link_sanitized
+from bounce_grader.build.toolchain import link_sanitized, Work
 from bounce_grader.common.errors import KitError
 from bounce_grader.common.escaping import first_few, printable_name, printable_text
 from bounce_grader.common.manifest import Part
@@ -61,10 +61,10 @@ class Judged(NamedTuple):
         return self.ended[0].status if self.ended else "graded"
 
 
-def judge(part: Part, how: How, compiled: Compiled, runner: Path, hidden: Path | None) -> Judged:
+def judge(part: Part, how: How, work: Work, runner: Path, hidden: Path | None) -> Judged:
     """Judges a part; without `hidden`, on the public cases alone. Checks that the grading has no
     time left for fail. Raises KitError if the judge fails or doesn't name every check."""
-    box, sanitized = compiled.box, how == "sanitized"
+    box, sanitized = work.box, how == "sanitized"
     cpu, wall = box.budget.left()
     given = how != "together" and bool(part.calls)
     asked = {
@@ -87,7 +87,7 @@ def judge(part: Part, how: How, compiled: Compiled, runner: Path, hidden: Path |
         raise KitError(f"the judge failed on part {part.number}: {result.err.strip() or 'killed'}")
     judged = read_answer(result.out, part)
     stacks = {verdict.stack for verdict in judged.verdicts.values() if verdict.stack}
-    places = {stack: _place(stack, runner, compiled) for stack in stacks}
+    places = {stack: _place(stack, runner, work) for stack in stacks}
     verdicts = {id: v._replace(place=places.get(v.stack)) for id, v in judged.verdicts.items()}
     return judged._replace(verdicts=verdicts, graded_with="given" if given else "own")
 
@@ -118,14 +118,14 @@ def _printable(x: Any) -> Any:
     return printable_text(x) if isinstance(x, str) else x
 
 
-def _place(stack: str, runner: Path, compiled: Compiled) -> Place | None:
+def _place(stack: str, runner: Path, work: Work) -> Place | None:
     """The innermost line on the stack that is in the submission's own files; None if unknown, also
     for want of time, as the verdict is valid without it."""
     command = ["/usr/bin/addr2line", "-i", "-e", str(runner), *stack.split()]
-    prefix = compiled.box.to_build(runner.parent, [runner])
+    prefix = work.box.to_build(runner.parent, [runner])
     with suppress(Overrun):
-        result = compiled.box.run(prefix + command, SYMBOLS)
-        return place_in(result.out, compiled.taken.files.__contains__) if result.ok else None
+        result = work.box.run(prefix + command, SYMBOLS)
+        return place_in(result.out, work.taken.files.__contains__) if result.ok else None
     return None
 
 
@@ -142,21 +142,21 @@ def place_in(lines: bytes, is_submitted: Callable[[str], bool] = bool) -> Place 
 # --- with sanitizers ---
 
 
-def with_cause(part: Part, judged: Judged, compiled: Compiled, hidden: Path) -> Judged:
+def with_cause(part: Part, judged: Judged, work: Work, hidden: Path) -> Judged:
     """The same verdicts; those about crashes that no assertion explains also say what the
     sanitizers found, if anything."""
     crashed = {id: v for id, v in judged.verdicts.items() if v.status == "crashed"}
     unclear = [id for id, v in crashed.items() if v.kind_of_end != "assertion"]
-    again = _again(part, compiled, hidden) if unclear else {}
+    again = _again(part, work, hidden) if unclear else {}
     for id in unclear if again else ():
         if again[id].kind_of_end == FOUND:
             crashed[id] = crashed[id]._replace(found=again[id].end)
     return judged._replace(verdicts=judged.verdicts | crashed)
 
 
-def remark(part: Part, compiled: Compiled) -> tuple[str, Place | None] | None:
+def remark(part: Part, work: Work) -> tuple[str, Place | None] | None:
     """What the sanitizers find in a part with all points, in public cases, and where, or None."""
-    again = _again(part, compiled, None)
+    again = _again(part, work, None)
     for verdict in again.values():
         if verdict.kind_of_end == FOUND and verdict.ended:
             return f"{verdict.place or part.file}: {ending(verdict.ended)}", verdict.place
@@ -168,15 +168,15 @@ def remark(part: Part, compiled: Compiled) -> tuple[str, Place | None] | None:
     return None
 
 
-def _again(part: Part, compiled: Compiled, hidden: Path | None) -> dict[str, Verdict]:
+def _again(part: Part, work: Work, hidden: Path | None) -> dict[str, Verdict]:
     """The verdicts with sanitizers and given parts, on the public cases alone where no folder of
     hidden ones is given. Empty where that can't be done: the score is valid without them."""
-    box = compiled.box
+    box = work.box
     cpu, wall = (left - MARGIN for left in box.budget.left())
     limited = box.budget.part(min(cpu, SANITIZED_CPU_SECONDS), min(wall, SANITIZED_SECONDS))
-    compiled = compiled._replace(box=box._replace(budget=limited))
+    work = work._replace(box=box._replace(budget=limited))
     with suppress(KitError, Overrun):
-        built = link_sanitized(part, compiled) if box.kind == "full" else None
+        built = link_sanitized(part, work) if box.kind == "full" else None
         if built and built.path:
-            return judge(part, "sanitized", compiled, built.path, hidden).verdicts
+            return judge(part, "sanitized", work, built.path, hidden).verdicts
     return {}

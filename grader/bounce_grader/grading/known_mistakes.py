@@ -14,10 +14,10 @@ from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from bounce_grader.build.compile import compile_all
+from bounce_grader.build.compile import compiled
 from bounce_grader.build.toolchain import link_alone
 from bounce_grader.common.errors import KitError
-from bounce_grader.common.files import temporary_folder, write_whole
+from bounce_grader.common.files import write_whole
 from bounce_grader.common.manifest import part_of, parts, Part
 from bounce_grader.common.parallel_map import parallel_map
 from bounce_grader.common.paths import JUDGE, REFERENCE_RUNNER, ROOT
@@ -104,9 +104,8 @@ def answers(part: Part, runner: Path, cases: Path) -> Answers:
 
 def _of_mistake(mistake: Mistake, cases: Path) -> Answers:
     """The answers of a mistake's file alone, which is built for this."""
-    with temporary_folder() as name:
-        compiled = compile_all(submission.read(GALLERY / mistake.name), Path(name), TRUSTED, 1)
-        linked = link_alone(mistake.part, compiled)
+    with compiled(submission.read(GALLERY / mistake.name), TRUSTED) as work:
+        linked = link_alone(mistake.part, work)
         if not linked.path:
             raise KitError(f"{mistake.name} can't be built: {linked.problem}")
         if got := answers(mistake.part, linked.path, cases):

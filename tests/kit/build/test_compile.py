@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 from bounce_grader.build import compile as compiling, toolchain
+from bounce_grader.build.toolchain import Work
 from bounce_grader.common.errors import KitError
 from bounce_grader.common.files import temporary_folder
 from bounce_grader.common.paths import CONTRACT, RUNNER
@@ -50,9 +51,8 @@ def test_what_was_compiled_without_a_box_is_not_taken_in_one(tmp_path: Path) -> 
     taken = read(write(tmp_path / "s", {"part1_contacts.cpp": seeing}))
     compiled = []
     for kind in ("none", "full"):
-        with temporary_folder() as name:
-            Box(kind).give(work := Path(name))
-            compiled += [bool(compiling.compile_all(taken, work, Box(kind), 1).parts[1].path)]
+        with compiling.compiled(taken, Box(kind)) as work:
+            compiled += [bool(work.parts[1].path)]
     assert compiled == [True, False]
 
 
@@ -117,7 +117,7 @@ def test_helpers_fill_no_disk(tmp_path: Path, size: int, kept: int) -> None:
     files = {f"helper{n}.cpp": _new() + zeros for n in range(8)}
     taken = read(write(tmp_path / "in", {**solution_files(), **files}))
     (tmp_path / "work").mkdir()
-    made = compiling.compile_all(taken, tmp_path / "work", Box("none"), 1)
+    made = compiling.compile_all(Work(taken, tmp_path / "work", Box("none")))
     problems = [built.problem for built in made.helpers if not built.path]
     assert len(problems) == 8 - kept and any("more than" in words for words in problems)
     assert not list((tmp_path / "work").iterdir())
@@ -199,7 +199,7 @@ def test_the_signal_that_ends_what_gcc_starts_is_known_from_within_each_box(
         work = Path(name)
         slow.write_to(work)
         box.give(work)
-        gcc = toolchain.gcc("part1_contacts.cpp", slow, box, flags=endless)
+        gcc = toolchain.gcc(Work(slow, work, box), "part1_contacts.cpp", endless)
         limits = toolchain.COMPILE._replace(cpu_seconds=1)
         ended = run([*box.to_build(work, [CONTRACT, RUNNER]), *gcc], limits)
     assert ended.boxed and ended.code == 128 + 9 and ended.cpu_seconds > 0.4, ended

@@ -10,7 +10,7 @@ from typing import Any
 import golden
 import pytest
 from bounce_grader.build.compile import compile_all
-from bounce_grader.build.toolchain import link_alone
+from bounce_grader.build.toolchain import link_alone, Work
 from bounce_grader.common.manifest import Part, parts
 from bounce_grader.common.paths import EXAMPLES, REFERENCE_RUNNER
 from bounce_grader.formats import terminal
@@ -157,8 +157,7 @@ def test_the_formulas_answer_as_the_programs_do(
         if not program.startswith(str(part.number)):
             continue
         taken = submission.read(known_mistakes.GALLERY / folder)
-        compiled = compile_all(taken, tmp_path, known_mistakes.TRUSTED, 1)
-        runner = link_alone(part, compiled)
+        runner = link_alone(part, compile_all(Work(taken, tmp_path, known_mistakes.TRUSTED)))
         assert runner.path
         wrong = answers(part, runner.path, cases, asked)
         lines = [line_of(part, case, wrong[n]) for case, _, n in kept]

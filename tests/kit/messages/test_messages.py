@@ -11,7 +11,7 @@ from pathlib import Path
 import golden
 import pytest
 from bounce_grader.build.errors import of_linker
-from bounce_grader.build.toolchain import compile_problem, Compiled
+from bounce_grader.build.toolchain import compile_problem, Work
 from bounce_grader.common import manifest
 from bounce_grader.common.errors import UsageError
 from bounce_grader.common.paths import WORK_FOLDER
@@ -64,8 +64,7 @@ def test_what_addr2line_says_counts_if_it_ended_in_order(
     result = Result(0, 0.0, line, "", False, flooded)
     monkeypatch.setattr(processes, "run", lambda *_: result)
     taken = Submission("", {"part1_contacts.cpp": b""}, {}, {})
-    compiled = Compiled(taken, Path(), Box("none"), False, {}, [])
-    place = judging._place("0x1", Path("runner"), compiled)
+    place = judging._place("0x1", Path("runner"), Work(taken, Path(), Box("none")))
     assert place == (None if flooded else Place("part1_contacts.cpp", 12))
 
 
