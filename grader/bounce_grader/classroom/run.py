@@ -9,11 +9,10 @@ from typing import Any, TextIO
 
 from bounce_grader.classroom.grading import grading, near_copies, results
 from bounce_grader.classroom.grading.summary import Summary
-from bounce_grader.classroom.intake import students
+from bounce_grader.classroom.intake import gradebook, students
 from bounce_grader.classroom.intake.canvas_api import Canvas, download
-from bounce_grader.classroom.intake.gradebook import Gradebook, read as read_gradebook
 from bounce_grader.classroom.intake.student import Class
-from bounce_grader.classroom.output import canvas_upload, feedback, gradebook, grades, page
+from bounce_grader.classroom.output import canvas_upload, feedback, page, points
 from bounce_grader.classroom.output.people import People
 from bounce_grader.common.errors import KitError, UsageError
 from bounce_grader.common.escaping import terminal
@@ -65,13 +64,13 @@ def _read(options: Options) -> tuple[Class, Canvas | None, People, list[Summary]
     """All that is given, read and checked before anything is graded or written: the class, the
     assignment on Canvas, the people of the course, and other years' submissions. Raises UsageError
     if something can't be read, or doesn't belong together."""
-    read_object(options.out / gradebook.WRITTEN)
-    book = Gradebook()
+    read_object(options.out / points.WRITTEN)
+    book = gradebook.Gradebook()
     if options.gradebook:
         if options.gradebook.resolve() == _filled_in(options).resolve():
             where = f"{options.gradebook} would be overwritten"
             raise UsageError(f"{where}: give another folder as --out")
-        book = read_gradebook(options.gradebook, options.column)
+        book = gradebook.read(options.gradebook, options.column)
     people = People(options.out, book)
     corpus = [other for folder in options.corpus for other in near_copies.corpus(folder)]
     canvas = Canvas(options.canvas) if options.canvas else None
@@ -80,7 +79,7 @@ def _read(options: Options) -> tuple[Class, Canvas | None, People, list[Summary]
     else:
         intake = students.read(options.submissions, people.names())
     intake.strays += people.assign(intake)
-    gradebook.require_same_class(book, intake)
+    points.require_same_class(book, intake)
     return intake, canvas, people, corpus
 
 
@@ -123,9 +122,9 @@ def _run(
     sentences, written = intake.strays, ["grades.csv", "class.html", "feedback/"]
     if people.book.table:
         path = _filled_in(options)
-        sentences += gradebook.write(path, intake, summaries, people.book, options.overwrite)
+        sentences += points.write(path, intake, summaries, people.book, options.overwrite)
         written.insert(0, path.name)
-    write_whole(out / "grades.csv", "\ufeff" + grades.table(summaries))
+    write_whole(out / "grades.csv", "\ufeff" + points.grades(summaries))
     title = people.course.title
     write_whole(out / "class.html", page.render(summaries, near, sentences, title))
     graded = sum(summary.state == "graded" for summary in summaries)

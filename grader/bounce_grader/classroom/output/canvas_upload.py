@@ -15,7 +15,7 @@ from bounce_grader.classroom.grading.summary import Summary
 from bounce_grader.classroom.intake.canvas_api import Canvas, name_of, Refused
 from bounce_grader.classroom.intake.gradebook import Gradebook, Line
 from bounce_grader.classroom.intake.table import number_in
-from bounce_grader.classroom.output.gradebook import fill, note, WRITTEN, Written
+from bounce_grader.classroom.output.points import fill, note, WRITTEN, Written
 from bounce_grader.common.escaping import terminal
 from bounce_grader.common.files import read_object, write_whole
 from bounce_grader.common.numbers import short
