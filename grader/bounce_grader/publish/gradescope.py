@@ -20,11 +20,6 @@ SCRIPTS = {"setup.sh": "gradescope_setup.sh", "run_autograder": "gradescope_run.
 
 
 def run(options: argparse.Namespace) -> int:
-    write(options.out)
-    return 0
-
-
-def write(path: Path) -> None:
     """Writes the zip: the kit's files, the course's secret, and the two scripts."""
     here = Path(__file__).parent
     held = {name: ((here / script).read_bytes(), 0o755) for name, script in SCRIPTS.items()}
@@ -32,7 +27,8 @@ def write(path: Path) -> None:
     for file in sorted(_packed(ROOT)):
         mode = 0o755 if file.stat().st_mode & 0o100 else 0o644
         held[file.relative_to(ROOT).as_posix()] = file.read_bytes(), mode
-    write_zip(path, held, compressed=True)
+    write_zip(options.out, held, compressed=True)
+    return 0
 
 
 def _packed(root: Path) -> Iterator[Path]:

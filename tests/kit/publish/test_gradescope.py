@@ -5,6 +5,7 @@ import os
 import stat
 import subprocess
 import zipfile
+from argparse import Namespace
 from pathlib import Path
 
 import pytest
@@ -17,7 +18,7 @@ def test_the_autograder_holds_the_kit_and_its_secret(
 ) -> None:
     """Twice the same bytes, and nothing that lies beside the kit."""
     for name in ("a.zip", "b.zip"):
-        gradescope.write(tmp_path / name)
+        gradescope.run(Namespace(out=tmp_path / name))
     assert (tmp_path / "a.zip").read_bytes() == (tmp_path / "b.zip").read_bytes()
     with zipfile.ZipFile(tmp_path / "a.zip") as archive:
         modes = {file.filename: file.external_attr >> 16 for file in archive.infolist()}
@@ -36,7 +37,7 @@ def test_the_autograder_holds_the_kit_and_its_secret(
 def test_the_autograder_builds_and_grades_in_its_place(tmp_path: Path) -> None:
     """With this folder as /autograder, as in Gradescope's container."""
     root, results = tmp_path / "autograder", tmp_path / "autograder" / "results" / "results.json"
-    gradescope.write(tmp_path / "autograder.zip")
+    gradescope.run(Namespace(out=tmp_path / "autograder.zip"))
     for folder in ("source", "submission", "results"):
         (root / folder).mkdir(parents=True)
     unzip = ["unzip", "-q", str(tmp_path / "autograder.zip"), "-d", str(root / "source")]
