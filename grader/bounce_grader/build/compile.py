@@ -86,8 +86,7 @@ def _built(work: Work, unnamed: set[str], file: str) -> Built:
     try:
         first = result = toolchain.run(toolchain.clang(work, file), folder, box, made)
         if not first.ok and not toolchain.ran_out_of_time(first) and not first.flooded:
-            gcc = toolchain.gcc(work, file)
-            result = toolchain.run(gcc, folder, box, made, by_gcc=True)
+            result = toolchain.run(toolchain.gcc(work, file), folder, box, made, by_gcc=True)
         size = made.stat().st_size
         if not result.ok or not size:
             return toolchain.compile_problem(first, file)

@@ -32,8 +32,7 @@ def judged(cases: bytes, box: Box) -> Record | None:
     result = box.run(command, LIMITS, stdin=cases if is_own else b"")
     if not result.ok:
         raise KitError(f"the cases in {CASES} could not be judged: {result.err.strip()}")
-    found: Record = json.loads(result.out)
-    return found
+    return dict(json.loads(result.out))
 
 
 def part_records(found: Record) -> list[Record]:

@@ -148,10 +148,9 @@ def with_cause(part: Part, judged: Judged, work: Work, hidden: Path) -> Judged:
     crashed = {id: v for id, v in judged.verdicts.items() if v.status == "crashed"}
     unclear = [id for id, v in crashed.items() if v.kind_of_end != "assertion"]
     again = _again(part, work, hidden) if unclear else {}
-    for id in unclear if again else ():
-        if again[id].kind_of_end == FOUND:
-            crashed[id] = crashed[id]._replace(found=again[id].end)
-    return judged._replace(verdicts=judged.verdicts | crashed)
+    found = {id: v.end for id, v in again.items() if id in unclear and v.kind_of_end == FOUND}
+    named = {id: crashed[id]._replace(found=end) for id, end in found.items()}
+    return judged._replace(verdicts=judged.verdicts | named)
 
 
 def remark(part: Part, work: Work) -> tuple[str, Place | None] | None:

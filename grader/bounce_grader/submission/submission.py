@@ -164,11 +164,9 @@ def _too_much(path: Path) -> UsageError:
 
 def _require_a_place_for_each(path: Path, names: Iterable[str]) -> None:
     """Raises UsageError for a file and a folder of the same name, which a zip can hold."""
-    for name in names:
-        for folder in PurePosixPath(name).parents:
-            if str(folder) in names:
-                shown = printable_name(str(folder))
-                raise UsageError(f"{path} holds {shown} as a file and as a folder: keep one")
+    folders = {str(folder) for name in names for folder in PurePosixPath(name).parents}
+    for both in sorted(folders.intersection(names)):
+        raise UsageError(f"{path} holds {printable_name(both)} as a file and as a folder: keep one")
 
 
 def _common_folder(entries: list[Entry]) -> str:

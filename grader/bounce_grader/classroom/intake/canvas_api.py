@@ -127,7 +127,6 @@ def download(canvas: Canvas, out: Path) -> Class:
     """The class, with its files in OUT/canvas. A file that is there isn't downloaded again."""
     folder = out / FILES
     out.mkdir(mode=0o700, parents=True, exist_ok=True)
-    folder.mkdir(exist_ok=True)
     try:
         listed = list(canvas.submissions())
     except Refused as refused:
