@@ -5,9 +5,7 @@ from pathlib import Path
 
 from bounce_grader import formats
 from bounce_grader.common.errors import UsageError
-from bounce_grader.common.escaping import json_document
 from bounce_grader.common.files import write_whole
-from bounce_grader.formats import terminal
 from bounce_grader.grading.grade import grade, Options
 from bounce_grader.grading.record import for_readers
 from bounce_grader.sandbox.box import kinds
@@ -27,16 +25,11 @@ def run(options: argparse.Namespace) -> int:
         if refused := formats.refused(options.format, str(error)):
             print(refused)
         raise
-    text = json_document(record, indent=1)
-    if options.json == "-":
-        print(text)
-    elif options.format:
-        print(formats.render(options.format, record))
-    else:
-        terminal.show(record)
+    shown = "json" if options.json == "-" else options.format or "terminal"
+    print(formats.render(shown, record))
     if options.json not in (None, "-"):
         try:
-            write_whole(Path(options.json), text + "\n")
+            write_whole(Path(options.json), formats.render("json", record) + "\n")
         except OSError as error:
             raise UsageError(f"{options.json} can't be written: {error.strerror}") from error
     return int(options.min_score is not None and record["score"] < options.min_score)

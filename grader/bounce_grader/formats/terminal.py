@@ -13,11 +13,11 @@ from bounce_grader.grading.record import Record
 STYLES = {"": "", "bold": "1", "dim": "2", "red": "31", "green": "32", "yellow": "33"}
 
 
-def show(record: Record) -> None:
-    """Prints the report; in colour on a terminal."""
-    is_plain = not sys.stdout.isatty() or os.environ.get("NO_COLOR")
-    for style, line in lines(record):
-        print(line if is_plain else f"\33[{STYLES[style]}m{line}\33[0m")
+def render(record: Record) -> str:
+    """The report; in colour on a terminal."""
+    if not sys.stdout.isatty() or os.environ.get("NO_COLOR"):
+        return "".join(f"{line}\n" for _, line in lines(record))
+    return "".join(f"\33[{STYLES[style]}m{line}\33[0m\n" for style, line in lines(record))
 
 
 def lines(record: Record) -> list[tuple[str, str]]:

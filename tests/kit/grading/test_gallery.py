@@ -3,9 +3,7 @@
 tests/submissions/README.md says what a folder holds.
 """
 
-import io
 import shutil
-from contextlib import redirect_stdout
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -38,12 +36,6 @@ def name_of(folder: Path) -> str:
     return f"{folder.parent.name}/{folder.name}"
 
 
-def shown(record: dict[str, Any]) -> str:
-    with redirect_stdout(io.StringIO()) as printed:
-        terminal.show(record)
-    return printed.getvalue()
-
-
 @pytest.mark.parametrize("folder", ALL, ids=name_of)
 def test_gets_what_it_should(folder: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """A mistake is named as itself, or as its twin with the same answers; nothing else is. What
@@ -66,7 +58,7 @@ SOME_REMARKED = [  # sanitizers take long: two in each run
 @pytest.mark.parametrize("folder", SOME_REMARKED)
 def test_undefined_behaviour_is_remarked(folder: Path) -> None:
     """Without the other parts, which would be looked at, too."""
-    text = shown(grade(folder, Options(sanitize=True)))
+    text = terminal.render(grade(folder, Options(sanitize=True)))
     assert f"  remark, no points: {expected(folder)['remark']}" in text
 
 
@@ -130,7 +122,7 @@ def test_gets_what_it_should_with_a_crashs_cause_and_in_each_box(
 
 def gets(words: dict[str, Any], record: dict[str, Any]) -> None:
     statuses = {f"part{p['part']}": p["status"] for p in record["parts"] if p["status"] != "graded"}
-    text, ids = shown(record), check_ids(words["lost"])
+    text, ids = terminal.render(record), check_ids(words["lost"])
     assert points(record) == points_without(ids), text
     assert lost(record) == sorted(ids) and statuses == words.get("status", {}), text
     assert all(sentence in text for sentence in words.get("says", [])), text

@@ -4,10 +4,8 @@ texts tries to break out of its format; one with a mistake in each part, and cur
 that can't be read."""
 
 import copy
-import io
 import json
 import re
-from contextlib import redirect_stdout
 from pathlib import Path
 from typing import Any
 
@@ -33,12 +31,6 @@ SCHEMA = json.loads((ROOT / "docs" / "record.schema.json").read_text())
 ENDINGS = {"html": "html", "junit": "xml", "markdown": "md", "github": "txt"}
 
 
-def in_a_terminal(record: Record) -> str:
-    with redirect_stdout(io.StringIO()) as printed:
-        terminal.show(record)
-    return printed.getvalue()
-
-
 # --- what a person has read ---
 
 
@@ -58,7 +50,7 @@ def test_reports_are_what_a_person_has_read(name: str) -> None:
     del made["json.json"]  # the record itself
     texts = {file: formats.render(format, record) for file, format in made.items()}
     texts["html.html"] = html.render(record, "doejane", ("a.pdf is no C++ source and no zip",))
-    texts["terminal.txt"] = in_a_terminal(record)
+    texts["terminal.txt"] = terminal.render(record)
     compare(name, texts)
     assert json.loads(formats.render("json", record)) == record
     schema = json.loads((HERE / "gradescope.schema.json").read_text())
@@ -121,7 +113,7 @@ def test_nothing_that_is_printed_is_a_command_in_a_log(text: str) -> None:
         assert odd_texts.commands_in(printed) == ours, name
         refused = formats.refused(name, escaping.printable_text(text))
         assert odd_texts.commands_in(refused) == ([refused] if ours else []), name
-    assert odd_texts.commands_in(in_a_terminal(record)) == []
+    assert odd_texts.commands_in(terminal.render(record)) == []
 
 
 def test_a_long_report_stays_below_what_github_takes() -> None:
