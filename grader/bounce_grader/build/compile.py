@@ -15,7 +15,7 @@ from bounce_grader.build import toolchain
 from bounce_grader.build.errors import Built
 from bounce_grader.build.toolchain import HELPERS_BYTES, Work
 from bounce_grader.common.errors import KitError
-from bounce_grader.common.files import temporary_folder
+from bounce_grader.common.files import temporary_folder, write_whole
 from bounce_grader.common.parallel_map import parallel_map
 from bounce_grader.common.paths import BUILD, CACHE, RUNNER, SOURCES
 from bounce_grader.sandbox.box import Box
@@ -144,12 +144,8 @@ def is_there(object_file: Path) -> bool:
 def store(data: bytes, path: Path) -> Path:
     """Writes an object, whole or not at all, so that concurrent gradings can share it. Its digest
     follows it; no linker looks beyond an object's end."""
-    path.parent.mkdir(parents=True, exist_ok=True)
     forget_old(path.parent)
-    temporary = path.with_suffix(f".{os.getpid()}.{id(data)}")
-    temporary.write_bytes(data + _digest(data))
-    temporary.chmod(0o644)  # whatever the umask: a box reads it as another user
-    temporary.replace(path)
+    write_whole(path, data + _digest(data), mode=0o644)  # a box reads it as another user
     return path
 
 

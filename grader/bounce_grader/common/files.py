@@ -21,9 +21,10 @@ BOX_FOLDER = "bounce-box-"  # prefix of those of a reduced box, as in grader/box
 ABANDONED = 3600.0  # s, after which a temporary file counts as that; a grading takes two minutes
 
 
-def write_whole(path: Path, data: str | bytes, durable: bool = False, mode: int = 0o666) -> None:
+def write_whole(path: Path, data: str | bytes, durable: bool = False, mode: int = 0) -> None:
     """Writes a file whole or not at all, by renaming a temporary one. If `durable`, the file also
-    survives a power loss. If it raises OSError, the old file stays. To a device it just writes."""
+    survives a power loss; a `mode` counts whatever the umask. If it raises OSError, the old file
+    stays. To a device it just writes."""
     content = data.encode() if isinstance(data, str) else data
     if path.exists() and not path.is_file() and not path.is_dir():
         path.write_bytes(content)
@@ -32,8 +33,10 @@ def write_whole(path: Path, data: str | bytes, durable: bool = False, mode: int 
     # A name that nobody can foresee, to put a link there.
     temporary = path.with_name(f".{fitting(path.name, 100)}.{os.urandom(8).hex()}.part")
     try:
-        made = os.open(temporary, os.O_WRONLY | os.O_CREAT | os.O_EXCL, mode)
+        made = os.open(temporary, os.O_WRONLY | os.O_CREAT | os.O_EXCL, mode or 0o666)
         with open(made, "wb") as stream:
+            if mode:
+                os.fchmod(made, mode)
             stream.write(content)
             if durable:
                 stream.flush()
