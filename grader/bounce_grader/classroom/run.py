@@ -11,7 +11,6 @@ from bounce_grader.classroom.grading import grading, near_copies, results
 from bounce_grader.classroom.grading.summary import Summary
 from bounce_grader.classroom.intake import gradebook, students
 from bounce_grader.classroom.intake.canvas_api import Canvas, download
-from bounce_grader.classroom.intake.student import Class
 from bounce_grader.classroom.output import canvas_upload, feedback, page, points
 from bounce_grader.classroom.output.people import People
 from bounce_grader.common.errors import KitError, UsageError
@@ -60,7 +59,7 @@ def _require_sense(options: Options) -> None:
             raise UsageError(sentence)
 
 
-def _read(options: Options) -> tuple[Class, Canvas | None, People, list[Summary]]:
+def _read(options: Options) -> tuple[Canvas | None, People, list[Summary]]:
     """All that is given, read and checked before anything is graded or written: the class, the
     assignment on Canvas, the people of the course, and other years' submissions. Raises UsageError
     if something can't be read, or doesn't belong together."""
@@ -80,7 +79,7 @@ def _read(options: Options) -> tuple[Class, Canvas | None, People, list[Summary]
         intake = students.read(options.submissions, people.names())
     intake.strays += people.assign(intake)
     points.require_same_class(book, intake)
-    return intake, canvas, people, corpus
+    return canvas, people, corpus
 
 
 def _filled_in(options: Options) -> Path:
@@ -103,10 +102,8 @@ def _locked(out: Path) -> TextIO:
     return lock
 
 
-def _run(
-    options: Options, intake: Class, canvas: Canvas | None, people: People, corpus: list[Summary]
-) -> int:
-    out, folder, speed = options.out, options.out / "results", options.speed
+def _run(options: Options, canvas: Canvas | None, people: People, corpus: list[Summary]) -> int:
+    intake, out, folder, speed = people.intake, options.out, options.out / "results", options.speed
     stamp = results.stamp_now(options.trust_submission, options.sanitize)
     tasks = [results.Task(results.digest(s), stamp, s, folder, speed) for s in intake.students]
     there = results.stamp_of(folder)
@@ -122,7 +119,7 @@ def _run(
     sentences, written = intake.strays, ["grades.csv", "class.html", "feedback/"]
     if people.book.table:
         path = _filled_in(options)
-        sentences += points.write(path, intake, summaries, people.book, options.overwrite)
+        sentences += points.write(path, people, summaries, options.overwrite)
         written.insert(0, path.name)
     write_whole(out / "grades.csv", "\ufeff" + points.grades(summaries))
     title = people.course.title

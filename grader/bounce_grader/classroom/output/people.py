@@ -33,7 +33,7 @@ class People:
         }
         listed = [member for members in self._roster.values() for member in members]
         self._names = names | {member.id: member.name for member in listed}
-        self._logins = False
+        self.intake = Class("")  # until assign reads it
         self._adjusted: dict[tuple[str, str], list[Adjustment]] = defaultdict(list)
 
     def names(self) -> Names:
@@ -48,13 +48,13 @@ class People:
     def assign(self, intake: Class) -> list[str]:
         """Gives each submission its members, the name of its person, and the grade book's lateness.
         Returns sentences if nobody tells that, and on what the instructor's files say of nobody."""
-        self._logins = intake.logins
+        self.intake = intake
         submissions = {student.id.casefold() for student in intake.students}
         assigned = []
         for student in intake.students:
             own = self._listed(student, submissions)
             late = self.book.late.get(student.id, student.late_days)
-            student = student._replace(person=self._name(student, own, intake), late_days=late)
+            student = student._replace(person=self._name(student, own), late_days=late)
             members = tuple(own or [Member(student.id, student.shown)])
             assigned.append(student._replace(members=members))
         intake.students = sorted(assigned, key=lambda s: (s.shown.casefold(), s.id))
@@ -67,23 +67,23 @@ class People:
         group of whoever handed it in, unless the roster gives that group another's id. A group's
         name doesn't count, since students choose it; nor does a login count as an id."""
         members = self._roster.get(student.id.casefold(), [])
-        if members or self._logins:
+        if members or self.intake.logins:
             return members
         own = self._own_ids.get(student.id, student.id)
         groups = [name for name in self._groups_of(own) if name not in submissions]
         return self._roster[groups[0]] if groups else []
 
-    def _name(self, student: Student, members: Sequence[Member], intake: Class) -> str:
+    def _name(self, student: Student, members: Sequence[Member]) -> str:
         """The name of a submission's person, as the roster or the grade book has it. In a Canvas
         download, a group has the id of one of its members, but a name of its own."""
         if members:
             names = [member.name for member in members]
             return " and ".join(names) if all(names) else student.person
-        person = "" if intake.logins else self._names.get(student.id, "")
-        if intake.service == "canvas":
+        person = "" if self.intake.logins else self._names.get(student.id, "")
+        if self.intake.service == "canvas":
             own = self._own_ids.get(student.id) == student.id
             return person if own and is_name_of(person, student.name) else student.person
-        return person or (student.name if intake.service else student.person)
+        return person or (student.name if self.intake.service else student.person)
 
     def _no_lateness(self, intake: Class) -> list[str]:
         if not self.course.percent_per_day or intake.service == "canvas" or self.book.late:
@@ -112,7 +112,7 @@ class People:
         whoever has it in the roster or from the service; else the members of the submission with
         this id, such as a login. Students choose their logins, so a login never stands for a person
         of the grade book or of the roster."""
-        known = [(m, s) for m, s in people if not (self._logins and m.id == s.id)]
+        known = [(m, s) for m, s in people if not (self.intake.logins and m.id == s.id)]
         if own := self._own_ids.get(id):
             return [(m, s) for m, s in known if self._own_ids.get(m.id) == own]
         return [p for p in known if p[0].id == id] or [p for p in people if p[1].id == id]
@@ -138,7 +138,7 @@ class People:
             if member.listed and len(given[member.id]) > 1:
                 why = "no points are filled in; write the id of theirs there"
                 note(f"{gives} {member.name or member.id} {names}: {why}")
-            elif names and not member.listed and not self._logins:
+            elif names and not member.listed and not self.intake.logins:
                 note(f"{gives} {member.id} the points of {names} alone")
             else:
                 own = self._adjusted[member.id, summary.student.id]

@@ -12,6 +12,7 @@ from bounce_grader.classroom.intake.gradebook import Gradebook, Line
 from bounce_grader.classroom.intake.instructor_files import ROSTER
 from bounce_grader.classroom.intake.student import Class, Member
 from bounce_grader.classroom.intake.table import number_in
+from bounce_grader.classroom.output.people import People
 from bounce_grader.common.errors import UsageError
 from bounce_grader.common.escaping import csv_row, first_few, Value
 from bounce_grader.common.files import read_object, write_whole
@@ -158,12 +159,11 @@ def note(out: Path, written: Written) -> None:
     write_whole(out / WRITTEN, json.dumps(written, indent=1, sort_keys=True), durable=True)
 
 
-def write(
-    path: Path, submitted: Class, summaries: Sequence[Summary], book: Gradebook, overwrite: bool
-) -> list[str]:
+def write(path: Path, people: People, summaries: Sequence[Summary], overwrite: bool) -> list[str]:
     """Fills a file in, for everyone who has a score: a missing one must not become a zero. A
     submission that is known by its GitHub login alone gets no points: its student could have chosen
     somebody else's id as a login. Returns sentences for the instructor."""
+    book, submitted = people.book, people.intake
     assert book.table
     finals = [one._replace(name=one.name or s.student.shown) for s in summaries for one in s.finals]
     given = [one for one in finals if one.listed or not submitted.logins]
