@@ -40,7 +40,6 @@ def read(path: Path, people: Names = {}) -> Class:
     if not intake.students:
         seen = f"the first entry, {intake.strays[0]}" if intake.strays else "it is empty"
         raise UsageError(f"no submission is found in {path}: {seen}")
-    intake.students.sort(key=lambda student: (student.name, student.id))
     return intake
 
 
