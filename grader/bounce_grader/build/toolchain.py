@@ -190,8 +190,7 @@ def _link(work: Work, name: str, files: Iterable[Path | None], *flags: str) -> B
     place = command.index("OBJECTS")
     command[place : place + 1] = objects
     visible = [path for path in linked if path.is_relative_to(CACHE)]
-    prefix = box.to_build(RUNNER, visible, programs=())
-    return _linked(prefix + command, work.folder / name, box)
+    return _linked(box.to_build(RUNNER, visible, ()) + command, work.folder / name, box)
 
 
 def _linked(command: list[str], runner: Path, box: Box) -> Built:

@@ -122,8 +122,7 @@ def _run(options: Options, canvas: Canvas | None, people: People, corpus: list[S
         sentences += points.write(path, people, summaries, options.overwrite)
         written.insert(0, path.name)
     write_whole(out / "grades.csv", "\ufeff" + points.grades(summaries))
-    title = people.course.title
-    write_whole(out / "class.html", page.render(summaries, near, sentences, title))
+    write_whole(out / "class.html", page.render(summaries, near, sentences, people.course.title))
     graded = sum(summary.state == "graded" for summary in summaries)
     print(f"{graded} of {len(summaries)} submissions graded ({intake.source}).")
     looks = [f"{who}: {why}" for who, why in page.looks(summaries)]

@@ -13,8 +13,7 @@ def render(name: str, record: dict[str, Any]) -> str:
     """The report on a record."""
     if name == "json":
         return json_document(record, indent=1)
-    module = import_module(f"{__name__}.{name}")
-    return str(module.render(record)).removesuffix("\n")
+    return str(import_module(f"{__name__}.{name}").render(record)).removesuffix("\n")
 
 
 def refused(name: str | None, sentence: str) -> str:

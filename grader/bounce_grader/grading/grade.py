@@ -178,8 +178,7 @@ class _Grading:
 def _require_working_kit(box: Box) -> None:
     """Called if a submission scores 0: raises KitError unless a stub compiles and runs, so that a
     broken kit isn't taken for a bad submission."""
-    taken = submission.read(STUBS)
-    with compiled(taken, box) as work:
+    with compiled(submission.read(STUBS), box) as work:
         stub = work.parts[1]
         linked = link_alone(parts()[0], work) if stub.path else stub
         if not linked.path:

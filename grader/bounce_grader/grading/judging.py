@@ -122,9 +122,8 @@ def _place(stack: str, runner: Path, work: Work) -> Place | None:
     """The innermost line on the stack that is in the submission's own files; None if unknown, also
     for want of time, as the verdict is valid without it."""
     command = ["/usr/bin/addr2line", "-i", "-e", str(runner), *stack.split()]
-    prefix = work.box.to_build(runner.parent, [runner])
     with suppress(Overrun):
-        result = work.box.run(prefix + command, SYMBOLS)
+        result = work.box.run(work.box.to_build(runner.parent, [runner]) + command, SYMBOLS)
         return place_in(result.out, work.taken.files.__contains__) if result.ok else None
     return None
 
