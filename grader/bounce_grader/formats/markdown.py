@@ -19,8 +19,7 @@ def render(record: Record) -> str:
         lines += ["", *items] if items else []
     first = sentences.first_to_do(record)
     lines += ["", escaping.markdown(first)] if first else []
-    for sentence in sentences.speed_words(record):
-        lines.append(f"\n{escaping.markdown(sentence)}")
+    lines += [f"\n{escaping.markdown(words)}" for words in sentences.speed_words(record)]
     text = "\n".join(lines) + "\n"
     for number, part, check in sentences.numbered(record):
         if not check["passed"] and check["message"]:
