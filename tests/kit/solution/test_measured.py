@@ -16,7 +16,7 @@ from bounce_grader.common.paths import BUILD, FIXTURES
 from oracle import contact_velocity, Parameters, vector
 
 MEASURED = FIXTURES / "measured"
-SIDE, MU, EPSILON, GRAVITY, ROWS, DROPS = 0.06, 0.2, 0.5, 9.81, 150, 100
+SIDE, MU, EPSILON, GRAVITY, ROWS, DROPS = 0.06, 0.2, 0.5, 9.81, 150, 60
 NOISE = np.array([2e-6, 2e-6, 5e-5])  # m, m, rad: a tenth of a camera's
 DROPPED: dict[str, Any] = {"l": SIDE, "m": 0.1, "mu": MU, "epsilon": EPSILON}
 DROPPED |= {"g": [0, -GRAVITY, 0], "dt": 1 / 250, "delta": 0.001, "T": ROWS}
@@ -35,6 +35,9 @@ def drop(folder: Path, random: np.random.Generator) -> list[list[float]]:
     q = np.array(json.loads(done.stdout)["q"])
     rows: list[list[float]] = (q + random.normal(size=q.shape) * NOISE).tolist()
     return rows
+
+
+of_squares = pytest.mark.xdist_group("squares")  # which take longer to make than to study
 
 
 @pytest.fixture(scope="module")
@@ -66,6 +69,7 @@ def answer(folder: Path, squares: Path) -> dict[str, list[dict[str, str]]]:
     return {file.stem: list(csv.DictReader(file.read_text().splitlines())) for file in files}
 
 
+@of_squares
 def test_what_was_put_in_is_found_again(tmp_path: Path, squares: Path) -> None:
     found = answer(tmp_path, squares)
     body = {row["quantity"]: float(row["value"]) for row in found["measured_body"]}
@@ -89,6 +93,7 @@ def test_what_was_put_in_is_found_again(tmp_path: Path, squares: Path) -> None:
     assert again == pytest.approx(float(newton["median_m_s"]), rel=0.02, abs=2e-5)
 
 
+@of_squares
 def test_what_is_judged_trains_nothing(tmp_path: Path, squares: Path) -> None:
     """Other test drops change no fitted number."""
     header, *lines = squares.read_text().splitlines()
