@@ -12,7 +12,7 @@ from bounce_grader.build import compile as compiling, toolchain
 from bounce_grader.build.toolchain import Work
 from bounce_grader.common.errors import KitError
 from bounce_grader.common.files import temporary_folder
-from bounce_grader.common.paths import CONTRACT, RUNNER
+from bounce_grader.common.paths import BUILD, CONTRACT, RUNNER
 from bounce_grader.grading.grade import grade as grade_path
 from bounce_grader.sandbox import processes
 from bounce_grader.sandbox.box import Box
@@ -29,6 +29,18 @@ def _new() -> bytes:
 
 
 # --- never a stale object ---
+
+
+def test_the_header_is_precompiled_anew_after_an_upgrade_of_what_it_reads() -> None:
+    """Else clang refuses it, and everything goes the slow way through g++."""
+    words = (RUNNER / "prelude.pch.d").read_text().split()
+    headers = {os.path.realpath(word) for word in words if word.startswith("/usr/")}
+    found = subprocess.run(["dpkg", "-S", *headers], capture_output=True, text=True).stdout
+    packages = {line.partition(": ")[0] for line in found.splitlines()}
+    rules = (BUILD / "build.ninja").read_text().replace("$:", ":")
+    assert len(packages) >= 4
+    assert [name for name in packages if f"/var/lib/dpkg/info/{name}.list" not in rules] == []
+
 
 INCLUDES = {
     "plain": b'#include "real.cpp"\n',
