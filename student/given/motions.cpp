@@ -6,10 +6,8 @@
 #include <stdexcept>
 
 #include "drawing.hpp"
+#include "paths.hpp"  // which CMakeLists.txt makes
 #include "study/tables.hpp"
-#ifndef BOUNCE_STUDY
-#include "paths.hpp"  // which student/CMakeLists.txt makes
-#endif
 
 namespace bounce {
 namespace {
@@ -80,7 +78,7 @@ void change(study::Scene& scene, const std::vector<std::string>& assignments) {
 // The named scene, with numbers changed as the other words say.
 study::Scene scene_of(const std::vector<std::string>& words) {
   std::string names;
-  for (study::Scene& scene : study::read_scenes(BOUNCE_STUDY)) {
+  for (study::Scene& scene : study::read_scenes(BOUNCE_HOME u8"/fixtures/study.json")) {
     names += " " + scene.name;
     if (words.empty() || scene.name != words[0]) continue;
     change(scene, {words.begin() + 1, words.end()});

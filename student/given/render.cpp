@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "drawing.hpp"
-#include "pages.hpp"  // which page/pages.cmake makes
 #include "study/page.hpp"
 
 namespace bounce {
@@ -54,7 +53,7 @@ json data_of(const Drawing& drawing) {
 }
 
 void draw(const Drawing& drawing, const std::filesystem::path& page) {
-  study::write_page(page, pages::render, data_of(drawing));
+  check::write(page, study::page_with("render.html", data_of(drawing)));
 }
 
 void render(const Eigen::Matrix3Xd& q, const Parameters& params,

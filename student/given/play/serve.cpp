@@ -12,7 +12,6 @@
 #include "../drawing.hpp"
 #include "../study/page.hpp"
 #include "../study/tables.hpp"
-#include "pages.hpp"
 #include "paths.hpp"
 
 // Behind Eigen, whose names it defines as macros.
@@ -96,12 +95,6 @@ int bind(httplib::Server& server) {
   return port;
 }
 
-// The scenes, and Explore's questions, with the page around them.
-std::string page() {
-  return study::page_with(pages::play, {{"scenes", study::read_json(BOUNCE_STUDY)},
-                                        {"explore", check::read("explore.html")}});
-}
-
 #ifdef _WIN32
 // The file of a program that runs can't be written, but it can be renamed.
 void make_way(const fs::path& program) {
@@ -130,7 +123,9 @@ int serve(const fs::path& given) {
   const int port = bind(server);
   const std::string path = secret_path();
   server.Get(path, [](const auto&, auto& response) {
-    response.set_content(page(), "text/html; charset=utf-8");
+    const json data{{"scenes", study::read_json("fixtures/study.json")},
+                    {"explore", check::read("explore.html")}};
+    response.set_content(study::page_with("play.html", data), "text/html; charset=utf-8");
   });
   server.Get(path + "version", [&](const auto&, auto& response) {
     response.set_content(json{{"version", version_of(program)}}.dump(), "application/json");

@@ -13,7 +13,6 @@
 
 #include "../study/page.hpp"
 #include "../study/tables.hpp"
-#include "pages.hpp"
 
 namespace bounce::real {
 namespace {
@@ -106,7 +105,7 @@ int main(int argc, char** argv) {
   }
   try {
     const nlohmann::json data = real::answered(study::read_json(argv[1]), argc > 3);
-    study::write_page(argv[2], pages::impacts, data);
+    check::write(argv[2], study::page_with("impacts.html", data));
     std::cout << std::string(data["sentence"]) << "\n";
   } catch (const std::exception& error) {
     std::cerr << "No page was written: " << error.what() << ".\n";

@@ -13,7 +13,6 @@
 
 #include "measure.hpp"
 #include "page.hpp"
-#include "pages.hpp"
 
 namespace bounce::study {
 namespace {
@@ -171,7 +170,7 @@ int main(int argc, char** argv) {
   }
   try {
     const json made = study(read_scenes(argv[1]), argc > 3);
-    write_page(argv[2], bounce::pages::studied, made);
+    bounce::check::write(argv[2], page_with("studied.html", made));
     for (const json& verdict : made["verdicts"]) {
       std::cout << std::string(verdict["about"]) << "\t" << std::string(verdict["text"])
                 << " (question " << verdict["question"] << ")\n";

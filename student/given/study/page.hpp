@@ -6,11 +6,11 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "../check/files.hpp"
+#include "paths.hpp"  // which CMakeLists.txt makes
 
 namespace bounce::study {
 
@@ -55,18 +55,24 @@ inline json line(const std::string& name, const Points& points, const std::strin
   return line;
 }
 
-// The page with the data in place of DATA, numbers that aren't finite as null.
-inline std::string page_with(std::string_view page, const json& data) {
-  const std::string_view place = "DATA";
-  std::string text = data.dump(), html(page);
+// A page of the folder page/, with the data in place of DATA, numbers that aren't finite as null. A
+// line @NAME@ of it stands for the file of that name beside it, a style, a script or a piece of
+// HTML, so that the page is one file. Throws Failure.
+inline std::string page_with(const std::string& name, const json& data) {
+  const std::filesystem::path folder = std::filesystem::path(BOUNCE_HOME) / "given" / "page";
+  std::string html;
+  for (const std::string& line : check::lines_of(check::read(folder / name))) {
+    const bool names_file = line.size() > 2 && line.front() == '@' && line.back() == '@';
+    html += names_file ? check::read(folder / line.substr(1, line.size() - 2)) : line + "\n";
+  }
+  const std::string place = "DATA";
+  if (!check::has(html, place)) {
+    throw check::Failure("given/page/" + name + " is missing: unpack the handout anew");
+  }
+  std::string text = data.dump();
   for (std::size_t at = 0; (at = text.find('<', at)) != std::string::npos;)
     text.replace(at, 1, "\\u003c");
   return html.replace(html.find(place), place.size(), text);
-}
-
-// Writes that. Throws as check::write does.
-inline void write_page(const std::filesystem::path& file, std::string_view page, const json& data) {
-  check::write(file, page_with(page, data));
 }
 
 }  // namespace bounce::study

@@ -23,11 +23,9 @@
 #include "crash.hpp"
 #include "feedback.hpp"
 #include "linked.hpp"
+#include "paths.hpp"  // which CMakeLists.txt makes
 #include "recognise.hpp"
 #include "time_limit.hpp"
-#ifndef BOUNCE_FIXTURES
-#include "paths.hpp"  // which student/CMakeLists.txt makes
-#endif
 
 namespace bounce::tests {
 
