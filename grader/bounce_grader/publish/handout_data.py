@@ -30,11 +30,11 @@ ASSIGNMENT = "the assignment's law, as the course solves it"
 
 
 def checks() -> str:
-    """For ./check: a line "part NUMBER STEM POINTS TITLE CALLS" for each part and "check ID POINTS
-    TITLE" for each check, with tabs between."""
+    """For ./check: a line "part NUMBER STEM POINTS TITLE STEMS" for each part, with the stems of
+    those that it calls, and "check ID POINTS TITLE" for each check, with tabs between."""
     lines: list[tuple[object, ...]] = []
     for part in parts():
-        calls = " ".join(map(str, part.calls))
+        calls = " ".join(other.stem for other in parts() if other.number in part.calls)
         lines.append(("part", part.number, part.stem, f"{part.points:g}", part.title, calls))
         lines += [("check", check.id, f"{check.points:g}", check.title) for check in part.checks]
     return "".join("\t".join(map(str, line)) + "\n" for line in lines)

@@ -102,8 +102,8 @@ Run read_run(int part, bool sanitized) {
     const std::vector<std::string> cells = split(line, '\t');
     if (cells.size() >= 5 && cells[0] == "part") {
       run.all.push_back({std::stoi(cells[1]), cells[2], cells[4], std::stoi(cells[3])});
-      for (const std::string& number : split(cells.size() > 5 ? cells[5] : "", ' '))
-        run.all.back().calls.push_back(std::stoi(number));
+      for (const std::string& stem : split(cells.size() > 5 ? cells[5] : "", ' '))
+        run.all.back().calls.push_back(std::stoi(stem.substr(4)));  // "part1_contacts"
     } else if (cells.size() == 4 && !run.all.empty()) {
       run.all.back().checks.push_back({cells[1], cells[3], std::stoi(cells[2])});
     }
