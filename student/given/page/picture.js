@@ -94,7 +94,7 @@ function drawGround(at) {
     ...X.map((X) => path("grid", `M ${X} 0 V ${high()}`)),
     ...Y.map((Y) => path("grid", `M 0 ${Y} H ${wide()}`)),
     ...columns.map((x, i) => (X[i] < wide() - 60 ? label(x, X[i] + 5, high() - 10) : "")),
-    ...rows.map((y, i) => (Y[i] < high() - 28 ? label(y, 10, Y[i] - 5) : "")),
+    ...rows.map((y, i) => (16 < Y[i] && Y[i] < high() - 28 ? label(y, 10, Y[i] - 5) : "")),
   );
   set("ground", `M -9 ${at.to(0, 0)[1]} H ${wide() + 9} V ${high() + 9} H -9 Z`);
 }

@@ -23,6 +23,14 @@ return {
   background: getComputedStyle(document.body).backgroundColor,
 };
 """
+# How many numbers of the grid reach beyond the picture's upper edge, from low motions to high ones.
+CUT = """
+return Array.from(Array(80), (_, i) => {
+  const heights = q[1].map((y) => 1.04 * y);
+  present({ l, dt, delta, q: [q[0], heights, q[2]], motion: null });
+  return [...byId("grid").querySelectorAll("text")].filter((text) => text.getBBox().y < 0).length;
+}).reduce((a, b) => a + b);
+"""
 # Of the lines of each plot: its name and how it is drawn.
 LINES = """
 return plotted.map(({ chart, svg }) => chart.lines.map(({ name }, i) => {
@@ -90,6 +98,7 @@ def test_fits_every_screen_and_takes_its_colours(open_page: Open) -> None:
         if width == 375:  # on a phone the numbers come last, and the first plot is in view
             plots, numbers = page.find("plots").rect, page.find("numbers").rect
             assert plots["y"] + plots["height"] < numbers["y"] and plots["y"] + 200 < height
+    assert page.driver.execute_script(CUT) == 0
     page.media(prefers_color_scheme="dark")
     page.wait_until(lambda: page.pixels("square") > 50)  # the dark scheme's blue
     assert layout()["background"] != now["background"]
