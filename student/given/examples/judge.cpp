@@ -173,11 +173,6 @@ constexpr std::size_t kLargest = 1 << 16;            // bytes of a file
 constexpr double kRounding = 1e-6;                   // in units of the last digit
 constexpr double kNudge = 1e-7, kContinuous = 1e-4;  // m or rad; and what may become of it
 
-const Program& right_program(int part, const Table& table) {
-  const auto is_it = [&](const Program& one) { return one.part == part && one.name == "-"; };
-  return *std::find_if(table.programs.begin(), table.programs.end(), is_it);
-}
-
 // Whether the number, rounded or cut off to the digits that were written, is what was written.
 bool agrees(double value, const Given& claim) {
   const double off = (value - claim.value) / claim.unit, further = value < 0 ? -off : off;
@@ -211,7 +206,7 @@ const Quantity* undecided(const Program& program, const Case& asked, const Table
 }
 
 void require_decided(const Case& asked, const Table& table) {
-  const Quantity* input = undecided(right_program(asked.part, table), asked, table);
+  const Quantity* input = undecided(table.right.at(asked.part), asked, table);
   if (!input) return;
   std::size_t column = 1;
   for (const Given& given : asked.inputs) {
@@ -246,15 +241,15 @@ std::string distance(double right, const Given& claim) {
 Verdict judged(const Case& asked, const std::string& place, const Table& table) {
   require_decided(asked, table);
   Verdict verdict{place, asked.part, false, {}, ""};
-  const Values right = table.run(right_program(asked.part, table), asked.values);
+  const Values right = table.run(table.right.at(asked.part), asked.values);
   for (const Given& claim : asked.outputs) {
     if (agrees(right[claim.quantity->place], claim)) continue;
     verdict.sentence += (verdict.sentence.empty() ? "" : "; ") + claim.quantity->name + " " +
                         distance(right[claim.quantity->place], claim);
   }
   verdict.is_right = verdict.sentence.empty();
-  for (const Program& program : table.programs) {
-    if (program.part != asked.part || program.name == "-") continue;
+  for (const Program& program : table.wrong) {
+    if (program.part != asked.part) continue;
     const bool answers_so = agrees(table.run(program, asked.values), asked);
     if (answers_so == verdict.is_right || undecided(program, asked, table)) continue;
     if (verdict.is_right) {
@@ -289,8 +284,7 @@ Judged judge(const std::string& cases, const Table& table) {
   for (const Verdict& verdict : all.verdicts) {
     caught.insert(verdict.caught.begin(), verdict.caught.end());
   }
-  for (const Program& program : table.programs) {
-    if (program.name == "-") continue;
+  for (const Program& program : table.wrong) {
     (caught.count(program.name) ? all.caught : all.missed).push_back(program.name);
   }
   return all;

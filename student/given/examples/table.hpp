@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -55,13 +56,14 @@ class Table {
         Program program;
         words >> program.part >> program.name;
         program.steps = rest_of<std::size_t>(words);
-        programs.push_back(program);
+        (program.name == "-" ? right[program.part] : wrong.emplace_back()) = program;
       }
     }
   }
 
   std::vector<Quantity> inputs, outputs;
-  std::vector<Program> programs;
+  std::map<int, Program> right;  // by part
+  std::vector<Program> wrong;
 
   Values usual_values() const {
     Values values(inputs.size() + steps_.size());
