@@ -49,9 +49,7 @@ void build_part(Run& run, Part& part) {
   }
   if (part.broken || build_programs({target_of(run, part)})) return;
   part.broken = &part;
-  const BuildError found = first_error(own_lines(read(kBuild)));
-  part.error = found.text;
-  part.is_unlinked = found.is_of_linker;
+  part.error = first_error(own_lines(read(kBuild)));
 }
 
 }  // namespace
@@ -89,7 +87,7 @@ bool build_programs(const std::vector<std::string>& targets) {
     if (is_warning_of_own_file(line) && !has(all, line + "\n")) all += line + "\n";
   }
   write(kWarnings, all);
-  return ended->code == 0 && ended->signal == 0;
+  return *ended == 0;
 }
 
 std::vector<std::string> warnings() {

@@ -23,26 +23,25 @@ struct Options {
   bool has(const std::string& word) const { return words.count(word) == 1; }
 };
 
-// "2" of "2", "part2", "part2_lcp" or "src/part2_lcp.cpp"; another word as it is.
-std::string number_of(const std::string& word, const std::vector<Part>& parts) {
+// 2 of "2", "part2", "part2_lcp" or "src/part2_lcp.cpp"; 0 of another word.
+int number_of(const std::string& word, const std::vector<Part>& parts) {
   const std::string name = std::filesystem::path(word).stem().string();
   for (const Part& part : parts) {
     const std::string number = std::to_string(part.number);
-    if (name == part.stem || name == "part" + number) return number;
+    if (word == number || name == part.stem || name == "part" + number) return part.number;
   }
-  return word;
+  return 0;
 }
 
 Options read_options(const std::vector<std::string>& words, const std::vector<Part>& parts) {
   Options options;
-  for (const std::string& given : words) {
-    const std::string word = number_of(given, parts);
-    const bool is_number = word.size() == 1 && word[0] >= '1' && word[0] < char('1' + parts.size());
-    if (is_number && options.part) {
-      throw Failure("one part at a time, or all: ./check " + word + ", or ./check");
+  for (const std::string& word : words) {
+    const int part = number_of(word, parts);
+    if (part && options.part) {
+      throw Failure("one part at a time, or all: ./check " + std::to_string(part) + ", or ./check");
     }
-    if (is_number) {
-      options.part = word[0] - '0';
+    if (part) {
+      options.part = part;
     } else if (!has(read(kOptions), "./check " + word + " ")) {
       std::cerr << "check: " << word << " is not known; there are:\n" << read(kOptions);
       std::exit(kUsage);
@@ -104,8 +103,7 @@ void zip() {
   std::vector<std::string> command{"cmake",       "-E",           "tar", "cf",
                                    "hand_in.zip", "--format=zip", "src"};
   if (std::filesystem::exists("examples.txt")) command.push_back("examples.txt");
-  const auto ended = run(command, kWork / "zip.txt", Limits::none);
-  if (!ended || ended->code || ended->signal) throw Failure(read(kWork / "zip.txt"));
+  if (run(command, kWork / "zip.txt", Limits::none) != 0) throw Failure(read(kWork / "zip.txt"));
   std::cout << "hand_in.zip is what you hand in, where your course says.\n";
 }
 

@@ -39,10 +39,8 @@ std::string write_page(const std::string& name, bool is_wrong, const std::string
   const auto ended = check::run(command, said, Limits::of_a_part);
   const std::string printed = read(said);
   if (!ended) throw Failure(command[0] + " can't be started: remove the folder build");
-  if (ended->code == 1) throw Failure(printed);
-  if (ended->signal || ended->code) {
-    throw Failure("no page was written, as " + reason_of(*ended, printed));
-  }
+  if (*ended == 1) throw Failure(printed);
+  if (*ended) throw Failure("no page was written, as " + reason_of(*ended, printed));
   return printed;
 }
 
@@ -65,7 +63,7 @@ void study(const Run& run, bool whole) {
     whole = true;
     return measured(run);
   });
-  std::cout << "\n" << bold("What your program is worth");
+  std::cout << heading("What your program is worth");
   if (!whole) {
     std::cout << " is in study.html, as before; ./check --study says it again.\n";
     return;

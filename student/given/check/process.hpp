@@ -11,27 +11,21 @@
 namespace bounce::check {
 
 #ifdef _WIN32
-enum : int { SIGBUS = -1, SIGKILL = -2, SIGXCPU = -3, SIGXFSZ = -4 };  // which nothing ends with
+enum : int { SIGBUS = 901, SIGKILL, SIGXCPU, SIGXFSZ };  // which nothing ends with
 inline constexpr bool kHasSanitizers = false;
 #else
 inline constexpr bool kHasSanitizers = true;
 #endif
 
-// How a program ended: with an exit code, or by a signal. On Windows, an exception has the signal's
-// number that it would have elsewhere.
-struct Termination {
-  int code = 0;
-  int signal = 0;
-};
-
 inline const std::filesystem::path kWork = "build/check";  // what the check keeps between runs
 
 enum class Limits { none, of_a_part };  // of a part: memory, time, the size of what it prints
 
-// Runs the command, with nothing to read. What it prints is added to `output`. Empty if the program
-// can't be started.
-std::optional<Termination> run(const std::vector<std::string>& command,
-                               const std::filesystem::path& output, Limits limits);
+// Runs the command, with nothing to read. What it prints is added to `output`. Returns its exit
+// code, or the negative number of the signal that ended it; on Windows, an exception has the number
+// that it would have elsewhere. Empty if the program can't be started.
+std::optional<int> run(const std::vector<std::string>& command, const std::filesystem::path& output,
+                       Limits limits);
 
 // Held by one check at a time in this folder, until the result is gone or the program ends, however
 // it does. If another check holds it, prints a message and waits. Throws Failure.

@@ -25,8 +25,8 @@ void limit(int what, rlim_t most, rlim_t further = 0) {
 
 }  // namespace
 
-std::optional<Termination> run(const std::vector<std::string>& command,
-                               const std::filesystem::path& output, Limits limits) {
+std::optional<int> run(const std::vector<std::string>& command, const std::filesystem::path& output,
+                       Limits limits) {
   std::vector<char*> words;
   words.reserve(command.size() + 1);
   for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
@@ -53,9 +53,9 @@ std::optional<Termination> run(const std::vector<std::string>& command,
   int status = 0;
   while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
-  if (WIFSIGNALED(status)) return Termination{0, WTERMSIG(status)};
+  if (WIFSIGNALED(status)) return -WTERMSIG(status);
   if (WEXITSTATUS(status) == kNotStarted) return std::nullopt;
-  return Termination{WEXITSTATUS(status), 0};
+  return WEXITSTATUS(status);
 }
 
 std::shared_ptr<void> lock(const std::filesystem::path& file) {

@@ -18,27 +18,27 @@ constexpr SIZE_T kMemory = SIZE_T{4} << 30;  // bytes
 constexpr DWORD kLongestRun = 120'000;       // ms; each check ends sooner, a constructor may not
 constexpr UINT kStopped = 124;               // as a test program's where a check takes too long
 
-Termination termination_of(DWORD code) {
+int termination_of(DWORD code) {
   switch (code) {
     case EXCEPTION_ACCESS_VIOLATION:
     case EXCEPTION_STACK_OVERFLOW:
     case EXCEPTION_ARRAY_BOUNDS_EXCEEDED:
-      return {0, SIGSEGV};
+      return -SIGSEGV;
     case EXCEPTION_INT_DIVIDE_BY_ZERO:
     case EXCEPTION_FLT_DIVIDE_BY_ZERO:
-      return {0, SIGFPE};
+      return -SIGFPE;
     case 3:  // abort(), in Microsoft's library
     case 0xC0000409:
-      return {0, SIGABRT};
+      return -SIGABRT;
     default:
-      return {static_cast<int>(code), 0};
+      return static_cast<int>(code & 0xff);  // as much as other systems tell
   }
 }
 
 }  // namespace
 
-std::optional<Termination> run(const std::vector<std::string>& command,
-                               const std::filesystem::path& output, Limits limits) {
+std::optional<int> run(const std::vector<std::string>& command, const std::filesystem::path& output,
+                       Limits limits) {
   // No word holds a quotation mark, which no file's name can hold here, or ends in a backslash.
   std::string line;
   for (const std::string& word : command) line += "\"" + word + "\" ";

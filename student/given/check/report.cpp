@@ -22,6 +22,8 @@ std::string coloured(const std::string& text, const char* begin) {
   return has_colours ? begin + text + "\033[0m" : text;
 }
 
+std::string bold(const std::string& text) { return coloured(text, "\033[1m"); }
+
 std::string in_columns(const std::string& text, int width, int points, int of) {
   char line[200];
   std::snprintf(line, sizeof line, "%-*s%4d / %d", width, text.c_str(), points, of);
@@ -53,7 +55,7 @@ void print_part(const Run& run, const Part& part) {
   std::string what = part.title;
   if (broken) {
     what = is_needed ? "not run: it needs part " + std::to_string(broken->number) + ", which " : "";
-    what += broken->is_unlinked ? "compiles, but does not link" : "does not compile";
+    what += broken->error.is_of_linker ? "compiles, but does not link" : "does not compile";
   }
   what = in_columns("Part " + std::to_string(part.number) + "  " + what, 61, part.worth(),
                     part.points);
@@ -116,8 +118,8 @@ void print_text(const std::string& text) {
 
 void print_fault_of_earlier(const Run& run) {
   const std::string number = std::to_string(run.fault_shows_in->number);
-  std::cout << "\n"
-            << bold("Part " + number + " does better with right earlier parts in place of yours.")
+  std::cout << heading("Part " + number +
+                       " does better with right earlier parts in place of yours.")
             << "\nSo one of yours is wrong in a case that its own checks don't ask, unless part "
             << number << " keeps\nsomething from one call to the next. With yours:\n";
   print_text(run.fault);
@@ -129,8 +131,7 @@ void print_first(const Run& run) {
     print_what_does_not_compile(run);
     return;
   }
-  std::cout << "\n"
-            << bold("First: " + run.first_check->title) << "  " << dim("(" + part.file() + ")")
+  std::cout << heading("First: " + run.first_check->title) << "  " << dim("(" + part.file() + ")")
             << "\n";
   const Note note = part.result.note(*run.first_check);
   print_text(note.text);
@@ -190,8 +191,7 @@ std::string undefined_behaviour() {
 bool has_defined_behaviour() try {
   const std::string found = once_after_a_change("undefined", true, undefined_behaviour);
   if (found.empty()) return true;
-  std::cout << "\n"
-            << bold("First: undefined behaviour") << "\n"
+  std::cout << heading("First: undefined behaviour") << "\n"
             << folded(printable(found) + (found.back() == '?' ? "" : "."), 74, "  ")
             << folded(
                    "The numbers are right here and now, and may be others on another machine or "
@@ -208,11 +208,10 @@ bool has_defined_behaviour() try {
 void print_what_does_not_compile(const Run& run) {
   const Part& part = *run.first_part;
   const Part& broken = part.broken ? *part.broken : part;
-  std::cout << "\n"
-            << bold("First: make " + broken.stem + ".cpp " +
-                    (broken.is_unlinked ? "link" : "compile"))
+  std::cout << heading("First: make " + broken.stem + ".cpp " +
+                       (broken.error.is_of_linker ? "link" : "compile"))
             << "\n"
-            << broken.error << "\n";
+            << broken.error.text << "\n";
 }
 
 bool report(const Run& run) {
@@ -228,16 +227,15 @@ bool report(const Run& run) {
   }
   if (run.first_part) print_first(run);
   if (run.fault_shows_in) print_fault_of_earlier(run);
-  std::cout << "\n"
-            << bold("Score on the public checks" +
-                    (run.is_one_part() ? " of part" + run.option() : "") + ": " +
-                    std::to_string(run.score) + " / " + std::to_string(run.possible) + ".")
+  std::cout << heading("Score on the public checks" +
+                       (run.is_one_part() ? " of part" + run.option() : "") + ": " +
+                       std::to_string(run.score) + " / " + std::to_string(run.possible) + ".")
             << " There are hidden ones as well, with other numbers.\n";
   print_warnings();
   return run.is_right() && (run.is_one_part() || run.sanitized || has_defined_behaviour());
 }
 
-std::string bold(const std::string& text) { return coloured(text, "\033[1m"); }
+std::string heading(const std::string& text) { return "\n" + bold(text); }
 std::string dim(const std::string& text) { return coloured(text, "\033[2m"); }
 
 }  // namespace bounce::check

@@ -37,8 +37,8 @@ void ask_about_real_impacts(Run& run);
 // the next stage of a hint. Whether nothing is left to do. Throws Failure.
 bool judge_examples(int part, bool hints);
 
-// As far as the terminal has it.
-std::string bold(const std::string& text);
+// In bold with an empty line above it, and in a pale colour, as far as the terminal has these.
+std::string heading(const std::string& text);
 std::string dim(const std::string& text);
 
 }  // namespace bounce::check

@@ -68,7 +68,7 @@ void run_with_given(Run& run, Part& part) {
 
 // Whether it may get more points with given earlier parts.
 bool may_gain(const Run& run, const Part& part) {
-  const bool compiles = part.broken != &part || part.is_unlinked;
+  const bool compiles = part.broken != &part || part.error.is_of_linker;
   return compiles && part.worth() < part.points && !run.sanitized && !part.calls.empty();
 }
 
@@ -138,12 +138,12 @@ Result run_checks(const Run& run, const Part& part, const std::string& target) {
       Note& note = result.notes[check.id] = read_note(notes / check.id);
       const bool hangs = note.status == "hung";
       if (note.status != "running" && !hangs) continue;
-      const std::string why = reason_of(hangs ? Termination{kTooLong, 0} : *ended, printed);
+      const std::string why = reason_of(hangs ? kTooLong : *ended, printed);
       note = {hangs ? "hung" : "crashed", why + place + "\nIt was asked: " + note.text, note.from,
               fs::file_size(prints)};
       hung += hangs;
       if (hangs && is_terminal()) std::cerr << "A check gives no answer; asking others.\n";
-      again = hung < kMostHung && ended->signal != SIGXFSZ;
+      again = hung < kMostHung && *ended != -SIGXFSZ;
     }
     if (!result.notes.empty()) continue;
     for (const Check& check : part.checks) {  // as where a global object's constructor crashes
@@ -172,7 +172,7 @@ void run_parts(Run& run) {
     run.score += part->worth();
     run.undecided += part->undecided();
     if (!run.fault_shows_in) find_fault_of_earlier(run, *part);
-    if ((part->broken || part->is_unlinked) && !run.first_part) run.first_part = part;
+    if ((part->broken || part->error.is_of_linker) && !run.first_part) run.first_part = part;
     for (const Check& check : part->checks) {
       const std::string status = part->result.note(check).status;
       if (status == "passed" || status == kUndecided || run.first_part) continue;

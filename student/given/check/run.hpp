@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "words.hpp"
+
 namespace bounce::check {
 
 struct Check {
@@ -46,8 +48,7 @@ struct Part {
   std::vector<Check> checks{};
   // Of this run:
   const Part* broken = nullptr;  // where it isn't built: the part whose file has the error
-  std::string error{};           // the first in its own file, indented, with its line
-  bool is_unlinked = false;      // it compiles, but doesn't link with the earlier ones
+  BuildError error{};            // the first in its own file
   bool is_given = false;         // its better result is that with right earlier parts
   Result result{}, own{};  // the better one; and where that is so, that with the student's own
 

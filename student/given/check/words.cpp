@@ -218,15 +218,15 @@ std::string place_of_crash(const std::string& program, const fs::path& stack) {
   return "";
 }
 
-std::string reason_of(const Termination& ended, const std::string& printed) {
+std::string reason_of(int ended, const std::string& printed) {
   if (const std::string found = found_by_sanitizers(printed); !found.empty()) return found;
-  if (ended.signal == SIGABRT) return why_aborted(last_reason(printed));
+  if (ended == -SIGABRT) return why_aborted(last_reason(printed));
   for (const auto& [signal, sentence] : kSignals) {
-    if (ended.signal == signal) return sentence;
+    if (ended == -signal) return sentence;
   }
-  if (ended.signal) return "the program was ended by signal " + std::to_string(ended.signal);
-  if (ended.code == kTooLong) return "no answer within 3 s of work: an endless loop?";
-  return "the program ended by itself, with status " + std::to_string(ended.code) +
+  if (ended < 0) return "the program was ended by signal " + std::to_string(-ended);
+  if (ended == kTooLong) return "no answer within 3 s of work: an endless loop?";
+  return "the program ended by itself, with status " + std::to_string(ended) +
          ": does it call exit?";
 }
 

@@ -3,6 +3,7 @@
 #include <iostream>
 #include <mutex>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <random>
 #include <stdexcept>
 #include <thread>
@@ -24,7 +25,9 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 constexpr const char* kHost = "127.0.0.1";
-constexpr auto kLinking = std::chrono::seconds(10);  // that it may take to link the program
+// How often, and with which pause, a program is started that is just being linked.
+constexpr int kTries = 500;
+constexpr auto kPause = std::chrono::milliseconds(20);
 
 // Another number whenever the program was built again.
 long long version_of(const fs::path& program) {
@@ -42,21 +45,15 @@ std::string answer_to(const std::string& question, const fs::path& program,
   const fs::path answer = folder / "answer.json";
   for (const fs::path& file : {printed, stack, answer}) fs::remove(file);
   check::write(folder / "question.json", question);
-  const auto give_up = std::chrono::steady_clock::now() + kLinking;
-  const auto start = [&] {
-    return check::run({program.string(), folder.string()}, printed, check::Limits::of_a_part);
-  };
-  auto ended = start();
-  while (!ended && std::chrono::steady_clock::now() < give_up) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    ended = start();
+  std::optional<int> ended;
+  for (int tries = 0; !ended && tries < kTries; ++tries) {
+    if (tries > 0) std::this_thread::sleep_for(kPause);
+    ended = check::run({program.string(), folder.string()}, printed, check::Limits::of_a_part);
   }
   if (const std::string text = check::read(answer); !text.empty()) return text;
-  std::string problem = "the program can't be started: it is being built, or is gone";
-  if (ended) {
-    problem = check::reason_of(*ended, check::read(printed)) +
-              check::place_of_crash(program.string(), stack);
-  }
+  const std::string problem = ended ? check::reason_of(*ended, check::read(printed)) +
+                                          check::place_of_crash(program.string(), stack)
+                                    : "the program can't be started: it is being built, or is gone";
   return json{{"problem", problem}}.dump();
 }
 
