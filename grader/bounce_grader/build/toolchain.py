@@ -19,7 +19,7 @@ LARGEST_OBJECT = 8 << 20
 HELPERS_BYTES = 32 << 20  # of all helpers of a submission together; one more may be under way
 MAIN = b"_Z14submitted_main"  # in an object whose source defines main, by its name for the linker
 LINK = Limits(cpu_seconds=10, wall_seconds=60, memory=2 << 30, file_size=64 << 20)
-RUNNER_OBJECTS = ("runner", "channel", "crash", "solve_lcp", "render")
+RUNNER_OBJECTS = ("runner", "channel", "crash", "solve_lcp")
 # The checked code comes first: of an inline function in several objects the linker takes the first.
 KIT_OBJECTS = ("prelude", *RUNNER_OBJECTS)
 
