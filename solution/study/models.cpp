@@ -59,7 +59,8 @@ ModelLevel chosen_by_bounds(const Scene& scene) {
     largest = ModelLevel(i);
     friction = friction || model_of(largest).friction;
   }
-  // Each level holds those before it, but two corners without friction not one with it.
+  // Each level contains those before it, except that two corners without friction don't contain
+  // one corner with friction.
   return friction && largest == ModelLevel::two_normals ? ModelLevel::two_frictions : largest;
 }
 

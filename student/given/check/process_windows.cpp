@@ -31,7 +31,7 @@ int termination_of(DWORD code) {
     case 0xC0000409:
       return -SIGABRT;
     default:
-      return static_cast<int>(code & 0xff);  // as much as other systems tell
+      return code < 0xff ? static_cast<int>(code) : 0xff;  // the largest of other systems
   }
 }
 
