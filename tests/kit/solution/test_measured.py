@@ -28,7 +28,7 @@ def drop(folder: Path, random: np.random.Generator) -> list[list[float]]:
     start |= {"v": [random.normal(0, 0.6), 0, random.normal(0, 6)]}
     scene = folder / "scene.json"
     scene.write_text(json.dumps({"params": DROPPED, **start}))
-    command: list[str | Path] = [BUILD / "bounce_study", "simulate", scene, "1e-4"]
+    command: list[str | Path] = [BUILD / "bounce_study", "simulate", scene, "0.01"]
     done = subprocess.run(command, capture_output=True, text=True)
     if done.returncode == 1:  # rounding decides what follows
         return drop(folder, random)
