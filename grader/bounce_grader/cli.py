@@ -10,7 +10,7 @@ from typing import Any, NoReturn
 from bounce_grader import __version__, formats
 from bounce_grader.common.errors import KitError, UsageError
 from bounce_grader.common.escaping import printable_text, terminal
-from bounce_grader.common.paths import given_path
+from bounce_grader.common.paths import given_path, ROOT
 
 
 class Parser(argparse.ArgumentParser):
@@ -54,10 +54,10 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--version", action="version", version=f"kit {__version__}")
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
 
-    def command(name: str, module: str, help: str) -> Any:
+    def command(name: str, module: str, help: str, package: str = "bounce_grader.") -> Any:
         """A command that the function `run` of a module carries out."""
         made = commands.add_parser(name, help=help)
-        made.set_defaults(command=lambda given: import_module(f"bounce_grader.{module}").run(given))
+        made.set_defaults(command=lambda given: import_module(package + module).run(given))
         return made
 
     _add_grade(command("grade", "grade_command", "grade a submission: a folder or an archive"))
@@ -69,17 +69,19 @@ def _parser() -> argparse.ArgumentParser:
     fixtures = command("fixtures", "publish.fixtures", "write the fixtures from the solution")
     fixtures.add_argument("--check", action="store_true", help="only compare the committed ones")
 
-    command("doctor", "develop.doctor", "try out whether the boxes hold here")
+    command("doctor", "doctor", "try out whether the boxes hold here")
 
     handout = command("handout", "publish.handout", "write what students receive, as a zip")
     handout.add_argument("--out", type=given_path, required=True, metavar="FILE.zip")
 
-    _add_study(command("study", "develop.study", "measure the methods: tables, charts and pages"))
+    sys.path += [str(ROOT / folder) for folder in ("solution/study", "tests")]
+    study = "measure the methods: tables, charts and pages"
+    _add_study(command("study", "bounce_study.command", study, package=""))
 
-    bench = command("bench", "develop.bench", "measure the grader's speed")
+    bench = command("bench", "bench", "measure the grader's speed", package="")
     bench.add_argument("--submissions", type=int, default=100, metavar="N", help="of a class")
 
-    tests = command("test", "develop.selftest", "run every test of the kit")
+    tests = command("test", "run_all", "run every test of the kit", package="")
     test = tests.add_mutually_exclusive_group()
     accept = "write what golden tests expect anew, for you to read in the diff"
     test.add_argument("--accept", action="store_true", help=accept)

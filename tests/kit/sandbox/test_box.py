@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 from bounce_grader.common.errors import KitError
 from bounce_grader.common.paths import PROBE, RUNNER
-from bounce_grader.develop import doctor
+from bounce_grader import doctor
 from bounce_grader.grading.grade import grade, Options
 from bounce_grader.sandbox import box as boxes, processes
 from bounce_grader.sandbox.box import Box

@@ -13,7 +13,6 @@ from collections.abc import Iterator
 from itertools import chain
 from pathlib import Path
 from statistics import median
-from typing import NamedTuple
 
 from bounce_grader.common.errors import KitError
 from bounce_grader.common.manifest import parts
@@ -28,33 +27,32 @@ EVERY = 3  # of the accepted ones, one in so many
 PLAIN_GCC = ("g++", "-std=c++20", "-O1", "-isystem", "/usr/include/eigen3", "-I", str(CONTRACT))
 
 
-class Line(NamedTuple):
-    """One measured figure, with its goal if there is one."""
-
-    what: str
-    value: float
-    unit: str
-    least: float = 0.0
-    most: float = math.inf
+# What is measured, its value and unit; and its goal if there is one, from the least to the most.
+Figures = Iterator[tuple[str, float, str] | tuple[str, float, str, float, float]]
 
 
 def run(options: argparse.Namespace) -> int:
     """Prints every figure, with a class of so many. Returns 0 if all goals are reached."""
-    missed = 0
     with tempfile.TemporaryDirectory(prefix="bounce-bench-") as name:
         to, size = Path(name), options.submissions
-        lines = chain(_one(to), _others(to), _class(to, size), _student(to))
-        for what, value, unit, least, most in lines:
-            reached = least <= value <= most
-            goal = f"   from {least:.3g} to {most:.3g}: {'yes' if reached else 'NO'}"
-            has_goal = (least, most) != (0.0, math.inf)
-            print(f"{what:<58}{value:8.2f} {unit:<4}{goal if has_goal else ''}", flush=True)
-            missed += not reached
+        figures = chain(_one(to), _others(to), _class(to, size), _student(to))
+        missed = sum(not _reached(*figure) for figure in figures)
     print(f"load of the machine: {os.getloadavg()[0]:.1f} on {os.cpu_count()} cores")
     return int(missed > 0)
 
 
-def _one(folder: Path) -> Iterator[Line]:
+def _reached(
+    what: str, value: float, unit: str, least: float = -math.inf, most: float = math.inf
+) -> bool:
+    """Prints a figure, and whether it reaches its goal."""
+    reached = least <= value <= most
+    goal = f"   from {least:.3g} to {most:.3g}: {'yes' if reached else 'NO'}"
+    has_goal = (least, most) != (-math.inf, math.inf)
+    print(f"{what:<58}{value:8.2f} {unit:<4}{goal if has_goal else ''}", flush=True)
+    return reached
+
+
+def _one(folder: Path) -> Figures:
     """Times the solution: new, the same again, and with one part changed."""
     fresh, again, changed, compiler = [], [], [], []
     for number in range(ROUNDS):
@@ -66,14 +64,14 @@ def _one(folder: Path) -> Iterator[Line]:
         changed.append(_seconds(_grading(submission)))
         if number < 3:
             compiler.append(_compiling(submission))
-    yield Line("the solution as a new submission, ./kit grade", median(fresh), "s")
-    yield Line("the same again", median(again), "s")
-    yield Line("the same with one part changed", median(changed), "s")
-    yield Line("g++ -O1 -c of its four files alone", median(compiler), "s")
-    yield Line("  as new gradings", median(compiler) / median(fresh), "", least=12)
+    yield "the solution as a new submission, ./kit grade", median(fresh), "s"
+    yield "the same again", median(again), "s"
+    yield "the same with one part changed", median(changed), "s"
+    yield "g++ -O1 -c of its four files alone", median(compiler), "s"
+    yield "  as new gradings", median(compiler) / median(fresh), "", 12, math.inf
 
 
-def _others(folder: Path) -> Iterator[Line]:
+def _others(folder: Path) -> Figures:
     """Right programs in other styles: g++ -O1 -c of the four files, in times of a new grading."""
     ratios = {}
     for other in sorted((GALLERY / "accepted").iterdir())[::EVERY]:
@@ -84,11 +82,11 @@ def _others(folder: Path) -> Iterator[Line]:
             continue
         ratios[other.name] = plain / _seconds(_grading(submission))
     slowest = min(ratios, key=lambda name: ratios[name])
-    yield Line(f"  the median of {len(ratios)} other programs", median(ratios.values()), "", 9)
-    yield Line(f"  the worst, {slowest}", ratios[slowest], "", least=3)
+    yield f"  the median of {len(ratios)} other programs", median(ratios.values()), "", 9, math.inf
+    yield f"  the worst, {slowest}", ratios[slowest], "", 3, math.inf
 
 
-def _class(folder: Path, size: int) -> Iterator[Line]:
+def _class(folder: Path, size: int) -> Figures:
     """A class of the gallery's submissions, from nothing and then again."""
     kinds = ("accepted", "mistakes")
     every = [one for kind in kinds for one in sorted((GALLERY / kind).iterdir()) if one.is_dir()]
@@ -99,11 +97,11 @@ def _class(folder: Path, size: int) -> Iterator[Line]:
         _variant(folder / "class" / str(number), *below, one)
     command = [str(ROOT / "kit"), "class", str(folder / "class"), "--out", str(folder / "out")]
     rate = 60 * size / _seconds(command)
-    yield Line(f"a class of {size}", rate, "/min", least=120 / _slower(folder))
-    yield Line("  the same again", _seconds(command), "s")
+    yield f"a class of {size}", rate, "/min", 120 / _slower(folder), math.inf
+    yield "  the same again", _seconds(command), "s"
 
 
-def _student(folder: Path) -> Iterator[Line]:
+def _student(folder: Path) -> Figures:
     """Times ./check in a new handout as it comes, and with the parts filled in and part 2 changed.
     The time that the compiler takes for the student's own text isn't counted. The first check is
     timed twice, and the shorter time counts: the compiler may have to come from the disk."""
@@ -127,10 +125,10 @@ def _student(folder: Path) -> Iterator[Line]:
         times[kind].append(_seconds(command))
     alone, hinted, sanitized = (median(times[kind]) for kind in kinds)
     slower = _slower(folder)
-    yield Line("a student's first check", min(first), "s", most=20 * slower)
-    yield Line("a change of part 2: compiling it", alone, "s")
-    yield Line("  and the rest of its check", hinted - alone, "s", most=slower)
-    yield Line("  and, at full points, its sanitizers", sanitized - hinted, "s", most=8 * slower)
+    yield "a student's first check", min(first), "s", 0, 20 * slower
+    yield "a change of part 2: compiling it", alone, "s"
+    yield "  and the rest of its check", hinted - alone, "s", 0, slower
+    yield "  and, at full points, its sanitizers", sanitized - hinted, "s", 0, 8 * slower
 
 
 def _variant(folder: Path, *sources: Path) -> Path:

@@ -16,8 +16,6 @@ from bounce_grader.grading.fixtures import hidden_folder
 Command = list[str]
 CPP = ("student", "solution", "grader", "tests/parts", "tests/kit")
 PYTHON = ["grader/bounce_grader", "tests", "solution"]
-READERS = ("frames", "terminations")
-SANITIZED, FUZZED = ROOT / "build" / "sanitize", ROOT / "build" / "fuzz"
 CORES = os.cpu_count() or 1
 WORKERS = CORES + 1  # some of the tests wait
 PYTEST = [sys.executable, "-m", "pytest", "-q", "-n", str(WORKERS)]
@@ -82,12 +80,12 @@ def _steps(is_long: bool) -> dict[str, list[Command]]:
     # Builds each of them; that they are named is shown by the gallery.
     mistakes = "answers of known mistakes are what the kit writes"
     steps[mistakes] = [[str(ROOT / "kit"), "fixtures", "--check"]]
-    fuzzers = [f"fuzz_{name}" for name in READERS]
-    built = [["cmake", "--preset", "fuzz"], ["ninja", "-C", str(FUZZED), *fuzzers]]
-    fuzzed = [command for name in fuzzers for command in _fuzzed(name)]
-    steps["C++ readers with a million inputs each"] = [*built, *fuzzed]
-    sanitized = [["cmake", "--preset", "sanitize"], ["ninja", "-C", str(SANITIZED), "cpp_tests"]]
-    return steps | {"C++ tests with sanitizers": [*sanitized, _ctest(SANITIZED)]}
+    named = {"fuzz": "C++ readers with a million inputs each", "sanitize": "C++ with sanitizers"}
+    for preset, name in named.items():
+        folder = ROOT / "build" / preset
+        built = [["cmake", "--preset", preset], ["ninja", "-C", str(folder), "cpp_tests"]]
+        steps[name] = [*built, _ctest(folder)]
+    return steps
 
 
 def _ctest(folder: Path) -> Command:
@@ -105,16 +103,3 @@ def _clang_tidy(is_long: bool) -> list[Command]:
     run_all = [sys.executable, "/usr/bin/run-clang-tidy", "-quiet", "-p", str(ROOT / "build/tidy")]
     run_all += ["-j", str(CORES), *(f"^{ROOT}/{file}$" for file in files)]
     return [["cmake", "--preset", "tidy"], run_all] if files else []
-
-
-def _fuzzed(program: str) -> list[Command]:
-    """libFuzzer mutates inputs to reach new code, always the same ones. One that makes a reader fail
-    is stored in build/fuzz/inputs/. The Python readers have theirs in test_readers.py."""
-    seeds, inputs = str(FUZZED / "seeds" / program), str(FUZZED / "inputs")
-    options = ["-runs=1000000", "-seed=1", "-timeout=10", "-max_len=8192"]
-    return [
-        ["rm", "-rf", seeds],  # libFuzzer adds inputs to it
-        ["mkdir", "-p", seeds, inputs],
-        [str(BUILD / program), "--seeds", seeds],
-        [str(FUZZED / program), *options, f"-artifact_prefix={inputs}/{program}-", seeds],
-    ]

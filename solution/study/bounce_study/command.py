@@ -1,16 +1,13 @@
-"""./kit study: starts the study, a package in solution/study/ beside its C++ sources."""
+"""./kit study: reads what is asked, and starts the study."""
 
 import argparse
 import os
-import sys
 from pathlib import Path
 
 from bounce_grader.common.errors import UsageError
-from bounce_grader.common.paths import ROOT
 
 
 def run(options: argparse.Namespace) -> int:
-    sys.path.insert(0, str(ROOT / "solution" / "study"))
     os.environ["OPENBLAS_NUM_THREADS"] = "1"  # numpy's matrices are small here: others only wait
     command, *scenes = options.questions or [""]
     if command == "simulate":
