@@ -42,7 +42,7 @@ std::string speed(const Scene& scene, const Run& run, double one_lcp) {
          " \xc2\xb5s in the mean of flight and contact: " + rounded(1 / run.seconds) +
          " times faster than real time. The course's program, measured elsewhere, is estimated to "
          "take " +
-         number(course / run.seconds, "%.2g") + " times as long here.";
+         number(course * run.dt * 1e6, "%.2g") + " \xc2\xb5s here.";
 }
 
 // The best that the program reaches, and from which run on a smaller step gains less than half of
