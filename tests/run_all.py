@@ -80,7 +80,10 @@ def _steps(is_long: bool) -> dict[str, list[Command]]:
     # Builds each of them; that they are named is shown by the gallery.
     mistakes = "answers of known mistakes are what the kit writes"
     steps[mistakes] = [[str(ROOT / "kit"), "fixtures", "--check"]]
-    named = {"fuzz": "C++ readers with a million inputs each", "sanitize": "C++ with sanitizers"}
+    named = {
+        "fuzz": "C++ readers with a million inputs each",
+        "sanitize": "C++ tests with sanitizers",
+    }
     for preset, name in named.items():
         folder = ROOT / "build" / preset
         built = [["cmake", "--preset", preset], ["ninja", "-C", str(folder), "cpp_tests"]]

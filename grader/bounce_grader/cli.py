@@ -54,34 +54,35 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--version", action="version", version=f"kit {__version__}")
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
 
-    def command(name: str, module: str, help: str, package: str = "bounce_grader.") -> Any:
-        """A command that the function `run` of a module carries out."""
+    def command(name: str, module: str, help: str) -> Any:
+        """A command that the function `run` of a module carries out; the grader's begin with a dot."""
         made = commands.add_parser(name, help=help)
-        made.set_defaults(command=lambda given: import_module(package + module).run(given))
+        made.set_defaults(command=lambda given: import_module(module, "bounce_grader").run(given))
         return made
 
-    _add_grade(command("grade", "grade_command", "grade a submission: a folder or an archive"))
-    _add_class(command("class", "classroom.run", "grade a whole class"))
+    _add_grade(command("grade", ".grade_command", "grade a submission: a folder or an archive"))
+    _add_class(command("class", ".classroom.run", "grade a whole class"))
 
-    gradescope = command("gradescope", "publish.gradescope", "pack an autograder for Gradescope")
+    gradescope = command("gradescope", ".publish.gradescope", "pack an autograder for Gradescope")
     gradescope.add_argument("--out", type=given_path, required=True, metavar="FILE.zip")
 
-    fixtures = command("fixtures", "publish.fixtures", "write the fixtures from the solution")
+    fixtures = command("fixtures", ".publish.fixtures", "write the fixtures from the solution")
     fixtures.add_argument("--check", action="store_true", help="only compare the committed ones")
 
-    command("doctor", "doctor", "try out whether the boxes hold here")
+    command("doctor", ".doctor", "try out whether the boxes hold here")
 
-    handout = command("handout", "publish.handout", "write what students receive, as a zip")
+    handout = command("handout", ".publish.handout", "write what students receive, as a zip")
     handout.add_argument("--out", type=given_path, required=True, metavar="FILE.zip")
 
+    # The study and what tests the kit are beside the grader.
     sys.path += [str(ROOT / folder) for folder in ("solution/study", "tests")]
     study = "measure the methods: tables, charts and pages"
-    _add_study(command("study", "bounce_study.command", study, package=""))
+    _add_study(command("study", "bounce_study.command", study))
 
-    bench = command("bench", "bench", "measure the grader's speed", package="")
+    bench = command("bench", "bench", "measure the grader's speed")
     bench.add_argument("--submissions", type=int, default=100, metavar="N", help="of a class")
 
-    tests = command("test", "run_all", "run every test of the kit", package="")
+    tests = command("test", "run_all", "run every test of the kit")
     test = tests.add_mutually_exclusive_group()
     accept = "write what golden tests expect anew, for you to read in the diff"
     test.add_argument("--accept", action="store_true", help=accept)

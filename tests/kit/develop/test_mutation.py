@@ -1,5 +1,5 @@
 """Measures the checks: every small change of the solution, and of right programs in other styles,
-must lose points; the part is graded by itself. equivalent.json says of each change that may lose
+must lose points, and only in its own part. equivalent.json says of each change that may lose
 nothing why it can't be told from the solution."""
 
 import json
@@ -11,7 +11,7 @@ from bounce_grader.build import toolchain
 from bounce_grader.common.manifest import parts
 from bounce_grader.grading import judging
 from bounce_grader.grading.grade import grade as grade_path
-from conftest import ROOT, SOLUTION, lost, write
+from conftest import ROOT, SOLUTION, lost, solution_files, write
 from mutations import KINDS, changes
 
 GALLERY = ROOT / "tests" / "submissions" / "accepted"
@@ -47,19 +47,19 @@ def test_every_small_change_loses_points_or_is_excused(
 ) -> None:
     monkeypatch.setattr(toolchain, "gcc", not_by_gcc)
     monkeypatch.setattr(judging, "with_cause", lambda part, judged, *_: judged)
+    name, text = Path(file).name, text_of(file)
+    own = {part.stem.split("_")[0] for part in parts() if part.file == name}
+
+    def parts_lost(text: str) -> set[str]:
+        write(tmp_path, {**solution_files(), name: text.encode()})
+        return {check.split(".")[0] for check in lost(grade_path(tmp_path))}
+
+    assert not parts_lost(text)
     unexplained = []
-    for change in changes(text_of(file)):
-        if change.kind != kind:
-            continue
-        write(tmp_path, {Path(file).name: change.text.encode()})
-        with suppress(Refused):
-            if bool(lost_checks(tmp_path)) == (change.name in REASONS.get(file, {})):
-                unexplained.append(change.name)
+    for change in changes(text):
+        if change.kind == kind:
+            expected = set() if change.name in REASONS.get(file, {}) else own
+            with suppress(Refused):
+                if (found := parts_lost(change.text)) != expected:
+                    unexplained.append(f"{change.name}: loses points of {found or 'no part'}")
     assert not unexplained
-
-
-def lost_checks(submission: Path) -> list[str]:
-    """Of the only part that is there."""
-    parts = grade_path(submission)["parts"]
-    [own] = [part for part in parts if part["status"] != "not_submitted"]
-    return lost({"parts": [own]})

@@ -27,11 +27,14 @@ def folders(kind: str) -> list[Path]:
 
 ALL = [folder for kind in KINDS for folder in folders(kind)]
 MISTAKES = folders("mistakes")
-# Here without the solution's parts, but with the solution itself among them.
-every_accepted = pytest.mark.parametrize(
-    "folder",
-    [pytest.param(f, id=f.name, marks=pytest.mark.long) for f in (SOLUTION, *folders("accepted"))],
-)
+RIGHT = [SOLUTION, *folders("accepted")]
+BESIDE_STUBS = [folder for folder in RIGHT if [*folder.rglob("part[34]*.cpp")]]
+
+
+def each(folders: list[Path]) -> pytest.MarkDecorator:
+    """A test of each folder in the long run, without the solution's parts around it."""
+    rows = [pytest.param(folder, id=folder.name, marks=pytest.mark.long) for folder in folders]
+    return pytest.mark.parametrize("folder", rows)
 
 
 def name_of(folder: Path) -> str:
@@ -51,8 +54,8 @@ def test_gets_what_it_should(folder: Path, tmp_path: Path, monkeypatch: pytest.M
 
 
 REMARKED = [folder for folder in folders("undefined") if "remark" in expected(folder)]
-SOME_REMARKED = [  # sanitizers take long: one in each run
-    pytest.param(folder, id=folder.name, marks=[pytest.mark.long] * (number > 0))
+SOME_REMARKED = [  # sanitizers take long: two in each run
+    pytest.param(folder, id=folder.name, marks=[pytest.mark.long] * (number > 1))
     for number, folder in enumerate(REMARKED)
 ]
 
@@ -64,7 +67,7 @@ def test_undefined_behaviour_is_remarked(folder: Path) -> None:
     assert f"  remark, no points: {expected(folder)['remark']}" in text
 
 
-@every_accepted
+@each(RIGHT)
 def test_a_right_part_gets_no_remark(folder: Path) -> None:
     record = grade(folder, Options(sanitize=True))
     assert_all_points(record)
@@ -76,7 +79,7 @@ def test_a_right_part_gets_no_remark(folder: Path) -> None:
 NEEDS_PART_1 = GALLERY / "accepted" / "helper_defined_in_part1"
 
 
-@every_accepted
+@each(BESIDE_STUBS)
 def test_a_right_part_loses_nothing_beside_stubs(folder: Path, tmp_path: Path) -> None:
     if folder == NEEDS_PART_1:
         pytest.skip("it doesn't link without its own part 1")
@@ -84,8 +87,7 @@ def test_a_right_part_loses_nothing_beside_stubs(folder: Path, tmp_path: Path) -
     for stub in sorted(STUBS.glob("part[12]*.cpp")):
         for path in [submission / stub.name, *submission.rglob(stub.name)]:
             shutil.copy(stub, path)
-    later = grade(submission)["parts"][2:]
-    assert all(part["score"] == part["max_score"] for part in later if is_there(part)), later
+    assert_all_points({"parts": grade(submission)["parts"][2:]})
 
 
 @pytest.fixture(scope="module")
@@ -96,7 +98,7 @@ def hidden_of_secrets(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
     return found
 
 
-@every_accepted
+@each(RIGHT)
 def test_a_right_part_loses_nothing_under_any_secret(
     folder: Path, hidden_of_secrets: list[Path], monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -105,14 +107,10 @@ def test_a_right_part_loses_nothing_under_any_secret(
         assert_all_points(grade(folder))
 
 
-def is_there(part: dict[str, Any]) -> bool:
-    return part["status"] != "not_submitted"
-
-
 def assert_all_points(record: dict[str, Any]) -> None:
     """Of the parts that are there."""
-    own = [part for part in record["parts"] if is_there(part)]
-    assert own and all(part["score"] == part["max_score"] for part in own), terminal.render(record)
+    own = [part for part in record["parts"] if part["status"] != "not_submitted"]
+    assert own and all(part["score"] == part["max_score"] for part in own), own
 
 
 CRASHING = [folder for folder in ALL if "crashed" in expected(folder).get("status", {}).values()]
