@@ -15,7 +15,7 @@ from conftest import ROOT, SOLUTION, lost, solution_files, write
 from mutations import KINDS, changes
 
 GALLERY = ROOT / "tests" / "submissions" / "accepted"
-STYLES = ("dynamic_matrices_and_lu", "vectors_and_algorithms")
+STYLES = ("plain_loops", "vectors_and_algorithms")
 FILES = [f"solution/{part.file}" for part in parts()]
 FILES += [f"{style}/{f.name}" for style in STYLES for f in sorted((GALLERY / style).glob("p*.cpp"))]
 REASONS: dict[str, dict[str, str]] = json.loads(

@@ -30,7 +30,7 @@ namespace bounce {
 State step(const Vector3&, const Vector3&, const Parameters&) {
   static std::mt19937_64 random(1);
   const double odd[] = {NAN, -NAN, INFINITY, -INFINITY, 0.0, -0.0, 5e-324, 1e308, -1e308, 1e-200};
-  for (int i = 0; i < 150; ++i) {
+  for (int i = 0; i < 30; ++i) {
     frames::Frame callback;
     callback.part = 1 + random() % 2;
     callback.T = static_cast<std::int64_t>(random());
