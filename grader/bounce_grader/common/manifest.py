@@ -41,12 +41,14 @@ class Part(NamedTuple):
 def parts() -> tuple[Part, ...]:
     """Raises UsageError if the manifest isn't valid."""
     try:
-        found = tuple(_part(**written) for written in _read()["parts"])
+        written = _read()
+        found = tuple(_part(**one) for one in written["parts"])
+        examples = written.get("examples", 0)
     except (OSError, ValueError) as error:
         raise UsageError(f"{NAME} can't be read as JSON: {error}") from error
     except (KeyError, TypeError) as error:
         raise UsageError(f"{NAME} lacks something, or has it in another form: {error}") from error
-    for problem in _problems(found):
+    for problem in _problems(found, examples):
         raise UsageError(f"{NAME}: {problem}")
     return found
 
@@ -63,10 +65,7 @@ def _part(part: int, checks: list[Any], calls: Sequence[int] = (), **others: Any
 def example_points() -> float:
     """What the cases give that students hand in; 0 unless the manifest says otherwise."""
     parts()  # which finds a manifest that isn't valid
-    points = _read().get("examples", 0)
-    if not _is_points(points):
-        raise UsageError(f"{NAME}: examples has to be a number of points that isn't negative")
-    return float(points)
+    return float(_read().get("examples", 0))
 
 
 def full_points() -> float:
@@ -86,8 +85,8 @@ def part_of(name: str) -> Part:
     return next(part for part in parts() if name.startswith(f"part{part.number}_"))
 
 
-def _problems(found: tuple[Part, ...]) -> Iterator[str]:
-    """What is wrong with the parts. Only the first counts."""
+def _problems(found: tuple[Part, ...], examples: object) -> Iterator[str]:
+    """What is wrong with the parts and the points for examples. Only the first counts."""
     for number, part in enumerate(found, 1):
         if part.number != number:
             yield f"entry {number} isn't part {number}: number the parts 1, 2, 3 and so on, in order"
@@ -102,6 +101,8 @@ def _problems(found: tuple[Part, ...]) -> Iterator[str]:
     for id, times in Counter(check.id for part in found for check in part.checks).items():
         if times > 1:
             yield f"the check {id} is there {times} times: keep one"
+    if not _is_points(examples):
+        yield "the points of examples have to be a number that isn't negative"
     if not sum(part.points for part in found):
         yield "all checks together give no points"
 

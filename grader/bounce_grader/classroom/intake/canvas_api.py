@@ -77,10 +77,14 @@ class Canvas:
             self._session.mount(scheme, HTTPAdapter(max_retries=again))
 
     def submissions(self) -> Iterator[Submission]:
-        """Those of all students, page by page."""
+        """Those of all students, page by page. Raises UsageError where Canvas doesn't show them."""
         url: str | None = f"{self._origin}{self.path}/submissions?include[]=user&per_page=100"
         while url:
-            body, url = self.request("GET", url)
+            try:
+                body, url = self.request("GET", url)
+            except Refused as refused:
+                what = f"Canvas shows no assignment {self.assignment} ({refused})"
+                raise UsageError(what) from None
             yield from _json(body)
 
     def call(self, method: str, path: str, fields: Mapping[str, str] = {}) -> Any:
@@ -127,10 +131,7 @@ def download(canvas: Canvas, out: Path) -> Class:
     """The class, with its files in OUT/canvas. A file that is there isn't downloaded again."""
     folder = out / FILES
     out.mkdir(mode=0o700, parents=True, exist_ok=True)
-    try:
-        listed = list(canvas.submissions())
-    except Refused as refused:
-        raise UsageError(f"Canvas shows no assignment {canvas.assignment} ({refused})") from None
+    listed = list(canvas.submissions())
     students = [_student(canvas, folder, submission) for submission in listed]
     intake = Class("Canvas's API", list(filter(None, students)), service="canvas")
     if not intake.students:
