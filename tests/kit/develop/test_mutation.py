@@ -57,7 +57,7 @@ def test_every_small_change_loses_points_or_is_excused(
 
     assert not parts_lost(text, solution_files())
     unexplained = []
-    beside = solution_files()  # for the first that loses points: they are only those of its own part
+    beside = solution_files()  # of the first that loses points: they are of its own part alone
     for change in changes(text):
         if change.kind == kind:
             expected = set() if change.name in REASONS.get(file, {}) else own
