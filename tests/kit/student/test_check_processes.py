@@ -115,7 +115,7 @@ def test_watches_until_it_is_stopped(home: Path) -> None:
 
 @pytest.mark.long
 @pytest.mark.parametrize(
-    "name", ["-HW #3 [2] 100% $HOME it's ~a & b (c), {d}=e@f@+^:!`x` Ü  ", "  a"]
+    "name", ["-HW #3 [2] 100% $HOME it's ~a & b (c), {d}=e@f@+^:!`x` Ü  ", "  a_windows"]
 )
 def test_a_folder_may_have_any_name(tmp_path: Path, name: str) -> None:
     folder = unzipped(tmp_path).rename(tmp_path / name)
