@@ -1,6 +1,6 @@
 """Measures the checks: every small change of the solution, and of right programs in other styles,
 must lose points, and only in its own part. equivalent.json says of each change that may lose
-nothing why it can't be told from the solution."""
+nothing why it may."""
 
 import json
 from contextlib import suppress
@@ -51,13 +51,14 @@ def test_every_small_change_loses_points_or_is_excused(
     own = {part.stem.split("_")[0] for part in parts() if part.file == name}
 
     def parts_lost(text: str, others: dict[str, bytes]) -> set[str]:
-        folder = write(tmp_path / str(len(others)), {**others, name: text.encode()})
+        folder = tmp_path / ("beside_others" if others else "alone")
+        write(folder, {**others, name: text.encode()})
         found = {check.split(".")[0] for check in lost(grade_path(folder))}
         return found if others else found & own
 
     assert not parts_lost(text, solution_files())
     unexplained = []
-    beside = solution_files()  # of the first that loses points: they are of its own part alone
+    beside = solution_files()  # until one has lost points, and those of no other part
     for change in changes(text):
         if change.kind == kind:
             expected = set() if change.name in REASONS.get(file, {}) else own
