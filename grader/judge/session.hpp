@@ -24,9 +24,9 @@ class Session {
   using Numbers = std::function<std::uint64_t()>;
   Session(Start start, Limits limits, std::uint32_t part, bool given, Numbers numbers);
 
-  // The answer to a question, the solution's where the part is given; for part 4 also the columns,
-  // T or one less. Throws tests::Ended if the check can't go on, std::runtime_error if this
-  // question has no answer.
+  // The answer to a question, the solution's if it is about an earlier part; for part 4 also the
+  // columns, T or one less. Throws tests::Ended if the check can't go on, and std::runtime_error if
+  // this question has no answer.
   frames::Frame ask(frames::Frame question, Trajectory* columns = nullptr);
 
   // CPU time of the current runner, ns; 0 if there is none.

@@ -44,18 +44,16 @@ inline void instances(Eigen::Matrix2d& A2, Eigen::Vector2d& a2, Eigen::Matrix3d&
       A.partialPivLu().solve(a));
   a += A * a;
   a *= s;
-  A.setIdentity();
-  set(A.col(0), A.col(0), -A.col(0));
-  A << J.col(1), -J.col(0), J.col(0);
   corners = A2 * corners;
   Eigen::Index at = 0;
   corners.row(1).minCoeff(&at);
-  corners.col(0) = A2 * a2;
   set(a2, s * a2);
   set(A4.block<3, 3>(0, 0), A * s);
   set(A4.topLeftCorner<3, 3>(), A.transpose() * A * A * s, s * A.transpose() * A * A);
   A4.col(3) << s, s, s, s;
+  A4.block<3, 3>(0, 0) /= s;
   a = a4.head<3>();
+  a = Vector3(A.diagonal().cwiseInverse());
 
   int i = 0;
   ax = Eigen::VectorXd::Zero(i);
@@ -63,11 +61,9 @@ inline void instances(Eigen::Matrix2d& A2, Eigen::Vector2d& a2, Eigen::Matrix3d&
   A4(i, i) = a(i) + a2(i) + J(i, i) + corners(i, i);
   J.col(0) = a;
   trajectory.q.col(0) = a;
-  a = trajectory.q.col(0);
+  a = Vector3(trajectory.q.col(0));
+  trajectory = {Eigen::Matrix3Xd(3, i), Eigen::Matrix3Xd(3, i)};
   set(trajectory.q, Eigen::Matrix3Xd::Zero(3, 3), Eigen::MatrixXd::Zero(3, 3));
-  std::vector<double> numbers(4, s);
-  std::vector<Eigen::Vector2d> points{a2};
-  points.push_back(a2);
 }
 
 // The arguments of a part are const, which needs other instances. The names mean nothing.
@@ -84,12 +80,15 @@ inline Vector3 instances(const Vector3& a, const Vector3& b, const Vector3& c, c
   Eigen::Matrix3d D;
   D << a, -b, b;
   D << J.col(1), -J.col(0), J.col(0);
-  set(D.col(0), a, -a, J.col(1), -J.col(1));
   Jacobian K;
   K << a, b;
   set(D, A.transpose() * B * A * s, A * B, A * s);
   const Eigen::Matrix3d E = params.M(), F = A.inverse();
   Vector3 f = A * a + J.col(1) * h(0) - J.col(0) * h(1) + J.col(0) * h(2);
+  f += J.col(1) * h(0) - J.col(0) * h(1) + J.col(0) * h(2);
+  const Vector3 k = J.col(1) * h(0) + J.col(0) * h(1), j = J * u, z = Vector3::Zero();
+  const Vector3 o = a + s * b + s * Vector3::UnitY();
+  const Eigen::Vector2d n = J.transpose() * b;
   set(f, J.col(1) * h(0) - J.col(0) * h(1) + J.col(0) * h(2), c + a * h(0) - b * h(1) + b * h(2),
       a + s * A * b, a + s * (A * b), a + s * b + c, a + s * b, s * a + b, s * a);
   const double t = a.dot(b + s * c) + a.dot(b) + J.col(1).dot(b) + (1 + s) * a.dot(b) +
