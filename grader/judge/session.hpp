@@ -39,7 +39,7 @@ class Session {
   std::optional<Termination> take_end();
 
  private:
-  bool answers_for(std::uint32_t part) const { return given_ && part >= 1 && part < part_; }
+  bool is_earlier(std::uint32_t part) const { return part >= 1 && part < part_; }
   frames::Frame answer_of(const frames::Frame& question, Trajectory* columns);
   const char* why_not_asked() const;  // as a Termination's `what`, or null
   void end_runner(const Termination& end);

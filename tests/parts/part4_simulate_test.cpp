@@ -49,9 +49,9 @@ Problem compare_columns(const Case& c) {
   return {};
 }
 
-// Compares each column with the step from the column before, which is the right one where the judge
-// asks, and their own in a student's own build. For a long run, in which rounding errors grow too
-// much for a stored trajectory.
+// Compares each column with the step from the column before: the right step in the judge, and their
+// own in a student's own build. For a long run, in which rounding errors grow too much for a stored
+// trajectory.
 Problem compare_steps(const Case& c) {
   Trajectory got;
   try {

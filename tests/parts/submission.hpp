@@ -11,7 +11,7 @@ namespace bounce::submission {
 
 // The answer to a question, and of part 4 the first T columns, or T - 1 if one is missing, so that
 // a wrong number of columns doesn't make the others wrong. Throws std::runtime_error if q or v has
-// fewer, or none. To part 4's questions about a step, the judge answers with the right one.
+// fewer, or none. Where part 4's checks ask for a step, the judge gives the right one.
 //
 // There are two of it: linked/submission_linked.cpp calls the functions directly (in a student's
 // own build, where a debugger works); the judge's session.cpp asks a runner in another process.
