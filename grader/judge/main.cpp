@@ -18,17 +18,15 @@
 // given and a check failed; then a second runner is asked the public cases.
 //
 // With "answers", it prints the runner's answers to the public cases instead: each is a list of
-// numbers, with null for NaN and infinity, or the text of an exception.
-//
-// With "watch", it asks nothing, and prints in one line how the wait for an answer ended: for
-// ./kit doctor, whose command breaks out of a box if it can.
+// numbers, with null for NaN and infinity, or the text of an exception. With "watch", it asks
+// nothing, and prints in one line how the wait for an answer ended: for ./kit doctor, whose command
+// breaks out of a box if it can.
 //
 // Exit status: 0 if every check has a verdict; 3, with a sentence on standard error, if the kit
 // itself failed, which is no verdict about the submission.
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <csignal>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -65,9 +63,7 @@ namespace {
 bool is_asked(const char* option) { return asked.value(option, false); }
 
 Limits asked_limits() {
-  Limits limits;
-  limits.sanitized = is_asked("sanitized");
-  limits.boxed = is_asked("boxed");
+  Limits limits{.sanitized = is_asked("sanitized"), .boxed = is_asked("boxed")};
   limits.session_cpu_seconds = asked.value("cpu_seconds", limits.session_cpu_seconds);
   limits.session_seconds = asked.value("seconds", limits.session_seconds);
   limits.wall_seconds = std::min(limits.wall_seconds, limits.session_seconds);
@@ -133,9 +129,7 @@ void recognise(json& result) {
 json answers() {
   json all = json::array();
   for (const tests::Answer& answer : fresh_answers(tests::questions(asked.at("part")))) {
-    json numbers = json::array();
-    for (const double x : answer.numbers) numbers.push_back(std::isfinite(x) ? json(x) : json());
-    all.push_back(answer.thrown.empty() ? numbers : json(answer.thrown));
+    all.push_back(answer.thrown.empty() ? json(answer.numbers) : json(answer.thrown));
   }
   return all;
 }

@@ -45,6 +45,18 @@ Frame reply_to(const Frame& callback) {
   return reply;
 }
 
+// With a step come those that follow it, until one is refused: a trajectory asks for them next.
+Frame reply_ahead(Frame callback) {
+  Frame reply = reply_to(callback);
+  if (callback.part != 3) return reply;
+  for (Frame next = reply; next.kind == Kind::answer && reply.T < frames::kStates; ++reply.T) {
+    std::copy_n(next.values, frames::kState, callback.values);
+    std::copy_n(next.values, frames::kState, reply.values + frames::kState * reply.T);
+    next = reply_to(callback);
+  }
+  return reply;
+}
+
 // With the text of what(), as much of it as fits into a frame.
 std::string thrown_text(const Frame& answer) {
   std::string text = frames::text(answer);
@@ -82,8 +94,7 @@ Frame Session::ask(Frame question, Trajectory* columns) {
     return reply;
   }
   if (const char* why = why_not_asked()) {
-    end_ = Termination{"no_answer", why};
-    end_->of_no_case = true;
+    end_ = Termination{.status = "no_answer", .what = why, .of_no_case = true};
     throw tests::Ended{why};
   }
   Frame answer;
@@ -127,13 +138,13 @@ Frame Session::answer_of(const Frame& question, Trajectory* columns) {
     if (callbacks > most_callbacks(question)) {
       throw Termination{"timed_out", "called earlier parts", callbacks};
     }
-    runner_->send(reply_to(answer));
+    runner_->send(reply_ahead(answer));
     answer = runner_->receive();
   }
   if (answer.kind == Kind::absent) {
-    Termination absent{"does_not_compile", "absent", 0, kFunctions[part_ - 1]};
-    absent.of_no_case = true;
-    throw absent;
+    const char* function = kFunctions[part_ - 1];
+    throw Termination{
+        .status = "does_not_compile", .what = "absent", .text = function, .of_no_case = true};
   }
   if (answer.kind == Kind::out_of_memory) throw out_of_memory(limits_);
   const bool known = answer.kind == Kind::answer || answer.kind == Kind::threw;

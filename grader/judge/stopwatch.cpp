@@ -61,7 +61,8 @@ struct Timed {
 // A runner whose CPU time is measured. Throws Termination where it ends.
 class Timer {
  public:
-  explicit Timer(const std::vector<std::string>& command) : session_(command, limits(), 4, false) {}
+  explicit Timer(const std::vector<std::string>& command)
+      : session_(command, Limits{.cpu_seconds = 4, .wall_seconds = 20}, 4, false) {}
 
   Timed run(Parameters params, const State& start) {
     if (session_.cpu_ns() == 0) {  // else the first question would include the program's start
@@ -73,13 +74,6 @@ class Timer {
   }
 
  private:
-  static Limits limits() {
-    Limits limits;
-    limits.cpu_seconds = 4;
-    limits.wall_seconds = 20;
-    return limits;
-  }
-
   Timed ask(const Parameters& params, const State& start) {
     Timed answer;
     const double before = session_.cpu_ns();
@@ -96,11 +90,6 @@ class Timer {
   }
 
   Session session_;
-};
-
-// Some column isn't a step of the solution's from the one before.
-struct Wrong {
-  std::string place;
 };
 
 // CPU time of this thread. That of the process only advances in ticks if it has a limit.
@@ -200,7 +189,7 @@ void measure(std::vector<Contender>& contenders, const Setting& setting, json& c
   for (const Contender& one : contenders) one.add_point(setting, curves[one.name]);
 }
 
-json measured(const json& asked) {
+json measured(const json& asked) try {
   Timer timed(asked.at("timed")), solution(asked.at("solution"));
   const auto run_right = [&](const Parameters& params, const State& start) {
     Timed result = timed.run(params, start);
@@ -209,7 +198,7 @@ json measured(const json& asked) {
     char words[80];
     std::snprintf(words, sizeof words, "at dt = %.2g s, column %td of %d", params.dt, *wrong,
                   params.T);
-    throw Wrong{words};
+    throw json::object({{"wrong", words}});  // in place of all times
   };
   std::vector<Contender> contenders{{"submission", run_right},
                                     {"solution", std::bind_front(&Timer::run, &solution)},
@@ -233,10 +222,8 @@ json measured(const json& asked) {
   const json& cut = contenders[1].cut;
   if (!cut.is_null()) throw std::runtime_error("the solution was cut: " + cut.dump());
   return {{"dt", kSteps}, {"scenes", all}, {"cut", contenders[0].cut}};
-}
-
-json answer_to(const json& asked) try { return measured(asked); } catch (const Wrong& wrong) {
-  return {{"wrong", wrong.place}};
+} catch (const json& wrong) {
+  return wrong;
 }
 
 }  // namespace
@@ -246,7 +233,7 @@ int main(int argc, char** argv) try {
   std::signal(SIGPIPE, SIG_IGN);
   bounce::judge::stay_on_this_cpu();
   if (argc != 2) throw std::runtime_error("usage: stopwatch JSON, as in its stopwatch.cpp");
-  const auto answer = bounce::judge::answer_to(nlohmann::json::parse(argv[1]));
+  const auto answer = bounce::judge::measured(nlohmann::json::parse(argv[1]));
   std::cout << answer.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) << std::endl;
   return std::cout ? 0 : 3;
 } catch (const std::exception& e) {

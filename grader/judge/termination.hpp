@@ -8,7 +8,6 @@
 
 namespace bounce::judge {
 
-// The limits on a runner.
 // Each holds for the whole life of a runner, unless it says otherwise.
 struct Limits {
   int cpu_seconds = 1;

@@ -20,6 +20,7 @@ namespace bounce::frames {
 inline constexpr int kQuestions = 3;  // the runner reads questions and replies here
 inline constexpr int kAnswers = 4;    // and writes answers and callbacks here
 inline constexpr std::uint32_t kMagic = 0x31424E42;
+inline constexpr int kState = 6, kStates = 3;  // a state's numbers; states in a reply about a step
 
 enum class Kind : std::uint32_t { question = 1, answer, callback, threw, out_of_memory, absent };
 
@@ -31,7 +32,7 @@ struct Frame {
   std::uint64_t number = 0;                   // an answer carries the number of its question
   std::int64_t q_columns = 0, v_columns = 0;  // part 4; see columns_at_hand
   double scene[9] = {};                       // l, m, mu, epsilon, g, dt, delta
-  std::int64_t T = 0;
+  std::int64_t T = 0;      // of the judge's reply about a step: how many it holds
   double values[20] = {};  // arguments or results, column by column
   char text[160] = {};     // what(), if the submission threw
 };

@@ -14,10 +14,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <iostream>
 #include <limits>
-#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -61,7 +59,6 @@ inline void instances(Eigen::Matrix2d& A2, Eigen::Vector2d& a2, Eigen::Matrix3d&
   A4(i, i) = a(i) + a2(i) + J(i, i) + corners(i, i);
   J.col(0) = a;
   trajectory.q.col(0) = a;
-  a = Vector3(trajectory.q.col(0));
   trajectory = {Eigen::Matrix3Xd(3, i), Eigen::Matrix3Xd(3, i)};
   set(trajectory.q, Eigen::Matrix3Xd::Zero(3, 3), Eigen::MatrixXd::Zero(3, 3));
 }
