@@ -82,17 +82,20 @@ class _Grading:
 
     def judge_together(self) -> None:
         """Judges the parts in the runner that holds them all. Parts that call no other come first:
-        if one of them hangs, its callers would hang, too, and are judged with given parts."""
+        where one of them lost points, its callers are tried with given parts first."""
         with suppress(Overrun):
             self.together = link_together(self.work)
             for calling in (False, True):
-                if not self.together or any(j.status == "timed_out" for j in self.own.values()):
+                lost = any(j.score(part) < part.points for part, j in self.own.items())
+                if not self.together or lost:
                     return
                 now = [part for part in parts() if bool(part.calls) == calling]
-                parallel_map(partial(self._judge_own, self.together), now, self.work.jobs)
+                parallel_map(self._judge_own, now, self.work.jobs)
 
-    def _judge_own(self, runner: Path, part: Part) -> None:
-        self.own[part] = judging.judge(part, "together", self.work, runner, self.hidden)
+    def _judge_own(self, part: Part) -> judging.Judged:
+        assert self.together
+        self.own[part] = judging.judge(part, "together", self.work, self.together, self.hidden)
+        return self.own[part]
 
     def judge_alone(self) -> None:
         """Judges each part alone that could score better, and takes the better result. One after
@@ -110,7 +113,9 @@ class _Grading:
                     judged = judging.judge(part, "alone", self.work, alone.path, self.hidden)
                     # First: of two that score the same, the one with the given parts counts.
                     tries.insert(0, judged)
-                elif not tries:
+                if self._could_be_better_together(part, tries):
+                    tries.append(self._judge_own(part))
+                if not tries:
                     # With the errors of helpers, which may be the reason.
                     broken = [b.problem for b in self.work.helpers if not b.path]
                     return self._not_built(part, "; ".join([alone.problem, *broken]), alone.place)
@@ -149,6 +154,13 @@ class _Grading:
             return not own
         others_answered = any(other.status == "graded" for other in self.own.values())
         return bool(part.calls) or own.status != "timed_out" or not others_answered
+
+    def _could_be_better_together(self, part: Part, tries: list[judging.Judged]) -> bool:
+        """Whether the part wasn't judged so, and might score more there: if an earlier part hangs,
+        its callers would hang, too."""
+        has_all = any(judged.score(part) == part.points for judged in tries)
+        hangs = any(own.status == "timed_out" for own in self.own.values())
+        return bool(self.together) and part not in self.own and not has_all and not hangs
 
     def _problem(self, part: Part) -> Record | None:
         """The record of a part of which there is nothing to run."""
