@@ -19,9 +19,9 @@ settings.load_profile("kit")
 
 @pytest.hookimpl(tryfirst=True)  # type: ignore[misc]  # before what isn't wanted is left out
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Puts the tests that share one worker first: it takes them long, and the others have the rest
-    to do meanwhile."""
-    items.sort(key=lambda item: "xdist_group" not in item.keywords)
+    """Puts the tests that share one worker first, and then those that take long: the others have the
+    rest to do meanwhile."""
+    items.sort(key=lambda item: ("xdist_group" not in item.keywords, "long" not in item.keywords))
 
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -66,7 +66,7 @@ def cluster(tmp_path: Path) -> Iterator[clusters.Cluster]:
         yield made
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="session")
 def driver(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Any]:
     import animation_page
 

@@ -10,6 +10,7 @@ from bounce_grader.formats import html
 from test_reports import RECORDS
 
 By = pytest.importorskip("selenium.webdriver.common.by", reason="selenium is not installed").By
+pytestmark = pytest.mark.xdist_group("browser")
 OUTSIDE = """return [...document.querySelectorAll('svg text')].filter((t) => {
     const a = t.getBoundingClientRect(), b = t.ownerSVGElement.getBoundingClientRect();
     return a.left < b.left - 1 || a.right > b.right + 1 || a.bottom > b.bottom + 1;

@@ -13,6 +13,7 @@ from animation_page import PATIENCE, PROGRAM, Open, animation
 from animation_page import file, open_page, scene, with_animation
 from selenium.webdriver.common.keys import Keys
 
+pytestmark = pytest.mark.xdist_group("browser")
 TABLES = Path(__file__).with_name("animation.toml")
 LAYOUT = """
 const drawn = byId("ground").getBBox().width - byId("stage").clientWidth; // 9 more on each side
