@@ -6,7 +6,7 @@
 namespace bounce {
 
 State step(const Vector3& q, const Vector3& v, const Parameters& params) {
-  // The judge sends steps that follow along; `next` is the question that the first of them answers.
+  // The judge's reply holds the following steps, too; the first of them answers `next`.
   static frames::Frame reply, next;
   const frames::Frame asked = frames::question(3, params, q, v);
   if (reply.T <= 0 || std::memcmp(&asked, &next, sizeof asked) != 0) {
