@@ -41,20 +41,10 @@ using nlohmann::json;
 
 static json asked;  // the first argument
 static std::vector<std::string> command;
-static json reported;  // of the running check, if it failed
 
 std::vector<std::filesystem::path> tests::fixture_folders() {
   const std::vector<std::string> names = asked.at("fixtures");
   return {names.begin(), names.end()};
-}
-void tests::about_to_ask(const Case&) {}
-void tests::found_wrong(const Case&, const Problem&) {}
-
-static constexpr const char* kReported = "reported";
-
-std::string tests::in_words(const Failure& failure) {
-  reported = judge::facts(failure);
-  return kReported;
 }
 
 namespace judge {
@@ -74,20 +64,32 @@ std::unique_ptr<Session> new_session() {
   return std::make_unique<Session>(command, asked_limits(), asked.at("part"), is_asked("given"));
 }
 
-// Collects a verdict for each check. A test that fails other than by reporting a case is a fault of
-// the kit.
-class Verdicts : public testing::EmptyTestEventListener {
+// Collects a verdict for each check. A test that fails without reporting a case, or once more than
+// it reports, as by an exception, is a fault of the kit.
+class Verdicts : public testing::EmptyTestEventListener, public tests::Reporter {
  public:
   json checks = json::array();
   std::string kit_failure;
 
  private:
-  void OnTestStart(const testing::TestInfo&) override { reported = nullptr; }
+  json reported_;  // of the running check, if it failed
+  int failures_ = 0;
+
+  std::string fails(const tests::Failure& failure) override {
+    reported_ = facts(failure);
+    ++failures_;
+    return "";
+  }
+
+  void OnTestStart(const testing::TestInfo&) override {
+    reported_ = nullptr;
+    failures_ = 0;
+  }
 
   void OnTestEnd(const testing::TestInfo& test) override {
-    for (int i = 0; i < test.result()->total_part_count(); ++i) {
-      const std::string message = test.result()->GetTestPartResult(i).message();
-      if (message != std::string("Failed\n") + kReported) kit_failure = message;
+    if (const int parts = test.result()->total_part_count(); parts != failures_) {
+      kit_failure = std::string(test.name()) + ": " +
+                    (parts > 0 ? test.result()->GetTestPartResult(parts - 1).message() : "");
     }
     const bool passed = test.result()->Passed();
     const auto end = session->take_end();
@@ -96,7 +98,7 @@ class Verdicts : public testing::EmptyTestEventListener {
                       {"status", end ? end->status : "graded"},
                       {"ended", end ? facts(*end) : json()},
                       {"stack", end ? end->stack : ""},
-                      {"failure", passed || (end && end->of_no_case) ? json() : reported}});
+                      {"failure", passed || (end && end->of_no_case) ? json() : reported_}});
   }
 };
 
@@ -150,7 +152,7 @@ json verdicts() {
   delete listeners.Release(listeners.default_result_printer());
   auto* verdicts = new Verdicts;
   listeners.Append(verdicts);
-  if (RUN_ALL_TESTS() != 0 && verdicts->checks.empty()) {
+  if (tests::run_checks(*verdicts) != 0 && verdicts->checks.empty()) {
     throw std::runtime_error("no test ran");
   }
   if (!first->kit_failure().empty()) throw std::runtime_error(first->kit_failure());

@@ -16,6 +16,8 @@ constexpr const char* kAgain =
     " when asked again in another order, though right before: is something kept from one call to "
     "the next? ";
 
+Reporter* told = nullptr;  // by run_checks
+
 // Asks the cases in their order. The failure has no wrong case if all are right.
 Failure ask_all(const std::vector<Case>& cases, Ask ask) {
   Failure failure;
@@ -23,7 +25,7 @@ Failure ask_all(const std::vector<Case>& cases, Ask ask) {
   for (std::size_t i = 0; i < cases.size() && failure.ended_at == 0; ++i) {
     const Case& c = cases[i];
     Problem problem;
-    about_to_ask(c);
+    told->asks(c);
     try {
       problem = ask(c);
     } catch (const Ended& end) {
@@ -33,9 +35,9 @@ Failure ask_all(const std::vector<Case>& cases, Ask ask) {
       problem.sentence = thrown.what();
     }
     if (std::exchange(asked_what_is_not_recorded, false)) {
-      testing::Test::RecordProperty(kUndecided, "");
+      told->finds_undecided();
     } else if (!problem.empty()) {
-      if (failure.wrong == 0 && !testing::Test::HasFailure()) found_wrong(c, problem);
+      if (failure.wrong == 0 && !testing::Test::HasFailure()) told->finds_first_wrong(c, problem);
       if (failure.wrong == 0 || failure.ended_at > 0) {
         failure.asked = c;
         failure.problem = problem;
@@ -51,7 +53,7 @@ Failure ask_all(const std::vector<Case>& cases, Ask ask) {
 bool ask_and_report(const std::vector<Case>& cases, Ask ask, bool again) {
   Failure failure = ask_all(cases, ask);
   if (again) failure.again = kAgain;
-  if (failure.wrong > 0 && !testing::Test::HasFailure()) ADD_FAILURE() << in_words(failure);
+  if (failure.wrong > 0 && !testing::Test::HasFailure()) ADD_FAILURE() << told->fails(failure);
   return failure.ended_at == 0;
 }
 
@@ -61,6 +63,11 @@ std::string running_check() {
 }
 
 }  // namespace
+
+int run_checks(Reporter& reporter) {
+  told = &reporter;
+  return RUN_ALL_TESTS();
+}
 
 void for_each_case(Ask ask) {
   std::vector<Case> cases = cases_of(running_check());

@@ -49,12 +49,6 @@ constexpr const char* kVelocity = "m/s, m/s, rad/s";
 // The folders of the fixtures. One named "hidden" holds hidden cases.
 std::vector<std::filesystem::path> fixture_folders();
 
-// Called before each question.
-void about_to_ask(const Case& c);
-
-// Called after the first question of the running check that is answered wrong.
-void found_wrong(const Case& c, const Problem& problem);
-
 // What a failed check reports: its first wrong case, or the one at which the program ended.
 struct Failure {
   Case asked;
@@ -65,8 +59,20 @@ struct Failure {
   std::string again;  // says that it was right when it was asked before, in another order; or empty
 };
 
-// The text of a failed check.
-std::string in_words(const Failure& failure);
+// What the running check finds is told to the program that runs the tests, in this form alone.
+// GoogleTest is told only that the check failed: its messages are for people, and no program reads
+// them, since their wording changes from version to version.
+struct Reporter {
+  virtual ~Reporter() = default;
+  virtual void asks(const Case&) {}  // before each question
+  virtual void finds_first_wrong(const Case&, const Problem&) {}
+  virtual void finds_undecided() {}
+  // Returns what GoogleTest shows to whoever runs the tests by hand.
+  virtual std::string fails(const Failure& failure) = 0;
+};
+
+// Runs GoogleTest's tests, as its filter selects them. Returns RUN_ALL_TESTS().
+int run_checks(Reporter& reporter);
 
 // --- reading ---
 
@@ -85,9 +91,6 @@ using Ask = Problem (*)(const Case&);
 // Set where recorded answers stand for the earlier parts (linked/given.cpp), and the submission
 // asks them something else: its own answer then decides nothing.
 inline bool asked_what_is_not_recorded = false;
-
-// The property of a check with cases that are undecided, as something else was asked in them.
-constexpr const char* kUndecided = "undecided";
 
 // Asks every case of the running check, public ones first, and then once more in reverse order, in
 // which they must be right again. Reports the first wrong case, and how many are wrong. What is

@@ -18,6 +18,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <utility>
 
 #include "answers.hpp"
 #include "crash.hpp"
@@ -33,15 +34,6 @@ std::vector<std::filesystem::path> fixture_folders() { return {BOUNCE_FIXTURES};
 
 namespace {
 
-std::filesystem::path notes;    // the folder; empty without --notes
-std::filesystem::path printed;  // where standard output goes
-std::string check;              // the running one
-std::string asked;              // the question that is being answered
-std::string from;               // the size of standard output before it
-std::string from_to;            // these sizes before and after the reported case
-
-bool debugs = false;  // whether to stop at the first wrong case
-
 // The name of a case, and below it what is asked.
 std::string question(const Case& c) {
   const std::string label = "\n  input    ";
@@ -53,50 +45,86 @@ std::string question(const Case& c) {
   return text;
 }
 
-// Stops here: set a breakpoint in the part, and continue. The case is asked again.
-[[noreturn]] void ask_again(const Case& c, const Problem& problem) {
-  std::cout << question(c) << "\n" << feedback(c, problem) << std::endl;
-  debugs = false;
+// Nothing ends a program here but its own process, which reports no failure then.
+std::string in_words(const Failure& failure) {
+  return std::to_string(failure.wrong) + " of " + std::to_string(failure.cases) + " cases wrong" +
+         (failure.again.empty() ? "; " : failure.again) + "the first: " + question(failure.asked) +
+         "\n" + feedback(failure.asked, failure.problem);
+}
+
+struct ByHand : Reporter {
+  std::string fails(const Failure& failure) override { return in_words(failure); }
+};
+
+// Stops at the first wrong case: set a breakpoint in the part, and continue. The case is asked
+// again.
+struct Debugged : ByHand {
+  void finds_first_wrong(const Case& c, const Problem& problem) override {
+    std::cout << question(c) << "\n" << feedback(c, problem) << std::endl;
 #ifdef _WIN32
-  __debugbreak();
+    __debugbreak();
 #else
-  std::raise(SIGTRAP);
+    std::raise(SIGTRAP);
 #endif
-  answers(linked_parts.front() - '0', {c});
-  std::exit(1);
-}
+    answers(linked_parts.front() - '0', {c});
+    std::exit(1);
+  }
+};
 
-std::string bytes_printed() {
-  std::cout.flush();
-  std::error_code unknown;
-  const auto size = std::filesystem::file_size(printed, unknown);
-  return " " + std::to_string(unknown ? 0 : size);
-}
+// Writes a file for each check, as the first lines of this file say.
+class Notes : public testing::EmptyTestEventListener, public Reporter {
+ public:
+  Notes(std::string folder, std::string printed)
+      : folder_(std::move(folder)), printed_(std::move(printed)) {}
 
-void note(const std::string& status, const std::string& text) {
-  std::ofstream(notes / check) << status << "\n" << text << "\n";
-}
+ private:
+  std::filesystem::path folder_;
+  std::filesystem::path printed_;  // where standard output goes
+  std::string check_;              // the running one
+  std::string asked_;              // the question that is being answered
+  std::string text_;               // of the failure
+  std::string from_;               // the size of standard output before the question
+  std::string from_to_;            // these sizes before and after the reported case
+  bool is_undecided_ = false;
 
-class Notes : public testing::EmptyTestEventListener {
+  void asks(const Case& c) override {
+    asked_ = question(c);
+    from_ = bytes_printed();
+    note("running" + from_, asked_);
+  }
+
+  void finds_first_wrong(const Case&, const Problem&) override {
+    from_to_ = from_ + bytes_printed();
+  }
+
+  void finds_undecided() override { is_undecided_ = true; }
+
+  std::string fails(const Failure& failure) override { return text_ = in_words(failure); }
+
   void OnTestStart(const testing::TestInfo& test) override {
-    check = std::string(test.test_suite_name()) + "." + test.name();
-    from = from_to = "";
+    check_ = std::string(test.test_suite_name()) + "." + test.name();
+    text_ = from_ = from_to_ = "";
+    is_undecided_ = false;
     note("running", "");
-    limit_time([] { note("hung" + from, asked); });
+    limit_time([this] { note("hung" + from_, asked_); });
   }
 
   void OnTestEnd(const testing::TestInfo& test) override {
     lift_time_limit();
-    std::string text;
-    for (int i = 0; i < test.result()->total_part_count(); ++i) {
-      text += test.result()->GetTestPartResult(i).message();
-    }
-    const std::string prefix = "Failed\n";
-    if (text.rfind(prefix, 0) == 0) text.erase(0, prefix.size());
-    note(test.result()->Failed()                    ? "failed" + from_to
-         : test.result()->test_property_count() > 0 ? kUndecided
-                                                    : "passed",
-         text);
+    const auto& result = *test.result();
+    if (result.Failed() && text_.empty()) text_ = result.GetTestPartResult(0).message();
+    note(result.Failed() ? "failed" + from_to_ : is_undecided_ ? "undecided" : "passed", text_);
+  }
+
+  std::string bytes_printed() const {
+    std::cout.flush();
+    std::error_code unknown;
+    const auto size = std::filesystem::file_size(printed_, unknown);
+    return " " + std::to_string(unknown ? 0 : size);
+  }
+
+  void note(const std::string& status, const std::string& text) const {
+    std::ofstream(folder_ / check_) << status << "\n" << text << "\n";
   }
 };
 
@@ -110,7 +138,7 @@ std::string those_of_linked_parts() {
 }
 
 // Of these, the checks that have no note yet.
-std::string those_left() {
+std::string those_left(const std::filesystem::path& notes) {
   std::string pattern = those_of_linked_parts();
   for (const auto& file : std::filesystem::directory_iterator(notes)) {
     pattern += file.path().filename().string() + ":";
@@ -118,14 +146,14 @@ std::string those_left() {
   return pattern;
 }
 
-void take_notes(const std::string& folder, const std::string& file) {
-  notes = folder;
-  printed = file;
+int take_notes(const std::string& folder, const std::string& printed) {
   std::setvbuf(stdout, nullptr, _IONBF, 0);  // so that a crash loses no output
-  testing::GTEST_FLAG(filter) = those_left();
+  testing::GTEST_FLAG(filter) = those_left(folder);
   auto& listeners = testing::UnitTest::GetInstance()->listeners();
   delete listeners.Release(listeners.default_result_printer());
-  listeners.Append(new Notes);
+  auto* notes = new Notes(folder, printed);
+  listeners.Append(notes);
+  return run_checks(*notes);
 }
 
 std::string in_words(const Mistake& m) {
@@ -158,26 +186,6 @@ void write_mistakes(const std::string& file) {
 }
 
 }  // namespace
-
-void about_to_ask(const Case& c) {
-  if (notes.empty()) return;
-  asked = question(c);
-  from = bytes_printed();
-  note("running" + from, asked);
-}
-
-void found_wrong(const Case& c, const Problem& problem) {
-  if (debugs) ask_again(c, problem);
-  if (!notes.empty()) from_to = from + bytes_printed();
-}
-
-// Nothing ends a program here but its own process, which reports no failure then.
-std::string in_words(const Failure& failure) {
-  return std::to_string(failure.wrong) + " of " + std::to_string(failure.cases) + " cases wrong" +
-         (failure.again.empty() ? "; " : failure.again) + "the first: " + question(failure.asked) +
-         "\n" + feedback(failure.asked, failure.problem);
-}
-
 }  // namespace bounce::tests
 
 int main(int argc, char** argv) {
@@ -185,13 +193,15 @@ int main(int argc, char** argv) {
   if (testing::GTEST_FLAG(filter) == "*") {
     testing::GTEST_FLAG(filter) = bounce::tests::those_of_linked_parts();
   }
-  const std::string option = argc > 2 ? argv[1] : "";
-  if (option == "--mistake") {
+  const std::string option = argc > 1 ? argv[1] : "";
+  if (option == "--mistake" && argc > 2) {
     bounce::tests::write_mistakes(argv[2]);
     return 0;
   }
-  bounce::tests::debugs = argc == 2 && std::string(argv[1]) == "--debug";
-  if (option == "--notes" && argc > 3) bounce::tests::take_notes(argv[2], argv[3]);
   if (option == "--notes" && argc > 4) bounce::runner::report_crashes(argv[4]);
-  return RUN_ALL_TESTS();
+  if (option == "--notes" && argc > 3) return bounce::tests::take_notes(argv[2], argv[3]);
+  bounce::tests::ByHand by_hand;
+  bounce::tests::Debugged debugged;
+  return bounce::tests::run_checks(
+      option == "--debug" ? static_cast<bounce::tests::Reporter&>(debugged) : by_hand);
 }
