@@ -41,6 +41,10 @@ def main(arguments: list[str]) -> int:
         known = isinstance(error, KitError | OSError)
         words = str(error) if known else f"{type(error).__name__}: {error}"
         print(f"kit: the kit itself failed: {_plain(words)}", file=sys.stderr)
+        if isinstance(
+            error, OSError
+        ):  # of a full standard output, which is flushed again at the end
+            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 3
 
 

@@ -18,8 +18,9 @@ from typing import NamedTuple
 from bounce_grader.build.toolchain import COMPILE, compiler
 from bounce_grader.common.escaping import terminal
 from bounce_grader.common.paths import JUDGE, PROBE, ROOT
+from bounce_grader.grading.self_check import problem_of_judge
 from bounce_grader.sandbox import processes
-from bounce_grader.sandbox.box import problem_of, Box
+from bounce_grader.sandbox.box import FULL_OR_REDUCED, problem_of, Box
 
 Attempt = list[str]
 TABLE = Path(__file__).with_name("protections.json")
@@ -153,8 +154,11 @@ def run(_: argparse.Namespace) -> int:
         print(" " * 42 + "".join(f"{word:<9}" for word in kinds_or_places))
     for title in dict.fromkeys(finding.protection for finding in found):
         print(f"{title:<42}" + "".join(f"{held.get((title, box), ''):<9}" for box in boxes))
+    unsound = problem_of_judge(FULL_OR_REDUCED)
+    print(f"{'a wrong program loses its points':<42}{WORDS[not unsound]}")
     lines = [f"{f.box}: {f.protection}: NO: {f.detail}" for f in found if f.held is False]
     lacking = (f for f in found if f.held is None)
     lines += dict.fromkeys(f"{f.box}: can't be had here: {f.detail}" for f in lacking)
+    lines += [unsound] if unsound else []
     print("\n".join(map(terminal, [*lines, f"Submissions are compiled by {compiler()}."])))
-    return int(not all(finding.held for finding in found))
+    return int(bool(unsound) or not all(finding.held for finding in found))

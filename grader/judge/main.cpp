@@ -87,9 +87,11 @@ class Verdicts : public testing::EmptyTestEventListener, public tests::Reporter 
   }
 
   void OnTestEnd(const testing::TestInfo& test) override {
-    if (const int parts = test.result()->total_part_count(); parts != failures_) {
-      kit_failure = std::string(test.name()) + ": " +
-                    (parts > 0 ? test.result()->GetTestPartResult(parts - 1).message() : "");
+    for (int i = 0; i < test.result()->total_part_count(); ++i) {
+      const auto& part = test.result()->GetTestPartResult(i);
+      if (part.failed() && --failures_ < 0) {
+        kit_failure = std::string(test.name()) + " failed by itself: " + part.message();
+      }
     }
     const bool passed = test.result()->Passed();
     const auto end = session->take_end();

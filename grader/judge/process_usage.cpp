@@ -94,6 +94,23 @@ bool add(pid_t pid, ProcessUsage& all) {
   return true;
 }
 
+// Field 4 of a stat file is the parent.
+std::vector<pid_t> children_by_parent(pid_t pid) {
+  std::vector<pid_t> children;
+  std::error_code gone;
+  for (const auto& process : std::filesystem::directory_iterator("/proc", gone)) {
+    std::ifstream file(process.path() / "stat");
+    std::string line;
+    std::getline(file, line, '\0');
+    std::istringstream fields(line.substr(line.rfind(')') + 1));
+    char letter = 0;
+    pid_t parent = 0;
+    if (fields >> letter >> parent && parent == pid)
+      children.push_back(std::atoi(process.path().filename().c_str()));
+  }
+  return children;
+}
+
 }  // namespace
 
 std::optional<ProcessUsage> usage_of(pid_t pid) {
@@ -101,11 +118,12 @@ std::optional<ProcessUsage> usage_of(pid_t pid) {
   return add(pid, all) ? std::optional(all) : std::nullopt;
 }
 
+// Not every kernel lists them: then they are those of all processes whose parent it is.
 std::vector<pid_t> children_of(pid_t pid) {
   std::ifstream file(folder_of(pid) + "/task/" + std::to_string(pid) + "/children");
   std::vector<pid_t> children;
   for (pid_t child = 0; file >> child;) children.push_back(child);
-  return children;
+  return file.is_open() ? children : children_by_parent(pid);
 }
 
 // Field 8 of the first line of /proc/stat, of all CPUs together: at least what one has lost.

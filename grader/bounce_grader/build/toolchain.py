@@ -55,8 +55,9 @@ def run(command: list[str], folder: Path, box: Box, made: Path, by_gcc: bool = F
     prefix = box.to_build(folder, [CONTRACT, RUNNER], PROGRAMS if by_gcc else ())
     result = box.run([*prefix, *command], COMPILE, cwd=folder, output=made)
     require_compiler_ran(result)
-    # A program that g++ starts and that fails once it has begun gives g++ another exit status.
-    if by_gcc and result.code in (1, 125):
+    # A program that g++ starts and that fails once it has begun gives g++ another exit status; 127
+    # is that of `enter` where there is no such program.
+    if by_gcc and result.code in (1, 125, 127):
         raise KitError("g++ couldn't start its compiler; is the machine short of processes?")
     return result
 

@@ -16,6 +16,8 @@ from bounce_grader.classroom.output.people import People
 from bounce_grader.common.errors import KitError, UsageError
 from bounce_grader.common.escaping import terminal
 from bounce_grader.common.files import read_object, remove_abandoned, write_whole
+from bounce_grader.grading import self_check
+from bounce_grader.sandbox.box import kinds
 
 MOST_LINES = 20  # of a kind on the terminal; class.html has them all
 Options = Any  # as the command line has them
@@ -104,6 +106,7 @@ def _locked(out: Path) -> TextIO:
 
 def _run(options: Options, canvas: Canvas | None, people: People, corpus: list[Summary]) -> int:
     intake, out, folder, speed = people.intake, options.out, options.out / "results", options.speed
+    self_check.require_sound_judge(kinds(options.trust_submission))
     stamp = results.stamp_now(options.trust_submission, options.sanitize)
     tasks = [results.Task(results.digest(s), stamp, s, folder, speed) for s in intake.students]
     there = results.stamp_of(folder)

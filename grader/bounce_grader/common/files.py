@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from bounce_grader.common.errors import UsageError
-from bounce_grader.common.paths import WORK_FOLDER
+from bounce_grader.common.paths import BUILD, WORK_FOLDER
 
 BOX_FOLDER = "bounce-box-"  # prefix of those of a reduced box, as in grader/box/enter.cpp
 ABANDONED = 3600.0  # s, after which a temporary file counts as that; a grading takes two minutes
@@ -102,14 +102,21 @@ def fitting(name: str, limit: int = 200) -> str:
 
 def temporary_folder() -> tempfile.TemporaryDirectory[str]:
     """The folder of a grading, which other users can't enter."""
-    return tempfile.TemporaryDirectory(prefix=WORK_FOLDER, ignore_cleanup_errors=True)
+    place = _temporary_place()
+    return tempfile.TemporaryDirectory(prefix=WORK_FOLDER, dir=place, ignore_cleanup_errors=True)
+
+
+def _temporary_place() -> Path:
+    """Where programs may run: not in a /tmp that is mounted noexec."""
+    usual = tempfile.gettempdir()
+    return BUILD if os.statvfs(usual).f_flag & os.ST_NOEXEC else Path(usual)
 
 
 def remove_abandoned(folder: Path | None = None) -> None:
     """Removes what killed gradings left among the temporary files, and killed writers in a folder.
     Other gradings may be running, and may remove their own files at the same time."""
-    temporary = Path(tempfile.gettempdir())
-    found = [*temporary.glob(f"{WORK_FOLDER}*"), *temporary.glob(f"{BOX_FOLDER}*")]
+    boxes = Path(tempfile.gettempdir()).glob(f"{BOX_FOLDER}*")
+    found = [*_temporary_place().glob(f"{WORK_FOLDER}*"), *boxes]
     for left in [*found, *(folder.rglob(".*.part") if folder else [])]:
         with suppress(OSError):
             if time.time() - left.lstat().st_mtime <= ABANDONED:

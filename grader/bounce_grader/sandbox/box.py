@@ -26,7 +26,14 @@ NOBODY = "65534"
 # User ids that no system assigns. In the reduced box, processes of different boxes see each other,
 # so concurrent gradings run as different users.
 FIRST_USER, USERS = 60578, 600
-LIBRARIES = ("/usr/include", "/usr/lib/gcc", "/usr/lib64", "/usr/libexec/gcc")
+# Debian's headers of the kernel are links into /usr/lib/linux/uapi from version 13 on.
+LIBRARIES = (
+    "/usr/include",
+    "/usr/lib/linux/uapi",
+    "/usr/lib/gcc",
+    "/usr/lib64",
+    "/usr/libexec/gcc",
+)
 PROGRAMS = ("g++", "as", "ld", "addr2line")
 LARGE_PAGES = "/sys/kernel/mm/transparent_hugepage"  # malloc reads it
 TEMPORARY = 256 * 1024 * 1024  # of a build, in bytes

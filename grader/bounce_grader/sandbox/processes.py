@@ -173,7 +173,7 @@ def _seconds_of_all_below(root: int) -> float:
     parent_of: dict[int, int] = {}
     ticks_of: dict[int, int] = {}
     for entry in filter(str.isdigit, os.listdir("/proc")):
-        with suppress(OSError):  # it has ended
+        with suppress(OSError, ValueError, IndexError):  # it has ended
             stat = Path("/proc", entry, "stat").read_text(errors="replace")
             fields = stat.rpartition(")")[2].split()
             parent_of[int(entry)] = int(fields[1])

@@ -50,6 +50,7 @@ void build_part(Run& run, Part& part) {
   if (part.broken || build_programs({target_of(run, part)})) return;
   part.broken = &part;
   part.error = first_error(own_lines(read(kBuild)));
+  part.error.is_of_linker = build_programs({part.stem, "helpers"});
 }
 
 }  // namespace
@@ -68,8 +69,9 @@ void build_parts(Run& run) {
     needed.insert(part->calls.begin(), part->calls.end());
   }
   if (build_programs(targets)) return;
-  const std::string printed = read(kBuild);
-  if (has(printed, "CMake Error")) throw Failure("CMake could not prepare the build:\n" + printed);
+  if (check::run({"cmake", "-S", ".", "-B", "build"}, kBuild, Limits::none) != 0) {
+    throw Failure("CMake could not prepare the build:\n" + read(kBuild));
+  }
   for (const int number : needed) build_part(run, run.part(number));
 }
 

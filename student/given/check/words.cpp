@@ -176,7 +176,7 @@ BuildError first_error(const std::vector<std::string>& lines) {
   }
   text = "  " + text.substr(0, kLongest) + (is_own(error) ? rest : "");
   const std::string meaning = meaning_in("compiler_errors.txt", error.empty() ? missing : error);
-  return {text + (meaning.empty() ? "" : "\n" + folded(meaning, 74, "  ")), error.empty()};
+  return {text + (meaning.empty() ? "" : "\n" + folded(meaning, 74, "  "))};
 }
 
 std::string found_by_sanitizers(const std::string& printed) {

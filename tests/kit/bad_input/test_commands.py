@@ -27,13 +27,16 @@ def in_this_process(words: list[str], capsys: pytest.CaptureFixture[str]) -> tup
 
 
 def by_the_program(program: str, words: list[str], more: dict[str, str]) -> tuple[int, str, str]:
-    """By ./kit, or by a copy of it, which has looked for no packages yet."""
-    if program == "copy":
-        Path("kit").write_bytes((ROOT / "kit").read_bytes())
-    command = ["sh", "./kit" if program == "copy" else str(ROOT / "kit"), *words]
+    """By ./kit, or by a copy of it at another path, which has looked for no packages yet."""
+    copy = Path(program)
+    if program != "kit":
+        copy.parent.mkdir(exist_ok=True)
+        copy.write_bytes((ROOT / "kit").read_bytes())
+    command = ["sh", program if program != "kit" else str(ROOT / "kit"), *words]
     env = {**os.environ, **more}
     done = subprocess.run(command, env=env, capture_output=True, text=True, check=False)
-    Path("kit").unlink(missing_ok=True)
+    if program != "kit":
+        copy.unlink()
     return done.returncode, done.stdout, done.stderr
 
 
@@ -75,6 +78,14 @@ def test_each_command_ends_as_it_is_written_down(
         command = repr(row["command"])[1:-1]
         got += f"=== {row['name']}\n$ kit {command}\n{outcome(row, folder, capsys)}\n"
     golden.compare_file(HERE / "commands.txt", got)
+
+
+def test_a_full_standard_output_is_a_fault_of_the_machine() -> None:
+    with open("/dev/full", "w") as full:
+        command = [str(ROOT / "kit"), "grade", str(SOLUTION), "--no-sanitize"]
+        done = subprocess.run(command, stdout=full, stderr=subprocess.PIPE, text=True, check=False)
+    assert done.returncode == 3 and "No space left on device" in done.stderr
+    assert len(done.stderr.splitlines()) == 1
 
 
 def test_what_is_wrong_in_the_manifest_is_said_before_what_the_build_says(tmp_path: Path) -> None:

@@ -15,12 +15,13 @@ from bounce_grader.common.files import temporary_folder
 from bounce_grader.common.paths import BUILD, CONTRACT, RUNNER
 from bounce_grader.grading.grade import grade as grade_path
 from bounce_grader.sandbox import processes
-from bounce_grader.sandbox.box import Box
+from bounce_grader.sandbox.box import Box, toolchain as toolchain_of_the_box
 from bounce_grader.sandbox.processes import run, Result
 from bounce_grader.submission.submission import read
 from conftest import Grade, points, solution_files, write
 
 FULL = [30, 30, 30, 10]
+HEADERS = ("/usr/include/c++", "/usr/include/linux", "/usr/include/asm-generic", "/usr/lib/gcc")
 
 
 def _new() -> bytes:
@@ -40,6 +41,15 @@ def test_the_header_is_precompiled_anew_after_an_upgrade_of_what_it_reads() -> N
     rules = (BUILD / "build.ninja").read_text().replace("$:", ":")
     assert len(packages) >= 4
     assert [name for name in packages if f"/var/lib/dpkg/info/{name}.list" not in rules] == []
+
+
+def test_each_header_of_the_system_is_in_the_box() -> None:
+    """Some of them are links to elsewhere. A part that includes one would not compile."""
+    folders = [*Path("/usr/include").glob("*-linux-gnu"), *map(Path, HEADERS)]
+    links = {path for folder in folders for path in folder.rglob("*.h") if path.is_symlink()}
+    targets = {path.resolve() for path in links if path.exists()}
+    seen = {*map(Path, toolchain_of_the_box())}
+    assert [target for target in sorted(targets) if not seen & {*target.parents}] == []
 
 
 INCLUDES = {

@@ -119,8 +119,7 @@ int main(int, char** words) {  // passes if its parent holds no token
   std::ifstream file("/proc/" + std::to_string(getppid()) + "/environ");
   const std::string all{std::istreambuf_iterator<char>(file), {}};
   const bool found = all.find("GH_TOKEN") != std::string::npos || all.empty();
-  std::ofstream(std::string(words[1]).substr(20)) << R"({"testsuites": [{"name": "part1",
-    "testsuite": [{"name": "A", "failures": [)" << (found ? "1" : "") << "]}]}]}";
+  std::ofstream(std::string(words[2]) + "/part1.A") << (found ? "failed" : "passed") << "\n";
 }
 """
 

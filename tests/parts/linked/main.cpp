@@ -189,10 +189,8 @@ void write_mistakes(const std::string& file) {
 }  // namespace bounce::tests
 
 int main(int argc, char** argv) {
+  testing::GTEST_FLAG(filter) = bounce::tests::those_of_linked_parts();  // unless another is given
   testing::InitGoogleTest(&argc, argv);
-  if (testing::GTEST_FLAG(filter) == "*") {
-    testing::GTEST_FLAG(filter) = bounce::tests::those_of_linked_parts();
-  }
   const std::string option = argc > 1 ? argv[1] : "";
   if (option == "--mistake" && argc > 2) {
     bounce::tests::write_mistakes(argv[2]);
