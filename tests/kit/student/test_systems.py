@@ -1,11 +1,13 @@
-"""The handout with another compiler, and as built for Windows, where Wine runs it."""
+"""The handout with another compiler or standard library; and as built for Windows, where Wine runs it,
+and for ARM64, where qemu does and the compiler fuses multiplications and additions by itself."""
 
 import shutil
 import subprocess
 from pathlib import Path
 
 import pytest
-from handed_out import SYSTEM, Done, check, put, run, unzipped
+from bounce_grader.common.manifest import parts
+from handed_out import SUBMISSIONS, SYSTEM, Done, check, put, run, unzipped
 from waiting import wait_for
 
 WINE = Path("/usr/lib/wine/wine64")
@@ -14,6 +16,16 @@ TOOLCHAIN = f"""set(CMAKE_SYSTEM_NAME Windows)
 set(CMAKE_C_COMPILER x86_64-w64-mingw32-gcc-posix)
 set(CMAKE_CXX_COMPILER {MINGW})
 set(CMAKE_EXE_LINKER_FLAGS -static)
+"""
+ARM, QEMU = "aarch64-linux-gnu-g++", "qemu-aarch64-static"
+FOR_ARM = f"""set(CMAKE_SYSTEM_NAME Linux)
+set(CMAKE_SYSTEM_PROCESSOR aarch64)
+set(CMAKE_CXX_COMPILER {ARM})
+set(CMAKE_EXE_LINKER_FLAGS -static)
+set(CMAKE_CROSSCOMPILING_EMULATOR {QEMU})
+"""
+WITH_LIBCXX = """set(CMAKE_CXX_COMPILER clang++)
+set(CMAKE_CXX_FLAGS -stdlib=libc++)
 """
 # All that a check may ask CMake for.
 TARGETS = "all study optimised_test real part3_step_given_test part4_simulate_given_test".split()
@@ -42,11 +54,11 @@ def test_with_clang_a_check_says_the_same(tmp_path: Path) -> None:
     assert "  src/part2_lcp.cpp:" in broken.stdout and "expected expression" in broken.stdout
 
 
-def build_for_windows(home: Path, prefix: Path) -> None:
+def build_for(toolchain: str, home: Path, prefix: Path) -> None:
     """With GoogleTest made for it, too; Eigen and nlohmann-json are headers alone."""
     prefix.mkdir()
-    (prefix / "windows.cmake").write_text(TOOLCHAIN)
-    for_windows = f"-DCMAKE_TOOLCHAIN_FILE={prefix / 'windows.cmake'}"
+    (prefix / "toolchain.cmake").write_text(toolchain)
+    for_it = f"-DCMAKE_TOOLCHAIN_FILE={prefix / 'toolchain.cmake'}"
     gtest = shutil.copytree("/usr/src/googletest", prefix / "googletest")
     to = [f"-DCMAKE_INSTALL_PREFIX={prefix}", "-DBUILD_GMOCK=OFF"]
     shutil.copytree("/usr/include/nlohmann", prefix / "include/nlohmann")
@@ -59,12 +71,41 @@ def build_for_windows(home: Path, prefix: Path) -> None:
         "-DCMAKE_DISABLE_FIND_PACKAGE_PkgConfig=ON",  # which finds libraries of this system
     ]
     for command in (
-        ["cmake", "-S", gtest, "-B", prefix / "gtest", for_windows, *to],
+        ["cmake", "-S", gtest, "-B", prefix / "gtest", for_it, *to],
         ["cmake", "--build", prefix / "gtest", "--parallel", "--target", "install"],
-        ["cmake", "-S", ".", "-B", "build", for_windows, *found],
+        ["cmake", "-S", ".", "-B", "build", for_it, *found],
     ):
         done = run(home, *map(str, command))
         assert done.returncode == 0, done.stdout + done.stderr
+
+
+RIGHT = sorted(path for path in (SUBMISSIONS / "accepted").iterdir() if [*path.glob("part*.cpp")])
+KINDS = {"arm64": (FOR_ARM, ARM, [QEMU]), "libc++": (WITH_LIBCXX, "/usr/include/c++/v1", [])}
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("kind", KINDS)
+def test_right_programs_pass_the_public_checks_on(kind: str, tmp_path: Path) -> None:
+    toolchain, needed, start = KINDS[kind]
+    if not shutil.which(needed) and not [*Path("/usr/lib").glob("llvm-*" + needed[4:])]:
+        pytest.skip(f"{needed} isn't installed")
+    home = unzipped(tmp_path)
+    build_for(toolchain, home, tmp_path / "prefix")
+    stems = [part.stem for part in parts()]
+
+    def failing(*laid: str) -> list[str]:
+        put(home, *laid)
+        targets = [f"{stem}_test" for stem in stems]
+        built = run(home, "cmake", "--build", "build", "--parallel", "--target", *targets)
+        assert built.returncode == 0, built.stdout + built.stderr
+        tried = {stem: run(home, *start, str(home / "build" / f"{stem}_test")) for stem in stems}
+        return [stem for stem, done in tried.items() if done.returncode]
+
+    assert failing() == []
+    assert {folder.name: failing(f"accepted/{folder.name}") for folder in RIGHT[::4]} == {
+        folder.name: [] for folder in RIGHT[::4]
+    }
+    assert failing(FRICTION) == ["part3_step"]
 
 
 @pytest.mark.long
@@ -72,7 +113,7 @@ def test_on_windows_a_check_says_the_same(tmp_path: Path) -> None:
     if not shutil.which(MINGW) or not WINE.exists():
         pytest.skip("g++-mingw-w64-x86-64-posix and wine64 aren't installed")
     home = unzipped(tmp_path).rename(tmp_path / "Übung 1 von Müller")
-    build_for_windows(home, tmp_path / "prefix")
+    build_for(TOOLCHAIN, home, tmp_path / "prefix")
     # The check itself starts a build; here it is built already, by a CMake that isn't Windows'.
     (tmp_path / "cmake.cpp").write_text("int main() { return 0; }\n")
     built = run(tmp_path, MINGW, "-static", "-o", "cmake.exe", "cmake.cpp")
