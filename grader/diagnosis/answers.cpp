@@ -4,6 +4,8 @@
 #include <cmath>
 #include <map>
 
+#include "checks.hpp"
+
 namespace bounce::tests {
 namespace {
 

@@ -1,8 +1,8 @@
 // A failed check in numbers: its first wrong case, or the one at which the program ended.
 //
 //   "cases", "wrong"   how many the check has, and how many are wrong
-//   "ended_at"   the number of the case at which the program ended, 0 if at none
-//   "again"      says that all were right when they were asked before, in another order; or ""
+//   "ended_at"   how many cases were asked until the program ended, 0 if it didn't
+//   "again"      whether all were right when they were asked before, in another order
 //   "name", "input", "hidden"   of the case; its input in words
 //   "contact"    what the corner does, in words
 //   "sentence"   what the numbers alone don't say, such as an exception's text
@@ -15,7 +15,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "../../tests/parts/cases.hpp"
+#include "../../tests/parts/checks.hpp"
 #include "termination.hpp"
 
 namespace bounce::judge {

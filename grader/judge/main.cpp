@@ -4,6 +4,7 @@
 //   "part"        1 to 4
 //   "fixtures"    folders
 //   "given"       if true, the earlier parts are given
+//   "backwards"   if true, each check begins with its last case
 //   "sanitized"   if true, the runner has sanitizers
 //   "boxed"       if true, COMMAND is a box (grader/box/enter.cpp), which reports when it is made
 //   "seconds", "cpu_seconds"   for the whole part: checks that there is no time left for fail
@@ -29,8 +30,11 @@
 #include <algorithm>
 #include <csignal>
 #include <iostream>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <numeric>
 
+#include "../../tests/parts/checks.hpp"
 #include "../diagnosis/recognise.hpp"
 #include "facts.hpp"
 #include "session.hpp"
@@ -64,14 +68,56 @@ std::unique_ptr<Session> new_session() {
   return std::make_unique<Session>(command, asked_limits(), asked.at("part"), is_asked("given"));
 }
 
+// A check's answers, and how its runner ended, if it did.
+struct AskedCheck {
+  tests::CheckAnswers asked;
+  std::optional<Termination> end;
+
+  bool is_asked(bool again) const { return !end && !(again && asked.check.asks_once); }
+};
+
+// The places of a check's cases in the order in which they are asked: public ones first.
+// "backwards" begins with the last of each kind.
+std::vector<std::size_t> order_of(const std::vector<tests::Case>& cases) {
+  std::vector<std::size_t> order(cases.size());
+  std::iota(order.begin(), order.end(), 0);
+  if (is_asked("backwards")) std::reverse(order.begin(), order.end());
+  std::stable_partition(order.begin(), order.end(), [&](auto i) { return !cases[i].hidden; });
+  return order;
+}
+
+// Asks all cases of the part's checks, and once more in reverse order. A check is asked no more
+// once the program has ended in it. Nothing is compared meanwhile: tests/parts/checks.hpp says why.
+std::map<std::string, AskedCheck> ask_all() {
+  std::map<std::string, AskedCheck> all;
+  std::vector<std::pair<AskedCheck*, std::size_t>> order;
+  for (const tests::Check& check : tests::checks()) {
+    AskedCheck& added =
+        all.emplace(check.id(), AskedCheck{tests::CheckAnswers(check), {}}).first->second;
+    for (const std::size_t i : order_of(added.asked.cases)) order.emplace_back(&added, i);
+  }
+  for (const bool again : {false, true}) {
+    for (const auto& [check, i] : order) {
+      if (!check->is_asked(again)) continue;
+      tests::CheckAnswers& asked = check->asked;
+      (again ? asked.again : asked.first)[i] = tests::ask(asked.check, asked.cases[i]);
+      check->end = session->take_end();
+    }
+    std::reverse(order.begin(), order.end());
+  }
+  return all;
+}
+
 // Collects a verdict for each check. A test that fails without reporting a case, or once more than
 // it reports, as by an exception, is a fault of the kit.
 class Verdicts : public testing::EmptyTestEventListener, public tests::Reporter {
  public:
+  explicit Verdicts(const std::map<std::string, AskedCheck>& asked) : asked_(asked) {}
   json checks = json::array();
   std::string kit_failure;
 
  private:
+  const std::map<std::string, AskedCheck>& asked_;
   json reported_;  // of the running check, if it failed
   int failures_ = 0;
 
@@ -87,15 +133,14 @@ class Verdicts : public testing::EmptyTestEventListener, public tests::Reporter 
   }
 
   void OnTestEnd(const testing::TestInfo& test) override {
+    const std::string id = std::string(test.test_suite_name()) + "." + test.name();
     for (int i = 0; i < test.result()->total_part_count(); ++i) {
       const auto& part = test.result()->GetTestPartResult(i);
-      if (part.failed() && --failures_ < 0) {
-        kit_failure = std::string(test.name()) + " failed by itself: " + part.message();
-      }
+      if (part.failed() && --failures_ < 0) kit_failure = id + " failed: " + part.message();
     }
     const bool passed = test.result()->Passed();
-    const auto end = session->take_end();
-    checks.push_back({{"id", std::string(test.test_suite_name()) + "." + test.name()},
+    const auto& end = asked_.at(id).end;
+    checks.push_back({{"id", id},
                       {"passed", passed},
                       {"status", end ? end->status : "graded"},
                       {"ended", end ? facts(*end) : json()},
@@ -149,15 +194,21 @@ std::string wait() try {
 json verdicts() {
   const auto first = new_session();
   session = first.get();
-  testing::GTEST_FLAG(filter) = "part" + std::to_string(asked.at("part").get<int>()) + ".*";
+  std::erase_if(tests::checks(), [](const tests::Check& check) {
+    return check.part != "part" + std::to_string(asked.at("part").get<int>());
+  });
+  const auto all = ask_all();
+  first->end();
+  if (!first->kit_failure().empty()) throw std::runtime_error(first->kit_failure());
+
   auto& listeners = testing::UnitTest::GetInstance()->listeners();
   delete listeners.Release(listeners.default_result_printer());
-  auto* verdicts = new Verdicts;
+  auto* verdicts = new Verdicts(all);
   listeners.Append(verdicts);
-  if (tests::run_checks(*verdicts) != 0 && verdicts->checks.empty()) {
+  const auto asked_before = [&](const tests::Check& check) { return all.at(check.id()).asked; };
+  if (tests::run_checks(*verdicts, asked_before) != 0 && verdicts->checks.empty()) {
     throw std::runtime_error("no test ran");
   }
-  if (!first->kit_failure().empty()) throw std::runtime_error(first->kit_failure());
   if (!verdicts->kit_failure.empty()) throw std::runtime_error(verdicts->kit_failure);
 
   json result = {{"checks", verdicts->checks},

@@ -4,7 +4,7 @@
 #include <random>
 #include <utility>
 
-#include "../../tests/parts/cases.hpp"
+#include "../../tests/parts/checks.hpp"
 #include "../../tests/parts/submission.hpp"
 #include "../runner/messages.hpp"
 

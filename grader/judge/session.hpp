@@ -29,6 +29,10 @@ class Session {
   // this question has no answer.
   frames::Frame ask(frames::Frame question, Trajectory* columns = nullptr);
 
+  // Ends the program, which then can't measure what is done with its answers. Earlier parts can
+  // still be asked, as the solution answers for them.
+  void end() { runner_.reset(); }
+
   // CPU time of the current runner, ns; 0 if there is none.
   double cpu_ns() const { return runner_ ? runner_->cpu_ns() : 0; }
 

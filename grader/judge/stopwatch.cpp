@@ -30,7 +30,7 @@
 
 #include "../../solution/exact/simulate_scene.hpp"
 #include "../../solution/exact/truth.hpp"
-#include "../../tests/parts/cases.hpp"
+#include "../../tests/parts/checks.hpp"
 #include "../../tests/parts/submission.hpp"
 #include "../runner/messages.hpp"
 #include "facts.hpp"

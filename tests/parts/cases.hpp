@@ -1,5 +1,5 @@
-// Shared by the tests of all parts: reads a check's cases from the fixtures, and compares answers
-// with the expected ones.
+// The cases of the checks: reads them from the fixtures, and compares answers with the expected
+// ones.
 #pragma once
 
 #include <bounce/types.hpp>
@@ -44,35 +44,9 @@ struct Problem {
 constexpr const char* kConfiguration = "m, m, rad";
 constexpr const char* kVelocity = "m/s, m/s, rad/s";
 
-// --- defined by the program that runs the tests ---
-
-// The folders of the fixtures. One named "hidden" holds hidden cases.
+// Defined by the program that runs the tests: the folders of the fixtures. One named "hidden" holds
+// hidden cases.
 std::vector<std::filesystem::path> fixture_folders();
-
-// What a failed check reports: its first wrong case, or the one at which the program ended.
-struct Failure {
-  Case asked;
-  Problem problem;
-  std::size_t cases = 0;     // of the check
-  std::size_t wrong = 0;     // of these
-  std::size_t ended_at = 0;  // the number of the case at which the program ended, from 1 on; else 0
-  std::string again;  // says that it was right when it was asked before, in another order; or empty
-};
-
-// What the running check finds is told to the program that runs the tests, in this form alone.
-// GoogleTest is told only that the check failed: its messages are for people, and no program reads
-// them, since their wording changes from version to version.
-struct Reporter {
-  virtual ~Reporter() = default;
-  virtual void asks(const Case&) {}  // before each question
-  virtual void finds_first_wrong(const Case&, const Problem&) {}
-  virtual void finds_undecided() {}
-  // Returns what GoogleTest shows to whoever runs the tests by hand.
-  virtual std::string fails(const Failure& failure) = 0;
-};
-
-// Runs GoogleTest's tests, as its filter selects them. Returns RUN_ALL_TESTS().
-int run_checks(Reporter& reporter);
 
 // --- reading ---
 
@@ -83,30 +57,7 @@ std::vector<Case> read_cases(std::istream& file, bool hidden);
 // with "part3".
 std::vector<Case> cases_of(const std::string& check);
 
-// --- for the tests ---
-
-// Asks a question, and returns what is wrong with the answer.
-using Ask = Problem (*)(const Case&);
-
-// Set where recorded answers stand for the earlier parts (linked/given.cpp), and the submission
-// asks them something else: its own answer then decides nothing.
-inline bool asked_what_is_not_recorded = false;
-
-// Asks every case of the running check, public ones first, and then once more in reverse order, in
-// which they must be right again. Reports the first wrong case, and how many are wrong. What is
-// asked doesn't depend on what was right: a program would learn from it, and guess again in the
-// next check. An exception is a wrong answer, too; Ended also ends the check. A case that can't be
-// decided is neither right nor wrong.
-void for_each_case(Ask ask);
-
-// The same in one order alone, for questions that are asked twice by themselves.
-void for_each_case_once(Ask ask);
-
-// Thrown by a submission that can answer no more questions of this check. Whoever catches a
-// question's std::exception lets it pass.
-struct Ended {
-  std::string why;
-};
+// --- comparing ---
 
 // Empty if got agrees with expected in every entry. NaN never agrees.
 Problem compare(const Case& c, const std::string& name, const std::string& unit,

@@ -1,16 +1,15 @@
 #include "submission.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 #include <string>
 
 namespace bounce::submission {
 
 void require_columns(Eigen::Index q_columns, Eigen::Index v_columns, int T) {
   if (q_columns == T && v_columns == T) return;
-  throw std::runtime_error("q is 3x" + std::to_string(q_columns) + " and v is 3x" +
-                           std::to_string(v_columns) + "; both should be 3x" + std::to_string(T) +
-                           ", as T = " + std::to_string(T));
+  throw MissingColumns("q is 3x" + std::to_string(q_columns) + " and v is 3x" +
+                       std::to_string(v_columns) + "; both should be 3x" + std::to_string(T) +
+                       ", as T = " + std::to_string(T));
 }
 
 Eigen::Index columns_at_hand(Eigen::Index q_columns, Eigen::Index v_columns, int T) {

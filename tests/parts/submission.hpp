@@ -2,6 +2,7 @@
 // arguments and the result of the part's own function.
 #pragma once
 
+#include <stdexcept>
 #include <type_traits>
 
 #include "functions.hpp"
@@ -10,14 +11,18 @@
 namespace bounce::submission {
 
 // The answer to a question, and of part 4 the first T columns, or T - 1 if one is missing, so that
-// a wrong number of columns doesn't make the others wrong. Throws std::runtime_error if q or v has
+// a wrong number of columns doesn't make the others wrong. Throws MissingColumns if q or v has
 // fewer, or none. Where part 4's checks ask for a step, the judge gives the right one.
 //
 // There are two of it: linked/submission_linked.cpp calls the functions directly (in a student's
 // own build, where a debugger works); the judge's session.cpp asks a runner in another process.
 frames::Frame ask(const frames::Frame& question, Trajectory* columns);
 
-// Throws std::runtime_error, naming the shapes, unless both numbers of columns are T.
+struct MissingColumns : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// Throws MissingColumns, naming the shapes, unless both numbers of columns are T.
 void require_columns(Eigen::Index q_columns, Eigen::Index v_columns, int T);
 
 // How many of the first T columns both have. Throws the same if more than one is missing.
@@ -28,7 +33,7 @@ struct Asked;
 
 template <int part, class Result, class... Arguments, Result (*function)(Arguments...)>
 struct Asked<part, function> {
-  // Of part 4, throws std::runtime_error unless q and v are both 3xT.
+  // Of part 4, throws MissingColumns unless q and v are both 3xT.
   Result operator()(Arguments... arguments) const {
     const frames::Frame question = frames::question(part, arguments...);
     if constexpr (std::is_same_v<Result, Trajectory>) {

@@ -71,6 +71,7 @@ def judge(part: Part, how: How, work: Work, runner: Path, hidden: Path | None) -
         "part": part.number,
         "fixtures": [str(FIXTURES / "public"), *([str(hidden)] if hidden else [])],
         "given": given,
+        "backwards": how == "alone",
         "sanitized": sanitized,
         "recognise": how == "alone",
         "boxed": box.kind != "none",

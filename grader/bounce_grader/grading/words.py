@@ -20,6 +20,10 @@ OF_MEMORY = re.compile(
 )
 NOTHING = 1e-14  # as in grader/diagnosis/feedback.cpp
 CRASHES = "crashes.txt"  # what failed assertions and sanitizers mean, for ./check, too
+AGAIN = (  # as in tests/parts/linked/main.cpp
+    " when asked again in another order, though right before: is something kept from one call to "
+    "the next? "
+)
 
 
 class Verdict(NamedTuple):
@@ -109,7 +113,7 @@ def of_check(verdict: Verdict, revealed: bool = False) -> str:
     hidden = " (a hidden case)" if failure["hidden"] else ""
     asked = failure["input"].replace("\n", "\n" + 11 * " ")
     lines = [
-        f"{counts(failure)}{failure['again'] or '; '}{which}: {failure['name']}{hidden}",
+        f"{counts(failure)}{AGAIN if failure['again'] else '; '}{which}: {failure['name']}{hidden}",
         f"  input    {asked}",
         *_answer(verdict, failure, revealed or not failure["hidden"]),
     ]

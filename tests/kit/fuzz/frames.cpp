@@ -11,7 +11,7 @@
 
 #include "../../../grader/judge/session.hpp"
 #include "../../../grader/runner/messages.hpp"
-#include "../../parts/cases.hpp"
+#include "../../parts/checks.hpp"
 #include "fuzz.hpp"
 
 namespace bounce::fuzz {

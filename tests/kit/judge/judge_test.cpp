@@ -8,7 +8,7 @@
 #include <csignal>
 
 #include "../../../grader/judge/session.hpp"
-#include "../../parts/cases.hpp"
+#include "../../parts/checks.hpp"
 #include "../../parts/submission.hpp"
 
 namespace bounce {

@@ -79,7 +79,8 @@ def build_for(toolchain: str, home: Path, prefix: Path) -> None:
         assert done.returncode == 0, done.stdout + done.stderr
 
 
-RIGHT = sorted(path for path in (SUBMISSIONS / "accepted").iterdir() if [*path.glob("part*.cpp")])
+ACCEPTED = sorted((SUBMISSIONS / "accepted").iterdir())
+RIGHT = [folder for folder in ACCEPTED if {*folder.rglob("*.*pp")} == {*folder.glob("part*.cpp")}]
 KINDS = {"arm64": (FOR_ARM, ARM, [QEMU]), "libc++": (WITH_LIBCXX, "/usr/include/c++/v1", [])}
 
 

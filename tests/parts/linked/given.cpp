@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "../cases.hpp"
+#include "../checks.hpp"
 #include "messages.hpp"
 
 namespace bounce::tests {

@@ -21,6 +21,7 @@
 #include <utility>
 
 #include "answers.hpp"
+#include "checks.hpp"
 #include "crash.hpp"
 #include "feedback.hpp"
 #include "linked.hpp"
@@ -47,9 +48,12 @@ std::string question(const Case& c) {
 
 // Nothing ends a program here but its own process, which reports no failure then.
 std::string in_words(const Failure& failure) {
+  static const std::string kAgain =
+      " when asked again in another order, though right before: is something kept from one call to "
+      "the next? ";
   return std::to_string(failure.wrong) + " of " + std::to_string(failure.cases) + " cases wrong" +
-         (failure.again.empty() ? "; " : failure.again) + "the first: " + question(failure.asked) +
-         "\n" + feedback(failure.asked, failure.problem);
+         (failure.again ? kAgain : "; ") + "the first: " + question(failure.asked) + "\n" +
+         feedback(failure.asked, failure.problem);
 }
 
 struct ByHand : Reporter {
@@ -59,7 +63,7 @@ struct ByHand : Reporter {
 // Stops at the first wrong case: set a breakpoint in the part, and continue. The case is asked
 // again.
 struct Debugged : ByHand {
-  void finds_first_wrong(const Case& c, const Problem& problem) override {
+  void finds_first_wrong(const Case& c, const Problem& problem, std::size_t) override {
     std::cout << question(c) << "\n" << feedback(c, problem) << std::endl;
 #ifdef _WIN32
     __debugbreak();
@@ -83,18 +87,19 @@ class Notes : public testing::EmptyTestEventListener, public Reporter {
   std::string check_;              // the running one
   std::string asked_;              // the question that is being answered
   std::string text_;               // of the failure
-  std::string from_;               // the size of standard output before the question
+  std::vector<std::string> from_;  // the sizes of standard output before each question, behind ""
   std::string from_to_;            // these sizes before and after the reported case
   bool is_undecided_ = false;
 
   void asks(const Case& c) override {
     asked_ = question(c);
-    from_ = bytes_printed();
-    note("running" + from_, asked_);
+    from_.push_back(bytes_printed());
+    note("running" + from_.back(), asked_);
   }
 
-  void finds_first_wrong(const Case&, const Problem&) override {
-    from_to_ = from_ + bytes_printed();
+  void finds_first_wrong(const Case&, const Problem&, std::size_t number) override {
+    from_.push_back(bytes_printed());
+    from_to_ = from_[number + 1] + from_[number + 2];
   }
 
   void finds_undecided() override { is_undecided_ = true; }
@@ -103,10 +108,11 @@ class Notes : public testing::EmptyTestEventListener, public Reporter {
 
   void OnTestStart(const testing::TestInfo& test) override {
     check_ = std::string(test.test_suite_name()) + "." + test.name();
-    text_ = from_ = from_to_ = "";
+    text_ = from_to_ = "";
+    from_ = {""};
     is_undecided_ = false;
     note("running", "");
-    limit_time([this] { note("hung" + from_, asked_); });
+    limit_time([this] { note("hung" + from_.back(), asked_); });
   }
 
   void OnTestEnd(const testing::TestInfo& test) override {
@@ -146,6 +152,11 @@ std::string those_left(const std::filesystem::path& notes) {
   return pattern;
 }
 
+int run(Reporter& reporter) {
+  return run_checks(reporter,
+                    [&](const Check& check) { return ask_forth_and_back(check, reporter); });
+}
+
 int take_notes(const std::string& folder, const std::string& printed) {
   std::setvbuf(stdout, nullptr, _IONBF, 0);  // so that a crash loses no output
   testing::GTEST_FLAG(filter) = those_left(folder);
@@ -153,7 +164,7 @@ int take_notes(const std::string& folder, const std::string& printed) {
   delete listeners.Release(listeners.default_result_printer());
   auto* notes = new Notes(folder, printed);
   listeners.Append(notes);
-  return run_checks(*notes);
+  return run(*notes);
 }
 
 std::string in_words(const Mistake& m) {
@@ -200,6 +211,6 @@ int main(int argc, char** argv) {
   if (option == "--notes" && argc > 3) return bounce::tests::take_notes(argv[2], argv[3]);
   bounce::tests::ByHand by_hand;
   bounce::tests::Debugged debugged;
-  return bounce::tests::run_checks(
-      option == "--debug" ? static_cast<bounce::tests::Reporter&>(debugged) : by_hand);
+  return bounce::tests::run(option == "--debug" ? static_cast<bounce::tests::Reporter&>(debugged)
+                                                : by_hand);
 }

@@ -1,0 +1,113 @@
+#include "checks.hpp"
+
+#include <gtest/gtest.h>
+
+#include <exception>
+#include <utility>
+
+namespace bounce::tests {
+namespace {
+
+// Compares the answers to all cases, which were asked once or once more. An exception is a wrong
+// answer. The failure has no wrong case if all are right.
+Failure compare_all(const CheckAnswers& asked, bool again, Reporter& reporter) {
+  const auto& outcomes = again ? asked.again : asked.first;
+  Failure failure;
+  failure.cases = asked.cases.size();
+  failure.again = again;
+  std::size_t asked_cases = 0;
+  bool ends = false;
+  for (std::size_t i = 0; i < outcomes.size(); ++i) {
+    if (!outcomes[i]) continue;
+    ++asked_cases;
+    const Case& c = asked.cases[i];
+    const Outcome& got = *outcomes[i];
+    Problem problem{got.thrown, {}};
+    if (got.answer.has_value()) {
+      try {
+        problem = asked.check.compare(c, got.answer);
+      } catch (const std::exception& thrown) {
+        problem.sentence = thrown.what();
+      }
+    }
+    if (std::exchange(asked_what_is_not_recorded, false) || got.undecided) {
+      reporter.finds_undecided();
+      continue;
+    }
+    if (problem.empty()) continue;
+    const std::size_t number = again ? 2 * asked.cases.size() - 1 - i : i;
+    if (failure.wrong == 0) reporter.finds_first_wrong(c, problem, number);
+    if (failure.wrong == 0 || got.ended) {
+      failure.asked = c;
+      failure.problem = problem;
+    }
+    ends = ends || got.ended;
+    ++failure.wrong;
+  }
+  if (ends) failure.ended_at = asked_cases;
+  return failure;
+}
+
+class Test : public testing::Test {
+ public:
+  Test(const Check& check, Reporter& reporter, std::function<CheckAnswers(const Check&)> asked)
+      : check_(check), reporter_(reporter), asked_(std::move(asked)) {}
+
+ private:
+  const Check& check_;
+  Reporter& reporter_;
+  std::function<CheckAnswers(const Check&)> asked_;
+
+  // That a case is right once and wrong the other time is told only if all were right at first.
+  void TestBody() override {
+    const CheckAnswers asked = asked_(check_);
+    Failure failure = compare_all(asked, false, reporter_);
+    if (failure.wrong == 0) failure = compare_all(asked, true, reporter_);
+    if (failure.wrong > 0) ADD_FAILURE() << reporter_.fails(failure);
+  }
+};
+
+}  // namespace
+
+std::vector<Check>& checks() {
+  static std::vector<Check> all;
+  return all;
+}
+
+CheckAnswers::CheckAnswers(const Check& asked_check)
+    : check(asked_check), cases(cases_of(check.id())), first(cases.size()), again(cases.size()) {}
+
+Outcome ask(const Check& check, const Case& c) {
+  Outcome outcome;
+  try {
+    outcome.answer = check.ask(c);
+  } catch (const Ended& end) {
+    outcome.thrown = end.why;
+    outcome.ended = true;
+  } catch (const std::exception& thrown) {
+    outcome.thrown = thrown.what();
+  }
+  outcome.undecided = std::exchange(asked_what_is_not_recorded, false);
+  return outcome;
+}
+
+CheckAnswers ask_forth_and_back(const Check& check, Reporter& reporter) {
+  CheckAnswers asked(check);
+  const std::size_t cases = asked.cases.size();
+  for (std::size_t k = 0; k < (check.asks_once ? cases : 2 * cases); ++k) {
+    const std::size_t i = k < cases ? k : 2 * cases - 1 - k;
+    reporter.asks(asked.cases[i]);
+    (k < cases ? asked.first : asked.again)[i] = ask(check, asked.cases[i]);
+  }
+  return asked;
+}
+
+int run_checks(Reporter& reporter, const std::function<CheckAnswers(const Check&)>& asked) {
+  for (const Check& check : checks()) {
+    testing::RegisterTest(check.part.c_str(), check.name.c_str(), nullptr, nullptr, __FILE__,
+                          __LINE__, [&]() -> Test* { return new Test(check, reporter, asked); });
+  }
+  return RUN_ALL_TESTS();
+}
+
+}  // namespace bounce::tests
