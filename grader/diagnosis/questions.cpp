@@ -57,6 +57,8 @@ bool has_other_parameters(const Case& c) {
 std::vector<Case> questions(int part) {
   std::ifstream in(public_file(part));
   Cases all = read_cases(in, false), others;
+  const auto has_two_answers = [](const Case& c) { return c.other_J.has_value(); };
+  all.erase(std::remove_if(all.begin(), all.end(), has_two_answers), all.end());
   for (const Row& row : rows_of("questions " + std::to_string(part))) {
     for (const Case& base : those_of(row, all)) {
       for (const std::string& changes : split(row.at("ask"))) {

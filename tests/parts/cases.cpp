@@ -45,6 +45,7 @@ Parameters read_parameters(const json& p) {
 
 void read_expected(const json& expected, Case& c) {
   if (expected.contains("phi")) c.contact = {matrix<Jacobian>(expected.at("J")), expected["phi"]};
+  if (expected.contains("other_J")) c.other_J = matrix<Jacobian>(expected["other_J"]);
   if (expected.contains("V")) {
     c.lcp = {matrix<Eigen::Matrix4d>(expected["V"]), matrix<Eigen::Vector4d>(expected.at("p"))};
   }

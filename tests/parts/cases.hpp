@@ -5,6 +5,7 @@
 #include <bounce/types.hpp>
 #include <filesystem>
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,7 @@ struct Case {
   Vector3 q = Vector3::Zero(), v = Vector3::Zero();  // parts 1 to 3; q_0 and v_0 in part 4
   Jacobian J = Jacobian::Zero();                     // part 2
   Contact contact{Jacobian::Zero(), 0};              // expected, part 1
+  std::optional<Jacobian> other_J;                   // as right, where two corners are equally low
   Lcp lcp{Eigen::Matrix4d::Zero(), Eigen::Vector4d::Zero()};  // expected, part 2
   State state{Vector3::Zero(), Vector3::Zero()};              // expected, part 3
   std::vector<int> columns;                                   // part 4: the columns that are stored

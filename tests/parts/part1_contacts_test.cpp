@@ -8,9 +8,16 @@ namespace {
 
 Contact ask_contact(const Case& c) { return submission::get_contacts(c.q, c.params); }
 
+// Of two corners that are equally low, the one to whose J the answer is nearer.
+Jacobian right_J(const Case& c, const Contact& got) {
+  const auto distance = [&](const Jacobian& J) { return (got.J - J).cwiseAbs().maxCoeff(); };
+  const bool is_other = c.other_J && distance(*c.other_J) < distance(c.contact.J);
+  return is_other ? *c.other_J : c.contact.J;
+}
+
 Problem compare_contact(const Case& c, const Contact& got) {
   return both(compare(c, "phi", "m", c.contact.phi, got.phi),
-              compare(c, "J = [J_t J_n]", "1, 1, m", c.contact.J, got.J));
+              compare(c, "J = [J_t J_n]", "1, 1, m", right_J(c, got), got.J));
 }
 
 Problem compare_phi(const Case& c, const Contact& got) {

@@ -20,7 +20,7 @@ struct Parameters {
   double m = 0.3;              // mass, kg
   double mu = 0.3;             // friction between square and ground, no unit
   double epsilon = 0.5;        // restitution, no unit: v_n after = -epsilon v_n before
-  Vector3 g{0.0, -9.81, 0.0};  // gravity, an acceleration: m/s^2, m/s^2, rad/s^2
+  Vector3 g{0.0, -9.81, 0.0};  // gravity, an acceleration: m/s^2, m/s^2, and 0: it has no torque
   double dt = 0.01;            // time step, s
   double delta = 0.001;        // the corner is in contact when phi < delta, m
   int T = 150;                 // columns of a trajectory, the initial state included
