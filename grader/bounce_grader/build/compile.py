@@ -15,7 +15,7 @@ from bounce_grader.build import toolchain
 from bounce_grader.build.errors import Built
 from bounce_grader.build.toolchain import HELPERS_BYTES, Work
 from bounce_grader.common.errors import KitError
-from bounce_grader.common.files import temporary_folder, write_whole
+from bounce_grader.common.files import digest, temporary_folder, write_whole
 from bounce_grader.common.parallel_map import parallel_map
 from bounce_grader.common.paths import BUILD, CACHE, RUNNER, SOURCES
 from bounce_grader.sandbox.box import Box
@@ -109,11 +109,11 @@ def name_of(work: Work, file: str, names: Iterable[str]) -> str:
     taken, kind = work.taken, work.box.kind
     made_from = [FORMAT, toolchain_digest(), file, kind, work.timed, taken.include_folders]
     texts = [(name, taken.files[name]) for name in names]
-    return hashlib.sha256(repr((made_from, texts)).encode()).hexdigest()
+    return digest(made_from, texts)
 
 
 @cache
-def toolchain_digest() -> bytes:
+def toolchain_digest() -> str:
     """A digest of the flags, the precompiled headers and the kit's own objects."""
     if not (RUNNER / "prelude.pch").exists():
         raise KitError("the kit isn't built: run it as ./kit, which builds what is missing")
@@ -123,7 +123,7 @@ def toolchain_digest() -> bytes:
         raise KitError(f"the kit's folder {whose}: {copy}")
     files = sorted(path for path in RUNNER.iterdir() if path.suffix in MADE)  # no running build's
     stamps = [(path.name, path.stat().st_mtime_ns) for path in files]
-    return hashlib.sha256(repr((str(RUNNER), stamps)).encode()).digest()
+    return digest(str(RUNNER), stamps)
 
 
 def place_of(name: str) -> Path:

@@ -108,7 +108,7 @@ def _run(options: Options, canvas: Canvas | None, people: People, corpus: list[S
     intake, out, folder, speed = people.intake, options.out, options.out / "results", options.speed
     self_check.require_sound_judge(kinds(options.trust_submission))
     stamp = results.stamp_now(options.trust_submission, options.sanitize)
-    tasks = [results.Task(results.digest(s), stamp, s, folder, speed) for s in intake.students]
+    tasks = [results.Task(results.digest_of(s), stamp, s, folder, speed) for s in intake.students]
     there = results.stamp_of(folder)
     summaries = grading.grade(tasks, UNIT, options.jobs, options.dask)
     status = 3 if any(summary.state == "failed" for summary in summaries) else 0

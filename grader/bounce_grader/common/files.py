@@ -21,6 +21,12 @@ BOX_FOLDER = "bounce-box-"  # prefix of those of a reduced box, as in grader/box
 ABANDONED = 3600.0  # s, after which a temporary file counts as that; a grading takes two minutes
 
 
+def digest(*fields: Any) -> str:
+    """Of texts, bytes, numbers, and lists and tuples of them. No field can be taken for a part of
+    another: each is written out between quotes or brackets."""
+    return hashlib.sha256(repr(fields).encode()).hexdigest()
+
+
 def write_whole(path: Path, data: str | bytes, durable: bool = False, mode: int = 0) -> None:
     """Writes a file whole or not at all, by renaming a temporary one. If `durable`, the file also
     survives a power loss; a `mode` counts whatever the umask. If it raises OSError, the old file

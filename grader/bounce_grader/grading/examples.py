@@ -3,12 +3,14 @@ functions. They give points only if parts.json has some for them."""
 
 import json
 import re
+from collections.abc import Sequence
 
 from bounce_grader.common.errors import KitError
 from bounce_grader.common.manifest import Check, example_points, Part, parts
 from bounce_grader.common.paths import EXAMPLES, FIXTURES, HANDOUT, ROOT, RUNNER
 from bounce_grader.grading.record import failed_part, Record
 from bounce_grader.sandbox.box import Box
+from bounce_grader.sandbox.budget import Overrun
 from bounce_grader.sandbox.processes import Limits
 from bounce_grader.submission.submission import CASES
 
@@ -23,28 +25,41 @@ def folders() -> dict[str, str]:
     return dict(re.findall(r"(?m)^\[wrong (\S+) (\S+)\]$", SOURCE.read_text("utf-8")))
 
 
-def judged(cases: bytes, box: Box) -> Record | None:
-    """What the record says of them; None if there are none, and no points for them either."""
+def judged(cases: bytes, box: Box) -> tuple[Record | None, list[Record]]:
+    """What the record says of them, None if there are none; and, where they give points, the part
+    of the record. If the grading is out of time, they catch nothing."""
     is_own = cases.split() not in ([], (HANDOUT / CASES).read_bytes().split())
     if not is_own and not example_points():
-        return None
+        return None, []
+    try:
+        found = _judged(cases if is_own else b"", box)
+    except Overrun as overrun:
+        late = _part_record(0.0, f"not judged: {overrun}")
+        return None, [late] if late else []
+    caught, missed = len(found["caught"]), found["missed"]
+    told = f"{caught} of {caught + len(missed)} are caught"
+    part = _part_record(caught / (caught + len(missed)), told, missed)
+    return found, [part] if part else []
+
+
+def _judged(cases: bytes, box: Box) -> Record:
     command = [*box.to_build(RUNNER, [EXAMPLES, TABLE], ()), str(EXAMPLES), str(TABLE)]
-    result = box.run(command, LIMITS, stdin=cases if is_own else b"")
+    result = box.run(command, LIMITS, stdin=cases)
     if not result.ok:
         raise KitError(f"the cases in {CASES} could not be judged: {result.err.strip()}")
     return dict(json.loads(result.out))
 
 
-def part_records(found: Record) -> list[Record]:
-    """Where cases give points, a part of the record: each wrong program caught gives its share."""
-    most, missed = example_points(), found["missed"]
+def _part_record(share: float, told: str, missed: Sequence[str] = ()) -> Record | None:
+    """A part of the record, in which each wrong program that is caught gives its share; None if they
+    give no points."""
+    most, number = example_points(), len(parts()) + 1
     if not most:
-        return []
-    number, caught = len(parts()) + 1, len(found["caught"])
+        return None
     check = Check(f"part{number}.CasesCatchWrongPrograms", "cases catch all wrong programs", most)
     part = Part(number, f"part{number}_examples", "Cases", "", most, (check,), ())
-    made = failed_part(part, "graded", f"{caught} of {caught + len(missed)} are caught")
-    made["score"] = made["checks"][0]["score"] = round(most * caught / (caught + len(missed)), 2)
-    made["checks"][0]["passed"] = not missed
+    made = failed_part(part, "graded", told)
+    made["score"] = made["checks"][0]["score"] = round(most * share, 2)
+    made["checks"][0]["passed"] = share == 1
     made["checks"][0]["message"] = f"not caught: {', '.join(missed)}" if missed else ""
-    return [made]
+    return made

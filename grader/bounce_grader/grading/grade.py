@@ -54,14 +54,14 @@ def grade(given: Path | Submission, options: Options = Options()) -> Record:
         if not any(r["score"] for r in records):
             _require_working_kit(Box(box.kind))
         speed = _speed(grading) if options.speed else None
-        cases = examples.judged(taken.cases, box)
+        cases, case_records = examples.judged(taken.cases, box)
         if options.sanitize:
             records = parallel_map(grading.with_remarks, records, jobs)
     end = time.monotonic()
     seconds = {"compile": built - start, "run": end - built, "total": end - start}
     return record.whole(
         taken,
-        [*records, *(examples.part_records(cases) if cases else [])],
+        [*records, *case_records],
         box=box.kind,
         seconds={phase: round(value, 3) for phase, value in seconds.items()},
         fixtures_sha256=record.digest_of([fixtures.PUBLIC, hidden]),

@@ -4,7 +4,6 @@ Messages and names of files can hold text from a submission. They are made print
 bounded length here, so that the record is always valid JSON in UTF-8.
 """
 
-import hashlib
 import json
 from collections.abc import Iterator
 from functools import cache
@@ -13,6 +12,7 @@ from typing import Any
 
 from bounce_grader import __version__
 from bounce_grader.common.escaping import printable_name, printable_text
+from bounce_grader.common.files import digest
 from bounce_grader.common.manifest import parts, Check, Part
 from bounce_grader.common.paths import FIXTURES
 from bounce_grader.grading import words
@@ -187,8 +187,10 @@ def _with_paths(part: Record, submission: Submission) -> Record:
 
 
 def digest_of(folders: list[Path]) -> str:
-    digest = hashlib.sha256()
-    for folder in folders:
-        for file in sorted(folder.glob("*.json")):
-            digest.update(f"{folder.name}/{file.name}\0".encode() + file.read_bytes())
-    return digest.hexdigest()
+    return digest(
+        [
+            (folder.name, file.name, file.read_bytes())
+            for folder in folders
+            for file in sorted(folder.glob("*.json"))
+        ]
+    )

@@ -5,7 +5,6 @@ work folder. Headers of the contract, given files and everything that isn't sour
 reports list the names of what was left out.
 """
 
-import hashlib
 import os
 import re
 import unicodedata
@@ -15,6 +14,7 @@ from typing import NamedTuple
 
 from bounce_grader.common.errors import about_one_submission, UsageError
 from bounce_grader.common.escaping import first_few, printable_name
+from bounce_grader.common.files import digest
 from bounce_grader.common.manifest import parts, Part
 from bounce_grader.common.paths import HANDOUT
 from bounce_grader.submission import intake
@@ -82,9 +82,7 @@ class Submission(NamedTuple):
 
     @property
     def sha256(self) -> str:
-        files = sorted(self.files.items())
-        texts = [os.fsencode(f"{name}\0{len(text)}\0") + text for name, text in files]
-        return hashlib.sha256(b"".join([*texts, self.cases])).hexdigest()
+        return digest(sorted(self.files.items()), self.cases)
 
     def write_to(self, folder: Path, names: Iterable[str] | None = None) -> None:
         """Writes these files, or all, into the folder, which it creates."""

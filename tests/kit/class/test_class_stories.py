@@ -79,7 +79,7 @@ def set_stage(kit: dict[str, Any], patch: pytest.MonkeyPatch) -> None:
 
     patch.setattr(grading, "in_processes", run)
     patch.setattr(results, "__version__", version)
-    patch.setattr(results, "_sources", lambda: [])
+    patch.setattr(results, "depends_on", lambda: ([], []))
     patch.setattr(near_copies, "find", lambda *_: near_copies.Similar((), 0))
 
 

@@ -81,7 +81,10 @@ def build_for(toolchain: str, home: Path, prefix: Path) -> None:
 
 ACCEPTED = sorted((SUBMISSIONS / "accepted").iterdir())
 RIGHT = [folder for folder in ACCEPTED if {*folder.rglob("*.*pp")} == {*folder.glob("part*.cpp")}]
-KINDS = {"arm64": (FOR_ARM, ARM, [QEMU]), "libc++": (WITH_LIBCXX, "/usr/include/c++/v1", [])}
+KINDS: dict[str, tuple[str, str, list[str]]] = {
+    "arm64": (FOR_ARM, ARM, [QEMU]),
+    "libc++": (WITH_LIBCXX, "/usr/include/c++/v1", []),
+}
 
 
 @pytest.mark.long

@@ -16,7 +16,7 @@ from itertools import combinations, islice
 from pathlib import Path
 from typing import NamedTuple
 
-from bounce_grader.classroom.grading.results import digest
+from bounce_grader.classroom.grading.results import digest_of
 from bounce_grader.classroom.grading.summary import Summary
 from bounce_grader.classroom.intake import students as students_of, uploads
 from bounce_grader.common.errors import about_one_submission, UsageError
@@ -75,7 +75,7 @@ def corpus(folder: Path) -> list[Summary]:
     """Another year's submissions, to compare with. Raises UsageError if they are damaged."""
     others = []
     for student in students_of.read(folder).students:
-        digest(student)
+        digest_of(student)
         name = f"{folder.name}/{printable_name(student.who)}"
         others.append(Summary(student._replace(id=name, name=name), "graded"))
     return others

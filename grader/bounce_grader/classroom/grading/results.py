@@ -6,7 +6,6 @@ versions of the kit lie side by side; set.json says which version's results coun
 """
 
 import errno
-import hashlib
 import json
 import os
 from collections.abc import Callable, Sequence
@@ -19,23 +18,16 @@ from bounce_grader.classroom.intake import uploads
 from bounce_grader.classroom.intake.student import Student
 from bounce_grader.common.errors import KitError, UsageError
 from bounce_grader.common.escaping import first_few, printable_name, terminal
-from bounce_grader.common.files import write_whole
-from bounce_grader.common.paths import ROOT
+from bounce_grader.common.files import digest, write_whole
+from bounce_grader.common.paths import ROOT, SCENES
 from bounce_grader.grading import fixtures
-from bounce_grader.grading.record import digest_of, Record, sentence
+from bounce_grader.grading.record import Record, sentence
 from bounce_grader.sandbox.budget import Budget
 from bounce_grader.submission.submission import Submission
 
 SET = "set.json"
-# What a score depends on. What reports on records, tests the kit or publishes it can change none.
 PYTHON = ("build", "common", "grading", "sandbox", "submission", "classroom/intake")
 CPP = ("judge", "runner", "box", "diagnosis")
-SOURCES = (
-    *(f"grader/bounce_grader/{room}" for room in PYTHON),
-    *(f"grader/{room}" for room in CPP),
-    *("tests/parts", "solution/src", "student/include", "student/given"),
-)
-FILES = ("grader/parts.json", "grader/bounce_grader/classroom/grading/results.py")
 Result = dict[str, Any]
 
 
@@ -60,7 +52,7 @@ class Task(NamedTuple):
     @property
     def key(self) -> str:
         """Of the result."""
-        return hashlib.sha256(repr((self.submission, *self.stamp)).encode()).hexdigest()
+        return digest(self.submission, tuple(self.stamp))
 
 
 Grade = Callable[[Submission, Task, Budget], Record]
@@ -69,7 +61,7 @@ Grade = Callable[[Submission, Task, Budget], Record]
 Unit = Callable[[Task], str]
 
 
-def digest(student: Student) -> str:
+def digest_of(student: Student) -> str:
     """A digest of all that is used of a submission, or of the reason if it can't be read. Raises
     Damaged if the class's download is damaged."""
     data: list[Any] = [os.path.isdir(student.path)]
@@ -80,22 +72,36 @@ def digest(student: Student) -> str:
         raise
     except UsageError as error:
         data.append(str(error).replace(str(student.path), ""))
-    return hashlib.sha256(repr(data).encode()).hexdigest()
+    return digest(data)
+
+
+def depends_on() -> tuple[list[Path], list[Path]]:
+    """The kit's own files from which a result follows, and its data: cases with known mistakes and
+    wrong programs, and scenes. They are the same on every machine of a cluster. What reports on
+    records, tests the kit, or is the handout's alone changes no result."""
+    rooms = (
+        *(f"grader/bounce_grader/{room}" for room in PYTHON),
+        *(f"grader/{room}" for room in CPP),
+        *("tests/parts", "solution/src", "solution/exact", "solution/methods"),
+        *("student/include", "student/given/examples"),
+    )
+    files = {file for room in rooms for file in (ROOT / room).rglob("*.*") if file.is_file()}
+    files -= {*(ROOT / "tests/parts/linked").iterdir()}
+    files = {file for file in files if "__pycache__" not in file.parts}
+    one_by_one = ("grader/parts.json", "student/given/solve_lcp.cpp")
+    sources = sorted([*files, *(ROOT / name for name in one_by_one), Path(__file__)])
+    folders = (fixtures.PUBLIC, fixtures.hidden_folder(), SCENES)
+    data = sorted(file for folder in folders for file in folder.rglob("*.*") if file.is_file())
+    return sources, data
 
 
 def stamp_now(trust: bool, sanitize: bool) -> Stamp:
-    kit = hashlib.sha256(__version__.encode())
-    for file in _sources():
-        kit.update(f"\0{file.relative_to(ROOT)}\0".encode() + file.read_bytes())
-    cases = digest_of([fixtures.PUBLIC, fixtures.hidden_folder()])
-    return Stamp(kit.hexdigest(), cases, trust, sanitize)
+    def of(files: list[Path]) -> str:
+        held = [(str(file.relative_to(ROOT)), file.read_bytes()) for file in files]
+        return digest(__version__, held)
 
-
-def _sources() -> list[Path]:
-    """Those that a score depends on, the same on every machine of a cluster."""
-    kinds = {".py", ".cpp", ".hpp", ".json", ".txt"}
-    files = (file for room in SOURCES for file in (ROOT / room).rglob("*") if file.suffix in kinds)
-    return sorted([*files, *(ROOT / file for file in FILES)])
+    sources, data = depends_on()
+    return Stamp(of(sources), of(data), trust, sanitize)
 
 
 # --- one grading ---
