@@ -114,9 +114,18 @@ class Ground {
       return after[i] < cut && (approach >= 0 || (pressed[i] > 0 && after[i] < cut / 100));
     };
     if (!stays(0) && !stays(1)) return {};
-    const int k = hit.index[stays(0) ? 0 : 1];
+    const bool is_second = stays(1) && (!stays(0) || tips_on(r_2, r_1, s, v_t));
+    const int k = hit.index[is_second ? 1 : 0];
     stop_leaving(s, r[k]);
     return {1, {k}};
+  }
+
+  // Whether the side presses on the first of these corners more than on the other: on that a square
+  // tips which doesn't stay flat.
+  bool tips_on(const Arm<Real>& corner, const Arm<Real>& other, const Motion<Real>& s,
+               Real v_t) const {
+    const SideImpulse<Real> f = side_force(s, body_, v_t);  // of the left corner and the right one
+    return (f.n[1] > f.n[0]) == (corner.x > other.x);
   }
 
   // Applies the impulses of the side's LCP for these u, and returns the normal ones.
