@@ -202,7 +202,8 @@ void keep_pipes_from_being_opened_again() {
 
 void limit_and_filter(const std::string& kind, rlim_t others) {
   const bool build = kind == "build";
-  limit(RLIMIT_CORE, 0);
+  limit(RLIMIT_CORE,
+        1);  // with 0, the system would still start a program that takes cores by a pipe
   const rlim_t of_a_run = others > 0 ? kRunProcessesOfASharedUser : kRunProcesses;
   limit(RLIMIT_NPROC, others + (build ? kBuildProcesses : of_a_run));
   limit(RLIMIT_NOFILE, build ? 256 : 16);

@@ -62,7 +62,7 @@ void limit(int resource, rlim_t soft, rlim_t hard) {
   if (!limits.sanitized) limit(RLIMIT_AS, limits.memory, limits.memory);
   limit(RLIMIT_FSIZE, kLargestFile, kLargestFile);
   limit(RLIMIT_NOFILE, 64, 64);
-  limit(RLIMIT_CORE, 0, 0);
+  limit(RLIMIT_CORE, 1, 1);                      // as in enter.cpp
   std::vector<char*> words(command.size() + 1);  // the last is null
   std::transform(command.begin(), command.end(), words.begin(),
                  [](const std::string& word) { return const_cast<char*>(word.c_str()); });

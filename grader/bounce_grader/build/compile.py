@@ -24,6 +24,7 @@ from bounce_grader.submission.submission import Submission
 
 HELPERS_SECONDS = 30  # of CPU time, for all helpers of a submission together
 # Change it to invalidate all objects.
+INTERPRETER = b"\0.interp\0"  # among the names of an object's sections
 FORMAT = "a file of its own from a process of its own, with its digest"
 KEPT_BYTES = 16 << 20  # in each of the 256 folders
 DIGEST = 32  # bytes
@@ -92,7 +93,10 @@ def _built(work: Work, unnamed: set[str], file: str) -> Built:
             return toolchain.compile_problem(first, file)
         if size > toolchain.LARGEST_OBJECT:
             return toolchain.too_large(file)
-        return Built(store(made.read_bytes(), place))
+        data = made.read_bytes()
+        if INTERPRETER in data:
+            return Built(None, f"{file} names a program to start it with (a section .interp)")
+        return Built(store(data, place))
     except Overrun as overrun:
         return Built(None, f"{file} wasn't compiled: {overrun}")
     finally:

@@ -112,8 +112,8 @@ def _csv_field(value: Value) -> str:
 def markdown(text: str) -> str:
     """One line without markup; on GitHub, also without a mention, a reference or a link."""
     line = escape(printable(text).replace("\n", " "), quote=False)
-    marked = re.sub(r"([\\`*_{}\[\]()#+!|~-])", r"\\\1", line)
-    return _no_command(re.sub(r"(@|#|://|www\.)", rf"\1{ZERO_WIDTH_SPACE}", marked))
+    marked = re.sub(r"([\\`*_{}\[\]()#+!|~$-])", r"\\\1", line)
+    return _no_command(re.sub(r"(@|#|://|www\.|(?i:GH)(?=\\-))", rf"\1{ZERO_WIDTH_SPACE}", marked))
 
 
 def markdown_block(text: str) -> str:

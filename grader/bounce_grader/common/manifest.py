@@ -93,7 +93,7 @@ def _problems(found: tuple[Part, ...], examples: object) -> Iterator[str]:
         given = {f"part {number}": part.points} | {c.id: c.points for c in part.checks}
         for what, points in given.items():
             if not _is_points(points):
-                yield f"the points of {what} have to be a number that isn't negative"
+                yield f"the points of {what} have to be a whole number that isn't negative"
         total = sum(check.points for check in part.checks)
         if not math.isclose(total, part.points, abs_tol=1e-9):
             unequal = f"gives {part.points:g} points, and its checks {total:g} together"
@@ -102,10 +102,11 @@ def _problems(found: tuple[Part, ...], examples: object) -> Iterator[str]:
         if times > 1:
             yield f"the check {id} is there {times} times: keep one"
     if not _is_points(examples):
-        yield "the points of examples have to be a number that isn't negative"
+        yield "the points of examples have to be a whole number that isn't negative"
     if not sum(part.points for part in found):
         yield "all checks together give no points"
 
 
 def _is_points(points: Any) -> bool:
-    return type(points) in (int, float) and 0 <= points < math.inf
+    """Whole, since some services and ./check take no others."""
+    return type(points) in (int, float) and 0 <= points < math.inf and points == int(points)

@@ -116,6 +116,7 @@ DESTINATIONS = {
 @example("```\nout")
 @example("````\n~~~\n    x")
 @example("50% done\nnow,a:b")
+@example("$x^2$, GH-1 and gh-2")
 def test_a_text_is_read_as_what_it_was(name: str, text: str) -> None:
     to = DESTINATIONS[name]
     document = to.write(text)
@@ -125,6 +126,11 @@ def test_a_text_is_read_as_what_it_was(name: str, text: str) -> None:
         read, shown = read.replace(" ", ""), shown.replace(" ", "")
     assert read == shown
     assert odd_texts.commands_in(document) == [document] * (name == "GitHub's log")
+
+
+def test_markdown_holds_no_mathematics_and_no_reference_to_an_issue() -> None:
+    written = escaping.markdown("$x$ GH-1 gh-2")
+    assert "\\$x\\$" in written and "GH\\-" not in written and "gh\\-" not in written
 
 
 # --- the record ---
