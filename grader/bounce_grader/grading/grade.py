@@ -168,13 +168,13 @@ class _Grading:
         if part.number in taken.refused:
             return self._not_built(part, taken.refused[part.number], None)
         if part.number not in taken.parts:
-            message = f"{part.file} isn't among the files submitted"
+            message = f"{part.file} isn't among the files submitted{taken.instead_of(part)}"
             return record.failed_part(part, "not_submitted", message)
         file = taken.parts[part.number]
         words = taken.files[file].split()
         if not words:
             return self._not_built(part, f"{file} is empty", None)
-        if words == (STUBS / part.file).read_bytes().split():
+        if submission.is_stub(part, taken.files[file]):
             message = f"nothing is filled in yet: start at the TODO in {part.file}"
             return record.failed_part(part, "graded", message)
         built = self.work.parts[part.number]

@@ -13,6 +13,8 @@ from typing import NamedTuple
 from bounce_grader.common.errors import UsageError
 from bounce_grader.common.escaping import printable_name, printable_text
 
+SOURCES = {".cpp", ".cc", ".cxx"}
+HEADERS = {".hpp", ".h", ".hh", ".hxx", ".ipp", ".inl"}
 MOST_ENTRIES = 5000
 LARGEST_SOURCE = 1024 * 1024
 # Non-blocking: a pipe that replaced a file must not make us wait.

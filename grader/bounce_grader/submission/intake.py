@@ -22,7 +22,15 @@ from bounce_grader.common.escaping import printable_name, printable_text
 from bounce_grader.common.manifest import parts
 from bounce_grader.sandbox import box as boxes
 from bounce_grader.sandbox.processes import Limits, Result
-from bounce_grader.submission.entry import Entry, MOST_ENTRIES, of_folder, readable, too_many
+from bounce_grader.submission.entry import (
+    Entry,
+    HEADERS,
+    MOST_ENTRIES,
+    of_folder,
+    readable,
+    SOURCES,
+    too_many,
+)
 
 BY_LIBARCHIVE = (".tar.gz", ".tgz", ".tar.bz2", ".tar.xz", ".tar.zst", ".tar", ".7z", ".rar")
 ENDINGS = (".zip", *BY_LIBARCHIVE)
@@ -62,12 +70,14 @@ class UnpackLimits:
 
 
 def is_archive(name: str) -> bool:
-    return name.lower().endswith(ENDINGS)
+    return archive_stem(name) != name
 
 
 def archive_stem(name: str) -> str:
-    """The name without the archive's ending: hw from hw.tar.gz."""
-    return next((name[: -len(e)] for e in ENDINGS if name.lower().endswith(e)), name)
+    """The name without the archive's ending: hw from hw.tar.gz, and from hw.tar-1.gz, as Canvas
+    names one that is handed in again."""
+    plain = re.sub(r"(\.tar)-\d+(\.\w+)$", r"\1\2", name, flags=re.I)
+    return next((plain[: -len(e)] for e in ENDINGS if plain.lower().endswith(e)), name)
 
 
 @contextmanager
@@ -123,7 +133,7 @@ def _unpacked(path: Path, stream: BinaryIO, left: UnpackLimits) -> Iterator[Entr
     with readable(path):
         start = stream.read(512)
         stream.seek(0)
-    named = path.name.lower().endswith(BY_LIBARCHIVE) and not start.startswith(b"PK")
+    named = is_archive(path.name) and path.suffix.lower() != ".zip" and not start.startswith(b"PK")
     if named or MAGIC.match(start):
         with readable(path):
             packed = _packed(path, stream.read)
@@ -139,12 +149,16 @@ def _packed(path: Path, read: Callable[[int], bytes]) -> bytes:
 
 
 def checked(path: Path, entries: Iterable[Entry]) -> Iterator[Entry]:
-    """An archive's entries by names that lead nowhere else, each once. Raises UsageError."""
+    """An archive's entries by names that lead nowhere else, each once: of what is no source, the
+    first. Raises UsageError."""
     names: set[str] = set()
     for entry in entries:
         name = _inside_name(path, entry.name)
         if name in names:
-            raise UsageError(f"{path} holds two entries of the same name: make it anew")
+            used = PurePosixPath(name).suffix.lower() in SOURCES | HEADERS | {".txt"}
+            if used or is_archive(name):
+                raise UsageError(f"{path} holds {printable_name(name)} twice: make it anew")
+            continue
         names.add(name)
         yield entry._replace(name=name)
 

@@ -8,7 +8,7 @@ reports list the names of what was left out.
 import os
 import re
 import unicodedata
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path, PurePosixPath
 from typing import NamedTuple
 
@@ -16,13 +16,18 @@ from bounce_grader.common.errors import about_one_submission, UsageError
 from bounce_grader.common.escaping import first_few, printable_name
 from bounce_grader.common.files import digest
 from bounce_grader.common.manifest import parts, Part
-from bounce_grader.common.paths import HANDOUT
+from bounce_grader.common.paths import HANDOUT, ROOT, STUBS
 from bounce_grader.submission import intake
-from bounce_grader.submission.entry import text_of, Entry, LARGEST_SOURCE, NotText
+from bounce_grader.submission.entry import (
+    Entry,
+    HEADERS,
+    LARGEST_SOURCE,
+    NotText,
+    SOURCES,
+    text_of,
+)
 
-SOURCES = {".cpp", ".cc", ".cxx"}
 CASES = "examples.txt"  # which students write for ./check --examples
-HEADERS = {".hpp", ".h", ".hh", ".hxx", ".ipp", ".inl"}
 GIVEN = {file.name for file in (HANDOUT / "given").iterdir()} | {"main.cpp"}
 GIVEN_IN_FOLDERS = {file.relative_to(HANDOUT).parts for file in (HANDOUT / "given").glob("*/*")}
 MOST_SOURCES = 100
@@ -31,6 +36,7 @@ LONGEST_NAME = 255  # bytes, folders and all
 MAC_FOLDER = "__MACOSX"
 BUILT_OR_GIVEN = {"build", MAC_FOLDER, "CMakeFiles", "fixtures", "tests"}
 BESIDE_SRC = ("exact/", "methods/", "study/")  # in solution/, whose src/ is graded as a submission
+SOLUTION = ROOT / "solution"
 INCLUDES_GTEST = re.compile(rb'^[ \t]*#[ \t]*include[ \t]*[<"]g(?:test|mock)/', re.M)
 HAS_A_TEST = re.compile(rb"^[ \t]*TEST(?:_F|_P)?[ \t]*\(", re.M)
 # Whose a file is, by its name in a service's download of a whole class.
@@ -84,6 +90,18 @@ class Submission(NamedTuple):
     def sha256(self) -> str:
         return digest(sorted(self.files.items()), self.cases)
 
+    def instead_of(self, part: Part) -> str:
+        """What to do about a missing part whose work seems to be in another file; else ""."""
+        defined = re.compile(rf"[\w>&]\s+(?:\w+::)*{part.function}\s*\([^;{{}}]*\)\s*\{{".encode())
+        named = (
+            n for n in (*self.files, *self.ignored) if part.stem in n.rpartition("/")[2].lower()
+        )
+        holding = (name for name, text in self.files.items() if defined.search(text))
+        for name in (*holding, *named):
+            shown = printable_name(name.partition(" (")[0])
+            return f"; {shown} may hold it: hand that in as {part.file}, a part in a file"
+        return ""
+
     def write_to(self, folder: Path, names: Iterable[str] | None = None) -> None:
         """Writes these files, or all, into the folder, which it creates."""
         folder.mkdir(parents=True, exist_ok=True)
@@ -114,7 +132,7 @@ def take(path: Path, entries: list[Entry]) -> Submission:
     """Chooses the sources among the entries, and reads them."""
     top = _common_folder(entries)
     names = {entry.name.removeprefix(f"{top}/"): entry for entry in entries}
-    apart = BESIDE_SRC if any(n.startswith("src/") for n in names) else ()
+    apart = BESIDE_SRC if path.absolute() == SOLUTION else ()
     own = (name for name, entry in names.items() if not (entry.link or name.startswith(apart)))
     wanted = {name: names[name] for name in own if _wanted(PurePosixPath(name))}
     if len(wanted) > MOST_SOURCES:
@@ -129,7 +147,7 @@ def take(path: Path, entries: list[Entry]) -> Submission:
         if sum(map(len, files.values())) > MOST_BYTES:
             raise _too_much(path)
     _require_a_place_for_each(path, wanted)
-    chosen = {part.number: name for part in parts() for name in _choose(part, list(wanted))}
+    chosen = {part.number: name for part in parts() for name in _choose(part, list(wanted), files)}
     others = files.keys() - {*chosen.values()}
     tests = {name for name in others if _is_test(name, files[name])}
     not_text |= dict.fromkeys(tests, "holds GoogleTest tests, which aren't run here")
@@ -190,9 +208,15 @@ def _usable(name: str) -> bool:
     return spelled and not name.startswith(("-", "@")) and len(name.encode()) <= LONGEST_NAME
 
 
-def _choose(part: Part, names: list[str]) -> Iterator[str]:
-    """The file of a part; of several, the nearest to the top. Copies count where it is missing."""
-    copies = [PurePosixPath(n) for n in names if part_file(PurePosixPath(n).name) == part.file]
+def is_stub(part: Part, text: bytes) -> bool:
+    return text.split() == (STUBS / part.file).read_bytes().split()
+
+
+def _choose(part: Part, names: list[str], files: Mapping[str, bytes]) -> Iterator[str]:
+    """The file of a part; of several, the nearest to the top. Copies count where it is missing, and
+    what is as it was handed out only where nothing else is there."""
+    every = [PurePosixPath(n) for n in names if part_file(PurePosixPath(n).name) == part.file]
+    copies = [n for n in every if not is_stub(part, files.get(str(n), b""))] or every
     named = [path for path in copies if path.name.lower() == part.file] or copies
     depth = min((len(f.parts) for f in named), default=0)
     nearest = sorted(str(f) for f in named if len(f.parts) == depth)

@@ -18,9 +18,9 @@ from bounce_grader.common.errors import about_one_submission, UsageError
 from bounce_grader.common.escaping import first_few, printable_name
 from bounce_grader.common.manifest import parts
 from bounce_grader.submission import intake, submission
-from bounce_grader.submission.entry import Entry, LARGEST_SOURCE, of_bytes, SAFELY
+from bounce_grader.submission.entry import Entry, HEADERS, LARGEST_SOURCE, of_bytes, SAFELY, SOURCES
 from bounce_grader.submission.intake import checked, is_archive, name_in_zip, NOT_USED, UnpackLimits
-from bounce_grader.submission.submission import COPY, HEADERS, part_file, SOURCES, Submission
+from bounce_grader.submission.submission import COPY, part_file, Submission
 
 FAILURES = (zipfile.BadZipFile, zlib.error, EOFError, OSError, ValueError, RuntimeError, KeyError)
 MOST_ZIPS = 10
