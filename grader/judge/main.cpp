@@ -11,12 +11,14 @@
 //   "recognise", "answers", "watch"   see below
 //
 // Prints {"checks": [{"id", "passed", "status", "ended", "stack", "failure"}],
-//         "largest_error": number or null, "mistakes": [name], "patterns": [sentence]}
+//         "largest_error": number or null, "asked_given": bool, "mistakes": [name],
+//         "patterns": [sentence]}
 // ended says how the program ended, if it did, and stack where it came; failure is the failed case
 // in numbers, with the expected answers of hidden cases, which students must not see (both:
 // facts.hpp); null if the check passed, or failed as a whole. largest_error is the largest in
-// public cases, and null if it isn't finite. mistakes and patterns are empty unless "recognise" is
-// given and a check failed; then a second runner is asked the public cases.
+// public cases, and null if it isn't finite. asked_given says whether it called the given part
+// before. mistakes and patterns are empty unless "recognise" is given and a check failed; then a
+// second runner is asked the public cases.
 //
 // With "answers", it prints the runner's answers to the public cases instead: each is a list of
 // numbers, with null for NaN and infinity, or the text of an exception. With "watch", it asks
@@ -213,6 +215,7 @@ json verdicts() {
 
   json result = {{"checks", verdicts->checks},
                  {"largest_error", tests::largest_error()},
+                 {"asked_given", first->has_asked_given()},
                  {"mistakes", json::array()},
                  {"patterns", json::array()}};
   if (is_asked("recognise") && may_be_a_mistake(verdicts->checks)) recognise(result);

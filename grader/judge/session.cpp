@@ -138,6 +138,7 @@ Frame Session::answer_of(const Frame& question, Trajectory* columns) {
     if (callbacks > most_callbacks(question)) {
       throw Termination{"timed_out", "called earlier parts", callbacks};
     }
+    has_asked_given_ = has_asked_given_ || answer.part + 1 == part_;
     runner_->send(reply_ahead(answer));
     answer = runner_->receive();
   }

@@ -33,6 +33,10 @@ class Session {
   // still be asked, as the solution answers for them.
   void end() { runner_.reset(); }
 
+  // Whether the program has called the given part before its own. One that never does has code of
+  // its own for that, as in a helper that both share.
+  bool has_asked_given() const { return has_asked_given_; }
+
   // CPU time of the current runner, ns; 0 if there is none.
   double cpu_ns() const { return runner_ ? runner_->cpu_ns() : 0; }
 
@@ -53,7 +57,7 @@ class Session {
   Start start_;
   Limits limits_;  // its idle_seconds are those that are left
   std::uint32_t part_;
-  bool given_;
+  bool given_, has_asked_given_ = false;
   std::unique_ptr<RunnerProcess> runner_;
   Numbers numbers_;
   int hangs_left_;

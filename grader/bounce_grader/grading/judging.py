@@ -37,7 +37,8 @@ How = Literal["together", "alone", "sanitized"]
 
 
 class Judged(NamedTuple):
-    """The verdicts of one part, by check id. graded_with is "own" or "given" (earlier parts).
+    """The verdicts of one part, by check id. graded_with is "given" if it called
+    the part before it, and that was given; else "own", as where it shares a helper with that part.
     `mistakes` names the known mistakes that it makes. If there is none, `patterns` says what its
     wrong numbers have in common, such as a factor or a sign."""
 
@@ -90,7 +91,7 @@ def judge(part: Part, how: How, work: Work, runner: Path, hidden: Path | None) -
     stacks = {verdict.stack for verdict in judged.verdicts.values() if verdict.stack}
     places = {stack: _place(stack, runner, work) for stack in stacks}
     verdicts = {id: v._replace(place=places.get(v.stack)) for id, v in judged.verdicts.items()}
-    return judged._replace(verdicts=verdicts, graded_with="given" if given else "own")
+    return judged._replace(verdicts=verdicts)
 
 
 def read_answer(out: bytes, part: Part) -> Judged:
@@ -100,6 +101,7 @@ def read_answer(out: bytes, part: Part) -> Judged:
         answer = _printable(json.loads(out))
         verdicts = {check.pop("id"): Verdict(**check) for check in answer["checks"]}
         largest, mistakes, patterns = (answer[k] for k in ("largest_error", "mistakes", "patterns"))
+        graded_with = "given" if answer["asked_given"] else "own"
     except (ValueError, TypeError, LookupError) as error:
         raise KitError(f"the judge's answer on part {part.number} can't be read") from error
     if missing := [check.id for check in part.checks if check.id not in verdicts]:
@@ -107,7 +109,7 @@ def read_answer(out: bytes, part: Part) -> Judged:
         correct = "correct the id there, or leave the check out"
         raise KitError(f"the judge's checks of part {part.number} {some}: {correct}")
     kept = {check.id: verdicts[check.id] for check in part.checks}
-    return Judged(kept, largest, "own", tuple(mistakes), tuple(patterns))
+    return Judged(kept, largest, graded_with, tuple(mistakes), tuple(patterns))
 
 
 def _printable(x: Any) -> Any:

@@ -67,6 +67,8 @@ def test_the_record_says_what_is_so(grade: Grade, row: dict[str, Any]) -> None:
     assert [m["name"] for part in record["parts"] for m in part["mistakes"]] == row.get(
         "mistakes", []
     )
+    with_parts = [part["graded_with"] for part in record["parts"]]
+    assert with_parts == row.get("graded_with", with_parts)
     checks = [check for part in record["parts"] for check in part["checks"]]
     costs = {c["id"]: c["mistake"]["name"] for c in checks if c["mistake"]}
     assert costs.items() >= row.get("costs", {}).items()
@@ -166,7 +168,7 @@ def test_what_the_compiler_can_see_was_made_without_the_solution() -> None:
 # --- the fault of the kit is nobody's zero ---
 
 Patch = pytest.MonkeyPatch
-NO_CHECKS = '\'{"checks": [], "largest_error": 0, "mistakes": [], "patterns": []}\''
+NO_CHECKS = '\'{"checks": [], "largest_error": 0, "asked_given": false, "mistakes": [], "patterns": []}\''
 
 
 def judge_that(patch: Patch, script: Path, does: str) -> None:
