@@ -97,7 +97,7 @@ def check_file(data: bytes, path: Path) -> bool:
         assert str(own) == name and not own.is_absolute() and ".." not in own.parts
         assert len(name.encode("utf-8")) <= submission.LONGEST_NAME and name[0] not in "-@"
         assert not re.search("[\0-\x1f\x7f\u202e]", name)
-        assert own.suffix.lower() in submission.SOURCES | submission.HEADERS
+        assert own.suffix.lower() in entry.SOURCES | entry.HEADERS
         assert b"\0" not in text and len(text) <= 3 * entry.LARGEST_SOURCE
         assert not any(str(folder) in taken.files for folder in own.parents)
     assert set(taken.parts.values()) <= set(taken.files)

@@ -168,7 +168,9 @@ def test_what_the_compiler_can_see_was_made_without_the_solution() -> None:
 # --- the fault of the kit is nobody's zero ---
 
 Patch = pytest.MonkeyPatch
-NO_CHECKS = '\'{"checks": [], "largest_error": 0, "asked_given": false, "mistakes": [], "patterns": []}\''
+NO_CHECKS = (
+    '\'{"checks": [], "largest_error": 0, "asked_given": false, "mistakes": [], "patterns": []}\''
+)
 
 
 def judge_that(patch: Patch, script: Path, does: str) -> None:

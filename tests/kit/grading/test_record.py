@@ -39,7 +39,9 @@ def test_whatever_is_said_the_record_stays_json(text: str, names: list[str], sta
         made: dict[str, Any] = {"passed": False, "status": status, "ended": ended, "stack": ""}
         made["failure"] = failure(sentence=text, name=text)
         answer = {"checks": [made | {"id": id} for id in IDS], "mistakes": [], "patterns": [text]}
-        told = judging.read_answer(json.dumps(answer | {"largest_error": 0.5, "asked_given": False}).encode(), PART)
+        told = judging.read_answer(
+            json.dumps(answer | {"largest_error": 0.5, "asked_given": False}).encode(), PART
+        )
         part = record.part_record(PART, told)
     taken = Submission("x", {}, {}, {}, tuple(names))
     whole = record.whole(taken, [part])
