@@ -118,7 +118,7 @@ class CornerMotion {
   std::pair<Guard, Real> first_guard(Real end) const {
     std::pair<Guard, Real> first{Guard::none, std::numeric_limits<Real>::infinity()};
     const auto watch = [&](Guard guard, auto coefficient) {
-      Series<Real> f;
+      Series<Real> f{};
       for (int n = 0; n < order_; ++n) f[n] = coefficient(n);
       const Real t = first_fall(f, order_ - 1, std::min(end, first.second));
       if (t < first.second) first = {guard, t};
