@@ -147,7 +147,8 @@ Words formulas(const WrongPart& part, const std::string& rows) {
   const Columns& got = part.columns;
   const Columns right = columns_of(part.part, part.cases, part.right, part.right);
   Words sentences;
-  for (const Row& row : rows_of(rows + std::to_string(part.part))) {
+  const std::string block = rows + std::to_string(part.part);
+  for (const Row& row : rows_of(block)) {
     const std::string where = row.count("where") > 0 ? row.at("where") : "1";
     if (row.count("otherwise") == 0 || sentences.empty())
       add_row(sentences, row, {got, right, value(where, got)});

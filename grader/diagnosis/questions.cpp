@@ -59,7 +59,8 @@ std::vector<Case> questions(int part) {
   Cases all = read_cases(in, false), others;
   const auto has_two_answers = [](const Case& c) { return c.other_J.has_value(); };
   all.erase(std::remove_if(all.begin(), all.end(), has_two_answers), all.end());
-  for (const Row& row : rows_of("questions " + std::to_string(part))) {
+  const std::string block = "questions " + std::to_string(part);
+  for (const Row& row : rows_of(block)) {
     for (const Case& base : those_of(row, all)) {
       for (const std::string& changes : split(row.at("ask"))) {
         for (const Case& c : changed(base, changes)) others.push_back(c);

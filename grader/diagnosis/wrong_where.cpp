@@ -11,7 +11,8 @@ std::string where(const WrongPart& part, const std::vector<Number>& numbers) {
   if (count - wrong.count() < Eigen::Index(kEnough)) return "";
   Words words;  // of what is true of all wrong questions, and of the fewest right ones
   const Row* of = nullptr;
-  for (const Row& row : rows_of("where " + std::to_string(part.part))) {
+  const std::string block = "where " + std::to_string(part.part);
+  for (const Row& row : rows_of(block)) {
     for (const auto& [name, formula] : alternatives(row.at("traits"))) {
       const Questions is = value(formula, part.columns) != 0;
       if ((wrong && !is).any() || is.all() || is.count() > fewest.count()) continue;
