@@ -90,6 +90,10 @@ void allow_one_start(Filter& filter) {
   filter.rule(no(ENOSYS), SCMP_SYS(execveat));
 }
 
+// TCGETS2, by which glibc asks from 2.42 on whether output is a terminal; its header defines it
+// with a structure that can't be included beside sys/ioctl.h's.
+constexpr scmp_datum_t kTcgets2 = 0x802C542A;
+
 void allow_numbers(Filter& filter) {
   filter.rules(SCMP_ACT_ALLOW,
                "read write readv writev lseek brk munmap mremap mprotect rt_sigaction "
@@ -113,7 +117,9 @@ void allow_numbers(Filter& filter) {
   filter.rule(SCMP_ACT_ALLOW, SCMP_SYS(kill), SCMP_A0(SCMP_CMP_EQ, self));
   filter.rule(SCMP_ACT_ALLOW, SCMP_SYS(prlimit64), SCMP_A0(SCMP_CMP_EQ, 0),
               SCMP_A2(SCMP_CMP_EQ, 0));
-  filter.rule(SCMP_ACT_ALLOW, SCMP_SYS(ioctl), SCMP_A1(SCMP_CMP_EQ, TCGETS));
+  for (const scmp_datum_t asks : {scmp_datum_t{TCGETS}, kTcgets2}) {
+    filter.rule(SCMP_ACT_ALLOW, SCMP_SYS(ioctl), SCMP_A1(SCMP_CMP_EQ, asks));
+  }
   // Shared memory stays, and counts as nobody's, while one page of it is mapped.
   filter.rule(SCMP_ACT_ALLOW, SCMP_SYS(mmap), SCMP_A3(SCMP_CMP_MASKED_EQ, MAP_SHARED, 0));
   filter.rule(no(EPERM), SCMP_SYS(mmap), SCMP_A3(SCMP_CMP_MASKED_EQ, MAP_SHARED, MAP_SHARED));
