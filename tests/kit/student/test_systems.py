@@ -106,10 +106,10 @@ def test_right_programs_pass_the_public_checks_on(kind: str, tmp_path: Path) -> 
         return [stem for stem, done in tried.items() if done.returncode]
 
     assert failing() == []
-    assert {folder.name: failing(f"accepted/{folder.name}") for folder in RIGHT[::4]} == {
-        folder.name: [] for folder in RIGHT[::4]
+    assert {folder.name: failing(f"accepted/{folder.name}") for folder in RIGHT[::8]} == {
+        folder.name: [] for folder in RIGHT[::8]
     }
-    assert failing(FRICTION) == ["part3_step"]
+    assert failing(FRICTION) == ["part3_step", "part4_simulate"]  # which calls it
 
 
 @pytest.mark.long
