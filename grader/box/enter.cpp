@@ -44,10 +44,9 @@
 namespace bounce::box {
 namespace {
 
-constexpr rlim_t kBuildProcesses = 128, kRunProcesses = 32;  // processes; a thread counts as one
-// Where others of the same user count, too: a run could take what another needs. So there, the
-// limit only bounds what it starts before the judge, which counts its threads, ends it.
-constexpr rlim_t kRunProcessesOfASharedUser = 4096;
+// What a box may start above what its user has when it begins: processes, of which a thread counts
+// as one. So few that it takes none that another box of the same user needs.
+constexpr rlim_t kTasks = 128;
 
 struct Options {
   std::string kind, box = "full";
@@ -89,28 +88,17 @@ void limit(__rlimit_resource resource, rlim_t value) {
   require(::setrlimit(resource, &now), "a limit");
 }
 
-// A new user namespace counts its processes separately. It maps no user, and gives no rights.
-bool leave_the_common_user_namespace() { return ::unshare(CLONE_NEWUSER) == 0; }
-
-// How many processes and threads this user has.
-rlim_t tasks_of_this_user() {
+// How many processes and threads a user has.
+rlim_t tasks_of(uid_t user) {
   rlim_t tasks = 0;
   std::error_code gone;
   for (const auto& process : std::filesystem::directory_iterator("/proc", gone)) {
     struct stat about = {};
     const std::string folder = process.path().string() + "/task";
-    if (::stat(folder.c_str(), &about) != 0 || about.st_uid != ::geteuid()) continue;
+    if (::stat(folder.c_str(), &about) != 0 || about.st_uid != user) continue;
     tasks += about.st_nlink - 2;  // a folder for each
   }
   return tasks;
-}
-
-// The processes that count against our limit, and aren't ours: where an ordinary user has no user
-// namespaces, all of that user's. Root's box has a user of its own; the full box, a namespace.
-rlim_t tasks_beside_ours(const Options& options) {
-  const bool is_ours =
-      options.box == "full" || ::geteuid() == 0 || leave_the_common_user_namespace();
-  return is_ours ? 0 : tasks_of_this_user();
 }
 
 // To be called after all changes of privileges, each of which would undo it.
@@ -200,12 +188,11 @@ void keep_pipes_from_being_opened_again() {
   throw std::runtime_error(options.command[0] + ": " + std::strerror(errno));
 }
 
-void limit_and_filter(const std::string& kind, rlim_t others) {
+void limit_and_filter(const std::string& kind, rlim_t tasks) {
   const bool build = kind == "build";
   limit(RLIMIT_CORE,
         1);  // with 0, the system would still start a program that takes cores by a pipe
-  const rlim_t of_a_run = others > 0 ? kRunProcessesOfASharedUser : kRunProcesses;
-  limit(RLIMIT_NPROC, others + (build ? kBuildProcesses : of_a_run));
+  limit(RLIMIT_NPROC, tasks);
   limit(RLIMIT_NOFILE, build ? 256 : 16);
   if (build) {
     forbid_non_compiler_calls();
@@ -227,16 +214,18 @@ void enter(const Options& options) {
   // A runner has questions on 3 and answers on 4.
   ::close_range(build ? 3 : 5, ~0U, CLOSE_RANGE_CLOEXEC);
   const bool root = ::geteuid() == 0;
-  const rlim_t others = boxed ? tasks_beside_ours(options) : 0;  // before /proc is hidden
+  // Before /proc is hidden; in the full box it is.
+  rlim_t others = reduced ? tasks_of(root ? options.user : ::geteuid()) : 0;
   if (reduced) {
     keep_pipes_from_being_opened_again();
     see_only(options.visible, scratch);
   }
   if (boxed) give_up_privileges(options.user);
-  if (boxed && root) leave_the_common_user_namespace();
+  // A new user namespace counts its tasks apart. It maps no user, and gives no rights.
+  if (boxed && ::unshare(CLONE_NEWUSER) == 0) others = 0;
   if (!options.folder.empty()) require(::chdir(options.folder.c_str()), options.folder);
   if (reduced) die_with(guard);
-  if (boxed) limit_and_filter(options.kind, others);
+  if (boxed) limit_and_filter(options.kind, others + kTasks);
   become(options);
 }
 

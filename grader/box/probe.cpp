@@ -113,6 +113,19 @@ bool start_processes(const Given& given) {
   return true;
 }
 
+// Starts N threads at once, whose stacks together are within what a program may use.
+bool start_threads(const Given& given) {
+  pthread_attr_t small;
+  ::pthread_attr_init(&small);
+  ::pthread_attr_setstacksize(&small, 1 << 18);
+  for (long left = given.number; left > 0; --left) {
+    pthread_t thread;
+    const auto wait = [](void*) -> void* { return ::pause(), nullptr; };
+    if (::pthread_create(&thread, &small, wait, nullptr) != 0) return false;
+  }
+  return true;
+}
+
 // Uses N MB, long enough to be noticed from outside.
 bool allocate(const Given& given) {
   const std::size_t size = static_cast<std::size_t>(given.number) << 20;
@@ -200,6 +213,7 @@ const std::map<std::string, Attempt> kAttempts = {
     {"fill", fill},
     {"file", make_a_file},
     {"processes", start_processes},
+    {"threads", start_threads},
     {"allocate", allocate},
     {"allocate-late", allocate_late},
     {"spin", spin},

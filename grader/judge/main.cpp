@@ -62,7 +62,8 @@ Limits asked_limits() {
   Limits limits{.sanitized = is_asked("sanitized"), .boxed = is_asked("boxed")};
   limits.session_cpu_seconds = asked.value("cpu_seconds", limits.session_cpu_seconds);
   limits.session_seconds = asked.value("seconds", limits.session_seconds);
-  limits.wall_seconds = std::min(limits.wall_seconds, limits.session_seconds);
+  limits.busy_wall_seconds = std::min(limits.busy_wall_seconds, limits.session_seconds);
+  limits.wall_seconds = std::min<double>(limits.wall_seconds, limits.session_seconds);
   return limits;
 }
 

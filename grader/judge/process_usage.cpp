@@ -1,10 +1,8 @@
 #include "process_usage.hpp"
 
-#include <sched.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdlib>
 #include <ctime>
 #include <filesystem>
@@ -16,22 +14,6 @@ namespace bounce::judge {
 namespace {
 
 std::string folder_of(pid_t pid) { return "/proc/" + std::to_string(pid); }
-
-double seconds(double ticks) { return ticks / static_cast<double>(::sysconf(_SC_CLK_TCK)); }
-
-struct Scheduled {
-  double run = 0, delay = 0;  // s: CPU time; time ready to run while no CPU was free
-};
-
-// Reads the first two fields of a schedstat file, in ns. If the kernel doesn't count them, the
-// thread is taken to wait for a CPU always.
-Scheduled scheduled(const std::string& folder) {
-  std::ifstream file(folder + "/schedstat");
-  Scheduled ns;
-  if (file >> ns.run >> ns.delay) return {ns.run * 1e-9, ns.delay * 1e-9};
-  const auto now = std::chrono::steady_clock::now().time_since_epoch();
-  return {0, std::chrono::duration<double>(now).count()};
-}
 
 struct State {
   char letter = 0;         // R, S, D, T ...; 0 if it is gone
@@ -68,13 +50,9 @@ void add_threads(pid_t pid, ProcessUsage& all) {
   std::error_code gone;
   for (const auto& task : std::filesystem::directory_iterator(folder_of(pid) + "/task", gone)) {
     const State state = state_of(task.path());
-    const Scheduled thread = scheduled(task.path());
     ++threads;
     memory = std::max(memory, state.memory);
-    all.ready = all.ready || state.letter == 'R';
-    all.reads_a_disk = all.reads_a_disk || state.letter == 'D';
-    all.delay_seconds += thread.delay;
-    all.ended_seconds -= thread.run;
+    all.works = all.works || state.letter == 'R' || state.letter == 'D';
   }
   all.memory += memory;
   all.threads = std::max(all.threads, threads);
@@ -88,8 +66,7 @@ bool add(pid_t pid, ProcessUsage& all) {
   if (state == 0 || !cpu) return false;
   all.stopped = all.stopped || state == 'T' || state == 't';
   all.cpu_seconds += *cpu;
-  all.ended_seconds += *cpu;
-  add_threads(pid, all);  // after the clock, so that no running thread is taken for an ended one
+  add_threads(pid, all);
   for (const pid_t child : children) add(child, all);  // unless it has just ended
   return true;
 }
@@ -124,25 +101,6 @@ std::vector<pid_t> children_of(pid_t pid) {
   std::vector<pid_t> children;
   for (pid_t child = 0; file >> child;) children.push_back(child);
   return file.is_open() ? children : children_by_parent(pid);
-}
-
-// Field 8 of the first line of /proc/stat, of all CPUs together: at least what one has lost.
-double own_delay_seconds() {
-  std::ifstream file("/proc/stat");
-  std::string stolen;
-  for (int field = 0; field <= 8; ++field) file >> stolen;
-  return scheduled("/proc/self").delay + seconds(std::atof(stolen.c_str()));
-}
-
-// Field 4 of the CPU's line in /proc/stat.
-double spare_seconds() {
-  const std::string name = "cpu" + std::to_string(::sched_getcpu());
-  std::ifstream file("/proc/stat");
-  std::string word;
-  while (file >> word && word != name) continue;
-  double user = 0, nice = 0, system = 0, spare = 0;
-  file >> user >> nice >> system >> spare;
-  return seconds(spare);
 }
 
 }  // namespace bounce::judge

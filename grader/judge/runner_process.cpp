@@ -22,6 +22,7 @@ constexpr std::size_t kKeptPrints = std::size_t{16} << 10;
 constexpr std::chrono::milliseconds kBetweenLooks(100);  // between two checks of a silent runner
 constexpr double kCpuGrace = 0.2;                        // s, for SIGXCPU to end a runner by itself
 constexpr rlim_t kLargestFile = rlim_t{16} << 20;        // bytes, of what it writes without a box
+constexpr int kLooks = 10;                               // to see whether a program sleeps
 constexpr int kOrderlyTries = 200;                       // of 10 ms, to end a box from within
 constexpr int kStatus = frames::kAnswers + 1;            // where a box reports that it is made
 constexpr int kGenerations = 1000;  // an orphan's children are orphans next; a box has two
@@ -171,11 +172,10 @@ void RunnerProcess::read_exactly(void* data, std::size_t size, bool amid_an_answ
 // Waits for answers or printed text. It reads printed text at once, so that a runner never blocks
 // on printing.
 bool RunnerProcess::wait_until_readable(bool amid_an_answer) {
+  if (Clock::now() - last_look_ >= kBetweenLooks) end_if_it_hangs(amid_an_answer);
   pollfd both[2] = {{answers_, POLLIN, 0}, {prints_, POLLIN, 0}};
   wait(both, 2, static_cast<int>(kBetweenLooks.count()));
   if (both[1].revents != 0) drain_prints();
-  if (Clock::now() - last_look_ >= kBetweenLooks) end_if_it_hangs(amid_an_answer);
-  end_if_late();  // even if it answers byte by byte
   return both[0].revents != 0;
 }
 
@@ -221,54 +221,38 @@ void RunnerProcess::require_a_box() {
   throw KitFailure("the box of a program couldn't be made: " + one_line(last_print_, 200));
 }
 
-// Idle time is the time that we waited, minus the time in which the runner or we used or wanted a
-// CPU. So neither printing nor short sleeps hide it, and a busy machine doesn't add to it. Of
-// threads that have ended, nobody knows how long they wanted one, and many may want one at a time:
-// with threads, if one has run, the time counts in which our CPU had nothing to do. None counts
-// while the box is set up or a page is read from disk. How long a thread wants a CPU is known when
-// it gets one, so it is too soon to count while one is ready and none has run. A process that has
-// ended takes its times along: from there on they are counted anew.
-void RunnerProcess::count_idle_time(const ProcessUsage& seen) {
-  const Seconds wanted(seen.delay_seconds + own_delay_seconds()), spare(spare_seconds());
-  const Seconds idle = waited_ - wanted - Seconds(seen.cpu_seconds);
-  const bool one_ended = seen.cpu_seconds < cpu_before_, none_ran = seen.cpu_seconds == cpu_before_;
-  if (seen.ready && none_ran) return;
-  const Seconds our_cpu_spare = spare - spare_before_;
-  const bool threads = seen.threads > 1 || seen.ended_seconds > ended_before_;
-  if (counts_idle_ && !seen.reads_a_disk && !one_ended) {
-    idle_ = std::max(idle_ + (threads && !none_ran ? our_cpu_spare : idle - idle_before_),
-                     Seconds::zero());
-  }
-  spare_before_ = spare;
-  cpu_before_ = seen.cpu_seconds;
-  ended_before_ = std::max(ended_before_, seen.ended_seconds);
-  idle_before_ = idle;
-  counts_idle_ = box_is_made();
-}
-
-// Ends a runner that ignores SIGXCPU, too.
+// Ends a runner that ignores SIGXCPU, too; and one that sleeps where it should long have answered.
+// One that works then is only slow, and has its CPU time.
 void RunnerProcess::end_if_it_hangs(bool amid_an_answer) {
   last_look_ = Clock::now();
   if (pid_ < 0) return;
   const ProcessUsage seen = usage_of(pid_).value_or(ProcessUsage{});
-  count_idle_time(seen);
   memory_ = std::max(memory_, seen.memory);
   if (seen.memory > limits_.memory) end(out_of_memory(limits_));
   if (seen.threads > limits_.threads) {
     end({"crashed", "threads", static_cast<long>(limits_.threads)});
   }
   if (seen.cpu_seconds > limits_.cpu_seconds + kCpuGrace) end(out_of_cpu_time(limits_, memory_));
-  if (idle_.count() < limits_.idle_seconds) return;
+  const bool hangs = waited() >= Seconds(limits_.wall_seconds) && box_is_made() && sleeps();
+  if (!hangs && waited() < Seconds(limits_.busy_wall_seconds)) return;
   const char* came = amid_an_answer ? "a part of an answer" : "";
-  end({"timed_out", seen.stopped ? "stopped" : "waited", 0, came}, true);
-}
-
-// A program that isn't idle, and uses no CPU time up, is none of those that should have ended.
-void RunnerProcess::end_if_late() {
-  if (waited_ < std::chrono::seconds(limits_.wall_seconds)) return;
+  if (hangs || amid_an_answer)
+    end({"timed_out", seen.stopped ? "stopped" : "waited", 0, came}, true);
   require_a_box();
   kill();
   throw KitFailure("a program hardly ran: the machine was too busy");
+}
+
+// What woke us, such as a print, was written by a program at work. So it is looked at some times
+// more; and it may have answered, and sleep since then.
+bool RunnerProcess::sleeps() const {
+  for (int look = 0; look < kLooks; ++look) {
+    ::poll(nullptr, 0, 1);
+    if (usage_of(pid_).value_or(ProcessUsage{}).works) continue;
+    pollfd answers{answers_, POLLIN, 0};
+    return ::poll(&answers, 1, 0) == 0 || (answers.revents & POLLIN) == 0;
+  }
+  return false;
 }
 
 // A pipe was closed: the program ended, or closed it itself.

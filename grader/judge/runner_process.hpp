@@ -54,8 +54,8 @@ class RunnerProcess {
   // The CPU time that it had used when it ended, s; 0 while it runs.
   double spent() const { return spent_; }
 
-  // How long it waited for anything but a CPU while it should have answered.
-  Seconds idle() const { return idle_; }
+  // How long it was waited for.
+  Seconds waited() const { return waited_; }
 
  private:
   void read_exactly(void* data, std::size_t size, bool amid_an_answer);
@@ -65,9 +65,8 @@ class RunnerProcess {
   bool box_is_made();
   void require_a_box();
   void wait(pollfd* descriptors, nfds_t count, int milliseconds);
-  void count_idle_time(const ProcessUsage& seen);
   void end_if_it_hangs(bool amid_an_answer);
-  void end_if_late();
+  bool sleeps() const;
   [[noreturn]] void end_after_close(const char* closed);
   [[noreturn]] void end(Termination termination, bool waits = false);
   int wait_for_exit();
@@ -82,11 +81,6 @@ class RunnerProcess {
   std::size_t printed_ = 0;
   std::string last_print_;  // the end of the printed text, which holds an assertion's message
   Clock::duration waited_{};
-  Seconds idle_{};
-  // When idle time was last counted:
-  Seconds idle_before_{}, spare_before_{};
-  double cpu_before_ = 0, ended_before_ = 0;
-  bool counts_idle_ = false;
   double spent_ = 0;
   std::size_t memory_ = 0;  // the most that was seen, bytes
   Clock::time_point last_look_;

@@ -126,7 +126,7 @@ void Session::end_runner(const Termination& end) {
   if (end.status == "timed_out") --hangs_left_;
   if (end.waits) hangs_left_ = 0;
   cpu_seconds_ += runner_->spent();
-  limits_.idle_seconds = std::max(0.0, limits_.idle_seconds - runner_->idle().count());
+  limits_.wall_seconds = std::max(0.0, limits_.wall_seconds - runner_->waited().count());
   runner_.reset();
 }
 

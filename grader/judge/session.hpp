@@ -55,7 +55,7 @@ class Session {
   using Clock = std::chrono::steady_clock;
 
   Start start_;
-  Limits limits_;  // its idle_seconds are those that are left
+  Limits limits_;  // its wall_seconds are those that are left
   std::uint32_t part_;
   bool given_, has_asked_given_ = false;
   std::unique_ptr<RunnerProcess> runner_;

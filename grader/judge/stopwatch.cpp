@@ -62,7 +62,7 @@ struct Timed {
 class Timer {
  public:
   explicit Timer(const std::vector<std::string>& command)
-      : session_(command, Limits{.cpu_seconds = 4, .wall_seconds = 20}, 4, false) {}
+      : session_(command, Limits{.cpu_seconds = 4, .busy_wall_seconds = 20}, 4, false) {}
 
   Timed run(Parameters params, const State& start) {
     if (session_.cpu_ns() == 0) {  // else the first question would include the program's start

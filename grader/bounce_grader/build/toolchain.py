@@ -1,5 +1,6 @@
 """Runs the compilers and the linker in a box, and tells whose fault it is if one makes nothing."""
 
+import time
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
@@ -16,6 +17,7 @@ from bounce_grader.submission.submission import Submission
 COMPILE = Limits(15, 120, memory=2 << 30, file_size=64 << 20)
 LARGE = 640 << 20  # bytes of a compiler's memory; for an honest part it takes up to 470 MB
 LARGEST_OBJECT = 8 << 20
+PAUSES = (0, 1, 3)  # s, before each try to start g++; a program with too many threads lives 0.1 s
 HELPERS_BYTES = 32 << 20  # of all helpers of a submission together; one more may be under way
 MAIN = b"_Z14submitted_main"  # in an object whose source defines main, by its name for the linker
 LINK = Limits(cpu_seconds=10, wall_seconds=60, memory=2 << 30, file_size=64 << 20)
@@ -53,13 +55,15 @@ def run(command: list[str], folder: Path, box: Box, made: Path, by_gcc: bool = F
     """Runs a compiler in the folder of a submission's sources; it writes the object to the file
     `made`. Raises KitError if the box or the machine failed, and not the submission."""
     prefix = box.to_build(folder, [CONTRACT, RUNNER], PROGRAMS if by_gcc else ())
-    result = box.run([*prefix, *command], COMPILE, cwd=folder, output=made)
-    require_compiler_ran(result)
-    # A program that g++ starts and that fails once it has begun gives g++ another exit status; 127
-    # is that of `enter` where there is no such program.
-    if by_gcc and result.code in (1, 125, 127):
-        raise KitError("g++ couldn't start its compiler; is the machine short of processes?")
-    return result
+    for pause in PAUSES:
+        time.sleep(pause)
+        result = box.run([*prefix, *command], COMPILE, cwd=folder, output=made)
+        require_compiler_ran(result)
+        # A program that g++ starts and that fails once it has begun gives g++ another exit status;
+        # 127 is that of `enter` where there is no such program.
+        if not by_gcc or result.code not in (1, 125, 127):
+            return result
+    raise KitError("g++ couldn't start its compiler; is the machine short of processes?")
 
 
 def require_compiler_ran(result: Result) -> None:

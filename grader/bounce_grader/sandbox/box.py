@@ -23,9 +23,7 @@ from bounce_grader.sandbox.budget import UNLIMITED, Budget
 
 FULL_OR_REDUCED = ("full", "reduced")
 NOBODY = "65534"
-# User ids that no system assigns. In the reduced box, processes of different boxes see each other,
-# so concurrent gradings run as different users.
-FIRST_USER, USERS = 60578, 600
+USER = 60578  # that root's boxes run as: one that no system assigns
 # Debian's headers of the kernel are links into /usr/lib/linux/uapi from version 13 on.
 LIBRARIES = (
     "/usr/include",
@@ -65,7 +63,7 @@ class Box(NamedTuple):
         opens a file. One with sanitizers also sees the system's libraries, only in the full box."""
         if self.kind == "none":
             return [str(program)]
-        step = ["check" if sanitized else "run", "--user", str(_user()), *TO_JUDGE]
+        step = ["check" if sanitized else "run", "--user", str(USER), *TO_JUDGE]
         if self.kind == "reduced":
             name = str(program)
             return [str(ENTER), *step, "--box", "reduced", "--see", name, "--", name]
@@ -87,7 +85,7 @@ class Box(NamedTuple):
             return [str(ENTER), *entering, "--box", "none", "--"]
         used = [f"/usr/bin/{name}" for name in programs]
         seen = list(dict.fromkeys([*toolchain(), *used, str(folder), *map(str, visible)]))
-        entering += ["--user", str(_user())]
+        entering += ["--user", str(USER)]
         if self.kind == "reduced":
             places = [word for path in [*seen, str(ENTER)] for word in ("--see", path)]
             return [str(ENTER), *entering, "--box", "reduced", *places, "--"]
@@ -110,7 +108,7 @@ class Box(NamedTuple):
         that user can read it, and no other."""
         if self.kind != "none" and os.geteuid() == 0:
             for path in [folder, *folder.rglob("*")]:
-                os.chown(path, _user(), _user(), follow_symlinks=False)
+                os.chown(path, USER, USER, follow_symlinks=False)
 
 
 def kinds(trust: bool) -> tuple[str, ...]:
@@ -157,10 +155,6 @@ def toolchain() -> list[str]:
     for pattern in ("*-linux-gnu", "llvm-*"):
         libraries += sorted(str(path) for path in Path("/usr/lib").glob(pattern))
     return libraries
-
-
-def _user() -> int:
-    return FIRST_USER + os.getpid() % USERS
 
 
 @cache

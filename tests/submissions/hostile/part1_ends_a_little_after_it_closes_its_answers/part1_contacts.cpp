@@ -5,7 +5,7 @@
 
 namespace bounce {
 
-// Each time, the pipe is closed and the program about to end, but not quite: ten such sleeps are
+// Each time, the pipe is closed and the program about to end, but not quite: six such sleeps are
 // more than a part may wait.
 Contact get_contacts(const Vector3&, const Parameters&) {
   ::close(4);

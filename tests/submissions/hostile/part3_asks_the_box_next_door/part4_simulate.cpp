@@ -10,7 +10,7 @@ Trajectory simulate(const Vector3&, const Vector3&, const Parameters&) {
         const State s = step({0, q[0], q[1]}, {q[2], q[3], q[4]}, Parameters());
         std::copy(s.v.data(), s.v.data() + 3, v);
       },
-      0.97);
+      9);
   _exit(0);
 }
 }  // namespace bounce
