@@ -23,6 +23,7 @@ import sys
 import tempfile
 import zipfile
 from pathlib import Path
+from typing import Any
 
 BUNDLE = Path(os.environ.get("CLASSROOM50_BUNDLE_DIR") or Path(__file__).resolve().parent)
 SECONDS = 300
@@ -66,15 +67,32 @@ def unpack(folder: Path) -> Path:
     return home
 
 
-def passed_checks(home: Path, stem: str) -> set[str]:
-    """The checks of a part that pass. A part that isn't built passes none."""
-    run("cmake", "--build", "build", "--parallel", "--target", f"{stem}_test", cwd=home)
-    notes = home / f"notes_{stem}"
+def verdicts(home: Path, program: str) -> dict[str, bytes]:
+    """What becomes of a part's checks in a program. One that isn't built decides none."""
+    run("cmake", "--build", "build", "--parallel", "--target", program, cwd=home)
+    notes = home / f"notes_{program}"
     notes.mkdir()
-    program = home / "build" / f"{stem}_test"
-    if program.exists():
-        run(str(program), "--notes", str(notes), os.devnull, cwd=home)
-    return {note.name for note in notes.iterdir() if note.read_bytes()[:7] == b"passed\n"}
+    if (home / "build" / program).exists():
+        run(str(home / "build" / program), "--notes", str(notes), os.devnull, cwd=home)
+    return {note.name: note.read_bytes().split(b"\n")[0] for note in notes.iterdir()}
+
+
+def passed_checks(home: Path, part: dict[str, Any]) -> set[str]:
+    """The checks of a part that pass, with the student's own earlier parts or with right ones,
+    whichever is worth more: one mistake is paid for once. What right ones leave undecided is as it
+    is with the student's own."""
+    own = verdicts(home, f"{part['stem']}_test")
+    passed = {check for check, verdict in own.items() if verdict == b"passed"}
+    if len(passed) == len(part["checks"]):
+        return passed
+    given = verdicts(home, f"{part['stem']}_given_test")
+    with_given = {check for check, verdict in given.items() if verdict == b"passed"}
+    with_given |= passed & {c for c, verdict in given.items() if verdict == b"undecided"}
+    return max(passed, with_given, key=lambda ids: worth(part, ids))
+
+
+def worth(part: dict[str, Any], passed: set[str]) -> float:
+    return sum(check["points"] for check in part["checks"] if check["id"] in passed)
 
 
 def result(rows: list[dict[str, object]]) -> dict[str, object]:
@@ -114,7 +132,7 @@ def main() -> None:
         scale = next(s for s in (1, 2, 4, 5, 10, 100) if all((p * s) % 1 == 0 for p in points))
         run("cmake", "-S", ".", "-B", "build", cwd=home)
         for part in parts:
-            passed = passed_checks(home, part["stem"])
+            passed = passed_checks(home, part)
             for number, check in enumerate(part["checks"], 1):
                 most = int(check["points"] * scale)  # whole numbers alone are allowed
                 is_passed = check["id"] in passed

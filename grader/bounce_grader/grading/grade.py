@@ -10,6 +10,7 @@ from typing import NamedTuple
 from bounce_grader.build.compile import compile_all, compiled
 from bounce_grader.build.toolchain import link_alone, link_together, MAIN, Work
 from bounce_grader.common.errors import KitError
+from bounce_grader.common.escaping import first_few, printable_name
 from bounce_grader.common.files import remove_abandoned
 from bounce_grader.common.manifest import parts, Part
 from bounce_grader.common.numbers import scientific
@@ -132,11 +133,28 @@ class _Grading:
         if best.status == "crashed":
             best = judging.with_cause(part, best, self.work, self.hidden)
         graded = record.part_record(part, best)
+        graded["message"] += self._shared_with_a_wrong_part(part, best)
         path = self.work.parts[part.number].path
         if not (path and MAIN in path.read_bytes()):
             return graded
         twice = f"{part.file} defines main(), and so does ./check, which can't link it"
         return record.with_remark(graded, f"{twice}: take it out", None)
+
+    def _shared_with_a_wrong_part(self, part: Part, best: judging.Judged) -> str:
+        """Of a part that lost points by its own code: what of it an earlier one uses that lost
+        some, too, and why that costs points twice; else ""."""
+        if best.graded_with == "given" or best.score(part) == part.points:
+            return ""
+        for earlier in parts()[: part.number - 1]:
+            result = self.results[earlier]
+            lost = isinstance(result, judging.Judged) and result.score(earlier) < earlier.points
+            if lost and (shared := self.work.taken.shared(earlier.number, part.number)):
+                files = first_few(list(map(printable_name, shared)))
+                return (
+                    f"; parts {earlier.number} and {part.number} both use {files}: "
+                    "what is wrong there costs points in each, as each is judged by its answers"
+                )
+        return ""
 
     def with_remarks(self, graded: Record) -> Record:
         """The record of a part; if it has all points, with what the sanitizers find in it."""

@@ -38,6 +38,7 @@ BUILT_OR_GIVEN = {"build", MAC_FOLDER, "CMakeFiles", "fixtures", "tests"}
 BESIDE_SRC = ("exact/", "methods/", "study/")  # in solution/, whose src/ is graded as a submission
 SOLUTION = ROOT / "solution"
 INCLUDES_GTEST = re.compile(rb'^[ \t]*#[ \t]*include[ \t]*[<"]g(?:test|mock)/', re.M)
+INCLUDED = re.compile(rb'^[ \t]*#[ \t]*include[ \t]*"([\w./-]+)"', re.M)
 HAS_A_TEST = re.compile(rb"^[ \t]*TEST(?:_F|_P)?[ \t]*\(", re.M)
 # Whose a file is, by its name in a service's download of a whole class.
 OF_A_CLASS = re.compile(r"_(\d+_(?=(?:\d+|assignsubmission)_)|[^_/]+_attempt_)")
@@ -102,6 +103,12 @@ class Submission(NamedTuple):
             return f"; {shown} may hold it: hand that in as {part.file}, a part in a file"
         return ""
 
+    def shared(self, one: int, other: int) -> list[str]:
+        """The helpers that two parts both include, by their names."""
+        both = (set(INCLUDED.findall(self.files[self.parts[part]])) for part in (one, other))
+        names = {PurePosixPath(name.decode()).name for name in set.intersection(*both)}
+        return sorted(file for file in self.files if PurePosixPath(file).name in names)
+
     def write_to(self, folder: Path, names: Iterable[str] | None = None) -> None:
         """Writes these files, or all, into the folder, which it creates."""
         folder.mkdir(parents=True, exist_ok=True)
@@ -138,19 +145,24 @@ def take(path: Path, entries: list[Entry]) -> Submission:
     if len(wanted) > MOST_SOURCES:
         raise _too_much(path)
     files: dict[str, bytes] = {}
-    not_text: dict[str, str] = {}
+    why_not: dict[str, str] = {}
     for name, entry in wanted.items():
         try:
             files[name] = text_of(entry)
         except NotText as reason:
-            not_text[name] = str(reason)
+            why_not[name] = str(reason)
         if sum(map(len, files.values())) > MOST_BYTES:
             raise _too_much(path)
     _require_a_place_for_each(path, wanted)
     chosen = {part.number: name for part in parts() for name in _choose(part, list(wanted), files)}
     others = files.keys() - {*chosen.values()}
+    for part in parts():
+        filled = (n for n in others if part_file(PurePosixPath(n).name) == part.file)
+        own = (n for n in filled if not is_stub(part, files[n]))
+        judged = printable_name(chosen.get(part.number, ""))
+        why_not |= dict.fromkeys(own, f"{judged} is judged: keep the one that counts")
     tests = {name for name in others if _is_test(name, files[name])}
-    not_text |= dict.fromkeys(tests, "holds GoogleTest tests, which aren't run here")
+    why_not |= dict.fromkeys(tests, "holds GoogleTest tests, which aren't run here")
     unused = tests | {name for name in others if part_file(PurePosixPath(name).name)}
     used = {n: text for n, text in files.items() if n not in unused}
     left = sorted(names.keys() - used.keys() - {*chosen.values(), CASES})
@@ -159,8 +171,8 @@ def take(path: Path, entries: list[Entry]) -> Submission:
         name=path.name,
         files=used,
         parts={number: name for number, name in chosen.items() if name in files},
-        refused={n: f"{name} {not_text[name]}" for n, name in chosen.items() if name in not_text},
-        ignored=tuple(f"{n} ({not_text[n]})" if n in not_text else n for n in left),
+        refused={n: f"{name} {why_not[name]}" for n, name in chosen.items() if name in why_not},
+        ignored=tuple(f"{n} ({why_not[n]})" if n in why_not else n for n in left),
         top=top,
         cases=cases.read(LARGEST_SOURCE) if cases and not cases.link else b"",
     )

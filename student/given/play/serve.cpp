@@ -28,6 +28,8 @@ constexpr const char* kHost = "127.0.0.1";
 // How often, and with which pause, a program is started that is just being linked.
 constexpr int kTries = 500;
 constexpr auto kPause = std::chrono::milliseconds(20);
+// Requests that others on this machine begin and don't end hold a thread for a second each.
+constexpr std::size_t kThreads = 32;
 
 // Another number whenever the program was built again.
 long long version_of(const fs::path& program) {
@@ -73,6 +75,8 @@ int bind(httplib::Server& server) {
   server.set_tcp_nodelay(true);
   server.set_keep_alive_max_count(1'000'000);
   server.set_payload_max_length(10'000);
+  server.set_read_timeout(1);
+  server.new_task_queue = [] { return new httplib::ThreadPool(kThreads); };
   server.set_default_headers({{"Cache-Control", "no-store"},
                               {"Referrer-Policy", "no-referrer"},
                               {"X-Content-Type-Options", "nosniff"},
@@ -84,9 +88,10 @@ int bind(httplib::Server& server) {
       [host](const httplib::Request& request, httplib::Response& response) {
         const std::string origin = request.get_header_value("Origin");
         const bool is_own = request.get_header_value("Host") == host;
-        if (is_own && (origin.empty() || origin == "http://" + host))
+        const bool is_whole = !request.has_header("Transfer-Encoding");  // with a length before it
+        if (is_own && is_whole && (origin.empty() || origin == "http://" + host))
           return httplib::Server::HandlerResponse::Unhandled;
-        response.status = 404;
+        response.status = is_whole ? 404 : 411;
         return httplib::Server::HandlerResponse::Handled;
       });
   return port;

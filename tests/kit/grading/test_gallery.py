@@ -3,6 +3,7 @@
 tests/submissions/README.md says what a folder holds.
 """
 
+import json
 import shutil
 from functools import partial
 from pathlib import Path
@@ -18,6 +19,7 @@ from conftest import ROOT, SOLUTION, lost, points
 from handed_in import points_without, submission_of
 
 GALLERY = ROOT / "tests" / "submissions"
+LARGEST_RECORD = 100_000  # characters, whatever a submission holds
 KINDS = ("accepted", "mistakes", "rarely_wrong", "undefined", "broken", "hostile")
 
 
@@ -138,3 +140,4 @@ def gets(words: dict[str, Any], record: dict[str, Any]) -> None:
     assert lost(record) == sorted(ids) and statuses == words.get("status", {}), text
     assert all(sentence in text for sentence in words.get("says", [])), text
     assert not any(sentence in text for sentence in words.get("never", [])), text
+    assert len(json.dumps(record)) < LARGEST_RECORD, text

@@ -36,6 +36,9 @@ def test_untouched_stubs_hide_nothing_that_was_filled_in(tmp_path: Path) -> None
     assert solved(read(tmp_path / "1", nearer)) == [1, 2, 3, 4]
     copy = STUB_FILES | {"part1_contacts (1).cpp": SOLVED[PART_1]}
     assert solved(read(tmp_path / "2", copy)) == [1]
+    both = read(tmp_path / "4", SOLVED | {"part1_contacts (1).cpp": SOLVED[PART_1] + b"//"})
+    one = "part1_contacts (1).cpp (part1_contacts.cpp is judged: keep the one that counts)"
+    assert solved(both) == [1, 2, 3, 4] and both.ignored == (one,)
     assert read(tmp_path / "3", STUB_FILES).parts.keys() == {1, 2, 3, 4}
 
 

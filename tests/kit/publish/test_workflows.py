@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from bounce_grader.grading.grade import grade
 from bounce_grader.publish import handout
 from conftest import ROOT, write
 
@@ -106,6 +107,12 @@ def test_classroom_50_takes_the_result_of_its_autograder(tmp_path: Path) -> None
     (checkout / "src" / "part2_lcp.cpp").write_text("#error")
     result = graded_by_classroom50(bundle, checkout)
     assert (result["score"], result["max-score"]) == (30, 100)
+    # One mistake in part 1, which parts 3 and 4 call: it is paid for once, as ./kit grade does.
+    wrong = ROOT / "tests/submissions/mistakes/part1_highest_corner"
+    for folder in (ROOT / "solution" / "src", wrong):
+        shutil.copytree(folder, checkout / "src", dirs_exist_ok=True)
+    result = graded_by_classroom50(bundle, checkout)
+    assert result["score"] == grade(checkout)["score"] < 100
     with zipfile.ZipFile(bundle / "bounce.zip") as archive:
         assert not any("hidden" in name or "solution" in name for name in archive.namelist())
 

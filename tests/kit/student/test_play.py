@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import http.client
 import re
+import socket
 import subprocess
 from collections.abc import Iterator
 from pathlib import Path
@@ -75,6 +76,24 @@ def test_only_its_own_page_on_this_machine_is_answered(address: str) -> None:
     listening = re.findall(r": (\w+):(\w+) \w+:\w+ 0A", Path("/proc/net/tcp").read_text())
     assert [ip for ip, port in listening if int(port, 16) == url.port] == ["0100007F"]
     assert f"{url.port:04X}" not in Path("/proc/net/tcp6").read_text()
+
+
+def test_requests_without_an_end_or_a_length_hold_nobody_up(address: str) -> None:
+    url = urlsplit(address)
+    half_sent = [socket.create_connection((url.hostname, url.port)) for _ in range(60)]
+    for connection in half_sent:
+        connection.sendall(b"GET / HTTP/1.1\r\nHost:")
+    asked = http.client.HTTPConnection(url.netloc, timeout=PATIENCE)
+    asked.request("GET", url.path)
+    assert asked.getresponse().status == 200
+    for connection in half_sent:
+        connection.close()
+    for path in ("/", f"{url.path}simulate"):
+        asked = http.client.HTTPConnection(url.netloc, timeout=PATIENCE)
+        asked.putrequest("POST", path)
+        asked.putheader("Transfer-Encoding", "chunked")
+        asked.endheaders()
+        assert asked.getresponse().status == 411, path
 
 
 def test_the_square_is_dragged_thrown_and_compared(page: Page) -> None:
