@@ -7,47 +7,34 @@ namespace {
 
 using nlohmann::json;
 
-json number(double x) {
-  if (std::isnan(x)) return "nan";
-  if (std::isinf(x)) return x > 0 ? "inf" : "-inf";
-  return x;
-}
-
-template <class Matrix, class Entry>
-json rows(const Matrix& m, Entry entry) {
+json rows(const words::Rows& m) {
   json all = json::array();
-  for (Eigen::Index i = 0; i < m.rows(); ++i) {
-    json row = json::array();
-    for (Eigen::Index j = 0; j < m.cols(); ++j) row.push_back(entry(m(i, j)));
-    all.push_back(row);
+  for (const std::vector<double>& row : m) {
+    all.push_back(json::array());
+    for (const double x : row) {
+      const char* infinite = x > 0 ? "inf" : "-inf";
+      all.back().push_back(std::isfinite(x) ? json(x) : std::isnan(x) ? "nan" : infinite);
+    }
   }
   return all;
-}
-
-json quantity(const tests::Case& c, const tests::Difference& d) {
-  return {{"name", d.name},
-          {"unit", d.unit},
-          {"got", rows(d.got, number)},
-          {"right", rows(tests::agrees(c, d.expected, d.got), [](bool is) { return is; })},
-          {"expected", rows(d.expected, number)}};
 }
 
 }  // namespace
 
 json facts(const tests::Failure& failure) {
-  const auto& [c, problem, cases, wrong, ended_at, again] = failure;
-  json all = {{"cases", cases},
-              {"wrong", wrong},
-              {"ended_at", ended_at},
-              {"again", again},
-              {"name", c.name},
-              {"input", c.input},
-              {"hidden", c.hidden},
-              {"contact", c.corner},
-              {"sentence", problem.sentence},
-              {"quantities", json::array()}};
-  for (const tests::Difference& d : problem.differences)
-    all["quantities"].push_back(quantity(c, d));
+  const words::FailedCase failed = tests::failed_case(failure);
+  json all = {{"cases", failed.cases},       {"wrong", failed.wrong},
+              {"ended_at", failed.ended_at}, {"again", failed.again},
+              {"name", failed.name},         {"input", failed.input},
+              {"hidden", failed.hidden},     {"contact", failed.contact},
+              {"sentence", failed.sentence}, {"quantities", json::array()}};
+  for (const words::Quantity& q : failed.quantities) {
+    all["quantities"].push_back({{"name", q.name},
+                                 {"unit", q.unit},
+                                 {"got", rows(q.got)},
+                                 {"right", q.right},
+                                 {"expected", rows(q.expected)}});
+  }
   return all;
 }
 

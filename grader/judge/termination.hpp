@@ -1,5 +1,5 @@
 // How a program ended, as facts, and the limits that may end it.
-// grader/bounce_grader/grading/words.py says what they mean.
+// grader/words/endings.txt says what they mean.
 #pragma once
 
 #include <cstddef>

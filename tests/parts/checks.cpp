@@ -48,6 +48,16 @@ Failure compare_all(const CheckAnswers& asked, bool again, Reporter& reporter) {
   return failure;
 }
 
+template <class Matrix>
+auto rows(const Matrix& m) {
+  std::vector<std::vector<typename Matrix::Scalar>> all;
+  for (Eigen::Index i = 0; i < m.rows(); ++i) {
+    all.emplace_back();
+    for (Eigen::Index j = 0; j < m.cols(); ++j) all.back().push_back(m(i, j));
+  }
+  return all;
+}
+
 class Test : public testing::Test {
  public:
   Test(const Check& check, Reporter& reporter, std::function<CheckAnswers(const Check&)> asked)
@@ -76,6 +86,17 @@ std::vector<Check>& checks() {
 
 CheckAnswers::CheckAnswers(const Check& asked_check)
     : check(asked_check), cases(cases_of(check.id())), first(cases.size()), again(cases.size()) {}
+
+words::FailedCase failed_case(const Failure& failure) {
+  const auto& [c, problem, cases, wrong, ended_at, again] = failure;
+  words::FailedCase failed{cases,    wrong,    ended_at,         again, c.name, c.input,
+                           c.hidden, c.corner, problem.sentence, {}};
+  for (const auto& [name, unit, expected, got] : problem.differences) {
+    failed.quantities.push_back(
+        {name, unit, rows(got), rows(expected), rows(agrees(c, expected, got))});
+  }
+  return failed;
+}
 
 Outcome ask(const Check& check, const Case& c) {
   Outcome outcome;

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "cases.hpp"
+#include "failed_case.hpp"
 
 namespace bounce::tests {
 
@@ -75,6 +76,9 @@ struct Failure {
   std::size_t ended_at = 0;  // how many were asked until the program ended, with the last; else 0
   bool again = false;        // it was right when it was asked before, in another order
 };
+
+// The same, as reports say it (grader/words).
+words::FailedCase failed_case(const Failure& failure);
 
 // Is told what happens while a check is asked and compared. GoogleTest is told only that the check
 // failed: its messages are for people, and no program reads them, since their wording changes from

@@ -12,7 +12,7 @@ from typing import NamedTuple
 from bounce_grader.common.paths import HANDOUT
 from bounce_grader.submission.submission import Place
 
-EXPLAINED = HANDOUT / "given" / "check"
+EXPLAINED = HANDOUT / "given" / "check" / "compiler_errors.txt"
 QUOTES = str.maketrans('‘’`"', "''''")
 
 
@@ -57,18 +57,18 @@ def _without_a_place(printed: str) -> str:
     return f"the compiler gave up on it: {limits}, {fault}"
 
 
-def meaning(error: str, file: str = "compiler_errors.txt") -> str:
+def meaning(error: str) -> str:
     """A sentence; empty where the error isn't one of the commonest."""
     plain = error.translate(QUOTES)
-    return next((sentence for piece, sentence in meanings(file) if piece in plain), "")
+    return next((sentence for piece, sentence in meanings() if piece in plain), "")
 
 
 @functools.cache
-def meanings(file: str | Path) -> list[tuple[str, str]]:
-    """Pairs of a piece of a message and the sentence that explains it. In the file, which is among
-    those of ./check if it has no folder, the pieces are indented below their sentence."""
+def meanings() -> list[tuple[str, str]]:
+    """Pairs of a piece of a message and the sentence that explains it. In the file, the pieces are
+    indented below their sentence."""
     found, sentence = [], ""
-    for line in (EXPLAINED / file).read_text(encoding="utf-8").splitlines():
+    for line in EXPLAINED.read_text(encoding="utf-8").splitlines():
         if line.startswith("  "):
             found.append((line[2:], sentence))
         else:

@@ -16,7 +16,7 @@ from bounce_grader.common.errors import KitError
 from bounce_grader.common.escaping import first_few, printable_name, printable_text
 from bounce_grader.common.manifest import Part
 from bounce_grader.common.paths import FIXTURES, JUDGE, SOURCES, WORK_FOLDER
-from bounce_grader.grading.words import ending, Verdict
+from bounce_grader.grading.words import Said, say, Verdict
 from bounce_grader.sandbox import processes
 from bounce_grader.sandbox.box import LARGEST_FILE
 from bounce_grader.sandbox.budget import Overrun
@@ -148,19 +148,24 @@ def with_cause(part: Part, judged: Judged, work: Work, hidden: Path) -> Judged:
     """The same verdicts; those about crashes that no assertion explains also say what the
     sanitizers found, if anything."""
     crashed = {id: v for id, v in judged.verdicts.items() if v.status == "crashed"}
-    unclear = [id for id, v in crashed.items() if v.kind_of_end != "assertion"]
-    again = _again(part, work, hidden) if unclear else {}
-    found = {id: v.end for id, v in again.items() if id in unclear and v.kind_of_end == FOUND}
+    unclear = [id for id, said in _said(crashed).items() if said.id != "assertion"]
+    again = _said(_again(part, work, hidden)) if unclear else {}
+    found = {id: said.end for id, said in again.items() if id in unclear and said.id == FOUND}
     named = {id: crashed[id]._replace(found=end) for id, end in found.items()}
     return judged._replace(verdicts=judged.verdicts | named)
+
+
+def _said(verdicts: dict[str, Verdict]) -> dict[str, Said]:
+    return dict(zip(verdicts, say(list(verdicts.values()))))
 
 
 def remark(part: Part, work: Work) -> tuple[str, Place | None] | None:
     """What the sanitizers find in a part with all points, in public cases, and where, or None."""
     again = _again(part, work, None)
-    for verdict in again.values():
-        if verdict.kind_of_end == FOUND and verdict.ended:
-            return f"{verdict.place or part.file}: {ending(verdict.ended)}", verdict.place
+    nowhere = {id: verdict._replace(place=None) for id, verdict in again.items()}
+    for id, said in _said(nowhere).items():
+        if said.id == FOUND:
+            return f"{again[id].place or part.file}: {said.end}", again[id].place
     for check, verdict in zip(part.checks, again.values()):
         answered = verdict.status == "graded" and (verdict.failure or {}).get("quantities")
         if not verdict.passed and answered:

@@ -17,6 +17,7 @@ from bounce_grader.common.manifest import parts, Check, Part
 from bounce_grader.common.paths import FIXTURES
 from bounce_grader.grading import words
 from bounce_grader.grading.judging import Judged
+from bounce_grader.grading.words import Said, Verdict
 from bounce_grader.submission.submission import Place, Submission
 
 Record = dict[str, Any]
@@ -61,7 +62,10 @@ def _at(place: Place | None) -> Record:
 
 def part_record(part: Part, judged: Judged) -> Record:
     place = next((verdict.place for verdict in judged.ended if verdict.place), None)
-    whole = failed_part(part, judged.status, _part_message(part, judged), place)
+    verdicts = [judged.verdicts[check.id] for check in part.checks]
+    said = words.say(verdicts)
+    end = next((s.end for v, s in zip(verdicts, said) if v.status != "graded"), "")
+    whole = failed_part(part, judged.status, end or _part_message(part, judged), place)
     if judged.status == "does_not_compile":  # no function to ask: said once, and of no check
         return whole
     known = [known_mistakes()[name] for name in judged.mistakes]
@@ -71,7 +75,7 @@ def part_record(part: Part, judged: Judged) -> Record:
         "graded_with": judged.graded_with,
         "mistakes": mistakes,
         "patterns": [printable_text(sentence) for sentence in judged.patterns],
-        "checks": list(_checks(part, judged, mistakes)),
+        "checks": list(_checks(part, verdicts, said, mistakes)),
     }
 
 
@@ -80,19 +84,20 @@ def with_remark(graded: Record, remark: str, place: Place | None) -> Record:
     return graded | {"remarks": [*graded["remarks"], sentence(remark)]} | _at(place)
 
 
-def _checks(part: Part, judged: Judged, mistakes: list[Record]) -> Iterator[Record]:
+def _checks(
+    part: Part, verdicts: list[Verdict], all_said: list[Said], mistakes: list[Record]
+) -> Iterator[Record]:
     """The records of the checks. One that fails by the same exception or crash as an earlier check
     refers to that check, in place of repeating its case."""
     first: dict[str, str] = {}  # the title of the check, by the reason
-    for check in part.checks:
-        verdict = judged.verdicts[check.id]
-        reason, numbers, message = verdict.reason, _numbers(verdict), words.of_check(verdict)
+    for check, verdict, said in zip(part.checks, verdicts, all_said):
+        reason, numbers, message = said.reason(verdict), _numbers(verdict, said), said.lines
         if reason in first and verdict.failure:
-            message = f'{words.counts(verdict.failure)}, as in "{first[reason]}": {reason}'
+            message = f'{said.counts}, as in "{first[reason]}": {reason}'
             numbers = {}
         elif reason:
             first[reason] = check.title
-        made = _check_record(check, verdict.passed, message, mistakes)
+        made = _check_record(check, verdict.passed, message or said.end, mistakes)
         yield made | _at(verdict.place) | numbers
 
 
@@ -115,13 +120,13 @@ def _check_record(check: Check, passed: bool, message: str, mistakes: list[Recor
     }
 
 
-def _numbers(verdict: words.Verdict) -> Record:
+def _numbers(verdict: Verdict, said: Said) -> Record:
     """The failed case in numbers; if hidden, also the message with its answer, for some to see."""
     failure = verdict.failure
     if not failure or verdict.status != "graded":
         return {}
     shown = {"shown": {name: failure[name] for name in SHOWN}}
-    return shown | ({"revealed": words.of_check(verdict, True)} if failure["hidden"] else {})
+    return shown | ({"revealed": said.revealed} if failure["hidden"] else {})
 
 
 def for_readers(record: Record, answers: bool) -> Record:
@@ -145,8 +150,6 @@ def _part_message(part: Part, judged: Judged) -> str:
     lost = sum(not judged.verdicts[check.id].passed for check in part.checks)
     if not lost:
         return "everything right"
-    if judged.ended:
-        return judged.ended[0].end
     every = len(part.checks)
     return f"{lost} of {every} checks failed" if lost < every else "no check passed yet"
 

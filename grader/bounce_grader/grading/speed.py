@@ -57,7 +57,8 @@ def _cut(cut: Any) -> str:
     """Where and why the curves of a submission end early; empty if they don't."""
     if cut is None:
         return ""
-    why = words.ending(cut["ended"]) if cut["ended"] else cut["sentence"]
+    (said,) = words.say([words.Verdict(False, "", cut["ended"])])
+    why = said.end or cut["sentence"]
     return printable_text(f"at dt = {cut['dt']:.2g} s: {why}")
 
 

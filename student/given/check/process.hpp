@@ -19,6 +19,10 @@ inline constexpr bool kHasSanitizers = true;
 
 inline const std::filesystem::path kWork = "build/check";  // what the check keeps between runs
 
+// Of a part, where a system has such limits.
+inline constexpr int kLargestFile = 10'240'000;  // bytes that it may print
+inline constexpr int kSecondsOfWork = 30;        // each check ends sooner, a constructor may not
+
 enum class Limits { none, of_a_part };  // of a part: memory, time, the size of what it prints
 
 // Runs the command, with nothing to read. What it prints is added to `output`. Returns its exit

@@ -14,8 +14,6 @@ namespace bounce::check {
 namespace {
 
 constexpr rlim_t kMemory = rlim_t{4} << 30;  // bytes
-constexpr rlim_t kLargestFile = 10'240'000;  // bytes that a program may print
-constexpr rlim_t kSecondsOfWork = 30;        // s; each check ends sooner, a constructor may not
 constexpr int kNotStarted = 127;
 
 void limit(int what, rlim_t most, rlim_t further = 0) {

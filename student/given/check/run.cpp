@@ -132,13 +132,14 @@ Result run_checks(const Run& run, const Part& part, const std::string& target) {
     fs::remove(stack);
     const auto ended = check::run(command, prints, limits_of(run));
     if (!ended) throw Failure(result.program + " can't be started: remove the folder build");
-    const std::string printed = read(prints), place = place_of_crash(result.program, stack);
+    const std::string printed = read(prints), cause = cause_in(stack);
+    const std::string place = place_of_crash(result.program, stack);
     for (const Check& check : part.checks) {
       if (result.notes.count(check.id) || !fs::exists(notes / check.id)) continue;
       Note& note = result.notes[check.id] = read_note(notes / check.id);
       const bool hangs = note.status == "hung";
       if (note.status != "running" && !hangs) continue;
-      const std::string why = reason_of(hangs ? kTooLong : *ended, printed);
+      const std::string why = reason_of(hangs ? kTooLong : *ended, printed, cause);
       note = {hangs ? "hung" : "crashed", why + place + "\nIt was asked: " + note.text, note.from,
               fs::file_size(prints)};
       hung += hangs;
@@ -147,10 +148,10 @@ Result run_checks(const Run& run, const Part& part, const std::string& target) {
     }
     if (!result.notes.empty()) continue;
     for (const Check& check : part.checks) {  // as where a global object's constructor crashes
-      result.notes[check.id] = {"crashed",
-                                "Before the first check began, " + reason_of(*ended, printed) +
-                                    "\nLook at what runs before main: objects outside of "
-                                    "functions, and what their constructors do.\n"};
+      result.notes[check.id] = {
+          "crashed", "Before the first check began, " + reason_of(*ended, printed, cause) +
+                         "\nLook at what runs before main: objects outside of "
+                         "functions, and what their constructors do.\n"};
     }
   }
   return result;

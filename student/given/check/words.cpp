@@ -1,31 +1,21 @@
 #include "words.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <cstdlib>
 #include <sstream>
-#include <utility>
 
+#include "ending.hpp"
 #include "files.hpp"
+#include "sentences.hpp"
 
 namespace bounce::check {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kCrashes = "crashes.txt";
+constexpr const char* kErrors = "../check/compiler_errors.txt";
+constexpr int kSecondsOfAnAnswer = 3;  // tests/linked/time_limit.cpp
 constexpr std::size_t kLongest = 200;  // characters of a line
-constexpr const char* kOutOfBounds =
-    "the program crashed: an index or a pointer out of bounds, or recursion without end";
-constexpr std::pair<int, const char*> kSignals[] = {
-    {SIGXFSZ, "the program printed without end"},
-    {SIGXCPU, "the program worked without end: an endless loop?"},
-    {SIGFPE, "the program crashed: a division by zero"},
-    {SIGBUS, kOutOfBounds},
-    {SIGSEGV, kOutOfBounds},
-    {SIGILL, "the program crashed: is a return missing?"},
-    {SIGKILL, "the program was ended, perhaps for want of memory"}};
-
 bool is_own(const std::string& line) { return begins(line, "src/") || begins(line, "include/"); }
 
 // Of the compiler, and not of the linker.
@@ -77,57 +67,6 @@ std::string as_others_write(const std::string& line) {
   return line;
 }
 
-// With ' for the quotation marks of all compilers.
-std::string plainly_quoted(std::string line) {
-  for (const std::string quote : {"\u2018", "\u2019", "`", "\""}) {
-    for (std::size_t at = 0; (at = line.find(quote, at)) != std::string::npos;)
-      line.replace(at, quote.size(), "'");
-  }
-  return line;
-}
-
-// The sentence of the table above the first piece that the text holds; empty if it holds none.
-std::string meaning_in(const std::string& table, const std::string& text) {
-  const std::string plain = plainly_quoted(text);
-  std::string sentence;
-  for (const std::string& line : lines_of(read("given/check/" + table))) {
-    if (!begins(line, "  ")) {
-      sentence = line;
-    } else if (has(plain, line.substr(2))) {
-      return sentence;
-    }
-  }
-  return "";
-}
-
-// The last line in which a program says why it stops.
-std::string last_reason(const std::string& printed) {
-  std::string last;
-  for (const std::string& line : lines_of(printed)) {
-    if (has(line, "Assertion") || has(line, "what():")) last = printable(line);
-  }
-  return last;
-}
-
-std::string why_aborted(const std::string& said) {
-  static const std::string kAborted = "the program was aborted: ";
-  if (const std::size_t at = said.find("what():"); at != std::string::npos) {
-    return "the program threw an exception: " + said.substr(said.find_first_not_of(' ', at + 7)) +
-           ", and nobody caught it";
-  }
-  if (const std::string meaning = meaning_in(kCrashes, said); !meaning.empty()) {
-    const std::size_t type = std::min(said.find("Eigen::Matrix<double, "), said.size());
-    int rows = 0, columns = 0;
-    std::sscanf(said.c_str() + type, "Eigen::Matrix<double, %d, %d", &rows, &columns);
-    const std::string size = std::to_string(rows) + "x" + std::to_string(columns);
-    return kAborted + meaning + (rows > 0 && columns > 0 ? " (a " + size + " matrix)" : "");
-  }
-  if (const std::size_t at = said.find("Assertion"); at != std::string::npos) {
-    return kAborted + "a failed assertion: " + said.substr(at + 9).substr(0, 100);
-  }
-  return kAborted + "a failed assertion, or an exception nobody caught";
-}
-
 }  // namespace
 
 std::vector<std::string> own_lines(const std::string& printed) {
@@ -175,7 +114,7 @@ BuildError first_error(const std::vector<std::string>& lines) {
            ": " + error.substr(error.find("error: ") + 7);
   }
   text = "  " + text.substr(0, kLongest) + (is_own(error) ? rest : "");
-  const std::string meaning = meaning_in("compiler_errors.txt", error.empty() ? missing : error);
+  const std::string meaning = words::meaning_in(kErrors, error.empty() ? missing : error);
   return {text + (meaning.empty() ? "" : "\n" + folded(meaning, 74, "  "))};
 }
 
@@ -190,7 +129,7 @@ std::string found_by_sanitizers(const std::string& printed) {
     if (const std::size_t at = line.find(address); found.empty() && at != std::string::npos) {
       const std::string kind = line.substr(at + address.size());
       found = kind.substr(0, kind.find_first_of(" :("));
-      if (const std::string meaning = meaning_in(kCrashes, found); !meaning.empty())
+      if (const std::string meaning = words::meaning_in("crashes.txt", found); !meaning.empty())
         found = meaning;
     }
     const std::string place = found.empty() ? "" : own_place(line);
@@ -218,16 +157,25 @@ std::string place_of_crash(const std::string& program, const fs::path& stack) {
   return "";
 }
 
-std::string reason_of(int ended, const std::string& printed) {
+std::string cause_in(const fs::path& stack) {
+  const std::string said = read(stack), mark = "cause of the crash: ";
+  const std::size_t at = said.find(mark);
+  if (at == std::string::npos) return "unknown";
+  return said.substr(at + mark.size(), said.find('\n', at) - at - mark.size());
+}
+
+std::string reason_of(int ended, const std::string& printed, const std::string& cause) {
   if (const std::string found = found_by_sanitizers(printed); !found.empty()) return found;
-  if (ended == -SIGABRT) return why_aborted(last_reason(printed));
-  for (const auto& [signal, sentence] : kSignals) {
-    if (ended == -signal) return sentence;
+  words::Ending ending{"exited", ended};
+  if (ended < 0) ending = {"signal", -ended, cause};
+  if (ended == -SIGXCPU) ending = {"worked", kSecondsOfWork};
+  if (ended == kTooLong) ending = {"worked", kSecondsOfAnAnswer};
+  if (ended == -SIGXFSZ) ending = {"printed", kLargestFile / 1'000'000};
+  if (ended == -SIGABRT) {
+    ending = {"aborted", SIGABRT};
+    for (const std::string& line : lines_of(printed)) ending.text += printable(line) + "\n";
   }
-  if (ended < 0) return "the program was ended by signal " + std::to_string(-ended);
-  if (ended == kTooLong) return "no answer within 3 s of work: an endless loop?";
-  return "the program ended by itself, with status " + std::to_string(ended) +
-         ": does it call exit?";
+  return words::said(ending).sentence;
 }
 
 }  // namespace bounce::check

@@ -39,8 +39,11 @@ inline constexpr int kTooLong = 124;  // its exit code where an answer takes too
 // "src/part3_step.cpp:12: it uses a variable that is gone"; empty if sanitizers found nothing.
 std::string found_by_sanitizers(const std::string& printed);
 
-// "the program crashed: a division by zero", from what `run` returned and all that it printed.
-std::string reason_of(int ended, const std::string& printed);
+// Why it crashed, as grader/runner/crash.hpp names it in this file: "null pointer".
+std::string cause_in(const std::filesystem::path& stack);
+
+// What `run` returned, and all that it printed, in the words of the course's grading.
+std::string reason_of(int ended, const std::string& printed, const std::string& cause = "unknown");
 
 // ", at src/part4_simulate.cpp:10": the innermost of the addresses in the file that is the
 // student's. Empty where that can't be had, as on Windows.

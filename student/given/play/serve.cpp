@@ -53,7 +53,8 @@ std::string answer_to(const std::string& question, const fs::path& program,
     ended = check::run({program.string(), folder.string()}, printed, check::Limits::of_a_part);
   }
   if (const std::string text = check::read(answer); !text.empty()) return text;
-  const std::string problem = ended ? check::reason_of(*ended, check::read(printed)) +
+  const std::string cause = check::cause_in(stack);
+  const std::string problem = ended ? check::reason_of(*ended, check::read(printed), cause) +
                                           check::place_of_crash(program.string(), stack)
                                     : "the program can't be started: it is being built, or is gone";
   return json{{"problem", problem}}.dump();

@@ -17,11 +17,10 @@ from typing import Any, NamedTuple
 import corpus
 import pytest
 from bounce_grader.build import errors, toolchain
-from bounce_grader.common import escaping
 from bounce_grader.common.errors import KitError, UsageError
 from bounce_grader.common.manifest import parts
 from bounce_grader.common.paths import BUILD, WORK_FOLDER
-from bounce_grader.grading import judging, words
+from bounce_grader.grading import judging
 from bounce_grader.sandbox.processes import Result
 from bounce_grader.submission import entry, submission
 from conftest import ROOT
@@ -110,9 +109,6 @@ def check_compiler(data: bytes, _: Path) -> bool:
     printed = Result(1, 0.0, b"", data.decode("utf-8", "replace"), False, False)
     problem = toolchain.compile_problem(printed, "part2_lcp.cpp").problem
     assert problem and "\n" not in problem and "\n" not in errors.of_linker(printed.err).problem
-    printed_last = escaping.printable_text(data.decode("utf-8", "replace"))
-    ending = words.ending({"what": "aborted", "number": 6, "text": printed_last})
-    assert ending and "\n" not in ending and len(ending) < 600
     place = judging.place_in(data)
     assert place is None or len(str(place)) <= 300
     return place is not None or ": " in problem

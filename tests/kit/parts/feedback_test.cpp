@@ -1,10 +1,9 @@
 // The feedback on a wrong answer, and on a part that throws, in a student's own build.
-#include "../../../grader/diagnosis/feedback.hpp"
-
 #include <cmath>
 #include <stdexcept>
 #include <utility>
 
+#include "../../parts/checks.hpp"
 #include "../../parts/linked/linked.hpp"
 #include "../../parts/submission.hpp"
 #include "expected_texts.hpp"
@@ -22,7 +21,7 @@ Case some_case() {
 using Matrix = Eigen::MatrixXd;
 
 std::string told(const Case& c, const Matrix& expected, const Matrix& got) {
-  return feedback(c, compare(c, "a quantity", "m", expected, got));
+  return words::numbers(failed_case({c, compare(c, "a quantity", "m", expected, got)}), true);
 }
 
 Matrix scalar(double x) { return Matrix::Constant(1, 1, x); }

@@ -1,6 +1,7 @@
 """The answer of a hidden case is shown where that is asked for, and nowhere else."""
 
 import json
+from html import escape
 from pathlib import Path
 from typing import Any
 
@@ -38,12 +39,14 @@ def test_the_answer_of_a_hidden_case_is_shown_only_where_that_is_asked_for(tmp_p
     got = closed["shown"]["quantities"][0]["got"][0][0]
     expected = opened["shown"]["quantities"][0]["expected"][0][0]
     assert expected == pytest.approx(got - 0.25, abs=1e-9)
-    assert f"expected phi = {expected:.6g}"[:20] in opened["message"]
+    assert "yours, >wrong<    right\n" in opened["message"]
+    assert f"{expected:.6g}"[:7] in opened["message"].rpartition("<")[2]
     assert "corner" in opened["shown"]["contact"] and not closed["shown"]["contact"]
     assert "(a hidden case)" in closed["message"]
-    assert "expected is not shown" in closed["message"]
+    told = "the right numbers aren't shown, as the case is hidden"
+    assert told in closed["message"] and "wrong<    right" not in closed["message"]
     page = html.render(records[0])
-    assert "expected is not shown, this case is hidden" in page
+    assert escape(told) in page
     assert f"{expected:.6g}" not in json.dumps(records[0]) + page
     for check in checks[0].values():
         assert "revealed" not in check

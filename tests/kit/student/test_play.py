@@ -80,7 +80,7 @@ def test_only_its_own_page_on_this_machine_is_answered(address: str) -> None:
 
 def test_requests_without_an_end_or_a_length_hold_nobody_up(address: str) -> None:
     url = urlsplit(address)
-    half_sent = [socket.create_connection((url.hostname, url.port)) for _ in range(60)]
+    half_sent = [socket.create_connection((url.hostname, url.port or 0)) for _ in range(60)]
     for connection in half_sent:
         connection.sendall(b"GET / HTTP/1.1\r\nHost:")
     asked = http.client.HTTPConnection(url.netloc, timeout=PATIENCE)

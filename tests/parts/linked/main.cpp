@@ -23,7 +23,6 @@
 #include "answers.hpp"
 #include "checks.hpp"
 #include "crash.hpp"
-#include "feedback.hpp"
 #include "linked.hpp"
 #include "paths.hpp"  // which CMakeLists.txt makes
 #include "recognise.hpp"
@@ -36,25 +35,10 @@ std::vector<std::filesystem::path> fixture_folders() { return {BOUNCE_FIXTURES};
 namespace {
 
 // The name of a case, and below it what is asked.
-std::string question(const Case& c) {
-  const std::string label = "\n  input    ";
-  std::string text = c.name + label;
-  for (const char sign : c.input) {
-    text += sign;
-    if (sign == '\n') text.append(label.size() - 1, ' ');
-  }
-  return text;
-}
+std::string question(const Case& c) { return c.name + words::indented("\n  input    ", c.input); }
 
 // Nothing ends a program here but its own process, which reports no failure then.
-std::string in_words(const Failure& failure) {
-  static const std::string kAgain =
-      " when asked again in another order, though right before: is something kept from one call to "
-      "the next? ";
-  return std::to_string(failure.wrong) + " of " + std::to_string(failure.cases) + " cases wrong" +
-         (failure.again ? kAgain : "; ") + "the first: " + question(failure.asked) + "\n" +
-         feedback(failure.asked, failure.problem);
-}
+std::string in_words(const Failure& failure) { return words::lines(failed_case(failure), true); }
 
 struct ByHand : Reporter {
   std::string fails(const Failure& failure) override { return in_words(failure); }
@@ -64,7 +48,8 @@ struct ByHand : Reporter {
 // again.
 struct Debugged : ByHand {
   void finds_first_wrong(const Case& c, const Problem& problem, std::size_t) override {
-    std::cout << question(c) << "\n" << feedback(c, problem) << std::endl;
+    const std::string numbers = words::numbers(failed_case({c, problem}), true);
+    std::cout << question(c) << "\n" << numbers << std::endl;
 #ifdef _WIN32
     __debugbreak();
 #else

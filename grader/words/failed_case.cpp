@@ -1,0 +1,138 @@
+#include "failed_case.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace bounce::words {
+namespace {
+
+using Lines = std::vector<std::string>;
+
+constexpr double kNothing = 1e-14;       // numbers below this are rounding errors of 0
+constexpr double kNeverSet = 1e300;      // g++ fills an unset number with -5e303, clang with NaN
+constexpr std::size_t kLineLength = 72;  // of two matrices side by side
+const std::string kAgain =
+    " when asked again in another order, though right before: is something kept from one call to "
+    "the next? ";
+
+std::string number(double x, int digits) {
+  if (std::isnan(x)) return "nan";  // without its sign
+  char text[32];
+  std::snprintf(text, sizeof text, "%.*g", digits, std::abs(x) < kNothing ? 0.0 : x);
+  return text;
+}
+
+std::size_t size(const Rows& rows) { return rows.empty() ? 0 : rows.size() * rows[0].size(); }
+
+// Makes lines equally long.
+void pad(Lines& lines) {
+  std::size_t width = 0;
+  for (const std::string& line : lines) width = std::max(width, line.size());
+  for (std::string& line : lines) line.resize(width, ' ');
+}
+
+// Six digits, or more if a wrong number would look the same as the right one, or stands alone.
+int digits_for(const Quantity& q, bool shown) {
+  for (std::size_t i = 0; i < q.got.size(); ++i) {
+    for (std::size_t j = 0; j < q.got[i].size(); ++j) {
+      const bool differs = shown && number(q.got[i][j], 6) != number(q.expected[i][j], 6);
+      if (!q.right[i][j] && !differs) return 12;
+    }
+  }
+  return 6;
+}
+
+// A title, and a line for each row of the matrix, its columns aligned; a wrong entry is marked.
+Lines lines_of(const char* title, const Rows& m, const std::vector<std::vector<bool>>* right,
+               int digits) {
+  Lines rows(m.size(), size(m) == 1 ? "" : "[");
+  for (std::size_t j = 0; !m.empty() && j < m[0].size(); ++j) {
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const std::string entry = number(m[i][j], digits);
+      const bool is_right = !right || (*right)[i][j];
+      rows[i] += (j > 0 ? "  " : "") + (is_right ? " " + entry + " " : ">" + entry + "<");
+    }
+    pad(rows);
+  }
+  for (std::string& row : rows) row += size(m) > 1 ? "]" : "";
+  rows.insert(rows.begin(), title);
+  pad(rows);
+  return rows;
+}
+
+// Both matrices, side by side if that fits into a line, else one below the other.
+std::string side_by_side(const Quantity& q, bool shown) {
+  const int digits = digits_for(q, shown);
+  Lines lines = lines_of("yours, >wrong<", q.got, &q.right, digits);
+  const Lines rights = shown ? lines_of("right", q.expected, nullptr, digits) : Lines{};
+  if (shown && lines[0].size() + 4 + rights[0].size() < kLineLength) {
+    for (std::size_t i = 0; i < lines.size(); ++i) lines[i] += "    " + rights[i];
+  } else {
+    lines.insert(lines.end(), rights.begin(), rights.end());
+  }
+  std::string text = "  " + q.name + ", in " + q.unit + "\n";
+  for (const std::string& line : lines) {
+    text += "    " + line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+  }
+  return text;
+}
+
+// Describes a number that can't be an answer to any question, such as one that was never set, which
+// a build fills with an odd value; or what isn't filled in. Empty if there is none.
+std::string explanation(const Quantity& q) {
+  const bool is_one = size(q.got) == 1;
+  const std::string subject = is_one ? "  it is " : "  an entry is ";
+  bool is_zero = true;
+  for (const auto& row : q.got) {
+    for (const double x : row) {
+      is_zero = is_zero && x == 0;
+      if (std::isinf(x))
+        return subject + number(x, 6) + ": a division by zero? 1 / 6 is 0, of whole numbers.\n";
+      if (std::abs(x) <= kNeverSet) continue;
+      return subject + number(x, 2) + ": was it ever set? If so, look for " +
+             (std::isnan(x) ? "0/0 or sqrt(-1).\n" : "what makes it grow.\n");
+    }
+  }
+  if (!is_zero) return "";
+  return is_one ? "  it is 0: not filled in, or a smallest that was never found?\n"
+                : "  every entry is 0: is it filled in?\n";
+}
+
+}  // namespace
+
+std::string indented(const std::string& label, const std::string& text) {
+  std::string lines = label;
+  for (const char sign : text) {
+    lines += sign;
+    if (sign == '\n') lines.append(label.size() - (label[0] == '\n'), ' ');
+  }
+  return lines;
+}
+
+std::string counts(const FailedCase& failed) {
+  const std::string cases = std::to_string(failed.cases);
+  if (failed.ended_at > 0)
+    return "ended at case " + std::to_string(failed.ended_at) + " of " + cases;
+  return std::to_string(failed.wrong) + " of " + cases + " cases wrong";
+}
+
+std::string numbers(const FailedCase& failed, bool shown) {
+  std::string text;
+  if (shown && !failed.contact.empty()) text += "  " + failed.contact + "\n";
+  if (!failed.sentence.empty()) text += "  got      " + failed.sentence + "\n";
+  for (const Quantity& q : failed.quantities) text += side_by_side(q, shown) + explanation(q);
+  if (!shown && !failed.quantities.empty())
+    text += "  the right numbers aren't shown, as the case is hidden\n";
+  if (!text.empty()) text.pop_back();
+  return text;
+}
+
+std::string lines(const FailedCase& failed, bool shown) {
+  return counts(failed) + (failed.again ? kAgain : "; ") +
+         (failed.ended_at > 0 ? "the last: " : "the first: ") + failed.name +
+         (failed.hidden ? " (a hidden case)" : "") + indented("\n  input    ", failed.input) +
+         "\n" + numbers(failed, shown || !failed.hidden);
+}
+
+}  // namespace bounce::words

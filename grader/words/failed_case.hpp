@@ -1,0 +1,44 @@
+// What a check's report says of its failed case: by ./kit grade and by ./check.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace bounce::words {
+
+using Rows = std::vector<std::vector<double>>;
+
+// A wrong quantity; a scalar is one row of one number.
+struct Quantity {
+  std::string name, unit;
+  Rows got, expected;
+  std::vector<std::vector<bool>> right;  // for each entry
+};
+
+// The first wrong case of a check, or the one at which its program ended.
+struct FailedCase {
+  std::size_t cases = 0;     // of the check
+  std::size_t wrong = 0;     // of these
+  std::size_t ended_at = 0;  // how many were asked until the program ended, with the last; else 0
+  bool again = false;        // it was right when it was asked before, in another order
+  std::string name, input;   // input: the question, in lines
+  bool hidden = false;       // the expected answer is the course's
+  std::string contact;       // what the corner does
+  std::string sentence;      // what the numbers alone don't say
+  std::vector<Quantity> quantities;
+};
+
+// "2 of 9 cases wrong", or "ended at case 3 of 9".
+std::string counts(const FailedCase& failed);
+
+// What was asked, what came, and what is right; of a hidden case this only if it is `shown`.
+std::string lines(const FailedCase& failed, bool shown);
+
+// What the corner does, and each wrong quantity beside the right one, its wrong entries marked.
+std::string numbers(const FailedCase& failed, bool shown);
+
+// A label and a text, whose lines after the first begin below the first one's.
+std::string indented(const std::string& label, const std::string& text);
+
+}  // namespace bounce::words
