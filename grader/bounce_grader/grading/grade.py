@@ -106,24 +106,22 @@ class _Grading:
             self.results[part] = self._problem(part) or self._better(part)
 
     def _better(self, part: Part) -> judging.Judged | Record:
-        tries = [self.own[part]] if part in self.own else []
+        given: judging.Judged | None = None
         try:
             if self._could_be_better(part):
                 alone = link_alone(part, self.work)
                 if alone.path:
-                    judged = judging.judge(part, "alone", self.work, alone.path, self.hidden)
-                    # First: of two that score the same, the one with the given parts counts.
-                    tries.insert(0, judged)
-                if self._could_be_better_together(part, tries):
-                    tries.append(self._judge_own(part))
-                if not tries:
+                    given = judging.judge(part, "alone", self.work, alone.path, self.hidden)
+                if self._could_be_better_together(part, given):
+                    self._judge_own(part)
+                if not given and part not in self.own:
                     # With the errors of helpers, which may be the reason.
                     broken = [b.problem for b in self.work.helpers if not b.path]
                     return self._not_built(part, "; ".join([alone.problem, *broken]), alone.place)
         except Overrun as overrun:
-            if not tries:
+            if not given and part not in self.own:
                 return record.failed_part(part, "timed_out", f"not judged: {overrun}")
-        return max(tries, key=lambda judged: judged.score(part))
+        return judging.which_counts(part, self.own.get(part), given)
 
     def record_of(self, part: Part) -> Record:
         """The record of a part, once all are judged: explaining a crash takes what time is left."""
@@ -173,10 +171,10 @@ class _Grading:
         others_answered = any(other.status == "graded" for other in self.own.values())
         return bool(part.calls) or own.status != "timed_out" or not others_answered
 
-    def _could_be_better_together(self, part: Part, tries: list[judging.Judged]) -> bool:
+    def _could_be_better_together(self, part: Part, given: judging.Judged | None) -> bool:
         """Whether the part wasn't judged so, and might score more there: if an earlier part hangs,
         its callers would hang, too."""
-        has_all = any(judged.score(part) == part.points for judged in tries)
+        has_all = given is not None and given.score(part) == part.points
         hangs = any(own.status == "timed_out" for own in self.own.values())
         return bool(self.together) and part not in self.own and not has_all and not hangs
 

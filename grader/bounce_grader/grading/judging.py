@@ -62,6 +62,19 @@ class Judged(NamedTuple):
         return self.ended[0].status if self.ended else "graded"
 
 
+def which_counts(part: Part, own: Judged | None, given: Judged | None) -> Judged:
+    """Of the runs with the student's own earlier parts and with given ones, of which one is there:
+    the table of docs/grading.md."""
+    if not own or (given and given.score(part) > own.score(part)):
+        assert given
+        return given
+    if (
+        own.score(part) < part.points and given and given.status == "graded"
+    ):  # no wrong earlier part is in its numbers
+        return own._replace(mistakes=given.mistakes, patterns=given.patterns)
+    return own
+
+
 def judge(part: Part, how: How, work: Work, runner: Path, hidden: Path | None) -> Judged:
     """Judges a part; without `hidden`, on the public cases alone. Checks that the grading has no
     time left for fail. Raises KitError if the judge fails or doesn't name every check."""
