@@ -190,8 +190,7 @@ void keep_pipes_from_being_opened_again() {
 
 void limit_and_filter(const std::string& kind, rlim_t tasks) {
   const bool build = kind == "build";
-  limit(RLIMIT_CORE,
-        1);  // with 0, the system would still start a program that takes cores by a pipe
+  limit(RLIMIT_CORE, 1);  // with 0, a program that takes cores by a pipe would still be started
   limit(RLIMIT_NPROC, tasks);
   limit(RLIMIT_NOFILE, build ? 256 : 16);
   if (build) {

@@ -15,6 +15,8 @@
 #include <csignal>
 #include <set>
 
+#include "sentences.hpp"
+
 namespace bounce::judge {
 namespace {
 
@@ -218,7 +220,7 @@ void RunnerProcess::require_a_box() {
   if (box_is_made()) return;
   drain_prints();
   kill();
-  throw KitFailure("the box of a program couldn't be made: " + one_line(last_print_, 200));
+  throw KitFailure("the box of a program couldn't be made: " + words::one_line(last_print_, 200));
 }
 
 // Ends a runner that ignores SIGXCPU, too; and one that sleeps where it should long have answered.

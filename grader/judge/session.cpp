@@ -7,6 +7,7 @@
 #include "../../tests/parts/checks.hpp"
 #include "../../tests/parts/submission.hpp"
 #include "../runner/messages.hpp"
+#include "sentences.hpp"
 
 namespace bounce::judge {
 
@@ -62,7 +63,7 @@ std::string thrown_text(const Frame& answer) {
   std::string text = frames::text(answer);
   const bool cut = text.size() == sizeof answer.text - 1;
   if (text == frames::kNoException) return text;
-  return "an exception: \"" + one_line(text, sizeof answer.text) + (cut ? "...\"" : "\"");
+  return "an exception: \"" + words::one_line(text, sizeof answer.text) + (cut ? "...\"" : "\"");
 }
 
 }  // namespace

@@ -11,13 +11,14 @@
 #include <regex>
 
 #include "../runner/crash.hpp"
+#include "sentences.hpp"
 
 namespace bounce::judge {
 namespace {
 
 using View = std::string_view;
 
-constexpr std::size_t kLongestCause = 120, kLongestPrint = 4000;  // bytes
+constexpr std::size_t kLongestPrint = 4000;  // bytes
 
 // Whether a program that was stopped from outside was storing without end.
 bool was_storing(const Limits& limits, std::size_t memory) { return memory >= limits.memory / 8; }
@@ -62,7 +63,7 @@ Termination of_refused_call(int number) {
 Termination of_signal(int signal, const Limits& limits, View print, std::size_t memory) {
   if (signal == SIGXCPU) return out_of_cpu_time(limits, memory);
   if (signal == SIGKILL && was_storing(limits, memory)) return out_of_memory(limits);
-  const std::string cause = one_line(line_after(print, runner::kCause), kLongestCause);
+  const std::string cause = words::one_line(std::string(line_after(print, runner::kCause)));
   const auto begins = [&](const char* mark) { return cause.rfind(mark, 0) == 0; };
   Termination end{"crashed", "signal", signal, cause};
   if (limits.sanitized && begins(runner::kFound)) {
@@ -98,19 +99,7 @@ Termination out_of_memory(const Limits& limits) {
 
 std::string in_one_line(const Termination& end) {
   std::string line = end.status + ": " + end.what + " " + std::to_string(end.number);
-  return one_line(line + (end.text.empty() ? "" : ", " + end.text), 750);
-}
-
-std::string one_line(std::string_view text, std::size_t most) {
-  const bool cut = text.size() > most;
-  while (cut && most > 0 && (static_cast<unsigned char>(text[most]) & 0xC0) == 0x80) --most;
-  std::string line(text.substr(0, most));
-  for (char& sign : line) {
-    if (sign == '\n' || sign == '\r' || sign == '\t') sign = ' ';
-  }
-  const auto both_blank = [](char a, char b) { return a == ' ' && b == ' '; };
-  line.erase(std::unique(line.begin(), line.end(), both_blank), line.end());
-  return cut ? line + "..." : line;
+  return words::one_line(line + (end.text.empty() ? "" : ", " + end.text), 750);
 }
 
 }  // namespace bounce::judge

@@ -4,19 +4,15 @@
 
 #include <cstddef>
 #include <string>
-#include <string_view>
 
 namespace bounce::judge {
 
 // Each holds for the whole life of a runner, unless it says otherwise.
 struct Limits {
   int cpu_seconds = 1;
-  // That we wait for answers. Then a program that sleeps is ended: five times the CPU time, so that
-  // one that works has a CPU a fifth of the time. For all runners of a part.
-  double wall_seconds = 5;
-  int busy_wall_seconds =
-      30;                     // likewise, until one that works is given up: the machine is too busy
-  int session_seconds = 200;  // wall clock, for all runners of a part
+  double wall_seconds = 5;     // that all runners of a part are waited for: then one may not sleep
+  int busy_wall_seconds = 30;  // that one is waited for, though it works: the machine is too busy
+  int session_seconds = 200;   // wall clock, for all runners of a part
   int session_cpu_seconds = 30;  // CPU time, for all runners of a part
   std::size_t memory = std::size_t{1} << 30;
   // Without namespaces, the box's own limit is higher, as it counts all of the user's processes.
@@ -29,7 +25,7 @@ struct Limits {
 // Thrown where a runner can't go on.
 struct Termination {
   std::string status = {};  // of the score record: crashed, timed_out, out_of_memory, no_answer ...
-  std::string what = {};    // a name in grading/endings.txt
+  std::string what = {};    // a name in grader/words/endings.txt
   long number = 0;          // which belongs to it: an exit status, a signal, a limit
   std::string text = {};    // likewise; of "aborted" what the program printed last, any bytes
   std::string stack = {};   // of a crash: hexadecimal addresses, each after a space
@@ -50,11 +46,5 @@ Termination out_of_memory(const Limits& limits);
 
 // "no_answer: exited 7", with what belongs to it; for tests.
 std::string in_one_line(const Termination& end);
-
-// Cuts a text to `most` bytes, not within a character, and marks the cut by "..."; line breaks and
-// tabs become blanks, and many blanks one, as these could make a terminal begin a line anywhere.
-// What isn't UTF-8 is replaced when it is printed (main.cpp), and what doesn't print where it is
-// read (common/escaping.py).
-std::string one_line(std::string_view text, std::size_t most);
 
 }  // namespace bounce::judge

@@ -9,8 +9,6 @@
 namespace bounce::words {
 namespace {
 
-constexpr std::size_t kLongest = 120;  // bytes of a line
-
 // With ' for the quotation marks of all compilers.
 std::string plainly_quoted(std::string text) {
   for (const std::string quote : {"\u2018", "\u2019", "`", "\""}) {
@@ -74,12 +72,11 @@ std::string filled(std::string sentence,
   return text;
 }
 
-std::string one_line(const std::string& text) {
+std::string one_line(const std::string& text, std::size_t most) {
   std::istringstream words(text);
   std::string line;
   for (std::string word; words >> word;) line += (line.empty() ? "" : " ") + word;
-  if (line.size() <= kLongest) return line;
-  std::size_t most = kLongest;
+  if (line.size() <= most) return line;
   while (most > 0 && (static_cast<unsigned char>(line[most]) & 0xC0) == 0x80) --most;
   return line.substr(0, most) + "...";
 }

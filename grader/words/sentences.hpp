@@ -28,7 +28,8 @@ std::string meaning_in(const std::string& file, const std::string& text);
 std::string filled(std::string sentence,
                    const std::vector<std::pair<std::string, std::string>>& values);
 
-// One line, without the blanks that could begin another, cut to 120 bytes and not in a character.
-std::string one_line(const std::string& text);
+// One line, without the blanks that could make a terminal begin another, cut to `most` bytes, and
+// not in a character. What isn't UTF-8 or doesn't print is replaced where it is read.
+std::string one_line(const std::string& text, std::size_t most = 120);
 
 }  // namespace bounce::words

@@ -79,6 +79,7 @@ class _Grading:
         self.work, self.hidden = work, hidden
         self.together: Path | None = None  # the runner with all parts, if they link
         self.own: dict[Part, judging.Judged] = {}
+        self.never_called_given: set[Part] = set()  # that is, the part before, which they could
         self.results: dict[Part, judging.Judged | Record] = {}  # a record: nothing could be run
 
     def judge_together(self) -> None:
@@ -112,6 +113,8 @@ class _Grading:
                 alone = link_alone(part, self.work)
                 if alone.path:
                     given = judging.judge(part, "alone", self.work, alone.path, self.hidden)
+                    if part.calls and given.graded_with == "own":
+                        self.never_called_given.add(part)
                 if self._could_be_better_together(part, given):
                     self._judge_own(part)
                 if not given and part not in self.own:
@@ -146,12 +149,18 @@ class _Grading:
         for earlier in parts()[: part.number - 1]:
             result = self.results[earlier]
             lost = isinstance(result, judging.Judged) and result.score(earlier) < earlier.points
-            if lost and (shared := self.work.taken.shared(earlier.number, part.number)):
+            if not lost:
+                continue
+            if shared := self.work.taken.shared(earlier.number, part.number):
                 files = first_few(list(map(printable_name, shared)))
-                return (
-                    f"; parts {earlier.number} and {part.number} both use {files}: "
-                    "what is wrong there costs points in each, as each is judged by its answers"
+                both = f"parts {earlier.number} and {part.number} both use {files}"
+            elif part in self.never_called_given and earlier.number == part.number - 1:
+                both = (
+                    f"it calls no {earlier.function}(), and may use code of part {earlier.number}"
                 )
+            else:
+                continue
+            return f"; {both}: what is wrong there costs points in each, as each is judged by its answers"
         return ""
 
     def with_remarks(self, graded: Record) -> Record:

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "../../../grader/judge/termination.hpp"
+#include "../../../grader/words/sentences.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
@@ -24,7 +25,7 @@ inline void require(bool promise) {
 
 // One line of bounded length.
 inline bool is_one_line(const std::string& text) {
-  return !text.empty() && judge::one_line(text, 800) == text;
+  return !text.empty() && words::one_line(text, 800) == text;
 }
 
 }  // namespace bounce::fuzz

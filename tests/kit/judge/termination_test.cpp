@@ -1,6 +1,7 @@
 // The description of how a program ended: by its wait status and its last print, which may hold the
 // runner's report of a crash. What real crashes report, the gallery and gradings.toml show.
 #include "../../../grader/judge/termination.hpp"
+#include "../../../grader/words/sentences.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/syscall.h>
@@ -43,12 +44,12 @@ const Row kRows[] = {
     {SIGSYS, "", "crashed: signal 31"},
     {SIGSYS, call(SYS_socket), "crashed: call " + std::to_string(SYS_socket) + ", socket"},
     {SIGSYS, call(4000), "crashed: call 4000"},
-    {SIGABRT, found("SECRET=1"), "crashed: aborted 6, "},
+    {SIGABRT, found("SECRET=1"), "crashed: aborted 6,"},
     {SIGABRT, kBadAlloc, "out_of_memory: out of memory 1024"},
     {SIGABRT, kBadAlloc + "hello\n"s + cause(runner::kUnknown),
      "out_of_memory: out of memory 1024"},
     {SIGABRT, "free(): double free\n" + cause(runner::kUnknown) + "stack",
-     "crashed: aborted 6, free(): double free "},
+     "crashed: aborted 6, free(): double free"},
 };
 
 TEST(Termination, SaysInOneLineHowAProgramEnded) {
@@ -112,7 +113,7 @@ TEST(OneLine, LeavesOneLineOfBoundedLengthAndNoHalfOfACharacter) {
       {many + "a", many + "..."},
       {many.substr(1) + "θ", many.substr(1) + "..."},
   };
-  for (const auto& [text, line] : rows) EXPECT_EQ(judge::one_line(text, 40), line);
+  for (const auto& [text, line] : rows) EXPECT_EQ(words::one_line(text, 40), line);
 }
 
 }  // namespace
