@@ -7,7 +7,6 @@
 #include "../../tests/parts/checks.hpp"
 #include "../../tests/parts/submission.hpp"
 #include "../runner/messages.hpp"
-#include "sentences.hpp"
 
 namespace bounce::judge {
 
@@ -58,14 +57,6 @@ Frame reply_ahead(Frame callback) {
   return reply;
 }
 
-// With the text of what(), as much of it as fits into a frame.
-std::string thrown_text(const Frame& answer) {
-  std::string text = frames::text(answer);
-  const bool cut = text.size() == sizeof answer.text - 1;
-  if (text == frames::kNoException) return text;
-  return "an exception: \"" + words::one_line(text, sizeof answer.text) + (cut ? "...\"" : "\"");
-}
-
 }  // namespace
 
 Session* session = nullptr;
@@ -111,7 +102,9 @@ Frame Session::ask(Frame question, Trajectory* columns) {
     throw tests::Ended{end.what};
   }
   if (answer.kind == Kind::threw) {
-    throw std::runtime_error("the program threw " + thrown_text(answer));
+    const std::string text = frames::text(answer);
+    throw std::runtime_error(
+        submission::threw(question.part, text == frames::kNoException ? "" : text));
   }
   return answer;
 }

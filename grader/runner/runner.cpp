@@ -62,6 +62,12 @@ Frame answer_to(const Frame& question, Trajectory& trajectory) {
   } catch (const std::exception& thrown) {
     answer.kind = Kind::threw;
     frames::put_text(answer, thrown.what());
+  } catch (const char* text) {
+    answer.kind = Kind::threw;
+    frames::put_text(answer, text);
+  } catch (const std::string& text) {
+    answer.kind = Kind::threw;
+    frames::put_text(answer, text.c_str());
   } catch (...) {
     answer.kind = Kind::threw;
     frames::put_text(answer, frames::kNoException);

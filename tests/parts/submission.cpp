@@ -3,7 +3,18 @@
 #include <algorithm>
 #include <string>
 
+#include "sentences.hpp"
+
 namespace bounce::submission {
+
+constexpr std::size_t kLongestText = 150;  // bytes; a frame holds a few more
+
+std::string threw(std::uint32_t part, const std::string& text) {
+  const std::string who =
+      "part " + std::to_string(part) + (part > 2 ? ", or what it calls," : "") + " threw ";
+  if (text.empty()) return who + frames::kNoException;
+  return who + "an exception: \"" + words::one_line(text, kLongestText) + "\"";
+}
 
 void require_columns(Eigen::Index q_columns, Eigen::Index v_columns, int T) {
   if (q_columns == T && v_columns == T) return;

@@ -18,6 +18,10 @@ namespace bounce::submission {
 // own build, where a debugger works); the judge's session.cpp asks a runner in another process.
 frames::Frame ask(const frames::Frame& question, Trajectory* columns);
 
+// "part 3, or what it calls, threw an exception: "oh"": it comes from the student's program.
+// Without a text, what was thrown is no std::exception.
+std::string threw(std::uint32_t part, const std::string& text);
+
 struct MissingColumns : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -14,6 +14,7 @@ NAMES = [
     "mistakes/part2_friction_directions_swapped",
     "mistakes/part3_moves_with_the_old_velocity",
     "broken/part1_not_a_number",
+    "broken/part3_throws_not_done_yet",
     "mistakes/part4_initial_state_exchanged",
 ]
 

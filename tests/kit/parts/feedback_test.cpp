@@ -62,8 +62,11 @@ std::string thrown(Contact (*part)(const Vector3&, const Parameters&)) {
 TEST(feedback, NamesThePartAndSaysWhatItSaid) {
   using Q = const Vector3&;
   using P = const Parameters&;
-  EXPECT_EQ(thrown([](Q, P) -> Contact { throw std::string("oh"); }), "part 1 threw: oh");
-  EXPECT_EQ(thrown([](Q, P) -> Contact { throw "oh"; }), "part 1 threw: oh");
+  EXPECT_EQ(thrown([](Q, P) -> Contact { throw std::runtime_error("oh"); }),
+            "part 1 threw an exception: \"oh\"");
+  EXPECT_EQ(thrown([](Q, P) -> Contact { throw "oh"; }), "part 1 threw an exception: \"oh\"");
+  EXPECT_EQ(thrown([](Q, P) -> Contact { throw 7; }),
+            "part 1 threw something that isn't a std::exception");
 }
 
 }  // namespace

@@ -17,24 +17,22 @@ static void call(const Frame& question, Frame& answer, Trajectory* columns) {
   if constexpr (std::is_same_v<decltype(result), Trajectory>) *columns = std::move(result);
 }
 
-// Turns any exception of the function into std::runtime_error, such as "part 1 threw an exception:
-// oh", which says that it comes from the student's program.
+// Turns any exception of the function into std::runtime_error, which says that it comes from the
+// student's program.
 Frame ask(const Frame& question, Trajectory* columns) {
-  const std::string part = "part " + std::to_string(question.part) +
-                           (question.part > 2 ? ", or what it calls," : "") + " threw";
   Frame answer;
   try {
 #define BOUNCE_CALL(number, function) \
   if (question.part == number) call<&bounce::function>(question, answer, columns);
     BOUNCE_FUNCTIONS(BOUNCE_CALL)
   } catch (const std::exception& thrown) {
-    throw std::runtime_error(part + " an exception: " + thrown.what());
+    throw std::runtime_error(threw(question.part, thrown.what()));
   } catch (const char* text) {
-    throw std::runtime_error(part + ": " + text);
+    throw std::runtime_error(threw(question.part, text));
   } catch (const std::string& text) {
-    throw std::runtime_error(part + ": " + text);
+    throw std::runtime_error(threw(question.part, text));
   } catch (...) {
-    throw std::runtime_error(part + " something that isn't a std::exception");
+    throw std::runtime_error(threw(question.part, ""));
   }
   if (columns == nullptr) return answer;
   const Eigen::Index size =
