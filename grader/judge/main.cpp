@@ -35,6 +35,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <numeric>
+#include <tuple>
 
 #include "../../tests/parts/checks.hpp"
 #include "../diagnosis/recognise.hpp"
@@ -89,22 +90,48 @@ std::vector<std::size_t> order_of(const std::vector<tests::Case>& cases) {
   return order;
 }
 
+using Order = std::vector<std::pair<AskedCheck*, std::size_t>>;
+
+// Asks a new runner what another was asked in the first round, so that by ending itself a program
+// doesn't get rid of what it keeps between calls. Returns where it ended, if it did.
+std::optional<tests::Outcome> ask_first_round_again(const Order& backwards) {
+  for (auto question = backwards.rbegin(); question != backwards.rend(); ++question) {
+    const auto& [check, i] = *question;
+    const auto& first = check->asked.first[i];
+    if (!first || first->ended) continue;
+    const tests::Outcome outcome = tests::ask(check->asked.check, check->asked.cases[i]);
+    if (outcome.ended) return outcome;
+  }
+  return {};
+}
+
 // Asks all cases of the part's checks, and once more in reverse order. A check is asked no more
-// once the program has ended in it. Nothing is compared meanwhile: tests/parts/checks.hpp says why.
+// once the program has ended in it; and no check once it has ended only when asked again, unless it
+// was slow: what it keeps between calls made it end, or it got rid of that. Nothing is compared
+// meanwhile: tests/parts/checks.hpp says why.
 std::map<std::string, AskedCheck> ask_all() {
   std::map<std::string, AskedCheck> all;
-  std::vector<std::pair<AskedCheck*, std::size_t>> order;
+  Order order;
   for (const tests::Check& check : tests::checks()) {
     AskedCheck& added =
         all.emplace(check.id(), AskedCheck{tests::CheckAnswers(check), {}}).first->second;
     for (const std::size_t i : order_of(added.asked.cases)) order.emplace_back(&added, i);
   }
   for (const bool again : {false, true}) {
+    const auto has_ended = [](const auto& question) { return question.first->end.has_value(); };
+    bool is_new = again && std::any_of(order.begin(), order.end(), has_ended);
+    std::optional<tests::Outcome> ended;
+    std::optional<Termination> end;
     for (const auto& [check, i] : order) {
       if (!check->is_asked(again)) continue;
       tests::CheckAnswers& asked = check->asked;
-      (again ? asked.again : asked.first)[i] = tests::ask(asked.check, asked.cases[i]);
-      check->end = session->take_end();
+      auto& outcome = (again ? asked.again : asked.first)[i];
+      const bool is_over = again && end && end->status != "timed_out";
+      if (!is_over) ended = again && is_new ? ask_first_round_again(order) : std::nullopt;
+      outcome = ended ? *ended : tests::ask(asked.check, asked.cases[i]);
+      check->end = is_over ? end : session->take_end();
+      is_new = check->end.has_value();
+      if (is_new) std::tie(end, ended) = std::tie(check->end, outcome);
     }
     std::reverse(order.begin(), order.end());
   }
