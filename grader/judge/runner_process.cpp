@@ -246,13 +246,16 @@ void RunnerProcess::end_if_it_hangs(bool amid_an_answer) {
 }
 
 // What woke us, such as a print, was written by a program at work. So it is looked at some times
-// more; and it may have answered, and sleep since then.
+// more; and it may have answered or ended since then.
 bool RunnerProcess::sleeps() const {
   for (int look = 0; look < kLooks; ++look) {
     ::poll(nullptr, 0, 1);
     if (usage_of(pid_).value_or(ProcessUsage{}).works) continue;
+    siginfo_t ended{};
+    ::waitid(P_PID, static_cast<id_t>(pid_), &ended, WEXITED | WNOHANG | WNOWAIT);
     pollfd answers{answers_, POLLIN, 0};
-    return ::poll(&answers, 1, 0) == 0 || (answers.revents & POLLIN) == 0;
+    const bool has_answered = ::poll(&answers, 1, 0) > 0 && (answers.revents & POLLIN) != 0;
+    return ended.si_pid == 0 && !has_answered;
   }
   return false;
 }
