@@ -68,9 +68,8 @@ def which_counts(part: Part, own: Judged | None, given: Judged | None) -> Judged
     if not own or (given and given.score(part) > own.score(part)):
         assert given
         return given
-    if (
-        own.score(part) < part.points and given and given.status == "graded"
-    ):  # no wrong earlier part is in its numbers
+    if own.score(part) < part.points and given and given.status == "graded":
+        # No wrong earlier part is in its numbers.
         return own._replace(mistakes=given.mistakes, patterns=given.patterns)
     return own
 

@@ -9,6 +9,7 @@ DECIDES = (
     "grader/judge/main.cpp",
     "grader/box/filter.cpp",
     "grader/diagnosis/tables.txt",
+    "grader/words/endings.txt",
     "grader/bounce_grader/grading/grade.py",
     "solution/exact/event_driven.hpp",
     "student/given/solve_lcp.cpp",

@@ -27,7 +27,7 @@ from bounce_grader.submission.submission import Submission
 
 SET = "set.json"
 PYTHON = ("build", "common", "grading", "sandbox", "submission", "classroom/intake")
-CPP = ("judge", "runner", "box", "diagnosis")
+CPP = ("judge", "runner", "box", "diagnosis", "words")
 Result = dict[str, Any]
 
 
