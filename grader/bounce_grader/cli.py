@@ -103,6 +103,8 @@ def _add_grade(parser: argparse.ArgumentParser) -> None:
     option("--format", choices=formats.NAMES, metavar="NAME", help=names)
     option("--min-score", type=float, metavar="S", help="exit with 1 below this score")
     option("--speed", action="store_true", help="chart speed against accuracy")
+    public = "on the public cases alone: the record has the parts that ./check --json writes"
+    option("--public", action="store_true", help=public)
     option("--reveal", action="store_true", help="show the expected answers of hidden cases, too")
     remarks = "leave out remarks about undefined behaviour, which take longer than all else"
     option("--no-sanitize", action="store_true", help=remarks)

@@ -7,7 +7,7 @@ from bounce_grader import formats
 from bounce_grader.common.errors import UsageError
 from bounce_grader.common.files import write_whole
 from bounce_grader.grading.grade import grade, Options
-from bounce_grader.grading.record import for_readers
+from bounce_grader.grading.report import report
 from bounce_grader.grading.self_check import require_sound_judge
 from bounce_grader.sandbox.box import kinds
 
@@ -20,9 +20,9 @@ def run(options: argparse.Namespace) -> int:
         raise UsageError(f"{options.json} can't be written: there is no folder {folder}")
     acceptable = (options.require_box,) if options.require_box else kinds(options.trust_submission)
     require_sound_judge(acceptable)
-    wanted = Options(acceptable, options.speed, not options.no_sanitize)
+    wanted = Options(acceptable, options.speed, not options.no_sanitize, options.public)
     try:
-        record = for_readers(grade(options.submission, wanted), options.reveal)
+        record = report(grade(options.submission, wanted), options.reveal)
     except UsageError as error:
         if refused := formats.refused(options.format, str(error)):
             print(refused)

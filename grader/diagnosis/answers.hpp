@@ -7,6 +7,7 @@
 
 #include "cases.hpp"
 #include "messages.hpp"
+#include "submission.hpp"
 
 namespace bounce::tests {
 
@@ -52,10 +53,10 @@ std::filesystem::path public_file(int part, const std::string& folder = "");
 std::vector<Case> questions(int part);
 
 // Registers how to call a part's function; the part's tests do so. Returns true.
-using AskNumbers = Eigen::VectorXd (*)(const Case&);
+using AskNumbers = Eigen::VectorXd (*)(submission::Asker&, const Case&);
 bool register_call(int part, AskNumbers ask);
 
 // The answers to all questions. Empty where the program ends before it has answered.
-std::vector<Answer> answers(int part, const std::vector<Case>& questions);
+std::vector<Answer> answers(submission::Asker& asker, int part, const std::vector<Case>& questions);
 
 }  // namespace bounce::tests

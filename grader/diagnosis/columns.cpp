@@ -41,7 +41,8 @@ Columns columns_of(int part, const Cases& cases, const Answers& right, const Ans
   }
   for (const std::string& list : {std::string("names"), "names" + std::to_string(part)}) {
     const std::string names = text_of(rows_of("lists")[0], list);
-    for (const auto& [name, formula] : alternatives(names)) columns[name] = value(formula, columns);
+    for (const auto& [id, name, formula] : alternatives(names))
+      columns[name] = value(formula, columns);
   }
   return columns;
 }

@@ -1,5 +1,5 @@
-// What is found in a part's wrong answers: one kind of finding a file. Each gives true sentences of
-// all answers, or none.
+// What is found in a part's wrong answers: one kind of finding a file. Each gives facts that are
+// true of all answers, or none.
 #pragma once
 
 #include <map>
@@ -7,14 +7,15 @@
 #include <vector>
 
 #include "answers.hpp"
+#include "tables.hpp"
 
 namespace bounce::tests {
 
 using Answers = std::vector<Answer>;
 using Cases = std::vector<Case>;
-using Words = std::vector<std::string>;
 using Column = Eigen::ArrayXd;  // a number of each question
 using Columns = std::map<std::string, Column>;
+using Patterns = std::vector<Pattern>;
 
 // A rule that holds for fewer numbers or cases may be chance.
 inline constexpr std::size_t kEnough = 3;
@@ -46,18 +47,6 @@ Column are_same(const Column& a, const Column& b);
 // From the centre to the lowest corner of a square that is turned by this angle.
 Eigen::Vector2d lowest_corner(double angle, double side);
 
-// tables.cpp: the rows of a part in tables.txt, each with what its lines say, by their names.
-using Row = std::map<std::string, std::string>;
-const std::vector<Row>& rows_of(const std::string& part);
-std::string text_of(const Row& row, const std::string& name);  // empty if it has no such line
-Words split(const std::string& list, char between = ';');
-
-// The alternatives of a list, or of the list that has this name.
-struct Alternative {
-  std::string words, formula;
-};
-std::vector<Alternative> alternatives(const std::string& list);
-
 // A quantity: its name, and its entries in an answer.
 struct Quantity {
   std::string name;
@@ -80,8 +69,7 @@ struct Input {
 inline constexpr std::size_t kParameters = 7;  // among the inputs; they come first
 std::vector<Input> inputs_of(const Case& c);
 
-std::string digits(double x);                                               // six
-std::string joined(const Words& words, const std::string& last = " and ");  // "a, b and c"
+std::string digits(double x);          // six
 bool is_finite(const Answer& answer);  // whether it didn't throw, and all its numbers are finite
 
 // --- findings ---
@@ -89,21 +77,21 @@ bool is_finite(const Answer& answer);  // whether it didn't throw, and all its n
 // "Your phi is y - l/2 in every question", and the like: what the rows of this name and the part's
 // number in tables.txt say of formulas that give all of a quantity's numbers where the right one
 // doesn't. If two formulas do, both are named; if more do, none is.
-Words formulas(const WrongPart& wrong, const std::string& rows = "");
+Patterns formulas(const WrongPart& wrong, const std::string& rows = "");
 
 // One rule for every wrong number (a factor, a difference, a constant, few digits); else up to two,
 // each for a quantity with its own rule; else none.
-Words rules(const WrongPart& wrong, const std::vector<Number>& numbers);
+Patterns rules(const WrongPart& wrong, const std::vector<Number>& numbers);
 
-// "Where only l is changed, phi stays the same in your answers, and it should change": if it does
-// so in all questions that differ in this number alone.
-Words inputs(const WrongPart& wrong);
+// "Changing only l doesn't change phi in your answers, and it should": if it is so in all questions
+// that differ in this number alone.
+Patterns inputs(const WrongPart& wrong);
 
 // Whether the same question, asked twice, gets two answers.
 bool answers_differ_when_asked_again(const WrongPart& wrong);
 
-// "Wrong only where ...", of the questions with these numbers. Empty if too few others are right,
-// or if nothing sets the wrong ones apart.
-std::string where(const WrongPart& wrong, const std::vector<Number>& numbers);
+// "Wrong only where ...", of the questions with these numbers. None if too few others are right, or
+// if nothing sets the wrong ones apart.
+Patterns where(const WrongPart& wrong, const std::vector<Number>& numbers);
 
 }  // namespace bounce::tests

@@ -12,21 +12,18 @@ using Eigen::Index;
 
 // --- reading rows ---
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  for (std::size_t at = 0; (at = text.find(from, at)) != text.npos; at += to.size())
-    text.replace(at, from.size(), to);
-  return text;
-}
-
 Alternative with(const Alternative& row, const std::string& place, const Alternative& one) {
-  return {replaced(row.words, place, one.words),
+  return {"", replaced(row.words, place, one.words),
           replaced(row.formula, place, "(" + one.formula + ")")};
 }
 
 // The row's words and numbers with each choice from its lists.
 std::vector<Alternative> choices(const Row& row) {
-  std::vector<Alternative> all{
-      {row.count("words") > 0 ? row.at("words") : "{0}", text_of(row, "numbers")}};
+  std::string words = "{0}";
+  for (const char* line : {"words", "pieces", "sum"}) {
+    if (row.count(line) > 0) words = row.at(line);
+  }
+  std::vector<Alternative> all{{"", words, text_of(row, "numbers")}};
   for (const char* list : {"0", "1"}) {
     if (row.count(list) == 0) break;
     std::vector<Alternative> more, of_list = alternatives(row.at(list));
@@ -75,31 +72,36 @@ bool is_right(const Asked& all, const std::string& target) {
 std::string fitting_one(const Asked& all, const std::string& target, const std::string& each) {
   Words found;
   for (const Alternative& one : alternatives(each)) {
-    if (fits(all, with({"", target}, "{each}", one).formula)) found.push_back(one.words);
+    if (fits(all, with({"", "", target}, "{each}", one).formula)) found.push_back(one.words);
   }
   return found.size() == 1 ? found[0] : "";
 }
 
-// Sums without 0, and what needs no words.
-std::string tidied(std::string text) {
-  static const std::pair<const char*, const char*> shorter[] = {
-      {"(0 + ", "("},
-      {" + 0)", ")"},
-      {"+ -", "- "},
-      {"J_n^T (0)", "0"},
-      {"J_t^T (0)", "0"},
-      {", and with the forces' change of (v_x, v_y, omega) multiplied by (1, 1, 1)", ""},
-      {", and with the forces' change of (v_x, v_y, omega) multiplied by (m, m, m r_g^2)",
-       ", and without M^-1 before the forces"},
-      {"that , and", "that"},
-      {" and dt for dt", ""},
-      {"the right M^-1 and ", ""},
-      {", its entries by rows multiplied by (1, 1, 1, 1, 1, 1, 1, 1, 1)", ""},
-      {"  ", " "},
-      {" .", "."}};
-  text = "(" + text + ")";
-  for (const auto& [from, to] : shorter) text = replaced(text, from, to);
-  return text.substr(1, text.size() - 2);
+// "q + dt v - (0, delta, 0)" of its terms, without 0; "0" if nothing is left.
+std::string sum_of(const Words& terms) {
+  std::string sum;
+  for (const std::string& term : terms) {
+    if (term == "0") continue;
+    const bool is_minus = term[0] == '-' && !sum.empty();
+    sum += is_minus ? " - " + term.substr(1) : (sum.empty() ? "" : " + ") + term;
+  }
+  return sum.empty() ? "0" : sum;
+}
+
+// What the row says of a choice, with what fits for {each}.
+std::string words_of(const Row& row, const std::string& choice, const Words& each) {
+  const std::string factors = joined(each, ", ");
+  if (row.count("sum") > 0) {
+    const std::string sum = sum_of(split(choice));
+    return row.count("of") == 0 || sum == "0" ? sum : row.at("of") + " (" + sum + ")";
+  }
+  if (row.count("pieces") == 0) return replaced(choice, "{each}", factors);
+  const bool all_are_1 = std::count(each.begin(), each.end(), "1") == std::ptrdiff_t(each.size());
+  Words pieces = split(choice);
+  std::erase_if(pieces, [&](const std::string& piece) {
+    return piece.empty() || (all_are_1 && piece.find("{each}") != piece.npos);
+  });
+  return replaced(joined(pieces), "{each}", factors);
 }
 
 // The words of each choice from the row's lists that fits.
@@ -114,7 +116,7 @@ Words matches(const Row& row, const Asked& all) {
       each.push_back(fitting_one(all, target, list));
       return !each.back().empty();
     });
-    if (fit) found.push_back(tidied(replaced(choice.words, "{each}", joined(each, ", "))));
+    if (fit) found.push_back(words_of(row, choice.words, each));
   }
   return found;
 }
@@ -130,30 +132,29 @@ bool is_for(const Row& row, const Asked& all) {
   return are_right(split(text_of(row, "right"))) && !are_right(targets(wrong));
 }
 
-void add_row(Words& sentences, const Row& row, const Asked& all) {
+void add_row(Patterns& patterns, const Row& row, const Asked& all) {
   if (!is_for(row, all)) return;
   Words words = matches(row, all);
   if (words.size() == 2 && row.count("each") + row.count("every") == 0)
     words = {"either " + joined(words, " or ")};
   if (words.size() > 1 && row.count("every") == 0) return;
-  for (const std::string& one : words)
-    sentences.push_back(tidied(replaced(row.at("say"), "{}", one)));
+  for (const std::string& one : words) patterns.push_back({row.at("id"), {one}});
 }
 
 }  // namespace
 
-Words formulas(const WrongPart& part, const std::string& rows) {
+Patterns formulas(const WrongPart& part, const std::string& rows) {
   if (!std::all_of(part.got.begin(), part.got.end(), is_finite)) return {};
   const Columns& got = part.columns;
   const Columns right = columns_of(part.part, part.cases, part.right, part.right);
-  Words sentences;
+  Patterns patterns;
   const std::string block = rows + std::to_string(part.part);
   for (const Row& row : rows_of(block)) {
     const std::string where = row.count("where") > 0 ? row.at("where") : "1";
-    if (row.count("otherwise") == 0 || sentences.empty())
-      add_row(sentences, row, {got, right, value(where, got)});
+    if (row.count("otherwise") == 0 || patterns.empty())
+      add_row(patterns, row, {got, right, value(where, got)});
   }
-  return sentences;
+  return patterns;
 }
 
 }  // namespace bounce::tests

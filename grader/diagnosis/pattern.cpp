@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::Index;
 
-constexpr std::size_t kMost = 5;  // sentences
+constexpr std::size_t kMost = 5;  // patterns
 
 std::vector<Number> wrong_numbers(const WrongPart& part) {
   std::vector<Number> wrong;
@@ -28,17 +28,16 @@ bool has(const Quantity& quantity, const Number& n) {
   return std::count(quantity.entries.begin(), quantity.entries.end(), n.entry) > 0;
 }
 
-std::string which(int part, const std::vector<Number>& wrong, bool all_answered) {
+Pattern which(int part, const std::vector<Number>& wrong, bool all_answered) {
   Words right, touched;
   for (const Quantity& quantity : quantities(part)) {
     const bool is_wrong =
         std::any_of(wrong.begin(), wrong.end(), [&](const Number& n) { return has(quantity, n); });
     (is_wrong ? touched : right).push_back(quantity.name);
   }
-  const std::string what = "rong: " + joined(touched) + ".";
-  if (right.empty()) return "W" + what;
-  return "Right in every public question" + std::string(all_answered ? "" : " that it answers") +
-         ": " + joined(right) + "; w" + what;
+  if (right.empty()) return {"wrong", {joined(touched)}};
+  return {all_answered ? "right_and_wrong" : "right_and_wrong_of_answered",
+          {joined(touched), joined(right)}};
 }
 
 // Whether it holds of a number in these answers.
@@ -50,23 +49,18 @@ bool any_number(const Answers& got, Holds holds) {
 }
 
 // What formula or rule the numbers follow: one that needs no case set apart.
-Words formula_or_rule(const WrongPart& part, const std::vector<Number>& wrong) {
-  Words sentences = formulas(part, "corners ");
-  if (sentences.empty()) sentences = formulas(part);
-  return sentences.empty() && part.part != 4 ? rules(part, wrong) : sentences;
+Patterns formula_or_rule(const WrongPart& part, const std::vector<Number>& wrong) {
+  Patterns found = formulas(part, "corners ");
+  if (found.empty()) found = formulas(part);
+  return found.empty() && part.part != 4 ? rules(part, wrong) : found;
 }
 
 // What is said alone, if anything is.
-Words alone(const WrongPart& part) {
+Patterns alone(const WrongPart& part) {
   double garbage = 0;
   const auto is_it = [&](double x) { return is_garbage(garbage = x); };
-  if (any_number(part.got, is_it))
-    return {"A number in an answer is " + digits(garbage) + ": was it ever set?"};
-  if (answers_differ_when_asked_again(part)) {
-    return {
-        "The same question, asked again after others, gets another answer. Often: a static or "
-        "global variable, or a number that is read before it is set or after it is gone."};
-  }
+  if (any_number(part.got, is_it)) return {{"never_set", {digits(garbage)}}};
+  if (answers_differ_when_asked_again(part)) return {{"another_answer"}};
   return formulas(part, "exchanges ");
 }
 
@@ -74,7 +68,7 @@ Words alone(const WrongPart& part) {
 
 std::vector<Quantity> quantities(int part) {
   std::vector<Quantity> all;
-  for (const auto& [name, entries] : alternatives("answer" + std::to_string(part))) {
+  for (const auto& [id, name, entries] : alternatives("answer" + std::to_string(part))) {
     all.push_back({name, {}});
     std::istringstream numbers(entries);
     for (Index i = 0; numbers >> i;) all.back().entries.push_back(i);
@@ -84,14 +78,6 @@ std::vector<Quantity> quantities(int part) {
 
 bool is_finite(const Answer& answer) { return answer.thrown.empty() && answer.numbers.allFinite(); }
 
-std::string joined(const Words& words, const std::string& last) {
-  std::string text;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    text += (i == 0 ? "" : i + 1 == words.size() ? last : ", ") + words[i];
-  }
-  return text;
-}
-
 std::string digits(double x) {
   if (std::isnan(x)) return "not a number";
   char text[32];
@@ -99,7 +85,7 @@ std::string digits(double x) {
   return text;
 }
 
-Words patterns(int part, const Cases& cases, const Answers& right, const Answers& got) {
+Patterns patterns(int part, const Cases& cases, const Answers& right, const Answers& got) {
   if (got.size() != right.size() || got.size() != cases.size()) return {};
   if (rows_of(std::to_string(part)).empty()) return {};  // nothing is known of the part
   const WrongPart wrong{part, cases, right, got, columns_of(part, cases, right, got)};
@@ -108,19 +94,18 @@ Words patterns(int part, const Cases& cases, const Answers& right, const Answers
   if (numbers.empty() || !any_number(got, [](double x) { return x != 0; })) return {};
   const bool all_answered =
       std::all_of(got.begin(), got.end(), [](const Answer& a) { return a.thrown.empty(); });
-  Words sentences{which(part, numbers, all_answered)};
-  if (const Words only = alone(wrong); !only.empty()) {
-    sentences.push_back(only[0]);
-    return sentences;
+  Patterns all{which(part, numbers, all_answered)};
+  const auto add = [&](const Patterns& more) { all.insert(all.end(), more.begin(), more.end()); };
+  if (const Patterns only = alone(wrong); !only.empty()) {
+    all.push_back(only[0]);
+    return all;
   }
-  const Words follows = formula_or_rule(wrong, numbers);
-  const Words responses = inputs(wrong);
-  const std::string only = responses.empty() && all_answered ? where(wrong, numbers) : "";
-  sentences.insert(sentences.end(), follows.begin(), follows.end());
-  if (!only.empty()) sentences.push_back(only);
-  sentences.insert(sentences.end(), responses.begin(), responses.end());
-  if (sentences.size() > kMost) sentences.resize(kMost);
-  return sentences;
+  add(formula_or_rule(wrong, numbers));
+  const Patterns responses = inputs(wrong);
+  if (responses.empty() && all_answered) add(where(wrong, numbers));
+  add(responses);
+  if (all.size() > kMost) all.resize(kMost);
+  return all;
 }
 
 Diagnosis diagnosis(int part, const Cases& cases, const Answers& got) {

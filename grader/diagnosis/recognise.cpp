@@ -180,6 +180,7 @@ KnownMistakes known_mistakes(int part) {
   for (const json& m : all.at("mistakes")) {
     known.mistakes.push_back({m.at("name"), m.at("title"), m.at("sentence"), m.at("hint"),
                               m.at("equations").get<std::vector<int>>(),
+                              m.at("checks").get<std::vector<std::string>>(),
                               read_differences(m.at("answers"), known.right)});
   }
   return known;
@@ -196,6 +197,21 @@ std::vector<Mistake> recognise(const KnownMistakes& known, const std::vector<Ans
   std::vector<Mistake> named;
   for (const std::size_t i : in_common(explanations)) named.push_back(known.mistakes[i]);
   return named;
+}
+
+std::string facts(const Diagnosis& diagnosis) {
+  json all = {{"mistakes", json::array()}, {"patterns", json::array()}};
+  for (const Mistake& m : diagnosis.mistakes) {
+    all["mistakes"].push_back({{"name", m.name},
+                               {"title", m.title},
+                               {"sentence", m.sentence},
+                               {"equations", m.equations},
+                               {"hint", m.hint},
+                               {"checks", m.checks}});
+  }
+  for (const auto& [id, words, about] : diagnosis.patterns)
+    all["patterns"].push_back({{"id", id}, {"words", words}, {"about", about}});
+  return all.dump();
 }
 
 bool is_garbage(double x) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "answers.hpp"
+#include "tables.hpp"
 
 namespace bounce::tests {
 
@@ -12,6 +13,7 @@ namespace bounce::tests {
 struct Mistake {
   std::string name, title, sentence, hint;
   std::vector<int> equations;
+  std::vector<std::string> checks;  // that it costs
   std::vector<Answer> answers;
 };
 
@@ -33,21 +35,25 @@ KnownMistakes known_mistakes(int part);
 // common; and nothing if a number is garbage.
 std::vector<Mistake> recognise(const KnownMistakes& known, const std::vector<Answer>& got);
 
-// Up to five sentences, each a fact about all answers: which quantities are right and which wrong;
+// Up to five facts about all answers: which quantities are right and which wrong;
 // which inputs make no difference and should, or the reverse; otherwise, in which cases they are
 // wrong; and a formula or rule that gives every wrong number. Where numbers can't be meant, or
 // one question gets two answers, that is said and no more. Empty if there is nothing to say, or if
 // nothing is wrong. The cases are the questions of the part, in the order of the answers.
-std::vector<std::string> patterns(int part, const std::vector<Case>& cases,
-                                  const std::vector<Answer>& right, const std::vector<Answer>& got);
+std::vector<Pattern> patterns(int part, const std::vector<Case>& cases,
+                              const std::vector<Answer>& right, const std::vector<Answer>& got);
 
 // What is said of a part's answers to its questions: the known mistakes of the public fixtures;
 // where they explain nothing, the patterns.
 struct Diagnosis {
   std::vector<Mistake> mistakes;
-  std::vector<std::string> patterns;
+  std::vector<Pattern> patterns;
 };
 Diagnosis diagnosis(int part, const std::vector<Case>& cases, const std::vector<Answer>& got);
+
+// {"mistakes": [{"name", "title", "sentence", "equations", "hint", "checks"}],
+//  "patterns": [{"id", "words", "about"}]} as JSON in one line.
+std::string facts(const Diagnosis& diagnosis);
 
 // Whether no calculation of a part gives this number: memory that was never set may hold it.
 bool is_garbage(double x);

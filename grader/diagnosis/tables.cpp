@@ -1,8 +1,8 @@
 // Reads tables.txt, which says what its lines are.
+#include "tables.hpp"
+
 #include <sstream>
 #include <utility>
-
-#include "findings.hpp"
 
 namespace bounce::tests {
 namespace {
@@ -48,6 +48,11 @@ std::map<std::string, std::vector<Row>> read_table() {
   return parts;
 }
 
+std::map<std::string, std::vector<Row>>& tables() {
+  static auto parts = read_table();
+  return parts;
+}
+
 std::string trimmed(const std::string& text) {
   const std::size_t from = std::min(text.find_first_not_of(' '), text.size());
   return text.substr(from, text.find_last_not_of(' ') + 1 - from);
@@ -56,8 +61,7 @@ std::string trimmed(const std::string& text) {
 }  // namespace
 
 const std::vector<Row>& rows_of(const std::string& part) {
-  static auto parts = read_table();
-  return parts[part];  // none of a part that isn't in the table
+  return tables()[part];  // none of a part that isn't in the table
 }
 
 std::string text_of(const Row& row, const std::string& name) {
@@ -76,11 +80,47 @@ std::vector<Alternative> alternatives(const std::string& list) {
   const std::string named = text_of(rows_of("lists")[0], list);
   std::vector<Alternative> all;
   for (const std::string& text : split(named.empty() ? list : named)) {
-    const std::size_t at = text.find(":=");
-    all.push_back(at == text.npos ? Alternative{text, text}
-                                  : Alternative{trimmed(text.substr(0, at)), text.substr(at + 2)});
+    const std::size_t end_of_id = text[0] == '[' ? text.find(']') + 1 : 0;
+    const std::string id = end_of_id > 0 ? text.substr(1, end_of_id - 2) : "";
+    const std::string rest = trimmed(text.substr(end_of_id));
+    const std::size_t at = rest.find(":=");
+    all.push_back(at == rest.npos
+                      ? Alternative{id, rest, rest}
+                      : Alternative{id, trimmed(rest.substr(0, at)), rest.substr(at + 2)});
   }
   return all;
+}
+
+std::string joined(const Words& words, const std::string& last) {
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    text += (i == 0 ? "" : i + 1 == words.size() ? last : ", ") + words[i];
+  }
+  return text;
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  for (std::size_t at = 0; (at = text.find(from, at)) != text.npos; at += to.size())
+    text.replace(at, from.size(), to);
+  return text;
+}
+
+std::string sentence_of(const Pattern& pattern) {
+  static const std::map<std::string, std::string> sentences = [] {
+    std::map<std::string, std::string> all;
+    for (const auto& [part, rows] : tables()) {
+      for (const Row& row : rows) {
+        if (row.count("id") > 0) all[row.at("id")] = row.at("say");
+      }
+    }
+    return all;
+  }();
+  std::string text = sentences.at(pattern.id);
+  for (std::size_t i = 0; i < pattern.words.size(); ++i) {
+    if (i == 0) text = replaced(text, "{}", pattern.words[0]);
+    text = replaced(text, "{" + std::to_string(i) + "}", pattern.words[i]);
+  }
+  return text;
 }
 
 }  // namespace bounce::tests

@@ -71,8 +71,8 @@ void leave_out_what_needs_a_contact(ByInput& missing) {
   for (Words* names : {&l, &mu, &epsilon}) names->clear();
 }
 
-// One sentence for all inputs that have the same quantities.
-void add(Words& sentences, ByInput quantities, bool intrude) {
+// One pattern for all inputs that have the same quantities.
+void add(Patterns& patterns, ByInput quantities, const std::string& id) {
   const std::vector<Input> inputs = inputs_of({});
   for (std::size_t i = 0; i < kInputs; ++i) {
     const Words changed = quantities[i];
@@ -83,12 +83,8 @@ void add(Words& sentences, ByInput quantities, bool intrude) {
       names.push_back(inputs[j].name);
       quantities[j].clear();
     }
-    const bool one = changed.size() == 1;
-    const std::string s = one ? "s" : "", it = one ? "it" : "they";
-    sentences.push_back(
-        "Where only " + joined(names, " or ") + " is changed, " + joined(changed) +
-        (intrude ? " change" + s + " in your answers, and " + it + " should stay the same."
-                 : " stay" + s + " the same in your answers, and " + it + " should change."));
+    const Words about = names.size() == 1 ? names : Words();
+    patterns.push_back({id, {joined(names, " or "), joined(changed)}, about});
   }
 }
 
@@ -101,7 +97,7 @@ bool answers_differ_when_asked_again(const WrongPart& part) {
   });
 }
 
-Words inputs(const WrongPart& part) {
+Patterns inputs(const WrongPart& part) {
   ByInput missing, intruding;
   const std::vector<Pair> all = pairs(part.cases);
   for (const Quantity& quantity : quantities(part.part)) {
@@ -125,10 +121,10 @@ Words inputs(const WrongPart& part) {
     }
   }
   if (part.part >= 3) leave_out_what_needs_a_contact(missing);
-  Words sentences;
-  add(sentences, missing, false);
-  add(sentences, intruding, true);
-  return sentences;
+  Patterns patterns;
+  add(patterns, missing, "input_missing");
+  add(patterns, intruding, "input_intrudes");
+  return patterns;
 }
 
 }  // namespace bounce::tests

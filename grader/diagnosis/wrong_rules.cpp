@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 
 #include "findings.hpp"
 #include "recognise.hpp"
@@ -16,17 +17,15 @@ constexpr double kFewDigits = 1e-4;
 constexpr double kAlmostNothing = 1e-9;  // numbers below this count as 0
 constexpr double kLeastRatio = 1e-6;
 
-// What the numbers are, if none is finite; else empty.
-std::string not_finite(const Numbers& numbers) {
+// What the numbers are, if none is finite.
+std::optional<Pattern> not_finite(const std::string& subject, const Numbers& numbers) {
   bool any_nan = false, any_infinite = false;
   for (const Number& n : numbers) {
-    if (std::isfinite(n.got)) return "";
+    if (std::isfinite(n.got)) return {};
     (std::isnan(n.got) ? any_nan : any_infinite) = true;
   }
-  if (!any_nan)
-    return "inf. Often: something is divided by 0; as whole numbers, 1/2 and 1/6 are 0.";
-  return std::string(any_infinite ? "nan or inf" : "nan") +
-         ": was it ever set? If so, look for a division by 0, or sqrt(-1).";
+  if (!any_nan) return Pattern{"is_inf", {subject}};
+  return Pattern{"is_nan", {subject, any_infinite ? "nan or inf" : "nan"}};
 }
 
 // Whether each number is this function of its question and of the right one.
@@ -45,7 +44,7 @@ std::string factor_of(const WrongPart& part, const Numbers& numbers) {
     return is_sure ? digits(ratio) : "";
   }
   Words fit;
-  for (const auto& [words, formula] : alternatives("factors")) {
+  for (const auto& [id, words, formula] : alternatives("factors")) {
     const Column factor = value(formula, part.columns);
     if (are(numbers, [&](const Number& n) { return factor(Index(n.question)) * n.right; }))
       fit.push_back(words);
@@ -53,21 +52,20 @@ std::string factor_of(const WrongPart& part, const Numbers& numbers) {
   return joined(fit, " or ");
 }
 
-std::string rule_of(const std::string& subject, const WrongPart& part, const Numbers& numbers) {
-  if (numbers.size() < kEnough) return "";
-  const std::string infinite = not_finite(numbers);
-  if (!infinite.empty()) return subject + " is " + infinite;
+std::optional<Pattern> rule_of(const std::string& subject, const WrongPart& part,
+                               const Numbers& numbers) {
+  if (numbers.size() < kEnough) return {};
+  if (const auto infinite = not_finite(subject, numbers)) return infinite;
   const double got = numbers[0].got, right = numbers[0].right, difference = got - right;
   const bool varies = std::any_of(numbers.begin(), numbers.end(),
                                   [&](const Number& n) { return !same(n.right, right); });
   const bool is_rounding = got != 0 && std::abs(got) < kAlmostNothing;
   if (varies && !is_rounding && are(numbers, [&](const Number&) { return got; }))
-    return subject + " is " + digits(got) + ", whatever the right one.";
+    return Pattern{"is_constant", {subject, digits(got)}};
   const std::string factor = factor_of(part, numbers);
-  if (!factor.empty()) return subject + " is " + factor + " times the right one.";
-  if (!are(numbers, [&](const Number& n) { return n.right + difference; })) return "";
-  return subject + " is " + digits(std::abs(difference)) + (difference > 0 ? " more" : " less") +
-         " than the right one.";
+  if (!factor.empty()) return Pattern{"is_times", {subject, factor}};
+  if (!are(numbers, [&](const Number& n) { return n.right + difference; })) return {};
+  return Pattern{difference > 0 ? "is_more" : "is_less", {subject, digits(std::abs(difference))}};
 }
 
 bool have_few_digits(const Numbers& numbers) {
@@ -78,13 +76,9 @@ bool have_few_digits(const Numbers& numbers) {
 
 }  // namespace
 
-Words rules(const WrongPart& part, const Numbers& numbers) {
-  if (have_few_digits(numbers)) {
-    return {
-        "The wrong numbers are right to four digits or more: is there a float, or a constant with "
-        "too few digits?"};
-  }
-  Words found;
+Patterns rules(const WrongPart& part, const Numbers& numbers) {
+  if (have_few_digits(numbers)) return {{"few_digits"}};
+  Patterns found;
   std::size_t wrong = 0;
   for (const auto& [name, entries] : quantities(part.part)) {
     Numbers own;
@@ -93,11 +87,11 @@ Words rules(const WrongPart& part, const Numbers& numbers) {
     }
     wrong += own.empty() ? 0 : 1;
     const std::string in = entries.size() == 1 ? "" : "number in ";
-    const std::string rule = rule_of("Every wrong " + in + name, part, own);
-    if (!rule.empty() && found.size() < 2) found.push_back(rule);
+    const auto rule = rule_of("Every wrong " + in + name, part, own);
+    if (rule && found.size() < 2) found.push_back(*rule);
   }
-  const std::string all = wrong > 1 ? rule_of("Every wrong number", part, numbers) : "";
-  return all.empty() ? found : Words{all};
+  const auto all = wrong > 1 ? rule_of("Every wrong number", part, numbers) : std::nullopt;
+  return all ? Patterns{*all} : found;
 }
 
 }  // namespace bounce::tests

@@ -10,15 +10,16 @@
 //   "seconds", "cpu_seconds"   for the whole part: checks that there is no time left for fail
 //   "recognise", "answers", "watch"   see below
 //
-// Prints {"checks": [{"id", "passed", "status", "ended", "stack", "failure"}],
-//         "largest_error": number or null, "asked_given": bool, "mistakes": [name],
-//         "patterns": [sentence]}
-// ended says how the program ended, if it did, and stack where it came; failure is the failed case
-// in numbers, with the expected answers of hidden cases, which students must not see (both:
-// facts.hpp); null if the check passed, or failed as a whole. largest_error is the largest in
-// public cases, and null if it isn't finite. asked_given says whether it called the given part
-// before. mistakes and patterns are empty unless "recognise" is given and a check failed; then a
-// second runner is asked the public cases.
+// Prints {"checks": [{"id", "passed", "status", "ended", "stack", "failure", "answer"}],
+//         "largest_error": number or null, "asked_given": bool, "mistakes": [known mistake],
+//         "patterns": [{"id", "words", "about"}]}
+// ended says how the program ended, if it did, {"what", "number", "text"}, and stack where it came;
+// failure is the failed case in numbers, and answer what is right there, which students must not
+// see if the case is hidden (both: tests/parts/facts.hpp); null if the check passed, or failed as a
+// whole. largest_error is the largest in public cases, and null if it isn't finite. asked_given
+// says whether the program called the given part before. mistakes and patterns (recognise.hpp) are
+// empty unless "recognise" is given and a check failed; then a second runner is asked the public
+// cases.
 //
 // With "answers", it prints the runner's answers to the public cases instead: each is a list of
 // numbers, with null for NaN and infinity, or the text of an exception. With "watch", it asks
@@ -38,8 +39,8 @@
 #include <tuple>
 
 #include "../../tests/parts/checks.hpp"
+#include "../../tests/parts/facts.hpp"
 #include "../diagnosis/recognise.hpp"
-#include "facts.hpp"
 #include "session.hpp"
 
 namespace bounce {
@@ -48,11 +49,6 @@ using nlohmann::json;
 
 static json asked;  // the first argument
 static std::vector<std::string> command;
-
-std::vector<std::filesystem::path> tests::fixture_folders() {
-  const std::vector<std::string> names = asked.at("fixtures");
-  return {names.begin(), names.end()};
-}
 
 namespace judge {
 namespace {
@@ -94,12 +90,12 @@ using Order = std::vector<std::pair<AskedCheck*, std::size_t>>;
 
 // Asks a new runner what another was asked in the first round, so that by ending itself a program
 // doesn't get rid of what it keeps between calls. Returns where it ended, if it did.
-std::optional<tests::Outcome> ask_first_round_again(const Order& backwards) {
+std::optional<tests::Outcome> ask_first_round_again(Session& session, const Order& backwards) {
   for (auto question = backwards.rbegin(); question != backwards.rend(); ++question) {
     const auto& [check, i] = *question;
     const auto& first = check->asked.first[i];
     if (!first || first->ended) continue;
-    const tests::Outcome outcome = tests::ask(check->asked.check, check->asked.cases[i]);
+    const tests::Outcome outcome = tests::ask(session, check->asked.check, check->asked.cases[i]);
     if (outcome.ended) return outcome;
   }
   return {};
@@ -109,7 +105,7 @@ std::optional<tests::Outcome> ask_first_round_again(const Order& backwards) {
 // once the program has ended in it; and no check once it has ended only when asked again, unless it
 // was slow: what it keeps between calls made it end, or it got rid of that. Nothing is compared
 // meanwhile: tests/parts/checks.hpp says why.
-std::map<std::string, AskedCheck> ask_all() {
+std::map<std::string, AskedCheck> ask_all(Session& session) {
   std::map<std::string, AskedCheck> all;
   Order order;
   for (const tests::Check& check : tests::checks()) {
@@ -127,9 +123,9 @@ std::map<std::string, AskedCheck> ask_all() {
       tests::CheckAnswers& asked = check->asked;
       auto& outcome = (again ? asked.again : asked.first)[i];
       const bool is_over = again && end && end->status != "timed_out";
-      if (!is_over) ended = again && is_new ? ask_first_round_again(order) : std::nullopt;
-      outcome = ended ? *ended : tests::ask(asked.check, asked.cases[i]);
-      check->end = is_over ? end : session->take_end();
+      if (!is_over) ended = again && is_new ? ask_first_round_again(session, order) : std::nullopt;
+      outcome = ended ? *ended : tests::ask(session, asked.check, asked.cases[i]);
+      check->end = is_over ? end : session.take_end();
       is_new = check->end.has_value();
       if (is_new) std::tie(end, ended) = std::tie(check->end, outcome);
     }
@@ -152,7 +148,7 @@ class Verdicts : public testing::EmptyTestEventListener, public tests::Reporter 
   int failures_ = 0;
 
   std::string fails(const tests::Failure& failure) override {
-    reported_ = facts(failure);
+    reported_ = json::parse(tests::facts(tests::failed_case(failure)));
     ++failures_;
     return "";
   }
@@ -170,20 +166,21 @@ class Verdicts : public testing::EmptyTestEventListener, public tests::Reporter 
     }
     const bool passed = test.result()->Passed();
     const auto& end = asked_.at(id).end;
+    if (passed || (end && end->of_no_case)) reported_ = {{"failure", nullptr}, {"answer", nullptr}};
     checks.push_back({{"id", id},
                       {"passed", passed},
                       {"status", end ? end->status : "graded"},
-                      {"ended", end ? facts(*end) : json()},
+                      {"ended", end ? facts_of(*end) : json()},
                       {"stack", end ? end->stack : ""},
-                      {"failure", passed || (end && end->of_no_case) ? json() : reported_}});
+                      {"failure", reported_.at("failure")},
+                      {"answer", reported_.at("answer")}});
   }
 };
 
 // The answers of a new runner to the public cases. It has been asked nothing else before.
 std::vector<tests::Answer> fresh_answers(const std::vector<tests::Case>& questions) {
   const auto fresh = new_session();
-  session = fresh.get();
-  auto got = tests::answers(asked.at("part"), questions);
+  auto got = tests::answers(*fresh, asked.at("part"), questions);
   if (!fresh->kit_failure().empty()) throw std::runtime_error(fresh->kit_failure());
   return got;
 }
@@ -201,8 +198,7 @@ void recognise(json& result) {
   const int part = asked.at("part");
   const std::vector<tests::Case> questions = tests::questions(part);
   const auto found = tests::diagnosis(part, questions, fresh_answers(questions));
-  for (const tests::Mistake& mistake : found.mistakes) result["mistakes"].push_back(mistake.name);
-  result["patterns"] = found.patterns;
+  result.update(json::parse(tests::facts(found)));
 }
 
 json answers() {
@@ -223,11 +219,10 @@ std::string wait() try {
 
 json verdicts() {
   const auto first = new_session();
-  session = first.get();
   std::erase_if(tests::checks(), [](const tests::Check& check) {
     return check.part != "part" + std::to_string(asked.at("part").get<int>());
   });
-  const auto all = ask_all();
+  const auto all = ask_all(*first);
   first->end();
   if (!first->kit_failure().empty()) throw std::runtime_error(first->kit_failure());
 
@@ -236,7 +231,7 @@ json verdicts() {
   auto* verdicts = new Verdicts(all);
   listeners.Append(verdicts);
   const auto asked_before = [&](const tests::Check& check) { return all.at(check.id()).asked; };
-  if (tests::run_checks(*verdicts, asked_before) != 0 && verdicts->checks.empty()) {
+  if (tests::run_checks(*first, *verdicts, asked_before) != 0 && verdicts->checks.empty()) {
     throw std::runtime_error("no test ran");
   }
   if (!verdicts->kit_failure.empty()) throw std::runtime_error(verdicts->kit_failure);
@@ -262,6 +257,9 @@ int main(int argc, char** argv) try {
   if (argc < 3) throw std::runtime_error("usage: judge JSON COMMAND..., as in its main.cpp");
   bounce::asked = nlohmann::json::parse(argv[1]);
   bounce::command.assign(argv + 2, argv + argc);
+  const std::vector<std::string> folders =
+      bounce::asked.value("fixtures", std::vector<std::string>());
+  bounce::tests::fixture_folders.assign(folders.begin(), folders.end());
   if (bounce::judge::is_asked("watch")) {
     std::cout << bounce::judge::wait() << std::endl;
     return 0;

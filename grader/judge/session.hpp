@@ -10,11 +10,14 @@
 #include <string>
 #include <vector>
 
+#include <nlohmann/json_fwd.hpp>
+
+#include "../../tests/parts/submission.hpp"
 #include "runner_process.hpp"
 
 namespace bounce::judge {
 
-class Session {
+class Session : public submission::Asker {
  public:
   // given: answers callbacks for parts before `part` with the solution; otherwise answers none.
   Session(const std::vector<std::string>& command, Limits limits, std::uint32_t part, bool given);
@@ -24,10 +27,9 @@ class Session {
   using Numbers = std::function<std::uint64_t()>;
   Session(Start start, Limits limits, std::uint32_t part, bool given, Numbers numbers);
 
-  // The answer to a question, the solution's if it is about an earlier part; for part 4 also the
-  // columns, T or one less. Throws tests::Ended if the check can't go on, and std::runtime_error if
-  // this question has no answer.
-  frames::Frame ask(frames::Frame question, Trajectory* columns = nullptr);
+  // The answer to a question, the solution's if it is about an earlier part. Throws tests::Ended if
+  // the check can't go on, and std::runtime_error if this question has no answer.
+  frames::Frame ask(const frames::Frame& question, Trajectory* columns) override;
 
   // Ends the program, which then can't measure what is done with its answers. Earlier parts can
   // still be asked, as the solution answers for them.
@@ -67,7 +69,7 @@ class Session {
   std::string kit_failure_;
 };
 
-// The session that the checks ask; the judge's main sets it.
-extern Session* session;
+// {"what", "number", "text"}
+nlohmann::json facts_of(const Termination& end);
 
 }  // namespace bounce::judge

@@ -33,7 +33,6 @@
 #include "../../tests/parts/checks.hpp"
 #include "../../tests/parts/submission.hpp"
 #include "../runner/messages.hpp"
-#include "facts.hpp"
 #include "right_columns.hpp"
 #include "session.hpp"
 
@@ -165,7 +164,7 @@ struct Contender {
       ns = round <= 1 ? timed.ns : std::min(ns, timed.ns);
       left_ns -= timed.ns;
     } catch (const Termination& ended) {
-      end("", facts(ended));
+      end("", facts_of(ended));
     } catch (const std::runtime_error& failed) {
       end(failed.what(), nullptr);
     }

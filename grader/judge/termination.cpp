@@ -11,6 +11,7 @@
 #include <regex>
 
 #include "../runner/crash.hpp"
+#include "ending.hpp"
 #include "sentences.hpp"
 
 namespace bounce::judge {
@@ -51,7 +52,8 @@ Termination of_abort(const Limits& limits, View print) {
   const View thrown = line_after(print, "terminate called after throwing an instance of ");
   if (thrown == "'std::bad_alloc'") return out_of_memory(limits);
   const std::size_t kept = std::min(print.size(), kLongestPrint);
-  return {"crashed", "aborted", SIGABRT, std::string(print.substr(print.size() - kept))};
+  const auto end = words::of_abort(std::string(print.substr(print.size() - kept)));
+  return {"crashed", end.what, end.number, end.text};
 }
 
 Termination of_refused_call(int number) {

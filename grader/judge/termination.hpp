@@ -27,7 +27,7 @@ struct Termination {
   std::string status = {};  // of the score record: crashed, timed_out, out_of_memory, no_answer ...
   std::string what = {};    // a name in grader/words/endings.txt
   long number = 0;          // which belongs to it: an exit status, a signal, a limit
-  std::string text = {};    // likewise; of "aborted" what the program printed last, any bytes
+  std::string text = {};    // likewise; of an abort what the program printed last, any bytes
   std::string stack = {};   // of a crash: hexadecimal addresses, each after a space
   bool waits = false;       // for ever, and would do so again: no more is asked of this part
   bool of_no_case = false;  // it concerns the whole check, such as a used-up time

@@ -13,4 +13,7 @@ frames::Frame receive();
 void send(const frames::Frame& frame);
 void send(const Eigen::Matrix3Xd& columns);
 
+// Asks the judge for an earlier part's result.
+frames::Frame call_back(frames::Frame callback);
+
 }  // namespace bounce::runner

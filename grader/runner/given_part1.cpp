@@ -6,7 +6,7 @@
 namespace bounce {
 
 Contact get_contacts(const Vector3& q, const Parameters& params) {
-  return frames::result<Contact>(runner::call_back(frames::question(1, params, q)));
+  return frames::result<Contact>(runner::ask_earlier_part(frames::question(1, params, q)));
 }
 
 }  // namespace bounce

@@ -6,7 +6,7 @@
 namespace bounce {
 
 Lcp form_lcp(const Jacobian& J, const Vector3& v, const Parameters& params) {
-  return frames::result<Lcp>(runner::call_back(frames::question(2, params, J, v)));
+  return frames::result<Lcp>(runner::ask_earlier_part(frames::question(2, params, J, v)));
 }
 
 }  // namespace bounce

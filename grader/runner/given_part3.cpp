@@ -10,7 +10,7 @@ State step(const Vector3& q, const Vector3& v, const Parameters& params) {
   static frames::Frame reply, next;
   const frames::Frame asked = frames::question(3, params, q, v);
   if (reply.T <= 0 || std::memcmp(&asked, &next, sizeof asked) != 0) {
-    reply = runner::call_back(asked);
+    reply = runner::ask_earlier_part(asked);
   }
   const State state = frames::result<State>(reply);
   next = frames::question(3, params, state.q, state.v);

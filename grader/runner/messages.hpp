@@ -63,9 +63,9 @@ Result answer(const Frame& question, Frame& answer, Result (*function)(const Arg
 
 namespace bounce::runner {
 
-// An earlier part's result for this frame's arguments, for a part that is given: a runner asks the
-// judge, and a student's own build looks into recorded answers (tests/parts/linked/given.cpp).
-// Throws std::runtime_error if there is none.
-frames::Frame call_back(frames::Frame callback);
+// An earlier part's result for this frame's arguments, for a part that is given; main sets it. A
+// runner asks the judge (channel.hpp), and a student's own build looks into recorded answers
+// (tests/parts/linked/given.cpp). Throws std::runtime_error if there is none.
+inline frames::Frame (*ask_earlier_part)(frames::Frame callback) = nullptr;
 
 }  // namespace bounce::runner

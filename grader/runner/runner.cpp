@@ -32,7 +32,10 @@ using frames::Frame;
 using frames::Kind;
 
 // Runs before the submission's constructors: 101 is the first priority that isn't reserved.
-[[gnu::constructor(101)]] void report_own_crashes() { report_crashes(); }
+[[gnu::constructor(101)]] void prepare() {
+  report_crashes();
+  ask_earlier_part = call_back;
+}
 
 // Calls the function that the question asks for, if it is there.
 void call(const Frame& question, Frame& answer, Trajectory& trajectory) {

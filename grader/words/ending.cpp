@@ -96,31 +96,20 @@ bool is_about_memory(const std::string& line) {
   return false;
 }
 
-// Why a program aborted that had printed this.
-std::pair<std::string, std::string> id_and_text_of_abort(const std::string& printed) {
-  std::istringstream lines(printed);
-  std::string last;
-  for (std::string line; std::getline(lines, line);) {
-    const auto [condition, place] = assertion_in(line);
-    if (!condition.empty()) {
-      const std::string meaning = meaning_in(kCrashes, condition);
-      if (meaning.empty()) return {"assertion", place + ": " + one_line(condition)};
-      return {"assertion", meaning + shape_in(line)};
-    }
-    last = line;
-  }
-  const std::string threw = why_it_threw(printed);
-  if (!threw.empty()) return {"threw", threw};
-  last = one_line(last);
-  return {is_about_memory(last) ? "overwrote" : "aborted", last};
+// "a product whose ..., (a 3x2 matrix)" for the line of a failed assertion, or its place and
+// condition where the meaning isn't known.
+std::string meaning_of_assertion(const std::string& line) {
+  const auto [condition, place] = assertion_in(line);
+  const std::string meaning = meaning_in(kCrashes, condition);
+  return meaning.empty() ? place + ": " + one_line(condition) : meaning + shape_in(line);
 }
 
 // The id in endings.txt, and the text in its sentence.
 std::pair<std::string, std::string> id_and_text_of(const Ending& ending) {
-  if (ending.what == "aborted") return id_and_text_of_abort(ending.text);
+  if (ending.what == "assertion") return {ending.what, meaning_of_assertion(ending.text)};
   if (ending.what == "sanitizer") {
-    const std::string found = sentence_of(kCrashes, ending.text);
-    if (!found.empty()) return {"found", found};
+    const std::string meaning = sentence_of(kCrashes, ending.text);
+    if (!meaning.empty()) return {"found", meaning};
   } else if (ending.what != "signal") {
     return {ending.what, ending.text};
   }
@@ -134,17 +123,30 @@ std::pair<std::string, std::string> id_and_text_of(const Ending& ending) {
 
 }  // namespace
 
-SaidEnding said(const Ending& ending) {
-  const auto [id, text] = id_and_text_of(ending);
+Ending of_abort(const std::string& printed) {
+  std::istringstream lines(printed);
+  std::string last;
+  for (std::string line; std::getline(lines, line);) {
+    if (!assertion_in(line).first.empty()) return {"assertion", SIGABRT, line};
+    if (!line.empty()) last = line;
+  }
+  const std::string threw = why_it_threw(printed);
+  if (!threw.empty()) return {"threw", SIGABRT, threw};
+  last = one_line(last);
+  return {is_about_memory(last) ? "overwrote" : "aborted", SIGABRT, last};
+}
+
+std::string said(const Ending& ending) {
+  const auto [id, text] = id_and_text_of(ending.what == "aborted" ? of_abort(ending.text) : ending);
   const std::string sentence = sentence_of(kEndings, id), number = std::to_string(ending.number);
   if (sentence.empty()) throw std::runtime_error("endings.txt has no sentence for " + id);
   const bool is_start = text == "clone" || text == "fork" || text == "vfork";  // not of a thread
   const std::string call = "the system call " + (text.empty() ? number : text);
-  return {id, filled(sentence,
-                     {{"text", text},
-                      {"number", number},
-                      {"came", text.empty() ? "no answer came" : "only a part of an answer came"},
-                      {"call", is_start ? "to start a process" : call}})};
+  return filled(sentence,
+                {{"text", text},
+                 {"number", number},
+                 {"came", text.empty() ? "no answer came" : "only a part of an answer came"},
+                 {"call", is_start ? "to start a process" : call}});
 }
 
 }  // namespace bounce::words

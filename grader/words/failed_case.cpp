@@ -99,16 +99,40 @@ std::string explanation(const Quantity& q) {
                 : "  every entry is 0: is it filled in?\n";
 }
 
+// "(a, b, c)", or the rows of a matrix below each other; a scalar without brackets.
+std::string in_brackets(const Rows& m, const std::string& indent) {
+  if (size(m) == 1) return number(m[0][0], 12);
+  std::string text = "(";
+  for (std::size_t i = 0; i < m.size(); ++i) {
+    if (i > 0) text += m[0].size() == 1 ? ", " : ")\n" + indent + "(";
+    for (std::size_t j = 0; j < m[i].size(); ++j) text += (j > 0 ? ", " : "") + number(m[i][j], 12);
+  }
+  return text + ")";
+}
+
+std::string in_words(const std::vector<Value>& parameters) {
+  std::string text;
+  for (const Value& p : parameters) {
+    text += (text.empty() ? "" : ", ") + p.name + " = " + in_brackets(p.rows, "");
+    text += (p.unit.empty() ? "" : " ") + p.unit;
+  }
+  return text.empty() ? "the assignment's" : text;
+}
+
 }  // namespace
 
-std::string indented(const std::string& label, const std::string& text) {
-  std::string lines = label;
-  for (const char sign : text) {
-    lines += sign;
-    if (sign == '\n') lines.append(label.size() - (label[0] == '\n'), ' ');
+std::string question(const FailedCase& failed) {
+  const std::string label = "\n  input    ", blanks(label.size() - 1, ' ');
+  std::string text = failed.name + (failed.hidden ? " (a hidden case)" : "") + label;
+  for (const Value& x : failed.input) {
+    const std::string begin = x.name + " = ";
+    text += begin + in_brackets(x.rows, blanks + std::string(begin.size(), ' ')) + "  " + x.unit;
+    text += "\n" + blanks;
   }
-  return lines;
+  return text + "parameters: " + in_words(failed.parameters);
 }
+
+std::string got(const std::string& sentence) { return "  got      " + sentence + "\n"; }
 
 std::string counts(const FailedCase& failed) {
   const std::string cases = std::to_string(failed.cases);
@@ -120,7 +144,7 @@ std::string counts(const FailedCase& failed) {
 std::string numbers(const FailedCase& failed, bool shown) {
   std::string text;
   if (shown && !failed.contact.empty()) text += "  " + failed.contact + "\n";
-  if (!failed.sentence.empty()) text += "  got      " + failed.sentence + "\n";
+  if (!failed.sentence.empty()) text += got(failed.sentence);
   for (const Quantity& q : failed.quantities) text += side_by_side(q, shown) + explanation(q);
   if (!shown && !failed.quantities.empty())
     text += "  the right numbers aren't shown, as the case is hidden\n";
@@ -129,10 +153,9 @@ std::string numbers(const FailedCase& failed, bool shown) {
 }
 
 std::string lines(const FailedCase& failed, bool shown) {
-  return counts(failed) + (failed.again ? kAgain : "; ") +
-         (failed.ended_at > 0 ? "the last: " : "the first: ") + failed.name +
-         (failed.hidden ? " (a hidden case)" : "") + indented("\n  input    ", failed.input) +
-         "\n" + numbers(failed, shown || !failed.hidden);
+  const std::string which = failed.ended_at > 0 ? "the last: " : "the first: ";
+  return counts(failed) + (failed.again ? kAgain : "; ") + which + question(failed) + "\n" +
+         numbers(failed, shown || !failed.hidden);
 }
 
 }  // namespace bounce::words

@@ -9,6 +9,13 @@ namespace bounce::words {
 
 using Rows = std::vector<std::vector<double>>;
 
+// A number, vector or matrix of a question, or a parameter.
+struct Value {
+  std::string name;
+  Rows rows;
+  std::string unit;
+};
+
 // A wrong quantity; a scalar is one row of one number.
 struct Quantity {
   std::string name, unit;
@@ -22,10 +29,12 @@ struct FailedCase {
   std::size_t wrong = 0;     // of these
   std::size_t ended_at = 0;  // how many were asked until the program ended, with the last; else 0
   bool again = false;        // it was right when it was asked before, in another order
-  std::string name, input;   // input: the question, in lines
-  bool hidden = false;       // the expected answer is the course's
-  std::string contact;       // what the corner does
-  std::string sentence;      // what the numbers alone don't say
+  std::string name;
+  std::vector<Value> input;       // the question
+  std::vector<Value> parameters;  // those that aren't the assignment's
+  bool hidden = false;            // the expected answer is the course's
+  std::string contact;            // what the corner does
+  std::string sentence;           // what the numbers alone don't say
   std::vector<Quantity> quantities;
 };
 
@@ -38,7 +47,10 @@ std::string lines(const FailedCase& failed, bool shown);
 // What the corner does, and each wrong quantity beside the right one, its wrong entries marked.
 std::string numbers(const FailedCase& failed, bool shown);
 
-// A label and a text, whose lines after the first begin below the first one's.
-std::string indented(const std::string& label, const std::string& text);
+// The name of the case, and below it what is asked.
+std::string question(const FailedCase& failed);
+
+// What came in place of numbers, as a line below the question.
+std::string got(const std::string& sentence);
 
 }  // namespace bounce::words

@@ -26,7 +26,7 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 
 ROOT = Path(__file__).resolve().parents[2]
 SOLUTION = ROOT / "solution" / "src"
-Grade = Callable[..., dict[str, Any]]
+Grade = Callable[..., Any]  # a report
 
 
 def solution_files() -> dict[str, bytes]:
@@ -45,11 +45,12 @@ def write(folder: Path, files: dict[str, bytes]) -> Path:
 def grade(tmp_path: Path) -> Grade:
     """Grades the solution with some files replaced, added, or (None) removed."""
     from bounce_grader.grading.grade import grade as grade_path
+    from bounce_grader.grading.report import report
 
-    def graded(changes: dict[str, bytes | None]) -> dict[str, Any]:
+    def graded(changes: dict[str, bytes | None]) -> Any:
         files: dict[str, bytes | None] = {**solution_files(), **changes}
         present = {name: text for name, text in files.items() if text is not None}
-        return grade_path(write(tmp_path / "submission", present))
+        return report(grade_path(write(tmp_path / "submission", present)))
 
     return graded
 

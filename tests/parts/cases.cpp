@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -65,62 +64,15 @@ double error(double expected, double got) {
   return std::abs(got - expected) / std::max(1.0, std::abs(expected));
 }
 
-// --- words ---
-
-std::string number(double x) {
-  if (std::isnan(x)) return "nan";  // without its sign
-  char digits[32];
-  std::snprintf(digits, sizeof digits, "%.12g", x);
-  return digits;
-}
-
-// A scalar, (a, b, c), or the rows of a matrix below each other.
-std::string words(const Eigen::MatrixXd& m, const std::string& indent) {
-  if (m.size() == 1) return number(m(0));
-  const bool column = m.cols() == 1;  // a vector is written in one line
-  std::string text = "(";
-  for (Eigen::Index i = 0; i < m.rows(); ++i) {
-    if (i > 0) text += column ? ", " : ")\n" + indent + "(";
-    for (Eigen::Index j = 0; j < m.cols(); ++j) text += (j > 0 ? ", " : "") + number(m(i, j));
-  }
-  return text + ")";
-}
-
-// The parameters that differ from the assignment's, which a reader needs to know.
-std::string other_parameters(const Parameters& params) {
-  const auto values = [](const Parameters& p) -> std::vector<std::pair<std::string, std::string>> {
-    return {{"l", number(p.l) + " m"},
-            {"m", number(p.m) + " kg"},
-            {"mu", number(p.mu)},
-            {"epsilon", number(p.epsilon)},
-            {"g", words(p.g, "") + " m/s^2"},
-            {"dt", number(p.dt) + " s"},
-            {"delta", number(p.delta) + " m"},
-            {"T", number(p.T) + (p.T == 1 ? " column" : " columns")}};
-  };
-  const auto all = values(params), usual = values({});
-  std::string text;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (all[i] == usual[i]) continue;
-    text += (text.empty() ? "" : ", ") + all[i].first + " = " + all[i].second;
-  }
-  return text.empty() ? "the assignment's" : text;
-}
-
 void read_input(const json& input, Case& c) {
   for (const auto& [key, value] : input.items()) {
-    const std::string label = key + " = ", indent(label.size(), ' ');
+    c.input.push_back(key);
     if (key == "J") {
       c.J = matrix<Jacobian>(value);
-      c.input += label + words(c.J, indent) + "  1, 1, m\n";
-      continue;
+    } else {
+      (key[0] == 'q' ? c.q : c.v) = matrix<Vector3>(value);
     }
-    Vector3& x = key[0] == 'q' ? c.q : c.v;
-    x = matrix<Vector3>(value);
-    c.input +=
-        label + words(x, indent) + "  " + (key[0] == 'q' ? kConfiguration : kVelocity) + "\n";
   }
-  c.input += "parameters: " + other_parameters(c.params);
 }
 
 Case read_case(const json& from, const std::string& check, bool hidden) {
@@ -161,7 +113,7 @@ std::vector<Case> read_cases(std::istream& file, bool hidden) {
 
 std::vector<Case> cases_of(const std::string& check) {
   std::vector<Case> cases;
-  for (const auto& folder : fixture_folders()) {
+  for (const auto& folder : fixture_folders) {
     for (const auto& file : std::filesystem::directory_iterator(folder)) {
       if (file.path().filename().string().rfind(check.substr(0, check.find('.')), 0) != 0) continue;
       for (const Case& c : cases_in(file.path())) {

@@ -17,8 +17,8 @@ struct Case {
   bool hidden = false;   // the expected answer is not shown
   double tolerance = 0;  // on each entry, absolute or relative, whichever is larger
   Parameters params;
-  std::string input;                                 // the question in words, with units, in lines
   std::string corner;                                // what the corner does, in words
+  std::vector<std::string> input;                    // the names of what is asked: q, v, J
   Vector3 q = Vector3::Zero(), v = Vector3::Zero();  // parts 1 to 3; q_0 and v_0 in part 4
   Jacobian J = Jacobian::Zero();                     // part 2
   Contact contact{Jacobian::Zero(), 0};              // expected, part 1
@@ -46,9 +46,9 @@ struct Problem {
 constexpr const char* kConfiguration = "m, m, rad";
 constexpr const char* kVelocity = "m/s, m/s, rad/s";
 
-// Defined by the program that runs the tests: the folders of the fixtures. One named "hidden" holds
+// Set by the program that runs the tests: the folders of the fixtures. One named "hidden" holds
 // hidden cases.
-std::vector<std::filesystem::path> fixture_folders();
+inline std::vector<std::filesystem::path> fixture_folders;
 
 // --- reading ---
 

@@ -15,14 +15,17 @@
 
 #include "cases.hpp"
 #include "failed_case.hpp"
+#include "submission.hpp"
 
 namespace bounce::tests {
+
+using submission::Asker;
 
 struct Check {
   std::string part, name;  // "part1", "TurnsHoweverFar"; its id has a dot between
   // Asks the questions of a case: which, and how many, doesn't depend on the answers.
-  std::function<std::any(const Case&)> ask;
-  std::function<Problem(const Case&, const std::any&)> compare;
+  std::function<std::any(Asker&, const Case&)> ask;
+  std::function<Problem(Asker&, const Case&, const std::any&)> compare;
   bool asks_once = false;  // it asks twice by itself
 
   std::string id() const { return part + "." + name; }
@@ -34,17 +37,23 @@ std::vector<Check>& checks();
 // A row of a part's checks, as they are written down.
 template <class Answer>
 struct CheckRow {
+  CheckRow(const char* check, Problem (*compare_answer)(const Case& c, const Answer& got))
+      : name(check),
+        compare([=](Asker&, const Case& c, const Answer& got) { return compare_answer(c, got); }) {}
+  CheckRow(const char* check, Problem (*ask_and_compare)(Asker&, const Case& c, const Answer& got))
+      : name(check), compare(ask_and_compare) {}
+
   const char* name;
-  Problem (*compare)(const Case& c, const Answer& got);
+  std::function<Problem(Asker& asker, const Case& c, const Answer& got)> compare;
 };
 
 // Adds checks that all ask in the same way. Returns true.
 template <class Answer>
-bool add_checks(const std::string& part, Answer (*ask)(const Case&),
+bool add_checks(const std::string& part, Answer (*ask)(Asker&, const Case&),
                 const std::vector<CheckRow<Answer>>& rows, bool asks_once = false) {
   for (const auto& [name, compare] : rows) {
-    const auto compare_any = [compare = compare](const Case& c, const std::any& got) {
-      return compare(c, std::any_cast<const Answer&>(got));
+    const auto compare_any = [compare = compare](Asker& asker, const Case& c, const std::any& got) {
+      return compare(asker, c, std::any_cast<const Answer&>(got));
     };
     checks().push_back({part, name, ask, compare_any, asks_once});
   }
@@ -56,7 +65,7 @@ struct Outcome {
   std::any answer;         // empty if it gave none
   std::string thrown;      // the text of the exception in place of an answer; or of how it ended
   bool ended = false;      // it can be asked no more questions of this check
-  bool undecided = false;  // recorded answers didn't hold what it asked (linked/given.cpp)
+  bool undecided = false;  // recorded answers didn't hold what it asked
 };
 
 // A check with the answers to its cases, in the cases' order: empty where one wasn't asked.
@@ -85,7 +94,8 @@ words::FailedCase failed_case(const Failure& failure);
 // version to version.
 struct Reporter {
   virtual ~Reporter() = default;
-  virtual void asks(const Case&) {}  // before each case
+  // Before each case: what the check would report if the program ended now.
+  virtual void asks(const Failure&) {}
   // The number of the wrong case, in the order of the calls of `asks`.
   virtual void finds_first_wrong(const Case&, const Problem&, std::size_t) {}
   virtual void finds_undecided() {}
@@ -100,17 +110,14 @@ struct Ended {
 };
 
 // An exception is an answer, too.
-Outcome ask(const Check& check, const Case& c);
+Outcome ask(Asker& asker, const Check& check, const Case& c);
 
 // Asks all cases of a check, and once more in reverse order.
-CheckAnswers ask_forth_and_back(const Check& check, Reporter& reporter);
+CheckAnswers ask_forth_and_back(Asker& asker, const Check& check, Reporter& reporter);
 
 // Makes a test of each check, whose answers `asked` gives, and runs GoogleTest's tests, as its
 // filter selects them. Returns RUN_ALL_TESTS().
-int run_checks(Reporter& reporter, const std::function<CheckAnswers(const Check&)>& asked);
-
-// Set where recorded answers stand for the earlier parts (linked/given.cpp), and the submission
-// asks them something else: its own answer then decides nothing.
-inline bool asked_what_is_not_recorded = false;
+int run_checks(Asker& asker, Reporter& reporter,
+               const std::function<CheckAnswers(const Check&)>& asked);
 
 }  // namespace bounce::tests

@@ -6,7 +6,9 @@
 namespace bounce::tests {
 namespace {
 
-Contact ask_contact(const Case& c) { return submission::get_contacts(c.q, c.params); }
+Contact ask_contact(Asker& asker, const Case& c) {
+  return submission::get_contacts(asker, c.q, c.params);
+}
 
 // Of two corners that are equally low, the one to whose J the answer is nearer.
 Jacobian right_J(const Case& c, const Contact& got) {
@@ -33,7 +35,8 @@ Problem compare_J_n(const Case& c, const Contact& got) {
 }
 
 [[maybe_unused]] const bool kPart1IsAdded =
-    register_call(1, [](const Case& c) { return numbers_of(ask_contact(c)); }) &&
+    register_call(1,
+                  [](Asker& asker, const Case& c) { return numbers_of(ask_contact(asker, c)); }) &&
     add_checks<Contact>("part1", ask_contact,
                         {{"MeasuresTheHeightOfTheLowestCorner", compare_phi},
                          {"GivesTheTangentialColumn", compare_J_t},

@@ -6,7 +6,7 @@
 namespace bounce::tests {
 namespace {
 
-Lcp ask_lcp(const Case& c) { return submission::form_lcp(c.J, c.v, c.params); }
+Lcp ask_lcp(Asker& asker, const Case& c) { return submission::form_lcp(asker, c.J, c.v, c.params); }
 
 Problem compare_block(const Case& c, const Lcp& got) {
   return compare(c, "the upper left 3x3 of V", "s/kg", c.lcp.V.topLeftCorner<3, 3>(),
@@ -36,7 +36,7 @@ Problem compare_lcp(const Case& c, const Lcp& got) {
 }
 
 [[maybe_unused]] const bool kPart2IsAdded =
-    register_call(2, [](const Case& c) { return numbers_of(ask_lcp(c)); }) &&
+    register_call(2, [](Asker& asker, const Case& c) { return numbers_of(ask_lcp(asker, c)); }) &&
     add_checks<Lcp>("part2", ask_lcp,
                     {{"FormsTheBlockOfTheForces", compare_block},
                      {"BordersItWithTheFrictionCone", compare_border},

@@ -11,7 +11,7 @@
 namespace bounce::tests {
 namespace {
 
-State ask_step(const Case& c) { return submission::step(c.q, c.v, c.params); }
+State ask_step(Asker& asker, const Case& c) { return submission::step(asker, c.q, c.v, c.params); }
 
 Problem compare_velocity(const Case& c, const State& got) {
   return compare(c, "v after the step", kVelocity, c.state.v, got.v);
@@ -35,26 +35,27 @@ struct Chain {
 
 bool is_finite(const State& s) { return s.q.allFinite() && s.v.allFinite(); }
 
-std::optional<State> ask_step_of_chain(const Case& c, const State& from) {
+std::optional<State> ask_step_of_chain(Asker& asker, const Case& c, const State& from) {
   try {
-    return submission::step(from.q, from.v, c.params);
+    return submission::step(asker, from.q, from.v, c.params);
   } catch (const std::exception&) {
     return {};
   }
 }
 
 // From a step that is no state, as a wrong one may lead to, the chain begins anew.
-Chain ask_chain(const Case& c) {
+Chain ask_chain(Asker& asker, const Case& c) {
   Chain chain;
   chain.from[0] = {c.q, c.v};
-  chain.in_the_chain[0] = ask_step(c);
+  chain.in_the_chain[0] = ask_step(asker, c);
   for (std::size_t t = 1; t < kSteps; ++t) {
     const std::optional<State>& last = chain.in_the_chain[t - 1];
     chain.from[t] = last && is_finite(*last) ? *last : chain.from[0];
-    chain.in_the_chain[t] = ask_step_of_chain(c, chain.from[t]);
+    chain.in_the_chain[t] = ask_step_of_chain(asker, c, chain.from[t]);
   }
-  for (std::size_t t = kSteps; t-- > 0;) chain.alone[t] = ask_step_of_chain(c, chain.from[t]);
-  chain.is_decided = !std::exchange(asked_what_is_not_recorded, false);
+  for (std::size_t t = kSteps; t-- > 0;)
+    chain.alone[t] = ask_step_of_chain(asker, c, chain.from[t]);
+  chain.is_decided = !asker.was_undecided();
   return chain;
 }
 
@@ -92,7 +93,8 @@ Problem compare_move(const Case& c, const Chain& chain) {
 }
 
 [[maybe_unused]] const bool kPart3IsAdded =
-    register_call(3, [](const Case& c) { return numbers_of(ask_step(c), c); }) &&
+    register_call(3,
+                  [](Asker& asker, const Case& c) { return numbers_of(ask_step(asker, c), c); }) &&
     add_checks<State>("part3", ask_step,
                       {{"FallsFreely", compare_velocity},
                        {"BouncesAndSticks", compare_velocity},

@@ -12,19 +12,23 @@ namespace {
 
 Problem problem(const std::string& sentence) { return {sentence, {}}; }
 
-Trajectory ask_columns(const Case& c) { return submission::first_columns(c.q, c.v, c.params); }
+Trajectory ask_columns(Asker& asker, const Case& c) {
+  return submission::first_columns(asker, c.q, c.v, c.params);
+}
 
 // Empty where columns of a long run are missing, or the only one: that is another check's.
-Trajectory ask_columns_that_are_there(const Case& c) {
+Trajectory ask_columns_that_are_there(Asker& asker, const Case& c) {
   try {
-    return ask_columns(c);
+    return ask_columns(asker, c);
   } catch (const submission::MissingColumns&) {
     if (!c.has_decidable_steps && c.params.T > 1) throw;
     return {};
   }
 }
 
-Trajectory ask_trajectory(const Case& c) { return submission::simulate(c.q, c.v, c.params); }
+Trajectory ask_trajectory(Asker& asker, const Case& c) {
+  return submission::simulate(asker, c.q, c.v, c.params);
+}
 
 Problem compare_column(const Case& c, Eigen::Index t, const State& right, const Trajectory& got) {
   const std::string in_column = " in column " + std::to_string(t);
@@ -65,15 +69,15 @@ Problem compare_start(const Case& c, const Trajectory& got) {
 // Compares column 0, and each other one with the step from the column before: the right step in the
 // judge, and their own in a student's own build. For a long run, in which rounding errors grow too
 // much for a stored trajectory.
-Problem compare_steps(const Case& c, const Trajectory& got) {
+Problem compare_steps(Asker& asker, const Case& c, const Trajectory& got) {
   const Problem start = compare_start(c, got);
   if (!start.empty()) return start;
   for (Eigen::Index t = 0; t + 1 < got.q.cols(); ++t) {
     State next;
     try {
-      next = submission::step(got.q.col(t), got.v.col(t), c.params);
+      next = submission::step(asker, got.q.col(t), got.v.col(t), c.params);
     } catch (const std::runtime_error&) {
-      if (!std::exchange(asked_what_is_not_recorded, false)) throw;
+      if (!asker.was_undecided()) throw;
       continue;
     }
     Problem wrong = compare_column(c, t + 1, next, got);
@@ -84,8 +88,8 @@ Problem compare_steps(const Case& c, const Trajectory& got) {
   return {};
 }
 
-Problem compare_all_columns(const Case& c, const Trajectory& got) {
-  return c.has_decidable_steps ? compare_steps(c, got) : compare_columns(c, got);
+Problem compare_all_columns(Asker& asker, const Case& c, const Trajectory& got) {
+  return c.has_decidable_steps ? compare_steps(asker, c, got) : compare_columns(c, got);
 }
 
 // Asking throws unless both are 3xT.
@@ -93,9 +97,9 @@ Problem compare_size(const Case&, const Trajectory&) { return {}; }
 
 using Twice = std::pair<Trajectory, Trajectory>;
 
-Twice ask_twice(const Case& c) {
-  const Trajectory first = ask_columns(c);
-  return {first, ask_columns(c)};
+Twice ask_twice(Asker& asker, const Case& c) {
+  const Trajectory first = ask_columns(asker, c);
+  return {first, ask_columns(asker, c)};
 }
 
 Problem compare_both(const Case&, const Twice& got) {
@@ -113,7 +117,8 @@ Problem compare_both(const Case&, const Twice& got) {
 }
 
 [[maybe_unused]] const bool kPart4IsAdded =
-    register_call(4, [](const Case& c) { return numbers_of(ask_trajectory(c)); }) &&
+    register_call(
+        4, [](Asker& asker, const Case& c) { return numbers_of(ask_trajectory(asker, c)); }) &&
     add_checks<Trajectory>("part4", ask_trajectory, {{"HasTColumns", compare_size}}) &&
     add_checks<Trajectory>("part4", ask_columns_that_are_there,
                            {{"StartsAtTheInitialState", compare_start},

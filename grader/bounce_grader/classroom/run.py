@@ -110,7 +110,7 @@ def _run(options: Options, canvas: Canvas | None, people: People, corpus: list[S
     stamp = results.stamp_now(options.trust_submission, options.sanitize)
     tasks = [results.Task(results.digest_of(s), stamp, s, folder, speed) for s in intake.students]
     there = results.stamp_of(folder)
-    summaries = grading.grade(tasks, UNIT, options.jobs, options.dask)
+    summaries = grading.grade(tasks, UNIT, options.jobs, options.dask, options.reveal)
     status = 3 if any(summary.state == "failed" for summary in summaries) else 0
     if there and there != stamp and not options.apply:
         print("\n".join(results.differences(there, tasks)))
@@ -118,7 +118,7 @@ def _run(options: Options, canvas: Canvas | None, people: People, corpus: list[S
     results.count(folder, stamp)
     people.give_points(summaries)
     near = near_copies.find(summaries, corpus)
-    pages = feedback.write(out, summaries, options.reveal)
+    pages = feedback.write(out, summaries)
     sentences, written = intake.strays, ["grades.csv", "class.html", "feedback/"]
     if people.book.table:
         path = _filled_in(options)

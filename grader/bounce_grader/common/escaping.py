@@ -30,6 +30,7 @@ REPLACEMENT = "\N{REPLACEMENT CHARACTER}"
 ZERO_WIDTH_SPACE = "\N{ZERO WIDTH SPACE}"
 LONGEST_TEXT = 4000
 LONGEST_NAME = 255
+LONGEST_SENTENCE = 1000
 Value = str | int | float | None
 
 
@@ -44,6 +45,11 @@ def printable_text(text: str, limit: int = LONGEST_TEXT) -> str:
     if not text.replace("\n", "").isprintable():
         text = "".join(c if c.isprintable() or c == "\n" else REPLACEMENT for c in text)
     return text if len(text) <= limit else text[: limit - 1] + "…"
+
+
+def in_one_line(text: str) -> str:
+    """For the record: one printable line of bounded length."""
+    return printable_text(text, LONGEST_SENTENCE).replace("\n", " ")
 
 
 def printable_name(text: str) -> str:

@@ -6,10 +6,10 @@ from bounce_grader.common.errors import UsageError
 from bounce_grader.common.escaping import workflow
 from bounce_grader.common.numbers import out_of, short
 from bounce_grader.formats import markdown, sentences
-from bounce_grader.grading.record import Record
+from bounce_grader.grading.report import Report
 
 
-def render(record: Record) -> str:
+def render(record: Report) -> str:
     """Workflow commands for standard output. Writes the score as an output of a workflow's step,
     and its summary, if this runs in one."""
     _append("GITHUB_OUTPUT", f"score={short(record['score'])}\n")
@@ -38,7 +38,7 @@ def _append(variable: str, text: str) -> None:
         raise UsageError(f"{variable} names a file that can't be written: {error}") from error
 
 
-def _part(part: Record) -> list[str]:
+def _part(part: sentences.Part) -> list[str]:
     """At most one annotation for a part, as GitHub shows ten of a kind; at a line if it's known."""
     if part["score"] == part["max_score"] and not part.get("remarks"):
         return []

@@ -5,13 +5,13 @@ from typing import Any
 from bounce_grader.common.escaping import json_document, printable
 from bounce_grader.common.numbers import out_of, scientific
 from bounce_grader.formats import sentences
-from bounce_grader.grading.record import Record
+from bounce_grader.grading.report import Report
 
 EXTRA = ("kit", "box", "fixtures_sha256", "submission_sha256")  # of the record
 TEXT = {"output_format": "text", "stdout_visibility": "hidden"}
 
 
-def render(record: Record) -> str:
+def render(record: Report) -> str:
     """The report. It has no score at the top level, which would override the sum of the tests."""
     lines = []
     for part in record["parts"]:
@@ -37,8 +37,8 @@ def refused(sentence: str) -> str:
     return json_document({"score": 0, "output": printable(sentence), **TEXT, "tests": []}, indent=1)
 
 
-def _test(number: str, part: Record, check: Record) -> dict[str, Any]:
-    hint = sentences.hint(part, check)
+def _test(number: str, part: sentences.Part, check: sentences.Part) -> dict[str, Any]:
+    hint = check["hint"]["heading"]
     return {
         "number": number,
         "name": check["title"],
@@ -52,7 +52,7 @@ def _test(number: str, part: Record, check: Record) -> dict[str, Any]:
     }
 
 
-def _leaderboard(record: Record) -> list[dict[str, Any]]:
+def _leaderboard(record: Report) -> list[dict[str, Any]]:
     """Speed and error count only with full points: a program that returns zeros is fastest."""
     rows: list[dict[str, Any]] = [{"name": "Points", "value": record["score"]}]
     right = record["score"] == record["max_score"]

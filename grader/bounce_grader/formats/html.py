@@ -9,8 +9,8 @@ from markupsafe import Markup
 
 from bounce_grader.common import escaping, numbers
 from bounce_grader.formats import sentences, speed_chart
-from bounce_grader.grading import hints, speed
-from bounce_grader.grading.record import Record
+from bounce_grader.grading import speed
+from bounce_grader.grading.report import Report
 
 MOST_UNUSED = 20  # names of unused files on a page
 TITLE = "Bouncing: "  # every page's title begins with it
@@ -18,7 +18,7 @@ PAGE = "formats/feedback.html.j2"
 PACKAGE = Path(__file__).resolve().parents[1]
 
 
-def render(record: Record, name: str = "", unused: Sequence[str] = (), *in_the_end: Any) -> str:
+def render(record: Report, name: str = "", unused: Sequence[str] = (), *in_the_end: Any) -> str:
     """The page of a person or a group. `in_the_end` says what each member gets, where that isn't the
     score: points, and what was applied."""
     measured = record.get("speed") or {}
@@ -39,7 +39,7 @@ def refused(sentence: str) -> str:
     return fill(PAGE, title=f"{TITLE}not graded", refusal=sentence)
 
 
-def _unused(record: Record, unused: Sequence[str]) -> list[str]:
+def _unused(record: Report, unused: Sequence[str]) -> list[str]:
     files = [*unused, *(f"{file} wasn't used" for file in record["ignored"])]
     rest = max(0, len(files) - MOST_UNUSED) + record.get("ignored_more", 0)
     return [*files[:MOST_UNUSED], *([f"and {rest} more"] if rest else [])]
@@ -63,7 +63,7 @@ def _environment() -> Any:
         lstrip_blocks=True,
         keep_trailing_newline=True,
     )
-    made.globals.update(hints=hints, numbers=numbers, sentences=sentences, speed_chart=speed_chart)
+    made.globals.update(numbers=numbers, sentences=sentences, speed_chart=speed_chart)
     return made
 
 

@@ -5,10 +5,10 @@ from xml.etree import ElementTree
 from bounce_grader.common.escaping import printable, xml_document
 from bounce_grader.common.numbers import short
 from bounce_grader.formats import sentences
-from bounce_grader.grading.record import Record
+from bounce_grader.grading.report import Report
 
 
-def render(record: Record) -> str:
+def render(record: Report) -> str:
     time = f"{record['seconds']['total']:.3f}"
     suites = ElementTree.Element("testsuites", name="bouncing", time=time)
     suites.extend(map(_suite, record["parts"]))
@@ -18,7 +18,7 @@ def render(record: Record) -> str:
     return xml_document(ElementTree.tostring(suites, encoding="unicode", xml_declaration=False))
 
 
-def _suite(part: Record) -> ElementTree.Element:
+def _suite(part: sentences.Part) -> ElementTree.Element:
     """The suite of a part. A check that didn't run is an error, a wrong answer a failure."""
     errors = [c for c in part["checks"] if not c["passed"] and _did_not_run(part, c)]
     failed = [check for check in part["checks"] if not check["passed"]]
@@ -35,11 +35,11 @@ def _suite(part: Record) -> ElementTree.Element:
     return suite
 
 
-def _did_not_run(part: Record, check: Record) -> bool:
+def _did_not_run(part: sentences.Part, check: sentences.Part) -> bool:
     return part["status"] != "graded" and not check["message"]
 
 
-def _case(part: Record, check: Record) -> ElementTree.Element:
+def _case(part: sentences.Part, check: sentences.Part) -> ElementTree.Element:
     name = check["id"].partition(".")[2]
     case = ElementTree.Element("testcase", name=name, classname=part["stem"])
     if not check["passed"]:

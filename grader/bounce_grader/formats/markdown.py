@@ -3,12 +3,12 @@
 from bounce_grader.common import escaping
 from bounce_grader.common.numbers import out_of
 from bounce_grader.formats import sentences
-from bounce_grader.grading.record import Record
+from bounce_grader.grading.report import Report
 
 LONGEST = 60_000  # characters; a comment on GitHub may have 65,536
 
 
-def render(record: Record) -> str:
+def render(record: Report) -> str:
     lines = [f"## {out_of(record)} points", "", "| part | points | |", "| --- | ---: | --- |"]
     for part in record["parts"]:
         title, words = map(escaping.markdown, (part["title"], sentences.part_words(part)))
@@ -30,8 +30,8 @@ def render(record: Record) -> str:
     return text.rstrip("\n")
 
 
-def _check(number: str, part: Record, check: Record) -> str:
+def _check(number: str, part: sentences.Part, check: sentences.Part) -> str:
     heading = f"<details><summary>✗ {number} {escaping.html(check['title'])}</summary>"
-    hint = sentences.hint(part, check)
+    hint = check["hint"]["heading"]
     advice = f"\nHint {escaping.markdown(hint)}\n" if hint else ""
     return f"\n{heading}\n\n{escaping.markdown_block(check['message'])}\n{advice}\n</details>\n"

@@ -1,8 +1,11 @@
 """Sentences about a record, for several formats."""
 
-from bounce_grader.grading import hints, speed
-from bounce_grader.grading.record import Record
+from typing import Any
 
+from bounce_grader.grading import speed
+from bounce_grader.grading.report import Report
+
+Part = dict[str, Any]  # of a report, or one of its checks
 STATUS_WORDS = {
     "graded": "graded",
     "not_submitted": "not submitted",
@@ -14,16 +17,16 @@ STATUS_WORDS = {
 }
 
 
-def has_run(part: Record) -> bool:
+def has_run(part: Part) -> bool:
     return any(check["passed"] or check["message"] for check in part["checks"])
 
 
-def had_help(part: Record) -> bool:
+def had_help(part: Part) -> bool:
     """Whether it lost points with given earlier parts, so that mistakes in these cost nothing."""
     return part["graded_with"] == "given" and part["score"] < part["max_score"]
 
 
-def part_words(part: Record) -> str:
+def part_words(part: Part) -> str:
     """One sentence about a part as a whole, and the remarks about it."""
     if part["status"] == "graded":
         remarks = [f"a remark without points: {remark}" for remark in part.get("remarks", [])]
@@ -31,7 +34,7 @@ def part_words(part: Record) -> str:
     return f"{STATUS_WORDS.get(part['status'], part['status'])}: {part['message']}"
 
 
-def check_words(part: Record, check: Record) -> str:
+def check_words(part: Part, check: Part) -> str:
     """A check's message, or why its part never ran. The first failed check begins with the part's
     known mistakes, for formats that have no other place for them; the first of a part with all
     points has the remarks."""
@@ -43,28 +46,22 @@ def check_words(part: Record, check: Record) -> str:
     return "\n".join(filter(None, [*mistakes, message]))
 
 
-def mistake_words(part: Record) -> list[str]:
+def mistake_words(part: Part) -> list[str]:
     """A line for each known mistake that the part makes; if there is none, its patterns."""
     lines = [
-        f"Looks like: {mistake['title']}. {mistake['sentence']} See {where_to_read(mistake)}."
+        f"Looks like: {mistake['title']}. {mistake['sentence']} See {mistake['where']}."
         for mistake in part["mistakes"]
     ]
     return lines or list(part["patterns"])
 
 
-def where_to_read(mistake: Record) -> str:
-    """The references, as "eq. (6) and hint 1.2 The moment arm r"."""
-    numbers = ", ".join(f"({number})" for number in mistake["equations"])
-    return f"eq{'s' * (len(mistake['equations']) > 1)}. {numbers} and hint {mistake['hint']}"
-
-
-def speed_words(record: Record) -> list[str]:
+def speed_words(record: Report) -> list[str]:
     """Why the submission wasn't timed, if different answers are the reason."""
     measured = record.get("speed") or {}
     return speed.sentences(measured) if "otherwise" in measured else []
 
 
-def about_cases(record: Record) -> list[str]:
+def about_cases(record: Report) -> list[str]:
     """What the cases are worth that were handed in, a line each; empty if none were."""
     found = record.get("examples")
     if not found:
@@ -78,7 +75,7 @@ def about_cases(record: Record) -> list[str]:
     ]
 
 
-def numbered(record: Record) -> list[tuple[str, Record, Record]]:
+def numbered(record: Report) -> list[tuple[str, Part, Part]]:
     """Each check with its number and part, as ("2.3", part, check)."""
     return [
         (f"{part['part']}.{number}", part, check)
@@ -87,28 +84,16 @@ def numbered(record: Record) -> list[tuple[str, Record, Record]]:
     ]
 
 
-def first_to_do(record: Record) -> str:
+def first_to_do(record: Report) -> str:
     """What to look at first: the earliest part that lost points, and its first failed check."""
     for number, part, check in numbered(record):
         if not check["passed"]:
             if not has_run(part):
                 return f"First: part {part['part']}, {part_words(part)}"
-            advice = hint(part, check)
+            advice = check["hint"]["heading"]
             return f"First: {number} {check['title']}" + (f"; hint {advice}" if advice else "")
     return ""
 
 
-def hint(part: Record, check: Record) -> str:
-    """The heading of the hint for a failed check, for the first one that of the mistake which costs
-    it, or of what the wrong numbers say; empty for a passed one."""
-    if check["passed"]:
-        return ""
-    found = ""
-    if check is _first_failed(part):
-        found = (check["mistake"] or {}).get("hint", "")
-        found = found or hints.of_patterns(part["part"], part["patterns"], check["id"])
-    return found or hints.of_check(check["id"])
-
-
-def _first_failed(part: Record) -> Record | None:
+def _first_failed(part: Part) -> Part | None:
     return next((check for check in part["checks"] if not check["passed"]), None)

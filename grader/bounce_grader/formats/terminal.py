@@ -8,19 +8,19 @@ from bounce_grader.common.numbers import out_of, scientific
 from bounce_grader.common.paths import HANDOUT
 from bounce_grader.formats import sentences
 from bounce_grader.grading import speed
-from bounce_grader.grading.record import Record
+from bounce_grader.grading.report import Report
 
 STYLES = {"": "", "bold": "1", "dim": "2", "red": "31", "green": "32", "yellow": "33"}
 
 
-def render(record: Record) -> str:
+def render(record: Report) -> str:
     """The report; in colour on a terminal."""
     if not sys.stdout.isatty() or os.environ.get("NO_COLOR"):
         return "".join(f"{line}\n" for _, line in lines(record))
     return "".join(f"\33[{STYLES[style]}m{line}\33[0m\n" for style, line in lines(record))
 
 
-def lines(record: Record) -> list[tuple[str, str]]:
+def lines(record: Report) -> list[tuple[str, str]]:
     """The report's lines, as (style, text); a submission's text without control characters."""
     out = [("bold", f"Score {out_of(record)}"), ("", "")]
     for part in record["parts"]:
@@ -39,7 +39,7 @@ def lines(record: Record) -> list[tuple[str, str]]:
     return out
 
 
-def _part(part: Record) -> list[tuple[str, str]]:
+def _part(part: sentences.Part) -> list[tuple[str, str]]:
     heading = f"Part {part['part']}  {part['title']}"
     out = [("bold", f"{heading:<68}{out_of(part):>8}")]
     if part["status"] != "graded":
@@ -51,27 +51,27 @@ def _part(part: Record) -> list[tuple[str, str]]:
     for mistake in part["mistakes"]:
         out.append(("yellow", f"  looks like: {mistake['title']}"))
         out.append(("", f"    {mistake['sentence']}"))
-        out.append(("dim", f"    {sentences.where_to_read(mistake)}"))
+        out.append(("dim", f"    {mistake['where']}"))
     out += [("", f"  {sentence}") for sentence in part["patterns"]]
     if sentences.has_run(part):
         for check in part["checks"]:
-            out += _check(part, check)
+            out += _check(check)
     if sentences.had_help(part):
         words = "judged with right earlier parts: a mistake in yours costs nothing here"
         out.append(("dim", f"  {words}"))
     return [*out, ("", "")]
 
 
-def _check(part: Record, check: Record) -> list[tuple[str, str]]:
+def _check(check: sentences.Part) -> list[tuple[str, str]]:
     mark, style = ("✓", "green") if check["passed"] else ("✗", "red")
     out = [(style, f"  {mark} {check['title']:<64}{out_of(check):>8}")]
     out += [("", f"      {terminal(line)}") for line in check["message"].split("\n") if line]
-    if check["message"] and (hint := sentences.hint(part, check)):
+    if check["message"] and (hint := check["hint"]["heading"]):
         out.append(("dim", f"      hint {hint}"))
     return out
 
 
-def _speed(measured: Record) -> list[tuple[str, str]]:
+def _speed(measured: sentences.Part) -> list[tuple[str, str]]:
     error = measured["largest_error"]
     accuracy = "largest error " + ("not finite" if error is None else scientific(error))
     curves = [terminal(sentence) for sentence in speed.sentences(measured)]

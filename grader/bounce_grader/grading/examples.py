@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from bounce_grader.common.errors import KitError
 from bounce_grader.common.manifest import Check, example_points, Part, parts
 from bounce_grader.common.paths import EXAMPLES, FIXTURES, HANDOUT, ROOT, RUNNER
+from bounce_grader.grading.judging import fact, Facts
 from bounce_grader.grading.record import failed_part, Record
 from bounce_grader.sandbox.box import Box
 from bounce_grader.sandbox.budget import Overrun
@@ -34,11 +35,12 @@ def judged(cases: bytes, box: Box) -> tuple[Record | None, list[Record]]:
     try:
         found = _judged(cases if is_own else b"", box)
     except Overrun as overrun:
-        late = _part_record(0.0, f"not judged: {overrun}")
+        late = _part_record(0.0, fact("no_time", str(overrun)))
         return None, [late] if late else []
     caught, missed = len(found["caught"]), found["missed"]
-    told = f"{caught} of {caught + len(missed)} are caught"
-    part = _part_record(caught / (caught + len(missed)), told, missed)
+    every = caught + len(missed)
+    why = fact("cases_caught", str(caught), str(every))
+    part = _part_record(caught / every, why, missed)
     return found, [part] if part else []
 
 
@@ -50,7 +52,7 @@ def _judged(cases: bytes, box: Box) -> Record:
     return dict(json.loads(result.out))
 
 
-def _part_record(share: float, told: str, missed: Sequence[str] = ()) -> Record | None:
+def _part_record(share: float, why: Facts, missed: Sequence[str] = ()) -> Record | None:
     """A part of the record, in which each wrong program that is caught gives its share; None if they
     give no points."""
     most, number = example_points(), len(parts()) + 1
@@ -58,8 +60,8 @@ def _part_record(share: float, told: str, missed: Sequence[str] = ()) -> Record 
         return None
     check = Check(f"part{number}.CasesCatchWrongPrograms", "cases catch all wrong programs", most)
     part = Part(number, f"part{number}_examples", "Cases", "", most, (check,), ())
-    made = failed_part(part, "graded", told)
+    made = failed_part(part, "graded", why)
+    made["notes"] = [fact("cases_missed", ", ".join(missed))] if missed else []
     made["score"] = made["checks"][0]["score"] = round(most * share, 2)
     made["checks"][0]["passed"] = share == 1
-    made["checks"][0]["message"] = f"not caught: {', '.join(missed)}" if missed else ""
     return made

@@ -17,6 +17,7 @@ from bounce_grader.common.numbers import scientific
 from bounce_grader.common.parallel_map import parallel_map
 from bounce_grader.common.paths import STUBS
 from bounce_grader.grading import examples, fixtures, judging, record
+from bounce_grader.grading.judging import fact
 from bounce_grader.grading.record import Record
 from bounce_grader.sandbox import box as boxes
 from bounce_grader.sandbox.box import Box
@@ -31,19 +32,20 @@ class Options(NamedTuple):
     boxes: tuple[str, ...] = boxes.FULL_OR_REDUCED  # the acceptable kinds, best first
     speed: bool = False
     sanitize: bool = False  # run parts with all points with sanitizers, for remarks
+    public: bool = False  # on the public cases alone, as ./check does
     jobs: int = 0  # 0: one per core, and no more than parts
     within: Budget | None = None  # the grading's budget; None: a new one from its start on
 
 
 def grade(given: Path | Submission, options: Options = Options()) -> Record:
     """Grades a submission, or a folder or zip that holds one. Raises UsageError if it can't be
-    read, KitError if the kit fails. The record has the answers of hidden cases, too, until
-    record.for_readers leaves them out."""
+    read, KitError if the kit fails. The record is for the course alone, as it has the answers of
+    hidden cases; report.py makes what others get."""
     start = time.monotonic()
     within = options.within or Budget()
     taken = given if isinstance(given, Submission) else submission.read(given)
     box = boxes.choose(options.boxes)._replace(budget=within)
-    hidden = fixtures.hidden_folder()
+    hidden = None if options.public else fixtures.hidden_folder()
     remove_abandoned()
     jobs = options.jobs or min(os.cpu_count() or 1, len(parts()))
     with compiled(taken, box, jobs) as work:
@@ -65,7 +67,7 @@ def grade(given: Path | Submission, options: Options = Options()) -> Record:
         [*records, *case_records],
         box=box.kind,
         seconds={phase: round(value, 3) for phase, value in seconds.items()},
-        fixtures_sha256=record.digest_of([fixtures.PUBLIC, hidden]),
+        fixtures_sha256=record.digest_of([fixtures.PUBLIC, *([hidden] if hidden else [])]),
         speed=speed,
         examples=cases,
     )
@@ -75,7 +77,7 @@ class _Grading:
     """Judges the parts. First all parts linked together; then, if a part could score better, this
     part alone, with the given earlier parts. The better score counts."""
 
-    def __init__(self, work: Work, hidden: Path) -> None:
+    def __init__(self, work: Work, hidden: Path | None) -> None:
         self.work, self.hidden = work, hidden
         self.together: Path | None = None  # the runner with all parts, if they link
         self.own: dict[Part, judging.Judged] = {}
@@ -123,7 +125,7 @@ class _Grading:
                     return self._not_built(part, "; ".join([alone.problem, *broken]), alone.place)
         except Overrun as overrun:
             if not given and part not in self.own:
-                return record.failed_part(part, "timed_out", f"not judged: {overrun}")
+                return record.failed_part(part, "timed_out", fact("no_time", str(overrun)))
         return judging.which_counts(part, self.own.get(part), given)
 
     def record_of(self, part: Part) -> Record:
@@ -134,18 +136,17 @@ class _Grading:
         if best.status == "crashed":
             best = judging.with_cause(part, best, self.work, self.hidden)
         graded = record.part_record(part, best)
-        graded["message"] += self._shared_with_a_wrong_part(part, best)
+        graded["notes"] = self._shared_with_a_wrong_part(part, best)
         path = self.work.parts[part.number].path
         if not (path and MAIN in path.read_bytes()):
             return graded
-        twice = f"{part.file} defines main(), and so does ./check, which can't link it"
-        return record.with_remark(graded, f"{twice}: take it out", None)
+        return record.with_remark(graded, fact("defines_main", part.file), None)
 
-    def _shared_with_a_wrong_part(self, part: Part, best: judging.Judged) -> str:
-        """Of a part that lost points by its own code: what of it an earlier one uses that lost
-        some, too, and why that costs points twice; else ""."""
+    def _shared_with_a_wrong_part(self, part: Part, best: judging.Judged) -> list[judging.Facts]:
+        """For a part that lost points by its own code: what an earlier part that lost some shares
+        with it, which costs points twice."""
         if best.graded_with == "given" or best.score(part) == part.points:
-            return ""
+            return []
         for earlier in parts()[: part.number - 1]:
             result = self.results[earlier]
             lost = isinstance(result, judging.Judged) and result.score(earlier) < earlier.points
@@ -153,15 +154,10 @@ class _Grading:
                 continue
             if shared := self.work.taken.shared(earlier.number, part.number):
                 files = first_few(list(map(printable_name, shared)))
-                both = f"parts {earlier.number} and {part.number} both use {files}"
-            elif part in self.never_called_given and earlier.number == part.number - 1:
-                both = (
-                    f"it calls no {earlier.function}(), and may use code of part {earlier.number}"
-                )
-            else:
-                continue
-            return f"; {both}: what is wrong there costs points in each, as each is judged by its answers"
-        return ""
+                return [fact("shared", str(earlier.number), str(part.number), files)]
+            if part in self.never_called_given and earlier.number == part.number - 1:
+                return [fact("calls_no_given", earlier.function, str(earlier.number))]
+        return []
 
     def with_remarks(self, graded: Record) -> Record:
         """The record of a part; if it has all points, with what the sanitizers find in it."""
@@ -191,17 +187,17 @@ class _Grading:
         """The record of a part of which there is nothing to run."""
         taken = self.work.taken
         if part.number in taken.refused:
-            return self._not_built(part, taken.refused[part.number], None)
+            why = fact("refused", taken.refused[part.number])
+            return record.failed_part(part, "does_not_compile", why)
         if part.number not in taken.parts:
-            message = f"{part.file} isn't among the files submitted{taken.instead_of(part)}"
-            return record.failed_part(part, "not_submitted", message)
+            why = fact("not_submitted", part.file, taken.instead_of(part))
+            return record.failed_part(part, "not_submitted", why)
         file = taken.parts[part.number]
         words = taken.files[file].split()
         if not words:
-            return self._not_built(part, f"{file} is empty", None)
+            return record.failed_part(part, "does_not_compile", fact("empty", file))
         if submission.is_stub(part, taken.files[file]):
-            message = f"nothing is filled in yet: start at the TODO in {part.file}"
-            return record.failed_part(part, "graded", message)
+            return record.failed_part(part, "graded", fact("stub", part.file))
         built = self.work.parts[part.number]
         return None if built.path else self._not_built(part, built.problem, built.place)
 
@@ -209,7 +205,7 @@ class _Grading:
         if place:  # as "./helper.hpp", or as whatever the submission made a compiler write
             place = place._replace(file=os.path.normpath(place.file))
         known = place if place and place.file in self.work.taken.files else None
-        return record.failed_part(part, "does_not_compile", why, known)
+        return record.failed_part(part, "does_not_compile", fact("not_built", why), known)
 
 
 def _require_working_kit(box: Box) -> None:

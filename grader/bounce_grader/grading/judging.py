@@ -13,10 +13,9 @@ from typing import Any, Literal, NamedTuple
 
 from bounce_grader.build.toolchain import link_sanitized, Work
 from bounce_grader.common.errors import KitError
-from bounce_grader.common.escaping import first_few, printable_name, printable_text
+from bounce_grader.common.escaping import first_few, in_one_line, printable_name, printable_text
 from bounce_grader.common.manifest import Part
-from bounce_grader.common.paths import FIXTURES, JUDGE, SOURCES, WORK_FOLDER
-from bounce_grader.grading.words import Said, say, Verdict
+from bounce_grader.common.paths import FIXTURES, JUDGE, SENTENCES, SOURCES, WORK_FOLDER
 from bounce_grader.sandbox import processes
 from bounce_grader.sandbox.box import LARGEST_FILE
 from bounce_grader.sandbox.budget import Overrun
@@ -30,10 +29,29 @@ IN_SOURCES = re.compile(
 MOST_CPU_SECONDS, MOST_SECONDS = 30, 200  # for all runners of a part together
 SANITIZED_CPU_SECONDS, SANITIZED_SECONDS = 20.0, 80.0  # for one part
 MARGIN = 5.0  # s, to stop it
-FOUND = "found"  # the kind of an end by a fault that the sanitizers name, and we know
 # In a runner of all parts, or of this one with given earlier parts; the last has sanitizers, and its
 # wrong answers aren't explained.
 How = Literal["together", "alone", "sanitized"]
+Facts = dict[str, Any]
+
+
+def fact(id: str, *words: str) -> Facts:
+    """What there is to say of a part: the id of its sentence in grader/words/report.txt, and the
+    words in it, which may hold any text."""
+    return {"id": id, "words": [in_one_line(text) for text in words]}
+
+
+class Verdict(NamedTuple):
+    """What became of one check, as grader/judge/main.cpp says it."""
+
+    passed: bool
+    status: str
+    ended: Facts | None = None  # how the program ended, if it did
+    stack: str = ""  # addresses, where it crashed
+    failure: Facts | None = None  # the failed case; None if the check passed, or failed as a whole
+    answer: Facts | None = None  # what is right there, which a reader gets only of public cases
+    place: Place | None = None  # of a crash in the submission, if known
+    found: str = ""  # the sanitizers' name for what they found, where a crash didn't say why
 
 
 class Judged(NamedTuple):
@@ -46,7 +64,7 @@ class Judged(NamedTuple):
     largest_error: float | None
     graded_with: str
     mistakes: tuple[str, ...] = ()
-    patterns: tuple[str, ...] = ()
+    patterns: tuple[Facts, ...] = ()
 
     def score(self, part: Part) -> float:
         return sum(check.points for check in part.checks if self.verdicts[check.id].passed)
@@ -112,7 +130,8 @@ def read_answer(out: bytes, part: Part) -> Judged:
     try:
         answer = _printable(json.loads(out))
         verdicts = {check.pop("id"): Verdict(**check) for check in answer["checks"]}
-        largest, mistakes, patterns = (answer[k] for k in ("largest_error", "mistakes", "patterns"))
+        largest, patterns = answer["largest_error"], answer["patterns"]
+        mistakes = tuple(mistake["name"] for mistake in answer["mistakes"])
         graded_with = "given" if answer["asked_given"] else "own"
     except (ValueError, TypeError, LookupError) as error:
         raise KitError(f"the judge's answer on part {part.number} can't be read") from error
@@ -121,7 +140,7 @@ def read_answer(out: bytes, part: Part) -> Judged:
         correct = "correct the id there, or leave the check out"
         raise KitError(f"the judge's checks of part {part.number} {some}: {correct}")
     kept = {check.id: verdicts[check.id] for check in part.checks}
-    return Judged(kept, largest, graded_with, tuple(mistakes), tuple(patterns))
+    return Judged(kept, largest, graded_with, mistakes, tuple(patterns))
 
 
 def _printable(x: Any) -> Any:
@@ -156,33 +175,39 @@ def place_in(lines: bytes, is_submitted: Callable[[str], bool] = bool) -> Place 
 # --- with sanitizers ---
 
 
-def with_cause(part: Part, judged: Judged, work: Work, hidden: Path) -> Judged:
+def with_cause(part: Part, judged: Judged, work: Work, hidden: Path | None) -> Judged:
     """The same verdicts; those about crashes that no assertion explains also say what the
     sanitizers found, if anything."""
-    crashed = {id: v for id, v in judged.verdicts.items() if v.status == "crashed"}
-    unclear = [id for id, said in _said(crashed).items() if said.id != "assertion"]
-    again = _said(_again(part, work, hidden)) if unclear else {}
-    found = {id: said.end for id, said in again.items() if id in unclear and said.id == FOUND}
-    named = {id: crashed[id]._replace(found=end) for id, end in found.items()}
+    unclear = {
+        id: verdict
+        for id, verdict in judged.verdicts.items()
+        if verdict.status == "crashed" and (verdict.ended or {}).get("what") != "assertion"
+    }
+    again = _again(part, work, hidden) if unclear else {}
+    found = {id: _found_in(again[id]) for id in unclear if id in again}
+    named = {id: unclear[id]._replace(found=kind) for id, kind in found.items()}
     return judged._replace(verdicts=judged.verdicts | named)
 
 
-def _said(verdicts: dict[str, Verdict]) -> dict[str, Said]:
-    return dict(zip(verdicts, say(list(verdicts.values()))))
+def _found_in(verdict: Verdict) -> str:
+    """The sanitizers' name for the fault that ended the program; empty if they found none that has
+    a sentence: a program can print any other name."""
+    ended = verdict.ended or {}
+    known = (SENTENCES / "crashes.txt").read_text("utf-8").split("\n")
+    is_known = ended.get("what") == "sanitizer" and f"  {ended['text']}" in known
+    return str(ended["text"]) if is_known else ""
 
 
-def remark(part: Part, work: Work) -> tuple[str, Place | None] | None:
+def remark(part: Part, work: Work) -> tuple[Facts, Place | None] | None:
     """What the sanitizers find in a part with all points, in public cases, and where, or None."""
     again = _again(part, work, None)
-    nowhere = {id: verdict._replace(place=None) for id, verdict in again.items()}
-    for id, said in _said(nowhere).items():
-        if said.id == FOUND:
-            return f"{again[id].place or part.file}: {said.end}", again[id].place
+    for verdict in again.values():
+        if kind := _found_in(verdict):
+            return fact("found", str(verdict.place or part.file), kind), verdict.place
     for check, verdict in zip(part.checks, again.values()):
         answered = verdict.status == "graded" and (verdict.failure or {}).get("quantities")
         if not verdict.passed and answered:
-            fails = f'{part.file}: built with g++ and its sanitizers, it fails "{check.title}"'
-            return f"{fails}: does it use a value that was never set, or that is gone?", None
+            return fact("fails_with_sanitizers", part.file, check.title), None
     return None
 
 

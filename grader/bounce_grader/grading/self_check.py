@@ -21,7 +21,7 @@ def problem_of_judge(boxes: tuple[str, ...]) -> str | None:
         return f"a known wrong program can't be graded: {error}"
     part = record["parts"][2]
     lost = sorted(check["id"] for check in part["checks"] if not check["passed"])
-    named = [mistake["name"] for mistake in part["mistakes"]]
+    named = part["mistakes"]
     if lost == sorted(expected(WRONG)["lost"]) and named == [WRONG.name]:
         return None
     points = f"{part['score']:g} of {part['max_score']:g} points"

@@ -8,7 +8,6 @@ from bounce_grader.common.errors import KitError
 from bounce_grader.common.escaping import printable_text
 from bounce_grader.common.numbers import metres, seconds
 from bounce_grader.common.paths import REFERENCE_RUNNER, SCENES, STOPWATCH
-from bounce_grader.grading import words
 from bounce_grader.sandbox import processes
 from bounce_grader.sandbox.box import LARGEST_FILE, Box
 
@@ -47,19 +46,11 @@ def read(out: bytes) -> Measured:
         if "wrong" in answer:
             return {"otherwise": f"{WRONG}: {printable_text(answer['wrong'])}"}
         scenes = list(map(_scene, answer["scenes"]))
-        measured = {"cut": _cut(answer["cut"]), "dt": answer["dt"], "scenes": scenes}
+        cut = answer["cut"] and answer["cut"] | {"dt": float(answer["cut"]["dt"])}
+        measured = {"cut": cut, "dt": answer["dt"], "scenes": scenes}
         return {**_step(measured), **measured}
     except (ValueError, TypeError, LookupError) as error:
         raise KitError("the stopwatch's answer can't be read") from error
-
-
-def _cut(cut: Any) -> str:
-    """Where and why the curves of a submission end early; empty if they don't."""
-    if cut is None:
-        return ""
-    (said,) = words.say([words.Verdict(False, "", cut["ended"])])
-    why = said.end or cut["sentence"]
-    return printable_text(f"at dt = {cut['dt']:.2g} s: {why}")
 
 
 def _scene(scene: Any) -> Measured:

@@ -15,14 +15,15 @@ from bounce_grader.publish import handout_data, handout_page
 
 TOP = "bounce"  # the folder in the zip
 # Beside the folder student/: a folder of the zip, and the files of the kit in it.
-WORDS = ("sentences", "ending", "failed_case", "endings", "crashes")
 FROM_THE_KIT = (
     ("", ".clang-format"),
     ("tests/", "tests/parts/*.?pp"),
     ("tests/", "grader/parts.json"),
     *(("tests/", f"grader/runner/{name}.hpp") for name in ("frame", "messages", "crash")),
     ("tests/diagnosis/", "grader/diagnosis/*"),
-    *(("given/words/", f"grader/words/{name}.*") for name in WORDS),
+    ("given/words/", "grader/words/*.?pp"),
+    ("given/words/", "grader/words/*.txt"),
+    ("given/report/", "grader/report/main.cpp"),
     ("tests/linked/", "tests/parts/linked/*.?pp"),
     ("tests/linked/", "grader/runner/given_part*.cpp"),
     ("tests/linked/", "grader/runner/crash.cpp"),

@@ -46,31 +46,6 @@ int next_stage(const std::string& name) {
   return stage;
 }
 
-std::string heading_of(const Part& part, const Check& check, const std::string& mistake) {
-  std::string heading, of_check, of_mistake;
-  std::size_t first = std::string::npos;
-  const std::string diagnoses = "Diagnoses: ";
-  for (const std::string& line : lines_of(read(page_of(part)))) {
-    if (begins(line, "## ")) {
-      heading = line.substr(3);
-      if (has(mistake, "hint " + heading)) return heading;
-    } else if (begins(line, "Checks: ") && has(line + ",", check.id + ",")) {
-      of_check = heading;
-    } else if (begins(line, diagnoses)) {
-      for (const std::string& each : split(line.substr(diagnoses.size()), ';')) {
-        const std::string words = each.substr(each.find_first_not_of(' '));
-        // Words with "your" are about numbers that this section's own checks compare.
-        const bool about_numbers = has(words, "your") || has(words, "Your");
-        const std::size_t at = mistake.find(words);
-        if (at >= first || (about_numbers && heading != of_check)) continue;
-        first = at;
-        of_mistake = heading;
-      }
-    }
-  }
-  return of_mistake.empty() ? of_check : of_mistake;
-}
-
 void hint(const Run& run) {
   if (!run.first_part) {
     std::cout << (run.is_right()
@@ -82,8 +57,7 @@ void hint(const Run& run) {
     print_what_does_not_compile(run);
     return;
   }
-  const std::string mistake = mistake_of(run, *run.first_part);
-  const std::string heading = heading_of(*run.first_part, *run.first_check, mistake);
+  const std::string heading = mistake_of(run, *run.first_part, *run.first_check).hint;
   const int stage = next_stage(heading);
   const std::string page = page_of(*run.first_part);
   std::cout << "For: " << run.first_check->title << "\n";

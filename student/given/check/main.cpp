@@ -19,6 +19,7 @@ const std::filesystem::path kOptions = "given/check/options.txt";
 
 struct Options {
   int part = 0;                 // 0: all
+  std::string record;           // the file of the score record; empty if none is wanted
   std::set<std::string> words;  // of options.txt
   bool has(const std::string& word) const { return words.count(word) == 1; }
 };
@@ -35,13 +36,17 @@ int number_of(const std::string& word, const std::vector<Part>& parts) {
 
 Options read_options(const std::vector<std::string>& words, const std::vector<Part>& parts) {
   Options options;
-  for (const std::string& word : words) {
+  for (auto next = words.begin(); next != words.end(); ++next) {
+    const std::string& word = *next;
     const int part = number_of(word, parts);
     if (part && options.part) {
       throw Failure("one part at a time, or all: ./check " + std::to_string(part) + ", or ./check");
     }
     if (part) {
       options.part = part;
+    } else if (word == "--json" && next + 1 != words.end()) {
+      options.record = *++next;
+      continue;
     } else if (!has(read(kOptions), "./check " + word + " ")) {
       std::cerr << "check: " << word << " is not known; there are:\n" << read(kOptions);
       std::exit(kUsage);
@@ -66,6 +71,7 @@ bool check(const Options& options, bool replaces = false) {
   build_parts(run);
   run_parts(run);
   if (replaces && is_terminal()) std::cout << "\033[H\033[2J";
+  if (!options.record.empty()) write_record(run, options.record);
   const bool hints = options.has("--hint");
   if (hints) hint(run);
   const bool is_right = hints ? !run.first_part : report(run);

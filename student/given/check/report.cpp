@@ -138,10 +138,10 @@ void print_first(const Run& run) {
   print_missing_returns(part);
   if (run.sanitized && note.status == "crashed") return;  // what was found says more than the rest
   print_what_was_printed(part, note);
-  const std::string mistake = mistake_of(run, part);
-  if (!mistake.empty()) std::cout << "\n" << folded(mistake, 74, "  ") << "\n";
-  std::cout << "  Hint " << heading_of(part, *run.first_check, mistake) << ": ./check"
-            << run.option() << " --hint opens it, stage by stage.\n";
+  const Mistake mistake = mistake_of(run, part, *run.first_check);
+  if (!mistake.text.empty()) std::cout << "\n" << folded(mistake.text, 74, "  ") << "\n";
+  std::cout << "  Hint " << mistake.hint << ": ./check" << run.option()
+            << " --hint opens it, stage by stage.\n";
 }
 
 void print_warnings() {

@@ -20,9 +20,9 @@ void hint(const Run& run);
 int next_stage(const std::string& name);
 inline constexpr int kStages = 3;
 
-// "1.1 The height of the lowest corner": the heading of the hint for what is told of the mistake,
-// or else for the check.
-std::string heading_of(const Part& part, const Check& check, const std::string& mistake);
+// Writes the score record of the public checks, as ./kit grade --public --json does. Throws
+// Failure.
+void write_record(const Run& run, const std::string& file);
 
 // Measures the program, writes study.html, and prints the verdict; where nothing changed since, it
 // is only printed, and only if it is wanted `whole`. Throws Failure if the program doesn't get to

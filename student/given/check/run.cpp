@@ -5,7 +5,9 @@
 #include <iostream>
 #include <sstream>
 
+#include "failed_case.hpp"
 #include "files.hpp"
+#include "hints.hpp"
 #include "process.hpp"
 #include "words.hpp"
 
@@ -28,6 +30,7 @@ Note read_note(const fs::path& file) {
   words >> note.status >> note.from;
   if (std::size_t to = 0; words >> to) note.to = to;
   note.text = text.substr(std::min(end + 1, text.size()));
+  note.facts = read(file.string() + ".json");
   return note;
 }
 
@@ -139,19 +142,25 @@ Result run_checks(const Run& run, const Part& part, const std::string& target) {
       Note& note = result.notes[check.id] = read_note(notes / check.id);
       const bool hangs = note.status == "hung";
       if (note.status != "running" && !hangs) continue;
-      const std::string why = reason_of(hangs ? kTooLong : *ended, printed, cause);
-      note = {hangs ? "hung" : "crashed", why + place + "\nIt was asked: " + note.text, note.from,
-              fs::file_size(prints)};
+      const int end = hangs ? kTooLong : *ended;
+      const std::string at = place.empty() ? "" : ", at " + place;
+      note.status = hangs ? "hung" : "crashed";
+      note.text += "\n" + words::got(reason_of(end, printed, cause) + at);
+      note.to = fs::file_size(prints);
+      note.ended = ending_of(end, printed, cause);
+      note.place = place;
       hung += hangs;
       if (hangs && is_terminal()) std::cerr << "A check gives no answer; asking others.\n";
       again = hung < kMostHung && *ended != -SIGXFSZ;
     }
     if (!result.notes.empty()) continue;
     for (const Check& check : part.checks) {  // as where a global object's constructor crashes
-      result.notes[check.id] = {
-          "crashed", "Before the first check began, " + reason_of(*ended, printed, cause) +
-                         "\nLook at what runs before main: objects outside of "
-                         "functions, and what their constructors do.\n"};
+      Note& note = result.notes[check.id];
+      note.status = "crashed";
+      note.text = "Before the first check began, " + reason_of(*ended, printed, cause) +
+                  "\nLook at what runs before main: objects outside of functions, and what their "
+                  "constructors do.\n";
+      note.ended = ending_of(*ended, printed, cause);
     }
   }
   return result;
@@ -183,16 +192,19 @@ void run_parts(Run& run) {
   }
 }
 
-std::string mistake_of(const Run& run, const Part& part) {
-  for (const auto& [check, note] : part.result.notes) {
-    if (note.status == "crashed" || note.status == "hung") return "";
-  }
+Mistake mistake_of(const Run& run, const Part& part, const Check& check) {
+  const Mistake unknown{words::hint_of(part.stem, check.id).heading, ""};
   const fs::path found = kWork / "mistake.txt";
-  fs::remove(found);
-  check::run({part.result.program, "--mistake", found.string()}, kWork / "nobody_reads.txt",
-             limits_of(run));
+  for (const char* file : {"mistake.txt", "mistake.txt.json"}) fs::remove(kWork / file);
+  for (const auto& [id, note] : part.result.notes) {
+    if (note.status == "crashed" || note.status == "hung") return unknown;
+  }
+  check::run({part.result.program, "--mistake", found.string(), part.stem, check.id},
+             kWork / "nobody_reads.txt", limits_of(run));
   fs::remove(kWork / "nobody_reads.txt");
-  return read(found);
+  const std::string text = read(found);
+  const std::size_t end = std::min(text.find('\n'), text.size());
+  return end == 0 ? unknown : Mistake{text.substr(0, end), text.substr(end + 1)};
 }
 
 }  // namespace bounce::check

@@ -27,6 +27,9 @@ struct Note {
   std::string text{};               // what there is to say
   std::size_t from = 0;             // bytes of what the program printed, around the case
   std::optional<std::size_t> to{};  // empty where these aren't known
+  std::string facts{};              // of a case that failed, as JSON (facts.hpp)
+  std::optional<words::Ending> ended{};  // how the program ended in it
+  std::string place{};                   // and where, "src/part3_step.cpp:12"
 };
 
 // Of a program that ran a part's checks.
@@ -122,8 +125,12 @@ void run_parts(Run& run);
 // is started again for the others. Throws Failure.
 Result run_checks(const Run& run, const Part& part, const std::string& target);
 
-// What the answers to all public cases tell of the mistake, a paragraph a line. Empty if they tell
-// nothing, or if the part's program crashes or hangs.
-std::string mistake_of(const Run& run, const Part& part);
+// What the answers to all public cases tell of the mistake behind a failed check.
+struct Mistake {
+  std::string hint;  // its heading, "1.1 The height of the lowest corner"
+  std::string
+      text;  // a paragraph a line; empty if they tell nothing, or the program crashes or hangs
+};
+Mistake mistake_of(const Run& run, const Part& part, const Check& check);
 
 }  // namespace bounce::check

@@ -4,7 +4,6 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "ending.hpp"
 #include "files.hpp"
 #include "sentences.hpp"
 
@@ -152,7 +151,7 @@ std::string place_of_crash(const std::string& program, const fs::path& stack) {
   fs::remove(stack);
   check::run(command, stack, Limits::none);
   for (const std::string& line : own_lines(read(stack))) {
-    if (const std::string place = own_place(line); begins(place, "src/")) return ", at " + place;
+    if (const std::string place = own_place(line); begins(place, "src/")) return place;
   }
   return "";
 }
@@ -164,18 +163,20 @@ std::string cause_in(const fs::path& stack) {
   return said.substr(at + mark.size(), said.find('\n', at) - at - mark.size());
 }
 
+words::Ending ending_of(int ended, const std::string& printed, const std::string& cause) {
+  if (ended == -SIGXCPU) return {"worked", kSecondsOfWork};
+  if (ended == kTooLong) return {"worked", kSecondsOfAnAnswer};
+  if (ended == -SIGXFSZ) return {"printed", kLargestFile / 1'000'000};
+  if (ended >= 0) return {"exited", ended};
+  if (ended != -SIGABRT) return {"signal", -ended, cause};
+  std::string lines;
+  for (const std::string& line : lines_of(printed)) lines += printable(line) + "\n";
+  return words::of_abort(lines);
+}
+
 std::string reason_of(int ended, const std::string& printed, const std::string& cause) {
-  if (const std::string found = found_by_sanitizers(printed); !found.empty()) return found;
-  words::Ending ending{"exited", ended};
-  if (ended < 0) ending = {"signal", -ended, cause};
-  if (ended == -SIGXCPU) ending = {"worked", kSecondsOfWork};
-  if (ended == kTooLong) ending = {"worked", kSecondsOfAnAnswer};
-  if (ended == -SIGXFSZ) ending = {"printed", kLargestFile / 1'000'000};
-  if (ended == -SIGABRT) {
-    ending = {"aborted", SIGABRT};
-    for (const std::string& line : lines_of(printed)) ending.text += printable(line) + "\n";
-  }
-  return words::said(ending).sentence;
+  const std::string found = found_by_sanitizers(printed);
+  return found.empty() ? words::said(ending_of(ended, printed, cause)) : found;
 }
 
 }  // namespace bounce::check

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "ending.hpp"
 #include "process.hpp"
 
 namespace bounce::check {
@@ -42,11 +43,15 @@ std::string found_by_sanitizers(const std::string& printed);
 // Why it crashed, as grader/runner/crash.hpp names it in this file: "null pointer".
 std::string cause_in(const std::filesystem::path& stack);
 
-// What `run` returned, and all that it printed, in the words of the course's grading.
+// How it ended, from what `run` returned and all that it printed.
+words::Ending ending_of(int ended, const std::string& printed,
+                        const std::string& cause = "unknown");
+
+// The same in words; or what sanitizers found.
 std::string reason_of(int ended, const std::string& printed, const std::string& cause = "unknown");
 
-// ", at src/part4_simulate.cpp:10": the innermost of the addresses in the file that is the
-// student's. Empty where that can't be had, as on Windows.
+// "src/part4_simulate.cpp:10": the innermost of the addresses in the file that is the student's.
+// Empty where that can't be had, as on Windows.
 std::string place_of_crash(const std::string& program, const std::filesystem::path& stack);
 
 }  // namespace bounce::check

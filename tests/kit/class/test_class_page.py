@@ -12,6 +12,7 @@ from bounce_grader.classroom.grading.near_copies import Pair, Similar
 from bounce_grader.classroom.grading.summary import Summary
 from bounce_grader.classroom.intake.student import Student
 from bounce_grader.classroom.output import page
+from bounce_grader.grading.report import report
 from bounce_grader.formats.speed_chart import Curve, error_over_time
 from bounce_grader.submission.submission import Submission
 
@@ -24,9 +25,10 @@ def summary(name: str, ns: float = 300, mistakes: Sequence[Any] = (), **changes:
     """Of a student who was timed, and makes these mistakes."""
     files = {"part2_lcp.cpp": f"// ns: {ns}".encode()}
     record = stand_in.record_of(Submission(name, files, {2: "part2_lcp.cpp"}, {})) | changes
-    record["parts"][0]["mistakes"] = mistakes
+    told = report(record)
+    told["parts"][0]["mistakes"] = mistakes
     return Summary(
-        Student(name, name, Path(name), feedback=f"{name}.html"), "graded", "", "0", record
+        Student(name, name, Path(name), feedback=f"{name}.html"), "graded", "", "0", told
     )
 
 

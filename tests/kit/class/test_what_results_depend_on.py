@@ -9,7 +9,7 @@ DECIDES = (
     "grader/judge/main.cpp",
     "grader/box/filter.cpp",
     "grader/diagnosis/tables.txt",
-    "grader/words/endings.txt",
+    "grader/words/ending.cpp",
     "grader/bounce_grader/grading/grade.py",
     "solution/exact/event_driven.hpp",
     "student/given/solve_lcp.cpp",
@@ -23,6 +23,7 @@ DECIDES = (
 DECIDES_NOTHING = (
     "student/given/check/report.cpp",
     "student/README.md",
+    "grader/words/endings.txt",
     "tests/parts/linked/main.cpp",
     "grader/bounce_grader/formats/html.py",
     "docs/grading.md",

@@ -32,7 +32,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         bounce::judge::termination_of(status, bounce::judge::Limits(), print);
     require(is_one_line(in_one_line(termination)));
     const bounce::words::Ending ending{termination.what, termination.number, termination.text};
-    const std::string said = bounce::words::said(ending).sentence;
+    const std::string said = bounce::words::said(ending);
     require(is_one_line(said) && said.size() < 900);
     require(termination.stack.find_first_not_of(" 0123456789abcdefx") == std::string::npos);
   }

@@ -14,6 +14,7 @@ from bounce_grader.common.errors import KitError
 from bounce_grader.formats import html, terminal
 from bounce_grader.grading import speed
 from bounce_grader.grading.grade import grade, Options
+from bounce_grader.grading.report import Report, report
 from bounce_grader.grading.speed import Point
 from conftest import ROOT, solution_files, write
 
@@ -39,8 +40,8 @@ def part4(row: dict[str, Any]) -> bytes:
     return f"{HEAD}{HONEST}\nnamespace bounce {{ {SIGNATURE} {{ {body} }} }}\n".encode()
 
 
-def timed(folder: Path, changes: dict[str, bytes]) -> dict[str, Any]:
-    return grade(write(folder, {**solution_files(), **changes}), Options(speed=True))
+def timed(folder: Path, changes: dict[str, bytes]) -> Report:
+    return report(grade(write(folder, {**solution_files(), **changes}), Options(speed=True)))
 
 
 @pytest.mark.parametrize("row", golden.rows(TIMINGS, "timing"))

@@ -13,8 +13,6 @@
 
 namespace bounce {
 
-std::vector<std::filesystem::path> tests::fixture_folders() { return {}; }
-
 namespace judge {
 namespace {
 
@@ -45,7 +43,7 @@ Termination end_after(const std::vector<frames::Frame>& frames, bool given) {
   Session session(start, Limits(), 3, given, always_one);
   Termination end;
   try {
-    session.ask(frame_of(Kind::question, 3));
+    session.ask(frame_of(Kind::question, 3), nullptr);
   } catch (const tests::Ended&) {
     end = session.take_end().value();
   }
@@ -91,7 +89,7 @@ TEST(Session, AsksNoMoreWhenItsTimeIsUp) {
     return nullptr;
   };
   Session session(start, limits, 1, false, always_one);
-  EXPECT_THROW(session.ask(frames::Frame()), tests::Ended);
+  EXPECT_THROW(session.ask(frames::Frame(), nullptr), tests::Ended);
   const Termination end = session.take_end().value();
   EXPECT_EQ(end.status, "no_answer");
   EXPECT_EQ(end.what, "not asked for want of time");
@@ -121,7 +119,7 @@ TEST(Session, StartsNoMoreOfAProgramThatHangs) {
     };
     Session session(start, limits, 3, row.given, always_one);
     for (int i = 0; i < 6; ++i) {
-      EXPECT_THROW(session.ask(frame_of(Kind::question, 3)), tests::Ended);
+      EXPECT_THROW(session.ask(frame_of(Kind::question, 3), nullptr), tests::Ended);
     }
     EXPECT_LE(runners, row.most) << row.script << " " << row.given;
   }
@@ -138,11 +136,11 @@ TEST(Session, TakesARunnerOrABoxThatCannotBeStartedForAFaultOfTheKit) {
     return std::make_unique<RunnerProcess>(command, limits);
   };
   Session first(throws, {}, 1, false, always_one), second(no_box, {}, 1, false, always_one);
-  EXPECT_THROW(first.ask(frames::Frame()), tests::Ended);
+  EXPECT_THROW(first.ask(frames::Frame(), nullptr), tests::Ended);
   EXPECT_EQ(first.kit_failure(), "no process could be started");
-  EXPECT_THROW(second.ask(frames::Frame()), tests::Ended);
+  EXPECT_THROW(second.ask(frames::Frame(), nullptr), tests::Ended);
   EXPECT_NE(second.kit_failure().find("no namespaces"), std::string::npos);
-  EXPECT_THROW(second.ask(frames::Frame()), tests::Ended);
+  EXPECT_THROW(second.ask(frames::Frame(), nullptr), tests::Ended);
 }
 
 bool taken(const Eigen::MatrixXd& expected, const Eigen::MatrixXd& got) {

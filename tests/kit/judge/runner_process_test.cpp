@@ -72,7 +72,7 @@ const Script kScripts[] = {
     {"cat /dev/zero >&2", "no_answer: printed 8"},
     {"head -c 3000000 /dev/zero; echo 'x: y.cpp:3: f(): Assertion `a' \"' failed\"; "
      "kill -ABRT $$",
-     "crashed: aborted 6, "},
+     "crashed: assertion 6, "},
     // What works isn't taken to have slept once it has ended, as a box shows it when it is killed.
     {"for i in 1 2 3; do perl -e '1 while (times)[0] + (times)[1] < .8'; done; exit 7",
      "no_answer: exited 7"},

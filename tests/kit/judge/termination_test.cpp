@@ -44,12 +44,12 @@ const Row kRows[] = {
     {SIGSYS, "", "crashed: signal 31"},
     {SIGSYS, call(SYS_socket), "crashed: call " + std::to_string(SYS_socket) + ", socket"},
     {SIGSYS, call(4000), "crashed: call 4000"},
-    {SIGABRT, found("SECRET=1"), "crashed: aborted 6,"},
+    {SIGABRT, found("SECRET=1"), "crashed: aborted 6"},
     {SIGABRT, kBadAlloc, "out_of_memory: out of memory 1024"},
     {SIGABRT, kBadAlloc + "hello\n"s + cause(runner::kUnknown),
      "out_of_memory: out of memory 1024"},
     {SIGABRT, "free(): double free\n" + cause(runner::kUnknown) + "stack",
-     "crashed: aborted 6, free(): double free"},
+     "crashed: overwrote 6, free(): double free"},
 };
 
 TEST(Termination, SaysInOneLineHowAProgramEnded) {

@@ -51,7 +51,8 @@ std::string thrown(Contact (*part)(const Vector3&, const Parameters&)) {
   const auto right = std::exchange(linked<&bounce::get_contacts>, part);
   std::string text;
   try {
-    submission::get_contacts(Vector3::Zero(), {});
+    Linked own;
+    submission::get_contacts(own, Vector3::Zero(), {});
   } catch (const std::runtime_error& error) {
     text = error.what();
   }

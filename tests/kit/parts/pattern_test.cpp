@@ -70,8 +70,8 @@ std::string told(const std::string& row) {
   }
   const KnownPart& asked = known_part(part);
   std::string sentences;
-  for (const auto& sentence : patterns(part, asked.cases, asked.known.right, changed.got)) {
-    sentences += sentence + "\n";
+  for (const Pattern& pattern : patterns(part, asked.cases, asked.known.right, changed.got)) {
+    sentences += sentence_of(pattern) + "\n";
   }
   return sentences;
 }
@@ -101,9 +101,9 @@ TEST(pattern, LeavesOutWhatIsNoNumberAndWhatThrew) {
   std::vector<Answer> got = asked.known.right;
   got[3] = {{}, "thrown"};
   got[4].numbers(6) = NAN;
-  const auto sentences = patterns(1, asked.cases, asked.known.right, got);
-  ASSERT_FALSE(sentences.empty());
-  EXPECT_EQ(sentences[0],
+  const auto all = patterns(1, asked.cases, asked.known.right, got);
+  ASSERT_FALSE(all.empty());
+  EXPECT_EQ(sentence_of(all[0]),
             "Right in every public question that it answers: J_t and J_n; wrong: phi.");
   EXPECT_TRUE(patterns(1, asked.cases, asked.known.right, {}).empty());
 }

@@ -46,8 +46,7 @@ Answers changed(Answers answers, std::size_t question, Eigen::Index entry, doubl
 std::string names(const std::vector<Answers>& known, const Answers& got) {
   KnownMistakes all{4, with(same), {}};
   for (const Answers& answers : known) {
-    all.mistakes.push_back({std::string(1, char('a' + all.mistakes.size())), "", "", "", {}, {}});
-    all.mistakes.back().answers = answers;
+    all.mistakes.push_back({std::string(1, char('a' + all.mistakes.size())), "", "", "", {}, {}, answers});
   }
   std::string found;
   for (const Mistake& m : recognise(all, got)) found += m.name;
@@ -118,7 +117,7 @@ TEST(recognise, KnowsAVelocityBesideAnUnknownMove) {
     numbers(0) = 0.3 * k * k - 1;
     got.push_back({numbers, ""});
   }
-  const KnownMistakes one{6, right, {{"falls up", "", "", "", {}, wrong}}};
+  const KnownMistakes one{6, right, {{"falls up", "", "", "", {}, {}, wrong}}};
   EXPECT_EQ(recognise(one, got).size(), 1U);
   EXPECT_TRUE(recognise(one, changed(got, 2, 3, 1e-6)).empty());
 }

@@ -25,13 +25,17 @@ from bounce_grader.classroom import run
 from bounce_grader.classroom.grading.results import grade_one, Task
 from bounce_grader.common.errors import KitError
 from bounce_grader.common.manifest import Part, parts
+from bounce_grader.grading.judging import fact
 from bounce_grader.grading.record import failed_part, whole
 from bounce_grader.sandbox.budget import Budget
 from bounce_grader.submission.submission import Submission
 
-MESSAGE = "1 of 9 cases wrong; the first: a corner sticks"
-REVEALED = f"{MESSAGE}\n  expected phi = 0.8128"
-MISTAKE: dict[str, Any] = {"title": "it is so", "sentence": "", "equations": [1], "hint": "1.1"}
+# A failed hidden case, and what is right there.
+FAILURE: dict[str, Any] = {"cases": 9, "wrong": 1, "ended_at": 0, "again": False}
+FAILURE |= {"name": "a corner sticks", "hidden": True, "input": [], "parameters": []}
+PHI = {"name": "phi", "unit": "m", "got": [[0.5]], "right": [[False]]}
+FAILURE |= {"sentence": "", "quantities": [PHI]}
+ANSWER = {"contact": "", "expected": [[[0.8128]]]}
 
 
 def _said(text: str, word: str, otherwise: str = "") -> str:
@@ -42,19 +46,19 @@ def _said(text: str, word: str, otherwise: str = "") -> str:
 
 def _part(part: Part, text: str | None, later: bool, points: Mapping[str, float]) -> dict[str, Any]:
     if text is None:
-        return failed_part(part, "not_submitted", "")
+        return failed_part(part, "not_submitted", fact("not_submitted", part.file, ""))
     said = partial(_said, text)
     failing = int((said("later") if later else "") or said("fails", "0"))
-    record = failed_part(part, said("status", "graded"), "")
+    record: dict[str, Any] = failed_part(part, said("status", "graded"), fact("refused", ""))
+    record["why"] = None
     for number, check in enumerate(record["checks"]):
         check["max_score"] = points.get(check["id"], check["max_score"])
         passed = {"passed": True, "score": check["max_score"]}
-        check.update({"message": MESSAGE, "revealed": REVEALED} if number < failing else passed)
-    mistakes = [{**MISTAKE, "name": name}] if (name := said("mistake")) else []
-    if "breaks its page" in text:
-        mistakes = [{"name": "part2_dt_squared", "title": "it is so"}]  # no sentence
+        check.update({"failure": FAILURE, "answer": ANSWER} if number < failing else passed)
     record["score"] = sum(check["score"] for check in record["checks"])
-    return record | {"mistakes": mistakes, "remarks": list(filter(None, [said("remark")]))}
+    record["mistakes"] = [name] if (name := said("mistake")) else []
+    record["remarks"] = [fact("refused", remark)] if (remark := said("remark")) else []
+    return record
 
 
 def record_of(
@@ -68,6 +72,8 @@ def record_of(
     text = " ".join(texts.values())
     timed = _times(float(_said(text, "ns", "200")), float(_said(text, "error", "1e-13")))
     facts = {"box": _said(text, "box", "full"), "seconds": seconds, "fixtures_sha256": "0" * 64}
+    if "breaks its page" in text:
+        facts["examples"] = {"caught": []}
     return whole(taken, made, **facts, speed=timed)
 
 
@@ -82,7 +88,7 @@ def _times(ns: float, error: float) -> dict[str, Any]:
     scene |= {"submission": curve(ns, 1.0), "solution": curve(200.0, 1.0)}
     scene |= {"least": curve(10.0, 0.5)}
     times = {"submission_ns": ns, "solution_ns": 200.0, "ratio": ns / 200, "largest_error": error}
-    return {**times, "cut": "", "dt": dts, "scenes": [scene]}
+    return {**times, "cut": None, "dt": dts, "scenes": [scene]}
 
 
 def grade(

@@ -6,10 +6,11 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
-#include "../checks.hpp"
-#include "messages.hpp"
+#include "../cases.hpp"
+#include "linked.hpp"
 
 namespace bounce::tests {
 namespace {
@@ -43,9 +44,11 @@ Table read_states(const json& trajectories) {
   return table;
 }
 
+bool asked_what_is_not_recorded = false;
+
 const Table& recorded(std::uint32_t part) {
   static const std::vector<Table> tables = [] {
-    std::ifstream in(fixture_folders().at(0) / "given.json");
+    std::ifstream in(fixture_folders.at(0) / "given.json");
     const json given = json::parse(in);
     return std::vector{read_rows(given.at("part1"), 7), read_rows(given.at("part2"), 20),
                        read_states(given.at("part3"))};
@@ -54,12 +57,12 @@ const Table& recorded(std::uint32_t part) {
 }
 
 }  // namespace
-}  // namespace bounce::tests
 
-// What isn't recorded throws.
-bounce::frames::Frame bounce::runner::call_back(frames::Frame asked) {
-  const tests::Table& table = tests::recorded(asked.part);
-  tests::Numbers question(std::begin(asked.scene), std::end(asked.scene));
+bool Linked::was_undecided() { return std::exchange(asked_what_is_not_recorded, false); }
+
+frames::Frame recorded_answer(frames::Frame asked) {
+  const Table& table = recorded(asked.part);
+  Numbers question(std::begin(asked.scene), std::end(asked.scene));
   question.push_back(static_cast<double>(asked.T));
   const std::size_t arguments = table.begin()->first.size() - question.size();
   question.insert(question.end(), asked.values, asked.values + arguments);
@@ -67,10 +70,12 @@ bounce::frames::Frame bounce::runner::call_back(frames::Frame asked) {
       std::all_of(question.begin(), question.end(), [](double x) { return std::isfinite(x); });
   const auto found = is_finite ? table.find(question) : table.end();
   if (found == table.end()) {
-    tests::asked_what_is_not_recorded = true;
+    asked_what_is_not_recorded = true;
     throw std::runtime_error("an earlier part is asked what no right part asks");
   }
   frames::Frame answer;
   std::copy(found->second.begin(), found->second.end(), answer.values);
   return answer;
 }
+
+}  // namespace bounce::tests

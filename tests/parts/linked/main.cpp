@@ -1,15 +1,17 @@
 // Runs the tests with the code under test linked in, on the public fixtures only.
 //
-//   part1_contacts_test [--notes FOLDER PRINTED [STACK] | --mistake FILE | --debug]
+//   part1_contacts_test [--notes FOLDER PRINTED [STACK] | --mistake FILE STEM CHECK | --debug]
 //
 // With --notes, it writes a file for each check, named after the check: "running" while it runs,
 // then "passed" or "failed" and the feedback, or "undecided" if no case is wrong, but the given
 // earlier parts were asked what isn't recorded. After this word come the sizes of PRINTED, the file
-// of standard output, before and after the reported case. A check that already has its file isn't
-// run again, so that after a crash a second run continues with the next one; STACK then tells where
-// it came. A check that takes too long ends the program. With --mistake no test runs: it writes to
-// FILE which mistakes the answers to all public cases point to. With --debug it stops in the
-// debugger at the first wrong case, then asks it once more.
+// of standard output, before and after the reported case; and what there is to report also stands
+// as facts in a file beside it (facts.hpp). A check that already has its file isn't run again, so
+// that after a crash a second run continues with the next one; STACK then tells where it came. A
+// check that takes too long ends the program. With --mistake no test runs: it writes to FILE the
+// heading of the hint for the check, in the hints of STEM, and what the answers to all public cases
+// tell of the mistake; and to FILE.json the same as facts (recognise.hpp). With --debug it stops in
+// the debugger at the first wrong case, then asks it once more.
 #include <gtest/gtest.h>
 
 #include <csignal>
@@ -23,19 +25,18 @@
 #include "answers.hpp"
 #include "checks.hpp"
 #include "crash.hpp"
+#include "facts.hpp"
 #include "linked.hpp"
 #include "paths.hpp"  // which CMakeLists.txt makes
 #include "recognise.hpp"
+#include "report.hpp"
 #include "time_limit.hpp"
 
 namespace bounce::tests {
 
-std::vector<std::filesystem::path> fixture_folders() { return {BOUNCE_FIXTURES}; }
-
 namespace {
 
-// The name of a case, and below it what is asked.
-std::string question(const Case& c) { return c.name + words::indented("\n  input    ", c.input); }
+Linked own;  // the parts of this program
 
 // Nothing ends a program here but its own process, which reports no failure then.
 std::string in_words(const Failure& failure) { return words::lines(failed_case(failure), true); }
@@ -48,14 +49,14 @@ struct ByHand : Reporter {
 // again.
 struct Debugged : ByHand {
   void finds_first_wrong(const Case& c, const Problem& problem, std::size_t) override {
-    const std::string numbers = words::numbers(failed_case({c, problem}), true);
-    std::cout << question(c) << "\n" << numbers << std::endl;
+    const words::FailedCase failed = failed_case({c, problem});
+    std::cout << words::question(failed) << "\n" << words::numbers(failed, true) << std::endl;
 #ifdef _WIN32
     __debugbreak();
 #else
     std::raise(SIGTRAP);
 #endif
-    answers(linked_parts.front() - '0', {c});
+    answers(own, linked_parts.front() - '0', {c});
     std::exit(1);
   }
 };
@@ -76,10 +77,11 @@ class Notes : public testing::EmptyTestEventListener, public Reporter {
   std::string from_to_;            // these sizes before and after the reported case
   bool is_undecided_ = false;
 
-  void asks(const Case& c) override {
-    asked_ = question(c);
+  void asks(const Failure& if_it_ends) override {
+    asked_ = in_words(if_it_ends);
     from_.push_back(bytes_printed());
     note("running" + from_.back(), asked_);
+    note_facts(if_it_ends);
   }
 
   void finds_first_wrong(const Case&, const Problem&, std::size_t number) override {
@@ -89,7 +91,10 @@ class Notes : public testing::EmptyTestEventListener, public Reporter {
 
   void finds_undecided() override { is_undecided_ = true; }
 
-  std::string fails(const Failure& failure) override { return text_ = in_words(failure); }
+  std::string fails(const Failure& failure) override {
+    note_facts(failure);
+    return text_ = in_words(failure);
+  }
 
   void OnTestStart(const testing::TestInfo& test) override {
     check_ = std::string(test.test_suite_name()) + "." + test.name();
@@ -117,6 +122,10 @@ class Notes : public testing::EmptyTestEventListener, public Reporter {
   void note(const std::string& status, const std::string& text) const {
     std::ofstream(folder_ / check_) << status << "\n" << text << "\n";
   }
+
+  void note_facts(const Failure& failure) const {
+    std::ofstream(folder_ / (check_ + ".json")) << facts(failed_case(failure)) << "\n";
+  }
 };
 
 // GoogleTest's pattern for all tests but the checks of parts that aren't linked in.
@@ -132,14 +141,14 @@ std::string those_of_linked_parts() {
 std::string those_left(const std::filesystem::path& notes) {
   std::string pattern = those_of_linked_parts();
   for (const auto& file : std::filesystem::directory_iterator(notes)) {
-    pattern += file.path().filename().string() + ":";
+    if (file.path().extension() != ".json") pattern += file.path().filename().string() + ":";
   }
   return pattern;
 }
 
 int run(Reporter& reporter) {
-  return run_checks(reporter,
-                    [&](const Check& check) { return ask_forth_and_back(check, reporter); });
+  return run_checks(own, reporter,
+                    [&](const Check& check) { return ask_forth_and_back(own, check, reporter); });
 }
 
 int take_notes(const std::string& folder, const std::string& printed) {
@@ -152,32 +161,34 @@ int take_notes(const std::string& folder, const std::string& printed) {
   return run(*notes);
 }
 
-std::string in_words(const Mistake& m) {
-  std::string equations;
-  for (const int number : m.equations) {
-    equations += (equations.empty() ? "(" : ", (") + std::to_string(number) + ")";
-  }
-  return m.title + ". " + m.sentence + " See " + (m.equations.size() == 1 ? "eq. " : "eqs. ") +
-         equations + " and hint " + m.hint + ".\n";
+words::MistakeFacts facts_of(const Mistake& m) {
+  return {m.title, m.sentence, m.hint, m.equations, m.checks};
 }
 
 // One paragraph per line: the known mistakes that the answers to the public cases point to; or, if
 // there are none, the patterns in the numbers. Empty if there is nothing to say.
-std::string mistakes_in_words(int part) {
-  const std::vector<Case> cases = questions(part);
-  const auto [mistakes, patterns] = diagnosis(part, cases, answers(part, cases));
+std::string in_words(const Diagnosis& found) {
   std::string text;
-  if (mistakes.size() == 1) text = "This looks like a known mistake.\n";
-  if (mistakes.size() == 2) text = "This looks like two known mistakes at once.\n";
-  for (const Mistake& mistake : mistakes) text += in_words(mistake);
-  for (const std::string& sentence : patterns) text += sentence + "\n";
+  if (found.mistakes.size() == 1) text = "This looks like a known mistake.\n";
+  if (found.mistakes.size() == 2) text = "This looks like two known mistakes at once.\n";
+  for (const Mistake& m : found.mistakes)
+    text += m.title + ". " + m.sentence + " See " + words::where_to_read(facts_of(m)) + ".\n";
+  for (const Pattern& pattern : found.patterns) text += sentence_of(pattern) + "\n";
   return text;
 }
 
-void write_mistakes(const std::string& file) {
+void write_mistakes(const std::string& file, const std::string& stem, const std::string& check) {
   limit_time([] {});
-  std::ofstream out(file);
-  for (const char part : linked_parts) out << mistakes_in_words(part - '0');
+  const int part = linked_parts.front() - '0';
+  const std::vector<Case> cases = questions(part);
+  const Diagnosis found = diagnosis(part, cases, answers(own, part, cases));
+  words::PartFacts facts_of_part;
+  facts_of_part.stem = stem;
+  facts_of_part.patterns = found.patterns;
+  for (const Mistake& m : found.mistakes) facts_of_part.mistakes.push_back(facts_of(m));
+  const std::string hint = words::first_hint(facts_of_part, check).heading;
+  std::ofstream(file) << hint << "\n" << in_words(found);
+  std::ofstream(file + ".json") << facts(found);
   lift_time_limit();
 }
 
@@ -185,11 +196,13 @@ void write_mistakes(const std::string& file) {
 }  // namespace bounce::tests
 
 int main(int argc, char** argv) {
+  bounce::tests::fixture_folders = {BOUNCE_FIXTURES};
+  bounce::runner::ask_earlier_part = bounce::tests::recorded_answer;
   testing::GTEST_FLAG(filter) = bounce::tests::those_of_linked_parts();  // unless another is given
   testing::InitGoogleTest(&argc, argv);
   const std::string option = argc > 1 ? argv[1] : "";
-  if (option == "--mistake" && argc > 2) {
-    bounce::tests::write_mistakes(argv[2]);
+  if (option == "--mistake" && argc > 4) {
+    bounce::tests::write_mistakes(argv[2], argv[3], argv[4]);
     return 0;
   }
   if (option == "--notes" && argc > 4) bounce::runner::report_crashes(argv[4]);

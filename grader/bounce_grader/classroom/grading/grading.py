@@ -18,6 +18,7 @@ from bounce_grader.classroom.grading import results
 from bounce_grader.classroom.grading.results import Task, Unit
 from bounce_grader.classroom.grading.summary import Summary
 from bounce_grader.common.errors import KitError, UsageError
+from bounce_grader.grading.report import Report, reports
 
 TO_CLEAN_UP = 3.0  # seconds in which a terminated grading can remove its files
 KILLED = "the process that graded it was killed, perhaps because memory ran out"
@@ -27,9 +28,12 @@ WITH_KIT = "start them with PYTHONPATH=KIT/grader, where KIT is this folder unde
 Graded = Generator[tuple[Task, str], None, None]
 
 
-def grade(tasks: Sequence[Task], unit: Unit, jobs: int, scheduler: str) -> list[Summary]:
+def grade(
+    tasks: Sequence[Task], unit: Unit, jobs: int, scheduler: str, reveal: bool = False
+) -> list[Summary]:
     """Grades the submissions without a valid result, and says every few seconds how many are done,
-    the rate and the time left. Returns a summary of each."""
+    the rate and the time left. Returns a summary of each, with the answers of hidden cases only with
+    `reveal`."""
     keyed = {t.key: t for t in tasks if not results.load(t.folder, t.key, t.speed)}
     missing, jobs = list(keyed.values()), jobs or os.cpu_count() or 1
     graded = on_dask(missing, scheduler, unit) if scheduler else in_processes(missing, jobs, unit)
@@ -44,12 +48,19 @@ def grade(tasks: Sequence[Task], unit: Unit, jobs: int, scheduler: str) -> list[
                 ahead = f", {left / rate:.0f} s left" if left else ""
                 words = f"kit: {done} of {len(missing)} done, {60 * rate:.0f} a minute{ahead}"
                 print(words, file=sys.stderr, flush=True)
-    return [_summary(task, failed) for task in tasks]
+    loaded = [results.load(task.folder, task.key) for task in tasks]
+    told = iter(reports([of["record"] for of in loaded if of and of["record"]], reveal))
+    return [
+        _summary(task, of, next(told) if of and of["record"] else Report({}), failed)
+        for task, of in zip(tasks, loaded)
+    ]
 
 
-def _summary(task: Task, failed: Mapping[str, str]) -> Summary:
-    if of := results.load(task.folder, task.key):
-        graded = (of["state"], of["message"], of["key"], of["record"], tuple(of["beside"]))
+def _summary(
+    task: Task, of: results.Result | None, report: Report, failed: Mapping[str, str]
+) -> Summary:
+    if of:
+        graded = (of["state"], of["message"], of["key"], report, tuple(of["beside"]))
         return Summary(task.student, *graded)
     why = f"the kit failed, so give the same command again: {failed[task.key]}"
     return Summary(task.student, "failed", why, task.key)

@@ -17,11 +17,11 @@ from bounce_grader import __version__
 from bounce_grader.classroom.intake import uploads
 from bounce_grader.classroom.intake.student import Student
 from bounce_grader.common.errors import KitError, UsageError
-from bounce_grader.common.escaping import first_few, printable_name, terminal
+from bounce_grader.common.escaping import first_few, in_one_line, printable_name, terminal
 from bounce_grader.common.files import digest, write_whole
-from bounce_grader.common.paths import ROOT, SCENES
+from bounce_grader.common.paths import ROOT, SCENES, SENTENCES
 from bounce_grader.grading import fixtures
-from bounce_grader.grading.record import Record, sentence
+from bounce_grader.grading.record import Record
 from bounce_grader.sandbox.budget import Budget
 from bounce_grader.submission.submission import Submission
 
@@ -87,6 +87,7 @@ def depends_on() -> tuple[list[Path], list[Path]]:
     )
     files = {file for room in rooms for file in (ROOT / room).rglob("*.*") if file.is_file()}
     files -= {*(ROOT / "tests/parts/linked").iterdir()}
+    files -= {SENTENCES / "endings.txt", SENTENCES / "report.txt"}  # which reports are made with
     files = {file for file in files if "__pycache__" not in file.parts}
     one_by_one = ("grader/parts.json", "student/given/solve_lcp.cpp")
     sources = sorted([*files, *(ROOT / name for name in one_by_one), Path(__file__)])
@@ -145,7 +146,7 @@ def _result(task: Task, grade: Grade) -> Result:
         record, beside = grade(taken, task, within), list(map(printable_name, taken.helpers))
         return result | {"state": "graded", "message": "", "record": record, "beside": beside}
     except UsageError as error:
-        message = sentence(str(error).replace(str(task.student.path), "the submission"))
+        message = in_one_line(str(error).replace(str(task.student.path), "the submission"))
         return result | {"state": "unreadable", "message": message, "record": {}, "beside": []}
 
 

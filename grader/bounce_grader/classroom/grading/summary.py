@@ -2,11 +2,13 @@
 
 import re
 from dataclasses import dataclass, field
+from functools import partial
+from typing import Any
 
 from bounce_grader.classroom.intake.student import Member, Student
 from bounce_grader.common.escaping import first_few
 from bounce_grader.common.manifest import full_points, named_together
-from bounce_grader.grading.record import Record
+from bounce_grader.grading.report import Report
 
 # Files that are handed in beside parts, and are none under another name.
 NO_PART = re.compile(r"(\S*/)?(readme|cmakelists|makefile|\.ds_store|\._|__macosx)", re.IGNORECASE)
@@ -21,7 +23,7 @@ class Summary:
     state: str  # "graded", "unreadable", or "failed" (the kit)
     message: str = ""  # why it isn't graded
     key: str = ""  # of the result
-    record: Record = field(default_factory=dict)  # empty unless it is graded
+    record: Report = field(default_factory=partial(Report, {}))  # empty unless it is graded
     beside: tuple[str, ...] = ()  # sources that aren't parts
     notes: list[str] = field(default_factory=list)  # what else a person should look at
     finals: list[Member] = field(default_factory=list)  # with their points, if it is graded
@@ -29,11 +31,11 @@ class Summary:
     def __post_init__(self) -> None:
         self.score: float | None = self.record.get("score")
         self.has_all_points = (self.score or 0.0) >= full_points()
-        self.parts: list[Record] = self.record.get("parts", [])
+        self.parts: list[dict[str, Any]] = self.record.get("parts", [])
         self.checks = {check["id"]: check for part in self.parts for check in part["checks"]}
         mistakes = (mistake for part in self.parts for mistake in part["mistakes"])
         self.mistakes: dict[str, str] = {m["name"]: m["title"] for m in mistakes}  # their titles
-        self.speed: Record = self.record.get("speed") or {}
+        self.speed: dict[str, Any] = self.record.get("speed") or {}
         ignored = [f"{name} wasn't used" for name in self.record.get("ignored", [])]
         self.unused = [*self.student.unused, *ignored]
         self.unused_more = int(self.record.get("ignored_more", 0))  # the number of others

@@ -10,12 +10,11 @@ from bounce_grader.classroom.intake.services import CANVAS
 from bounce_grader.common.errors import about_one_submission, UsageError
 from bounce_grader.common.files import write_whole, zipped
 from bounce_grader.formats import html
-from bounce_grader.grading.record import for_readers
 
 
-def write(out: Path, summaries: Sequence[Summary], reveal: bool) -> dict[str, str]:
-    """Writes a page for each submission, graded or not; only with `reveal` with the expected answers
-    of hidden cases. Returns them by their names, and notes which can't be written."""
+def write(out: Path, summaries: Sequence[Summary]) -> dict[str, str]:
+    """Writes a page for each submission, graded or not. Returns them by their names, and notes which
+    can't be written."""
     (out / "feedback").mkdir(exist_ok=True)
     pages: dict[str, str] = {}
     for summary in summaries:
@@ -23,7 +22,7 @@ def write(out: Path, summaries: Sequence[Summary], reveal: bool) -> dict[str, st
         if name and summary.state != "failed":
             try:
                 with about_one_submission("there is no feedback page, as it can't be written"):
-                    page = _page(summary, reveal)
+                    page = _page(summary)
                     write_whole(out / "feedback" / name, page)
                     pages[name] = page
             except UsageError as error:
@@ -31,12 +30,12 @@ def write(out: Path, summaries: Sequence[Summary], reveal: bool) -> dict[str, st
     return pages
 
 
-def _page(summary: Summary, reveal: bool) -> str:
+def _page(summary: Summary) -> str:
     if not summary.record:
         return html.refused(summary.message)
-    record, student = for_readers(summary.record, reveal), summary.student
+    student = summary.student
     in_the_end = summary.finals if any(final.applied for final in summary.finals) else ()
-    return html.render(record, student.shown, student.unused, *in_the_end)
+    return html.render(summary.record, student.shown, student.unused, *in_the_end)
 
 
 def zip_new(out: Path, service: str, pages: Mapping[str, str]) -> str:
