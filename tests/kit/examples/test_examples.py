@@ -48,7 +48,7 @@ def test_each_wrong_program_is_caught_alone_by_a_case_found_by_hand() -> None:
     for (line, program), verdict in zip(rows, verdicts([line for line, _ in rows])):
         assert verdict["caught"] == [program], line
     assert [program for _, program in rows][: len(folders())] == list(folders())
-    hinted = re.findall(r"(?m)^(\d\w)\n.+\n.+\nTry (.*), and say (.*)\.$", HINTS.read_text())
+    hinted = re.findall(r"(?m)^(\d\w)\n.+\n.+\nTry (.*), and give (.*)\.$", HINTS.read_text())
     for (line, program), hint in zip(rows, hinted):
         given, said = line[8:].split(" -> ")
         assert hint == (program, given, said.split(" = ")[0])
