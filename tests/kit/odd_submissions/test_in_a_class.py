@@ -21,7 +21,7 @@ from bounce_grader.classroom.grading import grading, near_copies
 from classes import download
 from conftest import write
 from corpus import Member, UTF8, zip_of
-from handed_in import zipped
+from handed_in import limited_memory, zipped
 from odd_students import UPLOADS
 from odd_submissions import bash, COMMANDS, PARTS
 from odd_zips import PLAIN
@@ -57,7 +57,8 @@ def short(text: str) -> str:
 def outcomes(source: Path, alone: Path, honest: str, names: Mapping[str, str]) -> str:
     """What becomes of each student, by what is odd. The honest one's row is the same as alone."""
     out = source.parent / "out"
-    assert grade_class(source, out) == 0
+    with limited_memory(400 << 20, file_size=1 << 20):
+        assert grade_class(source, out) == 0
     assert grade_class(alone, source.parent / "alone") == 0
     found = rows(out)
     assert found.pop(honest) == rows(source.parent / "alone")[honest]

@@ -11,12 +11,13 @@ import golden
 import odd_submissions
 import pytest
 from bounce_grader.common.errors import UsageError
+from bounce_grader.common.manifest import parts
 from bounce_grader.submission import intake, submission
 from bounce_grader.submission.submission import Submission
 from bounce_grader.submission.intake import UNPACKED
 from conftest import write
 from handed_in import limited_memory, packed_tar, zipped
-from odd_submissions import bash, COMMANDS, FILES, PARTS, PATHS
+from odd_submissions import bash, COMMANDS, FILES, PARTS, PATHS, UNTOUCHED
 from odd_tars import tars
 from odd_zips import Archive, zips
 
@@ -51,6 +52,9 @@ def taken(read: Submission) -> Iterator[str]:
         yield f"part {number}: {name} {text(read.files[name])}"
     for number, reason in read.refused.items():
         yield f"part {number} refused: {reason}"
+    for part in parts():
+        if part.number not in read.parts and (instead := read.instead_of(part)):
+            yield f"part {part.number} isn't there{instead}"
     others = sorted(read.files.keys() - {*read.parts.values()})
     yield from (f"beside them: {printable(name)} {text(read.files[name])}" for name in others)
     yield from (f"not used: {printable(name)}" for name in read.ignored[:MOST])
@@ -60,6 +64,8 @@ def taken(read: Submission) -> Iterator[str]:
 
 def text(data: bytes) -> str:
     """A file's text, or how it begins and how long it is."""
+    if data in UNTOUCHED.values():
+        return "(the stub)"
     if len(data) <= 40:
         return repr(data.decode())
     return f"{data[:8].decode()!r}... ({len(data)} bytes)"

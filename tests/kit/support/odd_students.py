@@ -2,7 +2,9 @@
 
 import corpus
 from corpus import Member
-from odd_zips import zips
+from bounce_grader.submission.entry import LARGEST_SOURCE
+from handed_in import packed_tar
+from odd_zips import bomb, PLAIN, zips
 
 Files = dict[str, bytes]
 
@@ -23,6 +25,8 @@ def _of(*files: str, data: bytes = b"// odd\n") -> Files:
 
 
 LONG = [f"{'n' * 240}{i}.jpg" for i in range(90)]
+LARGE = packed_tar({"large.bin": bytes(60 << 20)})  # of sixty kilobytes
+LINK = Member(b"part2_lcp.cpp", b"/etc/passwd", attributes=0o120777 << 16)
 
 # By what is odd: names in Canvas's download, where USER is the student's number there.
 UPLOADS: dict[str, Files] = {
@@ -41,6 +45,23 @@ UPLOADS: dict[str, Files] = {
     "90 long uploads beside a part": _of("part2_lcp.cpp", *LONG),
     "many": _of(*(f"helper{i}.cpp" for i in range(3000))),
     "many large ones": _of(*(f"h{i}.cpp" for i in range(99)), data=b" " * (1 << 20)),
+    "ten tars, large together": _of(*(f"hw{i}a.tar.gz" for i in range(10)), data=LARGE),
+    "ten zips of tars, large together": _of(
+        *(f"hw{i}a.zip" for i in range(10)),
+        data=corpus.zip_of(Member(b"%d.tar.gz" % i, LARGE) for i in range(3)),
+    ),
+    "two zips, large together": _of("a.zip", "b.zip", data=bytes(40 << 20) + PLAIN),
+    "two zips of many sources together": {
+        f"roe_USER_{i}_hw{i}.zip": bomb(60, f"help_{i}_") for i in (1, 2)
+    },
+    "a link in a newer zip": {
+        "roe_USER_12_part2_lcp.cpp": b"// remark: this one counts",
+        "roe_USER_13_hw.zip": corpus.zip_of([LINK]),
+    },
+    "a source of more than 1 MB": {
+        "roe_USER_11_part1_contacts.cpp": b" " * (LARGEST_SOURCE + 1),
+        "roe_USER_12_part2_lcp.cpp": b"// remark: this one counts",
+    },
     "an attachment of 5,000 digits": {f"roe_USER_{'9' * 5000}_part2_lcp.cpp": b""},
     "a user of 5,000 digits": {f"roe_{'301' * 2000}_1_part2_lcp.cpp": b""},
     "an anonymous user without end": {f"roe_anon_{'301' * 9000}_1_part2_lcp.cpp": b""},

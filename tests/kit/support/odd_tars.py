@@ -8,7 +8,7 @@ from collections.abc import Iterator
 
 from handed_in import packed_tar
 from odd_submissions import inside, PARTS
-from odd_zips import ARCHIVES, Archive
+from odd_zips import Archive, ARCHIVES, holding
 
 SOURCE = {"part1_contacts.cpp": b"int x;\n"}
 SPARSE = {b"major": b"1", b"minor": b"0", b"name": b"x.cpp", b"realsize": b"10"}
@@ -55,6 +55,9 @@ def written_as(kind: int) -> bytes:
 def tars() -> Iterator[Archive]:
     for ending, kind in (("tar.gz", "gz"), ("TAR.BZ2", "bz2"), ("tar.xz", "xz"), ("tar", "")):
         yield f"a tar as {ending}", f"hw.{ending}", packed_tar(inside("hw"), kind)
+    again = packed_tar(PARTS)
+    yield "a tar that is handed in again", "hw3.tar-1.gz", again
+    yield "a tar that is handed in again, in a zip", "x.zip", holding({"hw3.tar-1.gz": again})
     for name, number in (("ustar", 0), ("GNU", 1), ("pax", 2)):
         yield f"as tarfile writes {name}", "x.tar", written_as(number)
     for what, data in _tars():
