@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 from bounce_grader import cli
+from bounce_grader.common.errors import KitError
 from bounce_grader.common.manifest import parts
 from bounce_grader.grading import fixtures
 from bounce_grader.publish import handout, handout_page
@@ -110,3 +111,11 @@ def test_says_other_points_where_the_manifest_does(
     assert {one or other for one, other in printed} == {"41", "23.5", "37", "17", "118.5"}
     readme = inside["README.md"].decode()
     assert "41, 23.5, 37 and 17 points" in readme and "worth 118.5 points" in readme
+
+
+@pytest.mark.parametrize(
+    "text", ["{{ points[5] }} points", "{{ sum }}", "{{ points[1]", "30 points"]
+)
+def test_no_page_is_half_filled(text: str) -> None:
+    with pytest.raises(KitError, match="points"):
+        handout_page.with_points(text)
