@@ -14,7 +14,7 @@ from bounce_grader.classroom.intake.canvas_api import Canvas, download
 from bounce_grader.classroom.output import canvas_upload, feedback, page, points
 from bounce_grader.classroom.output.people import People
 from bounce_grader.common.errors import KitError, UsageError
-from bounce_grader.common.escaping import terminal
+from bounce_grader.common.escaping import csv_row, terminal
 from bounce_grader.common.files import read_object, remove_abandoned, write_whole
 from bounce_grader.grading import self_check
 from bounce_grader.sandbox.box import kinds
@@ -113,7 +113,7 @@ def _run(options: Options, canvas: Canvas | None, people: People, corpus: list[S
     summaries = grading.grade(tasks, UNIT, options.jobs, options.dask)
     status = 3 if any(summary.state == "failed" for summary in summaries) else 0
     if there and there != stamp and not options.apply:
-        print("\n".join(results.differences(there, tasks)))
+        print("\n".join(grading.differences(there, tasks, summaries)))
         return status
     results.count(folder, stamp)
     people.give_points(summaries)
@@ -124,7 +124,9 @@ def _run(options: Options, canvas: Canvas | None, people: People, corpus: list[S
         path = _filled_in(options)
         sentences += points.write(path, people, summaries, options.overwrite)
         written.insert(0, path.name)
-    write_whole(out / "grades.csv", "\ufeff" + points.grades(summaries))
+    rows = [summary.row() for summary in summaries]
+    table = map(csv_row, [rows[0].keys(), *(row.values() for row in rows)])
+    write_whole(out / "grades.csv", "\ufeff" + "".join(table))
     write_whole(out / "class.html", page.render(summaries, near, sentences, people.course.title))
     graded = sum(summary.state == "graded" for summary in summaries)
     print(f"{graded} of {len(summaries)} submissions graded ({intake.source}).")

@@ -7,7 +7,7 @@ import signal
 import sys
 import threading
 import time
-from collections.abc import Generator, Mapping, Sequence
+from collections.abc import Generator, Sequence
 from concurrent.futures import as_completed, CancelledError
 from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
@@ -15,9 +15,10 @@ from contextlib import closing, suppress
 from typing import Any
 
 from bounce_grader.classroom.grading import results
-from bounce_grader.classroom.grading.results import Task, Unit
+from bounce_grader.classroom.grading.results import Stamp, Task, Unit
 from bounce_grader.classroom.grading.summary import Summary
 from bounce_grader.common.errors import KitError, UsageError
+from bounce_grader.common.escaping import terminal
 
 TO_CLEAN_UP = 3.0  # seconds in which a terminated grading can remove its files
 KILLED = "the process that graded it was killed, perhaps because memory ran out"
@@ -44,15 +45,41 @@ def grade(tasks: Sequence[Task], unit: Unit, jobs: int, scheduler: str) -> list[
                 ahead = f", {left / rate:.0f} s left" if left else ""
                 words = f"kit: {done} of {len(missing)} done, {60 * rate:.0f} a minute{ahead}"
                 print(words, file=sys.stderr, flush=True)
-    return [_summary(task, failed) for task in tasks]
+    again = "the kit failed, so give the same command again"
+    return [_summary(task, "failed", f"{again}: {failed.get(task.key)}") for task in tasks]
 
 
-def _summary(task: Task, failed: Mapping[str, str]) -> Summary:
+def _summary(task: Task, missing: str, why: str = "") -> Summary:
+    """What is known of a submission; its state is `missing` if there is no result."""
     if of := results.load(task.folder, task.key):
         graded = (of["state"], of["message"], of["key"], of["record"], tuple(of["beside"]))
         return Summary(task.student, *graded)
-    why = f"the kit failed, so give the same command again: {failed[task.key]}"
-    return Summary(task.student, "failed", why, task.key)
+    return Summary(task.student, missing, why, task.key)
+
+
+def differences(there: Stamp, tasks: Sequence[Task], summaries: Sequence[Summary]) -> list[str]:
+    """What these results change in those that count so far: a summary, and then whose score or
+    passed checks change."""
+    lines, differing = [], 0
+    for task, now in zip(tasks, summaries):
+        missing = "failed" if now.state == "failed" else "not graded"
+        before = _summary(task._replace(stamp=there), missing)
+        scores = [one.state if one.score is None else one.score for one in (before, now)]
+        old, new = ({id: c["score"] for id, c in one.checks.items()} for one in (before, now))
+        failing = [{id for id, points in of.items() if not points} for of in (old, new)]
+        if scores[0] == scores[1] and failing[0] == failing[1]:
+            continue
+        differing += 1
+        lines.append(terminal(f"{task.student.who}: {scores[0]} -> {scores[1]}"))
+        changed = (id for id in old | new if old and new and old.get(id, 0) != new.get(id, 0))
+        lines += [f"  {id}: {old.get(id, 0)} -> {new.get(id, 0)}" for id in changed]
+    return [
+        f"The results in {tasks[0].folder} are by another version of the kit, or of its cases or "
+        "options.",
+        f"Submissions graded again: {len(tasks)}; with another result: {differing}.",
+        *lines,
+        "Nothing is changed yet. To take these over, add --apply.",
+    ]
 
 
 # --- on this machine ---

@@ -10,7 +10,7 @@ from markupsafe import Markup
 
 from bounce_grader.classroom.grading.near_copies import Similar
 from bounce_grader.classroom.grading.summary import Summary
-from bounce_grader.common.escaping import first_few
+from bounce_grader.common.escaping import first_few, Value
 from bounce_grader.common.manifest import full_points, part_of, parts
 from bounce_grader.common.numbers import percent, short
 from bounce_grader.formats import html, speed_chart as chart
@@ -139,9 +139,8 @@ def _chart(graded: Sequence[Summary]) -> Markup | None:
     return chart.error_over_time(curves, "Speed against accuracy, one line for each submission")
 
 
-def _row(summary: Summary) -> list[str]:
+def _row(summary: Summary) -> list[Value]:
     """A row of the table of all submissions."""
-    points = [short(scored["score"]) for scored in (summary.record, *summary.parts) if scored]
-    ends = sorted({round(one.points, 2) for one in summary.finals})
-    blank = [""] * (1 + len(parts()))
-    return [summary.student.who, *(points or blank), " / ".join(map(short, ends))]
+    row = summary.row()
+    columns = ("score", *(part.stem for part in parts()), "final")
+    return [summary.student.who, *("" if row[name] is None else row[name] for name in columns)]

@@ -1,9 +1,9 @@
-"""Writes the points: grades.csv, with every submission's by part and check; and the grade book of
-whichever service, in which what a person has entered stays, and each cell that isn't filled in."""
+"""Fills points into the grade book of whichever service. What a person has entered stays, and so does
+each cell that isn't filled in."""
 
 import json
 from collections import Counter
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -14,64 +14,13 @@ from bounce_grader.classroom.intake.student import Class, Member
 from bounce_grader.classroom.intake.table import number_in
 from bounce_grader.classroom.output.people import People
 from bounce_grader.common.errors import UsageError
-from bounce_grader.common.escaping import csv_row, first_few, Value
 from bounce_grader.common.files import read_object, write_whole
-from bounce_grader.common.manifest import full_points, parts
+from bounce_grader.common.manifest import full_points
 from bounce_grader.common.numbers import short
-from bounce_grader.formats.html import MOST_UNUSED
 
-POINTS = [*(part.stem for part in parts()), *(c.id for part in parts() for c in part.checks)]
 WRITTEN = "written.json"  # the points that runs have filled in: what differs, a person has changed
 # A column's title -> the service's id -> all points that runs have filled in there, or the page.
 Written = dict[str, dict[str, Any]]
-
-
-def grades(summaries: Iterable[Summary]) -> str:
-    rows = list(map(_row, summaries))
-    return "".join(map(csv_row, [rows[0].keys(), *(row.values() for row in rows)]))
-
-
-def _row(summary: Summary) -> dict[str, Value]:
-    student, finals, speed = summary.student, summary.finals, summary.speed
-    points = {part["stem"]: part["score"] for part in summary.parts}
-    points |= {id: check["score"] for id, check in summary.checks.items()}
-    return {
-        "student": student.shown,
-        "id": student.id,
-        "late": "" if student.late_days == 0 else "late",
-        "state": summary.state,
-        "score": _number(summary.score),
-        "final": _of_members({one.id: _number(round(one.points, 2)) for one in finals}),
-        "adjustments": _of_members({one.id: _changes(one) for one in finals}) or "",
-        **{column: _number(points.get(column)) for column in POINTS},
-        "mistakes": "; ".join(summary.mistakes.values()),
-        "times the solution's time": _number(speed.get("ratio")),
-        "largest error": _number(speed.get("largest_error")),
-        "needs a look": summary.needs_a_look,
-        "not used": first_few(summary.unused, MOST_UNUSED, "; ", summary.unused_more),
-        "result": summary.key,
-    }
-
-
-def _of_members(values: Mapping[str, Value]) -> Value:
-    """What all members of a group have; or what each has, where they differ."""
-    if len(set(values.values())) > 1:
-        return "; ".join(f"{id}: {value}" for id, value in values.items() if value != "")
-    return next(iter(values.values()), None)
-
-
-def _changes(member: Member) -> str:
-    return ", ".join(f"{a.reason} {a.points:+g}" if a.points else a.reason for a in member.applied)
-
-
-def _number(value: float | None) -> Value:
-    if value is None:
-        return None
-    rounded = float(f"{value:.6g}")
-    return int(rounded) if rounded.is_integer() else rounded
-
-
-# --- the grade book ---
 
 
 def require_same_class(book: Gradebook, intake: Class) -> None:
