@@ -27,6 +27,8 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 ROOT = Path(__file__).resolve().parents[2]
 SOLUTION = ROOT / "solution" / "src"
 Grade = Callable[..., dict[str, Any]]
+Patch = pytest.MonkeyPatch
+Printed = pytest.CaptureFixture[str]
 
 
 def solution_files() -> dict[str, bytes]:

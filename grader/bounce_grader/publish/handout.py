@@ -34,7 +34,6 @@ FROM_THE_KIT = (
 SKIPPED = {"build", "animation.html", "real.html", "study.html", "__pycache__"}
 OF_EDITORS = {".clangd", ".devcontainer", ".vscode"}  # other names with a dot are left out
 PAGES = ("README", "explore", "hints/*")
-PROGRAMS = {"check"}
 SAY_POINTS = ("*.md", "hints/*.md", "include/bounce/part*.hpp")
 
 
@@ -76,9 +75,7 @@ def _is_skipped(name: str) -> bool:
 
 def write(path: Path) -> int:
     """Writes the zip, whole or not at all, and returns how many files it holds."""
-    held = {
-        f"{TOP}/{name}": (data, 0o755 if name in PROGRAMS else 0o644)
-        for name, data in contents().items()
-    }
+    modes = {"check": 0o755}
+    held = {f"{TOP}/{n}": (data, modes.get(n, 0o644)) for n, data in contents().items()}
     write_zip(path, held, compressed=False)
     return len(held)

@@ -1,6 +1,7 @@
 """Turns a Markdown file of the handout into an HTML page that needs no other file and no network."""
 
 import re
+from functools import partial
 from html import escape
 from pathlib import Path
 from typing import Any
@@ -28,11 +29,8 @@ def page(file: Path) -> bytes:
     _number_headings(tokens)
     title = next(t.content for t in tokens if t.type == "inline")
     body = markdown.renderer.render(tokens, markdown.options, {})
-    body = re.sub(
-        r'<p><img src="([\w.]+)" alt="[^"]*"\s*/?></p>',
-        lambda found: f"<figure>{_drawing(file.parent / found[1])}</figure>",
-        body,
-    )
+    drawn = partial(_drawing, file.parent)
+    body = re.sub(r'<p><img src="([\w.]+)" alt="[^"]*"\s*/?></p>', drawn, body)
     body = re.sub(r'href="([\w/]+)\.md"', r'href="\1.html"', body)
     if file.parent.name == "hints":  # each stage opens by itself; what ./check reads is left out
         body = re.sub(r"<p>Checks: .*?</p>", "", body, flags=re.DOTALL)
@@ -41,8 +39,9 @@ def page(file: Path) -> bytes:
     return fill("publish/handout_page.html.j2", title=title, body=Markup(body)).encode()
 
 
-def _drawing(file: Path) -> str:
-    return re.sub(r"\s+", " ", re.sub(r"<!--.*?-->", "", file.read_text("utf-8"), flags=re.S))
+def _drawing(folder: Path, image: re.Match[str]) -> str:
+    svg = re.sub(r"(?s)<!--.*?-->", "", (folder / image[1]).read_text("utf-8"))
+    return f"<figure>{' '.join(svg.split())}</figure>"
 
 
 def _number_headings(tokens: list[Any]) -> None:

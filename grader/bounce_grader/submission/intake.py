@@ -22,15 +22,8 @@ from bounce_grader.common.escaping import printable_name, printable_text
 from bounce_grader.common.manifest import parts
 from bounce_grader.sandbox import box as boxes
 from bounce_grader.sandbox.processes import Limits, Result
-from bounce_grader.submission.entry import (
-    Entry,
-    HEADERS,
-    MOST_ENTRIES,
-    of_folder,
-    readable,
-    SOURCES,
-    too_many,
-)
+from bounce_grader.submission.entry import Entry, HEADERS, MOST_ENTRIES, of_folder
+from bounce_grader.submission.entry import readable, SOURCES, too_many
 
 BY_LIBARCHIVE = (".tar.gz", ".tgz", ".tar.bz2", ".tar.xz", ".tar.zst", ".tar", ".7z", ".rar")
 ENDINGS = (".zip", *BY_LIBARCHIVE)
@@ -41,7 +34,7 @@ MAGIC = re.compile(
 MOST_INNER = 3  # archives inside of a submission that are opened
 LARGEST_PACKED = 32 * 1024 * 1024  # bytes of an archive inside, or one that libarchive unpacks
 UNPACKED = 64 * 1024 * 1024  # bytes
-NOT_USED = "is no C++ source and no zip"  # after the name of an upload
+NOT_USED = "is neither a C++ source nor a zip"  # after the name of an upload
 # For zipfile:
 ENCRYPTED = 0x1
 UTF_8 = 0x800

@@ -18,14 +18,7 @@ from bounce_grader.common.files import digest
 from bounce_grader.common.manifest import parts, Part
 from bounce_grader.common.paths import HANDOUT, ROOT, STUBS
 from bounce_grader.submission import intake
-from bounce_grader.submission.entry import (
-    Entry,
-    HEADERS,
-    LARGEST_SOURCE,
-    NotText,
-    SOURCES,
-    text_of,
-)
+from bounce_grader.submission.entry import Entry, HEADERS, LARGEST_SOURCE, NotText, SOURCES, text_of
 
 CASES = "examples.txt"  # which students write for ./check --examples
 GIVEN = {file.name for file in (HANDOUT / "given").iterdir()} | {"main.cpp"}
@@ -94,9 +87,8 @@ class Submission(NamedTuple):
     def instead_of(self, part: Part) -> str:
         """What to do about a missing part whose work seems to be in another file; else ""."""
         defined = re.compile(rf"[\w>&]\s+(?:\w+::)*{part.function}\s*\([^;{{}}]*\)\s*\{{".encode())
-        named = (
-            n for n in (*self.files, *self.ignored) if part.stem in n.rpartition("/")[2].lower()
-        )
+        every = (*self.files, *self.ignored)
+        named = (name for name in every if part.stem in name.rpartition("/")[2].lower())
         holding = (name for name, text in self.files.items() if defined.search(text))
         for name in (*holding, *named):
             shown = printable_name(name.partition(" (")[0])

@@ -11,15 +11,13 @@ from pathlib import Path
 import pytest
 from bounce_grader.classroom.grading.results import load
 from classes import COLUMN, book, download, graded, keys, points_of, same, scores
+from conftest import Patch, Printed
 from stand_in import grade_class, started
 from waiting import wait_for
 
 
 def test_ctrl_c_stops_and_says_how_to_go_on(
-    tmp_path: Path,
-    users: list[int],
-    monkeypatch: pytest.MonkeyPatch,
-    capsys: pytest.CaptureFixture[str],
+    tmp_path: Path, users: list[int], monkeypatch: Patch, capsys: Printed
 ) -> None:
     """And leaves no temporary folder."""
     source, out = download(tmp_path / "x.zip", users), tmp_path / "out"
@@ -75,9 +73,7 @@ def test_survives_being_killed_at_any_moment(tmp_path: Path, number: int, kills:
     assert not list(out.rglob(".*.part"))
 
 
-def test_a_grading_that_kills_its_worker_costs_nobody_else(
-    tmp_path: Path, users: list[int], capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_killed_worker_costs_no_other(tmp_path: Path, users: list[int], capsys: Printed) -> None:
     bad, out = {"roe_301_3010_part2_lcp.cpp": b"// kills its grader"}, tmp_path / "out"
     assert grade_class(download(tmp_path / "x.zip", users, bad), out) == 3
     said = capsys.readouterr().out
@@ -99,7 +95,7 @@ def small_disk(tmp_path: Path) -> Iterator[Path]:
 
 
 def test_a_full_disk_loses_nothing(
-    tmp_path: Path, users: list[int], small_disk: Path, capsys: pytest.CaptureFixture[str]
+    tmp_path: Path, users: list[int], small_disk: Path, capsys: Printed
 ) -> None:
     source, out = download(tmp_path / "x.zip", users), small_disk / "out"
     grade_class(download(tmp_path / "y.zip", users[:4]), out)

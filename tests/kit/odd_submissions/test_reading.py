@@ -11,6 +11,7 @@ import golden
 import odd_submissions
 import pytest
 from bounce_grader.common.errors import UsageError
+from bounce_grader.common.files import digest
 from bounce_grader.common.manifest import parts
 from bounce_grader.submission import intake, submission
 from bounce_grader.submission.submission import Submission
@@ -148,3 +149,8 @@ def test_the_name_of_a_submission_is_its_content(tmp_path: Path) -> None:
     odd = first._replace(files={**first.files, "L\udcf6sung.hpp": b""})
     assert first.sha256 == again.sha256
     assert len({first.sha256, other.sha256, odd.sha256, odd._replace(files={}).sha256}) == 4
+    # Its cases could spell a helper of somebody else's.
+    spelled = Submission("a", {"x.hpp": b"1"}, {}, {}, cases=b"b.hpp\0001\0002")
+    helper = Submission("a", {"x.hpp": b"1", "b.hpp": b"2"}, {}, {})
+    assert spelled.sha256 != helper.sha256
+    assert digest("a", "b") != digest("ab") != digest("a'", "'b")

@@ -56,7 +56,6 @@ def graded(out: Path) -> dict[str, str]:
 
 def same(one: Path, other: Path) -> bool:
     """Whether two runs have written the same."""
-    names = [
-        name for name in ("gradebook.csv", "grades.csv", "class.html") if (one / name).exists()
-    ]
+    files = ("gradebook.csv", "grades.csv", "class.html")
+    names = [name for name in files if (one / name).exists()]
     return all((one / name).read_bytes() == (other / name).read_bytes() for name in names)

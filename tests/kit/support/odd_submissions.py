@@ -18,8 +18,8 @@ PARTS: Files = {f"{stem}.cpp": b"// " + stem.encode() for stem in STEMS}
 UNTOUCHED: Files = {name: (STUBS / name).read_bytes() for name in PARTS}
 
 
-def inside(folder: str, files: Files = PARTS) -> Files:
-    return {f"{folder}/{name}": text for name, text in files.items()}
+def inside(folder: str) -> Files:
+    return {f"{folder}/{name}": text for name, text in PARTS.items()}
 
 
 def written(files: dict[str, str]) -> Files:

@@ -6,6 +6,7 @@ import io
 import tarfile
 from collections.abc import Iterator
 
+from bounce_grader.submission.entry import MOST_ENTRIES
 from handed_in import packed_tar
 from odd_submissions import inside, PARTS
 from odd_zips import Archive, ARCHIVES, holding
@@ -83,6 +84,9 @@ def _tars() -> Iterator[tuple[str, bytes]]:
     yield "links, a pipe, a device and a folder", tar_of(
         *(member(f"{kind.decode()}.cpp", b"", kind) for kind in NO_FILES)
     )
+    most = {f"{i}.txt": b"x" for i in range(MOST_ENTRIES - 2)} | {"large.txt": bytes(20 << 20)}
+    yield "a large file and 4999 others", packed_tar(most | SOURCE, "")
+    yield "5001 files", packed_tar(most | SOURCE | {"a": b""}, "")
     yield "a file of 65 MB", tar_of(member("x.bin", bytes(65 << 20)))
     yield "no member, but 65 MB", bytes(65 << 20)
     size = pax(record(b"size", b"7") + record(b"path", b"y.cpp"))

@@ -3,7 +3,7 @@ title and what lateness costs; roster.csv, which says whose a submission is; and
 with what is changed in the points of a student, and why."""
 
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from importlib import import_module
 from pathlib import Path
 from typing import NamedTuple
@@ -48,10 +48,9 @@ def course(out: Path) -> Course:
     return Course(title, **late)
 
 
-def roster(out: Path) -> dict[str, list[Member]]:
-    """The members by submission: a login, or the name of a folder or group. Raises UsageError."""
+def roster(out: Path) -> Iterator[tuple[str, Member]]:
+    """Each member with a submission: a login, or the name of a folder or group. Raises UsageError."""
     path = out / ROSTER
-    members: dict[str, list[Member]] = {}
     seen: dict[str, int] = {}
     for line, row in _rows(path, ("submission", "id"), ("name",)):
         submission, id = row["submission"], row["id"]
@@ -60,8 +59,7 @@ def roster(out: Path) -> dict[str, list[Member]]:
         if id in seen:
             raise UsageError(f"{path} has {id} in lines {seen[id]} and {line}: keep one of them")
         seen[id] = line
-        members.setdefault(submission, []).append(Member(id, row["name"], True))
-    return members
+        yield submission, Member(id, row["name"], True)
 
 
 def adjustments(out: Path) -> list[Adjustment]:

@@ -87,12 +87,10 @@ class Archive:
 def opened(path: Path) -> Archive:
     """Opens an archive, and caches it until the file changes: its list of entries may be long."""
     status = path.stat()
-    return _opened(path, status.st_mtime_ns, status.st_ino)
+    return _opened(path, (status.st_mtime_ns, status.st_ino))
 
 
-@lru_cache(maxsize=2)
-def _opened(path: Path, *_status: int) -> Archive:
-    return Archive(path)
+_opened = lru_cache(maxsize=2)(lambda path, _status: Archive(path))
 
 
 # --- of one student ---

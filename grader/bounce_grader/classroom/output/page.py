@@ -21,9 +21,7 @@ MOST_NAMES = 10  # of who made a mistake; grades.csv has all
 Bar = tuple[str, float, str, bool]  # label, length from 0 to 1, number, whether it is a heading
 
 
-def render(
-    summaries: Sequence[Summary], near: Similar, sentences: Sequence[str], title: str = ""
-) -> str:
+def render(summaries: Sequence[Summary], near: Similar, sentences: list[str], title: str) -> str:
     """`sentences` are on files that are nobody's, on adjustments and on the grade book."""
     graded = [s for s in summaries if s.score is not None]
     pages = {s.student.who: s.student.feedback for s in summaries if s.student.feedback}
@@ -40,7 +38,7 @@ def render(
         near=near,
         pairs=[[pair.first, pair.second, pair.in_common] for pair in near.pairs],
         sentences=sentences,
-        columns=["who", "points", *(f"part {part.number}" for part in parts()), "in the end"],
+        columns=["who", "points", *(f"part {part.number}" for part in parts()), "final"],
         submissions=list(map(_row, summaries)),
         links={who: quote(os.fsencode(f"feedback/{page}")) for who, page in pages.items()},
     )
@@ -98,7 +96,7 @@ def _figures(summaries: Sequence[Summary], graded: Sequence[Summary]) -> Iterato
     if scores:
         yield "median", short(statistics.median(scores))
         yield "mean", f"{statistics.mean(scores):.1f}"
-        yield "with all points", str(sum(s.has_all_points for s in summaries))
+        yield "with full marks", str(sum(s.has_all_points for s in summaries))
     if late := sum(s.student.late_days != 0 for s in summaries):
         yield "late", str(late)
 

@@ -27,10 +27,10 @@ class People:
         self._adjustments = files.adjustments(out)
         names = {id: line.person for id, line in book.people().items()}
         self._own_ids = {id: line.ids[0] for id, line in book.people().items()}  # at the service
-        self._roster = {
-            submission.casefold(): [m._replace(name=m.name or names.get(m.id, "")) for m in members]
-            for submission, members in files.roster(out).items()
-        }
+        self._roster: dict[str, list[Member]] = defaultdict(list)
+        for submission, member in files.roster(out):
+            named = member._replace(name=member.name or names.get(member.id, ""))
+            self._roster[submission.casefold()].append(named)
         listed = [member for members in self._roster.values() for member in members]
         self._names = names | {member.id: member.name for member in listed}
         self.intake = Class("")  # until assign reads it
@@ -178,6 +178,6 @@ def _late_days(summary: Summary, own: Sequence[Adjustment]) -> float:
     given = [a.late_days for a in own if a.late_days is not None]
     days = given[-1] if given else summary.student.late_days
     if days is None:
-        unknown = "by how many days it is late can't be read, and counts as one"
+        unknown = "late by an unknown number of days, counted as one"
         summary.notes.append(f"{unknown} unless {files.ADJUSTMENTS} says otherwise")
     return 1 if days is None else days

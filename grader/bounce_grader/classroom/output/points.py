@@ -3,7 +3,7 @@ each cell that isn't filled in."""
 
 import json
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -117,7 +117,8 @@ def write(path: Path, people: People, summaries: Sequence[Summary], overwrite: b
     finals = [one._replace(name=one.name or s.student.shown) for s in summaries for one in s.finals]
     given = [one for one in finals if one.listed or not submitted.logins]
     written = read_object(path.with_name(WRITTEN))
-    lacking = _lacking(book, written.get(book.title, {}))
+    before = written.get(book.title, {})
+    emptied = sum(line.ids[0] in before and not line.there for line in book.lines)
     from_canvas = submitted.service == "canvas"
     filled, sentences = fill(book, given, from_canvas, written, overwrite)
     has_comma = any("," in points for points in book.possible)
@@ -126,13 +127,9 @@ def write(path: Path, people: People, summaries: Sequence[Summary], overwrite: b
         book.table.rows[line.number].cells[book.column] = text
     write_whole(path, book.table.encoded())
     note(path.parent, written)
+    if emptied:  # in an old file, which lacks corrections since an earlier run, too
+        cells = f"what an earlier run has filled into {emptied} cell{'s' * (emptied > 1)}"
+        again = "export the grades again, or corrections made there since then are lost"
+        sentences = [f"{book.name} lacks {cells}: if that is imported, {again}", *sentences]
     where = f"isn't in {ROSTER}: the points are in grades.csv"
-    return [*lacking, *sentences, *(f"{one.id} {where}" for one in finals if one not in given)]
-
-
-def _lacking(book: Gradebook, written: Mapping[str, Sequence[str]]) -> list[str]:
-    """Corrections since an earlier run can't be seen in an old file."""
-    emptied = sum(line.ids[0] in written and not line.there for line in book.lines)
-    cells = f"what an earlier run has filled into {emptied} cell{'s' * (emptied > 1)}"
-    again = "export the grades again, or corrections made there since then are lost"
-    return [f"{book.name} lacks {cells}: if that is imported, {again}"] * bool(emptied)
+    return [*sentences, *(f"{one.id} {where}" for one in finals if one not in given)]
