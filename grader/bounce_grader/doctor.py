@@ -80,8 +80,8 @@ def _in_box(box: Box, place: str, folder: Path, protections: list[Protection]) -
 def attempt(
     box: Box, place: str, folder: Path, words: Attempt, above: Sequence[str] = ()
 ) -> tuple[bool, str]:
-    """Runs one attempt of the probe: whether it succeeded, and the output. Unless it is known to
-    have failed, it counts as a success."""
+    """Runs one attempt: whether it succeeded, and its output. It counts as a success unless it is
+    known to have failed."""
     if place != "compile":
         boxed = box.to_run(PROBE, sanitized=place == "check")
         asked = json.dumps({"watch": True, "sanitized": place == "check"})

@@ -62,9 +62,8 @@ def _require_sense(options: Options) -> None:
 
 
 def _read(options: Options) -> tuple[Canvas | None, People, list[Summary]]:
-    """All that is given, read and checked before anything is graded or written: the class, the
-    assignment on Canvas, the people of the course, and other years' submissions. Raises UsageError
-    if something can't be read, or doesn't belong together."""
+    """Reads and checks everything before anything is graded or written: the assignment on Canvas,
+    the people of the course, and other years' submissions. Raises UsageError."""
     read_object(options.out / points.WRITTEN)
     book = gradebook.Gradebook()
     if options.gradebook:

@@ -53,8 +53,8 @@ def files() -> dict[str, Path]:
 
 
 def contents() -> dict[str, bytes]:
-    """What the zip holds, by path in it: these files, the pages made of Markdown, and the numbers
-    of the study and of measured impacts."""
+    """What the zip holds, by path: these files, the pages, and the numbers of the study and of
+    impacts."""
     held = {name: file.read_bytes() for name, file in files().items()}
     for file in (file for pattern in SAY_POINTS for file in HANDOUT.glob(pattern)):
         name = str(file.relative_to(HANDOUT))

@@ -36,15 +36,15 @@ TO_JUDGE = ("--status", "5")  # as in grader/judge/runner_process.cpp
 
 
 class Box(NamedTuple):
-    """kind is "full" or "reduced"; or "none" if the instructor trusts the submission. All that runs
-    in it counts against the grading's budget."""
+    """`kind` is "full", "reduced", or "none" for a trusted submission. What runs in it uses up the
+    budget."""
 
     kind: str
     budget: Budget = UNLIMITED
 
     def run(self, command: list[str], limits: processes.Limits, **given: Any) -> processes.Result:
-        """Runs a command that to_run or to_build made, or a program that runs such commands itself,
-        as processes.run does. Raises Overrun if the grading has used up its time."""
+        """Runs a command of to_run or to_build, or a program that runs them, as processes.run does.
+        Raises Overrun if the grading has used up its time."""
         result = processes.run(command, self.budget.within(limits), **given)
         if result.stopped:
             Budget.killed += result.cpu_seconds
@@ -99,8 +99,7 @@ class Box(NamedTuple):
         return "/enter" if self.kind == "full" else str(ENTER)
 
     def give(self, folder: Path) -> None:
-        """If root runs the kit, gives the folder and all in it to the user that the box runs as:
-        that user can read it, and no other."""
+        """Gives a folder and all in it to the user of root's boxes, who alone can then read it."""
         if self.kind != "none" and os.geteuid() == 0:
             for path in [folder, *folder.rglob("*")]:
                 os.chown(path, USER, USER, follow_symlinks=False)

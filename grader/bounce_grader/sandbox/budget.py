@@ -60,8 +60,8 @@ class Budget:
             raise KitError(f"{had}: {busy}; run the same command again")
 
     def within(self, limits: Limits) -> Limits:
-        """These limits, or lower ones if less is left. Processes that run side by side may each use
-        what is left. Raises Overrun if nothing is."""
+        """These limits, lowered to what is left, which parallel processes may each use. Raises
+        Overrun."""
         self.require_time()
         cpu, wall = self.left()
         return limits._replace(

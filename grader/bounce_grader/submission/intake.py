@@ -67,8 +67,7 @@ def is_archive(name: str) -> bool:
 
 
 def archive_stem(name: str) -> str:
-    """The name without the archive's ending: hw from hw.tar.gz, and from hw.tar-1.gz, as Canvas
-    names one that is handed in again."""
+    """hw for hw.tar.gz, and for hw.tar-1.gz, as Canvas names one that is handed in again."""
     plain = re.sub(r"(\.tar)-\d+(\.\w+)$", r"\1\2", name, flags=re.I)
     return next((plain[: -len(e)] for e in ENDINGS if plain.lower().endswith(e)), name)
 
@@ -142,8 +141,7 @@ def _packed(path: Path, read: Callable[[int], bytes]) -> bytes:
 
 
 def checked(path: Path, entries: Iterable[Entry]) -> Iterator[Entry]:
-    """An archive's entries by names that lead nowhere else, each once: of what is no source, the
-    first. Raises UsageError."""
+    """An archive's entries under safe names, each once: of those that aren't sources, the first."""
     names: set[str] = set()
     for entry in entries:
         name = _inside_name(path, entry.name)
@@ -202,8 +200,8 @@ class _Bounded(io.BufferedReader):
 
 
 def name_in_zip(info: zipfile.ZipInfo) -> str:
-    """An entry's name. Canvas and macOS write UTF-8 without saying so, which zipfile takes for code
-    page 437."""
+    """An entry's name. Canvas and macOS write UTF-8 unmarked, which zipfile reads as code page
+    437."""
     with suppress(UnicodeError):
         if not info.flag_bits & UTF_8:
             return info.filename.encode("cp437").decode("utf-8")

@@ -39,8 +39,7 @@ COPY = re.compile(r"(?:-\d+|\s?\(\d+\))$")  # the suffix of a file uploaded or d
 
 
 def part_file(file: str) -> str | None:
-    """The part's file name, without the suffix of a copy: part1_contacts-2.cpp is
-    part1_contacts.cpp. None if the file is no part."""
+    """part1_contacts.cpp for part1_contacts-2.cpp, a copy of it; None if the file is no part."""
     stem, dot, suffix = file.rpartition(".")
     plain = COPY.sub("", stem).lower() + dot + suffix.lower()
     return plain if plain in {part.file for part in parts()} else None
@@ -118,8 +117,8 @@ def read(path: Path) -> Submission:
 
 
 def _require_one_student(path: Path, names: list[str]) -> None:
-    """Raises UsageError if most files are named as several students' in a service's download, and
-    no other is a part."""
+    """Raises UsageError if most names are several students' in a download, and no other is a
+    part."""
     whose = [found[1] for found in map(OF_A_CLASS.search, names) if found]
     own = [n for n in names if part_file(PurePosixPath(n).name) and not OF_A_CLASS.search(n)]
     if len(set(whose)) > 1 and 2 * len(whose) > len(names) and not own:
@@ -171,8 +170,7 @@ def take(path: Path, entries: list[Entry]) -> Submission:
 
 
 def _is_test(name: str, text: bytes) -> bool:
-    """Whether a file is a GoogleTest test. It couldn't be linked, because runners are linked
-    without GoogleTest, and no part could be linked with it."""
+    """Whether a file is a GoogleTest test, which can't be linked: runners have no GoogleTest."""
     is_source = PurePosixPath(name).suffix.lower() in SOURCES
     return is_source and bool(INCLUDES_GTEST.search(text) and HAS_A_TEST.search(text))
 

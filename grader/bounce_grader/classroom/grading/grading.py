@@ -58,8 +58,7 @@ def _summary(task: Task, missing: str, why: str = "") -> Summary:
 
 
 def differences(there: Stamp, tasks: Sequence[Task], summaries: Sequence[Summary]) -> list[str]:
-    """What these results change in those that count so far: a summary, and then whose score or
-    passed checks change."""
+    """How these results differ from those that count so far, in scores and passed checks."""
     lines, differing = [], 0
     for task, now in zip(tasks, summaries):
         missing = "failed" if now.state == "failed" else "not graded"
@@ -86,8 +85,8 @@ def differences(there: Stamp, tasks: Sequence[Task], summaries: Sequence[Summary
 
 
 def in_processes(tasks: Sequence[Task], jobs: int, unit: Unit) -> Graded:
-    """Gradings side by side, each in a process of its own at that time, so that a crash harms no
-    other. If the caller stops early, ends the gradings under way."""
+    """Grades in `jobs` processes, so that a crash harms no other grading. If the caller stops
+    early, ends the gradings under way."""
     context = multiprocessing.get_context("spawn")
     idle = [ProcessPoolExecutor(1, context, _prepare) for _ in range(jobs)]  # one for each thread
 
@@ -118,8 +117,7 @@ def in_processes(tasks: Sequence[Task], jobs: int, unit: Unit) -> Graded:
 
 
 def _prepare() -> None:
-    """Makes a process ignore Ctrl-C, which the class handles, and end when the class has ended. When
-    it is terminated, it removes its temporary files first."""
+    """Makes a process ignore Ctrl-C, end with the class, and clean up when it is terminated."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))
     threading.Thread(target=_end_with_the_class, daemon=True).start()

@@ -82,8 +82,8 @@ def corpus(folder: Path) -> list[Summary]:
 
 
 def find(summaries: Sequence[Summary], others: Sequence[Summary] = ()) -> Similar:
-    """Finds near-copies among the submissions that can be read, and between them and others. Notes
-    which can't be compared, or only in part."""
+    """Finds similar submissions among these, and between these and others. Notes which can't be
+    compared, or only in part."""
     own = [summary for summary in summaries if summary.state != "unreadable"]
     names = {summary.student.who for summary in own}
     runs = {summary.student.who: own_runs(summary) for summary in (*own, *others)}

@@ -62,8 +62,7 @@ Unit = Callable[[Task], str]
 
 
 def digest_of(student: Student) -> str:
-    """A digest of all that is used of a submission, or of the reason if it can't be read. Raises
-    Damaged if the class's download is damaged."""
+    """A digest of what a submission holds, or of why it can't be read. Raises Damaged."""
     data: list[Any] = [os.path.isdir(student.path)]
     try:
         taken = uploads.read(student)
@@ -76,9 +75,8 @@ def digest_of(student: Student) -> str:
 
 
 def depends_on() -> tuple[list[Path], list[Path]]:
-    """The kit's own files from which a result follows, and its data: cases with known mistakes and
-    wrong programs, and scenes. They are the same on every machine of a cluster. What reports on
-    records, tests the kit, or is the handout's alone changes no result."""
+    """The kit's sources and its data (cases, known mistakes, buggy programs, scenes) that decide a
+    result. Formats, tests and what only the handout has change no result."""
     rooms = (
         *(f"grader/bounce_grader/{room}" for room in PYTHON),
         *(f"grader/{room}" for room in CPP),

@@ -8,12 +8,12 @@ from dataclasses import dataclass, field
 from bounce_grader.classroom.intake.student import Member, Student
 from bounce_grader.common.escaping import first_few, Value
 from bounce_grader.common.manifest import full_points, named_together, parts
-from bounce_grader.formats.html import MOST_UNUSED
 from bounce_grader.grading.record import Record
 
 # Files that are handed in beside parts, and are none under another name.
 NO_PART = re.compile(r"(\S*/)?(readme|cmakelists|makefile|\.ds_store|\._|__macosx)", re.IGNORECASE)
 COLUMNS = [*(part.stem for part in parts()), *(c.id for part in parts() for c in part.checks)]
+MOST_UNUSED = 20  # names of unused files in a cell
 ODD = {"timed_out", "out_of_memory", "no_answer", "crashed", "does_not_compile"}  # ends of a part
 
 

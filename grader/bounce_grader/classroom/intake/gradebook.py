@@ -73,8 +73,7 @@ class Gradebook:
 
 
 def read(path: Path, title: str) -> Gradebook:
-    """The file of whichever service wrote it; `title` is that of the column to fill. Raises
-    UsageError if none did, or if there is no such column."""
+    """Reads a gradebook of any service; `title` names the column to fill. Raises UsageError."""
     table = Table(path)
     header, firsts = table.header, (row.text(0) for row in table.rows[1:])
     if "Username" in header and any(map(TOTAL.search, header)):

@@ -99,8 +99,8 @@ def _checks(where: str, text: str) -> tuple[str, ...]:
 def _rows(
     path: Path, needed: Sequence[str], more: Sequence[str]
 ) -> list[tuple[int, dict[str, str]]]:
-    """The rows that aren't empty, each with its line and its cells by column; none if there is no
-    such file. Columns may be in any order. Raises UsageError."""
+    """The line and the cells, by column, of each row that isn't empty; none without such a file.
+    Columns may be in any order. Raises UsageError."""
     if not path.exists():
         return []
     table = Table(path)

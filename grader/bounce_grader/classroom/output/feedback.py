@@ -14,8 +14,8 @@ from bounce_grader.grading.record import for_readers
 
 
 def write(out: Path, summaries: Sequence[Summary], reveal: bool) -> dict[str, str]:
-    """Writes a page for each submission, graded or not; only with `reveal` with the expected answers
-    of hidden cases. Returns them by their names, and notes which can't be written."""
+    """Writes a page for each submission, with answers of hidden cases only if `reveal`. Returns
+    them by name, and notes which can't be written."""
     (out / "feedback").mkdir(exist_ok=True)
     pages: dict[str, str] = {}
     for summary in summaries:

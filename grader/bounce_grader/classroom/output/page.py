@@ -53,8 +53,8 @@ def looks(summaries: Sequence[Summary]) -> list[tuple[str, str]]:
 
 
 def _mistakes(graded: Sequence[Summary]) -> Iterator[list[str]]:
-    """Of each known mistake, the most frequent first, and then by part: its title and part, the line
-    for the instructor with the heading of the students' hint, and who made it."""
+    """Each known mistake, the most frequent first: its title and part, what it is with the hint's
+    heading, and who made it."""
     made: dict[tuple[str, str], list[str]] = {}
     for summary in graded:
         for mistake in summary.mistakes.items():

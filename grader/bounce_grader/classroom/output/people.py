@@ -74,8 +74,8 @@ class People:
         return self._roster[groups[0]] if groups else []
 
     def _name(self, student: Student, members: Sequence[Member]) -> str:
-        """The name of a submission's person, as the roster or the grade book has it. In a Canvas
-        download, a group has the id of one of its members, but a name of its own."""
+        """The name of a submission's person, from the roster or the gradebook. A group in a Canvas
+        download has a member's id, but its own name."""
         if members:
             names = [member.name for member in members]
             return " and ".join(names) if all(names) else student.person
@@ -95,7 +95,7 @@ class People:
 
     def _adjust(self, people: Sequence[Person]) -> list[str]:
         """Notes whom each adjustment is for, a person's own after everybody's. Returns a sentence
-        for each that changes nothing, as its id is nobody's, or that person has no submission."""
+        for each that changes nothing."""
         sentences = []
         for adjustment in sorted(self._adjustments, key=lambda one: one.student != files.EVERYBODY):
             who = adjustment.student
@@ -124,9 +124,9 @@ class People:
         return [f"{files.ROSTER} lists {first_few(idle, separator='; ')}: {words}"] * bool(idle)
 
     def give_points(self, summaries: Sequence[Summary]) -> None:
-        """Adds the final points of each person. Whom the roster finds in several submissions gets
-        points from none of them; whom it finds in one, from no other. A login alone, which its
-        student chose, gets no points."""
+        """Adds the final points of each person. If the roster lists somebody for several
+        submissions, none of them gives points; if for one, no other does. A login alone gets no
+        points."""
         graded = [(m, s) for s in summaries if s.score is not None for m in s.student.members]
         given: dict[str, list[str]] = defaultdict(list)  # submissions, by the roster's ids
         for member, summary in graded:
@@ -173,8 +173,7 @@ def _final(summary: Summary, member: Member, own: list[Adjustment], course: file
 
 
 def _late_days(summary: Summary, own: Sequence[Adjustment]) -> float:
-    """The days that count as late: those that were written down, or the service's; where it says
-    only that a submission is late, that counts as one day."""
+    """The days late: the instructor's, else the service's. An unknown number counts as one."""
     given = [a.late_days for a in own if a.late_days is not None]
     days = given[-1] if given else summary.student.late_days
     if days is None:

@@ -24,8 +24,8 @@ Written = dict[str, dict[str, Any]]
 
 
 def require_same_class(book: Gradebook, intake: Class) -> None:
-    """Raises UsageError if grade book and submissions can't be of one class. In those of different
-    services, the same id can be that of different students."""
+    """Raises UsageError if gradebook and submissions are of different services, where the same id
+    can be different students, or have nobody in common."""
     if book.service and intake.service not in ("", book.service):
         file = f"{book.name} is a file from {book.service.capitalize()}"
         raise UsageError(f"{file}, and the submissions are {intake.source}: give both from one")
