@@ -57,12 +57,6 @@ def grade(tmp_path: Path) -> Grade:
 
 
 @pytest.fixture
-def users() -> list[int]:
-    """The students of a small class, by Canvas's ids."""
-    return list(range(101, 111))
-
-
-@pytest.fixture
 def cluster(tmp_path: Path) -> Iterator[clusters.Cluster]:
     with clusters.started(tmp_path) as made:
         yield made

@@ -53,7 +53,7 @@ def _require_sense(options: Options) -> None:
         (bool(canvas) == bool(given), "give either the submissions or --canvas COURSE/ASSIGNMENT"),
         (inside, f"{options.out} is among the submissions: give a folder elsewhere by --out"),
         (options.out.is_file(), f"{options.out} is a file: give a folder by --out"),
-        (column and not book, "--column is of a grade book: give that by --gradebook"),
+        (column and not book, "--column is a column of the gradebook: give --gradebook as well"),
         (options.upload and not canvas, "--upload needs --canvas COURSE/ASSIGNMENT"),
         (canvas and book, "--canvas posts the points by itself: leave --gradebook out"),
     ):
@@ -84,7 +84,7 @@ def _read(options: Options) -> tuple[Canvas | None, People, list[Summary]]:
 
 
 def _filled_in(options: Options) -> Path:
-    """The path of the filled-in grade book. Blackboard's file keeps its ending."""
+    """The path of the filled-in gradebook. Blackboard's file keeps its ending."""
     own = options.gradebook.suffix.lower()
     return Path(options.out / f"gradebook{own if own in ('.xls', '.txt') else '.csv'}")
 

@@ -64,10 +64,8 @@ class Budget:
         Overrun."""
         self.require_time()
         cpu, wall = self.left()
-        return limits._replace(
-            cpu_seconds=int(min(limits.cpu_seconds, cpu + 1)),
-            wall_seconds=min(limits.wall_seconds, wall + 0.01),
-        )
+        cpu, wall = min(limits.cpu_seconds, cpu + 1), min(limits.wall_seconds, wall + 0.01)
+        return limits._replace(cpu_seconds=int(cpu), wall_seconds=wall)
 
 
 def _cpu() -> float:

@@ -38,7 +38,7 @@ def written(folder: Path, submissions: Sequence[Path]) -> dict[str, str]:
 
 
 def grade(folder: Path, out: str, *more: str) -> dict[str, str]:
-    """What the column of the grade book has, by id."""
+    """What the column of the gradebook has, by id."""
     options = ["--out", str(folder / out), "--gradebook", str(folder / "export.csv")]
     words = ["class", str(folder / "submissions"), *options, "--column", COLUMN, *more]
     assert cli.main(words) == 0

@@ -38,7 +38,7 @@ def of_the_manifest(edits: str, where: Path) -> str:
     if not edits.startswith("{"):
         text = json.dumps(reduce(edited, edits.splitlines(), MANIFEST))
     (where / manifest.NAME).write_text(text)
-    manifest.parts.cache_clear()
+    manifest.read.cache_clear()
     try:
         return ", ".join(f"{len(p.checks)} checks for {p.points} points" for p in manifest.parts())
     except UsageError as refused:
@@ -72,7 +72,7 @@ def elsewhere(tmp_path: Path, monkeypatch: Patch) -> Iterator[Path]:
     (tmp_path / "grader").mkdir()
     monkeypatch.setattr(manifest, "ROOT", tmp_path)
     yield tmp_path
-    manifest.parts.cache_clear()
+    manifest.read.cache_clear()
 
 
 @pytest.mark.golden

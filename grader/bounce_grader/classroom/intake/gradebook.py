@@ -1,4 +1,4 @@
-"""The grade book: a file that Canvas (its export), Moodle (its offline grading worksheet) or
+"""The gradebook: a file that Canvas (its export), Moodle (its offline grading worksheet) or
 Blackboard wrote, or what Canvas's API tells. Each has ids, names and points.
 
 Moodle's importer (mod/assign/feedback/offline) finds its columns by their titles, in the site's
@@ -45,7 +45,7 @@ class Line(NamedTuple):
 
 @dataclass
 class Gradebook:
-    """A service's lines, one for each student; without a grade book, none."""
+    """A service's lines, one for each student; without a gradebook, none."""
 
     service: str = ""
     name: str = ""  # of the file

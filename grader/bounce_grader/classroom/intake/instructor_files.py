@@ -16,6 +16,7 @@ from bounce_grader.common.manifest import parts
 COURSE, ROSTER, ADJUSTMENTS = "course.toml", "roster.csv", "adjustments.csv"
 LATE = ("percent_per_day", "at_most_percent")
 EVERYBODY = "*"
+Words = Sequence[str]
 CHANGES = ("points", "late_days", "cap", "drop")
 
 
@@ -96,9 +97,7 @@ def _checks(where: str, text: str) -> tuple[str, ...]:
     return names
 
 
-def _rows(
-    path: Path, needed: Sequence[str], more: Sequence[str]
-) -> list[tuple[int, dict[str, str]]]:
+def _rows(path: Path, needed: Words, more: Words) -> list[tuple[int, dict[str, str]]]:
     """The line and the cells, by column, of each row that isn't empty; none without such a file.
     Columns may be in any order. Raises UsageError."""
     if not path.exists():

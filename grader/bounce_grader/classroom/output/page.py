@@ -22,7 +22,7 @@ Bar = tuple[str, float, str, bool]  # label, length from 0 to 1, number, whether
 
 
 def render(summaries: Sequence[Summary], near: Similar, sentences: list[str], title: str) -> str:
-    """`sentences` are on files that are nobody's, on adjustments and on the grade book."""
+    """`sentences` are on files that are nobody's, on adjustments and on the gradebook."""
     graded = [s for s in summaries if s.score is not None]
     pages = {s.student.who: s.student.feedback for s in summaries if s.student.feedback}
     return html.fill(

@@ -1,4 +1,4 @@
-"""Who gets the points of each submission, by what is known of people: the grade book, the
+"""Who gets the points of each submission, by what is known of people: the gradebook, the
 instructor's roster, and the download; and how many in the end, with what lateness costs and the
 adjustments of the instructor. Records stay as they are."""
 
@@ -46,7 +46,7 @@ class People:
         return [n for n, of in self._roster.items() if own in [same.get(m.id, m.id) for m in of]]
 
     def assign(self, intake: Class) -> list[str]:
-        """Gives each submission its members, the name of its person, and the grade book's lateness.
+        """Gives each submission its members, the name of its person, and the gradebook's lateness.
         Returns sentences if nobody tells that, and on what the instructor's files say of nobody."""
         self.intake = intake
         submissions = {student.id.casefold() for student in intake.students}
@@ -108,10 +108,10 @@ class People:
         return sentences
 
     def _meant_by(self, id: str, people: Sequence[Person]) -> list[Person]:
-        """The people whom an instructor means by an id: the one who has it in the grade book; else
+        """The people whom an instructor means by an id: the one who has it in the gradebook; else
         whoever has it in the roster or from the service; else the members of the submission with
         this id, such as a login. Students choose their logins, so a login never stands for a person
-        of the grade book or of the roster."""
+        of the gradebook or of the roster."""
         known = [(m, s) for m, s in people if not (self.intake.logins and m.id == s.id)]
         if own := self._own_ids.get(id):
             return [(m, s) for m, s in known if self._own_ids.get(m.id) == own]

@@ -1,4 +1,4 @@
-"""Fills points into the grade book of whichever service. What a person has entered stays, and so does
+"""Fills points into the gradebook of whichever service. What a person has entered stays, and so does
 each cell that isn't filled in."""
 
 import json
@@ -31,18 +31,19 @@ def require_same_class(book: Gradebook, intake: Class) -> None:
         raise UsageError(f"{file}, and the submissions are {intake.source}: give both from one")
     members = [member for student in intake.students for member in student.members]
     from_canvas = intake.service == "canvas"
-    if book.service and members and not (intake.logins or _lines_of(book, members, from_canvas)):
+    if book.service and members and not (intake.logins or _whose(book, members, from_canvas)):
         raise UsageError(f"nobody who handed in is in {book.name}: is it of another course?")
 
 
-def _lines_of(
-    book: Gradebook, people: Sequence[Member], from_canvas: bool
-) -> list[tuple[Line, Member]]:
-    """The lines of these people. For a Canvas download only the service's own ids count, except the
-    roster's, because any other number in it comes from a student."""
+def _whose(book: Gradebook, people: Sequence[Member], from_canvas: bool) -> dict[int, list[Member]]:
+    """These people by the number of their lines. In a Canvas download, only the service's own ids and
+    the roster's count: students choose all other numbers."""
     own, every = book.by_id(own=True), book.by_id()
-    ids = [(one, own if from_canvas and not one.listed else every) for one in people]
-    return [(line, one) for one, by_id in ids for line in by_id.get(one.id, ())]
+    whose: dict[int, list[Member]] = {}
+    for one in people:
+        for line in (own if from_canvas and not one.listed else every).get(one.id, ()):
+            whose.setdefault(line.number, []).append(one)
+    return whose
 
 
 def fill(
@@ -51,9 +52,7 @@ def fill(
     """The lines that take points, which are also noted in `written`; and what the instructor should
     know. `from_canvas` says that the ids are those of a Canvas download. Points that already stand
     in a line are kept, unless earlier runs have `written` them, or if `overwrite` is set."""
-    whose: dict[int, list[Member]] = {}  # by the line's number
-    for line, final in _lines_of(book, finals, from_canvas):
-        whose.setdefault(line.number, []).append(final)
+    whose = _whose(book, finals, from_canvas)
     times = Counter(final.id for finals in whose.values() for final in finals)
     ours = written.setdefault(book.title, {})
     filled, sentences = [], _other_points_possible(book)
