@@ -106,11 +106,7 @@ def _add_grade(parser: argparse.ArgumentParser) -> None:
     option("--no-sanitize", action="store_true", help=remarks)
     box = parser.add_mutually_exclusive_group().add_argument
     box("--require-box", choices=["full"], help="refuse to grade without this sandbox")
-    box(
-        "--trust-submission",
-        action="store_true",
-        help="grade without a sandbox if there is none here",
-    )
+    box("--trust-submission", action="store_true", help="grade without a sandbox if need be")
 
 
 def _add_class(parser: argparse.ArgumentParser) -> None:
@@ -118,9 +114,7 @@ def _add_class(parser: argparse.ArgumentParser) -> None:
     handed_in = "Canvas's download, a folder of folders or of zips, or a checkout of repositories"
     option("submissions", type=given_path, nargs="?", help=handed_in)
     option("--out", type=given_path, required=True, metavar="DIR", help="the folder to write")
-    option(
-        "--gradebook", type=given_path, metavar="CSV", help="the gradebook, as Canvas exports it"
-    )
+    option("--gradebook", type=given_path, metavar="CSV", help="the gradebook that Canvas exported")
     option("--column", default="", metavar="TITLE", help="its column, as in 'HW3 (98765)'")
     download = "download the submissions by Canvas's API, with CANVAS_URL and CANVAS_TOKEN from"
     canvas = f"{download} the environment; shows what --upload would change there"
@@ -138,14 +132,12 @@ def _add_class(parser: argparse.ArgumentParser) -> None:
     flag("--sanitize", help=sanitize)
     reveal = "put the expected answers of hidden cases into the feedback; may be added later"
     flag("--reveal", help=reveal)
-    flag("--trust-submission", help="grade without a sandbox if there is none here")
+    flag("--trust-submission", help="grade without a sandbox if need be")
 
 
 def _add_study(parser: argparse.ArgumentParser) -> None:
     option = parser.add_argument
-    motion = (
-        "its motion within a tolerance, with the simplest sufficient model and the cheapest method"
-    )
+    motion = "its motion within a tolerance, the simplest sufficient model, the cheapest method"
     asked = f"tables to measure; all unless named. Or: simulate SCENE.json, {motion}"
     option("questions", nargs="*", metavar="QUESTION", help=asked)
     option("--tolerance", metavar="METRES", help="of simulate: the largest error (default: 0.001)")
