@@ -41,9 +41,7 @@ def main(arguments: list[str]) -> int:
         known = isinstance(error, KitError | OSError)
         words = str(error) if known else f"{type(error).__name__}: {error}"
         print(f"kit: the kit itself failed: {_plain(words)}", file=sys.stderr)
-        if isinstance(
-            error, OSError
-        ):  # of a full standard output, which is flushed again at the end
+        if isinstance(error, OSError):  # a full standard output, which is flushed again
             os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 3
 
@@ -73,7 +71,7 @@ def _parser() -> argparse.ArgumentParser:
     fixtures = command("fixtures", ".publish.fixtures", "write the fixtures from the solution")
     fixtures.add_argument("--check", action="store_true", help="only compare the committed ones")
 
-    command("doctor", ".doctor", "try out whether the boxes hold here")
+    command("doctor", ".doctor", "test whether the sandbox holds here")
 
     handout = command("handout", ".publish.handout", "write what students receive, as a zip")
     handout.add_argument("--out", type=given_path, required=True, metavar="FILE.zip")
@@ -90,7 +88,7 @@ def _parser() -> argparse.ArgumentParser:
     test = tests.add_mutually_exclusive_group()
     accept = "write what golden tests expect anew, for you to read in the diff"
     test.add_argument("--accept", action="store_true", help=accept)
-    is_long = "with sanitizers, and a million inputs for each reader, too"
+    is_long = "also with sanitizers, and a million inputs for each reader"
     test.add_argument("--long", action="store_true", help=is_long)
     return parser
 
@@ -105,43 +103,43 @@ def _add_grade(parser: argparse.ArgumentParser) -> None:
     option("--speed", action="store_true", help="chart speed against accuracy")
     public = "on the public cases alone: the record has the parts that ./check --json writes"
     option("--public", action="store_true", help=public)
-    option("--reveal", action="store_true", help="show the expected answers of hidden cases, too")
-    remarks = "leave out remarks about undefined behaviour, which take longer than all else"
+    option("--reveal", action="store_true", help="also show the expected answers of hidden cases")
+    remarks = "skip warnings about undefined behaviour, which take longer than everything else"
     option("--no-sanitize", action="store_true", help=remarks)
     box = parser.add_mutually_exclusive_group().add_argument
-    box("--require-box", choices=["full"], help="refuse to grade where this box can't be had")
-    box("--trust-submission", action="store_true", help="grade without a box where none can be had")
+    box("--require-box", choices=["full"], help="refuse to grade without this sandbox")
+    box("--trust-submission", action="store_true", help="grade without a sandbox if need be")
 
 
 def _add_class(parser: argparse.ArgumentParser) -> None:
     option = parser.add_argument
     handed_in = "Canvas's download, a folder of folders or of zips, or a checkout of repositories"
     option("submissions", type=given_path, nargs="?", help=handed_in)
-    option("--out", type=given_path, required=True, metavar="DIR", help="what is written")
-    option("--gradebook", type=given_path, metavar="CSV", help="Canvas's exported grade book")
+    option("--out", type=given_path, required=True, metavar="DIR", help="the folder to write")
+    option("--gradebook", type=given_path, metavar="CSV", help="the gradebook that Canvas exported")
     option("--column", default="", metavar="TITLE", help="its column, as in 'HW3 (98765)'")
     download = "download the submissions by Canvas's API, with CANVAS_URL and CANVAS_TOKEN from"
     canvas = f"{download} the environment; shows what --upload would change there"
     option("--canvas", default="", metavar="COURSE/ASSIGNMENT", help=canvas)
-    corpus = "other years' submissions, among which near-copies are looked for, too"
+    corpus = "other years' submissions, to find similar ones there as well"
     option("--corpus", type=given_path, nargs="+", default=[], metavar="FOLDER", help=corpus)
-    option("--jobs", type=int, metavar="N", help="gradings side by side")
+    option("--jobs", type=int, metavar="N", help="gradings at the same time")
     option("--dask", default="", metavar="ADDRESS", help="grade on the workers of this scheduler")
     flag = partial(option, action="store_true")
     flag("--upload", help="post the points and pages that were shown to Canvas")
-    flag("--overwrite", help="replace other points that stand in the column")
-    flag("--apply", help="let the results of this version of the kit count, in place of another's")
+    flag("--overwrite", help="replace points that somebody else entered in the column")
+    flag("--apply", help="use this kit version's results instead of another's")
     flag("--speed", help="chart speed against accuracy; takes twice as long")
-    sanitize = "remark undefined behaviour in parts with all points; takes twelve times as long"
+    sanitize = "warn about undefined behaviour in parts with full marks; takes twelve times as long"
     flag("--sanitize", help=sanitize)
     reveal = "put the expected answers of hidden cases into the feedback; may be added later"
     flag("--reveal", help=reveal)
-    flag("--trust-submission", help="grade without a box where none can be had")
+    flag("--trust-submission", help="grade without a sandbox if need be")
 
 
 def _add_study(parser: argparse.ArgumentParser) -> None:
     option = parser.add_argument
-    motion = "its motion within a tolerance, and the least model and the cheapest method for it"
+    motion = "its motion within a tolerance, the simplest sufficient model, the cheapest method"
     asked = f"tables to measure; all unless named. Or: simulate SCENE.json, {motion}"
     option("questions", nargs="*", metavar="QUESTION", help=asked)
     option("--tolerance", metavar="METRES", help="of simulate: the largest error (default: 0.001)")
@@ -152,4 +150,4 @@ def _add_study(parser: argparse.ArgumentParser) -> None:
     file("--squares", metavar="FILE", help="of the question `measured`: drops of squares")
     file("--ellipses", metavar="FILE", help="of the question `measured`: impacts of ellipses")
     option("--quick", action="store_true", help="fewer rounds and random scenes")
-    option("--peers", action="store_true", help="the engines that people use, too; installs them")
+    option("--peers", action="store_true", help="also off-the-shelf engines; installs them")

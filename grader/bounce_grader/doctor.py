@@ -11,6 +11,7 @@ import tempfile
 import time
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
+from functools import partial
 from itertools import product
 from pathlib import Path
 from typing import NamedTuple
@@ -80,8 +81,8 @@ def _in_box(box: Box, place: str, folder: Path, protections: list[Protection]) -
 def attempt(
     box: Box, place: str, folder: Path, words: Attempt, above: Sequence[str] = ()
 ) -> tuple[bool, str]:
-    """Runs one attempt of the probe: whether it succeeded, and the output. Unless it is known to
-    have failed, it counts as a success."""
+    """Runs one attempt: whether it succeeded, and its output. It counts as a success unless it is
+    known to have failed."""
     if place != "compile":
         boxed = box.to_run(PROBE, sanitized=place == "check")
         asked = json.dumps({"watch": True, "sanitized": place == "check"})
@@ -103,10 +104,8 @@ def _bait() -> Iterator[list[Protection]]:
     find the marker on its own command line."""
     marker, process = secrets.token_hex(16), os.getpid()
     own = Path.home() if os.access(Path.home(), os.W_OK) else None
-    with (
-        tempfile.NamedTemporaryFile("w", prefix="bounce-bait-") as file,
-        tempfile.NamedTemporaryFile("w", prefix="bounce-bait-", dir=own) as home,
-    ):
+    file_in = partial(tempfile.NamedTemporaryFile, "w", prefix="bounce-bait-")
+    with file_in() as file, file_in(dir=own) as home:
         names = file.name, home.name
         os.set_inheritable(file.fileno(), True)
         for name in names:

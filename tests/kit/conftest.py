@@ -27,6 +27,8 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 ROOT = Path(__file__).resolve().parents[2]
 SOLUTION = ROOT / "solution" / "src"
 Grade = Callable[..., Any]  # a report
+Patch = pytest.MonkeyPatch
+Printed = pytest.CaptureFixture[str]
 
 
 def solution_files() -> dict[str, bytes]:
@@ -53,12 +55,6 @@ def grade(tmp_path: Path) -> Grade:
         return report(grade_path(write(tmp_path / "submission", present)))
 
     return graded
-
-
-@pytest.fixture
-def users() -> list[int]:
-    """The students of a small class, by Canvas's ids."""
-    return list(range(101, 111))
 
 
 @pytest.fixture

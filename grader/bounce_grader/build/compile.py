@@ -62,8 +62,8 @@ def compile_all(work: Work) -> Work:
 
 
 def _unnamed_sources(taken: Submission) -> set[str]:
-    """The sources that no file can include: whose names occur in none, as in #include "helper.cpp".
-    None of them where a name may be put together of pieces or goes on in another line."""
+    """The sources whose name occurs in no file, so that none can include them. Empty if a file may
+    put a name together from pieces."""
     text = b"\0".join(taken.files.values())
     if re.search(rb"##|%:%:|\\\r?\n", text):
         return set()
@@ -135,26 +135,23 @@ def place_of(name: str) -> Path:
 
 
 def is_there(object_file: Path) -> bool:
-    """Whether the object exists, and is what was stored: a machine that lost its power may have
-    kept half of it. Marks it as used, so that it stays for this grading."""
+    """Whether the object exists and is whole: a power loss may leave half of it. Marks it as
+    used."""
     try:
         os.utime(object_file)
         data = object_file.read_bytes()
     except FileNotFoundError:
         return False
-    return _digest(data[:-DIGEST]) == data[-DIGEST:]
+    return hashlib.sha256(data[:-DIGEST]).digest() == data[-DIGEST:]
 
 
 def store(data: bytes, path: Path) -> Path:
-    """Writes an object, whole or not at all, so that concurrent gradings can share it. Its digest
-    follows it; no linker looks beyond an object's end."""
+    """Writes an object for concurrent gradings to share. Its digest follows; linkers don't read
+    that far."""
     forget_old(path.parent)
-    write_whole(path, data + _digest(data), mode=0o644)  # a box reads it as another user
+    whole = data + hashlib.sha256(data).digest()
+    write_whole(path, whole, mode=0o644)  # a box reads it as another user
     return path
-
-
-def _digest(data: bytes) -> bytes:
-    return hashlib.sha256(data).digest()
 
 
 def forget_old(folder: Path) -> None:

@@ -18,7 +18,7 @@ QUOTES = str.maketrans('‘’`"', "''''")
 
 class Built(NamedTuple):
     """An object file or a runner; or one sentence that says why there is none, and the line that it
-    is about, if that is known: any text that the submission made a compiler write."""
+    is about if that is known. A submission can influence both texts."""
 
     path: Path | None
     problem: str = ""
@@ -65,8 +65,7 @@ def meaning(error: str) -> str:
 
 @functools.cache
 def meanings() -> list[tuple[str, str]]:
-    """Pairs of a piece of a message and the sentence that explains it. In the file, the pieces are
-    indented below their sentence."""
+    """Pairs of a message's piece and the sentence for it, below which the file has it indented."""
     found, sentence = [], ""
     for line in EXPLAINED.read_text(encoding="utf-8").splitlines():
         if line.startswith("  "):

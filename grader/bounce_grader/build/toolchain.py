@@ -52,8 +52,8 @@ class Work(NamedTuple):
 
 
 def run(command: list[str], folder: Path, box: Box, made: Path, by_gcc: bool = False) -> Result:
-    """Runs a compiler in the folder of a submission's sources; it writes the object to the file
-    `made`. Raises KitError if the box or the machine failed, and not the submission."""
+    """Runs a compiler in the folder of the sources; it writes the object to the file `made`. Raises
+    KitError if the box or the machine failed."""
     prefix = box.to_build(folder, [CONTRACT, RUNNER], PROGRAMS if by_gcc else ())
     for pause in PAUSES:
         time.sleep(pause)
@@ -135,8 +135,7 @@ def compile_problem(result: Result, file: str) -> Built:
 
 
 def link_together(work: Work) -> Path | None:
-    """Links one runner with all of the submission's own parts; None if one is missing, or they
-    don't link."""
+    """Links one runner from all parts; None if one is missing or they don't link."""
     own = [built.path for built in (*work.parts.values(), *work.helpers)]
     is_whole = len(work.parts) == len(parts()) and all(own)
     name = "timed" if work.timed else "together"

@@ -14,7 +14,7 @@ from bounce_grader.classroom.intake.canvas_api import Canvas, download
 from bounce_grader.classroom.output import canvas_upload, feedback, page, points
 from bounce_grader.classroom.output.people import People
 from bounce_grader.common.errors import KitError, UsageError
-from bounce_grader.common.escaping import terminal
+from bounce_grader.common.escaping import csv_row, terminal
 from bounce_grader.common.files import read_object, remove_abandoned, write_whole
 from bounce_grader.grading import self_check
 from bounce_grader.sandbox.box import kinds
@@ -53,7 +53,7 @@ def _require_sense(options: Options) -> None:
         (bool(canvas) == bool(given), "give either the submissions or --canvas COURSE/ASSIGNMENT"),
         (inside, f"{options.out} is among the submissions: give a folder elsewhere by --out"),
         (options.out.is_file(), f"{options.out} is a file: give a folder by --out"),
-        (column and not book, "--column is of a grade book: give that by --gradebook"),
+        (column and not book, "--column is a column of the gradebook: give --gradebook as well"),
         (options.upload and not canvas, "--upload needs --canvas COURSE/ASSIGNMENT"),
         (canvas and book, "--canvas posts the points by itself: leave --gradebook out"),
     ):
@@ -62,9 +62,8 @@ def _require_sense(options: Options) -> None:
 
 
 def _read(options: Options) -> tuple[Canvas | None, People, list[Summary]]:
-    """All that is given, read and checked before anything is graded or written: the class, the
-    assignment on Canvas, the people of the course, and other years' submissions. Raises UsageError
-    if something can't be read, or doesn't belong together."""
+    """Reads and checks everything before anything is graded or written: the assignment on Canvas,
+    the people of the course, and other years' submissions. Raises UsageError."""
     read_object(options.out / points.WRITTEN)
     book = gradebook.Gradebook()
     if options.gradebook:
@@ -85,7 +84,7 @@ def _read(options: Options) -> tuple[Canvas | None, People, list[Summary]]:
 
 
 def _filled_in(options: Options) -> Path:
-    """The path of the filled-in grade book. Blackboard's file keeps its ending."""
+    """The path of the filled-in gradebook. Blackboard's file keeps its ending."""
     own = options.gradebook.suffix.lower()
     return Path(options.out / f"gradebook{own if own in ('.xls', '.txt') else '.csv'}")
 
@@ -113,7 +112,7 @@ def _run(options: Options, canvas: Canvas | None, people: People, corpus: list[S
     summaries = grading.grade(tasks, UNIT, options.jobs, options.dask, options.reveal)
     status = 3 if any(summary.state == "failed" for summary in summaries) else 0
     if there and there != stamp and not options.apply:
-        print("\n".join(results.differences(there, tasks)))
+        print("\n".join(grading.differences(there, tasks, summaries)))
         return status
     results.count(folder, stamp)
     people.give_points(summaries)
@@ -124,7 +123,9 @@ def _run(options: Options, canvas: Canvas | None, people: People, corpus: list[S
         path = _filled_in(options)
         sentences += points.write(path, people, summaries, options.overwrite)
         written.insert(0, path.name)
-    write_whole(out / "grades.csv", "\ufeff" + points.grades(summaries))
+    rows = [summary.row() for summary in summaries]
+    table = map(csv_row, [rows[0].keys(), *(row.values() for row in rows)])
+    write_whole(out / "grades.csv", "\ufeff" + "".join(table))
     write_whole(out / "class.html", page.render(summaries, near, sentences, people.course.title))
     graded = sum(summary.state == "graded" for summary in summaries)
     print(f"{graded} of {len(summaries)} submissions graded ({intake.source}).")

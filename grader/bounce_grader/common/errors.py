@@ -17,9 +17,8 @@ class KitError(Exception):
 
 @contextmanager
 def about_one_submission(failure: str) -> Iterator[None]:
-    """Wraps work on one submission: turns an unexpected error into a UsageError, so that the other
-    submissions go on. `failure` says what failed. A KitError and a full disk concern every
-    submission, and pass through unchanged."""
+    """Turns an unexpected error in work on one submission into a UsageError, so that the others go
+    on; `failure` says what failed. A KitError and a full disk pass through unchanged."""
     try:
         yield
     except (UsageError, KitError):

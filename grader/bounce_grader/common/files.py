@@ -22,8 +22,8 @@ ABANDONED = 3600.0  # s, after which a temporary file counts as that; a grading 
 
 
 def digest(*fields: Any) -> str:
-    """Of texts, bytes, numbers, and lists and tuples of them. No field can be taken for a part of
-    another: each is written out between quotes or brackets."""
+    """A digest of texts, bytes, numbers, and lists and tuples of them. `repr` keeps fields
+    apart."""
     return hashlib.sha256(repr(fields).encode()).hexdigest()
 
 
@@ -70,8 +70,8 @@ def write_zip(path: Path, held: Mapping[str, tuple[bytes, int]], compressed: boo
 
 
 def zipped(held: Mapping[str, tuple[bytes, int]], compressed: bool) -> bytes:
-    """A zip of these contents and permissions, by path in it, whose bytes depend on nothing else. One
-    that isn't compressed has the same bytes with each version of zlib."""
+    """A zip of these contents and permissions, by path. Without compression its bytes are the same
+    with each version of zlib."""
     data = io.BytesIO()
     with zipfile.ZipFile(data, "w") as archive:
         for name, (content, mode) in held.items():
@@ -119,8 +119,8 @@ def _temporary_place() -> Path:
 
 
 def remove_abandoned(folder: Path | None = None) -> None:
-    """Removes what killed gradings left among the temporary files, and killed writers in a folder.
-    Other gradings may be running, and may remove their own files at the same time."""
+    """Removes temporary files of killed gradings, and of killed writers in a folder. Other gradings
+    may be running and do the same."""
     boxes = Path(tempfile.gettempdir()).glob(f"{BOX_FOLDER}*")
     found = [*_temporary_place().glob(f"{WORK_FOLDER}*"), *boxes]
     for left in [*found, *(folder.rglob(".*.part") if folder else [])]:

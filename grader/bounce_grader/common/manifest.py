@@ -38,10 +38,10 @@ class Part(NamedTuple):
 
 
 @cache
-def parts() -> tuple[Part, ...]:
-    """Raises UsageError if the manifest isn't valid."""
+def read() -> tuple[tuple[Part, ...], float]:
+    """The parts and the points for examples. Raises UsageError if the manifest isn't valid."""
     try:
-        written = _read()
+        written = json.loads((ROOT / NAME).read_text("utf-8"))
         found = tuple(_part(**one) for one in written["parts"])
         examples = written.get("examples", 0)
     except (OSError, ValueError) as error:
@@ -50,22 +50,20 @@ def parts() -> tuple[Part, ...]:
         raise UsageError(f"{NAME} lacks something, or has it in another form: {error}") from error
     for problem in _problems(found, examples):
         raise UsageError(f"{NAME}: {problem}")
-    return found
-
-
-def _read() -> Any:
-    return json.loads((ROOT / NAME).read_text("utf-8"))
+    return found, float(examples)
 
 
 def _part(part: int, checks: list[Any], calls: Sequence[int] = (), **others: Any) -> Part:
     return Part(part, checks=tuple(Check(**one) for one in checks), calls=tuple(calls), **others)
 
 
-@cache
+def parts() -> tuple[Part, ...]:
+    return read()[0]
+
+
 def example_points() -> float:
     """What the cases give that students hand in; 0 unless the manifest says otherwise."""
-    parts()  # which finds a manifest that isn't valid
-    return float(_read().get("examples", 0))
+    return read()[1]
 
 
 def full_points() -> float:

@@ -15,6 +15,7 @@ from bounce_grader.grading.record import known_mistakes, Record
 from bounce_grader.sandbox import processes
 
 Report = NewType("Report", dict[str, Any])
+NO_REPORT = Report({})  # of what isn't graded
 LIMITS = processes.Limits(60, 300, memory=4 << 30, file_size=0, output=1 << 30)
 
 

@@ -33,11 +33,8 @@ INLINE = re.compile(
 
 def inline(sentence: str) -> str:
     """HTML of a sentence without markup, in which symbols are set as in the equations."""
-    parts = INLINE.split(sentence)
-    return "".join(
-        f"<math>{_row(part)}</math>" if i % 2 else escape(part, quote=False)
-        for i, part in enumerate(parts)
-    )
+    escaped = escape(sentence, quote=False)
+    return INLINE.sub(lambda found: f"<math>{_row(found[0])}</math>", escaped)
 
 
 def displayed(block: str) -> str:

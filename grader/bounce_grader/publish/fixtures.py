@@ -44,8 +44,7 @@ def write_cases(to: Path) -> None:
 
 
 def differing(made: Path) -> list[str]:
-    """The committed files that differ, by even a byte, from those made, or are there alone; as
-    paths in fixtures/."""
+    """The files, as paths in fixtures/, that differ by even a byte or are only on one side."""
     names = {
         f"{folder}/{file.name}"
         for folder in FOLDERS

@@ -9,11 +9,8 @@ from bounce_grader.common.paths import ROOT
 from bounce_grader.grading import fixtures
 
 # Only these: a course may keep submissions and results in the kit's folder, too.
-PACKED = (
-    *("CMakeLists.txt", "CMakePresets.json", "LICENSE", "README.md", "pyproject.toml", "kit"),
-    *("CHANGELOG.md", "CONTRIBUTING.md", "docs", "fixtures", "grader", "solution", "student"),
-    "tests",
-)
+FILES = "CMakeLists.txt CMakePresets.json LICENSE README.md pyproject.toml kit CHANGELOG.md"
+PACKED = f"{FILES} CONTRIBUTING.md docs fixtures grader solution student tests".split()
 BUILT = ROOT / "student" / "build"  # by working there; other folders of that name hold sources
 LEFT_OUT = {"__pycache__", ".pytest_cache", ".mypy_cache", "hidden"}
 SCRIPTS = {"setup.sh": "gradescope_setup.sh", "run_autograder": "gradescope_run.sh"}

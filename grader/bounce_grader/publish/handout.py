@@ -35,8 +35,7 @@ FROM_THE_KIT = (
 SKIPPED = {"build", "animation.html", "real.html", "study.html", "__pycache__"}
 OF_EDITORS = {".clangd", ".devcontainer", ".vscode"}  # other names with a dot are left out
 PAGES = ("README", "explore", "hints/*")
-PROGRAMS = {"check"}
-WITH_POINTS = {".md", ".hpp"}  # the files of student/ that may say points
+SAY_POINTS = ("*.md", "hints/*.md", "include/bounce/part*.hpp")
 
 
 def run(options: argparse.Namespace) -> int:
@@ -55,9 +54,12 @@ def files() -> dict[str, Path]:
 
 
 def contents() -> dict[str, bytes]:
-    """What the zip holds, by path in it: these files, the pages made of Markdown, and the numbers
-    of the study and of measured impacts."""
-    held = {name: _as_handed_out(file) for name, file in files().items()}
+    """What the zip holds, by path: these files, the pages, and the numbers of the study and of
+    impacts."""
+    held = {name: file.read_bytes() for name, file in files().items()}
+    for file in (file for pattern in SAY_POINTS for file in HANDOUT.glob(pattern)):
+        name = str(file.relative_to(HANDOUT))
+        held[name] = handout_page.with_points(held[name].decode()).encode()
     for text in (text for name in PAGES for text in HANDOUT.glob(f"{name}.md")):
         page = str(text.relative_to(HANDOUT).with_suffix(".html"))
         held[page] = handout_page.page(text)
@@ -67,13 +69,6 @@ def contents() -> dict[str, bytes]:
     return dict(sorted(held.items()))
 
 
-def _as_handed_out(file: Path) -> bytes:
-    data = file.read_bytes()
-    if file.suffix in WITH_POINTS and file.is_relative_to(HANDOUT):
-        return handout_page.with_points(data.decode()).encode()
-    return data
-
-
 def _is_skipped(name: str) -> bool:
     parts = {*name.split("/")} - OF_EDITORS
     return bool(parts & SKIPPED) or any(part.startswith(".") for part in parts)
@@ -81,9 +76,7 @@ def _is_skipped(name: str) -> bool:
 
 def write(path: Path) -> int:
     """Writes the zip, whole or not at all, and returns how many files it holds."""
-    held = {
-        f"{TOP}/{name}": (data, 0o755 if name in PROGRAMS else 0o644)
-        for name, data in contents().items()
-    }
+    modes = {"check": 0o755}
+    held = {f"{TOP}/{n}": (data, modes.get(n, 0o644)) for n, data in contents().items()}
     write_zip(path, held, compressed=False)
     return len(held)

@@ -75,6 +75,7 @@ def rows(table: str) -> Iterator[dict[str, str]]:
 
 
 def measured() -> str:
+    readme = (FIXTURES / "measured" / "README.md").read_text("utf-8")
     laws = {row["law"]: row for row in rows("measured_laws.csv") if row["shape"] == "squares"}
     body = {row["quantity"]: row["value"] for row in rows("measured_body.csv")}
     newton = laws["newton"]
@@ -88,7 +89,7 @@ def measured() -> str:
             "colleagues (MCube Lab, MIT) measured, published in DAIRLab/ImpactModeling under this "
             "licence. l is that of a uniform square with its inertia, in m; error is the median one "
             "of a law, in m/s; r points from the centre to the corner, in m; velocities as in part 1.",
-            "licence": _licence(),
+            "licence": readme.partition("## Licence of the figures\n")[2].strip().splitlines(),
             "l": float(f"{sqrt(6 * float(body['gyration_squared'])):.5g}"),
             "mu": float(newton["mu"]),
             "epsilon": float(newton["epsilon"]),
@@ -102,8 +103,3 @@ def _text(data: object) -> str:
     """JSON with each list of numbers in a line."""
     lines = json.dumps(data, indent=1)
     return re.sub(r'\[[^]["{}]*\]', lambda numbers: " ".join(numbers[0].split()), lines) + "\n"
-
-
-def _licence() -> list[str]:
-    readme = (FIXTURES / "measured" / "README.md").read_text("utf-8")
-    return readme.partition("## Licence of the figures\n")[2].strip().splitlines()

@@ -1,17 +1,18 @@
-"""Makes of a Markdown file of the handout an HTML page that needs no other file and no network."""
+"""Turns a Markdown file of the handout into an HTML page that needs no other file and no network."""
 
 import re
+from functools import partial
 from html import escape
 from pathlib import Path
 from typing import Any
 
+from jinja2 import Environment, StrictUndefined, TemplateError
 from markupsafe import Markup
 
+from bounce_grader.common.errors import KitError
 from bounce_grader.common.manifest import parts
 from bounce_grader.formats.html import fill
 from bounce_grader.publish import equations
-
-NUMBER = r"\d+(?:\.\d+)?"
 
 
 def page(file: Path) -> bytes:
@@ -28,11 +29,8 @@ def page(file: Path) -> bytes:
     _number_headings(tokens)
     title = next(t.content for t in tokens if t.type == "inline")
     body = markdown.renderer.render(tokens, markdown.options, {})
-    body = re.sub(
-        r'<p><img src="([\w.]+)" alt="[^"]*"\s*/?></p>',
-        lambda found: f"<figure>{_drawing(file.parent / found[1])}</figure>",
-        body,
-    )
+    drawn = partial(_drawing, file.parent)
+    body = re.sub(r'<p><img src="([\w.]+)" alt="[^"]*"\s*/?></p>', drawn, body)
     body = re.sub(r'href="([\w/]+)\.md"', r'href="\1.html"', body)
     if file.parent.name == "hints":  # each stage opens by itself; what ./check reads is left out
         body = re.sub(r"<p>Checks: .*?</p>", "", body, flags=re.DOTALL)
@@ -41,8 +39,9 @@ def page(file: Path) -> bytes:
     return fill("publish/handout_page.html.j2", title=title, body=Markup(body)).encode()
 
 
-def _drawing(file: Path) -> str:
-    return re.sub(r"\s+", " ", re.sub(r"<!--.*?-->", "", file.read_text("utf-8"), flags=re.S))
+def _drawing(folder: Path, image: re.Match[str]) -> str:
+    svg = re.sub(r"(?s)<!--.*?-->", "", (folder / image[1]).read_text("utf-8"))
+    return f"<figure>{' '.join(svg.split())}</figure>"
 
 
 def _number_headings(tokens: list[Any]) -> None:
@@ -58,21 +57,20 @@ def _code(_: Any, tokens: list[Any], index: int, *__: Any) -> str:
 
 
 def _fence(self: Any, tokens: list[Any], index: int, *_: Any) -> str:
-    content = tokens[index].content
-    is_equation = not tokens[index].info and re.search(r"[=<]", content)
-    return equations.displayed(content) if is_equation else _code(self, tokens, index)
+    """A block without a name is an equation."""
+    info = tokens[index].info
+    return _code(self, tokens, index) if info else equations.displayed(tokens[index].content)
 
 
 def with_points(text: str) -> str:
-    """The text with the points of each part and their sum, wherever the handout or a header says
-    them: "Part 2 (30 points)", the table of parts, "worth 100 points", "30, 30, 30 and 10
-    points"."""
-    points = [f"{part.points:g}" for part in parts()]
-    for part in parts():
-        own = rf"\g<1>{part.points:g}\g<2>"
-        text = re.sub(rf"(\bPart {part.number}\b[^\n(]*\(){NUMBER}( points\))", own, text)
-        text = re.sub(rf"(?m)^(\| {part.number} \|.*\| ){NUMBER}( \|)$", own, text)
+    """Fills in the points of parts.json: {{ points[2] }} of a part, {{ all_points }} of all. Raises
+    KitError for another placeholder, and for a number in place of one."""
+    points = {part.number: f"{part.points:g}" for part in parts()}
     total = f"{sum(part.points for part in parts()):g}"
-    text = re.sub(rf"(\bworth ){NUMBER}( points)", rf"\g<1>{total}\g<2>", text)
-    listed = f"{', '.join(points[:-1])} and {points[-1]}"
-    return re.sub(rf"(?:{NUMBER}, )+{NUMBER} and {NUMBER}( points)", rf"{listed}\g<1>", text)
+    if literal := re.search(r"\d+ points\b", text):
+        raise KitError(f"the handout says {literal[0]} itself: write a placeholder of parts.json")
+    try:
+        template = Environment(undefined=StrictUndefined, keep_trailing_newline=True)
+        return template.from_string(text).render(points=points, all_points=total)
+    except TemplateError as error:
+        raise KitError(f"the handout's points can't be filled in: {error}") from error

@@ -25,31 +25,26 @@ FULL_OR_REDUCED = ("full", "reduced")
 NOBODY = "65534"
 USER = 60578  # that root's boxes run as: one that no system assigns
 # Debian's headers of the kernel are links into /usr/lib/linux/uapi from version 13 on.
-LIBRARIES = (
-    "/usr/include",
-    "/usr/lib/linux/uapi",
-    "/usr/lib/gcc",
-    "/usr/lib64",
-    "/usr/libexec/gcc",
-)
+LIBRARIES = "/usr/include /usr/lib/linux/uapi /usr/lib/gcc /usr/lib64 /usr/libexec/gcc".split()
 PROGRAMS = ("g++", "as", "ld", "addr2line")
 LARGE_PAGES = "/sys/kernel/mm/transparent_hugepage"  # malloc reads it
 TEMPORARY = 256 * 1024 * 1024  # of a build, in bytes
 LARGEST_FILE = 16 * 1024 * 1024  # that a running program writes where it has no box, in bytes
+Words = Iterable[str]
 TO_KIT = ("--status", processes.STATUS, "--output", processes.OUTPUT)
 TO_JUDGE = ("--status", "5")  # as in grader/judge/runner_process.cpp
 
 
 class Box(NamedTuple):
-    """kind is "full" or "reduced"; or "none" if the instructor trusts the submission. All that runs
-    in it counts against the grading's budget."""
+    """`kind` is "full", "reduced", or "none" for a trusted submission. What runs in it uses up the
+    budget."""
 
     kind: str
     budget: Budget = UNLIMITED
 
     def run(self, command: list[str], limits: processes.Limits, **given: Any) -> processes.Result:
-        """Runs a command that to_run or to_build made, or a program that runs such commands itself,
-        as processes.run does. Raises Overrun if the grading has used up its time."""
+        """Runs a command of to_run or to_build, or a program that runs them, as processes.run does.
+        Raises Overrun if the grading has used up its time."""
         result = processes.run(command, self.budget.within(limits), **given)
         if result.stopped:
             Budget.killed += result.cpu_seconds
@@ -76,7 +71,7 @@ class Box(NamedTuple):
         return [*command, "--", "/enter", *step, "--", "/runner"]
 
     def to_build(
-        self, folder: Path, visible: Iterable[Path], programs: Iterable[str] = PROGRAMS
+        self, folder: Path, visible: Iterable[Path], programs: Words = PROGRAMS
     ) -> list[str]:
         """A prefix that runs a compiler or linker in `folder`, which it can only read. It can write
         to a temporary folder, where it makes OUTPUT. clang and its linker need no `programs`."""
@@ -104,8 +99,7 @@ class Box(NamedTuple):
         return "/enter" if self.kind == "full" else str(ENTER)
 
     def give(self, folder: Path) -> None:
-        """If root runs the kit, gives the folder and all in it to the user that the box runs as:
-        that user can read it, and no other."""
+        """Gives a folder and all in it to the user of root's boxes, who alone can then read it."""
         if self.kind != "none" and os.geteuid() == 0:
             for path in [folder, *folder.rglob("*")]:
                 os.chown(path, USER, USER, follow_symlinks=False)
@@ -152,9 +146,8 @@ def problem_of(box: Box) -> str | None:
 def toolchain() -> list[str]:
     """The files and folders of the compilers and the linker, except programs in /usr/bin."""
     libraries = [path for path in (*LIBRARIES, LARGE_PAGES) if Path(path).exists()]
-    for pattern in ("*-linux-gnu", "llvm-*"):
-        libraries += sorted(str(path) for path in Path("/usr/lib").glob(pattern))
-    return libraries
+    found = [*Path("/usr/lib").glob("*-linux-gnu"), *Path("/usr/lib").glob("llvm-*")]
+    return [*libraries, *sorted(map(str, found))]
 
 
 @cache
@@ -163,9 +156,7 @@ def _knows(option: str) -> bool:
     return option.encode() in processes.run(["/usr/bin/bwrap", "--help"]).out
 
 
-def _bubblewrap(
-    seen: Iterable[str], others: Iterable[str] = (), mounts: Iterable[str] = ()
-) -> list[str]:
+def _bubblewrap(seen: Words, others: Words = (), mounts: Words = ()) -> list[str]:
     """A box in which these paths can be read, over these mounts. Folders above them and above the
     others are for every user; by default bubblewrap makes them readable for its own user only."""
     bound = list(seen)

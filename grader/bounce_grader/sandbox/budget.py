@@ -60,14 +60,12 @@ class Budget:
             raise KitError(f"{had}: {busy}; run the same command again")
 
     def within(self, limits: Limits) -> Limits:
-        """These limits, or lower ones if less is left. Processes that run side by side may each use
-        what is left. Raises Overrun if nothing is."""
+        """These limits, lowered to what is left, which parallel processes may each use. Raises
+        Overrun."""
         self.require_time()
         cpu, wall = self.left()
-        return limits._replace(
-            cpu_seconds=int(min(limits.cpu_seconds, cpu + 1)),
-            wall_seconds=min(limits.wall_seconds, wall + 0.01),
-        )
+        cpu, wall = min(limits.cpu_seconds, cpu + 1), min(limits.wall_seconds, wall + 0.01)
+        return limits._replace(cpu_seconds=int(cpu), wall_seconds=wall)
 
 
 def _cpu() -> float:

@@ -124,8 +124,8 @@ def run(
 
 
 def _in_memory(data: bytes) -> BinaryIO:
-    """A file in memory with these bytes, to be read alone. Unlike a pipe it has room for all of
-    them, so that we never wait for a process that waits for us."""
+    """A read-only file in memory. Unlike a pipe it has room for all bytes, so neither side
+    waits."""
     with open(os.memfd_create("stdin"), "wb") as file:
         file.write(data)
         file.flush()

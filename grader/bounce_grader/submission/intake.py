@@ -22,15 +22,8 @@ from bounce_grader.common.escaping import printable_name, printable_text
 from bounce_grader.common.manifest import parts
 from bounce_grader.sandbox import box as boxes
 from bounce_grader.sandbox.processes import Limits, Result
-from bounce_grader.submission.entry import (
-    Entry,
-    HEADERS,
-    MOST_ENTRIES,
-    of_folder,
-    readable,
-    SOURCES,
-    too_many,
-)
+from bounce_grader.submission.entry import Entry, HEADERS, MOST_ENTRIES, of_folder
+from bounce_grader.submission.entry import readable, SOURCES, too_many
 
 BY_LIBARCHIVE = (".tar.gz", ".tgz", ".tar.bz2", ".tar.xz", ".tar.zst", ".tar", ".7z", ".rar")
 ENDINGS = (".zip", *BY_LIBARCHIVE)
@@ -41,7 +34,7 @@ MAGIC = re.compile(
 MOST_INNER = 3  # archives inside of a submission that are opened
 LARGEST_PACKED = 32 * 1024 * 1024  # bytes of an archive inside, or one that libarchive unpacks
 UNPACKED = 64 * 1024 * 1024  # bytes
-NOT_USED = "is no C++ source and no zip"  # after the name of an upload
+NOT_USED = "is neither a C++ source nor a zip"  # after the name of an upload
 # For zipfile:
 ENCRYPTED = 0x1
 UTF_8 = 0x800
@@ -74,8 +67,7 @@ def is_archive(name: str) -> bool:
 
 
 def archive_stem(name: str) -> str:
-    """The name without the archive's ending: hw from hw.tar.gz, and from hw.tar-1.gz, as Canvas
-    names one that is handed in again."""
+    """hw for hw.tar.gz, and for hw.tar-1.gz, as Canvas names one that is handed in again."""
     plain = re.sub(r"(\.tar)-\d+(\.\w+)$", r"\1\2", name, flags=re.I)
     return next((plain[: -len(e)] for e in ENDINGS if plain.lower().endswith(e)), name)
 
@@ -149,8 +141,7 @@ def _packed(path: Path, read: Callable[[int], bytes]) -> bytes:
 
 
 def checked(path: Path, entries: Iterable[Entry]) -> Iterator[Entry]:
-    """An archive's entries by names that lead nowhere else, each once: of what is no source, the
-    first. Raises UsageError."""
+    """An archive's entries under safe names, each once: of those that aren't sources, the first."""
     names: set[str] = set()
     for entry in entries:
         name = _inside_name(path, entry.name)
@@ -209,8 +200,8 @@ class _Bounded(io.BufferedReader):
 
 
 def name_in_zip(info: zipfile.ZipInfo) -> str:
-    """An entry's name. Canvas and macOS write UTF-8 without saying so, which zipfile takes for code
-    page 437."""
+    """An entry's name. Canvas and macOS write UTF-8 unmarked, which zipfile reads as code page
+    437."""
     with suppress(UnicodeError):
         if not info.flag_bits & UTF_8:
             return info.filename.encode("cp437").decode("utf-8")

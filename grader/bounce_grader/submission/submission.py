@@ -18,14 +18,7 @@ from bounce_grader.common.files import digest
 from bounce_grader.common.manifest import parts, Part
 from bounce_grader.common.paths import HANDOUT, ROOT, STUBS
 from bounce_grader.submission import intake
-from bounce_grader.submission.entry import (
-    Entry,
-    HEADERS,
-    LARGEST_SOURCE,
-    NotText,
-    SOURCES,
-    text_of,
-)
+from bounce_grader.submission.entry import Entry, HEADERS, LARGEST_SOURCE, NotText, SOURCES, text_of
 
 CASES = "examples.txt"  # which students write for ./check --examples
 GIVEN = {file.name for file in (HANDOUT / "given").iterdir()} | {"main.cpp"}
@@ -46,8 +39,7 @@ COPY = re.compile(r"(?:-\d+|\s?\(\d+\))$")  # the suffix of a file uploaded or d
 
 
 def part_file(file: str) -> str | None:
-    """The part's file name, without the suffix of a copy: part1_contacts-2.cpp is
-    part1_contacts.cpp. None if the file is no part."""
+    """part1_contacts.cpp for part1_contacts-2.cpp, a copy of it; None if the file is no part."""
     stem, dot, suffix = file.rpartition(".")
     plain = COPY.sub("", stem).lower() + dot + suffix.lower()
     return plain if plain in {part.file for part in parts()} else None
@@ -94,9 +86,8 @@ class Submission(NamedTuple):
     def instead_of(self, part: Part) -> str:
         """What to do about a missing part whose work seems to be in another file; else ""."""
         defined = re.compile(rf"[\w>&]\s+(?:\w+::)*{part.function}\s*\([^;{{}}]*\)\s*\{{".encode())
-        named = (
-            n for n in (*self.files, *self.ignored) if part.stem in n.rpartition("/")[2].lower()
-        )
+        every = (*self.files, *self.ignored)
+        named = (name for name in every if part.stem in name.rpartition("/")[2].lower())
         holding = (name for name, text in self.files.items() if defined.search(text))
         for name in (*holding, *named):
             shown = printable_name(name.partition(" (")[0])
@@ -126,8 +117,8 @@ def read(path: Path) -> Submission:
 
 
 def _require_one_student(path: Path, names: list[str]) -> None:
-    """Raises UsageError if most files are named as several students' in a service's download, and
-    no other is a part."""
+    """Raises UsageError if most names are several students' in a download, and no other is a
+    part."""
     whose = [found[1] for found in map(OF_A_CLASS.search, names) if found]
     own = [n for n in names if part_file(PurePosixPath(n).name) and not OF_A_CLASS.search(n)]
     if len(set(whose)) > 1 and 2 * len(whose) > len(names) and not own:
@@ -179,8 +170,7 @@ def take(path: Path, entries: list[Entry]) -> Submission:
 
 
 def _is_test(name: str, text: bytes) -> bool:
-    """Whether a file is a GoogleTest test. It couldn't be linked, because runners are linked
-    without GoogleTest, and no part could be linked with it."""
+    """Whether a file is a GoogleTest test, which can't be linked: runners have no GoogleTest."""
     is_source = PurePosixPath(name).suffix.lower() in SOURCES
     return is_source and bool(INCLUDES_GTEST.search(text) and HAS_A_TEST.search(text))
 

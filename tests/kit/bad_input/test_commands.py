@@ -14,13 +14,13 @@ from typing import Any
 import golden
 import pytest
 from bounce_grader import cli
-from conftest import ROOT, SOLUTION
+from conftest import Patch, Printed, ROOT, SOLUTION
 
 HERE = Path(__file__).parent
 KEYS = ("shell", "command")
 
 
-def in_this_process(words: list[str], capsys: pytest.CaptureFixture[str]) -> tuple[int, str, str]:
+def in_this_process(words: list[str], capsys: Printed) -> tuple[int, str, str]:
     status = cli.main(words)
     printed = capsys.readouterr()
     return status, printed.out, printed.err
@@ -44,7 +44,7 @@ def files(folder: Path) -> set[str]:
     return {str(path.relative_to(folder)) for path in folder.rglob("*") if path.is_file()}
 
 
-def outcome(row: dict[str, Any], folder: Path, capsys: pytest.CaptureFixture[str]) -> str:
+def outcome(row: dict[str, Any], folder: Path, capsys: Printed) -> str:
     shell, command = (row.get(key, "").replace("SOLUTION", str(SOLUTION)) for key in KEYS)
     subprocess.run(["sh", "-ec", shell], cwd=folder, check=True)
     before = files(folder)
@@ -67,8 +67,8 @@ def plain(text: str, folder: Path) -> str:
 
 
 @pytest.mark.golden
-def test_each_command_ends_as_it_is_written_down(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+def test_each_command_ends_as_written_down(
+    tmp_path: Path, capsys: Printed, monkeypatch: Patch
 ) -> None:
     got = ""
     for number, row in enumerate(golden.table(HERE / "commands.toml")["command"]):

@@ -27,9 +27,8 @@ def summary(name: str, ns: float = 300, mistakes: Sequence[Any] = (), **changes:
     record = stand_in.record_of(Submission(name, files, {2: "part2_lcp.cpp"}, {})) | changes
     told = report(record)
     told["parts"][0]["mistakes"] = mistakes
-    return Summary(
-        Student(name, name, Path(name), feedback=f"{name}.html"), "graded", "", "0", told
-    )
+    student = Student(name, name, Path(name), feedback=f"{name}.html")
+    return Summary(student, "graded", "", "0", told)
 
 
 @pytest.mark.golden
@@ -40,22 +39,18 @@ def test_the_page_is_what_a_person_has_read() -> None:
     odd = {"slow": times | {"ratio": 1e9, "largest_error": 0.0}, "untimed": {"largest_error": None}}
     odd |= {"far": {"largest_error": 1e300}, "exact": times | {"largest_error": 1e-13}}
     made = [summary(name, speed=speed) for name, speed in odd.items()]
-    made += [
-        summary("<b>"),
-        summary("quick", 1e-300),
-        summary("right", mistakes=[DEGREES], score=100),
-    ]
+    made += [summary("<b>"), summary("quick", 1e-300)]
+    made += [summary("right", mistakes=[DEGREES], score=100)]
     made += [Summary(Student("x", "x", Path("x")), "failed", "the kit failed")]
-    made += [
-        summary("lost", mistakes=[DEGREES, TWICE], score=70, examples={"caught": ["1B", "2H"]})
-    ]
+    cases = {"caught": ["1B", "2H"]}
+    made += [summary("lost", mistakes=[DEGREES, TWICE], score=70, examples=cases)]
     pairs = (Pair("far", "slow", 90), Pair("<b>", "lost", 95, (1, 2, 4)))
     near = Similar((*pairs, Pair("far", "lost", 91, (1, 2, 3, 4))), 40, more=1)
-    text = page.render(made, near, ["a sentence"])
+    text = page.render(made, near, ["a sentence"], "")
     text = re.sub(r"(?s)<style>.*?</style>", "<style>...</style>", text)
     numbers = ((1e-300, None), (1e300, 1e300), (1.0, 0.0))
     odd_curves = [Curve(numbers, kind, "<b>", ("10 ms",)) for kind in ("none", "solution")]
     curves = {"any_numbers.svg": error_over_time(odd_curves, "any numbers"), "page.html": text}
     expected = {name: re.sub(r">(?=<\w)", ">\n", text) for name, text in curves.items()}
     golden.compare(Path(__file__).parent / "class_page", expected)
-    assert "None." in page.render([], NOBODY, [])
+    assert "None." in page.render([], NOBODY, [], "")

@@ -27,7 +27,7 @@ from bounce_grader import cli
 from bounce_grader.classroom.grading import grading, near_copies, results
 from bounce_grader.classroom.intake import canvas_api
 from canvas_server import running, State, TOKEN
-from conftest import write
+from conftest import Patch, Printed, write
 from corpus import Member, UTF8, zip_of
 from handed_in import packed_tar
 
@@ -69,7 +69,7 @@ def prepare(folder: Path, round: dict[str, Any]) -> None:
         write(folder, {name: text.encode(encoding_of(name))})
 
 
-def set_stage(kit: dict[str, Any], patch: pytest.MonkeyPatch) -> None:
+def set_stage(kit: dict[str, Any], patch: Patch) -> None:
     """Gradings by the stand-in in this process, perhaps of another version of the kit."""
     version = kit.get("version", repr(kit))
     grade = partial(stand_in.grade, **{name: kit[name] for name in kit.keys() - {"version"}})
@@ -168,9 +168,7 @@ def give(command: str, here: Path, round: dict[str, Any], kit: dict[str, Any]) -
         return cli.main(["class", *shlex.split(round.get("command", command))])
 
 
-def play(
-    story: dict[str, Any], folder: Path, capsys: pytest.CaptureFixture[str], state: State
-) -> str:
+def play(story: dict[str, Any], folder: Path, capsys: Printed, state: State) -> str:
     """What each round prints, its status, and a section for each changed output."""
     got, here = "", folder
     last: Outputs = {}
@@ -201,9 +199,7 @@ def play(
 
 @pytest.mark.golden
 @pytest.mark.parametrize("file", sorted(STORIES.glob("*.toml")), ids=lambda file: file.stem)
-def test_a_story_comes_out_as_it_is_written_down(
-    file: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_story_comes_out(file: Path, tmp_path: Path, capsys: Printed, monkeypatch: Patch) -> None:
     story = golden.table(file)
     monkeypatch.setattr(canvas_api, "WAIT", 0.001)
     with running() as (url, state):

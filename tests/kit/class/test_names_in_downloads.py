@@ -25,14 +25,8 @@ def fields(upload: Upload | None) -> list[str]:
     if upload is None:
         return []
     late, number = "late" if upload.late else "", str(upload.number or "")
-    return [
-        upload.name,
-        upload.user,
-        late,
-        number,
-        upload.instead.removesuffix(" was typed"),
-        upload.file,
-    ]
+    typed = upload.instead.removesuffix(" was typed")
+    return [upload.name, upload.user, late, number, typed, upload.file]
 
 
 READ: dict[str, Callable[[str], list[str]]] = {
@@ -66,9 +60,7 @@ def test_whose_a_file_is(entries: str, people: str, users: str) -> None:
 
 
 @pytest.mark.parametrize("included, handed_in_as, _", table("helper_files"))
-def test_a_helper_has_the_name_that_it_is_included_by(
-    tmp_path: Path, included: str, handed_in_as: str, _: str
-) -> None:
+def test_a_helper_keeps_its_name(tmp_path: Path, included: str, handed_in_as: str, _: str) -> None:
     text = f'#include "{included}"'.encode()
     named = {"doe_1_1_part1_contacts.cpp": text, f"doe_1_2_{handed_in_as}": b"// helps"}
     (student,) = students.read(write(tmp_path, named)).students

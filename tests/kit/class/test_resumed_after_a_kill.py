@@ -10,19 +10,15 @@ from pathlib import Path
 
 import pytest
 from bounce_grader.classroom.grading.results import load
-from classes import COLUMN, book, download, graded, keys, points_of, same, scores
+from classes import COLUMN, book, download, graded, keys, points_of, same, scores, USERS
+from conftest import Patch, Printed
 from stand_in import grade_class, started
 from waiting import wait_for
 
 
-def test_ctrl_c_stops_and_says_how_to_go_on(
-    tmp_path: Path,
-    users: list[int],
-    monkeypatch: pytest.MonkeyPatch,
-    capsys: pytest.CaptureFixture[str],
-) -> None:
+def test_ctrl_c_says_how_to_go_on(tmp_path: Path, monkeypatch: Patch, capsys: Printed) -> None:
     """And leaves no temporary folder."""
-    source, out = download(tmp_path / "x.zip", users), tmp_path / "out"
+    source, out = download(tmp_path / "x.zip", USERS), tmp_path / "out"
     own = tmp_path / "temporary"
     own.mkdir()
     monkeypatch.setenv("TMPDIR", str(own))
@@ -42,9 +38,9 @@ def test_ctrl_c_stops_and_says_how_to_go_on(
     assert len(graded(out)) == 10 and there <= set(graded(out))
 
 
-def test_gradings_end_with_the_class(tmp_path: Path, users: list[int]) -> None:
+def test_gradings_end_with_the_class(tmp_path: Path) -> None:
     """If the class is killed, no grading goes on."""
-    source, out = download(tmp_path / "x.zip", users), tmp_path / "out"
+    source, out = download(tmp_path / "x.zip", USERS), tmp_path / "out"
     with started(source, out, seconds=2.0):
         wait_for(lambda: len(keys(out)) >= 1)
     there = keys(out)
@@ -54,7 +50,7 @@ def test_gradings_end_with_the_class(tmp_path: Path, users: list[int]) -> None:
 
 @pytest.mark.parametrize("number, kills", [(20, 4), pytest.param(99, 20, marks=pytest.mark.long)])
 def test_survives_being_killed_at_any_moment(tmp_path: Path, number: int, kills: int) -> None:
-    """No result is lost, half or there twice, and the grade book is as if undisturbed."""
+    """No result is lost, half or there twice, and the gradebook is as if undisturbed."""
     users = list(range(101, 101 + number))
     source, out = download(tmp_path / "x.zip", users), tmp_path / "out"
     export, chance = book(tmp_path / "export.csv", users), random.Random(number)
@@ -75,14 +71,12 @@ def test_survives_being_killed_at_any_moment(tmp_path: Path, number: int, kills:
     assert not list(out.rglob(".*.part"))
 
 
-def test_a_grading_that_kills_its_worker_costs_nobody_else(
-    tmp_path: Path, users: list[int], capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_killed_worker_costs_no_other(tmp_path: Path, capsys: Printed) -> None:
     bad, out = {"roe_301_3010_part2_lcp.cpp": b"// kills its grader"}, tmp_path / "out"
-    assert grade_class(download(tmp_path / "x.zip", users, bad), out) == 3
+    assert grade_class(download(tmp_path / "x.zip", USERS, bad), out) == 3
     said = capsys.readouterr().out
     assert "roe (301): the kit failed, so" in said and "process that graded it was killed" in said
-    assert scores(out) == points_of(users)
+    assert scores(out) == points_of(USERS)
     assert not any("roe" in page.name for page in (out / "feedback").iterdir())
 
 
@@ -98,11 +92,9 @@ def small_disk(tmp_path: Path) -> Iterator[Path]:
     subprocess.run(["umount", str(folder)], check=True)
 
 
-def test_a_full_disk_loses_nothing(
-    tmp_path: Path, users: list[int], small_disk: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    source, out = download(tmp_path / "x.zip", users), small_disk / "out"
-    grade_class(download(tmp_path / "y.zip", users[:4]), out)
+def test_a_full_disk_loses_nothing(tmp_path: Path, small_disk: Path, capsys: Printed) -> None:
+    source, out = download(tmp_path / "x.zip", USERS), small_disk / "out"
+    grade_class(download(tmp_path / "y.zip", USERS[:4]), out)
     before = {f: f.read_bytes() for f in out.rglob("*.json")}
     filler = small_disk / "filler"
     with pytest.raises(OSError), filler.open("wb", buffering=0) as file:
@@ -117,5 +109,5 @@ def test_a_full_disk_loses_nothing(
         assert load(out / "results", key)
     filler.unlink()
     assert grade_class(source, out) == 0
-    assert scores(out) == points_of(users)
+    assert scores(out) == points_of(USERS)
     assert len(graded(out)) == 10

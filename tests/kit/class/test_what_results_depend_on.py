@@ -1,8 +1,6 @@
 """Which files make old results of a class be graded again, and which don't."""
 
 from bounce_grader.classroom.grading import results
-from bounce_grader.common.files import digest
-from bounce_grader.submission.submission import Submission
 from conftest import ROOT
 
 DECIDES = (
@@ -34,11 +32,3 @@ def test_a_result_depends_on_what_judges_it_and_on_nothing_of_the_handout() -> N
     files = {str(file.relative_to(ROOT)) for kind in results.depends_on() for file in kind}
     assert [name for name in DECIDES if name not in files] == []
     assert [name for name in DECIDES_NOTHING if name in files] == []
-
-
-def test_no_field_of_a_submission_can_stand_for_another() -> None:
-    """Its cases could spell a helper of somebody else's."""
-    one = Submission("a", {"x.hpp": b"1"}, {}, {}, cases=b"b.hpp\0001\0002")
-    two = Submission("a", {"x.hpp": b"1", "b.hpp": b"2"}, {}, {})
-    assert one.sha256 != two.sha256
-    assert digest("a", "b") != digest("ab") != digest("a'", "'b")

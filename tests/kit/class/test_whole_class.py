@@ -1,20 +1,21 @@
-"""Whole classes with real gradings: on one machine and on a cluster, and with every tenth student
+"""Whole classes: on one machine, on a cluster that loses a part, and with every tenth student
 attacking."""
 
 import random
-import threading
 from collections.abc import Sequence
 from pathlib import Path
 
 import classes
 import pytest
+import stand_in
 from bounce_grader import cli
 from bounce_grader.grading.known_mistakes import expected
 from classes import column, COLUMN, same
-from clusters import Cluster
-from conftest import ROOT
+from clusters import Cluster, killed_once
+from conftest import Printed, ROOT
 from handed_in import points_without, submission_of
-from waiting import wait_for
+
+pytestmark = pytest.mark.long
 
 
 def chosen(number: int, *kinds: str) -> list[Path]:
@@ -37,37 +38,46 @@ def written(folder: Path, submissions: Sequence[Path]) -> dict[str, str]:
 
 
 def grade(folder: Path, out: str, *more: str) -> dict[str, str]:
-    """What the column of the grade book has, by id."""
+    """What the column of the gradebook has, by id."""
     options = ["--out", str(folder / out), "--gradebook", str(folder / "export.csv")]
     words = ["class", str(folder / "submissions"), *options, "--column", COLUMN, *more]
     assert cli.main(words) == 0
     return column(folder / out / "gradebook.csv")
 
 
-@pytest.mark.long
-def test_a_class_is_the_same_on_a_cluster_that_loses_a_worker(
-    cluster: Cluster, tmp_path: Path
-) -> None:
+def test_a_cluster_that_loses_a_worker_grades_alike(cluster: Cluster, tmp_path: Path) -> None:
     made = chosen(30, "accepted", "mistakes", "broken")
     assert written(tmp_path, made) == grade(tmp_path, "local")
     lost = cluster.worker()
     cluster.worker()
-    results = tmp_path / "dask" / "results"
-
-    def kill_worker() -> None:
-        wait_for(lambda: list(results.glob("*.json")))
-        lost.kill()
-
-    killer = threading.Thread(target=kill_worker)
-    killer.start()
-    grade(tmp_path, "dask", "--dask", cluster.address)
-    killer.join()
+    with killed_once(lambda: classes.keys(tmp_path / "dask"), lost):
+        grade(tmp_path, "dask", "--dask", cluster.address)
     assert same(tmp_path / "dask", tmp_path / "local")
 
 
 @pytest.mark.parametrize("number", [10, 100])
-@pytest.mark.long
 def test_an_attacker_in_ten_costs_the_others_nothing(tmp_path: Path, number: int) -> None:
     honest, hostile = chosen(number, "accepted", "mistakes"), chosen(number // 10, "hostile")
     mixed = [hostile[i // 10] if i % 10 == 9 else one for i, one in enumerate(honest)]
     assert written(tmp_path, mixed) == grade(tmp_path, "out")
+
+
+def test_a_failing_dask_is_said(cluster: Cluster, tmp_path: Path, capsys: Printed) -> None:
+    source, out = classes.download(tmp_path / "x.zip", [101]), tmp_path / "out"
+    assert stand_in.grade_class(source, out, "--dask", "tcp://127.0.0.1:9") == 2
+    assert "no Dask scheduler answers at tcp://127.0.0.1:9" in capsys.readouterr().err
+    cluster.worker(path="")
+    assert stand_in.grade_class(source, out, "--dask", cluster.address) == 2
+    assert "start them with PYTHONPATH=KIT/grader" in capsys.readouterr().err
+
+
+def test_a_dead_scheduler_costs_nothing(cluster: Cluster, tmp_path: Path, capsys: Printed) -> None:
+    source, out = classes.download(tmp_path / "x.zip", list(range(101, 121))), tmp_path / "out"
+    cluster.worker()
+    with killed_once(lambda: len(classes.keys(out)) >= 3, cluster.processes[0]):
+        assert stand_in.grade_class(source, out, "--dask", cluster.address, seconds=0.3) == 3
+    assert "the Dask scheduler was lost: start it, and run the same" in capsys.readouterr().err
+    assert len(classes.keys(out)) >= 3
+    assert stand_in.grade_class(source, out) == 0
+    assert stand_in.grade_class(source, tmp_path / "calm") == 0
+    assert same(out, tmp_path / "calm")

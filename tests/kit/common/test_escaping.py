@@ -84,21 +84,20 @@ class Destination(NamedTuple):
     keeps_spaces: bool = True  # none is added to break up a command
 
 
-def a_cell(text: str) -> str:
-    return f"| a | b |\n|--|--|\n| {escaping.markdown(text)} | end |\n"
-
-
-def a_command(text: str) -> str:
-    return escaping.workflow("error", text, file=text, line=3)
-
-
 DESTINATIONS = {
     "a terminal": Destination(escaping.terminal, str, escaping.REPLACEMENT, False),
     "HTML": Destination(escaping.html, html_reads),
     "XML": Destination(xml_of, xml_reads),
-    "a cell of Markdown": Destination(a_cell, cell_reads, " ", False),
+    "a cell of Markdown": Destination(
+        lambda text: f"| a | b |\n|--|--|\n| {escaping.markdown(text)} | end |\n",
+        cell_reads,
+        " ",
+        False,
+    ),
     "a block of Markdown": Destination(escaping.markdown_block, block_reads, "\n", False),
-    "GitHub's log": Destination(a_command, runner_reads, "\n", False),
+    "GitHub's log": Destination(
+        lambda text: escaping.workflow("error", text, file=text, line=3), runner_reads, "\n", False
+    ),
 }
 
 

@@ -8,12 +8,10 @@ from pathlib import Path
 import pytest
 from bounce_grader.common import files
 from bounce_grader.common.paths import WORK_FOLDER
-from conftest import write
+from conftest import Patch, write
 
 
-def test_what_a_killed_grading_left_goes_an_hour_later_and_nothing_else(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_what_a_killed_grading_left_goes_after_an_hour(tmp_path: Path, monkeypatch: Patch) -> None:
     monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
     write(tmp_path / "mine", {"x": b""})
     (tmp_path / f"{WORK_FOLDER}link").symlink_to(tmp_path / "mine")
@@ -36,9 +34,7 @@ def test_no_link_that_somebody_left_is_followed_when_a_file_is_written(tmp_path:
     assert (tmp_path / "record.json").read_text() == "new"
 
 
-def test_a_write_that_is_stopped_leaves_nothing(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_write_that_is_stopped_leaves_nothing(tmp_path: Path, monkeypatch: Patch) -> None:
     monkeypatch.setattr(Path, "replace", lambda *_: sys.exit(143))  # as SIGTERM does
     with pytest.raises(SystemExit):
         files.write_whole(tmp_path / "record.json", "new")

@@ -17,7 +17,7 @@ from bounce_grader.formats import terminal
 from bounce_grader.grading import examples, fixtures, known_mistakes
 from bounce_grader.grading.examples import folders, TABLE
 from bounce_grader.submission import submission
-from conftest import Grade, ROOT, write
+from conftest import Grade, Patch, ROOT, write
 
 HERE = Path(__file__).parent
 HINTS = ROOT / "student" / "given" / "examples" / "hints.txt"
@@ -64,9 +64,7 @@ def test_a_case_is_judged_in_one_sentence_with_its_place() -> None:
 
 
 @pytest.mark.golden
-def test_cases_that_are_handed_in_are_told_of_and_give_points_where_the_course_says_so(
-    grade: Grade, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_handed_in_cases_may_give_points(grade: Grade, monkeypatch: Patch) -> None:
     monkeypatch.setattr(examples, "example_points", lambda: 46)
     assert grade({})["parts"][-1]["score"] == 0
     cases = (HERE / "alone.txt").read_bytes().partition(b"part 3: y = 0.15")[0]
@@ -91,13 +89,12 @@ def drawn(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
 
 def random_cases(part: Part, drawn: list[Path], to: Path) -> list[dict[str, Any]]:
     """All of them, in a folder for the judge, in the order in which it asks them."""
-    cases = []
+    cases: list[dict[str, Any]] = []
     for folder in drawn:
         checks = json.loads((folder / f"{part.stem}.json").read_text())["checks"]
-        one_answer = [
-            c for check in checks.values() for c in check if "other_J" not in c["expected"]
-        ]
-        cases += one_answer  # the others aren't asked where answers are compared with one
+        every = (case for check in checks.values() for case in check)
+        # Cases with two answers aren't asked where answers are compared with one.
+        cases += (case for case in every if "other_J" not in case["expected"])
     cases.sort(key=lambda case: (case["params"]["l"], case["params"]["m"]) == (0.2, 0.3))
     text = json.dumps({"stem": part.stem, "checks": {"all": cases}})
     write(to, {f"{part.stem}.json": text.encode()})
@@ -142,9 +139,7 @@ def line_of(part: Part, case: dict[str, Any], answer: list[float]) -> str:
 
 
 @pytest.mark.parametrize("part", parts()[:3], ids=lambda part: part.stem)
-def test_the_formulas_answer_as_the_programs_do(
-    part: Part, drawn: list[Path], tmp_path: Path
-) -> None:
+def test_formulas_answer_as_programs(part: Part, drawn: list[Path], tmp_path: Path) -> None:
     asked = tmp_path / "cases"
     cases = random_cases(part, drawn, asked)
     right = answers(part, REFERENCE_RUNNER, cases, asked)

@@ -20,7 +20,7 @@ from bounce_grader.sandbox import processes
 from bounce_grader.sandbox.box import Box
 from bounce_grader.sandbox.processes import Result
 from bounce_grader.submission.submission import Place, Submission
-from conftest import ROOT
+from conftest import Patch, ROOT
 from edits import edited
 
 Sentences = dict[str, Callable[[str], str]]
@@ -38,7 +38,7 @@ def of_the_manifest(edits: str, where: Path) -> str:
     if not edits.startswith("{"):
         text = json.dumps(reduce(edited, edits.splitlines(), MANIFEST))
     (where / manifest.NAME).write_text(text)
-    manifest.parts.cache_clear()
+    manifest.read.cache_clear()
     try:
         return ", ".join(f"{len(p.checks)} checks for {p.points} points" for p in manifest.parts())
     except UsageError as refused:
@@ -57,9 +57,7 @@ SENTENCES: Sentences = {
 
 
 @pytest.mark.parametrize("flooded", [False, True])
-def test_what_addr2line_says_counts_if_it_ended_in_order(
-    flooded: bool, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_what_addr2line_says_counts_if_it_ended_in_order(flooded: bool, monkeypatch: Patch) -> None:
     line = f"/tmp/{WORK_FOLDER}a1b2/sources/part1_contacts.cpp:12\n".encode()
     result = Result(0, 0.0, line, "", False, flooded)
     monkeypatch.setattr(processes, "run", lambda *_: result)
@@ -69,12 +67,12 @@ def test_what_addr2line_says_counts_if_it_ended_in_order(
 
 
 @pytest.fixture
-def elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
+def elsewhere(tmp_path: Path, monkeypatch: Patch) -> Iterator[Path]:
     """A folder for another manifest."""
     (tmp_path / "grader").mkdir()
     monkeypatch.setattr(manifest, "ROOT", tmp_path)
     yield tmp_path
-    manifest.parts.cache_clear()
+    manifest.read.cache_clear()
 
 
 @pytest.mark.golden

@@ -19,9 +19,9 @@ import pytest
 from bounce_grader import cli
 from bounce_grader.classroom.grading import grading, near_copies
 from classes import download
-from conftest import write
+from conftest import Patch, write
 from corpus import Member, UTF8, zip_of
-from handed_in import zipped
+from handed_in import limited_memory, zipped
 from odd_students import UPLOADS
 from odd_submissions import bash, COMMANDS, PARTS
 from odd_zips import PLAIN
@@ -34,11 +34,10 @@ TWICE = ("an upload that is there twice", "roe_299_1_part2_lcp.cpp")
 
 
 @pytest.fixture(autouse=True)
-def in_this_process(monkeypatch: pytest.MonkeyPatch) -> None:
+def in_this_process(monkeypatch: Patch) -> None:
     """Grades here, which is quicker: these tests are about the code around it."""
-    monkeypatch.setattr(
-        grading, "in_processes", lambda tasks, _, worker: ((task, worker(task)) for task in tasks)
-    )
+    here = lambda tasks, _, worker: ((task, worker(task)) for task in tasks)
+    monkeypatch.setattr(grading, "in_processes", here)
 
 
 def rows(out: Path) -> dict[str, dict[str, str]]:
@@ -57,7 +56,8 @@ def short(text: str) -> str:
 def outcomes(source: Path, alone: Path, honest: str, names: Mapping[str, str]) -> str:
     """What becomes of each student, by what is odd. The honest one's row is the same as alone."""
     out = source.parent / "out"
-    assert grade_class(source, out) == 0
+    with limited_memory(400 << 20, file_size=1 << 20):
+        assert grade_class(source, out) == 0
     assert grade_class(alone, source.parent / "alone") == 0
     found = rows(out)
     assert found.pop(honest) == rows(source.parent / "alone")[honest]
@@ -70,7 +70,7 @@ def outcomes(source: Path, alone: Path, honest: str, names: Mapping[str, str]) -
         words = [f"{row['state']}, needs a look: {row['needs a look']}"]
         words += [f"not used: {short(row['not used'])}"] * bool(row["not used"])
         told.append([names.get(id, id), *words])
-    listed = page.partition("Files of nobody")[2].partition("</ul>")[0]
+    listed = page.partition("Unassigned files")[2].partition("</ul>")[0]
     told += [["nobody's", row] for row in re.findall(r"<li>(.*?)</li>", listed)]
     lines = ["\n    ".join(map(short, words)) for words in told if words[0] not in CLOSED]
     return "\n".join(f"{line}\n" for line in lines)
@@ -86,9 +86,8 @@ def test_no_upload_costs_anybody_else(tmp_path: Path) -> None:
     (tmp_path / "x.zip").write_bytes(download)
     alone = zipped(tmp_path / "alone.zip", HONEST)
     names = {**users, "299": TWICE[0]}
-    golden.compare_file(
-        EXPECTED / "uploads_in_a_class.txt", outcomes(tmp_path / "x.zip", alone, "101", names)
-    )
+    got = outcomes(tmp_path / "x.zip", alone, "101", names)
+    golden.compare_file(EXPECTED / "uploads_in_a_class.txt", got)
     assert "and 1880 more" in (tmp_path / "out" / "grades.csv").read_text()
 
 
@@ -122,17 +121,13 @@ def fails(error: Exception, *_: Any, **__: Any) -> Any:
 
 
 @pytest.mark.parametrize("error", [OverflowError("x"), MemoryError(), RecursionError("deep")])
-def test_in_reading_it_is_one_students(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, error: Exception
-) -> None:
+def test_a_reading_fails_alone(tmp_path: Path, monkeypatch: Patch, error: Exception) -> None:
     write(tmp_path, {"odd.zip": PLAIN})
     monkeypatch.setattr(zipfile.ZipFile, "infolist", partial(fails, error))
     assert cli.main(["grade", str(tmp_path / "odd.zip")]) == 2
 
 
-def test_who_cannot_be_compared_needs_a_look(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_who_cannot_be_compared_needs_a_look(tmp_path: Path, monkeypatch: Patch) -> None:
     monkeypatch.setattr(near_copies, "tokens_of", partial(fails, OverflowError("too large")))
     assert grade_class(download(tmp_path / "x.zip", [101]), tmp_path / "out") == 0
     assert "can't be compared" in rows(tmp_path / "out")["101"]["needs a look"]

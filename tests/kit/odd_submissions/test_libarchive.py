@@ -3,7 +3,6 @@ nothing else, and that all archives of a submission have one limit."""
 
 import os
 import subprocess
-import time
 from pathlib import Path
 
 import pytest
@@ -12,8 +11,7 @@ from bounce_grader.sandbox import box, processes
 from bounce_grader.sandbox.box import Box
 from bounce_grader.sandbox.processes import Limits, Result
 from bounce_grader.submission import submission
-from bounce_grader.submission.entry import MOST_ENTRIES
-from conftest import solution_files, write
+from conftest import Patch, solution_files, write
 from corpus import Member, zip_of
 from handed_in import packed_tar, refusal, zipped
 
@@ -26,7 +24,7 @@ def packed(path: Path, files: dict[str, bytes], *options: str) -> Path:
 
 
 @pytest.fixture(params=["full", "reduced"])
-def kind(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> str:
+def kind(request: pytest.FixtureRequest, monkeypatch: Patch) -> str:
     """The kind of box that archives are unpacked in."""
     if problem := box.problem_of(Box(request.param)):
         pytest.skip(problem)
@@ -52,20 +50,7 @@ def test_an_archive_that_asks_for_a_file_gets_none(tmp_path: Path, kind: str) ->
         assert "Can't open" in refusal(tmp_path / "x.tar")
 
 
-def test_many_files_beside_a_large_one_are_read_without_copies_of_the_rest(tmp_path: Path) -> None:
-    files = {f"{i}.txt": b"x" for i in range(MOST_ENTRIES - 2)}
-    files |= {"part1_contacts.cpp": b"int x;\n", "large.txt": bytes(20 << 20)}
-    (tmp_path / "x.tar").write_bytes(packed_tar(files, ""))
-    start = time.process_time()
-    assert submission.read(tmp_path / "x.tar").files == {"part1_contacts.cpp": b"int x;\n"}
-    assert time.process_time() - start < 10
-    (tmp_path / "x.tar").write_bytes(packed_tar({**files, "a": b""}, ""))
-    assert "more than 5000 files" in refusal(tmp_path / "x.tar")
-
-
-def test_all_archives_of_a_submission_share_their_time(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_all_archives_of_a_submission_share_their_time(tmp_path: Path, monkeypatch: Patch) -> None:
     asked = []
 
     def run(command: list[str], limits: Limits, **_: object) -> Result:
@@ -79,7 +64,7 @@ def test_all_archives_of_a_submission_share_their_time(
     assert asked == [10, 6, 2]
 
 
-def test_nothing_is_unpacked_without_a_box(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_nothing_is_unpacked_without_a_box(tmp_path: Path, monkeypatch: Patch) -> None:
     def choose() -> Box:
         raise KitError("no box can be had here")
 

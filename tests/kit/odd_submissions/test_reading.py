@@ -11,12 +11,14 @@ import golden
 import odd_submissions
 import pytest
 from bounce_grader.common.errors import UsageError
+from bounce_grader.common.files import digest
+from bounce_grader.common.manifest import parts
 from bounce_grader.submission import intake, submission
 from bounce_grader.submission.submission import Submission
 from bounce_grader.submission.intake import UNPACKED
 from conftest import write
 from handed_in import limited_memory, packed_tar, zipped
-from odd_submissions import bash, COMMANDS, FILES, PARTS, PATHS
+from odd_submissions import bash, COMMANDS, FILES, PARTS, PATHS, UNTOUCHED
 from odd_tars import tars
 from odd_zips import Archive, zips
 
@@ -51,6 +53,9 @@ def taken(read: Submission) -> Iterator[str]:
         yield f"part {number}: {name} {text(read.files[name])}"
     for number, reason in read.refused.items():
         yield f"part {number} refused: {reason}"
+    for part in parts():
+        if part.number not in read.parts and (instead := read.instead_of(part)):
+            yield f"part {part.number} isn't there{instead}"
     others = sorted(read.files.keys() - {*read.parts.values()})
     yield from (f"beside them: {printable(name)} {text(read.files[name])}" for name in others)
     yield from (f"not used: {printable(name)}" for name in read.ignored[:MOST])
@@ -60,6 +65,8 @@ def taken(read: Submission) -> Iterator[str]:
 
 def text(data: bytes) -> str:
     """A file's text, or how it begins and how long it is."""
+    if data in UNTOUCHED.values():
+        return "(the stub)"
     if len(data) <= 40:
         return repr(data.decode())
     return f"{data[:8].decode()!r}... ({len(data)} bytes)"
@@ -142,3 +149,8 @@ def test_the_name_of_a_submission_is_its_content(tmp_path: Path) -> None:
     odd = first._replace(files={**first.files, "L\udcf6sung.hpp": b""})
     assert first.sha256 == again.sha256
     assert len({first.sha256, other.sha256, odd.sha256, odd._replace(files={}).sha256}) == 4
+    # Its cases could spell a helper of somebody else's.
+    spelled = Submission("a", {"x.hpp": b"1"}, {}, {}, cases=b"b.hpp\0001\0002")
+    helper = Submission("a", {"x.hpp": b"1", "b.hpp": b"2"}, {}, {})
+    assert spelled.sha256 != helper.sha256
+    assert digest("a", "b") != digest("ab") != digest("a'", "'b")

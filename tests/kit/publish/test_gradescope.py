@@ -10,12 +10,10 @@ from pathlib import Path
 
 import pytest
 from bounce_grader.publish import gradescope
-from conftest import solution_files, write
+from conftest import Patch, solution_files, write
 
 
-def test_the_autograder_holds_the_kit_and_its_secret(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_the_autograder_holds_the_kit_and_its_secret(tmp_path: Path, monkeypatch: Patch) -> None:
     """Twice the same bytes, and nothing that lies beside the kit."""
     for name in ("a.zip", "b.zip"):
         gradescope.run(Namespace(out=tmp_path / name))

@@ -8,10 +8,11 @@ from pathlib import Path
 
 import pytest
 from bounce_grader import cli
+from bounce_grader.common.errors import KitError
 from bounce_grader.common.manifest import parts
 from bounce_grader.grading import fixtures
 from bounce_grader.publish import handout, handout_page
-from conftest import ROOT, SOLUTION
+from conftest import Patch, ROOT, SOLUTION
 
 SUBMISSIONS = ROOT / "tests/submissions"
 # A line says nothing of the solution when it is short, is no more than punctuation, an include or
@@ -80,9 +81,7 @@ def test_no_answer_is_in_it(tmp_path: Path) -> None:
     assert not any("hidden" in name.split("/") for name in inside)
 
 
-def test_what_work_in_the_folder_leaves_behind_is_left_out(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_what_work_leaves_behind_is_left_out(tmp_path: Path, monkeypatch: Patch) -> None:
     folder = tmp_path / "student"
     (folder / "build").mkdir(parents=True)
     for name in ("README.md", "build/log", ".hidden", "animation.html"):
@@ -94,19 +93,22 @@ def test_what_work_in_the_folder_leaves_behind_is_left_out(
     assert own == [".clang-format", "README.md"]
 
 
-def test_says_other_points_where_the_manifest_does(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_says_other_points_where_the_manifest_does(tmp_path: Path, monkeypatch: Patch) -> None:
     other = [41, 23.5, 37, 17]
     changed = tuple(part._replace(points=other[part.number - 1]) for part in parts())
     monkeypatch.setattr(handout_page, "parts", lambda: changed)
     inside = contents(tmp_path)
-    texts = [
-        text.decode()
-        for name, text in inside.items()
-        if name.endswith((".md", ".hpp")) and not name.startswith("tests/")
-    ]
-    printed = re.findall(r"([\d.]+) points|^\| \d \|.*\| ([\d.]+) \|$", "\n".join(texts), re.M)
+    own = [name for name in inside if not name.startswith("tests/")]
+    text = "\n".join(inside[name].decode() for name in own if name.endswith((".md", ".hpp")))
+    printed = re.findall(r"([\d.]+) points|^\| \d \|.*\| ([\d.]+) \|$", text, re.M)
     assert {one or other for one, other in printed} == {"41", "23.5", "37", "17", "118.5"}
     readme = inside["README.md"].decode()
     assert "41, 23.5, 37 and 17 points" in readme and "worth 118.5 points" in readme
+
+
+@pytest.mark.parametrize(
+    "text", ["{{ points[5] }} points", "{{ sum }}", "{{ points[1]", "30 points"]
+)
+def test_no_page_is_half_filled(text: str) -> None:
+    with pytest.raises(KitError, match="points"):
+        handout_page.with_points(text)

@@ -15,7 +15,7 @@ from bounce_grader import doctor
 from bounce_grader.grading.grade import grade, Options
 from bounce_grader.sandbox import box as boxes, processes
 from bounce_grader.sandbox.box import Box
-from conftest import ROOT, write
+from conftest import Patch, Printed, ROOT, write
 
 # What the probe can do without a box, where its attempt would go beyond a compiler's limits.
 WITHIN_LIMITS = {"fill": ["1"], "environment": ["PATH"], "descriptors": ["0"]}
@@ -62,9 +62,7 @@ def test_it_holds_for_an_ordinary_user_too() -> None:
     assert protections and "NO" not in protections, done.stdout + done.stderr
 
 
-def test_a_protection_that_fails_is_said(
-    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp_path: Path
-) -> None:
+def test_a_failed_protection_is_said(monkeypatch: Patch, capsys: Printed, tmp_path: Path) -> None:
     failing = {"title": "says nothing", "attempts": ["flood 0"], "in": ["compile"]}
     (tmp_path / "protections.json").write_text(json.dumps([failing]))
     monkeypatch.setattr(doctor, "TABLE", tmp_path / "protections.json")
@@ -72,7 +70,7 @@ def test_a_protection_that_fails_is_said(
     assert "full compile: says nothing: NO: could: flood" in capsys.readouterr().out
 
 
-def test_the_first_box_that_holds_is_taken(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_first_box_that_holds_is_taken(monkeypatch: Patch) -> None:
     problems = {"full": "it has no floor", "reduced": None}
     monkeypatch.setattr(boxes, "problem_of", lambda box: problems[box.kind])
     assert boxes.choose.__wrapped__().kind == "reduced"
@@ -81,9 +79,7 @@ def test_the_first_box_that_holds_is_taken(monkeypatch: pytest.MonkeyPatch) -> N
         boxes.choose.__wrapped__()
 
 
-def test_a_box_that_stops_holding_is_the_kits_fault(
-    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
-) -> None:
+def test_a_box_that_stops_holding_is_the_kits_fault(monkeypatch: Patch, tmp_path: Path) -> None:
     """Nobody gets a zero because a box stopped working."""
     boxes.choose(("reduced",))
     wrong = write(tmp_path, {"part1_contacts.cpp": b"this is no C++"})
@@ -103,9 +99,7 @@ kill $(jobs -p)
 
 @pytest.mark.parametrize("number, could", [("3", True), ("800", False)])
 @pytest.mark.parametrize("place", ["build", "run"])
-def test_nobody_takes_threads_from_another_box_of_the_same_user(
-    place: str, number: str, could: bool
-) -> None:
+def test_no_box_takes_threads_from_another(place: str, number: str, could: bool) -> None:
     """Neither that user's other programs, nor a box that starts as many as it can."""
     box = Box("reduced")
     to_build = [*box.to_build(RUNNER, [PROBE]), str(PROBE), "processes", number]
@@ -117,9 +111,7 @@ def test_nobody_takes_threads_from_another_box_of_the_same_user(
 
 
 @pytest.mark.parametrize("kind", ["full", "reduced", "none"])
-def test_a_file_that_does_not_fit_onto_the_disk_is_a_fault_of_the_kit(
-    kind: str, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_file_that_fills_the_disk_is_the_kits_fault(kind: str, monkeypatch: Patch) -> None:
     monkeypatch.setattr(os, "fchmod", lambda *_: None)  # of the device below
     copy = ["/usr/bin/cp", "clang_flags.txt", "OUTPUT"]
     command = [*Box(kind).to_build(RUNNER, [], ("cp",)), *copy]

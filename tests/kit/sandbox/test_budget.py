@@ -13,7 +13,7 @@ from bounce_grader.grading.grade import grade as grade_path, Options
 from bounce_grader.sandbox import processes
 from bounce_grader.sandbox.box import Box
 from bounce_grader.sandbox.budget import Budget, Overrun
-from conftest import SOLUTION, Grade, points, write
+from conftest import Grade, Patch, points, SOLUTION, write
 
 
 def _cpu_seconds_of_children() -> float:
@@ -30,9 +30,7 @@ def test_time_that_the_machine_takes_costs_nobody_points() -> None:
         grade_path(SOLUTION, Options(within=Budget(60, 0)))
 
 
-def test_points_earned_stay_when_the_time_is_up(
-    grade: Grade, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_points_earned_stay_when_the_time_is_up(grade: Grade, monkeypatch: Patch) -> None:
     judge = judging.judge
 
     def no_time_for_part_three(part: Any, *others: Any, **more: Any) -> judging.Judged:
@@ -47,9 +45,10 @@ def test_points_earned_stay_when_the_time_is_up(
     assert "had taken its 120 s" in record["parts"][2]["message"]
 
 
-@pytest.mark.parametrize(
-    "end", ["abort();", "(void)!write(4, junk, sizeof junk); for (;;) pause();"]
-)
+FLOODS = "(void)!write(4, junk, sizeof junk); for (;;) pause();"
+
+
+@pytest.mark.parametrize("end", ["abort();", FLOODS])
 def test_the_judge_keeps_to_what_is_left(end: str, tmp_path: Path) -> None:
     """Even if each answer takes half of a runner's limit, and each new runner starts from 0; and
     whether a runner ends by itself, or is ended for writing what is no answer."""

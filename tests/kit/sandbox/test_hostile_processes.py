@@ -82,13 +82,9 @@ def test_nothing_outlives_a_box_that_is_ended_at_once(tmp_path: Path) -> None:
     """Some fifty times, a runner sends garbage at once, so that its box may still be set up when it
     is ended."""
     name = secrets.token_hex(7)
-    attack = (
-        named(name, "")
-        + """
-    static char junk[4096];
-    static const auto wrote = write(4, junk, sizeof junk);
-    static const int paused = pause();
-    """
+    attack = named(name, "") + (
+        "static char junk[4096]; static const auto wrote = write(4, junk, sizeof junk);"
+        "static const int paused = pause();"
     )
     write(tmp_path, {p.file: part(p.number, attack) for p in parts()})
     record = grade(tmp_path)

@@ -14,7 +14,6 @@ from typing import Any
 TOKEN = "7~secretsecretsecret"
 PAGE = 3  # entries
 HTML = b"<!doctype html>"
-OTHER = {"limited", "shown_times", "broken_after", "refused", "lost", "gone", "elsewhere"}
 
 
 @dataclass
@@ -55,7 +54,7 @@ class State:
             self.submissions[int(user)] |= {name: value or None for name, value in values.items()}
         for user, values in changes.get("attachment", {}).items():
             self.submissions[int(user)]["attachments"][0] |= values  # "" is none
-        for name in OTHER & changes.keys():
+        for name in vars(self).keys() & changes.keys():
             setattr(self, name, changes[name])
 
     def shown(self) -> str:

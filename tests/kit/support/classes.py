@@ -8,6 +8,7 @@ from bounce_grader.classroom.grading.results import load, SET
 from handed_in import zipped
 
 COLUMN = "HW3 (98765)"
+USERS = list(range(101, 111))  # of a small class
 POINTS = ("30.00", "23.00", "19.00", "13.00", "8.00", "4.00", "0.00")  # of part 2
 
 
@@ -38,7 +39,7 @@ def column(path: Path) -> dict[str, str]:
 
 
 def scores(out: Path) -> dict[str, str]:
-    """By id, as the grade book would have them."""
+    """By id, as the gradebook would have them."""
     rows = csv.DictReader(io.StringIO((out / "grades.csv").read_text("utf-8-sig")))
     return {row["id"]: f"{float(row['score']):.2f}" for row in rows if row["score"]}
 
@@ -56,7 +57,6 @@ def graded(out: Path) -> dict[str, str]:
 
 def same(one: Path, other: Path) -> bool:
     """Whether two runs have written the same."""
-    names = [
-        name for name in ("gradebook.csv", "grades.csv", "class.html") if (one / name).exists()
-    ]
+    files = ("gradebook.csv", "grades.csv", "class.html")
+    names = [name for name in files if (one / name).exists()]
     return all((one / name).read_bytes() == (other / name).read_bytes() for name in names)

@@ -4,7 +4,8 @@ import json
 import os
 import subprocess
 import sys
-from collections.abc import Iterator
+import threading
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -43,19 +44,27 @@ def started(folder: Path) -> Iterator[Cluster]:
         pytest.skip("python3-distributed is missing")
     file = folder / "scheduler.json"
     made = Cluster()
-    options = [
-        "--host",
-        "127.0.0.1",
-        "--port",
-        "0",
-        "--no-dashboard",
-        "--scheduler-file",
-        str(file),
-    ]
-    made.start("/usr/bin/dask-scheduler", *options)
+    options = ["--host", "127.0.0.1", "--port", "0", "--no-dashboard"]
+    made.start("/usr/bin/dask-scheduler", *options, "--scheduler-file", str(file))
     wait_for(lambda: file.exists() and file.read_text().endswith("}"))
     made.address = json.loads(file.read_text())["address"]
     yield made
     for process in made.processes:
         process.kill()
         process.wait()
+
+
+@contextmanager
+def killed_once(
+    happened: Callable[[], object], process: "subprocess.Popen[bytes]"
+) -> Iterator[None]:
+    """Kills a process as soon as this has happened."""
+
+    def kill() -> None:
+        wait_for(happened)
+        process.kill()
+
+    killer = threading.Thread(target=kill)
+    killer.start()
+    yield
+    killer.join()

@@ -58,13 +58,16 @@ def refusal(path: Path) -> str:
 
 
 @contextmanager
-def limited_memory(more: int) -> Iterator[None]:
-    """At most so many bytes more than this process has now."""
+def limited_memory(more: int, file_size: int = resource.RLIM_INFINITY) -> Iterator[None]:
+    """At most so many bytes more than this process has now, and of each file that it writes."""
     pages = int(Path("/proc/self/statm").read_text().split()[0])
-    before = resource.getrlimit(resource.RLIMIT_AS)
-    most = pages * resource.getpagesize() + more
-    resource.setrlimit(resource.RLIMIT_AS, (most, before[1]))
+    memory = pages * resource.getpagesize() + more
+    limits = {resource.RLIMIT_AS: memory, resource.RLIMIT_FSIZE: file_size}
+    before = {kind: resource.getrlimit(kind) for kind in limits}
+    for kind, most in limits.items():
+        resource.setrlimit(kind, (most, before[kind][1]))
     try:
         yield
     finally:
-        resource.setrlimit(resource.RLIMIT_AS, before)
+        for kind, old in before.items():
+            resource.setrlimit(kind, old)

@@ -5,9 +5,8 @@ import secrets
 from bounce_grader.common.manifest import parts
 
 
-def part(number: int, body: str, remark: str = "") -> bytes:
-    """A part with hostile lines around the stub's answer. Where it has no remark of its own, it is
-    compiled anew each time, and not taken from the cache."""
+def part(number: int, body: str) -> bytes:
+    """A part with hostile lines around the stub's answer. It is compiled anew each time."""
     answers = {
         1: "Contact get_contacts(const Vector3& q, const Parameters&) "
         "{ attack(); return {Jacobian::Constant(q(0)), 0}; }",
@@ -18,8 +17,5 @@ def part(number: int, body: str, remark: str = "") -> bytes:
         4: "Trajectory simulate(const Vector3&, const Vector3&, const Parameters& p) "
         "{ attack(); return {Eigen::Matrix3Xd::Zero(3, p.T), Eigen::Matrix3Xd::Zero(3, p.T)}; }",
     }
-    remark = remark or secrets.token_hex(8)
-    include = f"#include <bounce/{parts()[number - 1].stem}.hpp>\n"
-    return (
-        f"// {remark}\n{include}" + body + f"\nnamespace bounce {{ {answers[number]} }}\n"
-    ).encode()
+    begin = f"// {secrets.token_hex(8)}\n#include <bounce/{parts()[number - 1].stem}.hpp>\n"
+    return f"{begin}{body}\nnamespace bounce {{ {answers[number]} }}\n".encode()

@@ -7,6 +7,7 @@ import subprocess
 from pathlib import Path
 
 import golden
+from bounce_grader.common.paths import STUBS
 from bounce_grader.submission import entry
 from conftest import ROOT, write
 
@@ -14,17 +15,20 @@ Files = dict[str, bytes]
 
 STEMS = ("part1_contacts", "part2_lcp", "part3_step", "part4_simulate")
 PARTS: Files = {f"{stem}.cpp": b"// " + stem.encode() for stem in STEMS}
+UNTOUCHED: Files = {name: (STUBS / name).read_bytes() for name in PARTS}
 
 
-def inside(folder: str, files: Files = PARTS) -> Files:
-    return {f"{folder}/{name}": text for name, text in files.items()}
+def inside(folder: str) -> Files:
+    return {f"{folder}/{name}": text for name, text in PARTS.items()}
 
 
 def written(files: dict[str, str]) -> Files:
-    """Files as files.json has them, where * in a name stands for the four parts."""
+    """Files as files.json has them, where * in a name stands for the four parts, or their stubs."""
     made: Files = {}
     for name, text in files.items():
-        own = {name: text.encode()} if "*" not in name else PARTS
+        own = {name: text.encode()}
+        if "*" in name:
+            own = UNTOUCHED if text == "the stubs" else PARTS
         made |= {name.replace("*", part): data for part, data in own.items()}
     return made
 

@@ -6,9 +6,10 @@ import io
 import tarfile
 from collections.abc import Iterator
 
+from bounce_grader.submission.entry import MOST_ENTRIES
 from handed_in import packed_tar
 from odd_submissions import inside, PARTS
-from odd_zips import ARCHIVES, Archive
+from odd_zips import Archive, ARCHIVES, holding
 
 SOURCE = {"part1_contacts.cpp": b"int x;\n"}
 SPARSE = {b"major": b"1", b"minor": b"0", b"name": b"x.cpp", b"realsize": b"10"}
@@ -55,6 +56,9 @@ def written_as(kind: int) -> bytes:
 def tars() -> Iterator[Archive]:
     for ending, kind in (("tar.gz", "gz"), ("TAR.BZ2", "bz2"), ("tar.xz", "xz"), ("tar", "")):
         yield f"a tar as {ending}", f"hw.{ending}", packed_tar(inside("hw"), kind)
+    again = packed_tar(PARTS)
+    yield "a tar that is handed in again", "hw3.tar-1.gz", again
+    yield "a tar that is handed in again, in a zip", "x.zip", holding({"hw3.tar-1.gz": again})
     for name, number in (("ustar", 0), ("GNU", 1), ("pax", 2)):
         yield f"as tarfile writes {name}", "x.tar", written_as(number)
     for what, data in _tars():
@@ -80,6 +84,9 @@ def _tars() -> Iterator[tuple[str, bytes]]:
     yield "links, a pipe, a device and a folder", tar_of(
         *(member(f"{kind.decode()}.cpp", b"", kind) for kind in NO_FILES)
     )
+    most = {f"{i}.txt": b"x" for i in range(MOST_ENTRIES - 2)} | {"large.txt": bytes(20 << 20)}
+    yield "a large file and 4999 others", packed_tar(most | SOURCE, "")
+    yield "5001 files", packed_tar(most | SOURCE | {"a": b""}, "")
     yield "a file of 65 MB", tar_of(member("x.bin", bytes(65 << 20)))
     yield "no member, but 65 MB", bytes(65 << 20)
     size = pax(record(b"size", b"7") + record(b"path", b"y.cpp"))

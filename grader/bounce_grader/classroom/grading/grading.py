@@ -7,7 +7,7 @@ import signal
 import sys
 import threading
 import time
-from collections.abc import Generator, Mapping, Sequence
+from collections.abc import Generator, Sequence
 from concurrent.futures import as_completed, CancelledError
 from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
@@ -15,10 +15,11 @@ from contextlib import closing, suppress
 from typing import Any
 
 from bounce_grader.classroom.grading import results
-from bounce_grader.classroom.grading.results import Task, Unit
+from bounce_grader.classroom.grading.results import Stamp, Task, Unit
 from bounce_grader.classroom.grading.summary import Summary
 from bounce_grader.common.errors import KitError, UsageError
-from bounce_grader.grading.report import Report, reports
+from bounce_grader.common.escaping import terminal
+from bounce_grader.grading.report import NO_REPORT, reports
 
 TO_CLEAN_UP = 3.0  # seconds in which a terminated grading can remove its files
 KILLED = "the process that graded it was killed, perhaps because memory ran out"
@@ -48,30 +49,58 @@ def grade(
                 ahead = f", {left / rate:.0f} s left" if left else ""
                 words = f"kit: {done} of {len(missing)} done, {60 * rate:.0f} a minute{ahead}"
                 print(words, file=sys.stderr, flush=True)
+    again = "the kit failed, so give the same command again"
+    missing_ones = [("failed", f"{again}: {failed.get(task.key)}") for task in tasks]
+    return _summaries(tasks, missing_ones, reveal)
+
+
+def _summaries(
+    tasks: Sequence[Task], missing: Sequence[tuple[str, str]], reveal: bool = False
+) -> list[Summary]:
+    """What is known of submissions; those without a result have these states and messages."""
     loaded = [results.load(task.folder, task.key) for task in tasks]
     told = iter(reports([of["record"] for of in loaded if of and of["record"]], reveal))
+    made = []
+    for task, of, (state, why) in zip(tasks, loaded, missing):
+        if of:
+            report = next(told) if of["record"] else NO_REPORT
+            graded = (of["state"], of["message"], of["key"], report, tuple(of["beside"]))
+            made.append(Summary(task.student, *graded))
+        else:
+            made.append(Summary(task.student, state, why, task.key))
+    return made
+
+
+def differences(there: Stamp, tasks: Sequence[Task], summaries: Sequence[Summary]) -> list[str]:
+    """How these results differ from those that count so far, in scores and passed checks."""
+    lines, differing = [], 0
+    missing = [("failed" if now.state == "failed" else "not graded", "") for now in summaries]
+    earlier = _summaries([task._replace(stamp=there) for task in tasks], missing)
+    for before, now in zip(earlier, summaries):
+        scores = [one.state if one.score is None else one.score for one in (before, now)]
+        old, new = ({id: c["score"] for id, c in one.checks.items()} for one in (before, now))
+        failing = [{id for id, points in of.items() if not points} for of in (old, new)]
+        if scores[0] == scores[1] and failing[0] == failing[1]:
+            continue
+        differing += 1
+        lines.append(terminal(f"{now.student.who}: {scores[0]} -> {scores[1]}"))
+        changed = (id for id in old | new if old and new and old.get(id, 0) != new.get(id, 0))
+        lines += [f"  {id}: {old.get(id, 0)} -> {new.get(id, 0)}" for id in changed]
     return [
-        _summary(task, of, next(told) if of and of["record"] else Report({}), failed)
-        for task, of in zip(tasks, loaded)
+        f"The results in {tasks[0].folder} are by another version of the kit, or of its cases or "
+        "options.",
+        f"Submissions graded again: {len(tasks)}; with another result: {differing}.",
+        *lines,
+        "Nothing is changed yet. To take these over, add --apply.",
     ]
-
-
-def _summary(
-    task: Task, of: results.Result | None, report: Report, failed: Mapping[str, str]
-) -> Summary:
-    if of:
-        graded = (of["state"], of["message"], of["key"], report, tuple(of["beside"]))
-        return Summary(task.student, *graded)
-    why = f"the kit failed, so give the same command again: {failed[task.key]}"
-    return Summary(task.student, "failed", why, task.key)
 
 
 # --- on this machine ---
 
 
 def in_processes(tasks: Sequence[Task], jobs: int, unit: Unit) -> Graded:
-    """Gradings side by side, each in a process of its own at that time, so that a crash harms no
-    other. If the caller stops early, ends the gradings under way."""
+    """Grades in `jobs` processes, so that a crash harms no other grading. If the caller stops
+    early, ends the gradings under way."""
     context = multiprocessing.get_context("spawn")
     idle = [ProcessPoolExecutor(1, context, _prepare) for _ in range(jobs)]  # one for each thread
 
@@ -102,8 +131,7 @@ def in_processes(tasks: Sequence[Task], jobs: int, unit: Unit) -> Graded:
 
 
 def _prepare() -> None:
-    """Makes a process ignore Ctrl-C, which the class handles, and end when the class has ended. When
-    it is terminated, it removes its temporary files first."""
+    """Makes a process ignore Ctrl-C, end with the class, and clean up when it is terminated."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))
     threading.Thread(target=_end_with_the_class, daemon=True).start()

@@ -82,8 +82,8 @@ def corpus(folder: Path) -> list[Summary]:
 
 
 def find(summaries: Sequence[Summary], others: Sequence[Summary] = ()) -> Similar:
-    """Finds near-copies among the submissions that can be read, and between them and others. Notes
-    which can't be compared, or only in part."""
+    """Finds similar submissions among these, and between these and others. Notes which can't be
+    compared, or only in part."""
     own = [summary for summary in summaries if summary.state != "unreadable"]
     names = {summary.student.who for summary in own}
     runs = {summary.student.who: own_runs(summary) for summary in (*own, *others)}
@@ -146,10 +146,8 @@ def tokens_of(text: bytes) -> list[str]:
     whole = io.StringIO(text.decode("utf-8", "replace"), newline=None).read()
     spliced = re.sub(r"\\[ \t]*\n", "", whole)
     found = (match for match in TOKEN.finditer(spliced) if match.lastgroup != "skipped")
-    return [
-        match[0] if match[0] in KEYWORDS or not match.lastgroup else match.lastgroup
-        for match in islice(found, LONGEST + 1)
-    ]
+    first = islice(found, LONGEST + 1)
+    return [match[0] if match[0] in KEYWORDS else match.lastgroup or match[0] for match in first]
 
 
 @cache

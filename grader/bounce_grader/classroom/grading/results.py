@@ -8,7 +8,7 @@ versions of the kit lie side by side; set.json says which version's results coun
 import errno
 import json
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from datetime import datetime, timezone
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -17,7 +17,7 @@ from bounce_grader import __version__
 from bounce_grader.classroom.intake import uploads
 from bounce_grader.classroom.intake.student import Student
 from bounce_grader.common.errors import KitError, UsageError
-from bounce_grader.common.escaping import first_few, in_one_line, printable_name, terminal
+from bounce_grader.common.escaping import first_few, in_one_line, printable_name
 from bounce_grader.common.files import digest, write_whole
 from bounce_grader.common.paths import ROOT, SCENES, SENTENCES
 from bounce_grader.grading import fixtures
@@ -62,8 +62,7 @@ Unit = Callable[[Task], str]
 
 
 def digest_of(student: Student) -> str:
-    """A digest of all that is used of a submission, or of the reason if it can't be read. Raises
-    Damaged if the class's download is damaged."""
+    """A digest of what a submission holds, or of why it can't be read. Raises Damaged."""
     data: list[Any] = [os.path.isdir(student.path)]
     try:
         taken = uploads.read(student)
@@ -76,9 +75,8 @@ def digest_of(student: Student) -> str:
 
 
 def depends_on() -> tuple[list[Path], list[Path]]:
-    """The kit's own files from which a result follows, and its data: cases with known mistakes and
-    wrong programs, and scenes. They are the same on every machine of a cluster. What reports on
-    records, tests the kit, or is the handout's alone changes no result."""
+    """The kit's sources and its data (cases, known mistakes, buggy programs, scenes) that decide a
+    result. Formats, tests and what only the handout has change no result."""
     rooms = (
         *(f"grader/bounce_grader/{room}" for room in PYTHON),
         *(f"grader/{room}" for room in CPP),
@@ -185,37 +183,3 @@ def stamp_of(folder: Path) -> Stamp | None:
 def count(folder: Path, stamp: Stamp) -> None:
     """Makes the results with this stamp count."""
     write_whole(folder / SET, json.dumps({**stamp._asdict(), "version": __version__}), True)
-
-
-def differences(there: Stamp, tasks: Sequence[Task]) -> list[str]:
-    """What the results of these tasks change in those that count so far: a summary, and then who
-    has another score or passes other checks."""
-    lines, differing = [], 0
-    for task in tasks:
-        old, before = _points(task._replace(stamp=there))
-        new, now = _points(task)
-        failing = [{id for id, of in points.items() if not of} for points in (before, now)]
-        if old == new and failing[0] == failing[1]:
-            continue
-        differing += 1
-        lines.append(terminal(f"{task.student.who}: {old} -> {new}"))
-        lines += [
-            f"  {id}: {before.get(id, 0)} -> {now.get(id, 0)}"
-            for id in (before | now if before and now else ())
-            if before.get(id, 0) != now.get(id, 0)
-        ]
-    return [
-        f"The results in {tasks[0].folder} are by another version of the kit, or of its cases or "
-        "options.",
-        f"Submissions graded again: {len(tasks)}; with another result: {differing}.",
-        *lines,
-        "Nothing is changed yet. To take these over, add --apply.",
-    ]
-
-
-def _points(task: Task) -> tuple[Any, dict[str, float]]:
-    """The score, and the points of each check. If there are none, the state stands for a score."""
-    result = load(task.folder, task.key) or {"state": "not graded", "record": {}}
-    record = result["record"] or {"score": result["state"], "parts": []}
-    checks = (check for part in record["parts"] for check in part["checks"])
-    return record["score"], {check["id"]: check["score"] for check in checks}

@@ -1,17 +1,20 @@
-"""What is known of one submission, graded or not: what the class's outputs are made of."""
+"""The results of a class, from which its outputs are made: what is known of each submission, graded or
+not, and its row of grades.csv."""
 
 import re
+from collections.abc import Mapping
 from dataclasses import dataclass, field
-from functools import partial
 from typing import Any
 
 from bounce_grader.classroom.intake.student import Member, Student
-from bounce_grader.common.escaping import first_few
-from bounce_grader.common.manifest import full_points, named_together
-from bounce_grader.grading.report import Report
+from bounce_grader.common.escaping import first_few, Value
+from bounce_grader.common.manifest import full_points, named_together, parts
+from bounce_grader.grading.report import NO_REPORT, Report
 
 # Files that are handed in beside parts, and are none under another name.
 NO_PART = re.compile(r"(\S*/)?(readme|cmakelists|makefile|\.ds_store|\._|__macosx)", re.IGNORECASE)
+COLUMNS = [*(part.stem for part in parts()), *(c.id for part in parts() for c in part.checks)]
+MOST_UNUSED = 20  # names of unused files in a cell
 ODD = {"timed_out", "out_of_memory", "no_answer", "crashed", "does_not_compile"}  # ends of a part
 
 
@@ -23,7 +26,7 @@ class Summary:
     state: str  # "graded", "unreadable", or "failed" (the kit)
     message: str = ""  # why it isn't graded
     key: str = ""  # of the result
-    record: Report = field(default_factory=partial(Report, {}))  # empty unless it is graded
+    record: Report = field(default_factory=lambda: NO_REPORT)  # empty unless it is graded
     beside: tuple[str, ...] = ()  # sources that aren't parts
     notes: list[str] = field(default_factory=list)  # what else a person should look at
     finals: list[Member] = field(default_factory=list)  # with their points, if it is graded
@@ -60,3 +63,43 @@ class Summary:
         others = [other for other in others if not NO_PART.match(other)]
         there = first_few(others, separator="; ", more=self.unused_more)
         return [f"{named_together(missing)} not there, but {there}"] if missing and others else []
+
+    def row(self) -> dict[str, Value]:
+        """The row of grades.csv, by column."""
+        student, finals, speed = self.student, self.finals, self.speed
+        points = {part["stem"]: part["score"] for part in self.parts}
+        points |= {id: check["score"] for id, check in self.checks.items()}
+        return {
+            "student": student.shown,
+            "id": student.id,
+            "late": "" if student.late_days == 0 else "late",
+            "state": self.state,
+            "score": _number(self.score),
+            "final": _of_members({one.id: _number(round(one.points, 2)) for one in finals}),
+            "adjustments": _of_members({one.id: _changes(one) for one in finals}) or "",
+            **{column: _number(points.get(column)) for column in COLUMNS},
+            "mistakes": "; ".join(self.mistakes.values()),
+            "times the solution's time": _number(speed.get("ratio")),
+            "largest error": _number(speed.get("largest_error")),
+            "needs a look": self.needs_a_look,
+            "not used": first_few(self.unused, MOST_UNUSED, "; ", self.unused_more),
+            "result": self.key,
+        }
+
+
+def _of_members(values: Mapping[str, Value]) -> Value:
+    """What all members of a group have; or what each has, where they differ."""
+    if len(set(values.values())) > 1:
+        return "; ".join(f"{id}: {value}" for id, value in values.items() if value != "")
+    return next(iter(values.values()), None)
+
+
+def _changes(member: Member) -> str:
+    return ", ".join(f"{a.reason} {a.points:+g}" if a.points else a.reason for a in member.applied)
+
+
+def _number(value: float | None) -> Value:
+    if value is None:
+        return None
+    rounded = float(f"{value:.6g}")
+    return int(rounded) if rounded.is_integer() else rounded

@@ -41,8 +41,8 @@ class Refused(Exception):
 
 
 def _token() -> str:
-    """The token, which ./kit hands on by a descriptor, so that it isn't in the environment of a
-    process that starts a submission's. Raises UsageError if there is none."""
+    """The token. ./kit passes it by a descriptor: a submission could read it in an environment.
+    Raises UsageError if there is none."""
     handed = os.environ.pop("CANVAS_TOKEN_FD", "")
     token = os.environ.pop("CANVAS_TOKEN", "")
     if handed.isdigit():
@@ -164,8 +164,8 @@ def name_of(submission: Submission) -> str:
 
 
 def _downloaded(canvas: Canvas, folder: Path, user: str, submission: Submission) -> list[Upload]:
-    """A student's uploads. Raises Refused if one can't be downloaded: without it, a grading would
-    take points for what was handed in."""
+    """A student's uploads. Raises Refused if one can't be downloaded: its part would count as
+    missing."""
     attachments = submission.get("attachments") or []
     uploads = [_upload(user, submission, attachment) for attachment in attachments]
     size = 0

@@ -1,4 +1,4 @@
-"""The grade book: a file that Canvas (its export), Moodle (its offline grading worksheet) or
+"""The gradebook: a file that Canvas (its export), Moodle (its offline grading worksheet) or
 Blackboard wrote, or what Canvas's API tells. Each has ids, names and points.
 
 Moodle's importer (mod/assign/feedback/offline) finds its columns by their titles, in the site's
@@ -45,7 +45,7 @@ class Line(NamedTuple):
 
 @dataclass
 class Gradebook:
-    """A service's lines, one for each student; without a grade book, none."""
+    """A service's lines, one for each student; without a gradebook, none."""
 
     service: str = ""
     name: str = ""  # of the file
@@ -73,8 +73,7 @@ class Gradebook:
 
 
 def read(path: Path, title: str) -> Gradebook:
-    """The file of whichever service wrote it; `title` is that of the column to fill. Raises
-    UsageError if none did, or if there is no such column."""
+    """Reads a gradebook of any service; `title` names the column to fill. Raises UsageError."""
     table = Table(path)
     header, firsts = table.header, (row.text(0) for row in table.rows[1:])
     if "Username" in header and any(map(TOTAL.search, header)):

@@ -3,7 +3,7 @@ title and what lateness costs; roster.csv, which says whose a submission is; and
 with what is changed in the points of a student, and why."""
 
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from importlib import import_module
 from pathlib import Path
 from typing import NamedTuple
@@ -16,6 +16,7 @@ from bounce_grader.common.manifest import parts
 COURSE, ROSTER, ADJUSTMENTS = "course.toml", "roster.csv", "adjustments.csv"
 LATE = ("percent_per_day", "at_most_percent")
 EVERYBODY = "*"
+Words = Sequence[str]
 CHANGES = ("points", "late_days", "cap", "drop")
 
 
@@ -48,10 +49,9 @@ def course(out: Path) -> Course:
     return Course(title, **late)
 
 
-def roster(out: Path) -> dict[str, list[Member]]:
-    """The members by submission: a login, or the name of a folder or group. Raises UsageError."""
+def roster(out: Path) -> Iterator[tuple[str, Member]]:
+    """Each member with a submission: a login, or the name of a folder or group. Raises UsageError."""
     path = out / ROSTER
-    members: dict[str, list[Member]] = {}
     seen: dict[str, int] = {}
     for line, row in _rows(path, ("submission", "id"), ("name",)):
         submission, id = row["submission"], row["id"]
@@ -60,8 +60,7 @@ def roster(out: Path) -> dict[str, list[Member]]:
         if id in seen:
             raise UsageError(f"{path} has {id} in lines {seen[id]} and {line}: keep one of them")
         seen[id] = line
-        members.setdefault(submission, []).append(Member(id, row["name"], True))
-    return members
+        yield submission, Member(id, row["name"], True)
 
 
 def adjustments(out: Path) -> list[Adjustment]:
@@ -98,11 +97,9 @@ def _checks(where: str, text: str) -> tuple[str, ...]:
     return names
 
 
-def _rows(
-    path: Path, needed: Sequence[str], more: Sequence[str]
-) -> list[tuple[int, dict[str, str]]]:
-    """The rows that aren't empty, each with its line and its cells by column; none if there is no
-    such file. Columns may be in any order. Raises UsageError."""
+def _rows(path: Path, needed: Words, more: Words) -> list[tuple[int, dict[str, str]]]:
+    """The line and the cells, by column, of each row that isn't empty; none without such a file.
+    Columns may be in any order. Raises UsageError."""
     if not path.exists():
         return []
     table = Table(path)

@@ -65,8 +65,8 @@ class Service(NamedTuple):
     as_named: bool = True  # files keep the names that students gave them
 
     def parse(self, entry: str) -> Upload | None:
-        """What an entry's name says; None if the service doesn't write such names. Of Blackboard's,
-        the user has the assignment's title before it: these can't be told apart yet."""
+        """What an entry's name says; None if the service doesn't write such names. Blackboard's
+        `user` still has the assignment's title before it."""
         matches = (re.fullmatch(pattern, entry, re.DOTALL) for pattern in self.entries)
         match = next(filter(None, matches), None)
         if not match:
@@ -113,8 +113,8 @@ def _readings(entry: str) -> list[Upload]:
 
 
 def canvas_page(uploads: Sequence[Upload]) -> str:
-    """Canvas accepts a page as a comment if its name has the ids of an upload: the newest. It can't
-    import one about what was typed."""
+    """Canvas accepts a page as a comment if its name has the newest upload's ids; of typed text,
+    none."""
     newest = max(uploads, key=lambda upload: upload.number)
     if newest.instead:
         return f"{fitting(newest.entry.removesuffix('.html'))}_feedback.html"

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from bounce_grader.common.escaping import printable_name
 
-# By the service's id, of each person in the grade book: the name there, and the roster's of groups.
+# By the service's id, of each person in the gradebook: the name there, and the roster's of groups.
 Names = Mapping[str, Sequence[str]]
 
 
@@ -56,7 +56,7 @@ class Student(NamedTuple):
     uploads: tuple[Upload, ...] = ()  # those that count
     feedback: str = ""  # the name of the feedback page; "" if there is none
     unused: tuple[str, ...] = ()  # a sentence for each file that doesn't count
-    person: str = ""  # the name in the grade book or the roster, as "Doe, Jane"
+    person: str = ""  # the name in the gradebook or the roster, as "Doe, Jane"
     late_days: int | None = 0  # begun after the due date; None if it is late, and not said how much
     members: tuple[Member, ...] = ()  # who gets the points
     refused: str = ""  # why nothing can be graded, for the student and the instructor

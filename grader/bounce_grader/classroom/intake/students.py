@@ -44,14 +44,12 @@ def read(path: Path, people: Names = {}) -> Class:
 
 
 def _service(names: Sequence[str]) -> Service | None:
-    """The service whose download has such files; None if there is no such service.
+    """The service whose download has such files, or None.
 
-    Students choose how the names of their files end, so one name proves nothing: every name that
-    looks like some service's has to look like this one's. Blackboard's names begin with the
-    assignment's title, which may be anything. So in a download of another service, a student could
-    give a file a name that looks like Blackboard's. But Canvas gives each file an id of its own; what
-    Blackboard writes of the user 12345 and an assignment "HW_3" looks like one file, several times.
-    """
+    Students choose how their files' names end, so every name that looks like some service's has to
+    look like this one's. Blackboard's begin with any title, so a student could imitate one in
+    another service's download. But Canvas gives each file its own id, and Blackboard's names for
+    the user 12345 and an assignment "HW_3" repeat one."""
     known = [name for name in names if any(service.parse(name) for service in SERVICES)]
     for service in SERVICES:
         parsed = list(map(service.parse, known))
@@ -106,8 +104,8 @@ def _of_folder(path: Path, children: list[Path]) -> Class:
 
 
 def _require_a_class(path: Path, children: list[Path], students: list[Student]) -> None:
-    """Raises UsageError if the folder is itself a submission, perhaps with its parts in src, or holds
-    none. A student may be called src, too."""
+    """Raises UsageError if the folder holds no submission, or is one itself, perhaps with its parts
+    in src. A student may also be called src."""
     is_one = any(part_file(child.name) and is_file(child) for child in children)
     others = (student.path for student in students if student.name != "src")
     if is_one or not any(map(_has_a_part, others)):

@@ -35,8 +35,8 @@ class Row(NamedTuple):
 
 
 class Table:
-    """A CSV file with a first row at least. Written again, it has the same encoding, delimiter, line
-    ends and cells, except those that were changed."""
+    """A CSV file with at least one row. Writing it keeps its encoding, delimiter, line ends and
+    cells, except those that were changed."""
 
     def __init__(self, path: Path) -> None:
         """Raises UsageError if it isn't such a file."""

@@ -87,12 +87,10 @@ class Archive:
 def opened(path: Path) -> Archive:
     """Opens an archive, and caches it until the file changes: its list of entries may be long."""
     status = path.stat()
-    return _opened(path, status.st_mtime_ns, status.st_ino)
+    return _opened(path, (status.st_mtime_ns, status.st_ino))
 
 
-@lru_cache(maxsize=2)
-def _opened(path: Path, *_status: int) -> Archive:
-    return Archive(path)
+_opened = lru_cache(maxsize=2)(lambda path, _status: Archive(path))
 
 
 # --- of one student ---
@@ -138,9 +136,9 @@ def _counted(uploads: Sequence[Upload]) -> tuple[tuple[Upload, ...], tuple[str, 
 
 
 def names_of(upload: Upload) -> list[str]:
-    """The names of a file in the submission: without the number that Canvas adds if it is handed in
-    again, so that rotation-1.hpp becomes rotation.hpp. Since that number may be the student's own, a
-    header has the other name, too, and can be included by either."""
+    """The names of a file in the submission. Canvas adds a number to a file that is handed in
+    again: rotation-1.hpp is rotation.hpp. A number may also be the student's, so a header keeps
+    both names."""
     file = upload.file
     dots = [dot for dot in (file.rfind("."), file.find(".")) if dot > 0]
     plain = [COPY.sub("", file[:dot]) + file[dot:] for dot in dots]
@@ -167,8 +165,8 @@ def read(student: Student) -> Submission:
 
 
 def _merged(archive: Archive, uploads: Sequence[Upload], open_zips: ExitStack) -> dict[str, Entry]:
-    """The files of all uploads, which are given oldest first. A newer file replaces an older one of
-    the same name or the same part. Raises UsageError if all together are too large."""
+    """The files of all uploads, oldest first. A newer file replaces an older one of its name or
+    part. Raises UsageError if all together are too large."""
     merged: dict[str, Entry] = {}
     left, room = UnpackLimits(), LARGEST
     if sum(is_archive(upload.file) for upload in uploads) > MOST_ZIPS:

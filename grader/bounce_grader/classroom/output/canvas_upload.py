@@ -35,8 +35,8 @@ class Change(NamedTuple):
 
 
 def show_or_post(canvas: Canvas, summaries: Sequence[Summary], options: Any) -> int:
-    """Prints what would change on Canvas, and posts it on request if that was shown before. Returns
-    1 if something is left to do."""
+    """Prints what would change on Canvas; on request, posts it if it was shown before. Returns 1 if
+    something is left to do."""
     out, upload = options.out, options.upload
     written = read_object(out / WRITTEN)
     finals = [one for summary in summaries for one in summary.finals]

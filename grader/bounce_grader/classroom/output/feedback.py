@@ -13,8 +13,7 @@ from bounce_grader.formats import html
 
 
 def write(out: Path, summaries: Sequence[Summary]) -> dict[str, str]:
-    """Writes a page for each submission, graded or not. Returns them by their names, and notes which
-    can't be written."""
+    """Writes a page for each submission. Returns them by name, and notes which can't be written."""
     (out / "feedback").mkdir(exist_ok=True)
     pages: dict[str, str] = {}
     for summary in summaries:

@@ -10,7 +10,7 @@ from markupsafe import Markup
 
 from bounce_grader.classroom.grading.near_copies import Similar
 from bounce_grader.classroom.grading.summary import Summary
-from bounce_grader.common.escaping import first_few
+from bounce_grader.common.escaping import first_few, Value
 from bounce_grader.common.manifest import full_points, part_of, parts
 from bounce_grader.common.numbers import percent, short
 from bounce_grader.formats import html, speed_chart as chart
@@ -21,10 +21,8 @@ MOST_NAMES = 10  # of who made a mistake; grades.csv has all
 Bar = tuple[str, float, str, bool]  # label, length from 0 to 1, number, whether it is a heading
 
 
-def render(
-    summaries: Sequence[Summary], near: Similar, sentences: Sequence[str], title: str = ""
-) -> str:
-    """`sentences` are on files that are nobody's, on adjustments and on the grade book."""
+def render(summaries: Sequence[Summary], near: Similar, sentences: list[str], title: str) -> str:
+    """`sentences` are on files that are nobody's, on adjustments and on the gradebook."""
     graded = [s for s in summaries if s.score is not None]
     pages = {s.student.who: s.student.feedback for s in summaries if s.student.feedback}
     return html.fill(
@@ -40,7 +38,7 @@ def render(
         near=near,
         pairs=[[pair.first, pair.second, pair.in_common] for pair in near.pairs],
         sentences=sentences,
-        columns=["who", "points", *(f"part {part.number}" for part in parts()), "in the end"],
+        columns=["who", "points", *(f"part {part.number}" for part in parts()), "final"],
         submissions=list(map(_row, summaries)),
         links={who: quote(os.fsencode(f"feedback/{page}")) for who, page in pages.items()},
     )
@@ -55,8 +53,8 @@ def looks(summaries: Sequence[Summary]) -> list[tuple[str, str]]:
 
 
 def _mistakes(graded: Sequence[Summary]) -> Iterator[list[str]]:
-    """Of each known mistake, the most frequent first, and then by part: its title and part, the line
-    for the instructor with the heading of the students' hint, and who made it."""
+    """Each known mistake, the most frequent first: its title and part, what it is with the hint's
+    heading, and who made it."""
     made: dict[tuple[str, str], list[str]] = {}
     for summary in graded:
         for mistake in summary.mistakes.items():
@@ -98,7 +96,7 @@ def _figures(summaries: Sequence[Summary], graded: Sequence[Summary]) -> Iterato
     if scores:
         yield "median", short(statistics.median(scores))
         yield "mean", f"{statistics.mean(scores):.1f}"
-        yield "with all points", str(sum(s.has_all_points for s in summaries))
+        yield "with full marks", str(sum(s.has_all_points for s in summaries))
     if late := sum(s.student.late_days != 0 for s in summaries):
         yield "late", str(late)
 
@@ -139,9 +137,8 @@ def _chart(graded: Sequence[Summary]) -> Markup | None:
     return chart.error_over_time(curves, "Speed against accuracy, one line for each submission")
 
 
-def _row(summary: Summary) -> list[str]:
+def _row(summary: Summary) -> list[Value]:
     """A row of the table of all submissions."""
-    points = [short(scored["score"]) for scored in (summary.record, *summary.parts) if scored]
-    ends = sorted({round(one.points, 2) for one in summary.finals})
-    blank = [""] * (1 + len(parts()))
-    return [summary.student.who, *(points or blank), " / ".join(map(short, ends))]
+    row = summary.row()
+    columns = ("score", *(part.stem for part in parts()), "final")
+    return [summary.student.who, *("" if row[name] is None else row[name] for name in columns)]

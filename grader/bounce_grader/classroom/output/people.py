@@ -1,4 +1,4 @@
-"""Who gets the points of each submission, by what is known of people: the grade book, the
+"""Who gets the points of each submission, by what is known of people: the gradebook, the
 instructor's roster, and the download; and how many in the end, with what lateness costs and the
 adjustments of the instructor. Records stay as they are."""
 
@@ -27,10 +27,10 @@ class People:
         self._adjustments = files.adjustments(out)
         names = {id: line.person for id, line in book.people().items()}
         self._own_ids = {id: line.ids[0] for id, line in book.people().items()}  # at the service
-        self._roster = {
-            submission.casefold(): [m._replace(name=m.name or names.get(m.id, "")) for m in members]
-            for submission, members in files.roster(out).items()
-        }
+        self._roster: dict[str, list[Member]] = defaultdict(list)
+        for submission, member in files.roster(out):
+            named = member._replace(name=member.name or names.get(member.id, ""))
+            self._roster[submission.casefold()].append(named)
         listed = [member for members in self._roster.values() for member in members]
         self._names = names | {member.id: member.name for member in listed}
         self.intake = Class("")  # until assign reads it
@@ -46,7 +46,7 @@ class People:
         return [n for n, of in self._roster.items() if own in [same.get(m.id, m.id) for m in of]]
 
     def assign(self, intake: Class) -> list[str]:
-        """Gives each submission its members, the name of its person, and the grade book's lateness.
+        """Gives each submission its members, the name of its person, and the gradebook's lateness.
         Returns sentences if nobody tells that, and on what the instructor's files say of nobody."""
         self.intake = intake
         submissions = {student.id.casefold() for student in intake.students}
@@ -74,8 +74,8 @@ class People:
         return self._roster[groups[0]] if groups else []
 
     def _name(self, student: Student, members: Sequence[Member]) -> str:
-        """The name of a submission's person, as the roster or the grade book has it. In a Canvas
-        download, a group has the id of one of its members, but a name of its own."""
+        """The name of a submission's person, from the roster or the gradebook. A group in a Canvas
+        download has a member's id, but its own name."""
         if members:
             names = [member.name for member in members]
             return " and ".join(names) if all(names) else student.person
@@ -95,7 +95,7 @@ class People:
 
     def _adjust(self, people: Sequence[Person]) -> list[str]:
         """Notes whom each adjustment is for, a person's own after everybody's. Returns a sentence
-        for each that changes nothing, as its id is nobody's, or that person has no submission."""
+        for each that changes nothing."""
         sentences = []
         for adjustment in sorted(self._adjustments, key=lambda one: one.student != files.EVERYBODY):
             who = adjustment.student
@@ -108,10 +108,10 @@ class People:
         return sentences
 
     def _meant_by(self, id: str, people: Sequence[Person]) -> list[Person]:
-        """The people whom an instructor means by an id: the one who has it in the grade book; else
+        """The people whom an instructor means by an id: the one who has it in the gradebook; else
         whoever has it in the roster or from the service; else the members of the submission with
         this id, such as a login. Students choose their logins, so a login never stands for a person
-        of the grade book or of the roster."""
+        of the gradebook or of the roster."""
         known = [(m, s) for m, s in people if not (self.intake.logins and m.id == s.id)]
         if own := self._own_ids.get(id):
             return [(m, s) for m, s in known if self._own_ids.get(m.id) == own]
@@ -124,9 +124,9 @@ class People:
         return [f"{files.ROSTER} lists {first_few(idle, separator='; ')}: {words}"] * bool(idle)
 
     def give_points(self, summaries: Sequence[Summary]) -> None:
-        """Adds the final points of each person. Whom the roster finds in several submissions gets
-        points from none of them; whom it finds in one, from no other. A login alone, which its
-        student chose, gets no points."""
+        """Adds the final points of each person. If the roster lists somebody for several
+        submissions, none of them gives points; if for one, no other does. A login alone gets no
+        points."""
         graded = [(m, s) for s in summaries if s.score is not None for m in s.student.members]
         given: dict[str, list[str]] = defaultdict(list)  # submissions, by the roster's ids
         for member, summary in graded:
@@ -173,11 +173,10 @@ def _final(summary: Summary, member: Member, own: list[Adjustment], course: file
 
 
 def _late_days(summary: Summary, own: Sequence[Adjustment]) -> float:
-    """The days that count as late: those that were written down, or the service's; where it says
-    only that a submission is late, that counts as one day."""
+    """The days late: the instructor's, else the service's. An unknown number counts as one."""
     given = [a.late_days for a in own if a.late_days is not None]
     days = given[-1] if given else summary.student.late_days
     if days is None:
-        unknown = "by how many days it is late can't be read, and counts as one"
+        unknown = "late by an unknown number of days, counted as one"
         summary.notes.append(f"{unknown} unless {files.ADJUSTMENTS} says otherwise")
     return 1 if days is None else days

@@ -1,9 +1,9 @@
-"""Writes the points: grades.csv, with every submission's by part and check; and the grade book of
-whichever service, in which what a person has entered stays, and each cell that isn't filled in."""
+"""Fills points into the gradebook of whichever service. What a person has entered stays, and so does
+each cell that isn't filled in."""
 
 import json
 from collections import Counter
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -14,86 +14,36 @@ from bounce_grader.classroom.intake.student import Class, Member
 from bounce_grader.classroom.intake.table import number_in
 from bounce_grader.classroom.output.people import People
 from bounce_grader.common.errors import UsageError
-from bounce_grader.common.escaping import csv_row, first_few, Value
 from bounce_grader.common.files import read_object, write_whole
-from bounce_grader.common.manifest import full_points, parts
+from bounce_grader.common.manifest import full_points
 from bounce_grader.common.numbers import short
-from bounce_grader.formats.html import MOST_UNUSED
 
-POINTS = [*(part.stem for part in parts()), *(c.id for part in parts() for c in part.checks)]
 WRITTEN = "written.json"  # the points that runs have filled in: what differs, a person has changed
 # A column's title -> the service's id -> all points that runs have filled in there, or the page.
 Written = dict[str, dict[str, Any]]
 
 
-def grades(summaries: Iterable[Summary]) -> str:
-    rows = list(map(_row, summaries))
-    return "".join(map(csv_row, [rows[0].keys(), *(row.values() for row in rows)]))
-
-
-def _row(summary: Summary) -> dict[str, Value]:
-    student, finals, speed = summary.student, summary.finals, summary.speed
-    points = {part["stem"]: part["score"] for part in summary.parts}
-    points |= {id: check["score"] for id, check in summary.checks.items()}
-    return {
-        "student": student.shown,
-        "id": student.id,
-        "late": "" if student.late_days == 0 else "late",
-        "state": summary.state,
-        "score": _number(summary.score),
-        "final": _of_members({one.id: _number(round(one.points, 2)) for one in finals}),
-        "adjustments": _of_members({one.id: _changes(one) for one in finals}) or "",
-        **{column: _number(points.get(column)) for column in POINTS},
-        "mistakes": "; ".join(summary.mistakes.values()),
-        "times the solution's time": _number(speed.get("ratio")),
-        "largest error": _number(speed.get("largest_error")),
-        "needs a look": summary.needs_a_look,
-        "not used": first_few(summary.unused, MOST_UNUSED, "; ", summary.unused_more),
-        "result": summary.key,
-    }
-
-
-def _of_members(values: Mapping[str, Value]) -> Value:
-    """What all members of a group have; or what each has, where they differ."""
-    if len(set(values.values())) > 1:
-        return "; ".join(f"{id}: {value}" for id, value in values.items() if value != "")
-    return next(iter(values.values()), None)
-
-
-def _changes(member: Member) -> str:
-    return ", ".join(f"{a.reason} {a.points:+g}" if a.points else a.reason for a in member.applied)
-
-
-def _number(value: float | None) -> Value:
-    if value is None:
-        return None
-    rounded = float(f"{value:.6g}")
-    return int(rounded) if rounded.is_integer() else rounded
-
-
-# --- the grade book ---
-
-
 def require_same_class(book: Gradebook, intake: Class) -> None:
-    """Raises UsageError if grade book and submissions can't be of one class. In those of different
-    services, the same id can be that of different students."""
+    """Raises UsageError if gradebook and submissions are of different services, where the same id
+    can be different students, or have nobody in common."""
     if book.service and intake.service not in ("", book.service):
         file = f"{book.name} is a file from {book.service.capitalize()}"
         raise UsageError(f"{file}, and the submissions are {intake.source}: give both from one")
     members = [member for student in intake.students for member in student.members]
     from_canvas = intake.service == "canvas"
-    if book.service and members and not (intake.logins or _lines_of(book, members, from_canvas)):
+    if book.service and members and not (intake.logins or _whose(book, members, from_canvas)):
         raise UsageError(f"nobody who handed in is in {book.name}: is it of another course?")
 
 
-def _lines_of(
-    book: Gradebook, people: Sequence[Member], from_canvas: bool
-) -> list[tuple[Line, Member]]:
-    """The lines of these people. For a Canvas download only the service's own ids count, except the
-    roster's, because any other number in it comes from a student."""
+def _whose(book: Gradebook, people: Sequence[Member], from_canvas: bool) -> dict[int, list[Member]]:
+    """These people by the number of their lines. In a Canvas download, only the service's own ids and
+    the roster's count: students choose all other numbers."""
     own, every = book.by_id(own=True), book.by_id()
-    ids = [(one, own if from_canvas and not one.listed else every) for one in people]
-    return [(line, one) for one, by_id in ids for line in by_id.get(one.id, ())]
+    whose: dict[int, list[Member]] = {}
+    for one in people:
+        for line in (own if from_canvas and not one.listed else every).get(one.id, ()):
+            whose.setdefault(line.number, []).append(one)
+    return whose
 
 
 def fill(
@@ -102,9 +52,7 @@ def fill(
     """The lines that take points, which are also noted in `written`; and what the instructor should
     know. `from_canvas` says that the ids are those of a Canvas download. Points that already stand
     in a line are kept, unless earlier runs have `written` them, or if `overwrite` is set."""
-    whose: dict[int, list[Member]] = {}  # by the line's number
-    for line, final in _lines_of(book, finals, from_canvas):
-        whose.setdefault(line.number, []).append(final)
+    whose = _whose(book, finals, from_canvas)
     times = Counter(final.id for finals in whose.values() for final in finals)
     ours = written.setdefault(book.title, {})
     filled, sentences = [], _other_points_possible(book)
@@ -168,7 +116,8 @@ def write(path: Path, people: People, summaries: Sequence[Summary], overwrite: b
     finals = [one._replace(name=one.name or s.student.shown) for s in summaries for one in s.finals]
     given = [one for one in finals if one.listed or not submitted.logins]
     written = read_object(path.with_name(WRITTEN))
-    lacking = _lacking(book, written.get(book.title, {}))
+    before = written.get(book.title, {})
+    emptied = sum(line.ids[0] in before and not line.there for line in book.lines)
     from_canvas = submitted.service == "canvas"
     filled, sentences = fill(book, given, from_canvas, written, overwrite)
     has_comma = any("," in points for points in book.possible)
@@ -177,13 +126,9 @@ def write(path: Path, people: People, summaries: Sequence[Summary], overwrite: b
         book.table.rows[line.number].cells[book.column] = text
     write_whole(path, book.table.encoded())
     note(path.parent, written)
+    if emptied:  # in an old file, which lacks corrections since an earlier run, too
+        cells = f"what an earlier run has filled into {emptied} cell{'s' * (emptied > 1)}"
+        again = "export the grades again, or corrections made there since then are lost"
+        sentences = [f"{book.name} lacks {cells}: if that is imported, {again}", *sentences]
     where = f"isn't in {ROSTER}: the points are in grades.csv"
-    return [*lacking, *sentences, *(f"{one.id} {where}" for one in finals if one not in given)]
-
-
-def _lacking(book: Gradebook, written: Mapping[str, Sequence[str]]) -> list[str]:
-    """Corrections since an earlier run can't be seen in an old file."""
-    emptied = sum(line.ids[0] in written and not line.there for line in book.lines)
-    cells = f"what an earlier run has filled into {emptied} cell{'s' * (emptied > 1)}"
-    again = "export the grades again, or corrections made there since then are lost"
-    return [f"{book.name} lacks {cells}: if that is imported, {again}"] * bool(emptied)
+    return [*sentences, *(f"{one.id} {where}" for one in finals if one not in given)]
