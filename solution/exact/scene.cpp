@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <sstream>
 #include <stdexcept>
 
-namespace bounce::exact {
+namespace bounce::study {
 namespace {
 
 using nlohmann::json;
@@ -149,10 +149,10 @@ Scene scene_of(const json& whole, bool of_study) {
 
 const char* name_of(ModelLevel level) { return kModelLevelNames[std::size_t(level)]; }
 
-std::string text_of(double x) {
-  std::ostringstream text;
-  text << x;
-  return text.str();
+std::string text_of(double x, int digits) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.*g", digits, x);
+  return text;
 }
 
 void check(const Parameters& params, const State& start) {
@@ -175,8 +175,7 @@ void check(const Parameters& params, const State& start) {
                             {"v[1]", v(1), kAny},
                             {"v[2]", v(2), kAny}};
   for (const Number& number : numbers) check_range(number);
-  const double gap =
-      methods::lowest_gap(methods::motion_of<double>(start), methods::Body<double>(params));
+  const double gap = lowest_gap(motion_of(start), Body<double>(params));
   if (gap < -1e-12 * std::max(1.0, l))
     refuse("q[1]", "puts the lowest corner " + text_of(-gap) + " m below the ground; raise it");
 }
@@ -189,23 +188,22 @@ Scene read_scene(const std::filesystem::path& file, bool of_study) {
   }
 }
 
-std::vector<Scene> read_scenes(const std::filesystem::path& folder) {
+Scenes read_scenes(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::directory_iterator(folder))
     if (entry.path().extension() == ".json") files.push_back(entry.path());
   if (files.empty()) refuse(folder.string(), "holds no scene");
   std::sort(files.begin(), files.end());
-  std::vector<Scene> scenes;
+  Scenes scenes;
   scenes.reserve(files.size());
   for (const auto& file : files) scenes.push_back(read_scene(file));
   return scenes;
 }
 
-double distance(const Scene& scene, const methods::Motion<double>& one,
-                const methods::Motion<double>& other) {
+double distance(const Scene& scene, const Motion<double>& one, const Motion<double>& other) {
   const double x = one.x - other.x, y = one.y - other.y;
   const double turned = scene.params.l / std::sqrt(2.0) * (one.theta - other.theta);
   return std::sqrt(x * x + y * y + turned * turned);
 }
 
-}  // namespace bounce::exact
+}  // namespace bounce::study

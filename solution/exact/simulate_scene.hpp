@@ -21,7 +21,7 @@
 
 #include "scene.hpp"
 
-namespace bounce::exact {
+namespace bounce::study {
 
 // The steps that took each level.
 using ModelReport = std::array<long, kModelLevels>;
@@ -30,4 +30,4 @@ using ModelReport = std::array<long, kModelLevels>;
 Trajectory simulate_scene(const Parameters& params, const State& start,
                           ModelReport* report = nullptr);
 
-}  // namespace bounce::exact
+}  // namespace bounce::study

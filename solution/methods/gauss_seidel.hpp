@@ -11,7 +11,7 @@
 
 #include <Eigen/Dense>
 
-namespace bounce::methods {
+namespace bounce::study {
 
 struct GaussSeidel {
   Eigen::VectorXd p;  // the last iterate
@@ -26,4 +26,4 @@ struct GaussSeidel {
 GaussSeidel gauss_seidel(const Eigen::MatrixXd& G, const Eigen::VectorXd& u, double mu,
                          double tolerance, int most_sweeps);
 
-}  // namespace bounce::methods
+}  // namespace bounce::study

@@ -19,10 +19,11 @@
 // kCorners 1 takes the lowest corner only. kCorners 2 takes the two lowest, with merged friction.
 #pragma once
 
-#include "assignment.hpp"
+#include "one_corner.hpp"
+#include "scheme.hpp"
 #include "two_corners.hpp"
 
-namespace bounce::methods {
+namespace bounce::study {
 
 // The lowest two corners at q_m: their arms and their heights above the ground, m.
 struct LowCorners {
@@ -76,45 +77,28 @@ inline void push_side(Motion<double>& s, const LowCorners& low, const SideImpuls
   apply_impulse(s, low.right, p.n[1], p.t / 2, k.gyration_squared);
 }
 
-inline void half_step(Motion<double>& s, const StepConstants& k) {
-  s.x += k.dt / 2 * s.v_x;
-  s.y += k.dt / 2 * s.v_y;
-  s.theta += k.dt / 2 * s.omega;
-}
-
 template <int kCorners>
-class MoreauJean {
- public:
-  MoreauJean(const Parameters& params, const Motion<double>& start) : k_(params), s_(start) {}
+struct MoreauJean : StepConstants {
+  using StepConstants::StepConstants;
 
-  void steps(long n) {
-    for (; n > 0; --n) step();
+  void step(Motion<double>& s) const {
+    move(s, dt / 2);
+    if (s.y <= rho) touch(s);
+    s.v_x += dv_x;
+    s.v_y += dv_y;
+    move(s, dt / 2);
   }
 
-  Motion<double> motion() const { return s_; }
-
- private:
-  void step() {
-    half_step(s_, k_);
-    if (s_.y <= k_.rho) touch();
-    s_.v_x += k_.dv_x;
-    s_.v_y += k_.dv_y;
-    half_step(s_, k_);
-  }
-
-  void touch() {
-    const LowCorners low = low_corners(k_.half, std::cos(s_.theta), std::sin(s_.theta), s_.y);
-    if (kCorners == 2 && side_touches(low, s_, k_)) {
-      push_side(s_, low, solve_two_corners(side_problem(s_, low, k_)), k_);
+  void touch(Motion<double>& s) const {
+    const LowCorners low = low_corners(half, std::cos(s.theta), std::sin(s.theta), s.y);
+    if (kCorners == 2 && side_touches(low, s, *this)) {
+      push_side(s, low, solve_two_corners(side_problem(s, low, *this)), *this);
     } else if (low.gap_left <= 0 || low.gap_right <= 0) {
       const Arm<double>& r = low.gap_left <= low.gap_right ? low.left : low.right;
-      const auto p = solve_one_corner(corner_problem(s_, r, k_));
-      apply_impulse(s_, r, p.n, p.t, k_.gyration_squared);
+      const auto p = solve_one_corner(corner_problem(s, r, *this));
+      apply_impulse(s, r, p.n, p.t, gyration_squared);
     }
   }
-
-  StepConstants k_;
-  Motion<double> s_;
 };
 
-}  // namespace bounce::methods
+}  // namespace bounce::study

@@ -34,7 +34,7 @@
 
 #include "square.hpp"
 
-namespace bounce::methods {
+namespace bounce::study {
 
 template <class Real>
 struct TwoCorners {
@@ -153,4 +153,4 @@ SideImpulse<Real> solve_two_corners(const TwoCorners<Real>& k) {
   return best;
 }
 
-}  // namespace bounce::methods
+}  // namespace bounce::study

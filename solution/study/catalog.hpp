@@ -6,17 +6,14 @@
 #include <vector>
 
 #include "../exact/truth.hpp"
-#include "starts.hpp"
 
 namespace bounce::study {
-
-using namespace exact;
 
 struct Method {
   std::string name;
   bool has_step;  // the setting is a time step, s; otherwise it is a tolerance
   std::vector<double> settings;
-  std::function<Samples(const Scene&, double setting, int samples)> simulate;
+  std::function<Motions(const Scene&, double setting, int samples)> simulate;
   // CPU time of this many runs, ns; empty where a run is all that `simulate` does.
   std::function<double(const Scene&, double setting, long repeats)> time = {};
 };
@@ -24,12 +21,7 @@ using Methods = std::vector<Method>;
 
 Methods all_methods();
 
-// A method at one setting, the step as it is run.
-struct Setting {
-  double value;
-  int samples;
-  Errors error;
-};
-Setting measure(const Method& method, double setting, StartsOfScene& starts);
+// The steps of a sweep from `largest` down to `least`, four in a factor of ten.
+std::vector<double> steps_down_to(double least, double largest = 1e-2);
 
 }  // namespace bounce::study

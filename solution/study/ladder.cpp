@@ -16,10 +16,9 @@ Model model_of(ModelLevel level) {
   return {corners, level == ModelLevel::one_friction || level == ModelLevel::two_frictions};
 }
 
-std::vector<methods::Motion<double>> motion_with(const Scene& scene, ModelLevel level,
-                                                 const std::vector<double>& times,
-                                                 EventOptions options) {
-  const auto start = methods::motion_of<double>(scene.start);
+Motions motion_with(const Scene& scene, ModelLevel level, const std::vector<double>& times,
+                    EventOptions options) {
+  const auto start = motion_of(scene.start);
   if (level == ModelLevel::asleep) return {times.size(), start};
   options.model = model_of(level);
   return simulate_events<double>(scene.params, start, times, options);
@@ -32,9 +31,8 @@ Parameters stepped(const Scene& scene, double dt) {
   return params;
 }
 
-std::vector<methods::Motion<double>> whole_model(const Parameters& params, const State& start) {
-  return methods::sample(methods::MoreauJean<2>(params, methods::motion_of<double>(start)),
-                         params.T - 1, 1);
+Motions whole_model(const Parameters& params, const State& start) {
+  return sample(MoreauJean<2>(params), motion_of(start), params.T - 1, 1);
 }
 
 double distance_to_whole_model(const Parameters& params, const State& start) {
@@ -42,7 +40,7 @@ double distance_to_whole_model(const Parameters& params, const State& start) {
   double farthest = 0;
   Eigen::Index column = 0;
   for (const auto& s : whole_model(params, start)) {
-    const Vector3 off = chosen.q.col(++column) - methods::state_of(s).q;
+    const Vector3 off = chosen.q.col(++column) - state_of(s).q;
     farthest = std::max(farthest, off.cwiseAbs().maxCoeff());
   }
   return farthest;

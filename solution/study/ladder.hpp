@@ -6,23 +6,20 @@
 
 namespace bounce::study {
 
-using namespace exact;
-
 // What a model of the ladder may use.
 Model model_of(ModelLevel level);
 
 // The scene at these times with at most this model; fewer than `times` where its impacts go on
 // without an end, or are more than options.most_events.
-std::vector<methods::Motion<double>> motion_with(const Scene& scene, ModelLevel level,
-                                                 const std::vector<double>& times,
-                                                 EventOptions options = {});
+Motions motion_with(const Scene& scene, ModelLevel level, const std::vector<double>& times,
+                    EventOptions options = {});
 
 // The scene's parameters for steps of dt, s, until it isn't compared any more.
 Parameters stepped(const Scene& scene, double dt);
 
 // Moreau-Jean's scheme, which takes the whole model wherever a corner touches: the motion after
 // each step; and the largest distance of a coordinate of simulate_scene to it.
-std::vector<methods::Motion<double>> whole_model(const Parameters& params, const State& start);
+Motions whole_model(const Parameters& params, const State& start);
 double distance_to_whole_model(const Parameters& params, const State& start);
 
 }  // namespace bounce::study

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "../exact/scene.hpp"
 #include "timing.hpp"
 
 namespace bounce::study {
@@ -26,7 +27,7 @@ class Table {
 
  private:
   static std::string text(const std::string& value) { return value; }
-  static std::string text(double value);
+  static std::string text(double value) { return text_of(value, 5); }
   // Empty if there is no number to write.
   static std::string text(const std::optional<double>& value) { return value ? text(*value) : ""; }
   static std::string text(std::integral auto value) { return std::to_string(value); }  // bool: 1, 0

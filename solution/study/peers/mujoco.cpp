@@ -102,7 +102,7 @@ class MuJoCo final : public Engine {
 
   void step() override { mj_step(model_, data_); }
 
-  methods::Motion<double> motion() const override {
+  Motion<double> motion() const override {
     const mjtNum *q = data_->qpos, *v = data_->qvel;
     return {q[0], q[1], q[2], v[0], v[1], v[2]};
   }
