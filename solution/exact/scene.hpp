@@ -39,9 +39,6 @@ Scene read_scene(const std::filesystem::path& file, bool of_study = true);
 // Every scene of a folder, by name of the file.
 Scenes read_scenes(const std::filesystem::path& folder);
 
-// Throws std::invalid_argument, naming the field, if these numbers can't be simulated.
-void check(const Parameters& params, const State& start);
-
 // A number with so many digits; 17 give back the same double.
 std::string text_of(double x, int digits = 6);
 

@@ -155,7 +155,6 @@ class LeastModelSimulation {
 }  // namespace
 
 Trajectory simulate_scene(const Parameters& params, const State& start, ModelReport* report) {
-  check(params, start);
   ModelReport unread{};
   return LeastModelSimulation(params, start, report ? *report : unread).run();
 }

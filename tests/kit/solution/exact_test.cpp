@@ -2,9 +2,6 @@
 // means: closed forms, a second precision, and schemes that find no times of impact.
 #include <gtest/gtest.h>
 
-#include <array>
-#include <functional>
-
 #include "cases.hpp"
 #include "exact/first_contact.hpp"
 #include "exact/truth.hpp"
@@ -39,15 +36,17 @@ double rounding_depth(const Case& c, const Motion<double>& s, double t) {
          0x1p-48 * (std::abs(s.y) + c.params.l * (1 + std::abs(s.theta)) + t * corner_speed);
 }
 
+Case ordinary(Random& random, int i) { return ordinary_case(random, i, 0.79); }
+
 struct Kind {
   const char* name;
-  std::function<Case(Random&, int)> make;
+  Case (*make)(Random&, int);
   int samples;
   bool loses_energy;  // Newton's law does so only where epsilon is small
 };
 
 const Kind kKinds[] = {
-    {"ordinary", [](Random& random, int i) { return ordinary_case(random, i, 0.79); }, 50, true},
+    {"ordinary", ordinary, 50, true},
     {"rocking", rocking_case, 20, false},
     {"wide", wide_case, 20, false},
 };
@@ -83,38 +82,38 @@ TEST(exact, EveryMotionEndsAndNeitherSinksNorGainsEnergy) {
 // A change of the case, and what it does to a motion.
 struct Symmetry {
   const char* name;
-  std::function<Case(Random&, int)> make;
-  std::function<void(Case&)> change;
-  std::function<Motion<double>(Motion<double>)> expected;
+  Case (*make)(Random&, int);
+  void (*change)(Case&);
+  Motion<double> (*expected)(const Motion<double>&);
   double tolerance;  // of x, y and theta
 };
 
 constexpr double kLength = 0x1p-17, kTime = 0x1p6;
-
-Case in_other_units(const Case& c) {
-  Case other = c;
-  other.params.l *= kLength;
-  other.params.g *= kLength / (kTime * kTime);
-  other.until *= kTime;
-  return other;
-}
 
 Motion<double> in_other_units(const Motion<double>& s) {
   const double speed = kLength / kTime;
   return {s.x * kLength, s.y * kLength, s.theta, s.v_x * speed, s.v_y * speed, s.omega / kTime};
 }
 
+void change_units(Case& c) {
+  c.params.l *= kLength;
+  c.params.g *= kLength / (kTime * kTime);
+  c.until *= kTime;
+  c.start = in_other_units(c.start);
+}
+
 Motion<double> mirrored(const Motion<double>& s) {
   return {-s.x, s.y, -s.theta, -s.v_x, s.v_y, -s.omega};
 }
 
-Motion<double> moved(Motion<double> s) {
-  s.x += 3;
-  s.theta += 1024 * 2 * std::numbers::pi;
-  return s;
+void mirror(Case& c) {
+  c.params.g.x() *= -1;
+  c.start = mirrored(c.start);
 }
 
-Case ordinary(Random& random, int i) { return ordinary_case(random, i, 0.79); }
+Motion<double> moved(const Motion<double>& s) {
+  return {s.x + 3, s.y, s.theta + 1024 * 2 * std::numbers::pi, s.v_x, s.v_y, s.omega};
+}
 
 // Whole turns round the angle by 1e-12 rad: a flat one lands on a corner, and each impact
 // multiplies what that does.
@@ -138,25 +137,9 @@ Case on_a_slope(Random& random, int i) {
 }
 
 const Symmetry kSymmetries[] = {
-    {"units", wide_case,
-     [](Case& c) {
-       const Motion<double> start = in_other_units(c.start);
-       c = in_other_units(c);
-       c.start = start;
-     },
-     [](const Motion<double>& s) { return in_other_units(s); }, 0},
-    {"mirror", ordinary,
-     [](Case& c) {
-       c.params.g.x() *= -1;
-       c.start = mirrored(c.start);
-     },
-     mirrored, 1e-12},
-    {"mirror on slopes", on_a_slope,
-     [](Case& c) {
-       c.params.g.x() *= -1;
-       c.start = mirrored(c.start);
-     },
-     mirrored, 1e-12},
+    {"units", wide_case, change_units, in_other_units, 0},
+    {"mirror", ordinary, mirror, mirrored, 1e-12},
+    {"mirror on slopes", on_a_slope, mirror, mirrored, 1e-12},
     {"shift and turns", tilted_and_short, [](Case& c) { c.start = moved(c.start); }, moved, 1e-4},
 };
 

@@ -130,9 +130,7 @@ TEST(penalty, ComesNearerToStrongesLawThanToNewtonsWhereFrictionTurnsTheSquare) 
   params.g.setZero();
   const Body<double> body(params);
   for (const double theta : {0.3, 0.6}) {
-    const auto r = arms(body, theta);
-    const Arm<double>& lowest = *std::min_element(
-        r.begin(), r.end(), [](const auto& one, const auto& other) { return one.y < other.y; });
+    const auto lowest = lowest_arm(body.half, std::cos(theta), std::sin(theta));
     const Motion<double> start{0, -lowest.y, theta, 1, -1, 5};
     const auto omega = [&](ImpactLaw law) {
       Motion<double> s = start;
