@@ -128,8 +128,7 @@ class Ground {
     const Real u_t = s.v_x - (r_1.y + r_2.y) / 2 * s.omega;
     const SideImpulse<Real> p =
         solve_two_corners(two_corners(r_1, r_2, body_.gyration_squared, u, u_t, body_.mu));
-    apply_impulse(s, r_1, p.n[0], p.t / 2, body_.gyration_squared);
-    apply_impulse(s, r_2, p.n[1], p.t / 2, body_.gyration_squared);
+    push_side(s, r_1, r_2, p, body_.gyration_squared);
     return p.n;
   }
 

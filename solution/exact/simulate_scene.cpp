@@ -85,7 +85,7 @@ class LeastModelSimulation {
   }
 
   void contact_step(bool rested, const LowCorners& low) {
-    const bool both = side_touches(low, s_, k_);
+    const bool both = k_.side_touches(low, s_);
     ModelLevel level = ModelLevel::ballistic;
     if (both) {
       level = two(low);
@@ -118,7 +118,7 @@ class LeastModelSimulation {
   }
 
   ModelLevel one(const Arm<double>& r) {
-    const auto problem = corner_problem(s_, r, k_);
+    const auto problem = k_.corner_problem(s_, r);
     if (problem.u_n >= 0) return ModelLevel::one_normal;
     const double p_n = -problem.u_n / problem.a;
     if (problem.u_t + problem.b * p_n == 0 || friction_is_negligible(p_n)) {
@@ -131,20 +131,20 @@ class LeastModelSimulation {
   }
 
   ModelLevel two(const LowCorners& low) {
-    TwoCorners<double> problem = side_problem(s_, low, k_);
+    TwoCorners<double> problem = k_.side_problem(s_, low);
     problem.mu = 0;
     const SideImpulse<double> normal = solve_side(problem, 1, false);
     const double slides = problem.u_t + problem.b(0) * normal.n[0] + problem.b(1) * normal.n[1];
     if (slides == 0 || friction_is_negligible(normal.n[0] + normal.n[1])) {
-      push_side(s_, low, normal, k_);
+      k_.push(s_, low, normal);
       return ModelLevel::two_normals;
     }
     problem.mu = k_.mu;
-    push_side(s_, low, solve_two_corners(problem), k_);
+    k_.push(s_, low, solve_two_corners(problem));
     return ModelLevel::two_frictions;
   }
 
-  StepConstants k_;
+  Midpoint k_;
   Motion<double> s_;
   Trajectory trajectory_;
   long now_ = 0, last_;
