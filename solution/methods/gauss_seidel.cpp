@@ -21,16 +21,14 @@ double relax(const Eigen::MatrixXd& G, const Eigen::VectorXd& u, Index i, double
 GaussSeidel gauss_seidel(const Eigen::MatrixXd& G, const Eigen::VectorXd& u, double mu,
                          double tolerance, int most_sweeps) {
   const double most = std::numeric_limits<double>::max();
-  GaussSeidel result{Eigen::VectorXd::Zero(u.size()), 0, false, 0};
-  while (!result.converged && result.sweeps < most_sweeps) {
-    Eigen::VectorXd& p = result.p;
+  GaussSeidel result{Eigen::VectorXd::Zero(u.size()), 0, false};
+  Eigen::VectorXd& p = result.p;
+  for (; !result.converged && result.sweeps < most_sweeps; ++result.sweeps) {
     double change = 0;
     for (Index i = 0; i < u.size(); i += 2) {
       change = std::max(change, relax(G, u, i, 0, most, p));
       change = std::max(change, relax(G, u, i + 1, -mu * p(i), mu * p(i), p));
     }
-    ++result.sweeps;
-    result.residual = change;
     result.converged = change <= tolerance;
   }
   return result;

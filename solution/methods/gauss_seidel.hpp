@@ -17,7 +17,6 @@ struct GaussSeidel {
   Eigen::VectorXd p;  // the last iterate
   int sweeps;
   bool converged;
-  double residual;  // the largest change of the last sweep times the diagonal, m/s
 };
 
 // w = G p + u for n contacts: G is 2n x 2n, u has 2n entries, m/s, and p the impulses (p_n, p_t) of

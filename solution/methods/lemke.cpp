@@ -71,19 +71,19 @@ Tableau start(const Eigen::MatrixXd& V, const Eigen::VectorXd& p) {
 
 LemkeResult lemke(const Eigen::MatrixXd& V, const Eigen::VectorXd& p) {
   const Index n = p.size();
-  if ((p.array() >= 0).all()) return {Eigen::VectorXd::Zero(n), LemkeEnd::solved, 0};
+  if ((p.array() >= 0).all()) return {Eigen::VectorXd::Zero(n), true, 0};
   Tableau tableau = start(V, p);
   Index row = 0;
   p.minCoeff(&row);
   Index leaving = tableau.pivot(row, tableau.z_0());
   for (int pivots = 1; pivots < 100; ++pivots) {
-    if (leaving == tableau.z_0()) return {tableau.solution(), LemkeEnd::solved, pivots};
+    if (leaving == tableau.z_0()) return {tableau.solution(), true, pivots};
     const Index entering = leaving < n ? leaving + n : leaving - n;
     row = tableau.blocking_row(entering);
-    if (row < 0) return {tableau.solution(), LemkeEnd::ray, pivots};
+    if (row < 0) return {tableau.solution(), false, pivots};
     leaving = tableau.pivot(row, entering);
   }
-  return {tableau.solution(), LemkeEnd::too_many_pivots, 100};
+  return {tableau.solution(), false, 100};
 }
 
 double lcp_residual(const Eigen::MatrixXd& V, const Eigen::VectorXd& p, const Eigen::VectorXd& z) {

@@ -14,16 +14,14 @@
 
 namespace bounce::study {
 
-enum class LemkeEnd { solved, ray, too_many_pivots };
-
 struct LemkeResult {
   Eigen::VectorXd z;
-  LemkeEnd end;
+  bool is_solved;  // else it ended in a ray, or after 100 pivots
   int pivots;
 };
 
 // Solves 0 <= V z + p perpendicular to z >= 0. Pivots below 1e-12, an absolute tolerance, count as
-// 0. z is a solution only if `end` is `solved`.
+// 0. z is a solution only if `is_solved`.
 LemkeResult lemke(const Eigen::MatrixXd& V, const Eigen::VectorXd& p);
 
 // max_i |min(z_i, w_i)| with w = V z + p: how far z is from a solution, whatever a solver says.

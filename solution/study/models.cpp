@@ -8,7 +8,7 @@
 
 #include "../exact/simulate_scene.hpp"
 #include "../exact/truth.hpp"
-#include "ladder.hpp"
+#include "catalog.hpp"
 #include "questions.hpp"
 #include "random_scenes.hpp"
 

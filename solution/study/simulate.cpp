@@ -7,7 +7,6 @@
 
 #include "../exact/simulate_to.hpp"
 #include "catalog.hpp"
-#include "ladder.hpp"
 #include "timing.hpp"
 
 namespace bounce::study {

@@ -3,7 +3,6 @@
 #include <bounce/part2_lcp.hpp>
 #include <cmath>
 #include <numbers>
-#include <optional>
 #include <stdexcept>
 
 #include "../exact/event_driven.hpp"
@@ -74,7 +73,7 @@ int lemke_pivots(double R) {
   Eigen::Matrix2d G;
   G << 1, -1, -1, 1 + 1 / R;
   const LemkeResult z = lemke(G, Eigen::Vector2d(-0.0981, 0));
-  if (z.end != LemkeEnd::solved) throw std::logic_error("a stack without a solution");
+  if (!z.is_solved) throw std::logic_error("a stack without a solution");
   return z.pivots;
 }
 
@@ -145,8 +144,8 @@ Residuals residuals_at(double theta) {
     const Lcp8 lcp = form_lcp8(r[2], r[3], v, params);
     const LemkeResult z = lemke(lcp.V, lcp.p);
     const double left = lcp_residual(lcp.V, lcp.p, z.z);
-    if (z.end == LemkeEnd::solved) worst.lemke = std::max(worst.lemke, left);
-    worst.wrong += z.end == LemkeEnd::solved && !(left <= 1e-6);
+    if (z.is_solved) worst.lemke = std::max(worst.lemke, left);
+    worst.wrong += z.is_solved && !(left <= 1e-6);
     const auto side = two_corners<double>(r[2], r[3], params.l * params.l / 6, {lcp.p(0), lcp.p(4)},
                                           (lcp.p(2) + lcp.p(6)) / 2, params.mu);
     const auto p = solve_two_corners(side);
@@ -234,7 +233,7 @@ Table solution_count(const Scenes&, const Extent&) {
 Table gauss_seidel_sweeps(const Scenes&, const Extent&) {
   Table table(
       {"problem", "value", "sweeps", "predicted_sweeps", "lemke_pivots", "share_without_end"});
-  constexpr std::optional<double> kNone;
+  const std::string kNone;
   constexpr double kTolerance = 1e-9;
   for (double R = 0.01; R < 2e4; R *= std::sqrt(10.0)) {
     const double rate = R / (1 + R);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <concepts>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,8 +27,6 @@ class Table {
  private:
   static std::string text(const std::string& value) { return value; }
   static std::string text(double value) { return text_of(value, 5); }
-  // Empty if there is no number to write.
-  static std::string text(const std::optional<double>& value) { return value ? text(*value) : ""; }
   static std::string text(std::integral auto value) { return std::to_string(value); }  // bool: 1, 0
   void add_row(std::vector<std::string> row);
 

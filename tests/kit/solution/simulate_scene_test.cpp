@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "cases.hpp"
-#include "study/ladder.hpp"
+#include "study/catalog.hpp"
 
 namespace bounce::study::tests {
 namespace {

@@ -95,7 +95,7 @@ TEST(simulate_to, KeepsItsBoundAfterManyTurns) {
 
 Scene drop(double theta, int T) {
   Scene scene{};
-  scene.start.q = Vector3(0, 0.3, theta);
+  scene.start = {{0, 0.3, theta}, {0, 0, 0}};
   scene.params.T = T;
   return scene;
 }
