@@ -100,7 +100,7 @@ double cpu_ns() {
 
 Timed run_least_model(const Parameters& params, const State& start) {
   const double before = cpu_ns();
-  Trajectory trajectory = exact::simulate_scene(params, start);
+  Trajectory trajectory = study::simulate_scene(params, start);
   return {std::move(trajectory), std::max(1.0, cpu_ns() - before)};
 }
 
@@ -108,27 +108,27 @@ Timed run_least_model(const Parameters& params, const State& start) {
 
 // A scene at one dt.
 struct Setting {
-  const exact::Scene& scene;
-  const exact::Samples& truth;
+  const study::Scene& scene;
+  const study::Motions& truth;
   Parameters params = scene.params;
   long between = 0;  // steps, from one sample to the next
 
-  Setting(const exact::Scene& of, const exact::Samples& its_truth, double dt)
+  Setting(const study::Scene& of, const study::Motions& its_truth, double dt)
       : scene(of), truth(its_truth) {
-    params.dt = exact::fitting_step(scene, dt);
+    params.dt = study::fitting_step(scene, dt);
     params.delta = kDeltaSpeed * params.dt;
-    between = std::lround(scene.until / exact::kSamples / params.dt);
-    params.T = static_cast<int>(exact::kSamples * between) + 1;
+    between = std::lround(scene.until / study::kSamples / params.dt);
+    params.T = static_cast<int>(study::kSamples * between) + 1;
   }
 
   // The largest distance to the truth over the samples, m.
   double error_of(const Trajectory& trajectory) const {
-    exact::Samples samples;
-    for (int i = 1; i <= exact::kSamples; ++i) {
+    study::Motions samples;
+    for (int i = 1; i <= study::kSamples; ++i) {
       const State state{trajectory.q.col(i * between), trajectory.v.col(i * between)};
-      samples.push_back(methods::motion_of<double>(state));
+      samples.push_back(study::motion_of<double>(state));
     }
-    return exact::error_of(scene, samples, truth);
+    return study::error_of(scene, samples, truth);
   }
 };
 
@@ -202,14 +202,14 @@ json measured(const json& asked) try {
   std::vector<Contender> contenders{{"submission", run_right},
                                     {"solution", std::bind_front(&Timer::run, &solution)},
                                     {"least", run_least_model}};
-  std::vector<exact::Scene> scenes = exact::read_scenes(asked.at("scenes").get<std::string>());
+  std::vector<study::Scene> scenes = study::read_scenes(asked.at("scenes").get<std::string>());
   // The assignment's model has no two corners at once, as in a square that rests on a face.
-  using enum exact::ModelLevel;
+  using enum study::ModelLevel;
   std::erase_if(scenes, [](const auto& s) { return s.least == asleep || s.least > one_friction; });
-  std::vector<exact::Samples> truths;
+  std::vector<study::Motions> truths;
   json all = json::array();
-  for (const exact::Scene& scene : scenes) {
-    truths.push_back(exact::truth_of(scene));
+  for (const study::Scene& scene : scenes) {
+    truths.push_back(study::truth_of(scene));
     all.push_back({{"scene", scene.name}, {"title", scene.title}, {"seconds", scene.until}});
     for (const Contender& one : contenders) all.back()[one.name] = json::array();
   }

@@ -11,7 +11,7 @@
 #include "series.hpp"
 #include "units.hpp"
 
-namespace bounce::exact {
+namespace bounce::study {
 namespace {
 
 template <class Real>
@@ -90,10 +90,7 @@ class Engine {
   }
 
   // Takes away the rounding of y: the lowest corner touches.
-  void put_on_ground() {
-    const auto r = methods::arms(body_, s_.theta);
-    s_.y = -std::min(std::min(r[0].y, r[1].y), std::min(r[2].y, r[3].y));
-  }
+  void put_on_ground() { s_.y = height_on_ground(body_.half, s_.theta); }
 
   // The corners that touch the ground.
   Corners touching(const Row<Arm<Real>, 4>& r) const {
@@ -106,7 +103,7 @@ class Engine {
 
   // As many of these as the model allows: of two, the corner that approaches faster.
   Corners within_model(Corners hit, const Row<Arm<Real>, 4>& r) const {
-    const auto v_n = [&](int i) { return methods::normal_velocity(s_, r[hit.index[i]]); };
+    const auto v_n = [&](int i) { return normal_velocity(s_, r[hit.index[i]]); };
     if (hit.count == 2 && options_.model.corners < 2 && v_n(1) < v_n(0))
       hit.index[0] = hit.index[1];
     hit.count = std::min(hit.count, options_.model.corners);
@@ -115,14 +112,14 @@ class Engine {
 
   // The end of a flight.
   void collide() {
-    const auto r = methods::arms(body_, s_.theta);
+    const auto r = arms(body_, s_.theta);
     collide(touching(r), r);
   }
 
   // The end of one corner's motion: its neighbour lands. Both touch, whatever the heights say: they
   // are as far from 0 as the series are from the truth, which may be more than what touches.
   void land(int k, int neighbour) {
-    collide({2, {std::min(k, neighbour), std::max(k, neighbour)}}, methods::arms(body_, s_.theta));
+    collide({2, {std::min(k, neighbour), std::max(k, neighbour)}}, arms(body_, s_.theta));
   }
 
   // The impact of all corners that touch. Corners that are pressed and don't leave stay closed.
@@ -143,7 +140,7 @@ class Engine {
 
   // Takes away the rounding of y and v_y at a corner on the ground, and of v_x if it sticks.
   void hold(int k) {
-    const Arm<Real> r = methods::arms(body_, s_.theta)[k];
+    const Arm<Real> r = arms(body_, s_.theta)[k];
     s_.y = -r.y;
     s_.v_y = -r.x * s_.omega;
     if (sliding_ == 0) s_.v_x = r.y * s_.omega;
@@ -153,7 +150,7 @@ class Engine {
   void follow_corner() {
     report_.stays = true;
     const int k = closed_.index[0];
-    const Arm<Real> r = methods::arms(body_, s_.theta)[k];
+    const Arm<Real> r = arms(body_, s_.theta)[k];
     if (!sliding_ && !find_mode(r)) return;
     const CornerMotion<Real> motion(body_, s_, r, *sliding_, order_);
     const Real reach = std::min(motion.reach(Real(options_.tolerance)), last());
@@ -169,10 +166,10 @@ class Engine {
 
   // Finds the mode by the LCP in accelerations; false if the corner doesn't stay.
   bool find_mode(const Arm<Real>& r) {
-    const Real v_t = methods::tangential_velocity(s_, r);
+    const Real v_t = tangential_velocity(s_, r);
     const auto forces =
-        methods::one_corner<Real>(r, body_.gyration_squared, body_.g_y - r.y * s_.omega * s_.omega,
-                                  body_.g_x - r.x * s_.omega * s_.omega, body_.mu);
+        one_corner<Real>(r, body_.gyration_squared, body_.g_y - r.y * s_.omega * s_.omega,
+                         body_.g_x - r.x * s_.omega * s_.omega, body_.mu);
     int sigma = v_t > 0 ? 1 : -1;
     if (std::abs(v_t) > slow(s_, body_)) {
       if (forces.u_n < 0 && forces.a - Real(sigma) * forces.mu * forces.b <= 0) {
@@ -180,9 +177,8 @@ class Engine {
         return false;
       }
     } else {
-      const auto mode = methods::solve_one_corner(forces).mode;
-      sigma = (mode == methods::ContactMode::slides_right) -
-              (mode == methods::ContactMode::slides_left);
+      const auto mode = solve_one_corner(forces).mode;
+      sigma = (mode == ContactMode::slides_right) - (mode == ContactMode::slides_left);
       s_.v_x = r.y * s_.omega;
     }
     if (forces.u_n >= 0) closed_ = {};
@@ -192,9 +188,9 @@ class Engine {
 
   // The impact without approach that stops the sliding corner.
   void jam(const Arm<Real>& r) {
-    const auto k = methods::one_corner<Real>(r, body_.gyration_squared, 0, 0, body_.mu);
-    const Real v_t = methods::tangential_velocity(s_, r), D = k.a * k.c - k.b * k.b;
-    methods::apply_impulse(s_, r, k.b * v_t / D, -k.a * v_t / D, body_.gyration_squared);
+    const auto k = one_corner<Real>(r, body_.gyration_squared, 0, 0, body_.mu);
+    const Real v_t = tangential_velocity(s_, r), D = k.a * k.c - k.b * k.b;
+    apply_impulse(s_, r, k.b * v_t / D, -k.a * v_t / D, body_.gyration_squared);
     s_.v_x = r.y * s_.omega;
   }
 
@@ -207,7 +203,7 @@ class Engine {
         closed_ = {};
         return;
       case Guard::stops_sliding:
-        s_.v_x = methods::arms(body_, s_.theta)[k].y * s_.omega;
+        s_.v_x = arms(body_, s_.theta)[k].y * s_.omega;
         return sliding_.reset();
       case Guard::slips_right:
       case Guard::slips_left:
@@ -223,7 +219,7 @@ class Engine {
     report_.stays = true;
     const SideImpulse<Real> f = side_force(s_, body_, s_.v_x);
     if (!(f.n[0] > 0 && f.n[1] > 0)) {  // it tips over the corner that is pressed, or lifts off
-      const auto r = methods::arms(body_, s_.theta);
+      const auto r = arms(body_, s_.theta);
       const bool right = f.n[1] > f.n[0];
       const int k = closed_.index[(r[closed_.index[1]].x > 0) == right ? 1 : 0];
       closed_ = {f.n[0] > 0 || f.n[1] > 0 ? 1 : 0, {k}};
@@ -281,12 +277,11 @@ std::vector<Motion<Real>> simulate_events(const Parameters& params, const Motion
   return motions;
 }
 
-template std::vector<Motion<double>> simulate_events(const Parameters&, const Motion<double>&,
-                                                     const std::vector<double>&,
-                                                     const EventOptions&, EventReport*);
+template Motions simulate_events(const Parameters&, const Motion<double>&,
+                                 const std::vector<double>&, const EventOptions&, EventReport*);
 template std::vector<Motion<long double>> simulate_events(const Parameters&,
                                                           const Motion<long double>&,
                                                           const std::vector<long double>&,
                                                           const EventOptions&, EventReport*);
 
-}  // namespace bounce::exact
+}  // namespace bounce::study

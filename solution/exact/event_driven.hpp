@@ -22,7 +22,7 @@
 
 #include "../methods/square.hpp"
 
-namespace bounce::exact {
+namespace bounce::study {
 
 // The part of the whole model that a method may use: at most `corners` touch at once, with or
 // without friction. The ladder of models consists of these; 0 corners is free flight through the
@@ -53,10 +53,9 @@ struct EventReport {
 // The motion at each of the times, which ascend from >= 0. Shorter than `times` if it stalled or
 // gave up. Real is double or long double.
 template <class Real>
-std::vector<methods::Motion<Real>> simulate_events(const Parameters& params,
-                                                   const methods::Motion<Real>& start,
-                                                   const std::vector<Real>& times,
-                                                   const EventOptions& options,
-                                                   EventReport* report = nullptr);
+std::vector<Motion<Real>> simulate_events(const Parameters& params, const Motion<Real>& start,
+                                          const std::vector<Real>& times,
+                                          const EventOptions& options,
+                                          EventReport* report = nullptr);
 
-}  // namespace bounce::exact
+}  // namespace bounce::study

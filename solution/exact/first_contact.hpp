@@ -16,11 +16,7 @@
 #include "../methods/square.hpp"
 #include "first_root.hpp"
 
-namespace bounce::exact {
-
-using methods::Arm;
-using methods::Body;
-using methods::Motion;
+namespace bounce::study {
 
 template <class Real>
 Motion<Real> fly(const Motion<Real>& s, const Body<Real>& body, Real t) {
@@ -67,8 +63,8 @@ NearFlight<Real> first_contact(const Motion<Real>& start, const Body<Real>& body
     if (s.y > body.rho && t > 0) return {t, false};
     const Real of_time = 4 * epsilon * t;  // rounding of t
     Real step = t_end - t;
-    for (const Arm<Real>& r : methods::arms(body, s.theta)) {
-      const Real f = s.y + r.y, slope = methods::normal_velocity(s, r);
+    for (const Arm<Real>& r : arms(body, s.theta)) {
+      const Real f = s.y + r.y, slope = normal_velocity(s, r);
       const bool falls = slope < -resting;
       if (falls && f <= rounding - slope * of_time) return {t, true};
       const Real safe = safe_step(f, slope, K);
@@ -84,4 +80,4 @@ NearFlight<Real> first_contact(const Motion<Real>& start, const Body<Real>& body
   return {t_end, false};
 }
 
-}  // namespace bounce::exact
+}  // namespace bounce::study

@@ -14,7 +14,7 @@
 #include <cmath>
 #include <limits>
 
-namespace bounce::exact {
+namespace bounce::study {
 
 // A step in which there is certainly no root.
 template <class Real>
@@ -25,4 +25,4 @@ Real safe_step(Real f, Real slope, Real K) {
   return K > 0 ? (slope + root) / K : std::numeric_limits<Real>::infinity();
 }
 
-}  // namespace bounce::exact
+}  // namespace bounce::study

@@ -15,13 +15,7 @@
 #include "../methods/impact_laws.hpp"
 #include "../methods/two_corners.hpp"
 
-namespace bounce::exact {
-
-using methods::Arm;
-using methods::Body;
-using methods::Motion;
-using methods::Row;
-using methods::SideImpulse;
+namespace bounce::study {
 
 // Up to two corners, in the order of eq. (3).
 struct Corners {
@@ -40,10 +34,10 @@ Real slow(const Motion<Real>& s, const Body<Real>& body) {
 // The forces of a side on the ground per unit of mass, of a square that lies flat.
 template <class Real>
 SideImpulse<Real> side_force(const Motion<Real>& s, const Body<Real>& body, Real v_t) {
-  const methods::TwoCorners<Real> k{{-body.half, body.half}, -body.half, body.gyration_squared,
-                                    {body.g_y, body.g_y},    body.g_x,   body.mu};
-  if (std::abs(v_t) <= slow(s, body)) return methods::solve_two_corners(k);
-  return methods::solve_side(k, v_t > 0 ? 1 : -1, false);
+  const TwoCorners<Real> k{{-body.half, body.half}, -body.half, body.gyration_squared,
+                           {body.g_y, body.g_y},    body.g_x,   body.mu};
+  if (std::abs(v_t) <= slow(s, body)) return solve_two_corners(k);
+  return solve_side(k, v_t > 0 ? 1 : -1, false);
 }
 
 template <class Real>
@@ -59,7 +53,7 @@ class Ground {
 
   // Gives a corner what is left of its impulses, those that take its v_n away, with their friction.
   void stop_leaving(Motion<Real>& s, const Arm<Real>& r) const {
-    const methods::Collision<Real> k = methods::collision_of(s, r, body_);
+    const Collision<Real> k = collision_of(s, r, body_);
     const int sigma = std::abs(k.v_t) > slow(s, body_) ? (k.v_t > 0 ? 1 : -1) : 0;
     Real friction = -Real(sigma) * k.mu;  // p_t / p_n
     const auto p_n = [&] { return -k.v_n / (k.a + k.b * friction); };
@@ -72,21 +66,21 @@ class Ground {
       if (!(k.a + k.b * friction > 0)) friction = 0;
     }
     const Real p = p_n();
-    methods::apply_impulse(s, r, p, friction * p, body_.gyration_squared);
+    apply_impulse(s, r, p, friction * p, body_.gyration_squared);
   }
 
  private:
   Corners collide_corner(Motion<Real>& s, int k, const Row<Arm<Real>, 4>& arms) {
     const Arm<Real>& r = arms[k];
-    methods::Collision<Real> collision = methods::collision_of(s, r, body_);
+    Collision<Real> collision = collision_of(s, r, body_);
     const bool rests = is_cut(collision.v_n, cut_at(s, r));
     if (collision.v_n < 0) {
       if (rests) collision.epsilon = 0;
-      const auto p = methods::impact(collision, methods::ImpactLaw::newton);
-      methods::apply_impulse(s, r, p.n, p.t, body_.gyration_squared);
-      if (p.mode == methods::ContactMode::sticks) s.v_x = r.y * s.omega;
+      const auto p = newton_impact(collision);
+      apply_impulse(s, r, p.n, p.t, body_.gyration_squared);
+      if (p.mode == ContactMode::sticks) s.v_x = r.y * s.omega;
     }
-    if (!(rests && methods::normal_velocity(s, r) < cut_at(s, r))) return {};
+    if (!(rests && normal_velocity(s, r) < cut_at(s, r))) return {};
     stop_leaving(s, r);
     return {1, {k}};
   }
@@ -95,7 +89,7 @@ class Ground {
   // just must not become negative.
   Corners collide_side(Motion<Real>& s, const Corners& hit, const Row<Arm<Real>, 4>& r) {
     const Arm<Real>&r_1 = r[hit.index[0]], &r_2 = r[hit.index[1]];
-    const Row<Real, 2> before{methods::normal_velocity(s, r_1), methods::normal_velocity(s, r_2)};
+    const Row<Real, 2> before{normal_velocity(s, r_1), normal_velocity(s, r_2)};
     const Real approach = std::min(before[0], before[1]);
     const Real epsilon = is_cut(approach, cut_at(s, r_1)) ? Real(0) : body_.epsilon;
     Row<Real, 2> pressed{};
@@ -106,7 +100,7 @@ class Ground {
     }
     if (std::abs(s.omega) < slow(s, body_)) s.omega = 0;  // it leaves flat, but for rounding
     const Real cut = cut_at(s, r_1);
-    const Row<Real, 2> after{methods::normal_velocity(s, r_1), methods::normal_velocity(s, r_2)};
+    const Row<Real, 2> after{normal_velocity(s, r_1), normal_velocity(s, r_2)};
     const Real v_t = s.v_x - (r_1.y + r_2.y) / 2 * s.omega;
     if (std::max(after[0], after[1]) < cut && settles(s, v_t, cut)) return hit;
     // A corner stays closed if it was pressed without enough speed to bounce.
@@ -132,10 +126,9 @@ class Ground {
   Row<Real, 2> press(Motion<Real>& s, const Arm<Real>& r_1, const Arm<Real>& r_2,
                      const Row<Real, 2>& u) const {
     const Real u_t = s.v_x - (r_1.y + r_2.y) / 2 * s.omega;
-    const SideImpulse<Real> p = methods::solve_two_corners(
-        methods::two_corners(r_1, r_2, body_.gyration_squared, u, u_t, body_.mu));
-    methods::apply_impulse(s, r_1, p.n[0], p.t / 2, body_.gyration_squared);
-    methods::apply_impulse(s, r_2, p.n[1], p.t / 2, body_.gyration_squared);
+    const SideImpulse<Real> p =
+        solve_two_corners(two_corners(r_1, r_2, body_.gyration_squared, u, u_t, body_.mu));
+    push_side(s, r_1, r_2, p, body_.gyration_squared);
     return p.n;
   }
 
@@ -193,4 +186,4 @@ class Ground {
   int cuts_ = 0;  // impacts whose restitution was cut since the last that was fast
 };
 
-}  // namespace bounce::exact
+}  // namespace bounce::study

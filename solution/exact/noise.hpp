@@ -7,7 +7,7 @@
 
 #include "../methods/square.hpp"
 
-namespace bounce::exact {
+namespace bounce::study {
 
 // Numbers of either sign between size / 2 and size, at random. Their sizes differ, so that two of
 // them cancel rarely, which size and -size alone would do half of the time.
@@ -29,7 +29,7 @@ class Noise {
 // square that is exactly parallel to the ground and does not turn stays so. Units are the body's:
 // its size and g are near 1.
 template <class Real>
-void disturb(methods::Motion<Real>& s, const methods::Body<Real>& body, Real time, Noise& noise) {
+void disturb(Motion<Real>& s, const Body<Real>& body, Real time, Noise& noise) {
   const Real quarter = std::numbers::pi_v<Real> / 2;
   const Real tilt = s.theta - std::round(s.theta / quarter) * quarter;
   const Real speed = std::abs(s.v_x) + std::abs(s.v_y) + body.rho * std::abs(s.omega) + time;
@@ -41,4 +41,4 @@ void disturb(methods::Motion<Real>& s, const methods::Body<Real>& body, Real tim
   s.omega += Real(noise.next()) * speed;
 }
 
-}  // namespace bounce::exact
+}  // namespace bounce::study

@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <sstream>
 #include <stdexcept>
 
-namespace bounce::exact {
+namespace bounce::study {
 namespace {
 
 using nlohmann::json;
@@ -22,15 +22,10 @@ constexpr std::array<const char*, kModelLevels> kModelLevelNames{
   throw std::invalid_argument(field + " " + why);
 }
 
-// A number of a scene, and what it may be.
+// What a number may be.
 struct Range {
   double least, most;
   const char* words;
-};
-struct Number {
-  const char* field;
-  double x;
-  Range range;
 };
 
 constexpr double kLargest = std::numeric_limits<double>::max();
@@ -39,15 +34,14 @@ constexpr Range kAny{-kLargest, kLargest, ""}, kAbove0{0x1p-1022, kLargest, "abo
     kNone{0, 0, "0, since gravity has no moment"}, kColumns{1, 1e7, "from 1 to ten million"},
     kAngle{-1e9, 1e9, "from -1e9 to 1e9 rad: take out whole turns, rounding loses the sine"};
 
-// On some processors an operation on a denormal number takes a hundred times as long. Makes no
-// text but for an error, because this runs before every simulation.
-void check_range(const Number& number) {
-  const auto& [field, x, range] = number;
+// On some processors an operation on a denormal number takes a hundred times as long.
+double within(const Range& range, const std::string& field, double x) {
   if (!std::isfinite(x)) refuse(field, "is not finite; write a finite number");
   if (x != 0 && !std::isnormal(x))
     refuse(field, "is " + text_of(x) + ", too small for a normal number; write 0");
   if (!(x >= range.least && x <= range.most))
     refuse(field, "is " + text_of(x) + "; it must be " + range.words);
+  return x;
 }
 
 json parse(const std::filesystem::path& file) {
@@ -73,22 +67,27 @@ class Fields {
     if (!object_.contains(name)) refuse(prefix_ + name, "is missing");
     return object_.at(name);
   }
-  double number(const std::string& name) {
+  double number(const std::string& name, const Range& range) {
     const json& value = get(name);
     if (!value.is_number()) refuse(prefix_ + name, "must be a number");
-    return value.get<double>();
+    return within(range, prefix_ + name, value);
   }
   std::string text(const std::string& name) {
     const json& value = get(name);
     if (!value.is_string()) refuse(prefix_ + name, "must be a text");
-    return value.get<std::string>();
+    return value;
   }
-  Vector3 vector(const std::string& name) {
+  Vector3 vector(const std::string& name, const std::array<Range, 3>& ranges) {
     const json& value = get(name);
     if (!value.is_array() || value.size() != 3 ||
         !std::all_of(value.begin(), value.end(), [](const json& x) { return x.is_number(); }))
       refuse(prefix_ + name, "must be a list of 3 numbers");
-    return {value[0].get<double>(), value[1].get<double>(), value[2].get<double>()};
+    Vector3 vector;
+    for (int i = 0; i < 3; ++i) {
+      const std::string field = prefix_ + name + "[" + std::to_string(i) + "]";
+      vector(i) = within(ranges[std::size_t(i)], field, value[std::size_t(i)]);
+    }
+    return vector;
   }
   void nothing_else(const std::set<std::string>& ignored = {}) const {
     for (const auto& [name, value] : object_.items()) {
@@ -106,15 +105,14 @@ class Fields {
 Parameters parameters(const json& object) {
   Fields fields(object, "params", "params.");
   Parameters params;
-  params.l = fields.number("l");
-  params.m = fields.number("m");
-  params.mu = fields.number("mu");
-  params.epsilon = fields.number("epsilon");
-  params.g = fields.vector("g");
-  params.dt = fields.number("dt");
-  params.delta = fields.number("delta");
-  const double T = fields.number("T");
-  check_range({"params.T", T, kColumns});
+  params.l = fields.number("l", kAbove0);
+  params.m = fields.number("m", kAbove0);
+  params.mu = fields.number("mu", kFrom0);
+  params.epsilon = fields.number("epsilon", kShare);
+  params.g = fields.vector("g", {kAny, kAny, kNone});
+  params.dt = fields.number("dt", kAbove0);
+  params.delta = fields.number("delta", kFrom0);
+  const double T = fields.number("T", kColumns);
   if (T != std::floor(T)) refuse("params.T", "must be a whole number");
   params.T = int(T);
   fields.nothing_else();
@@ -132,16 +130,18 @@ Scene scene_of(const json& whole, bool of_study) {
   Fields fields(whole, "the file", "");
   Scene scene{};
   scene.params = parameters(fields.get("params"));
-  scene.start = {fields.vector("q"), fields.vector("v")};
+  scene.start = {fields.vector("q", {kAny, kAny, kAngle}), fields.vector("v", {kAny, kAny, kAny})};
   fields.nothing_else({"name", "title", "compare", "least_model", "why"});
   if (of_study) {
     scene.name = fields.text("name");
     scene.title = fields.text("title");
-    scene.until = Fields(fields.get("compare"), "compare", "compare.").number("until");
-    check_range({"compare.until", scene.until, kAbove0});
+    Fields compare(fields.get("compare"), "compare", "compare.");
+    scene.until = compare.number("until", kAbove0);
     scene.least = level_of(fields.text("least_model"));
   }
-  check(scene.params, scene.start);
+  const double gap = lowest_gap(motion_of(scene.start), Body<double>(scene.params));
+  if (gap < -1e-12 * std::max(1.0, scene.params.l))
+    refuse("q[1]", "puts the lowest corner " + text_of(-gap) + " m below the ground; raise it");
   return scene;
 }
 
@@ -149,36 +149,10 @@ Scene scene_of(const json& whole, bool of_study) {
 
 const char* name_of(ModelLevel level) { return kModelLevelNames[std::size_t(level)]; }
 
-std::string text_of(double x) {
-  std::ostringstream text;
-  text << x;
-  return text.str();
-}
-
-void check(const Parameters& params, const State& start) {
-  const auto& [l, m, mu, epsilon, g, dt, delta, T] = params;
-  const auto& [q, v] = start;
-  const Number numbers[] = {{"params.l", l, kAbove0},
-                            {"params.m", m, kAbove0},
-                            {"params.mu", mu, kFrom0},
-                            {"params.epsilon", epsilon, kShare},
-                            {"params.g[0]", g(0), kAny},
-                            {"params.g[1]", g(1), kAny},
-                            {"params.g[2]", g(2), kNone},
-                            {"params.dt", dt, kAbove0},
-                            {"params.delta", delta, kFrom0},
-                            {"params.T", double(T), kColumns},
-                            {"q[0]", q(0), kAny},
-                            {"q[1]", q(1), kAny},
-                            {"q[2]", q(2), kAngle},
-                            {"v[0]", v(0), kAny},
-                            {"v[1]", v(1), kAny},
-                            {"v[2]", v(2), kAny}};
-  for (const Number& number : numbers) check_range(number);
-  const double gap =
-      methods::lowest_gap(methods::motion_of<double>(start), methods::Body<double>(params));
-  if (gap < -1e-12 * std::max(1.0, l))
-    refuse("q[1]", "puts the lowest corner " + text_of(-gap) + " m below the ground; raise it");
+std::string text_of(double x, int digits) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.*g", digits, x);
+  return text;
 }
 
 Scene read_scene(const std::filesystem::path& file, bool of_study) {
@@ -189,23 +163,22 @@ Scene read_scene(const std::filesystem::path& file, bool of_study) {
   }
 }
 
-std::vector<Scene> read_scenes(const std::filesystem::path& folder) {
+Scenes read_scenes(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::directory_iterator(folder))
     if (entry.path().extension() == ".json") files.push_back(entry.path());
   if (files.empty()) refuse(folder.string(), "holds no scene");
   std::sort(files.begin(), files.end());
-  std::vector<Scene> scenes;
+  Scenes scenes;
   scenes.reserve(files.size());
   for (const auto& file : files) scenes.push_back(read_scene(file));
   return scenes;
 }
 
-double distance(const Scene& scene, const methods::Motion<double>& one,
-                const methods::Motion<double>& other) {
+double distance(const Scene& scene, const Motion<double>& one, const Motion<double>& other) {
   const double x = one.x - other.x, y = one.y - other.y;
   const double turned = scene.params.l / std::sqrt(2.0) * (one.theta - other.theta);
   return std::sqrt(x * x + y * y + turned * turned);
 }
 
-}  // namespace bounce::exact
+}  // namespace bounce::study

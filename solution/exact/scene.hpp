@@ -8,7 +8,7 @@
 
 #include "../methods/square.hpp"
 
-namespace bounce::exact {
+namespace bounce::study {
 
 // The ladder: each model is the least for some scene. The numbers are the sizes of the LCPs.
 enum class ModelLevel {
@@ -29,6 +29,7 @@ struct Scene {
   double until;      // compare up to this time, s; errors in the start grow too much afterwards
   ModelLevel least;  // the least model expected to suffice
 };
+using Scenes = std::vector<Scene>;
 
 // Reads a scene; of one that is not of the study, params, q and v alone. Throws
 // std::invalid_argument, with a sentence that names the file and the field, if a field is missing,
@@ -36,16 +37,12 @@ struct Scene {
 Scene read_scene(const std::filesystem::path& file, bool of_study = true);
 
 // Every scene of a folder, by name of the file.
-std::vector<Scene> read_scenes(const std::filesystem::path& folder);
+Scenes read_scenes(const std::filesystem::path& folder);
 
-// Throws std::invalid_argument, naming the field, if these numbers can't be simulated.
-void check(const Parameters& params, const State& start);
-
-// A number as messages have it, with six digits.
-std::string text_of(double x);
+// A number with so many digits; 17 give back the same double.
+std::string text_of(double x, int digits = 6);
 
 // The distance of two poses, m: of (x, y, l / sqrt 2 theta). Whole turns count.
-double distance(const Scene& scene, const methods::Motion<double>& one,
-                const methods::Motion<double>& other);
+double distance(const Scene& scene, const Motion<double>& one, const Motion<double>& other);
 
-}  // namespace bounce::exact
+}  // namespace bounce::study

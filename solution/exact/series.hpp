@@ -26,16 +26,12 @@
 #include "../methods/square.hpp"
 #include "first_root.hpp"
 
-namespace bounce::exact {
-
-using methods::Arm;
-using methods::Body;
-using methods::Motion;
+namespace bounce::study {
 
 inline constexpr int kMaxOrder = 28;
 
 template <class Real>
-using Series = methods::Row<Real, kMaxOrder + 1>;
+using Series = Row<Real, kMaxOrder + 1>;
 
 // Coefficient n of a product.
 template <class Real>
@@ -192,4 +188,4 @@ class CornerMotion {
   Series<Real> x_, v_x_, v_t_, e_, press_, inertia_;  // sliding only
 };
 
-}  // namespace bounce::exact
+}  // namespace bounce::study

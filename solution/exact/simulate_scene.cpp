@@ -6,13 +6,8 @@
 #include "../methods/moreau_jean.hpp"
 #include "first_contact.hpp"
 
-namespace bounce::exact {
+namespace bounce::study {
 namespace {
-
-using methods::LowCorners;
-using methods::SideImpulse;
-using methods::StepConstants;
-using methods::TwoCorners;
 
 // Friction is left out if it could move the square by no more than this, m.
 constexpr double kNegligible = 1e-12;
@@ -28,8 +23,7 @@ class LeastModelSimulation {
  public:
   LeastModelSimulation(const Parameters& params, const State& start, ModelReport& report)
       : k_(params),
-        body_(params),
-        s_(methods::motion_of<double>(start)),
+        s_(motion_of(start)),
         trajectory_{Eigen::Matrix3Xd(3, params.T), Eigen::Matrix3Xd(3, params.T)},
         last_(params.T - 1),
         report_(report) {
@@ -52,12 +46,12 @@ class LeastModelSimulation {
   // The steps until one may have a contact, or that one.
   void go_on() {
     Motion<double> middle = s_;
-    methods::half_step(middle, k_);
+    move(middle, k_.dt / 2);
     const double cosine = std::cos(middle.theta), sine = std::sin(middle.theta);
     if (const long n = steps_without_contact(middle, cosine, sine)) return fall(n);
     const bool rested = speed() <= kStill;
     s_ = middle;
-    contact_step(rested, methods::low_corners(k_.half, cosine, sine, s_.y));
+    contact_step(rested, low_corners(k_.half, cosine, sine, s_.y));
   }
 
   // The number of steps whose midpoints are certainly without contact.
@@ -65,16 +59,16 @@ class LeastModelSimulation {
     const double most = double(last_ - now_);
     double time = 0;
     if (middle.y > k_.rho) {
-      time = body_.g_y < 0 ? safe_step(middle.y - k_.rho, s_.v_y, -body_.g_y)
-                           : (s_.v_y >= 0 ? most * k_.dt : (k_.rho - middle.y) / s_.v_y);
+      time = k_.g_y < 0 ? safe_step(middle.y - k_.rho, s_.v_y, -k_.g_y)
+                        : (s_.v_y >= 0 ? most * k_.dt : (k_.rho - middle.y) / s_.v_y);
     } else {
-      const Arm<double> lowest = methods::lowest_arm(k_.half, cosine, sine);
+      const Arm<double> lowest = lowest_arm(k_.half, cosine, sine);
       if (!(middle.y + lowest.y > 0)) return 0;
-      if (middle.y + lowest.y + k_.dt * methods::normal_velocity(s_, lowest) <= 0) return 1;
-      const double K = std::max(-body_.g_y, 0.0) + k_.rho * s_.omega * s_.omega;
+      if (middle.y + lowest.y + k_.dt * normal_velocity(s_, lowest) <= 0) return 1;
+      const double K = std::max(-k_.g_y, 0.0) + k_.rho * s_.omega * s_.omega;
       time = most * k_.dt;
-      for (const Arm<double>& r : methods::arms(k_.half, cosine, sine)) {
-        time = std::min(time, safe_step(middle.y + r.y, methods::normal_velocity(s_, r), K));
+      for (const Arm<double>& r : arms(k_.half, cosine, sine)) {
+        time = std::min(time, safe_step(middle.y + r.y, normal_velocity(s_, r), K));
       }
     }
     // The middle of step n is n dt later, on the parabola with v(n dt) = v + n dt g, and half a
@@ -83,27 +77,15 @@ class LeastModelSimulation {
   }
 
   void fall(long n) {
-    double* q = trajectory_.q.data() + 3 * now_;
-    double* v = trajectory_.v.data() + 3 * now_;
     const Motion<double> from = s_;
-    const methods::Body<double> body = body_;
-    const double dt = k_.dt;
-    for (long i = 1; i <= n; ++i) {  // no column depends on the one before
-      const Motion<double> s = fly(from, body, double(i) * dt);
-      q[3 * i] = s.x;
-      q[3 * i + 1] = s.y;
-      q[3 * i + 2] = s.theta;
-      v[3 * i] = s.v_x;
-      v[3 * i + 1] = s.v_y;
-      v[3 * i + 2] = s.omega;
-    }
+    for (long i = 1; i <= n; ++i) put(trajectory_, now_ + i, fly(from, k_, double(i) * k_.dt));
     now_ += n;
-    s_ = fly(from, body, double(n) * dt);
+    s_ = fly(from, k_, double(n) * k_.dt);
     count(ModelLevel::ballistic, n);
   }
 
   void contact_step(bool rested, const LowCorners& low) {
-    const bool both = methods::side_touches(low, s_, k_);
+    const bool both = k_.side_touches(low, s_);
     ModelLevel level = ModelLevel::ballistic;
     if (both) {
       level = two(low);
@@ -113,7 +95,7 @@ class LeastModelSimulation {
     s_.v_x += k_.dv_x;
     s_.v_y += k_.dv_y;
     if (both) fall_asleep(rested);
-    methods::half_step(s_, k_);
+    move(s_, k_.dt / 2);
     put(trajectory_, ++now_, s_);
     count(level, 1);
   }
@@ -136,34 +118,33 @@ class LeastModelSimulation {
   }
 
   ModelLevel one(const Arm<double>& r) {
-    const auto problem = methods::corner_problem(s_, r, k_);
+    const auto problem = k_.corner_problem(s_, r);
     if (problem.u_n >= 0) return ModelLevel::one_normal;
     const double p_n = -problem.u_n / problem.a;
     if (problem.u_t + problem.b * p_n == 0 || friction_is_negligible(p_n)) {
-      methods::apply_impulse(s_, r, p_n, 0.0, k_.gyration_squared);
+      apply_impulse(s_, r, p_n, 0.0, k_.gyration_squared);
       return ModelLevel::one_normal;
     }
-    const auto p = methods::solve_one_corner(problem);
-    methods::apply_impulse(s_, r, p.n, p.t, k_.gyration_squared);
+    const auto p = solve_one_corner(problem);
+    apply_impulse(s_, r, p.n, p.t, k_.gyration_squared);
     return ModelLevel::one_friction;
   }
 
   ModelLevel two(const LowCorners& low) {
-    TwoCorners<double> problem = methods::side_problem(s_, low, k_);
+    TwoCorners<double> problem = k_.side_problem(s_, low);
     problem.mu = 0;
-    const SideImpulse<double> normal = methods::solve_side(problem, 1, false);
+    const SideImpulse<double> normal = solve_side(problem, 1, false);
     const double slides = problem.u_t + problem.b(0) * normal.n[0] + problem.b(1) * normal.n[1];
     if (slides == 0 || friction_is_negligible(normal.n[0] + normal.n[1])) {
-      methods::push_side(s_, low, normal, k_);
+      k_.push(s_, low, normal);
       return ModelLevel::two_normals;
     }
     problem.mu = k_.mu;
-    methods::push_side(s_, low, methods::solve_two_corners(problem), k_);
+    k_.push(s_, low, solve_two_corners(problem));
     return ModelLevel::two_frictions;
   }
 
-  StepConstants k_;
-  methods::Body<double> body_;
+  Midpoint k_;
   Motion<double> s_;
   Trajectory trajectory_;
   long now_ = 0, last_;
@@ -174,9 +155,8 @@ class LeastModelSimulation {
 }  // namespace
 
 Trajectory simulate_scene(const Parameters& params, const State& start, ModelReport* report) {
-  check(params, start);
   ModelReport unread{};
   return LeastModelSimulation(params, start, report ? *report : unread).run();
 }
 
-}  // namespace bounce::exact
+}  // namespace bounce::study

@@ -21,13 +21,13 @@
 
 #include "scene.hpp"
 
-namespace bounce::exact {
+namespace bounce::study {
 
 // The steps that took each level.
 using ModelReport = std::array<long, kModelLevels>;
 
-// params.T columns. Throws std::invalid_argument if check() does.
+// params.T columns, of a scene as read_scene gives it or with other steps.
 Trajectory simulate_scene(const Parameters& params, const State& start,
                           ModelReport* report = nullptr);
 
-}  // namespace bounce::exact
+}  // namespace bounce::study

@@ -6,11 +6,8 @@
 
 #include "truth.hpp"
 
-namespace bounce::exact {
+namespace bounce::study {
 namespace {
-
-using methods::Motion;
-using Motions = std::vector<Motion<double>>;
 
 constexpr double kRounding = std::numeric_limits<double>::epsilon();
 constexpr double kNoise = 0x1p-40;
@@ -21,18 +18,6 @@ constexpr double kFeltFiner = kFelt / 16;     // of what rounding still does in 
 constexpr double kNear = 1e-9;                // of l, from where rounding decides what touches
 constexpr double kSameEvents = 1e-3;          // of l: motions this near have the same events
 constexpr long kMostEvents = 100'000;         // of the motion; a check may take twice as many
-
-// The largest distance up to each of the times that both have, m.
-std::vector<double> farthest(const Scene& scene, const Motions& a, const Motions& b) {
-  std::vector<double> far(std::min(a.size(), b.size()));
-  double worst = 0;
-  for (std::size_t i = 0; i < far.size(); ++i) {
-    const double apart = distance(scene, a[i], b[i]);
-    far[i] = worst = apart <= worst ? worst : apart;
-    if (std::isnan(worst)) far[i] = worst = std::numeric_limits<double>::infinity();
-  }
-  return far;
-}
 
 class Simulation {
  public:
@@ -86,8 +71,7 @@ class Simulation {
         scene_, {times_.begin(), times_.end()},
         {.cut = 1e-8, .tolerance = 1e-18, .touching = 0, .most_events = 2 * kMostEvents},
         &of_finer);
-    const double gap = methods::lowest_gap(methods::motion_of<double>(scene_.start),
-                                           methods::Body<double>(scene_.params));
+    const double gap = lowest_gap(motion_of(scene_.start), Body<double>(scene_.params));
     const bool bounces = gap > kNear * scene_.params.l && !report.stays && !of_finer.stays &&
                          report.impacts == of_finer.impacts;
     const auto shadow = [&](unsigned seed) {
@@ -102,7 +86,7 @@ class Simulation {
 
   Motions in_double(long most_events, EventReport* report, double noise = 0,
                     unsigned seed = 1) const {
-    return simulate_events<double>(scene_.params, methods::motion_of<double>(scene_.start), times_,
+    return simulate_events<double>(scene_.params, motion_of(scene_.start), times_,
                                    {.most_events = most_events, .noise = noise, .seed = seed},
                                    report);
   }
@@ -129,4 +113,4 @@ Answer simulate_to(const Scene& scene, double tolerance) {
   return Simulation(scene, tolerance).run();
 }
 
-}  // namespace bounce::exact
+}  // namespace bounce::study

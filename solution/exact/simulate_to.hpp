@@ -27,13 +27,13 @@
 
 #include "scene.hpp"
 
-namespace bounce::exact {
+namespace bounce::study {
 
 struct Answer {
-  std::vector<double> times;                     // s
-  std::vector<methods::Motion<double>> motions;  // at these
-  std::string method;                            // "free flight" or "event-driven"
-  double bound;                                  // of the error at all times, m
+  std::vector<double> times;  // s
+  Motions motions;            // at these
+  std::string method;         // "free flight" or "event-driven"
+  double bound;               // of the error at all times, m
 };
 
 // Thrown if the tolerance can't be kept until the last time; `horizon` is until when it can.
@@ -46,4 +46,4 @@ struct Refusal : std::runtime_error {
 // above 0 and finite, Refusal if the bound can't be kept below it until the last time.
 Answer simulate_to(const Scene& scene, double tolerance);
 
-}  // namespace bounce::exact
+}  // namespace bounce::study

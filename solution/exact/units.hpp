@@ -6,7 +6,7 @@
 
 #include "../methods/square.hpp"
 
-namespace bounce::exact {
+namespace bounce::study {
 
 // A time as the sum of two numbers, so that a short one is not lost beside the time since the
 // start.
@@ -30,7 +30,7 @@ struct Units {
   double length, time;
 
   template <class Real>
-  Units(const Parameters& params, const methods::Motion<Real>& start) {
+  Units(const Parameters& params, const Motion<Real>& start) {
     const double speed = std::max({std::abs(double(start.v_x)), std::abs(double(start.v_y)),
                                    params.l * std::abs(double(start.omega))});
     const double g = std::max(params.g.norm(), 1e-30 * speed * speed / params.l);
@@ -39,12 +39,12 @@ struct Units {
   }
 
   template <class Real>
-  methods::Motion<Real> in(const methods::Motion<Real>& s) const {
+  Motion<Real> in(const Motion<Real>& s) const {
     const Real L = length, V = L / Real(time);
     return {s.x / L, s.y / L, s.theta, s.v_x / V, s.v_y / V, s.omega * Real(time)};
   }
   template <class Real>
-  methods::Motion<Real> out(const methods::Motion<Real>& s) const {
+  Motion<Real> out(const Motion<Real>& s) const {
     const Real L = length, V = L / Real(time);
     return {s.x * L, s.y * L, s.theta, s.v_x * V, s.v_y * V, s.omega / Real(time)};
   }
@@ -58,4 +58,4 @@ struct Units {
   static double power_near(double x) { return std::exp2(std::round(std::log2(x))); }
 };
 
-}  // namespace bounce::exact
+}  // namespace bounce::study

@@ -3,22 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-namespace bounce::methods {
+namespace bounce::study {
 namespace {
 
 using Eigen::Index;
-
-// Repeats sweeps until the largest change, which sweep(p) returns as a velocity, is small.
-template <class Sweep>
-GaussSeidel repeat(Index size, double tolerance, int most_sweeps, const Sweep& sweep) {
-  GaussSeidel result{Eigen::VectorXd::Zero(size), 0, false, 0};
-  while (!result.converged && result.sweeps < most_sweeps) {
-    ++result.sweeps;
-    result.residual = sweep(result.p);
-    result.converged = result.residual <= tolerance;
-  }
-  return result;
-}
 
 // Solves row i alone, within [low, high]; returns the change as a velocity.
 double relax(const Eigen::MatrixXd& G, const Eigen::VectorXd& u, Index i, double low, double high,
@@ -33,14 +21,17 @@ double relax(const Eigen::MatrixXd& G, const Eigen::VectorXd& u, Index i, double
 GaussSeidel gauss_seidel(const Eigen::MatrixXd& G, const Eigen::VectorXd& u, double mu,
                          double tolerance, int most_sweeps) {
   const double most = std::numeric_limits<double>::max();
-  return repeat(u.size(), tolerance, most_sweeps, [&](Eigen::VectorXd& p) {
+  GaussSeidel result{Eigen::VectorXd::Zero(u.size()), 0, false};
+  Eigen::VectorXd& p = result.p;
+  for (; !result.converged && result.sweeps < most_sweeps; ++result.sweeps) {
     double change = 0;
     for (Index i = 0; i < u.size(); i += 2) {
       change = std::max(change, relax(G, u, i, 0, most, p));
       change = std::max(change, relax(G, u, i + 1, -mu * p(i), mu * p(i), p));
     }
-    return change;
-  });
+    result.converged = change <= tolerance;
+  }
+  return result;
 }
 
-}  // namespace bounce::methods
+}  // namespace bounce::study

@@ -11,13 +11,12 @@
 
 #include <Eigen/Dense>
 
-namespace bounce::methods {
+namespace bounce::study {
 
 struct GaussSeidel {
   Eigen::VectorXd p;  // the last iterate
   int sweeps;
   bool converged;
-  double residual;  // the largest change of the last sweep times the diagonal, m/s
 };
 
 // w = G p + u for n contacts: G is 2n x 2n, u has 2n entries, m/s, and p the impulses (p_n, p_t) of
@@ -26,4 +25,4 @@ struct GaussSeidel {
 GaussSeidel gauss_seidel(const Eigen::MatrixXd& G, const Eigen::VectorXd& u, double mu,
                          double tolerance, int most_sweeps);
 
-}  // namespace bounce::methods
+}  // namespace bounce::study

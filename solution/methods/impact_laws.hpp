@@ -28,7 +28,7 @@
 
 #include "one_corner.hpp"
 
-namespace bounce::methods {
+namespace bounce::study {
 
 enum class ImpactLaw { newton, poisson, stronge };
 
@@ -45,23 +45,27 @@ Collision<Real> collision_of(const Motion<Real>& s, const Arm<Real>& r, const Bo
   return {k.a, k.b, k.c, normal_velocity(s, r), tangential_velocity(s, r), body.mu, body.epsilon};
 }
 
+// The impulse of an impact by Newton's law; 0 if the corner does not approach.
+template <class Real>
+CornerImpulse<Real> newton_impact(const Collision<Real>& k) {
+  if (k.v_n >= 0) return {0, 0, ContactMode::separates};
+  return solve_one_corner<Real>({k.a, k.b, k.c, (1 + k.epsilon) * k.v_n, k.v_t, k.mu});
+}
+
 namespace detail {
 
 // How the corner moves with P while it slides in direction sigma (0: it sticks).
-template <class Real>
 struct Slopes {
-  Real n, t;      // dv_n/dP, dv_t/dP
-  Real friction;  // dp_t/dP
+  double n, t;      // dv_n/dP, dv_t/dP
+  double friction;  // dp_t/dP
 };
 
-template <class Real>
-Slopes<Real> slopes(const Collision<Real>& k, int sigma) {
-  const Real friction = sigma == 0 ? -k.b / k.c : -Real(sigma) * k.mu;
-  return {k.a + k.b * friction, sigma == 0 ? Real(0) : k.b + k.c * friction, friction};
+inline Slopes slopes(const Collision<double>& k, int sigma) {
+  const double friction = sigma == 0 ? -k.b / k.c : -sigma * k.mu;
+  return {k.a + k.b * friction, sigma == 0 ? 0 : k.b + k.c * friction, friction};
 }
 
-template <class Real>
-int direction(const Collision<Real>& k, Real v_t) {
+inline int direction(const Collision<double>& k, double v_t) {
   if (v_t != 0) return v_t > 0 ? 1 : -1;
   if (std::abs(k.b) <= k.mu * k.c) return 0;
   return k.b > 0 ? 1 : -1;
@@ -69,29 +73,26 @@ int direction(const Collision<Real>& k, Real v_t) {
 
 // Integrates Routh's impact over P, from one change of the friction case to the next, for Poisson's
 // or Stronge's law.
-template <class Real>
-CornerImpulse<Real> follow_impact(const Collision<Real>& k, ImpactLaw law) {
-  constexpr Real never = std::numeric_limits<Real>::infinity();
-  Real v_n = k.v_n, v_t = k.v_t, P = 0, p_t = 0, work = 0, last = 0, wanted = 0;
+inline CornerImpulse<double> follow_impact(const Collision<double>& k, ImpactLaw law) {
+  constexpr double never = std::numeric_limits<double>::infinity();
+  double v_n = k.v_n, v_t = k.v_t, P = 0, p_t = 0, work = 0, last = 0, wanted = 0;
   bool compresses = true;
   for (int stage = 0; stage < 6; ++stage) {
-    const int sigma = direction(k, v_t);
-    const Slopes<Real> slope = slopes(k, sigma);
-    const Real to_stop = slope.t * v_t < 0 ? -v_t / slope.t : never;
-    Real to_end = never;
+    const Slopes slope = slopes(k, direction(k, v_t));
+    const double to_stop = slope.t * v_t < 0 ? -v_t / slope.t : never;
+    double to_end = never;
     if (compresses) {
       if (slope.n > 0) to_end = -v_n / slope.n;
     } else if (law == ImpactLaw::poisson) {
       to_end = last - P;
     } else {  // v_n s + slope s^2 / 2 = the work still to be given back
-      const Real root = std::sqrt(std::max(v_n * v_n + 2 * slope.n * (wanted - work), Real(0)));
-      to_end = 2 * (wanted - work) / (v_n + root);
-      if (!(v_n + root > 0)) to_end = 0;
+      const double root = std::sqrt(std::max(v_n * v_n + 2 * slope.n * (wanted - work), 0.0));
+      to_end = v_n + root > 0 ? 2 * (wanted - work) / (v_n + root) : 0;
     }
-    const Real s = std::min(to_stop, to_end);
+    const double s = std::min(to_stop, to_end);
     work += (v_n + slope.n * s / 2) * s;
     v_n += slope.n * s;
-    v_t = s == to_stop ? Real(0) : v_t + slope.t * s;
+    v_t = s == to_stop ? 0 : v_t + slope.t * s;
     P += s;
     p_t += slope.friction * s;
     if (to_end > to_stop) continue;
@@ -101,28 +102,19 @@ CornerImpulse<Real> follow_impact(const Collision<Real>& k, ImpactLaw law) {
     last = (1 + k.epsilon) * P;
     wanted = work * (1 - k.epsilon * k.epsilon);
   }
-  const int sigma = direction(k, v_t);
-  return {P, p_t,
-          sigma == 0  ? ContactMode::sticks
-          : sigma > 0 ? ContactMode::slides_right
-                      : ContactMode::slides_left};
+  return {P, p_t, mode_of(direction(k, v_t))};
 }
 
 }  // namespace detail
 
-// The impulse of an impact; 0 if the corner does not approach.
-template <class Real>
-CornerImpulse<Real> impact(const Collision<Real>& k, ImpactLaw law) {
-  if (k.v_n >= 0) return {0, 0, ContactMode::separates};
-  if (law == ImpactLaw::newton)
-    return solve_one_corner<Real>({k.a, k.b, k.c, (1 + k.epsilon) * k.v_n, k.v_t, k.mu});
+inline CornerImpulse<double> impact(const Collision<double>& k, ImpactLaw law) {
+  if (k.v_n >= 0 || law == ImpactLaw::newton) return newton_impact(k);
   return detail::follow_impact(k, law);
 }
 
 // The change of energy per unit of mass, J/kg: p^T (v before + v after) / 2.
-template <class Real>
-Real energy_gained(const Collision<Real>& k, const CornerImpulse<Real>& p) {
-  const Real v_n = k.v_n + k.a * p.n + k.b * p.t, v_t = k.v_t + k.b * p.n + k.c * p.t;
+inline double energy_gained(const Collision<double>& k, const CornerImpulse<double>& p) {
+  const double v_n = k.v_n + k.a * p.n + k.b * p.t, v_t = k.v_t + k.b * p.n + k.c * p.t;
   return (p.n * (k.v_n + v_n) + p.t * (k.v_t + v_t)) / 2;
 }
 
@@ -132,13 +124,12 @@ Real energy_gained(const Collision<Real>& k, const CornerImpulse<Real>& p) {
 // if it sticks: the square root above. With less friction it is largest at the edge of sticking,
 // v_t after = 0 with p_t = -mu p_n, where 2 gain / p_n = mu (b - mu c) p_n - (1 - epsilon) with p_n
 // = (1 + epsilon) / (a - mu b).
-template <class Real>
-Real gain_limit(Real a, Real b, Real c, Real mu) {
-  const Real coupling = std::abs(b);
-  const Real stuck = std::sqrt(1 - coupling * coupling / (a * c));
+inline double gain_limit(double a, double b, double c, double mu) {
+  const double coupling = std::abs(b);
+  const double stuck = std::sqrt(1 - coupling * coupling / (a * c));
   if (mu * (c * (1 + stuck) - coupling * coupling / a) >= stuck * coupling) return stuck;
-  const Real k = mu * (coupling - mu * c) / (a - mu * coupling);  // k (1 + epsilon) > 1 - epsilon
+  const double k = mu * (coupling - mu * c) / (a - mu * coupling);  // k (1 + epsilon) > 1 - epsilon
   return (1 - k) / (1 + k);
 }
 
-}  // namespace bounce::methods
+}  // namespace bounce::study

@@ -5,10 +5,12 @@
 #include <utility>
 #include <vector>
 
-namespace bounce::methods {
+namespace bounce::study {
 namespace {
 
 using Eigen::Index;
+
+constexpr double kLeastPivot = 1e-12;
 
 // Columns w_1 .. w_n, z_1 .. z_n, z_0, p; a row for each basic variable.
 struct Tableau {
@@ -27,23 +29,22 @@ struct Tableau {
   }
 
   // Whether row i blocks before row j: the ratios, then, in a tie, those of the columns of w.
-  bool blocks_before(Index i, Index j, Index entering, double tolerance) const {
+  bool blocks_before(Index i, Index j, Index entering) const {
     const double t_i = T(i, entering), t_j = T(j, entering);
     for (Index k = -1; k < n; ++k) {
       const Index column = k < 0 ? p() : k;
       const double difference = T(i, column) / t_i - T(j, column) / t_j;
-      if (std::abs(difference) > tolerance) return difference < 0;
+      if (std::abs(difference) > kLeastPivot) return difference < 0;
       if (basic[std::size_t(i)] == z_0() || basic[std::size_t(j)] == z_0())
         return basic[std::size_t(i)] == z_0();
     }
     return false;
   }
 
-  Index blocking_row(Index entering, double tolerance) const {
+  Index blocking_row(Index entering) const {
     Index row = -1;
     for (Index i = 0; i < n; ++i) {
-      if (T(i, entering) > tolerance && (row < 0 || blocks_before(i, row, entering, tolerance)))
-        row = i;
+      if (T(i, entering) > kLeastPivot && (row < 0 || blocks_before(i, row, entering))) row = i;
     }
     return row;
   }
@@ -68,21 +69,21 @@ Tableau start(const Eigen::MatrixXd& V, const Eigen::VectorXd& p) {
 
 }  // namespace
 
-LemkeResult lemke(const Eigen::MatrixXd& V, const Eigen::VectorXd& p, double pivot) {
+LemkeResult lemke(const Eigen::MatrixXd& V, const Eigen::VectorXd& p) {
   const Index n = p.size();
-  if ((p.array() >= 0).all()) return {Eigen::VectorXd::Zero(n), LemkeEnd::solved, 0};
+  if ((p.array() >= 0).all()) return {Eigen::VectorXd::Zero(n), true, 0};
   Tableau tableau = start(V, p);
   Index row = 0;
   p.minCoeff(&row);
   Index leaving = tableau.pivot(row, tableau.z_0());
   for (int pivots = 1; pivots < 100; ++pivots) {
-    if (leaving == tableau.z_0()) return {tableau.solution(), LemkeEnd::solved, pivots};
+    if (leaving == tableau.z_0()) return {tableau.solution(), true, pivots};
     const Index entering = leaving < n ? leaving + n : leaving - n;
-    row = tableau.blocking_row(entering, pivot);
-    if (row < 0) return {tableau.solution(), LemkeEnd::ray, pivots};
+    row = tableau.blocking_row(entering);
+    if (row < 0) return {tableau.solution(), false, pivots};
     leaving = tableau.pivot(row, entering);
   }
-  return {tableau.solution(), LemkeEnd::too_many_pivots, 100};
+  return {tableau.solution(), false, 100};
 }
 
 double lcp_residual(const Eigen::MatrixXd& V, const Eigen::VectorXd& p, const Eigen::VectorXd& z) {
@@ -114,4 +115,4 @@ Lcp8 form_lcp8(const Arm<double>& r_1, const Arm<double>& r_2, const Vector3& v,
   return lcp;
 }
 
-}  // namespace bounce::methods
+}  // namespace bounce::study

@@ -12,19 +12,17 @@
 
 #include "square.hpp"
 
-namespace bounce::methods {
-
-enum class LemkeEnd { solved, ray, too_many_pivots };
+namespace bounce::study {
 
 struct LemkeResult {
   Eigen::VectorXd z;
-  LemkeEnd end;
+  bool is_solved;  // else it ended in a ray, or after 100 pivots
   int pivots;
 };
 
-// Solves 0 <= V z + p perpendicular to z >= 0. `pivot` is an absolute tolerance: pivots below it
-// count as 0. z is a solution only if `end` is `solved`.
-LemkeResult lemke(const Eigen::MatrixXd& V, const Eigen::VectorXd& p, double pivot = 1e-12);
+// Solves 0 <= V z + p perpendicular to z >= 0. Pivots below 1e-12, an absolute tolerance, count as
+// 0. z is a solution only if `is_solved`.
+LemkeResult lemke(const Eigen::MatrixXd& V, const Eigen::VectorXd& p);
 
 // max_i |min(z_i, w_i)| with w = V z + p: how far z is from a solution, whatever a solver says.
 // It compares numbers of different units, if z and p have any. NaN counts as infinite.
@@ -39,4 +37,4 @@ struct Lcp8 {
 Lcp8 form_lcp8(const Arm<double>& r_1, const Arm<double>& r_2, const Vector3& v,
                const Parameters& params);
 
-}  // namespace bounce::methods
+}  // namespace bounce::study

@@ -19,10 +19,11 @@
 // kCorners 1 takes the lowest corner only. kCorners 2 takes the two lowest, with merged friction.
 #pragma once
 
-#include "assignment.hpp"
+#include "one_corner.hpp"
+#include "scheme.hpp"
 #include "two_corners.hpp"
 
-namespace bounce::methods {
+namespace bounce::study {
 
 // The lowest two corners at q_m: their arms and their heights above the ground, m.
 struct LowCorners {
@@ -38,83 +39,62 @@ inline LowCorners low_corners(double half, double cosine, double sine, double y)
   return {left, right, y + left.y, y + right.y};
 }
 
-// How far above the ground a sticking corner may be at q_m, m.
-inline double contact_tolerance(const Motion<double>& s, const StepConstants& k) {
-  const double turn = k.dt * s.omega;
-  return k.rho * turn * turn + k.dt * std::abs(k.dv_y);
-}
+// The contact problems of a step, at q_m.
+struct Midpoint : StepConstants {
+  using StepConstants::StepConstants;
 
-// Whether one corner is at or below the ground, and the other within the tolerance above.
-inline bool side_touches(const LowCorners& low, const Motion<double>& s, const StepConstants& k) {
-  const auto [lower, higher] = std::minmax(low.gap_left, low.gap_right);
-  return lower <= 0 && higher <= contact_tolerance(s, k);
-}
-
-// The normal row without impulses.
-inline double normal_row(const Motion<double>& s, const Arm<double>& r, const StepConstants& k) {
-  const double v_n = normal_velocity(s, r);
-  return v_n + k.epsilon * std::min(v_n, 0.0) + k.dv_y;
-}
-
-inline OneCorner<double> corner_problem(const Motion<double>& s, const Arm<double>& r,
-                                        const StepConstants& k) {
-  return one_corner(r, k.gyration_squared, normal_row(s, r, k), tangential_velocity(s, r) + k.dv_x,
-                    k.mu);
-}
-
-inline TwoCorners<double> side_problem(const Motion<double>& s, const LowCorners& low,
-                                       const StepConstants& k) {
-  const double r_y = (low.left.y + low.right.y) / 2;
-  return two_corners<double>(low.left, low.right, k.gyration_squared,
-                             {normal_row(s, low.left, k), normal_row(s, low.right, k)},
-                             s.v_x - r_y * s.omega + k.dv_x, k.mu);
-}
-
-inline void push_side(Motion<double>& s, const LowCorners& low, const SideImpulse<double>& p,
-                      const StepConstants& k) {
-  apply_impulse(s, low.left, p.n[0], p.t / 2, k.gyration_squared);
-  apply_impulse(s, low.right, p.n[1], p.t / 2, k.gyration_squared);
-}
-
-inline void half_step(Motion<double>& s, const StepConstants& k) {
-  s.x += k.dt / 2 * s.v_x;
-  s.y += k.dt / 2 * s.v_y;
-  s.theta += k.dt / 2 * s.omega;
-}
-
-template <int kCorners>
-class MoreauJean {
- public:
-  MoreauJean(const Parameters& params, const Motion<double>& start) : k_(params), s_(start) {}
-
-  void steps(long n) {
-    for (; n > 0; --n) step();
+  // Whether one corner is at or below the ground, and the other no further above than a sticking
+  // one may be.
+  bool side_touches(const LowCorners& low, const Motion<double>& s) const {
+    const auto [lower, higher] = std::minmax(low.gap_left, low.gap_right);
+    const double turn = dt * s.omega;
+    return lower <= 0 && higher <= rho * turn * turn + dt * std::abs(dv_y);
   }
 
-  Motion<double> motion() const { return s_; }
-
- private:
-  void step() {
-    half_step(s_, k_);
-    if (s_.y <= k_.rho) touch();
-    s_.v_x += k_.dv_x;
-    s_.v_y += k_.dv_y;
-    half_step(s_, k_);
+  // The normal row without impulses.
+  double normal_row(const Motion<double>& s, const Arm<double>& r) const {
+    const double v_n = normal_velocity(s, r);
+    return v_n + epsilon * std::min(v_n, 0.0) + dv_y;
   }
 
-  void touch() {
-    const LowCorners low = low_corners(k_.half, std::cos(s_.theta), std::sin(s_.theta), s_.y);
-    if (kCorners == 2 && side_touches(low, s_, k_)) {
-      push_side(s_, low, solve_two_corners(side_problem(s_, low, k_)), k_);
-    } else if (low.gap_left <= 0 || low.gap_right <= 0) {
-      const Arm<double>& r = low.gap_left <= low.gap_right ? low.left : low.right;
-      const auto p = solve_one_corner(corner_problem(s_, r, k_));
-      apply_impulse(s_, r, p.n, p.t, k_.gyration_squared);
-    }
+  OneCorner<double> corner_problem(const Motion<double>& s, const Arm<double>& r) const {
+    const double u_t = tangential_velocity(s, r) + dv_x;
+    return one_corner(r, gyration_squared, normal_row(s, r), u_t, mu);
   }
 
-  StepConstants k_;
-  Motion<double> s_;
+  TwoCorners<double> side_problem(const Motion<double>& s, const LowCorners& low) const {
+    const double u_t = s.v_x - (low.left.y + low.right.y) / 2 * s.omega + dv_x;
+    return two_corners<double>(low.left, low.right, gyration_squared,
+                               {normal_row(s, low.left), normal_row(s, low.right)}, u_t, mu);
+  }
+
+  void push(Motion<double>& s, const LowCorners& low, const SideImpulse<double>& p) const {
+    push_side(s, low.left, low.right, p, gyration_squared);
+  }
 };
 
-}  // namespace bounce::methods
+template <int kCorners>
+struct MoreauJean : Midpoint {
+  using Midpoint::Midpoint;
+
+  void step(Motion<double>& s) const {
+    move(s, dt / 2);
+    if (s.y <= rho) touch(s);
+    s.v_x += dv_x;
+    s.v_y += dv_y;
+    move(s, dt / 2);
+  }
+
+  void touch(Motion<double>& s) const {
+    const LowCorners low = low_corners(half, std::cos(s.theta), std::sin(s.theta), s.y);
+    if (kCorners == 2 && side_touches(low, s)) {
+      push(s, low, solve_two_corners(side_problem(s, low)));
+    } else if (low.gap_left <= 0 || low.gap_right <= 0) {
+      const Arm<double>& r = low.gap_left <= low.gap_right ? low.left : low.right;
+      const auto p = solve_one_corner(corner_problem(s, r));
+      apply_impulse(s, r, p.n, p.t, gyration_squared);
+    }
+  }
+};
+
+}  // namespace bounce::study

@@ -28,7 +28,7 @@
 
 #include "square.hpp"
 
-namespace bounce::methods {
+namespace bounce::study {
 
 template <class Real>
 struct OneCorner {
@@ -61,6 +61,18 @@ inline OneCorner<double> leaning_corner(double alpha, double u_n, double u_t, do
   return one_corner<double>({std::sin(alpha), -std::cos(alpha)}, 1.0 / 3, u_n, u_t, mu);
 }
 
+// sigma: 0 if the corner sticks, else the direction in which it slides.
+inline ContactMode mode_of(int sigma) {
+  if (sigma == 0) return ContactMode::sticks;
+  return sigma > 0 ? ContactMode::slides_right : ContactMode::slides_left;
+}
+
+template <class Real>
+CornerImpulse<Real> sliding_impulse(const OneCorner<Real>& k, int sigma) {
+  const Real n = -k.u_n / (k.a - sigma * k.mu * k.b);
+  return {n, -sigma * k.mu * n, mode_of(sigma)};
+}
+
 // The solution if a > mu |b|; else one of several, or with a - sigma mu b = 0 no finite number. NaN
 // in gives NaN out.
 template <class Real>
@@ -71,35 +83,22 @@ CornerImpulse<Real> solve_one_corner(const OneCorner<Real>& k) {
     const Real D = k.a * k.c - k.b * k.b;
     return {N / D, T / D, ContactMode::sticks};
   }
-  const Real sigma = T < 0 ? 1 : -1;  // the direction in which the corner slides
-  const Real n = -k.u_n / (k.a - sigma * k.mu * k.b);
-  return {n, -sigma * k.mu * n, sigma > 0 ? ContactMode::slides_right : ContactMode::slides_left};
+  return sliding_impulse(k, T < 0 ? 1 : -1);
 }
 
-// All solutions, and their number. For a > mu |b| there is one.
-template <class Real>
-struct CornerSolutions {
-  Row<CornerImpulse<Real>, 4> all;
-  int count = 0;
-};
-
-template <class Real>
-CornerSolutions<Real> all_solutions(const OneCorner<Real>& k) {
-  CornerSolutions<Real> found;
-  if (k.u_n >= 0) found.all[found.count++] = {0, 0, ContactMode::separates};
-  const Real D = k.a * k.c - k.b * k.b;
-  const Real N = k.b * k.u_t - k.c * k.u_n, T = k.b * k.u_n - k.a * k.u_t;
-  if (N > 0 && std::abs(T) <= k.mu * N)
-    found.all[found.count++] = {N / D, T / D, ContactMode::sticks};
-  for (const Real sigma : {Real(1), Real(-1)}) {
-    const Real n = -k.u_n / (k.a - sigma * k.mu * k.b);
-    const Real v_t = k.u_t + (k.b - sigma * k.mu * k.c) * n;
-    if (n > 0 && sigma * v_t > 0) {
-      found.all[found.count++] = {n, -sigma * k.mu * n,
-                                  sigma > 0 ? ContactMode::slides_right : ContactMode::slides_left};
-    }
+// All solutions. For a > mu |b| there is one.
+inline std::vector<CornerImpulse<double>> all_solutions(const OneCorner<double>& k) {
+  std::vector<CornerImpulse<double>> found;
+  if (k.u_n >= 0) found.push_back({0, 0, ContactMode::separates});
+  const double D = k.a * k.c - k.b * k.b;
+  const double N = k.b * k.u_t - k.c * k.u_n, T = k.b * k.u_n - k.a * k.u_t;
+  if (N > 0 && std::abs(T) <= k.mu * N) found.push_back({N / D, T / D, ContactMode::sticks});
+  for (const int sigma : {1, -1}) {
+    const auto p = sliding_impulse(k, sigma);
+    const double v_t = k.u_t + (k.b - sigma * k.mu * k.c) * p.n;
+    if (p.n > 0 && sigma * v_t > 0) found.push_back(p);
   }
   return found;
 }
 
-}  // namespace bounce::methods
+}  // namespace bounce::study

@@ -19,9 +19,9 @@
 
 #include <algorithm>
 
-#include "assignment.hpp"
+#include "scheme.hpp"
 
-namespace bounce::methods {
+namespace bounce::study {
 
 // The damping ratio zeta. For epsilon below e^-2 it is 1, because a larger one would need a shorter
 // step.
@@ -37,34 +37,28 @@ inline double damping_ratio(double epsilon) {
   return std::cos(beta);
 }
 
-class Penalty {
+class Penalty : public StepConstants {
  public:
   static constexpr double kLasting = 0.25;  // s; with dt = 0.01 s a contact has 5 steps
 
-  Penalty(const Parameters& params, const Motion<double>& start) : k_(params), s_(start) {
+  explicit Penalty(const Parameters& params) : StepConstants(params) {
     const double frequency = std::acos(-1.0) / std::sqrt(kLasting * params.dt);
     stiffness_ = frequency * frequency;
     damping_ = 2 * damping_ratio(params.epsilon) * frequency;
     friction_ = 1 / (4 * params.dt);  // c friction_ dt < 2 is stable; c is 2.5 at most
   }
 
-  void steps(long n) {
-    for (; n > 0; --n) step();
+  void step(Motion<double>& s) const {
+    if (s.y < rho) press(s);
+    s.v_x += dv_x;
+    s.v_y += dv_y;
+    move(s, dt);
   }
-
-  Motion<double> motion() const { return s_; }
 
  private:
-  void step() {
-    if (s_.y < k_.rho) press();
-    s_.v_x += k_.dv_x;
-    s_.v_y += k_.dv_y;
-    move(s_, k_);
-  }
-
-  void press() {
-    const Motion<double> before = s_;
-    const auto r = arms(k_.half, std::cos(s_.theta), std::sin(s_.theta));
+  void press(Motion<double>& s) const {
+    const Motion<double> before = s;
+    const auto r = arms(half, std::cos(s.theta), std::sin(s.theta));
     const auto touches = [&](const Arm<double>& arm) { return before.y + arm.y < 0; };
     double count = 0, sum = 0;  // of the corners that touch, and of their r_x
     for (const Arm<double>& arm : r) {
@@ -73,23 +67,22 @@ class Penalty {
       sum += arm.x;
     }
     for (const Arm<double>& arm : r)
-      if (touches(arm)) press(before, arm, count + arm.x * sum / k_.gyration_squared);
+      if (touches(arm)) press(s, before, arm, count + arm.x * sum / gyration_squared);
   }
 
   // Corners that approach at different speeds may give any a, so it is at least that of a free
   // mass.
-  void press(const Motion<double>& before, const Arm<double>& r, double a) {
+  void press(Motion<double>& s, const Motion<double>& before, const Arm<double>& r,
+             double a) const {
     const double damping = damping_ / std::sqrt(std::max(a, 1.0));
     const double depth = -(before.y + r.y);
     const double f_n = std::max(0.0, stiffness_ * depth - damping * normal_velocity(before, r));
-    const double most = k_.mu * f_n;
+    const double most = mu * f_n;
     const double f_t = std::clamp(-friction_ * tangential_velocity(before, r), -most, most);
-    apply_impulse(s_, r, k_.dt * f_n, k_.dt * f_t, k_.gyration_squared);
+    apply_impulse(s, r, dt * f_n, dt * f_t, gyration_squared);
   }
 
-  StepConstants k_;
-  Motion<double> s_;
   double stiffness_ = 0, damping_ = 0, friction_ = 0;  // 1/s^2, 1/s, 1/s
 };
 
-}  // namespace bounce::methods
+}  // namespace bounce::study

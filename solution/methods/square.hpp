@@ -18,8 +18,9 @@
 
 #include <bounce/types.hpp>
 #include <cmath>
+#include <vector>
 
-namespace bounce::methods {
+namespace bounce::study {
 
 // A fixed-size array with an int index.
 template <class T, int n>
@@ -58,13 +59,14 @@ struct Motion {
   Real x, y, theta;      // m, m, rad
   Real v_x, v_y, omega;  // m/s, m/s, rad/s
 };
+using Motions = std::vector<Motion<double>>;
 
 template <class Real>
 struct Arm {
   Real x, y;  // r, m
 };
 
-template <class Real>
+template <class Real = double>
 Motion<Real> motion_of(const State& state) {
   return {Real(state.q(0)), Real(state.q(1)), Real(state.q(2)),
           Real(state.v(0)), Real(state.v(1)), Real(state.v(2))};
@@ -86,6 +88,20 @@ Row<Arm<Real>, 4> arms(Real half, Real cosine, Real sine) {
 template <class Real>
 Row<Arm<Real>, 4> arms(const Body<Real>& body, Real theta) {
   return arms(body.half, std::cos(theta), std::sin(theta));
+}
+
+// The lowest arm, found without a search: the four differ by right angles, so that r_y = -(|cos| +
+// |sin|) l / 2, and the signs of r_x follow.
+template <class Real>
+Arm<Real> lowest_arm(Real half, Real cosine, Real sine) {
+  return {half * (std::copysign(Real(1), cosine) * sine - std::copysign(Real(1), sine) * cosine),
+          -half * (std::abs(cosine) + std::abs(sine))};
+}
+
+// The height of the centre where the lowest corner touches the ground, m.
+template <class Real>
+Real height_on_ground(Real half, Real theta) {
+  return half * (std::abs(std::cos(theta)) + std::abs(std::sin(theta)));
 }
 
 template <class Real>
@@ -116,7 +132,7 @@ Real energy(const Motion<Real>& s, const Body<Real>& body) {
 // The height of the lowest corner, m: phi of eq. (4).
 template <class Real>
 Real lowest_gap(const Motion<Real>& s, const Body<Real>& body) {
-  return s.y - body.half * (std::abs(std::cos(s.theta)) + std::abs(std::sin(s.theta)));
+  return s.y - height_on_ground(body.half, s.theta);
 }
 
-}  // namespace bounce::methods
+}  // namespace bounce::study

@@ -34,7 +34,38 @@
 
 #include "square.hpp"
 
-namespace bounce::methods {
+namespace bounce::study {
+
+// By how much x violates x >= 0; infinite for NaN, which std::max would hide.
+template <class Real>
+Real lack(Real x) {
+  if (x >= 0) return 0;
+  return x < 0 ? -x : std::numeric_limits<Real>::infinity();
+}
+
+// What a friction case leaves: B and u'.
+template <class Real>
+struct TwoByTwo {
+  Real B[2][2], u[2];
+
+  // p_1 and p_2 with the corners of `pressed` (bit i for corner i) pressed.
+  Row<Real, 2> impulses(int pressed) const {
+    if (pressed == 0) return {0, 0};
+    if (pressed == 1) return {-u[0] / B[0][0], 0};
+    if (pressed == 2) return {0, -u[1] / B[1][1]};
+    const Real D = B[0][0] * B[1][1] - B[0][1] * B[1][0];
+    return {(B[0][1] * u[1] - B[1][1] * u[0]) / D, (B[1][0] * u[0] - B[0][0] * u[1]) / D};
+  }
+
+  Real violation(const Row<Real, 2>& p) const {
+    Real worst = 0;
+    for (int i = 0; i < 2; ++i) {
+      const Real w = B[i][0] * p[0] + B[i][1] * p[1] + u[i];
+      worst = std::max({worst, lack(p[i]), p[i] == 0 ? lack(w) : Real(0)});
+    }
+    return worst;
+  }
+};
 
 template <class Real>
 struct TwoCorners {
@@ -46,6 +77,17 @@ struct TwoCorners {
   Real A(int i, int j) const { return 1 + r_x[i] * r_x[j] / gyration_squared; }
   Real b(int i) const { return -r_x[i] * r_y / gyration_squared; }
   Real c() const { return 1 + r_y * r_y / gyration_squared; }
+
+  // sigma: the direction of sliding, or 0 if the side sticks.
+  TwoByTwo<Real> with_friction(int sigma) const {
+    TwoByTwo<Real> lcp;
+    for (int i = 0; i < 2; ++i) {
+      for (int j = 0; j < 2; ++j)
+        lcp.B[i][j] = A(i, j) - (sigma ? sigma * mu * b(i) : b(i) * b(j) / c());
+      lcp.u[i] = u[i] - (sigma ? 0 : b(i) * u_t / c());
+    }
+    return lcp;
+  }
 };
 
 template <class Real>
@@ -62,79 +104,27 @@ TwoCorners<Real> two_corners(const Arm<Real>& r_1, const Arm<Real>& r_2, Real gy
   return {{r_1.x, r_2.x}, (r_1.y + r_2.y) / 2, gyration_squared, u, u_t, mu};
 }
 
-namespace detail {
-
 template <class Real>
-struct TwoByTwo {
-  Real B[2][2], u[2];
-};
-
-// By how much x violates x >= 0; infinite for NaN, which std::max would hide.
-template <class Real>
-Real lack(Real x) {
-  if (x >= 0) return 0;
-  return x < 0 ? -x : std::numeric_limits<Real>::infinity();
+void push_side(Motion<Real>& s, const Arm<Real>& r_1, const Arm<Real>& r_2,
+               const SideImpulse<Real>& p, Real gyration_squared) {
+  apply_impulse(s, r_1, p.n[0], p.t / 2, gyration_squared);
+  apply_impulse(s, r_2, p.n[1], p.t / 2, gyration_squared);
 }
-
-template <class Real>
-Real violation_of(const TwoByTwo<Real>& lcp, const Row<Real, 2>& p) {
-  Real worst = 0;
-  for (int i = 0; i < 2; ++i) {
-    const Real w = lcp.B[i][0] * p[0] + lcp.B[i][1] * p[1] + lcp.u[i];
-    worst = std::max({worst, lack(p[i]), p[i] == 0 ? lack(w) : Real(0)});
-  }
-  return worst;
-}
-
-// p_1 and p_2 with the corners of `pressed` (bit i for corner i) pressed.
-template <class Real>
-Row<Real, 2> impulses(const TwoByTwo<Real>& lcp, int pressed) {
-  const auto& [B, u] = lcp;
-  if (pressed == 0) return {0, 0};
-  if (pressed == 1) return {-u[0] / B[0][0], 0};
-  if (pressed == 2) return {0, -u[1] / B[1][1]};
-  const Real D = B[0][0] * B[1][1] - B[0][1] * B[1][0];
-  return {(B[0][1] * u[1] - B[1][1] * u[0]) / D, (B[1][0] * u[0] - B[0][0] * u[1]) / D};
-}
-
-template <class Real>
-TwoByTwo<Real> sticking(const TwoCorners<Real>& k) {
-  const Real c = k.c();
-  TwoByTwo<Real> lcp;
-  for (int i = 0; i < 2; ++i) {
-    for (int j = 0; j < 2; ++j) lcp.B[i][j] = k.A(i, j) - k.b(i) * k.b(j) / c;
-    lcp.u[i] = k.u[i] - k.b(i) * k.u_t / c;
-  }
-  return lcp;
-}
-
-template <class Real>
-TwoByTwo<Real> sliding(const TwoCorners<Real>& k, int sigma) {
-  TwoByTwo<Real> lcp;
-  for (int i = 0; i < 2; ++i) {
-    const Real coupling = sigma * k.mu * k.b(i);
-    for (int j = 0; j < 2; ++j) lcp.B[i][j] = k.A(i, j) - coupling;
-    lcp.u[i] = k.u[i];
-  }
-  return lcp;
-}
-
-}  // namespace detail
 
 // The impulses with friction in a given direction: sigma 0 sticks, 1 slides right, -1 left. The
 // violation counts the normal rows, and with `checked` the friction's.
 template <class Real>
 SideImpulse<Real> solve_side(const TwoCorners<Real>& k, int sigma, bool checked) {
-  const detail::TwoByTwo<Real> lcp = sigma ? detail::sliding(k, sigma) : detail::sticking(k);
+  const TwoByTwo<Real> lcp = k.with_friction(sigma);
   SideImpulse<Real> best{{0, 0}, 0, std::numeric_limits<Real>::infinity()};
   for (const int pressed : {3, 0, 1, 2}) {
-    const Row<Real, 2> p = detail::impulses(lcp, pressed);
+    const Row<Real, 2> p = lcp.impulses(pressed);
     const Real P = p[0] + p[1], coupled = k.b(0) * p[0] + k.b(1) * p[1] + k.u_t;
     const Real p_t = sigma ? -sigma * k.mu * P : -coupled / k.c();
-    Real violation = detail::violation_of(lcp, p);
+    Real violation = lcp.violation(p);
     if (checked) {
-      violation = std::max(violation, detail::lack(sigma ? sigma * (coupled + k.c() * p_t)
-                                                         : k.mu * P - std::abs(p_t)));
+      violation = std::max(
+          violation, lack(sigma ? sigma * (coupled + k.c() * p_t) : k.mu * P - std::abs(p_t)));
     }
     if (violation < best.violation) best = {p, p_t, violation};
     if (violation <= 0) break;
@@ -153,4 +143,4 @@ SideImpulse<Real> solve_two_corners(const TwoCorners<Real>& k) {
   return best;
 }
 
-}  // namespace bounce::methods
+}  // namespace bounce::study

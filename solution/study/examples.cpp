@@ -1,33 +1,24 @@
 #include <algorithm>
-#include <bounce/part1_contacts.hpp>
 #include <cmath>
 #include <numbers>
 #include <vector>
 
+#include "../exact/truth.hpp"
 #include "../methods/impact_laws.hpp"
 #include "questions.hpp"
 
 namespace bounce::study {
 namespace {
 
-using methods::Arm;
-using methods::ImpactLaw;
-
 // Kane's paradox: the energy after the impact over that before.
 double kane(ImpactLaw law) {
-  const Parameters params{.epsilon = 0.9, .g = {0, 0, 0}};
-  const methods::Body<double> body(params);
-  methods::Motion<double> s{0, 0.104267, 0.043633, 0.040023, -0.396829, 6.313089};
-  const Jacobian J = get_contacts(methods::state_of(s).q, params).J;
-  const Arm<double> r{J(2, 1), -J(2, 0)};
-  const auto k = methods::one_corner<double>(r, body.gyration_squared, 0, 0, body.mu);
-  const double before = methods::energy(s, body);
-  const auto p =
-      methods::impact<double>({k.a, k.b, k.c, methods::normal_velocity(s, r),
-                               methods::tangential_velocity(s, r), body.mu, params.epsilon},
-                              law);
-  methods::apply_impulse(s, r, p.n, p.t, body.gyration_squared);
-  return methods::energy(s, body) / before;
+  const Body<double> body({.epsilon = 0.9, .g = {0, 0, 0}});
+  Motion<double> s{0, 0.104267, 0.043633, 0.040023, -0.396829, 6.313089};
+  const auto r = lowest_arm(body.half, std::cos(s.theta), std::sin(s.theta));
+  const double before = energy(s, body);
+  const auto p = impact(collision_of(s, r, body), law);
+  apply_impulse(s, r, p.n, p.t, body.gyration_squared);
+  return energy(s, body) / before;
 }
 
 struct Least {
@@ -40,7 +31,7 @@ Least least_over_angles(const Value& value) {
   Least least{1e300, 0};
   for (int i = 1; i < 20'000; ++i) {
     const double alpha = i * std::numbers::pi / 40'000;
-    const auto k = methods::leaning_corner(alpha, 0, 0, 0);
+    const auto k = leaning_corner(alpha, 0, 0, 0);
     if (value(k) < least.value) least = {value(k), std::tan(alpha)};
   }
   return least;
@@ -48,7 +39,7 @@ Least least_over_angles(const Value& value) {
 
 }  // namespace
 
-Table examples() {
+Table examples(const Scenes&, const Extent&) {
   Table table({"example", "quantity", "value", "unit"});
   table.add("kane", "energy after / before, Newton", kane(ImpactLaw::newton), "none");
   table.add("kane", "energy after / before, Poisson", kane(ImpactLaw::poisson), "none");
@@ -60,17 +51,29 @@ Table examples() {
   table.add("rectangle", "least mu with a <= mu |b|", mu.value, "none");
   table.add("rectangle", "tan alpha there", mu.tan_alpha, "none");
   constexpr double kMu = 2, kApproach = 0.1, kSliding = 1;
-  const auto found =
-      methods::all_solutions(methods::leaning_corner(std::atan(0.5), kApproach, kSliding, kMu));
   std::vector<double> impulses;
-  impulses.reserve(std::size_t(found.count));
-  for (int i = 0; i < found.count; ++i) impulses.push_back(found.all[i].n);
+  for (const auto& p : all_solutions(leaning_corner(std::atan(0.5), kApproach, kSliding, kMu)))
+    impulses.push_back(p.n);
   std::sort(impulses.begin(), impulses.end());
   table.add("painleve", "mu", kMu, "none");
   table.add("painleve", "p_1", kApproach, "m/s");
   table.add("painleve", "v_t", kSliding, "m/s");
-  table.add("painleve", "solutions", found.count, "none");
+  table.add("painleve", "solutions", impulses.size(), "none");
   for (const double impulse : impulses) table.add("painleve", "f_n dt / m", impulse, "m/s");
+  return table;
+}
+
+Table truths(const Scenes& scenes, const Extent&) {
+  constexpr int kAllDigits = 17;
+  Table table({"scene", "t_s", "x_m", "y_m", "theta_rad"});
+  for (const Scene& scene : scenes) {
+    const std::vector<double> times = even_times(scene.until);
+    const Motions truth = truth_of(scene);
+    for (std::size_t i = 0; i < truth.size(); ++i) {
+      table.add(scene.name, text_of(times[i], kAllDigits), text_of(truth[i].x, kAllDigits),
+                text_of(truth[i].y, kAllDigits), text_of(truth[i].theta, kAllDigits));
+    }
+  }
   return table;
 }
 

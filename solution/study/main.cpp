@@ -1,65 +1,52 @@
 // bounce_study [--quick] SCENES FILE.csv QUESTION: reads the scenes of a folder, and writes the
 // table that answers the question. --quick measures fewer rounds, and fewer random scenes.
+// bounce_peers is the same program with the engines that were found when it was built.
 //
 // bounce_study simulate SCENE.json TOLERANCE: see simulate.hpp.
-#include <algorithm>
-#include <functional>
 #include <iostream>
 #include <map>
 
 #include "../exact/simulate_to.hpp"
+#include "peers/engine.hpp"
 #include "questions.hpp"
 #include "simulate.hpp"
-#include "speed_accuracy.hpp"
 
 namespace bounce::study {
 namespace {
 
-struct Question {
-  std::function<Table(const Scenes&, const Extent&)> answer;
+struct Asked {
+  Question* answer;
   std::string times{};
 };
 
-std::map<std::string, Question> questions(int core, const Extent& extent) {
+std::map<std::string, Asked> questions(int core, const Extent& extent) {
   const std::string timed = times_taken(core, extent);
-  const auto of_scenes = [](Table (*answer)(const Scenes&)) {
-    return Question{[answer](const Scenes& scenes, const Extent&) { return answer(scenes); }};
-  };
-  const auto alone = [](Table (*answer)()) {
-    return Question{[answer](const Scenes&, const Extent&) { return answer(); }};
-  };
-  return {{"speed_accuracy",
-           {[](const Scenes& scenes, const Extent& asked) {
-              return speed_accuracy(scenes, all_methods(), asked);
-            },
-            timed}},
-          {"truth", of_scenes(truths)},
-          {"energy_gain", alone(energy_gain)},
-          {"solution_count", alone(solution_count)},
-          {"gauss_seidel", alone(gauss_seidel_sweeps)},
-          {"depth", alone(depth)},
-          {"almost_flat", alone(almost_flat)},
-          {"flat_landing", alone(flat_landing)},
-          {"rest_and_drift", of_scenes(rest_and_drift)},
-          {"scaling", alone(scaling)},
-          {"examples", alone(examples)},
+  return {{"speed_accuracy", {speed_accuracy, timed}},
+          {"truth", {truths}},
+          {"energy_gain", {energy_gain}},
+          {"solution_count", {solution_count}},
+          {"gauss_seidel", {gauss_seidel_sweeps}},
+          {"depth", {depth}},
+          {"almost_flat", {almost_flat}},
+          {"flat_landing", {flat_landing}},
+          {"rest_and_drift", {rest_and_drift}},
+          {"scaling", {scaling}},
+          {"examples", {examples}},
           {"least_model", {least_model, timed}},
           {"chosen_model", {chosen_model, timed}},
-          {"random_models", alone(random_models)},
-          {"tolerance",
-           {[](const Scenes&, const Extent& asked) {
-              return tolerance(asked.rounds > kQuick.rounds ? 4000 : 400);
-            },
-            times_taken(core)}}};
+          {"random_models", {random_models}},
+          {"tolerance", {tolerance, times_taken(core)}}};
 }
 
-void run(const std::string& scenes, const std::string& file, const std::string& name,
-         const Extent& extent) {
+void run(const std::string& scenes, const std::string& file, const std::string& name, bool quick) {
+  const Extent extent = quick ? kQuick : all_peers.empty() ? Extent() : kBesidePeers;
   const auto all = questions(pin_to_one_core(), extent);
   const auto question = all.find(name);
   if (question == all.end()) throw std::invalid_argument("there is no question \"" + name + "\"");
-  const Table table = question->second.answer(read_scenes(scenes), extent);
-  table.write(file, origin(question->second.times));
+  std::vector<std::string> lines = origin(question->second.times);
+  if (!all_peers.empty()) lines.push_back("# engines:");
+  for (const auto& [engine, peer] : all_peers) lines.back() += " " + engine + " " + peer.version;
+  question->second.answer(read_scenes(scenes), extent).write(file, lines);
 }
 
 }  // namespace
@@ -74,10 +61,9 @@ int main(int argc, char** argv) try {
   const bool quick = !words.empty() && words[0] == "--quick";
   if (quick) words.erase(words.begin());
   if (words.size() != 3) throw std::invalid_argument("usage: [--quick] SCENES FILE.csv QUESTION");
-  bounce::study::run(words[0], words[1], words[2],
-                     quick ? bounce::study::kQuick : bounce::study::Extent());
+  bounce::study::run(words[0], words[1], words[2], quick);
   return 0;
-} catch (const bounce::exact::Refusal& refusal) {
+} catch (const bounce::study::Refusal& refusal) {
   std::cerr << "bounce_study: " << refusal.what() << "\n";
   return 1;
 } catch (const std::invalid_argument& problem) {

@@ -8,7 +8,7 @@
 
 #include "../exact/simulate_scene.hpp"
 #include "../exact/truth.hpp"
-#include "ladder.hpp"
+#include "catalog.hpp"
 #include "questions.hpp"
 #include "random_scenes.hpp"
 
@@ -19,8 +19,8 @@ constexpr double kFine = 1e-3;           // m
 constexpr double kChoosing = 1e-3;       // s, of the simulator that chooses, in random scenes
 constexpr double kEventsASecond = 5000;  // in random scenes
 
-Samples run_model(const Scene& scene, ModelLevel level, const EventOptions& options = {}) {
-  return motion_with(scene, level, sample_times(scene), options);
+Motions run_model(const Scene& scene, ModelLevel level, const EventOptions& options = {}) {
+  return motion_with(scene, level, even_times(scene.until), options);
 }
 
 // In the air or on the ground, turned or flat, with or without friction, spin and a slope: a
@@ -36,14 +36,14 @@ Scene scene_of(unsigned seed) {
   params.g = {9.81 * std::sin(slope), -9.81 * std::cos(slope), 0};
   const bool flat = random.one_of(3), lies = flat && random.one_of(2);
   const double theta = flat ? 0 : random.uniform(-std::numbers::pi, std::numbers::pi);
-  const double reach = params.l / 2 * (std::abs(std::cos(theta)) + std::abs(std::sin(theta)));
-  scene.start.q = {0, reach + (lies ? 0 : random.uniform(0.01, 2)), theta};
+  const double touching = height_on_ground(params.l / 2, theta);
+  scene.start.q = {0, touching + (lies ? 0 : random.uniform(0.01, 2)), theta};
   const double v_x = random.one_of(3) ? 0 : random.uniform(-2, 2);
   scene.start.v = {v_x, lies ? 0 : random.uniform(-2, 2), flat ? 0 : random.uniform(-8, 8)};
   return scene;
 }
 
-double error_with(const Scene& scene, ModelLevel level, const Samples& truth) {
+double error_with(const Scene& scene, ModelLevel level, const Motions& truth) {
   const long most = long(kEventsASecond * scene.until);
   return error_of(scene, run_model(scene, level, {.most_events = most}), truth);
 }
@@ -69,7 +69,7 @@ ModelLevel chosen_by_bounds(const Scene& scene) {
 Table least_model(const Scenes& scenes, const Extent& extent) {
   Table table({"scene", "model", "error_m", "ns_per_simulated_second", "least", "expected"});
   for (const Scene& scene : scenes) {
-    const Samples truth = truth_of(scene);
+    const Motions truth = truth_of(scene);
     std::vector<Job> jobs;
     jobs.reserve(kModelLevels);
     for (int i = 0; i < kModelLevels; ++i)
@@ -108,7 +108,7 @@ Table chosen_model(const Scenes& scenes, const Extent& extent) {
 }
 
 // Counts, for each choice and each least model, the scenes; and says how wrong the choice is.
-Table random_models() {
+Table random_models(const Scenes&, const Extent&) {
   constexpr unsigned kScenes = 1000;
   struct Count {
     long scenes = 0, wrong = 0;
@@ -117,7 +117,7 @@ Table random_models() {
   std::map<std::array<int, 2>, Count> counts;
   for (unsigned seed = 1; seed <= kScenes; ++seed) {
     const Scene scene = scene_of(seed);
-    const Samples truth = truth_of(scene);
+    const Motions truth = truth_of(scene);
     const int chosen = int(chosen_by_bounds(scene));
     int least = 0;
     while (least < kModelLevels && !(error_with(scene, ModelLevel(least), truth) <= kFine)) ++least;

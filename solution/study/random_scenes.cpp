@@ -30,21 +30,11 @@ Scene random_scene(Random& random) {
   params.T = 2 + int(random.uniform(0, 60));
   const double kind = random.uniform(0, 1);
   const double theta = kind < 0.2 ? 0 : random.uniform(-4, 4);
-  const double height = params.l / 2 * (std::abs(std::cos(theta)) + std::abs(std::sin(theta)));
+  const double height = height_on_ground(params.l / 2, theta);
   const double lifted = chance(random, 0.15) ? 0 : params.l * log_uniform(random, 1e-4, 10);
   scene.start.q = Vector3(random.uniform(-1, 1), height + lifted, theta);
   scene.start.v = Vector3(random.uniform(-3, 3), random.uniform(-2, 2), random.uniform(-10, 10));
   if (kind < 0.15) scene.start.v.tail<2>().setZero();
-  return scene;
-}
-
-Scene crowded_scene(Random& random) {
-  Scene scene = random_scene(random);
-  scene.params.epsilon = chance(random, 0.5) ? 1 : 1 - log_uniform(random, 1e-6, 1e-3);
-  scene.params.g = Vector3(0, -9.81, 0);
-  const double l = scene.params.l;
-  scene.start.q = Vector3(0, l / 2 + l * log_uniform(random, 1e-10, 1e-6), 0);
-  scene.start.v = Vector3(random.uniform(-1, 1), 0, 0);
   return scene;
 }
 

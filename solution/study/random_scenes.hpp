@@ -7,8 +7,6 @@
 
 namespace bounce::study {
 
-using namespace exact;
-
 class Random {
  public:
   explicit Random(unsigned seed) : engine_(seed) {}
@@ -31,8 +29,5 @@ double any_epsilon(Random& random);
 
 // Squares of ordinary size that fall, tumble, slide, rock or rest, for up to 3 s.
 Scene random_scene(Random& random);
-
-// A square that hops too often for its hops to be followed one by one.
-Scene crowded_scene(Random& random);
 
 }  // namespace bounce::study

@@ -3,7 +3,6 @@
 #include <bounce/part2_lcp.hpp>
 #include <cmath>
 #include <numbers>
-#include <optional>
 #include <stdexcept>
 
 #include "../exact/event_driven.hpp"
@@ -19,11 +18,6 @@
 namespace bounce::study {
 namespace {
 
-using methods::Arm;
-using methods::Collision;
-using methods::ImpactLaw;
-using methods::Motion;
-
 // A corner's share of the energy, x^T G^-1 x / 2 with x = (v_n, v_t).
 double energy_of(const Collision<double>& k) {
   return (k.c * k.v_n * k.v_n - 2 * k.b * k.v_n * k.v_t + k.a * k.v_t * k.v_t) /
@@ -34,11 +28,10 @@ double energy_of(const Collision<double>& k) {
 double largest_gain(ImpactLaw law, double mu, double epsilon) {
   double largest = -1;
   for (int i = 0; i <= 45; ++i) {
-    const auto k = methods::leaning_corner(i * std::numbers::pi / 180, 0, 0, mu);
+    const auto k = leaning_corner(i * std::numbers::pi / 180, 0, 0, mu);
     for (int j = -300; j <= 300; ++j) {
       const Collision<double> hit{k.a, k.b, k.c, -1, j / 100.0, mu, epsilon};
-      largest = std::max(largest,
-                         methods::energy_gained(hit, methods::impact(hit, law)) / energy_of(hit));
+      largest = std::max(largest, energy_gained(hit, impact(hit, law)) / energy_of(hit));
     }
   }
   return largest;
@@ -48,8 +41,8 @@ double largest_gain(ImpactLaw law, double mu, double epsilon) {
 double least_limit(double mu) {
   double least = 1;
   for (int i = 0; i <= 45; ++i) {
-    const auto k = methods::leaning_corner(i * std::numbers::pi / 180, 0, 0, mu);
-    if (k.a > mu * std::abs(k.b)) least = std::min(least, methods::gain_limit(k.a, k.b, k.c, mu));
+    const auto k = leaning_corner(i * std::numbers::pi / 180, 0, 0, mu);
+    if (k.a > mu * std::abs(k.b)) least = std::min(least, gain_limit(k.a, k.b, k.c, mu));
   }
   return least;
 }
@@ -59,28 +52,28 @@ int most_solutions(double alpha, double mu) {
   for (const double u_n : {-1.0, 1.0}) {
     for (int i = -160; i <= 160; ++i) {  // u_t to 1e5: just above mu* it takes thousands
       const double u_t = i == 0 ? 0 : std::copysign(std::pow(10.0, std::abs(i) / 20.0 - 3), i);
-      const auto k = methods::leaning_corner(alpha, u_n, u_t, mu);
-      most = std::max(most, methods::all_solutions(k).count);
+      const auto k = leaning_corner(alpha, u_n, u_t, mu);
+      most = std::max(most, int(all_solutions(k).size()));
     }
   }
   return most;
 }
 
 // A square of mass 1 on the ground, one of mass R on it: normal rows of both contacts, friction 0.
-methods::GaussSeidel stack(double R, double tolerance) {
+GaussSeidel stack(double R, double tolerance) {
   Eigen::Matrix4d G = Eigen::Matrix4d::Identity();
   G(0, 2) = G(2, 0) = -1;
   G(2, 2) = 1 + 1 / R;
   const Eigen::Vector4d u(-0.0981, 0, 0, 0);
-  return methods::gauss_seidel(G, u, 0, tolerance, 100'000'000);
+  return gauss_seidel(G, u, 0, tolerance, 100'000'000);
 }
 
 // The number of pivots of Lemke's method for the same two contacts.
 int lemke_pivots(double R) {
   Eigen::Matrix2d G;
   G << 1, -1, -1, 1 + 1 / R;
-  const methods::LemkeResult z = methods::lemke(G, Eigen::Vector2d(-0.0981, 0));
-  if (z.end != methods::LemkeEnd::solved) throw std::logic_error("a stack without a solution");
+  const LemkeResult z = lemke(G, Eigen::Vector2d(-0.0981, 0));
+  if (!z.is_solved) throw std::logic_error("a stack without a solution");
   return z.pivots;
 }
 
@@ -93,11 +86,10 @@ double share_without_end(double mu) {
   constexpr int kContacts = 2000;
   for (int i = 0; i < kContacts; ++i) {
     const double u_t = random.uniform(-3, 3), u_n = -random.uniform(0.1, 1);
-    const auto k = methods::leaning_corner(random.uniform(-0.78, 0.78), u_n, u_t, mu);
+    const auto k = leaning_corner(random.uniform(-0.78, 0.78), u_n, u_t, mu);
     Eigen::Matrix2d G;
     G << k.a, k.b, k.b, k.c;
-    endless +=
-        !methods::gauss_seidel(G, Eigen::Vector2d(k.u_n, k.u_t), mu, 1e-9, kMostSweeps).converged;
+    endless += !gauss_seidel(G, Eigen::Vector2d(k.u_n, k.u_t), mu, 1e-9, kMostSweeps).converged;
   }
   return double(endless) / kContacts;
 }
@@ -107,16 +99,14 @@ double share_without_end(double mu) {
 template <class Scheme>
 double deepest(double speed, double dt) {
   const Parameters params{.dt = dt};
-  const methods::Body<double> body(params);
+  const Scheme scheme(params);
   double depth = 0;
-  constexpr int kStarts = 256;
-  for (int start = 0; start < kStarts; ++start) {
-    const double above = params.delta + 1e-9 + speed * dt * start / kStarts;
-    Scheme scheme(params, Motion<double>{0, body.rho + above, std::numbers::pi / 4, 0, -speed, 0});
-    for (int i = 0; i < 4; ++i) {
-      scheme.steps(1);
-      depth = std::max(depth, -methods::lowest_gap(scheme.motion(), body));
-    }
+  constexpr int kHeights = 256;
+  for (int start = 0; start < kHeights; ++start) {
+    const double above = params.delta + 1e-9 + speed * dt * start / kHeights;
+    const Motion<double> s{0, scheme.rho + above, std::numbers::pi / 4, 0, -speed, 0};
+    for (const auto& moved : sample(scheme, s, 4, 1))
+      depth = std::max(depth, -lowest_gap(moved, scheme));
   }
   return depth;
 }
@@ -129,7 +119,7 @@ struct Residuals {
 
 // The residual of impulses in the merged problem, m/s: the distance from p to the projection of p -
 // (w, v_t) onto the allowed impulses. 0 for a solution, and for nothing else.
-double residual_of(const methods::TwoCorners<double>& k, const methods::SideImpulse<double>& p) {
+double residual_of(const TwoCorners<double>& k, const SideImpulse<double>& p) {
   const double friction = k.mu * (p.n[0] + p.n[1]);
   const double v_t = k.b(0) * p.n[0] + k.b(1) * p.n[1] + k.c() * p.t + k.u_t;
   double worst = std::abs(p.t - std::clamp(p.t - v_t, -friction, friction));
@@ -149,17 +139,16 @@ Residuals residuals_at(double theta) {
   Residuals worst{};
   for (int i = 0; i < 4000; ++i) {
     const double turned = theta * std::pow(10.0, (uniform() + 2) / 16);
-    const auto r = methods::arms(params.l / 2, std::cos(turned), std::sin(turned));
+    const auto r = arms(params.l / 2, std::cos(turned), std::sin(turned));
     const Vector3 v(uniform(), uniform() - 2, 10 * uniform());
-    const methods::Lcp8 lcp = methods::form_lcp8(r[2], r[3], v, params);
-    const methods::LemkeResult z = methods::lemke(lcp.V, lcp.p, 1e-12);
-    const double left = methods::lcp_residual(lcp.V, lcp.p, z.z);
-    if (z.end == methods::LemkeEnd::solved) worst.lemke = std::max(worst.lemke, left);
-    worst.wrong += z.end == methods::LemkeEnd::solved && !(left <= 1e-6);
-    const auto side =
-        methods::two_corners<double>(r[2], r[3], params.l * params.l / 6, {lcp.p(0), lcp.p(4)},
-                                     (lcp.p(2) + lcp.p(6)) / 2, params.mu);
-    const auto p = methods::solve_two_corners(side);
+    const Lcp8 lcp = form_lcp8(r[2], r[3], v, params);
+    const LemkeResult z = lemke(lcp.V, lcp.p);
+    const double left = lcp_residual(lcp.V, lcp.p, z.z);
+    if (z.is_solved) worst.lemke = std::max(worst.lemke, left);
+    worst.wrong += z.is_solved && !(left <= 1e-6);
+    const auto side = two_corners<double>(r[2], r[3], params.l * params.l / 6, {lcp.p(0), lcp.p(4)},
+                                          (lcp.p(2) + lcp.p(6)) / 2, params.mu);
+    const auto p = solve_two_corners(side);
     worst.merged = std::max(worst.merged, residual_of(side, p));
   }
   return worst;
@@ -172,14 +161,9 @@ struct Scaled {
 // The impulses of a corner of the handout's example without gravity, per unit of mass: neither m
 // nor dt occurs in them.
 template <class Real>
-methods::CornerImpulse<Real> impulse_of(const Jacobian& J, const Vector3& v,
-                                        const Parameters& params) {
+CornerImpulse<Real> impulse_of(const Jacobian& J, const Vector3& v, const Parameters& params) {
   const Arm<Real> r{Real(J(2, 1)), -Real(J(2, 0))};
-  const Motion<Real> s{0, 0, 0, Real(v(0)), Real(v(1)), Real(v(2))};
-  const methods::Body<Real> body(params);
-  return methods::solve_one_corner(methods::one_corner<Real>(
-      r, body.gyration_squared, (1 + body.epsilon) * normal_velocity(s, r),
-      tangential_velocity(s, r), body.mu));
+  return newton_impact(collision_of(motion_of<Real>({{0, 0, 0}, v}), r, Body<Real>(params)));
 }
 
 // The same contact with another mass and step, by solvers in double; the reference is the closed
@@ -195,7 +179,7 @@ Scaled scaled(double m, double dt) {
         double(std::hypot(n - reference.n, t - reference.t) / std::hypot(reference.n, reference.t));
     return std::isfinite(error) ? error : 1e300;
   };
-  const Eigen::VectorXd f = methods::lemke(lcp.V, lcp.p).z;
+  const Eigen::VectorXd f = lemke(lcp.V, lcp.p).z;
   const auto p = impulse_of<double>(contact.J, v, params);
   return {off(f(0) * dt / m, (f(2) - f(1)) * dt / m), off(p.n, p.t)};
 }
@@ -207,9 +191,8 @@ constexpr double kLooking = 0.21;  // s; the face lands at 0.202 s, and again on
 template <class Scheme>
 double turning(double theta) {
   const Parameters params{.dt = kStep};
-  Scheme scheme(params, Motion<double>{0, params.l / 2 + kDrop, theta, 0, 0, 0});
-  scheme.steps(std::lround(kLooking / kStep));
-  return scheme.motion().omega;
+  const Motion<double> start{0, params.l / 2 + kDrop, theta, 0, 0, 0};
+  return sample(Scheme(params), start, 1, std::lround(kLooking / kStep)).back().omega;
 }
 
 double true_turning(double theta) {
@@ -220,7 +203,7 @@ double true_turning(double theta) {
 
 }  // namespace
 
-Table energy_gain() {
+Table energy_gain(const Scenes&, const Extent&) {
   Table table({"mu", "epsilon", "newton", "poisson", "stronge", "limit_epsilon"});
   constexpr int n = 20;
   for (int i = 0; i <= 6 * n / 5; ++i) {
@@ -234,12 +217,12 @@ Table energy_gain() {
   return table;
 }
 
-Table solution_count() {
+Table solution_count(const Scenes&, const Extent&) {
   Table table({"alpha_rad", "mu", "most_solutions", "mu_star"});
   constexpr int n = 10;
   for (int i = 1; i < 3 * n; ++i) {
     const double alpha = i * std::numbers::pi / (6 * n);
-    const auto k = methods::leaning_corner(alpha, 0, 0, 0);
+    const auto k = leaning_corner(alpha, 0, 0, 0);
     const double mu_star = k.a / std::abs(k.b);
     for (int j = 0; j <= 2 * n; ++j)
       table.add(alpha, 2.0 * j / n, most_solutions(alpha, 2.0 * j / n), mu_star);
@@ -247,10 +230,10 @@ Table solution_count() {
   return table;
 }
 
-Table gauss_seidel_sweeps() {
+Table gauss_seidel_sweeps(const Scenes&, const Extent&) {
   Table table(
       {"problem", "value", "sweeps", "predicted_sweeps", "lemke_pivots", "share_without_end"});
-  constexpr std::optional<double> kNone;
+  const std::string kNone;
   constexpr double kTolerance = 1e-9;
   for (double R = 0.01; R < 2e4; R *= std::sqrt(10.0)) {
     const double rate = R / (1 + R);
@@ -262,18 +245,18 @@ Table gauss_seidel_sweeps() {
   return table;
 }
 
-Table depth() {
+Table depth(const Scenes&, const Extent&) {
   Table table({"method", "speed_m_s", "dt_s", "v_dt_m", "depth_m"});
   for (const double speed : {1.0, 5.0, 20.0, 60.0}) {
     for (const double dt : {0.02, 0.01, 0.003, 0.001, 0.0001}) {
-      table.add("assignment", speed, dt, speed * dt, deepest<methods::Assignment>(speed, dt));
-      table.add("moreau_jean_2", speed, dt, speed * dt, deepest<methods::MoreauJean<2>>(speed, dt));
+      table.add("assignment", speed, dt, speed * dt, deepest<Assignment>(speed, dt));
+      table.add("moreau_jean_2", speed, dt, speed * dt, deepest<MoreauJean<2>>(speed, dt));
     }
   }
   return table;
 }
 
-Table almost_flat() {
+Table almost_flat(const Scenes&, const Extent&) {
   Table table(
       {"theta_rad", "lemke_8x8_residual_m_s", "lemke_8x8_wrong_of_4000", "merged_residual_m_s"});
   for (int i = 1; i <= 64; ++i) {
@@ -284,7 +267,7 @@ Table almost_flat() {
   return table;
 }
 
-Table flat_landing() {
+Table flat_landing(const Scenes&, const Extent&) {
   Table table({"method", "theta_rad", "omega_rad_s"});
   const auto add = [&](const char* name, double (*omega_of)(double)) {
     for (int i = 16; i >= 1; --i) {
@@ -295,14 +278,14 @@ Table flat_landing() {
     }
     table.add(name, 0.0, omega_of(0.0));
   };
-  add("assignment", turning<methods::Assignment>);
-  add("moreau_jean_1", turning<methods::MoreauJean<1>>);
-  add("moreau_jean_2", turning<methods::MoreauJean<2>>);
+  add("assignment", turning<Assignment>);
+  add("moreau_jean_1", turning<MoreauJean<1>>);
+  add("moreau_jean_2", turning<MoreauJean<2>>);
   add("event_driven", true_turning);
   return table;
 }
 
-Table rest_and_drift(const Scenes& scenes) {
+Table rest_and_drift(const Scenes& scenes, const Extent&) {
   Table table({"method", "setting", "height_m", "depth_m", "drift_m"});
   for (Scene scene : scenes) {
     if (scene.name != "rest") continue;
@@ -332,7 +315,7 @@ Table rest_and_drift(const Scenes& scenes) {
   return table;
 }
 
-Table scaling() {
+Table scaling(const Scenes&, const Extent&) {
   Table table({"m_kg", "dt_s", "plain_lemke_error", "closed_form_error"});
   for (int i = -12; i <= 12; ++i) {
     for (const double dt : {1e-6, 1e-2, 1.0}) {

@@ -3,7 +3,6 @@
 #include <sys/utsname.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <ctime>
 #include <fstream>
 #include <stdexcept>
@@ -17,12 +16,6 @@ std::string quoted(const std::string& value) {
   std::string text = "\"";
   for (const char c : value) text += c == '"' ? std::string("\"\"") : std::string(1, c);
   return text + "\"";
-}
-
-std::string text_of(double value) {
-  char buffer[40];
-  std::snprintf(buffer, sizeof buffer, "%.5g", value);
-  return buffer;
 }
 
 std::string line(const std::vector<std::string>& values) {
@@ -75,8 +68,6 @@ std::string compiler() {
 
 }  // namespace
 
-std::string Table::text(double value) { return text_of(value); }
-
 void Table::add_row(std::vector<std::string> row) {
   if (row.size() != columns_.size()) throw std::logic_error("a row has another number of columns");
   rows_.push_back(std::move(row));
@@ -107,8 +98,8 @@ std::string times_taken(int core) {
 
 std::string times_taken(int core, const Extent& extent) {
   return "CPU time, " + pinned(core) + ", the median of " + std::to_string(extent.rounds) +
-         " rounds in which all take turns, each at least " + text_of(extent.least_ns / 1e6) +
-         " ms; what takes over " + text_of(kLongNs / 1e6) + " ms plays in one round of " +
+         " rounds in which all take turns, each at least " + text_of(extent.least_ns / 1e6, 5) +
+         " ms; what takes over " + text_of(kLongNs / 1e6, 5) + " ms plays in one round of " +
          std::to_string(kLongEvery);
 }
 

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <concepts>
-#include <optional>
 #include <string>
 #include <vector>
 
+#include "../exact/scene.hpp"
 #include "timing.hpp"
 
 namespace bounce::study {
@@ -26,9 +26,7 @@ class Table {
 
  private:
   static std::string text(const std::string& value) { return value; }
-  static std::string text(double value);
-  // Empty if there is no number to write.
-  static std::string text(const std::optional<double>& value) { return value ? text(*value) : ""; }
+  static std::string text(double value) { return text_of(value, 5); }
   static std::string text(std::integral auto value) { return std::to_string(value); }  // bool: 1, 0
   void add_row(std::vector<std::string> row);
 

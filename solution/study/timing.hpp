@@ -12,8 +12,9 @@ namespace bounce::study {
 struct Extent {
   int rounds = 21;
   double least_ns = 1e6;  // a timing repeats its job for at least this long
+  bool is_quick = false;
 };
-inline constexpr Extent kQuick{3, 1e5};
+inline constexpr Extent kQuick{3, 1e5, true}, kBesidePeers{9};
 
 // A job that takes longer than this runs in one round of kLongEvery.
 inline constexpr double kLongNs = 5e7;

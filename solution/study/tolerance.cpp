@@ -12,9 +12,6 @@
 namespace bounce::study {
 namespace {
 
-using methods::Motion;
-using Motions = std::vector<Motion<double>>;
-
 // CPU time of a run, ns: the least of five, since one alone may be disturbed.
 template <class Run>
 double least_time(const Run& run) {
@@ -37,8 +34,8 @@ double time_within(const Scene& scene, const Motions& truth, double tolerance, c
 Motions stepped(const Scene& scene, long steps) {
   Parameters params = scene.params;
   params.dt /= double(steps);
-  const auto start = methods::motion_of<double>(scene.start);
-  Motions motions = methods::sample(methods::MoreauJean<2>(params, start), params.T - 1, steps);
+  const auto start = motion_of(scene.start);
+  Motions motions = sample(MoreauJean<2>(params), start, params.T - 1, steps);
   motions.insert(motions.begin(), start);
   return motions;
 }
@@ -49,7 +46,7 @@ double best_time(const Scene& scene, const std::vector<double>& times, const Mot
   double best = std::numeric_limits<double>::infinity();
   for (const auto& [of_series, cut] : {std::pair{1e-15, 1e-6}, {1e-8, 1e-4}, {1e-5, 3e-3}}) {
     const EventOptions options{.cut = cut, .tolerance = of_series};
-    const auto start = methods::motion_of<double>(scene.start);
+    const auto start = motion_of(scene.start);
     best = std::min(best, time_within(scene, truth, tolerance, [&] {
                       return simulate_events<double>(scene.params, start, times, options);
                     }));
@@ -63,7 +60,8 @@ double best_time(const Scene& scene, const std::vector<double>& times, const Mot
 
 }  // namespace
 
-Table tolerance(int count) {
+Table tolerance(const Scenes&, const Extent& extent) {
+  const int count = extent.is_quick ? 400 : 4000;
   Table table({"tolerance_m", "scenes", "free_flight", "event_driven", "refused", "violated",
                "bound_over_error", "bound_over_error_90", "time_over_best", "time_over_best_90",
                "ns"});

@@ -6,12 +6,11 @@ from typing import Any
 import numpy as np
 
 from bounce_study import chart_stability, style
-from bounce_study.tables import fastest, FINE, Tables, TIME
+from bounce_study.tables import FINE, Tables, TIME
 
 README_SCENE = "oblique_bounce"
 LEFT, RIGHT = 1e-8, 30.0  # m: what is more exact lies at the left edge
 COLUMNS = 3
-PROBLEMS = (1e-2, 1e-3, 1e-4, 1e-5, 1e-6)  # m: tolerances of the profile
 LAWS = {
     "frictionless": "no friction",
     "sticking": "always sticks",
@@ -19,17 +18,6 @@ LAWS = {
     "poisson": "Poisson",
     "compliant": "compliant",
 }
-
-
-def _panels(count: int, height: float) -> tuple[Any, Any]:
-    """A figure with this many panels and an empty one for the legend."""
-    rows = -(-(count + 1) // COLUMNS)
-    size = (style.WIDTH, height * rows)
-    layout = {"sharex": True, "sharey": True, "layout": "constrained"}
-    figure, grid = style.pyplot().subplots(rows, COLUMNS, figsize=size, **layout)
-    for axes in grid.flat[count:]:
-        axes.axis("off")
-    return figure, grid
 
 
 def _legend(axes: Any, panel: Any) -> None:
@@ -47,16 +35,27 @@ def _time_over_error(axes: Any, runs: Any) -> None:
         axes.plot(error, time, **style.line(method), zorder=front)
 
 
-def speed_accuracy(tables: Tables) -> bytes:
-    scenes = tables["speed_accuracy"].groupby("scene")
-    figure, grid = _panels(len(scenes), 3.0)
-    for axes, (scene, runs) in zip(grid.flat, scenes):
-        _time_over_error(axes, runs)
+def _by_scene(runs: Any, height: float, x: str, y: str, draw: Callable[[Any, Any], None]) -> bytes:
+    """A panel for each scene, and the legend in one more."""
+    scenes = runs.groupby("scene")
+    rows = -(-(len(scenes) + 1) // COLUMNS)
+    size = (style.WIDTH, height * rows)
+    layout = {"sharex": True, "sharey": True, "layout": "constrained"}
+    figure, grid = style.pyplot().subplots(rows, COLUMNS, figsize=size, **layout)
+    for axes in grid.flat[len(scenes) :]:
+        axes.axis("off")
+    for axes, (scene, own) in zip(grid.flat, scenes):
+        draw(axes, own)
         axes.set_title(style.scene_label(scene))
     _legend(grid.flat[len(scenes)], grid.flat[0])
-    figure.supxlabel("error, m")
-    figure.supylabel("CPU time per simulated second, µs")
+    figure.supxlabel(x)
+    figure.supylabel(y)
     return style.svg(figure)
+
+
+def speed_accuracy(tables: Tables) -> bytes:
+    runs, time = tables["speed_accuracy"], "CPU time per simulated second, µs"
+    return _by_scene(runs, 3.0, "error, m", time, _time_over_error)
 
 
 def speed_accuracy_one(tables: Tables) -> bytes:
@@ -72,42 +71,15 @@ def speed_accuracy_one(tables: Tables) -> bytes:
 
 def order(tables: Tables) -> bytes:
     """Error / dt over dt: level where the order is one, rising to the left at a floor."""
-    runs = tables["speed_accuracy"].query("method != 'event_driven'")
-    scenes = runs[runs["method"].isin(style.METHODS)].groupby("scene")
-    figure, grid = _panels(len(scenes), 2.4)
-    for axes, (scene, own) in zip(grid.flat, scenes):
-        axes.set(xscale="log", yscale="log", title=style.scene_label(scene), ylim=(1e-6, 1e5))
-        for method, points in own.groupby("method", sort=False):
-            points = points[points["error_m"] > 1e-12]
-            axes.plot(
-                points["setting"], points["error_m"] / points["setting"], **style.line(method)
-            )
-    _legend(grid.flat[len(scenes)], grid.flat[0])
-    figure.supxlabel("Δt, s")
-    figure.supylabel("error / Δt, m/s")
-    return style.svg(figure)
+    runs = tables["speed_accuracy"].query("method != 'event_driven' and method in @style.METHODS")
+    return _by_scene(runs, 2.4, "Δt, s", "error / Δt, m/s", _error_over_step)
 
 
-def profile(tables: Tables) -> bytes:
-    """Dolan and Moré's profile: the share of problems, each a scene with a tolerance, that a method
-    solves within a factor of the fastest."""
-    runs = tables["speed_accuracy"]
-    solved = [fastest(runs, within).assign(within=within) for within in PROBLEMS]
-    times = {(w, s): own for part in solved for (w, s), own in part.groupby(["within", "scene"])}
-    count = len(PROBLEMS) * runs["scene"].nunique()
-    figure, axes = style.pyplot().subplots(figsize=(8.4, 4.2), layout="constrained")
-    for method in runs["method"].unique():
-        factors = sorted(
-            float(own[TIME][own["method"] == method].iloc[0] / own[TIME].iloc[0])
-            for own in times.values()
-            if (own["method"] == method).any()
-        )
-        shares = np.arange(1, len(factors) + 1) / count
-        axes.plot(factors, shares, drawstyle="steps-post", **style.line(method), markevery=5)
-    axes.set(xscale="log", ylim=(0, 1.02))
-    axes.set(xlabel="times the time of the fastest", ylabel="share of the problems")
-    axes.legend(loc="center left", bbox_to_anchor=(1, 0.5), handlelength=3.2)
-    return style.svg(figure)
+def _error_over_step(axes: Any, runs: Any) -> None:
+    axes.set(xscale="log", yscale="log", ylim=(1e-6, 1e5))
+    for method, own in runs.groupby("method", sort=False):
+        own = own[own["error_m"] > 1e-12]
+        axes.plot(own["setting"], own["error_m"] / own["setting"], **style.line(method))
 
 
 def least_model(tables: Tables) -> bytes:
@@ -193,7 +165,6 @@ CHARTS: dict[str, tuple[tuple[str, ...], Callable[[Tables], bytes]]] = {
     "speed_accuracy": (("speed_accuracy",), speed_accuracy),
     "speed_accuracy_one": (("speed_accuracy",), speed_accuracy_one),
     "order": (("speed_accuracy",), order),
-    "profile": (("speed_accuracy",), profile),
     "stability": (chart_stability.NEEDS, chart_stability.draw),
     "least_model": (("least_model",), least_model),
     "measured_laws": (("measured_laws",), measured_laws),

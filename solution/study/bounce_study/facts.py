@@ -16,6 +16,7 @@ from bounce_study.tables import fastest, FINE, FINEST, Tables, TIME
 
 Facts = dict[str, Any]
 USEFUL = 1e-2  # m: engines with larger errors aren't compared
+PROBLEMS = (1e-2, 1e-3, 1e-4, 1e-5, 1e-6)  # m: tolerances for which the fastest are counted
 IN_SENTENCES = {
     "frictionless": "a law without friction",
     "sticking": "a law that always sticks",
@@ -44,7 +45,7 @@ def speed(tables: Tables) -> Facts:
         table["takes so many times as long"] = [
             ratio(x) if x == x else "–" for x in by_scene["times"]
         ]
-    leaders = {e: fastest(ours, e).drop_duplicates("scene")["method"] for e in charts.PROBLEMS}
+    leaders = {e: fastest(ours, e).drop_duplicates("scene")["method"] for e in PROBLEMS}
     wins = pd.DataFrame({e: methods.value_counts() for e, methods in leaders.items()})
     wins = wins.reindex([name for name in METHODS if name in wins.index]).fillna(0).astype(int)
     titles = {e: f"within {metres(e, 1)}" for e in wins}

@@ -5,16 +5,13 @@ from pathlib import Path
 
 import jinja2
 
-from bounce_study import facts, numbers
+from bounce_study import chart_stability, facts, numbers
 from bounce_study.facts import Facts
 from bounce_study.tables import origins, Tables
 
 TEMPLATES = Path(__file__).parent / "pages"
 SPEED = ("speed_accuracy",)
-STABILITY = (
-    "energy_gain examples rest_and_drift flat_landing depth gauss_seidel solution_count "
-    "almost_flat scaling speed_accuracy"
-).split()
+STABILITY = ("energy_gain", "examples", *chart_stability.NEEDS[1:], "speed_accuracy")
 MODELS = ("least_model", "chosen_model", "random_models")
 MEASURED = ("measured_laws", "measured_body")
 EVERY = (facts.speed, facts.peers, facts.stability, facts.models, facts.tolerance, facts.measured)
@@ -22,7 +19,7 @@ Work = tuple[Callable[[Tables], Facts], ...]
 PAGES: dict[str, tuple[tuple[str, ...], Work]] = {
     "speed_accuracy": (SPEED, (facts.speed, facts.peers)),
     "peers": (SPEED, (facts.peers,)),
-    "stability": (tuple(STABILITY), (facts.speed, facts.stability)),
+    "stability": (STABILITY, (facts.speed, facts.stability)),
     "least_model": (MODELS, (facts.models,)),
     "tolerance": (("tolerance",), (facts.tolerance,)),
     "measured": (MEASURED, (facts.measured,)),

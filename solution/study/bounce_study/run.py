@@ -88,11 +88,10 @@ def _version(request: Request) -> str:
 
 def _measure(name: str, request: Request, file: Path) -> None:
     """Writes a table; raises UsageError with the program's sentence where a scene is bad."""
-    engines = request.peers and name == "speed_accuracy"
+    program = PEERS if request.peers and name == "speed_accuracy" else PROGRAM
     extent = ["--quick"] if request.quick else []
     unfinished = file.with_suffix(".unfinished")
-    command = [str(PEERS if engines else PROGRAM), *extent, str(SCENES), str(unfinished)]
-    done = processes.run(command if engines else [*command, name])
+    done = processes.run([str(program), *extent, str(SCENES), str(unfinished), name])
     if not done.ok:
         message = done.err.strip().partition(": ")[2] or f"status {done.code}"
         raise (UsageError if done.code == 2 else KitError)(message)

@@ -36,8 +36,7 @@ METHODS: dict[str, tuple[str, str, str, Any]] = {
 }
 # Grey, with a letter as the mark, so that every point names its line.
 ENGINES: dict[str, tuple[str, str, str, Any]] = {
-    "chipmunk": ("Chipmunk, 50 iterations", GREY, "$C$", "-"),
-    "chipmunk_10": ("Chipmunk, 10 iterations", GREY, "$K$", "-"),
+    "chipmunk": ("Chipmunk", GREY, "$C$", "-"),
     "box2d": ("Box2D", GREY, "$B$", "-"),
     "mujoco": ("MuJoCo", GREY, "$M$", "-"),
     "siconos": ("Siconos", GREY, "$S$", "-"),

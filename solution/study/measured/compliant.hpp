@@ -16,14 +16,14 @@
 #include "methods/impact_laws.hpp"
 #include "methods/penalty.hpp"
 
-namespace bounce::measured {
+namespace bounce::study {
 
 inline constexpr int kStepsPerCompression = 24;
 
 // zeta: damping ratio of the normal spring, in place of k.epsilon; kappa: tangential stiffness over
 // the normal one. The friction case of the result has no meaning.
-inline methods::CornerImpulse<double> compliant_impact(const methods::Collision<double>& k,
-                                                       double zeta, double kappa) {
+inline CornerImpulse<double> compliant_impact(const Collision<double>& k, double zeta,
+                                              double kappa) {
   const double root = std::sqrt(k.a), quarter = std::acos(-1.0) / 2;
   const double fastest = std::sqrt(std::max(k.a, kappa * k.c));
   const double h = quarter / fastest / kStepsPerCompression;
@@ -42,7 +42,7 @@ inline methods::CornerImpulse<double> compliant_impact(const methods::Collision<
     stretch += h * v_t;
     if (v_n > 0 && (depth <= 0 || depth * root < 2 * zeta * v_n)) break;
   }
-  return {p_n, p_t, methods::ContactMode::separates};
+  return {p_n, p_t, ContactMode::separates};
 }
 
-}  // namespace bounce::measured
+}  // namespace bounce::study

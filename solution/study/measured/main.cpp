@@ -5,9 +5,7 @@
 // The error is the length in the mass metric, sqrt(dv_x^2 + dv_y^2 + r_g^2 domega^2).
 #include <cmath>
 #include <fstream>
-#include <functional>
 #include <iostream>
-#include <map>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -15,17 +13,13 @@
 #include "compliant.hpp"
 #include "methods/impact_laws.hpp"
 
-namespace bounce::measured {
+namespace bounce::study {
 namespace {
 
-using methods::Collision;
-using methods::CornerImpulse;
-using methods::ImpactLaw;
-
 struct Impact {
-  double gyration_squared;      // r_g^2, m^2
-  methods::Arm<double> corner;  // from the centre of mass to what touches the ground, m
-  double v_x, v_y, omega;       // before, m/s and rad/s
+  double gyration_squared;  // r_g^2, m^2
+  Arm<double> corner;       // from the centre of mass to what touches the ground, m
+  double v_x, v_y, omega;   // before, m/s and rad/s
   double after_x, after_y, after_omega;
 };
 
@@ -33,31 +27,20 @@ struct Setting {
   double mu, epsilon, kappa;  // kappa: of the compliant law alone
 };
 
-using Law = std::function<CornerImpulse<double>(const Collision<double>&, double kappa)>;
-
 // v_t = 0 after the impact, whatever friction that takes.
-CornerImpulse<double> sticking(const Collision<double>& k, double) {
+CornerImpulse<double> sticking(const Collision<double>& k) {
   const double u_n = (1 + k.epsilon) * k.v_n, D = k.a * k.c - k.b * k.b;
   const double n = std::max(0.0, (k.b * k.v_t - k.c * u_n) / D);
-  return {n, -(k.v_t + k.b * n) / k.c, methods::ContactMode::sticks};
+  return {n, -(k.v_t + k.b * n) / k.c, ContactMode::sticks};
 }
 
-const std::map<std::string, Law>& laws() {
-  static const std::map<std::string, Law> all{
-      {"frictionless",
-       [](Collision<double> k, double) {
-         k.mu = 0;
-         return methods::impact(k, ImpactLaw::newton);
-       }},
-      {"sticking", sticking},
-      {"newton",
-       [](const Collision<double>& k, double) { return methods::impact(k, ImpactLaw::newton); }},
-      {"poisson",
-       [](const Collision<double>& k, double) { return methods::impact(k, ImpactLaw::poisson); }},
-      {"compliant", [](const Collision<double>& k, double kappa) {
-         return compliant_impact(k, methods::damping_ratio(k.epsilon), kappa);
-       }}};
-  return all;
+CornerImpulse<double> impulse(const std::string& law, Collision<double> k, double kappa) {
+  if (law == "sticking") return sticking(k);
+  if (law == "compliant") return compliant_impact(k, damping_ratio(k.epsilon), kappa);
+  if (law == "poisson") return impact(k, ImpactLaw::poisson);
+  if (law == "frictionless") k.mu = 0;
+  if (law != "frictionless" && law != "newton") throw std::runtime_error("no law is " + law);
+  return impact(k, ImpactLaw::newton);
 }
 
 template <class Row>
@@ -71,23 +54,22 @@ std::vector<Row> read(const std::string& file) {
   return rows;
 }
 
-double error(const Impact& hit, const Law& law, const Setting& with) {
-  methods::Motion<double> s{0, 0, 0, hit.v_x, hit.v_y, hit.omega};
-  const auto k = methods::one_corner(hit.corner, hit.gyration_squared, 0.0, 0.0, with.mu);
-  const double v_n = methods::normal_velocity(s, hit.corner);
-  const double v_t = methods::tangential_velocity(s, hit.corner);
+double error(const Impact& hit, const std::string& law, const Setting& with) {
+  Motion<double> s{0, 0, 0, hit.v_x, hit.v_y, hit.omega};
+  const auto k = one_corner(hit.corner, hit.gyration_squared, 0.0, 0.0, with.mu);
+  const double v_n = normal_velocity(s, hit.corner);
+  const double v_t = tangential_velocity(s, hit.corner);
   if (v_n < 0) {
-    const auto p = law({k.a, k.b, k.c, v_n, v_t, with.mu, with.epsilon}, with.kappa);
-    methods::apply_impulse(s, hit.corner, p.n, p.t, hit.gyration_squared);
+    const auto p = impulse(law, {k.a, k.b, k.c, v_n, v_t, with.mu, with.epsilon}, with.kappa);
+    apply_impulse(s, hit.corner, p.n, p.t, hit.gyration_squared);
   }
   const double turn = s.omega - hit.after_omega;
   return std::sqrt(std::pow(s.v_x - hit.after_x, 2) + std::pow(s.v_y - hit.after_y, 2) +
                    hit.gyration_squared * turn * turn);
 }
 
-void errors(const std::string& name, const std::string& impacts, const std::string& settings,
+void errors(const std::string& law, const std::string& impacts, const std::string& settings,
             const std::string& file) {
-  const Law& law = laws().at(name);
   const auto with = read<Setting>(settings);
   std::vector<float> all;
   for (const Impact& hit : read<Impact>(impacts))
@@ -98,11 +80,11 @@ void errors(const std::string& name, const std::string& impacts, const std::stri
 }
 
 }  // namespace
-}  // namespace bounce::measured
+}  // namespace bounce::study
 
 int main(int argc, char** argv) try {
   if (argc != 5) throw std::runtime_error("usage: bounce_measured LAW IMPACTS SETTINGS OUT");
-  bounce::measured::errors(argv[1], argv[2], argv[3], argv[4]);
+  bounce::study::errors(argv[1], argv[2], argv[3], argv[4]);
   return 0;
 } catch (const std::exception& problem) {
   std::cerr << "bounce_measured: " << problem.what() << '\n';

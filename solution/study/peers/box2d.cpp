@@ -44,7 +44,7 @@ class Box2d final : public Engine {
 
   void step() override { world_.Step(dt_, 8, 3); }
 
-  methods::Motion<double> motion() const override {
+  Motion<double> motion() const override {
     const b2Vec2 q = body_->GetPosition(), v = body_->GetLinearVelocity();
     return {q.x / scale_, q.y / scale_, double(body_->GetAngle()),
             v.x / scale_, v.y / scale_, double(body_->GetAngularVelocity())};

@@ -3,9 +3,9 @@
 //   restitution  the product of both shapes' elasticities: epsilon on the square, 1 on the ground;
 //                there is no least speed for it
 //   friction     the product: mu on the square, 1 on the ground
-//   contact      collision slop 0 in place of 0.1, which is meant for pixels; bias and persistence
-//                as they are; 10 iterations, as they are, leave a rest of the impulse that does not
-//                shrink with the step, so that there is one with 50, too
+//   contact      collision slop 0 in place of 0.1, which is meant for pixels; bias, persistence and 10
+//                iterations as they are, which leave a rest of the impulse that does not shrink with
+//                the step
 //   sleeping     on, after 0.1 s; as it is, it is off unless one asks for it
 //   package      Debian's is built with the engine's own checks
 //   the ground   a static polygon, so that what gets far into it is still pushed out upwards
@@ -20,11 +20,10 @@ constexpr double kAsleep = 0.1;  // s
 
 class Chipmunk final : public Engine {
  public:
-  Chipmunk(const Scene& scene, double dt, int iterations) : dt_(dt), space_(cpSpaceNew()) {
+  Chipmunk(const Scene& scene, double dt) : dt_(dt), space_(cpSpaceNew()) {
     const Parameters& params = scene.params;
     cpSpaceSetGravity(space_, cpv(params.g.x(), params.g.y()));
     cpSpaceSetCollisionSlop(space_, 0);
-    cpSpaceSetIterations(space_, iterations);
     cpSpaceSetSleepTimeThreshold(space_, kAsleep);
     add_ground();
     add_square(params, scene.start);
@@ -41,7 +40,7 @@ class Chipmunk final : public Engine {
 
   void step() override { cpSpaceStep(space_, dt_); }
 
-  methods::Motion<double> motion() const override {
+  Motion<double> motion() const override {
     const cpVect q = cpBodyGetPosition(body_), v = cpBodyGetVelocity(body_);
     return {q.x, q.y, cpBodyGetAngle(body_), v.x, v.y, cpBodyGetAngularVelocity(body_)};
   }
@@ -70,10 +69,8 @@ class Chipmunk final : public Engine {
   cpShape *shape_ = nullptr, *ground_ = nullptr;
 };
 
-[[maybe_unused]] const auto iterations_50 =
-    all_peers.emplace("chipmunk", Peer{cpVersionString, make<Chipmunk, 50>});
-[[maybe_unused]] const auto iterations_10 =
-    all_peers.emplace("chipmunk_10", Peer{cpVersionString, make<Chipmunk, 10>});
+[[maybe_unused]] const auto chipmunk =
+    all_peers.emplace("chipmunk", Peer{cpVersionString, make<Chipmunk>});
 
 }  // namespace
 }  // namespace bounce::study

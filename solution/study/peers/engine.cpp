@@ -13,14 +13,14 @@ namespace {
 constexpr double kLargest = 1.0 / 30;  // s
 constexpr double kClose = 1e-3;        // s; below, steps are two in a factor of ten
 
-Samples samples_of(const Peer& peer, const Scene& scene, double dt, int samples) {
+Motions samples_of(const Peer& peer, const Scene& scene, double dt, int samples) {
   const long steps = std::lround(scene.until / samples / dt);
   const auto engine = peer.make(scene, dt);
-  methods::Motion<double> before = methods::motion_of<double>(scene.start);
-  Samples all;
+  Motion<double> before = motion_of(scene.start);
+  Motions all;
   for (int i = 0; i < samples; ++i) {
     for (long n = 0; n < steps; ++n) engine->step();
-    methods::Motion<double> s = engine->motion();
+    Motion<double> s = engine->motion();
     const double expected = before.theta + scene.until / samples * (before.omega + s.omega) / 2;
     const double turn = 2 * std::numbers::pi;
     s.theta += turn * std::round((expected - s.theta) / turn);

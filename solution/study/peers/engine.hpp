@@ -10,8 +10,6 @@
 
 namespace bounce::study {
 
-using namespace exact;
-
 class Engine {
  public:
   Engine() = default;
@@ -21,7 +19,7 @@ class Engine {
 
   virtual void step() = 0;
   // theta may be off by whole turns.
-  virtual methods::Motion<double> motion() const = 0;
+  virtual Motion<double> motion() const = 0;
 };
 
 struct Peer {
@@ -30,10 +28,9 @@ struct Peer {
   double least_dt = 3e-5;  // s. Smaller steps would take too long.
 };
 
-// What makes an engine of a class, with settings of the class's own.
-template <class World, auto... settings>
+template <class World>
 std::unique_ptr<Engine> make(const Scene& scene, double dt) {
-  return std::make_unique<World>(scene, dt, settings...);
+  return std::make_unique<World>(scene, dt);
 }
 
 // How far the ground reaches to either side, and how deep if it is a box, m.

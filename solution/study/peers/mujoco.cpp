@@ -8,10 +8,10 @@
 //
 //                    epsilon = exp(-2 zeta acos(zeta) / sqrt(1 - zeta^2)),
 //
-//                which is solved for zeta. Half a swing lasts sqrt(dt kContact), 5 steps at 0.01 s
-//                and ever more steps, but ever less time, as dt shrinks. This mapping is a choice
-//                of ours: it makes the error fall with the square root of dt at best; with a fixed
-//                number of steps the error of the restitution would stay.
+//                which is solved for zeta (penalty.hpp). Half a swing lasts sqrt(dt kContact), 5
+//                steps at 0.01 s and ever more steps, but ever less time, as dt shrinks. This
+//                mapping is a choice of ours: it makes the error fall with the square root of dt at
+//                best; with a fixed number of steps the error of the restitution would stay.
 //   friction     mu of the pair, in an elliptic cone of dimension 3; its slip is braked at the
 //                rate b, too, so that it stops sliding a part of the impact too late, whatever dt
 //                is
@@ -25,6 +25,7 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "../../methods/penalty.hpp"
 #include "engine.hpp"
 
 namespace bounce::study {
@@ -33,25 +34,12 @@ namespace {
 constexpr double kContact = 0.25;  // s
 constexpr double kLeastDt = 1e-6;  // s. It takes that to see where its errors stall.
 
-double restitution_of(double zeta) {
-  return zeta >= 1 ? 0 : std::exp(-2 * zeta * std::acos(zeta) / std::sqrt(1 - zeta * zeta));
-}
-
-double damping_for(double epsilon) {
-  double low = 0, high = 1;
-  for (int i = 0; i < 60; ++i) {
-    const double middle = (low + high) / 2;
-    (restitution_of(middle) > epsilon ? low : high) = middle;
-  }
-  return low;
-}
-
 std::string model_of(const Scene& scene, double dt) {
   const Parameters& params = scene.params;
   const double half_swing = std::sqrt(dt * kContact);  // how long a contact lasts, s
   const double inertia = params.m * params.l * params.l / 6, half = params.l / 2;
   const double frequency = std::acos(-1.0) / half_swing;
-  const double k = frequency * frequency, b = 2 * damping_for(params.epsilon) * frequency;
+  const double k = frequency * frequency, b = 2 * damping_ratio(params.epsilon) * frequency;
   const int cone = params.mu > 0 ? 3 : 1;
   char text[2000];
   std::snprintf(text, sizeof text, R"(<mujoco>
@@ -102,7 +90,7 @@ class MuJoCo final : public Engine {
 
   void step() override { mj_step(model_, data_); }
 
-  methods::Motion<double> motion() const override {
+  Motion<double> motion() const override {
     const mjtNum *q = data_->qpos, *v = data_->qvel;
     return {q[0], q[1], q[2], v[0], v[1], v[2]};
   }

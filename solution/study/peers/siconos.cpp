@@ -93,7 +93,7 @@ class SiconosEngine final : public Engine {
     simulation_->nextStep();
   }
 
-  methods::Motion<double> motion() const override {
+  Motion<double> motion() const override {
     const SiconosVector &q = *square_->q(), &v = *square_->velocity();
     return {q.getValue(0), q.getValue(1), q.getValue(2),
             v.getValue(0), v.getValue(1), v.getValue(2)};

@@ -105,20 +105,19 @@ json charts_of(const Scene& scene, const std::vector<Run>& fixed, const std::vec
       all.emplace_back(reached[0].get<double>() * one_lcp * 1e6, reached[1]);
     times.push_back(line(method["name"], all, "other"));
   }
-  // What is 0 or below 1e-9 is drawn apart, below an axis that is logarithmic.
-  const auto axis = [](const char* name) { return json{{"name", name}, {"log", true}}; };
-  return {{{"id", "time-" + scene.name},
-           {"title", scene.title + ": Error over time"},
-           {"x", axis("time of a simulated second, \xc2\xb5s here")},
-           {"y", axis("error, m")},
-           {"lines", times},
-           {"sentence", in_the_same_time(scene, fixed, one_lcp)}},
-          {{"id", "step-" + scene.name},
-           {"title", scene.title + ": Error over step"},
-           {"x", axis("dt, s")},
-           {"y", axis("error, m")},
-           {"lines", steps},
-           {"sentence", accuracy(scene, fixed)}}};
+  const auto chart = [&](const std::string& id, const std::string& title, const char* x,
+                         const json& lines, const std::string& sentence) -> json {
+    // What is 0 or below 1e-9 is drawn apart, below an axis that is logarithmic.
+    return {{"id", id + "-" + scene.name},
+            {"title", scene.title + ": " + title},
+            {"x", {{"name", x}, {"log", true}}},
+            {"y", {{"name", "error, m"}, {"log", true}}},
+            {"lines", lines},
+            {"sentence", sentence}};
+  };
+  return {chart("time", "Error over time", "time of a simulated second, \xc2\xb5s here", times,
+                in_the_same_time(scene, fixed, one_lcp)),
+          chart("step", "Error over step", "dt, s", steps, accuracy(scene, fixed))};
 }
 
 std::string model(const Scene& scene) {

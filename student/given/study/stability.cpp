@@ -51,23 +51,21 @@ double largest_gain(Parameters params, double epsilon, double mu) {
   params.g.setZero();
   params.epsilon = epsilon;
   params.mu = mu;
-  const double gyration = params.l * params.l / 6, arm = params.l / std::numbers::sqrt2;
-  const auto energy = [&](const Vector3& v) {  // over m/2
-    return v(0) * v(0) + v(1) * v(1) + gyration * v(2) * v(2);
-  };
+  const double arm = params.l / std::numbers::sqrt2;
+  const auto energy = [&](const Vector3& v) { return v.dot(params.M() * v) / 2; };
   double largest = -1;
   for (int lean = -15; lean <= 15; ++lean) {
     const double a = lean * 3 * kDegree * 0.97;
     const double r_x = arm * std::sin(a), r_y = -arm * std::cos(a);
+    Jacobian J;
+    J << 1, 0, 0, 1, -r_y, r_x;
     // The motion v = M^-1 J f in which the corner moves by u = J^T v, and nothing else moves.
-    const double tt = 1 + r_y * r_y / gyration, nn = 1 + r_x * r_x / gyration,
-                 tn = -r_x * r_y / gyration, determinant = tt * nn - tn * tn;
+    const Jacobian of_force = params.M().inverse() * J;
+    const Jacobian of_corner = of_force * (J.transpose() * of_force).inverse();
+    const Vector3 q(0, -r_y + params.delta / 2, std::numbers::pi / 4 + a);
     for (int from = -88; from <= 88; from += 2) {
-      const double u_t = std::sin(from * kDegree), u_n = -std::cos(from * kDegree);
-      const double f_t = (nn * u_t - tn * u_n) / determinant;
-      const double f_n = (tt * u_n - tn * u_t) / determinant;
-      const Vector3 v(f_t, f_n, (r_x * f_n - r_y * f_t) / gyration);
-      const Vector3 q(0, -r_y + params.delta / 2, std::numbers::pi / 4 + a);
+      const Vector3 v =
+          of_corner * Eigen::Vector2d(std::sin(from * kDegree), -std::cos(from * kDegree));
       const double gain = energy(step(q, v, params).v) / energy(v) - 1;
       if (!std::isfinite(gain)) return kNone;
       largest = std::max(largest, gain);

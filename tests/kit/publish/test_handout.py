@@ -173,7 +173,9 @@ def test_V_and_p_as_printed_are_those_of_eqs_9_and_10() -> None:
 
 
 def test_each_check_and_diagnosis_has_a_staged_hint() -> None:
-    sources = "\n".join(f.read_text("utf-8") for f in (ROOT / "grader/diagnosis").iterdir())
+    tables = (ROOT / "grader/diagnosis/tables.txt").read_text("utf-8")
+    ids = re.findall(r"^id +(\w+)$", tables, re.M)
+    about = [*re.findall(r"\[(\w+)\] ", tables), "l"]  # traits, and an input
     helped = []
     for part in MANIFEST:
         text = (ROOT / f"student/hints/{part['stem']}.md").read_text("utf-8")
@@ -182,7 +184,8 @@ def test_each_check_and_diagnosis_has_a_staged_hint() -> None:
         assert [n for n, _ in headings] == [f"{part['part']}.{k + 1}" for k in range(len(headings))]
         assert re.findall(r"^### (.*)$", text, re.M) == STAGES * len(headings)
         helped += [(part["part"], id_) for _, line in headings for id_ in line.split(", ")]
-        for line in re.findall(r"^Diagnoses: (.*)$", text, re.M):  # a number or input is filled in
-            pieces = re.split(r"; |\d|\bl\b", line)
-            assert all(piece.strip() in sources for piece in pieces), line
+        for line in re.findall(r"^(?:Diagnoses|Numbers): (.*)$", text, re.M):
+            for name in line.split("; "):
+                id_, _, thing = name.rstrip(")").partition("(")
+                assert id_ in ids and (not thing or thing in about), name
     assert sorted(helped) == sorted((p["part"], c["id"]) for p in MANIFEST for c in p["checks"])

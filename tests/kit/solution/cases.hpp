@@ -6,14 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "exact/event_driven.hpp"
-#include "exact/scene.hpp"
+#include "exact/truth.hpp"
 #include "study/random_scenes.hpp"
 
-namespace bounce::exact::tests {
-
-using namespace study;
-using methods::Motion;
+namespace bounce::study::tests {
 
 // How many random cases a test looks at: `usual`, or what BOUNCE_RANDOM_CASES says.
 inline int random_cases(int usual) {
@@ -29,10 +25,6 @@ struct Case {
   double unit_time() const { return std::sqrt(params.l / params.g.norm()); }
   double unit_speed() const { return std::sqrt(params.l * params.g.norm()); }
 };
-
-inline double height_of(double l, double theta) {
-  return l / 2 * (std::abs(std::cos(theta)) + std::abs(std::sin(theta)));
-}
 
 // A square of ordinary size above the ground, whatever its angle; a fifth of
 // them lie parallel to the ground, a seventh have no friction, a third spin fast. Gravity is
@@ -64,7 +56,7 @@ inline Case rocking_case(Random& random, int) {
   const double tilt = random.uniform(0.3, 0.78);
   c.params.g = Vector3(9.81 * std::sin(tilt), -9.81 * std::cos(tilt), 0);
   const double theta = either_sign(random) * log_uniform(random, 1e-6, 1e-2);
-  const double height = height_of(c.params.l, theta) + log_uniform(random, 1e-9, 1e-2);
+  const double height = height_on_ground(c.params.l / 2, theta) + log_uniform(random, 1e-9, 1e-2);
   c.start = {0, height, theta, random.uniform(-1, 1), 0, 0};
   c.until = 5;
   return c;
@@ -116,7 +108,7 @@ inline Case wide_case(Random& random, int) {
   const double lifted = chance(random, 1.0 / 3) ? 0 : params.l * log_uniform(random, 1e-9, 1e4);
   const double speed = c.unit_speed();
   c.start = {chance(random, 0.5) ? 0 : params.l * random.uniform(-100, 100),
-             height_of(params.l, theta) + lifted,
+             height_on_ground(params.l / 2, theta) + lifted,
              theta,
              speed * wide_velocity(random),
              speed * wide_velocity(random),
@@ -126,17 +118,10 @@ inline Case wide_case(Random& random, int) {
   return c;
 }
 
-template <class Real>
-std::vector<Real> even_times(Real until, int count) {
-  std::vector<Real> times;
-  for (int i = 1; i <= count; ++i) times.push_back(until * Real(i) / Real(count));
-  return times;
-}
-
-inline std::vector<Scene> scenes() { return read_scenes(BOUNCE_SCENES); }
+inline Scenes scenes() { return read_scenes(BOUNCE_SCENES); }
 
 inline Scene scene_named(const std::string& name) {
   return read_scene(std::filesystem::path(BOUNCE_SCENES) / (name + ".json"));
 }
 
-}  // namespace bounce::exact::tests
+}  // namespace bounce::study::tests

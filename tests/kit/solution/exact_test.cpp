@@ -2,19 +2,14 @@
 // means: closed forms, a second precision, and schemes that find no times of impact.
 #include <gtest/gtest.h>
 
-#include <array>
-#include <functional>
-
 #include "cases.hpp"
 #include "exact/first_contact.hpp"
 #include "exact/truth.hpp"
 #include "methods/moreau_jean.hpp"
 #include "methods/scheme.hpp"
 
-namespace bounce::exact::tests {
+namespace bounce::study::tests {
 namespace {
-
-using Motions = std::vector<Motion<double>>;
 
 Motions motion_at(const Case& c, const std::vector<double>& times, EventReport* report = nullptr,
                   EventOptions options = {}) {
@@ -27,7 +22,7 @@ TEST(exact, TellsHowFarPosesAreApartByTheWayOfACorner) {
   const Motion<double> one{0, 1, 0, 0, 0, 0}, moved{0.03, 1.04, 0, 0, 0, 0};
   const Motion<double> turned{0, 1, 1e-3, 0, 0, 0};
   EXPECT_NEAR(distance(scene, one, moved), 0.05, 1e-15);
-  const double corner = height_of(scene.params.l, std::atan(1.0));
+  const double corner = scene.params.l / std::sqrt(2.0);
   EXPECT_NEAR(distance(scene, one, turned), 1e-3 * corner, 1e-15);
 }
 
@@ -41,15 +36,17 @@ double rounding_depth(const Case& c, const Motion<double>& s, double t) {
          0x1p-48 * (std::abs(s.y) + c.params.l * (1 + std::abs(s.theta)) + t * corner_speed);
 }
 
+Case ordinary(Random& random, int i) { return ordinary_case(random, i, 0.79); }
+
 struct Kind {
   const char* name;
-  std::function<Case(Random&, int)> make;
+  Case (*make)(Random&, int);
   int samples;
   bool loses_energy;  // Newton's law does so only where epsilon is small
 };
 
 const Kind kKinds[] = {
-    {"ordinary", [](Random& random, int i) { return ordinary_case(random, i, 0.79); }, 50, true},
+    {"ordinary", ordinary, 50, true},
     {"rocking", rocking_case, 20, false},
     {"wide", wide_case, 20, false},
 };
@@ -60,19 +57,19 @@ TEST(exact, EveryMotionEndsAndNeitherSinksNorGainsEnergy) {
     for (int i = 0; i < random_cases(2000); ++i) {
       SCOPED_TRACE(kind.name + std::string(" ") + std::to_string(i));
       const Case c = kind.make(random, i);
-      const methods::Body<double> body(c.params);
+      const Body<double> body(c.params);
       EventReport report;
       const Motions motions = motion_at(c, even_times(c.until, kind.samples), &report);
       ASSERT_FALSE(report.stalled);
       ASSERT_EQ(motions.size(), std::size_t(kind.samples));
-      double before = methods::energy(c.start, body);
+      double before = energy(c.start, body);
       const double rounding = 1e-13 * (std::abs(before) + 10);
       for (int j = 0; j < kind.samples; ++j) {
         const Motion<double>& s = motions[std::size_t(j)];
         ASSERT_TRUE(std::isfinite(s.x + s.y + s.theta + s.v_x + s.v_y + s.omega));
         const double t = c.until * (j + 1) / kind.samples;
-        ASSERT_GE(methods::lowest_gap(s, body), -rounding_depth(c, s, t)) << "at " << t;
-        const double now = methods::energy(s, body);
+        ASSERT_GE(lowest_gap(s, body), -rounding_depth(c, s, t)) << "at " << t;
+        const double now = energy(s, body);
         if (kind.loses_energy) {
           ASSERT_LE(now, before + rounding) << "at " << t;
         }
@@ -85,38 +82,38 @@ TEST(exact, EveryMotionEndsAndNeitherSinksNorGainsEnergy) {
 // A change of the case, and what it does to a motion.
 struct Symmetry {
   const char* name;
-  std::function<Case(Random&, int)> make;
-  std::function<void(Case&)> change;
-  std::function<Motion<double>(Motion<double>)> expected;
+  Case (*make)(Random&, int);
+  void (*change)(Case&);
+  Motion<double> (*expected)(const Motion<double>&);
   double tolerance;  // of x, y and theta
 };
 
 constexpr double kLength = 0x1p-17, kTime = 0x1p6;
-
-Case in_other_units(const Case& c) {
-  Case other = c;
-  other.params.l *= kLength;
-  other.params.g *= kLength / (kTime * kTime);
-  other.until *= kTime;
-  return other;
-}
 
 Motion<double> in_other_units(const Motion<double>& s) {
   const double speed = kLength / kTime;
   return {s.x * kLength, s.y * kLength, s.theta, s.v_x * speed, s.v_y * speed, s.omega / kTime};
 }
 
+void change_units(Case& c) {
+  c.params.l *= kLength;
+  c.params.g *= kLength / (kTime * kTime);
+  c.until *= kTime;
+  c.start = in_other_units(c.start);
+}
+
 Motion<double> mirrored(const Motion<double>& s) {
   return {-s.x, s.y, -s.theta, -s.v_x, s.v_y, -s.omega};
 }
 
-Motion<double> moved(Motion<double> s) {
-  s.x += 3;
-  s.theta += 1024 * 2 * std::numbers::pi;
-  return s;
+void mirror(Case& c) {
+  c.params.g.x() *= -1;
+  c.start = mirrored(c.start);
 }
 
-Case ordinary(Random& random, int i) { return ordinary_case(random, i, 0.79); }
+Motion<double> moved(const Motion<double>& s) {
+  return {s.x + 3, s.y, s.theta + 1024 * 2 * std::numbers::pi, s.v_x, s.v_y, s.omega};
+}
 
 // Whole turns round the angle by 1e-12 rad: a flat one lands on a corner, and each impact
 // multiplies what that does.
@@ -140,25 +137,9 @@ Case on_a_slope(Random& random, int i) {
 }
 
 const Symmetry kSymmetries[] = {
-    {"units", wide_case,
-     [](Case& c) {
-       const Motion<double> start = in_other_units(c.start);
-       c = in_other_units(c);
-       c.start = start;
-     },
-     [](const Motion<double>& s) { return in_other_units(s); }, 0},
-    {"mirror", ordinary,
-     [](Case& c) {
-       c.params.g.x() *= -1;
-       c.start = mirrored(c.start);
-     },
-     mirrored, 1e-12},
-    {"mirror on slopes", on_a_slope,
-     [](Case& c) {
-       c.params.g.x() *= -1;
-       c.start = mirrored(c.start);
-     },
-     mirrored, 1e-12},
+    {"units", wide_case, change_units, in_other_units, 0},
+    {"mirror", ordinary, mirror, mirrored, 1e-12},
+    {"mirror on slopes", on_a_slope, mirror, mirrored, 1e-12},
     {"shift and turns", tilted_and_short, [](Case& c) { c.start = moved(c.start); }, moved, 1e-4},
 };
 
@@ -198,8 +179,8 @@ TEST(exact, TipsOverTheLowerCorner) {
 
 // --- what is known in closed form, or has no end ---
 
-Motions motion_of(const Parameters& params, const Motion<double>& start,
-                  const std::vector<double>& times) {
+Motions motions(const Parameters& params, const Motion<double>& start,
+                const std::vector<double>& times) {
   return simulate_events<double>(params, start, times, {});
 }
 
@@ -208,11 +189,11 @@ TEST(exact, NeedsNoGravity) {
   params.g.setZero();
   params.epsilon = 1;
   for (const double speed : {1e-7, 1.0, 1e7}) {
-    const auto s = motion_of(params, {0, 1, 0, 0, -speed, 0}, {0.5 / speed, 2 / speed});
+    const auto s = motions(params, {0, 1, 0, 0, -speed, 0}, {0.5 / speed, 2 / speed});
     EXPECT_NEAR(s[0].y, 0.5, 1e-15) << speed;
     EXPECT_NEAR(s[1].y, 1.2, 1e-15) << "it falls by 0.9 m and bounces";
   }
-  EXPECT_EQ(motion_of(params, {0, 0.1, 0, 0, 0, 0}, {1.0}).at(0).y, 0.1);
+  EXPECT_EQ(motions(params, {0, 0.1, 0, 0, 0, 0}, {1.0}).at(0).y, 0.1);
 }
 
 // Of a flat side, one corner comes down by 1 m/s and bounces, and the other one leaves by 0.1 m/s:
@@ -221,7 +202,7 @@ TEST(exact, GivesNoRestitutionToACornerThatLeaves) {
   Parameters params;
   params.g.setZero();
   params.mu = 0;
-  const auto s = motion_of(params, {0, params.l / 2, 0, 0, -0.45, 1.1 / params.l}, {1e-9}).at(0);
+  const auto s = motions(params, {0, params.l / 2, 0, 0, -0.45, 1.1 / params.l}, {1e-9}).at(0);
   EXPECT_NEAR(s.v_y, params.epsilon / 2, 1e-9);
   EXPECT_NEAR(s.omega, -params.epsilon / params.l, 1e-9);
 }
@@ -234,7 +215,7 @@ TEST(exact, JamsWhereAccelerationsHaveNoSolution) {
   const double lean = std::atan(0.5), rho = params.l / std::sqrt(2.0);
   for (const double sign : {-1.0, 1.0}) {
     const double theta = std::atan(1.0) - sign * lean;
-    const auto s = motion_of(params, {0, rho * std::cos(lean), theta, -sign, 0, 0}, {1e-6});
+    const auto s = motions(params, {0, rho * std::cos(lean), theta, -sign, 0, 0}, {1e-6});
     EXPECT_GT(std::abs(s[0].omega), 1) << "the corner has stopped, and the square tips over it";
   }
 }
@@ -254,8 +235,8 @@ TEST(exact, ReportsThatEventsGoOnWithoutAnEnd) {
 
 TEST(exact, IsTheSameInLongDouble) {
   for (const Scene& scene : scenes()) {
-    const auto start = methods::motion_of<double>(scene.start);
-    const auto usual = motion_of(scene.params, start, sample_times(scene));
+    const auto start = motion_of(scene.start);
+    const auto usual = motions(scene.params, start, even_times(scene.until));
     EXPECT_LE(error_of(scene, usual, truth_of(scene)), 1e-9) << scene.name;
     EXPECT_TRUE(std::isinf(error_of(scene, {}, truth_of(scene)))) << scene.name;
   }
@@ -303,7 +284,7 @@ TEST(exact, AgreesWithMoreauJeanAsFarAsItsStepsAreExact) {
     c.start.theta = std::remainder(c.start.theta, 2 * std::numbers::pi);
     c.params.dt = c.until / double(kTimes * kSteps);
     const Motions exact = motion_at(c, even_times(c.until, kTimes));
-    const auto stepped = methods::sample(methods::MoreauJean<2>(c.params, c.start), kTimes, kSteps);
+    const auto stepped = sample(MoreauJean<2>(c.params), c.start, kTimes, kSteps);
     const auto speed = [&](const auto& s) {
       return std::hypot(s.v_x, s.v_y, s.omega * c.params.l);
     };
@@ -318,4 +299,4 @@ TEST(exact, AgreesWithMoreauJeanAsFarAsItsStepsAreExact) {
 }
 
 }  // namespace
-}  // namespace bounce::exact::tests
+}  // namespace bounce::study::tests

@@ -11,20 +11,12 @@
 #include "methods/penalty.hpp"
 #include "study/catalog.hpp"
 
-namespace bounce::exact::tests {
+namespace bounce::study::tests {
 namespace {
-
-using methods::Arm;
-using methods::Assignment;
-using methods::ImpactLaw;
-using methods::MoreauJean;
-using methods::Penalty;
 
 template <class Scheme>
 Motion<double> after(const Parameters& params, const Motion<double>& start, double seconds) {
-  Scheme scheme(params, start);
-  scheme.steps(std::lround(seconds / params.dt));
-  return scheme.motion();
+  return sample(Scheme(params), start, 1, std::lround(seconds / params.dt)).back();
 }
 
 Parameters with_dt(double dt) {
@@ -84,14 +76,13 @@ TEST(assignment, IsTheSolutionsStep) {
   int contacts = 0;
   for (int i = 0; i < 500; ++i) {
     const Case c = ordinary_case(random, i, 0.9);
-    State state = methods::state_of(c.start);
+    State state = state_of(c.start);
     for (int n = 0; n < 40; ++n) {
-      const auto start = methods::motion_of<double>(state);
-      Assignment plain(c.params, start);
-      plain.steps(3);
+      const auto start = motion_of(state);
       for (int k = 0; k < 3; ++k) state = step(state.q, state.v, c.params);
-      contacts += methods::lowest_gap(start, methods::Body<double>(c.params)) < 0;
-      ASSERT_LE(apart(methods::state_of(plain.motion()), state), 1e-11) << i << " " << n;
+      contacts += lowest_gap(start, Body<double>(c.params)) < 0;
+      ASSERT_LE(apart(state_of(after<Assignment>(c.params, start, 3 * c.params.dt)), state), 1e-11)
+          << i << " " << n;
     }
   }
   EXPECT_GT(contacts, 1000) << "of the starts are in contact";
@@ -124,9 +115,9 @@ TEST(moreau_jean, GainsNoEnergyBelowTheLimit) {
   for (int i = 0; i < 5000; ++i) {
     Case c = ordinary_case(random, i, 0.7);
     c.params.dt = 5e-3;
-    const methods::Body<double> body(c.params);
-    const double before = methods::energy(c.start, body);
-    const double now = methods::energy(after<MoreauJean<2>>(c.params, c.start, 0.5), body);
+    const Body<double> body(c.params);
+    const double before = energy(c.start, body);
+    const double now = energy(after<MoreauJean<2>>(c.params, c.start, 0.5), body);
     ASSERT_LE(now, before + 1e-9 * (1 + std::abs(before))) << i;
   }
 }
@@ -137,16 +128,14 @@ TEST(moreau_jean, GainsNoEnergyBelowTheLimit) {
 TEST(penalty, ComesNearerToStrongesLawThanToNewtonsWhereFrictionTurnsTheSquare) {
   Parameters params = with_dt(1e-7);
   params.g.setZero();
-  const methods::Body<double> body(params);
+  const Body<double> body(params);
   for (const double theta : {0.3, 0.6}) {
-    const auto r = methods::arms(body, theta);
-    const Arm<double>& lowest = *std::min_element(
-        r.begin(), r.end(), [](const auto& one, const auto& other) { return one.y < other.y; });
+    const auto lowest = lowest_arm(body.half, std::cos(theta), std::sin(theta));
     const Motion<double> start{0, -lowest.y, theta, 1, -1, 5};
     const auto omega = [&](ImpactLaw law) {
       Motion<double> s = start;
-      const auto p = methods::impact(methods::collision_of(s, lowest, body), law);
-      methods::apply_impulse(s, lowest, p.n, p.t, body.gyration_squared);
+      const auto p = impact(collision_of(s, lowest, body), law);
+      apply_impulse(s, lowest, p.n, p.t, body.gyration_squared);
       return s.omega;
     };
     const double found = after<Penalty>(params, start, 2e-3).omega;
@@ -157,4 +146,4 @@ TEST(penalty, ComesNearerToStrongesLawThanToNewtonsWhereFrictionTurnsTheSquare) 
 }
 
 }  // namespace
-}  // namespace bounce::exact::tests
+}  // namespace bounce::study::tests

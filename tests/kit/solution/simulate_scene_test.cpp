@@ -7,9 +7,9 @@
 #include <numeric>
 
 #include "cases.hpp"
-#include "study/ladder.hpp"
+#include "study/catalog.hpp"
 
-namespace bounce::exact::tests {
+namespace bounce::study::tests {
 namespace {
 
 ModelReport report_of(const Parameters& params, const State& start) {
@@ -33,7 +33,7 @@ TEST(simulate_scene, IsTheWholeModelInRandomDrops) {
     Case c = ordinary_case(random, i, 1);
     c.params.dt = std::pow(10, random.uniform(-2.7, -1.7));
     c.params.T = int(1 / c.params.dt) + 1;
-    ASSERT_LE(distance_to_whole_model(c.params, methods::state_of(c.start)), 1e-6) << i;
+    ASSERT_LE(distance_to_whole_model(c.params, state_of(c.start)), 1e-6) << i;
   }
 }
 
@@ -74,4 +74,4 @@ TEST(simulate_scene, DoesNotFallAsleepWhereASquareStopsOnASlope) {
 }
 
 }  // namespace
-}  // namespace bounce::exact::tests
+}  // namespace bounce::study::tests

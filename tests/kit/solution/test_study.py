@@ -92,7 +92,7 @@ def test_the_quick_study_answers_every_question(tmp_path: Path) -> None:
         assert table and set(columns.split()) <= set(table[0]), name
         timed = "\n# times: CPU time, pinned to core" in (tmp_path / f"{name}.csv").read_text()
         assert timed == (name in TIMED), name
-    assert len(list(tmp_path.glob("*.svg"))) == 8 and len(list(tmp_path.glob("*.md"))) == 6
+    assert len(list(tmp_path.glob("*.svg"))) == 7 and len(list(tmp_path.glob("*.md"))) == 6
     for page in tmp_path.glob("*.md"):
         for link in re.findall(r"\]\(([\w.]+)(?:#[^)]*)?\)", page.read_text()):
             assert (tmp_path / link).exists() or link == "peers.md", (page.name, link)

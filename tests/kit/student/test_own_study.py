@@ -1,7 +1,6 @@
 """What a student learns of their own program: the study of it, what it makes of measured impacts,
 and the page that asks about both."""
 
-import csv
 import json
 import re
 from pathlib import Path
@@ -21,8 +20,7 @@ EXPLORE = (ROOT / "student/explore.md").read_text()
 
 
 def rows(table: str, **where: str) -> list[dict[str, str]]:
-    lines = (ROOT / f"fixtures/study/{table}.csv").read_text().splitlines()
-    read = csv.DictReader(line for line in lines if not line.startswith("#"))
+    read = handout_data.rows(f"{table}.csv")
     return [row for row in read if where.items() <= row.items()]
 
 
