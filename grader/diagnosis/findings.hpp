@@ -74,7 +74,7 @@ bool is_finite(const Answer& answer);  // whether it didn't throw, and all its n
 
 // --- findings ---
 
-// "Your phi is y - l/2 in every question", and the like: what the rows of this name and the part's
+// "Your phi is y - l/2 in every case", and the like: what the rows of this name and the part's
 // number in tables.txt say of formulas that give all of a quantity's numbers where the right one
 // doesn't. If two formulas do, both are named; if more do, none is.
 Patterns formulas(const WrongPart& wrong, const std::string& rows = "");

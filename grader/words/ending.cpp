@@ -145,7 +145,7 @@ std::string said(const Ending& ending) {
   return filled(sentence,
                 {{"text", text},
                  {"number", number},
-                 {"came", text.empty() ? "no answer came" : "only a part of an answer came"},
+                 {"came", text.empty() ? "no answer came" : "only part of an answer came"},
                  {"call", is_start ? "to start a process" : call}});
 }
 

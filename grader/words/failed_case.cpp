@@ -13,8 +13,8 @@ constexpr double kNothing = 1e-14;       // numbers below this are rounding erro
 constexpr double kNeverSet = 1e300;      // g++ fills an unset number with -5e303, clang with NaN
 constexpr std::size_t kLineLength = 72;  // of two matrices side by side
 const std::string kAgain =
-    " when asked again in another order, though right before: is something kept from one call to "
-    "the next? ";
+    " when run again in a different order, though correct the first time (is something kept from "
+    "one call to the next?); ";
 
 std::string number(double x, int digits) {
   if (std::isnan(x)) return "nan";  // without its sign
@@ -88,14 +88,14 @@ std::string explanation(const Quantity& q) {
     for (const double x : row) {
       is_zero = is_zero && x == 0;
       if (std::isinf(x))
-        return subject + number(x, 6) + ": a division by zero? 1 / 6 is 0, of whole numbers.\n";
+        return subject + number(x, 6) + ": a division by zero? With integers, 1 / 6 is 0.\n";
       if (std::abs(x) <= kNeverSet) continue;
       return subject + number(x, 2) + ": was it ever set? If so, look for " +
-             (std::isnan(x) ? "0/0 or sqrt(-1).\n" : "what makes it grow.\n");
+             (std::isnan(x) ? "0/0 or sqrt(-1).\n" : "what makes it so large.\n");
     }
   }
   if (!is_zero) return "";
-  return is_one ? "  it is 0: not filled in, or a smallest that was never found?\n"
+  return is_one ? "  it is 0: not filled in yet, or a search for the smallest that found none?\n"
                 : "  every entry is 0: is it filled in?\n";
 }
 

@@ -70,8 +70,8 @@ Problem compare_chain(const Case& c, const Chain& chain) {
   for (std::size_t t = 0; t < kSteps && chain.is_decided; ++t) {
     if (differs(c, chain.in_the_chain[t], chain.alone[t])) {
       return {"step " + std::to_string(t + 1) +
-                  " of a chain is another one when it is asked out of the chain: is something "
-                  "kept from one call to the next?",
+                  " of a run is different when it is computed on its own: does your program keep "
+                  "something from one call to the next?",
               {}};
     }
   }

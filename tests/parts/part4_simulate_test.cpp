@@ -111,7 +111,7 @@ Problem compare_both(const Case&, const Twice& got) {
     return problem("a last q that is the first one again, or a q beyond 1e6");
   }
   if (first.q != second.q || first.v != second.v) {
-    return problem("another trajectory when asked the same a second time");
+    return problem("a different trajectory when run a second time from the same start");
   }
   return {};
 }

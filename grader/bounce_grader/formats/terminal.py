@@ -35,7 +35,7 @@ def lines(record: Report) -> list[tuple[str, str]]:
         files = first_few([*map(terminal, unusual)], more=record.get("ignored_more", 0))
         out.append(("dim", f"Not used: {files}"))
     if record["box"] == "none":
-        out.append(("yellow", "Graded without a box: this code could do whatever you can."))
+        out.append(("yellow", "Graded without a sandbox: the submitted code could do anything you can."))
     return out
 
 
@@ -57,7 +57,7 @@ def _part(part: sentences.Part) -> list[tuple[str, str]]:
         for check in part["checks"]:
             out += _check(check)
     if sentences.had_help(part):
-        words = "judged with right earlier parts: a mistake in yours costs nothing here"
+        words = "graded with correct earlier parts in place of yours: your mistakes there cost nothing here"
         out.append(("dim", f"  {words}"))
     return [*out, ("", "")]
 

@@ -50,7 +50,7 @@ void hint(const Run& run) {
   if (!run.first_part) {
     std::cout << (run.is_right()
                       ? "Every public check passes: no hint is needed.\n"
-                      : "First make the earlier parts right; what is left needs them.\n");
+                      : "Fix the earlier parts first; the remaining checks need them.\n");
     return;
   }
   if (!run.first_check) {

@@ -25,8 +25,8 @@ void require_same_when_optimised(const Run& run) {
     const std::string status = all.result.note(check).status;
     if (status == "passed") continue;
     throw Failure("no study was written: your program gives " +
-                  std::string(status == "failed" ? "other" : "no") +
-                  " numbers when it is optimised; usually `auto` for a matrix");
+                  std::string(status == "failed" ? "different" : "no") +
+                  " numbers when it is optimised; the usual cause is `auto` for a matrix");
   }
 }
 

@@ -46,7 +46,8 @@ void print_checks(const Part& part) {
   }
   if (is_one_unknown)
     std::cout << dim(
-        "  ? is open: two before it gave no answer, or it waits for right earlier parts\n");
+        "  ? = undecided: two checks before it gave no answer, or it needs correct earlier "
+        "parts\n");
 }
 
 void print_part(const Run& run, const Part& part) {
@@ -60,10 +61,10 @@ void print_part(const Run& run, const Part& part) {
   what = in_columns("Part " + std::to_string(part.number) + "  " + what, 61, part.worth(),
                     part.points);
   std::cout << (is_needed ? dim(what) : bold(what)) << "\n";
-  if (part.is_given) std::cout << dim("        with right earlier parts in place of yours\n");
+  if (part.is_given) std::cout << dim("        with correct earlier parts in place of yours\n");
   if (part.undecided() > 0) {
     std::cout << dim("        " + std::to_string(part.undecided()) +
-                     " more can be decided once the earlier parts are right\n");
+                     " more points are undecided until the earlier parts are correct\n");
   }
   const bool is_open = part.undecided() > 0 && run.is_one_part();
   if ((&part == run.first_part && run.first_check) || is_open) print_checks(part);
@@ -105,8 +106,9 @@ void print_what_was_printed(const Part& part, const Note& note) {
 void print_missing_returns(const Part& part) {
   for (const std::string& line : warnings()) {
     if (file_of(line) != part.file() || !has(line, "[-Wreturn-type]")) continue;
-    std::cout << "  " << file_of(line) << ":" << line_of(line)
-              << ": the function can end without return, and what it gives is then anything.\n";
+    std::cout
+        << "  " << file_of(line) << ":" << line_of(line)
+        << ": the function can end without returning a value; its result is then arbitrary.\n";
   }
 }
 
@@ -119,9 +121,10 @@ void print_text(const std::string& text) {
 void print_fault_of_earlier(const Run& run) {
   const std::string number = std::to_string(run.fault_shows_in->number);
   std::cout << heading("Part " + number +
-                       " does better with right earlier parts in place of yours.")
-            << "\nSo one of yours is wrong in a case that its own checks don't ask, unless part "
-            << number << " keeps\nsomething from one call to the next. With yours:\n";
+                       " scores higher with correct earlier parts in place of yours.")
+            << "\nSo either one of your earlier parts is wrong in a case that its own checks don't "
+               "cover,\nor part "
+            << number << " keeps something from one call to the next. With your earlier parts:\n";
   print_text(run.fault);
 }
 
@@ -182,7 +185,7 @@ std::string undefined_behaviour() {
       const std::string status = part.result.note(check).status;
       if (status == "failed" || status == "crashed")
         return part.file() + ": built with the sanitizers, the program fails \"" + check.title +
-               "\": does it use a value that was never set, or that is gone?";
+               "\": does it use a value that was never set, or one that no longer exists?";
     }
   }
   return "";
@@ -195,7 +198,7 @@ bool has_defined_behaviour() try {
   std::cout << heading("First: undefined behaviour") << "\n"
             << folded(printable(found) + (found.back() == '?' ? "" : "."), 74, "  ")
             << folded(
-                   "The numbers are right here and now, and may be others on another machine or "
+                   "The numbers are correct here and now, but may differ on another machine or "
                    "when the program is optimised. Fix this before you submit.",
                    74, "  ");
   return false;
@@ -223,7 +226,7 @@ bool report(const Run& run) {
                      std::to_string(run.first_part->number) + " comes first.\n");
   } else if ((run.first_part || run.undecided > 0) && run.is_one_part() && !last.calls.empty()) {
     std::cout << dim("Part" + run.option() +
-                     " calls earlier ones; where ./check finds one of them wrong, fix that "
+                     " calls earlier parts; if ./check finds one of them wrong, fix that one "
                      "first.\n");
   }
   if (run.first_part) print_first(run);
@@ -231,7 +234,7 @@ bool report(const Run& run) {
   std::cout << heading("Score on the public checks" +
                        (run.is_one_part() ? " of part" + run.option() : "") + ": " +
                        std::to_string(run.score) + " / " + std::to_string(run.possible) + ".")
-            << " There are hidden ones as well, with other numbers.\n";
+            << " There are also hidden ones, with different numbers.\n";
   print_warnings();
   return run.is_right() && (run.is_one_part() || run.sanitized || has_defined_behaviour());
 }

@@ -111,7 +111,7 @@ Run read_run(int part, bool sanitized) {
       run.all.back().checks.push_back({cells[1], cells[3], std::stoi(cells[2])});
     }
   }
-  if (run.all.empty()) throw Failure("tests/checks.txt is missing: unpack the handout anew");
+  if (run.all.empty()) throw Failure("tests/checks.txt is missing: unpack the handout again");
   for (Part& each : run.all) {
     if (!part || part == each.number) run.chosen.push_back(&each);
   }
@@ -150,7 +150,7 @@ Result run_checks(const Run& run, const Part& part, const std::string& target) {
       note.ended = ending_of(end, printed, cause);
       note.place = place;
       hung += hangs;
-      if (hangs && is_terminal()) std::cerr << "A check gives no answer; asking others.\n";
+      if (hangs && is_terminal()) std::cerr << "A check gave no answer; trying the others.\n";
       again = hung < kMostHung && *ended != -SIGXFSZ;
     }
     if (!result.notes.empty()) continue;

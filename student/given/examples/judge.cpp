@@ -57,9 +57,10 @@ class Reader {
     skip(characters);
     std::string taken = line_.substr(begin, at_ - begin);
     if (at_ + 1 < line_.size() && line_[at_] == ',' && is_digit(line_[at_ + 1])) {
-      throw Problem(column(),
-                    "a number has a point and no comma, as 0.5; behind a comma that stands "
-                    "between two there is a blank");
+      throw Problem(
+          column(),
+          "write decimals with a point, not a comma, as in 0.5; put a space after a comma "
+          "that separates two numbers");
     }
     skip(" \t\r");
     return taken;

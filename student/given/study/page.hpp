@@ -67,7 +67,7 @@ inline std::string page_with(const std::string& name, const json& data) {
   }
   const std::string place = "DATA";
   if (!check::has(html, place)) {
-    throw check::Failure("given/page/" + name + " is missing: unpack the handout anew");
+    throw check::Failure("given/page/" + name + " is missing: unpack the handout again");
   }
   std::string text = data.dump();
   for (std::size_t at = 0; (at = text.find('<', at)) != std::string::npos;)

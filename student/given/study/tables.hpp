@@ -30,7 +30,7 @@ inline json read_json(const std::filesystem::path& file) {
   std::ifstream in(file);
   json read = json::parse(in, nullptr, false);
   if (read.is_discarded())
-    throw std::runtime_error(file.string() + " is missing: unpack the handout anew");
+    throw std::runtime_error(file.string() + " is missing: unpack the handout again");
   return read;
 }
 

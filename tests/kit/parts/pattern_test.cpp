@@ -104,7 +104,7 @@ TEST(pattern, LeavesOutWhatIsNoNumberAndWhatThrew) {
   const auto all = patterns(1, asked.cases, asked.known.right, got);
   ASSERT_FALSE(all.empty());
   EXPECT_EQ(sentence_of(all[0]),
-            "Right in every public question that it answers: J_t and J_n; wrong: phi.");
+            "Correct in every public case that it answers: J_t and J_n; wrong: phi.");
   EXPECT_TRUE(patterns(1, asked.cases, asked.known.right, {}).empty());
 }
 

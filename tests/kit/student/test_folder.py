@@ -47,7 +47,7 @@ def test_takes_an_eigen_of_any_later_version_and_says_what_is_gone(tmp_path: Pat
         assert (done.returncode == 0) == is_taken, done.stderr
         assert ("Too old:         Eigen3 3.3.9" in done.stderr) != is_taken, done.stderr
     shutil.rmtree(folder / "tests")
-    assert "unpack the handout anew" in configure(folder).stderr
+    assert "unpack the handout again" in configure(folder).stderr
 
 
 # ---- editors and debuggers ----

@@ -115,7 +115,10 @@ def test_a_study_tells_what_keeps_a_wrong_part_from_the_truth(home: Path) -> Non
     put(home, "undefined/part2_view_of_the_inverse")
     done = check(home, "--study")
     assert done.returncode == 3 and not page.exists()
-    assert "your program gives other numbers when it is optimised; usually `auto`" in done.stderr
+    assert (
+        "your program gives different numbers when it is optimised; the usual cause is `auto`"
+        in done.stderr
+    )
 
 
 # ---- measured impacts ----

@@ -49,7 +49,7 @@ def grade(
                 ahead = f", {left / rate:.0f} s left" if left else ""
                 words = f"kit: {done} of {len(missing)} done, {60 * rate:.0f} a minute{ahead}"
                 print(words, file=sys.stderr, flush=True)
-    again = "the kit failed, so give the same command again"
+    again = "the kit failed, so run the same command again"
     missing_ones = [("failed", f"{again}: {failed.get(task.key)}") for task in tasks]
     return _summaries(tasks, missing_ones, reveal)
 
