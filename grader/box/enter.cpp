@@ -1,9 +1,20 @@
 // enter run|check|build [OPTION]... -- COMMAND...
 // enter step COMMAND...
 //
-// Does the last steps into a box, from inside. It stays as the box's first process, which no other
-// process in the box can inspect, trace or signal, and starts COMMAND as its child: with fewer
-// privileges, limits that count per user, the filter of system calls, and its own environment.
+// Does the last steps into a box, from inside.
+//
+// Theory of operation. Of a run the judge, and of a build the kit, starts a box. In the full box it
+// starts bubblewrap, which makes namespaces and mounts and becomes this program; a reduced box has
+// none of that, and it starts this program itself. It forks. The parent is the guard: the box's
+// first process, which no other process in the box can inspect, trace or signal. The child hides
+// files (reduced box), gives up root, sets limits that count per user, installs the filter of
+// system calls, and becomes COMMAND, with an environment of its own.
+//
+// Three pipes lead out of a run: questions come on descriptor 3 and answers go to 4, between the
+// judge and COMMAND; and the status goes from here to the judge, which so knows whether the box or
+// COMMAND failed. The guard waits for its child, kills what that leaves behind, passes out the file
+// that a build has made, and ends with its child's status. The judge measures time from outside
+// (judge/runner_process.cpp). If the judge or the kit ends, so does the box.
 //
 //   --box reduced  makes the box without namespaces: Landlock hides all files but those beneath
 //                  the PATHs, and processes that the command leaves behind are killed
